@@ -31,11 +31,11 @@ if TYPE_CHECKING:
 
     from lommel.methods.derivative_names import Name
 
-_BLOCK_VALUES = 2**22  # number of values of a channel that are computed in one block
+_BLOCK_VALUES = 2**22  # number of values per channel that are computed in one block of pupils
 
 
 class SamplingKeywords(TypedDict, total=False):
-    """Options of :func:`lommel.psf` for method, tolerance, positions and kind of pixel values, and threads."""
+    """Options of :func:`lommel.psf` for method, tolerance, position and integration of pixels, and threads."""
 
     method: Method | None
     tol: float | None
@@ -202,13 +202,13 @@ def colour_psf(
         Pupil at a reference wavelength, which is required. For other wavelengths the pupil is changed as by
         :meth:`lommel.Lens.in_light`.
     shape, pixel
-        As of :func:`lommel.psf`.
+        As for :func:`lommel.psf`.
     channels : Channels or sequence of float, optional
         Wavelengths and spectral weights of each channel, or one wavelength in metres for each channel; by default
         ``Channels.rgb()``.
     **options
         ``method`` (monochromatic), ``tol``, ``normalize``, ``dtype``, ``center``, ``integrate``, ``fill``, ``blur``,
-        ``derivatives`` and ``threads`` as of :func:`lommel.psf`. The tolerance of a channel is relative to its peak,
+        ``derivatives`` and ``threads`` as for :func:`lommel.psf`. The tolerance of a channel is relative to its peak,
         and each channel is normalised separately. Derivatives are with respect to the parameters of `pupil` at its
         reference wavelength.
 
@@ -220,7 +220,7 @@ def colour_psf(
     Raises
     ------
     TypeError, ValueError
-        As :func:`lommel.psf`; also if the pupil has no wavelength, or `channels` is invalid.
+        As for :func:`lommel.psf`; also if the pupil has no wavelength, or `channels` is invalid.
     ToleranceError
         If the tolerance cannot be met.
 
@@ -254,22 +254,22 @@ def colour_psf(
         return ColourPSF(light, tuple(_at_single_wavelength(one) for one in psfs))
     if center_shape := plan.grid(pupil).stack:
         pupil = question.for_axes(pupil, center_shape)
-    return ColourPSF(light, tuple(_at_single_wavelength(one) for one in _psfs(pupil, sums, plan)))
+    return ColourPSF(light, tuple(_at_single_wavelength(one) for one in _compute_channels(pupil, sums, plan)))
 
 
 def _at_single_wavelength(psf: PSF) -> PSF:
-    """Return the PSF of a channel with the pupil at the wavelength of the channel, if it has only one."""
+    """Return the PSF of a channel; if the channel has one wavelength, the pupil is changed to this wavelength."""
     method, wavelength = psf.method, psf.pupil.wavelength
     if not isinstance(method, Polychromatic) or wavelength is None or len(method.wavelengths) > 1:
         return psf
     # Measures of the PSF are then computed at this wavelength.
     (single,) = method.wavelengths
-    # `scale` is relative to the unaberrated peak at the pupil's wavelength; this peak is proportional to lambda^-2.
+    # `scale` refers to the unaberrated peak at the wavelength of the pupil, which is proportional to lambda^-2.
     return replace(psf, pupil=psf.pupil.in_light(single), scale=psf.scale * (wavelength / single) ** 2)
 
 
-def _psfs(pupil: BasePupil, sums: list[Polychromatic], plan: Plan) -> tuple[PSF, ...]:
-    """Compute the PSFs of all channels in blocks of pupils, with each wavelength computed once."""
+def _compute_channels(pupil: BasePupil, sums: list[Polychromatic], plan: Plan) -> tuple[PSF, ...]:
+    """Compute the PSFs of all channels in blocks of pupils; each wavelength is computed only once."""
     prepared = prepare(pupil, (), plan.grid(pupil), sums[0], plan.tol, plan.normalize, plan.dtype, plan.threads)
     count, sides = math.prod(pupil.shape), prepared.grid.shape
     if len(sums) * count * math.prod(sides) > validation.MAX_VALUES:
@@ -289,13 +289,13 @@ def _psfs(pupil: BasePupil, sums: list[Polychromatic], plan: Plan) -> tuple[PSF,
             index = np.unravel_index(np.arange(block.start, block.stop), pupil.shape)
             part, grid = pupil[index], grid[index] if grid.stack else grid
         normalized = prepared.wanted.scale is None
-        # Division by the largest value, which has an error too, about doubles the error relative to the peak.
+        # Division by the largest value, which has an error too, about doubles the error divided by the peak.
         aim = (0.48 if normalized else 1.0) * (plan.tol - 1.1 * storing(plan.dtype))
         found = together(sums, part, grid, plan.threads, aim, window=normalized)
         for c, (each, intensities) in enumerate(zip(sums, found, strict=True)):
             out = values[c].reshape(count, *sides)[block]
             request = Wanted(
-                _scale(each, part, plan, prepared.wanted.scale, block), plan.dtype, out, threads=plan.threads
+                _channel_scale(each, part, plan, prepared.wanted.scale, block), plan.dtype, out, threads=plan.threads
             )
             images = with_model_error(to_images(intensities, grid, request), part, each, normalized=normalized)
             scales[c, block] = images.scale
@@ -316,10 +316,10 @@ def _psfs(pupil: BasePupil, sums: list[Polychromatic], plan: Plan) -> tuple[PSF,
     )
 
 
-def _scale(
+def _channel_scale(
     each: Polychromatic, pupil: BasePupil, plan: Plan, scale: float | Array | None, block: slice
 ) -> float | Array | None:
-    """Return the factor of the intensities of a block of pupils; for "strehl" it depends on the channel."""
+    """Return the factor by which intensities of a block of pupils are multiplied; for "strehl", that of a channel."""
     if plan.normalize == "strehl":
         return 1.0 / each.unaberrated_peak(pupil)
     return scale[block] if isinstance(scale, np.ndarray) and scale.ndim else scale

@@ -1,7 +1,9 @@
-"""Reproduction of figures and numbers of the paper that this package started from, cited in `docs/paper.md`.
+"""Reproduce figures and numbers of the paper on which this package is based, cited in `docs/paper.md`.
 
 The paper's closed form (CFIS) is :class:`lommel.methods.ClosedForm`. Its variant "printed" is Eq. (12) as printed;
-"corrected" has the missing factor sqrt(2 / pi). The equation numbers in this file are those of the paper.
+the variant "corrected" has the missing factor sqrt(2 / pi). Equation numbers in this file are those of the paper.
+C_d (defocus) and C_s (spherical aberration) are phase coefficients at the pupil edge in radians, v = pi r / (lambda N)
+is the optical coordinate at the distance r from the axis, and MSE is the mean squared error.
 """
 
 from __future__ import annotations
@@ -48,7 +50,7 @@ Facts: TypeAlias = Json
 _Result = TypeVar("_Result")
 
 VARIANTS = ("printed", "corrected")
-# Reference from which all errors are computed; its error bound is proven. `Hankel` agrees with this reference.
+# All errors are differences from the results of this method, whose error bound is proven.
 REFERENCE = methods.NijboerZernike(tol=1e-9)
 
 
@@ -57,8 +59,7 @@ class Setting:
     """Parameters of one PSF of the paper."""
 
     shape: int = 512  # side of the image, pixels
-    # v = pi r / (lambda N) at the edge of the image. The paper does not state this value; 145 reproduces the radii of
-    # the rings in Fig. 4 and the paper's first mean squared error (MSE).
+    # v at the edge; not stated in the paper, but 145 reproduces the ring radii in its Fig. 4 and its first MSE.
     window: float = 145.0
     defocus: float = 10.0  # C_d, radians
     tangent: float = 100.0  # tangent-line centre (TLC), alpha of Eq. (9)
@@ -80,9 +81,9 @@ class Setting:
         return methods.ClosedForm(tangent=self.tangent, erf=erf, variant=variant)
 
     def fft(self) -> methods.Fraunhofer:
-        """Return the FFT method of the paper's comparison: one transform of the size of the image."""
-        # With a pupil radius of R samples, a transform of n samples has pixels of 2 pi R / n in v, and its n / 2
-        # pixels from the centre to the edge span pi R = window.
+        """Return the FFT method of the paper's comparison: one transform of the image's size, without zero padding."""
+        # With a pupil radius of R samples, a transform of n samples has the pixel pitch 2 pi R / n in v. Its n / 2
+        # pixels from the centre to the edge span pi R, which must equal the window; `samples` is 2 R.
         return methods.Fraunhofer(samples=math.floor(2.0 * self.window / math.pi), padding=1.0)
 
     def image(self, method: methods.Method) -> NDArray[np.float64]:
@@ -100,7 +101,7 @@ class Setting:
         return {name: image / peak for name, image in images.items()}
 
     def facts(self) -> Facts:
-        """Return the settings in plain types."""
+        """Return the parameters in plain types."""
         return asdict(self)
 
 
@@ -120,7 +121,7 @@ def middle_row(image: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 def measures(images: Mapping[str, NDArray[np.float64]]) -> dict[str, Facts]:
-    """Return the errors of :meth:`Setting.images` from "exact", and of both variants also the MSE from "fft"."""
+    """Return errors of :meth:`Setting.images` against "exact"; for both variants also the MSE against "fft"."""
     truth = images["exact"]
     found: dict[str, Facts] = {
         name: {"mse": mse(image, truth), "peak_error": peak_error(image, truth)}
@@ -208,13 +209,13 @@ def methods_cost(sizes: Sequence[int] = (32, 64, 128, 256, 512, 1024), budget: f
     sizes : sequence of int
         Values of n, increasing. The pixel pitch is fixed, so that the window grows with n; C_d = 10.
     budget : float
-        Maximum estimated time of one image, in seconds. Once the estimate exceeds it, a method is not timed further.
+        Maximum estimated time of one image, in seconds. A method whose estimate exceeds it is not timed at larger n.
 
     Returns
     -------
     FigureData
-        Times, divided by the time of one complex FFT of n x n, and largest errors of the images, relative to the
-        exact peak. NaN for methods that were not timed at this n.
+        For each method and n, the time divided by the time of one complex FFT of n x n, and the largest error of the
+        image divided by the exact peak; NaN if the method was not timed at this n.
     """
     from scipy.fft import fft2
 
@@ -247,15 +248,15 @@ def methods_cost(sizes: Sequence[int] = (32, 64, 128, 256, 512, 1024), budget: f
 
 
 def _methods(n: int) -> dict[str, tuple[methods.Method, Pupil]]:
-    """Return each method with its pupil; HuygensFresnel needs a lens, since it sums over physical distances."""
+    """Return each method with its pupil; HuygensFresnel needs the pupil of a lens, since it sums over distances."""
     pupil = Pupil(Wavefront(_DEFOCUS))
-    # The paper's aperture radius is R_max = 0.0015 m. The lens is focused at infinity, and the object is at the
-    # distance that gives the defocus.
+    # The paper's aperture radius is R_max = 0.0015 m. The lens is focused at infinity, and the object distance is
+    # chosen so that the defocus is _DEFOCUS.
     wavelength, radius = 550e-9, 1.5e-3
     lens = Lens(focal_length=30e-3, aperture_diameter=2 * radius, focus_distance=math.inf, wavelength=wavelength)
     near = lens.pupil(math.pi * radius**2 / (2.0 * _DEFOCUS * wavelength))
     blur, window = float(pupil.v(pupil.geometric_radius())), (n / 2 + 0.5) * _PITCH
-    # Enough samples that the blur disc of the next period of the discrete transform does not enter the window.
+    # Use so many samples that the blur disc of the next period of the discrete transform is outside the window.
     fewest = max(8, math.ceil((blur + window) / math.pi) + 1)
     return {
         "Huygens, every pixel": (methods.HuygensFresnel(symmetry=False), near),
@@ -280,7 +281,7 @@ def _time(work: Callable[[], _Result]) -> tuple[_Result, float]:
 
 
 def draw_methods_cost(data: FigureData) -> Figure:
-    """Draw the time against n, and the error against the time at the largest timed n <= 512 of each method."""
+    """Draw the time against n, and for each method the error against the time at its largest timed n <= 512."""
     figure = new_figure(10.5, 4.4)
     left, right = panels(figure, 2, xlabel="time / one complex FFT of n × n")
     n, names = data.arrays["n"], [str(name) for name in data.arrays["methods"]]
@@ -321,8 +322,8 @@ _BESSEL = {
 def bessel_forms(samples: int = 2001, far: float = 200.0, tangent: float = 100.0) -> FigureData:
     """Evaluate J0 and its approximations at arguments a from 0.05 to `far`, evenly spaced in log a.
 
-    "printed" and "corrected" are the approximation of J0 in Eq. (12): for a <= 1 three terms of Eq. (6); for a > 1
-    Eq. (7) with Eq. (9) in place of the square root. Only "corrected" has the factor sqrt(2 / pi).
+    The columns "printed" and "corrected" are the approximation of J0 in Eq. (12): three terms of Eq. (6) if a <= 1,
+    and Eq. (7) with Eq. (9) in place of the square root if a > 1. Only "corrected" has the factor sqrt(2 / pi).
     """
     from scipy.special import j0
 
@@ -369,7 +370,7 @@ def draw_bessel_forms(data: FigureData) -> Figure:
 
 
 def compare_with_fft(setting: Setting = Setting()) -> FigureData:
-    """Compute one PSF by the FFT, by both variants of the closed form, and exactly, relative to the exact peak."""
+    """Compute a PSF by the FFT, both variants of the closed form and the exact method, divided by the exact peak."""
     images = setting.images()
     facts = setting.facts() | measures(images)
     facts["fft"]["method"] = repr(setting.fft())
@@ -379,7 +380,7 @@ def compare_with_fft(setting: Setting = Setting()) -> FigureData:
 
 
 def draw_comparison(data: FigureData) -> Figure:
-    """Draw the four images on one colour scale, and below them their slices and the errors of the slices."""
+    """Draw the four images on one colour scale; below, draw their slices from the centre and the errors of these."""
     figure = new_figure(11.0, 7.0)
     facts = data.facts
     figure.suptitle(
@@ -408,7 +409,7 @@ def draw_comparison(data: FigureData) -> Figure:
 
 
 class Variation(NamedTuple):
-    """A parameter that a figure varies: its label, its values, and other settings that differ from the default."""
+    """A parameter that a figure varies: its label, its values, and the other parameters that are not the defaults."""
 
     label: str
     values: tuple[float, ...]
@@ -418,13 +419,13 @@ class Variation(NamedTuple):
 VARIED = {
     "terms": Variation("N", (10, 20, 30, 40)),
     "defocus": Variation("C_d", (5.0, 10.0, 20.0, 30.0)),
-    # The paper does not state C_d and window of Fig. 7; these reproduce its errors best, see `tangent_search`.
+    # The paper does not state C_d and the window of Fig. 7; these values reproduce its errors best (tangent_search).
     "tangent": Variation("TLC", (100.0, 150.0, 200.0, 250.0), {"defocus": 22.0, "window": 185.0}),
 }
 
 
 def vary(parameter: str, setting: Setting = Setting(), values: Sequence[float] = ()) -> FigureData:
-    """Compute the closed form in both variants, the FFT and the exact PSF while one parameter varies."""
+    """Compute both variants of the closed form, the FFT and the exact PSF for each value of one parameter."""
     label, usual, fixed = VARIED[parameter]
     values, setting = values or usual, replace(setting, **fixed)  # type: ignore[arg-type]
     arrays: Arrays = {"v": setting.v, parameter: np.asarray(values)}
@@ -441,7 +442,7 @@ def vary(parameter: str, setting: Setting = Setting(), values: Sequence[float] =
 
 
 def draw_varied(data: FigureData, *, errors: bool = False) -> Figure:
-    """Draw the images of both variants (their errors if `errors`) on one colour scale with one colour bar."""
+    """Draw the images of both variants, or with `errors` the errors of these images, on one colour scale."""
     from matplotlib.colors import SymLogNorm
 
     varies, cases = data.facts["varies"], data.facts["panels"]
@@ -483,7 +484,7 @@ _SPLIT_COLORS = {"linear": "tab:red", "sqrt": "tab:orange", "log": "tab:green", 
 
 
 def fit_quartic(variant: str, spherical: float, pieces: int = PIECES, split: str = "") -> PiecewiseQuadratic:
-    """Return the least-squares fit of Eq. (17); "corrected" also fits constants gamma_i, which the paper omits."""
+    """Return the least-squares fit of Eq. (17); "corrected" also fits the constants gamma_i that the paper omits."""
     corrected = variant == "corrected"
     split = split or ("optimal" if corrected else "linear")
     return fit_quadratics((0.0, spherical), pieces, split=split, fit="least-squares", piston=corrected)
@@ -492,8 +493,8 @@ def fit_quartic(variant: str, spherical: float, pieces: int = PIECES, split: str
 def quartic_phase(samples: int = 1000, most: int = 12, spherical: float = SPHERICAL) -> FigureData:
     """Fit exp(i C_s rho^4) by exponentials of quadratics in rho, one for each of several intervals (pieces).
 
-    One fit has :data:`PIECES` intervals. Further fits have 1 to `most` intervals, for each way of :data:`SPLITS` to
-    split 0 <= rho <= 1, with and without constants gamma_i.
+    The fits that are drawn have :data:`PIECES` intervals. The MSE is computed for 1 to `most` intervals, for each
+    method of :data:`SPLITS` to split 0 <= rho <= 1, with and without constants gamma_i.
     """
     rho = (np.arange(samples) + 0.5) / samples
     phase = spherical * rho**4
@@ -523,7 +524,7 @@ def quartic_phase(samples: int = 1000, most: int = 12, spherical: float = SPHERI
 
 
 def draw_quartic_phase(data: FigureData) -> Figure:
-    """Draw the phase with its fitted quadratics, the errors of both fits, and the MSE over the number of pieces."""
+    """Draw the phase with the fitted quadratics, the errors of both fits, and the MSE against the piece count."""
     figure = new_figure(13.0, 4.2)
     left, middle, right = panels(figure, 3, xlabel="ρ = R / R_max")
     a, facts = data.arrays, data.facts
@@ -531,7 +532,7 @@ def draw_quartic_phase(data: FigureData) -> Figure:
     edges = a["printed_edges"]
     for i in range(facts["pieces"]):
         inside = (a["rho"] >= edges[i]) & (a["rho"] < edges[i + 1])
-        # A multiple of 2 pi does not change exp(i phase); it moves the drawn piece close to the phase.
+        # Subtract a multiple of 2 pi, which does not change exp(i phase), to draw the piece close to the phase.
         turns = np.round(np.mean(a["printed fit"][inside] - a["phase"][inside]) / (2.0 * np.pi))
         left.plot(a["rho"][inside], a["printed fit"][inside] - 2.0 * np.pi * turns, linewidth=1.6,
                   label=f"{a['printed_alpha'][i]:.2f} ρ² {a['printed_beta'][i]:+.2f} ρ")  # fmt: skip
@@ -604,10 +605,10 @@ def draw_validity(data: FigureData) -> Figure:
 Errors = tuple[NDArray[np.float64], NDArray[np.float64]]
 
 FIRST = Setting()
-# Setting whose errors are closest to both errors of the paper's tangent-line comparison; see :func:`tangent_search`.
+# Setting with the closest errors to the two errors of the paper's tangent-line comparison; see `tangent_search`.
 SECOND = replace(FIRST, **VARIED["tangent"].fixed)  # type: ignore[arg-type]
 
-# Values of the searches for parameters that the paper does not state: window (v), C_d, C_s; TANGENTS are the paper's.
+# Values that are searched for parameters that the paper does not state (window in v, C_d, C_s), and the paper's TLCs.
 WINDOWS = np.arange(100.0, 301.0, 1.0)
 DEFOCI = np.arange(11.0, 41.0, 1.0)
 TANGENTS = (100.0, 200.0)
@@ -620,9 +621,9 @@ PAPER_PIECES = 0.000137
 
 
 def rows(first: Setting = FIRST, second: Setting = SECOND) -> list[Facts]:
-    """Return the rows of the table: a number of the paper, the computed numbers, the settings, and a search.
+    """Return the rows of the table: a number of the paper, the computed numbers, the settings, and a search result.
 
-    The search is over parameters that the paper does not state; the row has its closest number to the paper's.
+    The search varies parameters that the paper does not state, and finds the number closest to the paper's.
     """
     return [*_first_rows(first), *_tangent_rows(second), _pieces_row()]
 
@@ -720,7 +721,7 @@ def squared_errors(setting: Setting, variant: str, step: float = 0.15) -> Errors
 
 
 def mean_over_window(errors: Errors, window: float) -> float:
-    """Return the mean of a radial function, at evenly spaced v, over the square from -window to window."""
+    """Return the mean over a square of half side `window` of a radial function, given at evenly spaced v."""
     v, values = errors
     # Fraction of the circle of radius v that is outside the square, at most 1.
     outside = np.arccos(np.minimum(1.0, window / v)) * (4.0 / math.pi)
@@ -729,9 +730,9 @@ def mean_over_window(errors: Errors, window: float) -> float:
 
 
 def tangent_search(variant: str, terms: int | None = 30) -> Facts:
-    """Return C_d and window whose errors are closest to both errors of the paper's tangent-line comparison.
+    """Return C_d and window with the closest errors to the two errors of the paper's tangent-line comparison.
 
-    The distance is the sum of abs(log(computed / paper)) over both errors.
+    Closest means the smallest sum of abs(log(computed / paper)) for the two errors.
     """
     tried = []
     for defocus in DEFOCI:
@@ -750,24 +751,24 @@ def tangent_search(variant: str, terms: int | None = 30) -> Facts:
 
 
 def own_peak_error(image: NDArray[np.float64], truth: NDArray[np.float64]) -> float:
-    """Return the largest difference of the middle rows, each image divided by its own peak."""
+    """Return the largest difference between the middle rows of two images, each divided by its own peak."""
     return float(np.abs(middle_row(image) / image.max() - middle_row(truth) / truth.max()).max())
 
 
 def _slice_error(setting: Setting, variant: str) -> float:
-    """Return :func:`own_peak_error` of a setting, computed from the middle rows only."""
+    """Return :func:`own_peak_error` of a setting; only the middle rows are computed."""
     truth, image = _intensities(setting, variant, setting.v)
     return float(np.abs(image / image.max() - truth / truth.max()).max())
 
 
 def _intensities(setting: Setting, variant: str, v: NDArray[np.float64]) -> list[NDArray[np.float64]]:
-    """Return the exact intensity and the intensity of the closed form at v."""
+    """Return the exact intensity and the intensity of the closed form at the coordinates v."""
     pupil = Pupil(Wavefront(setting.defocus))
     return [np.abs(method.field(pupil, v)) ** 2 for method in (REFERENCE, setting.closed_form(variant))]
 
 
 def _closest(name: str, tried: NDArray[np.float64], values: Sequence[float], target: float) -> Facts:
-    """Return the value with the least abs(log(value / target)), and the parameter `name` that it was computed for."""
+    """Return the value with the least abs(log(value / target)), and the parameter `name` that yields it."""
     value, at = min(zip(values, tried.tolist(), strict=True), key=lambda pair: abs(math.log(pair[0] / target)))
     return {"value": value, "at": {name: at}}
 
@@ -809,7 +810,7 @@ def number(value: float | None) -> str:
 
 
 def closest_text(closest: Facts) -> str:
-    """Return the closest value and its parameters in words."""
+    """Return in words the closest value and the parameters that yield it."""
     names = {"window": "v <=", "defocus": "C_d =", "spherical": "C_s ="}
     return f"{number(closest['value'])} at " + ", ".join(f"{names[key]} {x:g}" for key, x in closest["at"].items())
 
@@ -850,7 +851,7 @@ def names(figure: str) -> tuple[str, str, str]:
 def reproduce(
     folder: Path, chosen: Iterable[str] | None = None, started: Callable[[str], object] = str, *, dpi: float = 130.0
 ) -> Facts:
-    """Write the `chosen` figures, or all figures and the table; return the written files, figure facts and the table.
+    """Write the `chosen` figures, or all figures and the table; return file names, facts of figures and the table.
 
     `started` is called with a description before each computation.
     """
@@ -870,7 +871,7 @@ def reproduce(
     for figure in figures:
         started(f"figure {figure}: {FIGURES[figure].caption}")
         data = FIGURES[figure].compute()
-        # All three files are encoded before the first is written.
+        # All three files are encoded before the first file is written.
         contents = (picture(FIGURES[figure].draw(data), dpi), archive(data), spreadsheet(data))
         for name, content in zip(names(figure), contents, strict=True):
             write(name, content)
@@ -885,7 +886,7 @@ def reproduce(
 
 
 def _prepare(folder: Path, targets: Iterable[str]) -> None:
-    """Create the folder and check that it is writable, before the long computation; after an error, remove it."""
+    """Before the long computation, create the folder and check that it is writable; after an error, remove it."""
     created = [part for part in (folder, *folder.parents) if not part.exists()]
     try:
         if folder.exists() and not folder.is_dir():

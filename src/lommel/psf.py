@@ -1,4 +1,4 @@
-"""Point spread functions: `psf` computes one, `Plan` many with the same options, and `PSF` is the result of both."""
+"""Point spread functions: `psf` computes one, `Plan` computes many with the same options; both return a `PSF`."""
 
 from __future__ import annotations
 
@@ -59,7 +59,7 @@ def psf(
     pupil : Pupil or ObjectivePupil
         Pupil of a lens, or of a microscope (:meth:`lommel.Objective.pupil`). A stack of pupils gives a stack of PSFs.
     shape : int or (int, int)
-        Side of a square, or height and width, in pixels. The centre is the middle of pixel
+        Side of a square window, or height and width, in pixels. The centre of the window is the centre of pixel
         ``(height // 2, width // 2)``.
     pixel : float or (float, float)
         Pixel pitch, or height and width of pixels that are not square, in metres if the pupil has a wavelength, else
@@ -92,8 +92,8 @@ def psf(
         Fill factor: the active fraction of the area of a pixel, or of its height and width. Values are always
         pixel-integrated if it is below 1.
     blur : Blur or sequence of Blur, default ()
-        Further blur of lenses, such as :class:`lommel.Seeing` or :class:`lommel.Jitter`; :doc:`/sensor` lists all.
-        Not supported with derivatives.
+        Additional blur of images by lenses, such as :class:`lommel.Seeing` or :class:`lommel.Jitter`; see
+        :doc:`/sensor`. Not supported with derivatives.
     derivatives : sequence, default ()
         Parameters with respect to which derivatives are computed, returned as ``PSF.derivatives``.
         For lenses, per radian: "defocus" (C_d), "spherical" (C_s), "rho^6", "rho^8", and Zernike coefficients
@@ -166,7 +166,7 @@ class Plan:
     Parameters
     ----------
     shape, pixel, method, tol, normalize, center, integrate, fill, blur, threads
-        As of :func:`psf`.
+        As for :func:`psf`.
     dtype : float32 or float64, optional
         Type of the values and of `out`; by default float64 for tolerances below 1e-6 and float32 otherwise.
 
@@ -234,7 +234,7 @@ class Plan:
             pupil = question.for_axes(pupil, self._center_shape)
         if not self.plain:
             return self._blurred(pupil, derivatives, out)
-        # All that checks, methods and tables depend on. Successive pupils often differ only in their phase.
+        # Checks, methods and tables depend on these properties only. Successive pupils often differ only in phase.
         light = pupil.aperture, pupil.radial, pupil.shape, pupil.wavelength, pupil.f_number
         prepared = self._prepared
         if prepared is None or prepared.light != light:
@@ -407,7 +407,7 @@ class Measured:
     """Image quality measures of a PSF.
 
     Most measures are computed from the optical transfer function and do not depend on the window. By default they are
-    measures of the image, that is with blur and averaging over pixels; with ``of="optics"``, without the pixels.
+    measures of the image, that is with blur and averaging over pixels; with ``of="optics"``, without averaging.
     Results have the shape of the stack of pupils, followed by the axis of channels, if any, and by the shape of the
     argument. The function that a method refers to documents the error of the measure.
     """
@@ -498,14 +498,14 @@ class PSF(Measured, PSFLike, display.Shown):
     pupil : Pupil or ObjectivePupil
     method : Method
     normalize : str
-        "energy", "emitted", "strehl" or "peak", as of :func:`psf`.
+        "energy", "emitted", "strehl" or "peak", as for :func:`psf`.
     error_bound : float or None
         Bound on the largest error of the values relative to the peak of the PSF, which may lie outside the window; if
         `normalize` is "peak", relative to the largest value in the window. Of a stack, the maximum over its PSFs.
         None if the method has no bound. The peak of a pixel-integrated PSF is the largest average over a pixel at any
         position, which exceeds the largest pixel by up to 3.8 times if pixels are coarse and the axis is at a corner.
     scale : ndarray, shape ``pupil.shape``
-        Factor that the intensity was multiplied by, if the peak without obscuration and aberration has intensity 1.
+        Factor by which intensities were multiplied whose peak without obscuration and aberration is 1.
     derivatives : dict of (str or (int, int)) to ndarray
         Derivatives of the values with respect to the requested parameters, each of the shape of the values.
     derivative_bounds : dict of (str or (int, int)) to float
@@ -608,7 +608,7 @@ class PSF(Measured, PSFLike, display.Shown):
         Returns
         -------
         dict of name to ndarray
-            Gradient by the parameter, with the shape of the pupil.
+            Gradient with respect to each parameter, with the shape of the pupil.
 
         Raises
         ------

@@ -3,9 +3,9 @@
 A chunk is a block of the stack, and has one file in each computed array. Writing a chunk changes no other file, so
 that a killed process leaves the other chunks intact.
 
-Every store has an identity, a random number. Each write compares the identity, so that no chunk is written into a
-store that replaced this one. Every checksum includes the identity, so that a chunk copied from another store is
-detected. "Pupils" are the pupils of the stack, one for each PSF.
+Every store has an identity, a random number. Each chunk is written by way of a folder whose name is the identity, so
+that no chunk is written into a store that replaced this one. Every checksum includes the identity, so that a chunk
+copied from another store is detected. "Pupils" are the pupils of the stack, one for each PSF.
 """
 
 from __future__ import annotations
@@ -92,7 +92,7 @@ def layouts(description: Description) -> dict[str, Layout]:
     names = tuple(description["axes"])
     kind = {"float32": "<f4", "float64": "<f8"}[description["dtype"]]
     if not len(names) == len(stack) == len(chunks) >= 1 or min(*stack, *chunks, *window) < 1 or len(window) != 2:
-        raise ValueError(f"axes {names}, chunks {chunks} and windows {window} for a stack of shape {stack}")
+        raise ValueError(f"its axes {names}, chunks {chunks} and window {window} do not fit the stack {stack}")
     count = math.prod(-(-n // c) for n, c in zip(stack, chunks, strict=True))
     if math.prod(stack) > validation.MAX_VALUES or count > MAX_CHUNKS:
         raise ValueError(
@@ -107,7 +107,7 @@ def layouts(description: Description) -> dict[str, Layout]:
     }
     if not all(name.isidentifier() for name in (*names, *description["arrays"])) or {*names} & {*found, "y", "x"}:
         raise ValueError(
-            f"axes {names} and arrays {list(description['arrays'])} must have identifiers as names, no two alike"
+            f"axes {names} and arrays {list(description['arrays'])} must have identifiers as names, all different"
         )
     for name, (sizes, _) in description["arrays"].items():
         tail = tuple(int(n) for n in sizes)
@@ -158,7 +158,7 @@ class Store:
             store = cls(path, description, found)
             for name in found:
                 if ZarrArray.open(path / name) != store._array(name):
-                    raise ValueError(f"its array {name} is stored in another way; zarr reads it")
+                    raise ValueError(f"its array {name} has another layout than its description; read it by zarr")
             return store
 
     @property
@@ -265,7 +265,7 @@ def replaced(path: Path) -> FileError:
 
 
 def fill_value(name: str, layout: Layout) -> float:
-    """Return the fill value of an array: -1 for checksums, NaN for other floating-point arrays, else 0."""
+    """Return the fill value of an array: -1 for checksums, NaN for floating-point numbers, else 0."""
     return -1 if name == CHECKSUMS else np.nan if layout.dtype[1] == "f" else 0
 
 
@@ -389,7 +389,7 @@ class PSFStack:
 
     @property
     def error_bound(self) -> Array:
-        """Error bound of each PSF relative to its peak, the maximum over its chunk; NaN if not computed yet."""
+        """Error bound of each PSF / its peak, the maximum over its chunk; NaN if unknown or not computed yet."""
         return self._store.read_whole("error_bound")
 
     @property
@@ -438,7 +438,7 @@ class PSFStack:
         return f"<PSFStack {'x'.join(map(str, self.shape))} {self.dtype} ({axes}) in {self._store.path.name}{note}>"
 
     def __getitem__(self, index: ArrayIndex) -> PSF:
-        """Return part of the stack in memory, for the index of a NumPy array of the shape of the stack.
+        """Return the PSFs at a NumPy index into the axes of the stack, as one :class:`lommel.PSF` in memory.
 
         Raises
         ------
@@ -498,7 +498,7 @@ class PSFStack:
         )
 
     def _members(self, index: ArrayIndex, only: tuple[str, ...] | None = None) -> tuple[NDArray[np.intp], Arrays]:
-        """Return the indices of PSFs in the flattened stack, for an index of the stack, and their arrays by name."""
+        """Return the positions of the PSFs stack[index] in the flattened stack, and their arrays by name."""
         stack = self.shape[:-2]
         members = np.asarray(np.arange(math.prod(stack)).reshape(stack)[index])
         if members.size == 0 or members.size * math.prod(self.shape[-2:]) > validation.MAX_VALUES:
@@ -528,7 +528,7 @@ class PSFStack:
 
 
 class _Values:
-    """The values of a stack as an array-like for dask: an index has the axes of the stack, then row and column."""
+    """Array-like view of the values of a stack for dask, indexed by the axes of the stack, row and column."""
 
     def __init__(self, stack: PSFStack) -> None:
         self._stack, self.shape, self.dtype, self.ndim = stack, stack.shape, stack.dtype, stack.ndim
@@ -545,7 +545,7 @@ _LENS, _OBJECTIVE = "Pupil", "ObjectivePupil"
 
 
 def split_pupils(pupil: BasePupil) -> tuple[Json, dict[str, Array]]:
-    """Return the parameters that all pupils of a stack share (plain JSON), and arrays of those that vary over it."""
+    """Return the parameters that all pupils of a stack share (plain JSON), and arrays of the varying parameters."""
     first = pupil[(0,) * len(pupil.shape)] if pupil.shape else pupil
     shared = first.to_dict()
     if isinstance(pupil, ObjectivePupil):
@@ -554,10 +554,10 @@ def split_pupils(pupil: BasePupil) -> tuple[Json, dict[str, Array]]:
             del shared[name]
         measured = pupil.aberrations
         if measured is not None and measured.shape:
-            shared["aberrations"] = _terms(measured, arrays)
+            shared["aberrations"] = _split_wavefront(measured, arrays)
         return {"kind": _OBJECTIVE} | shared, arrays
     lens, arrays = checked_pupil(pupil), {}
-    shared["wavefront"] = _terms(lens.wavefront, arrays)
+    shared["wavefront"] = _split_wavefront(lens.wavefront, arrays)
     if lens.geometry is not None:
         arrays["object_distance"] = lens.geometry.distances.reshape(lens.shape)
         shared["geometry"]["object_distance"] = []
@@ -575,15 +575,15 @@ def join_pupils(shared: Json, arrays: Mapping[str, Array]) -> BasePupil:
         if "edge" not in arrays:
             return ObjectivePupil.from_dict(plain | planes)
         bare = ObjectivePupil.from_dict(plain | planes | {"aberrations": None})
-        return replace(bare, aberrations=_wavefront(plain["aberrations"], arrays))
+        return replace(bare, aberrations=_join_wavefront(plain["aberrations"], arrays))
     geometry = plain.pop("geometry")
     if geometry is not None:
         geometry = Geometry.from_dict(geometry | {"object_distance": arrays["object_distance"].ravel().tolist()})
     bare_lens = Pupil.from_dict(plain | {"wavefront": {}, "geometry": None})
-    return bare_lens.carrying(_wavefront(plain["wavefront"], arrays), geometry)
+    return bare_lens.carrying(_join_wavefront(plain["wavefront"], arrays), geometry)
 
 
-def _terms(wavefront: Wavefront, arrays: dict[str, Array]) -> Json:
+def _split_wavefront(wavefront: Wavefront, arrays: dict[str, Array]) -> Json:
     """Add the coefficients of a wavefront to `arrays`; return its terms and the bound on their error."""
     arrays["edge"] = wavefront.edge
     if wavefront._powers is not None:
@@ -591,8 +591,8 @@ def _terms(wavefront: Wavefront, arrays: dict[str, Array]) -> Json:
     return {"terms": [list(term) for term in wavefront.terms], "error": wavefront.error}
 
 
-def _wavefront(description: Json, arrays: Mapping[str, Array]) -> Wavefront:
-    """Return the wavefront from the result of :func:`_terms` and its arrays."""
+def _join_wavefront(description: Json, arrays: Mapping[str, Array]) -> Wavefront:
+    """Return the wavefront from the result of :func:`_split_wavefront` and the arrays that it added."""
     terms = tuple(zernike.check_term(n, m) for n, m in description["terms"])
     edge = validation.real_array("edge", arrays["edge"]).copy()
     if edge.ndim == 0 or edge.shape[-1] != len(terms):
@@ -619,7 +619,7 @@ class Request:
     prepare : partial of Plan
         Plan without center and method, which each chunk adds; it is sent to the workers.
     method_order : tuple
-        For each of `pupils`, the methods to try, in order. They are chosen for a whole stack, independent of chunks.
+        For each of `pupils`, the methods in the order in which they are tried; the order is the same for all chunks.
     grid : Grid
     axes : dict of str to ndarray
         Coordinates along each axis of the stack.
@@ -667,8 +667,8 @@ class Request:
 def requested(
     plan: Plan, pupils: BasePupil | Sequence[BasePupil], axes: Mapping[str, Coordinates] | None, chunk: int | None
 ) -> Request:
-    """Check the arguments of :func:`lommel.psf_to`."""
-    stacks, listed, grid = _stacks(pupils, plan)
+    """Check the arguments of :func:`lommel.psf_to`; return them as a Request."""
+    stacks, listed, grid = _check_stacks(pupils, plan)
     stack = (len(stacks), *stacks[0].shape) if listed else stacks[0].shape
     if not 1 <= len(stack) <= _MAX_AXES:
         raise ValueError(
@@ -688,10 +688,10 @@ def requested(
     most = max(1, DEFAULT_CHUNK_BYTES // (dtype.itemsize * math.prod(grid.shape)))
     if chunk is not None:
         most = validation.integer("chunk", chunk, least=1, most=validation.MAX_VALUES)
-    shared, arrays = _differences(stacks, listed)
+    shared, arrays = _split_stacks(stacks, listed)
     if grid.stack:
         arrays |= {"row": np.asarray(grid.center[0]), "column": np.asarray(grid.center[1])}
-    coordinates, units = _axes(axes, stack, arrays, stacks[0].unit)
+    coordinates, units = _check_axes(axes, stack, arrays, stacks[0].unit)
     description = {
         "software": f"lommel {version()}",
         "format": FORMAT,
@@ -715,7 +715,7 @@ def requested(
     return Request(stacks, listed, prepare, method_order, grid, coordinates, methods, plain(description), arrays)
 
 
-def _stacks(pupils: BasePupil | Sequence[BasePupil], plan: Plan) -> tuple[tuple[BasePupil, ...], bool, Grid]:
+def _check_stacks(pupils: BasePupil | Sequence[BasePupil], plan: Plan) -> tuple[tuple[BasePupil, ...], bool, Grid]:
     """Return the pupils as one or several stacks, True if several (one for each first index), and the grid."""
     listed = isinstance(pupils, Sequence)
     stacks: tuple[BasePupil, ...] = tuple(
@@ -731,7 +731,7 @@ def _stacks(pupils: BasePupil | Sequence[BasePupil], plan: Plan) -> tuple[tuple[
                     f"pupils must all have the {name} of the first, {first}, got {value} for pupils[{k}]"
                 )
     if listed:
-        shared, arrays = _differences(stacks, listed)
+        shared, arrays = _split_stacks(stacks, listed)
         if len(shared) == 1:  # only their phases differ
             stacks, listed = (join_pupils(shared[0], arrays),), False
     if grid.stack:
@@ -744,8 +744,8 @@ def _stacks(pupils: BasePupil | Sequence[BasePupil], plan: Plan) -> tuple[tuple[
     return stacks, listed, grid
 
 
-def _differences(stacks: tuple[BasePupil, ...], listed: bool) -> tuple[list[Description], dict[str, Array]]:
-    """Return the shared parameters of each stack of pupils, only once if all are equal, and the varying arrays."""
+def _split_stacks(stacks: tuple[BasePupil, ...], listed: bool) -> tuple[list[Description], dict[str, Array]]:
+    """Return the shared parameters of each stack of pupils (only once if equal), and arrays of the varying ones."""
     parts = [split_pupils(one) for one in stacks]
     shared = [description for description, _ in parts]
     if not listed:
@@ -760,7 +760,7 @@ def _differences(stacks: tuple[BasePupil, ...], listed: bool) -> tuple[list[Desc
     return (shared[:1] if all(description == shared[0] for description in shared) else shared), arrays
 
 
-def _axes(
+def _check_axes(
     axes: Mapping[str, Coordinates] | None, stack: tuple[int, ...], arrays: Mapping[str, Array], unit: str
 ) -> tuple[dict[str, Array], dict[str, str]]:
     """Return the coordinates along each axis of the stack, by the name of the axis, and their units."""
@@ -826,29 +826,29 @@ def psf_to(
         wavelength. If the stacks differ in more than the phase, each chunk belongs to one of them, and `center` must
         be a single position.
     shape, pixel
-        As of :func:`lommel.psf`.
+        As for :func:`lommel.psf`.
     axes : mapping of str to array_like or (array_like, str), optional
         Coordinates, or coordinates and unit, by the name of the axis, in the order of the axes of the stack. By
         default an axis is ``object_distance``, ``depth`` or ``z`` if this parameter of the pupils varies along that
         axis only, else ``axis_0`` and so on. Default units: metres for ``object_distance``, ``depth``, ``z`` and
         ``wavelength``, the unit of the pupils for names that begin with ``field``, else 1.
     chunk : int, optional
-        Maximum number of PSFs in a chunk. By default the number of an existing store, or as many PSFs as fit in
-        16 MiB. Another number may change the values within their error bounds.
+        Maximum number of PSFs in a chunk. By default an existing store keeps its chunks, and a new one has as many
+        PSFs in a chunk as fit in 16 MiB. Another `chunk` may change the values within their error bounds.
     progress : callable, optional
         Called as ``progress(done, chunks)`` after each computed chunk.
     client : distributed.Client or concurrent.futures.Executor, optional
         Executor that computes the chunks; by default threads of this process. Its workers must reach the store under
         the same path.
     **options
-        ``method``, ``tol``, ``normalize``, ``dtype``, ``center``, ``integrate``, ``fill`` and ``blur`` as of
+        ``method``, ``tol``, ``normalize``, ``dtype``, ``center``, ``integrate``, ``fill`` and ``blur`` as for
         :func:`lommel.psf`; ``threads``, the number of chunks computed in parallel, by default the number of
         processors; not allowed with a `client`.
 
     Returns
     -------
     PSFStack
-        The store, opened as by :func:`lommel.open_stack`.
+        The complete store, opened by :func:`lommel.open_stack`.
 
     Raises
     ------
@@ -856,9 +856,9 @@ def psf_to(
         If an argument is out of range, if the store holds PSFs for other arguments, or if another call is replacing
         the store.
     FileError
-        If the path holds anything else, or if the store is damaged, removed or replaced.
+        If the path holds something other than a store, or if the store is damaged, removed or replaced.
     ToleranceError
-        If the tolerance cannot be met; chunks computed before remain in the store.
+        If the tolerance cannot be met; chunks that were already computed remain in the store.
     OSError
         If the store cannot be written, or does not fit on the disk.
 
@@ -873,7 +873,7 @@ def psf_to(
         raise TypeError(f"psf_to() has no option {stray[0]!r}; {near(stray[0], PSFKeywords.__annotations__)}")
     path = path_of(store)
     validation.function("progress", progress, required=False)
-    plan, (pool, slots) = Plan(shape, pixel, **options), _pool(client)
+    plan, (pool, slots) = Plan(shape, pixel, **options), _executor(client)
     if pool is not None and plan.threads:
         raise ValueError(f"threads must be left out with a client, whose workers are used, got {plan.threads}")
     existing = Store.open(path) if path.exists() else None
@@ -901,7 +901,7 @@ def psf_to(
 
 
 def _existing_or_new(path: Path, existing: Store | None, request: Request) -> Store:
-    """Return the existing store if it matches the request, else a new one, in place of any store without chunks."""
+    """Return the existing store if it matches the request, else a new store, which replaces one without chunks."""
     other = "" if existing is None else _difference(existing.description, request.description)
     if existing is not None and not other:
         return existing
@@ -914,7 +914,7 @@ def _existing_or_new(path: Path, existing: Store | None, request: Request) -> St
             raise _other_request(path, other)
         with suppress(FileExistsError):  # another call may have created the store at the same time
             Store.create(path, description, arrays | request.axes, new=existing is None)
-    created = _opened(path)
+    created = _open_existing(path)
     if other := _difference(created.description, request.description):
         raise _other_request(path, other)
     return created
@@ -930,7 +930,7 @@ def _other_request(path: Path, other: str) -> ValueError:
 
 @contextmanager
 def _locked(store: Store, *, alone: bool = False) -> Iterator[None]:
-    """Lock a store: shared with other calls to compute chunks, or `alone` to replace it; ValueError if in use."""
+    """Lock a store: shared to compute chunks, or exclusively (`alone`) to replace it; ValueError if it is in use."""
     with ExitStack() as held:
         try:
             lockable = held.enter_context(atomic.locked(store.lock_file, store.path, alone=alone))
@@ -943,7 +943,7 @@ def _locked(store: Store, *, alone: bool = False) -> Iterator[None]:
         yield
 
 
-def _opened(path: Path) -> Store:
+def _open_existing(path: Path) -> Store:
     """Open the store that is now at the path; FileError if it was removed."""
     try:
         return Store.open(path)
@@ -953,7 +953,7 @@ def _opened(path: Path) -> Store:
 
 def _require_not_replaced(store: Store) -> None:
     """Raise FileError if the store was removed or replaced since it was opened."""
-    if _opened(store.path).description != store.description:
+    if _open_existing(store.path).description != store.description:
         raise replaced(store.path)
 
 
@@ -980,7 +980,7 @@ def _require_space(store: Store, chunks: int) -> None:
         )
 
 
-def _pool(client: Any) -> tuple[futures.Executor | None, int]:
+def _executor(client: Any) -> tuple[futures.Executor | None, int]:
     """Return the executor of a client (None for threads of this process), and the number of chunks to queue."""
     if client is None:
         return None, 0
@@ -994,7 +994,7 @@ def _pool(client: Any) -> tuple[futures.Executor | None, int]:
 def _run(
     pool: futures.Executor | None, slots: int, work: Callable[..., None], tasks: Iterator[tuple[object, ...]]
 ) -> Generator[None]:
-    """Call `work` for each task, about `slots` at a time, and yield after each; an error cancels waiting tasks."""
+    """Call `work` for each task, yield after each; at most `slots + 1` are submitted, and an error cancels these."""
     under_way: set[futures.Future[None]] = set()
     with futures.ThreadPoolExecutor(slots) if pool is None else nullcontext(pool) as executor:
         try:

@@ -355,7 +355,7 @@ def test_a_camera_that_is_unplugged_ends_with_what_was_written_and_exit_code_3(f
         return write(self, seen)
 
     monkeypatch.setattr(watch_command.Outputs, "__call__", counted)
-    monkeypatch.setattr(videos, "_Camera", Camera)
+    monkeypatch.setattr(videos, "_CameraReader", Camera)
     result = call_lommel("watch", *SCENE, *STATED, "--source", 0, "--source", 1, "-o", "out.mkv", folder=folder)
     assert result.returncode == 3
     assert "gives no more frames: it was unplugged, or stopped" in result.stderr

@@ -165,7 +165,7 @@ def tiff(values: np.ndarray, **options: object) -> bytes:
         (b"", "is empty"),
         (b"GIF89a", "is not a PNG, JPEG, TIFF, EXR, WEBP, BMP or HEIC file"),
         (png()[:43], "cannot be read as a PNG photograph"),
-        (png(mode="RGBA"), "it has alpha, and is not opaque everywhere; put it on a"),
+        (png(mode="RGBA"), "it has alpha that is not opaque everywhere; put it on a"),
         (png(mode="LA"), "it has alpha"),
         (png(transparency=(0, 0, 0)), "it has alpha"),
         (png(save_all=True, append_images=[Image.new("RGB", (9, 8), "red")]), "an animation of 2 frames"),

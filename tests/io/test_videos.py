@@ -1,4 +1,4 @@
-"""Video: bits, ranges and times are kept; pairs are of one moment; faults are told and reading goes on."""
+"""Video: bits, ranges and times are kept; pairs are of one moment; faults are told and reading continues."""
 
 from __future__ import annotations
 
@@ -87,7 +87,7 @@ def test_frames_of_one_source_alternate_and_a_dropped_one_moves_no_other_to_the_
         assert [each[2] for each in found] == pytest.approx([0.0, 0.08, 0.24, 0.4])
         assert (pairs.dropped, pairs.alone, pairs.lost) == (2, 3, None)
         assert pairs.interval == pytest.approx(0.08)
-    assert said == [f"{path} ends inside a pair: its last frame was left out"]
+    assert said == [f"{path} ends inside a pair: its last frame was skipped"]
 
 
 def test_frames_of_two_sources_are_paired_by_their_times(tmp_path):
@@ -104,11 +104,11 @@ def test_frames_of_two_sources_are_paired_by_their_times(tmp_path):
         assert found == [(k, k) for k in (0, 1, 2, 3, 5, 7, 9)]
         assert pairs.dropped == 3
         assert pairs.alone == 4
-    assert said == [f"{b} ends before {a}, whose frame at 0.400 s was left out"]
+    assert said == [f"{b} ends before {a}, whose frame at 0.400 s was skipped"]
 
 
 def test_sources_of_different_moments_have_no_pairs_and_that_is_told(tmp_path, monkeypatch):
-    monkeypatch.setattr(videos, "_ALONE", 5)
+    monkeypatch.setattr(videos, "_MAX_UNPAIRED", 5)
     a = write_video(tmp_path / "a.mkv", noise(12))
     b = write_video(tmp_path / "b.mkv", noise(12), 9.0 + 0.04 * np.arange(12))
     said: list[str] = []
@@ -124,7 +124,7 @@ def test_frames_of_another_size_are_left_out_and_told_once(tmp_path):
     ]
     (tmp_path / "a.ts").write_bytes(parts[0] + parts[1] + parts[0])
     with video_frames(tmp_path / "a.ts", grey=True) as video:
-        said = "a frame of 64 x 96 uint8 .* the first is of 96 x 64 uint8: such frames are left out"
+        said = "a frame of 64 x 96 uint8 .* the first is of 96 x 64 uint8: such frames are skipped"
         with pytest.warns(RuntimeWarning, match=said):
             found = list(video)
         assert {frame.values.shape for frame in found} == {(64, 96)}
@@ -159,10 +159,10 @@ def test_a_codec_that_finds_frames_damaged_is_told_of_once(tmp_path, monkeypatch
             return [frame]
 
     path, said = write_video(tmp_path / "a.mkv", noise(2, (64, 64))), []
-    monkeypatch.setattr(videos._Coded, "_packets", lambda self: map(Packet, range(12)), raising=True)
+    monkeypatch.setattr(videos._PyavReader, "_packets", lambda self: map(Packet, range(12)), raising=True)
     with video_frames(path, tell=said.append) as video:
         assert len(list(video)) == 6
-    assert said == [f"{path} is damaged after 1 frames (invalid data): reading goes on"]
+    assert said == [f"{path} is damaged after 1 frames (invalid data): reading continues"]
 
 
 def test_bits_of_a_pixel_are_those_of_compression_with_losses(tmp_path):
@@ -215,7 +215,7 @@ def test_a_damaged_image_is_left_out_and_told_and_bits_of_jpeg_are_counted(tmp_p
         assert video.dropped == 2
         assert video.bits == pytest.approx(8.0 * (tmp_path / "1.jpg").stat().st_size / (64 * 66))
     (sentence,) = said
-    assert "3.jpg is left out: " in sentence
+    assert "3.jpg is skipped: " in sentence
 
 
 @pytest.mark.parametrize(
@@ -305,7 +305,7 @@ def test_a_slow_reader_of_a_camera_gets_the_last_frames_and_pairs_that_are_pairs
 
 
 def test_a_camera_without_frames_is_not_waited_for_for_ever(monkeypatch):
-    monkeypatch.setattr(videos, "_PATIENCE", 0.05)
+    monkeypatch.setattr(videos, "_TIMEOUT", 0.05)
     source = Endless(9, stalls=True)
     source.go.set()
     said: list[str] = []
@@ -348,7 +348,7 @@ def test_a_camera_is_read_by_opencv_until_it_is_unplugged(monkeypatch):
         assert (video.name, video.shape, video.encoding, video.live) == ("camera 3", (64, 64), "srgb", True)
         assert len(list(video)) <= 9
     lossy, end = said
-    assert lossy.startswith("camera 3 compresses its frames, as Motion JPEG or H.264")
+    assert lossy.startswith("camera 3 compresses its frames with loss (Motion JPEG, H.264 or H.265)")
     assert end == "camera 3 gives no more frames: it was unplugged, or stopped"
     with pytest.raises(VideoError, match="camera 0 cannot be opened"):
         video_frames(0)

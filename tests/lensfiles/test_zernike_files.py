@@ -166,7 +166,7 @@ def test_a_fault_of_json_is_told_with_its_key(load, old, new, told):
         ("# unit: nm", "# unit: kg", "unit (line 3): must be one of"),
         ("# unit: nm", "# unit: nm\n# unit: um", "unit (line 4): is given twice, first in line 3"),
         ("# a comment", "# made: today", "made (line 1): unknown key; known are order"),
-        ("index, value", "ansi, value", "line 7: the columns say the order ansi, line 2 noll"),
+        ("index, value", "ansi, value", "line 7: the columns state the order ansi, line 2 states noll"),
         ("index, value\n", "", "line 7: the columns must be index,value, got 4, -12.5"),
         ("7, 31", "7, 31, 5", "line 9: must have 2 cells, got 3: 7, 31, 5"),
         ("7, 31", "7, x", "line 9: the coefficient must be a real number, got 'x'"),

@@ -238,9 +238,9 @@ def test_columns_may_be_called_what_people_call_them(text, tmp_path):
         ("# normalization: edge\nZ4,Z8\n0.25,-0.5\n", ["order: is missing", "unit: is missing"]),
         (
             "# normalization: edge\n# order: noll\n# unit: nm\nj,coeff (waves)\n4,1\n",
-            ["say the unit waves, line 3 nm"],
+            ["state the unit waves, line 3 states nm"],
         ),
-        ("# order: noll\n# unit: nm\n# normalization: edge\nZ4,Z8\n1,2\n3,4\n", ["one row of values is a table"]),
+        ("# order: noll\n# unit: nm\n# normalization: edge\nZ4,Z8\n1,2\n3,4\n", ["only one row may be below Z1, Z2"]),
         ("# order: noll\n# unit: nm\n# normalization: edge\nZ4,Z8\n1\n", ["must have 2 cells, got 1"]),
         ("# order: noll\n# normalization: edge\nj,coeff (furlong)\n1,2\n", ["the columns must be index,value"]),
     ],

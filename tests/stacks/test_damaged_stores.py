@@ -156,7 +156,7 @@ def test_an_array_that_is_stored_another_way_is_refused(tmp_path):
         {"chunk_key_encoding": {"name": "default", "configuration": {"separator": "/../"}}},
     ):
         meta.write_text(json.dumps(known | change))
-        with pytest.raises(ValueError, match="its array values is stored in another way; zarr reads it"):
+        with pytest.raises(ValueError, match="its array values has an unsupported layout; read it by zarr"):
             zarr_folders.ZarrArray.open(array.folder)
     meta.write_text(json.dumps(known | {"shape": [2**20, 2**20]}))
     with pytest.raises(ValueError, match="1048576 x 1048576 values; the limit is 2147483648"):

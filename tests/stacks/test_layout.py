@@ -51,5 +51,5 @@ def test_a_description_that_does_not_fit_itself_is_refused():
     said["arrays"] = {"edge": [[2], 0]}
     assert layouts(said)["pupil/edge"].shape == (4, 2)
     for wrong in ({"chunks": [2, 1]}, {"stack": [0]}, {"axes": {}}, {"window": [3]}):
-        with pytest.raises(ValueError, match="for a stack of shape"):
+        with pytest.raises(ValueError, match="do not fit the stack"):
             layouts(said | wrong)

@@ -239,7 +239,7 @@ def test_a_changed_description_is_told(fields, tmp_path):
     known = json.loads((packed / "scale" / "zarr.json").read_text())
     known["codecs"].append({"name": "gzip", "configuration": {"level": 5}})
     (packed / "scale" / "zarr.json").write_text(json.dumps(known))
-    with pytest.raises(FileError, match="is stored in another way"):
+    with pytest.raises(FileError, match="has an unsupported layout"):
         lm.open_stack(packed)
 
 

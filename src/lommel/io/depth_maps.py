@@ -1,4 +1,4 @@
-"""Depth maps in files: metres, or levels, inverse depth and disparity with their conversion to metres."""
+"""Read and write depth maps: metres, or levels, inverse depth or disparity with their conversion to metres."""
 
 from __future__ import annotations
 
@@ -40,23 +40,23 @@ class DepthValues:
         Metres per level of integers, such as 0.001. Floats are metres without a scale. A PFM file whose header states
         a scale other than 1 requires `scale`, since programs disagree on the meaning of that number.
     inverse : (float, float), optional
-        For a map that is linear in 1 / distance, such as those of phones and MiDaS: metres at the brightest level
-        (255, 65535 or 1.0) and at level 0; the latter may be infinite.
+        For a map that is linear in 1 / distance, such as the maps of phones and MiDaS: distances (metres) at the
+        highest level (255, 65535 or 1.0) and at level 0; the second distance may be infinite.
     disparity : (float, float), optional
-        For a stereo disparity map: focal length (pixels) times baseline (metres), and the offset (pixels) added to
-        stored values. The distance is the first number over the sum of the stored value and the offset.
+        (product, offset) for a stereo disparity map: product of focal length (pixels) and baseline (metres), and an
+        offset in pixels. The distance is product / (stored value + offset).
     zero_is_unknown : bool, default False
         Treat the stored value 0 as unknown.
     unknown : sequence of float, optional
         Other stored values to be treated as unknown, such as (-1, 255).
     resample : {"nearest"}, optional
-        Resample a map of another size and the same aspect ratio. Each pixel of the photograph takes the value of the
-        map's pixel in which its middle lies, so that no distances are mixed at edges.
+        Resample a map of another size and the same aspect ratio. Each pixel of the photograph gets the value of the
+        map pixel that contains its centre, so that distances are not averaged across edges.
 
     Raises
     ------
     TypeError, ValueError
-        If an argument is of another type or out of range, or two of the first three are given.
+        If an argument is of another type or out of range, or if two of `scale`, `inverse` and `disparity` are given.
     """
 
     scale: float | None = None
@@ -73,11 +73,11 @@ class DepthValues:
         if self.scale is not None:
             valid["scale"] = validation.real("scale", self.scale, above=0.0, unit="metres per level")
         if self.inverse is not None:
-            near, far = _two("inverse", self.inverse)
+            near, far = _check_pair("inverse", self.inverse)
             near = validation.real("inverse", near, above=0.0, unit="metres")
             valid["inverse"] = near, validation.real("inverse", far, above=near, infinite=True, unit="metres")
         if self.disparity is not None:
-            product, offset = _two("disparity", self.disparity)
+            product, offset = _check_pair("disparity", self.disparity)
             product = validation.real("disparity", product, above=0.0, unit="metres times pixels")
             valid["disparity"] = product, validation.real("disparity", offset)
         valid["unknown"] = tuple(
@@ -93,13 +93,13 @@ class DepthValues:
         return (self.scale, self.inverse, self.disparity) != (None, None, None)
 
     def metres(self, values: Values, name: str) -> Array:
-        """Convert the values of a map to metres, NaN where unknown; error messages call the map `name`."""
+        """Convert the values of a map to metres, NaN if unknown; `name` is the name of the map in messages."""
         if values.dtype.kind != "f" and not self.states_metres:
             raise PhotoError(
                 f"{name} is an integer image; give the scale, e.g. scale=0.001 for millimetres, or `inverse` or "
                 "`disparity`"
             )
-        # Warnings are ignored, since a signalling NaN in the file would raise them.
+        # Warnings are suppressed, since a signalling NaN in the file would cause them.
         with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
             distances: Array = values.astype(np.float64)  # stored values, converted in place
             distances[np.isin(values, self.unknown)] = np.nan
@@ -132,7 +132,7 @@ class DepthValues:
     def _from_inverse(self, levels: Array, kind: DType, ends: tuple[float, float], name: str) -> None:
         """Convert levels that are linear in 1 / distance to metres, in place.
 
-        `kind` is the type of the stored levels, `ends` are the smallest and the largest.
+        `kind` is the type of the stored levels, `ends` are the smallest and the largest level.
         """
         assert self.inverse is not None
         if kind.kind != "f" and (kind.kind != "u" or kind.itemsize > 2):
@@ -141,12 +141,12 @@ class DepthValues:
         if ends[0] < 0.0 or ends[1] > top:
             raise ValueError(
                 f"{name} must hold 0 to {top:g} for `inverse`, got {ends[0]:g} to {ends[1]:g}; divide by the largest "
-                "value, or state values that mean unknown as `unknown`"
+                "value, or list the values that mean unknown in `unknown`"
             )
         if 0.0 < ends[1] < top / 8.0:
             validation.tell(
-                f"the brightest level of {name} is {ends[1]:g}, and `inverse` takes {top:g} for the nearest "
-                "distance: scale levels of fewer bits to all of them"
+                f"the highest level of {name} is {ends[1]:g}, but `inverse` assumes {top:g} at the nearest "
+                f"distance: if the levels have fewer bits, scale them to 0 to {top:g}"
             )
         near, far = (1.0 / distance for distance in self.inverse)
         levels *= (near - far) / top
@@ -154,7 +154,7 @@ class DepthValues:
         np.reciprocal(levels, out=levels)
 
     def _from_disparity(self, disparities: Array, ends: tuple[float, float], name: str) -> None:
-        """Convert disparities to metres, in place; `ends` are the smallest and the largest."""
+        """Convert disparities to metres, in place; `ends` are the smallest and the largest disparity."""
         assert self.disparity is not None
         product, offset = self.disparity
         for value in (ends[0], ends[1] if ends[1] == math.inf else ends[0]):
@@ -168,7 +168,7 @@ class DepthValues:
         np.divide(product, disparities, out=disparities)
 
     def fitted(self, values: Values, shape: tuple[int, int], name: str) -> Values:
-        """Return the values of a map at the pixels of a photograph of this shape.
+        """Return the values of a map at the pixels of a photograph of the given shape.
 
         ValueError if the map has another shape, unless `resample` is given and the aspect ratio is the same.
         """
@@ -176,7 +176,7 @@ class DepthValues:
             return values
         (height, width), (rows, columns) = shape, values.shape
         text = f"{name} must have the size of the upright photo, {width} x {height}, got {columns} x {rows}"
-        # The aspect ratios are equal if each side differs by less than one pixel, by rounding.
+        # Aspect ratios count as equal if one side of the map is within a pixel of that of a scaled photograph.
         if abs(rows - height * columns / width) >= 1.0 and abs(columns - width * rows / height) >= 1.0:
             raise ValueError(text)
         if self.resample is None:
@@ -188,7 +188,7 @@ class DepthValues:
         return values[np.ix_(down, across)]
 
 
-def _two(name: str, value: object) -> tuple[object, object]:
+def _check_pair(name: str, value: object) -> tuple[object, object]:
     if not isinstance(value, tuple | list) or len(value) != 2:
         raise TypeError(f"{name} must be two numbers, got {validation.shown(value)}")
     return value[0], value[1]
@@ -203,10 +203,10 @@ def read_depth(
     Parameters
     ----------
     path : path
-        NPY, PFM, or a grey TIFF, PNG or EXR (its channel Z, or the only one), recognized by its content. Three equal
-        channels are grey, and alpha that is opaque everywhere is left out.
+        NPY, PFM, or grey TIFF, PNG or EXR file (channel Z, or the only channel), recognized by its content. Three
+        equal channels count as grey, and an alpha channel that is opaque everywhere is ignored.
     shape : tuple of int, optional
-        Height and width first: the shape of the photograph whose size the map must have, or is resampled to.
+        Shape of the photograph, height and width first, which the map must have or to which it is resampled.
     {options}
 
     Returns
@@ -228,26 +228,26 @@ def read_depth(
     Warns
     -----
     UserWarning
-        If the largest value of a map of floats is exactly 1, without an option on its conversion to metres.
+        If the largest value of floats without a conversion is 1, or the highest level for `inverse` is very low.
     """
     options.require_known(read_depth, given, DepthKeywords)
-    source, meant = validation.path("path", path), DepthValues(**given)
+    source, conversion = validation.path("path", path), DepthValues(**given)
     size = None if shape is None else validation.image_shape(tuple(shape[:2]))
-    if size is None and meant.resample is not None:
+    if size is None and conversion.resample is not None:
         raise ValueError("resample needs the shape to resample to")
     data = reading.contents(source)
     name = validation.line(source)
     if data.startswith(JPEG):
         raise PhotoError(f"{name} is a JPEG, which does not preserve depth; save it as TIFF or 16-bit PNG")
     with recognized(source, "depth map", data) as form:
-        # For inverse depth and disparity the scale in a PFM header is not one of metres, and is ignored.
-        values = form.read(data, 1.0 if meant.scale is None and meant.states_metres else meant.scale)
+        # `inverse` and `disparity` ignore the scale in a PFM header, so that `scale` is not required with them.
+        values = form.read(data, 1.0 if conversion.scale is None and conversion.states_metres else conversion.scale)
     del data  # frees memory
     if values.ndim != 2 or 0 in values.shape:
         raise PhotoError(f"{name} has the shape {values.shape}; a depth map has (height, width)")
     if values.dtype.kind not in "iuf":
         raise PhotoError(f"{name} holds {values.dtype}; a depth map holds numbers")
-    return meant.metres(values if size is None else meant.fitted(values, size, name), name)
+    return conversion.metres(values if size is None else conversion.fitted(values, size, name), name)
 
 
 def write_depth(path: str | PathLike[str], depth: ArrayLike) -> None:
@@ -265,7 +265,7 @@ def write_depth(path: str | PathLike[str], depth: ArrayLike) -> None:
     Raises
     ------
     TypeError, ValueError
-        If `depth` is not a map of this shape or holds negative values, or `path` has another suffix.
+        If `depth` does not have the shape (height, width), holds negative values, or the suffix is unknown.
     OSError
         If the file cannot be written.
     """

@@ -1,4 +1,4 @@
-"""Files of photographs with their EXIF, OpenEXR, focus pulls, and the formats of depth maps."""
+"""Read and write photographs with their EXIF, sequences of frames, and the file formats of depth maps."""
 
 from __future__ import annotations
 
@@ -39,34 +39,34 @@ Entry = tuple[int, int, bytes]  # type, number of values, and values as little-e
 Directory = dict[int, Entry]
 
 _FILM_DIAGONAL = math.hypot(36e-3, 24e-3)
-_BYTES = {1: 1, 2: 1, 3: 2, 4: 4, 5: 8, 6: 1, 7: 1, 8: 2, 9: 4, 10: 8, 11: 4, 12: 8, 129: 1}  # bytes of each type
-_WORDS = {
+_TYPE_BYTES = {1: 1, 2: 1, 3: 2, 4: 4, 5: 8, 6: 1, 7: 1, 8: 2, 9: 4, 10: 8, 11: 4, 12: 8, 129: 1}  # bytes per type
+_WORD_TYPES = {
     3: "u2",
     8: "u2",
     12: "u8",
     **dict.fromkeys((4, 5, 9, 10, 11), "u4"),
 }  # types of more than one byte, whose byte order matters
-_LONGEST, _MOST, _LARGEST = 2**12, 256, 2**16 - 256  # bytes of an entry, entries, and bytes of all that JPEG holds
-_LENS, _PLACE = 0x8769, 0x8825  # tags of subdirectories: of the exposure, of the GPS position
-_KEPT = (0x010F, 0x0110, 0x0132, 0x013B, 0x8298)  # make, model, date, artist, copyright
-# Not copied: maker's notes contain offsets into the old file; the other tags describe the old pixels.
-_LEFT = {_LENS: (0x927C, 0xA001, 0xA002, 0xA003, 0xA005), _PLACE: ()}
+_MAX_ENTRY_BYTES, _MAX_ENTRIES, _MAX_EXIF_BYTES = 2**12, 256, 2**16 - 256  # limits of EXIF
+_EXPOSURE_TAG, _GPS_TAG = 0x8769, 0x8825  # tags of the subdirectories with exposure and GPS data
+_COPIED_TAGS = (0x010F, 0x0110, 0x0132, 0x013B, 0x8298)  # make, model, date, artist, copyright
+# Tags that are not copied: maker's notes contain offsets into the old file, the others describe the old pixels.
+_OMITTED_TAGS = {_EXPOSURE_TAG: (0x927C, 0xA001, 0xA002, 0xA003, 0xA005), _GPS_TAG: ()}
 
 
 @dataclass(frozen=True)
 class Exif:
-    """Lens data in the EXIF of a photograph; None for unknown values, which EXIF stores as 0.
+    """Lens data in the EXIF of a photograph; unknown values, which EXIF stores as 0, are None.
 
     Attributes
     ----------
     focal_length : float or None
-        Metres.
+        Focal length of the lens, metres.
     f_number : float or None
     film_focal_length : float or None
-        Metres: the focal length with the same angle of view on film of 36 mm x 24 mm.
+        Focal length (metres) that has the same angle of view on film of 36 mm x 24 mm.
     block : bytes or None
-        What :func:`lommel.imaging.write_photo` writes of it: camera, lens, exposure, dates, place, artist and
-        copyright; without orientation, thumbnail and maker's notes.
+        EXIF that :func:`lommel.imaging.write_photo` stores: camera, lens, exposure, dates, place, artist and
+        copyright, without orientation, thumbnail and maker's notes.
     """
 
     focal_length: float | None = None
@@ -75,14 +75,14 @@ class Exif:
     block: bytes | None = field(default=None, repr=False, compare=False)
 
     def pixel(self, shape: tuple[int, ...]) -> float:
-        """Return the pixel pitch (metres) of an image of `shape` whose diagonal is that of the whole sensor.
+        """Return the pixel pitch (metres) of an image of `shape` that covers the diagonal of the sensor.
 
-        EXIF rounds the film equivalent to whole millimetres, which makes an error of a few per cent.
+        EXIF rounds the film equivalent to whole millimetres, so that the pitch may be wrong by a few per cent.
 
         Parameters
         ----------
         shape : tuple of int
-            Height and width first.
+            Begins with height and width, in pixels.
 
         Returns
         -------
@@ -93,7 +93,7 @@ class Exif:
         TypeError
             If `shape` is not the shape of an image.
         ValueError
-            If either focal length is unknown, or a side is out of range.
+            If `focal_length` or `film_focal_length` is None, or a side is out of range.
         """
         if not isinstance(shape, tuple | list) or len(shape) < 2:
             raise TypeError(f"shape must be (height, width), got {validation.shown(shape)}")
@@ -104,20 +104,20 @@ class Exif:
 
 
 def parsed(tags: dict[int, Any], stored: bytes | None) -> Exif:
-    """Return the lens data from the tags of the exposure directory, with `raw`, the EXIF block of the file."""
+    """Return the lens data of a photograph from the tags of its exposure directory and from its `stored` EXIF."""
 
     def known(tag: int) -> float | None:
         value = tags.get(tag)
         number = math.nan if value is None else float(value)
         return number if 0.0 < number < math.inf else None
 
-    # FocalLength, FocalLengthIn35mmFilm and FNumber of EXIF 2.32, of which the first two are in millimetres.
+    # FocalLength and FocalLengthIn35mmFilm (both in millimetres) and FNumber of EXIF 2.32.
     focal, film = known(0x920A), known(0xA405)
-    return Exif(focal and 1e-3 * focal, known(0x829D), film and 1e-3 * film, stored and _without_maker_notes(stored))
+    return Exif(focal and 1e-3 * focal, known(0x829D), film and 1e-3 * film, stored and _copy_tags(stored))
 
 
-def _without_maker_notes(stored: bytes) -> bytes | None:
-    """Return the EXIF tags that are copied, from EXIF or a TIFF file, as a TIFF file without image; None if empty."""
+def _copy_tags(stored: bytes) -> bytes | None:
+    """Return the tags to copy from EXIF or a TIFF file, as a TIFF file without image; None if there are none."""
     data = stored.removeprefix(PREFIX)
     order = {b"II*\0": "<", b"MM\0*": ">"}.get(data[:4])
     if order is None or len(data) < 8:
@@ -125,46 +125,46 @@ def _without_maker_notes(stored: bytes) -> bytes | None:
     (at,) = struct.unpack_from(order + "I", data, 4)
     first = _directory(data, at, order)
     below = {
-        tag: {name: entry for name, entry in _below(data, first, tag, order).items() if name not in left}
-        for tag, left in _LEFT.items()
+        tag: {name: entry for name, entry in _subdirectory(data, first, tag, order).items() if name not in left}
+        for tag, left in _OMITTED_TAGS.items()
     }
-    block = _block({tag: first[tag] for tag in _KEPT if tag in first}, below, 8)
-    return b"II*\0" + struct.pack("<I", 8) + block if 6 < len(block) <= _LARGEST else None
+    block = _pack_directories({tag: first[tag] for tag in _COPIED_TAGS if tag in first}, below, 8)
+    return b"II*\0" + struct.pack("<I", 8) + block if 6 < len(block) <= _MAX_EXIF_BYTES else None
 
 
 def _directory(data: bytes, at: int, order: str) -> Directory:
-    """Return the entries of a directory; damaged and long entries are skipped."""
+    """Return the entries of the directory at position `at`; damaged and long entries are skipped."""
     found: Directory = {}
     (count,) = struct.unpack_from(order + "H", data, at) if at + 2 <= len(data) else (0,)
-    for entry in range(at + 2, min(at + 2 + 12 * min(count, _MOST), len(data) - 11), 12):
+    for entry in range(at + 2, min(at + 2 + 12 * min(count, _MAX_ENTRIES), len(data) - 11), 12):
         tag, kind, number, place = struct.unpack_from(order + "HHII", data, entry)
-        size = number * _BYTES.get(kind, 0)
+        size = number * _TYPE_BYTES.get(kind, 0)
         place = entry + 8 if size <= 4 else place
-        if 0 < size <= _LONGEST and place + size <= len(data):
-            word = _WORDS.get(kind, "u1")
+        if 0 < size <= _MAX_ENTRY_BYTES and place + size <= len(data):
+            word = _WORD_TYPES.get(kind, "u1")
             values = np.frombuffer(data[place : place + size], order + word)
             found[tag] = kind, number, values.astype("<" + word).tobytes()
     return found
 
 
-def _below(data: bytes, first: Directory, tag: int, order: str) -> Directory:
-    """Return the subdirectory that an entry of the first directory refers to."""
+def _subdirectory(data: bytes, first: Directory, tag: int, order: str) -> Directory:
+    """Return the subdirectory whose position is the value of a tag of the first directory; {} without the tag."""
     return _directory(data, int.from_bytes(first[tag][2][:4], "little"), order) if tag in first else {}
 
 
-def _block(first: Directory, below: dict[int, Directory], at: int) -> bytes:
-    """Return the bytes of a directory at a position in a file, followed by its subdirectories."""
+def _pack_directories(first: Directory, below: dict[int, Directory], at: int) -> bytes:
+    """Return the bytes of a directory for the position `at` in a file, followed by its subdirectories."""
     below = {tag: part for tag, part in below.items() if part}
-    behind = at + len(_packed_entries(first | dict.fromkeys(below, (4, 1, bytes(4))), at))
+    behind = at + len(_pack_entries(first | dict.fromkeys(below, (4, 1, bytes(4))), at))
     parts = b""
     for tag, part in below.items():
         first = first | {tag: (4, 1, struct.pack("<I", behind + len(parts)))}
-        parts += _packed_entries(part, behind + len(parts))
-    return _packed_entries(first, at) + parts
+        parts += _pack_entries(part, behind + len(parts))
+    return _pack_entries(first, at) + parts
 
 
-def _packed_entries(found: Directory, at: int) -> bytes:
-    """Return the bytes of a directory at a position in a file, followed by values of more than four bytes."""
+def _pack_entries(found: Directory, at: int) -> bytes:
+    """Return the bytes of a directory for the position `at` in a file; values of over four bytes follow it."""
     head, rest = struct.pack("<H", len(found)), b""
     behind = at + 6 + 12 * len(found)
     for tag, (kind, number, values) in sorted(found.items()):
@@ -184,16 +184,16 @@ def in_tiff(file: bytes, block: bytes) -> bytes:
     own: Directory = {tag: (kind, number, place) for tag, kind, number, place in rows}
     file += bytes(len(file) % 2)
     first = _directory(block, 8, "<")
-    below = {tag: _below(block, first, tag, "<") for tag in _LEFT}
-    return file[:4] + struct.pack("<I", len(file)) + file[8:] + _block(first | own, below, len(file))
+    below = {tag: _subdirectory(block, first, tag, "<") for tag in _OMITTED_TAGS}
+    return file[:4] + struct.pack("<I", len(file)) + file[8:] + _pack_directories(first | own, below, len(file))
 
 
 START = (b"\x76\x2f\x31\x01",)
-"""The first bytes of files."""
+"""The first bytes of EXR files."""
 
 
 @contextmanager
-def _opened(data: bytes) -> Iterator[dict[str, Values]]:
+def _open_exr(data: bytes) -> Iterator[dict[str, Values]]:
     """Yield the channels of an EXR file by name; ValueError if it has several parts, is deep, or is too large."""
     exr = library("OpenEXR", "EXR files need", "exr")
     with exr.File(io.BytesIO(data), header_only=True) as file:
@@ -219,10 +219,10 @@ def _opened(data: bytes) -> Iterator[dict[str, Values]]:
 
 
 def read_exr(data: bytes) -> tuple[Values, Tags, bytes | None]:
-    """Return the values of a photograph in float32, no tags and no profile."""
+    """Return the values of an EXR photograph in float32, empty tags, and None for the ICC profile."""
     from PIL import Image
 
-    with _opened(data) as channels:
+    with _open_exr(data) as channels:
         alpha = channels.pop("A", None)
         if alpha is not None and not (alpha == 1.0).all():
             raise ValueError("it has an alpha channel that is not 1 everywhere; composite it onto a background first")
@@ -239,8 +239,8 @@ def read_exr(data: bytes) -> tuple[Values, Tags, bytes | None]:
 
 
 def read_depth(data: bytes, _scale: float | None) -> Values:
-    """Return the channel Z of a depth map (of any layer), or its only channel, which may be stored three times."""
-    with _opened(data) as channels:
+    """Return the channel Z of an EXR file (of any layer), or else its only channel, possibly stored as R = G = B."""
+    with _open_exr(data) as channels:
         found = [name for name in channels if name.split(".")[-1] == "Z"]
         if len(found) != 1:
             found = [name for name in channels if name != "A"]
@@ -253,7 +253,7 @@ def read_depth(data: bytes, _scale: float | None) -> Values:
         return np.array(channels[found[0]])
 
 
-def _written(channels: dict[str, Values]) -> bytes:
+def _exr_bytes(channels: dict[str, Values]) -> bytes:
     exr = library("OpenEXR", "EXR files need", "exr")
     header = {"compression": exr.ZIP_COMPRESSION, "type": exr.scanlineimage, "software": f"lommel {version()}"}
     made = io.BytesIO()
@@ -263,19 +263,19 @@ def _written(channels: dict[str, Values]) -> bytes:
 
 
 def write_exr(values: Values, _quality: int, profile: bytes | None) -> bytes:
-    """Return a file, lossless."""
+    """Return a photograph as an EXR file, without loss."""
     if profile is not None:
         raise ValueError("EXR files have no ICC profile; write .tif, or leave the profile out")
-    return _written({"RGB" if values.ndim == 3 else "Y": values})
+    return _exr_bytes({"RGB" if values.ndim == 3 else "Y": values})
 
 
 def write_depth(values: Values) -> bytes:
-    """Return a file with the channel Z."""
-    return _written({"Z": values})
+    """Return a depth map as the channel Z of an EXR file."""
+    return _exr_bytes({"Z": values})
 
 
 PNG, JPEG, TIFF = (b"\x89PNG\r\n\x1a\n",), (b"\xff\xd8\xff",), (b"II*\0", b"MM\0*", b"II+\0", b"MM\0+")
-"""The first bytes of files."""
+"""The first bytes of PNG, JPEG and TIFF files."""
 
 _RAW = (b"FUJIFILMCCD-RAW", b"IIRO", b"IIRS", b"MMOR", b"IIU\0", b"FOVb", b"\0MRM")
 _RAW_SUFFIXES = (
@@ -283,8 +283,8 @@ _RAW_SUFFIXES = (
     *(".nef", ".nrw", ".orf", ".pef", ".raf", ".rw2", ".rwl", ".sr2", ".srf", ".srw", ".x3f"),
 )
 
-# For EXIF orientation 1, 2, ...: steps along the stored rows and columns, and True if both are then exchanged.
-_TURNS = ((1, 1, 0), (1, -1, 0), (-1, -1, 0), (-1, 1, 0), (1, 1, 1), (-1, 1, 1), (-1, -1, 1), (1, -1, 1))
+# For EXIF orientation 1, 2, ...: steps along the stored rows and columns (-1 flips), and 1 to transpose afterwards.
+_ORIENTATIONS = ((1, 1, 0), (1, -1, 0), (-1, -1, 0), (-1, 1, 0), (1, 1, 1), (-1, 1, 1), (-1, -1, 1), (1, -1, 1))
 
 _PFM = re.compile(rb"(P[fF])\s+(\d{1,9})\s+(\d{1,9})\s+([+-]?[0-9.]+(?:[eE][+-]?\d+)?)\s")
 
@@ -293,8 +293,8 @@ class PhotoError(ValueError):
     """A file that cannot be read as a photograph or a depth map; the message has the file name and the reason."""
 
 
-_FIRST = 16  # number of first bytes that identify the format
-_SAMPLE = 2**17  # bytes of a sample from which the compression level is chosen
+_SIGNATURE_BYTES = 16  # number of bytes at the start of a file that identify its format
+_SAMPLE_BYTES = 2**17  # bytes of the sample from which the compression strategy is chosen
 
 
 @dataclass(frozen=True, eq=False)
@@ -326,7 +326,7 @@ class Picture:
         Returns
         -------
         ndarray
-            Of the shape of `values`.
+            Light, of the shape of `values`.
 
         Raises
         ------
@@ -336,7 +336,7 @@ class Picture:
         Warns
         -----
         UserWarning
-            If there is light of more than ten times white.
+            If a value of the light exceeds 10, ten times white.
         """
         return scene_light("the photograph", self.values, self.encoding, dtype)
 
@@ -353,14 +353,14 @@ def read_photo(path: str | PathLike[str], encoding: str | None = None) -> Pictur
     Returns
     -------
     Picture
-        With 8 or 16 bits, or floats (TIFF, EXR).
+        Holds uint8, uint16 or, from TIFF and EXR, floats.
 
     Raises
     ------
     PhotoError
-        If the file is damaged, of another format, a raw photograph, animated, has more than 16384^2 pixels or a side
-        of more than 65536, takes 256 MB of memory and a hundred times its size, or has alpha that is not opaque
-        everywhere, a colour space but grey and RGB, or values but uint8, uint16 and floats.
+        If the file is damaged, of another format, a raw photograph or animated; if it has over 16384^2 pixels or a
+        side over 65536; if it would take more memory than 256 MB and than 100 times its size; or if it has alpha that
+        is not opaque everywhere, colours other than grey and RGB, or values other than uint8, uint16 and floats.
     ImportError
         If Pillow, tifffile, OpenEXR or pillow-heif is not installed.
     OSError
@@ -407,20 +407,20 @@ def _is_raw(source: Path, data: bytes) -> bool:
     if source.suffix.lower() in _RAW_SUFFIXES or data.startswith(_RAW) or data[4:12] == b"ftypcrx ":
         return True
     try:
-        return data.startswith(TIFF) and reading.is_raw(data if len(data) > _FIRST else source)
+        return data.startswith(TIFF) and reading.is_raw(data if len(data) > _SIGNATURE_BYTES else source)
     except ValueError:
         return False  # a damaged file, which raises an error when it is read
 
 
 def upright(form: Format, data: bytes) -> tuple[Values, Exif, bytes | None]:
-    """Return the values rotated upright; Pillow's warning about missing parts is an error."""
+    """Return the values rotated upright, the EXIF and the ICC profile; a warning of Pillow is raised as an error."""
     with warnings.catch_warnings(), reading.quietly():
         warnings.simplefilter("error")
         values, tags, profile, *stored = form.read(data)
         orientation = tags.get(0x0112, 1)
         if orientation not in range(1, 9):
             raise ValueError(f"its EXIF states the orientation {orientation!r}; 1 to 8 have a meaning")
-        down, across, exchanged = _TURNS[int(orientation) - 1]
+        down, across, exchanged = _ORIENTATIONS[int(orientation) - 1]
         values = values[::down, ::across].swapaxes(0, exchanged)
         found = parsed(tags.get_ifd(0x8769), *stored or [None])
     return np.ascontiguousarray(values), found, profile
@@ -455,12 +455,12 @@ def write_photo(
     profile : bytes, optional
         An ICC profile to store.
     exif : Exif, optional
-        Of the photograph that the light comes from, whose `block` is stored; not in EXR.
+        EXIF of the source photograph, whose `block` is stored; EXR files cannot hold it (ValueError).
 
     Returns
     -------
     float
-        Fraction of the values that are clipped by half a level or more.
+        Fraction of the values that are clipped by more than half a level.
 
     Raises
     ------
@@ -482,17 +482,17 @@ def write_photo(
 def write_like(
     picture: Picture, path: str | PathLike[str], light: Values, *, encoding: str, dtype: DTypeLike, quality: int = 95
 ) -> float:
-    """Write light as :func:`write_photo`, with the EXIF of the photograph that it was made from.
+    """Write light by :func:`write_photo`, with the EXIF of the source photograph if the format can hold it.
 
-    Its profile is kept where the encoding is: one of other values would be wrong.
+    The ICC profile is copied only if the encoding is that of the source, since it describes the stored values.
     """
     profile = picture.profile if encoding == picture.encoding else None
-    kept = picture.exif if _EXIF in find(path).holds else None
-    return write_photo(path, light, encoding=encoding, dtype=dtype, quality=quality, profile=profile, exif=kept)
+    exif = picture.exif if _EXIF in find(path).holds else None
+    return write_photo(path, light, encoding=encoding, dtype=dtype, quality=quality, profile=profile, exif=exif)
 
 
 def stored(light: Values, encoding: str, dtype: DTypeLike) -> tuple[Values, float]:
-    """Return encoded light as uint8, uint16 or float32, and the fraction of values that were clipped."""
+    """Return encoded light as uint8, uint16 or float32, and the fraction of its values that were clipped."""
     validation.choice("encoding", encoding, ENCODINGS)
     kind = validation.kind("dtype", dtype, np.uint8, np.uint16, np.float32)
     light = validation.array("light", light)
@@ -506,7 +506,7 @@ def stored(light: Values, encoding: str, dtype: DTypeLike) -> tuple[Values, floa
         return from_light(light, encoding, kind), 0.0
     half = 0.5 / np.iinfo(kind).max
     within = np.clip(light, 0.0, 1.0)
-    # In sRGB, half a level is a smaller difference of light at black than at white.
+    # Half a level in terms of light: sRGB has the slope 12.92 at black and 1.055 / 2.4 at white.
     low, high = (half / 12.92, half * 2.4 / 1.055) if encoding == "srgb" else (half, half)
     clipped = float(np.mean((light < -low) | (light > 1.0 + high)))
     return from_light(within, encoding, kind), clipped
@@ -515,7 +515,7 @@ def stored(light: Values, encoding: str, dtype: DTypeLike) -> tuple[Values, floa
 def encoded(
     path: str | PathLike[str], values: Values, quality: int, profile: bytes | None = None, block: bytes | None = None
 ) -> bytes:
-    """Return the bytes of a photograph in the format of the suffix of `path`, perhaps with a block of EXIF."""
+    """Return the bytes of a photograph in the format of the suffix of `path`, with the EXIF `block` if given."""
     form = find(path, holding=f"of {values.dtype.name}")
     if block is not None:
         find(path, holding=_EXIF)
@@ -523,10 +523,10 @@ def encoded(
     return written
 
 
-_BAND = 2**20  # number of pixels that are converted to an array in one step
+_BAND_PIXELS = 2**20  # number of pixels that are converted to an array in one step
 
 
-def _read(opener: Callable[[bytes], Any], data: bytes) -> tuple[Values, Tags, bytes | None, bytes | None]:
+def _decode(opener: Callable[[bytes], Any], data: bytes) -> tuple[Values, Tags, bytes | None, bytes | None]:
     """Return values (16 bits if the PNG has 16), tags, ICC profile and EXIF of a file opened by Pillow."""
     with opener(data) as file:
         if getattr(file, "is_animated", False):
@@ -537,9 +537,9 @@ def _read(opener: Callable[[bytes], Any], data: bytes) -> tuple[Values, Tags, by
         mode = file.tile[0][3] if deep else ""
         if deep and "transparency" in file.info:
             raise ValueError(_ALPHA)
-        if mode == "LA;16B":  # Pillow keeps only the high bytes; as RGBA, each byte is a channel
+        if mode == "LA;16B":  # Pillow keeps only the high bytes; decoded as RGBA, each byte is a channel
             file.tile = [(*file.tile[0][:3], "RGBA")]
-        values = _array(file)
+        values = _opaque_values(file)
         # The tags of a PNG may follow the image data.
         more = file.getexif(), file.info.get("icc_profile"), file.info.get("exif")
     if not deep:
@@ -553,28 +553,28 @@ def _read(opener: Callable[[bytes], Any], data: bytes) -> tuple[Values, Tags, by
     if mode not in ("RGB;16B", "RGBA;16B"):
         raise ValueError(f"this Pillow reads 16-bit colour as {mode}; save it as TIFF")
     del file  # to save memory
-    # Pillow keeps only the high bytes of 16-bit colour; with swapped byte order it keeps the low bytes.
+    # Of 16-bit colour Pillow keeps only the high bytes. Decode again in the other byte order to get the low bytes.
     values = values.astype(np.uint16)
     values <<= 8
     with opener(data) as again:
         again.tile = [(*again.tile[0][:3], mode.replace("16B", "16L"))]
-        values |= _array(again)
+        values |= _opaque_values(again)
     return values, *more
 
 
 _ALPHA = (
-    "it has alpha, and is not opaque everywhere; put it on a background, for example by ImageMagick: "
+    "it has alpha that is not opaque everywhere; put it on a background, for example by ImageMagick: "
     "magick IN -background black -flatten OUT"
 )
 
 
-def _array(image: Image) -> Values:
-    """Return the values of a Pillow image without alpha, which must be opaque, in bands of rows to save memory."""
+def _opaque_values(image: Image) -> Values:
+    """Return the values of a Pillow image, without its alpha, which must be opaque; converts bands to save memory."""
     width, height = image.size
     plain = {"P": "RGB", "1": "L"}.get(image.mode)
     if "transparency" in image.info:
         plain = {"P": "RGBA", "RGB": "RGBA"}.get(image.mode, "LA")
-    step, made = max(1, _BAND // width), None
+    step, made = max(1, _BAND_PIXELS // width), None
     for top in range(0, height, step):
         part = image.crop((0, top, width, min(top + step, height)))
         band = np.asarray(part.convert(plain) if plain else part)
@@ -590,7 +590,7 @@ def _array(image: Image) -> Values:
 
 
 def read_tiff(data: bytes, *, levels: bool = False) -> tuple[Values, Tags, bytes | None, bytes]:
-    """Return the values, tags, ICC profile and EXIF of a TIFF file of one page, `levels` of any integers."""
+    """Return values, tags, ICC profile and EXIF of a TIFF file of one page; `levels` allows integers of any size."""
     import tifffile
     from PIL import Image
 
@@ -601,7 +601,7 @@ def read_tiff(data: bytes, *, levels: bool = False) -> tuple[Values, Tags, bytes
         page = pages[0]
         alpha = tuple(page.extrasamples) in ((1,), (2,))
         if page.extrasamples and not alpha:
-            raise ValueError("it has further channels, which are not alpha; remove them")
+            raise ValueError("it has additional channels that are not alpha; remove them")
         if page.photometric not in (tifffile.PHOTOMETRIC.MINISBLACK, tifffile.PHOTOMETRIC.RGB):
             raise ValueError(f"its colours are {page.photometric.name}, neither grey nor RGB")
         values, axes, profile = reading.tiff_array(page), page.axes, page.iccprofile
@@ -626,25 +626,25 @@ def read_tiff(data: bytes, *, levels: bool = False) -> tuple[Values, Tags, bytes
 
 
 def write_png(values: Values, _quality: int, profile: bytes | None, block: bytes | None = None) -> bytes:
-    """Return a PNG file; it is not compressed if :mod:`lommel.base.reading` would refuse to inflate it."""
+    """Return a PNG file, uncompressed if :mod:`lommel.base.reading` would refuse to inflate the compressed file."""
     bits = 8 * values.dtype.itemsize
     takes = reading.png_takes(values.shape[0] * values.shape[1], bits, values.ndim == 3)
     for level in (6, 0):
         if bits == 16:
             made = png_of_16_bits(values, profile, level, block)
         else:
-            made = _by_pillow("png", values, profile, block, compress_level=level)
+            made = _encode("png", values, profile, block, compress_level=level)
         if reading.affords(takes, len(made)):
             break
     return made
 
 
 def _write_jpeg(values: Values, quality: int, profile: bytes | None, block: bytes | None = None) -> bytes:
-    return _by_pillow("jpeg", values, profile, block, quality=quality, subsampling=0)
+    return _encode("jpeg", values, profile, block, quality=quality, subsampling=0)
 
 
 def write_tiff(values: Values, _quality: int, profile: bytes | None, block: bytes | None = None) -> bytes:
-    """Return a TIFF file, lossless."""
+    """Return a TIFF file, without loss."""
     import tifffile
 
     options = {"photometric": "rgb" if values.ndim == 3 else "minisblack", "software": f"lommel {version()}"}
@@ -652,7 +652,7 @@ def write_tiff(values: Values, _quality: int, profile: bytes | None, block: byte
     return file if block is None else in_tiff(file, block)
 
 
-def _by_pillow(form: str, values: Values, profile: bytes | None, block: bytes | None, **options: object) -> bytes:
+def _encode(form: str, values: Values, profile: bytes | None, block: bytes | None, **options: object) -> bytes:
     from PIL import Image
 
     if block is not None:
@@ -663,7 +663,7 @@ def _by_pillow(form: str, values: Values, profile: bytes | None, block: bytes | 
 def png_of_16_bits(
     values: NDArray[np.uint16], profile: bytes | None, level: int, block: bytes | None = None
 ) -> bytes:
-    """Return a 16-bit PNG, also in colour (unlike Pillow), with rows stored as differences from the row above."""
+    """Return a 16-bit PNG, grey or (unlike Pillow) RGB; a row is stored as its difference from the previous one."""
     height, width = values.shape[:2]
     # The filter "up" (PNG, 9.2) stores differences between rows, which deflate compresses better.
     rows = values.astype(">u2").view(np.uint8).reshape(height, -1)
@@ -675,15 +675,15 @@ def png_of_16_bits(
         chunks.append((b"iCCP", b"ICC Profile\0\0" + zlib.compress(profile)))
     if block is not None:
         chunks.append((b"eXIf", block))
-    packed = _packed(lines.tobytes(), level)
+    packed = _compress(lines.tobytes(), level)
     chunks += [(b"IDAT", packed), (b"IEND", b"")]
     parts = [struct.pack(">I", len(d)) + name + d + struct.pack(">I", zlib.crc32(name + d)) for name, d in chunks]
     return b"\x89PNG\r\n\x1a\n" + b"".join(parts)
 
 
-def _packed(data: bytes, level: int) -> bytes:
-    """Return compressed data; if a sample does not compress, as for noise, with the fastest strategy."""
-    part = data[len(data) // 2 :][:_SAMPLE]
+def _compress(data: bytes, level: int) -> bytes:
+    """Return compressed data, by run lengths if `level` is 1 and the default strategy does no better on a sample."""
+    part = data[len(data) // 2 :][:_SAMPLE_BYTES]
 
     def pressed(what: bytes, strategy: int) -> bytes:
         found = zlib.compressobj(level, strategy=strategy)
@@ -693,8 +693,8 @@ def _packed(data: bytes, level: int) -> bytes:
     return pressed(data, zlib.Z_DEFAULT_STRATEGY if plain else zlib.Z_RLE)
 
 
-def _pfm(data: bytes, scale: float | None) -> Values:
-    """Return the values of a portable float map: rows run upwards, a negative scale means little-endian."""
+def _read_pfm(data: bytes, scale: float | None) -> Values:
+    """Return the values of a portable float map, whose first row is the bottom; a scale < 0 means little-endian."""
     found = _PFM.match(data)
     if not found:
         raise ValueError("its header is not that of a PFM file")
@@ -710,17 +710,17 @@ def _pfm(data: bytes, scale: float | None) -> Values:
     return np.frombuffer(body, dtype="<f4" if unit < 0.0 else ">f4").reshape(height, width)[::-1]
 
 
-def _npy(data: bytes, _scale: float | None) -> Values:
+def _read_npy(data: bytes, _scale: float | None) -> Values:
     return reading.npy(data, reading.MAX_PIXELS)[0]
 
 
-def _raster(data: bytes, _scale: float | None) -> Values:
+def _read_raster(data: bytes, _scale: float | None) -> Values:
     form = registry.identify("photo", data)
     form = replace(form, read=partial(read_tiff, levels=True)) if form.read is read_tiff else form
     values = upright(form, data)[0]
     if values.ndim == 2:
         return values
-    reading.afford(13.0 * values.shape[0] * values.shape[1], len(data))  # as for a grey PNG
+    reading.afford(13.0 * values.shape[0] * values.shape[1], len(data))  # bytes per pixel as for a grey PNG
     if any(np.any(row != row[:, :1]) for row in values):
         raise ValueError("it is in colour: its three channels differ, and a depth map has one")
     return np.ascontiguousarray(values[..., 0])
@@ -731,20 +731,22 @@ def _write_pfm(values: NDArray[np.float32]) -> bytes:
     return f"Pf\n{width} {height}\n-1.0\n".encode() + values[::-1].astype("<f4").tobytes()
 
 
-read_png, _8, _16, _EXIF = partial(_read, reading.png), "of uint8", "of uint16", "with EXIF"
+read_png, _8, _16, _EXIF = partial(_decode, reading.png), "of uint8", "of uint16", "with EXIF"
 _photo, _depth = (partial(Format, kind) for kind in ("photo", "depth map"))
 registry.register(
     _photo((".png",), write_png, read_png, PNG, (_8, _16, _EXIF), library="PIL.Image"),
-    _photo((".jpg", ".jpeg"), _write_jpeg, partial(_read, reading.jpeg), JPEG, (_8, _EXIF), library="PIL.Image"),
+    _photo((".jpg", ".jpeg"), _write_jpeg, partial(_decode, reading.jpeg), JPEG, (_8, _EXIF), library="PIL.Image"),
     _photo((".tif", ".tiff"), write_tiff, read_tiff, TIFF, (_8, _16, "of float32", _EXIF), library="tifffile"),
     _photo((".exr",), write_exr, read_exr, START, ("of float32",), library="OpenEXR"),
-    _photo((".webp",), read=partial(_read, reading.webp), starts=(b"RIFF",), library="PIL.Image"),
-    _photo((".bmp",), read=partial(_read, reading.bmp), starts=(b"BM",), library="PIL.Image"),
-    _photo((".heic", ".heif"), read=partial(_read, reading.heic), starts=reading.HEIC, library="pillow_heif"),
-    _depth((".npy",), partial(atomic.contents, np.save), _npy, (b"\x93NUMPY",)),
-    _depth((".pfm",), _write_pfm, _pfm, (b"Pf", b"PF")),
-    _depth((".tif", ".tiff"), partial(write_tiff, _quality=100, profile=None), _raster, TIFF, library="tifffile"),
-    _depth((".png",), read=_raster, starts=PNG),
+    _photo((".webp",), read=partial(_decode, reading.webp), starts=(b"RIFF",), library="PIL.Image"),
+    _photo((".bmp",), read=partial(_decode, reading.bmp), starts=(b"BM",), library="PIL.Image"),
+    _photo((".heic", ".heif"), read=partial(_decode, reading.heic), starts=reading.HEIC, library="pillow_heif"),
+    _depth((".npy",), partial(atomic.contents, np.save), _read_npy, (b"\x93NUMPY",)),
+    _depth((".pfm",), _write_pfm, _read_pfm, (b"Pf", b"PF")),
+    _depth(
+        (".tif", ".tiff"), partial(write_tiff, _quality=100, profile=None), _read_raster, TIFF, library="tifffile"
+    ),
+    _depth((".png",), read=_read_raster, starts=PNG),
     _depth((".exr",), write_depth, read_depth, START, library="OpenEXR"),
 )
 find, find_depth = partial(registry.find, "photo"), partial(registry.find, "depth map")
@@ -753,7 +755,7 @@ _NUMBER = re.compile(r"%0?\d?d")
 
 
 def check_pattern(path: str | PathLike[str], name: str = "path") -> Path:
-    """Check a path for frames, which has one number such as ``%03d``, or none for an animation."""
+    """Check and return a path for frames: with a number such as ``%03d``, or without it for an animation or stack."""
     target = validation.path("path", path)
     numbers = _NUMBER.findall(target.name)
     if len(numbers) != target.name.count("%") or len(numbers) > 1 or "%" in str(target.parent):
@@ -767,12 +769,12 @@ def check_pattern(path: str | PathLike[str], name: str = "path") -> Path:
     try:
         registry.find("frames", target, name)
     except ValueError as error:
-        raise ValueError(f"{error}; a number such as %03d makes a photograph of each") from None
+        raise ValueError(f"{error}; with a number such as %03d each frame becomes a photograph") from None
     return target
 
 
 def is_animation(path: str | PathLike[str]) -> bool:
-    """Return True if frames are written to one animation, whose levels have 8 bits."""
+    """Return True if frames are written to a single animation, which has 8 bits per channel."""
     target = validation.path("path", path)
     return not _NUMBER.search(target.name) and registry.find("frames", target).holds == (_8,)
 
@@ -785,7 +787,7 @@ def write_frames(
     quality: int = 95,
     exif: Exif | None = None,
 ) -> list[Path]:
-    """Write frames and return the paths of the files; after an error there are no files.
+    """Write frames and return the paths of the files; an error leaves no new file.
 
     Parameters
     ----------
@@ -793,13 +795,13 @@ def write_frames(
         With a number such as ``%03d``: one photograph per frame, counted from 1. Without: an 8-bit animation, .gif
         (256 colours per frame), .png or .apng (lossless) or .webp; or a TIFF stack.
     frames : iterable of ndarray
-        Stored values of each frame, all of one shape and type.
+        Stored values of each frame; all frames have the same shape and type.
     fps : float, default 12
         Frames per second of an animation, which repeats forever.
     quality : int, default 95
         Quality of JPEG and WebP, 1 to 100.
     exif : Exif, optional
-        Stored in photographs of a format that holds it, not in animations and stacks.
+        EXIF, stored in photographs if the format can hold it; omitted from animations and stacks.
 
     Returns
     -------
@@ -808,7 +810,7 @@ def write_frames(
     Raises
     ------
     TypeError, ValueError
-        If an argument is out of range, there are no frames, or they differ in shape or type.
+        If an argument is out of range, or if the frames are none or differ in shape or type.
     OSError
         If a file cannot be written.
     """
@@ -816,7 +818,7 @@ def write_frames(
     duration = 1000.0 / validation.real("fps", fps, least=1e-3, below=1000.0)
     validation.integer("quality", quality, least=1, most=100)
     if not _NUMBER.search(target.name):
-        kept = list(_of_one_shape(frames))
+        kept = list(_check_frames(frames))
         form = registry.find("frames", target, holding=f"of {kept[0].dtype.name}")
         atomic.write(target, form.write(kept, duration, quality))
         return [target]
@@ -824,13 +826,13 @@ def write_frames(
         raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), str(target))
     made, block = [], exif.block if exif is not None and _EXIF in find(target).holds else None
     with atomic.whole_files() as put:
-        for number, frame in enumerate(_of_one_shape(frames), 1):
+        for number, frame in enumerate(_check_frames(frames), 1):
             made.append(target.with_name(target.name % number))
             put(made[-1], encoded(target, frame, quality, None, block))
     return made
 
 
-def _of_one_shape(frames: Iterable[Values]) -> Iterable[Values]:
+def _check_frames(frames: Iterable[Values]) -> Iterable[Values]:
     first = None
     if not isinstance(frames, Iterable) or getattr(frames, "ndim", 1) == 0 or np.ma.is_masked(frames):
         raise TypeError(f"frames must be arrays, got {validation.shown(frames)}")
@@ -850,14 +852,14 @@ def _of_one_shape(frames: Iterable[Values]) -> Iterable[Values]:
         raise ValueError("there must be at least one frame")
 
 
-def _stack(frames: list[Values], _duration: float, _quality: int) -> bytes:
+def _write_stack(frames: list[Values], _duration: float, _quality: int) -> bytes:
     import tifffile
 
     photometric = "rgb" if frames[0].ndim == 3 else "minisblack"
     return atomic.contents(tifffile.imwrite, np.stack(frames), photometric=photometric, metadata=None)
 
 
-def _animation(form: str, frames: list[Values], duration: float, quality: int) -> bytes:
+def _write_animation(form: str, frames: list[Values], duration: float, quality: int) -> bytes:
     from PIL import Image, features
 
     if form == "webp" and not features.check("webp"):
@@ -871,8 +873,8 @@ def _animation(form: str, frames: list[Values], duration: float, quality: int) -
 _DEEP = ("of uint16", "of float32", "of float64")
 _animated = partial(Format, "frames", library="PIL.Image", holds=(_8,))
 registry.register(
-    _animated((".gif",), partial(_animation, "gif"), what="256 colours per frame"),
-    _animated((".png", ".apng"), partial(_animation, "png")),
-    _animated((".webp",), partial(_animation, "webp")),
-    Format("frames", (".tif", ".tiff"), _stack, library="tifffile", holds=(_8, *_DEEP)),
+    _animated((".gif",), partial(_write_animation, "gif"), what="256 colours per frame"),
+    _animated((".png", ".apng"), partial(_write_animation, "png")),
+    _animated((".webp",), partial(_write_animation, "webp")),
+    Format("frames", (".tif", ".tiff"), _write_stack, library="tifffile", holds=(_8, *_DEEP)),
 )

@@ -1,4 +1,4 @@
-"""Video: reading frames, or pairs of frames, from files, streams, cameras and numbered images; writing videos."""
+"""Video: read frames, or pairs of frames, from files, streams, cameras and numbered images; write videos."""
 
 from __future__ import annotations
 
@@ -42,15 +42,15 @@ USUAL_RATE = 25.0
 """Frame rate (1/s) of sources that state neither times nor a rate, such as numbered images."""
 
 _SCHEMES = ("http", "https", "rtmp", "rtp", "rtsp", "rtsps", "srt", "tcp", "udp")
-_LOSSY = (b"MJPG", b"JPEG", b"H264", b"HEVC")  # codes of cameras with lossy compression
-_PATIENCE = 10.0  # seconds without a frame after which a live source has ended
-_KEPT = 4  # largest number of waiting frames of a live source
-_FIRST = 6  # number of frames from which the interval is estimated first
-_STEPS = 31  # differences of times whose median is the interval
-_SHORT = 0.02  # fraction of the stated length of a file that may be missing at its end
-_SHIFTS = 250  # frames of a stream whose delays are compared
-_FAULTS = 100  # largest number of damaged packets, or frames of another size, in a row
-_ALONE = 100  # number of consecutive frames without a partner that is reported
+_LOSSY = (b"MJPG", b"JPEG", b"H264", b"HEVC")  # FourCC codes of lossy compressions of cameras
+_TIMEOUT = 10.0  # timeout: seconds without a frame after which a live source counts as ended
+_MAX_UNREAD = 4  # maximum number of unread frames of a live source that are stored
+_FIRST_FRAMES = 6  # number of frames from which the first estimate of the frame interval is computed
+_MEDIAN_STEPS = 31  # number of latest time differences whose median is the frame interval
+_MISSING_FRACTION = 0.02  # fraction of the stated duration of a file that may be missing without an error
+_DELAY_FRAMES = 250  # number of latest frames of a stream whose smallest delay sets the origin of its times
+_MAX_FAULTS = 100  # maximum number of consecutive damaged packets
+_MAX_UNPAIRED = 100  # number of consecutive frames without a partner after which a message is issued
 
 
 class VideoError(ValueError):
@@ -63,9 +63,9 @@ class VideoFrame(NamedTuple):
     Parameters
     ----------
     values : ndarray of uint8, uint16 or float32, shape (height, width) or (height, width, 3)
-        In grey or colour.
+        Grey or RGB.
     time : float
-        Seconds.
+        Time of the frame, seconds.
     """
 
     values: Values
@@ -78,9 +78,9 @@ class FramePair(NamedTuple):
     Parameters
     ----------
     first, second : ndarray of uint8, uint16 or float32, shape (height, width)
-        Of one size and type.
+        Both have the same shape and type.
     time : float
-        Of the first, seconds.
+        Time of the first frame, seconds.
     """
 
     first: Values
@@ -88,10 +88,10 @@ class FramePair(NamedTuple):
     time: float
 
 
-_Numbered: TypeAlias = tuple[int, VideoFrame]
+_NumberedFrame: TypeAlias = tuple[int, VideoFrame]
 
 
-class _Closed:
+class _ClosingIterator:
     """An iterator that is closed at the end of a ``with`` block."""
 
     def __enter__(self) -> Self:
@@ -108,54 +108,54 @@ class _Closed:
         raise NotImplementedError
 
 
-class VideoFrames(_Closed):
+class VideoFrames(_ClosingIterator):
     """Frames of one source in the order of their times: an iterator of :class:`~lommel.io.VideoFrame`.
 
-    Made by :func:`video_frames`; closed by ``with`` or `close`. Of a camera or a stream the last few frames wait, and
-    older ones are dropped.
+    :func:`video_frames` returns it; ``with`` or `close` closes it. For a camera or a stream it stores the latest
+    four unread frames and drops older ones.
 
     Parameters
     ----------
     reader : object
-        What reads the source: a file or stream, a camera, or numbered images.
+        Reader of the source: of a file or stream, of a camera, or of numbered images.
     tell : callable
-        Called with a sentence about each fault that reading goes on after.
+        Function of a message, which is called for each error after which reading continues.
 
     Attributes
     ----------
     name : str
-        Of the source, in messages; without a password.
+        Name of the source in messages, without user name and password.
     live : bool
-        Whether it is a camera or a stream.
+        True for a camera or a stream.
     shape : tuple of int
         Height and width of the frames, and 3 for colour.
     dtype : dtype
-        uint8; uint16 where the source has more than 8 bits, which then end at 65535; or float32.
+        uint8; uint16 if the source has more than 8 bits (scaled to the maximum 65535); or float32.
     levels : int
-        Values that the source can store: 256 for 8 bits; 0 for floats.
+        Number of levels that the source can store: 256 for 8 bits; 0 for floats.
     encoding : {"srgb", "linear"}
-        As is usual: grey of more than 8 bits and floats are linear, all else is sRGB.
+        Assumed encoding: linear for floats and for grey of more than 8 bits, otherwise sRGB.
     number : int
-        Of the last frame, from 0, with those that are missing.
+        Number of the latest frame, from 0; missing frames are counted.
     dropped : int
-        Frames that are missing by the times of those read so far.
+        Number of missing frames, estimated from the times of the frames that were read.
     refused : int
-        Frames of another size or type, which were left out.
+        Number of frames that were skipped since their size or type differs from the first frame.
     lost : str or None
-        Why the frames ended early.
+        Reason why the frames ended early, or None.
 
     Raises
     ------
     VideoError
-        If the source holds no frame.
+        If the source contains no frame.
     """
 
-    def __init__(self, reader: _Coded | _Camera | _Images, tell: Tell) -> None:
+    def __init__(self, reader: _PyavReader | _CameraReader | _ImageReader, tell: Tell) -> None:
         self._reader, self._tell = reader, tell
         self.name, self.live, self.levels = reader.name, reader.live, reader.levels
         self.dropped = self.refused = self.number = 0
         self.lost: str | None = None
-        self._times: deque[float] = deque(maxlen=_STEPS)
+        self._times: deque[float] = deque(maxlen=_MEDIAN_STEPS)
         self._frames = self._numbered()
         self._last: int | None = None
         try:
@@ -166,10 +166,10 @@ class VideoFrames(_Closed):
             reader.close()
             raise
         self.shape, self.dtype = first[1].values.shape, first[1].values.dtype
-        self._first: _Numbered | None = first
+        self._first: _NumberedFrame | None = first
         deep = reader.grey and reader.levels > 256
         self.encoding = "linear" if deep or self.dtype.kind == "f" else "srgb"
-        self._waiting = _Waiting(self._frames, self.name) if self.live else None
+        self._latest = _LatestFrames(self._frames, self.name) if self.live else None
 
     def __repr__(self) -> str:
         height, width = self.shape[:2]
@@ -177,33 +177,33 @@ class VideoFrames(_Closed):
 
     @property
     def bits(self) -> float | None:
-        """Bits per pixel so far of a source with lossy compression; None if it is lossless or unknown."""
+        """Mean bits per pixel so far if the compression is lossy; None if it is lossless or unknown."""
         return self._reader.bits
 
     @property
     def interval(self) -> float:
-        """Seconds between frames: the median of the measured intervals, or the stated interval."""
+        """Seconds between frames: the median of the latest intervals, or the stated one if fewer than 3 are known."""
         seen = list(self._times)
         if len(seen) > 2:
             return median(seen)
         return self._reader.interval or min(seen, default=1.0 / USUAL_RATE)
 
-    def _numbered(self) -> Iterator[_Numbered]:
+    def _numbered(self) -> Iterator[_NumberedFrame]:
         """Yield frames with numbers, which increase by more than 1 if the times show missing frames."""
         frames = self._reader.frames()
-        # Stated rates may be wrong, and a frame may be missing among the first: no number without some differences.
+        # Stated rates may be wrong and early frames may be missing: read several frames before numbering the first.
         waiting, end = deque[VideoFrame](), None
         try:
-            for frame in islice(frames, _FIRST):
+            for frame in islice(frames, _FIRST_FRAMES):
                 waiting.append(frame)
         except VideoError as error:
             end = error
         self._times.extend(step for a, b in pairwise(waiting) if (step := b.time - a.time) > 0.0)
         number, last = 0, math.nan
-        first = (waiting.popleft() for _ in range(len(waiting)))  # frames are released when yielded
+        first = (waiting.popleft() for _ in range(len(waiting)))  # releases each frame when it is yielded
         for k, frame in enumerate(chain(first, frames)):
             step = frame.time - last
-            if k >= _FIRST and step > 0.0:
+            if k >= _FIRST_FRAMES and step > 0.0:
                 self._times.append(step)
             if not math.isnan(last):
                 number += max(1, round(step / self.interval))
@@ -223,20 +223,20 @@ class VideoFrames(_Closed):
                 other, own = (" x ".join(map(str, one[1::-1])) for one in (frame.values.shape, self.shape))
                 self._tell(
                     f"{self.name} has a frame of {other} {frame.values.dtype} at {frame.time:.2f} s, where the first "
-                    f"is of {own} {self.dtype}: such frames are left out"
+                    f"is of {own} {self.dtype}: such frames are skipped"
                 )
         self.dropped += 0 if self._last is None else self.number - self._last - 1
         self._last = self.number
         return frame
 
-    def _read(self) -> _Numbered:
+    def _read(self) -> _NumberedFrame:
         first, self._first = self._first, None
         if first is not None:
-            if self._waiting is None:
+            if self._latest is None:
                 return first
-            self._waiting.clear()  # drops frames that arrived before the first request
+            self._latest.clear()  # drops frames that arrived before the first one was read
         try:
-            return next(self._waiting or self._frames)
+            return next(self._latest or self._frames)
         except VideoError as error:
             self.lost = str(error)
             self._tell(self.lost)
@@ -244,16 +244,16 @@ class VideoFrames(_Closed):
 
     def close(self) -> None:
         """Close the source."""
-        if self._waiting is None or self._waiting.stop():
+        if self._latest is None or self._latest.stop():
             self._reader.close()
 
 
-class _Waiting:
+class _LatestFrames:
     """Queue of the latest frames of a live source, which are read by a thread."""
 
-    def __init__(self, frames: Iterator[_Numbered], name: str) -> None:
+    def __init__(self, frames: Iterator[_NumberedFrame], name: str) -> None:
         self._frames, self._name = frames, name
-        self._kept: deque[_Numbered] = deque(maxlen=_KEPT)
+        self._unread: deque[_NumberedFrame] = deque(maxlen=_MAX_UNREAD)
         self._changed = threading.Condition()
         self._end: BaseException | None = None
         self._stopped = False
@@ -267,7 +267,7 @@ class _Waiting:
                 with self._changed:
                     if self._stopped:
                         break
-                    self._kept.append(frame)
+                    self._unread.append(frame)
                     self._changed.notify()
         except Exception as error:
             end = error
@@ -276,19 +276,19 @@ class _Waiting:
             self._changed.notify()
 
     def clear(self) -> None:
-        """Drop all waiting frames."""
+        """Drop all unread frames."""
         with self._changed:
-            self._kept.clear()
+            self._unread.clear()
 
     def __iter__(self) -> Self:
         return self
 
-    def __next__(self) -> _Numbered:
+    def __next__(self) -> _NumberedFrame:
         with self._changed:
-            if not self._changed.wait_for(lambda: self._kept or self._end is not None, _PATIENCE):
-                raise VideoError(f"{self._name} has had no frame for {_PATIENCE:g} s")
-            if self._kept:
-                return self._kept.popleft()
+            if not self._changed.wait_for(lambda: self._unread or self._end is not None, _TIMEOUT):
+                raise VideoError(f"{self._name} has had no frame for {_TIMEOUT:g} s")
+            if self._unread:
+                return self._unread.popleft()
             assert self._end is not None
             raise self._end
 
@@ -299,24 +299,24 @@ class _Waiting:
         return not self._thread.is_alive()
 
 
-class FramePairs(_Closed):
+class FramePairs(_ClosingIterator):
     """Pairs of frames recorded at the same time: an iterator of :class:`~lommel.io.FramePair`.
 
-    Made by :func:`frame_pairs`; closed by ``with`` or `close`. It holds a few frames at a time.
+    :func:`frame_pairs` returns it; ``with`` or `close` closes it. It stores only a few frames at a time.
 
     Parameters
     ----------
     sources : tuple of VideoFrames
-        One, whose focus alternates, or two.
+        One source whose focus alternates, or two sources.
     tell : callable
-        As of :class:`VideoFrames`.
+        As for :class:`VideoFrames`.
 
     Attributes
     ----------
     shape, dtype, levels, encoding
-        Those of the first source, as of :class:`VideoFrames`; `shape` and `dtype` are those of the second, too.
+        Attributes of the first source, a :class:`VideoFrames`; a second source has the same `shape` and `dtype`.
     alone : int
-        Frames without a partner.
+        Number of frames without a partner.
     """
 
     def __init__(self, sources: tuple[VideoFrames, ...], tell: Tell) -> None:
@@ -342,7 +342,7 @@ class FramePairs(_Closed):
 
     @property
     def refused(self) -> int:
-        """Number of frames that were omitted since they have another size or type."""
+        """Number of frames of all sources that were skipped since they have another size or type."""
         return sum(one.refused for one in self.sources)
 
     @property
@@ -357,7 +357,7 @@ class FramePairs(_Closed):
 
     @property
     def bits(self) -> float | None:
-        """Smallest bits per pixel so far of all sources; see :attr:`VideoFrames.bits`."""
+        """Bits per pixel of the source with the fewest; see :attr:`VideoFrames.bits`."""
         return min((one.bits for one in self.sources if one.bits is not None), default=None)
 
     @property
@@ -371,26 +371,26 @@ class FramePairs(_Closed):
             one.close()
 
     def _alternating(self) -> Iterator[FramePair]:
-        """Yield each even frame with the following odd frame; a dropped frame does not exchange near and far."""
+        """Yield each even-numbered frame with the next one; since dropped frames are counted, near stays first."""
         (source,) = self.sources
-        held: VideoFrame | None = None
+        even: VideoFrame | None = None
         start = expected = -1
         for frame in source:
             start = source.number if start < 0 else start
             odd = bool((source.number - start) % 2)
-            if odd and held is not None and source.number == expected:
-                yield FramePair(held.values, frame.values, held.time)
-                held = None
+            if odd and even is not None and source.number == expected:
+                yield FramePair(even.values, frame.values, even.time)
+                even = None
                 continue
-            self.alone += (held is not None) + odd
-            held, expected = None if odd else frame, source.number + 1
-        if held is not None:
+            self.alone += (even is not None) + odd
+            even, expected = None if odd else frame, source.number + 1
+        if even is not None:
             self.alone += 1
             if source.lost is None:
-                self._tell(f"{source.name} ends inside a pair: its last frame was left out")
+                self._tell(f"{source.name} ends inside a pair: its last frame was skipped")
 
     def _matched(self) -> Iterator[FramePair]:
-        """Yield the frames of two sources whose times are within half an interval."""
+        """Yield pairs of frames of two sources whose times differ by at most half the shorter frame interval."""
         first, second = self.sources
         row = 0
         a, b = next(first, None), next(second, None)
@@ -404,10 +404,10 @@ class FramePairs(_Closed):
                 continue
             self.alone += 1
             row += 1
-            if row == _ALONE:
+            if row == _MAX_UNPAIRED:
                 self._tell(
                     f"no frames of {first.name} and {second.name} are within {1e3 * near:.3g} ms of each other, at "
-                    f"{a.time:.3f} and {b.time:.3f} s: they were not taken together, or their clocks differ"
+                    f"{a.time:.3f} and {b.time:.3f} s: they were not recorded together, or their clocks differ"
                 )
             if gap > 0.0:
                 a = next(first, None)
@@ -416,7 +416,7 @@ class FramePairs(_Closed):
         for ended, left, frame in ((first, second, b), (second, first, a)):
             if frame is not None and not ended.live and self.lost is None:
                 self.alone += 1
-                self._tell(f"{ended.name} ends before {left.name}, whose frame at {frame.time:.3f} s was left out")
+                self._tell(f"{ended.name} ends before {left.name}, whose frame at {frame.time:.3f} s was skipped")
 
 
 def video_frames(source: Source, *, grey: bool = False, tell: Tell | None = None) -> VideoFrames:
@@ -428,9 +428,9 @@ def video_frames(source: Source, *, grey: bool = False, tell: Tell | None = None
         The number of a camera; a file; an address such as ``rtsp://camera/stream``; a folder of numbered images of
         one size, or a pattern of their names such as ``frames/%04d.tif``.
     grey : bool, default False
-        Whether colours are turned to grey: the luma of the video.
+        Convert colours to grey (luma).
     tell : callable, optional
-        Called with a sentence about each fault that reading goes on after; by default it is a RuntimeWarning.
+        Function of a message, called for each error after which reading continues; by default a RuntimeWarning.
 
     Returns
     -------
@@ -439,28 +439,28 @@ def video_frames(source: Source, *, grey: bool = False, tell: Tell | None = None
     Raises
     ------
     VideoError
-        If there is no such camera, or the source holds no video, or frames of more than 2^26 pixels.
+        If the camera does not exist, or the source contains no video, or frames of more than 2^26 pixels.
     TypeError, ValueError
         If an argument is of another type.
     OSError, ImportError
-        If it cannot be read, or PyAV (files, streams) or OpenCV (cameras) is not installed.
+        If the source cannot be read, or PyAV (files, streams) or OpenCV (cameras) is not installed.
     """
     grey = validation.truth("grey", grey)
     say = _warner(tell)
     if isinstance(source, str) and re.fullmatch(r"\d{1,3}", source):
         source = int(source)
     if isinstance(source, int | np.integer):
-        return VideoFrames(_Camera(validation.integer("source", source, least=0, most=999), grey, say), say)
+        return VideoFrames(_CameraReader(validation.integer("source", source, least=0, most=999), grey, say), say)
     if isinstance(source, str) and (found := re.match(r"([a-z]\w*)://", source, re.IGNORECASE)):
         if found[1].lower() not in _SCHEMES:
             raise ValueError(f"source must be of {', '.join(_SCHEMES)}, got {validation.shown(found[0])}")
         named = validation.line(re.sub(r"//[^/@]*@", "//", source))  # removes user name and password
-        return VideoFrames(_Coded(source, named, True, grey, say), say)
+        return VideoFrames(_PyavReader(source, named, True, grey, say), say)
     path = validation.path("source", source)
     if path.is_dir() or "%" in path.name:
-        return VideoFrames(_Images(path, grey, say), say)
+        return VideoFrames(_ImageReader(path, grey, say), say)
     reading.size(path)  # raises an error for a pipe, on which reading would wait
-    return VideoFrames(_Coded(fspath(path), validation.line(path), False, grey, say), say)
+    return VideoFrames(_PyavReader(fspath(path), validation.line(path), False, grey, say), say)
 
 
 def frame_pairs(
@@ -471,15 +471,15 @@ def frame_pairs(
     Parameters
     ----------
     a : int or path
-        A source, as of :func:`video_frames`.
+        A source, as for :func:`video_frames`.
     b : int or path, optional
-        Another one: frames whose times are within half an interval of each other are pairs. Times of files are those
-        they state; those of cameras and streams are when frames arrive, of streams less how late they are.
+        A second source: frames whose times differ by at most half a frame interval are pairs. Files state the times
+        of their frames. Camera frames have their arrival times; stream frames have arrival times without jitter.
     alternating : bool, default False
-        Whether the frames of `a` are of one focus and the other in turn, the first of the first lens. Where a frame
-        is dropped, which the times show, the rest of its pair is left out.
+        The frames of `a` alternate between two focus settings, beginning with that of the first lens. If the times
+        show that a frame was dropped, the other frame of its pair is skipped.
     tell : callable, optional
-        As of :func:`video_frames`.
+        As for :func:`video_frames`.
 
     Returns
     -------
@@ -488,11 +488,11 @@ def frame_pairs(
     Raises
     ------
     VideoError
-        As of :func:`video_frames`, or if the frames of the sources differ in size or type.
+        As for :func:`video_frames`, or if the frames of the two sources differ in size or type.
     TypeError, ValueError
-        If an argument is of another type, or `b` is given with `alternating`, or neither is.
+        If an argument is of another type, or `b` and `alternating` are both given or both missing.
     OSError, ImportError
-        As of :func:`video_frames`.
+        As for :func:`video_frames`.
 
     Examples
     --------
@@ -521,29 +521,29 @@ def _warner(tell: Tell | None) -> Tell:
     return tell or (lambda sentence: warnings.warn(sentence, RuntimeWarning, stacklevel=3))
 
 
-def _limited(name: str, width: int, height: int) -> None:
+def _require_frame_size(name: str, width: int, height: int) -> None:
     if width * height > MAX_FRAME:
         raise VideoError(f"{name} has frames of {width} x {height} pixels; the limit is {MAX_FRAME} pixels")
 
 
-# Each reader class has: `interval`, seconds between frames, 0 if unknown; `levels` of stored values,
-# 0 for floats; `grey`, True without colour; `bits` per pixel of a lossy compression, None if unknown.
-class _Coded:
+# Attributes of each reader class: `interval`, seconds between frames, 0 if unknown; `levels`, number of levels,
+# 0 for floats; `grey`, True without colour; `bits`, bits per pixel of a lossy compression, otherwise None.
+class _PyavReader:
     """A video file or a stream, read by PyAV."""
 
     def __init__(self, source: str, name: str, live: bool, grey: bool, tell: Tell) -> None:
         self._av = optional.library("av", "reading video needs", "video")
         self.name, self.live, self._grey, self._tell = name, live, grey, tell
         self._bytes = self._pixels = 0
-        # A file may be a playlist; addresses in it are refused.
+        # A file may be a playlist: refuse network addresses in it.
         options = {"protocol_whitelist": "file"}
         if live:
             options = {"rtsp_transport": "tcp"} if source.lower().startswith("rtsp") else {}
         try:
-            self._container: InputContainer = self._av.open(source, options=options, timeout=_PATIENCE)
+            self._container: InputContainer = self._av.open(source, options=options, timeout=_TIMEOUT)
         except (self._av.FFmpegError, ValueError) as error:
             cut = source.lower().endswith((".mp4", ".mov", ".m4v")) and Path(source).is_file()
-            hint = "; a file of this kind that was cut off has lost its index: record to .mkv" if cut else ""
+            hint = "; a file of this kind is unreadable if its end is missing: record to .mkv" if cut else ""
             raise VideoError(f"{name} cannot be read as video: {_reason(error)}{hint}") from None
         try:
             self._open()
@@ -558,10 +558,10 @@ class _Coded:
         codec = self._stream.codec_context
         if codec is None:
             raise VideoError(f"{self.name} has video in an unknown format, or is truncated")
-        _limited(self.name, codec.width, codec.height)
+        _require_frame_size(self.name, codec.width, codec.height)
         codec.options = {"max_pixels": str(MAX_FRAME)}
         codec.thread_type = "SLICE" if self.live else "AUTO"  # frame threading would delay live frames
-        # For other formats the length is only an estimate, and another stream of the file may be longer.
+        # Trust the stated duration only for these formats, and only without another stream, which may be longer.
         known = len(self._container.streams) == 1 and re.search("matroska|mp4", self._container.format.name)
         self._stated = 1e-6 * (self._container.duration or 0) if known and not self.live else 0.0
         rate = self._stream.guessed_rate or self._stream.average_rate
@@ -578,14 +578,14 @@ class _Coded:
     def frames(self) -> Iterator[VideoFrame]:
         """Yield all frames."""
         packets = self._packets()
-        told, faults, number, end = False, 0, 0, 0.0
-        # Times of a stream have an arbitrary origin. As clocks drift, the least delayed of the last frames sets it.
-        shifts: deque[float] = deque([] if self.live else [0.0], maxlen=_SHIFTS)
+        reported, faults, number, end = False, 0, 0, 0.0
+        # Times of a stream have an arbitrary origin: add the smallest recent delay (arrival - stamp); clocks drift.
+        shifts: deque[float] = deque([] if self.live else [0.0], maxlen=_DELAY_FRAMES)
         while True:
             try:
                 packet = next(packets)
             except (StopIteration, EOFError):
-                if self._stated - end > max(3.0 * self.interval, _SHORT * self._stated):
+                if self._stated - end > max(3.0 * self.interval, _MISSING_FRACTION * self._stated):
                     raise VideoError(f"{self.name} breaks off at {end:.2f} s of {self._stated:.2f} s") from None
                 return
             except self._av.FFmpegError as error:
@@ -594,10 +594,10 @@ class _Coded:
                 found = packet.decode()
             except self._av.FFmpegError as error:
                 faults += 1
-                if not told:
-                    told = True
-                    self._tell(f"{self.name} is damaged after {number} frames ({_reason(error)}): reading goes on")
-                if faults > _FAULTS:
+                if not reported:
+                    reported = True
+                    self._tell(f"{self.name} is damaged after {number} frames ({_reason(error)}): reading continues")
+                if faults > _MAX_FAULTS:
                     raise VideoError(f"{self.name} is damaged: {_reason(error)}") from None
                 continue
             self._bytes += packet.size
@@ -613,7 +613,7 @@ class _Coded:
 
     @property
     def bits(self) -> float | None:
-        """Bits per pixel, from the packets read so far."""
+        """Mean bits per pixel of the packets read so far if the codec is lossy, otherwise None."""
         lossy = self._stream.codec_context.codec.lossy
         return 8.0 * self._bytes / self._pixels if lossy and self._pixels else None
 
@@ -621,7 +621,7 @@ class _Coded:
         return self._container.demux(self._stream)
 
     def close(self) -> None:
-        """Close the file."""
+        """Close the file or stream."""
         self._container.close()
 
 
@@ -629,8 +629,8 @@ def _reason(error: Exception) -> str:
     return validation.brief(getattr(error, "strerror", None) or reading.reason(error))
 
 
-class _Camera:
-    """A camera, given by its number and read by OpenCV."""
+class _CameraReader:
+    """A camera, identified by its number and read by OpenCV."""
 
     live, levels, grey, bits = True, 256, False, None
 
@@ -646,7 +646,7 @@ class _Camera:
         code = int(self._capture.get(self._cv2.CAP_PROP_FOURCC)) & 0xFFFFFFFF
         if code.to_bytes(4, "little") in _LOSSY:
             tell(
-                f"{self.name} compresses its frames, as Motion JPEG or H.264: fine texture may be lost with the noise"
+                f"{self.name} compresses its frames with loss (Motion JPEG, H.264 or H.265): fine texture may be lost"
             )
 
     def frames(self) -> Iterator[VideoFrame]:
@@ -656,7 +656,7 @@ class _Camera:
             taken, values = self._capture.retrieve()
             if not taken:
                 break
-            _limited(self.name, *values.shape[1::-1])
+            _require_frame_size(self.name, *values.shape[1::-1])
             order = self._cv2.COLOR_BGR2GRAY if self._grey else self._cv2.COLOR_BGR2RGB
             yield VideoFrame(values if values.ndim == 2 else self._cv2.cvtColor(values, order), arrived)
         raise VideoError(f"{self.name} gives no more frames: it was unplugged, or stopped")
@@ -666,15 +666,15 @@ class _Camera:
         self._capture.release()
 
 
-class _Images:
-    """Numbered images, whose numbers are their times."""
+class _ImageReader:
+    """Numbered images; the time of an image is its number times `interval`."""
 
     live, interval = False, 1.0 / USUAL_RATE
 
     def __init__(self, path: Path, grey: bool, tell: Tell) -> None:
         self.name, self._grey, self._tell = validation.line(path), grey, tell
         self._bytes = self._pixels = 0
-        folder, form = (path, r".*?(\d+)\D*\.\w+") if path.is_dir() else (path.parent, _numbered(path.name))
+        folder, form = (path, r".*?(\d+)\D*\.\w+") if path.is_dir() else (path.parent, _number_pattern(path.name))
         suffixes = {suffix for one in registry.formats("photo") for suffix in one.suffixes}
         images = (one for one in folder.iterdir() if one.suffix.lower() in suffixes)
         found = ((re.fullmatch(form, one.name, re.ASCII), one) for one in images)
@@ -687,22 +687,22 @@ class _Images:
 
     def _read(self, path: Path) -> Values:
         values, _, _ = photos.read_raster(path)
-        _limited(validation.line(path), *values.shape[1::-1])
+        _require_frame_size(validation.line(path), *values.shape[1::-1])
         if self._grey and values.ndim == 3:
             luma = values @ np.array([0.299, 0.587, 0.114])
             values = (luma if values.dtype.kind == "f" else np.rint(luma)).astype(values.dtype)
         return values.astype(np.float32) if values.dtype.kind == "f" else values
 
     def frames(self) -> Iterator[VideoFrame]:
-        """Yield all readable images; a warning names the first that cannot be read."""
-        told = False
+        """Yield all readable images; a message names the first image that cannot be read."""
+        reported = False
         for number, path in self._files:
             try:
                 values, size = self._read(path), path.stat().st_size
             except (OSError, ValueError) as error:
-                if not told:
-                    told = True
-                    self._tell(f"{validation.line(path)} is left out: {_reason(error)}")
+                if not reported:
+                    reported = True
+                    self._tell(f"{validation.line(path)} is skipped: {_reason(error)}")
                 continue
             if path.suffix.lower() in (".jpg", ".jpeg"):
                 self._bytes += size
@@ -711,14 +711,14 @@ class _Images:
 
     @property
     def bits(self) -> float | None:
-        """Bits per pixel of the JPEG files read so far."""
+        """Mean bits per pixel of the JPEG files read so far, None without JPEG files."""
         return 8.0 * self._bytes / self._pixels if self._pixels else None
 
     def close(self) -> None:
         """Do nothing, since no file is kept open."""
 
 
-def _numbered(name: str) -> str:
+def _number_pattern(name: str) -> str:
     """Return a regular expression for file names with one number such as %04d."""
     parts = re.split(r"%0?\d?d", name)
     if len(parts) != 2 or "%" in "".join(parts):
@@ -727,21 +727,21 @@ def _numbered(name: str) -> str:
 
 
 class VideoWriter:
-    """Writes frames with their times; the file is moved into place at the end, and after an error there is none.
+    """Write frames with their times; the file is moved into place at the end, and an error leaves no new file.
 
     Parameters
     ----------
     path : Path
     interval : float
-        Seconds from a frame to the next, about: for the rate of bits.
+        Approximate seconds between frames, from which the encoder sets its bit rate.
     comment : str, default ""
-        Of the metadata.
+        Comment in the metadata.
     form : str
-        Of the container.
+        Name of the container format.
 
     Notes
     -----
-    uint8, grey or RGB: H.264, or MPEG-4 where PyAV has none, with sides made even. uint16, grey: FFV1, lossless.
+    uint8, grey or RGB: H.264 (MPEG-4 if PyAV lacks it), padded to even sides. uint16, grey: FFV1, lossless.
     """
 
     def __init__(self, path: Path, interval: float, comment: str = "", *, form: str) -> None:

@@ -329,7 +329,7 @@ class ZarrArray:
         shape, chunks = metadata["shape"], metadata["chunk_grid"]["configuration"]["chunk_shape"]
         sides = all(type(n) is int and n > 0 for n in (*shape, *chunks)) and len(shape) == len(chunks)
         if not plain or separator not in (".", "/") or not sides:
-            raise ValueError(f"its array {folder.name} is stored in another way; zarr reads it")
+            raise ValueError(f"its array {folder.name} has an unsupported layout; read it by zarr")
         return cls(folder, Layout(tuple(shape), tuple(chunks), np.dtype(kind).newbyteorder("<").str), separator)
 
     def file(self, index: tuple[int, ...]) -> Path:

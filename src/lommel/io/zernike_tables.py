@@ -1,4 +1,4 @@
-"""Tables of Zernike coefficients in JSON, TOML, CSV and listings of lens design programs."""
+"""Read and write tables of Zernike coefficients: JSON, TOML, CSV, and (read only) files of lens design programs."""
 
 from __future__ import annotations
 
@@ -40,21 +40,21 @@ class ZernikeTable:
     Parameters
     ----------
     terms : mapping of index to float
-        Integers, or pairs (n, m) for the order "nm".
+        Coefficients by index: an integer, or a pair (n, m) if `order` is "nm".
     order : {"nm", "noll", "ansi", "fringe"}
     unit : str
-        "radians", "waves", or that of a path length: "metres", "nm", "um", ...
+        Unit of the coefficients: "radians", "waves", or a unit of path length ("metres", "nm", "um", ...).
     normalization : {"rms", "edge"}
         As in :meth:`lommel.Wavefront.zernike`.
     wavelength : float, optional
-        Metres; that at which the waves or radians were measured.
+        Wavelength (metres) at which the waves or radians were measured.
     obscuration : float, default 0
-        That of annular Zernike terms, as in :meth:`lommel.Wavefront.zernike`.
+        Obscuration of annular Zernike terms, as in :meth:`lommel.Wavefront.zernike`.
 
     Raises
     ------
     TypeError, ValueError
-        If there is no such term, order, unit, or normalization, or a number is not finite or out of range.
+        If a term, the order, the unit or the normalization is unknown, or a number is not finite or out of range.
     """
 
     terms: Mapping[int, float] | Mapping[Index, float] | Mapping[tuple[int, int], float]
@@ -76,7 +76,7 @@ class ZernikeTable:
         object.__setattr__(self, "terms", terms)
         Wavefront.zernike(
             terms, order=self.order, obscuration=self.obscuration
-        )  # its error names the terms that do not exist
+        )  # raises an error that names unknown terms
 
     @classmethod
     def from_wavefront(
@@ -95,11 +95,11 @@ class ZernikeTable:
         ----------
         wavefront : Wavefront
         order, unit, normalization : str
-            Of the table.
+            Attributes of the table.
         wavelength : float, optional
             Metres.
         obscuration : float, default 0
-            Of annular terms.
+            Obscuration of annular terms; 0 for terms on the disc.
 
         Returns
         -------
@@ -108,11 +108,11 @@ class ZernikeTable:
         Raises
         ------
         TypeError, ValueError
-            If it is a stack, if there is no such order, unit or normalization, or if a wavelength is missing.
+            If `wavefront` is a stack, an argument is unknown or out of range, or the unit needs a wavelength.
         """
         if validation.instance("wavefront", wavefront, Wavefront).shape != ():
             raise ValueError(f"wavefront must be a single one, got a stack of shape {wavefront.shape}")
-        plain, size = _unit(validation.choice("unit", unit, UNITS))
+        plain, size = _wavefront_unit(validation.choice("unit", unit, UNITS))
         found = wavefront.to_zernike(
             order=order, unit=plain, normalization=normalization, wavelength=wavelength, obscuration=obscuration
         )
@@ -121,10 +121,10 @@ class ZernikeTable:
         )
 
     def wavefront(self, wavelength: float | None = None) -> Wavefront:
-        """Return the wavefront at a wavelength in metres, by default that of the table.
+        """Return the wavefront at a wavelength in metres, by default the wavelength of the table.
 
-        A path length is the same at every wavelength (dispersion is left out): at another one, waves and radians
-        change by the ratio of the wavelengths.
+        Path lengths are assumed not to depend on the wavelength (no dispersion): waves and radians are multiplied by
+        ``table.wavelength / wavelength``.
 
         Parameters
         ----------
@@ -138,10 +138,10 @@ class ZernikeTable:
         Raises
         ------
         ValueError
-            If a length is to become a phase and no wavelength is known, or if `wavelength` is given and the table
-            does not say at which its waves or radians were measured.
+            If the unit is a length and neither the table nor `wavelength` states a wavelength; or if the unit is
+            waves or radians, `wavelength` is given, and the table states no wavelength.
         """
-        plain, size = _unit(self.unit)
+        plain, size = _wavefront_unit(self.unit)
         at = self.wavelength if wavelength is None else validation.wavelength(wavelength)
         if plain == "metres" and at is None:
             raise ValueError(f"wavelength must be given, since the unit of the table is {self.unit!r}")
@@ -162,10 +162,10 @@ class ZernikeTable:
 
 
 def save_zernike(path: str | PathLike[str], table: ZernikeTable | Wavefront) -> None:
-    """Write a table; the suffix chooses the format, and :func:`lommel.load_zernike` reads the same numbers.
+    """Write a table; the suffix chooses the format, and :func:`lommel.load_zernike` returns the same numbers.
 
-    A single wavefront is written as a table of Noll's terms in waves rms; :meth:`ZernikeTable.from_wavefront` makes
-    tables of other orders and units. The file is written under a temporary name and moved into place.
+    A single wavefront is written as a table of Noll terms in waves rms; for other orders and units use
+    :meth:`ZernikeTable.from_wavefront`. The file is written under a temporary name and moved into place.
 
     Parameters
     ----------
@@ -176,7 +176,7 @@ def save_zernike(path: str | PathLike[str], table: ZernikeTable | Wavefront) -> 
     Raises
     ------
     TypeError, ValueError
-        If `table` is neither, or a stack, or if the suffix is unknown.
+        If `table` is of another type, is a stack of wavefronts, or if the suffix is unknown.
     OSError
         If the file cannot be written.
     """
@@ -188,7 +188,7 @@ def save_zernike(path: str | PathLike[str], table: ZernikeTable | Wavefront) -> 
 
 
 def save_table(path: str | PathLike[str], table: ZernikeTable, errors: Mapping[int, float]) -> None:
-    """Write a table with standard errors of some terms, in the unit of the table; readers ignore the errors."""
+    """Write a table with standard errors of some terms in its unit; :func:`load_zernike` ignores the errors."""
     settings: Json = {"order": table.order, "unit": table.unit, "normalization": table.normalization}
     if table.wavelength is not None:
         settings["wavelength"] = f"{table.wavelength!r} m"
@@ -203,7 +203,7 @@ def save_table(path: str | PathLike[str], table: ZernikeTable, errors: Mapping[i
 
 @display.save.register(Wavefront)
 def save_wavefront(wavefront: Wavefront, path: str | PathLike[str], **options: Any) -> None:
-    """Write the Zernike coefficients of a single wavefront: :meth:`ZernikeTable.from_wavefront`, saved.
+    """Write the Zernike coefficients of a single wavefront, the table of :meth:`ZernikeTable.from_wavefront`.
 
     Parameters
     ----------
@@ -211,13 +211,13 @@ def save_wavefront(wavefront: Wavefront, path: str | PathLike[str], **options: A
     path : path
         Ending in .json, .toml or .csv.
     **options
-        Of :meth:`ZernikeTable.from_wavefront`.
+        Options of :meth:`ZernikeTable.from_wavefront`.
 
     Raises
     ------
     TypeError, ValueError
-        If it is a stack, if there is no such order, unit or normalization, if a wavelength is missing, or if the
-        suffix is unknown.
+        If `wavefront` is a stack, an option is unknown or out of range, the unit needs a wavelength, or the suffix
+        is unknown.
     OSError
         If the file cannot be written.
     """
@@ -225,13 +225,13 @@ def save_wavefront(wavefront: Wavefront, path: str | PathLike[str], **options: A
     save_zernike(path, ZernikeTable.from_wavefront(wavefront, **options))
 
 
-def _unit(unit: str) -> tuple[str, float]:
-    """Return a unit of :meth:`lommel.Wavefront.zernike`, and the value of one `unit` in it."""
+def _wavefront_unit(unit: str) -> tuple[str, float]:
+    """Return the unit to pass to :meth:`lommel.Wavefront.zernike`, and the value of one `unit` in that unit."""
     return ("metres", LENGTHS.get(unit, 1.0)) if unit not in ("radians", "waves") else (unit, 1.0)
 
 
 SETTINGS = ("order", "unit", "normalization", "wavelength", "obscuration")
-_MOST_TERMS = 4096  # maximum number of terms, larger than the number of supported terms
+_MAX_TERMS = 4096  # maximum number of terms in a file; more than there are supported terms
 _PAIR = re.compile(r"\(?\s*([+-]?\d+)\s*,\s*([+-]?\d+)\s*\)?", re.ASCII)
 
 
@@ -242,7 +242,7 @@ def build(
 
     `where` maps the name of a setting to its place in the file.
     """
-    found = _faults_of_settings(settings, where)
+    found = _setting_errors(settings, where)
     wavelength, obscuration = None, 0.0
     if "wavelength" in settings:
         with text_files.collected(found, where("wavelength")):
@@ -252,10 +252,10 @@ def build(
             given = settings["obscuration"]
             value = text_files.number(given) if isinstance(given, str) else given
             obscuration = validation.real("it", value, least=0.0, below=1.0)
-    if len(terms) > _MOST_TERMS:
-        found.append(f"{where('terms')}: must be at most {_MOST_TERMS} coefficients, got {len(terms)}")
+    if len(terms) > _MAX_TERMS:
+        found.append(f"{where('terms')}: must be at most {_MAX_TERMS} coefficients, got {len(terms)}")
         terms = terms[:1]
-    values = _coefficients(terms, settings.get("order"), found)
+    values = _read_terms(terms, settings.get("order"), found)
     if not terms:
         found.append(f"{where('terms')}: is missing or empty; it holds the coefficients by index")
     if found:
@@ -268,8 +268,8 @@ def build(
         return None, [f"{where('obscuration')}: {error}"]
 
 
-def _faults_of_settings(settings: Json, where: Callable[[str], str]) -> list[str]:
-    """Return the errors of settings that are words: unknown keys, missing keys, and values that are not allowed."""
+def _setting_errors(settings: Json, where: Callable[[str], str]) -> list[str]:
+    """Return errors for unknown keys, and for order, unit and normalization if they are missing or not allowed."""
     stray = [key for key in settings if key not in SETTINGS]
     found = [f"{where(key)}: unknown key; {near(key, (*SETTINGS, 'terms'))}" for key in stray[: text_files.TOLD]]
     found += ["unknown keys"] * len(stray[text_files.TOLD :])
@@ -282,8 +282,8 @@ def _faults_of_settings(settings: Json, where: Callable[[str], str]) -> list[str
     return found
 
 
-def _coefficients(terms: Sequence[tuple[str, object, str]], order: object, errors: list[str]) -> dict[Index, float]:
-    """Return the coefficients by their indices in an order; append their errors to `errors`."""
+def _read_terms(terms: Sequence[tuple[str, object, str]], order: object, errors: list[str]) -> dict[Index, float]:
+    """Return the coefficients by index; append the errors of the terms to `errors`."""
     values: dict[Index, float] = {}
     places: dict[tuple[int, int], str] = {}
     for text, value, at in terms:
@@ -293,7 +293,7 @@ def _coefficients(terms: Sequence[tuple[str, object, str]], order: object, error
         if not isinstance(order, str) or order not in zernike.ORDERS:
             continue  # the meaning of an index is unknown
         with text_files.collected(errors, at):
-            index = _index(text, order)
+            index = _parse_index(text, order)
             term = zernike.term(index, order)
             if term in places:
                 raise ValueError(f"the term {text} was given before, {places[term]}")
@@ -315,7 +315,7 @@ def build_section(
     return table, found
 
 
-def _index(text: str, order: str) -> Index:
+def _parse_index(text: str, order: str) -> Index:
     if order == "nm":
         pair = _PAIR.fullmatch(text.strip())
         if not pair:
@@ -326,9 +326,9 @@ def _index(text: str, order: str) -> Index:
     return int(text)
 
 
-_INDICES = ("index", "term", "j", "zernike")  # names of columns
-_VALUES = ("value", "coefficient", "coeff", "c")
-_NAMES = ("name", "aberration", "description")  # names of ignored columns
+_INDEX_COLUMNS = ("index", "term", "j", "zernike")  # names of columns
+_VALUE_COLUMNS = ("value", "coefficient", "coeff", "c")
+_NAME_COLUMNS = ("name", "aberration", "description")  # names of ignored columns
 _COLUMN = re.compile(r"([a-z]+)\s*(?:[(\[]\s*(\S+?)\s*[)\]])?")
 _NUMBERED = re.compile(r"z\s*_?(\d+)", re.IGNORECASE | re.ASCII)
 
@@ -336,7 +336,7 @@ _Row: TypeAlias = tuple[int, list[str]]
 
 
 class _CsvSettings:
-    """The settings of a CSV text by name, with their lines, and the errors in them."""
+    """The settings in the comment lines of a CSV text, with their line numbers and errors."""
 
     def __init__(self, text: str) -> None:
         self.values: dict[str, str] = {}
@@ -352,32 +352,33 @@ class _CsvSettings:
             self.values["unit"] = UNIT_NAMES.get(self.values["unit"].lower(), self.values["unit"])
 
     def add(self, key: str, value: str, place: int) -> None:
-        """Add a setting that a column states; an error if a comment states another value."""
+        """Add a setting that the column names state; append an error if a comment line states another value."""
         if (other := self.values.setdefault(key, value)) != value:
             self.errors.append(
-                f"line {place}: the columns say the {key} {value}, line {self.lines[key]} {validation.key(other)}"
+                f"line {place}: the columns state the {key} {value}, line {self.lines[key]} states "
+                f"{validation.key(other)}"
             )
         self.lines.setdefault(key, place)
 
     def where(self, key: str) -> str:
-        """Return the name of a setting with its line, if there is one."""
+        """Return the name of a setting, with its line number if the text contains it."""
         return f"{validation.key(key)} (line {self.lines[key]})" if key in self.lines else validation.key(key)
 
 
 def read_csv(text: str) -> tuple[ZernikeTable | None, list[str]]:
-    """Return the table of a CSV text, or all errors in it."""
+    """Return the table of a CSV text, or all errors in the text."""
     settings = _CsvSettings(text)
     errors, order = settings.errors, settings.values.get("order")
-    (head, columns), *rows = [*text_files.rows(text, _between(text))] or [(0, [])]
+    (head, columns), *rows = [*text_files.rows(text, _find_separator(text))] or [(0, [])]
     plain = [cell.lower() for cell in columns]
     if plain and all(map(_NUMBERED.fullmatch, plain)):
-        rows = _standing(rows, plain, errors)
+        rows = _transpose_row(rows, plain, errors)
         plain = ["index", "value"]
-    kept = [k for k, name in enumerate(plain) if name not in _NAMES]
-    index, _, unit = _column_roles([plain[k] for k in kept], order)
+    kept = [k for k, name in enumerate(plain) if name not in _NAME_COLUMNS]
+    index, _, unit = _find_columns([plain[k] for k in kept], order)
     if columns and not index:
         wanted = "n,m,value" if order == "nm" else "index,value"
-        errors.append(f"line {head}: the columns must be {wanted}, got {_brief(columns)}")
+        errors.append(f"line {head}: the columns must be {wanted}, got {_shorten_row(columns)}")
         rows = []
     if index == ["n", "m"]:
         settings.add("order", "nm", head)
@@ -388,7 +389,7 @@ def read_csv(text: str) -> tuple[ZernikeTable | None, list[str]]:
     terms = []
     for place, row in rows:
         if len(row) != len(plain):
-            errors.append(f"line {place}: must have {len(plain)} cells, got {len(row)}: {_brief(row)}")
+            errors.append(f"line {place}: must have {len(plain)} cells, got {len(row)}: {_shorten_row(row)}")
             continue
         *at, number = (row[k] for k in kept)
         numbered = _NUMBERED.fullmatch(at[0])
@@ -397,66 +398,66 @@ def read_csv(text: str) -> tuple[ZernikeTable | None, list[str]]:
     return (None if errors else table), [*errors, *more]
 
 
-def _column_roles(columns: Sequence[str], order: str | None) -> tuple[list[str], str, str]:
-    """Return the index columns, the value column and its unit, or None if the columns are unknown."""
+def _find_columns(columns: Sequence[str], order: str | None) -> tuple[list[str], str, str]:
+    """Return the index columns, the value column and its unit (or ""); ([], "", "") if a column is unknown."""
     *index, last = columns or [""]
     value = _COLUMN.fullmatch(last)
     pair = index == ["n", "m"] and order in (None, "nm")
-    single = len(index) == 1 and order != "nm" and index[0] in (*_INDICES, *zernike.ORDERS[1:])
-    if not value or value[1] not in _VALUES or not (pair or single):
+    single = len(index) == 1 and order != "nm" and index[0] in (*_INDEX_COLUMNS, *zernike.ORDERS[1:])
+    if not value or value[1] not in _VALUE_COLUMNS or not (pair or single):
         return [], "", ""
     unit = UNIT_NAMES.get(value[2] or "", value[2] or "")
     return (index, value[1], unit) if not unit or unit in UNITS else ([], "", "")
 
 
-def _brief(row: Sequence[str]) -> str:
+def _shorten_row(row: Sequence[str]) -> str:
     return validation.brief(", ".join(row[:60]))
 
 
-def _between(text: str) -> str:
-    """Return the separator of cells: a semicolon or a tab where the first row has it and no comma."""
+def _find_separator(text: str) -> str:
+    """Return the separator of cells: a semicolon or tab if the first row contains it and no comma, else a comma."""
     first = next((line for line in io.StringIO(text) if line.strip() and not line.lstrip().startswith("#")), "")
     return next((mark for mark in ";\t" if mark in first and "," not in first), ",")
 
 
-def _standing(rows: Sequence[_Row], names: Sequence[str], found: list[str]) -> list[_Row]:
-    """Return one row of values below Z1, Z2, ... as rows of an index and a value."""
+def _transpose_row(rows: Sequence[_Row], names: Sequence[str], found: list[str]) -> list[_Row]:
+    """Transpose one row of values below Z1, Z2, ... to rows of index and value; append errors to `found`."""
     for place, row in rows[1:]:
-        found.append(f"line {place}: one row of values is a table, got another: {validation.shown(', '.join(row))}")
+        found.append(f"line {place}: only one row may be below Z1, Z2, ..., got {validation.shown(', '.join(row))}")
     for place, row in rows[:1]:
         if len(row) != len(names):
-            found.append(f"line {place}: must have {len(names)} cells, got {len(row)}: {_brief(row)}")
+            found.append(f"line {place}: must have {len(names)} cells, got {len(row)}: {_shorten_row(row)}")
     return [(place, [name, cell]) for place, row in rows[:1] for name, cell in zip(names, row, strict=False)]
 
 
-_KIND = re.compile(r"^\s*(?:Listing of|Using)\b.*?\b(Standard|Fringe|Annular)\b", re.MULTILINE | re.IGNORECASE)
-_WAVES = re.compile(r"^\s*(?:Peak to Valley|RMS|Maximum fit)\b.*?:\s*[\d.,eE+-]+\s+waves\s*$", re.MULTILINE)
-_WAVELENGTH = re.compile(r"^\s*Wavelength\s*:\s*([\d.,]+)\s*(\S+)\s*$", re.MULTILINE)
+_KIND_LINE = re.compile(r"^\s*(?:Listing of|Using)\b.*?\b(Standard|Fringe|Annular)\b", re.MULTILINE | re.IGNORECASE)
+_WAVES_LINE = re.compile(r"^\s*(?:Peak to Valley|RMS|Maximum fit)\b.*?:\s*[\d.,eE+-]+\s+waves\s*$", re.MULTILINE)
+_WAVELENGTH_LINE = re.compile(r"^\s*Wavelength\s*:\s*([\d.,]+)\s*(\S+)\s*$", re.MULTILINE)
 _RATIO = re.compile(r"^\s*(?:Obscuration|Epsilon|Annular ratio)[\w ]*:\s*([\d.,]+)\s*$", re.MULTILINE | re.IGNORECASE)
-_TERM = re.compile(r"^\s*Z\s*(\d{1,4})\s*[:=]?\s*([+-]?[\d.,]+(?:[eE][+-]?\d+)?)\s*(?::.*)?$", re.ASCII)
-_ENTRY = re.compile(r"^\s*Z\s*\d", re.ASCII)
-# Which no other term has; by its number the orders differ.
+_TERM_LINE = re.compile(r"^\s*Z\s*(\d{1,4})\s*[:=]?\s*([+-]?[\d.,]+(?:[eE][+-]?\d+)?)\s*(?::.*)?$", re.ASCII)
+_TERM_START = re.compile(r"^\s*Z\s*\d", re.ASCII)
+# Formula of spherical aberration in a listing; the index of this term shows whether the order is as stated.
 _SPHERICAL = re.compile(r":.*\(\s*6\s*p\^4\s*-\s*6\s*p\^2\s*\+\s*1\s*\)\s*$", re.IGNORECASE)
 _BOMS = {codecs.BOM_UTF16_LE: "utf-16", codecs.BOM_UTF16_BE: "utf-16", codecs.BOM_UTF8: "utf-8-sig"}
 
 
 def read_listing(data: bytes) -> tuple[ZernikeTable | None, list[str]]:
-    """Return the coefficients of a listing of OpticStudio, or all errors in it."""
-    text = _text(data)
-    kinds = {kind.lower() for kind in _KIND.findall(text)}
+    """Return the table of a listing of OpticStudio, or all errors in the listing."""
+    text = _decode_text(data)
+    kinds = {kind.lower() for kind in _KIND_LINE.findall(text)}
     kind, annulus = "".join(kinds), _RATIO.search(text)
     found: list[str] = []
     if len(kinds) != 1:
         shown = f"got {' and '.join(sorted(kinds))}" if kinds else "which the line 'Listing of Zernike ...' states"
         found.append(f"the terms must be Standard, Fringe or Annular, {shown}")
-    if not _WAVES.search(text):
+    if not _WAVES_LINE.search(text):
         found.append("the unit is not stated; listings have 'Peak to Valley ... waves'")
-    wavelength = _listed_wavelength(text, found)
+    wavelength = _find_wavelength(text, found)
     if kind == "annular" and not annulus:
         found.append("the obscuration of the annulus is not stated")
-    terms = _listed_terms(text, kind, found)
+    terms = _find_terms(text, kind, found)
     if not terms:
-        # No part of a listing was recognised: one message is clearer than a list of all missing parts.
+        # If no part of a listing was recognised, one message is clearer than a list of all missing parts.
         what = "is no listing of Zernike coefficients of OpticStudio, which begins with 'Listing of Zernike ...'"
         what += " and has lines such as 'Z   4     0.25'"
         found = [*found, "it lists no term, such as 'Z   4     0.25'"] if kinds else [what]
@@ -464,31 +465,31 @@ def read_listing(data: bytes) -> tuple[ZernikeTable | None, list[str]]:
         return None, found
     if kind == "fringe":
         return ZernikeTable(terms, "fringe", "waves", "edge", wavelength), []
-    inner = _number(annulus[1]) if annulus and kind == "annular" else 0.0
+    inner = _parse_number(annulus[1]) if annulus and kind == "annular" else 0.0
     return ZernikeTable(dict(sorted(terms.items())), "noll", "waves", "rms", wavelength, inner), []
 
 
-def _listed_wavelength(text: str, errors: list[str]) -> float | None:
-    """Return the wavelength that a listing states, if any."""
-    waves = _WAVELENGTH.search(text)
+def _find_wavelength(text: str, errors: list[str]) -> float | None:
+    """Return the wavelength (metres) that a listing states, or None; append an error for an unknown unit."""
+    waves = _WAVELENGTH_LINE.search(text)
     if waves and waves[2] in LENGTHS:
-        return validation.wavelength(_number(waves[1]) * LENGTHS[waves[2]])
+        return validation.wavelength(_parse_number(waves[1]) * LENGTHS[waves[2]])
     if waves:
         errors.append(f"the wavelength has the unknown unit {validation.shown(waves[2])}")
     return None
 
 
-def _listed_terms(text: str, kind: str, errors: list[str]) -> dict[int, float]:
-    """Return the coefficients of a listing by the index of their terms; append errors of lines to `errors`."""
+def _find_terms(text: str, kind: str, errors: list[str]) -> dict[int, float]:
+    """Return the coefficients of a listing by index; append the errors of its lines to `errors`."""
     terms: dict[int, float] = {}
     spherical = {"standard": 11, "fringe": 9}.get(kind)
     for place, line in enumerate(text.splitlines(), 1):
-        entry = _TERM.match(line)
+        entry = _TERM_LINE.match(line)
         if not entry:
-            if _ENTRY.match(line):
+            if _TERM_START.match(line):
                 errors.append(f"line {place}: a term must have a number and a value, got {validation.shown(line)}")
             continue
-        index, value = int(entry[1]), _number(entry[2])
+        index, value = int(entry[1]), _parse_number(entry[2])
         if spherical and _SPHERICAL.search(line) and index != spherical:
             errors.append(
                 f"line {place}: 6p^4 - 6p^2 + 1 is the term {spherical} of Zernike {kind.capitalize()}, which "
@@ -503,8 +504,8 @@ def _listed_terms(text: str, kind: str, errors: list[str]) -> dict[int, float]:
 
 
 def read_code_v(data: bytes) -> tuple[ZernikeTable | None, list[str]]:
-    """Return the coefficients in a file of Code V."""
-    held = text_files.parse(_text(data))
+    """Return the table of a Code V file, and an empty list of errors."""
+    held = text_files.parse(_decode_text(data))
     if held.kind == "GRD":
         raise ValueError("it holds a grid; load_opd reads it")
     if held.missing.any():
@@ -516,8 +517,8 @@ def read_code_v(data: bytes) -> tuple[ZernikeTable | None, list[str]]:
     return ZernikeTable(pairs, "nm", "waves", "edge", held.wavelength), []
 
 
-def _text(data: bytes) -> str:
-    """Return a text in UTF-16 or UTF-8, by its byte order mark, or else in UTF-8 or Latin-1."""
+def _decode_text(data: bytes) -> str:
+    """Decode text as UTF-16 or UTF-8 if it has a byte order mark, else as UTF-8, or Latin-1 if it is not UTF-8."""
     named = next((name for start, name in _BOMS.items() if data.startswith(start)), None)
     if named is None:
         try:
@@ -530,7 +531,7 @@ def _text(data: bytes) -> str:
         raise ValueError(f"not {named} text: {error}") from None
 
 
-def _number(text: str) -> float:
+def _parse_number(text: str) -> float:
     """Return a number with a decimal point or comma; NaN if the text is not a number."""
     try:
         return float(text.replace(",", ".") if text.count(",") == 1 and "." not in text else text)
@@ -545,9 +546,9 @@ class ZernikeFileError(ValueError):
 def load_zernike(path: str | PathLike[str]) -> ZernikeTable:
     """Read Zernike coefficients: ``.json``, ``.toml``, ``.csv``, OpticStudio's ``.txt``, Code V's ``.int``.
 
-    In the first three, ``order`` (nm, noll, ansi, fringe), ``unit`` (waves, radians, or a length: nm, um, m, ...) and
-    ``normalization`` (rms, edge) must be stated; ``wavelength``, a length with a unit, may be, and so may the
-    ``obscuration`` of annular terms, 0 to below 1. TOML::
+    JSON, TOML and CSV files must state ``order`` (nm, noll, ansi, fringe), ``unit`` (waves, radians, or a length: nm,
+    um, m, ...) and ``normalization`` (rms, edge). They may state ``wavelength``, a length with its unit, and
+    ``obscuration``, 0 to below 1, of annular terms. TOML::
 
         order = "noll"
         unit = "nm"
@@ -558,8 +559,8 @@ def load_zernike(path: str | PathLike[str]) -> ZernikeTable:
         4 = -12.5
         7 = 31.0
 
-    JSON: ``{"order": "nm", "unit": "waves", "normalization": "edge", "terms": {"3,1": 0.25}}``. CSV, where other
-    lines that begin with ``#`` and hold no colon are comments::
+    JSON: ``{"order": "nm", "unit": "waves", "normalization": "edge", "terms": {"3,1": 0.25}}``. CSV, where a line
+    that begins with ``#`` is a setting if it contains a colon, and otherwise a comment::
 
         # order: nm
         # unit: waves
@@ -567,14 +568,13 @@ def load_zernike(path: str | PathLike[str]) -> ZernikeTable:
         n, m, value
         3, 1, 0.25
 
-    For the other orders, the columns are ``index,value``. An index may also be called term, j, or by its order, which
-    states it, and be written Z4; a value coefficient, coeff or c, with its unit behind it: ``coeff (waves)``. A
-    column of names is left out, and one row below Z1, Z2, ... does as well.
+    For the other orders, the columns are ``index,value``. The index column may also be called term, j, or noll, ansi
+    or fringe, which states the order; its cells may be written Z4. The value column may be called coefficient, coeff
+    or c, and may state the unit: ``coeff (waves)``. A column of names is ignored. Columns Z1, Z2, ... need one row.
 
-    ``.txt``: a listing of Zernike Standard, Fringe or Annular coefficients as OpticStudio writes it, UTF-16 or not.
-    ``.int``, ``.zfr``: a wavefront in Code V's ZRN or
-    ZFR, in waves by its SSZ and WVL. Order, normalisation, unit and wavelength are those that the file names; what it
-    does not is refused. Signs and directions are as they stand there.
+    ``.txt``: a listing of Zernike Standard, Fringe or Annular coefficients as OpticStudio writes it.
+    ``.int``, ``.zfr``: a wavefront of Code V (ZRN or ZFR), converted to waves by the SSZ and WVL of the file. These
+    files must state order, normalization, unit and wavelength. Signs and axis directions are not changed.
 
     Parameters
     ----------
@@ -587,7 +587,7 @@ def load_zernike(path: str | PathLike[str]) -> ZernikeTable:
     Raises
     ------
     ZernikeFileError
-        For every missing, unknown, duplicate or invalid entry, with key or line; all errors are reported together.
+        If an entry is missing, unknown, duplicate or invalid; one message lists all errors by key or line.
     ValueError
         If the suffix is unknown.
     OSError
@@ -649,7 +649,7 @@ def _write_toml(settings: Mapping[str, str], terms: Mapping[str, float], errors:
 
 def _write_csv(settings: Mapping[str, str], terms: Mapping[str, float], errors: Mapping[str, float]) -> str:
     head = [f"# {key}: {value}" for key, value in settings.items()]
-    # Without a colon, so that the comment is not read as a setting.
+    # These comments contain no colon, so that they are not read as settings.
     head += [f"# standard error of {key} = {error!r}" for key, error in errors.items()]
     columns = "n,m,value" if settings["order"] == "nm" else "index,value"
     return "\n".join([*head, columns, *(f"{key},{c!r}" for key, c in terms.items()), ""])

@@ -2,8 +2,8 @@
 
 The paper's closed form (CFIS) is :class:`lommel.methods.ClosedForm`. Its variant "printed" is Eq. (12) as printed;
 the variant "corrected" has the missing factor sqrt(2 / pi). Equation numbers in this file are those of the paper.
-C_d (defocus) and C_s (spherical aberration) are phase coefficients at the pupil edge in radians, v = pi r / (lambda N)
-is the optical coordinate at the distance r from the axis, and MSE is the mean squared error.
+C_d (defocus) and C_s (spherical aberration) are phase coefficients at the pupil edge in radians. The optical
+coordinate at the distance r from the axis is v = pi r / (lambda N). MSE is the mean squared error.
 """
 
 from __future__ import annotations
@@ -81,7 +81,7 @@ class Setting:
         return methods.ClosedForm(tangent=self.tangent, erf=erf, variant=variant)
 
     def fft(self) -> methods.Fraunhofer:
-        """Return the FFT method of the paper's comparison: one transform of the image's size, without zero padding."""
+        """Return the FFT method of the paper's comparison: a transform of the image's size, without zero padding."""
         # With a pupil radius of R samples, a transform of n samples has the pixel pitch 2 pi R / n in v. Its n / 2
         # pixels from the centre to the edge span pi R, which must equal the window; `samples` is 2 R.
         return methods.Fraunhofer(samples=math.floor(2.0 * self.window / math.pi), padding=1.0)
@@ -565,7 +565,7 @@ _FORMS: dict[str, methods.RadialMethod] = {
 
 
 def validity(count: int = 61, radii: int = 301) -> FigureData:
-    """Compute the errors of the closed forms, relative to the peak of each PSF, for C_d up to 60 and v up to 300."""
+    """Compute error / peak for each closed form, for C_d up to 60 and v up to 300."""
     defocus, v = np.linspace(0.0, 60.0, count), np.linspace(0.0, 300.0, radii)
     pupil = Pupil(Wavefront(defocus))
     exact = REFERENCE.profile(pupil, v).values

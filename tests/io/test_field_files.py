@@ -63,7 +63,7 @@ def test_a_grid_of_axes_of_their_own_is_kept_by_formats_that_have_a_place_for_th
         loaded = lm.PSFGrid.load(tmp_path / f"a{suffix}")
         np.testing.assert_array_equal(loaded.values, grid.values)
         np.testing.assert_array_equal(loaded.psf.grid.center, grid.psf.grid.center)
-    with pytest.raises(ValueError, match=r"path must not end in .zarr for PSFs with a center each"):
+    with pytest.raises(ValueError, match=r"path must not end in .zarr if each PSF has its own center"):
         grid.save(tmp_path / "a.zarr")
     assert not (tmp_path / "a.zarr").exists()
 

@@ -303,7 +303,7 @@ def test_maps_that_a_format_does_not_hold_are_told(tmp_path):
             lm.save_opd(tmp_path / f"a{suffix}", stack)
     with pytest.raises(ValueError, match="needs the wavelength"):
         lm.save_opd(tmp_path / "a.dat", lm.OPDMap(VALUES))
-    with pytest.raises(ValueError, match="holds paths below"):
+    with pytest.raises(ValueError, match="holds path differences below"):
         lm.save_opd(tmp_path / "a.dat", lm.OPDMap(1e9 * VALUES, wavelength=WAVE))
     with pytest.raises(ValueError, match=r"path must end in .*\.npy, \.csv for an OPD map, got"):
         lm.save_opd(tmp_path / "a.datx", MAP)

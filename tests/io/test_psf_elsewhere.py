@@ -167,7 +167,7 @@ def test_bare_numbers_without_their_text_or_of_another_size_are_told(tmp_path):
     with pytest.raises(FileNotFoundError, match=r"b\.json"):
         lm.PSF.load(tmp_path / "b.raw")
     (tmp_path / "b.json").write_bytes((tmp_path / "a.json").read_bytes())
-    for size, why in ((280, "it holds 70 values, the .json beside it states"), (281, "multiple of element size")):
+    for size, why in ((280, "it holds 70 values, but its .json file states"), (281, "multiple of element size")):
         (tmp_path / "b.raw").write_bytes((tmp_path / "a.raw").read_bytes()[:size])
         with pytest.raises(FileError, match=rf"b\.raw is not a PSF written by lommel: .*{why}"):
             lm.PSF.load(tmp_path / "b.raw")

@@ -92,7 +92,7 @@ def test_a_format_of_another_package_is_loaded_when_its_suffix_is_met_and_not_be
 )
 def test_a_format_of_another_package_that_cannot_be_is_left_out_with_a_warning(other, tmp_path, name, why):
     other(name, "JSON")
-    with pytest.warns(RuntimeWarning, match=rf"the format {name} \(somebody:{name}\) is left out: .*{why}"):
+    with pytest.warns(RuntimeWarning, match=rf"the format {name} \(somebody:{name}\) is ignored: .*{why}"):
         PSF.save(tmp_path / "a.list")
     assert lm.PSF.load(tmp_path / "a.list").shape == (9, 9)
 

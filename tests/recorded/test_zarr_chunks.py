@@ -185,4 +185,4 @@ def test_a_chunk_of_blosc_that_ends_before_it_says_is_refused(version, stated, t
     if stated is not None:
         struct.pack_into("<I", data, 12, stated)  # of which Blosc would read all
     chunks(path)[0].write_bytes(data if stated is not None else data[:12])
-    refused(path, "its chunk .*0.0.0 is cut off: it ends before it says")
+    refused(path, "its chunk .*0.0.0 is truncated: its header states more bytes")

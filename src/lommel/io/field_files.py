@@ -1,4 +1,4 @@
-"""Files of PSF grids over the field, with their positions."""
+"""Save and load grids of PSFs over the field, with the positions of the PSFs."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from lommel.io.zarr_folders import Layout, ZarrArray
 from lommel.measures.psf_like import ColourPSFLike, PSFGridLike, is_psf
 from lommel.optics.colour.spectrum import Channels
 
-_KEY = "field"  # key of the positions in a description
+_KEY = "field"  # key of the positions of the PSFs in a description
 SEVERAL = "at several distances or in channels"
 
 ChannelPSFs = tuple[Channels, tuple[Made, ...]]
@@ -29,15 +29,15 @@ ChannelPSFs = tuple[Channels, tuple[Made, ...]]
 
 
 def _read(source: Path, kind: Callable[..., Made]) -> tuple[Made | ChannelPSFs[Made], Description]:
-    """Read the PSFs of a file as objects made by `kind`, and the description of the file."""
+    """Read a file; return its PSFs ``kind(...)`` and its description."""
     form = psf_files.find(source, verb="read")
-    return psf_files.read(form, source, "a grid of PSFs", partial(_rebuilt, kind=kind))
+    return psf_files.read(form, source, "a grid of PSFs", partial(_rebuild, kind=kind))
 
 
-def _rebuilt(
+def _rebuild(
     arrays: Arrays, description: Description, kind: Callable[..., Made]
 ) -> tuple[Made | ChannelPSFs[Made], Description]:
-    """Return PSFs made by `kind` from their arrays and description, and the description."""
+    """Return the PSFs ``kind(...)`` from their arrays and description, and the description."""
     if "channels" in description:
         return psf_files.rebuild_colours(arrays, description, kind), description
     return psf_files.rebuild(arrays, description, kind), description
@@ -53,8 +53,8 @@ def _write_tiff(grid: PSFGridLike, description: Description, target: Path) -> No
     atomic.write(target, psf_formats.write_tiff(grid.psf, description, planes))
 
 
-def _of_psfs(form: Format) -> Format:
-    """Return the format of grids of PSFs that writes them as a stack in a format of PSFs."""
+def _grid_format(form: Format) -> Format:
+    """Return a format for grids of PSFs that writes a grid as a stack of PSFs in the format `form`."""
 
     def write(grid: PSFGridLike, description: Description, target: Path) -> None:
         psf_files.write(form, target, grid.psf, description)
@@ -66,14 +66,12 @@ def _write_zarr(grid: PSFGridLike, description: Description, target: Path) -> No
     """Write the array of values and one array of coordinates for each axis."""
     if grid.psf.grid.stack:
         raise ValueError(
-            "path must not end in .zarr for PSFs with a center each, since all have one x and one y there"
+            "path must not end in .zarr if each PSF has its own center, since a store has one x and one y axis"
         )
     values = np.ascontiguousarray(grid.values)
     sealed_description = sealed(description, {"values": values})
     if (target.exists() or target.is_symlink()) and not (target / "zarr.json").is_file():
-        raise ValueError(
-            f"path must be new or a Zarr store, got {validation.shown(str(target))}, which is something else"
-        )
+        raise ValueError(f"path must be new or a Zarr store, got {validation.shown(str(target))}, which is neither")
 
     def fill(folder: Path) -> None:
         zarr_folders.write_group(folder, {"lommel": sealed_description})
@@ -81,7 +79,7 @@ def _write_zarr(grid: PSFGridLike, description: Description, target: Path) -> No
         coordinates |= {"y": grid.psf.grid.y, "x": grid.psf.grid.x}
         coordinates |= {"depth": grid.depths, "channel": np.arange(values.shape[-3])}
         units = {"depth": "m", "channel": "1"}
-        chunk = (*[1] * (values.ndim - 2), *values.shape[-2:])  # one PSF each
+        chunk = (*[1] * (values.ndim - 2), *values.shape[-2:])  # one PSF per chunk
         layout = Layout(values.shape, chunk, values.dtype.str, grid.dims)
         ZarrArray(folder / "values", layout).create(values=values)
         for name in grid.dims:
@@ -93,12 +91,12 @@ def _write_zarr(grid: PSFGridLike, description: Description, target: Path) -> No
 
 
 def _read_zarr(source: Path, kind: Callable[..., Made]) -> tuple[Made | ChannelPSFs[Made], Description]:
-    """Read the PSFs of a Zarr folder as objects made by `kind`, and the description."""
+    """Read a Zarr folder; return its PSFs ``kind(...)`` and its description."""
     if not source.exists():
         raise FileNotFoundError(2, os.strerror(2), str(source))
     with psf_files.as_file_error(source, "a grid of PSFs"):
         description = dict(zarr_folders.attributes(source)["lommel"])
-        return _rebuilt({"values": ZarrArray.open(source / "values").read()}, description, kind)
+        return _rebuild({"values": ZarrArray.open(source / "values").read()}, description, kind)
 
 
 registry.register(
@@ -106,7 +104,7 @@ registry.register(
            what="OME-TIFF, one page per PSF", readers="Fiji, Bio-Formats, napari"),
     Format("field", (".zarr",), _write_zarr, _read_zarr, holds=(SEVERAL,),
            what="Zarr version 3", readers="zarr, xarray"),
-    *(_of_psfs(form) for form in registry.formats("psf") if form.write not in psf_files.PICTURES),
+    *(_grid_format(form) for form in registry.formats("psf") if form.write not in psf_files.PICTURES),
 )  # fmt: skip
 find = partial(registry.find, "field")
 
@@ -117,11 +115,11 @@ def save(grid: PSFGridLike, path: str | PathLike[str]) -> None:
 
     {formats}
 
-    In OME-TIFF each page has its position on the sensor, PositionX and PositionY of its plane (micrometres, or
-    ``reference frame`` for lambda*N). Zarr has the array ``values`` (field_y, field_x, y, x), a coordinate array for
-    each dimension, as xarray expects, and the description as the attribute ``lommel``. The other formats contain a
+    In OME-TIFF each page is a PSF; PositionX and PositionY of its plane are the position on the sensor (micrometres,
+    or ``reference frame`` for lambda*N). Zarr has the array ``values`` (field_y, field_x, y, x), coordinate arrays of
+    all dimensions, as xarray expects, and the description as the attribute ``lommel``. The other formats contain a
     stack of PSFs; in FITS, HDF5 and MATLAB the positions are named ``field_y`` and ``field_x``. With several
-    distances (depth, metres) and channels, the axes in all formats but OME-TIFF are (field_y, field_x, depth,
+    distances (depth, metres) or channels, the axes in all formats but OME-TIFF are (field_y, field_x, depth,
     channel, y, x), which MATLAB shows as (y, x, field_y, field_x, depth, channel).
 
     Each file has the description of :func:`lommel.io.psf_files.save`, with the positions and the sensor size, so that
@@ -159,7 +157,7 @@ def save(grid: PSFGridLike, path: str | PathLike[str]) -> None:
 def load(
     path: str | PathLike[str], kind: Callable[..., Made]
 ) -> tuple[Made | ChannelPSFs[Made], Array, Array, tuple[float, float], Array | None]:
-    """Read a grid of PSFs: PSFs made by `kind` (or channels and their PSFs), x, y, size of the sensor, and distances.
+    """Read a grid of PSFs; return PSFs ``kind(...)`` or channels and their PSFs, x, y, sensor size, and distances.
 
     Distances are None for a grid at a single distance.
     """
@@ -176,5 +174,5 @@ def load(
             depths = np.array([np.inf if s is None else validation.real("depths", s, above=0.0) for s in depths])
         any_channel, shape = psf[1][0] if isinstance(psf, tuple) else psf, (y.size, x.size)
         if any_channel.pupil.shape != shape + (() if depths is None else depths.shape):
-            raise ValueError(f"positions of shape {shape} for PSFs of shape {any_channel.pupil.shape}")
+            raise ValueError(f"its positions have the shape {shape}, its PSFs {any_channel.pupil.shape}")
     return psf, x, y, (height, width), depths

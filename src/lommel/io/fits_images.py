@@ -27,17 +27,17 @@ PACKED_STARTS = (b"\x1f\x8b", b"BZh")
 
 _MAX_AXES = 16
 _BLOCK, _MAX_HEADER = 2880, 2**20  # bytes; headers and data fill whole blocks (FITS standard 4.0, 3.1)
-_SIZE = re.compile(rb"(BITPIX  |NAXIS\d* *|PCOUNT  |GCOUNT  )= +(-?\d{1,12})\b")
-_END = re.compile(rb"^(?:.{80})*END {77}", re.DOTALL)
-_TIMES = 4  # memory for reading the values divided by the size of the decompressed file
+_SIZE_CARD = re.compile(rb"(BITPIX  |NAXIS\d* *|PCOUNT  |GCOUNT  )= +(-?\d{1,12})\b")
+_END_CARD = re.compile(rb"^(?:.{80})*END {77}", re.DOTALL)
+_FACTOR = 4  # memory for reading the values / size of the decompressed file
 
 
 Cards: TypeAlias = Mapping[str, Any]
-"""A header: the values of its cards by keyword."""
+"""Values of the cards of a header by keyword."""
 
 
 class Image(NamedTuple):
-    """An image, its header, its number in the file, and the header of the primary unit of the file."""
+    """Values of an image, its header, its number in the file, and the header of the first unit of the file."""
 
     values: Values
     header: Cards
@@ -69,7 +69,7 @@ def packed(write: Callable[..., bytes]) -> Callable[..., bytes]:
         compressed = gzip.compress(plain, 6, mtime=0)
         # A file that this package would refuse to read, because it is compressed too much, is stored uncompressed.
         return (
-            compressed if reading.affords(_TIMES * len(plain), len(compressed)) else gzip.compress(plain, 0, mtime=0)
+            compressed if reading.affords(_FACTOR * len(plain), len(compressed)) else gzip.compress(plain, 0, mtime=0)
         )
 
     return write_packed
@@ -79,13 +79,13 @@ def read(data: bytes, most: int) -> list[Image]:
     """Return the images of a file; ValueError if it has no image, or more than `most` values in total."""
     from astropy.io import fits
 
-    plain = _unpacked(data)
+    plain = _decompress(data)
     images, total, primary = list[Image](), 0, Json()
     with warnings.catch_warnings():
-        # Warnings of comments that are not ASCII and of cards that are not standard are ignored.
+        # Ignore warnings about comments that are not ASCII and about cards that are not standard.
         warnings.simplefilter("ignore")
         warnings.filterwarnings("error", ".*truncated")
-        # The sizes of a unit determine where the next unit begins, and are checked first.
+        # The sizes in each header are checked before its data are read.
         with fits.open(io.BytesIO(plain), memmap=False, disable_image_compression=True) as file:
             for number, unit in enumerate(file):
                 header, cards = unit.header, Json()
@@ -109,9 +109,9 @@ def read(data: bytes, most: int) -> list[Image]:
 
 
 def only(images: Sequence[Image], name: str | None) -> Image:
-    """Return the image with a name: EXTNAME, EXTNAME,EXTVER such as SCI,2, or its number, 0 for the primary unit.
+    """Return the image selected by `name`: an EXTNAME, "EXTNAME,EXTVER", or a number, 0 for the first unit.
 
-    Without a `name` return the only image. ValueError if no image or more than one fits.
+    Without a `name`, return the only image. ValueError if no image or more than one image fits.
     """
     if name is None and len(images) == 1:
         return images[0]
@@ -145,7 +145,7 @@ def read_columns(data: bytes, most: int) -> list[tuple[str, str, Values]]:
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         warnings.simplefilter("ignore", fits.verify.VerifyWarning)
-        with fits.open(io.BytesIO(_unpacked(data)), memmap=False) as file:
+        with fits.open(io.BytesIO(_decompress(data)), memmap=False) as file:
             for unit in file:
                 if unit.header.get("XTENSION", "").strip() not in ("BINTABLE", "TABLE"):
                     continue
@@ -158,12 +158,12 @@ def read_columns(data: bytes, most: int) -> list[tuple[str, str, Values]]:
 
 
 def is_fits(data: bytes) -> bool:
-    """Return True if data begin like a FITS file, or like any file compressed by gzip or bzip2."""
+    """Return True if data begin like a FITS file, or like a file of any format compressed by gzip or bzip2."""
     return data.startswith((b"SIMPLE  =", *PACKED_STARTS))
 
 
-def _unpacked(data: bytes) -> bytes:
-    """Return the contents of a file, decompressed up to the end that its headers state."""
+def _decompress(data: bytes) -> bytes:
+    """Return the contents of a file; a compressed file is decompressed up to the end that its headers imply."""
     packed, parts, at = data.startswith(PACKED_STARTS), list[bytes](), 0
     source: io.BufferedIOBase = io.BytesIO(data)
     if packed:
@@ -178,9 +178,9 @@ def _unpacked(data: bytes) -> bytes:
                 parts.append(block)
                 at += _BLOCK
                 for card in (block[k : k + 80] for k in range(0, _BLOCK, 80)):
-                    if size := _SIZE.match(card):
+                    if size := _SIZE_CARD.match(card):
                         cards[size[1].decode().strip()] = int(size[2])
-                if _END.search(block):
+                if _END_CARD.search(block):
                     break
                 if len(block) < _BLOCK or at - start > _MAX_HEADER:
                     raise ValueError(f"one of its headers has no END within {at - start} bytes")
@@ -191,7 +191,7 @@ def _unpacked(data: bytes) -> bytes:
             count = -(-values * abs(cards.get("BITPIX", 8)) // 8 // _BLOCK) * _BLOCK
             at += count
             if packed:
-                reading.afford(_TIMES * at, len(data))
+                reading.afford(_FACTOR * at, len(data))
                 parts.append(source.read(count))
             else:
                 source.seek(at)

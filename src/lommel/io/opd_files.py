@@ -1,4 +1,4 @@
-"""Files of optical path difference (OPD) maps: FITS, Zygo, Code V, NPY and CSV."""
+"""Read and write maps of optical path differences (OPD): FITS, Zygo, Code V, NPY and CSV."""
 
 from __future__ import annotations
 
@@ -21,26 +21,26 @@ from lommel.io.zernike_tables import UNIT_NAMES, UNITS
 from lommel.optics.wavefront.opd_fit import OPDMap
 
 _MAGIC = (0x881B036F, 0x881B0370, 0x881B0371)
-_HEADERS = (834, 4096)  # sizes of the header, bytes
-_HEAD = np.dtype(
+_HEADER_SIZES = (834, 4096)  # possible sizes of the header, bytes
+_HEADER = np.dtype(
     {
         "names": ["magic", "format", "size", "across", "down", "buckets", "width", "height", "bytes",
                   "scale", "wavelength", "obliquity", "spacing", "resolution"],
         "formats": [">u4", ">u2", ">u4", *[">u2"] * 5, ">u4", *[">f4"] * 4, ">u2"],
         "offsets": [0, 4, 6, 52, 54, 56, 68, 70, 72, 164, 168, 176, 184, 218],
-        "itemsize": _HEADERS[0],
+        "itemsize": _HEADER_SIZES[0],
     }
 )  # fmt: skip
-_INVALID = 2147483640
-_STEPS = {0: 4096, 1: 32768, 2: 131072}  # steps per fringe, by the resolution of the phase
-_SCALE = 0.5  # waves of surface height per fringe, since light is reflected
+_INVALID = 2147483640  # phase from which on a point is not measured
+_STEPS_PER_FRINGE = {0: 4096, 1: 32768, 2: 131072}  # phase steps per fringe for each code of the phase resolution
+_WAVES_PER_FRINGE = 0.5  # waves of surface height per fringe, since light is reflected
 
 
-_SMALL = {"microinches": 25.4e-9, "milliinches": 25.4e-6, "mils": 25.4e-6, "angstroms": 1e-10}  # of Mx, metres
+_MX_UNITS = {"microinches": 25.4e-9, "milliinches": 25.4e-6, "mils": 25.4e-6, "angstroms": 1e-10}  # metres
 
 
 class Measured(NamedTuple):
-    """The values of a map, and the unit, spacing and wavelength that its file states."""
+    """Values of a map, and unit, spacing (metres) and wavelength (metres) if the file states them."""
 
     values: Values
     unit: str | None = None
@@ -50,42 +50,43 @@ class Measured(NamedTuple):
 
 def read_dat(data: bytes) -> Measured:
     """Return the map in a file of MetroPro, which has big-endian numbers at fixed offsets."""
-    head = np.frombuffer(data[: _HEADERS[0]].ljust(_HEADERS[0], b"\0"), _HEAD)[0].item()
+    head = np.frombuffer(data[: _HEADER_SIZES[0]].ljust(_HEADER_SIZES[0], b"\0"), _HEADER)[0].item()
     magic, _, size, across, down, buckets, width, height, _, scale, wavelength, obliquity, spacing, resolution = head
-    if len(data) < _HEADERS[0] or magic not in _MAGIC:
+    if len(data) < _HEADER_SIZES[0] or magic not in _MAGIC:
         raise ValueError("it does not begin like a file of MetroPro")
-    if size not in _HEADERS:
+    if size not in _HEADER_SIZES:
         raise ValueError(f"its header has {size} bytes; 834 and 4096 are supported")
-    if resolution not in _STEPS:
+    if resolution not in _STEPS_PER_FRINGE:
         raise ValueError(f"its phase has the resolution {resolution}; 0 to 2 are supported")
     reading.pixels(width, height)
-    start = size + 2 * across * down * max(buckets, 1)  # the phase follows the intensities
+    start = size + 2 * across * down * max(buckets, 1)  # the phases follow the intensities
     if start + 4 * width * height > len(data):
         raise ValueError(f"{width} x {height} values end beyond its {len(data)} bytes")
     for name, value in (("scale factor", scale), ("wavelength", wavelength), ("obliquity factor", obliquity)):
         validation.real(f"its {name}", value, above=0.0)
     validation.real("its lateral resolution", spacing, least=0.0)
     phase = np.frombuffer(data, ">i4", width * height, start).reshape(height, width)
-    metres = phase * (scale * obliquity * wavelength / _STEPS[resolution])
-    return Measured(np.where(phase >= _INVALID, np.nan, metres), "m", _digits(spacing) or None, _digits(wavelength))
+    metres = phase * (scale * obliquity * wavelength / _STEPS_PER_FRINGE[resolution])
+    values = np.where(phase >= _INVALID, np.nan, metres)
+    return Measured(values, "m", _shortest_float(spacing) or None, _shortest_float(wavelength))
 
 
 def write_dat(opd: OPDMap) -> bytes:
     """Return a file of MetroPro with a map and without intensities."""
-    height, width = _single(opd, ".dat").values.shape
+    height, width = _require_single(opd, ".dat").values.shape
     if opd.wavelength is None:
         raise ValueError("a .dat needs the wavelength of the map, since its unit is a fringe")
     if max(height, width) > 65535:
         raise ValueError(f"a .dat has sides of at most 65535, got {height} x {width}")
-    step = _SCALE * float(np.float32(opd.wavelength)) / _STEPS[1]
+    step = _WAVES_PER_FRINGE * float(np.float32(opd.wavelength)) / _STEPS_PER_FRINGE[1]
     levels = np.rint(opd.values / step)
     if np.nanmax(np.abs(levels)) >= _INVALID:
         raise ValueError(
-            f"a .dat holds paths below {_INVALID * step:.3g} m, got {np.nanmax(np.abs(opd.values)):.3g} m"
+            f"a .dat holds path differences below {_INVALID * step:.3g} m, got {np.nanmax(np.abs(opd.values)):.3g} m"
         )
-    head = np.zeros(1, _HEAD)
-    lengths = (_SCALE, opd.wavelength, 1.0, opd.spacing or 0.0)
-    head[0] = (_MAGIC[0], 1, _HEADERS[0], 0, 0, 0, width, height, 4 * width * height, *lengths, 1)
+    head = np.zeros(1, _HEADER)
+    lengths = (_WAVES_PER_FRINGE, opd.wavelength, 1.0, opd.spacing or 0.0)
+    head[0] = (_MAGIC[0], 1, _HEADER_SIZES[0], 0, 0, 0, width, height, 4 * width * height, *lengths, 1)
     return head.tobytes() + np.where(np.isnan(levels), _INVALID, levels).astype(">i4").tobytes()
 
 
@@ -105,30 +106,30 @@ def read_datx(data: bytes) -> Measured:
             raise ValueError(f"its surface holds {found.dtype} of the shape {found.shape}, not a map")
         values = np.asarray(reading.hdf5_values(found, len(data)), dtype=np.float64)
         if "No Data" in said:
-            values[values >= _number(said["No Data"])] = np.nan
-        wavelength = _number(said["Wavelength"]) if "Wavelength" in said else None
+            values[values >= _to_number(said["No Data"])] = np.nan
+        wavelength = _to_number(said["Wavelength"]) if "Wavelength" in said else None
         unit = np.ravel(said["Unit"])[0] if "Unit" in said else ""
         name = unit.decode() if isinstance(unit, bytes) else str(unit)
         if name == "Fringes":
             factors = (
-                _number(said[key]) for key in ("Interferometric Scale Factor", "Obliquity Factor") if key in said
+                _to_number(said[key]) for key in ("Interferometric Scale Factor", "Obliquity Factor") if key in said
             )
             values *= np.prod(list(factors))
             name = "waves"
         spacing = 0.0
-        if "X Converter" in said:  # whose second parameter is metres
+        if "X Converter" in said:  # its parameter 1 is the spacing in metres
             spacing = validation.real("the spacing", float(np.ravel(said["X Converter"])[0][2][1]), least=0.0)
-        if name.lower() in _SMALL:
-            values *= _SMALL[name.lower()]
+        if name.lower() in _MX_UNITS:
+            values *= _MX_UNITS[name.lower()]
             name = "m"
-        return Measured(values, _unit(name), spacing or None, wavelength)
+        return Measured(values, _find_unit(name), spacing or None, wavelength)
 
 
-def _number(attribute: ArrayLike) -> float:
+def _to_number(attribute: ArrayLike) -> float:
     return validation.real("an attribute", float(np.ravel(attribute)[0]))
 
 
-def _digits(value: float) -> float:
+def _shortest_float(value: float) -> float:
     """Return a 32-bit number without rounding noise: 6.328e-07, not 6.328000176813395e-07."""
     return float(str(np.float32(value)))
 
@@ -149,11 +150,11 @@ def load_opd(
     ``.fits``, ``.fit``, also ``.gz``: the first image, in the unit of BUNIT, with the spacing of PUPLSCAL (metres, as
     POPPY and WebbPSF write it) or of CDELT1 and CUNIT1, and WAVELEN in metres. ``.dat``: MetroPro's binary files.
     ``.datx``: files of Zygo Mx. ``.int``: a wavefront grid of Code V (GRD). ``.npy``: an array. ``.csv``: rows of
-    numbers, with empty cells for missing ones; lines such as ``# unit: nm``, ``# spacing: 0.1 mm`` and
-    ``# wavelength: 632.8 nm`` may stand above.
+    numbers, with empty cells for missing numbers; lines such as ``# unit: nm``, ``# spacing: 0.1 mm`` and
+    ``# wavelength: 632.8 nm`` may precede the rows.
 
-    NaN and values that a file marks as missing are not measured. Rows, columns and signs are as they are stored: a
-    surface map is its height, half of the path difference in reflection.
+    Values that a file marks as missing become NaN. Rows, columns and signs are not changed. A map of a surface holds
+    its height: half of the path difference in reflection.
 
     Parameters
     ----------
@@ -174,12 +175,12 @@ def load_opd(
     OPDFileError
         If the file is damaged or of another kind, or contradicts the arguments.
     TypeError, ValueError
-        If an argument is out of range, if the unit or a wavelength that it needs is not known, or if the suffix is
-        unknown.
+        If an argument is out of range, if the unit is not known, if the unit needs a wavelength that is not known, or
+        if the suffix is unknown.
     ImportError
         If astropy (FITS) or h5py (``.datx``) is not installed.
     OSError
-        If it cannot be read.
+        If the file cannot be read.
     """
     form, source = find(path, verb="read"), Path(path)
     if unit is not None:
@@ -192,19 +193,19 @@ def load_opd(
     data = reading.contents(source, 8 * reading.MAX_PIXELS)
     with reading.refused_as(OPDFileError, source, f"cannot be read as {registry.KINDS['opd']}"):
         found = form.read(data)
-        known = {name: _agreed(name, value, getattr(found, name)) for name, value in said.items()}
-        opd = None if known["unit"] is None else _in_metres(found.values, **known)
+        known = {name: _merge_stated(name, value, getattr(found, name)) for name, value in said.items()}
+        opd = None if known["unit"] is None else _to_metres(found.values, **known)
     if opd is None:
         raise ValueError(f"unit must be given, since {validation.line(source)} does not state it")
     return opd
 
 
 def save_opd(path: str | PathLike[str], opd: OPDMap) -> None:
-    """Write an OPD map; the suffix chooses the format, and :func:`load_opd` reads it.
+    """Write an OPD map, which :func:`load_opd` can read; the suffix chooses the format.
 
     ``.fits``, ``.fits.gz``: metres, NaN where not measured, with BUNIT, PUPLSCAL, CDELTn and WAVELEN. ``.csv``:
-    metres, with unit, spacing and wavelength above. ``.npy``: metres only. ``.dat``: MetroPro, in steps of the
-    wavelength over 65536. The file is written under a temporary name and moved into place.
+    metres, preceded by unit, spacing and wavelength. ``.npy``: metres only. ``.dat``: MetroPro, in steps of
+    wavelength / 65536. The file is written under a temporary name and moved into place.
 
     Parameters
     ----------
@@ -215,7 +216,7 @@ def save_opd(path: str | PathLike[str], opd: OPDMap) -> None:
     Raises
     ------
     TypeError, ValueError
-        If `opd` is not an OPDMap or one that the format cannot hold, or if the suffix is unknown.
+        If `opd` is not an OPDMap, if the format cannot hold it, or if the suffix is unknown.
     ImportError
         If astropy is not installed, for FITS.
     OSError
@@ -225,7 +226,7 @@ def save_opd(path: str | PathLike[str], opd: OPDMap) -> None:
     atomic.write(Path(path), form.write(validation.instance("opd", opd, OPDMap)))
 
 
-def _agreed(name: str, given: Any, stated: Any) -> Any:
+def _merge_stated(name: str, given: Any, stated: Any) -> Any:
     if name == "unit" and stated is not None and stated not in UNITS:
         if given is None:
             raise ValueError(f"it has the unknown unit {validation.shown(stated)}; give `unit`")
@@ -238,7 +239,7 @@ def _agreed(name: str, given: Any, stated: Any) -> Any:
     return stated
 
 
-def _in_metres(values: Values, unit: str, spacing: float | None, wavelength: float | None) -> OPDMap:
+def _to_metres(values: Values, unit: str, spacing: float | None, wavelength: float | None) -> OPDMap:
     metres = LENGTHS.get(unit, 1.0)
     if unit in ("waves", "radians"):
         if wavelength is None:
@@ -250,8 +251,8 @@ def _in_metres(values: Values, unit: str, spacing: float | None, wavelength: flo
         return OPDMap(metres * values.astype(np.float64), spacing, wavelength)
 
 
-def _unit(text: object) -> str | None:
-    """Return the unit that a file states, by its name in this package if there is one."""
+def _find_unit(text: object) -> str | None:
+    """Return the unit that a file states, None if it is empty; a known unit has its name in this package."""
     plain = str(text).strip()
     if not plain:
         return None
@@ -269,7 +270,7 @@ def _read_fits(data: bytes) -> Measured:
     spacing = length("PUPLSCAL")
     if spacing is None and (per := LENGTHS.get(str(header.get("CUNIT1", "")).strip())):
         spacing = length("CDELT1", per)
-    return Measured(values, _unit(header.get("BUNIT", "")), spacing, length("WAVELEN"))
+    return Measured(values, _find_unit(header.get("BUNIT", "")), spacing, length("WAVELEN"))
 
 
 def _write_fits(opd: OPDMap) -> bytes:
@@ -288,22 +289,22 @@ def _read_csv(data: bytes) -> Measured:
     said = {key: value for _, key, value in text_files.settings(text)}
     if others := [key for key in said if key not in ("unit", "spacing", "wavelength")]:
         raise ValueError(f"it states {', '.join(map(validation.shown, others[:3]))}, which is unknown")
-    values, width, wrong = array("d"), 0, False
+    values, width, ragged = array("d"), 0, False
     for _, row in text_files.rows(text):
-        wrong |= bool(width) and len(row) != width
+        ragged |= bool(width) and len(row) != width
         width = len(row)
         try:
             values.extend(math.nan if cell == "" else float(cell) for cell in row)
         except ValueError:
-            wrong = True
-    if wrong or not width:
+            ragged = True
+    if ragged or not width:
         raise ValueError("it must hold rows with the same number of values")
     spacing, wavelength = (parse_length(said[name]) if name in said else None for name in ("spacing", "wavelength"))
-    return Measured(np.array(values).reshape(-1, width), _unit(said.get("unit", "")), spacing, wavelength)
+    return Measured(np.array(values).reshape(-1, width), _find_unit(said.get("unit", "")), spacing, wavelength)
 
 
 def _write_csv(opd: OPDMap) -> bytes:
-    _single(opd, ".csv")
+    _require_single(opd, ".csv")
     known = {"spacing": opd.spacing, "wavelength": opd.wavelength}
     head = ["# unit: m", *(f"# {name}: {value!r} m" for name, value in known.items() if value is not None)]
     rows = (",".join("" if math.isnan(c) else repr(c) for c in row) for row in opd.values.tolist())
@@ -318,7 +319,7 @@ def _read_int(data: bytes) -> Measured:
     return Measured(values, "waves", None, held.wavelength)
 
 
-def _single(opd: OPDMap, suffix: str) -> OPDMap:
+def _require_single(opd: OPDMap, suffix: str) -> OPDMap:
     if opd.values.ndim != 2:
         raise ValueError(f"a {suffix} holds a single map, got a stack of shape {opd.values.shape}")
     return opd

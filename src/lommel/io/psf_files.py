@@ -1,4 +1,4 @@
-"""Files of PSFs, also in colour channels, with a description of how the values were computed."""
+"""Save and load PSFs, single or in colour channels, with a description of how the values were computed."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.optics.pupil import FieldPupil, Pupil
 
 Made = TypeVar("Made", bound=PSFLike)
-_Rebuilt = TypeVar("_Rebuilt")
+_Result = TypeVar("_Result")
 NORMALIZE = ("energy", "emitted", "strehl", "peak")
 
 _form, _SLOPES = partial(Format, "psf"), ("with derivatives",)
@@ -67,12 +67,12 @@ def save(psf: PSFLike, path: str | PathLike[str]) -> None:
 
     {formats}
 
-    NumPy archives and HDF5 also hold derivatives. The picture is of a single PSF, enlarged to 512 pixels or more, and
-    :meth:`lommel.PSF.load` reads its values to 1.6e-5 of the peak. For other programs see :doc:`/formats`.
+    NumPy archives and HDF5 also hold derivatives. A PNG holds a single PSF, enlarged to 512 pixels or more;
+    :meth:`lommel.PSF.load` returns its values to 1.6e-5 of the peak. For other programs see :doc:`/formats`.
 
     Every file has a description in JSON: version, pupil, method with its options, normalization, pixel, error bound,
-    and a checksum of all of this and of the values, without which nothing loads. It is written under a temporary name
-    and moved into place, so that a failure leaves the previous file; links are followed and permissions kept.
+    and a checksum of description and values, which loading requires. A file is written under a temporary name and
+    moved into place, so that after an error the previous file remains; links are followed and permissions kept.
 
     Parameters
     ----------
@@ -82,7 +82,7 @@ def save(psf: PSFLike, path: str | PathLike[str]) -> None:
     Raises
     ------
     ValueError
-        If the suffix is unknown, for a PNG of a stack, or for derivatives in a format without them.
+        If the suffix is unknown, for a PNG of a stack, or for derivatives in a format that cannot hold them.
     ImportError
         If tifffile, Pillow, astropy or h5py is not installed.
     OSError
@@ -102,11 +102,11 @@ def write(form: Format, target: Path, psf: PSFLike | ColourPSFLike, description:
 
 @display.register("load PSF")
 def load(path: str | PathLike[str], kind: Callable[..., Made]) -> Made:
-    """Read a PSF as an object made by `kind`; FileError if the file is damaged or was not written by this package."""
+    """Read a PSF; return ``kind(...)``. FileError if the file is damaged or was not written by this package."""
     return read(find(path, verb="read"), Path(path), "a PSF", partial(rebuild, kind=kind))
 
 
-def read(form: Format, source: Path, what: str, rebuild: Callable[[Arrays, Description], _Rebuilt]) -> _Rebuilt:
+def read(form: Format, source: Path, what: str, rebuild: Callable[[Arrays, Description], _Result]) -> _Result:
     """Return ``rebuild(arrays, description)`` for a file; FileError if the file is damaged."""
     data = [reading.contents(place) for place in form.places(source)]
     with as_file_error(source, what):
@@ -115,12 +115,12 @@ def read(form: Format, source: Path, what: str, rebuild: Callable[[Arrays, Descr
 
 
 def as_file_error(source: Path, what: str) -> AbstractContextManager[None]:
-    """Turn every error into a FileError that names the file, except for a missing library."""
+    """Convert every error except ImportError to a FileError that names the file."""
     return reading.refused_as(FileError, source, f"is not {what} written by lommel")
 
 
 def describe(psf: PSFLike) -> Description:
-    """Return how a PSF was computed, in plain types.
+    """Return a description of how a PSF was computed, in plain types.
 
     Parameters
     ----------
@@ -129,9 +129,9 @@ def describe(psf: PSFLike) -> Description:
     Returns
     -------
     dict
-        Everything but the values; ``lommel.base.atomic.sealed`` adds the checksum.
+        All attributes but the values and derivatives; ``lommel.base.atomic.sealed`` adds the checksum.
     """
-    # Optional entries are written only if needed, so that most files equal those of older versions.
+    # Optional entries are written only if needed, so that most files equal the files of older versions.
     beyond: Description = {"fill": list(psf.grid.fill)} if psf.grid.partly else {}
     if psf.blur:
         beyond["blur"] = [blur.to_dict() for blur in psf.blur]
@@ -155,25 +155,25 @@ def describe(psf: PSFLike) -> Description:
 
 
 def rebuild(arrays: Arrays, description: Description, kind: Callable[..., Made]) -> Made:
-    """Return the PSF made by `kind` from the arrays of a file and their sealed description."""
+    """Return the PSF ``kind(...)`` from the arrays of a file and the description with its checksum."""
     if "channels" in description:
         raise ValueError("it has channels; ColourPSF.load, or PSFGrid.load, reads it")
-    said = dict(description["pupil"])  # files of older versions have no kind: their pupil is that of a lens
+    said = dict(description["pupil"])  # files of older versions have no kind: the pupil is a Pupil
     kinds = {one.__name__: one for one in (Pupil, ObjectivePupil, FieldPupil)}
     pupil: BasePupil = kinds[validation.choice("kind", said.pop("kind", "Pupil"), kinds)].from_dict(said)
     method = method_from_dict(description["method"])
     method.require(pupil)
     bound, picture = description["error_bound"], description.get("png")
     if bound is not None:
-        # Quantization of a picture adds at most half a level of the square root, where its slope is largest.
+        # A picture stores sqrt(value / peak) to half a level, so that value / peak is off by at most 1 / LEVELS.
         bound = validation.real("error_bound", bound, least=0.0) + (1.0 / LEVELS if picture else 0.0)
     dtype = validation.choice("dtype", description["dtype"], ("float32", "float64"))
     scale = validation.real_array("scale", description["scale"], least=0.0)
     shape = tuple(description["shape"])
     if shape[:-2] != pupil.shape or scale.shape != pupil.shape or len(shape) != len(pupil.shape) + 2:
-        raise ValueError(f"values of shape {shape} and scales of {scale.shape} for pupils of {pupil.shape}")
+        raise ValueError(f"its values have the shape {shape}, its scales {scale.shape}, its pupils {pupil.shape}")
     made = kind(
-        values=_values(arrays["values"], dtype, picture).reshape(shape),
+        values=_restore_values(arrays["values"], dtype, picture).reshape(shape),
         grid=Grid(
             shape[-2:],
             description["pixel"],
@@ -187,14 +187,14 @@ def rebuild(arrays: Arrays, description: Description, kind: Callable[..., Made])
         error_bound=bound,
         scale=scale,
         derivatives={
-            derivative_name(name.removeprefix(SLOPE)): _values(slope, dtype).reshape(shape)
+            derivative_name(name.removeprefix(SLOPE)): _restore_values(slope, dtype).reshape(shape)
             for name, slope in arrays.items()
             if name.startswith(SLOPE)
         },
         blur=blurs_from_dicts(description.get("blur", ())),
         derivative_bounds={derivative_name(k): bound for k, bound in description["derivative_bounds"].items()},
     )
-    # Values computed as sums may be negative, by at most their error.
+    # Computed values may be negative, but not below minus their error bound.
     least = -(bound or 0.0) * float(scale.max())
     if float(made.values.min()) < least:
         raise ValueError(f"its values must be >= 0, got {made.values.min():g}")
@@ -205,8 +205,8 @@ def rebuild(arrays: Arrays, description: Description, kind: Callable[..., Made])
     return made
 
 
-def _values(stored: Values, kind: str, picture: Description | None = None) -> Values:
-    """Return the stored values; ValueError unless they are finite and have the type `kind`."""
+def _restore_values(stored: Values, kind: str, picture: Description | None = None) -> Values:
+    """Return the values (of a `picture`, from its levels); ValueError unless they are finite and of type `kind`."""
     if picture:
         peak = validation.real("peak", picture["peak"], above=0.0)
         return np.asarray(peak * (stored.astype(np.float64) / LEVELS) ** 2, dtype=kind)
@@ -221,10 +221,10 @@ PICTURES = (
     psf_formats.write_tiff,
     psf_formats.write_png,
 )  # formats with separate functions for PSFs in channels
-_EACH = ("pupil", "method", "error_bound", "scale")  # entries of the description that differ between channels
+_PER_CHANNEL = ("pupil", "method", "error_bound", "scale")  # entries that the description has for each channel
 
 
-def _tiff(answer: ColourPSFLike, description: Description) -> bytes:
+def _write_tiff(answer: ColourPSFLike, description: Description) -> bytes:
     import tifffile
 
     values = np.ascontiguousarray(answer.values)
@@ -235,7 +235,7 @@ def _tiff(answer: ColourPSFLike, description: Description) -> bytes:
     return atomic.contents(write, pages, ome=True, metadata=fields)
 
 
-def _png(answer: ColourPSFLike, description: Description) -> bytes:
+def _write_png(answer: ColourPSFLike, description: Description) -> bytes:
     from PIL import Image, PngImagePlugin
 
     if answer.values.ndim != 3:
@@ -252,8 +252,8 @@ def _png(answer: ColourPSFLike, description: Description) -> bytes:
 
 registry.register(
     *(replace(form, kind="colours", holds=()) for form in registry.formats("psf") if form.write not in PICTURES),
-    Format("colours", (".tif", ".tiff"), _tiff, psf_formats.read_tiff, library="tifffile", what="OME-TIFF"),
-    Format("colours", (".png",), _png, library="PIL.Image", what="8-bit picture, square root of the values"),
+    Format("colours", (".tif", ".tiff"), _write_tiff, psf_formats.read_tiff, library="tifffile", what="OME-TIFF"),
+    Format("colours", (".png",), _write_png, library="PIL.Image", what="8-bit picture, square root of the values"),
 )
 find_colours = partial(registry.find, "colours")
 
@@ -265,8 +265,9 @@ def save_colours(answer: ColourPSFLike, path: str | PathLike[str]) -> None:
 
     {formats}
 
-    The picture shows red, green and blue over the largest value of all channels, enlarged to 512 pixels or more;
-    nothing reads it back. The other files have the description of :func:`lommel.io.psf_files.save` and the channels.
+    A PNG shows the square root of red, green and blue, divided by the largest value of all channels, enlarged to 512
+    pixels or more; it cannot be loaded. Other files have the description of :func:`lommel.io.psf_files.save` and the
+    channels.
 
     Parameters
     ----------
@@ -288,24 +289,24 @@ def save_colours(answer: ColourPSFLike, path: str | PathLike[str]) -> None:
 
 @display.register("load channels")
 def load_colours(path: str | PathLike[str], kind: Callable[..., Made]) -> tuple[Channels, tuple[Made, ...]]:
-    """Read the channels and their PSFs, made by `kind`; FileError if the file is damaged or has other contents."""
+    """Read the channels and their PSFs ``kind(...)``; FileError if the file is damaged or has other contents."""
     form = find_colours(path, verb="read")
     return read(form, Path(path), "a PSF in channels", partial(rebuild_colours, kind=kind))
 
 
 def describe_colours(answer: ColourPSFLike) -> Description:
-    """Return the description of the first PSF, with entries of each channel; ValueError for derivatives."""
+    """Return the description of the first PSF and the entries that each channel has; ValueError for derivatives."""
     if any(psf.derivatives for psf in answer.psfs):
         raise ValueError('derivatives are saved channel by channel, as by answer["red"].save("red.npz")')
     said = [describe(psf) for psf in answer.psfs]
-    each = [{name: one[name] for name in _EACH} for one in said]
+    each = [{name: one[name] for name in _PER_CHANNEL} for one in said]
     return said[0] | {"channels": answer.channels.to_dict(), "each": each, "shape": list(answer.shape)}
 
 
 def rebuild_colours(
     arrays: Arrays, description: Description, kind: Callable[..., Made]
 ) -> tuple[Channels, tuple[Made, ...]]:
-    """Return the channels and their PSFs, made by `kind`, from the arrays and sealed description of a file."""
+    """Return the channels and their PSFs ``kind(...)`` from the arrays and the description of a file."""
     if "channels" not in description:
         raise ValueError("it has no channels; PSF.load reads it")
     values = np.ascontiguousarray(arrays["values"]).reshape(description["shape"])
@@ -314,7 +315,7 @@ def rebuild_colours(
     channels, each = Channels.from_dict(description["channels"]), description["each"]
     made, shared = [], {name: said for name, said in description.items() if name not in ("channels", "each")}
     for part, own in zip(np.moveaxis(values, -3, 0), each, strict=True):
-        said = shared | {name: own[name] for name in _EACH} | {"shape": list(part.shape)}
+        said = shared | {name: own[name] for name in _PER_CHANNEL} | {"shape": list(part.shape)}
         one = {"values": np.ascontiguousarray(part)}
         made.append(rebuild(one, sealed(said, one), kind))
     return channels, tuple(made)

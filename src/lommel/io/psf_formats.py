@@ -1,4 +1,4 @@
-"""Formats of PSF files: NumPy, TIFF, PNG, FITS, HDF5, MATLAB and raw numbers, with metadata for other programs."""
+"""Read and write PSFs: NumPy, TIFF, PNG, FITS, HDF5, MATLAB and raw numbers, with metadata for other programs."""
 
 from __future__ import annotations
 
@@ -37,32 +37,32 @@ LEVELS = 65535
 
 _TERM = re.compile(r"\(([0-9]+), (-?[0-9]+)\)")
 _NOT_ASCII = re.compile(r"[^ -~]")
-_MARK = b"\n#lommel "  # between the array and the description in a .npy file
-_SIDE = 512  # pixels; smaller PSFs are enlarged to this side or more, by an integer factor
+_MARK = b"\n#lommel "  # separates the array from the description in a .npy file
+_MIN_PICTURE_SIDE = 512  # minimum side of a picture, pixels; smaller PSFs are enlarged by an integer factor
 _ARCSEC = math.pi / 648000.0
-_UNEVEN = "planes are not evenly spaced along z: pupil.z has the position of each, metres"
-_EVEN = 1e-6  # steps that differ by at most this fraction are considered equal
-_EXTENSION = "LOMMEL"  # name of the FITS extension with the description as bytes
-_MOST_CARDS = 1000  # maximum number of numbered cards, whose keywords have 8 characters
-_COUNTS = {"energy": "pixel-1", "emitted": "pixel-1"}
-_BLOCK = 512  # bytes of a MATLAB file before its HDF5 part
-_SEAL, _CHECKED = 128, b"lommel crc32 "  # behind the head of MATLAB's files
+_UNEVEN_NOTE = "planes are not evenly spaced along z: pupil.z has the position of each, metres"
+_STEP_TOLERANCE = 1e-6  # relative difference up to which steps are considered equal
+_EXTNAME = "LOMMEL"  # name of the FITS extension with the description as bytes
+_MAX_CARDS = 1000  # number of cards such as WAVE999: a FITS keyword has at most 8 characters
+_COUNT_UNITS = {"energy": "pixel-1", "emitted": "pixel-1"}
+_USER_BLOCK = 512  # bytes of a MATLAB file before its HDF5 part
+_CHECKSUM_OFFSET, _CHECKED = 128, b"lommel crc32 "  # position (after the MATLAB header) and prefix of the checksum
 _MATLAB = b"MATLAB 7.3 MAT-file, Platform: lommel, HDF5 schema 1.00 ."
 
 
-Kept: TypeAlias = PSFLike | ColourPSFLike
-"""Contents of a file: a PSF, or PSFs in channels."""
+StoredPSF: TypeAlias = PSFLike | ColourPSFLike
+"""Content of a file: a PSF, or PSFs in channels."""
 
 
 class Axis(NamedTuple):
-    """An axis of the values: its name, and its coordinates if any."""
+    """An axis of the values: name, coordinates (None if unknown) and unit."""
 
     name: str
     places: Array | None = None
     unit: str = ""
 
 
-def axes(psf: Kept, description: Description) -> list[Axis]:
+def axes(psf: StoredPSF, description: Description) -> list[Axis]:
     """Return the axes of the values: stack (z of a microscope, grid positions, depth), channel, y, x."""
     pupil, grid = psf.pupil, psf.grid
     if field := description.get("field"):
@@ -81,10 +81,10 @@ def axes(psf: Kept, description: Description) -> list[Axis]:
     return [*stack, Axis("y", grid.y, psf.unit), Axis("x", grid.x, psf.unit)]
 
 
-def light(psf: Kept) -> tuple[Array, Array]:
-    """Return the wavelengths in metres and the fraction of the light at each; empty for lengths in lambda*N.
+def light(psf: StoredPSF) -> tuple[Array, Array]:
+    """Return the wavelengths (metres) and the fraction of the light at each; empty if the wavelength is unknown.
 
-    Of channels each has its row of fractions.
+    For a PSF in channels, the fractions have one row per channel.
     """
     if isinstance(psf, ColourPSFLike):
         return np.array(psf.channels.wavelengths), np.array(psf.channels.weights)
@@ -94,10 +94,10 @@ def light(psf: Kept) -> tuple[Array, Array]:
     return np.array(known), np.ones(len(known))
 
 
-def derivative_name(said: str) -> str | tuple[int, int]:
-    """Return the name of a derivative from its text in a file; a Zernike term is (n, m)."""
-    found = _TERM.fullmatch(said)
-    return (int(found[1]), int(found[2])) if found else said
+def derivative_name(stored: str) -> str | tuple[int, int]:
+    """Return the name of a derivative from its text in a file; for a Zernike term, the pair (n, m)."""
+    found = _TERM.fullmatch(stored)
+    return (int(found[1]), int(found[2])) if found else stored
 
 
 def text(description: Description, arrays: Arrays) -> str:
@@ -105,22 +105,22 @@ def text(description: Description, arrays: Arrays) -> str:
     return json.dumps(sealed(description, arrays), allow_nan=False)
 
 
-def _arrays(psf: Kept) -> Arrays:
+def _arrays_of(psf: StoredPSF) -> Arrays:
     slopes = {} if isinstance(psf, ColourPSFLike) else psf.derivatives
     return {"values": np.ascontiguousarray(psf.values)} | {f"{SLOPE}{name}": at for name, at in slopes.items()}
 
 
-def _step(z: Array) -> float | None:
-    """Return the step of evenly spaced planes in metres, or None."""
+def _even_step(z: Array) -> float | None:
+    """Return the step of evenly spaced planes in metres; None if the planes are not evenly spaced."""
     if z.ndim != 1 or z.size < 2 or not np.isfinite(z).all():
         return None
     steps = np.diff(z)
     mean = float(steps.mean())
-    return mean if mean and np.abs(steps - mean).max() <= _EVEN * abs(mean) else None
+    return mean if mean and np.abs(steps - mean).max() <= _STEP_TOLERANCE * abs(mean) else None
 
 
-def write_npy(psf: Kept, description: Description) -> bytes:
-    """Return a .npy file, followed by the description."""
+def write_npy(psf: StoredPSF, description: Description) -> bytes:
+    """Return a .npy file to which the description is appended."""
     values = np.ascontiguousarray(psf.values)
     return (
         atomic.contents(np.save, values, allow_pickle=False) + _MARK + text(description, {"values": values}).encode()
@@ -135,21 +135,21 @@ def read_npy(data: bytes) -> tuple[Arrays, str]:
     return {"values": values}, rest.removeprefix(_MARK).decode()
 
 
-def write_npz(psf: Kept, description: Description) -> bytes:
+def write_npz(psf: StoredPSF, description: Description) -> bytes:
     """Return an archive of the values, the derivatives and the description."""
-    return archive(_arrays(psf), description)
+    return archive(_arrays_of(psf), description)
 
 
 def archive(arrays: Arrays, description: Description) -> bytes:
     """Return an archive of arrays and their description."""
-    # As bytes, since readers in other languages do not support arrays of text.
-    said = np.frombuffer(text(description, arrays).encode(), np.uint8)
+    # The description is an array of bytes, since readers in other languages do not support arrays of text.
+    record = np.frombuffer(text(description, arrays).encode(), np.uint8)
     stored = {
         name: atomic.contents(np.save, values, allow_pickle=False)
-        for name, values in (arrays | {"description": said}).items()
+        for name, values in (arrays | {"description": record}).items()
     }
-    # NumPy always writes 64-bit sizes, which other readers do not support. Uncompressed where it would inflate to
-    # more than `reading` allows.
+    # np.savez is not used: it always writes 64-bit sizes, which other readers do not support. The archive is not
+    # compressed if `reading` would refuse its compression ratio.
     file = io.BytesIO()
     for way in (zipfile.ZIP_DEFLATED, zipfile.ZIP_STORED):
         file = io.BytesIO()
@@ -164,17 +164,17 @@ def archive(arrays: Arrays, description: Description) -> bytes:
 def read_npz(data: bytes) -> tuple[Arrays, str]:
     """Return the values, the derivatives and the description."""
     arrays = reading.npz(data)
-    said = arrays.pop("description")(reading.MAX_PIXELS)
-    found = said.tobytes().decode() if said.dtype == np.uint8 else str(said)  # text in files of early versions
-    most = math.prod(reading.json(found)["shape"])
-    return {name: read(most) for name, read in arrays.items()}, found
+    array = arrays.pop("description")(reading.MAX_PIXELS)
+    record = array.tobytes().decode() if array.dtype == np.uint8 else str(array)  # text in files of early versions
+    most = math.prod(reading.json(record)["shape"])
+    return {name: read(most) for name, read in arrays.items()}, record
 
 
-def write_raw(psf: Kept, description: Description) -> tuple[bytes, bytes]:
+def write_raw(psf: StoredPSF, description: Description) -> tuple[bytes, bytes]:
     """Return the values as little-endian bytes in C order, and the contents of the .json file that describes them."""
     waves, shares = light(psf)
     stored = psf.values.astype(psf.values.dtype.newbyteorder("<"))
-    said = {
+    header = {
         "shape": list(psf.shape),
         "axes": [axis.name for axis in axes(psf, description)],
         "dtype": str(psf.values.dtype),
@@ -187,29 +187,29 @@ def write_raw(psf: Kept, description: Description) -> tuple[bytes, bytes]:
         "lommel": sealed(description, {"values": psf.values}),
     }
     if isinstance(psf, ColourPSFLike):
-        said["channel"] = list(psf.channels.names)
-    return stored.tobytes(), (json.dumps(said, indent=1, allow_nan=False) + "\n").encode()
+        header["channel"] = list(psf.channels.names)
+    return stored.tobytes(), (json.dumps(header, indent=1, allow_nan=False) + "\n").encode()
 
 
 def read_raw(data: bytes, beside: bytes) -> tuple[Arrays, str]:
     """Return the values and the description."""
     if len(beside) > reading.MAX_PIXELS:
-        raise ValueError(f"the .json beside it has {len(beside)} bytes; the limit is {reading.MAX_PIXELS}")
+        raise ValueError(f"its .json file has {len(beside)} bytes; the limit is {reading.MAX_PIXELS}")
     description = reading.json(beside)["lommel"]
     kind = validation.choice("dtype", description["dtype"], ("float32", "float64"))
     values = np.frombuffer(data, np.dtype(kind).newbyteorder("<"))
     if values.size != math.prod(description["shape"]):
-        raise ValueError(f"it holds {values.size} values, the .json beside it states {description['shape']}")
+        raise ValueError(f"it holds {values.size} values, but its .json file states the shape {description['shape']}")
     return {"values": values.astype(kind)}, json.dumps(description)
 
 
 def enlargement(psf: PSFLike) -> int:
-    """Return the factor by which the picture of a PSF is enlarged."""
-    return -(-_SIDE // max(psf.shape[-2:]))
+    """Return the integer factor by which the picture of a PSF is enlarged."""
+    return -(-_MIN_PICTURE_SIDE // max(psf.shape[-2:]))
 
 
 def enlarged(grey: Values, times: int) -> Values:
-    """Return a picture with each pixel repeated along both sides."""
+    """Return a picture in which each pixel is repeated `times` times along each axis."""
     return grey.repeat(times, axis=0).repeat(times, axis=1)
 
 
@@ -238,28 +238,28 @@ def write_png(psf: PSFLike, description: Description) -> bytes:
 
 
 def read_png(data: bytes) -> tuple[Arrays, str]:
-    """Return one grey value for each pixel of the PSF, and the description."""
+    """Return one grey level (uint16) for each pixel of the PSF, and the description."""
     with reading.png(data) as file:
-        said = str(file.info["lommel"])  # this text chunk precedes the picture
-        description = reading.json(said)
-        times = validation.integer("scale", description["png"]["scale"], least=1, most=_SIDE)
+        record = str(file.info["lommel"])  # this text chunk precedes the picture
+        description = reading.json(record)
+        times = validation.integer("scale", description["png"]["scale"], least=1, most=_MIN_PICTURE_SIDE)
         if list(file.size[::-1]) != [times * side for side in description["shape"]]:
-            raise ValueError(f"it has {file.size[0]} x {file.size[1]} pixels, unlike its description states")
+            raise ValueError(f"it has {file.size[0]} x {file.size[1]} pixels, not as many as its description states")
         file.load()
         grey = np.asarray(file, dtype=np.uint16)
     values = np.ascontiguousarray(grey[::times, ::times])
     if not np.array_equal(enlarged(values, times), grey):
-        raise ValueError("its pixels are not enlarged as its description states")
-    return {"values": values}, said
+        raise ValueError("its pixels are not repeated as its description states")
+    return {"values": values}, record
 
 
 def ome_unit(unit: str) -> tuple[float, str]:
-    """Return the factor to the unit of lengths in OME, and its name."""
+    """Return the factor that converts lengths in `unit` to the unit used in OME, and the name of that unit."""
     return (1e6, "µm") if unit == "m" else (1.0, "reference frame")
 
 
-def ome(psf: Kept, order: str, description: Description) -> Description:
-    """Return the OME attributes of PSFs on their pixels, with the `order` of the axes of the values."""
+def ome(psf: StoredPSF, order: str, description: Description) -> Description:
+    """Return the OME attributes of PSFs; `order` is the order of the axes of the values, such as "ZYX"."""
     factor, unit = ome_unit(psf.unit)
     height, width = (side * factor for side in psf.grid.pitch)
     return {
@@ -274,12 +274,12 @@ def ome(psf: Kept, order: str, description: Description) -> Description:
 
 
 def write_tiff(psf: PSFLike, description: Description, planes: Description | None = None) -> bytes:
-    """Return an OME-TIFF; `planes` are OME attributes of its pages, for pages that are not a stack in depth."""
+    """Return an OME-TIFF; `planes` are OME attributes of its pages, for a stack that is not a stack over z."""
     import tifffile
 
     pupil, write = psf.pupil, partial(tifffile.imwrite, photometric="minisblack")
-    if isinstance(pupil, ObjectivePupil) and pupil.z.size > 1 and _step(pupil.z) is None:
-        description = description | {"planes": _UNEVEN}  # uneven steps, which OME-XML cannot describe
+    if isinstance(pupil, ObjectivePupil) and pupil.z.size > 1 and _even_step(pupil.z) is None:
+        description = description | {"planes": _UNEVEN_NOTE}  # uneven steps, which OME-XML cannot describe
     fields = ome(psf, "YX" if psf.values.ndim == 2 else "RYX" if planes else "ZYX", description)
     if planes:
         fields["Plane"] = planes
@@ -302,8 +302,8 @@ def write_tiff(psf: PSFLike, description: Description, planes: Description | Non
 
 
 def _ome_image(psf: PSFLike, pupil: ObjectivePupil) -> Description:
-    """Return the attributes and elements of an OME image, with lengths in the sample."""
-    size, apart = 1e6 * psf.grid.side / pupil.magnification, _step(pupil.z)
+    """Return the attributes and elements of an OME image; lengths are those in the sample, not on the sensor."""
+    size, apart = 1e6 * psf.grid.side / pupil.magnification, _even_step(pupil.z)
     nanometres = 1e9 * pupil.wavelength
     light = "ExcitationWavelength" if isinstance(pupil.emitter, Beam) else "EmissionWavelength"
     layers = pupil.layers
@@ -311,28 +311,28 @@ def _ome_image(psf: PSFLike, pupil: ObjectivePupil) -> Description:
         "refractive index of the immersion": layers.immersion,
         "refractive index of the cover glass": layers.glass,
         "refractive index of the sample": layers.sample,
-        "depth of the emitter in um": _span(pupil.depth),
-        "stage since the surface of the cover glass was in focus, in um": _span(pupil.focus),
+        "depth of the emitter in um": _format_range(pupil.depth),
+        "stage since the surface of the cover glass was in focus, in um": _format_range(pupil.focus),
         "emitter": repr(pupil.emitter),
     }
     found = {
-        "PhysicalSizeX": _digits(size),
-        "PhysicalSizeY": _digits(size),
-        "Plane": {"PositionZ": [_digits(1e6 * z) for z in pupil.z.flat], "PositionZUnit": ["µm"] * pupil.z.size},
-        "Channel": {"Name": f"{nanometres:.4g} nm", light: _digits(nanometres), f"{light}Unit": "nm"},
+        "PhysicalSizeX": _round(size),
+        "PhysicalSizeY": _round(size),
+        "Plane": {"PositionZ": [_round(1e6 * z) for z in pupil.z.flat], "PositionZUnit": ["µm"] * pupil.z.size},
+        "Channel": {"Name": f"{nanometres:.4g} nm", light: _round(nanometres), f"{light}Unit": "nm"},
         "MapAnnotation": {"Value": annotations},
     }
     if apart is not None:
-        found |= {"PhysicalSizeZ": _digits(1e6 * abs(apart)), "PhysicalSizeZUnit": "µm"}
+        found |= {"PhysicalSizeZ": _round(1e6 * abs(apart)), "PhysicalSizeZUnit": "µm"}
     return found
 
 
-def _digits(value: float) -> float:
+def _round(value: float) -> float:
     """Return a length without rounding noise: 0.1, not 0.09999999999999999."""
     return float(f"{value:.12g}")
 
 
-def _span(metres: Array) -> str:
+def _format_range(metres: Array) -> str:
     return " to ".join(f"{end:.6g}" for end in dict.fromkeys((1e6 * metres.min(), 1e6 * metres.max())))
 
 
@@ -340,7 +340,7 @@ def read_tiff(data: bytes) -> tuple[Arrays, str]:
     """Return the values and the description."""
     from xml.etree import ElementTree as ET
 
-    # Python builds an object for every element.
+    # ElementTree uses up to 512 bytes of memory for every element.
     reading.afford(512 * data.count(b"<"), len(data), 10)
     with reading.tiff(data) as file:
         if not file.ome_metadata:
@@ -353,12 +353,12 @@ def read_tiff(data: bytes) -> tuple[Arrays, str]:
         return {"values": file.asarray()}, description.text
 
 
-def write_fits(psf: Kept, description: Description) -> bytes:
-    """Return a FITS file; PIXELSCL, WAVELEN, WAVEn and WGHTn are as POPPY and WebbPSF write them."""
-    shares = "share of the light" if psf.normalize in _COUNTS else "of a peak"
+def write_fits(psf: StoredPSF, description: Description) -> bytes:
+    """Return a FITS file; the cards PIXELSCL, WAVELEN, WAVEn and WGHTn are those of POPPY and WebbPSF."""
+    shares = "share of the light" if psf.normalize in _COUNT_UNITS else "of a peak"
     cards: Description = {
         "CREATOR": "lommel",
-        "BUNIT": (_COUNTS.get(psf.normalize, ""), shares),
+        "BUNIT": (_COUNT_UNITS.get(psf.normalize, ""), shares),
         "NORMALIZ": (psf.normalize, "what a value of 1 stands for"),
     }
     geometry = psf.pupil.geometry if isinstance(psf.pupil, Pupil) else None
@@ -373,30 +373,30 @@ def write_fits(psf: Kept, description: Description) -> bytes:
     waves, weights = light(psf)
     if isinstance(psf, ColourPSFLike):
         means = (weights @ waves).tolist()
-        for k, (name, mean) in enumerate(zip(psf.channels.names[:_MOST_CARDS], means, strict=False)):
+        for k, (name, mean) in enumerate(zip(psf.channels.names[:_MAX_CARDS], means, strict=False)):
             cards[f"CHAN{k}"] = (_NOT_ASCII.sub("?", name), "name of the channel")
             cards[f"CWAV{k}"] = (mean, "[m] its mean wavelength")
     else:
         if waves.size:
             cards["WAVELEN"] = (float(waves @ weights), "[m] mean wavelength")
             cards["NWAVES"] = (waves.size, "number of wavelengths")
-        for k in range(min(waves.size, _MOST_CARDS)):
+        for k in range(min(waves.size, _MAX_CARDS)):
             cards[f"WAVE{k}"] = (float(waves[k]), "[m] wavelength")
             cards[f"WGHT{k}"] = (float(weights[k]), "its share of the light")
     pitches = dict(zip("yx", psf.grid.pitch, strict=True))
-    # FITS numbers its axes from the last axis, and pixels from 1 (FITS standard 4.0, 8.2).
+    # FITS numbers axes from 1, beginning with the last axis of NumPy, and pixels from 1 (FITS standard 4.0, 8.2).
     for k, (name, places, unit) in enumerate(reversed(axes(psf, description)), 1):
         cards[f"CTYPE{k}"] = name.upper()
-        step = pitches[name] if name in pitches else places is not None and _step(places)
+        step = pitches[name] if name in pitches else places is not None and _even_step(places)
         if places is None or not step:
             continue
         cards[f"CRPIX{k}"] = (1.0 - float(places[0]) / step, "where it is 0, on the axis")
         cards[f"CRVAL{k}"], cards[f"CDELT{k}"] = 0.0, step
         if unit == "m":
             cards[f"CUNIT{k}"] = unit
-    said = np.frombuffer(text(description, {"values": psf.values}).encode(), np.uint8)
+    record = np.frombuffer(text(description, {"values": psf.values}).encode(), np.uint8)
     return fits_images.write(
-        [(np.ascontiguousarray(psf.values), cards), (said, {"EXTNAME": (_EXTENSION, "JSON: how it was made")})]
+        [(np.ascontiguousarray(psf.values), cards), (record, {"EXTNAME": (_EXTNAME, "JSON: how it was made")})]
     )
 
 
@@ -404,24 +404,24 @@ def read_fits(data: bytes) -> tuple[Arrays, str]:
     """Return the values and the description."""
     images = fits_images.read(data, validation.MAX_VALUES)
     described = [
-        image for image in images if image.header.get("EXTNAME") == _EXTENSION and image.values.dtype == np.uint8
+        image for image in images if image.header.get("EXTNAME") == _EXTNAME and image.values.dtype == np.uint8
     ]
     if len(described) != 1:
         raise ValueError("no description of how it was made")
     return {"values": images[0].values}, described[0].values.tobytes().decode()
 
 
-def write_hdf5(psf: Kept, description: Description) -> bytes:
-    """Return an HDF5 file: `values` with plain attributes and dimension scales, derivatives, `description`."""
-    arrays, places = _arrays(psf), axes(psf, description)
+def write_hdf5(psf: StoredPSF, description: Description) -> bytes:
+    """Return an HDF5 file: `values` and derivatives with attributes and dimension scales, and `description`."""
+    arrays, places = _arrays_of(psf), axes(psf, description)
     waves, shares = light(psf)
     plain: Description = {"pixel": psf.pixel, "unit": psf.unit, "normalize": psf.normalize, "sampling": psf.sampling}
     plain |= {"wavelength": waves, "weight": shares} if waves.size else {}
     plain |= {} if psf.error_bound is None else {"error_bound": psf.error_bound}
 
     def fill(file: File) -> None:
-        said = np.bytes_(text(description, arrays).encode())
-        file.create_dataset("description", data=said, track_times=False)
+        record = np.bytes_(text(description, arrays).encode())
+        file.create_dataset("description", data=record, track_times=False)
         if isinstance(psf, ColourPSFLike):
             names = [name.encode() for name in psf.channels.names]
             file.create_dataset("channel", data=np.array(names), track_times=False)
@@ -445,23 +445,23 @@ def write_hdf5(psf: Kept, description: Description) -> bytes:
 
 def read_hdf5(data: bytes) -> tuple[Arrays, str]:
     """Return the values, the derivatives and the description."""
-    with _opened(data) as file:
-        said = bytes(_array(file, "description", data)).decode()
+    with _open_hdf5(data) as file:
+        record = bytes(_read_array(file, "description", data)).decode()
         names = ["values", *(name for name in file if name.startswith(SLOPE))]
         stored = [reading.hdf5_below(file, name) for name in names]
         if (total := sum(getattr(one, "nbytes", 0) for one in stored)) > len(data):
             raise ValueError(f"its arrays take {total} bytes of {len(data)}")
-        return {name: _array(file, name, data) for name in names}, said
+        return {name: _read_array(file, name, data) for name in names}, record
 
 
-def write_mat(psf: Kept, description: Description) -> bytes:
-    """Return a .mat file: `values` of the size [height width stack], `x`, `y`, `wavelength`, `description`, ..."""
+def write_mat(psf: StoredPSF, description: Description) -> bytes:
+    """Return a .mat file: `values`, in MATLAB [height width stack], `x`, `y`, `wavelength`, `description`, ..."""
     waves, shares = light(psf)
-    said = text(description, {"values": psf.values})
-    texts = {"unit": psf.unit, "normalize": psf.normalize, "sampling": psf.sampling, "description": said}
+    record = text(description, {"values": psf.values})
+    texts = {"unit": psf.unit, "normalize": psf.normalize, "sampling": psf.sampling, "description": record}
     if isinstance(psf, ColourPSFLike):
         texts["channel"] = "\n".join(psf.channels.names)
-    arrays = {"values": _for_matlab(psf.values), "pixel": np.array([[psf.pixel]])}
+    arrays = {"values": _reorder_for_matlab(psf.values), "pixel": np.array([[psf.pixel]])}
     places = ((axis.name, axis.places) for axis in axes(psf, description))
     arrays |= {name: at.reshape(-1, 1) for name, at in places if at is not None}
     arrays |= {"wavelength": waves[:, None], "weight": np.atleast_2d(shares).T} if waves.size else {}
@@ -470,63 +470,63 @@ def write_mat(psf: Kept, description: Description) -> bytes:
         for name, values in arrays.items():
             stored = file.create_dataset(name, data=values, track_times=False)
             stored.attrs["MATLAB_class"] = np.bytes_("single" if values.dtype == np.float32 else "double")
-        for name, said in texts.items():
-            codes = np.frombuffer(said.encode("utf-16-le"), "<u2")[:, None]
+        for name, content in texts.items():
+            codes = np.frombuffer(content.encode("utf-16-le"), "<u2")[:, None]
             stored = file.create_dataset(name, data=codes, track_times=False)
             stored.attrs["MATLAB_class"] = np.bytes_("char")
             stored.attrs["MATLAB_int_decode"] = np.int32(2)
 
-    # Text, no subsystem, version 2.0, byte order.
+    # Header of a MATLAB file: text, no subsystem data, version 2.0, mark of the byte order.
     return _hdf5(fill, _MATLAB.ljust(116) + bytes(8) + struct.pack("<H", 0x0200) + b"IM")
 
 
 def read_mat(data: bytes) -> tuple[Arrays, str]:
     """Return the values and the description."""
-    with _opened(data) as file:
-        said = _array(file, "description", data).astype("<u2").tobytes().decode("utf-16-le")
-        return {"values": np.ascontiguousarray(_for_matlab(_array(file, "values", data)))}, said
+    with _open_hdf5(data) as file:
+        record = _read_array(file, "description", data).astype("<u2").tobytes().decode("utf-16-le")
+        return {"values": np.ascontiguousarray(_reorder_for_matlab(_read_array(file, "values", data)))}, record
 
 
-def _for_matlab(values: Values) -> Values:
-    """Return the axes (..., y, x) in the order of HDF5 that MATLAB reverses to (y, x, ...)."""
+def _reorder_for_matlab(values: Values) -> Values:
+    """Reorder the axes (..., y, x) so that MATLAB, which reverses the axes of HDF5, has (y, x, ...)."""
     stack = range(values.ndim - 2)
     return values.transpose(*reversed(stack), values.ndim - 1, values.ndim - 2)
 
 
 def _hdf5(fill: Callable[[File], None], head: bytes) -> bytes:
-    """Return a MATLAB file filled by `fill`, with its header and a checksum."""
+    """Return an HDF5 file with the contents that `fill` writes, preceded by the header `head` and a checksum."""
     import h5py
 
     file = io.BytesIO()
-    # The oldest version of the format, which old readers support.
-    with h5py.File(file, "w", libver="earliest", userblock_size=_BLOCK) as made:
+    # Write the oldest version of the format, for old readers.
+    with h5py.File(file, "w", libver="earliest", userblock_size=_USER_BLOCK) as made:
         fill(made)
     data = bytearray(file.getvalue())
     data[: len(head)] = head
-    mark = _CHECKED + _sum(data)  # since the HDF5 library may crash on damaged files
-    data[_SEAL : _SEAL + len(mark)] = mark
+    mark = _CHECKED + _sum(data)  # checked before reading, since the HDF5 library may crash on damaged files
+    data[_CHECKSUM_OFFSET : _CHECKSUM_OFFSET + len(mark)] = mark
     return bytes(data)
 
 
 def _sum(data: bytes | bytearray) -> bytes:
-    return f"{zlib.crc32(memoryview(data)[_BLOCK:]):08x}".encode()
+    return f"{zlib.crc32(memoryview(data)[_USER_BLOCK:]):08x}".encode()
 
 
-def _opened(data: bytes) -> File:
-    if not data.startswith(_CHECKED, _SEAL):
+def _open_hdf5(data: bytes) -> File:
+    if not data.startswith(_CHECKED, _CHECKSUM_OFFSET):
         raise ValueError("no checksum of how it was written")
-    if not data.startswith(_sum(data), _SEAL + len(_CHECKED)):
+    if not data.startswith(_sum(data), _CHECKSUM_OFFSET + len(_CHECKED)):
         raise ValueError(DAMAGED)
     return reading.hdf5(data)
 
 
-def _array(file: File, name: str, data: bytes) -> Values:
+def _read_array(file: File, name: str, data: bytes) -> Values:
     """Return an array that is stored contiguously in the file itself."""
     found = reading.hdf5_below(file, name)
-    if not hasattr(found, "chunks"):  # it is a group, or None
+    if not hasattr(found, "chunks"):  # `found` is a group or None
         raise ValueError(f"no array {name!r}")
     if found.chunks is not None or found.nbytes > 8 * validation.MAX_VALUES:
-        raise ValueError(f"{name!r} must be stored in one piece, got {found.nbytes} bytes of {len(data)}")
+        raise ValueError(f"{name!r} must be stored in one piece, got {found.nbytes} bytes in a file of {len(data)}")
     if name == "description" and found.nbytes > 2 * reading.MAX_PIXELS:
         raise ValueError(f"its description has {found.nbytes} bytes; the limit is {2 * reading.MAX_PIXELS}")
     return reading.hdf5_values(found, len(data))

@@ -26,13 +26,13 @@ KINDS = {
     "molecules": "a table of molecules",
     "video": "video",
 }
-"""The kinds of contents, and their names in messages."""
+"""The kinds of contents of files, and their names in messages."""
 
 Arrays: TypeAlias = dict[str, Values]
 """The arrays of a file, by name."""
 
 Description: TypeAlias = Json
-"""How a PSF was computed, in plain types, written as JSON."""
+"""Description of how a PSF was computed, in plain types; stored as JSON."""
 
 DAMAGED = "its checksum does not match: it is damaged, or was changed after it was written"
 
@@ -45,7 +45,7 @@ _EXTRAS = {
     "pillow_heif": "heic",
     "av": "video",
 }
-"""The extras of this package that install the libraries of formats."""
+"""The extra of this package that installs a library, by the name of the library."""
 
 _FORMATS: list[Format] = []
 _Function = TypeVar("_Function", bound=Callable[..., object])
@@ -55,8 +55,8 @@ _Function = TypeVar("_Function", bound=Callable[..., object])
 class Format:
     """One file format of one kind of contents.
 
-    Other packages add formats by entry points of the group ``lommel.formats``, each of which refers to a Format. The
-    entry points are loaded when a file has none of the registered formats.
+    Other packages add formats by entry points of the group ``lommel.formats``; each entry point refers to a Format.
+    Entry points are loaded when a file has none of the registered formats.
 
     Parameters
     ----------
@@ -69,13 +69,13 @@ class Format:
     starts : tuple of bytes, default ()
         First bytes of the files, if they identify the format.
     holds : tuple of str, default ()
-        Contents that only some formats of the kind support, as words that follow the name of the kind in messages:
-        "with derivatives", "of uint16".
+        Contents that this format supports and that other formats of the kind may not, such as "with derivatives" or
+        "of uint16". In messages they follow the name of the kind.
     library : str, default ""
         Import name of a required library.
     beside : str, default ""
-        Suffix of a second file that belongs to the first; ``write`` returns the bytes of both files, and ``read`` has
-        them as arguments.
+        Suffix of a second file that belongs to the first file; ``write`` returns the bytes of both files, and the
+        arguments of ``read`` are both.
     what : str, default ""
         Short name of the format for help texts: "OME-TIFF".
     readers : str, default ""
@@ -91,7 +91,7 @@ class Format:
     Signatures of ``write`` and ``read`` for each kind:
 
     - "psf": write(PSF, description) -> bytes; read(bytes) -> (dict of arrays: "values" and derivatives, description
-      as text). With a file `beside`: write returns (bytes, bytes beside), and read has both as arguments.
+      as text). With a second file: write returns (bytes, bytes), and read has two arguments.
     - "colours": as "psf", for a ColourPSF; pictures are not read
     - "field": write(PSFGrid, description, path), which writes the file itself; read(path, class of PSF) -> (PSF,
       description)
@@ -133,7 +133,7 @@ class Format:
         return max(self.suffixes, key=len).lstrip(".").upper()
 
     def places(self, path: Path) -> tuple[Path, ...]:
-        """Return the paths of all files of this format at `path`: `path` and the file beside it, if any."""
+        """Return the paths of the files of this format: `path`, and the second file if the format has one."""
         return (path, path.with_suffix(self.beside)) if self.beside else (path,)
 
     def ready(self) -> Format:
@@ -172,7 +172,7 @@ def find(
     :attr:`Format.holds`. ImportError if the library of the format is missing.
     """
     suffixes = validation.path(name, path).suffixes
-    suffix, end = "".join(suffixes[-1:]).lower(), "".join(suffixes[-2:]).lower()  # .fits.gz has two
+    suffix, end = "".join(suffixes[-1:]).lower(), "".join(suffixes[-2:]).lower()  # .fits.gz consists of two suffixes
     if not any(end.endswith(form.suffixes) for form in _formats_with(kind, verb)):
         _load_others()
     fit = [form for form in _formats_with(kind, verb) if not holding or holding in form.holds]
@@ -189,7 +189,7 @@ def find(
 
 
 def identify(kind: str, data: bytes) -> Format:
-    """Return the format of a file from its first bytes; ValueError if unknown, ImportError as :func:`find`."""
+    """Return the format of a file from its first bytes; ValueError if unknown, ImportError without its library."""
     for load in (None, _load_others) if data else ():
         if load:
             load()
@@ -201,7 +201,7 @@ def identify(kind: str, data: bytes) -> Format:
 
 
 def suffixes(kind: str, *, described: bool = False) -> str:
-    """Return the writable formats of a kind on one line: one suffix each, with its description if `described`."""
+    """Return the first suffix of each writable format of a kind as text, with the format's name if `described`."""
     return ", ".join(
         form.suffixes[0] + (f" ({form.what})" if described and form.what else "")
         for form in _formats_with(kind, "write")
@@ -209,7 +209,7 @@ def suffixes(kind: str, *, described: bool = False) -> str:
 
 
 def documented(kind: str) -> Callable[[_Function], _Function]:
-    """Return a decorator that replaces ``{formats}`` in a docstring by the list of the formats of a kind."""
+    """Return a decorator that replaces ``{formats}`` in a docstring by a list of the writable formats of a kind."""
     lines = [
         f"{', '.join(f'``{suffix}``' for suffix in form.suffixes)}: {form.what}."
         for form in _formats_with(kind, "write")
@@ -235,12 +235,12 @@ def _formats_with(kind: str, verb: str) -> list[Format]:
 
 @cache
 def _load_others() -> None:
-    """Register the formats of other packages, once per process; warn of a format that cannot be loaded."""
+    """Register the formats of other packages, once per process; issue a warning for each that cannot be loaded."""
     from importlib.metadata import entry_points  # late, since the import is slow
 
     for entry in entry_points(group="lommel.formats"):
         try:
             register(entry.load())
         except Exception as error:
-            note = f"the format {entry.name} ({entry.value}) is left out: {reading.reason(error)}"
+            note = f"the format {entry.name} ({entry.value}) is ignored: {reading.reason(error)}"
             warnings.warn(note, RuntimeWarning, stacklevel=4)

@@ -1,4 +1,4 @@
-"""Text files: rows of CSV tables, wavefronts in INT files of Code V, lines of TOML keys, joined error messages."""
+"""Text files: rows of CSV tables, INT files of Code V, line numbers of TOML keys, and joined error messages."""
 
 from __future__ import annotations
 
@@ -21,9 +21,9 @@ from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.base.validation import brief, key, line
 
-_SIZES = {"GRD": 2, "ZRN": 1, "ZFR": 1}
+_SIZE_COUNTS = {"GRD": 2, "ZRN": 1, "ZFR": 1}
 _NUMBERS = ("WVL", "SSZ", "NDA", "XSC")
-_FLAGS = ("NNB",)  # ways to interpolate between the points of a grid
+_FLAGS = ("NNB",)  # ignored words: how to interpolate between the points of a grid
 _CONTENTS = {"WFR": "a wavefront", "SUR": "the shape of a surface", "FIL": "a filter of intensity"}
 
 
@@ -34,26 +34,26 @@ class Interferogram(NamedTuple):
     size: tuple[int, ...]  # columns and rows of a grid, or the number of terms
     wavelength: float  # metres
     values: Array  # waves at this wavelength
-    missing: NDArray[np.bool_]  # True for points without data (value NDA)
+    missing: NDArray[np.bool_]  # True for points without data, whose stored value is NDA
 
 
 def parse(text: str) -> Interferogram:
-    """Return the contents of an INT file; ValueError if it is damaged or not a wavefront."""
-    # The first line is a title, the second a line such as ZFR 37 WFR WVL 0.6328 SSZ 1000 NDA 32767; lines that begin
-    # with ! are comments. The wavefront is value / SSZ, in waves at WVL micrometres.
+    """Parse an INT file; ValueError if it is damaged or does not contain a wavefront."""
+    # The first line is a title. The second line is, for example, ZFR 37 WFR WVL 0.6328 SSZ 1000 NDA 32767. Lines that
+    # begin with ! are comments. The wavefront is value / SSZ, in waves at the wavelength WVL in micrometres.
     lines = (line for line in io.StringIO(text) if line.strip() and not line.lstrip().startswith("!"))
     title, sizes = next(lines, ""), next(lines, "")
     values = np.array(
-        array("d", (_number(word[0], "a value") for line in lines for word in re.finditer(r"\S+", line)))
+        array("d", (_parse_number(word[0], "a value") for line in lines for word in re.finditer(r"\S+", line)))
     )
     if not title or not sizes or not values.size:
         raise ValueError("it lacks a title, a line of sizes, or values")
     kind, *words = sizes.upper().split()
-    if kind not in _SIZES:
-        raise ValueError(f"its second line must begin with {', '.join(_SIZES)}, got {validation.shown(kind)}")
-    count = _SIZES[kind]
-    size = tuple(_whole(word) for word in words[:count])
-    stated = _stated(words[count:])
+    if kind not in _SIZE_COUNTS:
+        raise ValueError(f"its second line must begin with {', '.join(_SIZE_COUNTS)}, got {validation.shown(kind)}")
+    count = _SIZE_COUNTS[kind]
+    size = tuple(_parse_size(word) for word in words[:count])
+    stated = _parse_settings(words[count:])
     wavelength = validation.wavelength(1e-6 * stated["WVL"])
     if len(size) != count or values.size != math.prod(size):
         raise ValueError(f"it states {' x '.join(map(str, size))} values, got {values.size}")
@@ -61,15 +61,15 @@ def parse(text: str) -> Interferogram:
     return Interferogram(kind, size, wavelength, values / stated["SSZ"], missing)
 
 
-def _stated(words: Sequence[str]) -> dict[str, float]:
-    """Return the numbers of the second line by name, with WVL and SSZ; ValueError if it is not a wavefront."""
+def _parse_settings(words: Sequence[str]) -> dict[str, float]:
+    """Return the numbers of the second line by name; ValueError without WVL or SSZ, or if it is not a wavefront."""
     remaining, contents, stated = list(words), [], dict[str, float]()
     while remaining:
         word = remaining.pop(0)
         if word in _CONTENTS:
             contents.append(word)
         elif word in _NUMBERS and remaining:
-            stated[word] = _number(remaining.pop(0), word)
+            stated[word] = _parse_number(remaining.pop(0), word)
         elif word not in _FLAGS:
             raise ValueError(f"its second line holds {validation.shown(word)}, which is unknown")
     if contents != ["WFR"]:
@@ -88,13 +88,13 @@ def term(index: int) -> tuple[int, int]:
     return n, n - 2 * (index - n * (n + 1) // 2 - 1)
 
 
-def _whole(word: str) -> int:
+def _parse_size(word: str) -> int:
     if not word.isdecimal() or not 0 < int(word) <= validation.MAX_SIDE:
         raise ValueError(f"a size must be an integer from 1 to {validation.MAX_SIDE}, got {validation.shown(word)}")
     return int(word)
 
 
-def _number(word: str, name: str) -> float:
+def _parse_number(word: str, name: str) -> float:
     try:
         value = float(word.replace("D", "E"))
         return value if math.isfinite(value) else validation.real(name, value)
@@ -102,7 +102,7 @@ def _number(word: str, name: str) -> float:
         raise ValueError(f"{name} must be a finite number, got {validation.shown(word)}") from None
 
 
-TOLD = 12
+MAX_MESSAGES = 12
 """Maximum number of errors of a file in one message."""
 
 
@@ -128,7 +128,7 @@ def settings(text: str) -> Iterator[tuple[int, str, str]]:
 
 
 def number(text: str) -> float | str:
-    """Return the number in a cell; the text itself if it is not a number, which later validation refuses."""
+    """Return the number in a cell, or the text itself if it is not a number: later validation reports the error."""
     try:
         return float(text)
     except ValueError:
@@ -136,12 +136,12 @@ def number(text: str) -> float | str:
 
 
 def line_of(text: str, keys: Sequence[str]) -> int | None:
-    """Return the number of the line of a TOML file that sets `keys`, None if its syntax is unusual."""
-    return _lines(text).get(tuple(keys))
+    """Return the number of the line of a TOML file that sets the key `keys`; None if the line is not recognised."""
+    return _line_numbers(text).get(tuple(keys))
 
 
 @lru_cache(maxsize=2)
-def _lines(text: str) -> dict[tuple[str, ...], int]:
+def _line_numbers(text: str) -> dict[tuple[str, ...], int]:
     """Return the line numbers of the keys and tables of a TOML file."""
     found: dict[tuple[str, ...], int] = {}
     numbers: Counter[tuple[str, ...]] = Counter()
@@ -150,7 +150,7 @@ def _lines(text: str) -> dict[tuple[str, ...], int]:
         if header := re.match(r"\s*\[(\[?)\s*([\w.\"-]+)\s*\]", written):
             section = tuple(header[2].replace('"', "").split("."))
             found.setdefault(section, number)
-            if header[1]:  # a table of an array, counted
+            if header[1]:  # one table of an array of tables: append its index
                 numbers[section] += 1
                 section = (*section, str(numbers[section] - 1))
                 found.setdefault(section, number)
@@ -160,32 +160,32 @@ def _lines(text: str) -> dict[tuple[str, ...], int]:
 
 
 def nearest_line(text: str, keys: Sequence[str]) -> int | None:
-    """Return the number of the line that sets `keys`; if it is unknown, the line of the surrounding table."""
+    """Return the number of the line that sets the key `keys`; if unknown, the line of the surrounding table."""
     lines = (line_of(text, keys[:count]) for count in range(len(keys), 0, -1))
     return next((number for number in lines if number), None)
 
 
 def place(text: str, keys: Sequence[str]) -> str:
-    """Return key and line as text, ``"lens.wavelength (line 8)"``, with the line of :func:`nearest_line`."""
+    """Return the key and the number of :func:`nearest_line` as text, such as ``"lens.wavelength (line 8)"``."""
     number = nearest_line(text, keys)
     return f"{'.'.join(map(key, keys))}{f' (line {number})' if number else ''}"
 
 
 def joined_errors(path: Path, errors: Sequence[str], count: int | None = None) -> str:
     """Return one message with the first errors of a file, one error per line; `count` is the number of all errors."""
-    count, shown = len(errors) if count is None else count, [line(error) for error in errors[:TOLD]]
-    if count > TOLD:
-        shown.append(f"and {count - TOLD} more")
+    count, shown = len(errors) if count is None else count, [line(error) for error in errors[:MAX_MESSAGES]]
+    if count > MAX_MESSAGES:
+        shown.append(f"and {count - MAX_MESSAGES} more")
     return f"{line(path)}: " + (shown[0] if count == 1 else "".join(f"\n  {error}" for error in shown))
 
 
 MANY = 1000
-"""Number of errors after which reading of a table may stop."""
+"""Number of errors after which a reader of a table may stop."""
 
 
 @contextmanager
 def collected(errors: list[str], place: str) -> Iterator[None]:
-    """Append a ValueError or TypeError to `errors`, with its `place`, instead of raising it."""
+    """Append the message of a ValueError or TypeError to `errors`, preceded by `place`, instead of raising it."""
     try:
         yield
     except (ValueError, TypeError) as error:
@@ -195,6 +195,6 @@ def collected(errors: list[str], place: str) -> Iterator[None]:
 def refuse(errors: Sequence[str]) -> None:
     """Raise ValueError with the first errors of a table, if there are any."""
     if errors:
-        rest = len(errors) - TOLD
+        rest = len(errors) - MAX_MESSAGES
         more = f"; and {rest} {'or more' if len(errors) > MANY else 'more'}" if rest > 0 else ""
-        raise ValueError("; ".join(brief(error, 200) for error in errors[:TOLD]) + more)
+        raise ValueError("; ".join(brief(error, 200) for error in errors[:MAX_MESSAGES]) + more)

@@ -29,19 +29,19 @@ if TYPE_CHECKING:
     from zarr.core.buffer import Buffer, BufferPrototype
 
 
-# Compressors whose decompressed size can be computed without decompressing into memory. A hostile chunk of a few
-# bytes could otherwise decompress to gigabytes.
+# Compressors for which the decompressed size can be bounded before a chunk is decompressed into memory. Otherwise a
+# malicious chunk of a few bytes could decompress to gigabytes.
 _COMPRESSORS = ("blosc", "gzip", "lz4", "zlib", "zstd")
 # Filters and checksums, which do not compress.
 _FILTERS = ("bytes", "endian", "transpose", "crc32c", "crc32", "adler32", "fletcher32", "shuffle", "delta", "astype",
             "fixedscaleoffset", "bitround", "quantize")  # fmt: skip
 _MARGIN = 2**20  # bytes by which a decompressed chunk may exceed its nominal size
 _ZSTD_BLOCK = 2**17  # largest decompressed block of zstd, bytes (RFC 8878, 3.1.1.2.4)
-_CHUNK = re.compile(r"c|c?[./]?\d+([./]\d+)*")  # last part of the file name of a chunk
+_CHUNK = re.compile(r"c|c?[./]?\d+([./]\d+)*")  # last component of the path of a chunk file
 
 
 def regular(root: Path, key: str) -> int | None:
-    """Return the size in bytes of the file `key` in a folder, None if there is none or if it is a folder.
+    """Return the size in bytes of the file `key` in a folder; None if it does not exist or is a folder.
 
     ValueError for a link, a special file or a path that leads out of the folder.
     """
@@ -99,11 +99,11 @@ class Chunks:
     def __init__(self, root: Path, array: Any) -> None:
         self._folder, self._array = root / array.path, array
         self._file_chunks: tuple[int, ...] = array.shards or array.chunks  # shape of the values in one file
-        self._bytes = math.prod(array.chunks) * array.dtype.itemsize  # of a decompressed chunk
+        self._bytes = math.prod(array.chunks) * array.dtype.itemsize  # bytes of a decompressed chunk
         self._compressor, self._index_location = _compressor(array.metadata)
 
     def missing(self) -> tuple[int, int]:
-        """Return the number of chunks without a file, and that of all chunks; ValueError for links and pipes."""
+        """Return the number of missing chunk files and of all chunk files; ValueError for links and pipes."""
         total = math.prod(
             math.ceil(side / part) for side, part in zip(self._array.shape, self._file_chunks, strict=True)
         )
@@ -120,9 +120,9 @@ class Chunks:
         return max(0, total - files), total
 
     def check(self, ranges: list[range]) -> tuple[int, int]:
-        """Return the bytes of the values in a range of each axis, and those of the files of their chunks.
+        """Return the bytes of the values in `ranges` (one per axis), and the bytes of the chunk files that hold them.
 
-        ValueError for a chunk that decompresses to more than its nominal size, or too much for the size of its file.
+        ValueError for a chunk that decompresses to more than its nominal size, or has too high a compression ratio.
         """
         chunk_ranges = [
             range(part.start // side, -(-part.stop // side))
@@ -146,7 +146,7 @@ class Chunks:
             if self._compressor == "blosc" and (
                 len(chunk) < 16 or struct.unpack_from("<I", chunk, 12)[0] > len(chunk)
             ):
-                raise ValueError(f"its chunk {key} is cut off: it ends before it says")  # Blosc would read on
+                raise ValueError(f"its chunk {key} is truncated: its header states more bytes")  # Blosc would read on
             if _decompressed_size(self._compressor, chunk, self._bytes + _MARGIN) > 2 * self._bytes + _MARGIN:
                 raise ValueError(f"its chunk {key} unpacks to more than its {self._bytes} bytes")
 
@@ -163,7 +163,7 @@ class Chunks:
 
 
 def _compressor(metadata: Any) -> tuple[str | None, str]:
-    """Return the name of the compressor of an array, if any, and the location of the index of its shards.
+    """Return the name of the compressor of an array (None without one), and the location of the index of its shards.
 
     ValueError for several compressors or unknown codecs.
     """
@@ -189,7 +189,7 @@ def _compressor(metadata: Any) -> tuple[str | None, str]:
 def _decompressed_size(compressor: str, data: bytes, most: int) -> int:
     """Return a bound on the decompressed bytes of a chunk; 0 for a damaged chunk, which the decoder reports.
 
-    For gzip and zlib, which store no size, 0 stands for at most `most` bytes and ``3 * most`` for more.
+    For gzip and zlib, which store no size, return 0 for at most `most` bytes and ``3 * most`` for more.
     """
     try:
         if compressor == "blosc":
@@ -230,7 +230,7 @@ _KINDS = ("float32", "float64", "uint8", "int64")  # data types that are read an
 
 
 def write_group(folder: Path, attributes: Json) -> None:
-    """Write the metadata of a group, a folder of arrays, and make the folder."""
+    """Create a folder with the metadata of a group, which is a folder of arrays."""
     folder.mkdir(parents=True, exist_ok=True)
     _write_meta(folder, {"zarr_format": 3, "node_type": "group", "attributes": attributes})
 
@@ -243,7 +243,7 @@ def _write_meta(folder: Path, metadata: Json) -> None:
 class Layout:
     """Division of an array into chunks: shapes of array and chunks, data type ("<f4") and names of the axes.
 
-    A chunk is given by its index along each axis, where trailing zeros may be omitted.
+    A chunk is identified by its index along each axis; trailing zeros may be omitted.
     """
 
     shape: tuple[int, ...]
@@ -286,12 +286,12 @@ class ZarrArray:
 
     folder: Path
     layout: Layout
-    separator: str = "."  # between the numbers of a chunk in its file name
+    separator: str = "."  # between the indices of a chunk in its file name
 
     def create(self, *, fill: float = 0, attributes: Json | None = None, values: Values | None = None) -> None:
-        """Write the metadata of the array, those of its group unless they exist, and the chunks of `values` if given.
+        """Write the metadata of the array, of its group unless they exist, and the chunks of `values` if given.
 
-        Values of chunks without a file read as `fill`.
+        Readers use the value `fill` in chunks without a file.
         """
         if not (self.folder.parent / META).exists():
             write_group(self.folder.parent, {})
@@ -318,7 +318,7 @@ class ZarrArray:
 
     @classmethod
     def open(cls, folder: Path) -> Self:
-        """Return the array in a folder; ValueError if it is compressed, or not as :meth:`create` writes it."""
+        """Return the array in a folder; ValueError if its format is not one that :meth:`create` writes."""
         metadata = _meta(folder)
         kind, codecs = metadata["data_type"], metadata["codecs"]
         plain = len(codecs) == 1 and codecs[0]["name"] == "bytes" and not metadata.get("storage_transformers")
@@ -337,7 +337,7 @@ class ZarrArray:
         return self.folder / self.separator.join(("c", *map(str, self.layout.whole(index))))
 
     def packed(self, part: Values) -> memoryview:
-        """Return the bytes of a chunk, padded with zeros if it is smaller at the end of an axis."""
+        """Return the bytes of a chunk; a smaller chunk at the end of an axis is padded with zeros."""
         if part.shape != self.layout.chunks:
             part = np.pad(part, [(0, c - n) for c, n in zip(self.layout.chunks, part.shape, strict=True)])
         return np.ascontiguousarray(part, self.layout.dtype).reshape(-1).data.cast("B")
@@ -358,9 +358,9 @@ class ZarrArray:
             raise ValueError(
                 f"it has {' x '.join(map(str, array.shape))} values; the limit is {validation.MAX_VALUES}"
             )
-        # Before memory is taken: metadata may state any size.
+        # Checked before memory is allocated, since the metadata may state any size.
         if (stored := sum(_size(self.file(index)) for index in np.ndindex(*array.grid))) < array.nbytes:
-            raise ValueError(f"its values take {array.nbytes} bytes, plainly stored, got {stored}")
+            raise ValueError(f"its values take {array.nbytes} uncompressed bytes, got {stored}")
         out = np.empty(array.shape, array.dtype)
         for index in np.ndindex(*array.grid):
             out[array.within(index)] = self.get(index)
@@ -374,7 +374,7 @@ def attributes(folder: Path) -> Description:
 
 
 def _meta(folder: Path) -> Description:
-    """Return the metadata of a group or array; ValueError if their file is a link."""
+    """Return the metadata of a group or array; ValueError if the file is not a regular file."""
     _size(folder / META)
     metadata: Description = reading.json(reading.contents(folder / META, reading.MAX_PIXELS))
     return metadata

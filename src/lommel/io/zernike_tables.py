@@ -271,8 +271,10 @@ def build(
 def _setting_errors(settings: Json, where: Callable[[str], str]) -> list[str]:
     """Return errors for unknown keys, and for order, unit and normalization if they are missing or not allowed."""
     stray = [key for key in settings if key not in SETTINGS]
-    found = [f"{where(key)}: unknown key; {near(key, (*SETTINGS, 'terms'))}" for key in stray[: text_files.TOLD]]
-    found += ["unknown keys"] * len(stray[text_files.TOLD :])
+    found = [
+        f"{where(key)}: unknown key; {near(key, (*SETTINGS, 'terms'))}" for key in stray[: text_files.MAX_MESSAGES]
+    ]
+    found += ["unknown keys"] * len(stray[text_files.MAX_MESSAGES :])
     allowed = {"order": zernike.ORDERS, "unit": UNITS, "normalization": NORMALIZATIONS}
     for key, options in allowed.items():
         if key not in settings:

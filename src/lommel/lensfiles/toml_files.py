@@ -214,7 +214,7 @@ def built(
     except ValidationError as error:
         details = error.errors(include_url=False, include_context=False)
         count = len(details) + len(errors)
-        errors = [_error_message(fault, text, model) for fault in details[: text_files.TOLD]] + errors
+        errors = [_error_message(fault, text, model) for fault in details[: text_files.MAX_MESSAGES]] + errors
         raise LensFileError(text_files.joined_errors(source, errors, count)) from None
     except ArithmeticError as error:
         errors.append(f"its numbers lead to an overflow: {error}")

@@ -114,7 +114,7 @@ def test_what_is_not_ours_is_named_and_left(tmp_path, what):
 def test_a_process_killed_while_it_replaced_a_folder_has_left_the_old_one(tmp_path):
     fill(tmp_path / "a")
     there = interrupted(tmp_path / "a")
-    (tmp_path / "a").rename(there.room / "old")
+    (tmp_path / "a").rename(there.scratch / "old")
     with begun(tmp_path / "a", 2):
         assert names(tmp_path / "a") == ["made"]
     assert names(tmp_path) == ["a"]

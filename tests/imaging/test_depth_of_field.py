@@ -268,4 +268,4 @@ def test_light_far_beyond_white_is_told(tile):
             imaging.depth_of_field(scene, depth, LENS_DEPTH_NOTES, PIXEL_DEPTH_NOTES, encoding="linear", tile=tile)
         words = [str(each.message) for each in told]
         assert words == ([] if peak < 10.0 else ["there is light of 10.1 times white, which is 1 in floats; divide "
-                                                 "them by their white"])  # fmt: skip
+                                                 "by the white level"])  # fmt: skip

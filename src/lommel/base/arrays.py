@@ -1,4 +1,4 @@
-"""Types of arrays and of plain data, as JSON has them, and results as such data."""
+"""Types of arrays and of plain data (JSON), and conversion of results to plain data."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ Values = NDArray[Any]
 Numbers = np.float64 | NDArray[np.float64]
 _Index = SupportsIndex | slice | EllipsisType | Sequence[int] | NDArray[np.integer[Any]] | NDArray[np.bool_] | None
 Index = _Index | tuple[_Index, ...]
-"""Index of an array, as NumPy takes it."""
+"""Index of an array, as NumPy accepts it."""
 Json = dict[str, Any]
 """Object in plain types, as JSON represents it."""
 
@@ -33,7 +33,7 @@ def largest(values: Values) -> float:
 
 
 def numbers(values: object, shape: tuple[int, ...]) -> Numbers:
-    """Return an array of this shape, or the number of one without axes."""
+    """Return `values` as an array of this shape, or as a number if the shape is ()."""
     found: Numbers = np.asarray(values, dtype=np.float64).reshape(shape)[()]
     return found
 
@@ -41,8 +41,8 @@ def numbers(values: object, shape: tuple[int, ...]) -> Numbers:
 def plain(value: object) -> Any:
     """Return a value as plain data.
 
-    Dataclasses and named tuples become dictionaries of their public fields (of a dataclass those shown in its repr),
-    arrays and sequences lists, keys that are tuples text such as "2,0", and numbers that are not finite None.
+    Dataclasses become dictionaries of the public fields that their repr shows, and named tuples dictionaries of their
+    fields. Arrays and sequences become lists, tuple keys text such as "2,0", and numbers that are not finite None.
     """
     if hasattr(value, "to_dict"):
         return plain(value.to_dict())

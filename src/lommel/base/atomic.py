@@ -1,10 +1,10 @@
-"""Atomic writing of files and folders: they get their name only when they are complete.
+"""Atomic writing of files and folders: a file or folder gets its name only when it is complete.
 
-A file is written under a temporary name in the same folder ("target" is the final path), and then renamed.
+A file is written under a temporary name in the folder of its final path ("target"), and then renamed.
 
 A folder that is computed part by part (:class:`Unfinished`) can be continued by a later call. Until it is complete, a
-hidden folder beside the target ("room") holds `request.json`, which describes the request and is locked by the
-writing call; a checksum file for each complete part; and the folder itself, named `new`.
+hidden folder beside the target ("scratch folder") holds `request.json`, which describes the request and is locked by
+the writing call; a checksum file for each complete part; and the unfinished folder itself, named `new`.
 """
 
 from __future__ import annotations
@@ -33,8 +33,8 @@ from lommel.base import reading
 from lommel.base.arrays import Json, Values
 from lommel.base.validation import line
 
-# Prefix of temporary names, by which `_sweep` recognises files of killed processes. It is short, since names have a
-# maximum length, and no other program uses it.
+# Prefix of temporary names, by which `_sweep` recognises files that a killed process has left. It is short, since
+# file names have a maximum length, and no other program uses it.
 _PREFIX = ".lommel-"
 _DAY = 86400.0  # seconds
 _NEW = os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_BINARY", 0)  # O_BINARY: Windows converts line ends
@@ -61,12 +61,12 @@ def write(target: Path, data: bytes) -> None:
 
 
 @contextmanager
-def whole_files(room: Path | None = None) -> Iterator[Callable[[Path, bytes | memoryview], None]]:
-    """Yield a function (path, contents) that writes files; at the end all files move into place, after an error none.
+def whole_files(scratch: Path | None = None) -> Iterator[Callable[[Path, bytes | memoryview], None]]:
+    """Yield a function (path, contents) that writes files; at the end all are moved into place, after an error none.
 
-    The temporary files are in `room`, by default in the folder of each target.
+    The temporary files are in `scratch`, by default in the folder of each target.
     """
-    with _temporaries(room) as make:
+    with _temporary_files(scratch) as make:
 
         def put(target: Path, data: bytes | memoryview) -> None:
             with as_path_error(target):
@@ -76,30 +76,32 @@ def whole_files(room: Path | None = None) -> Iterator[Callable[[Path, bytes | me
 
 
 @contextmanager
-def _temporaries(room: Path | None = None, *, new: bool = False) -> Iterator[Callable[[Path], Path]]:
+def _temporary_files(scratch: Path | None = None, *, new: bool = False) -> Iterator[Callable[[Path], Path]]:
     """Yield a function that creates an empty temporary file for a target; at the end rename each to its target.
 
-    Links are followed and permissions kept. If the target has further hard links, these keep the old contents. The
-    contents are synchronised with the disk before the renames. Temporary files of a killed process are removed by the
-    next write at least a day later.
+    Links are followed and permissions kept. Other hard links to the target keep the old contents. The contents are
+    synchronised with the disk before the renames. Temporary files that a killed process has left are removed by a
+    write that is at least a day later.
     """
     made: list[tuple[Path, Path, int | None]] = []
-    if room is not None:
-        _sweep(room)
+    if scratch is not None:
+        _sweep(scratch)
 
     def make(target: Path) -> Path:
         with as_path_error(target):
-            place = _place(target)
-            temporary = (room or place.parent) / (_PREFIX + secrets.token_hex(8))
+            place = _resolve_target(target)
+            temporary = (scratch or place.parent) / (_PREFIX + secrets.token_hex(8))
             mode = stat.S_IMODE(place.stat().st_mode) if place.exists() else None
-            made.append((temporary, place, mode))  # before the file exists, in case of an interrupt between the lines
+            made.append(
+                (temporary, place, mode)
+            )  # before the file exists, in case of an interrupt after its creation
             # The system subtracts the umask of the process from 0o666.
             os.close(os.open(temporary, _NEW, 0o666 if mode is None else 0o600))
         return temporary
 
     try:
         yield make
-        # All files are synchronised before the first is renamed, so that an error such as a full disk replaces none.
+        # All files are synchronised before the first is renamed: after an error (full disk) no file is replaced.
         for temporary, place, mode in made:
             with as_path_error(place):
                 _synchronise(temporary)
@@ -107,7 +109,7 @@ def _temporaries(room: Path | None = None, *, new: bool = False) -> Iterator[Cal
                     temporary.chmod(mode)
         for temporary, place, _ in made:
             with as_path_error(place):
-                _link(temporary, place) if new else temporary.replace(place)
+                _rename_new(temporary, place) if new else temporary.replace(place)
         # A rename survives a power cut only if the folder is synchronised too.
         for folder in {place.parent for _, place, _ in made}:
             _synchronise(folder)
@@ -118,7 +120,7 @@ def _temporaries(room: Path | None = None, *, new: bool = False) -> Iterator[Cal
 
 
 def write_by(target: Path, fill: Callable[[Path], None]) -> None:
-    """Write a file by `fill`, which is called with a temporary path."""
+    """Write a file by calling `fill` with a temporary path."""
     with temporary_for(target) as temporary, as_path_error(target):
         fill(temporary)
 
@@ -129,12 +131,12 @@ def temporary_for(target: Path, *, new: bool = False) -> Iterator[Path]:
 
     FileExistsError if `new` and `target` exists.
     """
-    with _temporaries(new=new) as make:
+    with _temporary_files(new=new) as make:
         yield make(target)
 
 
-def _link(temporary: Path, place: Path) -> None:
-    """Rename a file to a new name; FileExistsError if the name exists."""
+def _rename_new(temporary: Path, place: Path) -> None:
+    """Rename a file to a name that does not exist yet; FileExistsError if it exists."""
     try:
         # A hard link fails if the name exists, whereas a rename would replace the existing file.
         os.link(temporary, place)
@@ -145,43 +147,43 @@ def _link(temporary: Path, place: Path) -> None:
 
 
 def write_folder(target: Path, fill: Callable[[Path], None], *, new: bool = False) -> None:
-    """Write a folder by `fill`, which creates it at a temporary path; it is renamed to `target` when complete."""
+    """Write a folder: `fill` creates it at a temporary path, and it is renamed to `target` when it is complete."""
     with as_path_error(target):
         place = Path(os.path.realpath(target))
         _sweep(place.parent)
-        room = place.with_name(_PREFIX + secrets.token_hex(8))
-        room.mkdir()
+        scratch = place.with_name(_PREFIX + secrets.token_hex(8))
+        scratch.mkdir()
         try:
-            fill(room / "new")
-            move_folder(room, place, new=new)
+            fill(scratch / "new")
+            move_folder(scratch, place, new=new)
         finally:
-            shutil.rmtree(room, ignore_errors=True)
+            shutil.rmtree(scratch, ignore_errors=True)
 
 
-def move_folder(room: Path, place: Path, *, new: bool = False) -> None:
-    """Move the folder `new` of a room into place, and unless `new` an existing folder to `old` of the room."""
+def move_folder(scratch: Path, place: Path, *, new: bool = False) -> None:
+    """Move scratch/new to `place`; unless `new`, move an existing folder at `place` to scratch/old before."""
     try:
-        # The result gets the permissions of the folder that it replaces, or those of the room.
-        mode = stat.S_IMODE((place if place.exists() else room).stat().st_mode)
-        for path in (room / "new", *(room / "new").rglob("*")):
+        # The result gets the permissions of the folder that it replaces, or else of the scratch folder.
+        mode = stat.S_IMODE((place if place.exists() else scratch).stat().st_mode)
+        for path in (scratch / "new", *(scratch / "new").rglob("*")):
             path.chmod(mode if path.is_dir() else mode & 0o666)
             _synchronise(path)
         if place.exists() and not new:
-            # With two renames, at least one of both folders exists at any moment.
-            place.replace(room / "old")
-        (room / "new").replace(place)
+            # Two renames: at any moment the old or the new folder exists.
+            place.replace(scratch / "old")
+        (scratch / "new").replace(place)
         _synchronise(place.parent)
     finally:
-        restore_old(room, place)
+        restore_old(scratch, place)
 
 
-def restore_old(room: Path, place: Path) -> None:
-    """Move the folder `old` of a room back into place, if there is no folder at the place."""
-    if (room / "old").exists() and not place.exists():
-        (room / "old").replace(place)
+def restore_old(scratch: Path, place: Path) -> None:
+    """Move scratch/old back to `place` if nothing exists at `place`."""
+    if (scratch / "old").exists() and not place.exists():
+        (scratch / "old").replace(place)
 
 
-def _place(target: Path) -> Path:
+def _resolve_target(target: Path) -> Path:
     """Return the path of a target with links resolved; OSError if it is a folder, device or pipe."""
     place = Path(os.path.realpath(target))
     if place.exists() and not place.is_file():
@@ -199,7 +201,7 @@ def as_path_error(target: Path) -> Iterator[None]:
         if error.errno == errno.ENOTEMPTY:  # renaming a folder to an existing folder
             error = FileExistsError(errno.EEXIST, os.strerror(errno.EEXIST))
         elif error.errno is None:  # raised by NumPy if fewer bytes were written than requested
-            error = OSError(errno.ENOSPC, f"could not be written whole, as on a disk that is full ({error})")
+            error = OSError(errno.ENOSPC, f"could not be written completely; the disk may be full ({error})")
         raise type(error)(error.errno, error.strerror, str(target)) from None
 
 
@@ -212,7 +214,7 @@ def opened(target: Path, mode: str = "wb", **options: Any) -> Iterator[Any]:
 
 @contextmanager
 def closed(make: Callable[[], _Open], target: Path) -> Iterator[_Open]:
-    """Yield the writer that `make` opens, and close it at the end; errors of opening and closing name `target`."""
+    """Yield the file that `make` opens, and close it at the end; errors of opening and closing name `target`."""
     with as_path_error(target):
         file = make()
     try:
@@ -226,11 +228,11 @@ def closed(make: Callable[[], _Open], target: Path) -> Iterator[_Open]:
 
 
 def _synchronise(path: Path) -> None:
-    """Synchronise a file, or the list of names of a folder, with the disk."""
+    """Synchronise a file, or the directory entries of a folder, with the disk."""
     try:
         handle = os.open(path, os.O_RDWR if sys.platform == "win32" else os.O_RDONLY)
     except PermissionError:
-        return  # Windows opens no folders.
+        return  # Windows cannot open folders.
     try:
         os.fsync(handle)
     except OSError as error:
@@ -243,7 +245,7 @@ def _synchronise(path: Path) -> None:
 
 @lru_cache(maxsize=64)
 def _sweep(folder: Path) -> None:
-    """Remove temporary files older than a day from a folder; it runs once per process and folder."""
+    """Remove temporary files older than a day from a folder; run only once per process and folder (cached)."""
     try:
         with os.scandir(folder) as entries:
             ours = [entry for entry in entries if entry.name.startswith(_PREFIX)]
@@ -251,11 +253,11 @@ def _sweep(folder: Path) -> None:
     except OSError:
         return  # the following write reports the error
     for path in old:
-        # A younger file may belong to a running call.
+        # Younger files are kept, since they may belong to a running call.
         if not path.is_dir():
             with suppress(OSError):  # a file of another user
                 path.unlink()
-        # A room with `old` is kept: a process killed between two renames leaves the only copy of the data there.
+        # A folder with `old` is kept: `old` is the only copy of the data if a process was killed between two renames.
         elif not (path / "old").exists():
             shutil.rmtree(path, ignore_errors=True)
 
@@ -263,9 +265,9 @@ def _sweep(folder: Path) -> None:
 if sys.platform != "win32":
     import fcntl
 
-_held: set[int] = set()
+_locked_handles: set[int] = set()
 # Errors of file systems without locks, such as some network drives.
-_NO_LOCKS = {errno.ENOLCK, errno.ENOSYS, errno.ENOTSUP, errno.EOPNOTSUPP, errno.EINVAL, errno.EBADF}
+_UNSUPPORTED_LOCK_ERRORS = {errno.ENOLCK, errno.ENOSYS, errno.ENOTSUP, errno.EOPNOTSUPP, errno.EINVAL, errno.EBADF}
 
 
 @contextmanager
@@ -273,14 +275,14 @@ def locked(mark: Path, place: Path, *, alone: bool = True) -> Iterator[bool]:
     """Hold an exclusive (`alone`) or shared lock on the file `mark`; ValueError if another call holds a lock.
 
     Yield True if the file system supports locks. Error messages name `place`, the folder that is written. The lock is
-    one of the operating system and ends with the process, so that a killed process leaves no lock.
+    a lock of the operating system, which ends with the process, so that a killed process leaves no lock.
     """
     if sys.platform == "win32" and alone:
         yield True  # no lock: Windows cannot replace an open file, not even for the process that opened it
         return
     with as_path_error(place):
         handle = os.open(mark, os.O_RDWR)
-    _held.add(handle)
+    _locked_handles.add(handle)
     supported = True
     try:
         try:
@@ -292,13 +294,13 @@ def locked(mark: Path, place: Path, *, alone: bool = True) -> Iterator[bool]:
                 f"{line(place)} is being written by another call; wait until that has ended, or choose another path"
             ) from None
         except OSError as error:
-            if error.errno not in _NO_LOCKS:
+            if error.errno not in _UNSUPPORTED_LOCK_ERRORS:
                 raise
             supported = False
         yield supported
     finally:
-        if handle in _held:  # False in a forked child, which has closed the handle already
-            _held.discard(handle)
+        if handle in _locked_handles:  # False in a forked child, which has closed the handle already
+            _locked_handles.discard(handle)
             os.close(handle)
 
 
@@ -311,40 +313,40 @@ def unknown_use(place: Path) -> ValueError:
 
 
 def _release_inherited_locks() -> None:
-    """Close the lock files inherited from the parent in a forked child, which would keep the locks otherwise."""
-    while _held:
-        os.close(_held.pop())
+    """In a forked child, close the lock files inherited from the parent; otherwise the child would keep the locks."""
+    while _locked_handles:
+        os.close(_locked_handles.pop())
 
 
 if hasattr(os, "register_at_fork"):
     os.register_at_fork(after_in_child=_release_inherited_locks)
 
 
-_MARK = "request.json"
+_REQUEST_FILE = "request.json"
 _IDENTITY = "identity"
-_MAX_ATTEMPTS = 8  # attempts to open or create the room while other calls finish or remove it
+_MAX_ATTEMPTS = 8  # attempts to open or create the scratch folder while other calls finish or remove it
 
 
 @dataclass(frozen=True)
 class Unfinished:
-    """A folder that is being computed part by part: its final path `place`, its hidden folder `room`."""
+    """A folder that is being computed part by part, in `scratch`; its final path is `place`."""
 
     place: Path
-    room: Path
+    scratch: Path
     description: Json
 
     @property
     def new(self) -> Path:
         """Folder that is moved to `place` when it is complete."""
-        return self.room / "new"
+        return self.scratch / "new"
 
     @property
     def _parts(self) -> Path:
-        # The name is unique, so that a call for an older folder cannot write into a newer one.
-        return self.room / str(self.description[_IDENTITY])
+        # The name is unique, so that a call that began with an older folder cannot write into a newer folder.
+        return self.scratch / str(self.description[_IDENTITY])
 
     def has(self, name: str, request: str, values: Values) -> bool:
-        """Return True if a part is complete, was computed for this request and has these values."""
+        """Return True if a part was recorded as complete with the same `request` and `values`."""
         try:
             return reading.contents(self._parts / name, 99) == self._sum(name, request, values)
         except OSError:
@@ -357,24 +359,24 @@ class Unfinished:
             write(self._parts / name, self._sum(name, request, values))
 
     def require_there(self) -> None:
-        """Raise ValueError if the hidden folder was removed."""
+        """Raise ValueError if the scratch folder was removed or replaced."""
         if not self._parts.is_dir():
-            raise ValueError(f"{line(self.room)} was removed while it was written; repeat the call")
+            raise ValueError(f"{line(self.scratch)} was removed while it was written; repeat the call")
 
     def finish(self) -> None:
         """Move the complete folder to `place`, where it replaces an existing folder."""
         self.require_there()
-        move_folder(self.room, self.place)
+        move_folder(self.scratch, self.place)
         self.remove()
 
     def remove(self) -> None:
-        """Remove the hidden folder; `request.json` is last, so that a later call can complete a killed removal."""
-        restore_old(self.room, self.place)  # a process may have been killed between two renames
-        for path in self.room.iterdir():
-            if path.name != _MARK:
+        """Remove the scratch folder, `request.json` last: a later call can complete an interrupted removal."""
+        restore_old(self.scratch, self.place)  # a process may have been killed between two renames
+        for path in self.scratch.iterdir():
+            if path.name != _REQUEST_FILE:
                 shutil.rmtree(path)
-        (self.room / _MARK).unlink()
-        self.room.rmdir()
+        (self.scratch / _REQUEST_FILE).unlink()
+        self.scratch.rmdir()
 
     def _sum(self, name: str, request: str, values: Values) -> bytes:
         described = {"part": name, "of": self.description[_IDENTITY], "request": request}
@@ -385,31 +387,30 @@ class Unfinished:
 def unfinished_folder(
     target: Path, request: Mapping[str, object], fill: Callable[[Path], object]
 ) -> Iterator[Unfinished]:
-    """Yield the unfinished folder of a request; if there is none, `fill` creates it at the path it is called with.
+    """Yield the unfinished folder of a request; if it does not exist, ``fill(path)`` creates it at `path`.
 
-    ValueError if another call writes it, or if the hidden folder is damaged or of another user or program. An
-    unfinished folder of another request is removed. After an error, a folder without any complete part is removed
-    too.
+    ValueError if another call is writing it, or if the scratch folder is damaged or of another user or program.
+    An unfinished folder of another request is removed, and at the end a folder without any complete part.
     """
     place = Path(os.path.realpath(target))
-    room = place.with_name(f".{place.name}.unfinished")
+    scratch = place.with_name(f".{place.name}.unfinished")
     plain_request = plain(request)
     for _ in range(_MAX_ATTEMPTS):
-        if (existing := _opened(place, room)) is None:
+        if (existing := _open_unfinished(place, scratch)) is None:
             with suppress(FileExistsError):  # another call may have created it at the same time
-                _create(place, room, plain_request, fill)
+                _create_unfinished(place, scratch, plain_request, fill)
             continue
         with ExitStack() as hold:
             try:
-                lockable = hold.enter_context(locked(room / _MARK, place))
+                lockable = hold.enter_context(locked(scratch / _REQUEST_FILE, place))
             except FileNotFoundError:
-                continue  # another call has just finished or removed it
-            # Another call may have replaced the folder before the lock.
-            if _opened(place, room) != existing:
+                continue  # another call has just finished or removed the folder
+            # Another call may have replaced the folder before this call locked it.
+            if _open_unfinished(place, scratch) != existing:
                 continue
             if existing.description["request"] != plain_request or not existing.new.is_dir():
                 if not lockable:
-                    raise unknown_use(room)
+                    raise unknown_use(scratch)
                 existing.remove()
                 continue
             try:
@@ -422,39 +423,39 @@ def unfinished_folder(
     raise ValueError(f"{line(place)} is repeatedly written by other calls; choose another path")
 
 
-def _create(place: Path, room: Path, request: Json, fill: Callable[[Path], object]) -> None:
+def _create_unfinished(place: Path, scratch: Path, request: Json, fill: Callable[[Path], object]) -> None:
     identity = secrets.token_hex(16)
     description = {_IDENTITY: identity, "request": request}
 
     def make(folder: Path) -> None:
         (folder / identity).mkdir(parents=True)
         fill(folder / "new")
-        (folder / _MARK).write_text(json.dumps(sealed(description, {})), encoding="utf-8")
+        (folder / _REQUEST_FILE).write_text(json.dumps(sealed(description, {})), encoding="utf-8")
 
     with as_path_error(place):
-        write_folder(room, make, new=True)
+        write_folder(scratch, make, new=True)
 
 
-def _opened(place: Path, room: Path) -> Unfinished | None:
-    """Return the unfinished folder, None if there is none; ValueError if `room` is anything else."""
+def _open_unfinished(place: Path, scratch: Path) -> Unfinished | None:
+    """Return the unfinished folder, None if it does not exist; ValueError if `scratch` is not valid."""
     try:
-        status = room.lstat()
-        # In a shared folder another user may create this name: links and folders of other users are refused.
+        status = scratch.lstat()
+        # In a shared folder another user may have created this name: refuse links and folders of other users.
         if not stat.S_ISDIR(status.st_mode) or (hasattr(os, "getuid") and status.st_uid != os.getuid()):
-            raise ValueError("it is a link, a file, or of another user")
-        if not (found := list(room.iterdir())):
+            raise ValueError("it is a link, a file, or belongs to another user")
+        if not (found := list(scratch.iterdir())):
             return None
         if any(path.is_symlink() for path in found):
             raise ValueError("it holds links")
-        description = reading.json(reading.contents(room / _MARK))
+        description = reading.json(reading.contents(scratch / _REQUEST_FILE))
         if not isinstance(description, dict) or description.pop("checksum", "") != checksum(description, {}):
-            raise ValueError(f"its {_MARK} is damaged")
+            raise ValueError(f"its {_REQUEST_FILE} is damaged")
     except (FileNotFoundError, ValueError) as error:
-        if not os.path.lexists(room):  # it does not exist, or was removed meanwhile
+        if not os.path.lexists(scratch):  # it does not exist, or has just been removed
             return None
-        reason = f"it lacks {_MARK}" if isinstance(error, FileNotFoundError) else reading.reason(error)
-        raise ValueError(f"{line(room)} holds no unfinished result: {reason}; move or remove it") from None
-    return Unfinished(place, room, description)
+        reason = f"it lacks {_REQUEST_FILE}" if isinstance(error, FileNotFoundError) else reading.reason(error)
+        raise ValueError(f"{line(scratch)} holds no unfinished result: {reason}; move or remove it") from None
+    return Unfinished(place, scratch, description)
 
 
 def plain(description: Mapping[str, object]) -> Json:
@@ -464,7 +465,7 @@ def plain(description: Mapping[str, object]) -> Json:
 
 
 def sealed(description: Json, arrays: Mapping[str, NDArray[np.generic]]) -> Json:
-    """Return a description with the additional entry "checksum", of the arrays and of all other entries."""
+    """Return a description with the entry "checksum" added: a checksum of the arrays and of all other entries."""
     return description | {"checksum": checksum(description, arrays)}
 
 
@@ -493,7 +494,7 @@ def crc32(description: Mapping[str, object], arrays: Mapping[str, NDArray[np.gen
     total = zlib.crc32(json.dumps(entries, sort_keys=True, allow_nan=False).encode())
     for name in sorted(arrays):
         values = arrays[name]
-        # Little-endian bytes in C order, so that all machines and memory layouts have the same checksum.
+        # Use little-endian bytes in C order: the checksum does not depend on the machine or the memory layout.
         plain = np.ascontiguousarray(values, dtype=values.dtype.newbyteorder("<"))
         total = zlib.crc32(plain.data.cast("B") if plain.size else b"", zlib.crc32(name.encode(), total))
     return total

@@ -1,4 +1,4 @@
-"""Properties computed once, without the lock of `functools` in Python 3.11, copies that keep these, and equality."""
+"""Cached properties without the lock of Python 3.11, copies that keep cached values, and equality by content."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ if TYPE_CHECKING or sys.version_info >= (3, 12):
     cached_property = functools.cached_property
 else:
 
-    class cached_property(functools.cached_property):  # noqa: N801 (as that one is called)
+    class cached_property(functools.cached_property):  # noqa: N801 (the name in functools)
         """Property computed at the first access, without a lock: two threads may both compute it."""
 
         def __get__(self, instance: Any, owner: type | None = None) -> Any:
@@ -22,20 +22,20 @@ else:
 
 
 _Thing = TypeVar("_Thing")
-# `Lens.pupil` takes as long as a hundred attribute look-ups; `dict.update` would add a sixth.
+# Speed matters: `Lens.pupil` takes only as long as 100 attribute look-ups, and `dict.update` would add a sixth.
 _new, _set = object.__new__, object.__setattr__
 
 
 def made(kind: type[_Thing], parts: dict[str, object]) -> _Thing:
-    """Return an object of this `kind` with the attributes `parts`, checked by the caller; it owns the dictionary."""
-    # Past __init__ and the checks of frozen dataclasses, which take longer than the rest of a small computation.
+    """Return an object of the class `kind` whose ``__dict__`` is `parts`, which the caller must have checked."""
+    # Skip __init__ and the checks of frozen dataclasses, which take longer than the rest of a small computation.
     thing = _new(kind)
     _set(thing, "__dict__", parts)
     return thing
 
 
 def changed(thing: _Thing, **parts: object) -> _Thing:
-    """Return a copy with other attributes `parts`; unlike `replace` it checks nothing and keeps cached values."""
+    """Return a copy with the attributes `parts` changed; unlike `replace`, check nothing and keep cached values."""
     copy = _new(type(thing))
     _set(copy, "__dict__", thing.__dict__ | parts)
     return copy
@@ -45,7 +45,7 @@ class EqualByContent:
     """Base of objects that are equal if their class and content are equal."""
 
     def _content(self) -> object:
-        """Return all values that distinguish the object, hashable."""
+        """Return a hashable value that is equal for equal objects only."""
         raise NotImplementedError
 
     def __eq__(self, other: object) -> bool:

@@ -1,4 +1,4 @@
-"""Dispatch of plots, notebook tables and files of objects to functions that other modules register."""
+"""Dispatch of plotting, notebook display and saving of objects to functions that other modules register."""
 
 from __future__ import annotations
 
@@ -10,12 +10,12 @@ _Function = TypeVar("_Function", bound=Callable[..., object])
 
 
 def load(what: str) -> None:
-    """Import the modules that register every "plot", "table" or "file"; the package, above them, replaces this."""
+    """Import all modules that register a `what`, "plot", "table" or "file"; the package replaces this function."""
 
 
 @singledispatch
 def plot(thing: object, *args: object, **options: object) -> Any:
-    """Draw a PSF, a pupil or a wavefront on axes of matplotlib, and return these."""
+    """Draw a PSF, a pupil or a wavefront on axes of matplotlib, and return the axes."""
     return _registered(plot.dispatch, thing, "plot")(thing, *args, **options)
 
 
@@ -27,14 +27,14 @@ def save(thing: object, *args: object, **options: object) -> None:
 
 @singledispatch
 def html(thing: object) -> str:
-    """Return what a notebook shows: a picture beside a table of numbers."""
+    """Return the HTML that a notebook shows: a picture beside a table of numbers."""
     text: str = _registered(html.dispatch, thing, "table")(thing)
     return text
 
 
 def _registered(dispatch: Callable[[type], _Function], thing: object, what: str) -> _Function:
     load(what)
-    # singledispatch falls back to the function of `object`, which is the undecorated one that called here.
+    # Without a registered function, dispatch returns the function for `object`, which has called this function.
     found = dispatch(type(thing))
     if found is dispatch(object):
         raise TypeError(f"there is no {what} of a {type(thing).__name__}")
@@ -47,15 +47,15 @@ _named: dict[str, Callable[..., Any]] = {}
 def register(name: str) -> Callable[[_Function], _Function]:
     """Return a decorator that registers a function under a name, for :func:`named`."""
 
-    def known(function: _Function) -> _Function:
+    def decorate(function: _Function) -> _Function:
         _named[name] = function
         return function
 
-    return known
+    return decorate
 
 
 def named(name: str, what: str) -> Callable[..., Any]:
-    """Return the function registered under a name by a module above, a "plot" or a "file"."""
+    """Return the function registered under a name; before, import the modules of the kind `what` if necessary."""
     if name not in _named:
         load(what)
     return _named[name]

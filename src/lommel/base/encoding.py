@@ -10,7 +10,7 @@ from lommel.base.arrays import Values
 
 ENCODINGS = ("linear", "srgb")
 
-_MAX_LIGHT = 10.0  # in units of white: brighter scenes are rare, integer levels converted to floats are common
+_MAX_LIGHT = 10.0  # times white; larger values are probably integer levels that were converted to floats
 
 _PART = 2**16  # number of values encoded together, so that intermediate arrays stay in the cache of a processor
 
@@ -73,7 +73,7 @@ def scene_light(name: str, values: NDArray[np.generic], encoding: str, dtype: DT
 def warn_if_bright(light: Values) -> None:
     """Issue a UserWarning if light exceeds ten times white."""
     if light.size and (peak := float(np.max(light))) > _MAX_LIGHT:
-        validation.tell(f"there is light of {peak:.4g} times white, which is 1 in floats; divide them by their white")
+        validation.tell(f"there is light of {peak:.4g} times white, which is 1 in floats; divide by the white level")
 
 
 def from_light(light: Values, encoding: str, dtype: DTypeLike) -> Values:

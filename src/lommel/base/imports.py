@@ -18,7 +18,7 @@ from importlib import _bootstrap, import_module
 from typing import Any
 
 PATIENCE = 10.0
-"""Seconds after which a fork stops waiting: an import may itself wait for the thread that forks."""
+"""Seconds after which a fork stops waiting, since an import may wait for the thread that forks."""
 
 # Weak references to the lock of each module being imported, by name. There is no public interface to these.
 _locks: dict[str, Any] = _bootstrap._module_locks  # type: ignore[attr-defined]
@@ -34,7 +34,7 @@ def _importers() -> dict[str, int | None]:
 
 
 def _wait_for_imports() -> None:
-    """Wait for imports by other threads, unless this thread is importing too: they may be waiting for it."""
+    """Wait for imports by other threads, unless this thread is importing too: they may be waiting for its import."""
     this_thread, deadline = threading.get_ident(), time.monotonic() + PATIENCE
     while (importers := _importers()) and this_thread not in importers.values() and time.monotonic() < deadline:
         time.sleep(0.001)
@@ -44,14 +44,14 @@ def _release_locks() -> None:
     """Release, in a child process, the locks of modules that threads of the parent were importing."""
     for name, owner in _importers().items():
         if owner != threading.get_ident():
-            # Such an import began after the wait. A module that is half initialised must be imported again.
+            # The import began after the wait. A partly initialised module is removed, so that it is imported again.
             _locks.pop(name, None)
             if getattr(getattr(sys.modules.get(name), "__spec__", None), "_initializing", False):
                 del sys.modules[name]
 
 
 def guard() -> None:
-    """Make all future forks of this process wait for imports; to be called once."""
+    """Make all future forks of this process wait for imports; must be called only once."""
     if hasattr(os, "register_at_fork"):
         os.register_at_fork(before=_wait_for_imports, after_in_child=_release_locks)
 
@@ -59,7 +59,7 @@ def guard() -> None:
 def parts(package: str, exports: str | None = None) -> tuple[Callable[[str], object], Callable[[], list[str]]]:
     """Return functions ``__getattr__`` and ``__dir__`` for a package whose contents are imported on first use.
 
-    These are its modules and, if given, the names in ``__all__`` of its module `exports`.
+    The contents are its modules and, if `exports` is given, the names in ``__all__`` of its module `exports`.
     """
 
     def attribute(name: str) -> object:
@@ -67,7 +67,7 @@ def parts(package: str, exports: str | None = None) -> tuple[Callable[[str], obj
             try:
                 return import_module(f"{package}.{name}")
             except ModuleNotFoundError as error:
-                if error.name != f"{package}.{name}":  # the module exists, and one of its own imports is missing
+                if error.name != f"{package}.{name}":  # the module exists, but a module that it imports is missing
                     raise
         if exports is not None:
             source = import_module(f"{package}.{exports}")

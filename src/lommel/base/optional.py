@@ -23,12 +23,12 @@ def library(name: str, user: str, extra: str) -> ModuleType:
         return import_module(name)
     except ModuleNotFoundError:
         raise ImportError(f"{user} {how_to_get(name, extra)}") from None
-    except ImportError as error:  # installed, but cannot be loaded, for lack of memory say
+    except ImportError as error:  # installed, but cannot be loaded, for example for lack of memory
         raise ImportError(f"{user} {name}, which cannot be loaded: {' '.join(str(error).split())}") from None
 
 
 def require(name: str, user: str, extra: str) -> None:
-    """Raise the ImportError of :func:`library` where a module is missing, without importing it."""
+    """Raise the ImportError of :func:`library` if a module is missing, without importing the module."""
     from importlib.util import find_spec  # late: rarely needed
 
     if find_spec(name.partition(".")[0]) is None:
@@ -36,7 +36,7 @@ def require(name: str, user: str, extra: str) -> None:
 
 
 def how_to_get(name: str, extra: str) -> str:
-    """Return how to install a module, valid for wheels and for clones."""
+    """Return instructions to install a module, for users of wheels and of clones of the repository."""
     top = name.partition(".")[0]
     # The environment of a clone has no pip.
     clone = Path(__file__).parents[3] / "Makefile"

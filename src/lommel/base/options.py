@@ -16,7 +16,7 @@ _Callable = TypeVar("_Callable", bound=Callable[..., object])
 def shares(keywords: type, source: Callable[..., object], **defaults: object) -> Callable[[_Callable], _Callable]:
     """Return a decorator that lists the options of `keywords` in a signature and its docstring (``{options}``).
 
-    `source` is a dataclass or function that has them; a subclass may restate the default and text of an option.
+    `source` is a dataclass or function with these options; a subclass may change defaults and descriptions.
     """
 
     def show(function: _Callable) -> _Callable:
@@ -47,7 +47,7 @@ def sentence(source: Callable[..., object], name: str) -> str:
 
 
 def _texts(source: Callable[..., object]) -> dict[str, str]:
-    """Return the entries of the section Parameters by name, those of base classes first: text from the type on."""
+    """Return the text (type and description) of each entry of the section Parameters; base classes come first."""
     found: dict[str, str] = {}
     for kind in reversed(getattr(source, "__mro__", (source,))):
         section = inspect.cleandoc(kind.__doc__ or "").partition("Parameters\n----------\n")[2]
@@ -66,6 +66,6 @@ def require_known(function: Callable[..., object], given: Mapping[str, object], 
 def near(name: str, known: Iterable[str]) -> str:
     """Return a suggestion for a misspelt name, or the list of all valid ones."""
     each = {one.lower(): one for one in known}
-    # Limited to 60 characters: the time of difflib grows with the square of the length.
+    # The name is cut to 60 characters, since the time of difflib grows with the square of the length.
     matches = difflib.get_close_matches(name[:60].lower(), each, n=1)
     return f"did you mean {each[matches[0]]}?" if matches else f"known are {', '.join(each.values())}"

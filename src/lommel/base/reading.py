@@ -1,7 +1,7 @@
 """Reading and parsing of files, with checks of the required memory and time before a file is decoded.
 
-Reading a plain file takes at most 256 MB or ten times its size in memory, whichever is larger, and at most one second
-of processor time per megabyte. For compressed files, whose contents may be much larger, the factor is a hundred.
+Reading a plain file takes at most 256 MB of memory or ten times the file size, whichever is larger, and at most one
+second of processor time per megabyte. For compressed files the limit of memory is a hundred times the file size.
 """
 
 from __future__ import annotations
@@ -45,7 +45,7 @@ if TYPE_CHECKING:
 Tags = dict[int, NDArray[np.generic]]
 
 MAX_PIXELS = validation.MAX_SIDE**2
-"""Maximum number of pixels of a picture, and of characters of a description."""
+"""Maximum number of pixels in a picture, and of bytes in a description."""
 
 MAX_PICTURE_SIDE = 2**16
 """Maximum number of pixels along one side of a picture."""
@@ -57,7 +57,7 @@ MAX_LIST = 2**19
 """Maximum size in bytes of a list, such as the terms of one wavefront."""
 
 MAX_TOML = 2**18
-"""Maximum size in bytes of a lens file; two bytes of TOML may make the parser allocate half a kilobyte."""
+"""Maximum size in bytes of a lens file; the parser may allocate half a kilobyte for two bytes of TOML."""
 
 MEMORY = 2**28
 """Bytes of memory that reading a file of any size may take."""
@@ -65,24 +65,24 @@ MEMORY = 2**28
 NPZ_TIMES = 4
 """Memory for reading the arrays of a .npz file divided by their size."""
 
-# Maximum of memory / file size, for plain and compressed files that may exceed MEMORY.
+# Maximum of memory / file size, for plain and for compressed files, if the memory exceeds MEMORY.
 _TIMES, _COMPRESSED = 10, 100
-_HEADER = 2**16  # bytes that are read for the header of an array, which is usually one line
+_HEADER = 2**16  # number of bytes read to parse the header of an array, which is usually one line
 _TIFF_TYPES = {1: 1, 2: 1, 3: 2, 4: 4, 5: 8, 6: 1, 7: 1, 8: 2, 9: 4, 10: 8, 11: 4, 12: 8, 13: 4, 16: 8, 17: 8, 18: 8}
 _TIFF_INTEGERS = {1: "u1", 3: "u2", 4: "u4", 13: "u4", 16: "u8", 18: "u8"}
 _DESCRIPTION = 270  # tag ImageDescription, which tifffile parses if it is XML
 _MANAGER = 51123  # tag of Micro-Manager's metadata
 _TIFF_PAGE = 2**12  # bytes of memory that tifffile uses for a page
 _TIFF_FRAME = 2**10  # bytes of memory that tifffile uses for a page that resembles the first
-_PLANE = 2**6  # bytes of memory that tifffile and this package use for a plane of the metadata
+_PLANE = 2**6  # bytes of memory that tifffile and this package use for each image plane that the metadata state
 _TAGS = 4096  # maximum number of tags of a page
 DEFLATE = (8, 32946)
 """Codes of the compression deflate in TIFF files."""
 
-_MAX_DEFLATE_RATIO = 1032  # 258 bytes from two bits (RFC 1951, 3.2.5)
+_MAX_DEFLATE_RATIO = 1032  # two bits may encode 258 bytes (RFC 1951, 3.2.5)
 # Compressions whose decoded size is known before decoding.
 _COMPRESSIONS = {1: "none", 5: "LZW", 8: "deflate", 32773: "PackBits", 32946: "deflate"}
-_SCANS = 20  # number of scans of a JPEG from which the time is limited; progressive files have about ten
+_SCANS = 20  # number of scans above which the time to decode a JPEG is limited; progressive files have about ten
 _MEMBERS = 1000  # maximum number of members of an archive
 _PARTS = 16  # maximum number of parts of a dotted key; lens files have at most four
 _KEY = r"(?:[\w-]+|\"[^\"\n]*\"|'[^'\n]*')"
@@ -139,7 +139,7 @@ def decoded(data: bytes) -> str:
 
 
 def toml(text: str) -> Json:
-    """Return the contents of a TOML text; ValueError if it is not valid, or nested too deeply."""
+    """Parse a TOML text; ValueError if it is not valid, or nested too deeply."""
     import tomllib
 
     if len(text) > MAX_TOML:
@@ -153,11 +153,11 @@ def toml(text: str) -> Json:
 
 
 def json(data: bytes | str, pairs: Callable[[list[tuple[str, object]]], object] | None = None) -> Any:
-    """Return the contents of a JSON text; ValueError if it is not valid, or would take too much memory."""
+    """Parse a JSON text; ValueError if it is not valid, or would take too much memory."""
     from json import loads
 
     text = data.decode() if isinstance(data, bytes) else data
-    # Bytes of the Python objects that the parser creates for each of these characters.
+    # Bytes of the Python objects that the parser may create for each occurrence of these characters.
     marks = (("[", 128), ("{", 320), (",", 32), (":", 96), ('"', 28))
     afford(2 * len(text) + sum(each * text.count(mark) for mark, each in marks), len(text), _TIMES)
     try:
@@ -181,7 +181,7 @@ def _afford_xml(text: str) -> None:
     """Raise ValueError for XML that would take too much memory, or defines entities, which expand without limit."""
     if "<!ENTITY" in text:
         raise ValueError("it defines XML entities, which are not supported")
-    # Bytes that Python uses for an element and for an attribute.
+    # Python uses up to 512 bytes for an element and 160 bytes for an attribute.
     afford(2 * len(text) + 512 * text.count("<") + 160 * text.count("="), len(text), _TIMES)
 
 
@@ -204,7 +204,7 @@ def refused_as(kind: type[ValueError], source: Path, what: str) -> Iterator[None
 def pixels(width: int, height: int) -> None:
     """Raise ValueError if a picture exceeds the maximum number of pixels or the maximum side."""
     if not 0 < width * height <= MAX_PIXELS:
-        raise ValueError(f"it has {width} x {height} pixels; the limit is {MAX_PIXELS} in all")
+        raise ValueError(f"it has {width} x {height} pixels; the limit is {MAX_PIXELS} in total")
     if max(width, height) > MAX_PICTURE_SIDE:
         raise ValueError(f"it has {width} x {height} pixels; the limit of a side is {MAX_PICTURE_SIDE}")
 
@@ -231,7 +231,7 @@ def npy_mapped(path: Path) -> NDArray[np.generic]:
 def _npy_header(data: bytes, most: int) -> tuple[int, tuple[int, ...], bool, np.dtype[np.generic]]:
     file = io.BytesIO(data)
     try:
-        # Warnings are errors here: NumPy issues them for obsolete formats of the header.
+        # Warnings become errors here: NumPy issues warnings for obsolete formats of the header.
         with warnings.catch_warnings():
             warnings.simplefilter("error")
             version = np.lib.format.read_magic(file)
@@ -247,7 +247,7 @@ def _npy_header(data: bytes, most: int) -> tuple[int, tuple[int, ...], bool, np.
 
 
 def npz(data: bytes) -> dict[str, Callable[[int], NDArray[np.generic]]]:
-    """Return for each array of a .npz file, by name, a function that reads it with a limit on its size."""
+    """Return for each array of a .npz file, by name, a function that reads it; its argument limits the size."""
     import zipfile
 
     def read(member: zipfile.ZipInfo, most: int) -> NDArray[np.generic]:
@@ -255,12 +255,12 @@ def npz(data: bytes) -> dict[str, Callable[[int], NDArray[np.generic]]]:
             head = file.read(_HEADER)
             start, shape, _, kind = _npy_header(head, most)
             size = start + math.prod(shape) * kind.itemsize
-            # A member is decoded only if its size in the archive's directory matches its header.
+            # Decode a member only if the size in its .npy header equals the size in the directory of the archive.
             if size != member.file_size:
                 raise ValueError(f"{validation.shown(member.filename)} takes {size} bytes, got {member.file_size}")
             return npy(head + file.read(), most)[0]
 
-    # Counted before the archive is opened, since opening creates a Python object for each member.
+    # The members are counted before the archive is opened, since opening creates a Python object for each member.
     if data.count(b"PK\1\2") > _MEMBERS:
         raise ValueError(f"it has more than {_MEMBERS} members")
     archive = zipfile.ZipFile(io.BytesIO(data))
@@ -293,7 +293,7 @@ def png(data: bytes) -> Image:
 
 
 def png_takes(count: int, bits: int, colour: bool) -> int:
-    """Return the bytes of memory for reading `count` pixels of a PNG: in Pillow, our copy, and depth in float64."""
+    """Return the bytes of memory for reading `count` pixels of a PNG: Pillow's image, a copy, and float64 depth."""
     return count * ((14 if bits == 16 else 8) if colour else 13)
 
 
@@ -301,12 +301,12 @@ def jpeg(data: bytes) -> Image:
     """Return a JPEG file opened by Pillow, not yet decoded; ValueError if decoding would take too long."""
     from PIL.JpegImagePlugin import JpegImageFile
 
-    # Every scan covers the whole image, so that a small file with many scans could take minutes.
+    # Every scan covers the whole image, so that decoding a small file with many scans could take minutes.
     scans = data.count(b"\xff\xda")
     file = JpegImageFile(io.BytesIO(data))
     width, height = file.size
     pixels(width, height)
-    # With several scans the decoder keeps all coefficients of the image, 16 bits each.
+    # With several scans the decoder stores all DCT coefficients of the image, 16 bits each.
     sampled = [across * down for _, across, down, _ in getattr(file, "layer", [])] or [1]
     kept = 2.0 * sum(sampled) / max(sampled) if scans > 1 else 0.0
     afford(width * height * (7.0 + kept), len(data))
@@ -329,7 +329,7 @@ def webp(data: bytes) -> Image:
         if kind == b"VP8 ":
             width, height = (side & 0x3FFF for side in struct.unpack_from("<HH", data, 26))
     pixels(width, height)
-    afford(18.0 * width * height, len(data))  # two canvases, the decoded image, its copy, and our copy
+    afford(18.0 * width * height, len(data))  # two canvases, the decoded image and two copies of it
     from PIL.WebPImagePlugin import WebPImageFile
 
     return WebPImageFile(io.BytesIO(data))
@@ -385,8 +385,8 @@ def tiff(data: bytes) -> Iterator[TiffFile]:
 def tiff_on_disk(path: Path) -> tuple[TiffFile, list[str]]:
     """Return a TIFF file of any size, opened by tifffile, and the errors that tifffile logged.
 
-    Only the first page is checked here; :func:`tiff_values` checks each page when it is read. Other files that the
-    OME metadata name are checked in the same way, and must be regular files in the same folder.
+    Only the first page is checked here; :func:`tiff_values` checks each page when it is read. The first page of each
+    other file that the OME metadata name is checked too; it must be a regular file in the same folder.
     """
     import tifffile
 
@@ -422,13 +422,13 @@ def _tiff_first(path: Path) -> tuple[Tags, list[int]]:
 def _tiff_chain(file: int, data: mmap.mmap) -> list[int]:
     """Return the number of pixels of each page; ValueError if the chain of pages is circular or leaves the file.
 
-    Pages are read by `os.pread`: access through the memory map would keep the surrounding memory pages resident.
+    The file is read by `os.pread`, since access through the memory map would keep the surrounding memory resident.
     """
     order, big = _tiff_order(data)
     head, entry, word = (struct.Struct(order + part) for part in (("Q", "HHQ", "Q") if big else ("H", "HHI", "I")))
     (at,) = word.unpack_from(data, 8 if big else 4)
     seen, sizes, room = set[int](), list[int](), 2**9
-    # Entries up to width and height of the previous page, with which most pages begin, and its number of pixels.
+    # First entries of the previous page, up to width and height, and its number of pixels: most pages begin equally.
     start, pixels_of_start = b"", 0
     try:
         while at:
@@ -436,7 +436,7 @@ def _tiff_chain(file: int, data: mmap.mmap) -> list[int]:
                 raise ValueError("its chain of pages is circular")
             seen.add(at)
             afford(_TIFF_FRAME * len(seen), len(data), _TIMES)
-            # Read as many bytes as the largest page so far had: for most pages one system call suffices.
+            # Read as many bytes as the largest header of a page so far: for most pages one system call suffices.
             part = os.pread(file, room, min(at, len(data)))
             (count,) = head.unpack_from(part)
             if count > _TAGS:
@@ -455,7 +455,7 @@ def _tiff_chain(file: int, data: mmap.mmap) -> list[int]:
 
 
 def _tiff_sides(entries: bytes, order: str, entry: struct.Struct, each: int) -> tuple[bytes, int]:
-    """Return the bytes of a page's entries up to width and height (b"" if one is missing), and their product."""
+    """Return the entries of a page up to its width and height (b"" if one is missing), and width * height."""
     kinds = {1: "B", 3: "H", 4: "I", 16: "Q"}
     sides: dict[int, int] = {}
     for place in range(0, len(entries) - each + 1, each):
@@ -495,7 +495,7 @@ def _afford_ome(path: Path, text: str, sizes: list[int]) -> None:
 
 
 def _afford_manager(path: Path) -> None:
-    """Check the other files that tifffile reads with a file of Micro-Manager: its stack, or its NDTiff index."""
+    """Check the files that tifffile reads together with a file of Micro-Manager: its stack, or its NDTiff index."""
     import tifffile
 
     if "_MMStack" in path.name:
@@ -523,7 +523,7 @@ def _beside(path: Path, name: str) -> Path | None:
     file = path.parent / name
     if not os.path.lexists(file):
         return None
-    # Names with a folder are refused: metadata of a downloaded file could name any file of this computer.
+    # Refuse names with a folder: the metadata of a downloaded file could name any file of this computer.
     if name != Path(name).name or "\\" in name:
         raise ValueError(f"its metadata name {validation.shown(name)}; only files beside it are read")
     if not stat.S_ISREG(file.lstat().st_mode):
@@ -534,8 +534,8 @@ def _beside(path: Path, name: str) -> Path | None:
 def tiff_values(page: Any, shape: tuple[int, ...], dtype: np.dtype[np.generic]) -> Values:
     """Return the values of a page; ValueError unless it has the `shape` and `dtype` of the first page.
 
-    ValueError too if the page would take more memory than the first. All pages share the handle of the file, so that
-    only one thread at a time may read them.
+    ValueError too if its compression is not supported, or a strip or tile is too large for the page. All pages share
+    the handle of the file, so that only one thread at a time may read them.
     """
     kind, handle = page.keyframe, page.parent.filehandle
     count, size = math.prod(shape), math.prod(shape) * dtype.itemsize
@@ -546,11 +546,11 @@ def tiff_values(page: Any, shape: tuple[int, ...], dtype: np.dtype[np.generic]) 
         raise ValueError(f"its compression is of the kind {int(kind.compression)}, which is not supported")
     part = math.prod(page.chunks) * dtype.itemsize
     if part > max(4 * size, 2**20 * dtype.itemsize):
-        raise ValueError(f"it has parts of {part} bytes for {size}")
+        raise ValueError(f"it has strips or tiles of {part} bytes for a page of {size} bytes")
     needed = count * kind.bitspersample // 8
     if kind.compression == 1 and sum(page.databytecounts) < needed:
-        raise ValueError(f"its {needed} bytes are {sum(page.databytecounts)} in the file")
-    closed = handle.closed  # an image may consist of more files than can be open at a time
+        raise ValueError(f"its values take {needed} bytes, got {sum(page.databytecounts)}")
+    closed = handle.closed  # an image may consist of more files than can be open simultaneously
     if closed:
         handle.open()
     try:
@@ -566,7 +566,7 @@ def tiff_values(page: Any, shape: tuple[int, ...], dtype: np.dtype[np.generic]) 
 
 
 def tiff_array(page: TiffPage | TiffFrame) -> Values:
-    """Return the values of a page; ValueError if neither tifffile nor Pillow, which reads LZW, can decode it."""
+    """Return the values of a page; ValueError if neither tifffile nor, for LZW, Pillow can decode it."""
     if page.compression != _LZW or find_spec("imagecodecs"):
         return np.asarray(page.asarray())
     from PIL.TiffImagePlugin import TiffImageFile
@@ -588,7 +588,7 @@ def tiff_array(page: TiffPage | TiffFrame) -> Values:
 
 @contextmanager
 def _unprinted() -> Iterator[None]:
-    """Suppress libtiff's messages on standard error, whose errors are also exceptions; only one thread at a time."""
+    """Suppress libtiff's messages on standard error (its errors are raised as exceptions); one thread at a time."""
     # The C library writes to file descriptor 2 directly, so that replacing sys.stderr would have no effect.
     with _STDERR_LOCK, Path(os.devnull).open("wb") as null_file:
         try:
@@ -614,8 +614,8 @@ _PILLOW_IMAGES: WeakKeyDictionary[TiffFile, TiffImageFile] = WeakKeyDictionary()
 def tiff_mapped(file: TiffFile, series: TiffPageSeries, path: Path, count: int) -> Values | None:
     """Return the planes of a series as a memory map if they are contiguous in the file; otherwise None.
 
-    Files of ImageJ may have a page for the first plane only. ValueError if the description states more data than the
-    file holds.
+    Files of ImageJ may have only one page, for the first plane. ValueError if the description states more data than
+    the file contains.
     """
     dtype, sides = np.dtype(series.dtype).newbyteorder(file.byteorder), series.shape[-2:]
     start, needed = series.dataoffset, count * math.prod(sides) * dtype.itemsize
@@ -623,7 +623,7 @@ def tiff_mapped(file: TiffFile, series: TiffPageSeries, path: Path, count: int) 
         if start + needed > size(path):
             raise ValueError(f"{needed} bytes of {count} images are more than the file holds")
         return np.memmap(path, dtype, "r", start, (count, *sides))
-    if series.kind != "ome" and count > len(file.pages):  # pages missing from OME metadata are reported later
+    if series.kind != "ome" and count > len(file.pages):  # missing pages of OME files are reported later
         raise ValueError(f"its description states {count} images; it has {len(file.pages)} pages")
     return None
 
@@ -634,7 +634,7 @@ def tiff_left_out(file: TiffFile) -> str:
     ValueError if the description states more images than there are pages.
     """
     count, series = len(file.pages), file.series[0]
-    if not file.is_imagej or count <= 1:  # ImageJ may store many images behind a single page
+    if not file.is_imagej or count <= 1:  # with one page, ImageJ may store many images
         return ""
     stated = (file.imagej_metadata or {}).get("images", math.prod(series.shape) // max(1, series.keyframe.size))
     if stated > count:
@@ -661,7 +661,7 @@ def _larger_below(data: bytes | mmap.mmap, first: Tags) -> bool:
 
 
 def _tiff_pages(data: bytes | mmap.mmap) -> Iterator[Tags]:
-    """Yield the tags of each page: arrays of integers, empty for tags of other types."""
+    """Yield the tags of each page as arrays of integers; a tag of another type has an empty array."""
     order, big = _tiff_order(data)
     seen: set[int] = set()
     (at,) = struct.unpack_from(f"{order}Q" if big else f"{order}I", data, 8 if big else 4)
@@ -732,7 +732,7 @@ def _tiff_page(data: bytes | mmap.mmap, tags: Tags) -> int:
     if len(places) < parts or (compression != 1 and len(sizes) < parts):
         raise ValueError(f"it has {min(len(places), len(sizes))} parts; {width} x {height} pixels take {parts}")
     for place, size in zip(places[:parts].tolist(), sizes[:parts].tolist(), strict=False):
-        # Deflate states no decompressed size, so that each part is inflated up to the size that it must have.
+        # Deflate data do not state their decompressed size: inflate each part, up to the size that it must have.
         if compression in DEFLATE and not inflates_within(data[place : place + size], most):
             raise ValueError(f"a part of it inflates to more than its {most} bytes")
     return 0 if compression == 1 else width * height * (13 + 2 * samples * ((bits + 7) // 8))
@@ -774,7 +774,7 @@ def hdf5_values(found: Dataset, size: int) -> NDArray[np.generic]:
         if found.nbytes > size:
             raise ValueError(f"it must be stored in one piece, got {found.nbytes} bytes of {size}")
         return np.asarray(found[()])
-    # Memory for the values as float64 with a mask. Chunks that inflate to more than their size are refused below.
+    # Memory for the values as float64 with a mask. Below, chunks that inflate to more than their size are refused.
     afford(3 * max(found.nbytes, 8 * found.size), size)
     chunk = math.prod(found.chunks) * found.dtype.itemsize
     filters = found.id.get_create_plist()
@@ -794,7 +794,7 @@ def hdf5_values(found: Dataset, size: int) -> NDArray[np.generic]:
 
 @contextmanager
 def quietly() -> Iterator[list[str]]:
-    """Suppress tifffile's log; yield the list of errors that this thread logs, as the caller reports them."""
+    """Suppress tifffile's log; yield the list of errors that this thread logs, which the caller reports."""
     log, errors, this_thread = logging.getLogger("tifffile"), list[str](), threading.get_ident()
 
     def collect(record: logging.LogRecord) -> bool:
@@ -802,7 +802,7 @@ def quietly() -> Iterator[list[str]]:
             errors.append(record.getMessage())
         return False
 
-    log.addFilter(collect)  # one filter for each reader, since several threads may read
+    log.addFilter(collect)  # each call adds its own filter, since several threads may read
     try:
         yield errors
     finally:

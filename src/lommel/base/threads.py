@@ -1,4 +1,4 @@
-"""Application of a function to several items on several threads, and matrix products for such functions."""
+"""Calls of a function for several items on several threads, and matrix products inside such a function."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ Result = TypeVar("Result")
 
 
 class _Cancelled(BaseException):
-    """Exception that ends the tasks of all other threads after an error in one thread."""
+    """Exception that is raised in all other threads after an error in one thread."""
 
 
 _SINGLE_THREAD_PRODUCTS = 1 << 18  # number of multiplications up to which OpenBLAS uses one thread
@@ -70,8 +70,8 @@ def side_by_side(task: Callable[[Item], Result], each: Sequence[Item], threads: 
 def product(a: Values, b: Values) -> Values:
     """Return ``a @ b``, computed in blocks that are so small that OpenBLAS uses only the calling thread.
 
-    Threads of OpenBLAS wait for one another in busy loops. In tasks of :func:`side_by_side`, on a computer with other
-    work, they would wait twenty times as long as they compute.
+    Threads of OpenBLAS wait for one another in busy loops. In tasks of :func:`side_by_side`, on a computer that runs
+    other programs, they would wait twenty times as long as they compute.
     """
     result = np.empty((a.shape[0], b.shape[1]), np.result_type(a, b))
     columns = max(1, math.isqrt(_SINGLE_THREAD_PRODUCTS // a.shape[1]))

@@ -1,4 +1,4 @@
-"""Unit strings of the command line and of lens files."""
+"""Parse and format lengths, angles and numbers with units, for the command line and lens files."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ _QUANTITY = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?|[+-]?inf(
 
 
 def parse_length(text: str | float, example: str = "550 nm") -> float:
-    """Return metres from a text such as ``"3.45 um"`` or ``"50mm"``; a unit is required except for 0 and infinity.
+    """Return metres from text such as ``"3.45 um"`` or ``"50mm"``; a unit is required except for 0 and infinity.
 
     Units: km, m, cm, mm, um, nm, pm, angstrom, in. The result is correctly rounded, except for inches.
 
@@ -33,7 +33,7 @@ def parse_length(text: str | float, example: str = "550 nm") -> float:
     ----------
     text : str or float
     example : str
-        Length that errors suggest.
+        Example of a valid text in error messages.
 
     Returns
     -------
@@ -115,7 +115,7 @@ def format_length(metres: float, *, like: float | None = None, digits: int = 4) 
         return "infinity" if metres > 0 else "-infinity"
     size = abs(metres if like is None else like)
     for name in ("m", "mm", "um", "nm"):
-        # A little below one unit, so that 0.99996 mm is rounded to "1 mm" and not to "1000 um".
+        # The limit is slightly below one unit, so that 0.99996 mm becomes "1 mm" and not "1000 um".
         if size >= 0.99995 * LENGTHS[name]:
             break
     else:
@@ -124,7 +124,7 @@ def format_length(metres: float, *, like: float | None = None, digits: int = 4) 
 
 
 def with_error(value: float, error: float, *, most: int = 300) -> tuple[str, str]:
-    """Return a value and its standard error, both rounded to two digits of the error and at most `most` decimals."""
+    """Return a value and its standard error as text, rounded to two digits of the error, at most `most` decimals."""
     if not 0.0 < error < math.inf:
         return f"{value:.6g}", f"{error:g}"
     places = min(max(0, 1 - math.floor(math.log10(error))), most)
@@ -132,7 +132,7 @@ def with_error(value: float, error: float, *, most: int = 300) -> tuple[str, str
 
 
 def number(value: float) -> str:
-    """Return a number with four significant digits, in full where it is large."""
+    """Return a number as text with four significant digits; a large number is not written with an exponent."""
     text = f"{value:.4g}"
     return f"{value:.0f}" if "e+" in text else text
 
@@ -143,27 +143,27 @@ def known(value: float | None, form: str) -> str:
 
 
 def percent(share: float | None, digits: int = 0) -> str:
-    """Return a fraction in percent with so many decimals, or "-" for None."""
+    """Return a fraction as text in percent with `digits` decimals, or "-" for None."""
     return "-" if share is None else f"{100.0 * share:.{digits}f} %"
 
 
 def strehl_ratio(value: float | None) -> str:
-    """Return a Strehl ratio with four significant digits, or "< 1e-10" below its own error."""
+    """Return a Strehl ratio with four significant digits, or "< 1e-10" if it is below its numerical error."""
     return known(value, ".4g") if value is None or value > 1e-10 else "< 1e-10"
 
 
 def per_mm(frequency: float) -> str:
-    """Return a spatial frequency (cycles per metre) with its unit."""
+    """Return a spatial frequency, given in cycles per metre, as text in cycles per millimetre."""
     return f"{1e-3 * frequency:.4g} cycles/mm"
 
 
 def pitch_in_words(pixel: float | tuple[float, ...]) -> str:
-    """Return the pixel pitch with its unit, or height x width."""
+    """Return the pixel pitch as text with a unit; for a pixel that is not square, height x width."""
     return " x ".join(format_length(side) for side in ([pixel] if isinstance(pixel, float) else pixel))
 
 
 def with_units(message: str) -> str:
-    """Return a message of the library with lengths as users write them, ``"3.45 um"`` for 3.45e-6."""
+    """Return a message of the library with lengths as on the command line: ``"3.45 um"`` instead of 3.45e-6."""
     units = {"6": "um", "9": "nm"}
     message = re.sub(r"\bfor ([\d.e+-]+ mm) [\d.e+-]+e-3\b", r'for \1 "\1"', message)
     return re.sub(r"\bgive ([\d.]+)e-([69])\b", lambda found: f'write "{found[1]} {units[found[2]]}"', message)
@@ -193,7 +193,7 @@ def _parse(text: object, units: dict[str, float], kind: str, example: str, other
 
 def _scaled(number: str, unit: str) -> float:
     """Return the float nearest to a decimal number times a power of ten."""
-    # In decimal digits: a product of two floats may round to a neighbour of the nearest float.
+    # The exponents are added in decimal, since a product of two floats may not be the nearest float.
     digits, _, power = number.lower().partition("e")
     if digits.lstrip("+-").startswith("inf") or len(power) > 9:
         return float(number)

@@ -1,4 +1,4 @@
-"""Validation of arguments: each error or note names the argument, its value and the values allowed."""
+"""Validation of arguments: each error message names the argument, its value and the allowed values."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 
 def tell(note: str) -> None:
-    """Issue a UserWarning that refers to the line of the caller outside this package."""
+    """Issue a UserWarning that refers to the line outside this package from which the package was called."""
     # A fixed stacklevel would refer to a line of this package, since the number of frames varies.
     level, frame = 1, sys._getframe()
     while frame.f_back is not None and frame.f_globals.get("__name__", "").startswith("lommel."):
@@ -37,7 +37,7 @@ MAX_VALUES = 2**31
 """Largest number of values of one result (8 GiB of float32)."""
 
 MAX_REACH = 1e6
-"""Largest distance from the axis, in v; in focus, the intensity there is below 1e-17 of the peak."""
+"""Largest distance from the axis, in v; in focus, the intensity at this distance is below 1e-17 of the peak."""
 
 
 _SHOWN = 120  # maximum number of characters of a value in a message
@@ -49,16 +49,16 @@ _Value = TypeVar("_Value")
 
 
 def shown(value: object) -> str:
-    """Return a value as text for a message: on one line, and without its middle if it is too long."""
+    """Return a value as text for a message: on one line; the middle of a long text is omitted."""
     try:
         text = " ".join(_brief.repr(readable(value) if isinstance(value, str) else value).split())
-    except ValueError:  # Python refuses to write integers of more than 4300 digits
+    except ValueError:  # Python does not convert integers of more than 4300 digits to text
         text = f"<{type(value).__name__}>"
     return brief(text)
 
 
 def brief(text: str, most: int = _SHOWN) -> str:
-    """Return a text, without its middle if it is too long for a message."""
+    """Return a text, whose middle is omitted if it has more than `most` characters."""
     return text if len(text) <= most else f"{text[: most - 20]}...{text[-17:]}"
 
 
@@ -79,18 +79,18 @@ def readable(text: str) -> str:
         return text
     try:
         return os.fsencode(text).decode(errors="replace")
-    except UnicodeEncodeError:  # other surrogates, which no file name has
+    except UnicodeEncodeError:  # other surrogates, which do not occur in file names
         return text
 
 
 def _instead(value: object, *kinds: type[object]) -> str:
-    """Return hints on how to convert a value of this type to one of `kinds`, from their attribute `made_of`."""
+    """Return hints on the conversion of `value` to one of `kinds`, from the attribute `made_of` of these classes."""
     found = (getattr(kind, "made_of", {}).get(type(value).__name__) for kind in kinds)
     return "".join(f"; {hint}" for hint in found if hint)
 
 
 def instance(name: str, value: _Value, kind: type[object]) -> _Value:
-    """Return `value` if it is of this type; TypeError otherwise."""
+    """Return `value` if it is an instance of `kind`; TypeError otherwise."""
     if not isinstance(value, kind):
         article = "an" if kind.__name__[0] in "AEIOU" else "a"
         raise TypeError(f"{name} must be {article} {kind.__name__}, got {shown(value)}{_instead(value, kind)}")
@@ -98,7 +98,7 @@ def instance(name: str, value: _Value, kind: type[object]) -> _Value:
 
 
 def optional(name: str, value: object, *kinds: type[object]) -> None:
-    """Raise TypeError for a value that is neither None nor of one of these types."""
+    """Raise TypeError for a value that is neither None nor an instance of one of `kinds`."""
     if value is not None and not isinstance(value, kinds):
         allowed = " or ".join(kind.__name__ for kind in kinds)
         raise TypeError(f"{name} must be of the type {allowed}, or None, got {shown(value)}{_instead(value, *kinds)}")
@@ -132,7 +132,7 @@ def real(
     unit: str = "",
 ) -> float:
     """Return `value` as a finite float, ``> above``, ``>= least``, ``< below`` and ``<= most``; or raise an error."""
-    # First the common case: the check of an abstract class such as numbers.Real is slow.
+    # The common case is tested first, since isinstance with an abstract class such as numbers.Real is slow.
     if isinstance(value, float):
         number = float(value)
     elif isinstance(value, numbers.Real | np.ndarray | np.generic) and _is_real_scalar(value):
@@ -201,18 +201,18 @@ def array(name: str, value: ArrayLike) -> Values:
     refuse_masked(name, held)
     try:
         return np.asarray(held)
-    except (ValueError, TypeError, OverflowError):  # ragged sequences and objects: refused later by their dtype
+    except (ValueError, TypeError, OverflowError):  # ragged sequences and objects: later checks refuse the dtype
         return np.asarray(None)
 
 
 def refuse_masked(name: str, value: object) -> None:
-    """Raise TypeError for a container with a non-empty mask, of NumPy or astropy."""
+    """Raise TypeError for an array or container (NumPy, astropy) in which values are masked."""
     if _masked(value):
         raise TypeError(f"{name} must not be masked; fill the masked values, or omit them")
 
 
 def parted(name: str, value: object) -> tuple[Values, NDArray[np.bool_] | None]:
-    """Return the numbers of a container, or of a list of containers, and their mask (True: ignored) or None.
+    """Return the numbers of a container, or of a list of containers, and their mask (True: masked), None without one.
 
     TypeError if it does not hold numbers, ValueError if masked containers in a list have different shapes.
     """
@@ -234,7 +234,7 @@ _NUMBERS = (float, int, np.ndarray, np.float64, str)  # types without a mask, te
 
 
 def computed(value: object) -> Any:
-    """Return a value unchanged, or the computed array of a lazy container (dask, astropy), to check its mask."""
+    """Return the array of a container (dask, computed; astropy's NDData), or any other value unchanged."""
     if type(value) in _NUMBERS or isinstance(value, np.ndarray):
         return value
     if isinstance(value, list | tuple):
@@ -252,10 +252,10 @@ def _masked(value: object) -> bool:
         return False
     if isinstance(value, list | tuple):
         return any(_masked(part) for part in value if type(part) not in _NUMBERS)
-    if type(value).__module__.partition(".")[0] == "lommel":  # `mask` of an aperture is part of its shape
+    if type(value).__module__.partition(".")[0] == "lommel":  # the `mask` of an aperture is an optical element
         return False
     mask = getattr(value, "mask", None)
-    if mask is None or callable(mask):  # pandas has a method of this name
+    if mask is None or callable(mask):  # in pandas `mask` is a method
         return False
     kept = np.asarray(mask)
     return bool(kept.dtype.kind in "biu" and kept.any()) or (
@@ -276,7 +276,7 @@ def real_array(name: str, value: float | ArrayLike, *, least: float = -math.inf,
     if isinstance(value, float) and math.isfinite(value) and least <= value <= most:
         found = np.array(value, dtype=np.float64)  # a single number: checks of arrays are slow
     else:
-        with np.errstate(over="ignore"):  # a long double outside the range becomes infinite, which is refused below
+        with np.errstate(over="ignore"):  # a long double beyond the range of float64 becomes infinite: refused below
             found = np.array(number_array(name, value), dtype=np.float64, subok=False)
         bad = ~(np.isfinite(found) & (found >= least))
         if most < math.inf:
@@ -313,13 +313,13 @@ def axes(name: str, value: object) -> None:
 
 
 def kind(name: str, value: object, *allowed: type[np.generic]) -> np.dtype[Any]:
-    """Return the dtype that `value` names, one of those allowed; TypeError otherwise."""
+    """Return the dtype that `value` specifies; TypeError if it is not one of `allowed`."""
     options = [np.dtype(one) for one in allowed]
     try:
         found: np.dtype[Any] = np.dtype(cast(DTypeLike, value))
     except Exception:  # NumPy raises errors of many types for an invalid dtype
         found = np.dtype(object)
-    number = isinstance(value, np.generic) and not isinstance(value, str)  # a NumPy number has a dtype, but is none
+    number = isinstance(value, np.generic) and not isinstance(value, str)  # a NumPy number is not a dtype
     if value is None or number or found not in options:
         *others, last = map(str, options)
         raise TypeError(f"{name} must be {', '.join(others)} or {last}, got {shown(value)}")
@@ -339,7 +339,7 @@ def image_shape(shape: object) -> tuple[int, int]:
 
 
 def stack_shape(shape: object, own: tuple[int, ...]) -> tuple[int, ...]:
-    """Return the shape to which a stack of shape `own` is broadcast; TypeError or ValueError if it is not valid."""
+    """Return `shape` if a stack of shape `own` can be broadcast to it; TypeError or ValueError otherwise."""
     if not isinstance(shape, tuple | list):
         raise TypeError(f"shape must be a tuple of integers, got {shown(shape)}")
     sides = tuple(integer("shape", side, least=0, most=MAX_VALUES) for side in shape)
@@ -363,7 +363,7 @@ def position(name: str, value: object) -> tuple[float, float]:
 
 
 def positions(name: str, value: object) -> tuple[float, float] | tuple[Array, Array]:
-    """Return :func:`position`; or, if a part is an array, read-only arrays ``(rows, columns)`` of a common shape."""
+    """Return ``(row, column)``, or read-only arrays ``(rows, columns)`` of a common shape if `value` has arrays."""
     if not isinstance(value, tuple | list | np.ndarray) or getattr(value, "ndim", 1) == 0 or len(value) != 2:
         turned = f": give tuple({name}.T)" if isinstance(value, np.ndarray) and value.shape[1:] == (2,) else ""
         raise ValueError(f"{name} must be (row, column), or (rows, columns) of several, got {shown(value)}{turned}")
@@ -381,11 +381,11 @@ def positions(name: str, value: object) -> tuple[float, float] | tuple[Array, Ar
 
 
 def wavelength(value: object, name: str = "wavelength") -> float:
-    """Return a wavelength in metres; the error for a number that is likely in nm or um has a hint."""
+    """Return a wavelength in metres; the error message has a hint if the number is probably in nm or um."""
     metres = real(name, value, above=0.0, unit="metres")
     if not 1e-12 <= metres <= 1e-2:
         hint = ""
-        # Such numbers are probably in nanometres or micrometres.
+        # The number is probably in nanometres or micrometres.
         if 100 <= metres <= 20000:
             hint = f"; for {metres:g} nm give {metres:g}e-9"
         elif 0.05 <= metres < 100:
@@ -416,7 +416,7 @@ def pitch(name: str, value: object) -> float | tuple[float, float]:
 
 
 def fill(name: str, value: object) -> tuple[float, float]:
-    """Return the active fractions of height and width of a pixel, from a pair or from one fraction of its area."""
+    """Return the active fractions of a pixel's height and width, from two fractions or a fraction of the area."""
     if not isinstance(value, tuple | list):
         side = math.sqrt(_part(name, value))
         return side, side

@@ -1,4 +1,4 @@
-"""Results of the compiled core and of the methods: fields, intensities, images; and their exceptions."""
+"""Results and exceptions of the compiled core and of the methods: fields, intensities and images."""
 
 # No `from __future__ import annotations`: compiling annotations that are text slows down the import of NamedTuples.
 
@@ -14,14 +14,14 @@ DType = np.dtype[Any]  # type of the values of an image
 
 
 class Declined(ValueError):  # noqa: N818 (not an error: another method is tried)
-    """A pupil or window outside the range of a method; the compiled core raises it too."""
+    """Exception for a pupil or window outside the range of a method; the compiled core raises it too."""
 
 
 Pixels = Values  # values of images as they are stored, float32 or float64
 
 
 class ToleranceError(ArithmeticError):
-    """A method cannot meet the requested tolerance; `bound` is its proven bound on the relative error, if known."""
+    """Error of a method that cannot meet the tolerance; `bound` is its proven relative error bound, or None."""
 
     bound: float | None = None
 
@@ -29,7 +29,7 @@ class ToleranceError(ArithmeticError):
 def not_met(tol: float, bound: float, what: str, where: str = "in double precision") -> ToleranceError:
     """Return the exception for a method whose error bound, relative to `what`, exceeds `tol`."""
     size = f"{bound:.2g} of {what}" if bound < 1.0 else f"as large as {what}"
-    # Twice the bound, since the bound may increase with the tolerance.
+    # Suggest twice the bound, since the bound may increase with the tolerance.
     enough = _rounded_up(2.0 * bound) if 1e-300 < bound < 0.05 else 1.0
     advice = f"; give tol={enough:g}" if tol < enough < 1.0 else ""
     error = ToleranceError(f"tol={tol:g} cannot be met {where}: the proven error bound is {size}{advice}")
@@ -55,34 +55,34 @@ class Intensities(NamedTuple):
 
     values: Array  # (n, radii) or (n, height, width)
     error: Array | None  # (n,), bounds on max(abs(I - I_exact)) / peak; None if the method has no bound
-    peak: Array | None = None  # (n,), intensity that the errors are relative to
+    peak: Array | None = None  # (n,), intensity by which the errors are divided
 
 
 class Wanted(NamedTuple):
     """Request for images: scale, type, output array, derivatives and threads."""
 
-    # Factor of I, one for each image (n,) or one for all; None divides each image by its largest value.
+    # Factor of I, one number or (n,), one for each image; None to divide each image by its largest value.
     scale: float | Array | None = 1.0
     dtype: DTypeLike = np.float64  # float32 or float64
     out: Pixels | None = None  # (n, height, width), array for the values
-    powers: tuple[int, ...] = ()  # derivatives are by the phase coefficients of t^k, for these k
+    powers: tuple[int, ...] = ()  # exponents k; derivatives are with respect to the phase coefficients of t^k
     threads: int = 0  # maximum number of threads; 0 for the number of processors
-    terms: tuple[tuple[int, int], ...] = ()  # derivatives are by the coefficients of these Zernike terms (n, m)
+    terms: tuple[tuple[int, int], ...] = ()  # (n, m) of Zernike terms for derivatives with respect to coefficients
 
 
 class Slopes(NamedTuple):
     """Derivatives of images with respect to k coefficients of the phase."""
 
     values: Pixels  # (k, n, height, width)
-    error: Array  # (k, n), bounds on errors, relative to the peak of the intensity
+    error: Array  # (k, n), bounds on (error / peak of the intensity)
 
 
 class Images(NamedTuple):
     """Images of n pupils (a flattened stack), scaled and in their final type."""
 
     values: Pixels  # (n, height, width)
-    scale: Array  # (n,), factors that the intensities were multiplied by
-    error: Array | None  # (n,), bounds on errors relative to the peak; None if the method has no bound
+    scale: Array  # (n,), factors by which the intensities were multiplied
+    error: Array | None  # (n,), bounds on (error / peak); None if the method has no bound
     slopes: Slopes | None = None
     peak: Array | None = None  # (n,), peaks of the unscaled intensity, which may lie outside the window
 

@@ -1,12 +1,12 @@
 """Functions of the compiled core, with named results and Python exceptions; no other module imports the core.
 
-All arguments are arrays and numbers, so that another implementation can replace the core. The core encodes "divide by
-the largest value" as scale 0, and a missed tolerance as a nonzero or negative bound; here these are a scale of None
-and a ToleranceError.
+The core encodes "divide by the largest value" as the scale 0, and a missed tolerance as a nonzero or negative bound.
+In this file these are a scale of None and a ToleranceError.
 
-Terms of this file: n is the number of pupils of a flattened stack, v the optical coordinate pi r / (lambda N). The
-chordal rule integrates over the pupil along chords (rows of constant y); each chord has quadrature points ("nodes").
-By symmetry only the nodes of one quadrant are stored. "Certificate" is the document with the proofs of the bounds.
+Terms of this file: n is the number of pupils of a flattened stack; v = pi r / (lambda N) is the optical coordinate; U
+is the field and I = abs(U)^2 the intensity. The chordal rule integrates over the pupil along chords (rows of constant
+y); each chord has quadrature points ("nodes"). By symmetry only the nodes of one quadrant (x > 0, y > 0) are stored.
+Distances in v are distances on the sensor. "Certificate" is the document with the proofs of the bounds.
 """
 
 # No `from __future__ import annotations`: compiling annotations that are text slows down the import of NamedTuples.
@@ -66,7 +66,7 @@ class RadialStack(NamedTuple):
 
 
 class DiskStack(NamedTuple):
-    """Pupils with arbitrary wavefronts; obscuration and amplitude are as of :class:`RadialStack`."""
+    """Pupils with arbitrary wavefronts; obscuration and amplitude are those of :class:`RadialStack`."""
 
     terms: NDArray[np.int32]  # (k, 2), n and m of each Zernike term, m < 0 for sines
     edge: Array  # (n, k), coefficients of the terms, radians at the edge
@@ -79,7 +79,7 @@ class Window(NamedTuple):
 
     shape: tuple[int, int]  # height and width
     center: tuple[float, float] | Array  # row and column of the axis; as an array (n, 2), or (1, 2) for all pupils
-    step: float  # pitch in v
+    step: float  # pixel pitch in v
 
 
 _NO_DERIVATIVES: dict[str, object] = {}
@@ -92,13 +92,13 @@ def _common_scale(wanted: Wanted) -> float:
 
 
 def _outputs(count: int, window: Window, wanted: Wanted) -> tuple[float, Pixels, Array]:
-    """Return the scale, and arrays for results of the core: images, and (factor, error, peak) of each image."""
+    """Return the scale, and arrays for results: images, and (factor of I, error bound, peak) of each image."""
     values = np.empty((count, *window.shape), wanted.dtype) if wanted.out is None else wanted.out
     return _common_scale(wanted), values, np.empty((3, count))
 
 
 def _require(unmet: float, tol: float, relative_to: str) -> None:
-    """Raise ToleranceError unless `unmet`, the bound that exceeds `tol`, is 0."""
+    """Raise ToleranceError if `unmet` is not 0; it is then the error bound, which exceeds `tol`."""
     if unmet:
         raise not_met(tol, unmet, relative_to)
 
@@ -121,7 +121,7 @@ def radial_images(
 
 
 def filters_pay(stack: RadialStack, window: Window, tol: float, *, derivatives: bool = False) -> bool:
-    """Return True if pixel averages (or, with `derivatives`, their derivatives) are faster from finer samples."""
+    """Return True if pixel averages (with `derivatives`, their derivatives) are faster by filtering finer samples."""
     return _core.filters_pay(stack, window, tol, derivatives)
 
 
@@ -131,7 +131,7 @@ def radial_plan(
     """Return a fast function f(terms, values) for :func:`radial_images` of stacks that differ in their terms only.
 
     f writes the images to `values` and returns their scales and largest error bound. f returns None and writes
-    nothing if the arrays have the wrong shape or type, or if :func:`filters_pay`.
+    nothing if the arrays have the wrong shape or type, or if :func:`filters_pay` returns True.
     """
     scale, kind = _common_scale(wanted), np.dtype(wanted.dtype).char
     request = tol, wanted.threads, scale
@@ -153,7 +153,7 @@ def radial_plan(
 
 
 def _error_reference(wanted: Wanted) -> str:
-    """Return in words the value that errors of images are relative to."""
+    """Return in words the value by which errors of images are divided."""
     return 'the largest value in the window (normalize="peak")' if wanted.scale is None else "the peak"
 
 
@@ -163,18 +163,18 @@ def series_images(stack: DiskStack, window: Window, tol: float, wanted: Wanted) 
 
 
 class FarPixels(NamedTuple):
-    """Averages over the pixels far from the axis of each image; 0 for nearer pixels."""
+    """Averages over the pixels that are far from the axis of each image, and 0 for all other pixels."""
 
     values: Array  # (n, height, width)
-    nearest: Array  # (n,), smallest distance from the axis of computed pixels, in pixels
-    error: Array  # (n,), bounds on the error of the intensity
-    axes: Array  # (n, 2), row and column
+    nearest: Array  # (n,), smallest distance of a computed pixel from the axis, in pixels
+    error: Array  # (n,), bounds on the error of I
+    axes: Array  # (n, 2), row and column of the axis
 
 
 def far_averages(stack: DiskStack, window: Window, most: float, tol: float, threads: int) -> FarPixels:
-    """Return averages over pixels at distances at which their errors are likely below `tol` of the largest average.
+    """Return averages over pixels so far from the axis that their errors are likely below tol * (largest average).
 
-    If this distance exceeds `most` (in v), no pixel is computed, and `nearest` exceeds the distances of all pixels.
+    If the nearest such pixel is farther than `most` (in v), no pixel is computed; `nearest` exceeds all distances.
     """
     count = len(stack.edge)
     values, numbers = np.empty((count, *window.shape)), np.empty((count, 5))
@@ -192,7 +192,7 @@ def chordal_images(
 ) -> Images:
     """Return point samples by the chordal rule, with errors relative to the largest value in the window.
 
-    Errors of derivatives by `wanted.terms` are relative to the same value; they have bounds, but may exceed `tol`.
+    Errors of derivatives with respect to `wanted.terms` have bounds relative to this value, which may exceed `tol`.
     With `if_cheaper`, Declined is raised if :func:`series_images` is likely to be faster.
     """
     relative_to = "the largest value in the window"
@@ -218,7 +218,7 @@ def _averages_outputs(count: int, window: Window, wanted: Wanted) -> tuple[Image
 def disk_averages(
     stack: DiskStack, window: Window, tol: float, wanted: Wanted, *, if_cheaper: bool = False
 ) -> Images | None:
-    """Return averages over pixels, with errors relative to the largest average at any position of the pixel.
+    """Return averages over pixels, with errors relative to the largest average at any position of a pixel.
 
     None if another method suits better. With `if_cheaper`, Declined is raised if :func:`series_images` is likely to
     be faster.
@@ -231,9 +231,9 @@ def disk_averages(
 ApertureRule = Callable[[float, float, bool, int, int], tuple[Array, float, bool] | None]
 """Function that computes the weights of a quadrature rule for an aperture.
 
-Arguments: largest distance in v, error allowed for fields there, True for sums in single precision, numbers of nodes
-along y and along x. Results: weights of a quadrant, error of fields with these weights, True if this error includes
-the error of sums in single precision. None if there is no such rule.
+Arguments: largest distance from the axis in v, allowed error of U up to this distance, True for sums in single
+precision, numbers of nodes along y and along x. Results: weights of a quadrant, error of U with these weights, and
+True if this error includes the error of sums in single precision. None instead if no rule meets the allowed error.
 """
 
 
@@ -248,7 +248,7 @@ def aperture_averages(
 ) -> Images | None:
     """Return averages over pixels for an arbitrary aperture, whose amplitude is part of the weights of `rule`.
 
-    The weights have the shape (chords, nodes, 8): real and imaginary parts at (x, y), (x, -y), (-x, y) and (-x, -y).
+    The weights have the shape (chords, nodes, 8): real and imaginary part at (x, y), (x, -y), (-x, y) and (-x, -y).
     None if the core finds no suitable nodes for the window, or if `rule` returns None.
     """
     images, (scale, *outputs) = _averages_outputs(len(stack.edge), window, wanted)
@@ -289,7 +289,7 @@ def chordal_plan(
 def chordal_gradient(
     stack: DiskStack, window: Window, tol: float, weights: Array, terms: tuple[tuple[int, int], ...], threads: int = 0
 ) -> Array:
-    """Return derivatives of sum(weights * intensity) by the coefficients of Zernike `terms`, shape (n, k)."""
+    """Return derivatives of sum(weights * I) with respect to the coefficients of k Zernike `terms`, shape (n, k)."""
     gradient, by_terms = np.empty((len(stack.edge), len(terms))), np.array(terms, dtype=np.int32)
     _require(
         _core.chordal_gradient(stack, window, tol, threads, weights, by_terms, gradient),
@@ -300,7 +300,7 @@ def chordal_gradient(
 
 
 def chordal_sums(stack: DiskStack, window: Window, counts: tuple[int, int], threads: int = 0) -> NDArray[np.float32]:
-    """Return intensities ``(n, width, height)`` in single precision, without a bound, for counts (chords, nodes)."""
+    """Return I, shape (n, width, height), in single precision, without a bound, for `counts` (chords, nodes)."""
     intensities = np.empty((len(stack.edge), *window.shape[::-1]), dtype=np.float32)
     _core.chordal_sums(stack, window, counts, threads, intensities)
     return intensities
@@ -309,7 +309,7 @@ def chordal_sums(stack: DiskStack, window: Window, counts: tuple[int, int], thre
 def chordal_sums_gradient(
     stack: DiskStack, window: Window, counts: tuple[int, int], weights: Array, threads: int = 0
 ) -> Array:
-    """Return derivatives by all coefficients of sum(weights * I), with I of :func:`chordal_sums`.
+    """Return derivatives of sum(weights * I) with respect to all coefficients, for I of :func:`chordal_sums`.
 
     `weights` have the shape ``(n, height, width)``.
     """
@@ -319,11 +319,11 @@ def chordal_sums_gradient(
 
 
 class NodeTables(NamedTuple):
-    """Components of the electric field in the pupil ("fields") at the nodes of a quadrant, x > 0 and y > 0.
+    """Components of the electric field in the pupil ("fields") at the nodes of a quadrant.
 
-    A field is a sum of k contributions ("shares") ``factor * sum_n c_n R_n``, where the radial functions R_n of the
-    sum are a "part" of all radial functions. A parity is 2 (odd in x, else 0) + 1 (odd in y, else 0). The last two
-    axes of every table, "...", are chord and node.
+    A field is a sum of k contributions ("shares") ``factor * sum_n c_n R_n``. The radial functions R_n are divided
+    into groups ("parts"); each sum runs over one part. A parity is 2 if a function is odd in x, plus 1 if it is odd
+    in y. The last two axes of every table, "...", are chord and node.
     """
 
     radial: Array  # (terms, ...), radial functions of all parts
@@ -333,7 +333,7 @@ class NodeTables(NamedTuple):
 
 
 class NodeWaves(NamedTuple):
-    """Results of :func:`folded_waves`, and for each plane the index of its wave."""
+    """Results of :func:`folded_waves`, and the index of the wave of each plane."""
 
     values: NDArray[np.complex128]  # (kinds, waves, 4, ...)
     which: NDArray[np.int32]  # (planes,)
@@ -347,16 +347,16 @@ class NodeTerms(NamedTuple):
 
 
 def folded_waves(terms: NodeTerms, edge: Array, weights: Array, largest: float) -> NDArray[np.complex128]:
-    """Return weighted sums of exp(i W) over (+-x, +-y) of each node, for each parity: (kinds, wavefronts, 4, ...).
+    """Return for each node and parity the weighted sum of exp(i W) over (+-x, +-y): (kinds, wavefronts, 4, ...).
 
     W is the sum of `terms` times the coefficients `edge` of shape (wavefronts, terms). If `largest`, a bound on
-    abs(W), is positive, there is a second kind, ``i W exp(i W) / largest``.
+    abs(W), is positive, sums of ``i W exp(i W) / largest`` are the second kind.
     """
     return _core.folded_waves(terms, edge, weights, largest)
 
 
 class SeriesSizes(NamedTuple):
-    """Bounds on the parts of the amplitudes, on complex curves around the real angles and at real angles."""
+    """Bounds on the parts (:class:`NodeTables`) of amplitudes, at real angles and on complex curves around them."""
 
     on_curves: Array  # (series, planes, parts, curves)
     moduli: Array  # (series, planes, parts)
@@ -367,8 +367,9 @@ def chordal_series_sizes(
 ) -> tuple[SeriesSizes, float, float]:
     """Return bounds on amplitude series, and half the required number of chords and of nodes.
 
-    `coefficients` have the shape (series, planes, terms); `powers` (terms, curves) bound the terms on the curves. A
-    number is the minimum over the curves of ``chosen[i, curve] + rate * log(largest part on the curve)``.
+    `coefficients` have the shape (series, planes, terms); `powers` (terms, curves) bound the terms on the curves. The
+    numbers (i = 0 for chords, 1 for nodes) are the minimum over the curves of
+    ``chosen[i, curve] + rate[curve] * log(largest part on the curve)``.
     """
     on_curves, moduli, chords, nodes = _core.chordal_series_sizes(coefficients, ends, powers, rate, chosen)
     return SeriesSizes(on_curves, moduli), chords, nodes
@@ -385,9 +386,9 @@ def chordal_field_errors(
 ) -> Array:
     """Return bounds on the errors of sums over chords and nodes, of shape (sets, planes, fields).
 
-    A set of fields has a series, and factors `curves` (sets, curves) of the parts on the curves, for chords and for
-    nodes. `left` bounds the truncation of the series, `rounding` the relative rounding error of the moduli. A field
-    is the sum of parts times `shares` (fields, parts); `error` is a further error of each part.
+    A set of fields has a series (index `series`). The arrays `curves`, of shape (sets, curves), are factors of the
+    parts on the curves, for chords and for nodes. `left` bounds the truncation error of the series, `rounding` the
+    rounding error / modulus. A field is a sum of parts times `shares` (fields, parts); `error` is added to each part.
     """
     return _core.chordal_field_errors(*sizes, series, *curves, left, rounding, shares, error)
 
@@ -399,7 +400,7 @@ def chordal_series_light(
     window: Window,
     sets: NDArray[np.int32],
     terms: NodeTerms,
-    wrong: Array,
+    field_errors: Array,
     power: Array,
     threads: int = 0,
 ) -> tuple[Array, Array, Array]:
@@ -407,11 +408,13 @@ def chordal_series_light(
 
     The intensity is the sum of abs(field)^2 divided by the `power` of the plane. Values have the shape (sets, planes,
     height, width), bounds and largest moduli (sets, planes). `coefficients` have the shape (series, planes, terms).
-    Each row of `sets` defines the fields of one derivative (the first row, of the intensity): index of the series,
-    index of the one of `terms` that is multiplied by i (-1 for none), and kind of the waves. `wrong` (sets, planes,
-    fields) bounds the errors of the fields.
+    Each row of `sets` defines the fields of one derivative (the first row: of the intensity) by three integers: the
+    index of the series, the index in `terms` of a term that is multiplied by i (-1 for none), and the kind of the
+    waves. `field_errors` (sets, planes, fields) are bounds on the errors of the fields.
     """
-    return _core.chordal_series_light(tables, (coefficients, sets), terms, waves, window, wrong, power, threads)
+    return _core.chordal_series_light(
+        tables, (coefficients, sets), terms, waves, window, field_errors, power, threads
+    )
 
 
 def chordal_series_gradient(
@@ -424,11 +427,11 @@ def chordal_series_gradient(
     weights: Array,
     threads: int = 0,
 ) -> tuple[Array, Array]:
-    """Return sum(weights * intensity) of each plane and its derivatives, with the intensity of the function above.
+    """Return sum(weights * I) of each plane and its derivatives, with I of :func:`chordal_series_light`.
 
-    `weights` have the shape (planes, height, width). Results for each plane: the sum, its derivatives by the sets
-    from the second on (which must have no term), and by all `terms`; in a second array, the largest intensity and the
-    largest modulus of each field.
+    `weights` have the shape (planes, height, width). The first array has for each plane the sum, its derivatives
+    defined by all `sets` but the first (these sets must have no term), and its derivatives with respect to all
+    `terms`. The second array has the largest I and the largest modulus of each field.
     """
     return _core.chordal_series_gradient(tables, (coefficients, sets), terms, waves, window, weights, threads)
 
@@ -450,12 +453,12 @@ def _disk_images(
 
 
 def radial_fields(stack: RadialStack, v: Array, tol: float) -> FieldValues:
-    """Return the field U at increasing v; its errors usually allow an intensity within `tol` of the peak."""
+    """Return U at increasing v; the errors are usually so small that I is accurate to `tol` times the peak."""
     return FieldValues(*_core.field(stack, v, tol))
 
 
 def radial_profiles(stack: RadialStack, v: Array, tol: float, threads: int = 1) -> Intensities:
-    """Return the intensity at increasing v, with errors of at most `tol` of the peak."""
+    """Return I at increasing v, with errors of at most `tol` times the peak."""
     values, bounds, peaks = _core.profile(stack, v, tol, threads)
     _require(-min(float(bounds.min()), 0.0), tol, "the peak")
     return Intensities(values, bounds, peaks)
@@ -466,7 +469,7 @@ class Layered(NamedTuple):
 
     rho: Array  # (q,), pupil radii of the nodes
     parts: NDArray[np.complex128]  # (m, q), integrands of Bessel orders 0, 1, ..., times the weights of the rule
-    rates: NDArray[np.complex128]  # (3, q), the phase, and its derivatives by depth and focus
+    rates: NDArray[np.complex128]  # (3, q), the phase, and its derivatives with respect to depth and focus
     error: float  # bound on the error of each field component
     planes: Array  # (3, n), depth, focus and power
     forms: NDArray[np.complex128]  # (k, m, m), Hermitian forms of the intensity, one for each azimuthal order
@@ -474,41 +477,41 @@ class Layered(NamedTuple):
 
 
 class LayeredSlopes(NamedTuple):
-    """Variables by which images of :class:`Layered` are differentiated."""
+    """Variables with respect to which images of :class:`Layered` are differentiated; k is the wavenumber in ln k."""
 
-    by: Array  # (k, 2), one of BY_DEPTH, ..., and a factor of this derivative of I
-    own: Array  # (k, n), factor of I itself, which is added to each derivative
-    of_fields: Array  # (4,), errors of fields in derivatives by depth, focus, v and ln k
-    turning: NDArray[np.complex128]  # (3, q), `rates` minus a real number in each row
-    changes: NDArray[np.complex128] | None  # (m, q), derivatives of `parts` by ln k
+    by: Array  # (variables, 2), one of BY_DEPTH, ..., and a factor of this derivative of I
+    own: Array  # (variables, n), factor c of the term c * I that is added to each derivative
+    of_fields: Array  # (4,), errors of derivatives of U with respect to depth, focus, v and ln k
+    turning: NDArray[np.complex128]  # (3, q), `rates` minus one real number per row
+    changes: NDArray[np.complex128] | None  # (m, q), derivatives of `parts` with respect to ln k
 
 
 class Rings(NamedTuple):
-    """Integrand of images with arbitrary wavefronts: fields on circles, and the interpolation to pixels."""
+    """Data of images with arbitrary wavefronts: fields on circles around the axis, and interpolation to pixels."""
 
     bessel: Array  # (orders, circles, nodes), Bessel functions
     parts: NDArray[np.complex128]  # (n or 1, 2 orders - 1, fields, nodes)
     waves: NDArray[np.complex128]  # (n, nodes)
     power: Array  # (n,)
-    angles: int  # number of angles on each circle, an fft_length
-    filter: Array  # weight of a circle, weight of its two neighbours, ...
+    angles: int  # number of angles on each circle, a result of :func:`fft_length`
+    filter: Array  # weights of a circle, of its two neighbours, of the next two, ...
     along: Array  # (terms, 16), radial interpolation weights ("taps") as polynomials, highest power first
     around: Array  # (terms, 16), azimuthal interpolation weights as polynomials, highest power first
     taps: tuple[int, int]  # numbers of radial and of azimuthal weights
-    gains: Array  # (2, 2 orders - 1), factors of azimuthal orders of the intensity, and errors of the factors
+    gains: Array  # (2, 2 orders - 1), factors of azimuthal orders of I, and errors of these factors
 
 
 class Ringed(NamedTuple):
     """Largest values of images of :class:`Rings`, from which their error bounds are computed."""
 
     squares: Array  # (fields, n), largest abs(field)^2 on the circles
-    top: Array  # (n,), largest intensity on the circles
-    aliases: Array  # (n,), error between the angles from azimuthal orders of the intensity, after the filter
-    sums: Array  # (n,), sum of the moduli of these orders, after the filter
-    pixel: Array  # (n,), largest pixel
+    top: Array  # (n,), largest I on the circles
+    aliases: Array  # (n,), bound on the aliasing error of I between the angles, after the filter
+    sums: Array  # (n,), sum of the moduli of the azimuthal orders of I, after the filter
+    pixel: Array  # (n,), largest pixel value
 
 
-BY_DEPTH, BY_FOCUS, BY_AXIS, BY_WAVENUMBER = range(4)  # variables by which :func:`layered_images` differentiates
+BY_DEPTH, BY_FOCUS, BY_AXIS, BY_WAVENUMBER = range(4)  # variables of derivatives in :func:`layered_images`
 
 
 def layered_images(
@@ -520,7 +523,7 @@ def layered_images(
     integrate: bool = False,
     slopes: LayeredSlopes | None = None,
 ) -> Images | None:
-    """Return images with error bounds relative to their peaks, which the caller compares with its tolerance."""
+    """Return images with error bounds relative to their peaks, or None; the caller checks the bounds."""
     count = layered.planes.shape[1]
     values = np.empty((count, *window.shape), wanted.dtype) if wanted.out is None else wanted.out
     numbers = np.empty((3, count))
@@ -535,19 +538,19 @@ def layered_images(
 
 
 def layered_profiles(layered: Layered, v: Array, threads: int = 1) -> tuple[Array, Array]:
-    """Return azimuthal orders of I at increasing v, ``(n, k, len(v))``, and bounds on the error of I, ``(n,)``."""
+    """Return azimuthal orders of I at increasing v, (n, k, len(v)), and bounds on the error of I, (n,)."""
     return _core.layered_profiles(layered, v, threads)
 
 
 def ringed_images(rings: Rings, window: Window, scales: Array, threads: int, out: Pixels) -> Ringed:
-    """Write intensities times `scales` to `out`; the step of the window is in distances between circles."""
+    """Write I times `scales` to `out`; the unit of the step of the window is the distance between circles."""
     images: Callable[..., Array] = _core.ringed_images
     sizes = images(rings, window, np.ascontiguousarray(scales), threads, out)
     return Ringed(sizes[:-4], *sizes[-4:])
 
 
 class PixelRadii(NamedTuple):
-    """Radii at which the intensity determines all pixels of a window, and error factors (certificate, section 9)."""
+    """Radii from which I at all pixels is interpolated, and factors of error bounds (certificate, section 9)."""
 
     v: Array
     error: float
@@ -557,7 +560,7 @@ class PixelRadii(NamedTuple):
 
 
 def pixel_radii(window: Window, integrate: bool, level: int, threads: int = 0) -> PixelRadii:
-    """Return the radii for interpolation errors of about ``10^-level``."""
+    """Return radii for which the interpolation error is about ``10^-level``."""
     row, column = window.center
     return PixelRadii(*_core.pixel_radii(*window.shape, row, column, window.step, integrate, level, threads))
 
@@ -565,7 +568,7 @@ def pixel_radii(window: Window, integrate: bool, level: int, threads: int = 0) -
 def pixel_values(
     window: Window, profiles: Array, integrate: bool, level: int, threads: int = 0
 ) -> tuple[Array, Array]:
-    """Return pixels ``(n, height, width)`` from I at the radii of :func:`pixel_radii`, and rounding bounds."""
+    """Return pixels, shape (n, height, width), from I at the radii of :func:`pixel_radii`, and rounding bounds."""
     (row, column), values = window.center, np.empty((len(profiles), *window.shape))
     penalties = _core.pixel_values(
         np.ascontiguousarray(profiles), row, column, window.step, integrate, level, threads, values
@@ -576,8 +579,8 @@ def pixel_values(
 RowRule = _core.RowRule
 """Quadrature over a region of ellipses and polygons.
 
-`nodes`, shape (3, n), has x, y and weight of each node; `weight` is the sum of the weights. `lost` bounds the effect
-of rounding of the edges on integrals of functions that are at most 1.
+`nodes`, shape (3, number of nodes), has x, y and weight of each node; `weight` is the sum of the weights. `lost` is a
+bound on the error of integrals of functions with abs(f) <= 1 that is caused by rounding of the edges.
 """
 
 
@@ -588,7 +591,7 @@ def row_rule(
     degree: int,
     error: float,
 ) -> RowRule:
-    """Return a quadrature rule for polynomials of a `degree` that are at most 1 on the unit disc.
+    """Return a quadrature rule for polynomials p of a `degree` with abs(p) <= 1 on the unit disc.
 
     Parameters
     ----------
@@ -598,7 +601,7 @@ def row_rule(
         Corners of each shape; empty for an ellipse.
     steps : sequence of int
         The region in postfix notation: an index of a shape, -1 for the intersection of the last two operands, -2 for
-        their union, -3 for the first without the second.
+        their union, -3 for the first operand without the second.
     degree : int
         Degree of the polynomials.
     error : float
@@ -616,7 +619,7 @@ def row_rule(
 
 
 def row_samples(x: Array, y: Array, weight: Array, phase: Array | None = None) -> RowRule:
-    """Return samples, ordered by rows of equal y, as a :data:`RowRule`; each sample may have a `phase`."""
+    """Return a :data:`RowRule` of samples that are ordered by rows of equal y; each sample may have a `phase`."""
     # A new row begins where y changes.
     starts = np.flatnonzero(np.diff(y, prepend=np.nan) != 0.0)
     counts = np.diff(starts, append=len(y)).astype(np.int64)
@@ -626,10 +629,10 @@ def row_samples(x: Array, y: Array, weight: Array, phase: Array | None = None) -
 def row_images(
     rules: Sequence[RowRule], phases: Array, stack: DiskStack, window: Window, precision: float, wanted: Wanted
 ) -> tuple[Array, Array, Array]:
-    """Return intensities (n, h, w), derivatives by `wanted.terms` (k, n, h, w), and bounds on errors of U (n,).
+    """Return I (n, h, w), derivatives with respect to `wanted.terms` (k, n, h, w), bounds on the error of U (n,).
 
-    Each rule is a region of the pupil, with `phases` (regions, 3): a constant and the slopes in x and y. The bounds
-    are on errors of the sums, which are about `precision` times the sum of the weights.
+    Each rule integrates over a region of the pupil, which has an additional phase: `phases` (regions, 3) are its
+    constant and its slopes in x and y. The bounds are on errors of the sums, about `precision` * sum(weights).
     """
     count, factors = len(stack.edge), np.array(wanted.terms, dtype=np.int32).reshape(-1, 2)
     values, slopes, lost = (
@@ -645,12 +648,12 @@ def star_likelihood(images: Sequence[Pixels], light: Array, star: Array, threads
     Parameters
     ----------
     images : sequence of ndarray, each of shape (sets * n, height, width)
-        Model images of a point, followed by their derivatives.
+        Model images of a point, followed by the derivatives of these images.
     light : ndarray, shape (sets, 2, n)
         Flux and background of each image, electrons.
     star : ndarray, shape (4, n, height * width)
-        Counted electrons; variance of the readout noise; this variance as used in the weights; 1 for a valid pixel,
-        else 0.
+        Counted electrons; variance of the readout noise; variance of the readout noise for the weights; 1 for a valid
+        pixel, else 0.
     threads : int
         Maximum number of threads; 0 for the number of processors.
 
@@ -659,8 +662,8 @@ def star_likelihood(images: Sequence[Pixels], light: Array, star: Array, threads
     numbers : ndarray, shape (3, sets, n)
         Negative log-likelihood up to a constant, expectation and variance of Pearson's chi2.
     products : ndarray, shape (sets, n, k + 2, k + 2)
-        Sums over pixels of products of any two of the derivatives, the image, 1, and the residual, each divided by
-        the standard deviation of the pixel.
+        Sums over pixels of products of two of these quantities: the derivatives, the image, 1, and the residual, each
+        divided by the standard deviation of the pixel.
     """
     kind = images[0].dtype
     compute = _core.star_likelihood_single if kind == np.float32 else _core.star_likelihood_double
@@ -673,7 +676,7 @@ _CachedFunction = type(lru_cache(maxsize=1)(len))
 def clear_caches() -> None:
     """Free the memory of all caches: tables of the compiled core, plans of :func:`lommel.psf`, and others.
 
-    The next call rebuilds its tables: it takes as long as the first call in a process, with identical results.
+    The next call rebuilds the tables: it takes as long as the first call in a process, with identical results.
     Running calls in other threads keep their tables until they return. Existing Plans, PSFs and operators remain
     valid. For the limits of the caches see :doc:`the guide </running>`.
 

@@ -763,7 +763,7 @@ class _Target:
             return values[0] if self.shape[0] == 1 else values
         # Check again: another process may have replaced chunks since this call checked or wrote them.
         if not all(self._is_unchanged(*each) for each in self._complete_chunks):
-            raise ValueError(f"chunks in {line(self.unfinished.room)} were changed by another process; call again")
+            raise ValueError(f"chunks in {line(self.unfinished.scratch)} were changed by another process; call again")
         recordings.require_own(self.unfinished.place)
         with _zarr_errors(self.unfinished):
             _open_group(self.unfinished.new, "r+").attrs["lommel"] = {"description": description}
@@ -780,7 +780,7 @@ def _zarr_errors(unfinished: Unfinished) -> Iterator[None]:
     except Exception as error:  # zarr raises many types on damaged files
         if isinstance(error, OSError | MemoryError) or "can't start new thread" in str(error):
             raise
-        raise ValueError(f"{line(unfinished.room)} is damaged ({reading.reason(error)}); remove it") from None
+        raise ValueError(f"{line(unfinished.scratch)} is damaged ({reading.reason(error)}); remove it") from None
 
 
 def _chunk_name(at: Chunk) -> str:

@@ -218,5 +218,5 @@ def test_without_ray_optics_the_package_to_install_is_named(monkeypatch):
 def test_versions_with_a_wrong_sign_are_refused():
     adapter._require_version("0.9.10")
     adapter._require_version("1.0.dev3+g12")
-    with pytest.raises(ImportError, match=r"needs ray-optics 0\.9\.10 or newer, which takes Python 3\.12, got"):
+    with pytest.raises(ImportError, match=r"needs ray-optics 0\.9\.10 or newer, which needs Python 3\.12, got"):
         adapter._require_version("0.9.8")

@@ -10,7 +10,7 @@ Conversions:
 - The obscuration is ``optic.pupilObscuration``. Rays that batoid marks as vignetted are used like all others, so that
   vignetting at the edge of the field and spiders are ignored.
 
-batoid is optional, and none of it is imported before a function is called.
+batoid is optional; it is imported only when a function of this module is called.
 """
 
 from __future__ import annotations
@@ -49,7 +49,7 @@ def pupil(
         Wavelength, metres.
     circular : bool, default False
         True for a circular annulus with the geometric mean f-number, as in :func:`field_map`. False for the pupil
-        seen from the image, off the axis an elliptical annulus. At the edge of the field of SDSS, PSFs of circular
+        seen from the image, an elliptical annulus off the axis. At the edge of the field of SDSS, PSFs of circular
         annuli differ by 9 % of the peak from Huygens' sum over the traced rays. Phase retrieval and gradients in JAX
         or PyTorch support circular annuli only.
     degree : int, default 12
@@ -68,7 +68,7 @@ def pupil(
     ImportError
         If batoid is not installed.
     TypeError, ValueError
-        If an argument is out of range, if rays miss a surface, or if `degree` does not reach `tol`.
+        If an argument is out of range, if rays miss a surface, or if the fit residual for `degree` exceeds `tol`.
     """
     trace, metres, obscuration = _tracer(optic, wavelength, 1.0)
     return ray_tracing.single_pupil(trace, field, metres, degree, tol, obscuration, circular=circular)
@@ -96,13 +96,13 @@ def field_map(
     heights : int, default 9
         Number of directions traced, from the axis to `radius`; the telescope must be rotationally symmetric.
     fields : sequence of (float, float), optional
-        Directions to trace instead, as fractions of `radius`, for a telescope without rotational symmetry.
+        Directions to trace instead, as fractions of `radius`; required for a telescope without rotational symmetry.
     circular : bool, default True
         True for circular annuli with the f-number on the axis, which blurs over the field require. At the edge of
-        Rubin's field their PSFs differ by 2.4 % of the peak from Huygens' sum over the traced rays. False for the
-        elliptical annuli of :func:`pupil`, whose PSFs differ by 0.02 %; not supported with `fields`.
+        Rubin's field the PSFs of circular annuli differ by 2.4 % of the peak from Huygens' sum over the traced rays.
+        False for elliptical annuli of :func:`pupil`, whose PSFs differ by 0.02 %; not supported with `fields`.
     wavelength, degree, tol
-        As of :func:`pupil`.
+        As for :func:`pupil`.
 
     Returns
     -------
@@ -113,7 +113,7 @@ def field_map(
     Raises
     ------
     ImportError, TypeError, ValueError
-        As of :func:`pupil`; also if the telescope is not rotationally symmetric and no `fields` are given.
+        As for :func:`pupil`; also if the telescope is not rotationally symmetric and no `fields` are given.
     """
     edge = validation.real("radius", radius, above=0.0)
     trace, metres, obscuration = _tracer(optic, wavelength, edge)
@@ -142,12 +142,12 @@ def _tracer(optic: object, wavelength: float, edge: float) -> tuple[ray_tracing.
         image_point = np.array(rays.r[-1])
         missed = np.array(rays.r[:-1]) - image_point
         failed = np.array(rays.failed[:-1])
-        # v is the velocity, with modulus 1 / index, so that v / v^2 is the direction times the index.
+        # rays.v is the velocity, with modulus 1 / index, so that v / abs(v)^2 is the direction times the index.
         direction = rays.v / np.square(rays.v).sum(axis=1, keepdims=True)
         relative = direction[:-1] - direction[-1]
         # Light that travels along -z appears mirrored from behind the sensor.
         sign = math.copysign(1.0, direction[-1, 2])
-        # The reference sphere, as in batoid.wavefront.
+        # Intersect the rays with the reference sphere, as batoid.wavefront does.
         rays.toCoordSys(rays.coordSys.shiftLocal(image_point + np.array([0.0, 0.0, radius])))
         batoid.Sphere(-radius).intersect(rays)
         phase = 2.0 * math.pi / metres * (rays.t[:-1] - rays.t[-1])

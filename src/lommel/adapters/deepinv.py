@@ -1,6 +1,6 @@
 """Blurs and PSFs for DeepInverse (https://deepinv.github.io): linear physics with exact adjoints; a PSF generator.
 
-deepinv and PyTorch are optional, and neither is imported before a function is called.
+deepinv and PyTorch are optional; they are imported only when a function of this module is called.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ def blur_physics(blur: LinearBlur, **options: object) -> LinearPhysics:
     """Return a blur as a ``deepinv.physics.LinearPhysics``.
 
     `A` and `A_adjoint` are computed by the compiled core on a CPU. PyTorch can differentiate both with respect to the
-    image, since the gradient of each is an application of the other.
+    image: the gradient of `A` is computed by `A_adjoint`, and vice versa.
 
     Parameters
     ----------
@@ -78,10 +78,10 @@ def blur_physics(blur: LinearBlur, **options: object) -> LinearPhysics:
 
 @cache
 def _linear_function() -> Callable[[Tensor, _ImageFunction, _ImageFunction], Tensor]:
-    """Return a differentiable function (images, f, adjoint): f, a linear NumPy function, of each image of a batch."""
+    """Return a differentiable function (images, f, adjoint) that applies the linear f to each image of a batch."""
     import torch
 
-    def mapped(images: Tensor, f: _ImageFunction) -> Tensor:
+    def apply_to_batch(images: Tensor, f: _ImageFunction) -> Tensor:
         results = [np.moveaxis(f(np.moveaxis(one, 0, -1)), -1, 0) for one in images.detach().cpu().numpy()]
         return torch.from_numpy(np.ascontiguousarray(np.stack(results))).to(images)
 
@@ -89,12 +89,12 @@ def _linear_function() -> Callable[[Tensor, _ImageFunction, _ImageFunction], Ten
         @staticmethod
         def forward(ctx: Any, images: Tensor, f: _ImageFunction, adjoint: _ImageFunction) -> Tensor:
             ctx.functions = f, adjoint
-            return mapped(images, f)
+            return apply_to_batch(images, f)
 
         @staticmethod
         def backward(ctx: Any, gradient: Tensor) -> Tensor:
             f, adjoint = ctx.functions
-            # The gradient of a linear map is its adjoint. It is applied as a Linear too, for second derivatives.
+            # The gradient of f is its adjoint, applied as a Linear so that second derivatives are possible.
             return Linear.apply(gradient, adjoint, f), None, None
 
     return Linear.apply  # type: ignore[no-any-return]
@@ -112,15 +112,15 @@ def psf_generator(
 ) -> PSFGenerator:
     """Return a generator of random PSFs with the signature of ``deepinv.physics.generator.DiffractionBlurGenerator``.
 
-    The error of the PSFs is at most `tol` of their peak (1 to 6 % for ``DiffractionBlurGenerator``); computing them
-    takes about a thousandth of the time.
+    The error of a PSF is at most `tol` times its peak (0.01 to 0.06 times for ``DiffractionBlurGenerator``). The
+    computation takes about a thousandth of the time.
 
     Parameters
     ----------
     psf_size : (int, int)
         Height and width in pixels.
     zernike_index : sequence, default 4 to 11
-        Indices of Zernike terms by `index_convention`, or pairs (n, m).
+        Indices of Zernike terms in the order `index_convention`, or pairs (n, m).
     fc : float, default 0.2
         Cutoff frequency, ``numerical aperture * pixel / wavelength``, at most 0.25.
     max_zernike_amplitude : float, default 0.15
@@ -167,7 +167,7 @@ def psf_generator(
                 coeff = torch.rand((batch_size, len(indices)), generator=self.rng, **self.factory_kwargs)
                 coeff = (coeff - 0.5) * width
             values = coeff.detach().cpu().numpy().astype(np.float64)
-            # DeepInverse's coefficients are in waves, with the opposite sign: the phase is -2 pi times their sum.
+            # Coefficients of DeepInverse are in waves, with the opposite sign: the phase is -2 pi * sum(c_k Z_k).
             terms = dict(zip(indices, -2.0 * math.pi * values.T, strict=True))
             images = psf(Pupil(Wavefront.zernike(terms, order=order)), shape, pixel, tol=tol).values
             filters = torch.as_tensor(np.array(images), **self.factory_kwargs)[:, None]

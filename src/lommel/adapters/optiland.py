@@ -10,7 +10,7 @@ Conversions:
 - The amplitude is assumed uniform: optiland's absorption is ignored, and coatings are used by
   :func:`polarized_pupils` only.
 
-optiland is optional, and none of it is imported before a function is called.
+optiland is optional; it is imported only when a function of this module is called.
 """
 
 from __future__ import annotations
@@ -53,8 +53,8 @@ def pupil(
         Wavelength, metres; by default the primary wavelength of the lens.
     circular : bool, default False
         True for a circle with the geometric mean f-number, as in :func:`field_map` and in optiland's FFT PSF. False
-        for the pupil seen from the image, off the axis an ellipse. For six lenses, PSFs of ellipses differ by up to
-        1.5 % of the peak from Huygens' sum over the traced rays, PSFs of circles by up to 32 %
+        for the pupil seen from the image, which is an ellipse off the axis. For six lenses, PSFs of ellipses differ
+        by up to 1.5 % of the peak from Huygens' sum over the traced rays, PSFs of circles by up to 32 %
         (:doc:`/optiland-checked`). Phase retrieval and gradients in JAX or PyTorch support circles only.
     degree : int, default 12
         Highest degree of the Zernike terms, 2 to 20.
@@ -102,8 +102,8 @@ def polarized_pupils(
     field : (float, float)
         Hx and Hy, fractions of the largest field.
     polarization : "unpolarized" or (complex, complex), default "unpolarized"
-        Polarisation of the light from the object; a Jones vector has components along x and along y (upwards), and
-        any norm.
+        Polarisation of the light from the object; a Jones vector has components along x and along y (upwards). Its
+        norm does not matter.
     wavelength : float, optional
         Wavelength, metres; by default the primary wavelength of the lens.
     side : int, default 256
@@ -119,16 +119,16 @@ def polarized_pupils(
     -------
     list of Pupil
         One pupil for each component along x, y and z that has light; if unpolarised, for each of two orthogonal
-        polarisations. They have the wavefront and the ellipse of :func:`pupil`, and masks as amplitudes. An amplitude
-        is that of the field times ``cos(angle)**-0.5``, with the angle between ray and normal of the image, as in the
-        integral of Richards and Wolf. All masks have a common scale.
+        polarisations. They have the wavefront and the ellipse of :func:`pupil`. Their masks are the amplitudes of the
+        field times ``cos(angle)**-0.5``, with the angle between ray and normal of the image plane, as in the integral
+        of Richards and Wolf. All masks have a common scale.
 
     Raises
     ------
     ImportError
         If optiland is not installed.
     TypeError, ValueError
-        As of :func:`pupil`.
+        As for :func:`pupil`.
 
     Notes
     -----
@@ -148,7 +148,7 @@ def polarized_pupils(
         light = sum(pupil.transmission for pupil in pupils)
         values = sum(pupil.transmission / light * lm.psf(pupil, 65, 1e-6).values for pupil in pupils)
     """
-    _require(optic)
+    _require_optic(optic)
     from optiland.rays.polarization_state import PolarizationState
 
     count = validation.integer("side", side, least=16, most=2048)
@@ -189,7 +189,7 @@ def field_map(
     heights : int, default 9
         Number of field points traced, from the axis to the edge; the lens must be rotationally symmetric.
     fields : sequence of (float, float), optional
-        Points (Hx, Hy) to trace instead, as fractions of the largest field, for a lens without rotational symmetry.
+        Points (Hx, Hy) to trace instead, as fractions of the largest field; required without rotational symmetry.
     distortion : bool, default False
         False for positions at which the chief rays meet the sensor. True for ideal positions, f tan(theta) or a
         constant magnification; tilts of the wavefronts then shift the light to the actual positions, as
@@ -200,7 +200,7 @@ def field_map(
         of four lenses, their PSFs differ by 3 to 61 % of the peak from Huygens' sum over the traced rays. False for
         the ellipses of :func:`pupil`, whose PSFs differ by up to 1.5 %; not supported with `fields`.
     wavelength, degree, tol
-        As of :func:`pupil`.
+        As for :func:`pupil`.
 
     Returns
     -------
@@ -211,19 +211,19 @@ def field_map(
     Raises
     ------
     ImportError, TypeError, ValueError
-        As of :func:`pupil`; also if the lens is not rotationally symmetric and no `fields` are given, if `fields` are
-        given with `distortion`, or if `distortion` is requested for fields defined by real image heights.
+        As for :func:`pupil`; also without `fields` if the lens is not rotationally symmetric, if `fields` are given
+        with `distortion`, or if `distortion` is requested for fields defined by real image heights.
     """
     trace, metres = _tracer(optic, wavelength)
-    ideal = _ideal(optic) if validation.truth("distortion", distortion) else None
+    ideal = _ideal_height(optic) if validation.truth("distortion", distortion) else None
     return ray_tracing.field_map(trace, heights, fields, metres, degree, tol, ideal=ideal, circular=circular)
 
 
-_PARAXIAL = 1e-3  # fraction of the largest field, at which distortion is 1e-6 of the distortion at the edge
+_PARAXIAL = 1e-3  # fraction of the largest field; distortion there is about 1e-6 of the distortion at the edge
 
 
-def _ideal(optic: Any) -> Callable[[float], float]:
-    """Return the function from fractions of the largest field to image heights without distortion (m, upwards)."""
+def _ideal_height(optic: Any) -> Callable[[float], float]:
+    """Return a function: image height without distortion (metres, upwards) at a fraction of the largest field."""
     kind = type(optic.fields.field_definition).__name__
     if kind not in ("AngleField", "ObjectHeightField", "ParaxialImageHeightField"):
         raise ValueError(
@@ -240,7 +240,7 @@ def _ideal(optic: Any) -> Callable[[float], float]:
     return lambda h: (near - axis) * height(h) / height(_PARAXIAL)
 
 
-def _require(optic: object) -> Any:
+def _require_optic(optic: object) -> Any:
     """Return `optic`; TypeError if it is not an optiland Optic."""
     library("optiland.optic", "this needs", "")
     from optiland.optic import Optic
@@ -252,7 +252,7 @@ def _require(optic: object) -> Any:
 
 def _tracer(optic: object, wavelength: float | None) -> tuple[ray_tracing.Trace, float]:
     """Return the function that traces a field point, and the wavelength in metres."""
-    lens = _require(optic)
+    lens = _require_optic(optic)
     from optiland.wavefront import Wavefront
 
     micrometres = lens.primary_wavelength if wavelength is None else 1e6 * validation.wavelength(wavelength)
@@ -289,15 +289,15 @@ def _tracer(optic: object, wavelength: float | None) -> tuple[ray_tracing.Trace,
 
         if not ray_tracing.tilt_off_rays(traced, 1e-6 * micrometres):
             return traced
-        # Path lengths begin in a plane perpendicular to the axis. For an oblique wave from infinity optiland adds the
-        # path from the wave's plane only if fields are angles; for other fields it is added here.
+        # Path lengths begin in a plane perpendicular to the axis. For an oblique wave from infinity, optiland adds
+        # the path from the wavefront to this plane only if fields are angles; for other fields it is added here.
         return replace(traced, phase=traced.phase + _phase_at_start(lens, (hx, hy), x, y, micrometres))
 
     return trace, 1e-6 * float(micrometres)
 
 
 def _phase_at_start(lens: Any, field: tuple[float, float], x: Array, y: Array, micrometres: float) -> Array:
-    """Return phases of a plane wave at the starting points of its rays, minus the chief ray's; 0 if not infinite."""
+    """Return phases at the starts of rays from infinity, minus that of the chief ray; 0 for a finite distance."""
     if not lens.object_surface.is_infinite:
         return np.zeros(x.size)
     # The last ray is the chief ray.
@@ -305,7 +305,7 @@ def _phase_at_start(lens: Any, field: tuple[float, float], x: Array, y: Array, m
     start, direction = (
         np.stack([np.asarray(getattr(rays, name), dtype=np.float64) for name in names]) for names in ("xyz", "LMN")
     )
-    # Distance of the starting points from the plane of the wave through the starting point of the chief ray.
+    # Distance of the starting points from the wavefront through the starting point of the chief ray.
     path: Array = np.sum(direction[:, :-1] * (start[:, :-1] - start[:, -1:]), axis=0)
     index = float(np.ravel(lens.surfaces.n(micrometres))[0])
     return 2.0 * math.pi / (1e-3 * micrometres) * index * path

@@ -1,16 +1,16 @@
 """Pupils and field maps from traced rays, shared by the adapters.
 
 The phase of a ray is ``2 pi (OPL - OPL_chief) / lambda``, with the optical path length OPL up to the reference sphere
-around the image point of the chief ray. A longer path is a later wave, ``exp(+i phase)``.
+around the image point of the chief ray. A longer path delays the wave, which has the factor ``exp(+i phase)``.
 
-Pupil points are fractions of the entrance pupil. Under the sine condition they are proportional to the direction
-cosines from the reference sphere to the image point, which are the variables of Debye's integral. Off the axis the
-factors of proportionality differ between the two directions, so that the image sees an elliptical pupil: a linear
-map, fitted by least squares, maps the entrance pupil to this ellipse. Field maps use by default a circle instead, as
-do the FFT PSFs of the ray tracers; its f-number is ``1 / (2 n sin)`` for the geometric mean of both directions.
+Pupil points (x, y) are fractions of the radius of the entrance pupil. Under the sine condition they are proportional
+to the direction cosines from the reference sphere to the image point, which are the variables of Debye's integral.
+Off the axis the factors differ between x and y, so that the pupil seen from the image is an ellipse: a linear map,
+fitted by least squares, maps the entrance pupil to this ellipse. By default field maps use a circle instead, as do the
+FFT PSFs of ray tracers. Its f-number is 1 / (2 s), with the geometric mean s of n sin(angle) at the edge in x, y.
 
-In ray tracers y points upwards, in images here downwards. Pupil and position are therefore mirrored, as seen from
-behind the sensor.
+In ray tracers y points upwards, in images of lommel downwards. Pupils and positions are therefore mirrored: they are
+seen from behind the sensor.
 """
 
 from __future__ import annotations
@@ -33,11 +33,11 @@ from lommel.special import zernike
 from lommel.special.legendre import gauss_legendre
 
 MAX_DEGREE = 20
-"""Highest degree of the Zernike terms, equal to that of the radial terms of a wavefront."""
+"""Maximum degree of the Zernike terms, equal to the maximum degree of the radial terms of a wavefront."""
 
-# Accepted tilt between phases and rays: a constant (rad), a fraction of the steepest slope, a multiple of the
-# residual. In five lenses, up to the edge of the field, the tilt is at most 1e-4 of the steepest slope. Where the
-# degree is too low, the residual of the fit is up to a sixth of the tilt.
+# Accepted tilt between phases and rays: the sum of a constant (rad), a fraction of the steepest slope, and a multiple
+# of the fit residual. For five lenses, up to the edge of the field, the tilt is at most 1e-4 of the steepest slope.
+# If the degree is too low, the fit residual is up to a sixth of the tilt.
 _TILT, _TILT_OF_SLOPES, _TILT_OF_RESIDUAL = 0.1, 0.01, 10.0
 _MIN_AMPLITUDE = 1e-9  # components of the electric field below this amplitude are omitted
 _MIN_ELLIPTICITY = 1e-5  # a pupil with smaller ellipticity is treated as a circle, which all methods support
@@ -74,12 +74,12 @@ def sample_points(degree: int, tol: float = 0.01) -> tuple[Array, Array]:
 
 
 def fit(traced: TracedField, degree: int, tol: float) -> tuple[dict[tuple[int, int], float], float]:
-    """Return Zernike coefficients (radians at the edge) and the f-number; ValueError if blocked or above `tol`."""
-    slopes = _slopes(traced)
-    # An inverted image of the pupil, such as by a relay, is rotated by pi.
+    """Return Zernike coefficients (radians at the edge) and f-number; ValueError for blocked rays or a poor fit."""
+    slopes = _fit_slopes(traced)
+    # If the slopes are negative (a relay inverts the image of the pupil), rotate the pupil by pi.
     sign = math.copysign(1.0, slopes[0])
-    terms = _terms(traced.phase, sign * traced.x, -sign * traced.y, degree, tol)
-    # The f-number is 1 / (2 n sin) for the geometric mean of both directions; the slopes are n sin at the pupil edge.
+    terms = _fit_terms(traced.phase, sign * traced.x, -sign * traced.y, degree, tol)
+    # The slopes are n sin(angle) at the pupil edge in x and y; the f-number is 1 / (2 * their geometric mean).
     return terms, 0.5 / math.sqrt(slopes[0] * slopes[1])
 
 
@@ -92,27 +92,27 @@ def tilt_off_rays(traced: TracedField, wavelength: float) -> float:
     if not np.isfinite(traced.phase).all():
         return 0.0  # blocked rays raise an error later
     degree = min(12, math.isqrt(traced.x.size) // 2)
-    matrix = _zernike(traced.x, traced.y, degree)[1]
+    matrix = _zernike_matrix(traced.x, traced.y, degree)[1]
     to_coefficients = np.linalg.pinv(matrix)
     # A degree that is too low raises an error later.
     residual = float(np.std(traced.phase - matrix @ (to_coefficients @ traced.phase)))
-    # Central differences differentiate the polynomials.
+    # The derivatives of the polynomials are central differences.
     step = 1e-4
     largest, mean = 0.0, []
     for dx, dy in ((step, 0.0), (0.0, step)):
-        shifted = (_zernike(traced.x + k * dx, traced.y + k * dy, degree)[1] for k in (1, -1))
+        shifted = (_zernike_matrix(traced.x + k * dx, traced.y + k * dy, degree)[1] for k in (1, -1))
         derivative = (next(shifted) - next(shifted)) / (2.0 * step) @ to_coefficients
-        turned_x, turned_y = derivative @ traced.direction_x, derivative @ traced.direction_y
-        by_rays = -2.0 * math.pi / wavelength * (traced.missed_x * turned_x + traced.missed_y * turned_y)
+        rate_x, rate_y = derivative @ traced.direction_x, derivative @ traced.direction_y
+        by_rays = -2.0 * math.pi / wavelength * (traced.missed_x * rate_x + traced.missed_y * rate_y)
         largest = max(largest, float(np.abs(by_rays).max()))
-        # The mean difference of slopes over the pupil is a tilt.
+        # The mean over the pupil of the difference between the slopes is the tilt.
         mean.append(float((derivative @ traced.phase - by_rays).mean()))
     tilt = math.hypot(*mean)
     return tilt if tilt > _TILT + _TILT_OF_SLOPES * largest + _TILT_OF_RESIDUAL * residual else 0.0
 
 
-def _checked_trace(trace: Trace, wavelength: float) -> Trace:
-    """Return `trace` with a check of its phases; it raises ValueError for a field where phases and rays disagree."""
+def _check_phases(trace: Trace, wavelength: float) -> Trace:
+    """Return a function that calls `trace`, and raises ValueError if phases and rays disagree at a field point."""
 
     def checked(hx: float, hy: float, x: Array, y: Array) -> TracedField:
         traced = trace(hx, hy, x, y)
@@ -126,8 +126,8 @@ def _checked_trace(trace: Trace, wavelength: float) -> Trace:
     return checked
 
 
-def _slopes(traced: TracedField) -> list[float]:
-    """Return -d direction / d pupil in x and y; ValueError if rays are blocked or do not converge in both."""
+def _fit_slopes(traced: TracedField) -> list[float]:
+    """Return -d direction / d pupil point in x and y; ValueError if rays are blocked or do not converge."""
     blocked = ~np.isfinite(traced.phase)
     if blocked.any():
         raise ValueError(
@@ -144,16 +144,16 @@ def _slopes(traced: TracedField) -> list[float]:
     return slopes
 
 
-def _zernike(x: Array, y: Array, degree: int) -> tuple[list[tuple[int, int]], Array]:
+def _zernike_matrix(x: Array, y: Array, degree: int) -> tuple[list[tuple[int, int]], Array]:
     """Return the Zernike terms up to a degree, and the matrix (points, terms) of their values."""
     rho, theta = np.hypot(x, y), np.arctan2(y, x)
     terms = [(n, m) for n in range(degree + 1) for m in range(-n, n + 1, 2)]
     return terms, np.stack([zernike.polynomial(n, m, rho, theta) for n, m in terms], axis=1)
 
 
-def _terms(phase: Array, x: Array, y: Array, degree: int, tol: float) -> dict[tuple[int, int], float]:
+def _fit_terms(phase: Array, x: Array, y: Array, degree: int, tol: float) -> dict[tuple[int, int], float]:
     """Fit Zernike coefficients (radians at the edge) to a phase; ValueError if the rms residual exceeds `tol`."""
-    terms, matrix = _zernike(x, y, degree)
+    terms, matrix = _zernike_matrix(x, y, degree)
     coefficients = np.linalg.lstsq(matrix, phase, rcond=None)[0]
     residual = float(np.sqrt(np.mean((matrix @ coefficients - phase) ** 2)))
     if not residual <= tol:
@@ -163,11 +163,11 @@ def _terms(phase: Array, x: Array, y: Array, degree: int, tol: float) -> dict[tu
     return {t: float(c) for t, c in zip(terms, coefficients, strict=True) if t != (0, 0)}
 
 
-def _seen_from_image(
+def _pupil_from_image(
     traced: TracedField, wavelength: float, degree: int, tol: float, obscuration: float = 0.0
 ) -> tuple[Pupil, Array]:
-    """Return the pupil seen from the image (off the axis an ellipse), and the matrix from entrance pupil to it."""
-    transform = _transform(traced)
+    """Return the pupil seen from the image, an ellipse off the axis, and the matrix from entrance pupil to pupil."""
+    transform = _fit_transform(traced)
     axes, (major, minor), _ = np.linalg.svd(transform)  # n sin at the ends of the axes of the ellipse
     ellipse = None
     if minor > (1.0 - _MIN_ELLIPTICITY) * major:
@@ -175,15 +175,15 @@ def _seen_from_image(
     else:
         ellipse = Ellipse(1.0, float(minor / major), math.atan2(axes[1, 0], axes[0, 0]))
     x, y = transform @ np.stack([traced.x, traced.y]) / major
-    wavefront = Wavefront.zernike(_terms(traced.phase, x, y, degree, tol), normalization="edge")
+    wavefront = Wavefront.zernike(_fit_terms(traced.phase, x, y, degree, tol), normalization="edge")
     pupil = Pupil(wavefront, obscuration=obscuration, wavelength=wavelength, f_number=0.5 / float(major))
     return pupil if ellipse is None else foreshortened(pupil, ellipse), transform / major
 
 
-def _transform(traced: TracedField) -> Array:
+def _fit_transform(traced: TracedField) -> Array:
     """Return the matrix from entrance pupil coordinates to direction cosines seen from the image."""
-    _slopes(traced)
-    # A pupil point is seen opposite to the direction of its ray; x is mirrored once more by the view from behind.
+    _fit_slopes(traced)
+    # A pupil point is seen opposite to the direction of its ray; the view from behind the sensor mirrors x again.
     seen = np.stack([-traced.direction_x, traced.direction_y], axis=1)
     return np.linalg.lstsq(np.stack([traced.x, traced.y], axis=1), seen, rcond=None)[0].T
 
@@ -198,12 +198,12 @@ def single_pupil(
     *,
     circular: bool,
 ) -> Pupil:
-    """Return the pupil and its f-number at one point of the field."""
+    """Return the pupil, with its f-number, at one point of the field."""
     as_circle = validation.truth("circular", circular)
-    hx, hy = _point("field", field)
-    traced = _checked_trace(trace, wavelength)(hx, hy, *sample_points(degree, tol))
+    hx, hy = _check_point("field", field)
+    traced = _check_phases(trace, wavelength)(hx, hy, *sample_points(degree, tol))
     if not as_circle:
-        return _seen_from_image(traced, wavelength, degree, tol, obscuration)[0]
+        return _pupil_from_image(traced, wavelength, degree, tol, obscuration)[0]
     terms, f_number = fit(traced, degree, tol)
     wavefront = Wavefront.zernike(terms, normalization="edge")
     return Pupil(wavefront, obscuration=obscuration, wavelength=wavelength, f_number=f_number)
@@ -212,12 +212,12 @@ def single_pupil(
 def polarized_pupils(
     trace: Trace, field: object, wavelength: float, degree: int, tol: float, side: int
 ) -> list[Pupil]:
-    """Return one pupil for each component of the electric field with light; its mask is the amplitude."""
-    hx, hy = _point("field", field)
-    traced = _checked_trace(trace, wavelength)(hx, hy, *sample_points(degree, tol))
-    pupil, transform = _seen_from_image(traced, wavelength, degree, tol)
+    """Return one pupil for each component of the electric field that is not 0; its mask is this component."""
+    hx, hy = _check_point("field", field)
+    traced = _check_phases(trace, wavelength)(hx, hy, *sample_points(degree, tol))
+    pupil, transform = _pupil_from_image(traced, wavelength, degree, tol)
     assert traced.field is not None
-    _, matrix = _zernike(traced.x, traced.y, degree)
+    _, matrix = _zernike_matrix(traced.x, traced.y, degree)
     coefficients = np.linalg.lstsq(matrix, traced.field, rcond=None)[0]
     largest = float(np.abs(traced.field).max())
     residual = float(np.abs(matrix @ coefficients - traced.field).max())
@@ -231,10 +231,10 @@ def polarized_pupils(
     # Cells up to one cell outside the circle are included, since the edge may cross them.
     inside = np.hypot(*cells) <= 1.0 + 2.0 / side
     x, y = np.linalg.solve(transform, cells[:, inside])
-    # Cells outside the entrance pupil have the field at its edge, since Zernike terms are defined for rho <= 1.
+    # Cells outside the entrance pupil get the field at its edge, since Zernike terms are defined for rho <= 1.
     outside = np.maximum(np.hypot(x, y), 1.0)
     values = np.zeros((coefficients.shape[1], side * side), dtype=np.complex128)
-    values[:, inside] = (_zernike(x / outside, y / outside, degree)[1] @ coefficients).T
+    values[:, inside] = (_zernike_matrix(x / outside, y / outside, degree)[1] @ coefficients).T
     values /= max(1.0, np.abs(values).max())
     masks = [Mask(part.reshape(side, side)) for part in values if np.abs(part).max() > _MIN_AMPLITUDE]
     return [replace(pupil, mask=mask) for mask in masks]
@@ -254,14 +254,14 @@ def field_map(
 ) -> FieldMap:
     """Return the field map; without `fields` the lens must be rotationally symmetric.
 
-    If `circular`, the f-number is the one on the axis. Otherwise pupils off the axis are ellipses, and the f-number
-    is that of the longest axis of all ellipses.
+    If `circular`, the map has the f-number on the axis. Otherwise pupils off the axis are ellipses, and the map has
+    the f-number of the longest axis of all ellipses.
 
-    `ideal` returns the image height without distortion (metres, upwards) for a fraction of the largest field. If it
-    is passed, these heights are the positions of the map, and tilts shift the light to the actual positions.
+    `ideal` is a function that returns the image height without distortion (metres, upwards) for a fraction of the
+    largest field. With it, these heights are the positions of the map, and tilts shift the light to the actual ones.
     """
     as_circle = validation.truth("circular", circular)
-    points, trace = sample_points(degree, tol), _checked_trace(trace, wavelength)
+    points, trace = sample_points(degree, tol), _check_phases(trace, wavelength)
     if fields is None:
         return _radial_map(trace, points, heights, wavelength, degree, tol, obscuration, ideal, circular=as_circle)
     if ideal is not None:
@@ -271,9 +271,9 @@ def field_map(
     if not isinstance(fields, Sequence | np.ndarray):
         raise TypeError(f"fields must be a sequence of pairs (hx, hy), got {validation.shown(fields)}")
     f_number = fit(trace(0.0, 0.0, *points), degree, tol)[1]
-    at = [_point(f"fields[{k}]", field) for k, field in enumerate(fields)]
+    at = [_check_point(f"fields[{k}]", field) for k, field in enumerate(fields)]
     traced_fields = [trace(hx, hy, *points) for hx, hy in at]
-    wavefront = _stack([fit(one, degree, tol)[0] for one in traced_fields])
+    wavefront = _stack_fits([fit(one, degree, tol)[0] for one in traced_fields])
     x, y = np.array([one.position for one in traced_fields]).reshape(-1, 2).T
     aperture = Pupil(obscuration=obscuration, wavelength=wavelength, f_number=f_number)
     return FieldMap.scattered(x, -y, wavefront, aperture=aperture)
@@ -301,19 +301,19 @@ def _radial_map(
     distances = upwards * position[:, 1]
     if not distances[-1] > 0.0:
         raise ValueError("the largest field of the lens must be off the axis, but its image is on the axis")
-    # n sin of each pupil, perpendicular to the direction of the field and parallel to it.
-    axes = np.abs([np.diag(_transform(one)) for one in along_y])
+    # n sin(angle) at the edge of each pupil, perpendicular (x) and parallel (y) to the direction of the field.
+    axes = np.abs([np.diag(_fit_transform(one)) for one in along_y])
     half = 0.5 / f_number if circular else float(axes.max())
     aperture = Pupil(obscuration=obscuration, wavelength=wavelength, f_number=0.5 / half)
 
     def terms(traced: TracedField) -> dict[tuple[int, int], float]:
         if circular:
             return fit(traced, degree, tol)[0]
-        x, y = _transform(traced) @ np.stack([traced.x, traced.y]) / half
-        return _terms(traced.phase, x, y, degree, tol)
+        x, y = _fit_transform(traced) @ np.stack([traced.x, traced.y]) / half
+        return _fit_terms(traced.phase, x, y, degree, tol)
 
     azimuth = -0.5 * math.pi * upwards
-    wavefront = _stack([terms(one) for one in along_y])
+    wavefront = _stack_fits([terms(one) for one in along_y])
     radial_map = FieldMap.radial(distances, wavefront, azimuth=azimuth, aperture=aperture)
     along_x = trace(1.0, 0.0, *points)
     _require_symmetry(radial_map, terms(along_x), along_x.position, distances[-1], tol)
@@ -334,7 +334,7 @@ def _require_symmetry(
     edge: float,
     tol: float,
 ) -> None:
-    """Raise ValueError if the terms at the edge of the field along x disagree with a map from fields along y."""
+    """Raise ValueError if the terms at the edge of the field along x disagree with the map of fields along y."""
     x, y = position
     asymmetric = abs(math.hypot(x, y) - edge) > 1e-6 * edge
     if not asymmetric:
@@ -346,13 +346,13 @@ def _require_symmetry(
         raise ValueError("the lens is not rotationally symmetric; give fields, the points of the field to trace")
 
 
-def _stack(fits: Sequence[dict[tuple[int, int], float]]) -> Wavefront:
+def _stack_fits(fits: Sequence[dict[tuple[int, int], float]]) -> Wavefront:
     """Return the stack of wavefronts from their Zernike coefficients (radians at the edge)."""
     terms = {t: np.array([one[t] for one in fits]) for t in fits[0]}
     return Wavefront.zernike(terms, normalization="edge")
 
 
-def _point(name: str, value: object) -> tuple[float, float]:
+def _check_point(name: str, value: object) -> tuple[float, float]:
     """Return a checked field point (hx, hy)."""
     if not isinstance(value, tuple | list | np.ndarray) or len(value) != 2:
         raise TypeError(f"{name} must be a pair (hx, hy), got {validation.shown(value)}")

@@ -11,9 +11,8 @@ Conversions:
 - Wavelengths are in nanometres in ray-optics, in metres here.
 - The amplitude is assumed uniform.
 
-ray-optics is optional, and none of it is imported before a function is called. Version 0.9.10 or newer is required.
-It needs Python 3.12, and downloads a database of glasses at the first import; without a network, set the environment
-variable ``refractiveindexinfodb`` to a folder with this database.
+ray-optics is optional; it is imported only when a function of this module is called. It must have version 0.9.10 or
+newer, needs Python 3.12, and downloads a database of glasses at the first import. Without a network, set the variable ``refractiveindexinfodb`` to a folder with this database.
 """
 
 from __future__ import annotations
@@ -104,13 +103,13 @@ def field_map(
     heights : int, default 9
         Number of field points traced, from the axis to the edge; the lens must be rotationally symmetric.
     fields : sequence of (float, float), optional
-        Points to trace instead, as fractions of the largest field, for a lens without rotational symmetry.
+        Points to trace instead, as fractions of the largest field; required for a lens without rotational symmetry.
     circular : bool, default True
         True for circles with the f-number on the axis, which blurs over the field require; errors of their PSFs can
         be tens of percent of the peak near the edge of the field. False for the ellipses of :func:`pupil`; not
         supported with `fields`.
     wavelength, apertures, degree, tol
-        As of :func:`pupil`.
+        As for :func:`pupil`.
 
     Returns
     -------
@@ -121,7 +120,7 @@ def field_map(
     Raises
     ------
     ImportError, TypeError, ValueError
-        As of :func:`pupil`; also if the lens is not rotationally symmetric and no `fields` are given.
+        As for :func:`pupil`; also if the lens is not rotationally symmetric and no `fields` are given.
     """
     trace, metres = _tracer(model, wavelength, apertures)
     return ray_tracing.field_map(trace, heights, fields, metres, degree, tol, circular=circular)
@@ -131,7 +130,7 @@ def _require_version(installed: str) -> None:
     """Raise ImportError for versions whose optical path differences have a wrong sign for fields along x."""
     if tuple(int(part) for part in re.findall(r"\d+", installed)[:3]) < _MIN_VERSION:
         raise ImportError(
-            f"this needs ray-optics {'.'.join(map(str, _MIN_VERSION))} or newer, which takes Python 3.12, got "
+            f"this needs ray-optics {'.'.join(map(str, _MIN_VERSION))} or newer, which needs Python 3.12, got "
             f"{installed}, whose optical path differences are wrong for fields along x"
         )
 

@@ -13,7 +13,7 @@ _ARCSEC = 180.0 * 3600.0 / np.pi
 
 
 def interpolated_image(psf: PSF, *, focal_length: float, **options: Any) -> Any:
-    """Return a single PSF as ``galsim.InterpolatedImage``; its flux is the light in the window.
+    """Return a single PSF as ``galsim.InterpolatedImage``; its flux is the sum of the values.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""The functions of MicroscPSF-Py: the scalar PSF of Gibson and Lanni, in micrometres."""
+"""The functions of MicroscPSF-Py: the scalar PSF of Gibson and Lanni, with lengths in micrometres."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def gLXYZFocalScan(
         Stage positions relative to the design position, micrometres; negative if the cover glass is closer to the
         objective.
     normalize : bool, default True
-        Divide by the largest value of the stack, searched between the pixels too.
+        Divide by the largest value of the stack, which is searched between pixel centres too.
     pz : float, default 0
         Depth of the point below the cover glass, micrometres.
     wvl : float, default 0.6
@@ -62,7 +62,7 @@ def gLXYZFocalScan(
     ----------
     S. F. Gibson and F. Lanni, J. Opt. Soc. Am. A 9, 154 (1992), doi:10.1364/JOSAA.9.000154.
     """
-    return _images(_checked_camera(mp, zd), dxy, xy_size, zv, pz, wvl, normalize)
+    return _compute_images(_checked_camera(mp, zd), dxy, xy_size, zv, pz, wvl, normalize)
 
 
 def gLXYZParticleScan(
@@ -77,9 +77,9 @@ def gLXYZParticleScan(
 ) -> Array:
     """Return images of points at depths `pz` for one stage position `zv`, shape (depths, xy_size, xy_size).
 
-    Other parameters are as of :func:`gLXYZFocalScan`.
+    Other parameters are as for :func:`gLXYZFocalScan`.
     """
-    return _images(_checked_camera(mp, zd), dxy, xy_size, zv, pz, wvl, normalize)
+    return _compute_images(_checked_camera(mp, zd), dxy, xy_size, zv, pz, wvl, normalize)
 
 
 def gLZRFocalScan(
@@ -93,9 +93,9 @@ def gLZRFocalScan(
 ) -> Array:
     """Return the radial profile of each plane at radii `rv` (micrometres), shape (planes, radii).
 
-    Other parameters are as of :func:`gLXYZFocalScan`.
+    Other parameters are as for :func:`gLXYZFocalScan`.
     """
-    return _profiles(_checked_camera(mp, zd), rv, zv, pz, wvl, normalize)
+    return _compute_profiles(_checked_camera(mp, zd), rv, zv, pz, wvl, normalize)
 
 
 def gLZRParticleScan(
@@ -109,9 +109,9 @@ def gLZRParticleScan(
 ) -> Array:
     """Return radial profiles of points at depths `pz`, at radii `rv` (micrometres), shape (depths, radii).
 
-    Other parameters are as of :func:`gLXYZFocalScan`.
+    Other parameters are as for :func:`gLXYZFocalScan`.
     """
-    return _profiles(_checked_camera(mp, zd), rv, zv, pz, wvl, normalize)
+    return _compute_profiles(_checked_camera(mp, zd), rv, zv, pz, wvl, normalize)
 
 
 def _checked_camera(mp: Mapping[str, float], zd: float | None) -> Mapping[str, float]:
@@ -122,21 +122,21 @@ def _checked_camera(mp: Mapping[str, float], zd: float | None) -> Mapping[str, f
     return mp
 
 
-def _params(mp: Mapping[str, float]) -> dict[str, float]:
-    """Return the parameters that affect the result, with defaults; ValueError for an unknown name."""
+def _relevant_params(mp: Mapping[str, float]) -> dict[str, float]:
+    """Return the parameters that affect the result, completed by defaults; ValueError for an unknown name."""
     for name in mp:
         validation.choice("mp", name, tuple(m_params))
     return {name: value for name, value in (m_params | dict(mp)).items() if name in psfmodels.PARAMS}
 
 
-def _focus(params: Mapping[str, float], zv: ArrayLike) -> Array:
-    """Return stage positions in metres, positive towards the sample, from paraxial focus on the cover glass."""
+def _stage_positions(params: Mapping[str, float], zv: ArrayLike) -> Array:
+    """Return stage positions (metres, positive towards the sample) relative to paraxial focus on the cover glass."""
     ni, ti0 = params["ni"], params["ti0"]
     clearance = ni * (params["tg0"] / params["ng0"] + ti0 / params["ni0"] - params["tg"] / params["ng"])
     return np.asarray(1e-6 * (clearance - ti0 - np.atleast_1d(validation.real_array("zv", zv))))
 
 
-def _images(
+def _compute_images(
     mp: Mapping[str, float], dxy: float, xy_size: int, zv: ArrayLike, pz: ArrayLike, wvl: float, normalize: bool
 ) -> Array:
     """Return images of shape (n, xy_size, xy_size), from radial profiles at the distinct radii of the pixels."""
@@ -145,23 +145,23 @@ def _images(
     half_pixels = 2 * np.arange(side) - (side - 1)
     squares, which = np.unique(half_pixels**2 + half_pixels[:, None] ** 2, return_inverse=True)
     pitch = validation.real("dxy", dxy, above=0.0)
-    # The second part adds radii at steps of half a pixel, at which the largest value is searched as well.
+    # The second array adds radii at steps of half a pixel, at which the largest value is searched as well.
     radii = np.concatenate([0.5 * pitch * np.sqrt(squares), 0.5 * pitch * np.arange(1.5 * side + 2)])
-    profiles = _profiles(mp, radii, zv, pz, wvl, normalize)
+    profiles = _compute_profiles(mp, radii, zv, pz, wvl, normalize)
     return profiles[:, : squares.size][:, which.reshape(side, side)]
 
 
-def _profiles(
+def _compute_profiles(
     mp: Mapping[str, float], rv: ArrayLike, zv: ArrayLike, pz: ArrayLike, wvl: float, normalize: bool
 ) -> Array:
     """Return radial profiles of shape (n, radii), one for each depth or stage position."""
-    params = _params(mp)
+    params = _relevant_params(mp)
     depth = np.atleast_1d(validation.real_array("pz", pz, least=0.0))
     radii = 1e-6 * np.atleast_1d(validation.real_array("rv", rv, least=0.0))
     found = psfmodels.objective(params).scalar(
         radii,
         depth=1e-6 * depth,
-        focus=_focus(params, zv),
+        focus=_stage_positions(params, zv),
         wavelength=1e-6 * validation.real("wvl", wvl, above=0.0),
         supercritical=False,
     )

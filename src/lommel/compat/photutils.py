@@ -1,4 +1,4 @@
-"""Effective PSFs for photutils: oversampled and integrated over pixels, at one field position or on a grid."""
+"""Effective PSFs for photutils: oversampled and pixel-integrated PSFs, at one field position or on a grid."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def effective_psf(pupil: Pupil, shape: int, pixel: float, *, oversampling: int =
     pixel : float
         Pixel pitch in metres, or in units of lambda*N if the pupil has no wavelength.
     oversampling : int, default 4
-        Number of values per pixel along x, and along y.
+        Number of values per pixel along x, and also along y.
     options
         Options of :func:`lommel.psf`: `tol`, `blur` (seeing), `fill`, `threads`.
 
@@ -61,7 +61,7 @@ def effective_psf(pupil: Pupil, shape: int, pixel: float, *, oversampling: int =
             raise ValueError(
                 f"{name} must be left out: effective PSFs are pixel-integrated and centred on the middle pixel"
             )
-    # For each of times^2 subpixel shifts of the axis, one PSF; interleaved, they are the oversampled values.
+    # Compute a PSF for each of times^2 subpixel shifts of the axis. Interleaved, they are the oversampled values.
     row, column = side // 2 - np.mgrid[:times, :times] / times
     stack = pupil[..., None, None] if pupil.shape else pupil
     shifted = psf(stack, side, pixel, center=(row, column), integrate=True, **options).values
@@ -79,7 +79,7 @@ def image_psf(pupil: Pupil, shape: int, pixel: float, *, oversampling: int = 4, 
     ----------
     pupil : Pupil
     shape, pixel, oversampling, options
-        As of :func:`effective_psf`.
+        As for :func:`effective_psf`.
 
     Returns
     -------
@@ -120,7 +120,7 @@ def gridded_psf_model(
     sensor : (float, float)
         Height and width of the sensor, centred on the axis, in the unit of `field`.
     shape, pixel, oversampling, options
-        As of :func:`effective_psf`.
+        As for :func:`effective_psf`.
 
     Returns
     -------
@@ -158,14 +158,14 @@ def save_stdpsf(
     Parameters
     ----------
     path : path
-        FITS file. It has an oversampling of 4; its positions are integers that begin with 1.
+        FITS file, with an oversampling of 4. Positions in it are rounded to whole pixels, which are numbered from 1.
     field, rows, columns, sensor, shape, pixel, options
-        As of :func:`gridded_psf_model`.
+        As for :func:`gridded_psf_model`.
 
     Raises
     ------
     TypeError, ValueError
-        As :func:`gridded_psf_model`, and if the grid has more than 99 rows or columns.
+        As for :func:`gridded_psf_model`, and if the grid has more than 99 rows or columns.
     ImportError
         If astropy is not installed.
     OSError
@@ -191,7 +191,7 @@ def _grid(
     oversampling: int,
     options: dict[str, Any],
 ) -> _Grid:
-    """Return effective PSFs of shape (rows, columns, n, n), and their x and y in pixels from the first pixel."""
+    """Return effective PSFs, shape (rows, columns, n, n), and their x and y in pixels from the first pixel."""
     validation.instance("field", field, FieldMap)
     pitch = validation.real("pixel", pixel, above=0.0)
     positions = []

@@ -66,7 +66,7 @@ def pupil_arrays(pupil: Pupil, samples: int, *, diameter: float) -> PupilArrays:
     x, y = np.meshgrid(axis, axis)
     rho, theta = np.hypot(x, y), np.arctan2(y, x)
     inside = (rho <= 1.0) & (rho >= pupil.obscuration)
-    # Outside the pupil, where the amplitude is 0, the terms are evaluated at the edge: they are defined for rho <= 1.
+    # Outside the pupil, where the amplitude is 0, use the edge, since Zernike terms are defined for rho <= 1.
     clipped = np.minimum(rho, 1.0)
     amplitude = np.where(inside, pupil.illumination.value(clipped), 0.0)
     phase = np.where(inside, pupil.wavefront.phase(clipped, theta), 0.0)

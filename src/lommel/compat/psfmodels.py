@@ -1,4 +1,4 @@
-"""The functions of psfmodels: microscope PSFs of Gibson and Lanni, scalar and vectorial, in micrometres."""
+"""The functions of psfmodels: scalar and vectorial PSFs of Gibson and Lanni, with lengths in micrometres."""
 
 from __future__ import annotations
 
@@ -58,8 +58,8 @@ def make_psf(
     ----------
     z : int or array_like, default 51
         Number of planes, with step `dz` and centred on `pz`, or positions of the planes in micrometres. A position is
-        the depth in the sample to which the paraxial focus is moved, if 0 is focus on the cover glass. The plane at
-        `pz` is at the paraxial focus of the point.
+        the depth below the cover glass to which the paraxial focus is moved. In the plane at `pz` the point is in
+        paraxial focus.
     nx : int, default 51
         Width and height in pixels; the point is in pixel ``(nx - 1) // 2``.
     dxy, dz : float, default 0.05
@@ -73,10 +73,10 @@ def make_psf(
     ni0, ng0, tg0, ti0 : float
         Design values of `ni`, `ng` and `tg`, and design working distance (micrometres).
     oversample_factor : int, default 3
-        1 for point samples at pixel centres. For any larger number values are integrated over pixels exactly.
+        1 for point samples at pixel centres; any larger number for values that are exactly pixel-integrated.
     normalize : bool, default True
-        Divide by the largest value of the stack. Otherwise values are fractions of the collected light, unlike in
-        psfmodels, where they have another unit.
+        Divide by the largest value of the stack. Otherwise values are fractions of the collected light; in psfmodels
+        they have another unit.
     model : {"vectorial", "scalar"}, default "vectorial"
         Vectorial model of a freely rotating dipole, or scalar model.
 
@@ -92,17 +92,17 @@ def make_psf(
 
     Notes
     -----
-    Results of psfmodels differ by its error: up to 1e-2 of the peak by interpolation between radii, and 6e-3 by its
-    nine samples per pixel (oversample_factor=3).
+    Results of psfmodels differ by the error of psfmodels: up to 1e-2 of the peak from interpolation between radii,
+    and up to 6e-3 of the peak from nine samples per pixel (oversample_factor=3).
 
     References
     ----------
     S. F. Gibson and F. Lanni, J. Opt. Soc. Am. A 9, 154 (1992), doi:10.1364/JOSAA.9.000154.
     F. Aguet et al., Opt. Express 17, 6829 (2009), doi:10.1364/OE.17.006829.
     """
-    planes = _centered(z, dz, pz) if isinstance(z, int) else z
+    planes = _centered_planes(z, dz, pz) if isinstance(z, int) else z
     params = {"NA": NA, "ng0": ng0, "ng": ng, "ni0": ni0, "ni": ni, "ns": ns, "ti0": ti0, "tg": tg, "tg0": tg0}
-    return _stack(planes, nx, dxy, pz, wvl, params | {"sf": oversample_factor}, normalize, model)
+    return _compute_stack(planes, nx, dxy, pz, wvl, params | {"sf": oversample_factor}, normalize, model)
 
 
 def vectorial_psf(
@@ -115,7 +115,7 @@ def vectorial_psf(
     normalize: bool = True,
 ) -> Array:
     """Return the vectorial PSF at planes `zv`; other parameters of :func:`make_psf` are keys of `params`."""
-    return _stack(zv, nx, dxy, pz, wvl, params, normalize, "vectorial")
+    return _compute_stack(zv, nx, dxy, pz, wvl, params, normalize, "vectorial")
 
 
 def scalar_psf(
@@ -128,17 +128,17 @@ def scalar_psf(
     normalize: bool = True,
 ) -> Array:
     """Return the scalar PSF at planes `zv`; other parameters of :func:`make_psf` are keys of `params`."""
-    return _stack(zv, nx, dxy, pz, wvl, params, normalize, "scalar")
+    return _compute_stack(zv, nx, dxy, pz, wvl, params, normalize, "scalar")
 
 
 def vectorial_psf_centered(nz: int, dz: float = 0.05, pz: float = 0.0, **options: Any) -> Array:
     """Return the vectorial PSF at `nz` planes with step `dz` (micrometres) around `pz`; see :func:`vectorial_psf`."""
-    return vectorial_psf(_centered(nz, dz, pz), pz=pz, **options)
+    return vectorial_psf(_centered_planes(nz, dz, pz), pz=pz, **options)
 
 
 def scalar_psf_centered(nz: int, dz: float = 0.05, pz: float = 0.0, **options: Any) -> Array:
     """Return the scalar PSF at `nz` planes with step `dz` (micrometres) around `pz`; see :func:`scalar_psf`."""
-    return scalar_psf(_centered(nz, dz, pz), pz=pz, **options)
+    return scalar_psf(_centered_planes(nz, dz, pz), pz=pz, **options)
 
 
 def objective(params: Mapping[str, float]) -> Objective:
@@ -177,12 +177,12 @@ def objective(params: Mapping[str, float]) -> Objective:
     )
 
 
-def _centered(count: int, step: float, middle: float) -> Array:
+def _centered_planes(count: int, step: float, middle: float) -> Array:
     half = 0.5 * (validation.integer("z", count, least=1, most=100_000) - 1) * validation.real("dz", step, above=0.0)
     return np.linspace(middle - half, middle + half, count)
 
 
-def _stack(
+def _compute_stack(
     zv: ArrayLike,
     nx: int,
     dxy: float,

@@ -98,5 +98,5 @@ class HanserPSF:
 
     @cached_property
     def OTFi(self) -> NDArray[np.complex128]:
-        """Discrete Fourier transform of `PSFi`, zero frequency in the middle; lacks light outside the window."""
+        """Discrete Fourier transform of `PSFi`, zero frequency in the middle; omits light outside the window."""
         return np.asarray(fft.fftshift(fft.fftn(fft.ifftshift(self.PSFi))))

@@ -6,8 +6,9 @@ around the image point of the chief ray. A longer path delays the wave, which ha
 Pupil points (x, y) are fractions of the radius of the entrance pupil. Under the sine condition they are proportional
 to the direction cosines from the reference sphere to the image point, which are the variables of Debye's integral.
 Off the axis the factors differ between x and y, so that the pupil seen from the image is an ellipse: a linear map,
-fitted by least squares, maps the entrance pupil to this ellipse. By default field maps use a circle instead, as do the
-FFT PSFs of ray tracers. Its f-number is 1 / (2 s), with the geometric mean s of n sin(angle) at the edge in x, y.
+fitted by least squares, maps the entrance pupil to this ellipse. By default field maps use a circle instead, as do
+the FFT PSFs of ray tracers. Its f-number is 1 / (2 s), where s is the geometric mean of n sin(angle) at the edge in x
+and in y.
 
 In ray tracers y points upwards, in images of lommel downwards. Pupils and positions are therefore mirrored: they are
 seen from behind the sensor.

@@ -12,7 +12,8 @@ Conversions:
 - The amplitude is assumed uniform.
 
 ray-optics is optional; it is imported only when a function of this module is called. It must have version 0.9.10 or
-newer, needs Python 3.12, and downloads a database of glasses at the first import. Without a network, set the variable ``refractiveindexinfodb`` to a folder with this database.
+newer, needs Python 3.12, and downloads a database of glasses at the first import. Without a network, set the
+environment variable ``refractiveindexinfodb`` to a folder with this database.
 """
 
 from __future__ import annotations

@@ -101,24 +101,24 @@ def read_datx(data: bytes) -> Measured:
         surfaces = [one for place in places if isinstance(one := reading.hdf5_below(file, *place), h5py.Dataset)]
         if not surfaces:
             raise ValueError("it holds no surface")
-        found, said = surfaces[0], surfaces[0].attrs
-        if found.ndim != 2 or found.dtype.kind not in "iuf" or found.size > reading.MAX_PIXELS:
-            raise ValueError(f"its surface holds {found.dtype} of the shape {found.shape}, not a map")
-        values = np.asarray(reading.hdf5_values(found, len(data)), dtype=np.float64)
-        if "No Data" in said:
-            values[values >= _to_number(said["No Data"])] = np.nan
-        wavelength = _to_number(said["Wavelength"]) if "Wavelength" in said else None
-        unit = np.ravel(said["Unit"])[0] if "Unit" in said else ""
+        surface, attrs = surfaces[0], surfaces[0].attrs
+        if surface.ndim != 2 or surface.dtype.kind not in "iuf" or surface.size > reading.MAX_PIXELS:
+            raise ValueError(f"its surface holds {surface.dtype} of the shape {surface.shape}, not a map")
+        values = np.asarray(reading.hdf5_values(surface, len(data)), dtype=np.float64)
+        if "No Data" in attrs:
+            values[values >= _to_number(attrs["No Data"])] = np.nan
+        wavelength = _to_number(attrs["Wavelength"]) if "Wavelength" in attrs else None
+        unit = np.ravel(attrs["Unit"])[0] if "Unit" in attrs else ""
         name = unit.decode() if isinstance(unit, bytes) else str(unit)
         if name == "Fringes":
             factors = (
-                _to_number(said[key]) for key in ("Interferometric Scale Factor", "Obliquity Factor") if key in said
+                _to_number(attrs[key]) for key in ("Interferometric Scale Factor", "Obliquity Factor") if key in attrs
             )
             values *= np.prod(list(factors))
             name = "waves"
         spacing = 0.0
-        if "X Converter" in said:  # its parameter 1 is the spacing in metres
-            spacing = validation.real("the spacing", float(np.ravel(said["X Converter"])[0][2][1]), least=0.0)
+        if "X Converter" in attrs:  # its parameter 1 is the spacing in metres
+            spacing = validation.real("the spacing", float(np.ravel(attrs["X Converter"])[0][2][1]), least=0.0)
         if name.lower() in _MX_UNITS:
             values *= _MX_UNITS[name.lower()]
             name = "m"
@@ -185,16 +185,16 @@ def load_opd(
     form, source = find(path, verb="read"), Path(path)
     if unit is not None:
         validation.choice("unit", unit, UNITS)
-    said = {
+    arguments = {
         "unit": unit,
         "spacing": None if spacing is None else validation.real("spacing", spacing, above=0.0, unit="metres"),
         "wavelength": None if wavelength is None else validation.wavelength(wavelength),
     }
     data = reading.contents(source, 8 * reading.MAX_PIXELS)
     with reading.refused_as(OPDFileError, source, f"cannot be read as {registry.KINDS['opd']}"):
-        found = form.read(data)
-        known = {name: _merge_stated(name, value, getattr(found, name)) for name, value in said.items()}
-        opd = None if known["unit"] is None else _to_metres(found.values, **known)
+        measured = form.read(data)
+        merged = {name: _merge_stated(name, value, getattr(measured, name)) for name, value in arguments.items()}
+        opd = None if merged["unit"] is None else _to_metres(measured.values, **merged)
     if opd is None:
         raise ValueError(f"unit must be given, since {validation.line(source)} does not state it")
     return opd
@@ -286,8 +286,8 @@ def _write_fits(opd: OPDMap) -> bytes:
 
 def _read_csv(data: bytes) -> Measured:
     text = reading.decoded(data)
-    said = {key: value for _, key, value in text_files.settings(text)}
-    if others := [key for key in said if key not in ("unit", "spacing", "wavelength")]:
+    stated = {key: value for _, key, value in text_files.settings(text)}
+    if others := [key for key in stated if key not in ("unit", "spacing", "wavelength")]:
         raise ValueError(f"it states {', '.join(map(validation.shown, others[:3]))}, which is unknown")
     values, width, ragged = array("d"), 0, False
     for _, row in text_files.rows(text):
@@ -299,8 +299,8 @@ def _read_csv(data: bytes) -> Measured:
             ragged = True
     if ragged or not width:
         raise ValueError("it must hold rows with the same number of values")
-    spacing, wavelength = (parse_length(said[name]) if name in said else None for name in ("spacing", "wavelength"))
-    return Measured(np.array(values).reshape(-1, width), _find_unit(said.get("unit", "")), spacing, wavelength)
+    lengths = {name: parse_length(stated[name]) for name in ("spacing", "wavelength") if name in stated}
+    return Measured(np.array(values).reshape(-1, width), _find_unit(stated.get("unit", "")), **lengths)
 
 
 def _write_csv(opd: OPDMap) -> bytes:

@@ -134,7 +134,7 @@ def _copy_tags(stored: bytes) -> bytes | None:
 
 def _directory(data: bytes, at: int, order: str) -> Directory:
     """Return the entries of the directory at position `at`; damaged and long entries are skipped."""
-    found: Directory = {}
+    entries: Directory = {}
     (count,) = struct.unpack_from(order + "H", data, at) if at + 2 <= len(data) else (0,)
     for entry in range(at + 2, min(at + 2 + 12 * min(count, _MAX_ENTRIES), len(data) - 11), 12):
         tag, kind, number, place = struct.unpack_from(order + "HHII", data, entry)
@@ -143,8 +143,8 @@ def _directory(data: bytes, at: int, order: str) -> Directory:
         if 0 < size <= _MAX_ENTRY_BYTES and place + size <= len(data):
             word = _WORD_TYPES.get(kind, "u1")
             values = np.frombuffer(data[place : place + size], order + word)
-            found[tag] = kind, number, values.astype("<" + word).tobytes()
-    return found
+            entries[tag] = kind, number, values.astype("<" + word).tobytes()
+    return entries
 
 
 def _subdirectory(data: bytes, first: Directory, tag: int, order: str) -> Directory:
@@ -241,16 +241,16 @@ def read_exr(data: bytes) -> tuple[Values, Tags, bytes | None]:
 def read_depth(data: bytes, _scale: float | None) -> Values:
     """Return the channel Z of an EXR file (of any layer), or else its only channel, possibly stored as R = G = B."""
     with _open_exr(data) as channels:
-        found = [name for name in channels if name.split(".")[-1] == "Z"]
-        if len(found) != 1:
-            found = [name for name in channels if name != "A"]
-        if set(found) == {"R", "G", "B"} and all(
+        names = [name for name in channels if name.split(".")[-1] == "Z"]
+        if len(names) != 1:
+            names = [name for name in channels if name != "A"]
+        if set(names) == {"R", "G", "B"} and all(
             np.array_equal(channels[name], channels["R"], equal_nan=True) for name in "GB"
         ):
-            found = ["R"]
-        if len(found) != 1:
+            names = ["R"]
+        if len(names) != 1:
             raise ValueError(f"its channels are {', '.join(sorted(channels))}; a depth map has one, or one named Z")
-        return np.array(channels[found[0]])
+        return np.array(channels[names[0]])
 
 
 def _exr_bytes(channels: dict[str, Values]) -> bytes:

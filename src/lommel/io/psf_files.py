@@ -158,9 +158,9 @@ def rebuild(arrays: Arrays, description: Description, kind: Callable[..., Made])
     """Return the PSF ``kind(...)`` from the arrays of a file and the description with its checksum."""
     if "channels" in description:
         raise ValueError("it has channels; ColourPSF.load, or PSFGrid.load, reads it")
-    said = dict(description["pupil"])  # files of older versions have no kind: the pupil is a Pupil
+    entries = dict(description["pupil"])  # files of older versions have no kind: the pupil is a Pupil
     kinds = {one.__name__: one for one in (Pupil, ObjectivePupil, FieldPupil)}
-    pupil: BasePupil = kinds[validation.choice("kind", said.pop("kind", "Pupil"), kinds)].from_dict(said)
+    pupil: BasePupil = kinds[validation.choice("kind", entries.pop("kind", "Pupil"), kinds)].from_dict(entries)
     method = method_from_dict(description["method"])
     method.require(pupil)
     bound, picture = description["error_bound"], description.get("png")
@@ -298,9 +298,9 @@ def describe_colours(answer: ColourPSFLike) -> Description:
     """Return the description of the first PSF and the entries that each channel has; ValueError for derivatives."""
     if any(psf.derivatives for psf in answer.psfs):
         raise ValueError('derivatives are saved channel by channel, as by answer["red"].save("red.npz")')
-    said = [describe(psf) for psf in answer.psfs]
-    each = [{name: one[name] for name in _PER_CHANNEL} for one in said]
-    return said[0] | {"channels": answer.channels.to_dict(), "each": each, "shape": list(answer.shape)}
+    descriptions = [describe(psf) for psf in answer.psfs]
+    each = [{name: one[name] for name in _PER_CHANNEL} for one in descriptions]
+    return descriptions[0] | {"channels": answer.channels.to_dict(), "each": each, "shape": list(answer.shape)}
 
 
 def rebuild_colours(
@@ -313,9 +313,9 @@ def rebuild_colours(
     if description.get("checksum") != checksum(description, {"values": values}):
         raise ValueError(DAMAGED)
     channels, each = Channels.from_dict(description["channels"]), description["each"]
-    made, shared = [], {name: said for name, said in description.items() if name not in ("channels", "each")}
+    made, shared = [], {name: entries for name, entries in description.items() if name not in ("channels", "each")}
     for part, own in zip(np.moveaxis(values, -3, 0), each, strict=True):
-        said = shared | {name: own[name] for name in _PER_CHANNEL} | {"shape": list(part.shape)}
+        entries = shared | {name: own[name] for name in _PER_CHANNEL} | {"shape": list(part.shape)}
         one = {"values": np.ascontiguousarray(part)}
-        made.append(rebuild(one, sealed(said, one), kind))
+        made.append(rebuild(one, sealed(entries, one), kind))
     return channels, tuple(made)

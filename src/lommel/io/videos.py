@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 __all__ = ["FramePair", "FramePairs", "VideoError", "VideoFrame", "VideoFrames", "frame_pairs", "video_frames"]
 
 Source: TypeAlias = int | str | PathLike[str]
-Tell: TypeAlias = Callable[[str], object]
+Report: TypeAlias = Callable[[str], object]
 
 MAX_FRAME = 2**26
 """Maximum number of pixels of a frame."""
@@ -150,8 +150,8 @@ class VideoFrames(_ClosingIterator):
         If the source contains no frame.
     """
 
-    def __init__(self, reader: _PyavReader | _CameraReader | _ImageReader, tell: Tell) -> None:
-        self._reader, self._tell = reader, tell
+    def __init__(self, reader: _PyavReader | _CameraReader | _ImageReader, tell: Report) -> None:
+        self._reader, self._report = reader, tell
         self.name, self.live, self.levels = reader.name, reader.live, reader.levels
         self.dropped = self.refused = self.number = 0
         self.lost: str | None = None
@@ -183,10 +183,10 @@ class VideoFrames(_ClosingIterator):
     @property
     def interval(self) -> float:
         """Seconds between frames: the median of the latest intervals, or the stated one if fewer than 3 are known."""
-        seen = list(self._times)
-        if len(seen) > 2:
-            return median(seen)
-        return self._reader.interval or min(seen, default=1.0 / USUAL_RATE)
+        intervals = list(self._times)
+        if len(intervals) > 2:
+            return median(intervals)
+        return self._reader.interval or min(intervals, default=1.0 / USUAL_RATE)
 
     def _numbered(self) -> Iterator[_NumberedFrame]:
         """Yield frames with numbers, which increase by more than 1 if the times show missing frames."""
@@ -221,7 +221,7 @@ class VideoFrames(_ClosingIterator):
             self.refused += 1
             if self.refused == 1:
                 other, own = (" x ".join(map(str, one[1::-1])) for one in (frame.values.shape, self.shape))
-                self._tell(
+                self._report(
                     f"{self.name} has a frame of {other} {frame.values.dtype} at {frame.time:.2f} s, where the first "
                     f"is of {own} {self.dtype}: such frames are skipped"
                 )
@@ -239,7 +239,7 @@ class VideoFrames(_ClosingIterator):
             return next(self._latest or self._frames)
         except VideoError as error:
             self.lost = str(error)
-            self._tell(self.lost)
+            self._report(self.lost)
             raise StopIteration from None
 
     def close(self) -> None:
@@ -319,8 +319,8 @@ class FramePairs(_ClosingIterator):
         Number of frames without a partner.
     """
 
-    def __init__(self, sources: tuple[VideoFrames, ...], tell: Tell) -> None:
-        self.sources, self._tell = sources, tell
+    def __init__(self, sources: tuple[VideoFrames, ...], tell: Report) -> None:
+        self.sources, self._report = sources, tell
         first = sources[0]
         self.shape, self.dtype, self.levels, self.encoding = first.shape, first.dtype, first.levels, first.encoding
         self.alone = 0
@@ -387,25 +387,25 @@ class FramePairs(_ClosingIterator):
         if even is not None:
             self.alone += 1
             if source.lost is None:
-                self._tell(f"{source.name} ends inside a pair: its last frame was skipped")
+                self._report(f"{source.name} ends inside a pair: its last frame was skipped")
 
     def _matched(self) -> Iterator[FramePair]:
         """Yield pairs of frames of two sources whose times differ by at most half the shorter frame interval."""
         first, second = self.sources
-        row = 0
+        unpaired = 0
         a, b = next(first, None), next(second, None)
         while a is not None and b is not None:
             gap = b.time - a.time
             near = 0.5 * min(first.interval, second.interval)
             if abs(gap) <= near:
-                row = 0
+                unpaired = 0
                 yield FramePair(a.values, b.values, a.time)
                 a, b = next(first, None), next(second, None)
                 continue
             self.alone += 1
-            row += 1
-            if row == _MAX_UNPAIRED:
-                self._tell(
+            unpaired += 1
+            if unpaired == _MAX_UNPAIRED:
+                self._report(
                     f"no frames of {first.name} and {second.name} are within {1e3 * near:.3g} ms of each other, at "
                     f"{a.time:.3f} and {b.time:.3f} s: they were not recorded together, or their clocks differ"
                 )
@@ -416,10 +416,10 @@ class FramePairs(_ClosingIterator):
         for ended, left, frame in ((first, second, b), (second, first, a)):
             if frame is not None and not ended.live and self.lost is None:
                 self.alone += 1
-                self._tell(f"{ended.name} ends before {left.name}, whose frame at {frame.time:.3f} s was skipped")
+                self._report(f"{ended.name} ends before {left.name}, whose frame at {frame.time:.3f} s was skipped")
 
 
-def video_frames(source: Source, *, grey: bool = False, tell: Tell | None = None) -> VideoFrames:
+def video_frames(source: Source, *, grey: bool = False, tell: Report | None = None) -> VideoFrames:
     """Open a video file, a stream, a camera or numbered images as frames with their times.
 
     Parameters
@@ -446,25 +446,26 @@ def video_frames(source: Source, *, grey: bool = False, tell: Tell | None = None
         If the source cannot be read, or PyAV (files, streams) or OpenCV (cameras) is not installed.
     """
     grey = validation.truth("grey", grey)
-    say = _warner(tell)
+    report = _warner(tell)
     if isinstance(source, str) and re.fullmatch(r"\d{1,3}", source):
         source = int(source)
     if isinstance(source, int | np.integer):
-        return VideoFrames(_CameraReader(validation.integer("source", source, least=0, most=999), grey, say), say)
+        number = validation.integer("source", source, least=0, most=999)
+        return VideoFrames(_CameraReader(number, grey, report), report)
     if isinstance(source, str) and (found := re.match(r"([a-z]\w*)://", source, re.IGNORECASE)):
         if found[1].lower() not in _SCHEMES:
             raise ValueError(f"source must be of {', '.join(_SCHEMES)}, got {validation.shown(found[0])}")
         named = validation.line(re.sub(r"//[^/@]*@", "//", source))  # removes user name and password
-        return VideoFrames(_PyavReader(source, named, True, grey, say), say)
+        return VideoFrames(_PyavReader(source, named, True, grey, report), report)
     path = validation.path("source", source)
     if path.is_dir() or "%" in path.name:
-        return VideoFrames(_ImageReader(path, grey, say), say)
+        return VideoFrames(_ImageReader(path, grey, report), report)
     reading.size(path)  # raises an error for a pipe, on which reading would wait
-    return VideoFrames(_PyavReader(fspath(path), validation.line(path), False, grey, say), say)
+    return VideoFrames(_PyavReader(fspath(path), validation.line(path), False, grey, report), report)
 
 
 def frame_pairs(
-    a: Source, b: Source | None = None, *, alternating: bool = False, tell: Tell | None = None
+    a: Source, b: Source | None = None, *, alternating: bool = False, tell: Report | None = None
 ) -> FramePairs:
     """Open pairs of grey frames that differ in focus, from two sources or from one with alternating focus.
 
@@ -503,20 +504,20 @@ def frame_pairs(
     if validation.truth("alternating", alternating) is (b is not None):
         got = "two sources" if alternating else "one source"
         raise ValueError(f"frames must come from two sources, or from one with alternating=True, got {got}")
-    say = _warner(tell)
+    report = _warner(tell)
     with ExitStack() as stack:
         opened = tuple(
-            stack.enter_context(video_frames(one, grey=True, tell=say)) for one in (a, b) if one is not None
+            stack.enter_context(video_frames(one, grey=True, tell=report)) for one in (a, b) if one is not None
         )
         first, last = opened[0], opened[-1]
         if (first.shape, first.dtype) != (last.shape, last.dtype):
             each = " and ".join(f"{one.shape[1]} x {one.shape[0]} {one.dtype}" for one in opened)
             raise VideoError(f"{first.name} and {last.name} must have frames of one size and type, got {each}")
         stack.pop_all()
-        return FramePairs(opened, say)
+        return FramePairs(opened, report)
 
 
-def _warner(tell: Tell | None) -> Tell:
+def _warner(tell: Report | None) -> Report:
     validation.function("tell", tell, required=False)
     return tell or (lambda sentence: warnings.warn(sentence, RuntimeWarning, stacklevel=3))
 
@@ -531,9 +532,9 @@ def _require_frame_size(name: str, width: int, height: int) -> None:
 class _PyavReader:
     """A video file or a stream, read by PyAV."""
 
-    def __init__(self, source: str, name: str, live: bool, grey: bool, tell: Tell) -> None:
+    def __init__(self, source: str, name: str, live: bool, grey: bool, tell: Report) -> None:
         self._av = optional.library("av", "reading video needs", "video")
-        self.name, self.live, self._grey, self._tell = name, live, grey, tell
+        self.name, self.live, self._grey, self._report = name, live, grey, tell
         self._bytes = self._pixels = 0
         # A file may be a playlist: refuse network addresses in it.
         options = {"protocol_whitelist": "file"}
@@ -596,7 +597,9 @@ class _PyavReader:
                 faults += 1
                 if not reported:
                     reported = True
-                    self._tell(f"{self.name} is damaged after {number} frames ({_reason(error)}): reading continues")
+                    self._report(
+                        f"{self.name} is damaged after {number} frames ({_reason(error)}): reading continues"
+                    )
                 if faults > _MAX_FAULTS:
                     raise VideoError(f"{self.name} is damaged: {_reason(error)}") from None
                 continue
@@ -634,7 +637,7 @@ class _CameraReader:
 
     live, levels, grey, bits = True, 256, False, None
 
-    def __init__(self, number: int, grey: bool, tell: Tell) -> None:
+    def __init__(self, number: int, grey: bool, tell: Report) -> None:
         self._cv2 = optional.library("cv2", "cameras need", "video")
         self._cv2.utils.logging.setLogLevel(0)  # errors are raised as exceptions instead
         self.name, self._grey = f"camera {number}", grey
@@ -671,8 +674,8 @@ class _ImageReader:
 
     live, interval = False, 1.0 / USUAL_RATE
 
-    def __init__(self, path: Path, grey: bool, tell: Tell) -> None:
-        self.name, self._grey, self._tell = validation.line(path), grey, tell
+    def __init__(self, path: Path, grey: bool, tell: Report) -> None:
+        self.name, self._grey, self._report = validation.line(path), grey, tell
         self._bytes = self._pixels = 0
         folder, form = (path, r".*?(\d+)\D*\.\w+") if path.is_dir() else (path.parent, _number_pattern(path.name))
         suffixes = {suffix for one in registry.formats("photo") for suffix in one.suffixes}
@@ -702,7 +705,7 @@ class _ImageReader:
             except (OSError, ValueError) as error:
                 if not reported:
                     reported = True
-                    self._tell(f"{validation.line(path)} is skipped: {_reason(error)}")
+                    self._report(f"{validation.line(path)} is skipped: {_reason(error)}")
                 continue
             if path.suffix.lower() in (".jpg", ".jpeg"):
                 self._bytes += size

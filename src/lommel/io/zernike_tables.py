@@ -242,24 +242,24 @@ def build(
 
     `where` maps the name of a setting to its place in the file.
     """
-    found = _setting_errors(settings, where)
+    errors = _setting_errors(settings, where)
     wavelength, obscuration = None, 0.0
     if "wavelength" in settings:
-        with text_files.collected(found, where("wavelength")):
+        with text_files.collected(errors, where("wavelength")):
             wavelength = validation.wavelength(parse_length(settings["wavelength"]))
     if "obscuration" in settings:
-        with text_files.collected(found, where("obscuration")):
+        with text_files.collected(errors, where("obscuration")):
             given = settings["obscuration"]
             value = text_files.number(given) if isinstance(given, str) else given
             obscuration = validation.real("it", value, least=0.0, below=1.0)
     if len(terms) > _MAX_TERMS:
-        found.append(f"{where('terms')}: must be at most {_MAX_TERMS} coefficients, got {len(terms)}")
+        errors.append(f"{where('terms')}: must be at most {_MAX_TERMS} coefficients, got {len(terms)}")
         terms = terms[:1]
-    values = _read_terms(terms, settings.get("order"), found)
+    values = _read_terms(terms, settings.get("order"), errors)
     if not terms:
-        found.append(f"{where('terms')}: is missing or empty; it holds the coefficients by index")
-    if found:
-        return None, found
+        errors.append(f"{where('terms')}: is missing or empty; it holds the coefficients by index")
+    if errors:
+        return None, errors
     try:
         return ZernikeTable(
             values, settings["order"], settings["unit"], settings["normalization"], wavelength, obscuration
@@ -271,17 +271,17 @@ def build(
 def _setting_errors(settings: Json, where: Callable[[str], str]) -> list[str]:
     """Return errors for unknown keys, and for order, unit and normalization if they are missing or not allowed."""
     stray = [key for key in settings if key not in SETTINGS]
-    found = [
+    errors = [
         f"{where(key)}: unknown key; {near(key, (*SETTINGS, 'terms'))}" for key in stray[: text_files.MAX_MESSAGES]
     ]
-    found += ["unknown keys"] * len(stray[text_files.MAX_MESSAGES :])
+    errors += ["unknown keys"] * len(stray[text_files.MAX_MESSAGES :])
     allowed = {"order": zernike.ORDERS, "unit": UNITS, "normalization": NORMALIZATIONS}
     for key, options in allowed.items():
         if key not in settings:
-            found.append(f"{where(key)}: is missing; it is one of {', '.join(options)}")
+            errors.append(f"{where(key)}: is missing; it is one of {', '.join(options)}")
         elif settings[key] not in options:
-            found.append(f"{where(key)}: must be one of {', '.join(options)}, got {validation.shown(settings[key])}")
-    return found
+            errors.append(f"{where(key)}: must be one of {', '.join(options)}, got {validation.shown(settings[key])}")
+    return errors
 
 
 def _read_terms(terms: Sequence[tuple[str, object, str]], order: object, errors: list[str]) -> dict[Index, float]:
@@ -311,10 +311,10 @@ def build_section(
     settings = {key: value for key, value in raw.items() if key not in ("terms", _ERRORS)}
     terms = raw.get("terms", {})
     entries = terms.items() if isinstance(terms, Mapping) else ()
-    table, found = build(settings, [(k, c, where(["terms", k])) for k, c in entries], lambda key: where([key]))
+    table, errors = build(settings, [(k, c, where(["terms", k])) for k, c in entries], lambda key: where([key]))
     if not isinstance(terms, Mapping):
-        found[-1] = f"{where(['terms'])}: must map indices to coefficients, got {validation.shown(terms)}"
-    return table, found
+        errors[-1] = f"{where(['terms'])}: must map indices to coefficients, got {validation.shown(terms)}"
+    return table, errors
 
 
 def _parse_index(text: str, order: str) -> Index:
@@ -448,23 +448,23 @@ def read_listing(data: bytes) -> tuple[ZernikeTable | None, list[str]]:
     text = _decode_text(data)
     kinds = {kind.lower() for kind in _KIND_LINE.findall(text)}
     kind, annulus = "".join(kinds), _RATIO.search(text)
-    found: list[str] = []
+    errors: list[str] = []
     if len(kinds) != 1:
         shown = f"got {' and '.join(sorted(kinds))}" if kinds else "which the line 'Listing of Zernike ...' states"
-        found.append(f"the terms must be Standard, Fringe or Annular, {shown}")
+        errors.append(f"the terms must be Standard, Fringe or Annular, {shown}")
     if not _WAVES_LINE.search(text):
-        found.append("the unit is not stated; listings have 'Peak to Valley ... waves'")
-    wavelength = _find_wavelength(text, found)
+        errors.append("the unit is not stated; listings have 'Peak to Valley ... waves'")
+    wavelength = _find_wavelength(text, errors)
     if kind == "annular" and not annulus:
-        found.append("the obscuration of the annulus is not stated")
-    terms = _find_terms(text, kind, found)
+        errors.append("the obscuration of the annulus is not stated")
+    terms = _find_terms(text, kind, errors)
     if not terms:
         # If no part of a listing was recognised, one message is clearer than a list of all missing parts.
         what = "is no listing of Zernike coefficients of OpticStudio, which begins with 'Listing of Zernike ...'"
         what += " and has lines such as 'Z   4     0.25'"
-        found = [*found, "it lists no term, such as 'Z   4     0.25'"] if kinds else [what]
-    if found:
-        return None, found
+        errors = [*errors, "it lists no term, such as 'Z   4     0.25'"] if kinds else [what]
+    if errors:
+        return None, errors
     if kind == "fringe":
         return ZernikeTable(terms, "fringe", "waves", "edge", wavelength), []
     inner = _parse_number(annulus[1]) if annulus and kind == "annular" else 0.0
@@ -598,11 +598,11 @@ def load_zernike(path: str | PathLike[str]) -> ZernikeTable:
     form, source = find(path, verb="read"), Path(path)
     table: ZernikeTable | None
     try:
-        table, found = form.read(reading.contents(source, reading.MAX_LIST))
+        table, errors = form.read(reading.contents(source, reading.MAX_LIST))
     except ValueError as error:
         raise ZernikeFileError(f"{validation.line(source)}: {reading.reason(error)}") from None
     if table is None:
-        raise ZernikeFileError(text_files.joined_errors(source, found))
+        raise ZernikeFileError(text_files.joined_errors(source, errors))
     return table
 
 

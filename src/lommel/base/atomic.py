@@ -92,9 +92,7 @@ def _temporary_files(scratch: Path | None = None, *, new: bool = False) -> Itera
             place = _resolve_target(target)
             temporary = (scratch or place.parent) / (_PREFIX + secrets.token_hex(8))
             mode = stat.S_IMODE(place.stat().st_mode) if place.exists() else None
-            made.append(
-                (temporary, place, mode)
-            )  # before the file exists, in case of an interrupt after its creation
+            made.append((temporary, place, mode))  # before the file exists, in case of an interrupt after that
             # The system subtracts the umask of the process from 0o666.
             os.close(os.open(temporary, _NEW, 0o666 if mode is None else 0o600))
         return temporary

@@ -37,7 +37,7 @@ MAX_VALUES = 2**31
 """Largest number of values of one result (8 GiB of float32)."""
 
 MAX_REACH = 1e6
-"""Largest distance from the axis, in v; in focus, the intensity at this distance is below 1e-17 of the peak."""
+"""Largest distance from the axis in v = pi r / (lambda N); in focus, I / peak is below 1e-17 at this distance."""
 
 
 _SHOWN = 120  # maximum number of characters of a value in a message
@@ -433,7 +433,7 @@ def _part(name: str, value: object) -> float:
 
 
 def reach(what: str, v: float, scale: float, unit: str) -> None:
-    """Raise ValueError if `what` extends beyond MAX_REACH in v; `scale` is lambda*N in `unit`."""
+    """Raise ValueError if the distance `v` that `what` extends to exceeds MAX_REACH; `scale` is lambda*N in `unit`."""
     if not v <= MAX_REACH:
         limit = f"{MAX_REACH / math.pi * scale:.3g} {unit}"
         raise ValueError(f"{what} reaches v = {v:.3g} from the axis; the limit is {MAX_REACH:.0e}, here {limit}")

@@ -176,7 +176,7 @@ class DepthValues:
             return values
         (height, width), (rows, columns) = shape, values.shape
         text = f"{name} must have the size of the upright photo, {width} x {height}, got {columns} x {rows}"
-        # Aspect ratios count as equal if one side of the map is within a pixel of that of a scaled photograph.
+        # Aspect ratios count as equal if a side is within one pixel of the side that the other one implies.
         if abs(rows - height * columns / width) >= 1.0 and abs(columns - width * rows / height) >= 1.0:
             raise ValueError(text)
         if self.resample is None:

@@ -63,7 +63,7 @@ class Axis(NamedTuple):
 
 
 def axes(psf: StoredPSF, description: Description) -> list[Axis]:
-    """Return the axes of the values: stack (z of a microscope, grid positions, depth), channel, y, x."""
+    """Return the axes of the values: those of the stack (z of a microscope; or field and depth), channel, y, x."""
     pupil, grid = psf.pupil, psf.grid
     if field := description.get("field"):
         stack = [Axis(f"field_{side}", np.array(field[side]), psf.unit) for side in "yx"]

@@ -43,7 +43,7 @@ USUAL_RATE = 25.0
 
 _SCHEMES = ("http", "https", "rtmp", "rtp", "rtsp", "rtsps", "srt", "tcp", "udp")
 _LOSSY = (b"MJPG", b"JPEG", b"H264", b"HEVC")  # FourCC codes of lossy compressions of cameras
-_TIMEOUT = 10.0  # timeout: seconds without a frame after which a live source counts as ended
+_TIMEOUT = 10.0  # seconds without a frame after which a live source counts as ended
 _MAX_UNREAD = 4  # maximum number of unread frames of a live source that are stored
 _FIRST_FRAMES = 6  # number of frames from which the first estimate of the frame interval is computed
 _MEDIAN_STEPS = 31  # number of latest time differences whose median is the frame interval
@@ -580,7 +580,7 @@ class _PyavReader:
         """Yield all frames."""
         packets = self._packets()
         reported, faults, number, end = False, 0, 0, 0.0
-        # Times of a stream have an arbitrary origin: add the smallest recent delay (arrival - stamp); clocks drift.
+        # Times of a stream have an arbitrary origin: add the smallest recent (arrival - time), since clocks drift.
         shifts: deque[float] = deque([] if self.live else [0.0], maxlen=_DELAY_FRAMES)
         while True:
             try:

@@ -318,7 +318,7 @@ class ZarrArray:
 
     @classmethod
     def open(cls, folder: Path) -> Self:
-        """Return the array in a folder; ValueError if its format is not one that :meth:`create` writes."""
+        """Return the array in a folder; ValueError unless its metadata are as :meth:`create` writes them."""
         metadata = _meta(folder)
         kind, codecs = metadata["data_type"], metadata["codecs"]
         plain = len(codecs) == 1 and codecs[0]["name"] == "bytes" and not metadata.get("storage_transformers")

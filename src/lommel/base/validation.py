@@ -433,7 +433,7 @@ def _part(name: str, value: object) -> float:
 
 
 def reach(what: str, v: float, scale: float, unit: str) -> None:
-    """Raise ValueError if the distance `v` that `what` extends to exceeds MAX_REACH; `scale` is lambda*N in `unit`."""
+    """Raise ValueError if `what` extends to a distance `v` above MAX_REACH; `scale` is lambda*N in `unit`."""
     if not v <= MAX_REACH:
         limit = f"{MAX_REACH / math.pi * scale:.3g} {unit}"
         raise ValueError(f"{what} reaches v = {v:.3g} from the axis; the limit is {MAX_REACH:.0e}, here {limit}")

@@ -76,7 +76,7 @@ def test_an_error_bound_that_is_none_is_not_taken_from_a_file(bound):
 def test_scales_of_other_pupils_are_not_taken_from_a_file():
     answer = lm.psf(lm.Pupil(), 9, 0.5)
     arrays, description = {"values": answer.values}, psf_files.describe(answer) | {"scale": [1.0, 2.0]}
-    with pytest.raises(ValueError, match=r"scales of \(2,\) for pupils of \(\)"):
+    with pytest.raises(ValueError, match=r"its scales \(2,\), its pupils \(\)"):
         psf_files.rebuild(arrays, sealed(description, arrays), lm.PSF)
 
 

@@ -18,9 +18,9 @@ from lommel.estimation.star_readout import OTHER_BLURS
 from lommel.fit.findings import Finding
 from lommel.fit.score_tests import Candidate, Marginal, ScoreTest, marginalized, score_tests, sigmas_of
 
-_DIFFERS = 0.05  # expected size of polynomials of higher degree, and of a deviation in one part, radians rms
+_DIFFERS = 0.05  # expected size of a polynomial of higher degree, or of a deviation in a part of the field, rad rms
 _DEGREES = 2  # number of degrees above that of the fit that are tested
-_NEAR = 0.45  # radius of a part of the field, half fields
+_NEAR = 0.45  # radius of each of the 3 x 3 parts of the field, half fields (-1 to 1 across the sensor)
 _ROWS, _COLUMNS = ("at the top", "in the middle", "at the bottom"), ("left", "", "right")
 _PARTS = [f"{row} {column}".strip() for row in _ROWS for column in _COLUMNS]
 _DOWN, _ACROSS = (np.array([-0.8, 0.0, 0.8])[each] for each in np.divmod(np.arange(9), 3))
@@ -32,11 +32,11 @@ def missing_tests(
 ) -> tuple[tuple[ScoreTest, ...], Marginal, list[Finding]]:
     """Return score tests of effects that a fit at `x` lacks, the most likely first, and a marginalized correction.
 
-    Also return the findings on stated constants that the stars do not test.
+    Also return the findings on input constants (f-number, obscuration, defocus) that the stars do not test.
 
     Effects are further terms, polynomials of higher degrees in `places` (n, 2), deviations in parts of the field,
     uneven pupil illumination, charge transfer, other blurs, slopes of the background, and a nonlinear gain. Effects
-    other than wavefronts bias the coefficients even if they are not significant: they are marginalized.
+    other than wavefronts are marginalized, because they bias the coefficients even if they are not significant.
     """
     stars, chosen, k, m = model.of, model.chosen, model.waves, model.basis.shape[1]
     values, slopes = model.images(x)
@@ -69,7 +69,7 @@ def missing_tests(
     ]
     missing = star_checks.candidates_of(effects, at)
     tests = score_tests(matrix, right, estimated, [*candidates, *missing])
-    # A known blur is taken as exact: other blurs are marginalized only if the blur is estimated.
+    # A known blur is assumed to be exact: other blurs are marginalized only if the blur is estimated.
     unseen = star_checks.to_marginalize([*candidates, *missing], tests, BLURS if stars.widths else ())
     marginal = marginalized(matrix, right, estimated, unseen, k * m)
     waves, fit = stars.one.unknowns, (matrix, estimated)
@@ -86,12 +86,12 @@ def _higher(degree: int) -> range:
 
 
 def negated(tests: Sequence[ScoreTest], unknowns: Unknowns) -> tuple[ScoreTest, ...]:
-    """Return the tests of the twin, whose even part is negated and whose pupil is rotated by 180 degrees."""
+    """Return the tests for the wavefront with negated even part, whose pupil is rotated by 180 degrees."""
     even = {label(term) for term in (*unknowns.edge, *next_terms(unknowns.edge, ())) if term[0] % 2 == 0}
-    turned = {SLANT, FOLDS[1], SHIFT}  # odd changes of the illumination
+    odd = {SLANT, FOLDS[1], SHIFT}  # changes of the illumination that change sign by the rotation
     of_even = tuple(f"{name} " for name in even)
     return tuple(
-        replace(test, size=-test.size) if test.name in even | turned or test.name.startswith(of_even) else test
+        replace(test, size=-test.size) if test.name in even | odd or test.name.startswith(of_even) else test
         for test in tests
     )
 
@@ -146,7 +146,7 @@ def slope_findings(model: WholeField, x: Array) -> list[Finding]:
         return []
     steepest = float(np.abs(size).max())
     text = (
-        f"backgrounds slope ({sigmas:.2g} sigma), by up to {steepest:.2g} electrons per pixel: the slope of each is "
-        "estimated"
+        f"backgrounds slope ({sigmas:.2g} sigma), by up to {steepest:.2g} electrons per pixel: the slope of each "
+        "background is estimated"
     )
     return [Finding("tilted_background", "note", text, {"sigmas": sigmas, "steepest": steepest})]

@@ -1,4 +1,8 @@
-"""Field maps from stars: wavefronts over the sensor as polynomials of the position, with standard errors."""
+"""Field maps from stars: wavefronts over the sensor as polynomials of the position, with standard errors.
+
+One focus: all exposures have the same defocus. The twin of a field is the field with the even parts of all phases
+negated, which has the same images in one focus. lnL: log-likelihood.
+"""
 
 from __future__ import annotations
 
@@ -51,19 +55,19 @@ from lommel.special import zernike
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-_MOST_DEGREE, _MOST_DISTORTION = 6, 9
-_MOST_SIDE = 10**6
+_MAX_DEGREE, _MAX_DISTORTION = 6, 9  # largest degrees of the polynomials of the wavefront and of the distortion
+_MAX_SIDE = 10**6  # largest number of rows or columns of a sensor
 KINDS = "star", "pinhole", "crossing"
 """Kinds of targets in the windows."""
 _AXES = "rows", "columns"
 _MAX_SEARCHES = 3  # maximum number of searches, each with other random starts, until one converges
-_LISTED = 3  # maximum number of rejected stars whose places a message lists
-_MIN_GAIN = 2.0  # log-likelihood difference below which two shapes of blur count as equally likely
+_MAX_LISTED = 3  # maximum number of rejected stars whose places a message lists
+_MIN_GAIN = 2.0  # difference of lnL below which two shapes of blur are considered equally likely
 _SIGN = "one focus leaves the common sign of the even terms of the whole field open"
 
 
 class Coma(NamedTuple):
-    """Coma (radians rms), its standard error, and the direction of its axis in degrees from columns to rows."""
+    """Coma (radians rms), its standard error, and the angle of its axis, degrees, from the x axis towards y."""
 
     rms: float
     error: float
@@ -71,7 +75,7 @@ class Coma(NamedTuple):
 
 
 class FocusShift(NamedTuple):
-    """Distance of the sensor from focus (metres, positive towards the lens), its standard error, an open sign."""
+    """Distance of the sensor from focus (metres, positive towards the lens), standard error, and sign ambiguity."""
 
     shift: float
     error: float
@@ -89,12 +93,12 @@ class FittedStars:
     centers : ndarray, shape (n, e, 2)
         Fitted row and column of each image within its window.
     flux, background : ndarray, shape (n, e)
-        Electrons of the star in an infinite window, and background in electrons per pixel. For corners, the
-        difference and the mean of white and black, electrons per pixel.
+        Electrons of the star in an infinite window, and background in electrons per pixel. For corners of a
+        checkerboard, the difference and the mean of the brightness of white and black, electrons per pixel.
     chi2 : ndarray, shape (n,)
         Pearson's chi2 per degree of freedom of each star, with the wavefront of the fitted field.
     used : ndarray of bool, shape (n,)
-        True for stars used in the fit; the others were rejected, such as doubles, defects and galaxies.
+        True for stars used in the fit; False for rejected stars, such as double stars, defects and galaxies.
     """
 
     places: Array
@@ -112,35 +116,35 @@ class FieldFit(FitReport):
     Attributes
     ----------
     field : FieldMap
-        Wavefront at every position of the sensor: estimated terms, fixed terms of `pupil`, and tilts if `distortion`
-        is estimated.
+        Wavefront at every position of the sensor: estimated terms, fixed terms of `pupil` or `start`, and tilts if
+        `distortion` is estimated.
     twin : FieldMap or None
-        The field with the even part of all phases negated, which has the same images in one focus; None if the
-        images determine the sign.
+        The field with the even part of all phases negated, which has the same images if all exposures have one
+        focus; None if the images determine the sign.
     names : tuple
         The k estimated terms.
     coefficients : ndarray, shape (k, m)
         Coefficients of each term (radians rms) for the m products of Legendre polynomials of the position; see
         :meth:`at`.
     covariance : ndarray, shape (k * m, k * m)
-        Covariance of the coefficients, row by row. Places, flux, background and blur are nuisance parameters.
+        Covariance of the flattened `coefficients`. Places, flux, background and blur are nuisance parameters.
     blurs : tuple of tuples of blurs
-        Blurs of each exposure, as arguments of :func:`lommel.psf`: :class:`lommel.Seeing`, :class:`lommel.Jitter`, or
-        both. r0 refers to the focal length of the pupil, or to 1 m if the pupil has none.
+        Blurs of each exposure, as arguments of :func:`lommel.psf`: the known blurs, or estimates
+        (:class:`lommel.Seeing`, :class:`lommel.Jitter`, or both), with r0 for the pupil's focal length or for 1 m.
     blur_errors : tuple of tuples of float
         Standard error of r0 or sigma of each blur; 0 for a known blur.
     chi2 : float
         Pearson's chi2 per degree of freedom of all used stars, about 1 if the model is right.
     held_out : float
-        Chi2 of a fifth of the stars, with wavefronts predicted by a fit of the other stars; NaN if there are too few.
+        Chi2 of a fifth of the stars, with wavefronts predicted by a fit of the other stars; NaN for too few stars.
     findings : Findings
-        Findings of the checks: misfits, rejected stars, an open sign, the shape of the blur.
+        Findings of the checks: misfits, rejected stars, an ambiguous sign, the shape of the blur.
     summary : str
         Chi2, number of stars and degree.
     degree : int
-        Degree of the polynomials.
+        Total degree of the polynomials in x and y.
     distortion : Distortion or None
-        Displacement of the images; None without `ideal` places.
+        Displacement of the images from the `ideal` places; None if `ideal` was not given.
     stars : FittedStars
     images, model : ndarray, shape (n, e, height, width)
         Images in electrons, NaN at pixels left out of the fit, and the fitted model.
@@ -171,7 +175,8 @@ class FieldFit(FitReport):
         Parameters
         ----------
         x, y : array_like
-            Positions from the axis, x along columns and y along rows, in metres or lambda*N; they broadcast.
+            Distances from the optical axis, the middle of the sensor, in metres or lambda*N: x increases with the
+            column, y with the row. The shapes of x and y must be broadcastable.
 
         Returns
         -------
@@ -186,7 +191,7 @@ class FieldFit(FitReport):
         across, down = validation.broadcast("x and y", validation.real_array("x", x), validation.real_array("y", y))
         u, v = self._sensor.relative(across, down)
         if (np.maximum(np.abs(u), np.abs(v)) > 1.0 + 1e-9).any():
-            raise ValueError("x and y must be on the sensor that was fitted, got a position outside the sensor")
+            raise ValueError("x and y must be on the sensor of the fit, got a position outside the sensor")
         return with_errors(u, v, self.degree, self.coefficients, self.covariance)
 
     @property
@@ -196,7 +201,7 @@ class FieldFit(FitReport):
 
     @property
     def middle(self) -> tuple[float, float]:
-        """The x and y of the middle of the sensor."""
+        """Position (x, y) of the middle of the sensor."""
         (left, right), (top, bottom) = self.extent
         return 0.5 * (left + right), 0.5 * (top + bottom)
 
@@ -209,13 +214,13 @@ class FieldFit(FitReport):
             return None
         down, across = values[i], values[j]
         size = math.hypot(down, across)
-        # First-order error propagation, correlation of the two terms neglected.
+        # First-order error propagation; the correlation of the two terms is neglected.
         spread = math.hypot(down * errors[i], across * errors[j]) / max(size, 1e-300)
         return Coma(size, spread, math.degrees(math.atan2(down, across)))
 
     @property
     def focus(self) -> FocusShift | None:
-        """Distance of the sensor's middle from focus; None without defocus term, or with several exposures."""
+        """Distance of the sensor's middle from focus; None without estimated defocus, or for several exposures."""
         j, pupil = self._index((2, 0)), self._pupil
         if j is None or pupil.wavelength is None or pupil.f_number is None or len(self._defocus) != 1:
             return None
@@ -232,7 +237,7 @@ class FieldFit(FitReport):
 
     @property
     def extent(self) -> tuple[tuple[float, float], tuple[float, float]]:
-        """The first and last x, and the first and last y of the sensor, to the outer edges of its pixels."""
+        """Smallest and largest x, and smallest and largest y, at the outer edges of the sensor's pixels."""
         x, y = self._sensor.grid(2)
         return (float(x[0]), float(x[1])), (float(y[0]), float(y[1]))
 
@@ -249,22 +254,22 @@ class FieldFit(FitReport):
         Raises
         ------
         ValueError
-            If `path` does not end in .csv, the positions are not in metres, or there is no twin.
+            If `path` does not end in .csv, positions are not in metres, or `twin` is True but the fit has no twin.
         OSError
             If the file cannot be written.
 
         Notes
         -----
         The table has a rectangular grid of positions, on which splines reproduce polynomials of degree 3 exactly.
-        Coefficients are in waves rms by Noll's index, minus the wavefront of `pupil` of :func:`lommel.fit_field`.
-        Comment lines (``#``) state the message of the fit, the blur (which is not part of the table), and the
-        standard errors in the middle and at the bottom right corner of the sensor.
+        Coefficients are in waves rms, by Noll's index; the wavefront of the argument `pupil` of
+        :func:`lommel.fit_field` is subtracted. Comment lines (``#``) contain the message of the fit, the blur (which
+        the table does not include), and the standard errors in the middle and at the bottom right corner.
         """
         target = validation.path("path", path)
         if target.suffix.lower() != ".csv":
             raise ValueError(f"path must end in .csv, got {validation.shown(str(path))}")
         if (chosen := self.twin if validation.truth("twin", twin) else self.field) is None:
-            raise ValueError("twin must be False: the images determine the sign of the even terms, there is no twin")
+            raise ValueError("twin must be False: the images determine the sign of the even terms; there is no twin")
         if self.field.unit != "m":
             raise ValueError(
                 "save requires positions in metres: call fit_field with pixel in metres, and with a pupil that has "
@@ -299,6 +304,7 @@ class FieldFit(FitReport):
         Parameters
         ----------
         unit : {"waves", "radians"}
+            Unit of the terms and of their standard errors.
 
         Returns
         -------
@@ -307,7 +313,7 @@ class FieldFit(FitReport):
         Raises
         ------
         ValueError
-            If `unit` is neither of these.
+            If `unit` is neither "waves" nor "radians".
         ImportError
             If matplotlib is not installed.
         """
@@ -327,7 +333,7 @@ class FieldFit(FitReport):
 
 
 class FieldKeywords(StarKeywords, total=False):
-    """Options of field maps from stars or charts."""
+    """Options of :func:`fit_field`, for stars and for targets of a chart."""
 
     targets: str
     size: float | None
@@ -343,21 +349,22 @@ class ChartOptions:
     Parameters
     ----------
     targets : {"star", "pinhole", "crossing"}, default "star"
-        Kind of targets: point sources, circular holes of one size, or corners of a checkerboard, where four squares
-        meet. For each corner the position, the directions of its two lines and the brightness of black and white are
-        estimated; lines must be straight within a window, but need not be perpendicular.
+        Kind of targets. "star": point sources; "pinhole": circular holes of one diameter; "crossing": corners of a
+        checkerboard, where four squares meet at the crossing of two lines. For each corner the position, the
+        directions of the two lines and the brightness of black and white are estimated. The lines must be straight
+        within a window, but need not be perpendicular.
     size : float, optional
-        Diameter of the pinholes (required), or side of the squares, in the image, in the unit of `pixel`. Without it
-        the two lines of each corner are infinitely long.
+        Diameter of the image of a pinhole (required), or side of the image of a square, in the unit of `pixel`. By
+        default, the lines between squares are infinitely long.
     ideal : array_like, shape (n, 2), optional
-        Row and column of each target without distortion, for example in a grid of pinholes, or from a star catalogue
-        in the tangent plane; NaN where unknown. If given, distortion is estimated.
+        Row and column of each target without distortion, for example the nominal positions of pinholes, or catalogue
+        positions of stars in the tangent plane; NaN if unknown. If given, distortion is estimated.
     pose : {"free", "known"}, default "free"
         "free": the shift, rotation and magnification of `ideal` are estimated, and `ideal` may have any unit and
         origin. "known": `ideal` has rows and columns of the sensor, and any shift is distortion.
     distortion : int, default 3
-        Total degree of the displacement in x and y, 0 to 9: 3 for third-order distortion (W311), 5 for fifth order.
-        It is lowered if there are fewer than two known places for each coefficient.
+        Total degree, 0 to 9, of the polynomials in x and y that describe the displacement: 3 for third-order
+        distortion (W311), 5 for fifth order. It is lowered if there are fewer than two known places per coefficient.
     """
 
     targets: str = "star"
@@ -380,7 +387,7 @@ class ChartOptions:
 
 @dataclass(frozen=True)
 class FieldOptions(FitOptions, ChartOptions):
-    """Options of :func:`fit_field`: options for the targets, then options of every fit."""
+    """Options of :func:`fit_field`: options of targets, then options common to all fits."""
 
 
 @shares(FieldKeywords, FieldOptions)
@@ -399,7 +406,7 @@ def fit_field(
     start: FieldMap | None = None,
     **options: Unpack[FieldKeywords],
 ) -> FieldFit:
-    """Estimate the wavefront over the field of a camera or telescope from stars, or a chart, all over the image.
+    """Estimate the wavefront over the field of a camera or telescope from an image of stars or of a test chart.
 
     The coefficients of Zernike terms are polynomials of the position. All stars are fitted jointly, in one exposure
     or in several exposures at known defoci. Each image has an unknown sub-pixel position, flux and background.
@@ -433,8 +440,8 @@ def fit_field(
         pinholes and corners it is a Gaussian. False: no blur. A number is the known standard deviation of a Gaussian
         in pixels. Known isotropic blurs may be given, such as :class:`lommel.Seeing` and :class:`lommel.Jitter`.
     start : FieldMap, optional
-        Wavefronts from which the search starts, for example those of the lens design. They determine the sign of the
-        even terms.
+        Initial wavefronts of the search, for example those of the lens design. They determine the sign of the even
+        terms.
     {options}
 
     Returns
@@ -448,41 +455,43 @@ def fit_field(
         If an argument is out of range, there are too few stars, places lie outside the sensor, windows overlap, or
         a window is constant or saturated.
     ToleranceError
-        If the images of all starts cannot be computed to the tolerance.
+        If images of stars cannot be computed to the tolerance for any initial wavefront.
 
     Notes
     -----
-    First, the brightest stars are fitted individually from random starts. In one focus the sign of the even part of
-    each phase is open; signs are made consistent over the field with the first eigenvector of the matrix of
-    similarities between neighbours (synchronisation: Singer 2011, doi:10.1016/j.acha.2010.02.001). Robust polynomials
-    through these wavefronts are the start of a fit of all stars: Fisher scoring of the likelihood of
-    :func:`lommel.retrieve`, with position, flux and background of each star eliminated. Blur by turbulence is a
-    mixture of Gaussians within 3e-4 of its transfer function. Shapes of blur are compared by likelihood; a second
-    width must increase the log-likelihood by 2. Stars whose chi2 exceeds the median by five standard deviations are
-    rejected, and so are pixels sharper than any star image, as hit by cosmic rays (van Dokkum 2001,
-    doi:10.1086/323894). Blur is computed from samples at most 0.45 lambda*N apart, not on the pixels of the camera.
-    Charts may be unevenly lit: windows of corners are divided by a polynomial of degree 4 or less, fitted to the
-    white of all windows.
+    First, the brightest stars are fitted individually from random starts. If all exposures have one focus, the sign
+    of the even part of each phase is ambiguous: the signs of neighbouring stars are made consistent with the leading
+    eigenvector of the matrix of their similarities (synchronisation: Singer 2011, doi:10.1016/j.acha.2010.02.001).
+    Polynomials are fitted robustly to these wavefronts. From there all stars are fitted jointly: Fisher scoring
+    maximizes the likelihood of :func:`lommel.retrieve`, with position, flux and background of each star eliminated.
+    Blur by turbulence is a mixture of Gaussians, whose transfer function differs by less than 3e-4 from the exact
+    one. Shapes of blur are compared by log-likelihood (lnL): two widths are preferred to one if lnL increases by at
+    least 2. Stars whose chi2 exceeds the median by five standard deviations are rejected. Pixels that are sharper
+    than any star image are left out as hits of cosmic rays (van Dokkum 2001, doi:10.1086/323894). Blur is computed
+    from samples at most 0.45 lambda*N apart, not on the pixels of the camera. Charts may be unevenly lit: windows of
+    corners are divided by a polynomial of degree 4 or less, fitted to the white areas of all windows.
 
     Effects that the model lacks are tested, marginalized or reported as in :func:`lommel.retrieve`. Additional score
-    tests are of polynomials of the next two degrees, of a term that is larger in one of 3 x 3 parts of the field, and
-    of blur with another shape, in one direction or uneven over the field. Sloping backgrounds are estimated if they
-    are significant. Marginalized in addition, with these standard deviations: variance in one direction
-    (0.1 pixels^2), the fraction of light in wings (30 %) and slopes of the background (1 electron per pixel).
+    tests search for polynomials of the next two degrees, for a term that is larger in one of 3 x 3 parts of the
+    field, and for blur that has another shape, is anisotropic, or varies over the field. Slopes of the background are
+    estimated if they are significant. Marginalized in addition, with these prior standard deviations: anisotropic
+    blur (variance 0.1 pixels^2), wings (30 % of the light) and slopes of the background (1 electron per pixel).
 
-    In one focus the search is repeated with other relative signs of even terms, and the most likely map is returned.
-    A map more than three standard errors away, whose log-likelihood is within 8, is reported ("another_minimum").
+    With one focus, the search is repeated with other relative signs of even terms, and the most likely map is
+    returned. Another map is reported ("another_minimum") if it differs by more than three standard errors and its
+    log-likelihood is at most 8 lower.
 
-    In one focus the images of a map do not change if all of its even terms are negated. Given `start`, the map nearer
-    to `start` is returned; else, with a known defocus, the map with the smaller wavefront in addition to the defocus;
-    else the map whose first even term has a positive mean. The other map is `twin`. A second exposure at another
-    known defocus determines the sign.
+    With one focus, the images do not change if all even terms of the map are negated. If `start` is given, the map
+    nearer to `start` is returned. Otherwise, the map with the smaller wavefront is returned (a known defocus is not
+    part of it); of two equal wavefronts, the one whose first even term has a positive mean. The other map is `twin`.
+    A second exposure at another known defocus determines the sign.
 
-    Distortion requires `ideal` places. The fitted places, with errors correlated with those of coma and light, are
-    fitted by polynomials of the ideal position (generalised least squares); tilts of the map displace the images
-    accordingly (W311 of :meth:`lommel.Wavefront.from_seidel`). A free `pose` minimizes the displacement over the
-    whole sensor, and absorbs the mean magnification. Deviations of places beyond noise are `scatter`, and included in
-    the standard errors. Each exposure after the first may be shifted, rotated and magnified.
+    Distortion requires `ideal` places. The displacement is a polynomial of the ideal position, fitted to the
+    estimated places by generalised least squares, because errors of places are correlated with those of coma. Tilts
+    of the map displace the images accordingly (W311 of :meth:`lommel.Wavefront.from_seidel`). A free `pose` minimizes
+    the displacement over the whole sensor, and absorbs the mean magnification. The rms deviation of places in excess
+    of noise is ``distortion.scatter``; standard errors include it. Each exposure after the first may be shifted,
+    rotated and magnified relative to the first.
 
     Examples
     --------
@@ -506,23 +515,23 @@ def fit_field(
     count, exposures, height, width = images.shape
     given = single(pupil, "for the whole field")
     if not (isinstance(sensor, Sequence | np.ndarray) and len(sensor) == 2):
-        raise TypeError(f"sensor must be its rows and columns, got {validation.shown(sensor)}")
-    rows, columns = (validation.integer("sensor", side, least=1, most=_MOST_SIDE) for side in sensor)
+        raise TypeError(f"sensor must be a pair (rows, columns), got {validation.shown(sensor)}")
+    rows, columns = (validation.integer("sensor", side, least=1, most=_MAX_SIDE) for side in sensor)
     at = _places(places, (rows, columns), (count, height, width))
     known = known_defocus(defocus, exposures, "exposures")
-    most = validation.integer("degree", degree, least=0, most=_MOST_DEGREE)
+    max_degree = validation.integer("degree", degree, least=0, most=_MAX_DEGREE)
     validation.optional("start", start, FieldMap)
-    far = validation.integer("distortion", settings.distortion, least=0, most=_MOST_DISTORTION)
+    distortion_degree = validation.integer("distortion", settings.distortion, least=0, most=_MAX_DISTORTION)
     free = validation.choice("pose", settings.pose, POSES) == "free"
-    holes = None if settings.ideal is None else checked_ideal(settings.ideal, at, free=free)
+    ideal = None if settings.ideal is None else checked_ideal(settings.ideal, at, free=free)
     draw = random_numbers(settings.seed)
     pitch = validation.pixel(pixel, metric=given.wavelength is not None)
     chip = Sensor((rows, columns), pitch)
-    alike = noise.poisson
-    electrons, read = alike.electrons(images), alike.variance(np.zeros_like(images))
+    poisson = noise.poisson
+    electrons, read = poisson.electrons(images), poisson.variance(np.zeros_like(images))
     plan = Plan((height, width), pitch, tol=settings.tol, integrate=settings.integrate, threads=settings.threads)
     x, y = chip.positions(at)
-    begun = given if start is None else _start_pupils(start, given, chip, x, y)
+    start_pupils = given if start is None else _start_pupils(start, given, chip, x, y)
     target = settings.target(pitch)
     if not isinstance(blur, bool | Blur | Iterable):
         blur = Jitter(validation.real("blur", blur, least=0.0, below=0.25 * min(height, width)) * pitch)
@@ -532,24 +541,28 @@ def fit_field(
         down = chip.relative(x[:, None], y[:, None] + pitch * (np.arange(height) - height // 2))[1]
         illumination = relative_light(electrons, valid, across, down)
         electrons, read = electrons / illumination, read / illumination**2
-    behind = _shape(blur, given, pitch, min(height, width), target)
+    blur_model = _shape(blur, given, pitch, min(height, width), target)
     if target is None:
         sharpest = sharpness(given, pitch, integrate=bool(plan.grid(given).integrate))
         valid = valid & ~struck(electrons, read, valid, sharpest)
-    stars = FieldStars(electrons, read, valid, begun, known, unknowns, pitch, plan, blur=behind, target=target)
-    if stars.tested < 1:
-        raise ValueError(f"windows must have more valid pixels than a star has unknowns, {stars.size}, got too few")
-    if count < 4 and most > 0:
-        raise ValueError(f"windows must be of at least 4 stars, or degree 0, got {count}")
-    share = settings.progress or (lambda *_: None)
-    u, v = chip.relative(x, y)
-    part = np.array([2.0 / columns, 2.0 / rows])
-    search = Search(stars, np.stack([u, v], axis=1), part, highest_degree(most, count), draw, share)
-    outcome = _run(search, start is not None)
-    blurred = behind if isinstance(behind, tuple) else ()
-    return _build_field_fit(
-        search, outcome, given, start, chip, at, counts, (noise, illumination), (holes, settings.pose, far), blurred
+    stars = FieldStars(
+        electrons, read, valid, start_pupils, known, unknowns, pitch, plan, blur=blur_model, target=target
     )
+    if stars.tested < 1:
+        raise ValueError(
+            f"windows must have more valid pixels than the {stars.size} unknowns of a star: use larger windows or "
+            "fewer terms"
+        )
+    if count < 4 and max_degree > 0:
+        raise ValueError(f"windows must be of at least 4 stars unless degree is 0, got {count}")
+    report = settings.progress or (lambda *_: None)
+    u, v = chip.relative(x, y)
+    pixel_size = np.array([2.0 / columns, 2.0 / rows])
+    search = Search(stars, np.stack([u, v], axis=1), pixel_size, highest_degree(max_degree, count), draw, report)
+    outcome = _run(search, started=start is not None)
+    grid = ideal, settings.pose, distortion_degree
+    known_blurs = blur_model if isinstance(blur_model, tuple) else ()
+    return _build_field_fit(search, outcome, given, start, chip, at, counts, (noise, illumination), grid, known_blurs)
 
 
 def _shape(
@@ -561,21 +574,19 @@ def _shape(
     known = blurs(None if blur is False else blur)
     require_unit(known, pupil)
     if not all(each.isotropic for each in known) or sum(isinstance(each, Seeing) for each in known) > 1:
-        raise ValueError(
-            f"blur must be the same in all directions, with one Seeing at most, got {validation.shown(blur)}"
-        )
+        raise ValueError(f"blur must be isotropic, with at most one Seeing, got {validation.shown(blur)}")
     if any(max(each.lengths, default=0.0) > 0.25 * side * pitch for each in known):
-        raise ValueError(f"blur must be narrower than a quarter of the windows, got {validation.shown(blur)}")
+        raise ValueError(f"blur must be narrower than a quarter of a window's side, got {validation.shown(blur)}")
     return known
 
 
-def _run(search: Search, begun: bool) -> Outcome:
+def _run(search: Search, *, started: bool) -> Outcome:
     """Repeat a search until it converges, at most `_MAX_SEARCHES` times; return the best outcome."""
     places, best = search.places, None
     for attempt in range(_MAX_SEARCHES):
         search.places, search.stars = places, search.first
-        # A known defocus is a good start, because it is usually larger than the unknown aberrations.
-        first = search.from_start() if attempt == 0 and (begun or search.stars.defocused) else None
+        # The known defocus alone is a good start, because it is usually larger than the unknown aberrations.
+        first = search.from_start() if attempt == 0 and (started or search.stars.defocused) else None
         outcome = search.outcome(search.cleaned(first or search.from_singles(), (0.65, 0.05)))
         if outcome.findings.converged:
             return outcome
@@ -585,7 +596,7 @@ def _run(search: Search, begun: bool) -> Outcome:
 
 
 def in_words(several: tuple[Blur, ...]) -> str:
-    """Return blurs in words."""
+    """Return the blurs as text, "nothing" if there are none."""
     return " and ".join(map(repr, several)) or "nothing"
 
 
@@ -594,7 +605,7 @@ def _noll(term: Term) -> int:
 
 
 def _start_pupils(start: FieldMap, pupil: Pupil, chip: Sensor, x: Array, y: Array) -> Pupil:
-    """Return pupils with the wavefronts of a map at the positions of stars, and the aperture of `pupil`."""
+    """Return pupils with the aperture of `pupil` and the wavefronts of the map `start` at the positions of stars."""
     if start.unit != pupil.unit:
         raise ValueError(f"start must have positions in {pupil.unit}, as the pupil has, got {start.unit}")
     if start.vignetting is not None:
@@ -608,7 +619,7 @@ def _start_pupils(start: FieldMap, pupil: Pupil, chip: Sensor, x: Array, y: Arra
 
 
 def _windows(windows: Any, mask: ArrayLike | None, saturation: float | None) -> Counts:
-    """Return windows (n, exposures, height, width)."""
+    """Return the validated windows, with shape (n, exposures, height, width)."""
     counts = Counts.of(
         "windows", windows, sides=(3, 4), shape="(n, height, width) or (n, exposures, height, width)", mask=mask,
         saturation=saturation,
@@ -634,7 +645,7 @@ def _places(places: ArrayLike, sensor: tuple[int, int], windows: tuple[int, int,
     if overlaps.any():
         i, j = np.argwhere(overlaps)[0]
         raise ValueError(
-            f"windows must not overlap, or light would count twice, got {i} and {j} at ({values[i, 0]:g}, "
+            f"windows must not overlap, or light would count twice, got windows {i} and {j} at ({values[i, 0]:g}, "
             f"{values[i, 1]:g}) and ({values[j, 0]:g}, {values[j, 1]:g}); use apart=1 in find_spots"
         )
     return values
@@ -663,7 +674,7 @@ def _build_field_fit(
     x, y = _positions(chip, degree, distortion)
     across, down = np.meshgrid(x, y)
     u, v = chip.relative(across, down)
-    # The fixed wavefront, added to the polynomials: that of the pupil, or those of the map `start` at its positions.
+    # The fixed wavefront, added to the polynomials, is that of the pupil, or of the map `start` at each position.
     fixed = one.fixed
     if start is not None:
         fixed = one.split(start.pupil(across, down).wavefront.edge_terms(), across.shape)[1]
@@ -743,7 +754,7 @@ def _build_field_fit(
 def _fitted_stars(
     search: Search, found: Solution, lost: NDArray[np.intp], polynomials: Array, places: Array, excess: float
 ) -> tuple[FittedStars, Array]:
-    """Return the table of all stars, used and rejected, and the expected electrons."""
+    """Return the table of all stars, used and rejected, and the expected electrons of all pixels."""
     stars, squares = search.stars, found.squares()
     own = np.zeros((stars.count, stars.own, stars.exposures))
     own[found.model.chosen] = found.of_stars()
@@ -761,7 +772,7 @@ def _fitted_stars(
 
 
 def _stripe_findings(stars: FieldStars, model: Array, used: NDArray[np.bool_], excess: float) -> list[Finding]:
-    """Return the finding on stripes in the windows of the used stars, from expected electrons."""
+    """Return the finding on stripes in the windows of the used stars; `model` are the expected electrons."""
     counted, _, read, valid = stars.star.reshape(4, stars.count, -1, *stars.shape)[:, used]
     mean = model.reshape(stars.count, *counted.shape[1:])[used]
     off = np.where(valid > 0.0, counted - mean, np.nan)
@@ -779,12 +790,12 @@ def _sign_findings(started: bool, defocused: bool) -> list[Finding]:
 
 
 def _rejected_finding(noun: str, places: Array) -> list[Finding]:
-    """Return the finding on the places (n, 2) of rejected stars."""
+    """Return the finding on rejected stars, whose rows and columns are `places` (n, 2)."""
     if not len(places):
         return []
     why = {"star": "doubles, defects", "crossing": "defects, print, curved lines"}.get(noun, "defects")
-    named = ", ".join(f"row {row:.0f} column {column:.0f}" for row, column in places[:_LISTED])
-    more = f" and {len(places) - _LISTED} more" if len(places) > _LISTED else ""
+    named = ", ".join(f"row {row:.0f} column {column:.0f}" for row, column in places[:_MAX_LISTED])
+    more = f" and {len(places) - _MAX_LISTED} more" if len(places) > _MAX_LISTED else ""
     text = f"{len(places)} {noun}{'s' * (len(places) > 1)} rejected ({why}) at {named}{more}"
     return [Finding("rejected", "note", text, {"rejected": len(places)})]
 
@@ -792,7 +803,7 @@ def _rejected_finding(noun: str, places: Array) -> list[Finding]:
 def _left_out_finding(pixels: NDArray[np.bool_]) -> list[Finding]:
     """Return the finding on pixels with a recorded value that the fit leaves out; `pixels` is their mask."""
     count, windows = int(pixels.sum()), int(pixels.any(axis=(1, 2, 3)).sum())
-    text = f"{count} pixels of {windows} windows left out: sharper than stars (cosmic rays, hot pixels)"
+    text = f"{count} pixels of {windows} windows left out: sharper than star images (cosmic rays, hot pixels)"
     return [Finding("left_out", "note", text, {"pixels": count, "windows": windows})] if count else []
 
 
@@ -806,7 +817,7 @@ def _blurs(
     for i, several in enumerate(found):
         for name, square, error in zip(shape.names, squares[i], errors[i], strict=True):
             width = math.sqrt(max(float(square), 0.0))
-            # ds / (2 sqrt(s)) diverges at s = 0; there the standard error of the width is sqrt(ds).
+            # With s = square and ds = error, the error of sqrt(s) is ds / (2 sqrt(s)). At s = 0 it is sqrt(ds).
             off = float(error) / max(2.0 * width, math.sqrt(float(error)), 1e-300)
             if name == "Gaussian":
                 several.append((Jitter(width * pitch), off * pitch))
@@ -819,7 +830,7 @@ def _blurs(
 
 
 def _blur_findings(stars: FieldStars, shapes: dict[str, float]) -> list[Finding]:
-    """Return the finding on the most likely shape of blur, and its log-likelihood relative to another shape."""
+    """Return the finding on the most likely shape of blur, and its lnL minus the lnL of another shape."""
     if not shapes:
         return []
     outer = stars.blur.outer
@@ -838,25 +849,25 @@ def _blur_findings(stars: FieldStars, shapes: dict[str, float]) -> list[Finding]
 
 
 def _unsure(one: StarImages, found: Solution, covariance: Array, *, one_focus: bool) -> list[Finding]:
-    """Return the finding that images are not linear within the standard errors of the wavefront."""
+    """Return the finding that images are not linear functions of the wavefront within its standard error."""
     basis = found.model.basis
     k, m = one.directions.shape[0], basis.shape[1]
     blocks = covariance.reshape(k, m, k, m)
     metric = (one.directions * one.mean_squares) @ one.directions.T
     rms = math.sqrt(float(np.einsum("ni,kilj,nj,kl->n", basis, blocks, basis, metric, optimize=True).mean()))
-    # In one focus there are other minima nearby, one for each of the m polynomials: the limit decreases with m.
+    # In one focus other minima are near, for each of the m polynomials one: the limit decreases with m.
     limit = LINEAR / math.sqrt(m) if one_focus else LINEAR
     if rms <= limit:
         return []
     text = (
         f"the standard error of the wavefront is {rms:.2g} rad rms, averaged over the stars: images are not linear "
-        "within it, and other wavefronts may fit as well"
+        "within this error, and other wavefronts may fit as well"
     )
     return [Finding("too_dim", "doubt", text, {"rms": rms, "limit": limit})]
 
 
 def _positions(chip: Sensor, degree: int, distortion: Distortion | None) -> tuple[Array, Array]:
-    """Return x and y of a map's grid: cubic splines are exact to degree 3, higher degrees require a finer grid."""
+    """Return x and y of a map's grid, finer for degrees above 3, which cubic splines do not reproduce exactly."""
     return chip.grid(5 if max(degree, 0 if distortion is None else distortion.degree) <= 3 else 17)
 
 
@@ -870,18 +881,20 @@ def _distortion(
     used, tilt = found.model.chosen, found.model.of.one.tilt_of_pixel
     known = np.isfinite(ideal[used]).all(axis=1)
     if known.sum() < 4:
-        raise ValueError(f"ideal must have at least 4 places of {len(used)} windows that fit, got {known.sum()}")
+        raise ValueError(
+            f"ideal must be known for at least 4 of the {len(used)} windows that were not rejected, got {known.sum()}"
+        )
     seen = found.of_stars()[:, :2].swapaxes(1, 2) / tilt + places[used][:, None]
     blocks = found.scores.information[0]
     return fit_distortion(ideal, used, places_of(blocks, seen, tilt), pose=pose, degree=degree, sensor=chip)
 
 
 def _twin_is_nearer(search: Search, found: Solution, one: Array, other: Array) -> bool:
-    """Return whether `other` is to be returned, and not `one`: the field nearer to the start."""
+    """Return whether the polynomials `other` are nearer to the start than `one`."""
     basis, stars = found.model.basis, search.stars
     near = stars.start[found.model.chosen]
     far = [float(np.einsum("ni,ij,nj->", d, search.metric, d)) for d in (basis @ p.T - near for p in (one, other))]
-    # At equal distances, choose the field whose first even term has a positive mean.
+    # At equal distances, choose the field whose first even term has the larger (positive) mean.
     if not math.isclose(far[0], far[1], rel_tol=1e-6):
         return far[1] < far[0]
     even = next(j for j, row in enumerate(stars.one.directions) if row[stars.one.even].any())

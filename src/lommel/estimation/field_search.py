@@ -33,7 +33,7 @@ from lommel.methods.derivative_names import term_of
 
 _MAX_SINGLES = 60  # largest number of stars that are fitted individually
 _MAX_STARTS = 5  # largest number of starts for each individual star
-_MIN_STARTS = 3  # number of starts after which stars with a large chi2 get no more, if _MIN_SURE of all are sure
+_MIN_STARTS = 3  # number of starts after which a star with a large chi2 is abandoned, if enough stars are sure
 _STEPS = 14  # steps of each start
 _SCATTER = 0.7, 0.25  # standard deviation (radians rms) of random starts: first three terms, other terms
 _START_BLUR = 0.5  # width of the blur at the start, pixels
@@ -45,11 +45,11 @@ _MIN_GAIN = 1.0  # lnL by which another minimum or outer scale must be better to
 _MIN_WIDTH_GAIN = 2.0  # lnL by which a blur of two widths must be better than one of a single width
 _NARROW = 0.06  # squared width of blur, pixels^2, below which its shape does not matter
 _SHIFTS = {(2, 0): (-2.0, -1.0, 0.0, 1.0, 2.0), (4, 0): (-1.2, 0.0, 1.2)}  # trial offsets of a term, radians rms
-_RANKING_STARS, _FITTED_SHIFTS = 20, 2  # number of stars by which offsets are ranked; number of best offsets fitted
+_RANKING_STARS, _FITTED_SHIFTS = 20, 2  # number of stars whose chi2 ranks the offsets; number of best offsets fitted
 _GOOD_CHI2 = 1.08  # largest median chi2 of stars at which a candidate is accepted
 _SAME_CHI2 = 0.02  # two fits of a star are at the same minimum if chi2 differs by less than this times (chi2 - 1)
 _MIN_SURE = 0.75  # smallest fraction of sure stars (see `singles`) at which their chi2 is a reference for candidates
-_MAX_CHI2_RATIO = 1.5  # chi2 of a star divided by the median chi2 of all, above which no single wavefront fits it
+_MAX_CHI2_RATIO = 1.5  # a star whose chi2 exceeds the median chi2 by this factor is no single star (double, defect)
 _EXCESS_RATIO = 1.1  # largest ratio of chi2 - 1 of an acceptable fit to chi2 - 1 of the reference fit
 _OUTLIER = 5.0  # a star is an outlier if its chi2 exceeds the median by more than this many standard deviations
 _ROUNDS = 4  # maximum number of rounds of rejection
@@ -59,9 +59,9 @@ _HELD_OUT = 0.05  # largest chi2 - 1 of held-out stars in the absence of noise
 _QUIET = 0.9  # chi2 below which the stated noise must be too large
 _MIN_NEGATED = 0.05  # smallest even term (radians rms) for which a search with the negated term is run
 _MAX_NEGATED = 3  # largest number of searches with a negated sign
-_TRIAL_STEPS, _BEST_STEPS = 2, 5  # steps of each search with a negated sign; further steps of the best of them
+_TRIAL_STEPS, _BEST_STEPS = 2, 5  # steps of each search with a negated sign; further steps of the best search
 _RIVAL_STEPS = 12  # further steps of a search that ended at another minimum
-_MAX_RIVAL_COST, _MIN_RIVAL_DISTANCE = 8.0, 3.0  # of another minimum: largest lnL loss, least distance (std. errors)
+_MAX_RIVAL_COST, _MIN_RIVAL_DISTANCE = 8.0, 3.0  # another minimum: largest loss of lnL; least distance, std. errors
 _CAUSES = "pupil, pixel, noise, defocus or blur are wrong, the degree is too low, or terms are missing"
 
 Report = Callable[[float, float], object]
@@ -106,9 +106,9 @@ class Outcome:
     bright: tuple[float, float]  # chi2 of pixels in which stars exceed the noise, and its standard deviation
     places: Array  # positions of the stars, half fields
     shapes: dict[str, float]  # -lnL of each shape of blur that was compared
-    notes: list[Finding]  # on sloping backgrounds, and on stated values that the images do not test
+    notes: list[Finding]  # findings on sloping backgrounds, and on input values that the images do not test
     tests: tuple[ScoreTest, ...]  # score tests of terms that the model lacks
-    marginal: Marginal
+    marginal: Marginal  # shift and covariance of the coefficients, marginalized over possible effects
     rival: Rival | None = None
 
     @property
@@ -125,7 +125,7 @@ class Outcome:
             found = [Finding("misfit", "error", text, {"bright_chi2": bright, "limit": limit})]
         held, off = self.held_out
         if held - 1.0 > (limit := _HELD_OUT + 4.0 * off):
-            text = f"stars that were left out do not follow the map{causes}"
+            text = f"held-out stars do not follow the map that was fitted to the other stars{causes}"
             found.append(Finding("held_out", "error", text, {"held_out": held, "limit": 1.0 + limit}))
         count = len(self.lost) + len(self.found.model.chosen)
         if len(self.lost) > _MANY_REJECTED * count:
@@ -143,15 +143,15 @@ class Outcome:
 
     @property
     def cost(self) -> float:
-        """Sum over all stars of the excess of chi2 over 1, in standard deviations, at most `_OUTLIER` per star."""
+        """Sum over stars of (chi2 - 1) / spread, from 0 to `_OUTLIER`; a rejected star contributes `_OUTLIER`."""
         each = self.found.model.each(self.found.x)
-        # The limit per star prevents that a single double star decides between two fits.
+        # The upper limit prevents a single double star from deciding between two fits.
         off = np.clip((each.chi2 - 1.0) / each.spread, 0.0, _OUTLIER)
         return float(off.sum()) + _OUTLIER * len(self.lost)
 
 
 class Search:
-    """The stages of a search; `places` (n, 2) are positions of stars, `part` (2,) is the size of a pixel."""
+    """The stages of a search; `places` (n, 2) are positions of stars, `part` (2,) is the size of a pixel in them."""
 
     def __init__(
         self, stars: FieldStars, places: Array, part: Array, degree: int, draw: np.random.Generator, report: Report
@@ -160,10 +160,10 @@ class Search:
         self.first = stars
         self.shapes: dict[str, float] = {}
         self.rival: Rival | None = None
-        #: Stars such as doubles and defects, which fit badly with any wavefront: they get no second individual fit.
-        self.unlike = np.zeros(0, dtype=np.intp)
+        #: Indices of double stars and defects, which no wavefront fits: they are not fitted individually again.
+        self.misfits = np.zeros(0, dtype=np.intp)
         self.part = part
-        #: The stars with a coarser model of the blur, for fits of individual stars.
+        #: The stars with fewer terms of the blur model, for fits of individual stars.
         self.rough = stars.shaped(Shape.turbulent(terms=_SINGLE_TERMS)) if stars.widths == 2 else stars
         self.squares = np.full((stars.exposures, stars.widths), _START_BLUR**2 / max(stars.widths, 1))
         self.widest = (_MAX_BLUR * min(stars.shape)) ** 2
@@ -191,7 +191,7 @@ class Search:
     ) -> tuple[Array, Array, NDArray[np.bool_]]:
         """Fit stars individually: return the best parameters (n, p), chi2, and a mask of sure stars.
 
-        A star is sure if it fits, or if two starts ended at the same chi2, so that more starts are unlikely to help.
+        A star is sure if it fits, or if two starts ended at the same chi2: further starts are unlikely to help.
         """
         stars = self.stars
         best, chi2 = np.zeros((len(chosen), stars.size)), np.full(len(chosen), np.inf)
@@ -213,7 +213,7 @@ class Search:
                 alike = np.abs(scores.chi2 - before) < _SAME_CHI2 * np.maximum(chi2[undecided] - 1.0, 0.0)
                 sure[undecided[fits | alike]] = True
                 undecided = undecided[~(fits | alike)]
-            if turn + 1 >= _MIN_STARTS and sure.mean() >= _MIN_SURE:  # a large chi2 is due to doubles or defects
+            if turn + 1 >= _MIN_STARTS and sure.mean() >= _MIN_SURE:  # a large chi2 indicates a double star or defect
                 undecided = undecided[chi2[undecided] <= _MAX_CHI2_RATIO * np.median(chi2)]
             if undecided.size == 0:
                 break
@@ -230,10 +230,10 @@ class Search:
         return model.row(waves, self.squares, self._centred(model.chosen, waves))
 
     def _centred(self, rows: NDArray[np.intp], waves: Array) -> Array:
-        """Return start values of `own` for which the images of stars have the observed centroids."""
+        """Return initial parameters `own` for which the images of stars have the observed centroids."""
         one = self.stars.one
         edge = self.stars.base[rows] + (waves @ one.directions)[:, None]
-        # The mean slope of the wavefront shifts the centroid: the tilts are the observed centroid minus this shift.
+        # The mean slope of the wavefront shifts the centroid: tilts correspond to the centroid minus this shift.
         return self.stars.start_values(rows, self._centroids[rows] - one.mean_slopes(edge).swapaxes(0, 1))
 
     @cached_property
@@ -241,7 +241,7 @@ class Search:
         return self.stars.centroids()
 
     def from_start(self) -> Solution | None:
-        """Fit the brightest stars, starting at the given wavefronts; return None if the fit is not good enough."""
+        """Fit the brightest stars, starting at the initial wavefronts; return None if no fit is good enough."""
         chosen = self.brightest()
         polynomials, _ = robust(self.basis(chosen), self.stars.start[chosen], np.ones(len(chosen)), self.metric)
         squares, few = self.squares, chosen[:: max(1, len(chosen) // _RANKING_STARS)]
@@ -274,18 +274,20 @@ class Search:
         chosen = self.brightest()
         x, chi2, sure = self.singles(chosen)
         if not np.isfinite(chi2).any():
-            raise ToleranceError("no star could be fitted: the images of all starts are beyond what can be computed")
+            raise ToleranceError(
+                "no star could be fitted: aberrations of all starts are too strong to compute images to the "
+                "tolerance; use a larger tol, or pass start"
+            )
         usable = np.isfinite(chi2)
-        # Polynomials cannot fit better than individual wavefronts: a fit with nearly their chi2 ends the search.
+        # Polynomials cannot fit better than individual wavefronts: a fit with nearly the same chi2 ends the search.
         floor = _EXCESS_RATIO * (float(np.median(chi2[usable])) - 1.0) if sure.mean() >= _MIN_SURE else 0.0
-        enough = max(_GOOD_CHI2, 1.0 + floor)
-        # Stars with a poor individual fit would distort the polynomials; `whole` includes them if they fit the map.
+        accepted_chi2 = max(_GOOD_CHI2, 1.0 + floor)
+        # Stars with a poor individual fit would distort the polynomials; `whole` adds stars that fit the map later.
         alike = usable & (chi2 <= _MAX_CHI2_RATIO * np.median(chi2[usable]))
-        self.unlike = chosen[usable & ~alike]
+        self.misfits = chosen[usable & ~alike]
         if alike.sum() >= max(_MIN_SURE * usable.sum(), 4):
             usable = alike
         chosen, x, chi2 = chosen[usable], x[usable], chi2[usable]
-        # Weights decrease with chi2.
         quality = 1.0 / np.maximum(chi2 / max(float(np.median(chi2)), 1e-9), 1.0) ** 2
         waves, squares, _ = SingleStars(stars, chosen, self.widest).parts(x)
         good = chi2 <= _MAX_CHI2_RATIO * np.median(chi2)
@@ -308,16 +310,17 @@ class Search:
             median = float(np.median(found.model.each(found.x, fast=True).chi2))
             if median < lowest:
                 best, lowest = found, median
-            if median < enough:
+            if median < accepted_chi2:
                 break
         if best is None:
             raise ToleranceError(
-                "no field could be fitted: the wavefronts of all starts are beyond what can be computed"
+                "no field could be fitted: aberrations are too strong to compute images to the tolerance; use a "
+                "larger tol, or pass start"
             )
         return best
 
     def negated(self, chosen: NDArray[np.intp], waves: Array) -> Array:
-        """Return wavefronts with the even part of the phase negated."""
+        """Return the wavefronts `waves` of stars with the even part of the phase negated."""
         return self.stars.one.negated(waves, self.stars.base[chosen, 0])
 
     def refined(
@@ -331,7 +334,7 @@ class Search:
         *,
         fast: bool = True,
     ) -> Solution | None:
-        """Fit stars, starting at polynomials (k, m); return None if the images cannot be computed."""
+        """Fit stars in at most `most` steps from polynomials (k, m); return None if images cannot be computed."""
         m = (self.degree + 1) * (self.degree + 2) // 2
         start = np.zeros((len(polynomials), m))
         start[:, : polynomials.shape[1]] = polynomials[:, :m]
@@ -366,14 +369,14 @@ class Search:
             if good.all() or left < (1.0 - _MAX_REJECTED) * first or left <= found.model.basis.shape[1]:
                 break
             chosen, own = found.model.chosen[good], found.of_stars()[good]
-            again = self.refined(chosen, found.polynomials(), found.squares(), 10, progress, own)
-            if again is None:
+            refit = self.refined(chosen, found.polynomials(), found.squares(), 10, progress, own)
+            if refit is None:
                 break
-            found = again
+            found = refit
         return found
 
     def whole(self, found: Solution) -> tuple[Solution, NDArray[np.intp]]:
-        """Fit all stars except outliers, starting at a fit of some; return the fit and the outliers' indices."""
+        """Fit all stars except outliers, from a fit of some stars; return the fit and the indices of outliers."""
         every = np.arange(self.stars.count)
         polynomials, squares = found.polynomials(), found.squares()
         others = np.setdiff1d(every, found.model.chosen)
@@ -390,7 +393,7 @@ class Search:
                 wide = self.refined(every[~bad], polynomials, squares, 10, (0.7, 0.15), own[~bad])
         found = self.regained(self.lowest(self.cleaned(wide or found, (0.85, 0.02))))
         own, chosen = found.of_stars(), found.model.chosen
-        # Windows are centred on the light, which aberrations displace; positions of stars are corrected for this.
+        # Windows are centred on the light, which aberrations displace: correct the positions of stars.
         moved = own[:, :2].mean(axis=-1) / self.stars.one.tilt_of_pixel
         self.places = self.places.copy()
         self.places[chosen] += moved[:, ::-1] * self.part
@@ -402,7 +405,7 @@ class Search:
 
     @property
     def one_focus(self) -> bool:
-        """Whether all exposures have the same focus, which leaves signs of even terms ambiguous."""
+        """Whether all exposures have the same defocus, such that signs of even terms are ambiguous."""
         one = self.stars.one
         return bool(np.ptp(one.base * one.even, axis=0).max() == 0.0)
 
@@ -428,7 +431,7 @@ class Search:
         return found
 
     def _search_negated(self, found: Solution) -> list[Solution]:
-        """Return the best result (at most one) of short searches that start at other signs of even terms."""
+        """Return a list with the best result (if any) of short searches that start at other signs of even terms."""
         one, polynomials, chosen = self.stars.one, found.polynomials(), found.model.chosen
         waves = found.model.basis @ polynomials.T
         size = np.sqrt((waves**2).mean(axis=0) * np.diag(self.metric))
@@ -437,7 +440,7 @@ class Search:
         starts = []
         if one.sign_ambiguous:
             # The image of a star does not change if the whole even part of its wavefront is negated. For each even
-            # term, negate stars so that the term has one sign all over the field: a start with the same images.
+            # term, negate the even parts of some stars, such that the term has one sign all over the field.
             other = self.negated(chosen, waves)
             for j in even:
                 below = waves[:, j] < 0.0
@@ -457,17 +460,17 @@ class Search:
         return [self._continue(each, _BEST_STEPS) or each for each in nearest]
 
     def _continue(self, found: Solution, most: int, polynomials: Array | None = None) -> Solution | None:
-        """Continue a fit by `most` steps, from its own or from other polynomials; return None if it fails."""
+        """Continue a fit by `most` steps, from `polynomials` if given; return None if images cannot be computed."""
         starts = found.polynomials() if polynomials is None else polynomials
         return self.refined(found.model.chosen, starts, found.squares(), most, (0.87, 0.0), found.of_stars())
 
     def _rival(self, best: Solution, other: Solution) -> Rival | None:
-        """Return a Rival if another fit is nearly as likely as the best and at another minimum; None otherwise."""
+        """Return a Rival if the fit `other` is nearly as likely as `best` but distant from it; None otherwise."""
         cost = float(other.scores.deviance[0] - best.scores.deviance[0])
         one, k = self.stars.one, best.model.waves * best.model.basis.shape[1]
         errors = np.sqrt(np.diag(best.model.covariance(best.scores))[:k]).reshape(best.model.waves, -1)
         ends = [other.polynomials()]
-        # The twin (all even parts negated) has the same images: the distance is the smaller one of fit and twin.
+        # The twin (all even parts negated) has the same images: use the smaller distance of `other` and its twin.
         if one.sign_ambiguous:
             ends.append(self.twin(ends[0])[0])
         sigmas = min(float((np.abs(end - best.polynomials()) / errors).max()) for end in ends)
@@ -476,20 +479,20 @@ class Search:
     def twin(self, polynomials: Array) -> tuple[Array, Array]:
         """Return polynomials (k, m) with all even parts negated, and the matrix (k, k) that negates them."""
         one = self.stars.one
-        # Negation of the even part is the matrix 1 - flip, where flip is twice the projection onto the even part.
+        # The matrix 1 - flip negates the even part: flip is twice the projection onto the even part.
         flip = 2.0 * ((one.directions * one.even) @ one.inverse).T
         other = polynomials - flip @ polynomials
         other[:, 0] -= 2.0 * ((one.base[0] * one.even) @ one.inverse)
         return other, np.eye(len(flip)) - flip
 
     def best_shape(self, found: Solution) -> Solution:
-        """Return the fit with the most likely shape of blur; of equally likely shapes, that of fewest widths."""
+        """Return the fit with the most likely shape of blur; a single width is preferred to two of similar lnL."""
         own, polynomials, squares = found.of_stars(), found.polynomials(), found.squares()
 
         def fit_shape(shape: Shape, widths: Array, most: int) -> Solution:
             self.stars = self.first.shaped(shape)
-            again = self.refined(found.model.chosen, polynomials, widths, most, (0.88, 0.01), own)
-            return again or replace(found, scores=found.scores._replace(deviance=np.full(1, np.inf)))
+            refit = self.refined(found.model.chosen, polynomials, widths, most, (0.88, 0.01), own)
+            return refit or replace(found, scores=found.scores._replace(deviance=np.full(1, np.inf)))
 
         both = fit_shape(Shape.turbulent(), squares, _SHAPE_STEPS)
         cost: dict[float | None, float] = {None: float(both.scores.deviance[0])}
@@ -519,7 +522,7 @@ class Search:
         return best
 
     def regained(self, found: Solution) -> Solution:
-        """Include rejected stars again if other polynomials fit all stars; return the fit."""
+        """Return a fit that includes rejected stars, if other polynomials fit them too; else the unchanged fit."""
         # A rejected star that fits individually is no double star: the polynomials are wrong at its position.
         every = np.arange(self.stars.count)
         for _ in range(_ROUNDS):
@@ -528,27 +531,27 @@ class Search:
                 break
             fits, waves = self._fit_individually(lost, found)
             here = found.model.basis @ found.polynomials().T
-            again = self._fit_through(found, here, lost[fits], waves[fits]) if fits.any() else None
-            more = lost[fits | ~np.isin(lost, self.unlike)]
-            if again is None and more.size:
-                again = self._fit_through(found, here, more, self.basis(more) @ found.polynomials().T)
-            if again is None:
+            refit = self._refit_with(found, here, lost[fits], waves[fits]) if fits.any() else None
+            more = lost[fits | ~np.isin(lost, self.misfits)]
+            if refit is None and more.size:
+                refit = self._refit_with(found, here, more, self.basis(more) @ found.polynomials().T)
+            if refit is None:
                 break
-            found = again
+            found = refit
         return found
 
-    def _fit_through(self, found: Solution, waves: Array, more: NDArray[np.intp], others: Array) -> Solution | None:
-        """Fit present stars from `waves` and `more` stars from `others`; None unless more stars fit than before."""
+    def _refit_with(self, found: Solution, waves: Array, more: NDArray[np.intp], others: Array) -> Solution | None:
+        """Fit used stars from `waves` and the stars `more` from `others`; None unless more stars fit than before."""
         every = np.concatenate([found.model.chosen, more])
-        through = np.concatenate([waves, others])
-        polynomials, _ = robust(self.basis(every), through, np.ones(len(every)), self.metric)
-        again = self.refined(np.sort(every), polynomials, found.squares(), 20, (0.87, 0.02))
-        if again is None:
+        wavefronts = np.concatenate([waves, others])
+        polynomials, _ = robust(self.basis(every), wavefronts, np.ones(len(every)), self.metric)
+        refit = self.refined(np.sort(every), polynomials, found.squares(), 20, (0.87, 0.02))
+        if refit is None:
             return None
-        again = self.cleaned(again, (0.89, 0.01))
-        most = max(1.0 + _EXCESS_RATIO * (float(found.scores.chi2[0]) - 1.0), self._limit(again))
-        better = len(again.model.chosen) > len(found.model.chosen) and again.scores.chi2[0] <= most
-        return again if better else None
+        refit = self.cleaned(refit, (0.89, 0.01))
+        most = max(1.0 + _EXCESS_RATIO * (float(found.scores.chi2[0]) - 1.0), self._limit(refit))
+        better = len(refit.model.chosen) > len(found.model.chosen) and refit.scores.chi2[0] <= most
+        return refit if better else None
 
     def _fit_individually(self, lost: NDArray[np.intp], found: Solution) -> tuple[NDArray[np.bool_], Array]:
         """Fit rejected stars individually; return a mask of stars that fit, and the wavefronts (r, k)."""
@@ -559,17 +562,17 @@ class Search:
             own = self.placed(lost, found.polynomials(), squares)
             x, scores, *_ = search_rows(alone, alone.row(model, squares, own), _STEPS, _no_progress, fast=True)
             fits, waves = scores.chi2 < goodness_of_fit.most(scores.spread, SURE), alone.wavefronts(x)
-        again = ~fits & ~np.isin(lost, self.unlike)
-        if again.any():
-            x, chi2, sure = self.singles(lost[again], (0.87, 0.0))
+        retried = ~fits & ~np.isin(lost, self.misfits)
+        if retried.any():
+            x, chi2, sure = self.singles(lost[retried], (0.87, 0.0))
             other = alone.wavefronts(x)
             if stars.one.sign_ambiguous:
-                turned, near = self.negated(lost[again], other), model[again]
-                apart = [np.einsum("ni,ij,nj->n", w - near, self.metric, w - near) for w in (other, turned)]
-                other = np.where((apart[1] < apart[0])[:, None], turned, other)
+                negated, near = self.negated(lost[retried], other), model[retried]
+                distances = [np.einsum("ni,ij,nj->n", w - near, self.metric, w - near) for w in (other, negated)]
+                other = np.where((distances[1] < distances[0])[:, None], negated, other)
             fit = sure & (chi2 < 1.0 + 2.0 * (self._limit(found) - 1.0))
-            self.unlike = np.union1d(self.unlike, lost[again][~fit])
-            waves[again], fits[again] = other, fit
+            self.misfits = np.union1d(self.misfits, lost[retried][~fit])
+            waves[retried], fits[retried] = other, fit
         return fits, waves
 
     @staticmethod
@@ -592,16 +595,16 @@ class Search:
         return Outcome(found, lost, held_out, bright, self.places, *tested)
 
     def _with_slopes(self, found: Solution) -> Solution:
-        """Return a fit whose model has a slope of each background, 0 at the start."""
+        """Return the fit with a model that has a slope of each background, initially 0."""
         self.first, self.stars = self.first.on_slopes(), found.model.of.on_slopes()
-        self.rough = self.rough.on_slopes()  # for another search, which starts with individual stars
+        self.rough = self.rough.on_slopes()  # another search may follow, which starts with individual stars
         model, own = self.model(found.model.chosen), np.pad(found.of_stars(), ((0, 0), (0, 2), (0, 0)))
         return replace(found, model=model, x=model.row(found.polynomials(), found.squares(), own))
 
     def held_out(self, found: Solution) -> tuple[float, float]:
         """Return chi2 of a fifth of the stars with wavefronts predicted by the others, and its standard deviation."""
         chosen = found.model.chosen
-        # Every fifth star in the order along an oblique direction: spread over the field, and not random.
+        # Every fifth star in the order along an oblique direction: a reproducible choice all over the field.
         order = np.argsort(self.places[chosen] @ [1.0, 0.318], kind="stable")
         out = np.zeros(len(chosen), dtype=bool)
         out[order[2::5]] = True
@@ -624,6 +627,7 @@ def _no_progress(step: int, chi2: float) -> None:
 def outliers(each: Quality) -> NDArray[np.bool_]:
     """Return a mask of stars whose chi2 is too large compared with the other stars."""
     median = float(np.median(each.chi2))
-    # If the model is slightly wrong, chi2 scatters by more than noise: use the larger of expected and robust width.
+    # If the model is slightly wrong, chi2 scatters by more than noise: use the larger of the expected standard
+    # deviation and the robust estimate.
     spread = np.maximum(each.spread, 1.4826 * float(np.median(np.abs(each.chi2 - median))))
     return np.asarray(each.chi2 > median + _OUTLIER * spread)

@@ -1,9 +1,10 @@
 """Wavefronts over a field from fits of single stars: polynomials, and the signs of even parts in one focus.
 
 In one focus the image of a star does not determine the sign of the even part of its phase. Wavefronts of neighbouring
-stars are similar: signs are first taken from the leading eigenvector of the matrix of similarities (angular
-synchronisation in Z_2: Singer 2011, doi:10.1016/j.acha.2010.02.001). Then, alternately, polynomials are fitted to the
-wavefronts, and the sign of each star is set to the one nearer to the polynomials.
+stars are similar: the initial signs are those of the leading eigenvector of the matrix of similarities (angular
+synchronisation in Z_2: Singer 2011, doi:10.1016/j.acha.2010.02.001). Then two steps alternate: polynomials are fitted
+to the wavefronts, and each star gets the sign for which its wavefront is nearer to the polynomials. Positions are in
+half fields, -1 to 1 across the sensor. k: number of wavefront terms; m: number of polynomials; n: number of stars.
 """
 
 from __future__ import annotations
@@ -16,7 +17,7 @@ from numpy.typing import NDArray
 
 from lommel.base.arrays import Array
 
-_RADII = 0.25, 0.4, 0.7  # standard deviations of Gaussian weights for similarity, half fields
+_RADII = 0.25, 0.4, 0.7  # standard deviations, half fields, of the Gaussian weights of similarities by distance
 _DIVIDED = 3  # number of candidates in which all signs on one side of a random line are reversed
 _MAX_ITERATIONS = 25
 _MIN_SCALE = 0.03  # smallest scale of the residuals in robust fits, radians rms
@@ -33,7 +34,7 @@ def monomials(u: Array, v: Array, degree: int) -> Array:
 def with_errors(u: Array, v: Array, degree: int, coefficients: Array, covariance: Array) -> tuple[Array, Array]:
     """Return the values (..., k) of k polynomials at positions u, v, and their standard errors.
 
-    The first k * m rows of the covariance are those of the coefficients (k, m), row by row; more rows are ignored.
+    The first k * m rows of `covariance` belong to the flattened `coefficients` (k, m); further rows are ignored.
     """
     basis = monomials(u, v, degree)
     k, m = coefficients.shape
@@ -43,20 +44,20 @@ def with_errors(u: Array, v: Array, degree: int, coefficients: Array, covariance
 
 
 def powers(degree: int) -> list[tuple[int, int]]:
-    """Return the degrees in u and v of each product of polynomials, the constant first."""
+    """Return the degrees in u and v of each product of two Legendre polynomials, the constant first."""
     return [(total - j, j) for total in range(degree + 1) for j in range(total + 1)]
 
 
 def highest_degree(most: int, count: int) -> int:
-    """Return the highest degree up to `most` with at least two of `count` points per polynomial, else 0."""
+    """Return the highest degree <= `most` with at most `count` / 2 products of polynomials; 0 if there is none."""
     return max((d for d in range(most + 1) if (d + 1) * (d + 2) <= count), default=0)
 
 
 def robust(basis: Array, waves: Array, quality: Array, metric: Array) -> tuple[Array, Array]:
-    """Fit polynomials (k, m) to wavefronts (n, k); return them, and the residual of each star, radians rms.
+    """Fit polynomials (k, m) to wavefronts (n, k); return them and the residual of each star, radians rms.
 
-    `quality` (n,) are weights of the stars. The fit is robust: the weights of stars with large residuals decrease
-    (Geman and McClure).
+    `quality` (n,) are weights of the stars. The fit is robust: a star with a large residual has a smaller weight
+    (Geman and McClure). `metric` (k, k) yields mean square phases from coefficients.
     """
     weight = quality.copy()
     for _ in range(_MAX_ITERATIONS):
@@ -100,8 +101,8 @@ def candidates(
         signs.append(np.where(np.linalg.eigh(similarity)[1][:, -1] < 0.0, -1.0, 1.0))
     for _ in range(_DIVIDED):
         across = draw.normal(size=2)
-        wall = places @ (across / np.linalg.norm(across)) - draw.uniform(-0.5, 0.5)
-        signs.append(signs[1] * np.where(wall < 0.0, -1.0, 1.0))
+        side = places @ (across / np.linalg.norm(across)) - draw.uniform(-0.5, 0.5)
+        signs.append(signs[1] * np.where(side < 0.0, -1.0, 1.0))
     found = []
     for sign in signs:
         chosen = np.where(sign[:, None] > 0.0, waves, other)
@@ -118,7 +119,8 @@ def candidates(
     tried: list[Array] = []
     for _, polynomials, chosen in sorted(found, key=lambda each: each[0]):
         mirrored = negated(chosen)
-        # Yield no candidate whose signs agree with an earlier one, or are all opposite, for 97 % of the stars.
+        # Skip a candidate whose signs, for more than 97 % of the stars, equal those of an earlier candidate, or are
+        # opposite to them.
         if not any(_equal_fraction(chosen, old) > 0.97 or _equal_fraction(mirrored, old) > 0.97 for old in tried):
             tried.append(chosen)
             yield polynomials, chosen

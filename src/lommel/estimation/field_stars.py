@@ -1,4 +1,4 @@
-"""Images of stars, pinholes or corners over a field, as functions of wavefront, position, light and blur."""
+"""Images of stars, pinholes or corners over a field, as functions of wavefront, position, flux and blur."""
 
 from __future__ import annotations
 
@@ -23,15 +23,15 @@ from lommel.estimation.target_readout import Target, TargetReadout, start_of_cro
 from lommel.fit.scoring import RowModel, Scores, covariance, flux_background, reduced_chi2
 from lommel.methods.derivative_names import SHIFTS, Name, Term
 from lommel.methods.question import output_type
-from lommel.methods.question import prepare as asked_about
+from lommel.methods.question import prepare as prepare_question
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.psf import Plan
 
 _BLOCK_VALUES = 3e7  # number of values of samples and their derivatives that are computed together
-_SHARP = 0.02  # squared width of blur, pixels^2, below which it may become 0
-_BRIGHT = 50.0  # smallest excess of bright pixels over parameters for which their chi2 is computed
+_SHARP = 0.02  # squared width of blur, pixels^2, below which a step may set it to 0
+_BRIGHT = 50.0  # chi2 of bright pixels is computed if their number minus twice that of parameters is at least this
 _OWN = 4  # number of parameters of each image (row, column, flux, background) before the angles
 _MAX_ANGLE_STEP = 0.05  # largest step of an angle, radians
 
@@ -40,7 +40,7 @@ Readout: TypeAlias = StarReadout | TargetReadout
 
 
 class Quality(NamedTuple):
-    """Chi2 of r single stars, (r,), and the standard deviation of chi2 for a correct model."""
+    """Chi2 per degree of freedom of r stars, shape (r,), and its standard deviation for a correct model."""
 
     chi2: Array
     spread: Array
@@ -51,7 +51,8 @@ class FieldStars:
 
     Parameters of a star are the k coefficients of its wavefront (radians rms), the b squared widths of the blur of
     each exposure (pixels^2), and the `own` parameters of each image: two tilts (row and column), flux, background,
-    and for corners two angles. `blur` is a shape of unknown widths, or known blurs.
+    and for corners two angles; with `sloped`, also two slopes of the background. In arrays named `own`, their values
+    have the shape (r, own, e) for r stars. `blur` is a shape of unknown widths, or known blurs.
     """
 
     def __init__(
@@ -112,7 +113,7 @@ class FieldStars:
         return self.having(sloped=True, own=self.own + 2, size=self.size + more, tested=self.tested - more)
 
     def having(self, **changes: Any) -> FieldStars:
-        """Return a copy with the same images and other attributes, such as `further` or `lens`."""
+        """Return a copy in which the attributes in `changes`, such as `further` or `lens`, are replaced."""
         found = copy(self)
         vars(found).update(changes)
         return found
@@ -120,12 +121,13 @@ class FieldStars:
     def images(
         self, stars: NDArray[np.intp], waves: Array, squares: Array, own: Array, *, fast: bool, slopes: str = "all"
     ) -> list[Array]:
-        """Return the images of r stars, then derivatives by edge terms and tilts, squared widths, and angles.
+        """Return the PSFs of r stars at their positions, and derivatives of the PSFs.
 
         `waves` is (r, k), `squares` (r, e, b), `own` (r, own, e); each array in the list is (r * e, height, width).
-        `slopes` is "all", "none" (images alone), "own" (derivatives by tilts and angles, with 0 for the others), or
-        "others": derivatives by the `further` terms, by `changes_of` a circular pupil, and, for stars, by
-        `OTHER_BLURS`; `squares` must then be the same for all stars.
+        `slopes` selects the derivatives. "all": by Zernike terms (amplitude at the pupil edge), tilts, squared
+        widths, and angles. "own": as "all", but 0 unless by tilts or angles. "none": no derivatives. "others": by the
+        `further` terms, by `changes_of` a circular pupil, and, for stars, by `OTHER_BLURS`; `squares` must then be
+        the same for all stars.
         """
         reader = self._readout(squares, always=slopes == "others")
         each = self.exposures * math.prod(reader.shape if reader else self.shape) * (len(self._slopes) + 2)
@@ -140,7 +142,7 @@ class FieldStars:
         return [np.concatenate(several) for several in zip(*parts, strict=True)] if len(parts) > 1 else parts[0]
 
     def _readout(self, squares: Array, *, always: bool) -> Readout | None:
-        """Return the readout of pixels from samples, for blur of widths `squares`; None if samples are the pixels."""
+        """Return the readout, which computes pixels from samples for blur of widths `squares`; None if not needed."""
         reader, shape = self._reader, self.blur
         if self.target is not None:
             if reader is None:
@@ -148,7 +150,8 @@ class FieldStars:
             return self._reader
         if not (always or self.widths or self.integrate or shape.fixed.any()):
             return None
-        # The support is that of the typical width: the wide Gaussians of seeing lose only light far from the window.
+        # The support is chosen for the typical width. It cuts off the widest Gaussians of seeing, but only their
+        # light that is far from the window.
         known = float(np.exp(shape.weights @ np.log(shape.fixed + 1e-12)))
         width = math.sqrt(float(squares.sum(axis=-1).max(initial=0.0)) + known)
         variances = shape.variances(squares).reshape(-1, len(shape.weights)).min(axis=0)
@@ -165,7 +168,7 @@ class FieldStars:
     def _block(
         self, reader: Readout | None, edge: Array, squares: Array, own: Array, *, fast: bool, slopes: str
     ) -> list[Array]:
-        """Return the result of `images` for a block of stars, from edge terms (r * e, terms)."""
+        """Return the result of `images` for a block of stars, from Zernike terms `edge` (r * e, terms)."""
         pupil = self.lens.carrying(Wavefront.trusted(self.one.terms, edge), None)
         tol = self.loosest if fast else self.tol
         shape, pitch = (self.shape, self.pixel) if reader is None else (reader.shape, reader.step)
@@ -173,19 +176,19 @@ class FieldStars:
         plan = Plan(shape, pixel, tol=tol, integrate=False, threads=self.threads or None)
         facts = pupil.aperture, pupil.radial, pupil.shape, pupil.wavelength, pupil.f_number
         dtype = output_type(None, tol)
-        prepared = asked_about(pupil, facts, plan.grid(pupil), None, tol, "energy", dtype, self.threads)
+        prepared = prepare_question(pupil, facts, plan.grid(pupil), None, tol, "energy", dtype, self.threads)
         by = {"all": self._slopes, "own": self._slopes[-2:], "none": (), "others": self.further}[slopes]
         # Sampled pupils do not support masks, and have derivatives by phases only.
         proven = pupil.mask is not None or (pupil.circular and (slopes == "others" or max(shape) <= SMALL))
         if proven:
-            _, made, rates = prepared.images(pupil, by)
-            samples = [made.values, *(slope.values for slope in rates)]
+            _, pixels, rates = prepared.images(pupil, by)
+            samples = [pixels.values, *(slope.values for slope in rates)]
             if slopes == "others" and changes_of(self.lens):
                 samples += UnevenLight(self.lens, plan.grid(self.lens), self.one.terms, edge).images()
         else:
             columns = [(*self.one.terms, *self.further).index(name) for name in by]
             samples = list(self._sampled(plan.grid(self.lens)).images(edge, columns, values=fast))
-            if not fast:  # only values are replaced: errors of derivatives hardly affect steps and standard errors
+            if not fast:  # only the PSFs must be accurate: errors of derivatives hardly affect steps and results
                 samples.insert(0, prepared.images(pupil)[1].values)
         if reader is None:
             found = [np.asarray(image).reshape(-1, *self.shape) for image in samples]
@@ -207,7 +210,7 @@ class FieldStars:
         return found
 
     def _sampled(self, grid: Grid) -> SampledPupil:
-        """Return the samples of the aperture, for images on a lattice."""
+        """Return the sampled pupil that computes images on the grid; reuse it in later calls."""
         key = self.lens, grid.shape, grid.pixel, self.further
         if key not in self._kept:
             self._kept[key] = SampledPupil(self.lens, grid, cast("list[Term]", [*self.one.terms, *self.further]))
@@ -216,18 +219,20 @@ class FieldStars:
     def likelihood(
         self, stars: NDArray[np.intp], images: Sequence[Array], own: Array, others: Sequence[Array] = ()
     ) -> tuple[Array, Array, Array]:
-        """Return deviance, expectation and variance of chi2 (3, r), and information and slopes (r, p, p + 1).
+        """Return three arrays for r stars of p parameters, from PSFs and their derivatives `images`.
 
-        The p parameters of a star are those shared by stars, q further ones common to all exposures, and its own. The
-        derivatives of electrons by the further ones are `others` (r * e, height, width). `own` is as for `images`.
+        (3, r): deviance, expectation and variance of Pearson's sum. (r, p, p + 1): information matrix, and last
+        column: derivatives of the log-likelihood lnL. (r,): Pearson's sum. The p parameters of a star are the
+        parameters shared by all stars, q further parameters common to all exposures, and `own`. The q arrays `others`
+        (r * e, height, width) are derivatives of electrons by the further parameters.
         """
         r, e, k, b, q = len(stars), self.exposures, len(self.one.directions), self.widths, len(others)
         slopes = slants(r * e, self.shape) if self.sloped else ()
         numbers, products = self._products(stars, [*images, *slopes, *others], own)
         d = products.shape[-1]
         edge = len(self.one.unknowns.edge)
-        # Chain rule. Columns: derivatives of PSFs by edge terms, tilts, blur and angles; derivatives of electrons by
-        # slopes and others; then the PSF, 1 (for the background) and the residual.
+        # Chain rule. Columns: derivatives of PSFs by Zernike terms, tilts, blur and angles; derivatives of electrons
+        # by slopes and `others`; then the PSF, 1 (for the background) and the residual.
         chain = np.zeros((r, e, self.size + q + 1, d))
         flux = own[:, 2]
         chain[:, :, :k, :edge] = self.one.unknowns.directions * flux[:, :, None, None]
@@ -245,9 +250,10 @@ class FieldStars:
         return numbers, found[:, :-1], found[:, -1, -1]
 
     def _products(self, stars: NDArray[np.intp], images: Sequence[Array], own: Array) -> tuple[Array, Array]:
-        """Return deviance, expectation and variance of chi2 (3, r), and products (r, e, d, d).
+        """Return deviance, expectation and variance of Pearson's sum (3, r), and inner products (r, e, d, d).
 
-        The products are those of `images`, 1 and the residual.
+        The inner products are those of `images`, the constant 1 and the residual, all divided by the standard
+        deviations of the pixels.
         """
         star, light = self.observed(stars, own)
         light = np.ascontiguousarray(np.moveaxis(light, 1, 0).reshape(1, 2, -1))
@@ -275,7 +281,7 @@ class FieldStars:
         return np.asarray(np.tensordot(np.abs(own[:, -2:]), [side // 2 for side in self.shape], (1, 0)))
 
     def _slope(self, own: Array) -> Array:
-        """Return the slopes of backgrounds, (r, e, pixels), by the last two parameters of `own` (r, own, e)."""
+        """Return the sloping part of backgrounds, (r, e, pixels), from the last two parameters in `own`."""
         y, x = slants(1, self.shape)
         return np.asarray(own[:, -2, :, None] * y.ravel() + own[:, -1, :, None] * x.ravel())
 
@@ -285,21 +291,21 @@ class FieldStars:
         return found + self._slope(own) if self.sloped else found
 
     def quality(self, stars: NDArray[np.intp], values: Array, own: Array, unknown: float) -> Quality:
-        """Return chi2 of single stars from their images, given the number of each star's own parameters."""
+        """Return chi2 of single stars from their PSFs `values`; `unknown` is the number of parameters per star."""
         (_, total, spread), products = self._products(stars, [values], own)
         return self.relative(stars, products[..., -1, -1].sum(axis=-1), total, spread, unknown)
 
     def relative(
         self, stars: NDArray[np.intp], square: Array, total: Array, spread: Array, unknown: float
     ) -> Quality:
-        """Return chi2 of single stars from sums of squares, expectation, variance and the number of parameters."""
+        """Return chi2 of stars from Pearson's sum, its expectation and variance, and the parameters per star."""
         freedom = np.maximum(1.0 - unknown / self.star[3][stars].sum(axis=(1, 2)), 0.1)
         return Quality(*reduced_chi2(square, total, spread, freedom))
 
     def bright(self, stars: NDArray[np.intp], values: Array, own: Array, unknown: float) -> tuple[float, float]:
-        """Return chi2 of the pixels in which stars exceed the noise, and its standard deviation; NaN if too few.
+        """Return chi2 of the pixels in which stars exceed the noise, and its standard deviation; NaN for few pixels.
 
-        A wrong wavefront increases this chi2 more than that of whole windows, most pixels of which are background.
+        A wrong wavefront increases this chi2 more than the chi2 of whole windows, which are mostly background.
         """
         psf = values.reshape(len(stars), self.exposures, -1)
         (counted, _, read, valid), light = self.observed(stars, own)
@@ -311,14 +317,14 @@ class FieldStars:
         if self.cornered or tested < unknown + _BRIGHT:
             return math.nan, math.nan
         variance, off = variance[bright], (counted - model)[bright]
-        share = tested / len(off)
-        spread = math.sqrt(float((2.0 + 1.0 / variance).sum()) * share) / tested
+        freedom = tested / len(off)
+        spread = math.sqrt(float((2.0 + 1.0 / variance).sum()) * freedom) / tested
         return float((off * off / variance).sum()) / tested, spread
 
     def light(self, stars: NDArray[np.intp], values: Array, before: Array) -> Array:
-        """Return flux and background (r, 2, e) of rows of stars by least squares, given their PSFs.
+        """Return flux and background (r, 2, e) of stars by least squares, from their PSFs `values`.
 
-        Slopes of the background, if any, are taken from `before`, the previous parameters.
+        Slopes of the background, if any, are those of the previous parameters `before`.
         """
         psf = values.reshape(len(stars), self.exposures, -1).astype(np.float64)
         (counted, _, read, valid), _ = self.observed(stars, before)
@@ -358,21 +364,21 @@ class FieldStars:
             )
 
     def start_values(self, rows: NDArray[np.intp], tilts: Array) -> Array:
-        """Return start values of the parameters of each image (r, own, e), from tilts (r, 2, e)."""
+        """Return initial values of the parameters of each image (r, own, e), from tilts (r, 2, e)."""
         rest = np.ones((len(rows), self.own - 2, self.exposures))
         rest[:, 2:] = self._crossings[rows][:, 2:] if self.cornered else 0.0
         return np.concatenate([tilts, rest], axis=1)
 
     @cached_property
     def _crossings(self) -> Array:
-        """Start values of row, column and two angles of each crossing, (n, 4, e)."""
+        """Initial row, column and two angles of each crossing (the corner's two lines), (n, 4, e)."""
         images = self.star[0].reshape(-1, *self.shape)
         found = np.array([start_of_crossing(image) for image in images])
         return found.reshape(self.count, self.exposures, -1).swapaxes(1, 2)
 
 
 def limit_widths(squares: Array, before: Array, widest: float, *, sharp: float) -> None:
-    """Limit squared widths (r, e, b) to steps from `before`, in place; only sums below `sharp` may become 0."""
+    """Limit squared widths (r, e, b) to steps from `before`, in place; a sum over b may become 0 if below `sharp`."""
     total = before.sum(axis=-1, keepdims=True)
     np.clip(squares, 0.0, np.minimum(4.0 * total + 0.1, widest), out=squares)
     least = np.where(total < sharp, 0.0, 0.25 * total)
@@ -387,11 +393,11 @@ class _StarModel(RowModel):
 
     alternatives = False
     slopes = "all"
-    sharp = 0.0  # squared width of blur, pixels^2, below which it may become 0
+    sharp = 0.0  # squared width of blur, pixels^2, below which a step may set it to 0
 
     def __init__(self, stars: FieldStars, chosen: NDArray[np.intp], shared: int, widest: float) -> None:
         self.of, self.chosen, self.widest = stars, chosen, widest
-        #: Number of parameters that do not belong to single images; the last of them are the widths of the blur.
+        #: Number of parameters that do not belong to single images; squared widths of the blur are the last of them.
         self.shared = shared
         self._widths = slice(shared - stars.exposures * stars.widths, shared)
 
@@ -409,7 +415,7 @@ class _StarModel(RowModel):
         return x[:, self._widths].reshape(len(x), self.of.exposures, self.of.widths)
 
     def images(self, x: Array, *, fast: bool = False) -> tuple[Any, Any]:
-        """Return images of all stars, and their slopes."""
+        """Return the PSFs of all stars, and their derivatives."""
         found = self.of.images(self.chosen, *self.parts(x), fast=fast, slopes=self.slopes)
         return found[0], found[1:]
 
@@ -427,32 +433,32 @@ class _StarModel(RowModel):
         return x
 
     def rms(self, steps: Array) -> Array:
-        """Return the rms phase of steps of each star."""
+        """Return the rms phase of the step of each star, radians."""
         edge = self.wavefronts(steps) @ self.of.one.directions
         return np.asarray(np.sqrt((edge * edge) @ self.of.one.mean_squares))
 
 
 class SingleStars(_StarModel):
-    """Stars that each have a wavefront of their own: rows of a search are stars and their starts."""
+    """Stars with individual wavefronts: each row of a search contains the parameters of one star."""
 
     def __init__(self, stars: FieldStars, rows: NDArray[np.intp], widest: float) -> None:
         super().__init__(stars, rows, len(stars.one.directions) + stars.exposures * stars.widths, widest)
         self.size, self.tested = stars.size, stars.tested
 
     def scores(self, x: Array, *, fast: bool = False, rows: NDArray[np.intp] | None = None) -> Scores:
-        """Return the quality of the fit of rows."""
+        """Return the scores of all stars, or of those in `rows`."""
         part = self if rows is None else SingleStars(self.of, self.chosen[rows], self.widest)
         return part.scores_of(x, *part.images(x, fast=fast))
 
     def scores_of(self, x: Array, values: Any, slopes: Any) -> Scores:
-        """Return the quality of the fit of all rows, from images and slopes."""
+        """Return the scores of all stars, from their PSFs and derivatives."""
         numbers, found, square = self.of.likelihood(self.chosen, [values, *slopes], self.parts(x)[2])
         deviance, total, spread = numbers
         quality = self.of.relative(self.chosen, square, total, spread, float(self.size))
         return Scores(deviance, found[:, :, -1], found[:, :, :-1], *quality)
 
     def row(self, waves: Array, squares: Array, own: Array) -> Array:
-        """Return the parameters (r, p) of waves (r, k), squares (e, b) of all, and those of images (r, own, e)."""
+        """Return the parameters (r, p) from waves (r, k), squares (e, b) common to all stars, and own (r, own, e)."""
         every = waves, np.broadcast_to(squares, (len(waves), *squares.shape)), own
         return np.concatenate([part.reshape(len(waves), -1) for part in every], axis=1)
 
@@ -463,7 +469,8 @@ class Blocks:
 
     `shared` (s, s) is the block of shared parameters, `own` (n, o, o) that of the own parameters of each star, and
     `mixed` (n, c, o) that of the c waves and squares of a star with its own parameters. `basis` (n, m) are the
-    monomials at each star, `squares` (e * b,) the present squared widths of the blur.
+    polynomials at each star, `waves` is their number k of coefficients per star, and `squares` (e * b,) are the
+    present squared widths of the blur.
     """
 
     shared: Array
@@ -475,7 +482,7 @@ class Blocks:
 
     @classmethod
     def of_stars(cls, local: Array, basis: Array, waves: int, shared: int, squares: Array) -> Blocks:
-        """Return blocks of the information of single stars (n, p, p), whose first `shared` parameters are shared."""
+        """Return blocks from the information (n, p, p) of single stars, with the shared parameters first."""
         blocks = cls(np.empty((0, 0)), local[:, shared:, shared:], local[:, :shared, shared:], basis, waves, squares)
         return replace(blocks, shared=blocks.outward(local[:, :shared, :shared]))
 
@@ -493,7 +500,7 @@ class Blocks:
         return found
 
     def gathered(self, local: Array) -> Array:
-        """Convert gradients (n, c) by waves and squares to shared parameters, and sum over stars: (s,)."""
+        """Convert derivatives (n, c) by waves and squares to shared parameters, and sum over stars: (s,)."""
         k = self.waves
         return np.concatenate([(local[:, :k].T @ self.basis).ravel(), local[:, k:].sum(axis=0)])
 
@@ -514,14 +521,14 @@ class Blocks:
         return shared - self.outward(self.mixed @ inverse @ self.mixed.swapaxes(-1, -2)), np.asarray(inverse)
 
     def eliminated(self, slope: Array, first: Array) -> Array:
-        """Return the slope (s,) with own parameters eliminated; `first` is the step of the own parameters alone."""
+        """Return the derivative (s,) with own parameters eliminated; `first` is the step of own parameters alone."""
         return np.asarray(slope - self.gathered((self.mixed @ first[:, :, None])[:, :, 0]))
 
 
 class WholeField(_StarModel):
-    """Stars of a field whose wavefronts are polynomials of their positions: one row of a search.
+    """Stars of a field whose wavefronts are polynomials of their positions; all parameters are one row of a search.
 
-    `basis` (n, m) has the values of the polynomials at each star. If `held`, polynomials and blur are fixed.
+    `basis` (n, m) are the values of the polynomials at each star. If `held`, polynomials and blur are fixed.
     """
 
     sharp = _SHARP
@@ -545,7 +552,7 @@ class WholeField(_StarModel):
         return np.asarray(self.basis @ self.polynomials(x).T)
 
     def row(self, polynomials: Array, squares: Array, own: Array) -> Array:
-        """Return parameters (1, p) of polynomials (k, m), squares (e, b) and those of images (r, own, e)."""
+        """Return the parameters (1, p) from polynomials (k, m), squares (e, b) and own (r, own, e)."""
         return np.concatenate([polynomials.ravel(), squares.ravel(), own.ravel()])[None]
 
     def each(self, x: Array, *, fast: bool = False) -> Quality:
@@ -554,7 +561,7 @@ class WholeField(_StarModel):
         return self.of.quality(self.chosen, values, self.parts(x)[2], self._each)
 
     def scores_of(self, x: Array, values: Any, slopes: Any) -> Scores:
-        """Return the quality of each star from images and slopes."""
+        """Return the scores of the whole field, from PSFs of all stars and their derivatives."""
         (deviance, total, spread), found, square = self.of.likelihood(
             self.chosen, [values, *slopes], self.parts(x)[2]
         )
@@ -569,7 +576,7 @@ class WholeField(_StarModel):
         return Scores(np.array([deviance.sum()]), whole[None], boxed, *(np.array([each]) for each in quality))
 
     def steps(self, scores: Scores, damping: Array) -> tuple[Array, Array]:
-        """Return a damped step (1, p), with own parameters eliminated, and its product with the slope."""
+        """Return a damped step (1, p), with own parameters eliminated, and its product with the derivative of lnL."""
         blocks: Blocks = scores.information[0]
         slope = scores.slope[0]
         own = slope[self.shared :].reshape(len(self.chosen), -1)
@@ -596,7 +603,7 @@ class WholeField(_StarModel):
         return step[None], np.array([step @ slope])
 
     def rms(self, steps: Array) -> Array:
-        """Return the largest rms phase of a step of a star."""
+        """Return the largest rms phase among the steps of all stars, radians."""
         return np.asarray(super().rms(steps).max(initial=0.0, keepdims=True))
 
     def covariance(self, scores: Scores) -> Array:

@@ -37,13 +37,15 @@ from lommel.special import zernike
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-_SPREAD = 1.5  # size of random starts, radians rms
+_SPREAD = 1.5  # rms phase that is added to the initial wavefront in random starts, radians
 _STACK = 2  # number of random starts that are computed in one stack
 # Number of starts that must end at the lowest minimum to end the search: in 54 simulated sets of images (0.7 to
 # 3 rad rms, 500 to 1e5 electrons) in which three of 19 starts agreed, no other start ended at a lower minimum.
 _AGREEING = 3
 _VISIBLE = 5.0  # smallest flux of a visible star, in standard errors of the flux
-_DECIDED = 2.0  # smallest ratio of the distances of two twins from the start at which the start selects the nearer
+# Smallest ratio of distances from the initial wavefront at which the nearer of two twins (wavefronts whose even parts
+# have opposite signs) is chosen without doubt.
+_DECIDED = 2.0
 _NORMALIZED = 0.05  # images whose sums differ from 1 by less count as normalized
 _CAUSES = (
     "pupil (vanes, f-number), pixel, noise or the defocus of an image (unit, order) are wrong, terms are missing, "
@@ -62,27 +64,28 @@ class Retrieval(FitReport):
     wavefront : Wavefront
         Estimated terms and fixed terms of `pupil`, without tilts of images and known defoci.
     twin : Wavefront or None
-        The wavefront with the even part of the phase negated, if it has the same images (see "sign_open").
+        The wavefront with the even part of the phase negated, if its images are the same (see "sign_open").
     pupil : Pupil
         The pupil with the estimated wavefront, f-number, wavelength and obscuration.
     coefficients : dict of name to float
         Parameters common to all images: Zernike terms in radians rms, "defocus" and powers of rho in radians (at the
         given wavelength), "f_number", "obscuration", "wavelength" in metres.
     errors : dict of name to float or ndarray
-        Standard errors of `coefficients`. Without `blur` also those of "flux", "background" and, if estimated, "row"
-        and "column", shape (n,). inf if the images do not determine the parameter. See `reliable`.
+        Standard errors of `coefficients`; inf if the images do not determine a parameter. Without `blur` also the
+        standard errors, shape (n,), of "flux", "background" and, if estimated, "row" and "column".
     covariance : ndarray, shape (k, k)
-        Covariance of `coefficients`, in their order. Parameters of single images are nuisance parameters.
+        Covariance of `coefficients`, in the same order. Parameters of single images are nuisance parameters.
     units : dict of name to str
+        Units of `coefficients` and `errors`.
     chi2 : float
         Pearson's chi2 per degree of freedom: about 1 if pupil, pixel and noise are right, even for few electrons.
     findings : lommel.fit.Findings
         Findings of the checks. Errors: "misfit", "no_light", "not_settled". Doubts: "sign_open" (the even part of the
         phase may have the other sign, and neither `pupil` nor a known defocus decides); "too_dim" (the standard error
-        of the phase of an image is so large that other wavefronts may fit as well); "errors_change" (a standard error
-        changes by more than an eighth within one standard deviation); "other_explanation"; "pattern" (residuals have
-        stripes, or offsets of rows or columns); "too_quiet". Notes: "undetermined", "rare_chi2", pixels left out or
-        perhaps saturated.
+        of an image's phase exceeds 0.25 radians rms: other wavefronts may fit as well); "errors_change" (a standard
+        error changes by more than an eighth within one standard deviation); "other_explanation"; "pattern" (residuals
+        have stripes, or offsets of rows or columns); "too_quiet". Notes: "undetermined", "rare_chi2", pixels left out
+        or perhaps saturated.
     summary : str
         Chi2, and the numbers of steps and starts.
     converged, reliable, status, message
@@ -95,7 +98,7 @@ class Retrieval(FitReport):
     psf : PSF
         PSFs of the images, a stack (n, height, width), without `blurs`; values are fractions of the total light.
     blurs : tuple of tuples of blurs
-        Blurs of each image, as arguments of :func:`lommel.psf`; an empty tuple for each image without blur.
+        Blurs of each image, as arguments of :func:`lommel.psf`; empty tuples without blur.
     blur_errors : tuple of tuples of float
         Standard error of r0 or sigma of each blur; 0 for a known blur.
     images, model, residual : ndarray, shape (n, height, width)
@@ -280,38 +283,41 @@ def retrieve(
     Notes
     -----
     Fisher scoring with the damping of Levenberg and Marquardt maximizes the likelihood of ``y + read^2 ~ Poisson(mu +
-    read^2)`` (Snyder et al. 1993, doi:10.1364/JOSAA.10.001014), ``mu = flux h + background`` electrons. Restarts end
-    when chi2 exceeds 1 by at most three standard deviations, or by at most six if three starts end at the lowest
-    minimum within its standard errors. The best fit is accepted up to six standard deviations.
+    read^2)`` for y recorded electrons (Snyder et al. 1993, doi:10.1364/JOSAA.10.001014); ``mu = flux h + background``
+    are the expected electrons and h is the PSF. Random restarts end when chi2 exceeds 1 by at most three standard
+    deviations, or by at most six if three starts end within the standard errors of the lowest minimum. The best fit
+    of all starts is accepted if chi2 exceeds 1 by at most six standard deviations.
 
-    Standard errors are the Cramér-Rao bound at the estimate, increased for undetected effects (below). They hold if
-    images are linear in the parameters within the standard errors. Images of dim stars on a background are not:
-    other wavefronts may have the same chi2. A test had 900 random wavefronts, 0.3 and 0.7 radians rms, 15 terms, in
-    three images of 25 x 25 pixels at C_d -4, 0, 4, with 500 to 10^5 electrons in each image, backgrounds of 0, 5 and
-    20 electrons per pixel, and a read noise of 2 electrons. A parameter was off by more than four standard errors in
-    4 of 633 reliable fits, and in 31 of 185 doubtful fits. With 10^4 electrons or more no fit was doubtful. At
-    3 radians rms a fit may converge to an entirely different wavefront.
+    Standard errors are the Cramér-Rao bound at the estimate, increased for undetected effects (below). They are valid
+    if images are linear in the parameters within the standard errors. Images of dim stars on a background are not
+    linear: other wavefronts may have the same chi2. In a test, 900 random wavefronts of 0.3 and 0.7 radians rms were
+    estimated (15 terms; three images of 25 x 25 pixels at C_d -4, 0, 4; 500 to 10^5 electrons in each image; 0, 5 and
+    20 electrons of background per pixel; read noise of 2 electrons). A parameter was in error by more than four
+    standard errors in 4 of 633 reliable fits, and in 31 of 185 doubtful fits. With 10^4 electrons or more no fit was
+    doubtful. For wavefronts of 3 radians rms a fit may converge to an entirely different wavefront.
 
     Images at one defocus, through an aperture with two-fold symmetry, do not change if the even part of the phase
     changes sign, ``Phi(x) -> -Phi(-x)``. Phase diversity (several known defoci) removes this ambiguity (Gonsalves
-    1982, doi:10.1117/12.7972989; Paxman et al. 1992, doi:10.1364/JOSAA.9.001072). Without it, the wavefront nearer to
-    that of `pupil` is returned; at equal distances, the one whose first even term is positive.
+    1982, doi:10.1117/12.7972989; Paxman et al. 1992, doi:10.1364/JOSAA.9.001072). With a single defocus, the
+    wavefront nearer to that of `pupil` is returned; at equal distances, the one whose first even term is positive.
 
-    Score tests (Rao, doi:10.1017/S0305004100023987) search for effects that the model lacks: further Zernike terms up
-    to two radial orders (spherical terms: four); finer zones and ripples; blur; sloping backgrounds; nonlinear gain;
-    another f-number, obscuration or amplitude at the pupil edge; uneven pupil illumination (a slope, two to four
-    folds); a decentred obscuration; a non-circular edge; different scales along x and y; charge transfer delay; terms
-    that differ between images; a scale factor of the defoci; for three or more images, another defocus of each image.
+    Score tests (Rao, doi:10.1017/S0305004100023987) search for effects that the model lacks: Zernike terms of the
+    next two radial orders (spherical terms: four); finer zones, ripples; blur; sloping backgrounds; nonlinear gain;
+    another f-number, obscuration or amplitude at the pupil edge; uneven pupil illumination (linear in x or y, or with
+    two- to four-fold symmetry); a decentred obscuration; a non-circular edge; different scales along x and y; charge
+    transfer delay; terms that differ between images; a scale factor of the defoci; for three or more images, another
+    defocus of each image.
 
-    Some effects are always marginalized, so that `coefficients` and `errors` allow for them (`model` does not), with
-    these standard deviations: slopes of the background, uneven illumination (2 % of the amplitude at the edge, 1 % in
-    folds), decentring of the obscuration (0.01 radii), ellipticity of the edge (0.5 %), scales (0.3 %), late charge
-    (0.25 %), zones and ripples (0.02 radians rms each), f-number (1 %), obscuration (0.015), scale of the defoci
-    (2.5 %). Effects favoured by the images but not significant (Bayes factors above 1) are marginalized with the
-    uncertainty of their tests; a significant effect is a doubt ("other_explanation"). Stripes, and offsets of rows or
-    columns, that noise causes in fewer than one of 1000 fits are also doubts ("pattern"). The known defocus of a
-    single focus, and an f-number masked by blur, are reported with the coefficients that they change ("untested"). A
-    wrong sign of all known defoci negates the even terms and cannot be detected.
+    Some effects are always marginalized: `coefficients` and `errors` allow for them, `model` does not. Their prior
+    standard deviations are: slopes of the background (1 electron per pixel), uneven illumination (2 % of the
+    amplitude at the edge if linear, 1 % otherwise), decentring of the obscuration (0.01 pupil radii), ellipticity of
+    the edge (0.5 %), scales (0.3 %), delayed charge (0.25 %), zones and ripples (0.02 radians rms each), f-number
+    (1 %), obscuration (0.015), scale of the defoci (2.5 %). Effects that the images favour but that are not
+    significant (Bayes factors above 1) are marginalized with the uncertainty of the tests; a significant effect is a
+    doubt ("other_explanation"). Also doubts ("pattern") are stripes, and offsets of rows or columns, that noise alone
+    causes in fewer than one of 1000 fits. If the images have a single defocus, or blur masks the f-number, the
+    finding "untested" lists the coefficients that an error of the known defocus or f-number would change. A wrong
+    sign of all known defoci negates the even terms and cannot be detected.
 
     Examples
     --------
@@ -332,8 +338,8 @@ def retrieve(
     counts = star_counts(images, settings.mask, settings.saturation)
     values, valid = counts.filled(), counts.known
     start = _supported(pupil, unknowns)
-    alike = noise.poisson
-    electrons, read = alike.electrons(values), alike.variance(np.zeros_like(values))
+    poisson = noise.poisson
+    electrons, read = poisson.electrons(values), poisson.variance(np.zeros_like(values))
     known = known_defocus(defocus, len(values), "images")
     draw = random_numbers(settings.seed)
     plan = Plan(values.shape[1:], pixel, tol=settings.tol, integrate=settings.integrate, threads=settings.threads)
@@ -342,16 +348,16 @@ def retrieve(
         if {*unknowns.places} != {*SHIFTS} or unknowns.pupil or (settings.starts, settings.steps) != usual:
             raise ValueError("blur must be False, or also 'center', and starts and steps their defaults")
         height, width = values.shape[1:]
-        several = fit_field(
+        field_fit = fit_field(
             np.where(valid, values, np.nan)[None], [[height // 2, width // 2]], start, sensor=(height, width),
             pixel=pixel, noise=noise, degree=0, terms=terms, defocus=known, blur=blur, integrate=settings.integrate,
             tol=settings.tol, seed=draw, threads=settings.threads, progress=settings.progress,
         )  # fmt: skip
-        return _build_blurred_retrieval(several, counts, noise, plan, pixel, start, known)
+        return _build_blurred_retrieval(field_fit, counts, noise, plan, pixel, start, known)
     model = StarImages(electrons, read, valid, start, known, unknowns, plan, pixel)
     if model.tested < 1:
         raise ValueError(
-            f"images must have more pixels than there are unknowns, {model.size}, got {int(valid.sum())} valid ones"
+            f"images must have more pixels than there are unknowns, {model.size}, got {int(valid.sum())} valid pixels"
         )
     lowest, scores, settled, tried = _search(
         model, draw, settings.progress, starts=settings.starts, steps=settings.steps
@@ -363,9 +369,10 @@ def _search(
     model: StarImages, draw: np.random.Generator, progress: Callable[[float, float], object] | None, *, starts: int,
     steps: int,
 ) -> tuple[Array, Scores, bool, tuple[int, int]]:  # fmt: skip
-    """Return the best minimum (1, p) of at most `starts` starts, its scores, if it settled, and steps and starts.
+    """Return the best minimum (1, p), its scores, whether it settled, and the numbers of steps and starts.
 
-    The search ends when noise explains chi2, or when three starts agree within their standard errors.
+    The search ends when noise explains chi2, when three starts agree within the standard errors, or after `starts`
+    starts.
     """
     first = _centroid_starts(model)
     best: Scores | None = None
@@ -386,17 +393,17 @@ def _search(
                 raise
             tries += at_once
             continue
-        # A start that has not settled is preferred only if its chi2 is less than half of the others.
+        # A start that has not settled is preferred only if its chi2 is less than half of the chi2 of settled starts.
         k = int(np.argmin(np.where(settled, scores.chi2, 2.0 * scores.chi2)))
         if best is None or scores.chi2[k] < best.chi2[0]:
             best, lowest, fits = Scores(*(part[[k]] for part in scores)), model.nearest(x[[k]]), bool(settled[k])
         tries, taken = tries + at_once, taken + steps_taken
         if settled[k] and scores.chi2[k] < goodness_of_fit.most(scores.spread[k], goodness_of_fit.SURE):
             break
-        # Noise alone may cause a chi2 beyond SURE: the fit is accepted if starts agree within the standard errors.
+        # Noise alone may cause a chi2 above the limit: the fit is accepted if starts agree within standard errors.
         ends = np.concatenate([ends, model.nearest(x[settled])])
         away = ends - lowest
-        # The distance in the metric of the information is less than one standard error.
+        # Starts agree if their distance, in the metric of the information matrix, is less than one standard error.
         agreeing = np.einsum("si,ij,sj->s", away, best.information[0], away) < 1.0
         if fits and best.chi2[0] < goodness_of_fit.most(best.spread[0]) and agreeing.sum() >= _AGREEING:
             break
@@ -422,7 +429,7 @@ def _supported(pupil: Pupil, unknowns: Unknowns) -> Pupil:
 
 
 def star_counts(images: Any, mask: ArrayLike | None, saturation: float | None) -> Counts:
-    """Return images (n, height, width) of a star."""
+    """Return the validated images of a star, with shape (n, height, width)."""
     shape = "(height, width) or (n, height, width)"
     counts = Counts.of("images", images, sides=(2, 3), shape=shape, mask=mask, saturation=saturation)
     counts = counts if counts.values.ndim == 3 else counts[None]
@@ -431,11 +438,11 @@ def star_counts(images: Any, mask: ArrayLike | None, saturation: float | None) -
 
 
 def _centroid_starts(model: StarImages) -> Array:
-    """Return two starts, (2, p): each image around its own centroid, or in the middle of the window."""
+    """Return two starts, (2, p): with the star of each image at its centroid, and in the middle of the window."""
     x = np.zeros((2, model.size))
     x[:, model.waves] = model.start
     for column, name in enumerate(model.unknowns.pupil, model.optics.start):
-        # The derivative by the obscuration is 0 at 0: the start is 0.1 or more.
+        # The derivative by the obscuration vanishes at obscuration 0: the initial value is at least 0.1.
         x[:, column] = max(getattr(model.pupil, name), 0.1 if name == "obscuration" else 0.0)
     seen = dict(zip(SHIFTS, model.tilt_of_pixel * centroids(model.star, model.shape).T, strict=True))
     for j, place in enumerate(model.unknowns.places):
@@ -444,10 +451,13 @@ def _centroid_starts(model: StarImages) -> Array:
 
 
 def _random_starts(model: StarImages, first: Array, draw: np.random.Generator, count: int, tries: int) -> Array:
-    """Return `count` starts after `tries` earlier ones; the first of all is `first[0]`, the others are random."""
+    """Return `count` starts, with random terms added to rows of `first`; `tries` is the number of earlier starts.
+
+    The first start of all has no random terms, unless the sign of the even part is ambiguous.
+    """
     x = first[(tries + np.arange(count)) % len(first)].copy()
     k = len(model.unknowns.terms)
-    # The first start leaves the symmetric point between two signs, where the slope by even terms is 0.
+    # With an ambiguous sign, derivatives by even terms vanish at even part 0: the first start must differ from it.
     if k and (tries or model.sign_ambiguous):
         scatter = draw.normal(size=(count, k))
         step = np.zeros_like(x)
@@ -465,7 +475,7 @@ def _random_starts(model: StarImages, first: Array, draw: np.random.Generator, c
 def _build_retrieval(
     model: StarImages, x: Array, scores: Scores, settled: bool, counts: Counts, noise: Noise, tried: tuple[int, int]
 ) -> Retrieval:
-    """Return the result for parameters `x`, (1, p); `tried` are the numbers of steps and starts."""
+    """Return the Retrieval for parameters `x`, (1, p); `tried` are the numbers of steps and starts."""
     steps, starts = tried
     psf = model.plan(model.pupils(x[0]))
     mean = model.mean(x, psf.values.reshape(1, model.count, -1))[0]
@@ -507,7 +517,7 @@ def _build_retrieval(
         found.append(Finding("not_settled", "error", f"the steps have not settled: more than {steps} may be needed"))
     light = counts.filled().sum(axis=(1, 2))
     if not Findings(found).converged and np.all(np.abs(light - 1.0) < _NORMALIZED):
-        text = "the images sum to 1, as PSFs do and electrons do not: multiply them by the electrons, or state white"
+        text = "the images sum to 1, as PSFs do and electrons do not: multiply them by the electrons, or give white"
         found.append(Finding("unit_sum", "note", text))
     found += error_findings(model, x, inverse) if Findings(found).converged else []
     if not np.isfinite(errors).all():
@@ -543,7 +553,7 @@ def _build_retrieval(
 def _build_blurred_retrieval(
     found: FieldFit, counts: Counts, noise: Noise, plan: Plan, pixel: float, pupil: Pupil, defocus: Array
 ) -> Retrieval:
-    """Return the result of a field fit of a single star with blurred images."""
+    """Return the Retrieval for `found`, a field fit to a single star with blurred images."""
     errors = np.sqrt(np.diag(found.covariance))
     wavefront = found.field.pupil(0.0, 0.0).wavefront
     center, mean = found.stars.centers[0], found.model[0]
@@ -576,7 +586,7 @@ def _build_blurred_retrieval(
 
 
 def _light_findings(flux: Array, errors: Numbers) -> list[Finding]:
-    """Return the finding on the dimmest image, if its flux is within the noise."""
+    """Return the finding on the image of lowest signal-to-noise ratio, if its flux is within the noise."""
     visible = flux / errors
     k = int(np.argmin(visible))
     text = f"the flux of image {k} is within the noise"

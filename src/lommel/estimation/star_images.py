@@ -1,6 +1,7 @@
 """Star images as functions of wavefront, pupil, position, flux and background, with their likelihood.
 
-The parameters of one search are a row `x`; s rows are evaluated together.
+A row of `x`, shape (s, p), contains the p parameters of one search; s searches are evaluated together. Tilts and
+other Zernike terms in arrays named `edge` are amplitudes at the pupil edge, radians.
 """
 
 from __future__ import annotations
@@ -22,9 +23,9 @@ from lommel.fit.scoring import RowModel, Scores, covariance, flux_background, re
 from lommel.methods.derivative_names import POWERS, SHIFTS, Name, Term, parts
 from lommel.methods.derivative_names import checked as checked_names
 from lommel.methods.derivatives import Slope, translated
-from lommel.methods.question import Prepared as Asked
+from lommel.methods.question import Prepared
 from lommel.methods.question import output_type
-from lommel.methods.question import prepare as asked_about
+from lommel.methods.question import prepare as prepare_question
 from lommel.optics.pupil import Pupil, checked
 from lommel.optics.wavefront.wavefront import Wavefront, symmetric_terms
 from lommel.psf import Plan
@@ -32,12 +33,12 @@ from lommel.special import zernike
 
 OF_PUPIL = ("f_number", "wavelength", "obscuration")
 LINEAR = 0.22
-"""Largest standard error of a wavefront, radians rms, within which images are linear in its terms."""
+"""Largest standard error of a wavefront, radians rms, for which images are nearly linear in its terms."""
 _NODES = 256  # degree of the quadrature rule at whose nodes the symmetry of an aperture is tested
-_NOISE_PART, _LOOSEST = 0.3, 1e-4  # largest errors of images in a search: divided by a pixel's noise; by the peak
+_NOISE_PART, _LOOSEST = 0.3, 1e-4  # largest error of images in a search, relative to a pixel's noise, and to the peak
 _MIN_VARIANCE = 0.05  # smallest variance of the read noise, electrons squared
 _ORDERS = 2  # number of radial orders beyond the estimated terms that are tested
-_RIPPLE_ORDERS, _ZONES = 4, 20  # number of radial orders of ripples; largest radial order of zones
+_RIPPLE_ORDERS, _ZONES = 4, 20  # number of radial orders of ripples (m != 0); largest radial order of zones (m = 0)
 _FIRST = 4  # Noll's index of defocus, after piston and tilts
 
 
@@ -76,7 +77,7 @@ class Unknowns:
         for place in self.places:
             if SHIFTS[place] in self.edge:
                 raise ValueError(
-                    f"terms must be without {SHIFTS[place]} where the {place} of each image is estimated (also)"
+                    f"terms must be without {SHIFTS[place]} if the {place} of each image is estimated (see also)"
                 )
 
 
@@ -88,26 +89,26 @@ def _names(terms: int | Sequence[Term | str]) -> tuple[Name, ...]:
     several = terms if isinstance(terms, Sequence) and not isinstance(terms, str) else ()
     if any(isinstance(name, int) for name in several):
         raise ValueError(
-            f"terms must name the order of their indices, such as 'noll 5', or be their number from Noll 4 on, got "
-            f"{validation.shown(terms)}"
+            f"terms must be names with the order of the index, such as 'noll 5', or the number of terms from Noll 4 "
+            f"on, got {validation.shown(terms)}"
         )
     for name in several:
         if isinstance(name, str) and name in nuisance:
-            raise ValueError(f"terms must be those of a wavefront, got {name!r}; pass nuisance parameters as also")
+            raise ValueError(f"terms must be terms of a wavefront, got {name!r}; pass nuisance parameters as also")
     return checked_names(cast("Sequence[Name]", terms), "terms", tuple(POWERS))
 
 
 @lru_cache(maxsize=1024)
 def _zernike_terms(name: Name) -> dict[Term, float]:
-    """Return the Zernike coefficients, radians at the edge, of a unit of a term: 1 rad rms, or 1 rad of rho^n."""
+    """Return the Zernike coefficients, radians at the edge, of 1 rad rms of a Zernike term, or of 1 rad of rho^n."""
     found = cast("dict[Term, float]", translated(parts(name, Pupil(), 1.0, energy=False).phases, powers=False))
     return found if name in POWERS else {(n, m): zernike.rms_factor(n, m) for n, m in found}
 
 
 def next_terms(solved: Sequence[Term], others: Sequence[Term]) -> tuple[Term, ...]:
-    """Return the Zernike terms up to two radial orders beyond the `solved` ones, without `solved` and `others`.
+    """Return Zernike terms up to two radial orders above the estimated terms `solved`, without these and `others`.
 
-    Rotationally symmetric terms are included up to four orders beyond, because they resemble spherical aberration.
+    Rotationally symmetric terms are included up to four orders above, because they resemble spherical aberration.
     """
     if not solved:
         return ()
@@ -118,7 +119,7 @@ def next_terms(solved: Sequence[Term], others: Sequence[Term]) -> tuple[Term, ..
 
 
 def ripple_terms(solved: Sequence[Term]) -> tuple[Term, ...]:
-    """Return terms of higher radial orders than :func:`next_terms`: polishing ripples, and zones of a mirror."""
+    """Return terms of higher radial orders than those of `next_terms`: polishing ripples, and zones of a mirror."""
     if not solved:
         return ()
     last = max(n for n, _ in solved) + _ORDERS
@@ -139,21 +140,21 @@ def label(name: Name) -> str:
 
 
 def star_counts(electrons: Array, variance: Array, valid: NDArray[np.bool_]) -> Array:
-    """Return counts, read variances, read variances limited to positive values, and validity (4, ..., pixels)."""
+    """Return electrons, read variances, read variances of at least `_MIN_VARIANCE`, and validity (4, ..., pixels)."""
     counted = np.where(valid, electrons, 0.0)
     star = np.stack([counted, variance, np.maximum(variance, _MIN_VARIANCE), valid])
     return star.reshape(*star.shape[:-2], -1)
 
 
 def single(pupil: Pupil, why: str) -> Pupil:
-    """Return a pupil that is not a stack; TypeError or ValueError otherwise."""
+    """Return the pupil if it is not a stack; otherwise raise a TypeError or ValueError, with the reason `why`."""
     if checked(pupil).shape != ():
         raise ValueError(f"pupil must be a single one, {why}, got a stack of shape {pupil.shape}")
     return pupil
 
 
 def known_defocus(defocus: ArrayLike, count: int, of: str) -> Array:
-    """Return the known C_d of each image or exposure."""
+    """Return the known C_d, radians, of each of `count` images or exposures; `of` is the noun for the message."""
     known = validation.real_array("defocus", defocus)
     if known.shape not in ((), (count,)):
         raise ValueError(f"defocus must be a number, or one for each of {count} {of}, got shape {known.shape}")
@@ -161,13 +162,13 @@ def known_defocus(defocus: ArrayLike, count: int, of: str) -> Array:
 
 
 def slants(images: int, shape: tuple[int, int]) -> list[Array]:
-    """Return row and column of each pixel from the middle, two arrays (images, height, width)."""
-    made = np.meshgrid(*(np.arange(side) - side // 2.0 for side in shape), indexing="ij")
-    return [np.broadcast_to(one, (images, *shape)) for one in made]
+    """Return the row and column of each pixel relative to the middle, two arrays (images, height, width)."""
+    grids = np.meshgrid(*(np.arange(side) - side // 2.0 for side in shape), indexing="ij")
+    return [np.broadcast_to(grid, (images, *shape)) for grid in grids]
 
 
 def centroids(star: Array, shape: tuple[int, int]) -> Array:
-    """Return the centroids (n, 2) of the light above noise and background, row and column from the middle."""
+    """Return the centroids (n, 2) of the light above noise and background, rows and columns from the middle."""
     counted, _, read, valid = star.reshape(4, -1, *shape)
     good, rim = valid > 0.0, np.ones(shape, dtype=bool)
     rim[1:-1, 1:-1] = False
@@ -182,9 +183,9 @@ def centroids(star: Array, shape: tuple[int, int]) -> Array:
 
 
 def loosest_tolerance(star: Array, tol: float) -> float:
-    """Return the tolerance of images in a search, whose error may be a fraction of the noise."""
+    """Return the tolerance of images in a search: their error may be a fraction of the read noise."""
     brightest = max(float(star[0].max()), 1.0)
-    # The peak is about the brightest pixel: limit the error, tol * peak, to a fraction of the read noise.
+    # The brightest pixel is about the peak: limit the error, tol * peak, to a fraction of the read noise.
     return min(max(tol, _NOISE_PART * math.sqrt(star[2].min()) / brightest), max(tol, _LOOSEST))
 
 
@@ -226,8 +227,8 @@ class StarImages(RowModel):
         self.pupil, self.unknowns, self.plan, self.pixel = pupil, unknowns, plan, pixel
         tilts = [SHIFTS[place] for place in unknowns.places]
         self.derivatives: tuple[Name, ...] = (*unknowns.edge, *tilts, *unknowns.pupil)
-        self.names: tuple[Name, ...] = (*unknowns.terms, *unknowns.pupil)  # of what all images share
-        self._questions: dict[tuple[float, tuple[int, ...]], Asked] = {}
+        self.names: tuple[Name, ...] = (*unknowns.terms, *unknowns.pupil)  # parameters common to all images
+        self._questions: dict[tuple[float, tuple[int, ...]], Prepared] = {}
         self.loosest = loosest_tolerance(self.star, plan.tol)
         self.tilt_of_pixel = math.pi * pixel / pupil.scale
         start = pupil.wavefront.edge_terms()
@@ -266,13 +267,13 @@ class StarImages(RowModel):
         self.mean_squares = np.array([1.0 / ((n + 1) * (1 if m == 0 else 2)) for n, m in self.terms])
 
     def mean_slopes(self, edge: Array) -> Array:
-        """Return the shift of the centroid due to phases (..., terms at the edge), as tilts (places, ...)."""
+        """Return the shift of the centroid due to a wavefront `edge` (..., terms), as tilts (places, ...)."""
         # Each term R_n^1 shifts the centroid as much as a tilt with the same amplitude at the edge.
         orders = np.array([m for _, m in self.terms])
         return np.array([edge[..., orders == SHIFTS[place][1]].sum(axis=-1) for place in self.unknowns.places])
 
     def split(self, edge: Mapping[Term, Any], shape: tuple[int, ...]) -> tuple[Array, Array]:
-        """Return the coefficients of wavefronts, from terms at the edge of this shape, and the fixed remainders."""
+        """Return the coefficients of wavefronts, and the fixed remainders; entries of `edge` have this `shape`."""
         whole = np.stack([np.broadcast_to(edge.get(term, 0.0), shape) for term in self.terms], axis=-1)
         found = whole @ self.inverse
         return found, np.asarray(whole - found @ self.directions)
@@ -283,13 +284,13 @@ class StarImages(RowModel):
         if not _point_symmetric(self.pupil):
             return False
         even = self.even * np.vstack([self.directions, self.base])
-        # The even part can only be negated if it is a combination of the estimated terms.
-        missed = even - even @ self.inverse @ self.directions
-        one = np.ptp(self.base * self.even, axis=0).max() == 0.0
-        return bool(one and (self.even * self.directions).any() and np.abs(missed).max() < 1e-9)
+        # The even part can only be negated if it is a linear combination of the estimated terms.
+        remainder = even - even @ self.inverse @ self.directions
+        one_focus = np.ptp(self.base * self.even, axis=0).max() == 0.0
+        return bool(one_focus and (self.even * self.directions).any() and np.abs(remainder).max() < 1e-9)
 
     def negated(self, waves: Array, base: Array) -> Array:
-        """Return coefficients (..., terms) with the even part of their phases, and of those of `base`, negated."""
+        """Return coefficients (..., terms) of the wavefront whose even part, including that of `base`, is negated."""
         return waves - 2.0 * (self.even * (base + waves @ self.directions)) @ self.inverse
 
     def even_part_negated(self, x: Array) -> Array:
@@ -297,16 +298,16 @@ class StarImages(RowModel):
         return np.concatenate([self.negated(x[:, self.waves], self.base[0]), x[:, self.waves.stop :]], axis=1)
 
     def nearest(self, x: Array) -> Array:
-        """Negate the even parts of those parameters whose twin is nearer to the start; return all parameters."""
+        """Return rows of `x`, replaced by those with negated even part where these are nearer to the start."""
         if not self.sign_ambiguous:
             return x
         other = self.even_part_negated(x)
         start = np.pad(self.start, (0, self.size - len(self.start)))
         far, near = (self.rms(part - start) for part in (x, other))
         even = next(j for j, row in enumerate(self.directions) if row[self.even].any())
-        alike = near < far * (1.0 + 1e-6)
-        # At equal distances, the first even term is made positive.
-        swap = (near < far * (1.0 - 1e-6)) | (alike & (other[:, even] > x[:, even]))
+        not_farther = near < far * (1.0 + 1e-6)
+        # At equal distances, choose the wavefront whose first even term is positive.
+        swap = (near < far * (1.0 - 1e-6)) | (not_farther & (other[:, even] > x[:, even]))
         return np.where(swap[:, None], other, x)
 
     def wavefront(self, x: Array) -> Wavefront:
@@ -322,10 +323,10 @@ class StarImages(RowModel):
             edge[..., column] += own[..., j, :]
         optics: dict[str, Any] = self.optics_of(x) if self.unknowns.pupil else {}
         if "wavelength" in optics:
-            # Parameters are path differences, in radians at the initial wavelength: convert to the present one.
+            # Parameters are path differences, in radians at the initial wavelength: convert to the estimated one.
             edge *= self.ratio(optics)
-        made = self.pupil.carrying(Wavefront.trusted(self.terms, edge), None)
-        return replace(made, **optics) if optics else made
+        pupils = self.pupil.carrying(Wavefront.trusted(self.terms, edge), None)
+        return replace(pupils, **optics) if optics else pupils
 
     def optics_of(self, x: Array) -> dict[str, float]:
         """Return the estimated pupil parameters, from the first row of `x`."""
@@ -343,22 +344,22 @@ class StarImages(RowModel):
     def images(
         self, x: Array, *, fast: bool = False, by: tuple[Name, ...] | None = None
     ) -> tuple[Pixels, list[Slope]]:
-        """Return the PSFs of images, shape (s * n, height, width), and derivatives by parameters or names `by`.
+        """Return the PSFs of images, shape (s * n, height, width), and derivatives by `by` (default: all parameters).
 
         If `fast`, the tolerance is `loosest`.
         """
         pupil, plan = self.pupils(x), self.plan
         tol = self.loosest if fast else plan.tol
         light = pupil.aperture, pupil.radial, pupil.shape, pupil.wavelength, pupil.f_number
-        # Steps of a search differ in their phases only: window and method are checked and chosen once.
+        # Steps of a search differ in their phases only: the window is checked and the method is chosen once.
         question = self._questions.get((tol, pupil.shape))
         if question is None or question.light != light:
             dtype = output_type(None, tol)
-            question = self._questions[tol, pupil.shape] = asked_about(
+            question = self._questions[tol, pupil.shape] = prepare_question(
                 pupil, light, plan.grid(pupil), plan.method, tol, plan.normalize, dtype, plan.threads
             )
-        _, made, slopes = question.images(pupil, self.derivatives if by is None else by)
-        return made.values, slopes
+        _, pixels, slopes = question.images(pupil, self.derivatives if by is None else by)
+        return pixels.values, slopes
 
     def mean(self, x: Array, psf: Array) -> Array:
         """Return the expected electrons of each pixel for PSFs of shape (s, n, pixels)."""
@@ -370,20 +371,21 @@ class StarImages(RowModel):
         return np.asarray(np.maximum(mean + self.read, 0.25 * self.read))
 
     def scores_of(self, x: Array, values: Pixels, slopes: Sequence[Slope]) -> Scores:
-        """Return the scores from PSFs of images and their derivatives; flux and background are those in `x`."""
+        """Return the scores from PSFs and their derivatives; flux and background are those in `x`."""
         numbers, found = self.products(x, values, slopes)
         deviance, total, spread = numbers
-        # Each fitted parameter reduces the expectation by that of an average pixel.
+        # Each fitted parameter reduces the expectation of Pearson's sum by the contribution of an average pixel.
         quality = reduced_chi2(found[:, -1, -1], total, spread, self.tested / (self.tested + self.size))
         return Scores(deviance, found[:, :-1, -1], found[:, :-1, :-1], *quality)
 
     def products(
         self, x: Array, values: Pixels, slopes: Sequence[Slope], others: Sequence[Array] = ()
     ) -> tuple[Array, Array]:
-        """Return deviance, expectation and variance of chi2 (3, s), and products (s, p + q + 1, p + q + 1).
+        """Return deviance, expectation and variance of Pearson's sum (3, s), and products (s, p + q + 1, p + q + 1).
 
-        The products are those of derivatives by the p parameters, of q further derivatives of electrons, `others`
-        (s * n, height, width), and of the residual, all divided by the standard deviations of pixels.
+        The products are inner products over the pixels of the derivatives by the p parameters, the q further
+        derivatives of electrons `others` (s * n, height, width), and the residual, all divided by the standard
+        deviations of pixels.
         """
         light, q = np.ascontiguousarray(self.per_image(x)[:, -2:]), len(others)
         images = [values, *[slope.values for slope in slopes], *others]
@@ -402,7 +404,7 @@ class StarImages(RowModel):
         return numbers.sum(axis=-1), (chain @ products @ chain.swapaxes(-1, -2)).sum(axis=1)
 
     def with_flux_background(self, x: Array, values: Pixels) -> Array:
-        """Return the parameters with flux and background from linear least squares for these PSFs."""
+        """Return the parameters with flux and background from linear least squares for the PSFs `values`."""
         found = x.copy()
         own = self.per_image(found)
         psf = values.reshape(len(x), self.count, -1).astype(np.float64)
@@ -410,9 +412,9 @@ class StarImages(RowModel):
         return found
 
     def within(self, x: Array, before: Array) -> Array:
-        """Limit parameters in place: tilts to the window, flux and pupil numbers to steps from `before`."""
+        """Limit parameters in place: tilts to the window, flux and pupil parameters to steps from `before`."""
         own, old = self.per_image(x), self.per_image(before)
-        # A flux of 0 would leave all other parameters undetermined.
+        # At flux 0 the images would not determine the other parameters.
         np.maximum(own[:, -2], 0.1 * old[:, -2], out=own[:, -2])
         for j, largest in enumerate(self.largest_tilts):
             place = own[:, j]
@@ -431,16 +433,17 @@ class StarImages(RowModel):
 
 
 def uncertainty(model: StarImages, inverse: Array) -> tuple[float, Array]:
-    """Return the largest rms error of the phase of an image, radians, and the principal axes (k, p) of a covariance.
+    """Return the largest standard error of an image's phase, radians rms, and the principal axes (k, p).
 
-    The length of each axis is one standard deviation; parameters of infinite variance are fixed.
+    `inverse` is the covariance. The length of each axis is one standard deviation; parameters of infinite variance
+    are 0 on all axes.
     """
     known = np.isfinite(np.diag(inverse))
     scale = np.sqrt(np.diag(inverse)[known])
-    alike = inverse[np.ix_(known, known)] / np.outer(scale, scale)
-    # No eigenvalue is negative: svd replaces eigh, which would use all threads of BLAS for more than 25 parameters.
-    vectors, values, _ = np.linalg.svd(alike)
-    # An eigenvector has no sign: its largest component is made positive.
+    correlation = inverse[np.ix_(known, known)] / np.outer(scale, scale)
+    # For a positive semidefinite matrix svd may replace eigh, which uses all threads of BLAS above 25 parameters.
+    vectors, values, _ = np.linalg.svd(correlation)
+    # The sign of an eigenvector is arbitrary: choose the one for which the largest component is positive.
     vectors *= np.sign(vectors[np.abs(vectors).argmax(axis=0), np.arange(len(values))])
     axes = np.zeros((len(values), model.size))
     axes[:, known] = (vectors * np.sqrt(np.maximum(values, 0.0))).T * scale
@@ -451,7 +454,7 @@ def uncertainty(model: StarImages, inverse: Array) -> tuple[float, Array]:
 
 def changes(model: StarImages, x: Array, inverse: Array, axes: Array) -> Array:
     """Return the factor by which the standard error of each common parameter changes near `x`, (1, p)."""
-    # Geometric rms of the factors at two opposite points, one standard deviation away along all principal axes.
+    # exp(rms of ln(factor)) over two opposite points, each one standard deviation away along every principal axis.
     found = np.ones(model.shared)
     known = np.isfinite(np.diag(inverse)[: model.shared])
     if known.any():

@@ -512,7 +512,7 @@ def test_the_picture_shows_images_model_residual_and_terms():
         ({"terms": ("noll 4", (2, 0))}, "terms must not name one thing twice"),
         ({"terms": ("coma",)}, r"terms must be one of 'defocus', 'spherical', 'rho\^6', 'rho\^8', or a Zernike term"),
         ({"terms": ("defocus", "defocus")}, "terms must not name one thing twice"),
-        ({"terms": ("noll 2",)}, r"terms must be without \(1, 1\) where the column"),
+        ({"terms": ("noll 2",)}, r"terms must be without \(1, 1\) if the column"),
         ({"terms": ("row",)}, "terms must be terms of a wavefront, got 'row'"),
         ({"terms": ("noll 1",)}, "terms must not hold 'noll 1'"),
         ({"terms": 0}, "terms must be from 1 to 500, got 0"),

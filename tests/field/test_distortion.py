@@ -72,7 +72,7 @@ def test_light_from_beyond_the_map_and_bad_wavelengths_are_refused():
     folded = lm.FieldMap.from_seidel(20e-3, W311=-3000.0, **SCALE)
     with pytest.raises(ValueError, match="must not fold"):
         folded.undistorted([0.0, 15e-3], 0.0)
-    with pytest.raises(ValueError, match="pairs of wavelength and weight"):
+    with pytest.raises(ValueError, match=r"pairs \(wavelength, weight\)"):
         BARREL.displacement(0.0, 0.0, [500e-9, 600e-9])
     with pytest.raises(ValueError, match="known from 450 to 650 nm"):
         COLOURED.displacement(0.0, 0.0, 700e-9)

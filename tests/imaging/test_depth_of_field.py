@@ -144,8 +144,8 @@ def test_gaps_in_the_depth_are_filled_as_asked():
         ({"largest": 0}, ValueError, "largest must be"),
         ({"threads": 0}, ValueError, "threads must be"),
         ({"lens": "nikon"}, TypeError, "lens must be a Lens, got str"),
-        ({"wavelengths": [[(500e-9, 0.0)]]}, ValueError, "a channel must have a wavelength with a weight"),
-        ({"wavelengths": 5e-7}, TypeError, "wavelengths must be a sequence of one entry for each channel, got 5e-07"),
+        ({"wavelengths": [[(500e-9, 0.0)]]}, ValueError, "each channel must have a wavelength of weight above 0"),
+        ({"wavelengths": 5e-7}, TypeError, "wavelengths must be a sequence with one entry per channel, got 5e-07"),
         ({"image": np.zeros((50, 60, 0))}, ValueError, "image must have the shape"),
     ],
 )

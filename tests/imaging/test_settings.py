@@ -52,7 +52,7 @@ def doors(**given):
         ({"dtype": np.float16}, TypeError, "dtype must be float32 or float64"),
         ({"missing": "zero"}, ValueError, "missing must be one of 'raise', .*'infinity', got 'zero'"),
         ({"occlusion": 1}, TypeError, "occlusion must be True or False, got 1"),
-        ({"wavelengths": 5e-7}, TypeError, "wavelengths must be a sequence of one entry for each channel, got 5e-07"),
+        ({"wavelengths": 5e-7}, TypeError, "wavelengths must be a sequence with one entry per channel, got 5e-07"),
         ({"wavelengths": [5e-7, 6e-7]}, ValueError, "must have one entry for each of the 1 channels, got 2"),
     ],
 )

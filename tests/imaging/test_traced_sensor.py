@@ -57,7 +57,10 @@ def test_demosaicking_keeps_what_is_recorded_and_planes_are_exact(framework, pat
         (lambda: traced_mosaic(np.ones((3, 4, 4)), "RGBG"), "pattern"),
         (lambda: traced_demosaic(np.ones((2, 2))), "4 or more"),
         (lambda: traced_noise(np.ones(3), lm.Noise(read=1.0), np.ones(4)), "shape of the image"),
-        (lambda: traced_noise(np.ones((2, 2)), lm.Noise(read=np.ones((2, 2))), np.ones((2, 2))), "single numbers"),
+        (
+            lambda: traced_noise(np.ones((2, 2)), lm.Noise(read=np.ones((2, 2))), np.ones((2, 2))),
+            "a single white, read and offset",
+        ),
     ],
 )
 def test_bad_input_is_refused(call, message):

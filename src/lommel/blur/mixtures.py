@@ -1,8 +1,9 @@
-r"""Isotropic blurs as mixtures of Gaussians, each of which is a product of factors along rows and columns.
+r"""Isotropic blurs as mixtures of Gaussians; each Gaussian is a product of factors along rows and columns.
 
 A transfer function that is completely monotone in the squared frequency is a mixture of Gaussians with positive
-weights (Bernstein's theorem). Kolmogorov's ``exp(-c q^(5/3))`` is completely monotone in q^2; so is von Karman's,
-because ``limit - z^nu K_nu(z)`` is a Bernstein function of ``z^2``. Few terms suffice: 6 for Kolmogorov to 1.4e-4.
+weights (Bernstein's theorem). Kolmogorov's transfer function ``exp(-c q^(5/3))`` is completely monotone in q^2, and so is von
+Karman's, because ``limit - z^nu K_nu(z)`` is a Bernstein function of ``z^2``. Few terms suffice: with 6 terms, the
+error of Kolmogorov's transfer function is at most 1.4e-4.
 """
 
 from __future__ import annotations
@@ -19,8 +20,8 @@ from lommel.blur.blurs import FWHM, Blur, Seeing
 
 TERMS = 6
 SIGMAS = 2.0 * math.sqrt(2.0 * math.log(2.0))  # full width at half maximum / standard deviation of a Gaussian
-_FINEST, _WIDEST, _NODES = 0.3, 3e4, 120  # smallest and largest rate of the candidate Gaussians, and their number
-_LEAST = 1e-7  # smallest weight of a term
+_MIN_RATE, _MAX_RATE, _RATES = 0.3, 3e4, 120  # smallest and largest rate of the candidate Gaussians, and their number
+_MIN_WEIGHT = 1e-7  # smallest weight of a term
 
 #: Results of `turbulence` (weights, rates, error) for (outer scale / r0, number of terms), stored to save time.
 _STATED: dict[tuple[float | None, int], tuple[tuple[float, ...], tuple[float, ...], float]] = {
@@ -51,7 +52,10 @@ OUTER = (None, 1000.0, 240.0, 60.0)
 
 
 class Mixture(NamedTuple):
-    """``T = sum weights exp(-rates q^2)`` within `error`, q = frequency / coherence frequency; sum(weights) = 1."""
+    """Transfer function ``sum(weights * exp(-rates q^2))``, with q = frequency / coherence frequency.
+
+    `error` is its largest difference from the exact transfer function; sum(weights) = 1.
+    """
 
     weights: Array
     rates: Array
@@ -65,20 +69,20 @@ def turbulence(outer: float | None = None, terms: int = TERMS) -> Mixture:
         return Mixture(np.array(stated[0]), np.array(stated[1]), stated[2])
     from scipy import optimize
 
-    # Beyond q = 2.6 Kolmogorov's T is below 1e-7, and von Karman's has reached its limit.
+    # Above q = 2.6 Kolmogorov's T is below 1e-7, and von Karman's T is nearly at its limit.
     q = np.append(np.linspace(1e-3, 2.6, 400), np.geomspace(2.6, 30.0, 40)[1:])
     goal = np.asarray(Seeing(1.0, outer_scale=outer).transfer(q))
     # The rate 0 is a constant term: von Karman's T decreases to a positive limit.
-    rates = np.append(np.geomspace(_FINEST, _WIDEST, _NODES), 0.0)
+    rates = np.append(np.geomspace(_MIN_RATE, _MAX_RATE, _RATES), 0.0)
 
     def gaussians(r: Array) -> Array:
         return np.exp(-np.multiply.outer(q * q, r))
 
-    heavy = 30.0  # weight of the equation sum(weights) = 1, relative to the equations of the 439 frequencies
-    design = np.vstack([gaussians(rates), np.full(len(rates), heavy)])
+    sum_weight = 30.0  # weight of the equation sum(weights) = 1, relative to the equations of the 439 frequencies
+    design = np.vstack([gaussians(rates), np.full(len(rates), sum_weight)])
     # Non-negative least squares: negative weights could make images negative.
-    weights, _ = optimize.nnls(design, np.append(goal, heavy))
-    used = np.flatnonzero(weights > _LEAST)
+    weights, _ = optimize.nnls(design, np.append(goal, sum_weight))
+    used = np.flatnonzero(weights > _MIN_WEIGHT)
     used = used[np.argsort(rates[used])]
     w, r = _merge_terms(weights[used], rates[used], terms)
     w, r = _reduce_error(goal, q * q, w, r)
@@ -86,7 +90,7 @@ def turbulence(outer: float | None = None, terms: int = TERMS) -> Mixture:
 
 
 def _merge_terms(w: Array, r: Array, terms: int) -> tuple[Array, Array]:
-    """Return at most `terms` terms, by merging the most similar neighbours, one pair after the other."""
+    """Return at most `terms` terms: merge the two most similar neighbouring terms, repeatedly."""
     while len(r) > terms:
         total = w[:-1] + w[1:]
         # Cost of merging two terms: w1 w2 / (w1 + w2) times the squared difference of the logarithms of their rates.
@@ -99,48 +103,48 @@ def _merge_terms(w: Array, r: Array, terms: int) -> tuple[Array, Array]:
 
 
 def _reduce_error(goal: Array, square: Array, w: Array, r: Array) -> tuple[Array, Array]:
-    """Return terms with a smaller maximum error, by least squares with weights that grow with the error."""
+    """Return terms with a smaller maximum error, by least squares with weights that increase with the error."""
     from scipy import optimize
 
     count = len(w)
 
     def parts(x: Array) -> tuple[Array, Array, Array]:
-        # Softmax: weights are positive and sum to 1 for any parameters, and the search needs no bounds.
-        raised = np.exp(x[:count] - x[:count].max())
+        # Softmax: weights are positive and sum to 1 for any parameters, and the search requires no bounds.
+        powers = np.exp(x[:count] - x[:count].max())
         rates = np.exp(np.clip(x[count:], -30.0, 30.0))
-        return raised / raised.sum(), rates, np.exp(-np.multiply.outer(square, rates))
+        return powers / powers.sum(), rates, np.exp(-np.multiply.outer(square, rates))
 
-    def off(x: Array, weight: Array) -> Array:
-        shares, _, each = parts(x)
-        return weight * (each @ shares - goal)
+    def weighted_error(x: Array, weight: Array) -> Array:
+        w, _, gaussians = parts(x)
+        return weight * (gaussians @ w - goal)
 
-    def slope(x: Array, weight: Array) -> Array:
-        shares, rates, each = parts(x)
-        # d share_i / d x_j of a softmax is share_i (delta_ij - share_j).
-        by_weight = (each - (each @ shares)[:, None]) * shares
-        return np.asarray(weight[:, None] * np.hstack([by_weight, -each * shares * rates * square[:, None]]))
+    def jacobian(x: Array, weight: Array) -> Array:
+        w, rates, gaussians = parts(x)
+        # The derivative of a softmax is d w_i / d x_j = w_i (delta_ij - w_j).
+        by_weight = (gaussians - (gaussians @ w)[:, None]) * w
+        return np.asarray(weight[:, None] * np.hstack([by_weight, -gaussians * w * rates * square[:, None]]))
 
     best = np.concatenate([np.log(w), np.log(np.maximum(r, 1e-6))])
     weight, least = np.ones(len(goal)), np.inf
     for _ in range(30):
-        # Lawson's idea: weights that grow with the error turn least squares into the minimax fit.
-        tried = optimize.least_squares(off, best, slope, args=(weight,), method="lm", max_nfev=200).x
-        error = np.abs(off(tried, np.ones(1)))
+        # Lawson's method: with weights that increase with the error, least squares approach the minimax fit.
+        x = optimize.least_squares(weighted_error, best, jacobian, args=(weight,), method="lm", max_nfev=200).x
+        error = np.abs(weighted_error(x, np.ones(1)))
         if not error.max() < least:
             break
-        best, least = tried, float(error.max())
+        best, least = x, float(error.max())
         weight = np.sqrt(error / least + 0.1)
-    shares, rates, _ = parts(best)
+    w, rates, _ = parts(best)
     order = np.argsort(rates)
-    return shares[order], rates[order]
+    return w[order], rates[order]
 
 
 @dataclass(frozen=True, eq=False)
 class Shape:
-    """Shape of blur: a mixture of Gaussians with `weights` (c,) and variances ``fixed + rates @ squares`` (pixels^2).
+    """Shape of blur: a mixture of c Gaussians with `weights` (c,) and variances ``fixed + rates @ squares``.
 
-    `squares` are the b unknown squared widths, with `names`: ``(FWHM / 2.355)^2`` for "seeing", the variance for
-    "Gaussian". `rates` has the shape (c, b). `outer` is (outer scale of the seeing) / r0.
+    `squares` are the b unknown squared widths (pixels^2), and `names` their kinds: "seeing" for ``(FWHM / 2.355)^2``,
+    "Gaussian" for the variance. `rates` has the shape (c, b). `outer` is (outer scale of the seeing) / r0.
     """
 
     weights: Array
@@ -166,23 +170,23 @@ class Shape:
     @classmethod
     def turbulent(cls, outer: float | None = None, terms: int = TERMS, *, alone: bool = False) -> Shape:
         """Return seeing of unknown width, convolved with a Gaussian of unknown width unless `alone`."""
-        made = turbulence(outer, terms)
-        # The variance of exp(-rate q^2) is rate / (2 pi^2) (wavelength / r0)^2; FWHM is in units of wavelength / r0.
-        rates = made.rates * (SIGMAS / FWHM) ** 2 / (2.0 * math.pi**2)
+        mixture = turbulence(outer, terms)
+        # The variance of exp(-rate q^2) is rate / (2 pi^2) * (wavelength / r0)^2; FWHM is in wavelength / r0.
+        rates = mixture.rates * (SIGMAS / FWHM) ** 2 / (2.0 * math.pi**2)
         columns = [rates] if alone else [rates, np.ones(len(rates))]
         names = ("seeing",) if alone else ("seeing", "Gaussian")
-        return cls(made.weights, np.stack(columns, axis=1), np.zeros(len(rates)), names, outer)
+        return cls(mixture.weights, np.stack(columns, axis=1), np.zeros(len(rates)), names, outer)
 
     @classmethod
     def known(cls, several: tuple[Blur, ...], pixel: float, wavelength: float | None) -> Shape:
-        """Return known isotropic blurs, at most one of them seeing, for pixels of the pitch `pixel`."""
+        """Return the Shape of known isotropic blurs, at most one of which is Seeing, for pixels of pitch `pixel`."""
         squares = sum(float(each.covariance[0, 0]) for each in several) / pixel**2
         weights, rates = np.ones(1), np.zeros(1)
-        for air in (each for each in several if isinstance(each, Seeing)):
-            q = air.coherence(wavelength) * pixel
-            outer = None if air.outer_scale is None else air.outer_scale / air.r0
-            if outer is not None and wavelength is not None and air.wavelength is not None:
-                outer *= (air.wavelength / wavelength) ** 1.2
+        for seeing in (each for each in several if isinstance(each, Seeing)):
+            q = seeing.coherence(wavelength) * pixel
+            outer = None if seeing.outer_scale is None else seeing.outer_scale / seeing.r0
+            if outer is not None and wavelength is not None and seeing.wavelength is not None:
+                outer *= (seeing.wavelength / wavelength) ** 1.2
             weights, rates, _ = turbulence(outer, 8)
             rates = rates / (2.0 * math.pi**2 * q * q)
         return cls(weights, np.empty((len(weights), 0)), rates + squares)

@@ -1,7 +1,8 @@
 """Checks of a fit of beads: neglected effects, planes in reversed order or displaced, a bead held out of the fit.
 
 A constant is fixed, or estimated with a prior. A score test estimates the size of a neglected effect without a new
-fit; `joint` is the model of all used beads, and `found` its fit.
+fit. `joint` is the model of all used beads, `found` is the fit of this model, and `stated` is the microscope with the
+constants that the user gave.
 """
 
 from __future__ import annotations
@@ -17,7 +18,7 @@ from lommel.base.arrays import Array
 from lommel.base.units import with_error
 from lommel.core.answers import Declined
 from lommel.estimation.bead_images import AMPLITUDES, CONSTANTS, GRADIENT, NONLINEAR, UNITS, Setup, Stack, expected
-from lommel.estimation.bead_search import DRIFT, BeadModel, Evaluated, Prior, State, climb, lowest, start_of
+from lommel.estimation.bead_search import DRIFT, BeadModel, Evaluated, Prior, State, climb, min_depth, start_of
 from lommel.estimation.star_images import label, next_terms
 from lommel.fit import goodness_of_fit
 from lommel.fit.findings import Finding
@@ -38,25 +39,26 @@ from lommel.fit.score_tests import (
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.psf import psf
 
-_REVERSED_GAIN = 12.0  # smallest gain of log-likelihood at which planes are reported as reversed
+_REVERSED_GAIN = 12.0  # smallest increase of the log-posterior at which planes are reported as reversed
 _REVERSED_CHI2 = 0.25  # largest ratio of chi2 - 1 of a reversed stack that fits badly to chi2 - 1 of the original
-_MIN_BEADS = 3  # smallest number of beads at which one is held out
+_MIN_BEADS = 3  # smallest number of beads at which a bead is held out of the fit
 _STEPS = 20  # maximum number of steps of a search that starts at a fit
 _TERM = 0.1  # expected size of a missing term, radians rms
 _AMPLITUDE = "apodization_2"  # the only amplitude term that is tested if it is not estimated
 _MAX_REFITS = 4  # maximum number of candidates that are estimated in a new fit
-_MIN_BAYES_RATIO = 0.4  # smallest log of the Bayes factor of such a candidate, divided by the largest
+_MIN_BAYES_RATIO = 0.4  # smallest ln(Bayes factor) of a refitted candidate, divided by the largest ln(Bayes factor)
 _WIDER = 3.0  # expected error of a constant whose prior is too narrow, in standard deviations of the prior
 _NEIGHBOR = 0.3  # expected light of a neighbour, divided by the light of the bead
-_MIN_DISTANCE = 2.0  # smallest distance of a neighbour, in Rayleigh distances: a nearer one looks like a larger bead
+_MIN_DISTANCE = 2.0  # smallest distance of a neighbour, Rayleigh distances; a nearer bead would look like a wide one
 _MOVED_RATIO = 4.0  # smallest significance of a displaced plane, divided by the median of all planes
 _MOVED_SIGMAS = 5.0  # smallest significance of a displaced plane, standard deviations
-_CONTRADICTED = 3.5  # difference of prior and beads that counts as a contradiction, standard deviations
-_NEVER_TESTED = "wavelength", "dye that does not radiate alike in all directions"  # errors look like other constants'
+_CONTRADICTED = 3.5  # smallest significance (standard deviations) at which the beads contradict a prior
+# Effects that look like errors of other constants.
+_NEVER_TESTED = "wavelength", "dye that does not radiate alike in all directions"
 
 
 def available_constants(setup: Setup) -> list[str]:
-    """Return the names of the constants that may be estimated for this microscope; the index of air is known."""
+    """Return the names of the constants that may be estimated for this microscope; an index of 1 (air) is exact."""
     one = setup.objective
     absent = {"coverslip": one.coverslip is None, "diameter": setup.diameter == 0.0, "sample": one.sample == 1.0}
     absent["immersion"] = one.working_distance is None or one.immersion == 1.0
@@ -65,7 +67,7 @@ def available_constants(setup: Setup) -> list[str]:
 
 def possible(setup: Setup, name: str, value: float) -> bool:
     """Return whether a microscope with this value of a constant exists."""
-    least = {"depth": lowest(setup), "diameter": 0.0, "blur": 0.0, "coverslip": 0.0}
+    least = {"depth": min_depth(setup), "diameter": 0.0, "blur": 0.0, "coverslip": 0.0}
     if name in least:
         return value >= least[name]
     if name in ("pixel", "step"):
@@ -86,7 +88,7 @@ def _fixed_constants(joint: BeadModel, setup: Setup) -> list[str]:
 
 
 def _prior_candidates(joint: BeadModel, found: Evaluated, names: Sequence[object]) -> list[Candidate]:
-    """Return a candidate for each prior that may be too narrow; `names` are those of all columns of parameters."""
+    """Return a candidate for each prior that may be too narrow; `names` are the names of all parameter columns."""
     setup, candidates = found.state.setup, []
     for name, (value, sigma) in joint.priors.items():
         if math.isfinite(sigma):
@@ -103,8 +105,8 @@ def _prior_candidates(joint: BeadModel, found: Evaluated, names: Sequence[object
 def missing_tests(joint: BeadModel, found: Evaluated) -> tuple[tuple[ScoreTest, ...], Marginal | None, list[Finding]]:
     """Return score tests of neglected effects: further terms, other constants, drift, background, nonlinear gain.
 
-    Also return steps of the shared parameters that allow for favoured effects (None if there are no such effects),
-    and the finding on fixed constants that the stacks do not test.
+    Also return the shift and covariance of the shared parameters after marginalizing favoured effects (None without
+    favoured effects), and the finding on fixed constants that the stacks do not test.
     """
     setup, images = found.state.setup, joint.images
     more_terms = next_terms(images.solved, ((2, 0), *images.fixed))
@@ -120,7 +122,8 @@ def missing_tests(joint: BeadModel, found: Evaluated) -> tuple[tuple[ScoreTest, 
     candidates += _prior_candidates(joint, found, names)
     fixed = [Candidate(n, (names.index(n),), setup.scale(n) * CONSTANTS[n].size) for n in constants]
     candidates += fixed
-    # Expected sizes: pixels over half the stack; electrons over the window; fraction lost at 10^4 electrons.
+    # Expected sizes of the effects: drift in pixels over half the stack, gradient in electrons over the window,
+    # fraction of electrons lost at 10^4 electrons.
     groups = {"drift": (drift, 0.3), "background gradient": (GRADIENT, 5.0), "non-linear gain": ((NONLINEAR,), 0.05)}
     for name, (group, size) in groups.items():
         if group:
@@ -148,7 +151,7 @@ def _size(name: str, value: float) -> str:
 
 
 def _neighbor_tests(joint: BeadModel, found: Evaluated) -> list[ScoreTest]:
-    """Return for each bead the test of a second bead at the same focus, at its most likely position."""
+    """Return a test for a second bead near each bead, at the same focus and at the most likely position."""
     setup, tests = found.state.setup, []
     # Rayleigh's distance, 0.61 lambda / NA, in pixels of the camera.
     least = (
@@ -157,9 +160,9 @@ def _neighbor_tests(joint: BeadModel, found: Evaluated) -> list[ScoreTest]:
     for k, (stack, values, light) in enumerate(zip(joint.stacks, found.values, found.state.light, strict=True)):
         bead, mean = light[0][:, None, None] * values, expected(light, values)
         counted, read, valid = stack.planes
-        # The variance is the mean of the Poisson counts plus read noise; the limit matters where `mean` is negative.
+        # The variance is the mean of the Poisson counts plus read noise; the lower limit is for a negative `mean`.
         weight = valid / np.maximum(mean + read, 0.25 * read)
-        # Twice the sides of the images, so that correlations do not wrap around.
+        # Arrays with twice the sides of the images: correlations do not wrap around.
         size = tuple(2 * side for side in stack.shape)
         conjugate = np.conj(np.fft.rfft2(bead, size))
         # Slope and information for a copy of the bead at every shift are correlations: sums over pixels of
@@ -175,9 +178,9 @@ def _neighbor_tests(joint: BeadModel, found: Evaluated) -> list[ScoreTest]:
         sigmas = np.where(beside, slope, 0.0) / np.sqrt(np.where(beside, square, 1.0))
         row, column = np.unravel_index(int(sigmas.argmax()), sigmas.shape)
         ratio, error = slope[row, column] / square[row, column], 1.0 / math.sqrt(square[row, column])
-        # The penalty is the log of the number of independent positions.
-        chance = math.log(beside.sum() / max(math.pi * (least / _MIN_DISTANCE) ** 2, 1.0) + 1.0)
-        evidence = log_bayes_factor(np.array([ratio]), np.array([[error**2]]), 0.0, _NEIGHBOR) - chance
+        # The penalty for the search over positions is the log of the number of independent positions.
+        penalty = math.log(beside.sum() / max(math.pi * (least / _MIN_DISTANCE) ** 2, 1.0) + 1.0)
+        evidence = log_bayes_factor(np.array([ratio]), np.array([[error**2]]), 0.0, _NEIGHBOR) - penalty
         name = f"a neighbor of bead {k} by {down[row]:.0f} rows and {across[column]:.0f} columns, share of its light"
         tests.append(ScoreTest(name, np.array([ratio]), np.array([error]), float(sigmas.max()), evidence))
     return tests
@@ -186,13 +189,13 @@ def _neighbor_tests(joint: BeadModel, found: Evaluated) -> list[ScoreTest]:
 def missing_findings(
     joint: BeadModel, found: Evaluated, tests: Sequence[ScoreTest], stated: Setup
 ) -> tuple[list[Finding], float | None]:
-    """Return the finding on significant effects, and the log-posterior of a fit with the best of them estimated.
+    """Return the finding on significant effects, and the log-posterior of a fit that estimates the best effect.
 
-    Score tests are linear approximations: the most likely effects are ranked by new fits that estimate each of them.
+    Score tests are linear approximations: each of the most likely effects is estimated by a new fit, which ranks it.
     """
     likely = seen(tests)
     if not likely:
-        # Contradictions of the few priors are significant, even if a test among all candidates is not.
+        # There are few priors: a contradiction is significant even if it is not among all candidates.
         against = [test for test in tests if test.name in joint.priors and abs(test.sigmas) > _CONTRADICTED]
         words = [f"{_in_words(test, joint, stated, None)}, against its prior" for test in against]
         return [other_explanation(against, words)] if against else [], None
@@ -210,7 +213,7 @@ def missing_findings(
 
 
 def _in_words(test: ScoreTest, joint: BeadModel, stated: Setup, solved: Evaluated | None) -> str:
-    """Return the result of a test in words, like "sample = 1.379 +- 0.005"; `solved` is a fit that estimates it."""
+    """Return the result of a test as text, like "sample = 1.379 +- 0.005"; the fit `solved` estimates the effect."""
     name, size, error = test.name, float(test.size[0]), float(test.errors[0])
     sigmas = f"({abs(test.sigmas):.2g} sigma)"
     if len(test.size) > 1 and name in CONSTANTS:
@@ -239,7 +242,7 @@ def _in_words(test: ScoreTest, joint: BeadModel, stated: Setup, solved: Evaluate
 
 
 def _refit_with_free(joint: BeadModel, found: Evaluated, name: str, stated: Setup) -> Evaluated | None:
-    """Fit with a constant, a term or drift estimated without prior; return None if `name` is of another kind."""
+    """Fit with the constant, term or drift `name` estimated without prior; return None if not possible."""
     state, depths, priors, images = found.state, joint.depths, dict(joint.priors), joint.images
     if name == "depth":
         depths = tuple(Prior(prior.value, math.inf) for prior in depths)
@@ -259,30 +262,30 @@ def _refit_with_free(joint: BeadModel, found: Evaluated, name: str, stated: Setu
 
 
 def reversed_findings(joint: BeadModel, start: State, best: float, chi2: float) -> list[Finding]:
-    """Return the finding of planes in reversed order, if they fit well, and better than a log-posterior of `best`.
+    """Return the finding of planes in reversed order, if these fit well and with a log-posterior higher than `best`.
 
-    If the reversed planes leave chi2 nearly at `chi2`, the step or the objective is wrong rather than the order.
+    If the chi2 of reversed planes is nearly `chi2`, not the order but the step or the objective is wrong.
     """
-    turned = tuple(replace(stack, z=-stack.z) for stack in joint.stacks)
-    places = tuple(start_of(s, start.setup, d.value, 0.0) for s, d in zip(turned, joint.depths, strict=True))
+    stacks = tuple(replace(stack, z=-stack.z) for stack in joint.stacks)
+    places = tuple(start_of(s, start.setup, d.value, 0.0) for s, d in zip(stacks, joint.depths, strict=True))
     try:
-        end = climb(replace(joint, stacks=turned), State(start.setup, start.waves, places), _STEPS)
+        end = climb(replace(joint, stacks=stacks), State(start.setup, start.waves, places), _STEPS)
     except (Declined, ValueError):
         return []
-    (turned_chi2, spread), gain = end.quality, end.log_posterior - best
-    # A much smaller chi2 suffices, because the model may have another error.
-    well = turned_chi2 < goodness_of_fit.most(spread) or turned_chi2 - 1.0 < _REVERSED_CHI2 * (chi2 - 1.0)
-    if gain < _REVERSED_GAIN or not well:
+    (reversed_chi2, spread), gain = end.quality, end.log_posterior - best
+    # If the model has another error as well, chi2 remains large: then a much smaller chi2 than before suffices.
+    good = reversed_chi2 < goodness_of_fit.most(spread) or reversed_chi2 - 1.0 < _REVERSED_CHI2 * (chi2 - 1.0)
+    if gain < _REVERSED_GAIN or not good:
         return []
     text = (
-        f"planes in reversed order fit far better, chi2 {turned_chi2:.4g}; z increases towards the sample, change "
-        "the sign of the step"
+        f"planes in reversed order fit far better, chi2 {reversed_chi2:.4g}; z must increase towards the sample: "
+        "change the sign of the step"
     )
-    return [Finding("reversed_z", "error", text, {"chi2": turned_chi2, "log_likelihood": gain})]
+    return [Finding("reversed_z", "error", text, {"chi2": reversed_chi2, "log_likelihood": gain})]
 
 
 def held_out(joint: BeadModel, found: Evaluated) -> tuple[float, list[Finding]]:
-    """Return chi2 of the last bead with the parameters of a fit of the others, and the finding if it is too large."""
+    """Return chi2 of the last bead with common parameters of the other beads, and a finding if it is too large."""
     count, state = len(joint.stacks), found.state
     if count < _MIN_BEADS:
         return math.nan, []
@@ -300,19 +303,19 @@ def held_out(joint: BeadModel, found: Evaluated) -> tuple[float, list[Finding]]:
 
 
 def moved_planes(shifts: Array, sigmas: Array) -> dict[int, tuple[float, float]]:
-    """Return the indices and shifts of planes whose shift is significant, and larger than those of other planes."""
+    """Return the indices and shifts of planes whose shift is more significant than the limits."""
     far = np.flatnonzero(sigmas > max(_MOVED_SIGMAS, _MOVED_RATIO * float(np.median(sigmas))))
     return {int(k): (float(shifts[k, 0]), float(shifts[k, 1])) for k in far}
 
 
 def moved_findings(moved: Sequence[dict[int, tuple[float, float]]], planes: int) -> list[Finding]:
-    """Return the finding on displaced planes; `moved` has the planes of each bead, `planes` is the number of all."""
+    """Return the finding on displaced planes: `moved` are those of each bead, `planes` is the total number."""
     each = [(math.hypot(*by), plane, j) for j, one in enumerate(moved) for plane, by in one.items()]
     if not each:
         return []
     numbers = {f"bead {j}": dict(one) for j, one in enumerate(moved) if one}
     if len(each) > planes // 4:
-        return [Finding("moved", "doubt", "planes are shifted against each other: estimate drift", numbers)]
+        return [Finding("moved", "doubt", "planes are shifted relative to each other: estimate drift", numbers)]
     each.sort(reverse=True)
     named = ", ".join(f"plane {plane} of bead {j} by {by:.2g} pixels" for by, plane, j in each[:3])
     more = f" and {len(each) - 3} more" if len(each) > 3 else ""
@@ -320,13 +323,13 @@ def moved_findings(moved: Sequence[dict[int, tuple[float, float]]], planes: int)
 
 
 def model_error(model: BeadModel, state: State) -> float:
-    """Return the largest difference between images of the search and `psf`, relative to the peak.
+    """Return the largest difference between images of the search and PSFs with a proven bound, relative to the peak.
 
-    The images are those of a point, because `psf` is. The result is inf if `psf` does not support the aberrations.
+    Both are images of a point. The result is inf if the aberrations are too strong for :func:`lommel.psf`.
     """
     setup, place, stack = replace(state.setup, diameter=0.0, blur=0.0), state.places[0], model.stacks[0]
     wave = Wavefront.zernike(model.images.edge(state.waves), normalization="edge")
-    # Use the middle of the stack, and the two ends, where defocus is largest.
+    # Compare the middle plane, and the first and the last, in which defocus is largest.
     ends = np.unique([0, len(stack.z) // 2, len(stack.z) - 1])
     pupil = setup.pupil(wave, place.depth, place.focus + setup.step * stack.z[ends], "coverslip")
     center = (stack.shape[0] // 2 + place.row, stack.shape[1] // 2 + place.column)

@@ -2,7 +2,8 @@
 
 All beads have the same wavefront and constants of the microscope; each bead has its own position (`Place`). Flux and
 background of each plane are eliminated: they have their maximum-likelihood values, and the information on the other
-parameters is the Schur complement. v = 2 pi NA r / lambda is the dimensionless radius in the object plane.
+parameters is the Schur complement. v = 2 pi NA r / lambda is the dimensionless radius in the object plane. `place` is
+a bead's position, `star` are the recorded data of a stack (see `star_counts`).
 """
 
 from __future__ import annotations
@@ -37,7 +38,7 @@ from lommel.special import zernike
 
 GRADIENT = ("gradient_row", "gradient_column")  # gradients of the background, electrons from edge to edge
 NONLINEAR = "nonlinear"  # nonlinearity of the camera: fraction of electrons that is lost at 10^4 electrons
-_MAX_CHORDS = 160  # maximum number of chords of the pupil, the nodes of the quadrature rule
+_MAX_CHORDS = 160  # maximum number of chords of the pupil along which the quadrature rule integrates
 _ITERATIONS = 4  # iterations for flux and background of a plane
 _MIN_FLUX = 1e-3  # smallest flux of a plane in the search, relative to the largest flux of all planes
 
@@ -45,21 +46,22 @@ _MIN_FLUX = 1e-3  # smallest flux of a plane in the search, relative to the larg
 class Constant(NamedTuple):
     """A constant of the microscope that may be estimated.
 
-    `step` is the step of finite differences, `reach` the largest change in a step of the search, `size` the expected
-    size of a wrong value in score tests, and `usual` the default standard error of the prior (0: fixed by default).
-    `step` and `reach` are relative to the value if `relative`; `size` and `usual` of pixel and diameter always are.
+    `step` is the step of finite differences, `max_step` the largest change in a step of the search, `size` the
+    expected error of a wrong value in score tests, and `prior` the default standard error of the prior (0: fixed by
+    default). `step` and `max_step` are relative to the value if `relative` is True. `size` and `prior` of pixel and
+    diameter are relative to the value.
     """
 
     step: float
     unit: str
-    reach: float
+    max_step: float
     size: float
-    usual: float = 0.0
+    prior: float = 0.0
     relative: bool = False
 
 
-# The relative error of differences is quadratic in the step, below 1e-3. The default error of the cover glass is that
-# of No. 1.5H; with a fixed thickness the standard errors of spherical aberration would be too small.
+# The relative error of finite differences is quadratic in the step, and below 1e-3. The default error of the cover
+# glass is the tolerance of No. 1.5H; with a fixed thickness, errors of spherical aberration would be too small.
 CONSTANTS: Mapping[str, Constant] = {
     "sample": Constant(1e-3, "", 0.05, 0.02, 3e-3),
     "immersion": Constant(1e-4, "", 5e-3, 2e-3),
@@ -73,9 +75,9 @@ CONSTANTS: Mapping[str, Constant] = {
     **{f"apodization_{n}": Constant(1e-2, "", 0.3, 0.1) for n in (2, 4, 6, 8)},
 }
 UNITS = {"m": (1e6, " um"), "pixels^2": (1.0, " pixels^2"), "rad": (1.0, " rad"), "": (1.0, "")}
-"""For each SI unit: the factor to convert to the unit of texts, and the name of the latter."""
+"""For each unit of `Constant`: the factor to convert to the unit of messages, and the name of that unit."""
 AMPLITUDES: Mapping[str, int] = {name: int(name[-1]) for name in CONSTANTS if name.startswith("apodization")}
-"""Constants of the apodization, coefficients (nepers rms) of radial terms of the log amplitude: name -> degree."""
+"""Degree of the radial term for each constant of the apodization: a coefficient (nepers rms) of the log amplitude."""
 
 
 @dataclass(frozen=True)
@@ -104,19 +106,19 @@ class Setup:
         return float(getattr(self if name in _OWN else self.objective, name))
 
     def scale(self, name: str) -> float:
-        """Return the unit of `size` and `usual` of a constant: its value for pixel and diameter, otherwise 1."""
+        """Return the unit of a constant's `size` and `prior`: its value for pixel and diameter, otherwise 1."""
         return self.value(name) if name in ("pixel", "diameter") else 1.0
 
-    def beside(self, name: str) -> tuple[float, float]:
+    def adjacent_values(self, name: str) -> tuple[float, float]:
         """Return a smaller and a larger possible value of a constant, for finite differences."""
         constant, at, one = CONSTANTS[name], self.value(name), self.objective
         h = constant.step * (at if constant.relative else 1.0)
         least = {"diameter": 0.25 * at, "immersion": max(1.0, at - 0.5 * (at - one.NA)), "sample": 1.0}
-        most = {"NA": at + 0.5 * (min(one.immersion, one.design.immersion) - at)}  # NA < index of the immersion
+        most = {"NA": at + 0.5 * (min(one.immersion, one.design.immersion) - at)}  # less than the immersion's index
         return max(at - h, least.get(name, -math.inf)), min(at + h, most.get(name, math.inf))
 
     def having(self, name: str, value: float) -> Setup:
-        """Return the microscope with another value of a constant; ValueError if no such microscope exists."""
+        """Return the microscope with another value of a constant; ValueError if that value is impossible."""
         new: dict[str, Any] = {name: value} if name in _OWN else {"objective": changed(self.objective, name, value)}
         return replace(self, **new)
 
@@ -129,7 +131,7 @@ class Setup:
         )
 
     @property
-    def across(self) -> float:
+    def pixel_v(self) -> float:
         """Pixel pitch in units of v."""
         one = self.objective
         return 2.0 * math.pi * one.NA * self.pixel / (self.wavelength * one.magnification)
@@ -144,7 +146,7 @@ _OWN = ("pixel", "diameter", "blur", "step")
 
 
 def changed(objective: Objective, name: str, value: float) -> Objective:
-    """Return an objective of the same design, with another sample, immersion, NA, cover glass or apodization."""
+    """Return an objective of the same design, with another value of a constant: sample, NA, ... (see `CONSTANTS`)."""
     new: dict[str, Any] = {name: value}
     if name == "coverslip":
         assert objective.coverslip is not None
@@ -158,8 +160,8 @@ def changed(objective: Objective, name: str, value: float) -> Objective:
 class Place(NamedTuple):
     """Position of a bead: row and column in pixels from the middle of the window, focus and depth in metres.
 
-    `focus` is the stage position at z = 0, from paraxial focus on the cover glass; the drift is the displacement in
-    pixels from the middle to the end of the stack.
+    `focus` is the distance of the stage at z = 0 from the paraxial focus on the cover glass. The drift is the
+    displacement in pixels from the middle to the end of the stack.
     """
 
     row: float
@@ -185,7 +187,7 @@ class Stack:
 
     @property
     def times(self) -> Array:
-        """Times of the planes for the drift, -1 to 1 over the stack."""
+        """Times of the planes, -1 to 1 over the stack: drift displaces a plane by the product of time and drift."""
         return np.linspace(-1.0, 1.0, len(self.z))
 
     @property
@@ -204,10 +206,10 @@ class Stack:
 
 @lru_cache(maxsize=16)
 def heights(radius: float) -> tuple[Array, Array]:
-    """Return heights of discs that represent a ball, divided by its radius, and the volume fractions of the discs."""
+    """Return heights, in radii, of discs that approximate a ball, and the volume fractions of the discs."""
     if radius == 0.0:
         return np.zeros(1), np.ones(1)
-    # The area of the cross-section at height u is proportional to 1 - u^2: Gauss-Jacobi rule for this weight.
+    # The area of the cross-section at height u is proportional to 1 - u^2, the weight of this Gauss-Jacobi rule.
     u, w = special.roots_jacobi(max(2, math.ceil(1.0 + 1.35 * radius)), 1.0, 1.0)
     return u, w / w.sum()
 
@@ -228,11 +230,11 @@ class BeadImages:
         self.threads = threads
 
     def with_terms(self, more: Sequence[Term]) -> BeadImages:
-        """Return a model with the terms `more` appended to the estimated ones."""
+        """Return a model with the terms `more` appended to the estimated terms."""
         return BeadImages((*self.solved, *more), self.fixed, self.threads) if more else self
 
     def without_terms(self, waves: Array) -> BeadImages:
-        """Return a model in which no terms are estimated, and all are fixed at the coefficients `waves`."""
+        """Return a model in which all terms are fixed, the formerly estimated terms at the coefficients `waves`."""
         return BeadImages((), self.edge(waves), self.threads)
 
     def edge(self, waves: Array) -> dict[Term, float]:
@@ -254,14 +256,14 @@ class BeadImages:
         self, setup: Setup, waves: Array, place: Place, stack: Stack, *, ball: bool, by: Sequence[str] | None
     ) -> Array:
         """Return images and, unless `by` is None, their derivatives; `by` are names of `AMPLITUDES`."""
-        objective, across, count = setup.objective, setup.across, len(stack.z)
+        objective, pixel_v, count = setup.objective, setup.pixel_v, len(stack.z)
         layers = objective._layers(setup.wavelength)
         middle = (stack.shape[0] // 2 + place.row, stack.shape[1] // 2 + place.column)
-        samples = Samples(stack.shape, middle, across, _half(setup))
+        samples = Samples(stack.shape, middle, pixel_v, _half(setup))
         edge = np.concatenate([waves * self.factors, self._others, np.zeros(2)])[None]
         if any(place.drift):
             edge = np.repeat(edge, count, axis=0)
-            edge[:, -2:] = across * np.outer(stack.times, place.drift)
+            edge[:, -2:] = pixel_v * np.outer(stack.times, place.drift)
         rule = self.rule(samples, edge)
         u, fractions = heights(setup.radius) if ball else (np.zeros(1), np.ones(1))
         # No disc may lie inside the cover glass.
@@ -275,7 +277,7 @@ class BeadImages:
             terms, degrees = (*self.solved, *SHIFTS.values()), tuple(AMPLITUDES[name] for name in amplitudes)
             sampled = light(by=terms, by_focus=True, by_amplitude=degrees, threads=self.threads)
         power = light_by_rule.collected(layers, setup.emitter, depths)
-        scale = across**2 / (4.0 * math.pi * float(fractions @ power))
+        scale = pixel_v**2 / (4.0 * math.pi * float(fractions @ power))
         total: Array | float = 0.0
         for k, (up, fraction) in enumerate(zip(u, fractions.tolist(), strict=True)):
             # The variance of a projected ball along an axis is radius^2 / 5.
@@ -289,8 +291,8 @@ class BeadImages:
             # Order of the derivatives: focus, amplitudes, terms at the pupil edge, tilts.
             first, last = 2 + len(amplitudes), 2 + len(amplitudes) + len(self.solved)
             images[first:last] *= self.factors[:, None, None, None]
-            # A shift by one pixel is a tilt of `across` radians at the pupil edge.
-            images[-2:] *= across
+            # A shift by one pixel is a tilt of `pixel_v` radians at the pupil edge.
+            images[-2:] *= pixel_v
             for k, name in enumerate(amplitudes, 2):
                 # Images are normalized to the collected light, which depends on the amplitudes.
                 images[k] -= _light_slope(setup, name, depths) * images[0]
@@ -298,30 +300,33 @@ class BeadImages:
         return images
 
     def rule(self, samples: Samples, edge: Array) -> Rule:
-        """Return the quadrature rule for phases `edge` (radians at the edge); Declined if they are too strong."""
+        """Return the quadrature rule for phases `edge` (radians at the pupil edge).
+
+        Raise Declined if the phases are too strong.
+        """
         window = samples.window
         ends = [max(at, side - 1.0 - at) for at, side in zip(window.center, window.shape, strict=True)]
         coefficients = edge[0, :-2]
         squares = [1.0 / zernike.rms_factor(n, m) ** 2 for n, m in self.terms[:-2]]
-        # The rms phase of the terms, plus the largest tilt due to drift.
+        # The rms phase of the terms, plus the largest tilt due to drift at the pupil edge.
         phase = math.sqrt(float((coefficients**2) @ squares)) + float(np.abs(edge[:, -2:]).max(initial=0.0))
         rule = light_by_rule.search_rule(max(ends) * window.step, phase)
         if rule.chords > _MAX_CHORDS:
-            raise Declined("aberrations are too strong")
+            raise Declined("aberrations are too strong for the search: reduce them, or use a smaller window")
         return rule
 
     def differences(self, setup: Setup, waves: Array, place: Place, stack: Stack, name: str) -> Array:
         """Return the derivative with respect to a constant or the depth, by finite differences (`CONSTANTS`)."""
         step = CONSTANTS[name].step
         if name == "depth":
-            # A bead on the cover glass cannot be nearer to it: the difference is one-sided there.
+            # A bead that touches the cover glass cannot be nearer to it: its difference is one-sided.
             h = min(step, max(place.depth - 0.5 * setup.diameter, 0.0))
             deeper, nearer = place._replace(depth=place.depth + step), place._replace(depth=place.depth - h)
             pair = [self.values(setup, waves, at, stack) for at in (deeper, nearer)]
             return np.asarray((pair[0] - pair[1]) / (step + h))
-        low, high = setup.beside(name)
-        whole = name in ("diameter", "sample")  # constants that change the light at different heights differently
-        pair = [self.values(setup.having(name, value), waves, place, stack, ball=whole) for value in (high, low)]
+        low, high = setup.adjacent_values(name)
+        ball = name in ("diameter", "sample")  # the effect of these constants depends on the height within the bead
+        pair = [self.values(setup.having(name, value), waves, place, stack, ball=ball) for value in (high, low)]
         return np.asarray((pair[0] - pair[1]) / (high - low))
 
 
@@ -330,17 +335,18 @@ def _light_slope(setup: Setup, name: str, depth: Array) -> float:
     h, n, logarithms = CONSTANTS[name].step, AMPLITUDES[name], []
     for value in (setup.value(name) + h, setup.value(name) - h):
         layers = setup.having(name, value).objective._layers(setup.wavelength)
-        # Derivatives of images neglect the normalization of the largest amplitude to 1: compensate for it here.
+        # Derivatives of images neglect that the largest amplitude is normalized to 1: compensate for this here.
         factor = (layers.exponent[0] if layers.exponent else 0.0) + value * math.sqrt(n + 1.0) * (-1.0) ** (n // 2)
         logarithms.append(math.log(float(light_by_rule.collected(layers, setup.emitter, depth)[0])) + 2.0 * factor)
     return (logarithms[0] - logarithms[1]) / (2.0 * h)
 
 
 def _half(setup: Setup) -> int:
-    """Return the number of samples on either side of a pixel that its filter uses; it grows with bead and blur."""
-    stride = max(1, math.ceil(setup.across / 1.535))
-    wide = 2.0 * math.sqrt(max(setup.blur, 0.0)) * setup.across + setup.radius
-    return HALF + (stride - 1) * 2 + math.ceil(wide * stride / setup.across)
+    """Return the number of samples on either side of a pixel that the pixel filter uses."""
+    stride = max(1, math.ceil(setup.pixel_v / 1.535))
+    # The filter includes the disc of the bead, and two standard deviations of the blur.
+    half_width = 2.0 * math.sqrt(max(setup.blur, 0.0)) * setup.pixel_v + setup.radius
+    return HALF + (stride - 1) * 2 + math.ceil(half_width * stride / setup.pixel_v)
 
 
 def flux_background(values: Array, star: Array, before: Array | None = None) -> Array:
@@ -355,35 +361,38 @@ def flux_background(values: Array, star: Array, before: Array | None = None) -> 
             mean = light[0][:, None] * psf + light[1][:, None]
             weight = valid / np.maximum(mean + read, 0.25 * read)
         flux, level, middle = weighted_light(psf, counted, weight)
-        # Without light, the position of the bead in a plane would be undetermined.
+        # At flux 0 a plane would not depend on the position of the bead.
         flux = np.maximum(flux, _MIN_FLUX * np.abs(flux).max() + 1e-9)
-        # `level` is the expected value where the PSF has its weighted mean: there it does not correlate with flux.
+        # `level` is the expected value at a pixel where the PSF has its weighted mean `middle`.
         light = np.stack([flux, level - flux * middle])
     return np.asarray(light)
 
 
 def expected(light: Array, values: Array) -> Array:
-    """Return the expected electrons of planes, from `light` (2, planes), flux and background, and PSFs."""
+    """Return the expected electrons of planes, from flux and background `light` (2, planes), and PSFs `values`."""
     return np.asarray(light[0][:, None, None] * values + light[1][:, None, None])
 
 
 class Part(NamedTuple):
     """Contribution of one bead to likelihood and information, with flux and background eliminated.
 
-    Parameters are those common to all beads, then those of this bead.
+    Parameters are, in this order, the parameters common to all beads, and the parameters of this bead.
     """
 
-    slope: Array  # (planes, parameters)
+    slope: Array  # (planes, parameters), derivatives of the log-likelihood
     information: Array  # (planes, parameters, parameters)
     chi2: float  # Pearson's sum of squares
-    expected: float
-    spread: float
+    expected: float  # expectation of `chi2`
+    spread: float  # variance of `chi2`
     visible: float  # total flux of all planes, in standard deviations
     scatter: Array  # (planes, 2, 2), covariance of flux and background for fixed parameters
     carried: Array  # (planes, parameters, 2), minus the derivative of flux and background by the parameters
 
     def shifts(self, columns: list[int]) -> tuple[Array, Array]:
-        """Return steps of q parameters in each plane (planes, q), others fixed, and their significance in sigmas."""
+        """Return steps (planes, q) of the q parameters `columns` from each plane alone, with the others fixed.
+
+        Also return the significance of each plane's step, in standard deviations.
+        """
         square, slope = self.information[:, columns][:, :, columns], self.slope[:, columns]
         square = _regular(square) + 1e-300 * np.eye(len(columns))
         step = np.asarray(np.linalg.solve(square, slope[..., None])[..., 0])
@@ -391,14 +400,14 @@ class Part(NamedTuple):
 
 
 def _regular(square: Array) -> Array:
-    """Return matrices (planes, q, q), made invertible by a small addition to the diagonal."""
+    """Return matrices (planes, q, q) with a small number added to the diagonal, such that they are invertible."""
     return np.asarray(square + 1e-12 * np.trace(square, axis1=1, axis2=2)[:, None, None] * np.eye(square.shape[1]))
 
 
 def part_of(values: Array, slopes: Array, chain: Array, stack: Stack, light: Array, threads: int) -> Part:
-    """Return the contribution of a stack to likelihood and information.
+    """Return the contribution of a stack to likelihood and information, from its PSFs `values`.
 
-    Derivatives with respect to parameters are `chain` (planes, parameters, slopes) times the images `slopes`.
+    The derivatives of PSFs by the parameters are `chain` (planes, parameters, k) times the k images in `slopes`.
     """
     numbers, products = star_likelihood([values.astype(slopes.dtype), *slopes], light[None], stack.star, threads)
     _, expected, spread = numbers.sum(axis=(-1, -2))

@@ -1,6 +1,6 @@
-"""Maximum-likelihood search for stacks of beads: Fisher scoring, starts, and beads that are left out.
+"""Maximum-likelihood search for stacks of beads: Fisher scoring, starts, and rejection of inconsistent beads.
 
-Flux and background of each plane (`light`) are eliminated: they are estimated for given other parameters.
+Flux and background of each plane (`light`) are eliminated: they are the best values for the other parameters.
 """
 
 from __future__ import annotations
@@ -24,15 +24,15 @@ from lommel.fit.scoring import Policy, Report, Rows, Scores, damped_steps, fishe
 OWN = ("row", "column", "focus")
 DRIFT = ("drift_row", "drift_column")
 _MAX_WAVE_STEP = 1.0  # radians rms: largest change of the wavefront in a step
-_SAME_MAXIMUM = 1.0  # difference of log-likelihood below which two starts have found the same maximum
+_SAME_MAXIMUM = 1.0  # difference of log-posterior below which two starts are assumed to end at the same maximum
 _MAX_CHI2_RATIO = 1.5  # beads whose chi2 exceeds this times the median of all beads are left out
 ORIGINS = (0.0, -0.35e-6, 0.35e-6, -0.7e-6, 0.7e-6)
-"""Shifts of the focus, metres of the stage, of successive starts."""
-# Largest changes in a step: metres, and pixels of rows and columns.
+"""Shift of the initial focus, metres of the stage, for each start."""
+# Largest changes in a step: focus and depth in metres, the others in pixels.
 _MAX_STEPS = {"focus": 0.3e-6, "row": 1.0, "column": 1.0, "drift_row": 1.0, "drift_column": 1.0, "depth": 0.3e-6}
 
 
-def lowest(setup: Setup) -> float:
+def min_depth(setup: Setup) -> float:
     """Return the smallest allowed depth (m) of a bead: half the depth of a bead that touches the cover glass.
 
     The margin allows for errors of the bead's diameter and of the position of the cover glass.
@@ -41,13 +41,13 @@ def lowest(setup: Setup) -> float:
 
 
 class Prior(NamedTuple):
-    """Normal prior of a constant: value and standard error, inf if unknown."""
+    """Normal prior of a constant: value, and standard error (inf without prior knowledge)."""
 
     value: float
     error: float
 
-    def pull(self, at: float) -> tuple[float, float, float]:
-        """Return the deviance of the prior at a value, minus the derivative of the deviance, and its information."""
+    def score(self, at: float) -> tuple[float, float, float]:
+        """Return -ln(prior), the derivative of ln(prior), and the information, for the constant's value `at`."""
         square = 1.0 / self.error**2
         difference = self.value - at
         return 0.5 * difference * difference * square, difference * square, square
@@ -57,8 +57,8 @@ class Prior(NamedTuple):
 class State:
     """A set of parameters of a model.
 
-    `waves` are the coefficients of the wavefront (radians rms), `setup` has the constants of the microscope, `places`
-    and `light` are the position of each bead, and flux and background of its planes.
+    `waves` are the coefficients of the wavefront (radians rms), `setup` are the constants of the microscope, `places`
+    the positions of the beads, and `light` flux and background of each plane, an array (2, planes) for each bead.
     """
 
     setup: Setup
@@ -69,10 +69,10 @@ class State:
 
 @dataclass(frozen=True, eq=False)
 class Evaluated:
-    """A state with its images and scores, and the course of the search that led to it.
+    """A state with its images and scores, the number of steps of the search, and whether the search settled.
 
-    `values` are the PSFs of each stack, `parts` its contributions to the scores. `scores` have one row (a single set
-    of parameters), with the shared parameters first, then those of each bead; they include the priors.
+    `values` are the PSFs of each stack, `parts` the contributions of each stack to the scores. `scores` have one row
+    (a single set of parameters): the shared parameters, then the parameters of each bead. They include the priors.
     """
 
     state: State
@@ -84,7 +84,7 @@ class Evaluated:
 
     @property
     def log_posterior(self) -> float:
-        """Logarithm of the likelihood times the priors."""
+        """Logarithm of the product of likelihood and priors."""
         return -float(self.scores.deviance[0])
 
     @property
@@ -110,26 +110,26 @@ class BeadModel:
     names: tuple[object, ...] = field(init=False)
     size: int = field(init=False)  # number of parameters
     tested: int = field(init=False)  # degrees of freedom
-    alternatives, rms = False, None  # see `scoring.Problem`: one set of parameters, and steps are not lengthened
+    alternatives, rms = False, None  # see `scoring.Problem`: a single set of parameters; steps are not lengthened
 
     def __post_init__(self) -> None:
         depth = ("depth",) if self.depths[0].error > 0.0 else ()
         self.own = (*OWN, *depth, *(DRIFT if self.drifts else ()))
         self.names = (*self.images.solved, *self.priors)
         self.size = len(self.names) + len(self.own) * len(self.stacks)
-        # Flux and background are two more parameters for each plane.
+        # Flux and background of each plane are two more parameters, which `size` does not include.
         self.tested = sum(int(stack.star[3].sum()) - 2 * len(stack.z) for stack in self.stacks) - self.size
 
     def alone(self, k: int) -> BeadModel:
         """Return the model of a single bead, with constants and depth fixed."""
         return replace(self, stacks=self.stacks[k : k + 1], priors={}, depths=(Prior(self.depths[k].value, 0.0),))
 
-    def having(self, kept: Sequence[int]) -> BeadModel:
+    def having(self, beads: Sequence[int]) -> BeadModel:
         """Return the model of the beads with these indices."""
-        return replace(self, stacks=tuple(self.stacks[k] for k in kept), depths=tuple(self.depths[k] for k in kept))
+        return replace(self, stacks=tuple(self.stacks[k] for k in beads), depths=tuple(self.depths[k] for k in beads))
 
     def columns(self, bead: int, shared: int) -> range:
-        """Return the columns of the parameters of a bead, after the `shared` ones."""
+        """Return the columns of the parameters of a bead, which follow the `shared` parameters."""
         return range(shared + bead * len(self.own), shared + (bead + 1) * len(self.own))
 
     def _prior_terms(self, state: State, names: Sequence[object]) -> Iterator[tuple[int, Prior, float]]:
@@ -144,19 +144,19 @@ class BeadModel:
     def evaluated(self, state: State, most: float = math.inf) -> Evaluated:
         """Return a state with its images and scores, and with maximum-likelihood flux and background.
 
-        Raises Declined or ValueError if the deviance is not below `most`, if the aberrations are too strong, or if
-        the constants are impossible. Slopes, which take far longer than images, are computed only if the deviance is
-        below `most`.
+        Raise Declined or ValueError if the deviance is not below `most`, if the aberrations are too strong, or if
+        the constants are impossible. Derivatives are computed only if the deviance is below `most`, because they take
+        far longer than images.
         """
         light, values = [], []
-        total = sum(prior.pull(at)[0] for _, prior, at in self._prior_terms(state, self.names))
+        total = sum(prior.score(at)[0] for _, prior, at in self._prior_terms(state, self.names))
         for k, (stack, place) in enumerate(zip(self.stacks, state.places, strict=True)):
             psf = self.images.values(state.setup, state.waves, place, stack)
             values.append(psf)
             light.append(bead_images.flux_background(psf, stack.star, state.light[k] if state.light else None))
             total += float(star_likelihood([psf], light[-1][None], stack.star, self.images.threads)[0][0].sum())
         if not -math.inf < total < most:
-            raise Declined("the likelihood is not finite, or no better")
+            raise Declined("the likelihood is not finite, or not higher than before")
         state = replace(state, light=tuple(light))
         parts, information, slope = self.normal(state, values)
         chi2, spread = (np.array([each]) for each in self.chi2_of(parts))
@@ -166,7 +166,7 @@ class BeadModel:
     def normal(self, state: State, values: list[Array], more: Sequence[str] = ()) -> tuple[list[Part], Array, Array]:
         """Return the contributions of all stacks, and information and slope of all parameters, priors included.
 
-        Constants `more` follow the shared parameters `names`, before those of each bead.
+        Order of the parameters: shared parameters `names`, further constants `more`, parameters of each bead.
         """
         names, parts = (*self.names, *more), list[Part]()
         k, size = len(names), self.size + len(more)
@@ -178,15 +178,15 @@ class BeadModel:
             information[np.ix_(at, at)] += parts[-1].information.sum(axis=0)
             slope[at] += parts[-1].slope.sum(axis=0)
         for column, prior, value in self._prior_terms(state, names):
-            _, pull, square = prior.pull(value)
-            slope[column] += pull
+            _, prior_slope, square = prior.score(value)
+            slope[column] += prior_slope
             information[column, column] += square
         return parts, information, slope
 
     def _slopes(self, state: State, bead: int, names: Sequence[object], psf: Array) -> tuple[Array, Array]:
-        """Return derivatives of the images of a bead, and the chain rule from these to the parameters.
+        """Return k derivatives of the images of a bead, and the chain rule, shape (planes, parameters, k).
 
-        The chain rule is a matrix for each plane, shape (planes, parameters, derivatives).
+        For each plane, the derivatives by the parameters are linear combinations of the k derivatives.
         """
         images, setup, waves = self.images, state.setup, state.waves
         stack, place, light = self.stacks[bead], state.places[bead], state.light[bead]
@@ -199,7 +199,7 @@ class BeadModel:
         chain_rule |= {DRIFT[0]: (k + 1, stack.times), DRIFT[1]: (k + 2, stack.times), "step": (k, stack.z)}
         for name in (*GRADIENT, bead_images.NONLINEAR):
             if name in names:
-                # These derivatives are in electrons: division by the flux, by which `part_of` multiplies all of them.
+                # This derivative is in electrons: it is divided by the flux, because `part_of` multiplies by it.
                 chain_rule[name] = len(slopes), 1.0 / light[0]
                 slopes.append(_camera_slope(name, bead_images.expected(light, psf)).astype(slopes[0].dtype))
         for name in map(str, (*names, *self.own)):
@@ -213,15 +213,15 @@ class BeadModel:
         return np.stack(slopes), chain
 
     def step(self, x: Evaluated, now: Scores, at: Rows, damping: Array) -> tuple[Array, Array]:
-        """Return a damped step (1, parameters), and the gain in deviance that it predicts."""
+        """Return a damped step (1, parameters), and the predicted decrease of the deviance."""
         scores, state = now, x.state
         step = damped_steps(scores, damping)
         if "depth" in self.own:
-            depth, least = self.own.index("depth"), lowest(state.setup)
+            depth, least = self.own.index("depth"), min_depth(state.setup)
             for j, place in enumerate(state.places):
                 column = self.columns(j, len(self.names))[depth]
-                # A bead that would sink into the glass is set to the smallest depth; the step of the other parameters
-                # is then computed for this depth.
+                # A bead that would sink into the glass is set to the smallest depth; the steps of all other
+                # parameters are computed again for this depth.
                 if place.depth + step[0][0, column] < least:
                     scores = _holding(scores, column, least - place.depth)
             step = damped_steps(scores, damping)
@@ -230,20 +230,20 @@ class BeadModel:
     def attempt(
         self, x: Evaluated, now: Scores, at: Rows, step: Array, factor: Array
     ) -> tuple[Evaluated, Scores | None]:
-        """Return the state after a step and its scores, if these are better than before."""
+        """Return the state after a step and its scores; the old state and None if the deviance does not decrease."""
         with suppress(Declined, ValueError):  # the step is too long: aberrations too strong, or constants impossible
             tried = self.evaluated(self.moved(x.state, step[0]), float(now.deviance[0]))
             return tried, tried.scores
         return x, None
 
     def moved(self, state: State, step: Array) -> State:
-        """Return the parameters after a step, shortened to the largest allowed change."""
+        """Return the parameters after a step, which is shortened such that no change exceeds its limit."""
         k, shared, setup = len(self.images.solved), len(self.names), state.setup
         bead_steps = step[shared:].reshape(-1, len(self.own))
         kinds = [CONSTANTS[name] for name in self.priors]
         constants = np.array([setup.value(name) for name in self.priors])
         limits = [
-            kind.reach * (value if kind.relative else 1.0) for kind, value in zip(kinds, constants, strict=True)
+            kind.max_step * (value if kind.relative else 1.0) for kind, value in zip(kinds, constants, strict=True)
         ]
         # Changes divided by their largest allowed values.
         ratios = [math.sqrt(float(step[:k] @ step[:k])) / _MAX_WAVE_STEP, *(np.abs(step[k:shared]) / limits)]
@@ -252,15 +252,15 @@ class BeadModel:
         cut = 1.0 / max(1.0, *ratios)
         for name, value in zip(self.priors, (constants + cut * step[k:shared]).tolist(), strict=True):
             setup = setup.having(name, value)
-        # Noise may make the estimated blur a little negative.
+        # Because of noise, the estimated variance of the blur may be slightly negative.
         if setup.blur < -0.2 or setup.diameter < 0.0:
-            raise Declined("no such blur or bead")
+            raise Declined("the variance of the blur, or the diameter of the bead, is negative")
         places = []
         for stack, place, own in zip(self.stacks, state.places, cut * bead_steps, strict=True):
             to = place._replace(**{n: getattr(place, n) + by for n, by in zip(self.own, own.tolist(), strict=True)})
             half = 0.5 * np.array(stack.shape)
             row, column = np.clip([to.row, to.column], -half, half).tolist()
-            places.append(to._replace(row=row, column=column, depth=max(to.depth, lowest(setup))))
+            places.append(to._replace(row=row, column=column, depth=max(to.depth, min_depth(setup))))
         return replace(state, setup=setup, waves=state.waves + cut * step[:k], places=tuple(places))
 
     def chi2_of(self, parts: Sequence[Part]) -> tuple[float, float]:
@@ -283,12 +283,12 @@ _POLICY = Policy(max_damping=1e7, patience=math.inf)
 
 
 def _camera_slope(name: str, mean: Array) -> Array:
-    """Return the derivative of electrons (planes, height, width) by the camera's nonlinearity or a background slope.
+    """Return the derivative of electrons (planes, height, width) by the camera's nonlinearity or a gradient.
 
     `mean` are the expected electrons.
     """
     if name == bead_images.NONLINEAR:
-        # A nonlinearity x lowers m electrons by the fraction x m / 10^4.
+        # With nonlinearity x, m electrons decrease by the fraction x m / 10^4.
         return -(mean**2) / 1e4
     axis = 1 + GRADIENT.index(name)
     along = np.linspace(-0.5, 0.5, mean.shape[axis])
@@ -296,7 +296,7 @@ def _camera_slope(name: str, mean: Array) -> Array:
 
 
 def climb(model: BeadModel, start: State, most: int, report: Report = lambda *_: None) -> Evaluated:
-    """Take damped steps from a start until they converge, at most `most` steps, and return the end."""
+    """Return the end of at most `most` damped steps, from a start until convergence."""
     begin = model.evaluated(start)
     end = fisher_scoring(model, begin, begin.scores, most, report, _POLICY)
     best: Evaluated = end.x
@@ -309,15 +309,15 @@ class Search:
 
     model: BeadModel
     setup: Setup
-    waves: Array  # start of the wavefront
+    waves: Array  # initial coefficients of the wavefront
     starts: int  # largest number of starts
     most: int  # largest number of steps of a search
     progress: Callable[[float, float], object] | None  # called with the fraction done and chi2
-    steps: int = 0  # of all searches so far
-    _done: float = 0.0
+    steps: int = 0  # number of steps of all completed searches
+    _done: float = 0.0  # fraction of the progress
 
     def all(self) -> tuple[Evaluated, list[bool]]:
-        """Fit all beads jointly, except those with a bad individual fit; return the fit, and a list of used beads."""
+        """Fit all beads jointly, except beads with a bad individual fit; return the fit, and whether each is used."""
         model, count = self.model, len(self.model.stacks)
         singles = [self.one(model.alone(k), 0.6 / count) for k in range(count)]
         median = float(np.median([single.quality[0] for single in singles]))
@@ -332,7 +332,7 @@ class Search:
         return self.climb(model.having(kept), start, 0.4), used
 
     def one(self, model: BeadModel, fraction: float) -> Evaluated:
-        """Return the best fit of a single stack over the starts; the first counts as a `fraction` of the progress."""
+        """Return the best fit of a single stack from several starts; the first adds `fraction` to the progress."""
         best: Evaluated | None = None
         for origin in ORIGINS[: self.starts]:
             place = start_of(model.stacks[0], self.setup, model.depths[0].value, origin)
@@ -348,7 +348,7 @@ class Search:
         return best
 
     def climb(self, model: BeadModel, start: State, fraction: float) -> Evaluated:
-        """Return the end of one search, which counts as a `fraction` of the progress."""
+        """Return the end of one search, which adds `fraction` to the progress."""
         before = self._done
 
         def report(step: int, chi2: float) -> None:
@@ -363,14 +363,14 @@ class Search:
 
 
 def start_of(stack: Stack, setup: Setup, depth: float, origin: float) -> Place:
-    """Return the start for a bead: centroid in the sharpest planes, and mean focus, weighted by sharpness.
+    """Return the initial place of a bead: the centroid in the sharpest planes, and the sharpest focus plus `origin`.
 
-    `origin` (m) is added to the focus.
+    The sharpest focus is the mean of z, weighted by sharpness; `origin` is in metres.
     """
     counted, _, valid = stack.planes
     images = np.where(valid, counted, np.nan)
     light = np.nan_to_num(images - np.nanmedian(images, axis=(1, 2), keepdims=True))
-    # Squares with the sign of the light: the mean contribution of noise is 0.
+    # Squares are multiplied by the sign of the light: the mean contribution of noise is 0.
     sharpness = (light * np.abs(light)).sum(axis=(1, 2))
     sharpness = np.clip(sharpness - np.median(sharpness), 0.0, None)
     total = float(sharpness.sum())
@@ -386,5 +386,5 @@ def start_of(stack: Stack, setup: Setup, depth: float, origin: float) -> Place:
 
 
 def brightest(setup: Setup, depth: float) -> float:
-    """Return the stage position (m) at which an emitter at a depth (m) is brightest, without aberrations."""
+    """Return the stage position (m), without aberrations, at which an emitter at a depth (m) is brightest."""
     return float(setup.pupil(None, depth).focus)

@@ -36,7 +36,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 _PLANES = 5  # minimum number of planes in a stack, and number of planes in a plot
-_VISIBLE = 10.0  # smallest signal of a visible bead, all planes together, in standard deviations
+_VISIBLE = 10.0  # smallest total flux of a visible bead in all planes, in standard deviations
 _MAX_IMAGE_ERROR = 2e-3  # largest error of the images in the search, relative to the peak
 _CAUSES = "pixel, noise, z or the objective are wrong, terms are missing, or beads overlap"
 _FIRST = 5  # Noll's index of the first term after defocus
@@ -51,22 +51,21 @@ class FittedBead:
     row, column : float
         Position of the bead in the window, pixels, like `center` of :func:`lommel.psf`.
     z : float
-        Position of the stage, metres, at which the bead is in the brightest focus without aberrations, the origin of
-        :meth:`lommel.Objective.pupil`.
+        Position of the stage, metres, at which the bead would be in the brightest focus without aberrations.
     depth : float
         Depth of the bead's centre below the cover glass, metres.
     errors : dict of str to float
         Standard errors of "row", "column", "z", the means of "flux" and "background" over planes and, if estimated,
         of "depth", "drift_row", "drift_column".
     drift : (float, float)
-        Displacement along rows and columns from the middle to the end of the stack, pixels.
+        Displacement in rows and in columns from the middle to the end of the stack, pixels.
     flux, background : ndarray, shape (planes,)
         Electrons of the bead, and background in electrons per pixel, in each plane.
     flux_errors, background_errors : ndarray, shape (planes,)
         Standard errors of `flux` and `background`; NaN for a bead that was not used.
     moved : dict of int to (float, float)
-        Planes that are displaced relative to the other planes, and the displacement along rows and columns, pixels.
-        The score test of such a plane exceeds five standard deviations, and four times the value of most planes.
+        Index and displacement (rows, columns; pixels) of each plane that is displaced relative to the other planes:
+        its score test exceeds five standard deviations, and four times the median over the planes.
     chi2 : float
         Pearson's chi2 per degree of freedom.
     used : bool
@@ -112,18 +111,18 @@ class BeadFit(FitReport):
     Attributes
     ----------
     aberrations : Wavefront
-        Estimated and fixed terms; an argument `aberrations` of :meth:`lommel.Objective.pupil`.
+        Estimated and fixed terms, as `aberrations` of :meth:`lommel.Objective.pupil`.
     objective : Objective
         The objective, with the estimated constants.
     wavelength, pixel, diameter : float
-        Wavelength, estimated pixel on the camera and estimated diameter of the beads, metres.
+        Wavelength, estimated pixel pitch of the camera and estimated diameter of the beads, metres.
     emitter : Dipole, Beam or Scalar
     coefficients : dict
         Parameters common to all beads: Zernike terms (n, m) in radians rms, and constants by name.
     errors : dict
-        Standard errors of `coefficients`, by the same keys.
+        Standard errors of `coefficients`, with the same keys.
     covariance : ndarray, shape (k, k)
-        Covariance of `coefficients`, in their order.
+        Covariance of `coefficients`, in the same order.
     beads : tuple of FittedBead
     tests : tuple of lommel.fit.ScoreTest
         Score tests of effects that the model may lack, the most likely first: Zernike terms of the next two radial
@@ -143,8 +142,9 @@ class BeadFit(FitReport):
         The verdict that follows from `findings`; see :class:`lommel.fit.FitReport`.
     model_error : float
         Largest difference between images of the search and images with a proven error bound, at the estimate,
-        relative to the peak; inf if the aberrations are too strong to compute the latter.
+        relative to the peak; inf if the aberrations are too strong for images with a proven error bound.
     steps : int
+        Number of steps of the search.
     """
 
     aberrations: Wavefront = field(repr=False)
@@ -166,7 +166,7 @@ class BeadFit(FitReport):
     _images: BeadImages = field(repr=False)
 
     def pupil(self, *, depth: ArrayLike, z: ArrayLike = 0.0) -> ObjectivePupil:
-        """Return the fitted pupil with an emitter at a depth and the stage at z, metres, for :func:`lommel.psf`.
+        """Return the fitted pupil for :func:`lommel.psf`, with an emitter at a depth and the stage at z (metres).
 
         Parameters
         ----------
@@ -195,7 +195,7 @@ class BeadFit(FitReport):
         z : array_like, shape (planes,)
             Positions of the stage from the brightest focus, metres.
         shape : int or (int, int), default 31
-            Shape of the window, in fitted pixels.
+            Rows and columns of the window, in pixels of the estimated pitch.
 
         Returns
         -------
@@ -211,8 +211,8 @@ class BeadFit(FitReport):
         Notes
         -----
         The result is the square root of ``diag(J C J^T)``, where C is the covariance and J the Jacobian of the PSF.
-        Derivatives with respect to Zernike terms are analytic. Those with respect to constants are central
-        differences at fixed z, measured from the brightest focus, which depends on the constants.
+        Derivatives with respect to Zernike terms are analytic. Derivatives with respect to constants are central
+        differences at fixed z. The origin of z is the brightest focus, which depends on the constants.
         """
         height, width = validation.image_shape(shape)
         deep = length("depth", depth, DEPTH_MOST)
@@ -226,12 +226,12 @@ class BeadFit(FitReport):
         jacobian = [*images.slopes(setup, waves, _focused(setup, deep), stack)[: len(images.solved)]]
         for name in [*self.coefficients][len(images.solved) :]:
             if name in ("diameter", "blur", "step"):
-                # The PSF is that of a point at exact z: it does not depend on these constants.
+                # The PSF is the image of a point at exact z: it does not depend on these constants.
                 jacobian.append(np.zeros((at.size, height, width)))
             else:
-                ends = setup.beside(name)
-                beside = (setup.having(name, value) for value in ends)
-                low, high = (images.values(one, waves, _focused(one, deep), stack) for one in beside)
+                ends = setup.adjacent_values(name)
+                setups = (setup.having(name, value) for value in ends)
+                low, high = (images.values(one, waves, _focused(one, deep), stack) for one in setups)
                 jacobian.append((high - low) / (ends[1] - ends[0]))
         rows = np.asarray(jacobian, dtype=np.float64)
         # First-order error propagation: the diagonal of J C J^T.
@@ -244,6 +244,7 @@ class BeadFit(FitReport):
         Parameters
         ----------
         bead : int, default 0
+            Index of the bead.
         unit : {"waves", "radians"}
             Unit of the coefficients (rms).
 
@@ -254,7 +255,7 @@ class BeadFit(FitReport):
         Raises
         ------
         ValueError
-            If there is no such bead or unit.
+            If `bead` or `unit` is out of range.
         ImportError
             If matplotlib is not installed.
         """
@@ -296,20 +297,20 @@ class BeadKeywords(FitKeywords, total=False):
 
 @dataclass(frozen=True)
 class UnknownsOptions:
-    """Options for the parameters that are estimated in addition to the wavefront.
+    """Options that select the parameters to estimate in addition to the wavefront.
 
     Parameters
     ----------
     priors : mapping, optional
-        Constants to estimate, by name, with a prior standard error or (value, standard error); inf means no prior
+        Constants to estimate: name -> standard error of the prior, or (value, standard error); inf means no prior
         knowledge. Names are "sample" and "immersion" (refractive indices), "coverslip" (thickness), "NA", "pixel",
-        "diameter", "blur" (variance of a Gaussian, pixels squared), "step" (a factor of z), "depth" (one for each
-        bead). By default depth 20 nm, sample 0.003, coverslip 5 um, pixel 1 %, diameter 10 %, and NA 0.02 if a bead
-        is within a wavelength of the cover glass. An empty mapping fixes all constants.
+        "diameter", "blur" (variance of a Gaussian, pixels squared), "step" (factor of z), "depth" (separate for each
+        bead). The default is depth 20 nm, sample 0.003, coverslip 5 um, pixel 1 %, diameter 10 %, and NA 0.02 if a
+        bead is within a wavelength of the cover glass. An empty mapping fixes all constants.
     apodization : int, default 0
-        Number of radial terms of the pupil amplitude to estimate, 0 to 4: coefficients of the logarithm of the
-        amplitude, of degree 2, 4, ..., see :meth:`lommel.Apodization.zernike`. Their names are "apodization_2", ...,
-        also in `priors`.
+        Number of terms of the pupil amplitude to estimate, 0 to 4: radial Zernike terms of degree 2, 4, 6, 8 of the
+        logarithm of the amplitude, see :meth:`lommel.Apodization.zernike`. Their names, in `priors` and in the
+        result, are "apodization_2" to "apodization_8".
     drift : bool, default False
         Estimate a lateral drift of each bead, linear in time.
     """
@@ -321,14 +322,14 @@ class UnknownsOptions:
 
 @dataclass(frozen=True)
 class BeadOptions(FitOptions, UnknownsOptions):
-    """Options of :func:`fit_beads`: parameters to estimate, then options of every fit, two with other defaults.
+    """Options of :func:`fit_beads`: parameters to estimate, then options of all fits, with two other defaults.
 
     Parameters
     ----------
     integrate : bool, default True
         Pixel-integrated (True) or point-sampled (False) images.
     starts : int, default 5
-        Maximum number of starts, which differ in focus; the first that fits ends the search.
+        Maximum number of starts, which differ in focus; the search ends at the first start that leads to a good fit.
     """
 
     integrate: bool = True
@@ -356,8 +357,8 @@ def fit_beads(
     """Estimate the aberrations and constants of a microscope from stacks of fluorescent beads.
 
     The wavefront and the constants are common to all beads. They are estimated jointly with the position of each
-    bead, and with flux and background in each plane. Fixed constants and neglected effects are tested: `findings`
-    reports those that the data favour.
+    bead, and with flux and background in each plane. Other values of fixed constants, and neglected effects, are
+    tested: `findings` reports the effects that the data favour.
 
     Parameters
     ----------
@@ -365,9 +366,9 @@ def fit_beads(
         Recorded z stacks, each a window around one bead; linear in the light, with the gain and offset of `noise`.
         NaN, infinite and masked values are left out, and so are saturated pixels of integer images.
     objective : Objective
+        The objective with its nominal constants.
     z : array_like, shape (planes,)
-        Position of the stage in each plane, metres; positive towards the sample. It must increase or decrease from
-        plane to plane.
+        Position of the stage in each plane, metres, positive towards the sample; either increasing or decreasing.
     wavelength : float
         Emission wavelength in vacuum, metres.
     pixel : float
@@ -379,12 +380,12 @@ def fit_beads(
     depth : float or sequence, optional
         Depth of the centre of each bead below the cover glass, metres; by default the radius (beads on the glass).
     emitter : default "isotropic"
-        See :meth:`lommel.Objective.pupil`.
+        Emission of the dye, see :meth:`lommel.Objective.pupil`.
     terms : int or sequence, default 18
         Zernike terms to estimate: a number of terms from Noll's index 5 on, or a sequence of pairs (n, m) or names
         such as "noll 11". Piston, tilts and defocus are excluded: the positions of the beads replace them.
     aberrations : Wavefront, optional
-        Wavefront from which the search starts. Terms that are not estimated stay as given.
+        Initial wavefront of the search. Its terms that are not estimated are fixed.
     {options}
 
     Returns
@@ -394,22 +395,25 @@ def fit_beads(
     Raises
     ------
     TypeError, ValueError
-        If an argument is out of range, a stack has fewer than 5 planes or is constant, or no stack can determine the
-        parameters: Noll's 4, or immersion and cover glass together without a prior.
+        If an argument is out of range, a stack has fewer than 5 planes or is constant, or stacks cannot determine a
+        parameter (Noll's term 4; immersion and cover glass together without a prior).
 
     Notes
     -----
     Fisher scoring maximizes the likelihood of Poisson counts with read noise (Snyder et al. 1993,
-    doi:10.1364/JOSAA.10.001014) with priors. A bead is a sum of discs at two or more heights. Images of the search
-    use quadrature rules of fixed size; `model_error` compares them with images of proven error bound at the estimate.
+    doi:10.1364/JOSAA.10.001014) with priors. A bead is modelled by discs at two or more heights. Images of the search
+    use quadrature rules of fixed size; `model_error` is their largest difference from images with a proven error
+    bound, at the estimate.
 
     Score tests (Rao) estimate the size of each neglected effect by one step of Fisher scoring, with all estimated
-    parameters eliminated; they are ranked by Bayes factor. The most likely effect, if significant, is then estimated.
-    Effects that are favoured but not significant (Bayes factors above 1) are marginalized: `coefficients`, `errors`
-    and `aberrations` allow for them. Reported as "untested" are fixed constants that the beads do not determine, if
-    an error of the constant would change a term by more than a standard error; constants determined more by the prior
-    than by the beads; and the wavelength, whose errors are equivalent to errors of pixel and NA. Stripes, and offsets
-    of rows or columns, that noise causes in fewer than one of 1000 fits are reported as doubts ("pattern").
+    parameters eliminated; the effects are ranked by Bayes factor. If an effect is significant, a new fit estimates
+    it. Effects that are favoured but not significant (Bayes factors above 1) are marginalized: `coefficients`,
+    `errors` and `aberrations` allow for them. The finding "untested" lists fixed constants that the beads do not
+    determine, if an error of the constant would change a term by more than a standard error; constants determined
+    more by the prior than by the beads; and the wavelength, whose errors are equivalent to errors of pixel and NA.
+    The finding "pattern" is a doubt due to stripes, or offsets of rows or columns, that noise alone causes in fewer
+    than one of 1000 fits. The doubt "too_dim" is raised if the standard error of the wavefront exceeds 0.22 radians
+    rms.
 
     Examples
     --------
@@ -443,16 +447,16 @@ def fit_beads(
     places, planes = np.atleast_1d(validation.real_array("z", z)), len(recorded[0].values)
     if planes < _PLANES:
         raise ValueError(
-            f"stacks must have at least {_PLANES} planes above and below focus, got {planes}: fewer do not separate "
-            "aberrations from the position of the bead; pass all planes as one stack"
+            f"stacks must have at least {_PLANES} planes above and below focus, got {planes}: fewer planes do not "
+            "separate aberrations from the position of the bead; pass all planes as one stack"
         )
     if places.shape != (planes,):
         raise ValueError(f"z must have a position for each of {planes} planes, got shape {places.shape}")
-    apart = np.diff(places)
-    if not (np.all(apart > 0.0) or np.all(apart < 0.0)):
+    spacing = np.diff(places)
+    if not (np.all(spacing > 0.0) or np.all(spacing < 0.0)):
         raise ValueError("z must increase from plane to plane, or decrease: order planes by the stage")
-    if np.abs(apart).max() > 1e-4:
-        raise ValueError(f"z is in metres, got planes {np.abs(apart).max():g} m apart")
+    if np.abs(spacing).max() > 1e-4:
+        raise ValueError(f"z must be in metres, got planes {np.abs(spacing).max():g} m apart")
     validation.optional("aberrations", aberrations, Wavefront)
     pitch = validation.real("pixel", pixel, above=0.0, unit="metres")
     averaged, light = validation.truth("integrate", settings.integrate), validation.wavelength(wavelength)
@@ -462,7 +466,8 @@ def fit_beads(
     known |= {name: Prior(setup.value(name), math.inf) for name in list(AMPLITUDES)[:count_of] if name not in known}
     start = {term: float(c) for term, c in (aberrations or Wavefront()).edge_terms().items()}
     if start.get((2, 0)):
-        notes.append(Finding("stated", "note", "defocus (Noll 4) of aberrations is fixed: z of the beads adds to it"))
+        text = "defocus (Noll 4) of aberrations is fixed, in addition to the defocus due to z of the beads"
+        notes.append(Finding("stated", "note", text))
     images = BeadImages(solved, start, settings.threads or 0)
     waves = np.array([start.get(term, 0.0) for term in solved]) / images.factors
     made = tuple(Stack.of(each, noise, places) for each in recorded)
@@ -483,8 +488,8 @@ def _terms(terms: int | Sequence[tuple[int, int] | str]) -> tuple[Term, ...]:
         raise ValueError(f"terms must not name one thing twice, got {validation.shown(terms)}")
     if of_place := [term for term in ((2, 0), *SHIFTS.values()) if term in found]:
         raise ValueError(
-            f"terms must be without {label(of_place[0])}, which no stack separates from the position of the bead: z, "
-            "row and column are estimated instead"
+            f"terms must be without {label(of_place[0])}, which is equivalent to a shift of the bead: z, row and "
+            "column are estimated instead"
         )
     return found
 
@@ -495,7 +500,9 @@ def _depths(depth: Any, radius: float, count: int) -> list[float]:
         raise ValueError(f"depth must be a number, or one for each of {count} beads, got shape {given.shape}")
     found = [length("depth", float(one), DEPTH_MOST) for one in np.broadcast_to(given, (count,))]
     if (least := min(found)) < radius * (1.0 - 1e-9):
-        raise ValueError(f"depth is that of the centre of a bead, at least its radius {radius:g} m, got {least:g}")
+        raise ValueError(
+            f"depth must be the depth of a bead's centre, at least the radius {radius:g} m, got {least:g}"
+        )
     return found
 
 
@@ -504,7 +511,7 @@ def _priors(given: Any, setup: Setup, deep: Sequence[float]) -> tuple[Setup, dic
     known, notes = bead_checks.available_constants(setup), list[Finding]()
     blind = min(deep) > setup.wavelength and setup.objective.sample < setup.objective.NA
     if given is None:
-        given = {name: CONSTANTS[name].usual * setup.scale(name) for name in known if CONSTANTS[name].usual}
+        given = {name: CONSTANTS[name].prior * setup.scale(name) for name in known if CONSTANTS[name].prior}
         if blind:
             given.pop("NA")
     if not isinstance(given, Mapping):
@@ -513,7 +520,9 @@ def _priors(given: Any, setup: Setup, deep: Sequence[float]) -> tuple[Setup, dic
     for name, prior in given.items():
         validation.choice("priors", name, CONSTANTS)
         if name not in known:
-            raise ValueError(f"priors must be without {name!r}: objective or bead have none, or the medium is air")
+            raise ValueError(
+                f"priors must be without {name!r}: objective and bead have no such constant, or the medium is air"
+            )
         pair = prior if isinstance(prior, tuple | list) else (None, prior)
         if len(pair) != 2:
             raise ValueError(f"priors[{name!r}] must be a standard error or (value, standard error), got {prior!r}")
@@ -524,11 +533,11 @@ def _priors(given: Any, setup: Setup, deep: Sequence[float]) -> tuple[Setup, dic
         elif stated is None:
             of_depth = error
         else:
-            raise ValueError("priors['depth'] must be a standard error alone: values are those of depth")
+            raise ValueError("priors['depth'] must be a standard error alone: the values are the argument depth")
     if all(name in found and math.isinf(found[name].error) for name in ("immersion", "coverslip")):
         raise ValueError(
-            "priors must have a finite error for immersion or coverslip, because images depend on their sum only: "
-            "give a standard error such as 5e-6 metres for the cover glass"
+            "priors must have a finite error for immersion or coverslip, because images depend only on a combination "
+            "of both: give a standard error such as 5e-6 metres for the cover glass"
         )
     if "NA" in found and blind:
         if math.isinf(found["NA"].error):
@@ -578,12 +587,14 @@ def _build_bead_fit(search: Search, recorded: list[Counts], noise: Noise, stated
             planes = sum(len(s.z) for s in joint.stacks)
             findings += bead_checks.moved_findings([one.moved for one in beads if one.used], planes)
     if not found.settled:
-        findings.append(Finding("not_settled", "error", f"more than {search.most} steps may be needed"))
+        text = f"the steps have not settled: more than {search.most} steps may be needed"
+        findings.append(Finding("not_settled", "error", text))
     findings += of_others
     findings += _error_findings(inverse[: len(state.waves), : len(state.waves)], error)
     if not all(used):
         left = ", ".join(map(str, np.flatnonzero(np.logical_not(used))))
-        findings.append(Finding("left_out", "note", f"left out because inconsistent with the others: bead {left}"))
+        text = f"left out, because inconsistent with the other beads: bead {left}"
+        findings.append(Finding("left_out", "note", text))
     findings += [*stated, *recording_findings(recorded, noise, "bead")]
     summary = f"chi2 {chi2:.4g} per degree of freedom, {search.steps} steps"
     if math.isfinite(held_out):
@@ -610,7 +621,7 @@ def _build_bead_fit(search: Search, recorded: list[Counts], noise: Noise, stated
 
 
 def _add_shift(state: State, joint: BeadModel, shift: Array) -> State:
-    """Return a state with `shift` added to the common parameters; impossible values of constants are not changed."""
+    """Return a state with `shift` added to the common parameters, except to constants that would be impossible."""
     count, setup = len(state.waves), state.setup
     for name, step in zip(joint.priors, shift[count:].tolist(), strict=True):
         if bead_checks.possible(setup, name, value := setup.value(name) + step):
@@ -625,8 +636,8 @@ def _error_findings(covariance: Array, error: float) -> list[Finding]:
     if unsure > LINEAR:
         text = (
             f"too little light for so many unknowns: the standard error of the wavefront is {unsure:.2g} radians "
-            f"rms, above {LINEAR} images are not linear in it, and other wavefronts may fit as well; use brighter or "
-            "more beads, or fewer terms"
+            f"rms. Above {LINEAR}, images are not linear, and other wavefronts may fit as well; use brighter or more "
+            "beads, or fewer terms"
         )
         found.append(Finding("too_dim", "doubt", text, {"rms": unsure, "limit": LINEAR}))
     if error >= _MAX_IMAGE_ERROR:
@@ -647,7 +658,7 @@ def _inverse(square: Array) -> Array:
 def _beads(
     model: BeadModel, fit: Evaluated, inverse: Array, used: list[bool], recorded: list[Counts], noise: Noise
 ) -> tuple[FittedBead, ...]:
-    """Return the estimates of all beads; those left out of the fit are fitted with all common parameters fixed."""
+    """Return the estimates of all beads; beads left out of the joint fit are fitted with fixed common parameters."""
     found, k, setup = [], len(model.names), fit.state.setup
     names = ["z" if name == "focus" else name for name in model.own]
     for j, stack in enumerate(model.stacks):
@@ -663,9 +674,9 @@ def _beads(
             errors = dict(zip(names, np.sqrt(np.diag(whole)[k:]).tolist(), strict=True))
             # Convert to metres of the stage: the focus moves by `step` metres per metre of the stage.
             errors["z"] /= setup.step
-            # Covariance of flux and background: from their own noise, and from uncertain parameters.
+            # Covariance of flux and background: due to noise, and due to errors of the parameters.
             scatter = np.diagonal(part.scatter + carried.swapaxes(1, 2) @ whole @ carried, axis1=1, axis2=2)
-            common = carried.mean(axis=0)  # errors of parameters are the same in all planes, and do not average out
+            common = carried.mean(axis=0)  # errors of parameters are common to all planes, and do not average out
             mean = np.diag(part.scatter.mean(axis=0)) / len(scatter) + np.diag(common.T @ whole @ common)
             errors |= dict(zip(("flux", "background"), (noise.excess * np.sqrt(mean)).tolist(), strict=True))
         mean, row = expected(light, image), part.slope.shape[1] - len(model.own)

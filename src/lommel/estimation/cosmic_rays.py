@@ -1,8 +1,8 @@
 """Detection of cosmic rays and hot pixels in images of stars: features that are sharper than any image of a star.
 
-No model of the star is needed. A pixel is part of a track if it exceeds its neighbours by more than the brightest
-pixel of an unaberrated star does, as in Laplacian detection (van Dokkum 2001, doi:10.1086/323894). Tracks are lines,
-so that most neighbours of their pixels are dark: a pixel is compared with the median of its neighbours.
+No model of the star is required. A pixel is part of a track if its ratio to its neighbours exceeds the largest ratio
+in the image of an unaberrated star; a similar method is Laplacian detection (van Dokkum 2001, doi:10.1086/323894).
+Tracks are lines: most neighbours of their pixels are dark. A pixel is compared with the median of its neighbours.
 """
 
 from __future__ import annotations
@@ -21,13 +21,14 @@ from lommel.psf import psf
 
 Mask: TypeAlias = NDArray[np.bool_]
 
-# Threshold in standard deviations for a pixel of a track, and for a pixel adjacent to one that is already found.
+# Threshold in standard deviations for a pixel of a track, and for a pixel next to a detected track.
 _SIGMA, _SIGMA_ADJACENT = 6.0, 3.0
-# Threshold of the ratio of a pixel to its neighbours, divided by that of an unaberrated star; half next to a track.
+# Threshold of the ratio of a pixel to its neighbours, divided by the largest ratio of an unaberrated star. Next to a
+# detected track the threshold is half as large.
 _RATIO_FACTOR = 2.0
 _MIN_RATIO = 8.0  # smallest threshold of the ratio: with pixels far below lambda*N images have narrow dark lines
-# Assumed standard deviation of the median of the neighbours, divided by that of a pixel. For equal pixels it is
-# about twice as large; the smaller value is sufficient because faint points are rare.
+# Assumed standard deviation of the median of the neighbours, divided by the standard deviation of a pixel. For
+# neighbours of equal brightness it is about twice as large; the smaller value suffices because faint hits are rare.
 _NEIGHBOUR_SIGMA = 0.25
 # Star for which the ratio is computed: side of the window in pixels, number of positions of the axis within a pixel
 # along each side, and smallest brightness of pixels that are used, divided by the peak.
@@ -35,7 +36,7 @@ _SPAN, _SHIFTS, _BRIGHT = 7, 4, 0.05
 _DARK_QUANTILE = 0.02  # fraction of pixels of a window that is assumed to contain sky only
 _MAX_PASSES = 8  # maximum number of passes; tracks grow by a pixel in each pass
 _MAX_FRACTION = 0.06  # largest fraction of pixels of a window that cosmic rays are assumed to hit
-# The eight neighbours of a pixel, and its four edge neighbours, both with the pixel itself.
+# Masks of a pixel with its eight neighbours, and of a pixel with its four edge neighbours.
 _EIGHT, _FOUR = (ndimage.generate_binary_structure(2, n)[None] for n in (2, 1))
 _OFFSETS = [offset for offset in product(range(3), range(3)) if offset != (1, 1)]
 
@@ -61,8 +62,8 @@ def sharpness(pupil: Pupil, pixel: float, *, integrate: bool) -> float:
 def struck(electrons: Array, variance: Array, valid: Mask, sharpest: float) -> Mask:
     """Return a mask of pixels of images (..., height, width) in tracks of cosmic rays and at their edges.
 
-    `variance` is the read variance (electrons^2), `sharpest` a result of :func:`sharpness`. If a window has more such
-    pixels than cosmic rays would hit, the star itself is sharp, and no pixel of the window is returned.
+    `variance` is the read variance (electrons^2), `sharpest` a result of :func:`sharpness`. If tracks contain more
+    pixels of a window than cosmic rays would hit, the star itself is sharp, and the mask of the window is empty.
     """
     height, width = electrons.shape[-2:]
     known = valid.reshape(-1, height, width)
@@ -71,7 +72,7 @@ def struck(electrons: Array, variance: Array, valid: Mask, sharpest: float) -> M
     # The sky is estimated from the darkest pixels, because the star may fill most of a window.
     dark = np.nanquantile(light, _DARK_QUANTILE, axis=(1, 2), method="lower", keepdims=True)
     noise = np.maximum(dark, 0.0) + read.mean(axis=(1, 2), keepdims=True)
-    # This quantile of the pixels is below the sky by the corresponding quantile of normal noise.
+    # The quantile `dark` of the pixels differs from the sky by the same quantile of normal noise, which is negative.
     sky = dark - norm.ppf(_DARK_QUANTILE) * np.sqrt(noise)
     excess, noise = light - sky, read + np.maximum(sky, 0.0)
     tracks, ratio = np.zeros(known.shape, dtype=bool), max(_RATIO_FACTOR * sharpest, _MIN_RATIO)

@@ -559,7 +559,7 @@ def fit_field(
     u, v = chip.relative(x, y)
     pixel_size = np.array([2.0 / columns, 2.0 / rows])
     search = Search(stars, np.stack([u, v], axis=1), pixel_size, highest_degree(max_degree, count), draw, report)
-    outcome = _run(search, started=start is not None)
+    outcome = _run(search, start is not None)
     grid = ideal, settings.pose, distortion_degree
     known_blurs = blur_model if isinstance(blur_model, tuple) else ()
     return _build_field_fit(search, outcome, given, start, chip, at, counts, (noise, illumination), grid, known_blurs)
@@ -580,7 +580,7 @@ def _shape(
     return known
 
 
-def _run(search: Search, *, started: bool) -> Outcome:
+def _run(search: Search, started: bool) -> Outcome:
     """Repeat a search until it converges, at most `_MAX_SEARCHES` times; return the best outcome."""
     places, best = search.places, None
     for attempt in range(_MAX_SEARCHES):

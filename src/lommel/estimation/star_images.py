@@ -23,8 +23,7 @@ from lommel.fit.scoring import RowModel, Scores, covariance, flux_background, re
 from lommel.methods.derivative_names import POWERS, SHIFTS, Name, Term, parts
 from lommel.methods.derivative_names import checked as checked_names
 from lommel.methods.derivatives import Slope, translated
-from lommel.methods.question import Prepared
-from lommel.methods.question import output_type
+from lommel.methods.question import Prepared, output_type
 from lommel.methods.question import prepare as prepare_question
 from lommel.optics.pupil import Pupil, checked
 from lommel.optics.wavefront.wavefront import Wavefront, symmetric_terms

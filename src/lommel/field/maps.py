@@ -32,7 +32,7 @@ _INVERSE_ERROR = 1e-10  # error of inverted positions, relative to the largest d
 
 
 def spectrum_of(wavelength: Spectrum | None) -> tuple[tuple[float | None, float], ...]:
-    """Return (wavelength, weight) pairs, weights normalized to sum 1; None as wavelength means that of the map."""
+    """Return (wavelength, weight) pairs with weights that sum to 1; the wavelength None is that of the map."""
     if wavelength is None:
         return ((None, 1.0),)
     if not isinstance(wavelength, Sequence | np.ndarray):
@@ -40,7 +40,7 @@ def spectrum_of(wavelength: Spectrum | None) -> tuple[tuple[float | None, float]
     values = validation.real_array("wavelength", wavelength, least=0.0)
     if values.ndim != 2 or values.shape[1] != 2 or not values[:, 1].sum() > 0.0:
         raise ValueError(
-            f"wavelength must be a number, or pairs of wavelength and weight, got {validation.shown(wavelength)}"
+            f"wavelength must be a number, or pairs (wavelength, weight), got {validation.shown(wavelength)}"
         )
     total = values[:, 1].sum()
     return tuple((validation.wavelength(float(w)), float(weight / total)) for w, weight in values)
@@ -49,8 +49,8 @@ def spectrum_of(wavelength: Spectrum | None) -> tuple[tuple[float | None, float]
 def shift_of(pupil: Pupil, spectrum: Sequence[tuple[float | None, float]]) -> tuple[Array, Array]:
     """Return the image shift along x and y due to the tilt of a pupil, averaged over a spectrum.
 
-    A phase c rho cos(theta), c radians at the pupil edge, shifts the image by c lambda N / pi. The shift does not
-    depend on the wavelength if the path difference of the tilt does not.
+    A phase c rho cos(theta), c radians at the pupil edge, shifts the image by c lambda N / pi. If the path difference
+    of the tilt does not depend on the wavelength, neither does the shift.
     """
     shift = np.zeros((2, *pupil.shape))
     for wavelength, weight in spectrum:
@@ -73,10 +73,10 @@ def inverse(
     contains: Callable[[Array, Array], NDArray[np.bool_]],
     middle: tuple[float, float],
 ) -> tuple[Array, Array, NDArray[np.bool_]]:
-    """Invert a displacement: return the positions that it moves to (x, y), and a mask of convergence.
+    """Invert a displacement by Broyden's method: return the undisplaced positions of (x, y), and a convergence mask.
 
-    The method is Broyden's. The displacement is defined on a convex set that contains `middle`; iterates outside the
-    set are moved to its edge.
+    The displacement is defined on a convex set that contains `middle`; `contains` is a mask of positions in the set.
+    Iterates outside the set are moved to its edge.
     """
     size = max(float(np.hypot(x - middle[0], y - middle[1]).max(initial=0.0)), np.finfo(float).tiny)
     # Initial guess: no displacement.
@@ -176,7 +176,7 @@ class Vignetting:
         return replace(pupil, vignetting=self.at(x, y))
 
     def at(self, x: float, y: float) -> CatEye | None:
-        """Return the vignetting at (`x`, `y`), None where there is none; ValueError beyond the last height."""
+        """Return the vignetting at (`x`, `y`), None for an unvignetted pupil; ValueError beyond the last height."""
         r = _require_height(math.hypot(x, y), self.height[-1])
         offset, size = (float(np.interp(r, self.height, values)) for values in (self.shift, self.radius))
         if abs(offset) + 1.0 <= size:  # the second circle contains the whole aperture
@@ -192,17 +192,17 @@ _MIN_ELLIPTICITY = 1e-5  # pupils with a smaller ellipticity are treated as circ
 class Foreshortening:
     """Elliptical pupils off the axis, due to foreshortening of the aperture.
 
-    An alternative to :class:`Vignetting`. The ellipse is centred on the pupil axis. The tangential semi-axis has the
-    direction from the optical axis to the position on the sensor; the sagittal one is perpendicular to it. Semi-axes
-    are interpolated linearly in the squared height.
+    An alternative to :class:`Vignetting`. The ellipse is centred on the pupil axis. The tangential semi-axis `along`
+    has the direction from the optical axis to the position on the sensor; the sagittal semi-axis `across` is
+    perpendicular to this direction. Semi-axes are interpolated linearly in the squared height.
 
     Parameters
     ----------
     height : array_like, shape (n,)
         Distances from the axis on the sensor, increasing from 0, at least two.
     along, across : array_like, shape (n,)
-        Semi-axes, in radii of the aperture: above 0, at most 1. For a distant stop in front of a thin lens they are
-        about ``cos(theta)**3`` and ``cos(theta)``, theta the field angle.
+        Semi-axes, in radii of the aperture: at least 0.001, at most 1. For a distant stop in front of a thin lens and
+        the field angle theta, they are about ``cos(theta)**3`` and ``cos(theta)``.
 
     Raises
     ------
@@ -233,7 +233,7 @@ class Foreshortening:
     def at(self, x: float, y: float) -> Ellipse | None:
         """Return the elliptical pupil at (`x`, `y`), None if circular; ValueError beyond the last height."""
         r = _require_height(math.hypot(x, y), self.height[-1])
-        # Interpolation is linear in r^2, because a symmetric field is an even function of height.
+        # Interpolation is linear in r^2, because the semi-axes of a symmetric lens are even functions of height.
         squares = np.square(self.height)
         a, b = (float(np.interp(r * r, squares, part)) for part in (self.along, self.across))
         return None if min(a, b) > 1.0 - _MIN_ELLIPTICITY else Ellipse(a, b, math.atan2(y, x))
@@ -245,7 +245,7 @@ class Foreshortening:
 
 
 def foreshortened(pupil: Pupil, ellipse: Ellipse) -> Pupil:
-    """Return a circular or annular pupil, and its obscuration, foreshortened to an ellipse."""
+    """Return a circular or annular pupil foreshortened to an ellipse, and its obscuration by the same factors."""
     eps = pupil.obscuration
     if eps == 0.0:
         return replace(pupil, vignetting=ellipse)
@@ -262,8 +262,8 @@ class Shading:
     height : array_like, shape (n,)
         Distances from the axis on the sensor, increasing from 0, at least two.
     light : array_like, shape (n,)
-        Illumination relative to the axis, above 0; the first is 1. Measure it with the lens stopped down, so that
-        there is no vignetting. Values are interpolated linearly between heights.
+        Illumination relative to the axis, above 0; the first value is 1. Measure it with the lens stopped down,
+        without vignetting. Values are interpolated linearly between heights.
 
     Raises
     ------
@@ -329,7 +329,7 @@ def _require_height(r: float, most: float) -> float:
 
 
 def positions(x: ArrayLike, y: ArrayLike) -> tuple[Array, Array]:
-    """Return positions on the sensor as arrays of one shape."""
+    """Return positions on the sensor as arrays, broadcast to the same shape."""
     across, down = validation.broadcast("x and y", validation.real_array("x", x), validation.real_array("y", y))
     return across, down
 
@@ -345,13 +345,13 @@ class ApertureKeywords(TypedDict, total=False):
 
 @dataclass(frozen=True)
 class ApertureOptions:
-    """Options that state the aperture.
+    """Options that define the aperture.
 
     Parameters
     ----------
     aperture : Pupil, optional
         Pupil without wavefront error, such as ``lens.pupil(2.0).unaberrated()``. Its obscuration, spider, vignetting,
-        mask, stop, apodization and scale apply to the whole field; its geometry is used on the axis only.
+        mask, stop, apodization and scale apply to the whole field; its `geometry` is ignored.
     wavelength, f_number, obscuration : float, optional
         See :class:`lommel.Pupil`; required only if `aperture` does not define them.
     """
@@ -363,7 +363,7 @@ class ApertureOptions:
 
 
 def bare_pupil(constructor: Callable[..., FieldMap], keywords: ApertureKeywords) -> Pupil:
-    """Return the pupil without wavefront that the `keywords` of a constructor define; TypeError or ValueError."""
+    """Return the pupil without wavefront that a constructor's `keywords` define; raise TypeError or ValueError."""
     options.require_known(constructor, keywords, ApertureKeywords)
     numeric: Json = {name: v for name, v in keywords.items() if name != "aperture" and v is not None}
     if (aperture := keywords.get("aperture")) is None:
@@ -383,9 +383,9 @@ def bare_pupil(constructor: Callable[..., FieldMap], keywords: ApertureKeywords)
 class FieldMap:
     """Wavefronts over the sensor, interpolated between known positions, without extrapolation.
 
-    Constructors are :meth:`on_grid`, :meth:`scattered`, :meth:`radial` and :meth:`from_seidel`. All have the same
-    options for the aperture. They raise TypeError or ValueError if numbers are out of range, positions are repeated
-    or of the wrong shape, or the number of wavefronts differs from the number of positions. Positions (x, y) are
+    Constructors are :meth:`on_grid`, :meth:`scattered`, :meth:`radial` and :meth:`from_seidel`. All constructors have
+    the same options for the aperture, and raise TypeError or ValueError if numbers are out of range, positions repeat
+    or have a wrong shape, or the number of wavefronts differs from the number of positions. Positions (x, y) are
     measured from the optical axis, x along columns to the right and y along rows downwards, in metres if the map has
     a wavelength, else in units of lambda*N. The interpolated quantities are Zernike coefficients.
 
@@ -398,7 +398,7 @@ class FieldMap:
     vignetting : Vignetting, Foreshortening or None
         Change of the aperture off the axis; see :meth:`seen_through`.
     shading : Shading or None
-        Further loss of light off the axis, which changes no PSF.
+        Loss of light off the axis in addition to vignetting; it does not change PSFs.
 
     Notes
     -----
@@ -430,8 +430,8 @@ class FieldMap:
         Parameters
         ----------
         x, y : array_like, shapes (columns,) and (rows,)
-            Positions, increasing, at least two along each axis. With two or three positions along an axis the spline
-            is linear or quadratic there.
+            Positions, increasing, at least two along each axis. Splines are linear along an axis with two positions,
+            quadratic along an axis with three.
         wavefront : Wavefront of shape (rows, columns)
             Wavefront at each position.
         {options}
@@ -445,8 +445,8 @@ class FieldMap:
     ) -> FieldMap:
         """Build a map from wavefronts at scattered positions, by cubic radial basis functions and a polynomial.
 
-        The polynomial is quadratic if the positions determine all six of its coefficients, otherwise linear. The
-        quadratic one reproduces third-order field curvature, astigmatism and coma exactly. The map ends at the convex
+        The polynomial is quadratic if the positions determine its six coefficients, otherwise linear. A quadratic
+        polynomial reproduces third-order field curvature, astigmatism and coma exactly. The map ends at the convex
         hull of the positions.
 
         Parameters
@@ -467,7 +467,7 @@ class FieldMap:
         """Build a map of a rotationally symmetric lens from wavefronts along one direction of the field.
 
         Coefficients are cubic splines of the field height: even functions for even azimuthal order m and odd
-        functions for odd m, as symmetry requires. At other azimuths the wavefront is rotated exactly. Three heights
+        functions for odd m, as symmetry requires. Wavefronts at other azimuths are exact rotations. Three heights
         suffice to reproduce third-order aberrations exactly.
 
         Parameters
@@ -519,7 +519,7 @@ class FieldMap:
 
     @property
     def seidel(self) -> dict[str, float]:
-        """Seidel coefficients (waves) at :attr:`reach`; empty for a map not from :meth:`from_seidel`."""
+        """Seidel coefficients (waves) at :attr:`reach`; empty unless the map was made by :meth:`from_seidel`."""
         return dict(self._wavefronts.waves) if isinstance(self._wavefronts, Seidel) else {}
 
     @property
@@ -544,17 +544,17 @@ class FieldMap:
         Parameters
         ----------
         x, y : array_like
-            Positions, in :attr:`unit`; they broadcast.
+            Positions, in :attr:`unit`, of broadcastable shapes.
 
         Returns
         -------
         Pupil
-            Stack with the shape of the positions.
+            Stack with the broadcast shape of the positions.
 
         Raises
         ------
         TypeError, ValueError
-            If a position is not finite or lies outside the map; the message has the position and the limits.
+            If a position is not finite or lies outside the map; or for several positions of a map with vignetting.
         """
         across, down = positions(x, y)
         if across.size == 0:
@@ -579,10 +579,10 @@ class FieldMap:
         Parameters
         ----------
         x, y : array_like
-            Positions without distortion, in :attr:`unit`; they broadcast.
+            Positions without distortion, in :attr:`unit`, of broadcastable shapes.
         wavelength : float or sequence of (float, float), optional
             Wavelength (metres), or pairs of wavelength and weight for a weighted mean displacement; by default the
-            wavelength of the map. Lateral colour is that of the lens from which `aperture` was derived
+            wavelength of the map. Lateral colour is defined by the lens from which `aperture` was derived
             (:class:`lommel.Colour`).
 
         Returns
@@ -613,21 +613,21 @@ class FieldMap:
         Parameters
         ----------
         x, y : array_like
-            Positions on the sensor, in :attr:`unit`; they broadcast.
+            Positions on the sensor, in :attr:`unit`, of broadcastable shapes.
         wavelength : float or sequence of (float, float), optional
             See :meth:`displacement`.
 
         Returns
         -------
         x, y : ndarray
-            Undistorted positions. Displaced, they agree with (x, y) within 1e-9 times the largest distance of (x, y)
-            from the middle of the map.
+            Undistorted positions. With the displacement added they agree with (x, y) within 1e-9 times the largest
+            distance of (x, y) from the middle of the map.
 
         Raises
         ------
         TypeError, ValueError
-            See :meth:`displacement`; also if an undistorted position lies outside the map, or is not unique because
-            of strong distortion.
+            See :meth:`displacement`. Also if an undistorted position lies outside the map, or if the iteration does
+            not converge because of strong distortion.
 
         Examples
         --------
@@ -679,7 +679,7 @@ class FieldMap:
     def seen_through(
         self, vignetting: Vignetting | Foreshortening | None = None, shading: Shading | None = None
     ) -> FieldMap:
-        """Return the map with vignetting, or elliptical pupils, and with shading off the axis.
+        """Return the map with other vignetting (or elliptical pupils) and shading off the axis.
 
         Parameters
         ----------
@@ -723,7 +723,7 @@ class FieldMap:
         Returns
         -------
         float or ndarray
-            Pupil transmission relative to that on the axis, times the shading.
+            Pupil transmission divided by the transmission on the axis, times the shading.
 
         Raises
         ------
@@ -740,12 +740,12 @@ class FieldMap:
         return numbers(light, across.shape)
 
     def working_f_number(self, x: ArrayLike, y: ArrayLike) -> Numbers:
-        """Return the working f-number at positions (`x`, `y`): ``N / sqrt(illumination)``, N that of the map.
+        """Return the working f-number at positions (`x`, `y`): ``N / sqrt(illumination)``, N: f-number of the map.
 
-        Raises the errors of :meth:`illumination`, and ValueError for a map without an f-number.
+        Raise the errors of :meth:`illumination`, and ValueError for a map without an f-number.
         """
         if (f_number := self.pupil_without_wavefront.f_number) is None:
-            raise ValueError("f_number must be known for a working f-number, but this map has none")
+            raise ValueError("f_number must be known for a working f-number: make the map with an f_number")
         return f_number / np.sqrt(self.illumination(x, y))
 
     def psf(
@@ -763,7 +763,7 @@ class FieldMap:
         Parameters
         ----------
         x, y : array_like
-            Positions, in :attr:`unit`; they broadcast. Each window is centred on its position.
+            Positions, in :attr:`unit`, of broadcastable shapes. Each window is centred on its position.
         shape, pixel, method, options
             See :func:`lommel.psf`.
 
@@ -796,7 +796,7 @@ class FieldMap:
         lens: Lens | None = None,
         **options: Any,
     ) -> PSFGrid:
-        """Compute PSFs at the centres of rows x columns equal cells, for several distances or channels if given.
+        """Compute PSFs at the centres of rows x columns equal cells, optionally for several distances and channels.
 
         Parameters
         ----------
@@ -809,7 +809,8 @@ class FieldMap:
         illuminated : bool, default False
             Multiply the values of each PSF by the :meth:`illumination` at its position.
         channels : Channels or sequence of float, optional
-            See :func:`lommel.colour_psf`; lateral and axial colour are those of the lens that `aperture` belongs to.
+            See :func:`lommel.colour_psf`. Lateral and axial colour are defined by the lens from which `aperture` was
+            derived.
         depths : array_like, shape (k,), optional
             Distances of the object from the lens, metres; may be infinite.
         lens : Lens, optional
@@ -823,10 +824,10 @@ class FieldMap:
         """
         if (depths is None) != (lens is None):
             missing = "lens" if lens is None else "depths"
-            raise ValueError(f"{missing} is missing: depths and lens go together, the lens defines the defocus")
+            raise ValueError(f"{missing} is missing: pass depths and lens together, because the lens defines defocus")
         counts = [validation.integer(n, v, least=1, most=1000) for n, v in (("rows", rows), ("columns", columns))]
         height_width = sides(sensor, self.unit)
-        # The positions are exactly symmetric: of an odd number of cells, the central cell lies exactly on the axis.
+        # The positions are exactly symmetric: for an odd number of cells, the centre of one lies exactly on the axis.
         y, x = (np.asarray(s / n * (np.arange(n) - 0.5 * (n - 1))) for s, n in zip(height_width, counts, strict=True))
         weighted = validation.truth("illuminated", illuminated)
         named = [name for name, value in (("channels", channels), ("depths", depths)) if value is not None]
@@ -856,8 +857,8 @@ def require_one_aperture(field_map: FieldMap) -> None:
     """Raise ValueError if the aperture changes over the field, which field-dependent blurs do not support."""
     if isinstance(field_map.vignetting, Foreshortening):
         raise ValueError(
-            "field_map must have the same pupil over the field, for blurs that vary over the field do not support "
-            "elliptical ones: make the map with circular=True, at some loss of accuracy off the axis"
+            "field_map must have the same pupil over the field, because field-dependent blurs do not support "
+            "elliptical pupils: make the map with circular=True, which is less accurate off the axis"
         )
     if field_map.vignetting is not None:
         raise ValueError(
@@ -907,7 +908,7 @@ MAX_SCATTERED = 4000
 """Maximum number of scattered positions: the interpolation solves a dense linear system of this size."""
 
 _ROUNDING = 1e-9  # a position outside the map by less than this fraction of the map's size counts as inside
-_AXIS = 1e-6  # smaller coefficients (radians) of terms with m != 0 on the axis are taken for rounding errors
+_AXIS = 1e-6  # on the axis, smaller coefficients (radians) of terms with m != 0 are treated as rounding errors
 
 
 class WavefrontsOnSensor(ABC):
@@ -949,7 +950,7 @@ class OnGrid(WavefrontsOnSensor):
         self.middle = float(self.x[[0, -1]].mean()), float(self.y[[0, -1]].mean())
 
     def _scaled(self, x: Array, y: Array) -> tuple[Array, Array]:
-        """Return positions relative to the extent of the grid, clipped to 0 to 1."""
+        """Return positions divided by the extent of the grid, from 0 at the first to 1 at the last grid position."""
         pairs = ((x, self.x), (y, self.y))
         across, down = (np.clip((part - k[0]) / (k[-1] - k[0]), 0.0, 1.0) for part, k in pairs)
         return across, down
@@ -1004,7 +1005,7 @@ class Scattered(WavefrontsOnSensor):
         self.reach = float(np.hypot(across, down).max())
 
     def _scaled(self, x: Array, y: Array) -> Array:
-        # Scaling to the size of the map makes the matrix independent of the unit of length.
+        # Division by the size of the map makes the interpolation matrix independent of the unit of length.
         return np.asarray((np.stack([x.ravel(), y.ravel()], axis=1) - self.middle) / self.size)
 
     def contains(self, x: Array, y: Array) -> NDArray[np.bool_]:
@@ -1085,7 +1086,10 @@ def _span(values: Array) -> str:
 def _coefficients_and_terms(
     wavefront: Wavefront, shape: tuple[int, ...], what: str
 ) -> tuple[Array, tuple[tuple[int, int], ...]]:
-    """Return the coefficients at the pupil edge, shape ``shape + (k,)``, and (n, m) of each of the k terms."""
+    """Return the coefficients at the pupil edge, shape ``shape + (k,)``, and the indices (n, m) of the k terms.
+
+    `what` describes `shape` in the message of the ValueError for another shape.
+    """
     if validation.instance("wavefront", wavefront, Wavefront).shape != shape:
         raise ValueError(f"wavefront must have the shape {what}, {shape}, got {wavefront.shape}")
     return wavefront.edge, wavefront.terms

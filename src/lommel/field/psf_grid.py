@@ -76,7 +76,7 @@ class PSFGrid(Measured, PSFGridLike):
         return f"<{type(self).__name__} {self.y.size} x {self.x.size}{distances} on {size}: {self.psf!r}>"
 
     def __getitem__(self, index: Index) -> PSF | ColourPSF:
-        """Return part of the stack, in all channels; `index` is that of a NumPy array of the shape of the stack."""
+        """Return part of the stack, in all channels; `index` is a NumPy index of an array with the stack's shape."""
         return self.psf.part(index) if isinstance(self.psf, ColourPSF) else self.psf[index]
 
     def measured(self, measure: Callable[[PSF], Any]) -> Any:
@@ -84,13 +84,13 @@ class PSFGrid(Measured, PSFGridLike):
         return self.psf.measured(measure)
 
     def channel(self, channel: str | int) -> PSFGrid:
-        """Return the grid of one `channel`, given by name or number; ValueError or KeyError if there is none."""
+        """Return the grid of one `channel`, given by name or number; ValueError or KeyError for other channels."""
         if not isinstance(self.psf, ColourPSF):
             raise ValueError("this grid has no channels; compute a grid with grid(..., channels=)")
         return replace(self, psf=self.psf[channel])
 
     def at_depth(self, index: int) -> PSFGrid:
-        """Return the grid at the distance ``depths[index]``; ValueError if there is none."""
+        """Return the grid at the distance ``depths[index]``; ValueError without distances, or for another index."""
         if self.depths is None:
             raise ValueError("this grid has no distances; compute a grid with grid(..., depths=, lens=)")
         number = validation.integer("index", index, least=-self.depths.size, most=self.depths.size - 1)
@@ -99,7 +99,7 @@ class PSFGrid(Measured, PSFGridLike):
     def plot(self, ax: Axes | None = None, *, stretch: str = "sqrt") -> Axes:
         """Draw each PSF, enlarged, at its position on the sensor; a grid of three channels is drawn in colour.
 
-        `ax` and `stretch` are explained at :func:`lommel.show.plot.field`.
+        See :func:`lommel.show.plot.field` for `ax` and `stretch`.
         """
         validation.axes("ax", ax)
         return show.plot.field(self, ax, stretch=stretch)

@@ -11,38 +11,38 @@ from lommel.base.arrays import fields_of, plain
 Severity: TypeAlias = Literal["error", "doubt", "note"]
 
 CODES: Mapping[str, str] = {
-    "another_minimum": "another set of parameters, far from the answer, fits as well",
+    "another_minimum": "another set of parameters, far from the estimate, fits as well",
     "below_offset": "most counts are below the offset that was stated",
     "blur_shape": "the most likely shape of the blur",
-    "crowded": "many images hold other molecules beside the one that was fitted",
-    "errors_change": "a standard error changes within one standard deviation of the answer",
+    "crowded": "many images contain other molecules in addition to the fitted molecule",
+    "errors_change": "a standard error changes within one standard deviation of the estimate",
     "excess_noise": "the variance is that of an electron-multiplying camera, whose excess noise was not stated",
     "flat_top": "many pixels have exactly the largest value: they may be saturated",
     "held_out": "data that were held out of the fit are inconsistent with it",
     "hot_pixels": "pixels of the camera are hot: brighter than their neighbours, whatever is in focus",
-    "interrupted": "the search was interrupted: steps that were done are kept",
+    "interrupted": "the search was interrupted: the result is that of the completed steps",
     "left_out": "some sources, windows or pixels were left out",
-    "lens_scale": "blurs differ by more, or less, than the lenses state",
+    "lens_scale": "blurs differ by more, or less, than the stated lenses imply",
     "many_rejected": "many sources do not follow the fit",
     "misfit": "the images differ from the model by more than noise",
     "model_error": "images of the search differ from images with a proven error bound",
     "moved": "planes are shifted relative to the other planes",
-    "no_depth": "no depth is known: there is no texture, or all of it is out of range",
+    "no_depth": "no depth was estimated: there is no texture, or all texture is out of range",
     "no_light": "the light of a source is within the noise",
     "not_settled": "the steps of the search did not settle",
     "opposite_astigmatism": "the astigmatism is of the opposite sign, and z is reversed",
-    "other_explanation": "something that the model does not have, or another constant, explains the data better",
-    "pattern": "residuals have stripes, or offsets of rows or columns, as of pick-up or readout",
+    "other_explanation": "an effect that the model lacks, or another value of a constant, explains the data better",
+    "pattern": "residuals have stripes, or offsets of rows or columns, as due to pick-up or readout",
     "pixel_pitch": "the pixel pitch is not that of the camera",
-    "psf_compared": "other PSFs were compared with the one that was used, and none agrees better",
+    "psf_compared": "other PSFs were compared with the PSF of the fit, and none agrees better",
     "psf_doubtful": "photons that were held out agree better with another PSF",
-    "rare_chi2": "noise alone seldom leaves so large a chi2",
+    "rare_chi2": "noise alone seldom causes so large a chi2",
     "recurring": "sources are in the same place in many frames: beads, or hot pixels",
     "rejected": "sources that do not follow the fit were left out",
     "reversed_z": "planes in the reversed order fit far better",
-    "saturation_assumed": "values from which on pixels count as saturated were taken from the images",
+    "saturation_assumed": "the smallest value of saturated pixels was estimated from the images",
     "scatter": "values scatter by more than their standard errors",
-    "sign_open": "the sign of the even terms is open: another wavefront has the same images",
+    "sign_open": "the sign of the even terms is ambiguous: another wavefront has the same images",
     "stated": "a stated value that is used without a test",
     "tilted_background": "the background of images is not flat, but tilted",
     "too_dim": "too little light: images are not linear within the standard errors, and other wavefronts fit as well",
@@ -66,8 +66,7 @@ class Finding:
     code : str
         One of ``lommel.fit.CODES``, such as "misfit".
     severity : {"error", "doubt", "note"}
-        With an "error" a result did not converge, with a "doubt" it is not reliable; a "note" does not change the
-        verdict.
+        "error": the result did not converge. "doubt": the result is not reliable. "note": no effect on the verdict.
     text : str
         The finding and advice, in a sentence without initial capital and final period.
     numbers : mapping of str to number or text
@@ -193,7 +192,7 @@ class FitReport(Judged):
     findings : Findings
         Findings of the checks of the fit; empty if there are none.
     summary : str
-        Goodness of fit, and numbers such as those of steps.
+        Goodness of fit, and numbers such as the number of steps.
     """
 
     findings: Findings

@@ -50,8 +50,8 @@ class Settings:
     Parameters
     ----------
     occlusion : bool, default True
-        Near objects occlude far ones. Without occlusion, rendering is faster, but light of the background bleeds over
-        the edges of near objects.
+        Near objects occlude far objects. Without occlusion, rendering is faster, but light of the background spreads
+        over the edges of near objects.
     wavelengths : Channels or sequence, optional
         :class:`lommel.Channels`, or for each channel a wavelength (metres) or a sequence of (wavelength, weight). The
         default is the wavelength of the lens for a grey image, and 600, 540 and 460 nm for an RGB image.
@@ -59,17 +59,18 @@ class Settings:
         Treatment of pixels whose depth is NaN: raise an error, use the depth of the nearest pixel with a known depth,
         or use infinity.
     border : {"reflect", "extend", "zero"}, default "reflect"
-        Continuation of the image beyond its edges: mirrored, the last pixels repeated, or dark. Depth is mirrored or
-        extended in the same way. Light that the blur spreads beyond the image is lost.
+        Continuation of the image beyond its edges: mirrored ("reflect"), with the last pixels repeated ("extend"), or
+        dark ("zero"). Depth is mirrored or extended in the same way. Light that the blur spreads beyond the image is
+        lost.
     energy : float, default 0.98
         Fraction of the PSF's light inside its window, 0.5 to 0.9999, or 1. Below 1 the light outside the window is
         spread over the window. With 1 the PSF is not truncated (a window plus a smooth remainder over the whole
         image), and rendering takes 1.7 times as long. Tiles and dask chunks require a value below 1.
     tol : float, default 1e-4
         Tolerance of the interpolation between tabulated PSFs, relative to their peak, 1e-7 to 1e-1; checked half-way
-        between table entries. With ``energy=1``, `tol` is also the approximate tolerance of the error summed over
-        the pixels outside the windows, without the finest diffraction rings. The attribute `error` of the blur is
-        the error reached; with ``energy=1`` a warning is issued if it exceeds 2 tol.
+        between table entries. With ``energy=1``, `tol` is also the approximate tolerance of the sum of errors over
+        the pixels outside the windows (errors of the finest diffraction rings not included). The attribute `error` of
+        the blur is the actual error; with ``energy=1`` a warning is issued if this error exceeds 2 tol.
     largest : int, optional
         Maximum half width of a PSF window, pixels, 1 to 2048; by default half of the shorter side of the image.
     dtype : float32 or float64, default float32
@@ -96,21 +97,21 @@ class Settings:
     def __post_init__(self) -> None:
         if not isinstance(self.occlusion, bool | np.bool_):
             raise TypeError(f"occlusion must be True or False, got {validation.shown(self.occlusion)}")
-        share = validation.real("energy", self.energy, least=0.5)
-        if 0.9999 + 1e-12 <= share != 1.0:
+        energy = validation.real("energy", self.energy, least=0.5)
+        if 0.9999 + 1e-12 <= energy != 1.0:
             raise ValueError(f"energy must be <= 0.9999, or 1 for the whole PSF, got {validation.shown(self.energy)}")
         checked: dict[str, object] = {
             "wavelengths": None if self.wavelengths is None else spectra("wavelengths", self.wavelengths),
             "missing": validation.choice("missing", self.missing, MISSING),
             "border": validation.choice("border", self.border, BORDERS),
-            "energy": share,
+            "energy": energy,
             "tol": validation.real("tol", self.tol, least=1e-7, below=0.1 + 1e-12),
             "dtype": validation.kind("dtype", self.dtype, np.float32, np.float64),
         }
         for name, most in (("largest", 2048), ("threads", 1024)):
             if (value := getattr(self, name)) is not None:
                 checked[name] = validation.integer(name, value, least=1, most=most)
-        vars(self).update(checked)  # a frozen dataclass does not allow assignments
+        vars(self).update(checked)  # assignments to a frozen dataclass are not allowed
 
     @classmethod
     def of(cls, function: Callable[..., object], given: Mapping[str, Any], keywords: type) -> Self:
@@ -138,7 +139,7 @@ class Settings:
         if count == 3:
             return RED_GREEN_BLUE
         hint = "; drop the alpha channel" if count in (2, 4) else ""
-        raise ValueError(f"an image of {count} channels needs wavelengths, one for each channel{hint}")
+        raise ValueError(f"wavelengths must have one entry for each of the {count} channels, got None{hint}")
 
 
 def spectra(name: str, channels: object) -> tuple[tuple[tuple[float, float], ...], ...]:
@@ -146,7 +147,7 @@ def spectra(name: str, channels: object) -> tuple[tuple[tuple[float, float], ...
     if isinstance(channels, Channels):
         return channels.spectra
     if not isinstance(channels, Sequence | np.ndarray) or getattr(channels, "ndim", 1) == 0:
-        raise TypeError(f"{name} must be a sequence of one entry for each channel, got {validation.shown(channels)}")
+        raise TypeError(f"{name} must be a sequence with one entry per channel, got {validation.shown(channels)}")
     return tuple(_spectrum(channel) for channel in channels)
 
 
@@ -155,11 +156,11 @@ def _spectrum(channel: object) -> tuple[tuple[float, float], ...]:
         return ((validation.wavelength(channel), 1.0),)
     if not all(isinstance(pair, Sequence) and not isinstance(pair, str) and len(pair) == 2 for pair in channel):
         raise TypeError(
-            "channels and wavelengths must be numbers, or pairs (wavelength, weight), "
+            "each channel must be a wavelength, or a sequence of pairs (wavelength, weight), "
             f"got {validation.shown(channel)}"
         )
     pairs = [(validation.wavelength(w), validation.real("weight", s, least=0.0)) for w, s in channel]
     total = math.fsum(s for _, s in pairs)
     if not total > 0.0:
-        raise ValueError(f"a channel must have a wavelength with a weight, got {validation.shown(channel)}")
+        raise ValueError(f"each channel must have a wavelength of weight above 0, got {validation.shown(channel)}")
     return tuple((w, s / total) for w, s in pairs)

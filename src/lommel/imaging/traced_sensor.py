@@ -12,15 +12,15 @@ PATTERNS = ("RGGB", "BGGR", "GRBG", "GBRG")
 def traced_noise(image: Operand, noise: Noise, normal: Operand) -> Operand:
     """Add the photon and read noise of a sensor to an image, differentiably.
 
-    Returns ``image + sqrt(variance) * normal / white``, with ``variance = excess * max(electrons, 0) + read^2`` of
-    :class:`lommel.Noise`: the normal approximation of Poisson noise. The gradient includes the change of the noise
-    with the light (reparametrisation). The approximation is good from about ten electrons per pixel. For fewer
-    electrons, or for exact counts without gradients, see :meth:`lommel.Noise.record`.
+    The result is ``image + sqrt(variance) * normal / white``, with ``variance = excess * max(electrons, 0) + read^2``
+    of :class:`lommel.Noise`: the normal approximation of Poisson noise. The gradient includes the change of the noise
+    with the light (reparametrisation). The approximation is good above about ten electrons per pixel. For fewer
+    electrons, or for Poisson counts without gradients, see :meth:`lommel.Noise.record`.
 
     Parameters
     ----------
     image : array
-        Expected image in the unit of `noise`; linear light with white at 1 if ``noise.white`` is the full well.
+        Expected image in the unit of `noise`: linear light; if ``noise.white`` is given, 1 means as many electrons.
     noise : Noise
         Noise with numbers (not maps) for `white`, `read` and `offset`.
     normal : array
@@ -35,12 +35,12 @@ def traced_noise(image: Operand, noise: Noise, normal: Operand) -> Operand:
     Raises
     ------
     TypeError, ValueError
-        If `noise` is not a Noise, or holds maps, or the shapes differ.
+        If `noise` is not a Noise or contains maps, or the shapes differ.
     """
     validation.instance("noise", noise, Noise)
     white = 1.0 if noise.white is None else noise.white
     if any(getattr(value, "shape", ()) != () for value in (white, noise.read, noise.offset)):
-        raise ValueError("noise must have single numbers, got values for each pixel; use their medians")
+        raise ValueError("noise must have a single white, read and offset, got values for each pixel; use medians")
     if not hasattr(image, "shape") or tuple(image.shape) != tuple(getattr(normal, "shape", ())):
         raise ValueError(
             f"normal must have the shape of the image, {tuple(getattr(image, 'shape', ()))}, got "
@@ -49,7 +49,7 @@ def traced_noise(image: Operand, noise: Noise, normal: Operand) -> Operand:
     white, read = float(white), float(noise.read)
     # Adding 1e-6 electrons^2 keeps the derivative of the square root finite for a dark pixel without read noise.
     electrons = (image - float(noise.offset)) * white
-    # (x + |x|) / 2 is max(x, 0) in operations that every framework has.
+    # (x + abs(x)) / 2 is max(x, 0), written with operations that every framework has.
     light = 0.5 * noise.excess * (electrons + abs(electrons))
     return image + (light + (read**2 + 1e-6)) ** 0.5 * normal * (1.0 / white)
 
@@ -71,7 +71,7 @@ def traced_mosaic(image: Operand, pattern: str = "RGGB") -> Operand:
     Raises
     ------
     ValueError
-        If `image` has another shape, or `pattern` another value.
+        If the shape of `image`, or `pattern`, is another one.
     """
     colours = _colours(pattern)
     # The sides must be even: Bayer patterns have a period of two pixels.
@@ -88,8 +88,8 @@ def traced_mosaic(image: Operand, pattern: str = "RGGB") -> Operand:
 def traced_demosaic(mosaic: Operand, pattern: str = "RGGB") -> Operand:
     """Return a colour image from a Bayer mosaic by bilinear interpolation; linear, and therefore differentiable.
 
-    A missing value is the mean of the nearest two or four recorded values of its colour. Beyond the edges the mosaic
-    is mirrored about its outermost pixels, which continues the pattern.
+    A missing value is the mean of the nearest two or four recorded values of the same colour. Beyond the edges the
+    mosaic is mirrored about the outermost pixels, which continues the pattern.
 
     Parameters
     ----------
@@ -113,7 +113,8 @@ def traced_demosaic(mosaic: Operand, pattern: str = "RGGB") -> Operand:
         raise ValueError(f"mosaic must have the shape (..., height, width) with even sides of 4 or more, got {shape}")
     xp = _namespace(mosaic)
     sites = _sites(mosaic, colours, 1)
-    # One pixel in four has the colour: weights 1/4, 1/2, 1/4 along both axes, times 4, are means of its neighbours.
+    # One pixel in four is red (or blue); the others are set to 0. With weights 1/4, 1/2, 1/4 along both axes, 4 times
+    # the weighted average is the mean of the nearest recorded values.
     red, blue = (4.0 * _smooth(xp, _smooth(xp, mosaic * _sites(mosaic, colours, k), -1), -2) for k in (0, 2))
     green = sites * mosaic + (1.0 - sites) * _cross(xp, mosaic * sites)
     return xp.stack([red, green, blue], axis=-3)
@@ -159,7 +160,7 @@ def _neighbour_sum(xp: ArrayFunctions, x: Operand, axis: int) -> Operand:
         here[axis] = slice(first, last)
         return x[tuple(here)]
 
-    # Mirrored about the edge pixel: the mirrored neighbour has the colour that the pattern would have there.
+    # The mirror image of a neighbour about the edge pixel has the colour of the continued pattern.
     before = xp.concat([part(1, 2), part(0, count - 1)], axis=axis)
     after = xp.concat([part(1, count), part(count - 2, count - 1)], axis=axis)
     return before + after

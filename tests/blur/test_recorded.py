@@ -241,7 +241,7 @@ def test_the_strehl_ratio_is_that_on_the_axis_of_what_is_recorded():
 @pytest.mark.parametrize(
     ("changes", "message"),
     [
-        ({"blur": "seeing"}, "blur must be one of Seeing"),
+        ({"blur": "seeing"}, "blur must be one or several of Seeing"),
         ({"blur": [lm.Jitter(0.1), 3.0]}, "blur must be made of"),
         ({"blur": lm.Seeing(0.1, 2.0, 500e-9)}, "blur must fit the unit of the pupil"),
         ({"blur": lm.Jitter(2e-6)}, "lengths are in lambda\\*N here"),

@@ -1,7 +1,8 @@
 r"""Blurs as factors of the transfer function: seeing, jitter, motion, charge diffusion.
 
 A blur is a probability density b(r) of image shifts r. The blurred image is the convolution ``I * b``
-(convolution.py); its transfer function is ``OTF(f) T(f)`` with ``T(f) = int b(r) exp(-2 pi i f.r) dr``, as below.
+(convolution.py). Its optical transfer function is ``OTF(f) T(f)``, where ``T(f) = int b(r) exp(-2 pi i f.r) dr`` is
+the transfer function of the blur.
 """
 
 from __future__ import annotations
@@ -21,19 +22,20 @@ from lommel.optics.base_pupil import BasePupil
 KOLMOGOROV = (4.8 * math.gamma(1.2)) ** (5.0 / 6.0)
 """Constant 3.441939 of Kolmogorov's transfer function ``exp(-KOLMOGOROV q^(5/3))``, q = f / coherence frequency.
 
-Half of Fried's ``2 (24/5 Gamma(6/5))^(5/6) = 6.883877``.
+It is half of Fried's constant, ``2 (24/5 Gamma(6/5))^(5/6) = 6.883877``.
 """
 FWHM = 0.9758634299
 """Full width at half maximum of a star through Kolmogorov's turbulence, in units of wavelength / r0.
 
-Twice the x at which ``int exp(-KOLMOGOROV q^(5/3)) J0(2 pi x q) q dq`` is half of its value at x = 0, to 25 digits by
-mpmath with the substitution q = s^3, which makes the integrand analytic; a test repeats the computation.
+It is 2 x for the x at which ``int exp(-KOLMOGOROV q^(5/3)) J0(2 pi x q) q dq`` is half of its value at x = 0. The
+integral was computed to 25 digits by mpmath with the substitution q = s^3, which makes the integrand analytic; a test
+repeats the computation.
 """
 _NU = 5.0 / 6.0  # order of the Bessel function of von Karman's structure function, half of the exponent 5/3
 
 
 def frequencies(fx: ArrayLike, fy: ArrayLike) -> tuple[Array, Array]:
-    """Return checked spatial frequencies along columns and rows, broadcast to one shape."""
+    """Return validated spatial frequencies along x (columns) and y (rows), broadcast to the same shape."""
     across, down = validation.broadcast("fx and fy", validation.real_array("fx", fx), validation.real_array("fy", fy))
     return across, down
 
@@ -42,7 +44,7 @@ class Blur:
     """Blur described by its transfer function; lengths in metres, or in lambda*N for pupils without wavelength.
 
     Subclasses define `covariance` and `streak`, from which `transfer`, PSFs and error bounds are computed; only
-    :class:`Seeing` overrides `transfer`. They list their parameters in lengths on the sensor as `length_names`.
+    :class:`Seeing` overrides `transfer`. `length_names` lists the parameters that are lengths on the sensor.
     """
 
     metric: ClassVar[bool | None] = None  # whether the pupil must have a wavelength; None for either
@@ -65,14 +67,14 @@ class Blur:
         Parameters
         ----------
         fx, fy : array_like
-            Spatial frequencies, cycles per metre or per lambda*N; they broadcast.
+            Spatial frequencies, cycles per metre or per lambda*N, of broadcastable shapes.
         wavelength : float, optional
             Wavelength of the light, metres; only :class:`lommel.Seeing` depends on it.
 
         Returns
         -------
         float or ndarray
-            Real, 1 at frequency 0: ``exp(-2 pi^2 f.C f) sinc(f.d)``, C the covariance and d the streak.
+            Real, 1 at frequency 0: ``exp(-2 pi^2 f.C f) sinc(f.d)`` with the covariance C and the streak d.
 
         Raises
         ------
@@ -82,7 +84,7 @@ class Blur:
         x, y = frequencies(fx, fy)
         (xx, xy), (_, yy) = self.covariance
         dx, dy = self.streak
-        # Gaussian and uniform streak are independent: T is the product of their characteristic functions.
+        # The Gaussian and the uniform streak are independent: T is the product of their characteristic functions.
         result = np.ones(x.shape)
         if xx or yy:
             result = result * np.exp(-2.0 * math.pi**2 * (xx * x * x + 2.0 * xy * x * y + yy * y * y))
@@ -104,12 +106,12 @@ class Blur:
     def isotropic(self) -> bool:
         """Whether the blur is the same in all directions."""
         (xx, xy), (_, yy) = self.covariance
-        # Rounding of the rotation makes xy about 1e-16 times the variance.
+        # Because of rounding in a rotation, xy of a round Gaussian may be about 1e-16 times the variance.
         return self.streak == (0.0, 0.0) and bool(abs(xy) <= 1e-15 * xx and abs(xx - yy) <= 1e-15 * xx)
 
     @property
     def lengths(self) -> tuple[float, ...]:
-        """Values of the parameters that are lengths on the sensor, to check their unit."""
+        """Values of the parameters that are lengths on the sensor; `require_unit` checks their unit."""
         return tuple(vars(self)[name] for name in self.length_names)
 
     def to_dict(self) -> Json:
@@ -121,10 +123,10 @@ class Blur:
 class Seeing(Blur):
     r"""Long-exposure seeing of a turbulent atmosphere (Kolmogorov or von Karman).
 
-    ``T = exp(-D / 2)``, D being the phase structure function at the separation ``s = wavelength * focal_length * f``
-    in the aperture. Without an outer scale ``D / 2 = 3.441939 (s / r0)^(5/3)`` (Kolmogorov, Fried); the constant
-    ``(24/5 Gamma(6/5))^(5/6)`` is half of the 6.88 of textbooks. With an outer scale D is that of von Karman's
-    spectrum.
+    The transfer function is ``T = exp(-D / 2)``, where D is the phase structure function at the separation
+    ``s = wavelength * focal_length * f`` in the aperture. Without an outer scale, ``D / 2 = 3.441939 (s / r0)^(5/3)``
+    (Kolmogorov, Fried); the constant ``(24/5 Gamma(6/5))^(5/6)`` is half of the 6.88 of textbooks. With an outer
+    scale, D is the structure function of von Karman's spectrum.
 
     Parameters
     ----------
@@ -132,7 +134,7 @@ class Seeing(Blur):
         Fried parameter at `wavelength`, metres at the entrance pupil. For pupils without a wavelength, the Fried
         parameter divided by the diameter of the aperture.
     focal_length : float, optional
-        Focal length in metres, for pupils with a wavelength; to be given together with `wavelength`.
+        Focal length in metres, for pupils with a wavelength; must be given together with `wavelength`.
     wavelength : float, optional
         Wavelength at which `r0` is stated, metres. At another wavelength r0 is multiplied by
         ``(other / wavelength)^(6/5)``.
@@ -169,7 +171,7 @@ class Seeing(Blur):
         if self.outer_scale is not None:
             outer = validation.real("outer_scale", self.outer_scale, above=0.0, infinite=True)
             vars(self)["outer_scale"] = None if math.isinf(outer) else outer
-        # With only one of them, the unit of r0 would be ambiguous: metres, or diameters of the aperture.
+        # With only one of the two, the unit of r0 would be ambiguous: metres, or diameters of the aperture.
         if (self.focal_length is None) != (self.wavelength is None):
             raise ValueError(
                 "focal_length and wavelength must be given together (r0 in metres) or not at all (r0 divided by the "
@@ -220,7 +222,7 @@ class Seeing(Blur):
     def transfer(self, fx: ArrayLike, fy: ArrayLike = 0.0, *, wavelength: float | None = None) -> Numbers:
         """Return the transfer function at frequencies `fx`, `fy` and a `wavelength`; see :class:`Blur`.
 
-        Raises TypeError or ValueError if these are not finite or do not broadcast.
+        Raise TypeError or ValueError if numbers are not finite, or the shapes of `fx` and `fy` are not broadcastable.
         """
         x, y = frequencies(fx, fy)
         given = None if wavelength is None else validation.wavelength(wavelength)
@@ -234,13 +236,13 @@ class Seeing(Blur):
 def karman(air: Seeing, wavelength: float | None) -> tuple[float, float]:
     """Return (s, a) of half of von Karman's structure function, ``s (limit - z^nu K_nu(z))``, z = a q, nu = 5/6.
 
-    q is the frequency divided by the coherence frequency, and limit the value of z^nu K_nu(z) at z = 0.
+    q is the frequency divided by the coherence frequency; limit is the value of z^nu K_nu(z) at z = 0.
     """
     assert air.outer_scale is not None
     # r0 is proportional to wavelength^(6/5); the outer scale does not depend on the wavelength.
     colour = 1.0 if wavelength is None or air.wavelength is None else (wavelength / air.wavelength) ** 1.2
     ratio = air.outer_scale / (air.r0 * colour)
-    # Normalised such that the limit of small z is Kolmogorov's law, KOLMOGOROV q^(5/3).
+    # Normalised such that for small z the result approaches Kolmogorov's law, KOLMOGOROV q^(5/3).
     factor = 0.5 * KOLMOGOROV * ratio ** (5.0 / 3.0) * 2.0 ** (1.0 / 6.0)
     return factor * math.gamma(11.0 / 6.0) / math.pi ** (8 / 3), 2.0 * math.pi / ratio
 
@@ -252,11 +254,11 @@ def _von_karman(at: Array, factor: float) -> Array:
     z = np.atleast_1d(at)
     # lim z^nu K_nu(z) = 2^(nu - 1) Gamma(nu) for z -> 0, nu - 1 = -1/6.
     limit = math.gamma(_NU) / 2.0 ** (1.0 / 6.0)
-    # Clipped at z = 700, before K_nu underflows: the structure function equals its limit to all digits there.
+    # z is limited to 700, where K_nu has not underflowed, and the structure function equals its limit to all digits.
     far = np.minimum(np.maximum(z, 1.0), 700.0)
     large = np.where(z > 1.0, limit - far**_NU * kv(_NU, far), 0.0)
-    # For small z the difference cancels: K_nu is replaced by two series in z^2 / 4 (DLMF 10.27.4 and 10.25.2),
-    # without the first term of the even series, which equals the limit. 14 terms yield all digits for z <= 1.
+    # For small z the difference would lose digits: K_nu is replaced by two series in z^2 / 4 (DLMF 10.27.4, 10.25.2),
+    # without the first term of the even series, which cancels the limit. 14 terms yield all digits for z <= 1.
     k, near = np.arange(14)[:, None], np.minimum(z, 1.0).ravel()
     powers = (0.25 * near * near) ** k / gamma(k + 1.0)
     rising = (powers / gamma(k + 1.0 + _NU)).sum(axis=0) * near ** (2.0 * _NU) * 2.0**-_NU
@@ -273,11 +275,11 @@ class Jitter(Blur):
     ----------
     sigma : float
         Standard deviation of the image position in the direction `angle`: metres on the sensor, or units of lambda*N
-        for a pupil without a wavelength. For an angular jitter, its standard deviation times the focal length.
+        for a pupil without a wavelength. For an angular jitter: standard deviation in radians times the focal length.
     across : float, optional
         Standard deviation at right angles to `angle`, in the same unit; by default `sigma`.
     angle : float, default 0
-        Direction of `sigma` in radians, from the columns (x) to the rows (y).
+        Direction of `sigma` in radians, from the x axis (along a row) towards the y axis (down a column).
 
     Raises
     ------
@@ -291,7 +293,7 @@ class Jitter(Blur):
     angle: float = 0.0
 
     def __post_init__(self) -> None:
-        # By default round: the same standard deviation in both directions.
+        # By default the Gaussian is round.
         across = self.sigma if self.across is None else self.across
         vars(self)["sigma"] = validation.real("sigma", self.sigma, least=0.0)
         vars(self)["across"] = validation.real("across", across, least=0.0)
@@ -302,7 +304,7 @@ class Jitter(Blur):
         """Covariance matrix of the position (x, y)."""
         along, across = self.lengths
         c, s = math.cos(self.angle), math.sin(self.angle)
-        # C = R diag(along^2, across^2) R^T, R the rotation from the axes of the ellipse to (x, y).
+        # C = R diag(along^2, across^2) R^T, where R is the rotation from the axes of the ellipse to (x, y).
         turn = np.array([[c, -s], [s, c]])
         return np.asarray(turn @ np.diag([along**2, across**2]) @ turn.T)
 
@@ -345,7 +347,7 @@ class Motion(Blur):
         Length of the path, centred on the unblurred image: metres on the sensor, or units of lambda*N for a pupil
         without a wavelength.
     angle : float, default 0
-        Direction of the motion in radians, from the columns (x) to the rows (y).
+        Direction of the motion in radians, from the x axis (along a row) towards the y axis (down a column).
 
     Raises
     ------
@@ -377,7 +379,7 @@ def blurs(value: object) -> tuple[Blur, ...]:
     several = (value,) if isinstance(value, Blur) else value
     # A string is iterable, but the message must show the whole string, not its first letter.
     if not isinstance(several, Iterable) or isinstance(several, str | bytes):
-        raise TypeError(f"blur must be one of {', '.join(KINDS)}, or several, got {validation.shown(value)}")
+        raise TypeError(f"blur must be one or several of {', '.join(KINDS)}, got {validation.shown(value)}")
     checked = tuple(several)
     for one in checked:
         if type(one) not in KINDS.values():

@@ -1,9 +1,9 @@
 r"""Isotropic blurs as mixtures of Gaussians; each Gaussian is a product of factors along rows and columns.
 
 A transfer function that is completely monotone in the squared frequency is a mixture of Gaussians with positive
-weights (Bernstein's theorem). Kolmogorov's transfer function ``exp(-c q^(5/3))`` is completely monotone in q^2, and so is von
-Karman's, because ``limit - z^nu K_nu(z)`` is a Bernstein function of ``z^2``. Few terms suffice: with 6 terms, the
-error of Kolmogorov's transfer function is at most 1.4e-4.
+weights (Bernstein's theorem). Kolmogorov's ``exp(-c q^(5/3))`` is completely monotone in q^2. Von Karman's function
+is completely monotone because ``limit - z^nu K_nu(z)`` is a Bernstein function of ``z^2``. Few terms suffice: with 6
+terms, the error of Kolmogorov's transfer function is at most 1.4e-4.
 """
 
 from __future__ import annotations

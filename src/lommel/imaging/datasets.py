@@ -40,18 +40,16 @@ from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.recorded.noise import Noise
 
 FORMATS = ("png", "tif", "exr", "zarr")
-"""Formats of the images: 16-bit PNG in the encoding of the photo, or linear light in float32."""
+"""Formats of the images: "png" has 16 bits in the encoding of the photo, the others linear light in float32."""
 
 ON_ERROR = ("raise", "skip")
 """Options for a photo or depth map that cannot be used: raise an error, or skip it."""
 
-_ARGUMENT_NAMES = {
-    "scale": "depth_scale",
-    "inverse": "inverse_depth",
-}  # fields of DepthValues: names in render_dataset
-_RECORD = "dataset.json"  # file of the arguments of a data set
-_FORMAT = 3  # version of the files of a data set
-_PARTS = "parts"  # folder of the pictures of incomplete shards
+# Field of DepthValues -> name of the argument of render_dataset.
+_ARGUMENT_NAMES = {"scale": "depth_scale", "inverse": "inverse_depth"}
+_RECORD = "dataset.json"  # file with the arguments of a data set
+_FORMAT = 3  # version of the format of a data set
+_PARTS = "parts"  # folder for the pictures of incomplete shards; a shard is a tar file of several pictures
 
 Range = float | tuple[float, float]
 PathOf = str | PathLike[str]
@@ -68,7 +66,7 @@ class LensRanges:
     f_number : float or (float, float)
         F-number; its logarithm (stops) is drawn uniformly.
     focus_distance : float or (float, float)
-        Object distance in focus, metres, may be infinite; its inverse (dioptres) is drawn uniformly.
+        Object distance in focus, metres, also infinite; the inverse of the distance (dioptres) is drawn uniformly.
     pixel : float or (float, float)
         Pixel pitch, metres; drawn uniformly.
     spherical : float or (float, float), default 0
@@ -108,10 +106,10 @@ class LensRanges:
 
     def draw(self, random: np.random.Generator) -> tuple[Lens, float]:
         """Return a random lens and pixel pitch in metres, from five numbers of `random`."""
-        # Always five numbers: a parameter that is constant does not change the values of the other parameters.
+        # Five numbers are drawn for any ranges: making one parameter constant does not change the other parameters.
         length, stops, dioptres, pitch, spherical = random.random(5)
         (nearest, farthest), (least, most) = _ends(self.focus_distance), _ends(self.f_number)
-        # Uniform in 1 / distance: blur is linear in 1 / distance.
+        # Uniform in 1 / distance, because blur is linear in 1 / distance.
         inverse = _between((1.0 / nearest, 1.0 / farthest), dioptres)
         lens = Lens(
             focal_length=_between(self.focal_length, length),
@@ -128,7 +126,7 @@ def _range(name: str, value: object) -> Range:
     """Return a valid number, or a valid pair (smallest, largest)."""
     values = value if isinstance(value, tuple | list) else (value,)
     if len(values) not in (1, 2):
-        raise TypeError(f"{name} must be a number or a pair, got {validation.shown(value)}")
+        raise TypeError(f"{name} must be a number or a pair (smallest, largest), got {validation.shown(value)}")
     above, infinite = -math.inf if name == "spherical" else 0.0, name == "focus_distance"
     ends = tuple(validation.real(name, each, above=above, infinite=infinite) for each in values)
     if ends[0] > ends[-1]:
@@ -156,12 +154,12 @@ class Rendered:
     done, total : int
         Number of complete pictures, and number of all pictures of the data set.
     files : tuple of path
-        The files of the picture, or with `shard` the tar file into which they are packed; empty if it was skipped.
+        The files of the picture, or with `shard` the tar file that contains them; empty for a skipped picture.
     facts : dict
         Content of ``NUMBER.json``: names of the photo and the depth map, lens (metres, radians), noise, errors. For a
-        skipped picture, the two names only.
+        skipped picture, the names of the photo and the depth map only.
     failure : str or None
-        Reason why the picture was skipped; with ``on_error="skip"`` only.
+        Reason why the picture was skipped (with ``on_error="skip"``); None for a complete picture.
     """
 
     number: int
@@ -175,7 +173,7 @@ class Rendered:
 def pair_files(photos: PathOf | Sequence[PathOf], depths: PathOf | Sequence[PathOf]) -> list[tuple[Path, Path]]:
     """Return pairs of photo and depth map: sequences are paired in order, files of two folders by name.
 
-    Names are compared without the suffix. Raises ValueError if a file has no partner or two have the same name.
+    Names are compared without suffix. Raise ValueError if a file has no partner, or two files have the same name.
     """
     listed = []
     for name, given in (("photos", photos), ("depths", depths)):
@@ -200,14 +198,14 @@ def pair_files(photos: PathOf | Sequence[PathOf], depths: PathOf | Sequence[Path
     first, second = listed
     for one, other, what in ((first, second, "depth map"), (second, first, "photo")):
         if missing := [file for key, file in one.items() if key not in other]:
-            more = f"; so have {len(missing) - 1} other files" if len(missing) > 1 else ""
+            more = f"; nor have {len(missing) - 1} other files" if len(missing) > 1 else ""
             raise ValueError(f"{validation.line(missing[0])} has no {what} of the same name{more}")
     return [(first[key], second[key]) for key in first]
 
 
 @dataclass(frozen=True, kw_only=True)
 class _Job:
-    """Arguments that all pictures of a data set have in common."""
+    """Arguments common to all pictures of a data set."""
 
     lenses: LensRanges
     seed: int
@@ -264,17 +262,17 @@ def render_dataset(
 ) -> Iterator[Rendered]:
     """Render photos with depth maps through random lenses into a folder, with ground truth; yield each picture.
 
-    Complete pictures are not rendered again: after an interruption, repeat the call to continue. Each picture depends
-    on `seed` and its number only, not on `workers` (except for rounding in the last bit). The files of a picture
-    appear in the folder together, when all are complete.
+    Complete pictures are not rendered again: after an interruption, repeat the call to continue. The lens and the
+    noise of a picture depend on `seed` and the picture's number only, not on `workers` (except for rounding in the
+    last bit). The files of a picture appear in the folder together, when all are complete.
 
-    For picture 12 the folder holds ``000012.image.png`` (blurred, with noise), ``000012.sharp.png``,
+    For picture 12 the folder contains ``000012.image.png`` (blurred, with noise), ``000012.sharp.png``,
     ``000012.depth.npy`` (metres, float32) and ``000012.json`` (lens, noise, names of the files). ``000012.psfs.npz``
-    holds PSFs: arrays `defocus` (n,), the defocus coefficient C_d in radians, and `psfs` (n, channels, side, side),
-    float32, each of unit sum. ``000012.index.png`` (16 bit) holds the index of the nearest C_d: the scene pixel
-    (y, x) is blurred by approximately ``psfs[index[y, x]]``. In the JSON file, `psfs_error` is an estimate of the
+    contains PSFs: arrays `defocus` (n,), the defocus coefficients C_d in radians, and `psfs`, float32 (n, channels,
+    side, side), each of unit sum. ``000012.index.png`` (16 bit) contains for each pixel the index of the nearest C_d:
+    the scene pixel (y, x) is blurred by approximately ``psfs[index[y, x]]``. In the JSON file, `psfs_error` estimates the
     error of this PSF relative to its peak: half of the largest difference between adjacent PSFs. `error` is the error
-    of the PSFs that blur the image, which are interpolated. WebDataset groups files by the first part of their names.
+    of the interpolated PSFs that blur the image. WebDataset groups files by the first part of their names.
 
     Parameters
     ----------
@@ -290,46 +288,46 @@ def render_dataset(
     copies : int, default 1
         Number of pictures of each photo, each with another random lens.
     noise : Noise, optional
-        Photon and read noise of the blurred image; `white` is the number of electrons at the value 1.0.
+        Photon and read noise of the blurred image; ``noise.white`` is the number of electrons at the value 1.0.
     form : {"png", "tif", "exr", "zarr"}, default "png"
-        Format of the images: 16-bit PNG in the encoding of the photo, or linear light in float32 (EXR needs the
-        package OpenEXR). Zarr is a group of arrays for each picture, images in chunks of 512 by 512 pixels.
+        Format of the images. "png": 16 bits in the encoding of the photo. The others: linear light in float32; "exr"
+        requires the package OpenEXR, "zarr" is a group of arrays for each picture, in chunks of 512 by 512 pixels.
     shard : int, optional
         Number of pictures in each tar file ``shard-000000.tar`` for WebDataset; by default no tar files are written.
     encoding : {"srgb", "linear"}, optional
         Encoding of the photos; by default integers are sRGB and floats are linear.
     psfs : int, default 32
-        Number of PSFs of a picture, 2 to 4096, equally spaced over the range of C_d in its scene; 0 for no PSFs.
+        Number of PSFs of a picture, 2 to 4096, equally spaced over the scene's range of C_d; 0 for no PSFs.
     depth_scale, inverse_depth : optional
         Conversion of depth maps to metres; see `scale` and `inverse` of :func:`lommel.imaging.read_depth`.
     disparity, zero_is_unknown, unknown, resample : optional
         See :func:`lommel.imaging.read_depth`; see `missing` for pixels of unknown depth.
     on_error : {"raise", "skip"}, default "raise"
         Handling of a photo or depth map that cannot be used: raise an error, or yield the picture with the reason as
-        `failure` and continue. The next call tries a skipped picture again; until then the other pictures of its
+        `failure` and continue. The next call tries a skipped picture again; until then the other pictures of the same
         shard stay in the folder ``parts``, one tar file each.
     workers : int, default 1
-        Number of processes, among which the processors are divided; 1 renders in this process. Several are spawned:
-        a script must then call this function below ``if __name__ == "__main__":``.
+        Number of processes, among which the processors are divided; 1 renders in this process. With several, which
+        are spawned, a script must call this function below ``if __name__ == "__main__":``.
     {options}
 
     Yields
     ------
     Rendered
-        Pictures in the order in which they are finished.
+        The pictures, in the order of completion.
 
     Raises
     ------
     TypeError, ValueError
         If an argument is out of range, a file has no partner, or the data set in `out` is damaged, locked by another
-        call, or made from other arguments or files. During the iteration, unless `on_error` is "skip", if a photo or
+        call, or made from other arguments or files. With ``on_error="raise"``, during the iteration, if a photo or
         depth map cannot be used or the blur exceeds `largest`; complete pictures are kept.
     OSError
-        If a file cannot be written or, unless `on_error` is "skip", read.
+        If a file cannot be written or, with ``on_error="raise"``, cannot be read.
 
     Notes
     -----
-    Ctrl-C, or closing the iterator, keeps complete pictures and lets each worker finish its current one.
+    After Ctrl-C, or if the iterator is closed, each worker finishes its current picture; complete pictures are kept.
 
     Examples
     --------
@@ -346,7 +344,7 @@ def render_dataset(
     validation.optional("noise", noise, Noise)
     skip = validation.choice("on_error", on_error, ON_ERROR) == "skip"
     if noise is not None and noise.white is None:
-        raise ValueError("noise must have a white: electrons at the value 1.0, such as 5000")
+        raise ValueError("noise must have a white: the number of electrons at the value 1.0, such as 5000")
     if validation.integer("psfs", psfs, least=0, most=4096) == 1:
         raise ValueError("psfs must be 0, for none, or from 2 to 4096, got 1")
     validation.choice("form", form, FORMATS)
@@ -354,7 +352,9 @@ def render_dataset(
         validation.choice("encoding", encoding, ENCODINGS)
     settings = Settings.of(render_dataset, options, Keywords)
     if psfs and settings.energy == 1.0:
-        raise ValueError("psfs must be 0 with energy=1, where a point reaches the whole image, or energy below 1")
+        raise ValueError(
+            "psfs must be 0 with energy=1, because a PSF covers the whole image, or energy must be below 1"
+        )
     if shard is not None:
         validation.integer("shard", shard, least=1, most=1_000_000)
     if form == "exr":
@@ -385,13 +385,14 @@ def render_dataset(
 
 
 def _begin(folder: Path, record: Json) -> None:
-    """Create the folder of a data set with its file of arguments; ValueError if it has other arguments."""
+    """Create the folder of a data set with the file of arguments; ValueError if the folder has other arguments."""
     file = folder / _RECORD
     if not file.exists():
         if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
             raise ValueError(f"{validation.line(folder)} must be a new or empty folder, or an incomplete data set")
         folder.mkdir(parents=True, exist_ok=True)
-        with suppress(FileExistsError), atomic.temporary_for(file, new=True) as place:  # another call may begin, too
+        # FileExistsError: another call created the same data set at the same time.
+        with suppress(FileExistsError), atomic.temporary_for(file, new=True) as place:
             place.write_text(json.dumps(record, indent=1), encoding="utf-8")
     if not isinstance(existing := _read(file), dict):
         raise ValueError(
@@ -414,7 +415,7 @@ def _read(file: Path) -> Any:
 
 
 def _complete_pictures(folder: Path, shard: int | None, total: int) -> Iterator[tuple[int, Json]]:
-    """Yield the numbers and facts of the complete pictures: all their files exist, with unchanged checksums."""
+    """Yield the numbers and facts of the complete pictures, whose files all exist with unchanged checksums."""
     if shard is None:
         for number in range(total):
             facts = _read(folder / f"{number:06d}.json")
@@ -427,9 +428,9 @@ def _complete_pictures(folder: Path, shard: int | None, total: int) -> Iterator[
         return
     for index in range(-(-total // shard)):
         numbers = range(index * shard, min(total, (index + 1) * shard))
-        whole = _shard(folder, index)
+        packed = _shard(folder, index)
         # Until all pictures of a shard are rendered, each picture is a separate tar file.
-        tars = {whole: numbers} if whole.exists() else {_part(folder, number): [number] for number in numbers}
+        tars = {packed: numbers} if packed.exists() else {_part(folder, number): [number] for number in numbers}
         for tar, contents in tars.items():
             if tar.exists():
                 yield from _in_tar(tar, contents)
@@ -460,12 +461,12 @@ def _render_missing(
     folder: Path, job: _Job, pairs: list[tuple[Path, Path]], shard: int | None, workers: int, skip: bool
 ) -> Iterator[Rendered]:
     """Render the missing pictures, and yield each picture after its files are written."""
-    # Locked: two processes in one folder would render the same pictures twice.
+    # Without the lock, two processes in one folder would render the same pictures.
     with atomic.locked(folder / _RECORD, folder):
         total = len(pairs) * job.copies
         where = folder if shard is None else folder / _PARTS
         where.mkdir(exist_ok=True)
-        # Copies share their photo: each file is read once for its checksum.
+        # Several pictures may have the same photo: its checksum is computed once.
         complete, checksum_of = set(), cache(of_file)
         for number, facts in _complete_pictures(folder, shard, total):
             for file, checksum in zip(pairs[number // job.copies], facts["checksums"], strict=True):
@@ -489,17 +490,17 @@ def _render_missing(
             if failure is not None:
                 return Rendered(number, done, total, (), facts, failure)
             done += 1
-            named = tuple(folder / name for name in files)
+            paths = tuple(folder / name for name in files)
             if shard is not None:
-                named = (_shard(folder, number // shard),)
+                paths = (_shard(folder, number // shard),)
                 _pack(folder, number // shard, shard, total)
-            return Rendered(number, done, total, named, facts)
+            return Rendered(number, done, total, paths, facts)
 
         if workers == 1:
             for number in missing:
                 yield finish(number, *make(number, *pairs[number // job.copies]))
             return
-        # Divide the processors among the processes: threads per process.
+        # Number of threads per process: the processors are divided among the processes.
         threads = job.settings.threads or max(1, (os.cpu_count() or 1) // workers)
         shared = replace(job, settings=replace(job.settings, threads=threads))
         make = partial(_write, shared, where, shard is not None, skip)
@@ -520,12 +521,12 @@ def _run_processes(
     """Run a function for each picture in worker processes; yield the number of the picture and the result."""
     from multiprocessing import get_context
 
-    # Spawned, not forked: a fork would copy locks that other threads hold.
+    # Processes are spawned, not forked: a fork would copy locks that other threads hold.
     pool = ProcessPoolExecutor(min(workers, max(len(missing), 1)), get_context("spawn"), initializer=_set_up_worker)
     numbers, running = iter(missing), dict[Future[_Written], int]()
     try:
         while True:
-            # Two tasks per worker: no worker waits for its next task, and few results are in memory.
+            # With two tasks per worker, no worker waits for the next task, and few results are in memory.
             while len(running) < 2 * workers and (number := next(numbers, None)) is not None:
                 running[pool.submit(make, number, *pairs[number // copies])] = number
             if not running:
@@ -538,7 +539,7 @@ def _run_processes(
 
 
 def _set_up_worker() -> None:
-    """Let the worker process ignore Ctrl-C, which the parent handles, and exit when the parent exits."""
+    """Set up this worker process: ignore Ctrl-C, which the parent handles, and exit when the parent exits."""
     from multiprocessing import connection, parent_process
 
     signal.signal(signal.SIGINT, signal.SIG_IGN)
@@ -547,7 +548,7 @@ def _set_up_worker() -> None:
 
         def exit_with_parent() -> None:
             connection.wait([parent.sentinel])
-            # Skip the clean-up, which needs the parent.
+            # Skip the clean-up, which requires the parent.
             os._exit(1)
 
         threading.Thread(target=exit_with_parent, daemon=True).start()
@@ -562,7 +563,7 @@ def _part(folder: Path, number: int) -> Path:
 
 
 def _pack(folder: Path, index: int, shard: int, total: int) -> None:
-    """Pack the pictures of a shard into its tar file if all are rendered, then delete their separate tar files."""
+    """If all pictures of a shard are rendered, pack them into its tar file and delete their separate tar files."""
     target = _shard(folder, index)
     numbers = range(index * shard, min(total, (index + 1) * shard))
     parts = [_part(folder, number) for number in numbers]
@@ -587,7 +588,7 @@ def _write(job: _Job, folder: Path, packed: bool, skip: bool, number: int, photo
     notes: list[str] = []
     try:
         with warnings.catch_warnings(record=True) as seen:
-            # Collect warnings for the parent process: warnings of a worker process would be lost.
+            # Collect warnings, which the parent process issues: warnings of a worker process would be lost.
             warnings.simplefilter("always", UserWarning)
             try:
                 files, facts = _render(job, number, photo, depth)
@@ -616,7 +617,7 @@ def _write(job: _Job, folder: Path, packed: bool, skip: bool, number: int, photo
 
 
 def _tar(files: dict[str, bytes]) -> bytes:
-    """Return the content of a tar file of these files."""
+    """Return the content of a tar file of `files`, a mapping from names to contents."""
     buffer = io.BytesIO()
     with tarfile.open(fileobj=buffer, mode="w") as tar:
         for name, data in files.items():
@@ -627,7 +628,7 @@ def _tar(files: dict[str, bytes]) -> bytes:
 
 
 def _render(job: _Job, number: int, photo: Path, depth: Path) -> tuple[dict[str, bytes], Json]:
-    """Render a picture; return the contents of its files by name, the JSON file last, and its facts."""
+    """Render a picture; return the contents of its files by name (the JSON file last), and the facts."""
     random = np.random.default_rng([job.seed, number])
     lens, pixel = job.lenses.draw(random)
     checksums = [of_file(photo), of_file(depth)]
@@ -666,7 +667,7 @@ def _render(job: _Job, number: int, photo: Path, depth: Path) -> tuple[dict[str,
         "error": float(f"{blur.error:.2g}"),
     }
     if table:
-        facts["psfs_error"] = float(f"{_coarseness(table[2]):.2g}")
+        facts["psfs_error"] = float(f"{_nearest_psf_error(table[2]):.2g}")
     if job.form == "zarr":
         arrays = {"image": image, "sharp": light, "depth": metres}
         if table:
@@ -706,7 +707,7 @@ def _zarr(arrays: dict[str, Values], facts: Json) -> dict[str, bytes]:
 
 
 def _psfs(blur: DepthBlur, count: int) -> tuple[Array, Values, Values]:
-    """Return equally spaced values of C_d, the index of the nearest one for each pixel, and their PSFs."""
+    """Return equally spaced values of C_d, for each pixel the index of the nearest value, and the PSFs."""
     low, high = float(blur.defocus.min()), float(blur.defocus.max())
     defocus = np.linspace(low, high, count)
     step = (high - low) / (count - 1)
@@ -720,8 +721,8 @@ def _psfs(blur: DepthBlur, count: int) -> tuple[Array, Values, Values]:
     return defocus, index, table
 
 
-def _coarseness(psfs: Values) -> float:
-    """Return half of the largest difference between adjacent PSFs, divided by the lower of their two peaks."""
+def _nearest_psf_error(psfs: Values) -> float:
+    """Return the largest half difference between adjacent PSFs, divided by the lower of the two peaks."""
     peaks = psfs.max(axis=(2, 3))
     differences = np.abs(np.diff(psfs, axis=0)).max(axis=(2, 3))
     return float((0.5 * differences / np.minimum(peaks[1:], peaks[:-1])).max())

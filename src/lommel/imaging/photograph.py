@@ -39,7 +39,7 @@ _STRIP = 2**20  # number of depth values read together, which limits the memory 
 
 
 class LazyArray(Protocol):
-    """The part of a dask array's interface that is used here."""
+    """Attributes and methods of a dask array that this module requires."""
 
     shape: tuple[int, ...]
     chunks: tuple[tuple[int, ...], ...]
@@ -50,22 +50,23 @@ class LazyArray(Protocol):
 
 @dataclass(frozen=True, eq=False)
 class Photograph:
-    """Photograph computed from a sharp image, in the encoding of the image; converts to an array of its values.
+    """Photograph computed from a sharp image, in the encoding of the image; ``np.asarray`` returns `values`.
 
     Attributes
     ----------
     values : ndarray
         Stored values, in the type and encoding of the image.
     lost : float
-        Largest fraction of a point's light that falls outside its window, and is spread over the window instead; 0
-        with ``energy=1``.
+        Largest fraction of a point's light that falls outside the PSF's window, and is spread over the window
+        instead; 0 with ``energy=1``.
     error : float
-        Largest error of interpolated windows relative to their peak, checked half-way between computed windows. With
+        Largest error of interpolated PSFs relative to their peak, checked half-way between computed PSFs. With
         ``energy=1``, the sum over all pixels of the largest error of a PSF at any depth and in any channel: without
         occlusion, the error of the light of a pixel is at most this sum times the brightest point of the scene. The
-        sum includes estimated errors far from the point and of floating-point rounding, not rounding to integers.
+        sum includes estimates of errors outside the window and of floating-point rounding, but not of rounding to
+        integers.
     window : int
-        Side of the largest window, pixels.
+        Side of the largest PSF window, pixels.
     clipped : float
         Fraction of the values that were clipped to the range of their integer type; 0 for floats.
     """
@@ -87,7 +88,7 @@ def _make_photograph(values: Pixels, blur: DepthBlur, clipped: float) -> Photogr
 
 
 def fill_missing(depth: ArrayLike, missing: str) -> Values:
-    """Return a depth map with NaN replaced by the nearest depth or by infinity; `missing` "raise" leaves NaN."""
+    """Return a depth map with NaN replaced by the nearest depth or infinity; unchanged if `missing` is "raise"."""
     validation.choice("missing", missing, MISSING)
     distances = validation.array("depth", depth)
     if distances.dtype.kind != "f" or missing == "raise" or not np.isnan(distances).any():
@@ -107,7 +108,7 @@ def encode_light(light: Values, encoding: str, dtype: DTypeLike, threads: int = 
     """Return finite light (1 is white) as stored values, and the fraction of values clipped to an integer range."""
     if light.dtype != np.float32 or dtype != np.uint8 or light.size == 0:
         return from_light(light, encoding, dtype), clipped_fraction(light, dtype)
-    # Comparing with the thresholds between levels is faster than encoding each value, with the same result.
+    # Comparison with the thresholds between levels is faster than encoding each value; the results are equal.
     values = np.empty(light.shape, dtype=np.uint8)
     level = 1.0 / 255.0
     flat = np.ascontiguousarray(light).reshape(-1)
@@ -125,7 +126,7 @@ def _thresholds(encoding: str) -> NDArray[np.float32]:
 def output_array(
     out: Pixels | None, name: str, shape: tuple[int, ...], dtype: np.dtype[np.generic], *inputs: Pixels
 ) -> Pixels:
-    """Return `out`, checked for shape, type and memory not shared with `inputs`; a new array if `out` is None."""
+    """Return a new array, or `out` if given; TypeError or ValueError if `out` does not fit or overlaps `inputs`."""
     if out is None:
         return np.empty(shape, dtype=dtype)
     if not isinstance(out, np.ndarray):
@@ -146,7 +147,7 @@ def require_image(name: str, shape: tuple[int, ...]) -> None:
 
 
 def require_scene(name: str, shape: tuple[int, ...], depth: tuple[int, ...]) -> None:
-    """Raise ValueError unless `shape` is the shape of an image, the argument `name`, and `depth` of its depth map."""
+    """Raise ValueError unless `shape` is the shape of an image, and `depth` the shape of its depth map."""
     require_image(name, shape)
     if depth != shape[:2]:
         raise ValueError(f"depth must have the shape of the {name}, {shape[:2]}, got {depth}")
@@ -156,8 +157,8 @@ def require_scene(name: str, shape: tuple[int, ...], depth: tuple[int, ...]) -> 
 class FocusPlan:
     """Depth-of-field rendering of one scene, for live use: focus and f-number change from frame to frame.
 
-    The options are checked and the image is decoded once. For each frame, the windows and the occlusion of its lens
-    setting are computed, unless they are kept from an earlier frame; then the image is blurred and encoded. The
+    The options are checked and the image is decoded once. For each frame, the PSF windows and the occlusion for the
+    lens setting are computed, unless they are kept from an earlier frame; then the image is blurred and encoded. The
     values equal the result of :func:`lommel.imaging.depth_of_field` with the same arguments, bit for bit.
 
     Parameters
@@ -165,9 +166,9 @@ class FocusPlan:
     image, depth, lens, pixel, encoding
         See :func:`lommel.imaging.depth_of_field`. The image and the depth are copied.
     keep : int, default 4
-        Number of lens settings whose windows and occlusion are kept, 1 to 1000. A setting takes a few MiB, 8 bytes
-        per point and channel, and with `occlusion` the memory of :class:`lommel.imaging.Occlusion`; with ``energy=1``
-        up to five times as much.
+        Number of lens settings whose PSF windows and occlusion are kept, 1 to 1000. Each setting requires a few MiB
+        plus 8 bytes per point and channel, and with `occlusion` the memory of :class:`lommel.imaging.Occlusion`; with
+        ``energy=1`` up to five times as much.
     supersample : int, default 1
         See :func:`lommel.imaging.depth_of_field`.
     {options}
@@ -175,8 +176,8 @@ class FocusPlan:
     Raises
     ------
     TypeError, ValueError
-        See :func:`lommel.imaging.depth_of_field`; also if windows of `lens` at its own focus exceed `largest`, since
-        the constructor computes them.
+        See :func:`lommel.imaging.depth_of_field`; also if PSF windows of `lens` exceed `largest`, because the
+        constructor computes these windows.
 
     Examples
     --------
@@ -223,7 +224,7 @@ class FocusPlan:
     def lens_at(self, *, focus_distance: float | None = None, f_number: float | None = None) -> Lens:
         """Return the lens at another `focus_distance` (metres) or `f_number`; None keeps the value of `lens`.
 
-        Raises the errors of :meth:`lommel.Lens.focused` and :meth:`lommel.Lens.stopped`.
+        Raise the errors of :meth:`lommel.Lens.focused` and :meth:`lommel.Lens.stopped`.
         """
         lens = self.lens if f_number is None else self.lens.stopped(f_number)
         return lens if focus_distance is None else lens.focused(focus_distance)
@@ -233,9 +234,9 @@ class FocusPlan:
         return self._occlusion_at(focus_distance, f_number).blur
 
     def _occlusion_at(self, focus_distance: float | None, f_number: float | None) -> Occlusion:
-        """Return the blur with occlusion at a focus distance and f-number, from the cache if it is there."""
+        """Return the blur with occlusion at a focus distance and f-number, from the cache if possible."""
         lens = self.lens_at(focus_distance=focus_distance, f_number=f_number)
-        # Sensor distance and aperture diameter identify the lens, also if it is refocused to its present distance.
+        # Sensor distance and aperture diameter identify a lens setting, however it was specified.
         key = (lens.sensor_distance, lens.aperture_diameter)
         if key in self._cache:
             self._cache.move_to_end(key)
@@ -254,10 +255,10 @@ class FocusPlan:
         Parameters
         ----------
         focus_distance : float, optional
-            Object distance in focus, metres, more than the focal length, may be infinite; by default that of the
-            lens. Refocusing moves the sensor, which changes the working f-number.
+            Object distance in focus, metres, more than the focal length, may be infinite; by default the focus
+            distance of the lens. Refocusing moves the sensor, which changes the working f-number.
         f_number : float, optional
-            Focal length divided by the diameter of the aperture; by default that of the lens.
+            Focal length divided by the diameter of the aperture; by default the f-number of the lens.
         out : ndarray, optional
             Array that receives the values, with the type of the image and the shape of the photograph.
 
@@ -268,7 +269,7 @@ class FocusPlan:
         Raises
         ------
         TypeError, ValueError
-            If an argument is out of range, or a window exceeds `largest`. `out` is not changed then.
+            If an argument is out of range, or a window exceeds `largest`; `out` is then unchanged.
         """
         if out is not None:
             output_array(out, "image", self.shape, self.dtype)
@@ -281,7 +282,7 @@ class FocusPlan:
         photograph = _make_photograph(values, occlusion.blur, clipped)
         if out is None:
             return photograph
-        # `out` is written last: it keeps its values if an error is raised.
+        # `out` is written last: it is unchanged if an error is raised.
         np.copyto(out, photograph.values)
         return replace(photograph, values=out)
 
@@ -331,10 +332,11 @@ def depth_of_field(
     """Render the depth of field of a lens: blur each point of a sharp image by the PSF at its distance.
 
     The PSFs are pixel-integrated, with diffraction, aberrations and colour (:class:`lommel.imaging.DepthBlur`), and
-    near points occlude far ones (:class:`lommel.imaging.Occlusion`). Arrays are rendered as a whole; memory maps, and
-    arrays with `tile`, in overlapping tiles with little memory; dask arrays lazily, by chunks. Tiles and chunks use
-    the windows of the whole image, and agree with it except for rounding. They overlap by half a window; with
-    `occlusion` also by twice the range of blur radii, the largest distance of an occluded point from an edge.
+    near points occlude far points (:class:`lommel.imaging.Occlusion`). Arrays are rendered as a whole. Memory maps,
+    and arrays with `tile`, are rendered in overlapping tiles, with little memory. Dask arrays are rendered lazily, by
+    chunks. Tiles and chunks use the PSF windows of the whole image; their result agrees with that of the whole image
+    except for rounding. Their overlap is half a window and, with `occlusion`, in addition twice the range of blur
+    radii: the largest distance of an occluded point from an edge.
 
     Parameters
     ----------
@@ -350,35 +352,35 @@ def depth_of_field(
     encoding : {"srgb", "linear"}
         Encoding of `image` and of the result.
     supersample : int, default 1
-        Points of `image` and `depth` along each side of a pixel of the result, 1 to 16: the scene is given at points
-        ``pixel / supersample`` apart, and each pixel of the result averages the light of its points. `largest` and
-        the `window` of the result count points. Not available with `tile`, `depths` or dask arrays; memory maps are
-        rendered as a whole.
+        Number of points of `image` and `depth` along each side of a pixel of the result, 1 to 16: the points are
+        ``pixel / supersample`` apart, and each pixel of the result is the mean light of its points. `largest` and
+        the `window` of the result are in points, not pixels. Not available with `tile`, `depths` or dask arrays;
+        memory maps are rendered as a whole.
     tile : int, optional
-        Side of the tiles, pixels, 16 to 16384; by default 1024 for memory maps. Memory beyond input and output is
-        about a hundred bytes per pixel of a tile, and with `occlusion` several hundred per channel. For dask arrays
-        the side of the chunks; by default the chunks stay as they are.
+        Side of the tiles, pixels, 16 to 16384; by default 1024 for memory maps. A tile requires about a
+        hundred bytes per pixel, with `occlusion` several hundred bytes per pixel and channel. For dask arrays, the
+        side of the chunks; by default the chunks are unchanged.
     depths : (float, float), optional
         Nearest and farthest distance in the scene, metres; by default they are read from `depth`.
     out : ndarray, optional
-        Array or memory map for the values, with the shape and type of the result. Not for dask arrays.
+        Array or memory map that receives the values, with the shape and type of the result. Not for dask arrays.
     progress : callable, optional
-        Called as ``progress(done, tiles)`` after each tile. Not for dask arrays.
+        Called as ``progress(done, tiles)``, with the numbers of complete and of all tiles. Not for dask arrays.
     {options}
 
     Returns
     -------
     Photograph or dask.array.Array
-        For dask arrays, a dask array of the shape and type of `image`: its windows are computed immediately, its
+        For dask arrays, a dask array of the shape and type of `image`: the PSF windows are computed immediately, the
         chunks lazily, each chunk by one thread unless `threads` is given.
 
     Raises
     ------
     TypeError, ValueError
         If an argument is unknown or out of range, if shapes do not match, if the lens is not radially symmetric, if
-        a window exceeds `largest`, if an image has two or four channels and no `wavelengths` are given (one channel
-        may be alpha), or if `out` has another shape or type. `out` keeps tiles that were written before an error.
-        Chunks are checked when they are computed.
+        a window exceeds `largest`, if the image has neither one nor three channels and no `wavelengths` are given, or
+        if `out` has another shape or type. After an error, `out` contains the tiles that were written before. Chunks
+        are checked when they are computed.
     """
     require_known(depth_of_field, options, Keywords)
     require_lens(lens, "image, depth, lens, pixel")
@@ -395,8 +397,8 @@ def depth_of_field(
                 "dask.array.store(result, out) and dask.diagnostics.ProgressBar"
             )
         # dask computes chunks in parallel: by default each chunk has one thread.
-        of_chunks: Keywords = {"threads": 1, **options}
-        return _render_chunks(image, depth, lens, pixel, encoding, tile, depths, Settings(**of_chunks))
+        chunk_options: Keywords = {"threads": 1, **options}
+        return _render_chunks(image, depth, lens, pixel, encoding, tile, depths, Settings(**chunk_options))
     if tile is None and supersample == 1 and any(isinstance(part, np.memmap) for part in (image, depth, out)):
         tile = TILE
     values = validation.array("image", cast("ArrayLike", image))
@@ -422,7 +424,7 @@ def _render_tiles(
     out: Pixels | None,
     progress: Callable[[int, int], object] | None,
 ) -> Photograph:
-    """Return the photograph of arrays or memory maps, rendered tile by tile."""
+    """Return the photograph for arrays or memory maps, rendered tile by tile."""
     require_scene("image", values.shape, distances.shape)
     out = output_array(out, "image", values.shape, values.dtype, values, distances)
     if settings.missing == "nearest":
@@ -441,8 +443,8 @@ def _render_tiles(
 
 
 def _are_dask(image: object, depth: object) -> bool:
-    """Return whether image and depth are dask arrays; TypeError if only one is."""
-    da = sys.modules.get("dask.array")  # None before dask is imported, when no dask array can exist
+    """Return whether image and depth are dask arrays; TypeError if only one of them is a dask array."""
+    da = sys.modules.get("dask.array")  # None if dask is not imported: then no dask array exists
     are_dask = [da is not None and isinstance(part, da.Array) for part in (image, depth)]
     if any(are_dask) and not all(are_dask):
         raise TypeError(
@@ -462,13 +464,13 @@ def _render_chunks(
     depths: tuple[float, float] | None,
     settings: Settings,
 ) -> LazyArray:
-    """Return the photograph of dask arrays as a dask array, computed chunk by chunk."""
+    """Return the photograph for dask arrays as a dask array, computed chunk by chunk."""
     dask, da = (library(name, "chunks need", "dask") for name in ("dask", "dask.array"))
     require_scene("image", image.shape, depth.shape)
     require_metres(depth.dtype)
     if tile is not None:
         image = image.rechunk({0: tile, 1: tile})
-    # A chunk holds all channels, which are blurred and encoded together.
+    # A chunk contains all channels, which are blurred and encoded together.
     if image.ndim == 3:
         image = image.rechunk({2: -1})
     if settings.missing == "nearest":
@@ -480,10 +482,10 @@ def _render_chunks(
         depths = _require_range(float(low), float(high))
     blur = TileBlur(image.shape, depths, lens, pixel, encoding, settings)
     distances = depth.rechunk(image.chunks[:2])
-    # dask raises an error if the overlap is longer than the array.
+    # dask raises an error if the overlap exceeds the side of the array.
     overlap = {axis: min(blur.overlap, image.shape[axis]) for axis in (0, 1)}
     if image.ndim == 3:
-        # dask aligns the last axes of the two arrays: depth needs an axis of channels, too.
+        # dask aligns the last axes of the two arrays: depth requires an axis of channels, too.
         distances, overlap = distances[..., None], overlap | {2: 0}
     photograph: LazyArray = da.map_overlap(
         blur.chunk,
@@ -499,7 +501,7 @@ def _render_chunks(
 
 
 class TileBlur:
-    """Depth-of-field rendering of parts of a scene, with the windows of the whole scene; can be pickled."""
+    """Depth-of-field rendering of parts of a scene, with the PSF windows of the whole scene; can be pickled."""
 
     def __init__(
         self,
@@ -519,7 +521,7 @@ class TileBlur:
         self.missing = "raise" if settings.missing == "nearest" else settings.missing
         self.encoding, self._occlusion = encoding, settings.occlusion
         keywords = settings.of_blur | {"largest": settings.largest or max(1, min(shape[:2]) // 2)}
-        with np.errstate(over="ignore"):  # long doubles beyond float64 become infinite distances
+        with np.errstate(over="ignore"):  # long doubles above the range of float64 become infinite distances
             # The two ends of the depth range determine the windows of all parts.
             extremes = np.array(validation.number_array("depths", depths), dtype=np.float64)[None]
         if extremes.shape != (1, 2) or np.isnan(extremes).any():
@@ -531,12 +533,12 @@ class TileBlur:
         self.overlap = self.half + (reach_behind(self.whole, self._defocus_range) if self._occlusion else 0)
 
     def light(self, image: Pixels, depth: Pixels) -> Values:
-        """Return the light of a part; it is incomplete within `overlap` pixels of edges where the part was cut."""
+        """Return the light of a part of the scene, incomplete within `overlap` pixels of edges inside the scene."""
         image, depth = validation.array("image", image), validation.array("depth", depth)
         return self.operator(depth).forward(scene_light("image", image, self.encoding, self.whole.dtype))
 
     def operator(self, depth: Pixels) -> LinearBlur:
-        """Return the blur of a part, with occlusion if the settings have it."""
+        """Return the blur of a part of the scene, with occlusion if `occlusion` is True in the settings."""
         blur = copy.copy(self.whole)
         blur.place(fill_missing(depth, self.missing))
         low, high = self._defocus_range
@@ -548,13 +550,13 @@ class TileBlur:
         return Occlusion(blur, self._defocus_range) if self._occlusion else blur
 
     def chunk(self, image: Pixels, depth: Pixels) -> Pixels:
-        """Return the stored values of a part; `depth` may have a third axis of length 1, which dask requires."""
+        """Return the stored values of a part of the scene; `depth` may have a third axis of length 1, for dask."""
         light = self.light(image, depth.reshape(depth.shape[:2]))
         return encode_light(light, self.encoding, image.dtype, self.whole.threads)[0]
 
 
 def depth_range(depth: Pixels, missing: str = "raise") -> tuple[float, float]:
-    """Return the nearest and the farthest distance, metres; reads one strip of rows after the other."""
+    """Return the nearest and the farthest distance, metres; read the depth in strips of rows."""
     require_metres(depth.dtype)
     rows = max(1, _STRIP // depth.shape[1])
     low, high = np.inf, -np.inf
@@ -567,14 +569,14 @@ def depth_range(depth: Pixels, missing: str = "raise") -> tuple[float, float]:
 def _require_range(low: float, high: float) -> tuple[float, float]:
     """Return the range of depths; ValueError if a depth is NaN."""
     if np.isnan(low):
-        raise ValueError('depth is NaN at some points; fill them by `missing`, "nearest" or "infinity"')
+        raise ValueError('depth is NaN at some points; fill them with missing="nearest" or missing="infinity"')
     return low, high
 
 
 POSITION_TOL = 1e-3
 """Tolerance of the undistorted positions of pixels, in pixels, checked half-way between interpolation nodes."""
 
-_UNINTERPOLATED = 4096  # number of pixels up to which all positions are computed without interpolation
+_MAX_UNINTERPOLATED = 4096  # largest number of pixels whose positions are all computed without interpolation
 _MAX_NODES = 257  # largest number of interpolation nodes along a side
 _MODES = {"reflect": "reflect", "extend": "nearest", "zero": "grid-constant"}  # SciPy's modes for the option `border`
 
@@ -597,7 +599,7 @@ def field_photograph(
     `image` is the image of an ideal lens. The wavefront tilts of the map displace light
     (:meth:`lommel.FieldMap.displacement`): each channel is resampled accordingly by quintic splines, blurred by
     :class:`lommel.imaging.FieldBlur` with the PSFs of the map without tilts, and multiplied by the shading of the
-    map. Together these steps are the blur by the PSFs of the map with tilts, for displacements of any size.
+    map. These steps are equivalent to the blur by the PSFs of the map with tilts, for displacements of any size.
 
     Parameters
     ----------
@@ -610,7 +612,7 @@ def field_photograph(
     encoding : {"srgb", "linear"}
         Encoding of `image` and of the result.
     center, sensor
-        See :class:`lommel.imaging.FieldBlur`. A `sensor` larger than the image exaggerates PSFs, not distortion.
+        See :class:`lommel.imaging.FieldBlur`. A `sensor` larger than the image enlarges the PSFs, not the distortion.
     wavelengths : Channels or sequence, optional
         :class:`lommel.Channels`, or for each channel a wavelength (metres) or pairs of wavelength and weight. By
         default the wavelength of the map for a grey image, and 600, 540 and 460 nm for three channels.
@@ -622,7 +624,7 @@ def field_photograph(
     -------
     Photograph
         Apart from resampling, the error of the light of a pixel is at most ``error + 2 * lost`` times the brightest
-        point; `error` is the largest sum of absolute differences between interpolated and exact windows.
+        point; `error` is the largest sum of absolute differences between an interpolated and an exact PSF window.
 
     Raises
     ------
@@ -631,9 +633,9 @@ def field_photograph(
 
     Notes
     -----
-    A uniform scene stays uniform except for the shading, the measured relative illumination. Where distortion
-    stretches the image, the total light of each point therefore increases. :class:`lommel.imaging.FieldBlur` with the
-    tilts in its windows conserves the total light of each point instead.
+    The photograph of a uniform scene is uniform except for the shading, the measured relative illumination. If
+    distortion stretches the image, the total light of each point therefore increases. In contrast,
+    :class:`lommel.imaging.FieldBlur` with the tilts in the windows conserves the total light of each point.
 
     Positions are accurate to 0.001 pixel. Resampling by splines changes a Gaussian by 0.3 % of its peak for a
     standard deviation of 1 pixel, by 0.04 % for 1.5 pixels, and by 0.005 % for 2 pixels. At sharp edges splines
@@ -716,15 +718,15 @@ def distort(plane: Values, blur: UntiltedBlur, spectrum: Spectrum | None) -> Val
 def undistorted_positions(
     field_map: FieldMap, y: Array, x: Array, spectrum: Spectrum | None, tol: float
 ) -> tuple[Array, Array]:
-    """Return the undistorted y and x, to within `tol`, of the light that arrives at rows `y` and columns `x`."""
+    """Return undistorted y and x, with an error of at most `tol`, of light that arrives at rows y and columns x."""
     from scipy.interpolate import RectBivariateSpline
 
-    if len(y) * len(x) <= _UNINTERPOLATED or min(len(y), len(x)) < 16:
+    if len(y) * len(x) <= _MAX_UNINTERPOLATED or min(len(y), len(x)) < 16:
         across, down = field_map.undistorted(x, y[:, None], spectrum)
         return down, across
     count = 9
     while count <= _MAX_NODES:
-        # Nodes run from 0 to 1 along both axes, because FITPACK compares with absolute tolerances.
+        # Coordinates of interpolation nodes are 0 to 1 along both axes, because FITPACK has absolute tolerances.
         nodes, middles = np.linspace(0.0, 1.0, count), (np.arange(count - 1) + 0.5) / (count - 1)
         at_nodes, at_middles = (
             field_map.undistorted(x[0] + part * (x[-1] - x[0]), y[0] + part[:, None] * (y[-1] - y[0]), spectrum)[::-1]
@@ -735,6 +737,6 @@ def undistorted_positions(
         if error <= tol:
             down, across = (s(*(np.linspace(0.0, 1.0, len(axis)) for axis in (y, x))) for s in splines)
             return down, across
-        # Halve the spacing: the new nodes include the old ones.
+        # Halve the spacing: the new nodes include the old nodes.
         count = 2 * count - 1
     raise ValueError("distortion of the map varies too fast to be interpolated; make a map with smoother tilts")

@@ -203,7 +203,7 @@ def test_a_bound_is_infinite_where_there_is_none():
 def test_averages_of_samples_are_off_by_what_samples_are():
     pixels = Pixels(2, 3, False, 1.0, 0.25, 2)
     values, error = pixels.means(
-        Namespace.of(None), {"share": np.full((2, 1, 2, 1), 0.25)}, np.ones((1, 24)), np.array([0.5]), 0.0
+        Namespace.of(None), {"weights": np.full((2, 1, 2, 1), 0.25)}, np.ones((1, 24)), np.array([0.5]), 0.0
     )
     assert values == pytest.approx(np.ones((1, 6)), rel=1e-15)
     assert error == pytest.approx(0.75, rel=1e-15)

@@ -270,9 +270,10 @@ def render_dataset(
     ``000012.depth.npy`` (metres, float32) and ``000012.json`` (lens, noise, names of the files). ``000012.psfs.npz``
     contains PSFs: arrays `defocus` (n,), the defocus coefficients C_d in radians, and `psfs`, float32 (n, channels,
     side, side), each of unit sum. ``000012.index.png`` (16 bit) contains for each pixel the index of the nearest C_d:
-    the scene pixel (y, x) is blurred by approximately ``psfs[index[y, x]]``. In the JSON file, `psfs_error` estimates the
-    error of this PSF relative to its peak: half of the largest difference between adjacent PSFs. `error` is the error
-    of the interpolated PSFs that blur the image. WebDataset groups files by the first part of their names.
+    the scene pixel (y, x) is blurred by approximately ``psfs[index[y, x]]``. In the JSON file, `psfs_error` is an
+    estimate of the error of this PSF relative to its peak: half of the largest difference between adjacent PSFs.
+    `error` is the error of the interpolated PSFs that blur the image. WebDataset groups files by the first part of
+    their names.
 
     Parameters
     ----------

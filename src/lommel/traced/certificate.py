@@ -1,19 +1,19 @@
 r"""Error bounds of the fields and images of differentiable plans, computed on the device of the field.
 
-Let e be the error of the field, and M the largest absolute field in the window. The error of the intensity, and of
-its peak, is then at most ``2 M e + e^2`` (docs/certificate.md, section 6).
+Let e be the error of the field, and M the largest absolute field in the window. The error of the intensity, and the
+error of its peak, are then at most ``2 M e + e^2`` (docs/certificate.md, section 6).
 
-The chordal rule sums over parallel chords of the disk, and over nodes on each chord. The error of each sum is bounded
-by the mean of the absolute integrand on a curve around the disk, in complex coordinates (docs/certificate.md,
-"Differentiable PSFs", "Any terms"). The absolute integrand is ``exp(h + l)``: h is -Im(phase), and l the logarithm of
-the absolute kernel. The mean is far below the maximum, because different terms have their maxima at different points.
-The mean is a convex function of the position in the window, and therefore largest at a corner of the window.
+The chordal rule sums over parallel chords of the disk, and over nodes on each chord. The error of each of these sums
+is bounded by the mean of the absolute integrand on a curve around the disk, in complex coordinates
+(docs/certificate.md, "Differentiable PSFs", "Any terms"). The absolute integrand is ``exp(h + l)``, where h is -Im(phase), and l is the
+logarithm of the absolute kernel. This mean is far below the maximum, because different terms have their maxima at
+different points. The mean is a convex function of the position in the window: it is largest at a corner.
 
-At a corner, let m and s^2 be the mean and the variance of h under the weight of the curve times ``exp(l)``. m is
-linear and s^2 quadratic in the coefficients of the wavefront; the tables of these forms are integrals. With the
-maximum H of h, Bennett's inequality is ``<e^h> <= e^m (1 + k s^2)`` with ``k = (e^x - 1 - x) / x^2`` at
+At a corner, let m and s^2 be the mean and the variance of h, weighted by ``exp(l)`` and the weight of the curve. m is
+linear and s^2 quadratic in the coefficients of the wavefront; tables contain the coefficients of these two forms. Let
+H be the maximum of h. Bennett's inequality is ``mean(e^h) <= e^m (1 + k s^2)`` with ``k = (e^x - 1 - x) / x^2`` at
 ``x = H - m``. On the curve h is a trigonometric polynomial of two angles: H is at most the largest sample times a
-factor slightly above 1. Half of the angles suffice, since h has opposite signs at conjugate points.
+factor slightly above 1. Half of the angles suffice, because h has opposite signs at conjugate points.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ from lommel.special.legendre import gauss_legendre
 from lommel.traced.namespaces import Namespace, Tables, Tensor
 
 _MAX_LOGARITHM = 60.0  # exponentials of larger numbers are replaced by infinity
-_ROUND_UP = 1.001  # factor on bounds, for rounding in float32
+_ROUND_UP = 1.001  # factor that multiplies bounds, to cover rounding in float32
 
 
 def exponential(ns: Namespace, logarithm: Tensor) -> Tensor:
@@ -64,7 +64,7 @@ def over_peak(ns: Namespace, values: Tensor, error: Tensor, stored: float, *, di
         ratio = xp.where(small, ratio, xp.zeros_like(ratio))
         ratio = xp.where(small, 2.0 * ratio / (1.0 - ratio), infinite(ns, ratio))
     bound = (ratio + (1.0 + ratio) * stored) * _ROUND_UP
-    # Also for NaN, since comparisons with NaN are False.
+    # NaN is replaced by infinity, because comparisons with NaN are False.
     return xp.where(bound >= 0.0, bound, infinite(ns, bound))
 
 
@@ -73,12 +73,12 @@ def infinite(ns: Namespace, like: Tensor) -> Tensor:
     return ns.xp.full_like(like, float("inf"))
 
 
-# Certificate, "Differentiable PSFs", "Any terms": samples in steps of pi / (5 d) for the degree d, and a bound on
-# maximum / largest sample (M. Riesz).
-_STEPS_PER_DEGREE = 5  # samples in half a turn / degree
+# Certificate, "Differentiable PSFs", "Any terms": for the degree d, samples in steps of pi / (5 d), and M. Riesz's
+# bound on the ratio of the maximum to the largest sample.
+_STEPS_PER_DEGREE = 5  # number of samples in half a turn, divided by the degree
 _SAMPLE_FACTOR = 1.0 / math.cos(0.5 * math.pi / _STEPS_PER_DEGREE) ** 2
 CURVES = np.geomspace(0.04, 1.6, 24)
-"""Parameters b of the curves that are tried: on a curve, the angle has the imaginary part b."""
+"""Parameters b of the candidate curves: on a curve, the angle has the imaginary part b."""
 _MAX_LOG_MEAN = 40.0  # largest logarithm of the means on usable curves
 _LOG_ROUNDING = 0.05  # added to logarithms of bounds, for the rounding of exponentials
 _MIN_X, _MAX_X = 0.5, 60.0  # range of x = H - m in Bennett's inequality: k loses digits below, and overflows above
@@ -86,10 +86,10 @@ _NUMPY = Namespace.of(None)
 
 
 class Mean(NamedTuple):
-    """Error bound of the sum over chords or of the sum over nodes, by means on one curve for each disk.
+    """Error bound of the sum over chords or of the sum over nodes, from the means on one curve for each disk.
 
-    An obscured aperture has two disks: the aperture and the obscuration. `corners` is the number of corners of the
-    window, `unit` the unit roundoff.
+    `disks` is the number of disks: an obscured aperture has two, the aperture and the obscuration. `corners` is the
+    number of distinct corners of the window, `unit` is the unit roundoff.
     """
 
     disks: int
@@ -97,9 +97,9 @@ class Mean(NamedTuple):
     unit: float
 
     def logarithm(self, ns: Namespace, tables: Tables, name: str, c: Tensor) -> Tensor:
-        """Return a bound on the logarithm of the error of the sum over "chords" or "nodes", shape (n,).
+        """Return a bound on the logarithm of the error of the sum `name`, "chords" or "nodes", shape (n,).
 
-        `c` (n, terms) are the coefficients of the wavefronts, `tables` those of :func:`mean_on_curve`.
+        `c` (n, terms) are the coefficients of the wavefronts, `tables` the tables of :func:`mean_on_curve`.
         """
         return reduce(ns.xp.logaddexp, (self._of_disk(ns, tables, f"{name} {k}", c) for k in range(self.disks)))
 
@@ -116,7 +116,7 @@ class Mean(NamedTuple):
         deviation = xp.sqrt(xp.sum(roots * roots, axis=1)) + rounding
         # Bennett's inequality, x = H - mu (certificate, "Any terms").
         x, variance = maximum - mean + 2.0 * rounding, deviation * deviation
-        # k = (e^x - 1 - x) / x^2 increases with x: raising x to _MIN_X keeps the bound, and avoids cancellation.
+        # k = (e^x - 1 - x) / x^2 increases with x: with x increased to _MIN_X the bound holds, without cancellation.
         clipped = xp.where(x < _MIN_X, xp.full_like(x, _MIN_X), x)
         clipped = xp.where(x > _MAX_X, xp.full_like(x, _MAX_X), clipped)
         log_factor = xp.log1p(variance * ((xp.exp(clipped) - 1.0 - clipped) / (clipped * clipped)))
@@ -131,17 +131,17 @@ def fewest(
     error: float,
     unit: float,
 ) -> tuple[int, int, Mean, Tables] | None:
-    """Return the smallest numbers of chords and of nodes with an error of at most `error`, the bound and its tables.
+    """Return the smallest numbers of chords and of nodes with errors of at most `error`, the bound and its tables.
 
-    The bound holds for all wavefronts with coefficients `c` (members, terms). None if there is no such bound.
-    `geometry` is (terms, stretch, window), see :func:`mean_on_curve`. `disks` are pairs of a radius and an array
-    (2, curves), which is added to the logarithms of the bounds of chords (row 0) and nodes (row 1).
+    The bound holds for all wavefronts with coefficients `c` (members, terms). Return None if no curve has a usable
+    bound. `geometry` is (terms, stretch, window), see :func:`mean_on_curve`. `disks` are pairs of a radius and an
+    array (2, curves), which is added to the logarithms of the bounds for chords (row 0) and nodes (row 1).
     """
     counts, best_tables = [0], Tables()
     for kind, name in enumerate(("chords", "nodes")):
         best = None
         for j, b in enumerate(CURVES.tolist()):
-            # On this curve, and on curves with larger b, the exponential of the kernel would overflow.
+            # The exponential of the kernel would overflow for this b, and for all larger b.
             if max(np.abs(positions).max() for positions in geometry[2]) * math.sinh(b) > _MAX_X:
                 break
             tables = Tables()
@@ -153,7 +153,7 @@ def fewest(
             mean = mean._replace(disks=len(disks), unit=unit)
             with np.errstate(over="ignore", invalid="ignore"):
                 log_error = float(np.max(_NUMPY.to_numpy(mean.logarithm(_NUMPY, tables, name, c))))
-            # The error is proportional to exp(-2 count b).
+            # The error is proportional to exp(-2 count b), where count is the number of chords or nodes.
             count = even((log_error - math.log(error)) / (2.0 * b)) if log_error < _MAX_LOG_MEAN else 0
             if count and (best is None or count < best[0]):
                 for k in range(len(disks)):
@@ -163,7 +163,7 @@ def fewest(
             return None
         counts.append(best[0])
         best_tables |= best[1]
-    return counts[1], counts[2], mean, best_tables  # `mean` is the same for all curves, for chords and for nodes
+    return counts[1], counts[2], mean, best_tables  # all curves, chords and nodes have the same `mean`
 
 
 def even(needed: float) -> int:
@@ -181,11 +181,11 @@ def mean_on_curve(
     chords: int,
     disk: tuple[int, float] = (0, 1.0),
 ) -> tuple[Mean, Tables]:
-    """Return the bound of one sum, over "chords" or over "nodes" of each chord, on the curve b; and its tables.
+    """Return the bound of one sum on the curve with the parameter b, without constant factors; and its tables.
 
-    `stretch` multiplies the phases of the Zernike `terms` (n, m), `window` is (rows, columns) in v, and `disk` is the
-    index and the radius of the disk. `chords`, the number of chords, is used for "nodes" only. Constant factors of
-    the error are not included.
+    `name` is "chords" for the sum over chords, "nodes" for the sum over nodes of each chord. `stretch` multiplies the
+    phases of the Zernike `terms` (n, m), `window` is (rows, columns) in v, and `disk` is the index and the radius of
+    the disk. `chords`, the number of chords, is used for "nodes" only.
     """
     (y, x), radius = window, disk[1]
     degrees = np.array([n for n, _ in terms], dtype=np.float64)
@@ -193,8 +193,8 @@ def mean_on_curve(
     angle = np.arange(steps + 1.0) * (math.pi / steps)
     points = [radius * coordinate for coordinate in _curve(name, b, angle, np.cos(angle), angle)]
     samples = stretch * polynomials(terms, *points).imag
-    # For a corner at the distance R, the kernel on the curve is exp(R sinh b cos a). Its Fourier coefficients
-    # decrease like exp(-k^2 / (2 R sinh b)).
+    # For a corner at the distance R, the absolute kernel on the curve is exp(R sinh b cos a) with an angle a. Its
+    # Fourier coefficients decrease like exp(-k^2 / (2 R sinh b)).
     reach = radius * math.hypot(np.abs(x).max(), np.abs(y).max()) * math.sinh(b)
     count = int(degrees.max()) + 9 + math.ceil(3.75 * math.sqrt(reach))
     half = (np.arange(float(count)) + 0.5) * (math.pi / count)
@@ -208,7 +208,7 @@ def mean_on_curve(
         weights = (2.0 * np.sin(phi) ** 2 / (chords + 1))[:, None] / count + 0.0 * half
     points = [radius * coordinate for coordinate in curve]
     h = stretch * polynomials(terms, *points).imag
-    # Both halves of the curve: h changes its sign at conjugate points.
+    # The second half of the curve follows from the first: h changes its sign at conjugate points.
     h, weights = np.concatenate([-h, h], axis=1), 0.5 * np.concatenate([weights.ravel(), weights.ravel()])
     constants, means, forms = [], [], []
     corners = sorted({(v, u) for v in (float(y.min()), float(y.max())) for u in (float(x.min()), float(x.max()))})
@@ -218,7 +218,7 @@ def mean_on_curve(
         total = float(weight.sum())
         mean = h @ (weight / total)
         deviation = h - mean[:, None]
-        # The covariance as a sum of squares: a variance is then one matrix product on the device.
+        # The covariance matrix is factorized as forms^T forms: a variance is then the sum of squares of forms @ c.
         eigenvalues, vectors = np.linalg.eigh((deviation * (weight / total)) @ deviation.T)
         constants.append(math.log(total))
         means.append(mean)
@@ -235,8 +235,8 @@ def mean_on_curve(
 def _curve(name: str, b: float, first: Array, eta: Array, second: Array) -> tuple[Values, Values]:
     """Return the complex coordinates x and y of all points on a curve, flattened.
 
-    For "chords" the angle of the chord is complex, ``first + i b``, and `eta` is the real position on the chord. For
-    "nodes" the angle `first` of the chord is real, and the angle of the node is complex, ``second + i b``.
+    For the `name` "chords" the angle of the chord is complex, ``first + i b``, and `eta` is the real position on the
+    chord. For "nodes" the angle `first` of the chord is real, and the angle of the node is complex, ``second + i b``.
     """
     if name == "chords":
         px, py = np.cos(first + 1j * b)[:, None] + 0.0 * eta, np.sin(first + 1j * b)[:, None] * eta
@@ -246,7 +246,7 @@ def _curve(name: str, b: float, first: Array, eta: Array, second: Array) -> tupl
 
 
 def polynomials(terms: tuple[tuple[int, int], ...], x: Values, y: Values) -> NDArray[np.complex128]:
-    """Return Zernike terms, 1 at the edge, at complex points, shape ``(terms,) + x.shape``."""
+    """Return Zernike terms with amplitude 1 at the edge, at complex points, shape ``(terms,) + x.shape``."""
     from scipy.special import eval_jacobi
 
     # rho^m exp(+-i m theta) = (x +- i y)^m, also for complex x and y.

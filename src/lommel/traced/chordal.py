@@ -1,11 +1,12 @@
 """Fields of pupils as matrix products: any Zernike terms by the chordal rule, or radially symmetric pupils.
 
-The chordal rule divides the pupil into parallel chords, at ``x_i = cos(phi_i)``, with nodes on each chord, at
-``y = eta_k sin(phi_i)``. The kernel exp(-i v.r) is a product of a factor along the chord, for the rows of a window,
-and a factor across the chords, for its columns. The error bounds of the two sums are in the certificate, section 8:
-``log abs(F) <= sum W_p sinh(n_p b) + R sinh b`` for the integrand F on a curve b, with the amplitude W_p of the terms
-of equal degree n_p and abs(m). This is linear in W_p: the bound is a matrix product, too. A central obscuration adds
-a second set of chords, with negative weights.
+The chordal rule is a quadrature rule on parallel chords of the pupil, at ``x_i = cos(phi_i)``, with nodes on each
+chord, at ``y = eta_k sin(phi_i)``. The kernel exp(-i v.r) is a product of a factor along the chord, for the rows of a
+window, and a factor across the chords, for its columns. Section 8 of the certificate contains the error bounds of
+the sums over chords and over nodes: ``log abs(F) <= sum W_p sinh(n_p b) + R sinh b``. F is the integrand on the curve
+with the parameter b, W_p the amplitude of the terms of equal degree n_p and abs(m), and R the largest distance in the
+window (v). The bound is linear in W_p, and therefore a matrix product, too. A central obscuration adds a second set
+of chords, with negative weights.
 """
 
 from __future__ import annotations
@@ -33,18 +34,17 @@ from lommel.traced.certificate import CURVES, Mean, even, exponential, fewest, i
 from lommel.traced.namespaces import Namespace, Operand, Tables, Tensor
 
 # Phases at quadrature nodes, their cosines and sines, in float64 or in float32 with full accuracy (certificate,
-# "Differentiable PSFs", "Rounding"). A phase of 100 rad in float32 would have an error of 6e-6. Each coefficient is
-# therefore split, ``c = n / s + r`` with an integer n, and so is each term B, in turns: ``B / (2 pi s) = B_1 + B_2``,
-# where B_1 is a multiple of ``2^-q``. Then the products ``n B_1`` are multiples of ``2^-q``, and their sum is below
-# ``2^(23 - q)``: products, sum, and the sum modulo 1 are exact. Only ``n B_2 + r B / 2 pi``, a small part of a turn,
-# is rounded. For d terms, the unit roundoff u and a small part of at most ``delta``, the error of the phase is at
-# most ``u (2 pi (2 d + 4) delta + 6 pi (1/2 + delta))``.
-#
-# The derivative of n with respect to c is 0, and the derivative of r is 1: derivatives of the phase are exact.
+# "Differentiable PSFs", "Rounding"). A phase of 100 rad in float32 would have an error of 6e-6. Therefore each
+# coefficient c is split into ``c = n / s + r`` with an integer n and the scale s. Each term B, converted to turns
+# (1 turn = 2 pi rad), is split into ``B / (2 pi s) = B_1 + B_2``, where B_1 is a multiple of ``2^-q``. The products
+# ``n B_1`` are multiples of ``2^-q``, and their sum is below ``2^(23 - q)``: products, sum, and sum modulo 1 are
+# exact. Only the remainder ``n B_2 + r B / 2 pi``, a small part of a turn, is rounded. For d terms, the unit roundoff
+# u and a remainder of at most ``delta``, the error of the phase is at most ``u (2 pi (2 d + 4) delta + 6 pi (1/2 +
+# delta))``. The derivative of n by c is 0, the derivative of r by c is 1: derivatives of phases are exact.
 
 UNIT = {"float64": 2.0**-53, "float32": 2.0**-24}
 """Unit roundoff of each precision."""
-_ADDED = 4  # number of terms up to which products are added one by one (compilers fuse them), not by matmul
+_MAX_ADDED = 4  # up to this number of terms, products are added one by one (compilers fuse them), not by matmul
 
 
 class PhaseRule(NamedTuple):
@@ -69,15 +69,15 @@ class PhaseRule(NamedTuple):
 
     def multiplied(self, terms: int) -> bool:
         """Return whether the phases of this number of terms are computed as matrix products."""
-        return self.pupils_last or terms > _ADDED
+        return self.pupils_last or terms > _MAX_ADDED
 
 
 def phase_tables(
     basis: Array, degree: int, largest: float, precision: str, *, pupils_last: bool = False
 ) -> tuple[PhaseRule, dict[str, Array]]:
-    """Return the rule and the tables for terms of up to `degree`; `basis` (terms, nodes) are their values at nodes.
+    """Return the PhaseRule and the tables for terms of up to `degree`, whose values at nodes are `basis`.
 
-    `largest` is the largest ``sum abs(c_j) max abs(B_j)`` in the valid range.
+    `basis` has the shape (terms, nodes). `largest` is the largest ``sum abs(c_j) max abs(B_j)`` in the valid range.
     """
     count, size = len(basis), np.abs(basis).max(axis=1)
     each = UNIT["float64"] * (count + 2.0 * degree + 9.0)
@@ -85,7 +85,7 @@ def phase_tables(
         table = basis / math.tau
         tables = {"size": size, "basis": np.ascontiguousarray(table.T) if pupils_last else table}
         return PhaseRule(0.0, each, 0.0, math.inf, pupils_last), tables
-    # The rule holds somewhat beyond the valid range.
+    # The rule remains valid for phases slightly above the largest phase.
     limit = 1.25 * largest + 1.0
     # float32 has 24 bits: sums below 2^(23 - q) of multiples of 2^-q are exact.
     q = 23 - math.ceil(math.log2(limit / math.tau))
@@ -104,7 +104,7 @@ def phase_tables(
 
 
 def phase_turns(ns: Namespace, rule: PhaseRule, tables: Tables, c: Tensor) -> tuple[Tensor, ...]:
-    """Return phases in turns from coefficients ``(n, terms)``: one array, or an exact part and a small remainder."""
+    """Return phases in turns from coefficients ``(n, terms)``: one array, or an exact part and a remainder."""
     xp, dtype = ns.xp, tables[rule.tables[0]].dtype
     if not rule.scale:
         return (_phase_sum(ns, rule, xp.astype(c, dtype), tables["basis"]),)
@@ -128,11 +128,11 @@ def _phase_sum(ns: Namespace, rule: PhaseRule, c: Tensor, table: Tensor) -> Tens
     return total
 
 
-# On CPUs the cosine of JAX is slow: it reduces arguments value by value. Phases are in turns here: removing whole
-# turns is exact, and ``cos 2 pi t = sin 2 pi z`` with ``z = 1/4 - |t|``. For abs(z) <= 1/4, the error of n terms of
-# the series of the sine is below the next term, ``(pi / 2)^(2n+1) / (2n+1)!``. The sine of the phase is the cosine at
-# ``t - 1/4``. Cosine and sine have errors of at most 5 u, plus the rounding of ``t - 1/4``, which is no larger than
-# the rounding of ``2 pi t`` in other frameworks.
+# On CPUs the cosine of JAX is slow, because it reduces arguments one by one. For phases t in turns, the removal of
+# whole turns is exact, and then ``cos 2 pi t = sin 2 pi z`` with ``z = 1/4 - abs(t)``. For abs(z) <= 1/4, n terms of
+# the series of the sine have an error below the next term, ``(pi / 2)^(2n+1) / (2n+1)!``. The sine of the phase is
+# the cosine at ``t - 1/4``. The errors of cosine and sine are at most 5 u, plus the error due to rounding of
+# ``t - 1/4``, which is not larger than the error due to rounding of ``2 pi t`` in other frameworks.
 
 _SINE_TERMS = {"float32": 7, "float64": 11}  # number of terms of the series
 _TURN = Fraction("6.28318530717958647692528676655900576839433879875")  # 2 pi
@@ -141,10 +141,10 @@ _TURN = Fraction("6.28318530717958647692528676655900576839433879875")  # 2 pi
 def waves(ns: Namespace, turns: tuple[Tensor, ...]) -> tuple[Tensor, Tensor]:
     """Return cosine and sine of phases from :func:`phase_turns`."""
     if ns.name == "jax":
-        return ns.apart(_waves_of_jax(), *turns)
+        return ns.call_unfused(_waves_of_jax(), *turns)
     total = turns[0]
     if len(turns) > 1:
-        # Whole turns are removed first: the small part is then added to a number below one turn.
+        # Whole turns are removed before the remainder is added: the sum is then rounded less.
         total = (total - ns.xp.round(total)) + turns[1]
     angle = total * math.tau
     return ns.xp.cos(angle), ns.xp.sin(angle)
@@ -201,7 +201,8 @@ class FieldError(NamedTuple):
     sums : float
         Largest sum over nodes of the absolute factors that multiply cosines and sines.
     added : float
-        Rounding of sums, cosines, sines and tables, plus the phase and amplitude that the terms do not represent.
+        Error due to rounding of sums, cosines, sines and tables, and due to phases and amplitudes that the terms do
+        not represent.
     products : float
         Number of roundings of operands in matrix products, for reduced precision such as TF32.
     """
@@ -217,7 +218,7 @@ class FieldError(NamedTuple):
         """Return a bound on the error of the field; inf if a phase may exceed the limit of the phase rule."""
         xp = ns.xp
         coarse = ns.coarseness(self.unit)
-        # The factor covers rounding of this sum.
+        # The factor 1 + 1e-5 covers the rounding of this sum.
         size = xp.sum(xp.abs(c) * tables["size"], axis=-1) * (1.0 + 1e-5)
         # TF32 rounds each of the two operands of a product by 2^-11.
         each = rule.each + (2.5 * coarse if rule.multiplied(c.shape[-1]) else 0.0)
@@ -225,23 +226,23 @@ class FieldError(NamedTuple):
         return xp.where(size <= rule.limit, error + self.added, infinite(ns, error))
 
 
-_ETA = np.geomspace(2e-3, 4.0, 80)  # parameters eta of the Bernstein ellipses tried: semi-axes cosh(eta), sinh(eta)
-_CHOSEN = 4  # number of ellipses used on the device, at and around the best one for the stack
-_MOST_NODES = 4096  # largest number of nodes
+_ETA = np.geomspace(2e-3, 4.0, 80)  # parameters eta of candidate Bernstein ellipses: semi-axes cosh(eta), sinh(eta)
+_CHOSEN = 4  # number of ellipses used on the device: the best ellipse of the stack, and ellipses around it
+_MAX_RADIAL_NODES = 4096  # largest number of nodes along the radius
 
 
-# The field of a radially symmetric pupil as a matrix product: ``U(v) = int A exp(i Phi) J0(v sqrt t) dt`` over
-# ``[eps^2, 1]`` in t = rho^2 by the Gauss-Legendre rule. Phases at K nodes follow from a few coefficients; their
-# cosines and sines are multiplied by the table ``w_k A_k J0(v_r sqrt t_k)``. The number of nodes, and the error of
-# each pupil, follow from the integrand on Bernstein ellipses (lommel.methods.hankel).
+# The field of a radially symmetric pupil, ``U(v) = int A exp(i Phi) J0(v sqrt t) dt`` over ``[eps^2, 1]`` in
+# t = rho^2, is a matrix product by the Gauss-Legendre rule: cosines and sines of the phases at K nodes are multiplied
+# by the table ``w_k A_k J0(v_r sqrt t_k)``. The number of nodes, and the error bound of each pupil, are computed from
+# the integrand on Bernstein ellipses (lommel.methods.hankel).
 
 
 class Radial(NamedTuple):
-    """Field of a radially symmetric pupil at one wavelength, without its tables.
+    """Field of a radially symmetric pupil at one wavelength; methods require its tables.
 
-    The quadrature error follows from samples of the imaginary phase at `points` on each of several ellipses
-    (`curves`). The largest sample is multiplied by `widening`; or, if `curved` > 0, the larger of two neighbouring
-    samples is increased by `curved` times the largest sample.
+    The quadrature error follows from samples of the imaginary phase at `points` points on each of `curves` ellipses.
+    If `curved` is 0, the largest sample is multiplied by `widening`. Otherwise the larger of two neighbouring samples
+    is increased by `curved` times the largest sample.
     """
 
     phase: PhaseRule
@@ -269,23 +270,23 @@ class Radial(NamedTuple):
             largest = xp.max(pairs, axis=-1) + self.curved * xp.max(phase, axis=-1)
         else:
             largest = xp.max(phase + tables["kernel"], axis=-1) * self.widening
-        # Rounding of the product for `phase`, and of the sums of logarithms.
+        # Error due to rounding of the product for `phase`, and of the sums of logarithms.
         lost = (c.shape[-1] + 8) * (unit + ns.coarseness(unit)) * ns.matmul(xp.abs(c), tables["most"])
         return exponential(ns, xp.min(largest + lost + tables["constant"], axis=-1))
 
 
 def columns(pupil: Pupil) -> tuple[tuple[Name, ...], Array]:
-    """Return the names of the coefficients (powers of rho, or terms (n, m)) and their values for the flat stack."""
+    """Return the names of the coefficients (powers of rho, or terms (n, m)), and their values (pupils, names)."""
     wavefront = pupil.wavefront
     if wavefront._powers is None or not pupil.radial:
         return wavefront.terms, wavefront.edge.reshape(-1, len(wavefront.terms))
-    # Defocus is c (2 t - 1): c is half of the coefficient of t. A constant phase does not change images.
+    # Defocus is c (2 t - 1): c is half of the coefficient of t. The constant phase -c does not change images.
     powers = pupil.coefficients() * np.where(np.arange(wavefront.symmetric) == 0, 0.5, 1.0)
     return ("defocus", "spherical", *(f"rho^{2 * k + 2}" for k in range(2, wavefront.symmetric))), powers
 
 
 def _basis(powers: bool, count: int, t: Values) -> Values:
-    """Return powers of t or Legendre polynomials, plus constants, at real or complex t, ``(count,) + t.shape``."""
+    """Return powers of t plus constants, or Legendre polynomials, at real or complex t, ``(count,) + t.shape``."""
     if powers:
         return np.stack([2.0 * t - 1.0, *(t ** (k + 1) - 0.5 for k in range(1, count))])
     terms, x, before, here = [], 2.0 * t - 1.0, np.zeros_like(t), np.ones_like(t)
@@ -301,8 +302,9 @@ def make_radial(
 ) -> tuple[Radial, dict[str, Array]]:
     """Return the field at the radii v, with a quadrature error of at most `error`, and its tables.
 
-    The error holds for all pupils in the box of a stack: each coefficient is between its extremes in the stack.
-    `stretch` is (wavelength of the pupil) / (wavelength of the field). ToleranceError if it needs too many nodes.
+    The error bound holds for all pupils in the box of a stack: each coefficient is between its extremes in the stack.
+    `stretch` is (wavelength of the pupil) / (wavelength of the field). Raise ToleranceError if more than
+    `_MAX_RADIAL_NODES` nodes would be required.
     """
     from scipy.special import j0
 
@@ -314,16 +316,19 @@ def make_radial(
     steps = max(32, 16 * degree) if low == 0.0 else max(64, 24 * degree)
     imaginary = stretch * _basis(powers, degree, hankel.ellipses(_ETA, low, steps)).imag
     kernel = far * hankel.rise(_ETA, low, steps)
-    # Largest absolute value in the box of the stack; phases are linear in the coefficients.
+    # Largest absolute imaginary phase in the box of the stack; phases are linear in the coefficients.
     size = np.abs(np.tensordot(middle, imaginary, 1)) + np.tensordot(spread, np.abs(imaginary), 1)
     constant = light.growth(np.cosh(_ETA), low) + math.log(32.0 / 15.0 * (1.0 - low)) - np.log(-np.expm1(-2.0 * _ETA))
     needed = (hankel.between(size, kernel, degree, low) + constant - math.log(error)) / (2.0 * _ETA)
     best, nodes = int(needed.argmin()), max(1, math.ceil(float(needed.min())))
-    if nodes > _MOST_NODES:
-        raise ToleranceError(f"phases and windows this large take {nodes} nodes, more than {_MOST_NODES}")
+    if nodes > _MAX_RADIAL_NODES:
+        raise ToleranceError(
+            f"phases and windows this large take {nodes} nodes, more than {_MAX_RADIAL_NODES}: reduce the "
+            "aberrations or the window"
+        )
     # The best ellipse of a single pupil may be smaller or larger than the best ellipse of the stack.
     chosen = np.unique([best, *np.clip(best + np.arange(_CHOSEN) * 5 - 10, 0, len(_ETA) - 1)])
-    # Factor of Ehlich and Zeller for a maximum between samples, as in lommel.methods.hankel.
+    # Bound by Ehlich and Zeller on maximum / (largest sample), as in lommel.methods.hankel.
     widening = 1.0 / math.cos(0.5 * degree * math.pi / steps)
     curved = 0.0 if low == 0.0 else (degree * math.pi / steps) ** 2 / 8.0 * widening
     t, weights = gauss_legendre(nodes, low, 1.0)
@@ -332,8 +337,9 @@ def make_radial(
     largest = float(np.abs(c).max(axis=0, initial=0.0) @ np.abs(basis).max(axis=1))
     phase, tables = phase_tables(basis, degree, largest, precision)
     unit, sums = UNIT[precision], float(np.abs(table).sum(axis=0).max())
-    # Sums, cosines, sines and products, (K + 16) u: certificate, "Differentiable PSFs", "Rounding". Then weights,
-    # amplitude and J0, whose argument has a relative error of 3.5 u: abs(J1(x)) x < 0.83 sqrt x.
+    # Rounding of sums, cosines, sines and products is at most (K + 16) u (certificate, "Differentiable PSFs",
+    # "Rounding"). Then rounding of weights, amplitude and J0: the argument x of J0 has a relative error of 3.5 u, and
+    # x abs(J1(x)) < 0.83 sqrt(x).
     added = sums * (nodes + 16.0) * unit
     added += UNIT["float64"] * (12.0 + 3.0 * math.sqrt(far) + (3.0 * light.slope)) * float(weights @ light.at(t))
     phase_left, light_left = pupil.left_out
@@ -349,9 +355,10 @@ def make_radial(
     return Radial(phase, left, len(chosen), steps + 1, widening, curved), tables
 
 
-# The values exp(i Phi) at the mirror images (+-x, +-y) of a node are divided into parts even and odd in x and in y.
-# For these parts the kernel is real: a cosine or sine of v_x x times a cosine or sine of v_y y. At the mirror images
-# of a pixel it differs only in sign. Pupils are the last axis of all arrays: small tables multiply long rows.
+# The values exp(i Phi) at the mirror images (+-x, +-y) of a node are split into parts that are even or odd in x and
+# in y. For these parts the kernel is real: a cosine or sine of v_x x times a cosine or sine of v_y y. At the mirror
+# images of a pixel the kernel differs only in sign. Pupils are the last axis of all arrays, because products of small
+# tables with long rows are fast.
 
 IMAGES = ((1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0))
 """Signs of x and y at the four mirror images of a node."""
@@ -363,10 +370,10 @@ class Axis(NamedTuple):
     Attributes
     ----------
     first : int
-        Index of the first stored position with a mirror image: 1 if position 0 belongs to the window, else 0.
+        Index of the first stored position with a mirror image: 1 if the position 0 is stored, else 0.
     negative, positive : int
-        Numbers of positions below 0 and of other positions. If the window is not symmetric, all positions are stored,
-        and `negative` is 0.
+        Number of positions below 0, and number of the other positions. If the window is not symmetric, all positions
+        are stored, and `negative` is 0.
     """
 
     first: int
@@ -385,8 +392,8 @@ class Axis(NamedTuple):
 
 
 def axis_of(v: Array) -> tuple[Axis, Array]:
-    """Return the Axis for the increasing positions `v`, and the positions that are stored."""
-    # For a window that is symmetric about the optical axis, half of the positions are stored.
+    """Return the Axis for the increasing positions `v`, and the stored positions."""
+    # For a window that is symmetric about the optical axis, only positions >= 0 are stored.
     half = np.unique(np.abs(v))
     first, negative = int(half[0] == 0.0), int(np.sum(v < 0.0))
     positive = len(v) - negative
@@ -396,7 +403,10 @@ def axis_of(v: Array) -> tuple[Axis, Array]:
 
 
 def folded_tables(x: Array, y: Array, weights: Array, columns: Array, rows: Array) -> dict[str, Array]:
-    """Return the real kernels for chords at x and nodes at y, multiplied by `weights` ``(chords, nodes)``."""
+    """Return the real kernels for chords at x and nodes at y; kernels along chords are multiplied by `weights`.
+
+    The shape of `y` and `weights` is ``(chords, nodes)``; `columns` and `rows` are the stored positions in v.
+    """
     down, over = rows[:, None] * y[:, None, :], columns[:, None] * x
     return {
         "along even": np.cos(down) * weights[:, None, :],
@@ -411,26 +421,29 @@ def folded_intensity(
 ) -> Tensor:
     """Return the squared absolute field, shape ``(n, columns * rows)``, column by column.
 
-    `waves` are cosine and sine of the phase at each of :data:`IMAGES`, ``(nodes, n)``; `axes` are those of columns
-    and rows.
+    `waves` are cosine and sine of the phase at each of :data:`IMAGES`, ``(nodes, n)``; `axes` are the Axis of the
+    columns and the Axis of the rows.
     """
     sides = [(along, across) for across in ("across even", "across odd") for along in ("along even", "along odd")]
-    # Parts are summed one after the other: intermediate results stay in the CPU cache.
+    # Parts are summed one after the other: intermediate results remain in the CPU cache.
     parts = [
-        ns.apart(_part(ns, *side), *(kernels[name] for name in side), *images)
+        ns.call_unfused(_part(ns, *side), *(kernels[name] for name in side), *images)
         for images in zip(*waves, strict=True)
         for side in sides
     ]
-    image = ns.apart(_assembled(ns, axes), *ns.apart(_quadrants(axes), *parts))
+    image = ns.call_unfused(_assembled(ns, axes), *ns.call_unfused(_quadrants(axes), *parts))
     across, down, count = image.shape
     return ns.xp.permute_dims(ns.xp.reshape(image, (across * down, count)), (1, 0))
 
 
 @cache
 def _part(ns: Namespace, along: str, across: str) -> Callable[..., Tensor]:
-    """Return a function that sums the part, even or odd in y (`along`) and x (`across`), of values at four images."""
+    """Return a function that computes one part of the field from values at the four :data:`IMAGES`.
 
-    def made(rows: Tensor, columns: Tensor, a: Tensor, b: Tensor, c: Tensor, d: Tensor) -> Tensor:
+    The part is even or odd in y according to `along`, and even or odd in x according to `across`.
+    """
+
+    def sum_part(rows: Tensor, columns: Tensor, a: Tensor, b: Tensor, c: Tensor, d: Tensor) -> Tensor:
         one, other = (a + b, c + d) if along == "along even" else (a - b, c - d)
         part = one + other if across == "across even" else one - other
         chords, places, nodes = rows.shape
@@ -439,14 +452,14 @@ def _part(ns: Namespace, along: str, across: str) -> Callable[..., Tensor]:
         total = ns.matmul(columns, ns.xp.reshape(of_chords, (chords, places * count)))
         return ns.xp.reshape(total, (columns.shape[0], places, count))
 
-    return made
+    return sum_part
 
 
 @cache
 def _quadrants(axes: tuple[Axis, Axis]) -> Callable[..., tuple[Tensor, ...]]:
-    """Return a function: intensities at the mirror images of stored positions, from the parts of the field."""
+    """Return a function that computes intensities at mirror images of stored positions from parts of the field."""
 
-    def made(*parts: Tensor) -> tuple[Tensor, ...]:
+    def quadrants(*parts: Tensor) -> tuple[Tensor, ...]:
         real, imaginary = parts[:4], parts[4:]
         alike = real[0] - real[3], imaginary[1] + imaginary[2], imaginary[0] - imaginary[3], real[1] + real[2]
         other = real[0] + real[3], imaginary[2] - imaginary[1], imaginary[0] + imaginary[3], real[2] - real[1]
@@ -457,31 +470,31 @@ def _quadrants(axes: tuple[Axis, Axis]) -> Callable[..., tuple[Tensor, ...]]:
         return tuple(one * one + two * two for one, two in fields)
 
     across, down = (axis.negative > 0 for axis in axes)
-    return made
+    return quadrants
 
 
 @cache
 def _assembled(ns: Namespace, axes: tuple[Axis, Axis]) -> Callable[..., Tensor]:
-    """Return a function: images ``(columns, rows, n)`` from their quadrants."""
+    """Return a function that assembles images ``(columns, rows, n)`` from their quadrants."""
 
-    def made(*quadrants: Tensor) -> Tensor:
+    def assemble(*quadrants: Tensor) -> Tensor:
         across, down = axes
         each = 2 if down.negative else 1
         sides = [down.whole(ns, quadrants[k + each - 1], quadrants[k], 1) for k in range(0, len(quadrants), each)]
         return across.whole(ns, sides[-1], sides[0], 0)
 
-    return made
+    return assemble
 
 
-# Each operation of PyTorch is a pass over memory; its products of small matrices alone take as long as the compiled
-# core takes in total. Values and first gradients in float32 are therefore computed by the core, with the same chords
-# and nodes. Its rounding errors are below the bound for the framework (docs/certificate.md).
+# Each operation of PyTorch is a pass over memory, and products of small matrices alone take as long as the whole
+# computation by the compiled core. The core therefore computes values and first gradients in float32, with the same
+# chords and nodes. The rounding errors of the core are below the bound for the framework (docs/certificate.md).
 
-_DEGREE = 30  # largest degree of terms that the core computes: its rounding errors grow with the number of terms
+_MAX_CORE_DEGREE = 30  # largest degree of terms for the core, whose rounding errors increase with the number of terms
 
 
 class Sums(NamedTuple):
-    """Chordal sums by the compiled core; `stretch` multiplies coefficients and pixel pitch."""
+    """Arguments of the chordal sums in the compiled core; `stretch` multiplies coefficients and pixel pitch."""
 
     terms: tuple[Term, ...]
     stretch: float
@@ -514,7 +527,7 @@ def compiled_sums(
     pupil: Pupil, grid: Grid, stretch: float, terms: tuple[Term, ...], counts: tuple[int, int]
 ) -> Sums | None:
     """Return the compiled sums, with `counts` = (chords, nodes); None if the core does not support them."""
-    if grid.integrate or not isinstance(grid.pixel, float) or not all(0 < n <= _DEGREE for n, _ in terms):
+    if grid.integrate or not isinstance(grid.pixel, float) or not all(0 < n <= _MAX_CORE_DEGREE for n, _ in terms):
         return None
     light = tuple(pupil.illumination.exponent.tolist())
     return Sums(terms, stretch, pupil.obscuration, light, grid.shape, grid.axis, grid.step(pupil), *counts)
@@ -530,33 +543,37 @@ def _of_torch() -> Any:
         """Sums and first gradient by the compiled core; higher derivatives by PyTorch."""
 
         @staticmethod
-        def forward(ctx: Any, c: Operand, sums: Sums, followed: Callable[[Tensor], Tensor]) -> Tensor:
+        def forward(ctx: Any, c: Operand, sums: Sums, in_torch: Callable[[Tensor], Tensor]) -> Tensor:
             ctx.save_for_backward(c)
-            ctx.sums, ctx.followed = sums, followed
+            ctx.sums, ctx.in_torch = sums, in_torch
             return torch.from_numpy(sums.intensity(c.detach().numpy(), torch.get_num_threads()))  # type: ignore[no-any-return]
 
         @staticmethod
         def backward(ctx: Any, weights: Operand) -> tuple[Tensor, None, None]:
             (c,) = ctx.saved_tensors
-            # With create_graph the gradient is differentiated again, which the compiled core does not support.
+            # With create_graph the gradient is differentiable; the compiled core does not support this.
             values = None if torch.is_grad_enabled() else ns.values_now(weights)
             if values is not None:
                 gradient = ctx.sums.gradient(c.detach().numpy(), values, torch.get_num_threads())
                 return torch.from_numpy(gradient).to(c.dtype), None, None
             with torch.enable_grad():
-                intensity = ctx.followed(c)
+                intensity = ctx.in_torch(c)
             return *torch.autograd.grad(intensity, c, weights, create_graph=torch.is_grad_enabled()), None, None
 
     return Compiled
 
 
-_B = np.geomspace(4e-3, 4.0, 64)  # parameters b of the curves that are tried
-_MOST = 512  # largest number of chords, and of nodes on a chord
-_SAMPLED, _MEMBERS = 12, 64  # largest degree and number of pupils for bounds by means on curves
+_B = np.geomspace(4e-3, 4.0, 64)  # parameters b of the candidate curves
+_MAX_COUNT = 512  # largest number of chords, and largest number of nodes on a chord
+_MAX_MEAN_DEGREE, _MAX_MEMBERS = 12, 64  # largest degree, and largest number of pupils, for bounds by means on curves
 
 
 class Chordal(NamedTuple):
-    """Field of any pupil at one wavelength, without its tables."""
+    """Field of any pupil at one wavelength; methods require its tables.
+
+    `mean` is the bound by means on curves (None for the bound by the maximum of the integrand), `sums` are the sums
+    in the compiled core (None if not supported).
+    """
 
     phase: PhaseRule
     error: FieldError
@@ -567,18 +584,18 @@ class Chordal(NamedTuple):
     def intensity(self, ns: Namespace, tables: Tables, c: Tensor) -> tuple[Tensor, Tensor]:
         """Return I, shape ``(n, columns * rows)``, column by column, and a bound on the error of the field, (n,)."""
 
-        def followed(c: Tensor) -> Tensor:
-            of_image = [{name: tables[name][k, ...] for name in self.phase.tables} for k in range(len(IMAGES))]
-            both = [waves(ns, phase_turns(ns, self.phase, one, c)) for one in of_image]
-            return folded_intensity(ns, tables, both, self.axes)
+        def in_framework(c: Tensor) -> Tensor:
+            image_tables = [{name: tables[name][k, ...] for name in self.phase.tables} for k in range(len(IMAGES))]
+            cos_sin = [waves(ns, phase_turns(ns, self.phase, one, c)) for one in image_tables]
+            return folded_intensity(ns, tables, cos_sin, self.axes)
 
         error = self._field_error(ns, tables, c)  # computed first: its memory is released before images are computed
         values = ns.values_now(c) if self.sums and c.shape[0] else None
         if self.sums is None or values is None:
-            return followed(c), error
+            return in_framework(c), error
         if ns.name == "numpy":
             return self.sums.intensity(values, 0), error
-        return _of_torch().apply(c, self.sums, followed), error
+        return _of_torch().apply(c, self.sums, in_framework), error
 
     def _field_error(self, ns: Namespace, tables: Tables, c: Tensor) -> Tensor:
         xp = ns.xp
@@ -594,7 +611,7 @@ class Chordal(NamedTuple):
 
 
 def _constants(light: Apodization, b: Array) -> tuple[Array, Array]:
-    """Return the constants in the logarithms of the bounds, for chords and for nodes, without ``-2 N b``."""
+    """Return the logarithms of the constant factors of the bounds for chords and for nodes, without ``-2 N b``."""
     grown = light.growth(np.cosh(2.0 * b)) if not light.uniform else 0.0
     # With N >= 4 chords, 1 - exp(-2 (N + 1) b) is at least 1 - exp(-10 b).
     chords = np.log1p(np.exp(-4.0 * b)) - np.log(-np.expm1(-10.0 * b)) + grown
@@ -604,10 +621,11 @@ def _constants(light: Apodization, b: Array) -> tuple[Array, Array]:
 def make_chordal(
     pupil: Pupil, grid: Grid, stretch: float, window: tuple[Array, Array], error: float, precision: str
 ) -> tuple[Chordal, Tables]:
-    """Return the field at the `window` (rows, columns) in v, with a quadrature error of `error`, and its tables.
+    """Return the field at the `window` (rows, columns) in v, with a quadrature error of at most `error`; and tables.
 
-    The error holds for the pupils of the stack. `stretch` is (wavelength of the pupil) / (wavelength of the field);
-    `window` is in v at the wavelength of the field. ToleranceError if it needs too many chords.
+    The error bound holds for the pupils of the stack. `stretch` is (wavelength of the pupil) / (wavelength of the
+    field); `window` is in v at the wavelength of the field. Raise ToleranceError if more than `_MAX_COUNT` chords, or
+    nodes on a chord, would be required.
     """
     y, x = window
     names, c = columns(pupil)
@@ -616,16 +634,19 @@ def make_chordal(
     reach = math.hypot(np.abs(x).max(), np.abs(y).max()), float(np.abs(y).max())
     disks = [(1.0, light)] + ([(low, light.scaled(low))] if low else [])
     degrees, by_means = [n for n, _ in terms], None
-    if max(degrees) <= _SAMPLED:
-        # Pupils with the largest sums of abs(c) n: a term of degree n is of order exp(n b) on a curve.
-        members = c[np.argsort(-np.abs(c) @ degrees, kind="stable")[:_MEMBERS]]
-        # The weight of the inner disk is its area, radius^2.
-        of_disks = [(radius, np.stack(_constants(one, CURVES)) + 2.0 * math.log(radius)) for radius, one in disks]
-        # Half of the error is for the sum over chords, half for the sum over nodes.
-        by_means = fewest((terms, stretch, window), members, of_disks, 0.5 * error, UNIT[precision])
+    if max(degrees) <= _MAX_MEAN_DEGREE:
+        # Pupils with the largest sum of n abs(c): a term of degree n is of order exp(n b) on a curve.
+        members = c[np.argsort(-np.abs(c) @ degrees, kind="stable")[:_MAX_MEMBERS]]
+        # The weight of the inner disk is the ratio of its area to that of the aperture, radius^2.
+        log_factors = [(radius, np.stack(_constants(one, CURVES)) + 2.0 * math.log(radius)) for radius, one in disks]
+        # Half of `error` is allowed for the sum over chords, half for the sum over nodes.
+        by_means = fewest((terms, stretch, window), members, log_factors, 0.5 * error, UNIT[precision])
     chords, nodes, mean, bounds = by_means or counts_by_largest(terms, c, stretch, disks, reach, error)
-    if max(chords, nodes) > _MOST:
-        raise ToleranceError(f"phases and windows this large take {max(chords, nodes)} chords, more than {_MOST}")
+    if max(chords, nodes) > _MAX_COUNT:
+        raise ToleranceError(
+            f"phases and windows this large take {max(chords, nodes)} chords, more than {_MAX_COUNT}: reduce the "
+            "aberrations or the window"
+        )
     px, py, weights = _rule(chords, nodes, disks, light)
     at_x, at_y = (np.stack([sign[k] * p for sign in IMAGES]) for k, p in ((0, px[:, None] + 0.0 * py), (1, py)))
     rho, theta = np.hypot(at_x, at_y), np.arctan2(at_y, at_x)
@@ -633,7 +654,7 @@ def make_chordal(
     largest = 1.5 * float((np.abs(c) @ np.abs(basis).max(axis=1)).max(initial=0.0))
     phase, arrays = phase_tables(basis, max(degrees) ** 2, largest, precision, pupils_last=True)
     unit, sums = UNIT[precision], 4.0 * float(np.abs(weights).sum())
-    # Rounding (K + N + 32) u for K nodes and N chords: the tables hold K / 2 and N / 2 of them.
+    # Rounding is (K + N + 32) u for K nodes and N chords; the tables contain K / 2 nodes and N / 2 chords.
     rounding = unit * sums * (2.0 * py.shape[1] + 2.0 * len(px) + 32.0)
     rounding += UNIT["float64"] * sums * (40.0 + 4.0 * sum(reach) + 3.0 * light.slope)
     phase_left, light_left = pupil.left_out
@@ -654,17 +675,20 @@ def counts_by_largest(
     reach: tuple[float, float],
     error: float,
 ) -> tuple[int, int, Mean | None, Tables]:
-    """Return the numbers of chords and nodes, and the bounds that follow from the maximum of the integrand."""
-    # One amplitude for all terms with the same degree n and abs(m).
+    """Return the numbers of chords and nodes, and tables of the bounds by the maximum of the integrand.
+
+    `reach` are the largest distance and the largest row of the window, in v.
+    """
+    # All terms with the same degree n and abs(m) have one amplitude.
     kinds = sorted({(n, abs(m)) for n, m in terms})
     matrix = np.array([[float(kind == (n, abs(m))) for kind in kinds] for n, m in terms])
-    # The sinh of an argument above 300 would overflow in products.
+    # Arguments are limited to 300, because products with sinh of larger arguments would overflow.
     growth = stretch * np.sinh(np.minimum(np.outer([n for n, _ in kinds], _B), 300.0))
     size = (np.sqrt(c**2 @ matrix) @ growth).max(axis=0)
-    # The integrand of the inner disk is not larger, except for the amplitude; its weight is radius^2.
-    of_disks = [_constants(one, _B) for _, one in disks]
+    # The integrand of the inner disk, whose weight is radius^2, is not larger, except for the amplitude.
+    log_factors = [_constants(one, _B) for _, one in disks]
     added = sum(math.log1p(radius**2) for radius, _ in disks[1:])
-    parts = [np.max([one[k] for one in of_disks], axis=0) + added + reach[k] * np.sinh(_B) for k in (0, 1)]
+    parts = [np.max([one[k] for one in log_factors], axis=0) + added + reach[k] * np.sinh(_B) for k in (0, 1)]
     needed = [(part + size - math.log(0.5 * error)) / (2.0 * _B) for part in parts]
     chords, nodes = (even(float(each.min())) for each in needed)
     # Curves on both sides of the best curve of the stack: the best curve of a single pupil may differ.
@@ -680,7 +704,7 @@ def counts_by_largest(
 
 def _rule(chords: int, nodes: int, disks: list[tuple[float, Apodization]], light: Apodization) -> tuple[Array, ...]:
     """Return x (chords,), y (chords, nodes) of nodes with x, y > 0, and weights * amplitude (chords, nodes)."""
-    # Chebyshev's rule of the second kind across the chords. Nodes with other signs are mirror images.
+    # Chebyshev's rule of the second kind across the chords. Nodes with negative x or y are mirror images.
     angle = np.arange(1, chords // 2 + 1) * (math.pi / (chords + 1))
     eta, gauss = (part[nodes // 2 :] for part in gauss_legendre(nodes, -1.0, 1.0))
     px = np.concatenate([radius * np.cos(angle) for radius, _ in disks])
@@ -688,5 +712,5 @@ def _rule(chords: int, nodes: int, disks: list[tuple[float, Apodization]], light
     # U = U_1 - eps^2 U_2 for an obscuration eps: certificate, section 5.
     signs = [1.0 if radius == 1.0 else -(radius**2) for radius, _ in disks]
     w = np.concatenate([sign * np.sin(angle)[:, None] ** 2 * gauss / (chords + 1) for sign in signs])
-    # Rounding may place nodes slightly outside the edge.
+    # Because of rounding, nodes may be slightly outside the pupil edge.
     return px, py, w * light.at(np.minimum(1.0, px[:, None] ** 2 + py * py))

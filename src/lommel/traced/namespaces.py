@@ -16,9 +16,9 @@ from lommel.base.arrays import Values
 from lommel.base.optional import library
 
 _EXTRAS = ("jax", "torch", "cupy")
-_NEEDED = ("matmul", "take", "where", "isfinite", "concat", "flip")  # functions that identify an array API
+_REQUIRED = ("matmul", "take", "where", "isfinite", "concat", "flip")  # functions that identify an array API
 _Result = TypeVar("_Result")
-# An array of one namespace, or a number. Any, since a Protocol cannot describe the overloaded operators of NumPy.
+# An array of one namespace, or a number; a Protocol cannot describe the overloaded operators of NumPy.
 Operand: TypeAlias = Any
 
 
@@ -49,8 +49,7 @@ class Tensor(Protocol):
     def __getitem__(self, index: Operand, /) -> Tensor: ...
 
 
-# Tables of one wavelength, by name.
-Tables = dict[str, Tensor]
+Tables = dict[str, Tensor]  # name -> array: precomputed arrays of a plan, for one wavelength
 
 
 class ArrayFunctions(Protocol):
@@ -85,7 +84,7 @@ class Namespace:
             namespace = import_module(name) if isinstance(module, str) else module
         except (ImportError, ValueError):
             namespace = None
-        if namespace is None or not all(hasattr(namespace, function) for function in _NEEDED):
+        if namespace is None or not all(hasattr(namespace, function) for function in _REQUIRED):
             raise TypeError(
                 "xp must be a module of the array API such as numpy, jax.numpy, torch or cupy, or its name, got "
                 f"{validation.shown(given)}"
@@ -96,22 +95,22 @@ class Namespace:
         return Namespace.of, (self.name,)
 
     def put(self, values: Values, device: object, dtype: object = None) -> Tensor:
-        """Return a NumPy array as an array of the namespace on a device; a constant even while JAX traces."""
+        """Return a NumPy array as an array of the namespace on a device; in a JAX trace it is a constant."""
         if self.name == "torch":
             values = np.array(values)  # a copy: PyTorch warns about read-only arrays
         if self.name != "jax":
             return self.xp.asarray(values, dtype=dtype, device=device)
         import jax
 
-        # Tables that are created while JAX traces become constants, not operations of the program.
+        # Tables that are created while JAX traces a function become constants, not operations of the program.
         with jax.ensure_compile_time_eval():
             return self.xp.asarray(values, dtype=dtype, device=device)
 
     def has_double(self, device: object) -> bool:
-        """Return whether float64 is available on a device; JAX has float64 only if it is configured so."""
+        """Return whether float64 is available on a device; in JAX, float64 must be enabled by an option."""
         try:
             return bool(self.put(np.zeros(1), device).dtype == self.xp.float64)
-        except (TypeError, ValueError, RuntimeError):  # PyTorch on a device without float64
+        except (TypeError, ValueError, RuntimeError):  # raised by PyTorch on a device without float64
             return False
 
     def matmul(self, a: Tensor, b: Tensor) -> Tensor:
@@ -122,7 +121,7 @@ class Namespace:
         return self.xp.matmul(a, b)
 
     def coarseness(self, unit: float) -> float:
-        """Return the roundoff of operands in matrix products if it exceeds `unit`, that of the data type; else 0."""
+        """Return the roundoff of operands in matrix products; 0 if it is `unit`, the roundoff of the data type."""
         if unit < 1e-10:
             return 0.0
         if self.name == "torch":
@@ -134,34 +133,36 @@ class Namespace:
             return 2.0**-11 if os.environ.get("CUPY_TF32", "0") != "0" else 0.0
         return 0.0
 
-    def apart(self, function: Callable[..., _Result], *given: Tensor) -> _Result:
-        """Call a function; in JAX as a separate program part that is not fused with other operations."""
-        # On CPUs, fusion by XLA would compute a value anew for each use, and permute axes element by element.
+    def call_unfused(self, function: Callable[..., _Result], *arrays: Tensor) -> _Result:
+        """Call a function; in JAX on CPUs, its operations are not fused with operations outside the function."""
+        # Fusion by XLA on CPUs would compute a value again for each use, and permute axes element by element.
         if self.name != "jax":
-            return function(*given)
+            return function(*arrays)
         import jax
         from jax.experimental.xla_metadata import set_xla_metadata
 
-        def alone(*given: Tensor) -> _Result:
+        def call_separately(*arrays: Tensor) -> _Result:
             with set_xla_metadata(inlineable="false"):  # type: ignore[no-untyped-call]
-                return jax.jit(function)(*given)  # type: ignore[no-any-return]
+                return jax.jit(function)(*arrays)  # type: ignore[no-any-return]
 
-        return jax.lax.platform_dependent(*given, cpu=alone, default=function)  # type: ignore[no-any-return]
+        return jax.lax.platform_dependent(  # type: ignore[no-any-return]
+            *arrays, cpu=call_separately, default=function
+        )
 
     def flip(self, x: Operand, axis: int) -> Tensor:
-        """Return an array with one axis reversed, in JAX by an operation that can be fused inside :meth:`apart`."""
+        """Return an array with one axis reversed, in JAX by an operation that can be fused in `call_unfused`."""
         if self.name == "jax":
             import jax
 
             return jax.lax.rev(x, (axis,))
         return self.xp.flip(x, axis=axis)
 
-    def turned(self, x: Tensor) -> Tensor:
+    def transposed(self, x: Tensor) -> Tensor:
         """Return an array of three axes with the order of the axes reversed."""
-        return self.apart(partial(self.xp.permute_dims, axes=(2, 1, 0)), x)
+        return self.call_unfused(partial(self.xp.permute_dims, axes=(2, 1, 0)), x)
 
     def stop(self, x: Operand) -> Tensor:
-        """Return `x` as a constant without gradient."""
+        """Return `x` as a constant, whose gradient is zero."""
         if self.name == "jax":
             import jax
 
@@ -169,7 +170,7 @@ class Namespace:
         return x.detach() if self.name == "torch" else x  # type: ignore[no-any-return]
 
     def concrete(self, x: Tensor) -> bool:
-        """Return whether `x` has concrete values, as opposed to an array in a traced program."""
+        """Return whether `x` has concrete values; False for an array in a traced program."""
         if self.name == "jax":
             import jax
 
@@ -200,7 +201,7 @@ class Namespace:
             return None
         try:
             return np.asarray(x.detach().numpy())
-        except (RuntimeError, TypeError):  # inside a torch.func transform; a data type that NumPy does not have
+        except (RuntimeError, TypeError):  # inside a torch.func transform; or a data type that NumPy lacks
             return None
 
     def in_place(self, x: Operand) -> bool:

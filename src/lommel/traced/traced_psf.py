@@ -26,13 +26,13 @@ from lommel.traced import certificate, chordal
 from lommel.traced.chordal import UNIT, Chordal, Radial
 from lommel.traced.namespaces import Namespace, Operand, Tables, Tensor
 
-_OF_NUMPY = (np.ndarray, np.generic)
-_ERROR_REDUCTION = 0.1  # quadrature error of a trial relative to the trial before
-_MIN_ERROR = 2.0**-52  # smallest quadrature error tried; rounding errors are larger
-# Trials choose the numbers of nodes. They need not test all pupils: each evaluation checks its own bound.
+_NUMPY_TYPES = (np.ndarray, np.generic)
+_ERROR_REDUCTION = 0.1  # allowed quadrature error of a trial, divided by that of the trial before
+_MIN_ERROR = 2.0**-52  # smallest allowed quadrature error of a trial; rounding errors are larger
+# Trials choose the numbers of nodes. They test only some pupils, because each evaluation checks its own error bound.
 _TESTED_MEMBERS, _TESTED_BETWEEN = 128, 48  # numbers of tested pupils: members of the stack, and pupils between them
 _BLOCK_VALUES = 2**21  # largest number of values in memory during trials
-_RULE_ERROR = 1e-11  # assumed error of PixelRule / largest intensity: ten times the largest measured error
+_RULE_ERROR = 1e-11  # assumed error of PixelRule, relative to the largest intensity: ten times the largest measured
 _MAX_SAMPLES = 24  # largest number of samples along a side of a pixel
 _X64 = '; call jax.config.update("jax_enable_x64", True) first, or choose a tolerance that float32 can prove'
 
@@ -43,6 +43,7 @@ class Pixels(NamedTuple):
     Attributes
     ----------
     height, width : int
+        Sides of the image, pixels.
     mirrored : bool
         Whether values are computed for one quadrant of the image and mirrored.
     growth : float
@@ -50,8 +51,8 @@ class Pixels(NamedTuple):
     added : float
         Error of averaging: relative to the largest intensity if `samples` is 0, otherwise absolute.
     samples : int
-        Number of samples along a side of each pixel if samples form a lattice (pupils that are not radial, and
-        off-axis pixel averages); else 0.
+        Number of samples along a side of each pixel if samples form a lattice (for pupils that are not radial, and
+        for off-axis pixel averages); 0 if samples are at distinct radii.
     """
 
     height: int
@@ -64,14 +65,14 @@ class Pixels(NamedTuple):
     def means(
         self, ns: Namespace, tables: Tables, values: Tensor, error: Tensor, unit: float
     ) -> tuple[Tensor, Tensor]:
-        """Return averages of intensities over pixels (point samples unchanged), and bounds on their errors."""
+        """Return averages of intensities over pixels (or unchanged point samples), and bounds on their errors."""
         xp = ns.xp
         if self.samples > 1:
             if "index" in tables:
                 values = xp.take(values, tables["index"], axis=-1)
             shape = (self.width, self.samples, self.height, self.samples, values.shape[0])
-            values = xp.sum(xp.reshape(xp.permute_dims(values, (1, 0)), shape) * tables["share"], axis=(1, 3))
-            # Rounding of a sum of samples^2 products: two roundings for each product.
+            values = xp.sum(xp.reshape(xp.permute_dims(values, (1, 0)), shape) * tables["weights"], axis=(1, 3))
+            # Rounding of a sum of samples^2 products: two roundings per product.
             error = error + self.added + 2.0 * self.samples**2 * unit * xp.max(ns.stop(values), axis=(0, 1))
             return xp.permute_dims(xp.reshape(values, (-1, values.shape[-1])), (1, 0)), error
         if self.growth:
@@ -86,13 +87,13 @@ class Pixels(NamedTuple):
         xp = ns.xp
         if self.samples:
             by_column = xp.reshape(xp.permute_dims(values, (1, 0)), (self.width, self.height, values.shape[0]))
-            return ns.turned(by_column)
+            return ns.transposed(by_column)
         values = xp.take(values, tables["index"], axis=-1)
         if not self.mirrored:
             return xp.reshape(values, (values.shape[0], self.height, self.width))
         down, across = self.height // 2, self.width // 2
         quarter = xp.reshape(values, (values.shape[0], down + 1, across + 1))
-        # The central row and column are not repeated; for even sides the outermost ones occur only at top and left.
+        # The central row and column are not repeated; for even sides the first row and column have no mirror image.
         right = quarter[..., : across + 1 - (self.width + 1) % 2]
         half = xp.concat([xp.flip(quarter[..., 1:], axis=-1), right], axis=-1) if across else right
         lower = half[..., : down + 1 - (self.height + 1) % 2, :]
@@ -115,7 +116,7 @@ class Static(NamedTuple):
     terms : tuple
         Names of the columns of coefficients.
     kept : tuple of int
-        Indices of the columns on which the field depends.
+        Indices of the columns of coefficients on which the field depends.
     ranges : tuple of (float, float)
         Smallest and largest coefficient of each column in the stack of pupils.
     lights : tuple of (float, Radial or Chordal)
@@ -124,6 +125,7 @@ class Static(NamedTuple):
     scale : float or None
         Factor that multiplies intensities; None for division by the largest value of each image.
     tol : float
+        Largest allowed error, relative to the largest value of an image.
     precision, dtype : str
         Data types of the computation and of the images.
     distances : Distances or None
@@ -146,22 +148,23 @@ class Static(NamedTuple):
 class TracedPSF:
     """PSFs as a differentiable function of wavefront coefficients: ``images = f(c)``.
 
-    Returned by :meth:`lommel.Plan.traced`. Works with ``jit``, ``vmap`` and ``grad`` (of any order), can be an
-    argument of such functions (a pytree in JAX), and can be pickled. Concrete coefficients are checked. During
-    tracing, an image is NaN where the tolerance is not proven; other images and their gradients are not affected.
+    The result of :meth:`lommel.Plan.traced`. It works with ``jit``, ``vmap`` and ``grad`` (of any order), can be an
+    argument of transformed functions (a pytree in JAX), and can be pickled. For concrete coefficients, an error is
+    raised if the tolerance is not proven. During tracing, such an image is NaN instead; other images and their
+    gradients are not affected.
 
     Parameters
     ----------
     static : Static
         Settings.
     tables : tuple of dict of array
-        Arrays of each wavelength, by name.
+        Precomputed arrays of each wavelength, by name.
 
     Attributes
     ----------
     terms : tuple
-        Columns of the coefficients, in radians at the pupil edge: "defocus" (C_d), "spherical" (C_s), "rho^6", ... if
-        the wavefront was given by these, else Zernike terms (n, m).
+        Names of the columns of coefficients (radians at the pupil edge): "defocus" (C_d), "spherical" (C_s), "rho^6",
+        ... if the wavefront was defined by these powers, else Zernike terms (n, m).
     shape : (int, int)
         Height and width of images.
     tol : float
@@ -190,8 +193,8 @@ class TracedPSF:
         c : array, shape (..., k)
             Coefficients in radians, one column for each entry of ``terms``; on the device of the tables.
         check : bool, default True
-            Whether to raise ToleranceError, which requires waiting for the device. With False, images above the
-            tolerance are NaN.
+            Raise ToleranceError if an error bound exceeds the tolerance, which requires waiting for the device. If
+            False, images whose bound exceeds the tolerance are NaN.
 
         Returns
         -------
@@ -202,12 +205,12 @@ class TracedPSF:
         TypeError, ValueError
             If coefficients have another framework, device or number of columns.
         ToleranceError
-            If the error of an image is not proven to be at most `tol` of its largest value; not while tracing.
+            If the error of an image is not proven to be at most `tol` times its largest value; not raised in a trace.
         """
         return self.certified(c, check=check)[0]
 
     def certified(self, c: Operand, *, check: bool = True) -> tuple[Operand, Operand]:
-        """Return images, and for each image a proven bound on its largest error relative to its largest value.
+        """Return images, and for each image a proven bound on the largest error, relative to the largest value.
 
         Parameters
         ----------
@@ -246,7 +249,7 @@ class TracedPSF:
         Returns
         -------
         array
-            C_d in the shape of `distance`: value of the column "defocus", or a summand of the Zernike term (2, 0).
+            C_d in the shape of `distance`: value of the column "defocus", or summand of the Zernike term (2, 0).
 
         Raises
         ------
@@ -255,7 +258,7 @@ class TracedPSF:
         """
         conversion = self._static.distances
         if conversion is None:
-            raise ValueError("distances need a plan traced with pupils of a paraxial lens, from Lens.pupil(...)")
+            raise ValueError("defocus needs a plan traced with pupils of a paraxial lens, from Lens.pupil(...)")
         return conversion.rad_per_dioptre * (conversion.vergence + 1.0 / self._array(distance))
 
     def torch_module(self) -> Any:
@@ -300,10 +303,10 @@ class TracedPSF:
         return Module()
 
     def _array(self, values: Operand) -> Tensor:
-        """Return values as a floating-point array of the framework; arrays stay on their device."""
+        """Return values as a floating-point array of the framework; arrays of the framework stay on their device."""
         ns, like = self._static.namespace, cast("Operand", self.tables[0]["size"])
         xp = ns.xp
-        if not hasattr(values, "dtype") or (isinstance(values, _OF_NUMPY) and ns.name != "numpy"):
+        if not hasattr(values, "dtype") or (isinstance(values, _NUMPY_TYPES) and ns.name != "numpy"):
             device = getattr(like, "device", None)
             kind = None if ns.has_double(device) else like.dtype
             values = ns.put(np.asarray(values, dtype=np.float64), device, kind)
@@ -314,7 +317,7 @@ class TracedPSF:
         return values if xp.isdtype(values.dtype, "real floating") else xp.astype(values, like.dtype)
 
     def _evaluate(self, c: Operand) -> tuple[Tensor, Tensor]:
-        """Return images and bounds; compiled in JAX, where separate operations would take seconds."""
+        """Return images and bounds; compiled in JAX, because separate operations would take seconds."""
         if self._static.namespace.name == "jax":
             return _jitted_evaluation()(self, self._array(c))
         return self._evaluate_uncompiled(c)
@@ -339,29 +342,29 @@ class TracedPSF:
             flat = xp.stack([flat[..., j] for j in static.kept], axis=-1)
         values, bound = self.evaluated(flat)
         zero = xp.zeros_like(bound)
-        # NaN is added, not selected by `where`: gradients of other images then remain finite.
-        poison = xp.reshape(xp.where(bound <= static.tol, zero, xp.full_like(bound, float("nan"))), (-1, 1))
+        # NaN is added, not selected by `where`, such that gradients of other images remain finite.
+        zero_or_nan = xp.reshape(xp.where(bound <= static.tol, zero, xp.full_like(bound, float("nan"))), (-1, 1))
         if ns.in_place(values):
-            values += poison
+            values += zero_or_nan
         else:
-            values = values + poison
+            values = values + zero_or_nan
         values = xp.astype(values, getattr(xp, static.dtype), copy=False)
         images = static.pixels.unfold(ns, self.tables[0], values)
         return xp.reshape(images, stack + static.pixels[:2]), xp.reshape(bound, stack)
 
     def evaluated(self, c: Operand) -> tuple[Tensor, Tensor]:
-        """Return pixel values and bounds for checked coefficients `c` of the kept terms."""
+        """Return pixel values and error bounds for validated coefficients `c`, with the columns `kept` only."""
         static = self._static
         ns = static.namespace
         unit, parts = UNIT[static.precision], []
         for (weight, light), tables in zip(static.lights, self.tables, strict=True):
-            intensity, of_field = light.intensity(ns, tables, c)
-            # Wavelengths are incoherent: intensities and their error bounds add.
-            summand = weight * certificate.of_intensity(ns, ns.stop(intensity), of_field, unit)
-            parts.append((intensity if weight == 1.0 else weight * intensity, summand))
+            intensity, field_error = light.intensity(ns, tables, c)
+            # Wavelengths are incoherent: intensities are added, and so are their error bounds.
+            intensity_error = weight * certificate.of_intensity(ns, ns.stop(intensity), field_error, unit)
+            parts.append((intensity if weight == 1.0 else weight * intensity, intensity_error))
         values, error = parts[0]
-        for intensity, summand in parts[1:]:
-            values, error = values + intensity, error + summand
+        for intensity, intensity_error in parts[1:]:
+            values, error = values + intensity, error + intensity_error
         values, error = static.pixels.means(ns, self.tables[0], values, error, unit)
         still = ns.stop(values)
         # Relative rounding error of squares, sums and scaling, and of the conversion of float64 to float32.
@@ -437,12 +440,12 @@ def traced(
     values: tuple[float, str, str],
     where: tuple[object, object, str],
 ) -> TracedPSF:
-    """Return a traced plan; `values` is (tol, normalize, dtype), `where` is (framework, device, precision)."""
+    """Return a traced plan; `values` are (tol, normalize, dtype), `where` is (framework, device, precision)."""
     tol, normalize, dtype = values
     ns, device = Namespace.of(where[0]), where[1]
     precision = _precision(ns, device, where[2], dtype)
     if not pupil.circular:
-        raise ValueError("traced plans need a pupil with a round aperture, without spider, vignetting, mask and stop")
+        raise ValueError("traced plans need a pupil with a round aperture, without spider, vignetting, mask or stop")
     if normalize == "emitted":
         raise ValueError('normalize must be "energy", "strehl" or "peak" for a traced plan, got "emitted"')
     lights = _spectral_components(pupil, method)
@@ -455,7 +458,7 @@ def traced(
         "energy": grid.step(pupil) ** 2 / (4.0 * math.pi * pupil.transmission),
         "strehl": 1.0 / (pupil.amplitude**2 * sum(part.weight for part in lights)),
     }.get(normalize)
-    # The peak of a defocused radial pupil is about proportional to 1 / phase. Other pupils start without this factor.
+    # The peak of a defocused radial pupil is about proportional to 1 / phase: its allowed error is smaller.
     largest_phase = float(np.abs(c).sum(axis=1).max())
     error = tol * pupil.amplitude * (0.04 / (2.0 * largest_phase + 1.0) if pupil.radial else 0.15)
     distances = _defocus_by_distance(pupil)
@@ -463,14 +466,14 @@ def traced(
         parts, image, tables = _fields(pupil, grid, lights, error, precision)
         static = Static(ns, terms, kept, ranges, parts, image, scale, tol, precision, dtype, distances)
         # Add nodes until all bounds, for members of the stack and for pupils between them, are at most 0.6 tol.
-        worst, most = _largest_bounds(static, tables, c)
-        if most <= 0.6 * tol or error <= _MIN_ERROR:
+        member_bound, largest_bound = _largest_bounds(static, tables, c)
+        if largest_bound <= 0.6 * tol or error <= _MIN_ERROR:
             break
         error = max(_MIN_ERROR, _ERROR_REDUCTION * error)
-    if not worst <= tol:
+    if not member_bound <= tol:
         raise ToleranceError(
             f"tol={tol:g} cannot be proven in {precision} for the stack that the plan was traced with: the bound is "
-            f"{worst:.2g} of the largest value{_X64 if ns.name == 'jax' and precision == 'float32' else ''}"
+            f"{member_bound:.2g} of the largest value{_X64 if ns.name == 'jax' and precision == 'float32' else ''}"
         )
     return move_to_device(static, tables, device)
 
@@ -480,7 +483,7 @@ def _precision(ns: Namespace, device: object, precision: str, dtype: str) -> str
     double = ns.has_double(device)
     if precision == "float64" and not double:
         raise ValueError(
-            f'precision must be "float32" or "auto" here: {ns.name} has no float64'
+            f'precision must be "float32" or "auto" on this device: {ns.name} has no float64'
             + (_X64 if ns.name == "jax" else "")
         )
     if precision == "auto":
@@ -494,11 +497,11 @@ def _precision(ns: Namespace, device: object, precision: str, dtype: str) -> str
 
 
 def _defocus_by_distance(pupil: Pupil) -> Distances | None:
-    """Return the coefficients of C_d by object distance (Eq. 3 of the paper), or None unless the lens is paraxial."""
+    """Return the conversion of object distances to C_d (Eq. 3 of the paper); None unless the lens is paraxial."""
     lens = pupil.geometry
     if lens is None or lens.model != "paraxial" or pupil.wavelength is None:
         return None
-    # C_d = pi a^2 / (2 lambda) times the vergence error (1/m), a being the aperture radius.
+    # C_d is pi a^2 / (2 lambda) times the vergence error (1/m), where a is the aperture radius.
     return Distances(-lens.in_focus, math.pi / (2.0 * pupil.wavelength) * lens.aperture_radius**2)
 
 
@@ -523,7 +526,7 @@ def _fields(
     step, stretch = grid.step(pupil), max(part.stretch for part in lights)
     fields: list[tuple[float, Radial | Chordal]] = []
     tables: list[Tables] = []
-    # Radial pupils are sampled at distinct radii, which are fewer than the points of a lattice.
+    # Images of radial pupils are sampled at distinct radii, which are fewer than the points of a lattice.
     if pupil.radial:
         image, v, shared = at_radii(grid, step, stretch, error * pupil.amplitude)
         for part in lights:
@@ -542,7 +545,7 @@ def _fields(
 
 
 def _largest_bounds(static: Static, tables: tuple[Tables, ...], c: Array) -> tuple[float, float]:
-    """Return the largest bound over tested members of the stack, and over these members and pupils between them."""
+    """Return the largest bound for tested members of the stack, and for these members and pupils between them."""
     numpy = Namespace.of(None)
     plan = TracedPSF(static._replace(namespace=numpy), tables)
     boxed = isinstance(static.lights[0][1], Radial)
@@ -553,7 +556,7 @@ def _largest_bounds(static: Static, tables: tuple[Tables, ...], c: Array) -> tup
         parts = (many[k : k + rows, static.kept] for k in range(0, len(many), rows))
         return float(np.max([np.max(numpy.to_numpy(plan.evaluated(part)[1])) for part in parts]))
 
-    # Test the pupils with the largest phases, which have the largest bounds, and a regular selection of the others.
+    # Test the pupils with the largest phases, which have the largest bounds, and regularly spaced others.
     order = np.argsort(-np.abs(c).sum(axis=1), kind="stable")
     tested = np.concatenate([order[:_TESTED_MEMBERS], order[_TESTED_MEMBERS :: max(1, len(c) // _TESTED_MEMBERS)]])
     worst = largest(c[tested])
@@ -561,8 +564,11 @@ def _largest_bounds(static: Static, tables: tuple[Tables, ...], c: Array) -> tup
 
 
 def _pupils_between(c: Array, *, boxed: bool) -> Array:
-    """Return random coefficients between two members of a stack or, if `boxed`, in their ranges and at corners."""
-    # A fixed seed: plans are reproducible.
+    """Return random coefficients between pairs of members of a stack; if `boxed`, in the box of all members.
+
+    In a box, each coefficient is between its extremes in the stack.
+    """
+    # The seed is fixed, such that plans are reproducible.
     draw = np.random.default_rng(0)
     if not boxed:
         one, other = c[draw.integers(len(c), size=(2, _TESTED_BETWEEN // 2))]
@@ -570,15 +576,16 @@ def _pupils_between(c: Array, *, boxed: bool) -> Array:
         return np.asarray(weight * one + (1.0 - weight) * other)
     low, high = c.min(axis=0), c.max(axis=0)
     inside = draw.random((_TESTED_BETWEEN, c.shape[1]))
-    # Half of the pupils at corners, where bounds are largest.
+    # Half of the pupils are at corners of the box, where bounds are largest.
     inside[: _TESTED_BETWEEN // 2] = np.round(inside[: _TESTED_BETWEEN // 2])
     return np.asarray(low + inside * (high - low))
 
 
 def at_radii(grid: Grid, step: float, stretch: float, allowed: float) -> tuple[Pixels, Array, dict[str, Values]]:
-    """Return the pixels of a radial pupil, the radii in v of its samples, and tables.
+    """Return the Pixels for a radial pupil, the radii in v of the samples, and tables.
 
-    `step` is the pixel pitch in v, ``stretch * step`` at the shortest wavelength; `allowed` is the error of averages.
+    `step` is the pixel pitch in v, ``stretch * step`` the pitch at the shortest wavelength; `allowed` is the largest
+    allowed error of averages.
     """
     height, width = grid.shape
     if grid.integrate and not grid.centered:
@@ -588,7 +595,7 @@ def at_radii(grid: Grid, step: float, stretch: float, allowed: float) -> tuple[P
     if grid.integrate:
         half = max(1, height // 2, width // 2)
         rule = pixel_rule(half, step * stretch)
-        # A window that is not square needs only some of the octant's cells.
+        # A window that is not square requires only some cells of the octant.
         used, index = np.unique(
             cells_of_quarter(half)[: height // 2 + 1, : width // 2 + 1].ravel(), return_inverse=True
         )
@@ -598,9 +605,9 @@ def at_radii(grid: Grid, step: float, stretch: float, allowed: float) -> tuple[P
     middle = grid.axis
     down, across = np.arange(height) - middle[0], np.arange(width) - middle[1]
     if grid.centered:
-        # A centred window is symmetric: one quadrant holds all distinct radii.
+        # A centred window is symmetric: one quadrant contains all distinct radii.
         down, across = down[height // 2 :: -1], across[width // 2 :: -1]
-    # For a centred window the squares are exact in floating point: equal radii compare equal.
+    # For a centred window the squares are exact in floating point: equal radii have equal squares.
     squares, index = np.unique(down[:, None] ** 2 + across**2, return_inverse=True)
     return Pixels(height, width, grid.centered, 0.0, 0.0), step * np.sqrt(squares), {"index": _flat_indices(index)}
 
@@ -612,7 +619,7 @@ def _flat_indices(index: Values) -> NDArray[np.int32]:
 def on_lattice(
     grid: Grid, step: float, stretch: float, allowed: float
 ) -> tuple[Pixels, tuple[Array, Array], dict[str, Values]]:
-    """Return the pixels, the rows and columns of samples in v, and tables, for any pupil; arguments: see at_radii."""
+    """Return the Pixels for any pupil, the rows and columns of samples in v, and tables; see `at_radii`."""
     grid.require_one_axis()
     rows, cols = step / grid.side * grid.y, step / grid.side * grid.x
     if not grid.integrate:
@@ -626,6 +633,6 @@ def on_lattice(
             f"{stretch * step / math.pi:.4g} lambda*N at the shortest wavelength; use smaller pixels"
         )
     nodes, weights = gauss_legendre(count, -0.5 * step, 0.5 * step)
-    share = (weights[:, None, None, None] * weights[:, None]) / step**2
+    products = (weights[:, None, None, None] * weights[:, None]) / step**2
     lattice = (rows[:, None] + nodes).ravel(), (cols[:, None] + nodes).ravel()
-    return Pixels(grid.height, grid.width, False, 1.0, error, count), lattice, {"share": share}
+    return Pixels(grid.height, grid.width, False, 1.0, error, count), lattice, {"weights": products}

@@ -470,7 +470,7 @@ STACK = recorded(11, waves(11), light=2e3)[0]
         ({"z": Z[:5]}, "z must have a position for each of 9 planes"),
         ({"z": Z[[1, 0, *range(2, 9)]]}, "z must increase from plane to plane"),
         ({"z": 1e6 * Z}, "z must be in metres"),
-        ({"depth": 10e-9}, "depth must be the depth of a bead.s centre, at least the radius"),
+        ({"depth": 10e-9}, "depth must be that of a bead.s centre, at least the radius"),
         ({"depth": [1e-6, 2e-6]}, "depth must be a number, or one for each of 1 beads"),
         ({"terms": ["noll 4", "noll 5"]}, "equivalent to a shift of the bead"),
         ({"terms": [(2, 2), "noll 6"]}, "terms must not name one thing twice"),

@@ -1,8 +1,7 @@
 r"""Blurs as factors of the transfer function: seeing, jitter, motion, charge diffusion.
 
 A blur is a probability density b(r) of image shifts r. The blurred image is the convolution ``I * b``
-(convolution.py). Its optical transfer function is ``OTF(f) T(f)``, where ``T(f) = int b(r) exp(-2 pi i f.r) dr`` is
-the transfer function of the blur.
+(convolution.py). The transfer function T of the blur, which multiplies the OTF, is the Fourier transform of b(r).
 """
 
 from __future__ import annotations
@@ -27,9 +26,8 @@ It is half of Fried's constant, ``2 (24/5 Gamma(6/5))^(5/6) = 6.883877``.
 FWHM = 0.9758634299
 """Full width at half maximum of a star through Kolmogorov's turbulence, in units of wavelength / r0.
 
-It is 2 x for the x at which ``int exp(-KOLMOGOROV q^(5/3)) J0(2 pi x q) q dq`` is half of its value at x = 0. The
-integral was computed to 25 digits by mpmath with the substitution q = s^3, which makes the integrand analytic; a test
-repeats the computation.
+It is 2 x for the x at which ``int exp(-KOLMOGOROV q^(5/3)) J0(2 pi x q) q dq`` is half of its value at x = 0. A test
+computes it by mpmath, to 25 digits, with the substitution q = s^3, which makes the integrand analytic.
 """
 _NU = 5.0 / 6.0  # order of the Bessel function of von Karman's structure function, half of the exponent 5/3
 

@@ -1,9 +1,8 @@
 r"""Isotropic blurs as mixtures of Gaussians; each Gaussian is a product of factors along rows and columns.
 
 A transfer function that is completely monotone in the squared frequency is a mixture of Gaussians with positive
-weights (Bernstein's theorem). Kolmogorov's ``exp(-c q^(5/3))`` is completely monotone in q^2. Von Karman's function
-is completely monotone because ``limit - z^nu K_nu(z)`` is a Bernstein function of ``z^2``. Few terms suffice: with 6
-terms, the error of Kolmogorov's transfer function is at most 1.4e-4.
+weights (Bernstein's theorem). Kolmogorov's ``exp(-c q^(5/3))`` is completely monotone in q^2. Von Karman's is because
+``limit - z^nu K_nu(z)`` is a Bernstein function of ``z^2``. With 6 terms, Kolmogorov's has an error of 1.4e-4.
 """
 
 from __future__ import annotations
@@ -52,10 +51,7 @@ OUTER = (None, 1000.0, 240.0, 60.0)
 
 
 class Mixture(NamedTuple):
-    """Transfer function ``sum(weights * exp(-rates q^2))``, with q = frequency / coherence frequency.
-
-    `error` is its largest difference from the exact transfer function; sum(weights) = 1.
-    """
+    """``T = sum(weights * exp(-rates q^2))`` for q = frequency / coherence frequency; `error`: largest error of T."""
 
     weights: Array
     rates: Array

@@ -1,8 +1,7 @@
 """Checks of a fit of beads: neglected effects, planes in reversed order or displaced, a bead held out of the fit.
 
 A constant is fixed, or estimated with a prior. A score test estimates the size of a neglected effect without a new
-fit. `joint` is the model of all used beads, `found` is the fit of this model, and `stated` is the microscope with the
-constants that the user gave.
+fit. `joint` is the model of all used beads, `found` its fit, `stated` the microscope with the user's constants.
 """
 
 from __future__ import annotations
@@ -53,8 +52,7 @@ _MIN_DISTANCE = 2.0  # smallest distance of a neighbour, Rayleigh distances; a n
 _MOVED_RATIO = 4.0  # smallest significance of a displaced plane, divided by the median of all planes
 _MOVED_SIGMAS = 5.0  # smallest significance of a displaced plane, standard deviations
 _CONTRADICTED = 3.5  # smallest significance (standard deviations) at which the beads contradict a prior
-# Effects that look like errors of other constants.
-_NEVER_TESTED = "wavelength", "dye that does not radiate alike in all directions"
+_NEVER_TESTED = "wavelength", "dye that does not radiate alike in all directions"  # equivalent to other constants
 
 
 def available_constants(setup: Setup) -> list[str]:
@@ -122,8 +120,7 @@ def missing_tests(joint: BeadModel, found: Evaluated) -> tuple[tuple[ScoreTest, 
     candidates += _prior_candidates(joint, found, names)
     fixed = [Candidate(n, (names.index(n),), setup.scale(n) * CONSTANTS[n].size) for n in constants]
     candidates += fixed
-    # Expected sizes of the effects: drift in pixels over half the stack, gradient in electrons over the window,
-    # fraction of electrons lost at 10^4 electrons.
+    # Expected sizes: drift, pixels over half the stack; gradient, electrons over the window; fraction lost at 10^4.
     groups = {"drift": (drift, 0.3), "background gradient": (GRADIENT, 5.0), "non-linear gain": ((NONLINEAR,), 0.05)}
     for name, (group, size) in groups.items():
         if group:

@@ -2,8 +2,7 @@
 
 All beads have the same wavefront and constants of the microscope; each bead has its own position (`Place`). Flux and
 background of each plane are eliminated: they have their maximum-likelihood values, and the information on the other
-parameters is the Schur complement. v = 2 pi NA r / lambda is the dimensionless radius in the object plane. `place` is
-a bead's position, `star` are the recorded data of a stack (see `star_counts`).
+parameters is the Schur complement. v = 2 pi NA r / lambda is the dimensionless radius in the object plane.
 """
 
 from __future__ import annotations
@@ -47,9 +46,8 @@ class Constant(NamedTuple):
     """A constant of the microscope that may be estimated.
 
     `step` is the step of finite differences, `max_step` the largest change in a step of the search, `size` the
-    expected error of a wrong value in score tests, and `prior` the default standard error of the prior (0: fixed by
-    default). `step` and `max_step` are relative to the value if `relative` is True. `size` and `prior` of pixel and
-    diameter are relative to the value.
+    expected error in score tests, `prior` the default standard error of the prior (0: fixed by default). `step` and
+    `max_step` are relative to the value if `relative`; `size` and `prior` of pixel and diameter always are.
     """
 
     step: float
@@ -300,10 +298,7 @@ class BeadImages:
         return images
 
     def rule(self, samples: Samples, edge: Array) -> Rule:
-        """Return the quadrature rule for phases `edge` (radians at the pupil edge).
-
-        Raise Declined if the phases are too strong.
-        """
+        """Return the quadrature rule for phases `edge` (radians at the edge); Declined if phases are too strong."""
         window = samples.window
         ends = [max(at, side - 1.0 - at) for at, side in zip(window.center, window.shape, strict=True)]
         coefficients = edge[0, :-2]
@@ -344,7 +339,6 @@ def _light_slope(setup: Setup, name: str, depth: Array) -> float:
 def _half(setup: Setup) -> int:
     """Return the number of samples on either side of a pixel that the pixel filter uses."""
     stride = max(1, math.ceil(setup.pixel_v / 1.535))
-    # The filter includes the disc of the bead, and two standard deviations of the blur.
     half_width = 2.0 * math.sqrt(max(setup.blur, 0.0)) * setup.pixel_v + setup.radius
     return HALF + (stride - 1) * 2 + math.ceil(half_width * stride / setup.pixel_v)
 
@@ -389,10 +383,7 @@ class Part(NamedTuple):
     carried: Array  # (planes, parameters, 2), minus the derivative of flux and background by the parameters
 
     def shifts(self, columns: list[int]) -> tuple[Array, Array]:
-        """Return steps (planes, q) of the q parameters `columns` from each plane alone, with the others fixed.
-
-        Also return the significance of each plane's step, in standard deviations.
-        """
+        """Return each plane's steps (planes, q) of the q parameters `columns`, and their significance (sigmas)."""
         square, slope = self.information[:, columns][:, :, columns], self.slope[:, columns]
         square = _regular(square) + 1e-300 * np.eye(len(columns))
         step = np.asarray(np.linalg.solve(square, slope[..., None])[..., 0])

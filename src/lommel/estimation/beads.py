@@ -402,8 +402,7 @@ def fit_beads(
     -----
     Fisher scoring maximizes the likelihood of Poisson counts with read noise (Snyder et al. 1993,
     doi:10.1364/JOSAA.10.001014) with priors. A bead is modelled by discs at two or more heights. Images of the search
-    use quadrature rules of fixed size; `model_error` is their largest difference from images with a proven error
-    bound, at the estimate.
+    use quadrature rules of fixed size; `model_error` compares them with images of proven error bound at the estimate.
 
     Score tests (Rao) estimate the size of each neglected effect by one step of Fisher scoring, with all estimated
     parameters eliminated; the effects are ranked by Bayes factor. If an effect is significant, a new fit estimates
@@ -411,9 +410,8 @@ def fit_beads(
     `errors` and `aberrations` allow for them. The finding "untested" lists fixed constants that the beads do not
     determine, if an error of the constant would change a term by more than a standard error; constants determined
     more by the prior than by the beads; and the wavelength, whose errors are equivalent to errors of pixel and NA.
-    The finding "pattern" is a doubt due to stripes, or offsets of rows or columns, that noise alone causes in fewer
-    than one of 1000 fits. The doubt "too_dim" is raised if the standard error of the wavefront exceeds 0.22 radians
-    rms.
+    Doubts are also "pattern": stripes, or offsets of rows or columns, that noise alone causes in fewer than one of
+    1000 fits; and "too_dim": a standard error of the wavefront above 0.22 radians rms.
 
     Examples
     --------
@@ -466,8 +464,7 @@ def fit_beads(
     known |= {name: Prior(setup.value(name), math.inf) for name in list(AMPLITUDES)[:count_of] if name not in known}
     start = {term: float(c) for term, c in (aberrations or Wavefront()).edge_terms().items()}
     if start.get((2, 0)):
-        text = "defocus (Noll 4) of aberrations is fixed, in addition to the defocus due to z of the beads"
-        notes.append(Finding("stated", "note", text))
+        notes.append(Finding("stated", "note", "defocus (Noll 4) of aberrations is fixed: z of the beads adds to it"))
     images = BeadImages(solved, start, settings.threads or 0)
     waves = np.array([start.get(term, 0.0) for term in solved]) / images.factors
     made = tuple(Stack.of(each, noise, places) for each in recorded)
@@ -500,9 +497,7 @@ def _depths(depth: Any, radius: float, count: int) -> list[float]:
         raise ValueError(f"depth must be a number, or one for each of {count} beads, got shape {given.shape}")
     found = [length("depth", float(one), DEPTH_MOST) for one in np.broadcast_to(given, (count,))]
     if (least := min(found)) < radius * (1.0 - 1e-9):
-        raise ValueError(
-            f"depth must be the depth of a bead's centre, at least the radius {radius:g} m, got {least:g}"
-        )
+        raise ValueError(f"depth must be that of a bead's centre, at least the radius {radius:g} m, got {least:g}")
     return found
 
 
@@ -520,9 +515,7 @@ def _priors(given: Any, setup: Setup, deep: Sequence[float]) -> tuple[Setup, dic
     for name, prior in given.items():
         validation.choice("priors", name, CONSTANTS)
         if name not in known:
-            raise ValueError(
-                f"priors must be without {name!r}: objective and bead have no such constant, or the medium is air"
-            )
+            raise ValueError(f"priors must be without {name!r}: no such constant exists, or the medium is air")
         pair = prior if isinstance(prior, tuple | list) else (None, prior)
         if len(pair) != 2:
             raise ValueError(f"priors[{name!r}] must be a standard error or (value, standard error), got {prior!r}")
@@ -593,8 +586,7 @@ def _build_bead_fit(search: Search, recorded: list[Counts], noise: Noise, stated
     findings += _error_findings(inverse[: len(state.waves), : len(state.waves)], error)
     if not all(used):
         left = ", ".join(map(str, np.flatnonzero(np.logical_not(used))))
-        text = f"left out, because inconsistent with the other beads: bead {left}"
-        findings.append(Finding("left_out", "note", text))
+        findings.append(Finding("left_out", "note", f"left out, inconsistent with the other beads: bead {left}"))
     findings += [*stated, *recording_findings(recorded, noise, "bead")]
     summary = f"chi2 {chi2:.4g} per degree of freedom, {search.steps} steps"
     if math.isfinite(held_out):

@@ -1,8 +1,4 @@
-"""Field maps from stars: wavefronts over the sensor as polynomials of the position, with standard errors.
-
-One focus: all exposures have the same defocus. The twin of a field is the field with the even parts of all phases
-negated, which has the same images in one focus. lnL: log-likelihood.
-"""
+"""Field maps from stars: wavefronts over the sensor as polynomials of the position, with standard errors."""
 
 from __future__ import annotations
 
@@ -62,7 +58,7 @@ KINDS = "star", "pinhole", "crossing"
 _AXES = "rows", "columns"
 _MAX_SEARCHES = 3  # maximum number of searches, each with other random starts, until one converges
 _MAX_LISTED = 3  # maximum number of rejected stars whose places a message lists
-_MIN_GAIN = 2.0  # difference of lnL below which two shapes of blur are considered equally likely
+_MIN_GAIN = 2.0  # difference of log-likelihood (lnL) below which two shapes of blur are considered equally likely
 _SIGN = "one focus leaves the common sign of the even terms of the whole field open"
 
 
@@ -175,8 +171,7 @@ class FieldFit(FitReport):
         Parameters
         ----------
         x, y : array_like
-            Distances from the optical axis, the middle of the sensor, in metres or lambda*N: x increases with the
-            column, y with the row. The shapes of x and y must be broadcastable.
+            Positions from the middle of the sensor, metres or lambda*N: x increases with the column, y with the row.
 
         Returns
         -------
@@ -349,10 +344,9 @@ class ChartOptions:
     Parameters
     ----------
     targets : {"star", "pinhole", "crossing"}, default "star"
-        Kind of targets. "star": point sources; "pinhole": circular holes of one diameter; "crossing": corners of a
-        checkerboard, where four squares meet at the crossing of two lines. For each corner the position, the
-        directions of the two lines and the brightness of black and white are estimated. The lines must be straight
-        within a window, but need not be perpendicular.
+        Point sources, circular holes of one diameter, or corners of a checkerboard, where two lines cross. For each
+        corner the position, the directions of the two lines and the brightness of black and white are estimated. The
+        lines must be straight within a window, but need not be perpendicular.
     size : float, optional
         Diameter of the image of a pinhole (required), or side of the image of a square, in the unit of `pixel`. By
         default, the lines between squares are infinitely long.
@@ -477,9 +471,8 @@ def fit_field(
     estimated if they are significant. Marginalized in addition, with these prior standard deviations: anisotropic
     blur (variance 0.1 pixels^2), wings (30 % of the light) and slopes of the background (1 electron per pixel).
 
-    With one focus, the search is repeated with other relative signs of even terms, and the most likely map is
-    returned. Another map is reported ("another_minimum") if it differs by more than three standard errors and its
-    log-likelihood is at most 8 lower.
+    With one focus, the search is repeated with other relative signs of even terms. The most likely map is returned.
+    Another map, more than three standard errors away and at most 8 less in lnL, is reported ("another_minimum").
 
     With one focus, the images do not change if all even terms of the map are negated. If `start` is given, the map
     nearer to `start` is returned. Otherwise, the map with the smaller wavefront is returned (a known defocus is not
@@ -487,11 +480,10 @@ def fit_field(
     A second exposure at another known defocus determines the sign.
 
     Distortion requires `ideal` places. The displacement is a polynomial of the ideal position, fitted to the
-    estimated places by generalised least squares, because errors of places are correlated with those of coma. Tilts
-    of the map displace the images accordingly (W311 of :meth:`lommel.Wavefront.from_seidel`). A free `pose` minimizes
-    the displacement over the whole sensor, and absorbs the mean magnification. The rms deviation of places in excess
-    of noise is ``distortion.scatter``; standard errors include it. Each exposure after the first may be shifted,
-    rotated and magnified relative to the first.
+    estimated places by generalised least squares, because errors of places and of coma are correlated. Tilts of the
+    map displace the images accordingly (W311 of :meth:`lommel.Wavefront.from_seidel`). A free `pose` minimizes the
+    displacement over the whole sensor, and absorbs the mean magnification. Standard errors include ``scatter``, the
+    rms deviation of places in excess of noise. Later exposures may be shifted, rotated and magnified.
 
     Examples
     --------
@@ -550,8 +542,7 @@ def fit_field(
     )
     if stars.tested < 1:
         raise ValueError(
-            f"windows must have more valid pixels than the {stars.size} unknowns of a star: use larger windows or "
-            "fewer terms"
+            f"windows must have more pixels than the {stars.size} unknowns of a star: use larger windows"
         )
     if count < 4 and max_degree > 0:
         raise ValueError(f"windows must be of at least 4 stars unless degree is 0, got {count}")
@@ -881,9 +872,7 @@ def _distortion(
     used, tilt = found.model.chosen, found.model.of.one.tilt_of_pixel
     known = np.isfinite(ideal[used]).all(axis=1)
     if known.sum() < 4:
-        raise ValueError(
-            f"ideal must be known for at least 4 of the {len(used)} windows that were not rejected, got {known.sum()}"
-        )
+        raise ValueError(f"ideal must be known for at least 4 of {len(used)} accepted windows, got {known.sum()}")
     seen = found.of_stars()[:, :2].swapaxes(1, 2) / tilt + places[used][:, None]
     blocks = found.scores.information[0]
     return fit_distortion(ideal, used, places_of(blocks, seen, tilt), pose=pose, degree=degree, sensor=chip)

@@ -274,10 +274,7 @@ class Search:
         chosen = self.brightest()
         x, chi2, sure = self.singles(chosen)
         if not np.isfinite(chi2).any():
-            raise ToleranceError(
-                "no star could be fitted: aberrations of all starts are too strong to compute images to the "
-                "tolerance; use a larger tol, or pass start"
-            )
+            raise ToleranceError("no star could be fitted: aberrations are too strong for the tolerance; pass start")
         usable = np.isfinite(chi2)
         # Polynomials cannot fit better than individual wavefronts: a fit with nearly the same chi2 ends the search.
         floor = _EXCESS_RATIO * (float(np.median(chi2[usable])) - 1.0) if sure.mean() >= _MIN_SURE else 0.0
@@ -313,10 +310,7 @@ class Search:
             if median < accepted_chi2:
                 break
         if best is None:
-            raise ToleranceError(
-                "no field could be fitted: aberrations are too strong to compute images to the tolerance; use a "
-                "larger tol, or pass start"
-            )
+            raise ToleranceError("no field could be fitted: aberrations are too strong for the tolerance; pass start")
         return best
 
     def negated(self, chosen: NDArray[np.intp], waves: Array) -> Array:
@@ -627,7 +621,6 @@ def _no_progress(step: int, chi2: float) -> None:
 def outliers(each: Quality) -> NDArray[np.bool_]:
     """Return a mask of stars whose chi2 is too large compared with the other stars."""
     median = float(np.median(each.chi2))
-    # If the model is slightly wrong, chi2 scatters by more than noise: use the larger of the expected standard
-    # deviation and the robust estimate.
+    # A slightly wrong model increases the scatter of chi2: use the larger of expected and robust standard deviation.
     spread = np.maximum(each.spread, 1.4826 * float(np.median(np.abs(each.chi2 - median))))
     return np.asarray(each.chi2 > median + _OUTLIER * spread)

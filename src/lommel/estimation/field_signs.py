@@ -119,8 +119,7 @@ def candidates(
     tried: list[Array] = []
     for _, polynomials, chosen in sorted(found, key=lambda each: each[0]):
         mirrored = negated(chosen)
-        # Skip a candidate whose signs, for more than 97 % of the stars, equal those of an earlier candidate, or are
-        # opposite to them.
+        # Skip a candidate if, for more than 97 % of the stars, its signs equal or oppose those of an earlier one.
         if not any(_equal_fraction(chosen, old) > 0.97 or _equal_fraction(mirrored, old) > 0.97 for old in tried):
             tried.append(chosen)
             yield polynomials, chosen

@@ -150,8 +150,7 @@ class FieldStars:
             return self._reader
         if not (always or self.widths or self.integrate or shape.fixed.any()):
             return None
-        # The support is chosen for the typical width. It cuts off the widest Gaussians of seeing, but only their
-        # light that is far from the window.
+        # With the support for the typical width, the widest Gaussians of seeing lose only light far from the window.
         known = float(np.exp(shape.weights @ np.log(shape.fixed + 1e-12)))
         width = math.sqrt(float(squares.sum(axis=-1).max(initial=0.0)) + known)
         variances = shape.variances(squares).reshape(-1, len(shape.weights)).min(axis=0)
@@ -252,8 +251,7 @@ class FieldStars:
     def _products(self, stars: NDArray[np.intp], images: Sequence[Array], own: Array) -> tuple[Array, Array]:
         """Return deviance, expectation and variance of Pearson's sum (3, r), and inner products (r, e, d, d).
 
-        The inner products are those of `images`, the constant 1 and the residual, all divided by the standard
-        deviations of the pixels.
+        The factors are `images`, the constant 1 and the residual, divided by the standard deviation of each pixel.
         """
         star, light = self.observed(stars, own)
         light = np.ascontiguousarray(np.moveaxis(light, 1, 0).reshape(1, 2, -1))
@@ -469,8 +467,7 @@ class Blocks:
 
     `shared` (s, s) is the block of shared parameters, `own` (n, o, o) that of the own parameters of each star, and
     `mixed` (n, c, o) that of the c waves and squares of a star with its own parameters. `basis` (n, m) are the
-    polynomials at each star, `waves` is their number k of coefficients per star, and `squares` (e * b,) are the
-    present squared widths of the blur.
+    polynomials at each star, `waves` is the number k, and `squares` (e * b,) are the present squared widths.
     """
 
     shared: Array

@@ -43,9 +43,7 @@ _STACK = 2  # number of random starts that are computed in one stack
 # 3 rad rms, 500 to 1e5 electrons) in which three of 19 starts agreed, no other start ended at a lower minimum.
 _AGREEING = 3
 _VISIBLE = 5.0  # smallest flux of a visible star, in standard errors of the flux
-# Smallest ratio of distances from the initial wavefront at which the nearer of two twins (wavefronts whose even parts
-# have opposite signs) is chosen without doubt.
-_DECIDED = 2.0
+_DECIDED = 2.0  # ratio of distances from the initial wavefront above which the nearer of two twins is no doubt
 _NORMALIZED = 0.05  # images whose sums differ from 1 by less count as normalized
 _CAUSES = (
     "pupil (vanes, f-number), pixel, noise or the defocus of an image (unit, order) are wrong, terms are missing, "
@@ -304,9 +302,8 @@ def retrieve(
     Score tests (Rao, doi:10.1017/S0305004100023987) search for effects that the model lacks: Zernike terms of the
     next two radial orders (spherical terms: four); finer zones, ripples; blur; sloping backgrounds; nonlinear gain;
     another f-number, obscuration or amplitude at the pupil edge; uneven pupil illumination (linear in x or y, or with
-    two- to four-fold symmetry); a decentred obscuration; a non-circular edge; different scales along x and y; charge
-    transfer delay; terms that differ between images; a scale factor of the defoci; for three or more images, another
-    defocus of each image.
+    two to four folds); decentred obscuration; non-circular edge; different scales along x and y; charge transfer
+    delay; terms that differ between images; scale of the defoci; defocus of each image (for three or more images).
 
     Some effects are always marginalized: `coefficients` and `errors` allow for them, `model` does not. Their prior
     standard deviations are: slopes of the background (1 electron per pixel), uneven illumination (2 % of the
@@ -371,8 +368,7 @@ def _search(
 ) -> tuple[Array, Scores, bool, tuple[int, int]]:  # fmt: skip
     """Return the best minimum (1, p), its scores, whether it settled, and the numbers of steps and starts.
 
-    The search ends when noise explains chi2, when three starts agree within the standard errors, or after `starts`
-    starts.
+    The search ends when noise explains chi2, or three starts agree within the standard errors, or after `starts`.
     """
     first = _centroid_starts(model)
     best: Scores | None = None
@@ -451,10 +447,7 @@ def _centroid_starts(model: StarImages) -> Array:
 
 
 def _random_starts(model: StarImages, first: Array, draw: np.random.Generator, count: int, tries: int) -> Array:
-    """Return `count` starts, with random terms added to rows of `first`; `tries` is the number of earlier starts.
-
-    The first start of all has no random terms, unless the sign of the even part is ambiguous.
-    """
+    """Return `count` starts: rows of `first` plus random terms; `tries` is the number of earlier starts."""
     x = first[(tries + np.arange(count)) % len(first)].copy()
     k = len(model.unknowns.terms)
     # With an ambiguous sign, derivatives by even terms vanish at even part 0: the first start must differ from it.

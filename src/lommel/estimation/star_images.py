@@ -382,9 +382,8 @@ class StarImages(RowModel):
     ) -> tuple[Array, Array]:
         """Return deviance, expectation and variance of Pearson's sum (3, s), and products (s, p + q + 1, p + q + 1).
 
-        The products are inner products over the pixels of the derivatives by the p parameters, the q further
-        derivatives of electrons `others` (s * n, height, width), and the residual, all divided by the standard
-        deviations of pixels.
+        The factors of these inner products are derivatives by the p parameters, q further derivatives of electrons
+        `others` (s * n, height, width), and the residual, divided by the standard deviation of each pixel.
         """
         light, q = np.ascontiguousarray(self.per_image(x)[:, -2:]), len(others)
         images = [values, *[slope.values for slope in slopes], *others]
@@ -434,8 +433,7 @@ class StarImages(RowModel):
 def uncertainty(model: StarImages, inverse: Array) -> tuple[float, Array]:
     """Return the largest standard error of an image's phase, radians rms, and the principal axes (k, p).
 
-    `inverse` is the covariance. The length of each axis is one standard deviation; parameters of infinite variance
-    are 0 on all axes.
+    `inverse` is the covariance. Each axis is one standard deviation long; parameters of infinite variance are fixed.
     """
     known = np.isfinite(np.diag(inverse))
     scale = np.sqrt(np.diag(inverse)[known])

@@ -809,8 +809,7 @@ class FieldMap:
         illuminated : bool, default False
             Multiply the values of each PSF by the :meth:`illumination` at its position.
         channels : Channels or sequence of float, optional
-            See :func:`lommel.colour_psf`. Lateral and axial colour are defined by the lens from which `aperture` was
-            derived.
+            See :func:`lommel.colour_psf`. The lens of `aperture` defines the lateral and axial colour.
         depths : array_like, shape (k,), optional
             Distances of the object from the lens, metres; may be infinite.
         lens : Lens, optional
@@ -1086,10 +1085,7 @@ def _span(values: Array) -> str:
 def _coefficients_and_terms(
     wavefront: Wavefront, shape: tuple[int, ...], what: str
 ) -> tuple[Array, tuple[tuple[int, int], ...]]:
-    """Return the coefficients at the pupil edge, shape ``shape + (k,)``, and the indices (n, m) of the k terms.
-
-    `what` describes `shape` in the message of the ValueError for another shape.
-    """
+    """Return the coefficients at the pupil edge, shape ``shape + (k,)``, and the indices (n, m) of the k terms."""
     if validation.instance("wavefront", wavefront, Wavefront).shape != shape:
         raise ValueError(f"wavefront must have the shape {what}, {shape}, got {wavefront.shape}")
     return wavefront.edge, wavefront.terms

@@ -5,9 +5,9 @@ error of its peak, are then at most ``2 M e + e^2`` (docs/certificate.md, sectio
 
 The chordal rule sums over parallel chords of the disk, and over nodes on each chord. The error of each of these sums
 is bounded by the mean of the absolute integrand on a curve around the disk, in complex coordinates
-(docs/certificate.md, "Differentiable PSFs", "Any terms"). The absolute integrand is ``exp(h + l)``, where h is -Im(phase), and l is the
-logarithm of the absolute kernel. This mean is far below the maximum, because different terms have their maxima at
-different points. The mean is a convex function of the position in the window: it is largest at a corner.
+(docs/certificate.md, "Differentiable PSFs", "Any terms"). The absolute integrand is ``exp(h + l)``: h is -Im(phase),
+and l is the logarithm of the absolute kernel. This mean is far below the maximum, because different terms have their
+maxima at different points. The mean is a convex function of the position in the window: it is largest at a corner.
 
 At a corner, let m and s^2 be the mean and the variance of h, weighted by ``exp(l)`` and the weight of the curve. m is
 linear and s^2 quadratic in the coefficients of the wavefront; tables contain the coefficients of these two forms. Let

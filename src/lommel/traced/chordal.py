@@ -201,8 +201,7 @@ class FieldError(NamedTuple):
     sums : float
         Largest sum over nodes of the absolute factors that multiply cosines and sines.
     added : float
-        Error due to rounding of sums, cosines, sines and tables, and due to phases and amplitudes that the terms do
-        not represent.
+        Error due to rounding of sums, cosines, sines and tables, plus the error of omitted phases and amplitudes.
     products : float
         Number of roundings of operands in matrix products, for reduced precision such as TF32.
     """
@@ -303,8 +302,7 @@ def make_radial(
     """Return the field at the radii v, with a quadrature error of at most `error`, and its tables.
 
     The error bound holds for all pupils in the box of a stack: each coefficient is between its extremes in the stack.
-    `stretch` is (wavelength of the pupil) / (wavelength of the field). Raise ToleranceError if more than
-    `_MAX_RADIAL_NODES` nodes would be required.
+    `stretch` is (wavelength of the pupil) / (wavelength of the field). Raise ToleranceError for too many nodes.
     """
     from scipy.special import j0
 
@@ -322,10 +320,7 @@ def make_radial(
     needed = (hankel.between(size, kernel, degree, low) + constant - math.log(error)) / (2.0 * _ETA)
     best, nodes = int(needed.argmin()), max(1, math.ceil(float(needed.min())))
     if nodes > _MAX_RADIAL_NODES:
-        raise ToleranceError(
-            f"phases and windows this large take {nodes} nodes, more than {_MAX_RADIAL_NODES}: reduce the "
-            "aberrations or the window"
-        )
+        raise ToleranceError(f"phases and windows this large take {nodes} nodes, more than {_MAX_RADIAL_NODES}")
     # The best ellipse of a single pupil may be smaller or larger than the best ellipse of the stack.
     chosen = np.unique([best, *np.clip(best + np.arange(_CHOSEN) * 5 - 10, 0, len(_ETA) - 1)])
     # Bound by Ehlich and Zeller on maximum / (largest sample), as in lommel.methods.hankel.
@@ -337,9 +332,8 @@ def make_radial(
     largest = float(np.abs(c).max(axis=0, initial=0.0) @ np.abs(basis).max(axis=1))
     phase, tables = phase_tables(basis, degree, largest, precision)
     unit, sums = UNIT[precision], float(np.abs(table).sum(axis=0).max())
-    # Rounding of sums, cosines, sines and products is at most (K + 16) u (certificate, "Differentiable PSFs",
-    # "Rounding"). Then rounding of weights, amplitude and J0: the argument x of J0 has a relative error of 3.5 u, and
-    # x abs(J1(x)) < 0.83 sqrt(x).
+    # Rounding of sums, cosines, sines and products: (K + 16) u (certificate, "Differentiable PSFs", "Rounding"). Then
+    # weights, amplitude and J0(x), whose argument has a relative error of 3.5 u: x abs(J1(x)) < 0.83 sqrt(x).
     added = sums * (nodes + 16.0) * unit
     added += UNIT["float64"] * (12.0 + 3.0 * math.sqrt(far) + (3.0 * light.slope)) * float(weights @ light.at(t))
     phase_left, light_left = pupil.left_out
@@ -357,8 +351,7 @@ def make_radial(
 
 # The values exp(i Phi) at the mirror images (+-x, +-y) of a node are split into parts that are even or odd in x and
 # in y. For these parts the kernel is real: a cosine or sine of v_x x times a cosine or sine of v_y y. At the mirror
-# images of a pixel the kernel differs only in sign. Pupils are the last axis of all arrays, because products of small
-# tables with long rows are fast.
+# images of a pixel the kernel differs only in sign. Pupils are the last axis: products of long rows are fast.
 
 IMAGES = ((1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0))
 """Signs of x and y at the four mirror images of a node."""
@@ -403,10 +396,7 @@ def axis_of(v: Array) -> tuple[Axis, Array]:
 
 
 def folded_tables(x: Array, y: Array, weights: Array, columns: Array, rows: Array) -> dict[str, Array]:
-    """Return the real kernels for chords at x and nodes at y; kernels along chords are multiplied by `weights`.
-
-    The shape of `y` and `weights` is ``(chords, nodes)``; `columns` and `rows` are the stored positions in v.
-    """
+    """Return the real kernels for chords at x and nodes at y ``(chords, nodes)``, multiplied by `weights`."""
     down, over = rows[:, None] * y[:, None, :], columns[:, None] * x
     return {
         "along even": np.cos(down) * weights[:, None, :],
@@ -438,10 +428,7 @@ def folded_intensity(
 
 @cache
 def _part(ns: Namespace, along: str, across: str) -> Callable[..., Tensor]:
-    """Return a function that computes one part of the field from values at the four :data:`IMAGES`.
-
-    The part is even or odd in y according to `along`, and even or odd in x according to `across`.
-    """
+    """Return a function that computes a part, even or odd in y (`along`) and x (`across`), from the four IMAGES."""
 
     def sum_part(rows: Tensor, columns: Tensor, a: Tensor, b: Tensor, c: Tensor, d: Tensor) -> Tensor:
         one, other = (a + b, c + d) if along == "along even" else (a - b, c - d)
@@ -569,17 +556,13 @@ _MAX_MEAN_DEGREE, _MAX_MEMBERS = 12, 64  # largest degree, and largest number of
 
 
 class Chordal(NamedTuple):
-    """Field of any pupil at one wavelength; methods require its tables.
-
-    `mean` is the bound by means on curves (None for the bound by the maximum of the integrand), `sums` are the sums
-    in the compiled core (None if not supported).
-    """
+    """Field of any pupil at one wavelength; methods require its tables."""
 
     phase: PhaseRule
     error: FieldError
     axes: tuple[Axis, Axis]
-    mean: Mean | None
-    sums: Sums | None
+    mean: Mean | None  # bound by means on curves; None for the bound by the maximum of the integrand
+    sums: Sums | None  # sums in the compiled core; None if the core does not support them
 
     def intensity(self, ns: Namespace, tables: Tables, c: Tensor) -> tuple[Tensor, Tensor]:
         """Return I, shape ``(n, columns * rows)``, column by column, and a bound on the error of the field, (n,)."""
@@ -623,9 +606,8 @@ def make_chordal(
 ) -> tuple[Chordal, Tables]:
     """Return the field at the `window` (rows, columns) in v, with a quadrature error of at most `error`; and tables.
 
-    The error bound holds for the pupils of the stack. `stretch` is (wavelength of the pupil) / (wavelength of the
-    field); `window` is in v at the wavelength of the field. Raise ToleranceError if more than `_MAX_COUNT` chords, or
-    nodes on a chord, would be required.
+    The bound holds for the pupils of the stack. `stretch` is (wavelength of the pupil) / (wavelength of the field);
+    `window` is in v at the wavelength of the field. Raise ToleranceError for too many chords or nodes.
     """
     y, x = window
     names, c = columns(pupil)
@@ -643,10 +625,7 @@ def make_chordal(
         by_means = fewest((terms, stretch, window), members, log_factors, 0.5 * error, UNIT[precision])
     chords, nodes, mean, bounds = by_means or counts_by_largest(terms, c, stretch, disks, reach, error)
     if max(chords, nodes) > _MAX_COUNT:
-        raise ToleranceError(
-            f"phases and windows this large take {max(chords, nodes)} chords, more than {_MAX_COUNT}: reduce the "
-            "aberrations or the window"
-        )
+        raise ToleranceError(f"phases and windows this large take {max(chords, nodes)} chords, above {_MAX_COUNT}")
     px, py, weights = _rule(chords, nodes, disks, light)
     at_x, at_y = (np.stack([sign[k] * p for sign in IMAGES]) for k, p in ((0, px[:, None] + 0.0 * py), (1, py)))
     rho, theta = np.hypot(at_x, at_y), np.arctan2(at_y, at_x)
@@ -675,10 +654,7 @@ def counts_by_largest(
     reach: tuple[float, float],
     error: float,
 ) -> tuple[int, int, Mean | None, Tables]:
-    """Return the numbers of chords and nodes, and tables of the bounds by the maximum of the integrand.
-
-    `reach` are the largest distance and the largest row of the window, in v.
-    """
+    """Return the numbers of chords and nodes, and tables of the bounds by the maximum of the integrand."""
     # All terms with the same degree n and abs(m) have one amplitude.
     kinds = sorted({(n, abs(m)) for n, m in terms})
     matrix = np.array([[float(kind == (n, abs(m))) for kind in kinds] for n, m in terms])

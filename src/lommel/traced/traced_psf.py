@@ -149,9 +149,8 @@ class TracedPSF:
     """PSFs as a differentiable function of wavefront coefficients: ``images = f(c)``.
 
     The result of :meth:`lommel.Plan.traced`. It works with ``jit``, ``vmap`` and ``grad`` (of any order), can be an
-    argument of transformed functions (a pytree in JAX), and can be pickled. For concrete coefficients, an error is
-    raised if the tolerance is not proven. During tracing, such an image is NaN instead; other images and their
-    gradients are not affected.
+    argument of transformed functions (a pytree in JAX), and can be pickled. If the tolerance is not proven, concrete
+    coefficients raise an error; during tracing, the image is NaN, and other images and gradients are not affected.
 
     Parameters
     ----------
@@ -564,10 +563,7 @@ def _largest_bounds(static: Static, tables: tuple[Tables, ...], c: Array) -> tup
 
 
 def _pupils_between(c: Array, *, boxed: bool) -> Array:
-    """Return random coefficients between pairs of members of a stack; if `boxed`, in the box of all members.
-
-    In a box, each coefficient is between its extremes in the stack.
-    """
+    """Return random coefficients between pairs of members of a stack; if `boxed`, between the extremes of each."""
     # The seed is fixed, such that plans are reproducible.
     draw = np.random.default_rng(0)
     if not boxed:
@@ -584,8 +580,7 @@ def _pupils_between(c: Array, *, boxed: bool) -> Array:
 def at_radii(grid: Grid, step: float, stretch: float, allowed: float) -> tuple[Pixels, Array, dict[str, Values]]:
     """Return the Pixels for a radial pupil, the radii in v of the samples, and tables.
 
-    `step` is the pixel pitch in v, ``stretch * step`` the pitch at the shortest wavelength; `allowed` is the largest
-    allowed error of averages.
+    `step` is the pixel pitch in v (``stretch * step`` at the shortest wavelength), `allowed` is the error of averages.
     """
     height, width = grid.shape
     if grid.integrate and not grid.centered:

@@ -1,8 +1,8 @@
 r"""Isotropic blurs as mixtures of Gaussians; each Gaussian is a product of factors along rows and columns.
 
 A transfer function that is completely monotone in the squared frequency is a mixture of Gaussians with positive
-weights (Bernstein's theorem). Kolmogorov's ``exp(-c q^(5/3))`` is completely monotone in q^2. Von Karman's is because
-``limit - z^nu K_nu(z)`` is a Bernstein function of ``z^2``. With 6 terms, Kolmogorov's has an error of 1.4e-4.
+weights (Bernstein's theorem). Examples are Kolmogorov's ``exp(-c q^(5/3))``, and von Karman's transfer function,
+because ``limit - z^nu K_nu(z)`` is a Bernstein function of ``z^2``. With 6 terms, the error for Kolmogorov is 1.4e-4.
 """
 
 from __future__ import annotations

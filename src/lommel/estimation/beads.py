@@ -410,8 +410,8 @@ def fit_beads(
     `errors` and `aberrations` allow for them. The finding "untested" lists fixed constants that the beads do not
     determine, if an error of the constant would change a term by more than a standard error; constants determined
     more by the prior than by the beads; and the wavelength, whose errors are equivalent to errors of pixel and NA.
-    Doubts are also "pattern": stripes, or offsets of rows or columns, that noise alone causes in fewer than one of
-    1000 fits; and "too_dim": a standard error of the wavefront above 0.22 radians rms.
+    Two other doubts are "pattern" (stripes, or offsets of rows or columns, that noise alone causes in fewer than one
+    of 1000 fits) and "too_dim" (a standard error of the wavefront above 0.22 radians rms).
 
     Examples
     --------

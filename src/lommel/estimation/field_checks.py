@@ -18,12 +18,16 @@ from lommel.estimation.star_readout import OTHER_BLURS
 from lommel.fit.findings import Finding
 from lommel.fit.score_tests import Candidate, Marginal, ScoreTest, marginalized, score_tests, sigmas_of
 
-_DIFFERS = 0.05  # expected size of a polynomial of higher degree, or of a deviation in a part of the field, rad rms
-_DEGREES = 2  # number of degrees above that of the fit that are tested
-_NEAR = 0.45  # radius of each of the 3 x 3 parts of the field, half fields (-1 to 1 across the sensor)
+_EXPECTED_SIZE = (
+    0.05  # expected size of a polynomial of higher degree, or of a deviation in a part of the field, rad rms
+)
+_DEGREES = 2  # number of tested degrees above the degree of the fit
+_PART_RADIUS = 0.45  # radius of each of the 3 x 3 parts of the field, half fields (-1 to 1 across the sensor)
 _ROWS, _COLUMNS = ("at the top", "in the middle", "at the bottom"), ("left", "", "right")
 _PARTS = [f"{row} {column}".strip() for row in _ROWS for column in _COLUMNS]
-_DOWN, _ACROSS = (np.array([-0.8, 0.0, 0.8])[each] for each in np.divmod(np.arange(9), 3))
+_DOWN, _ACROSS = (
+    np.array([-0.8, 0.0, 0.8])[each] for each in np.divmod(np.arange(9), 3)
+)  # middles of the parts, half fields
 _SURE = 5.0  # smallest significance of slopes (standard deviations) at which they are estimated
 
 
@@ -51,7 +55,7 @@ def missing_tests(
     u, v = places[chosen].T
     higher = monomials(u, v, max(_higher(degree)))
     # Polynomials, and deviations in one part of the field.
-    near = np.exp(-((u[:, None] - _ACROSS) ** 2 + (v[:, None] - _DOWN) ** 2) / _NEAR**2)
+    near = np.exp(-((u[:, None] - _ACROSS) ** 2 + (v[:, None] - _DOWN) ** 2) / _PART_RADIUS**2)
     wider = np.concatenate([higher, near], axis=1)
     blocks = Blocks.of_stars(local[:, :, :-1], wider, k, shared, np.zeros(0))
     matrix, inverse = blocks.damped(0.0)
@@ -63,7 +67,7 @@ def missing_tests(
     parts = [(f"of degree {d}", np.arange(d * (d + 1) // 2, (d + 1) * (d + 2) // 2)) for d in _higher(degree)]
     parts += [(f"more {part}", np.array([higher.shape[1] + i])) for i, part in enumerate(_PARTS)]
     candidates = [
-        Candidate(f"{label(name)} {part}", tuple(j * every + columns), _DIFFERS)
+        Candidate(f"{label(name)} {part}", tuple(j * every + columns), _EXPECTED_SIZE)
         for j, name in enumerate(stars.one.unknowns.terms)
         for part, columns in parts
     ]

@@ -655,7 +655,7 @@ def _build_field_fit(
     known: tuple[Blur, ...],
 ) -> FieldFit:
     """Return the result of a search as a FieldFit."""
-    found, lost, held_out, tests = outcome.found, outcome.lost, outcome.held_out[0], outcome.tests
+    found, rejected, held_out, tests = outcome.found, outcome.rejected, outcome.held_out[0], outcome.tests
     noise, illumination = camera
     # The best search may be an earlier one than the last, with another shape of blur: restore its places and stars.
     search.places, stars = outcome.places, found.model.of
@@ -697,14 +697,14 @@ def _build_field_fit(
     squares = found.squares()
     blurred = _blurs(stars, known, squares, errors.reshape(squares.shape))
     findings += _blur_findings(stars, outcome.shapes)
-    table, model = _fitted_stars(search, found, lost, polynomials, places, noise.excess)
+    table, model = _fitted_stars(search, found, rejected, polynomials, places, noise.excess)
     findings += _stripe_findings(stars, model, table.used, noise.excess)
     chi2 = float(found.scores.chi2[0])
     noun = "star" if stars.target is None else stars.target.kind
     work = f"chi2 {chi2:.4g} per degree of freedom of {table.used.sum()} {noun}s, degree {degree}"
     if math.isfinite(held_out):
         work += f", held-out chi2 {held_out:.4g}"
-    findings += _rejected_finding(noun, places[lost])
+    findings += _rejected_finding(noun, places[rejected])
     if distortion is not None:
         work += f"; {distortion.summary}"
         findings += distortion.findings
@@ -743,15 +743,15 @@ def _build_field_fit(
 
 
 def _fitted_stars(
-    search: Search, found: Solution, lost: NDArray[np.intp], polynomials: Array, places: Array, excess: float
+    search: Search, found: Solution, rejected: NDArray[np.intp], polynomials: Array, places: Array, excess: float
 ) -> tuple[FittedStars, Array]:
     """Return the table of all stars, used and rejected, and the expected electrons of all pixels."""
     stars, squares = search.stars, found.squares()
     own = np.zeros((stars.count, stars.own, stars.exposures))
     own[found.model.chosen] = found.of_stars()
-    if len(lost):
+    if len(rejected):
         # For rejected stars, only position, flux and background are fitted; the wavefront is that of the field.
-        own[lost] = search.placed(lost, polynomials, squares)
+        own[rejected] = search.placed(rejected, polynomials, squares)
     every = np.arange(stars.count)
     whole = search.model(every, held=True)
     psf = stars.images(every, *whole.parts(whole.row(polynomials, squares, own)), fast=False, slopes="none")[0]

@@ -34,12 +34,12 @@ from lommel.methods.derivative_names import term_of
 _MAX_SINGLES = 60  # largest number of stars that are fitted individually
 _MAX_STARTS = 5  # largest number of starts for each individual star
 _MIN_STARTS = 3  # number of starts after which a star with a large chi2 is abandoned, if enough stars are sure
-_STEPS = 14  # steps of each start
+_STEPS = 14  # maximum number of scoring steps from each start
 _SCATTER = 0.7, 0.25  # standard deviation (radians rms) of random starts: first three terms, other terms
 _START_BLUR = 0.5  # width of the blur at the start, pixels
 _MAX_BLUR = 0.15  # largest width of the blur of individual stars, as a fraction of a window's side
 _SINGLE_TERMS = 3  # number of terms of the blur model for individual stars
-_SHAPE_STEPS = 6  # steps of a fit with another shape of blur
+_SHAPE_STEPS = 6  # maximum number of steps of a fit with another shape of blur
 _OUTER_GAIN = 5.0  # the outer scale is searched if lnL of seeing exceeds lnL of a Gaussian by this
 _MIN_GAIN = 1.0  # lnL by which another minimum or outer scale must be better to be preferred
 _MIN_WIDTH_GAIN = 2.0  # lnL by which a blur of two widths must be better than one of a single width
@@ -98,10 +98,10 @@ class Rival(NamedTuple):
 
 @dataclass
 class Outcome:
-    """A fit of all stars, the indices of rejected stars, the results of tests, and the positions of the stars."""
+    """A fit of all stars that were not rejected, with the results of its tests."""
 
     found: Solution
-    lost: NDArray[np.intp]  # indices of the rejected stars
+    rejected: NDArray[np.intp]  # indices of the rejected stars
     held_out: tuple[float, float]  # chi2 of held-out stars, and its standard deviation
     bright: tuple[float, float]  # chi2 of pixels in which stars exceed the noise, and its standard deviation
     places: Array  # positions of the stars, half fields
@@ -127,10 +127,10 @@ class Outcome:
         if held - 1.0 > (limit := _HELD_OUT + 4.0 * off):
             text = f"held-out stars do not follow the map that was fitted to the other stars{causes}"
             found.append(Finding("held_out", "error", text, {"held_out": held, "limit": 1.0 + limit}))
-        count = len(self.lost) + len(self.found.model.chosen)
-        if len(self.lost) > _MANY_REJECTED * count:
+        count = len(self.rejected) + len(self.found.model.chosen)
+        if len(self.rejected) > _MANY_REJECTED * count:
             text = f"many stars do not follow the map{causes}"
-            found.append(Finding("many_rejected", "error", text, {"rejected": len(self.lost), "of": count}))
+            found.append(Finding("many_rejected", "error", text, {"rejected": len(self.rejected), "of": count}))
         if self.rival is not None:
             text = (
                 f"another wavefront, {self.rival.sigmas:.0f} standard errors away, fits as well (lnL "
@@ -147,7 +147,7 @@ class Outcome:
         each = self.found.model.each(self.found.x)
         # The upper limit prevents a single double star from deciding between two fits.
         off = np.clip((each.chi2 - 1.0) / each.spread, 0.0, _OUTLIER)
-        return float(off.sum()) + _OUTLIER * len(self.lost)
+        return float(off.sum()) + _OUTLIER * len(self.rejected)
 
 
 class Search:
@@ -520,13 +520,15 @@ class Search:
         # A rejected star that fits individually is no double star: the polynomials are wrong at its position.
         every = np.arange(self.stars.count)
         for _ in range(_ROUNDS):
-            lost = np.setdiff1d(every, found.model.chosen)
-            if not lost.size or self.stars.cornered:  # the image of one corner does not determine a wavefront
+            rejected = np.setdiff1d(every, found.model.chosen)
+            if (
+                not rejected.size or self.stars.cornered
+            ):  # the image of a single corner does not determine a wavefront
                 break
-            fits, waves = self._fit_individually(lost, found)
+            fits, waves = self._fit_individually(rejected, found)
             here = found.model.basis @ found.polynomials().T
-            refit = self._refit_with(found, here, lost[fits], waves[fits]) if fits.any() else None
-            more = lost[fits | ~np.isin(lost, self.misfits)]
+            refit = self._refit_with(found, here, rejected[fits], waves[fits]) if fits.any() else None
+            more = rejected[fits | ~np.isin(rejected, self.misfits)]
             if refit is None and more.size:
                 refit = self._refit_with(found, here, more, self.basis(more) @ found.polynomials().T)
             if refit is None:
@@ -547,25 +549,29 @@ class Search:
         better = len(refit.model.chosen) > len(found.model.chosen) and refit.scores.chi2[0] <= most
         return refit if better else None
 
-    def _fit_individually(self, lost: NDArray[np.intp], found: Solution) -> tuple[NDArray[np.bool_], Array]:
-        """Fit rejected stars individually; return a mask of stars that fit, and the wavefronts (r, k)."""
+    def _fit_individually(self, rejected: NDArray[np.intp], found: Solution) -> tuple[NDArray[np.bool_], Array]:
+        """Fit rejected stars individually; return a mask of stars that fit, and all wavefronts (r, k)."""
         stars, squares = self.stars, found.squares()
-        model = self.basis(lost) @ found.polynomials().T
-        fits, waves, alone = np.zeros(len(lost), dtype=bool), model.copy(), SingleStars(stars, lost, self.widest)
+        model = self.basis(rejected) @ found.polynomials().T
+        fits, waves, alone = (
+            np.zeros(len(rejected), dtype=bool),
+            model.copy(),
+            SingleStars(stars, rejected, self.widest),
+        )
         with suppress(Declined, ToleranceError):
-            own = self.placed(lost, found.polynomials(), squares)
+            own = self.placed(rejected, found.polynomials(), squares)
             x, scores, *_ = search_rows(alone, alone.row(model, squares, own), _STEPS, _no_progress, fast=True)
             fits, waves = scores.chi2 < goodness_of_fit.most(scores.spread, SURE), alone.wavefronts(x)
-        retried = ~fits & ~np.isin(lost, self.misfits)
+        retried = ~fits & ~np.isin(rejected, self.misfits)
         if retried.any():
-            x, chi2, sure = self.singles(lost[retried], (0.87, 0.0))
+            x, chi2, sure = self.singles(rejected[retried], (0.87, 0.0))
             other = alone.wavefronts(x)
             if stars.one.sign_ambiguous:
-                negated, near = self.negated(lost[retried], other), model[retried]
+                negated, near = self.negated(rejected[retried], other), model[retried]
                 distances = [np.einsum("ni,ij,nj->n", w - near, self.metric, w - near) for w in (other, negated)]
                 other = np.where((distances[1] < distances[0])[:, None], negated, other)
             fit = sure & (chi2 < 1.0 + 2.0 * (self._limit(found) - 1.0))
-            self.misfits = np.union1d(self.misfits, lost[retried][~fit])
+            self.misfits = np.union1d(self.misfits, rejected[retried][~fit])
             waves[retried], fits[retried] = other, fit
         return fits, waves
 
@@ -576,17 +582,17 @@ class Search:
     def outcome(self, found: Solution) -> Outcome:
         """Fit and test all stars, starting at a fit of some stars."""
         places = self.places
-        found, lost = self.whole(found)
+        found, rejected = self.whole(found)
         if slopes := slope_findings(found.model, found.x):
             self.places = places
-            found, lost = self.whole(self._with_slopes(found))
+            found, rejected = self.whole(self._with_slopes(found))
         tests, marginal, untested = missing_tests(found.model, found.x, self.places, self.degree)
         chosen, own = found.model.chosen, found.of_stars()
         psf = self.stars.images(chosen, *found.model.parts(found.x), fast=False, slopes="none")[0]
         unknown = found.model.shared + len(chosen) * self.stars.own * self.stars.exposures
         bright, held_out = self.stars.bright(chosen, psf, own, float(unknown)), self.held_out(found)
         tested = self.shapes, [*slopes, *untested], tests, marginal, self.rival
-        return Outcome(found, lost, held_out, bright, self.places, *tested)
+        return Outcome(found, rejected, held_out, bright, self.places, *tested)
 
     def _with_slopes(self, found: Solution) -> Solution:
         """Return the fit with a model that has a slope of each background, initially 0."""

@@ -98,7 +98,7 @@ class FieldStars:
         self.defocused = bool(defocus.any())
         self._slopes: tuple[Term, ...] = (*unknowns.edge, *(SHIFTS[place] for place in ("row", "column")))
         self._reader: Readout | None = None
-        self._kept: dict[tuple[object, ...], SampledPupil] = {}
+        self._sampled_pupils: dict[tuple[object, ...], SampledPupil] = {}
         self.tested = int((self.star[3].sum(axis=(1, 2)) - self.size).mean())
 
     def shaped(self, shape: Shape) -> FieldStars:
@@ -211,9 +211,11 @@ class FieldStars:
     def _sampled(self, grid: Grid) -> SampledPupil:
         """Return the sampled pupil that computes images on the grid; reuse it in later calls."""
         key = self.lens, grid.shape, grid.pixel, self.further
-        if key not in self._kept:
-            self._kept[key] = SampledPupil(self.lens, grid, cast("list[Term]", [*self.one.terms, *self.further]))
-        return self._kept[key]
+        if key not in self._sampled_pupils:
+            self._sampled_pupils[key] = SampledPupil(
+                self.lens, grid, cast("list[Term]", [*self.one.terms, *self.further])
+            )
+        return self._sampled_pupils[key]
 
     def likelihood(
         self, stars: NDArray[np.intp], images: Sequence[Array], own: Array, others: Sequence[Array] = ()

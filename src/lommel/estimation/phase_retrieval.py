@@ -43,7 +43,7 @@ _STACK = 2  # number of random starts that are computed in one stack
 # 3 rad rms, 500 to 1e5 electrons) in which three of 19 starts agreed, no other start ended at a lower minimum.
 _AGREEING = 3
 _VISIBLE = 5.0  # smallest flux of a visible star, in standard errors of the flux
-_DECIDED = 2.0  # ratio of distances from the initial wavefront above which the nearer of two twins is no doubt
+_DECIDED = 2.0  # smallest ratio of the twins' distances from the initial wavefront at which the sign is no doubt
 _NORMALIZED = 0.05  # images whose sums differ from 1 by less count as normalized
 _CAUSES = (
     "pupil (vanes, f-number), pixel, noise or the defocus of an image (unit, order) are wrong, terms are missing, "
@@ -311,8 +311,8 @@ def retrieve(
     the edge (0.5 %), scales (0.3 %), delayed charge (0.25 %), zones and ripples (0.02 radians rms each), f-number
     (1 %), obscuration (0.015), scale of the defoci (2.5 %). Effects that the images favour but that are not
     significant (Bayes factors above 1) are marginalized with the uncertainty of the tests; a significant effect is a
-    doubt ("other_explanation"). Also doubts ("pattern") are stripes, and offsets of rows or columns, that noise alone
-    causes in fewer than one of 1000 fits. If the images have a single defocus, or blur masks the f-number, the
+    doubt ("other_explanation"). Stripes, and offsets of rows or columns, that noise alone causes in fewer than one of
+    1000 fits are also doubts ("pattern"). If the images have a single defocus, or blur masks the f-number, the
     finding "untested" lists the coefficients that an error of the known defocus or f-number would change. A wrong
     sign of all known defoci negates the even terms and cannot be detected.
 

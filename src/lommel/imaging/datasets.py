@@ -262,9 +262,9 @@ def render_dataset(
 ) -> Iterator[Rendered]:
     """Render photos with depth maps through random lenses into a folder, with ground truth; yield each picture.
 
-    Complete pictures are not rendered again: after an interruption, repeat the call to continue. The lens and the
-    noise of a picture depend on `seed` and the picture's number only, not on `workers` (except for rounding in the
-    last bit). The files of a picture appear in the folder together, when all are complete.
+    Complete pictures are not rendered again: after an interruption, repeat the call to continue. The random lens and
+    noise of a picture depend on `seed` and the picture's number only. The number of `workers` changes only rounding
+    in the last bit. The files of a picture appear in the folder together, when all are complete.
 
     For picture 12 the folder contains ``000012.image.png`` (blurred, with noise), ``000012.sharp.png``,
     ``000012.depth.npy`` (metres, float32) and ``000012.json`` (lens, noise, names of the files). ``000012.psfs.npz``

@@ -563,7 +563,7 @@ def _largest_bounds(static: Static, tables: tuple[Tables, ...], c: Array) -> tup
 
 
 def _pupils_between(c: Array, *, boxed: bool) -> Array:
-    """Return random coefficients between pairs of members of a stack; if `boxed`, between the extremes of each."""
+    """Return random coefficients between pairs of members of a stack or, if `boxed`, between their extremes."""
     # The seed is fixed, such that plans are reproducible.
     draw = np.random.default_rng(0)
     if not boxed:
@@ -580,7 +580,7 @@ def _pupils_between(c: Array, *, boxed: bool) -> Array:
 def at_radii(grid: Grid, step: float, stretch: float, allowed: float) -> tuple[Pixels, Array, dict[str, Values]]:
     """Return the Pixels for a radial pupil, the radii in v of the samples, and tables.
 
-    `step` is the pixel pitch in v (``stretch * step`` at the shortest wavelength), `allowed` is the error of averages.
+    `step` is the pixel pitch in v, ``stretch * step`` at the shortest wavelength; `allowed` is the error of averages.
     """
     height, width = grid.shape
     if grid.integrate and not grid.centered:

@@ -18,16 +18,13 @@ from lommel.estimation.star_readout import OTHER_BLURS
 from lommel.fit.findings import Finding
 from lommel.fit.score_tests import Candidate, Marginal, ScoreTest, marginalized, score_tests, sigmas_of
 
-_EXPECTED_SIZE = (
-    0.05  # expected size of a polynomial of higher degree, or of a deviation in a part of the field, rad rms
-)
+_EXPECTED_SIZE = 0.05  # of a polynomial of higher degree, or of a deviation in a part of the field, radians rms
 _DEGREES = 2  # number of tested degrees above the degree of the fit
 _PART_RADIUS = 0.45  # radius of each of the 3 x 3 parts of the field, half fields (-1 to 1 across the sensor)
 _ROWS, _COLUMNS = ("at the top", "in the middle", "at the bottom"), ("left", "", "right")
 _PARTS = [f"{row} {column}".strip() for row in _ROWS for column in _COLUMNS]
-_DOWN, _ACROSS = (
-    np.array([-0.8, 0.0, 0.8])[each] for each in np.divmod(np.arange(9), 3)
-)  # middles of the parts, half fields
+# Middles of the parts, half fields.
+_DOWN, _ACROSS = (np.array([-0.8, 0.0, 0.8])[each] for each in np.divmod(np.arange(9), 3))
 _SURE = 5.0  # smallest significance of slopes (standard deviations) at which they are estimated
 
 

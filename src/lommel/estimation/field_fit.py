@@ -134,7 +134,8 @@ class FieldFit(FitReport):
     held_out : float
         Chi2 of a fifth of the stars, with wavefronts predicted by a fit of the other stars; NaN for too few stars.
     findings : Findings
-        Findings of the checks: misfits, rejected stars, an ambiguous sign, the shape of the blur.
+        Findings of the checks: misfits, rejected stars, an ambiguous sign, the shape of the blur; "too_dim" if
+        the standard error of the wavefront exceeds 0.22 radians rms (with one focus 0.22 / sqrt(m)).
     summary : str
         Chi2, number of stars and degree.
     degree : int

@@ -80,10 +80,10 @@ class Retrieval(FitReport):
     findings : lommel.fit.Findings
         Findings of the checks. Errors: "misfit", "no_light", "not_settled". Doubts: "sign_open" (the even part of the
         phase may have the other sign, and neither `pupil` nor a known defocus decides); "too_dim" (the standard error
-        of an image's phase exceeds 0.25 radians rms: other wavefronts may fit as well); "errors_change" (a standard
-        error changes by more than an eighth within one standard deviation); "other_explanation"; "pattern" (residuals
-        have stripes, or offsets of rows or columns); "too_quiet". Notes: "undetermined", "rare_chi2", pixels left out
-        or perhaps saturated.
+        of an image's phase exceeds 0.25 radians rms, with `blur` 0.22: other wavefronts may fit); "errors_change" (a
+        standard error changes by more than an eighth within one standard deviation); "other_explanation"; "pattern"
+        (residuals have stripes, or offsets of rows or columns); "too_quiet". Notes: "undetermined", "rare_chi2",
+        pixels left out or perhaps saturated.
     summary : str
         Chi2, and the numbers of steps and starts.
     converged, reliable, status, message

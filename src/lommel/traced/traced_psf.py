@@ -113,6 +113,7 @@ class Static(NamedTuple):
     Attributes
     ----------
     namespace : Namespace
+        Array namespace of the plan.
     terms : tuple
         Names of the columns of coefficients.
     kept : tuple of int

@@ -18,7 +18,7 @@ from lommel.base.units import with_error
 from lommel.estimation import FitKeywords, FitOptions, bead_checks
 from lommel.estimation.bead_images import AMPLITUDES, CONSTANTS, UNITS, BeadImages, Place, Setup, Stack, expected
 from lommel.estimation.bead_search import ORIGINS, BeadModel, Evaluated, Prior, Search, State, brightest, start_of
-from lommel.estimation.star_images import LINEAR, label
+from lommel.estimation.star_images import MAX_LINEAR_ERROR, label
 from lommel.fit import goodness_of_fit
 from lommel.fit.findings import Finding, Findings, FitReport
 from lommel.fit.score_tests import ScoreTest, causes_of_misfit
@@ -625,13 +625,13 @@ def _error_findings(covariance: Array, error: float) -> list[Finding]:
     """Return findings on large standard errors of the terms, and on a large `error` of the images in the search."""
     found = []
     unsure = math.sqrt(float(np.trace(covariance)))
-    if unsure > LINEAR:
+    if unsure > MAX_LINEAR_ERROR:
         text = (
             f"too little light for so many unknowns: the standard error of the wavefront is {unsure:.2g} radians "
-            f"rms. Above {LINEAR}, images are not linear, and other wavefronts may fit as well; use brighter or more "
-            "beads, or fewer terms"
+            f"rms. Above {MAX_LINEAR_ERROR}, images are not linear, and other wavefronts may fit as well; use "
+            "brighter or more beads, or fewer terms"
         )
-        found.append(Finding("too_dim", "doubt", text, {"rms": unsure, "limit": LINEAR}))
+        found.append(Finding("too_dim", "doubt", text, {"rms": unsure, "limit": MAX_LINEAR_ERROR}))
     if error >= _MAX_IMAGE_ERROR:
         text = f"images of the search differ from images with a proven error bound by {error:.2g} of the peak"
         if not math.isfinite(error):

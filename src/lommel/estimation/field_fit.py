@@ -35,7 +35,7 @@ from lommel.estimation.field_search import Outcome, Search, Solution
 from lommel.estimation.field_signs import highest_degree, monomials, with_errors
 from lommel.estimation.field_stars import FieldStars
 from lommel.estimation.star_checks import missing_findings
-from lommel.estimation.star_images import LINEAR, StarImages, Unknowns, known_defocus, label, single
+from lommel.estimation.star_images import MAX_LINEAR_ERROR, StarImages, Unknowns, known_defocus, label, single
 from lommel.estimation.target_readout import Target, relative_light
 from lommel.field.maps import FieldMap
 from lommel.fit.findings import Finding, Findings, FitReport, Severity
@@ -848,7 +848,7 @@ def _unsure(one: StarImages, found: Solution, covariance: Array, *, one_focus: b
     metric = (one.directions * one.mean_squares) @ one.directions.T
     rms = math.sqrt(float(np.einsum("ni,kilj,nj,kl->n", basis, blocks, basis, metric, optimize=True).mean()))
     # In one focus other minima are near, for each of the m polynomials one: the limit decreases with m.
-    limit = LINEAR / math.sqrt(m) if one_focus else LINEAR
+    limit = MAX_LINEAR_ERROR / math.sqrt(m) if one_focus else MAX_LINEAR_ERROR
     if rms <= limit:
         return []
     text = (

@@ -31,7 +31,7 @@ from lommel.psf import Plan
 from lommel.special import zernike
 
 OF_PUPIL = ("f_number", "wavelength", "obscuration")
-LINEAR = 0.22
+MAX_LINEAR_ERROR = 0.22
 """Largest standard error of a wavefront, radians rms, for which images are nearly linear in its terms."""
 _NODES = 256  # degree of the quadrature rule at whose nodes the symmetry of an aperture is tested
 _NOISE_PART, _LOOSEST = 0.3, 1e-4  # largest error of images in a search, relative to a pixel's noise, and to the peak

@@ -110,16 +110,16 @@ class LensRanges:
         length, stops, dioptres, pitch, spherical = random.random(5)
         (nearest, farthest), (least, most) = _ends(self.focus_distance), _ends(self.f_number)
         # Uniform in 1 / distance, because blur is linear in 1 / distance.
-        inverse = _between((1.0 / nearest, 1.0 / farthest), dioptres)
+        inverse = _interpolate((1.0 / nearest, 1.0 / farthest), dioptres)
         lens = Lens(
-            focal_length=_between(self.focal_length, length),
+            focal_length=_interpolate(self.focal_length, length),
             # Uniform in the logarithm: as many lenses between f/2 and f/2.8 as between f/4 and f/5.6.
-            f_number=math.exp(_between((math.log(least), math.log(most)), stops)),
+            f_number=math.exp(_interpolate((math.log(least), math.log(most)), stops)),
             focus_distance=1.0 / inverse if inverse > 0.0 else math.inf,
             wavelength=self.wavelength,
-            aberrations=Wavefront(spherical=_between(self.spherical, spherical)),
+            aberrations=Wavefront(spherical=_interpolate(self.spherical, spherical)),
         )
-        return lens, _between(self.pixel, pitch)
+        return lens, _interpolate(self.pixel, pitch)
 
 
 def _range(name: str, value: object) -> Range:
@@ -138,7 +138,7 @@ def _ends(value: Range) -> tuple[float, float]:
     return value if isinstance(value, tuple) else (value, value)
 
 
-def _between(value: Range, fraction: float) -> float:
+def _interpolate(value: Range, fraction: float) -> float:
     first, last = _ends(value)
     return float(first + (last - first) * fraction)
 
@@ -381,11 +381,11 @@ def render_dataset(
     pairs = pair_files(photos, depths)
     count = validation.integer("workers", workers, least=1, most=1024)
     folder = validation.path("out", out)
-    _begin(folder, job.record(pairs, shard))
+    _create_folder(folder, job.record(pairs, shard))
     return _render_missing(folder, job, pairs, shard, count, skip)
 
 
-def _begin(folder: Path, record: Json) -> None:
+def _create_folder(folder: Path, record: Json) -> None:
     """Create the folder of a data set with the file of arguments; ValueError if the folder has other arguments."""
     file = folder / _RECORD
     if not file.exists():
@@ -429,9 +429,9 @@ def _complete_pictures(folder: Path, shard: int | None, total: int) -> Iterator[
         return
     for index in range(-(-total // shard)):
         numbers = range(index * shard, min(total, (index + 1) * shard))
-        packed = _shard(folder, index)
+        packed = _shard_path(folder, index)
         # Until all pictures of a shard are rendered, each picture is a separate tar file.
-        tars = {packed: numbers} if packed.exists() else {_part(folder, number): [number] for number in numbers}
+        tars = {packed: numbers} if packed.exists() else {_tar_path(folder, number): [number] for number in numbers}
         for tar, contents in tars.items():
             if tar.exists():
                 yield from _in_tar(tar, contents)
@@ -493,7 +493,7 @@ def _render_missing(
             done += 1
             paths = tuple(folder / name for name in files)
             if shard is not None:
-                paths = (_shard(folder, number // shard),)
+                paths = (_shard_path(folder, number // shard),)
                 _pack(folder, number // shard, shard, total)
             return Rendered(number, done, total, paths, facts)
 
@@ -509,22 +509,22 @@ def _render_missing(
         yield from (finish(number, *written) for number, written in results)
 
 
-_Written = tuple[list[str], Json, str | None, list[str]]  # names of the files, facts, failure, notes
+_Output = tuple[list[str], Json, str | None, list[str]]  # names of the files, facts, failure, notes
 
 
 def _run_processes(
-    make: Callable[[int, Path, Path], _Written],
+    make: Callable[[int, Path, Path], _Output],
     missing: list[int],
     pairs: list[tuple[Path, Path]],
     copies: int,
     workers: int,
-) -> Iterator[tuple[int, _Written]]:
+) -> Iterator[tuple[int, _Output]]:
     """Run a function for each picture in worker processes; yield the number of the picture and the result."""
     from multiprocessing import get_context
 
     # Processes are spawned, not forked: a fork would copy locks that other threads hold.
     pool = ProcessPoolExecutor(min(workers, max(len(missing), 1)), get_context("spawn"), initializer=_set_up_worker)
-    numbers, running = iter(missing), dict[Future[_Written], int]()
+    numbers, running = iter(missing), dict[Future[_Output], int]()
     try:
         while True:
             # With two tasks per worker, no worker waits for the next task, and few results are in memory.
@@ -555,19 +555,19 @@ def _set_up_worker() -> None:
         threading.Thread(target=exit_with_parent, daemon=True).start()
 
 
-def _shard(folder: Path, index: int) -> Path:
+def _shard_path(folder: Path, index: int) -> Path:
     return folder / f"shard-{index:06d}.tar"
 
 
-def _part(folder: Path, number: int) -> Path:
+def _tar_path(folder: Path, number: int) -> Path:
     return folder / _PARTS / f"{number:06d}.tar"
 
 
 def _pack(folder: Path, index: int, shard: int, total: int) -> None:
     """If all pictures of a shard are rendered, pack them into its tar file and delete their separate tar files."""
-    target = _shard(folder, index)
+    target = _shard_path(folder, index)
     numbers = range(index * shard, min(total, (index + 1) * shard))
-    parts = [_part(folder, number) for number in numbers]
+    parts = [_tar_path(folder, number) for number in numbers]
     if not target.exists():
         if not all(part.exists() for part in parts):
             return
@@ -584,7 +584,7 @@ def _pack(folder: Path, index: int, shard: int, total: int) -> None:
         part.unlink(missing_ok=True)
 
 
-def _write(job: _Job, folder: Path, packed: bool, skip: bool, number: int, photo: Path, depth: Path) -> _Written:
+def _write(job: _Job, folder: Path, packed: bool, skip: bool, number: int, photo: Path, depth: Path) -> _Output:
     """Render a picture and write its files; return their names, the facts, the reason for a failure, and warnings."""
     notes: list[str] = []
     try:

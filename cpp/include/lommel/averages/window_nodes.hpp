@@ -56,8 +56,9 @@ class WindowNodes {
     std::size_t bytes() const { return (places.size() + weights.size()) * sizeof(double); }
 
    private:
-    // Waves at several frequencies: nodes[0], pixels[0] for cosines, nodes[1], pixels[1] for sines. Rows of `nodes`, one for each
-    // frequency: values at the nodes x > 0. Rows of `pixels`: averages over each pixel, which weighted sums over nodes shall equal.
+    // Waves cos(w x) (index 0) and sin(w x) (index 1) of several frequencies w; those of frequency i are multiplied by factor(i).
+    // nodes[index][frequency, node]: twice the wave at a node x > 0, as the node -x has the same weight for cosines and minus this
+    // weight for sines. pixels[index][frequency, pixel]: average over a pixel, which a weighted sum over nodes shall equal.
     struct Waves {
         std::vector<double> nodes[2], pixels[2];
     };
@@ -68,8 +69,9 @@ class WindowNodes {
     std::size_t pixels_;
 };
 
-// Nodes for averages over pixels of pitch `step`, with a mean error of their frequency response of at most `error`; null if the
-// window is too large, or if pixels are so small that weights of both signs would amplify errors.
+// Nodes for averages over pixels of pitch `step`, with a mean error of their frequency response of at most `error`. `nodes` is null
+// if the window is too large, if no number of nodes tried meets `error`, or if the weights would amplify errors too much: those of
+// small pixels have both signs.
 class ChosenNodes {
    public:
     std::shared_ptr<const WindowNodes> nodes;
@@ -131,7 +133,7 @@ class EvenSeries {
 
    private:
     struct Step {
-        // term: coefficient of P_k in the sum. By the recurrence, P_{k+1} = once * x P_k - .., and P_{k+2} = .. - twice * P_k.
+        // Clenshaw's recurrence: b_k = term + once * x * b_{k+1} - twice * b_{k+2}; term: coefficient of P_k in the sum.
         double term, once, twice;
     };
     std::vector<Step> steps_;

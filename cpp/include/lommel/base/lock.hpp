@@ -1,4 +1,4 @@
-// Mutex and lock guard, which do nothing on platforms without threads.
+// Mutex and lock guard, which do nothing if LOMMEL_SINGLE_THREADED is defined.
 #pragma once
 
 // LOMMEL_SINGLE_THREADED: all work is done in the calling thread, and only one thread may call. It is defined by the user, or

@@ -214,7 +214,7 @@ LOMMEL_INLINE V pairs(const float* c, const std::int32_t* at) {
 #endif
     return v;
 }
-// Separate pairs: within each four lanes, `first` has the first elements of the pairs of a and b, `second` the second ones.
+// Separate pairs: in each group of four lanes, `first` has the first elements of the pairs of a and b, `second` the second ones.
 template <class V>
 LOMMEL_INLINE void turned_pairs(V a, V b, V& first, V& second) {
     if constexpr (sizeof(V) == 16) {
@@ -247,7 +247,7 @@ LOMMEL_INLINE V fours(const float* c, const std::int32_t* at) {
 #endif
     return v;
 }
-// Transpose 4 x 4 blocks: within each four lanes, out[k] holds lane k of a, b, c and d.
+// Transpose 4 x 4 blocks: in each group of four lanes, out[k] holds lane k of a, b, c and d.
 template <class V>
 LOMMEL_INLINE void turned_fours(V a, V b, V c, V d, V (&out)[4]) {
     if constexpr (sizeof(V) == 16) {
@@ -540,9 +540,10 @@ LOMMEL_NOINLINE void run_portable(const Kernel& kernel) {
 }
 #endif
 
-// Run a kernel with the instructions of `level`, which the processor must have. The kernel and all that it calls must be
-// inlined, or they use baseline instructions. Each call of dispatch() compiles its kernel twice, for AVX2 and for the baseline;
-// a kernel takes its caller's functions as a Reference, so that it is not compiled again for each caller.
+// Run a kernel with AVX2 instructions if `level`, which the processor must have, is avx2 or avx512; otherwise with baseline ones.
+// The kernel and all that it calls must be inlined, or they use baseline instructions. Each call of dispatch() compiles its kernel
+// twice, for AVX2 and for the baseline; a kernel takes its caller's functions as a Reference, so that it is not compiled again for
+// each caller.
 template <class Kernel>
 LOMMEL_INLINE void dispatch([[maybe_unused]] Level level, const Kernel& kernel) {
 #ifdef LOMMEL_X86

@@ -147,7 +147,7 @@ class FocalProducts {
         }
     }
 
-    // Index of the lane in which by_columns() puts block number `block`: also `block`, unless shuffles permute eight blocks.
+    // Lane in which by_columns() puts the block of index `block`: the lane of the same index, unless shuffles permute eight lanes.
     template <std::size_t Side, std::size_t Lanes>
     static constexpr std::size_t lane_of(std::size_t block) {
 #if defined(LOMMEL_VECTORS) && !defined(__clang__)

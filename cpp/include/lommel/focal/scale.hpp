@@ -39,7 +39,8 @@ class FocalAxis {
         }
     }
 
-    // The eight source pixels of pixel x: first(x): index of the first; inside(x): all are in the frame; weight(k, x): k-th weight.
+    // The eight source pixels of pixel x: first(x): index of the first; inside(x): all are in the frame; weight(k, x): weight of
+    // the k-th. weights(k): weight of the k-th source pixel of each pixel.
     std::ptrdiff_t first(std::size_t x) const { return first_[x]; }
     bool inside(std::size_t x) const { return first_[x] >= 0 && first_[x] + std::ptrdiff_t{taps} <= std::ptrdiff_t(side_); }
     float weight(std::size_t k, std::size_t x) const { return weights_[k * side_ + x]; }

@@ -25,7 +25,7 @@ struct PixelFilter {
     std::size_t samples(std::size_t count) const { return (count - 1) / pixels * stride + taps; }
 
     // Average `count` images of samples(height) x samples(width) samples to images of height x width pixels, which begin `pitch`
-    // values apart. Averages below `lowest` are set to it; for intensities it is 0, so this does not increase their error.
+    // values apart. Averages below `lowest` are set to `lowest`, which is 0 for intensities, so that their error does not increase.
     template <class T>
     void average(const T* from, std::size_t count, std::size_t height, std::size_t width, double* to, std::size_t pitch,
                  int threads) const;
@@ -128,8 +128,8 @@ struct PixelFilter {
     }
 
     // Compute out[r * count + x] = sum_k of[r][k] * from[lines[k] + x], in the precision of `out`. In single precision, return
-    // the largest sample, or 1e300 if `count` is too small for vectors and nothing was computed. Its speed is limited by the loads
-    // of samples or, for four rows, by the multiplications.
+    // the largest sample, or 1e300 if `count` is too small for vectors and nothing was computed; in double precision the returned
+    // value has no meaning. The speed is limited by the loads of samples or, for four rows, by the multiplications.
     template <std::size_t Rows, std::size_t packs, class I, class T, class Sum>
     LOMMEL_INLINE double sums(I, const T* from, const std::vector<std::size_t>& lines, const Sum* const* of, std::size_t count,
                               Sum* out) const {

@@ -95,7 +95,7 @@ struct Parts {
     static std::shared_ptr<const Parts> get(std::size_t count) { return cache<Parts>.get(count); }
 
     // Compute to[part][power], the coefficients of all parts, from a polynomial's values at the Chebyshev points;
-    // largest[power] is raised to their largest modulus.
+    // largest[power] becomes the maximum of itself and their moduli.
     template <class I, class To>
     LOMMEL_INLINE void cut(I isa, const Halves::Values& values, To* to, double* largest) const {
         constexpr std::size_t lanes = std::min(I::lanes, Terms);

@@ -124,7 +124,7 @@ struct SamplePieces : Radii {  // radii at which the intensity is computed, in o
         return *std::max_element(tops.begin(), tops.end());
     }
 
-    // piece_of(): position, in pieces, of a distance r in units of the innermost width: r within the first `equal` pieces, then
+    // piece_of(): position, counted in pieces, of the distance r in widths of the innermost piece: r for r < equal, and
     // R + (r^2 / R - equal) / 2 for R <= r < 2 R, with R = equal * (1, 2, 4, 8, ...). distance_of(): inverse function.
     static double piece_of(double distance, double equal) {
         if (distance < equal) {
@@ -141,15 +141,15 @@ struct SamplePieces : Radii {  // radii at which the intensity is computed, in o
     }
 
     // Number of parts per piece, at most Parts<4>::most, for which cubics through four points of each part have an error of at
-    // most `room`. bent: bound on the fourth derivative of the intensity, with the piece as [-1, 1].
+    // most `room`. bent: bound on the intensity's fourth derivative by the position in a piece, which runs from -1 to 1.
     static std::size_t parts_for_cubics(double bent, double room) {
         const double wanted = std::ceil(0.5 * std::sqrt(std::sqrt(bent / (192.0 * room))));
         return 2 *
                static_cast<std::size_t>(std::max(1.0, std::min(0.5 * Parts<4>::most, wanted)));  // NaN gives the largest number
     }
 
-    // Write a bound on the intensity's second derivative for each piece to `curves`, with the piece as [-1, 1]; return the largest
-    // bound on the fourth derivative.
+    // Write a bound on |d^2 I/dx^2| for each piece to `curves`; return the largest bound on |d^4 I/dx^4|. I: intensity; x: position
+    // in the piece, from -1 to 1.
     template <class I>
     LOMMEL_INLINE double measure(I isa, const double* intensity, double* curves) const {
         const Bends& bends = Bends::get();
@@ -163,7 +163,7 @@ struct SamplePieces : Radii {  // radii at which the intensity is computed, in o
     }
 
     // For pieces begin to end - 1 compute to[piece][part][power], the coefficients of each part's polynomial times `by`;
-    // largest[power] is raised to their largest modulus.
+    // largest[power] becomes the maximum of itself and their moduli.
     template <class I, std::size_t Terms, class To>
     static LOMMEL_INLINE void cut(I isa, const Parts<Terms>& parts, const double* intensity, double by, std::size_t begin,
                                   std::size_t end, To* to, double* largest) {

@@ -1,4 +1,5 @@
-// Parts of pieces (sample_pieces.hpp) that contain the distances of a row's pixels from the axis, and positions in these parts.
+// Position of each pixel of a row: the part that contains its distance from the axis, and the position in this part. Parts divide
+// the pieces (intervals of the distance) of sample_pieces.hpp.
 #pragma once
 
 #include <algorithm>

@@ -302,8 +302,8 @@ LOMMEL_ONCE PixelTable::PixelTable(const PixelWindow& w, int digits, int threads
     const double allowed = std::pow(10.0, -level), values = static_cast<double>(groups.v.size());
     const double half = plan(w.side(), allowed);
 
-    // Estimated multiply-adds per image, with a small part of those for the table, which serves many images. Alternatives: rings so
-    // narrow that `radial_degree` coefficients suffice for the distance; one ring; or the intensity at the radius of every pixel.
+    // Estimated multiply-adds per image; those for the table count 1/100, as it serves many images. Alternatives: rings so narrow
+    // that `radial_degree` points in distance suffice (by_rings); one ring (by_one); the intensity at the radius of every pixel.
     const double within = of_nodes_within(allowed);
     const RingNodes narrow(std::max(least, 0.5 * most), std::max(least, 0.5 * most) + 2.0 * half, slack, within);
     const RingNodes whole(least, most, slack, Budget::window * allowed);

@@ -43,7 +43,8 @@ struct PixelWindow {
         };
         return along(center_y, height) * along(center_x, width);
     }
-    // Distances of rows and columns from the axis; valid if folds(), that is, if it is at a pixel centre or midway between pixels.
+    // Distances of rows and columns from the axis; valid if folds(): the axis is in the window, and along either direction at a
+    // pixel centre or midway between two.
     FoldedSide rows() const { return {height, center_y}; }
     FoldedSide columns() const { return {width, center_x}; }
     bool folds() const { return FoldedSide::fits(height, center_y) && FoldedSide::fits(width, center_x); }

@@ -47,8 +47,9 @@ struct RimWaves {
     std::size_t orders = 0;   // largest order |mu| of the Fourier coefficients in use
     std::size_t angles = 0;   // number of equally spaced angles on the rim
     std::size_t first = 0;    // wave i < count() has the azimuthal order i - first
-    // Factors of the Fourier coefficients in X (`real`) and Y (`imaginary`). Field U: v^(3/2) U = X (e^iv + e^-iv) + i Y (e^iv -
-    // e^-iv). Indices: [wave][tile of radii][k][radius in the tile]; k: order of the derivative of the pupil function at the rim.
+    // Factors of the Fourier coefficients in X (`real`) and Y (`imaginary`), amplitudes of the field U:
+    // v^(3/2) U = X (e^iv + e^-iv) + i Y (e^iv - e^-iv).
+    // Indices: [wave][tile of radii][k][radius in the tile]; k: order of the derivative of the pupil function at the rim.
     Floats real, imaginary;
     Floats forward[4];  // cos, sin on the rim, for each kind of fold(): [tile of orders][angle][order in the tile]
     Floats back[4];  // cos, sin in the image, for each kind of fold(): [tile of angles][order][angle in the tile]
@@ -67,8 +68,8 @@ struct RimPixels {
     std::size_t count;  // number of angles with a weight
 };
 
-// Weights of `taps` angles, `apart` rad from each other, for interpolation between the middle two: a least-squares fit to exp(i
-// m t) for all orders |m| <= `most`.
+// Weights of `taps` angles, `apart` rad from each other, for interpolation between the middle two: a least-squares fit, for the
+// functions exp(i m t) of the angle t, over all orders |m| <= `most`.
 class AngleWeights {
    public:
     static constexpr std::size_t most_taps = 12;  // a multiple of the lanes of vectors
@@ -543,7 +544,8 @@ LOMMEL_ONCE void RimTable::make_pixels() {
             });
             product(lights.data(), radii() * channels(), points * points, shares.data(), count, 1, sums.data());
             margin = std::max(margin, count + taps);
-            // Omit interference rings of highest frequency whose weights sum to little: no ring's amplitude exceeds channel 0.
+            // Omit pairs of channels (of cos(f v) and sin(f v), see rim_channels()), the last one first, while their weights sum to
+            // little: a pair's amplitude is at most channel 0.
             const auto sum_of = [&](std::size_t radius, std::size_t channel, std::size_t angle) {
                 return sums[(radius * channels() + channel) * count + angle];
             };

@@ -22,9 +22,9 @@ namespace lommel {
 template <class Real>
 constexpr double roundoff = 0.5 * static_cast<double>(std::numeric_limits<Real>::epsilon());
 
-// Continuous Kaiser-Bessel window of w taps: phi(x) = sqrt(y) I_1(beta sqrt(y)) / I_1(beta), y = 1 - (2x/w)^2; 0 beyond |x| =
-// w/2. Let F(j) be samples, at unit steps, of a function whose spectrum in omega (radians per step) was divided by the
-// transform of phi; then sum_j phi(x - j) F(j) is the function of the undivided spectrum, up to aliases.
+// Continuous Kaiser-Bessel window of w taps: phi(x) = sqrt(y) I_1(beta sqrt(y)) / I_1(beta), y = 1 - (2x/w)^2, for |x| <= w/2;
+// elsewhere phi = 0. Let F(j) be samples, at integers j, of a function whose spectrum was divided by the Fourier transform of
+// phi; then sum_j phi(x - j) F(j) is the function of the undivided spectrum, up to aliases.
 class GriddingKernel {
    public:
     GriddingKernel(std::size_t taps, double beta) : w(taps), beta_(beta), top_(shape(1.0)) {}

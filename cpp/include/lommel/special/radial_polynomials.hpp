@@ -104,8 +104,8 @@ class ZernikeValues {
 class SmallerDisk {
    public:
     // Expand c R_n^m(a rho): call add(k, c * (factor of R_k^m)) for each k. Returns a bound on the rounding error of sums of
-    // `terms` such products: n^2 epsilons of `wide` for each of the two polynomials in at most n / 2 + 1 factors; in double, one
-    // roundoff for each factor, product and sum.
+    // `terms` such products. Each of the at most n / 2 + 1 factors is a difference of two polynomials, which have errors of n^2
+    // epsilons of `wide` each. In double precision, each factor, product and sum has an error of one roundoff.
     template <class Add>
     double shrink(std::size_t n, std::size_t m, double a, double c, std::size_t terms, const Add& add) {
         if (a != radius_) {

@@ -20,7 +20,8 @@
 
 namespace lommel {
 
-// Quadrature nodes on `size` chords of the unit disk, `size` on each. weights[chord][node][signs of x and y][re, im].
+// Quadrature nodes on `size` chords of the unit disk, `size` (even) on each. Only nodes at x, y > 0 are indexed:
+// weights[chord][node][signs of x, y: ++, +-, -+, --][re, im] contains the weights of a node and of its mirror images.
 struct ApertureRule {
     std::size_t size;
     const double* weights;

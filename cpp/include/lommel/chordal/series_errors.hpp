@@ -14,19 +14,22 @@
 
 namespace lommel {
 
-// Bounds on parts of amplitude series. Numbers: `series` series in all planes, `parts` parts of each, `curves` complex curves.
+// Bounds on parts (ranges of terms) of amplitude series. series: number of series times planes; parts: number of parts of each
+// series; curves: number of complex curves.
 struct SeriesSizes {
     std::size_t series, parts, curves;
     double *on_curves, *moduli;  // bounds on a complex curve, [series][part][curve]; on the real disk, [series][part]
 
-    // Compute these bounds, and half the number of chords (i = 0) or nodes (i = 1): needed[i] = min over curves of (log(largest
-    // on_curves) * rate[curve] + chosen[i][curve]). ends[part]: index after its last term; powers[term][curve]: bounds on terms.
+    // Compute on_curves and moduli. Half the number of chords (i = 0) or nodes (i = 1) that these require is
+    // needed[i] = min over curves of (log(largest on_curves) * rate[curve] + chosen[i][curve]).
+    // ends[part]: index after the last term of a part; powers[term][curve]: bound on a term of coefficient 1.
     void sum(Level level, const std::complex<double>* coefficients, const std::vector<std::size_t>& ends, const double* powers,
              const double* rate, const double* chosen, double (&needed)[2]) const;
 
-    // Compute error bounds field_errors[set][plane][field], the sum over parts of shares[field][part] * e[set][plane][part], with
-    // e = (min over curves of on_curves * chords[set][curve]) + (min over curves of on_curves * nodes[set][curve]) + left[set] +
-    // rounding[set] * moduli + error. of[set]: index of the set's series, whose on_curves and moduli are taken.
+    // Compute error bounds field_errors[set][plane][field]: sums over parts of shares[field][part] * e, with e the error of a part:
+    // e = (min over curves of on_curves * chords[set][curve]) + (min over curves of on_curves * nodes[set][curve])
+    //     + left[set] + rounding[set] * moduli + error.
+    // of[set]: index of the set's series, whose on_curves and moduli in the plane are taken.
     void errors(const std::int32_t* of, std::size_t sets, std::size_t planes, const double* chords, const double* nodes,
                 const double* left, const double* rounding, const double* shares, std::size_t fields, double error,
                 double* field_errors) const;

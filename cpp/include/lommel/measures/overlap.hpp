@@ -1,10 +1,11 @@
 // Optical transfer function (OTF) of a wavefront of Zernike terms, by integration over the overlap of two shifted apertures.
 //
-// With the pupil function P and the frequency f in units of the cutoff, OTF(f) = (integral of P(rho - f) conj(P(rho + f))) /
-// (integral of |P|^2). Let u be the coordinate along f, y that perpendicular to f. The overlap of two discs has the ends u =
-// +-(cos(theta) - f) at y = sin(theta), entire functions of theta: Gauss-Legendre rules in theta and u converge faster than any
-// power. With an obscuration of ratio eps, the region is cut where its arcs meet; beside the obscuration y = eps sin(theta) (H. H.
-// Hopkins, Proc. R. Soc. A 231, 91, 1955).
+// With the pupil function P and the frequency f in units of the cutoff,
+//     OTF(f) = (integral of P(rho - f) conj(P(rho + f))) / (integral of |P|^2).
+// Let u be the coordinate along f, y that perpendicular to f. At y = sin(theta) the overlap of two discs has the ends
+// u = +-(cos(theta) - f), entire functions of theta: Gauss-Legendre rules in theta and u converge faster than any power. With an
+// obscuration of ratio eps, the region is cut where its arcs meet; beside the obscuration y = eps sin(theta) (H. H. Hopkins, Proc.
+// R. Soc. A 231, 91, 1955).
 //
 // The phase of the integrand is D(u, y) = Phi(u - f, y) - Phi(u + f, y), with Phi the phase of P. On an interval where D changes by
 // s radians, a rule of n nodes for exp(i D) has an error of about J_2n(s / 2), which falls faster than any power once n exceeds s/4
@@ -184,7 +185,7 @@ class Overlap {
             const int squares = (n - m) / 2 - k;  // power of x^2 + y^2
             for (int p = 0; p <= squares; ++p) {
                 for (int q = 0; q <= m; ++q) {
-                    // Term of (x + i y)^m: i^q x^(m - q) y^q times binomial coefficients.
+                    // Term of (x^2 + y^2)^squares (x + i y)^m: C(squares, p) C(m, q) i^q x^(2 squares - 2 p + m - q) y^(2 p + q).
                     const double part = radial * choose_of(squares, p) * choose_of(m, q) * (q % 4 < 2 ? 1.0 : -1.0);
                     powers_[static_cast<std::size_t>(2 * (squares - p) + m - q)][static_cast<std::size_t>(2 * p + q)] +=
                         part * (q % 2 == 0 ? c : s);

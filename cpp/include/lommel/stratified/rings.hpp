@@ -18,15 +18,16 @@ namespace lommel {
 
 constexpr std::size_t ring_planes = fft_rows;
 
-// Fields on circles around the axis: azimuthal order m of field f is the sum over nodes q in the pupil of
-// parts[m][f][q] * waves[q] * J_|m|(v rho_q) / sqrt(power), with v the radius of the circle and rho_q that of the node.
+// Fields in several planes on circles around the axis: azimuthal order m of field f is the sum over nodes q in the pupil of
+// parts[m][f][q] * waves[q] * J_|m|(v rho_q) / sqrt(power), with v the radius of the circle and rho_q that of the node; `parts`,
+// `waves` and `power` are those of the plane.
 struct RingLight {
     const double* bessel;  // Bessel functions J_|m|(v rho): [|m|][circle][node]
     std::size_t orders, circles, nodes;  // azimuthal orders m = 1 - orders .. orders - 1
     const std::complex<double>* parts;   // [plane, or one for all][azimuthal order m][field][node]
     std::size_t wavefronts, fields;
     const std::complex<double>* waves;  // [plane][node in the pupil]
-    const double* power;
+    const double* power;                // [plane]: collected power
     std::size_t planes;
 };
 

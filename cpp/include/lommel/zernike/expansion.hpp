@@ -30,8 +30,9 @@ struct ZernikeBudget {
     // coefficients of each disk; dropped: omitted azimuthal orders; pieces: interpolation in the radius on a piece.
     static constexpr double trimmed = 0.1, dropped = 0.1, pieces = 0.1;
     static_assert(2.0 * trimmed + dropped + pieces <= 1.0);
-    // Shares of (allowed error of U on a radial piece - error common to all pieces). own_orders: orders omitted on this piece, with
-    // all sin(m psi) terms if these add at most sines * own_orders; rings: interpolation on rings. The rest: for single precision.
+    // Shares of (allowed error of U on a radial piece - error common to all pieces). own_orders: orders omitted on this piece. All
+    // its sin(m psi) terms are omitted, too, if their error is at most sines * own_orders; it counts in own_orders. rings:
+    // interpolation on rings. The rest: for single precision.
     static constexpr double own_orders = 0.3, sines = 0.3, rings = 0.3;
     static_assert(own_orders + rings <= 1.0 && sines <= 1.0);
     // Interpolation on rings is always allowed an error of rings_least * (error of U that all radial pieces have in common).
@@ -54,7 +55,7 @@ struct DiskExpansion {
     std::size_t degrees, orders;
     std::shared_ptr<const DiskRule> rule;
     double truncation, quadrature;
-    std::size_t curve;
+    std::size_t curve;  // index of the complex curve, of those in bounds/disk.hpp, on which the pupil function may be sampled
     double saved = 0.0;  // by how much samples lower log M(b), with M(b) the bound on the pupil function in bounds/disk.hpp
 
     DiskExpansion(const ZernikePhase& phase, double reach, double error);

@@ -73,7 +73,7 @@ class ZernikeRenderer {
                 if (!expanded) {
                     expand(image.field(), reach);
                 }
-                // Reduce the tolerance as much as `error`: the tolerance is relative to a previewed peak, which pixels may miss.
+                // The tolerance is relative to a previewed peak, which pixels may miss: reduce it in proportion to `error`.
                 image.prepare(tol * error / first);
                 expanded = false;
             }
@@ -130,8 +130,8 @@ class ZernikeRenderer {
         return 1e300;
     }
 
-    // Pixels may miss the peak of the intensity I: search it at 65 x 65 points in a square around the axis as large as the blur. If
-    // the largest I there exceeds `peak`, set `peak` to it and `off` to the error bound of U there.
+    // Pixels may miss the peak of the intensity I: search it at 65 x 65 points in a square around the axis, which extends by `blur`
+    // (at most 400) to every side. If the largest I there exceeds `peak`, set `peak` to it and `off` to the error bound of U there.
     template <class Expand>
     void scan(std::size_t pupil, const Expand& expand, double& peak, double& off) const {
         double blur = 4.0;

@@ -16,8 +16,8 @@ namespace lommel {
 struct SeriesCost {
     static constexpr double least = 27000.0;     // time of the smallest image
     static constexpr double declined = 20000.0;  // time of the chordal rule's estimates, added if this rule declines
-    // Error of interpolation between circles / peak intensity without aberrations. With aberrations, which dim the field by an
-    // estimated factor `dim`, it may be up to 2 * dim - 1 times as large.
+    // (Error of interpolation between circles) / (peak intensity) without aberrations. Aberrations that dim the field by an
+    // estimated factor `dim` may increase this ratio up to 2 * dim - 1 times.
     static constexpr double circles = 1.2e-10;
     // Limits of (rounding error of the expansion) / (allowed error). Above `rounded`, interpolation between circles cannot be used,
     // and the image may have to be computed twice; above `lost`, possibly no method meets the tolerance.

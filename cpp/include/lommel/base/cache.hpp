@@ -49,8 +49,8 @@ class Turn {
 };
 
 // Base of the caches that all calls share, constructed when the program is loaded. mutex_ guards look-ups and changes; turn_
-// guards computations of tables. A computation must not hold mutex_: it may wait for Python's lock, which is held by a thread in
-// fork() that waits for mutex_.
+// guards computations of tables. A computation must not hold mutex_: it may wait for Python's lock while a thread that holds this
+// lock is in fork() and waits for mutex_.
 class Shared : protected ForkAware {
    public:
     // bytes_kept(): size of the tables in all caches. bytes_limit(): sum of the limits of the caches, which bytes_kept() may

@@ -11,8 +11,8 @@
 namespace lommel {
 
 // Tiles whose rows and columns have the same parities never write to the same pixel, so threads work on them concurrently. A
-// tile of the next parities waits only for its own neighbours, so one slow thread delays few others. Sums over a pixel have the
-// same order for any number of threads.
+// tile of the next parities waits only for its own neighbours, so one slow thread delays few others. A pixel
+// receives its contributions in the same order for any number of threads.
 class Checkerboard {
    public:
     Checkerboard(std::size_t rows, std::size_t columns) : rows_(rows), columns_(columns) {

@@ -165,8 +165,9 @@ class FocalCamera {
     std::size_t down() const { return stream_->down(); }
     std::size_t across() const { return stream_->across(); }
 
-    // Compute the depth of each block and its standard error in metres, and its misfit (FocalPlace), from frames of 8 or 16 bits
-    // a pixel with rows `stride` pixels apart. Throws std::invalid_argument if frames are dark or differ too much in exposure.
+    // Compute the depth of each block and its standard error in metres, and its misfit (FocalPlace), from frames of 8 bits a pixel
+    // or, if `words`, 16 bits, with rows `stride` pixels apart. Throws std::invalid_argument if frames are dark or differ too much
+    // in exposure.
     void take(const void* const* frames, bool words, std::size_t stride, float* depth, float* errors, float* misfit) {
         taken_ = false;
         const float full = std::min(file_.number[FocalFile::Full], words ? 65535.0f : 255.0f);
@@ -217,7 +218,7 @@ class FocalCamera {
     }
 
     // Compute the sharp image of the frames of the last take(), which must still be in memory. Throws std::invalid_argument if
-    // the file has no tables for sharp images.
+    // take() has not yet succeeded, or if the file has no tables for sharp images.
     void sharpen(float* image) {
         if (!pictures_ || !taken_) {
             throw std::invalid_argument(pictures_ ? "there are no frames yet" : "the tables have no sharp images: sharp=True");

@@ -64,8 +64,8 @@ class FocalReader {
             copy<4>(first, frame.stride, out);
         }
         bool any = false;
-        // Quick test before the search by pixel: the sum of a square with a saturated pixel is at least frame.full, and that of
-        // a square with a non-finite pixel is not finite.
+        // Quick test before the search by pixel: if raw values are not negative, the sum of a square with a saturated pixel is at
+        // least frame.full. The sum of a square with a non-finite pixel is not finite.
         float most = -std::numeric_limits<float>::infinity(), all = 0.0f;
         for (std::size_t x = 0; x < width_; ++x) {
             most = out[x] > most ? out[x] : most;

@@ -96,7 +96,8 @@ class ClosedFormField {
             if (phase.edges[i] < inner) {
                 add_series(isa, phase.alpha[i], phase.beta[i], v, low, within(split), a, b);
             }
-            // Lanes (radii v) may need different pieces of J0: go back to the first one needed; the next loop goes on to the last.
+            // Lanes (radii v) may need different pieces of the asymptotic form of J0: go back to the first piece that a lane needs.
+            // The next loop goes on to the last.
             while (piece > 0 && largest_lane(splat<V>(bessel_.starts[piece]) * turn) > phase.edges[i]) {
                 --piece;
             }
@@ -205,7 +206,7 @@ void with_auxiliary(const FresnelForm& form, const Use& use) {
     }
 }
 
-// Load a vector of values from values[first] on; lanes beyond `last` repeat the last value.
+// Load a vector of values from values[first] on; lanes without a value, from values[last] on, repeat values[last - 1].
 template <class I>
 LOMMEL_INLINE typename I::pack lanes_from(const double* values, std::size_t first, std::size_t last) {
     if (first + I::lanes <= last) {

@@ -80,7 +80,8 @@ class RowFft {
 
     // Bound on the rounding error of any output X_l, in units of roundoff times the sum of all |x_j| of the input. Contributions of
     // a pass: 1 for one complex sum (radix 2), 2 for two (radix 4), 4.7 for radix 3; 2.24 for a complex product; for the tabulated
-    // root of unity 1, plus 3 * 2 pi for its angle in double precision, 0.1 in single. The last pass has two sums and no product.
+    // root of unity 1, plus the error of its angle, 3 * 2 pi in double precision and 0.1 in single. The last pass has two sums and
+    // no product.
     double rounding() const {
         constexpr double root = 1.0 + (sizeof(Real) == 8 ? 3.0 * 6.2832 : 0.1);
         double units = 2.0;

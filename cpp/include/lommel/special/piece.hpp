@@ -19,9 +19,10 @@ namespace lommel {
 
 constexpr std::size_t degree_count = 16;  // coefficients of each polynomial
 
-// Piece of the Bessel table (bessel_table.hpp). Row n: function n of the table, as 16 coefficients of powers of x = -1 .. 1 on the
-// piece; negligible functions have no row. magnitude, azimuthal: bounds on the sum of the moduli of all terms of U on the piece
-// (see PieceTable), for radially symmetric pupils and for sums over azimuthal orders.
+// Piece of the Bessel table (bessel_table.hpp). Row n: 2 (-1)^n J_{2n+1}(v) / v, or with J_{2n+2} in the table for odd azimuthal
+// orders, as 16 coefficients of powers of x = -1 .. 1 on the piece; negligible functions have no row. magnitude, azimuthal: bounds
+// on the sum of the moduli of all terms of the field U on the piece (see PieceTable), for radially symmetric pupils and for sums
+// over azimuthal orders.
 struct Piece {
     Doubles rows;
     double magnitude = 0.0, azimuthal = 0.0;
@@ -53,7 +54,7 @@ constexpr double cosines[17][2] = {{0x1p+0, 0.0},
                                    {0.0, 0.0}};
 
 // Conversion in two steps: values at 16 Chebyshev points to 8 times the coefficients of the Chebyshev polynomials, by sums and
-// differences of mirrored points; then, without rounding, to coefficients of 1, x, x^2, ...
+// differences of mirrored points; then, by integer factors and a division by 8, to coefficients of 1, x, x^2, ...
 class PieceRule {
    public:
     constexpr PieceRule() {
@@ -131,8 +132,9 @@ class PieceRule {
 inline constexpr PieceRule piece_rule;
 
 // Compute values[16 n + point] = 2 (-1)^n J_{2n+1+parity}(v) / v, as zernike_transforms() does, at the 16 points v of a piece, in
-// descending order. The last point must be at least half the first, or else the backward recurrence overflows for orders that
-// matter. `most`: largest number of terms that a piece needs; the values do not depend on `terms`.
+// descending order, for n < `terms`. The last point must be at least half the first, or else the backward recurrence overflows for
+// orders that matter. `most`: number of terms that the piece needs; the recurrence starts beyond it whatever `terms` is, so that
+// a value does not depend on `terms`.
 template <class I>
 LOMMEL_INLINE void piece_values(I isa, std::size_t parity, const double* points, std::size_t terms, std::size_t most,
                                 double* values) {

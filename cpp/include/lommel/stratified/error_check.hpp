@@ -24,7 +24,8 @@ struct Judged {
     // Error bounds of that part of I which consists of the azimuthal orders planes.harmonics[first .. last - 1].
     Judged(const Planes& planes, std::size_t plane, const PartSizes& sizes, std::size_t first, std::size_t last) {
         const Parts F(planes, planes.angles.error, sizes);
-        // `rounding` covers the rounding of products and Hermitian forms, and an error of 1e-13 of the collected power.
+        // `rounding` covers the rounding of products and Hermitian forms, and the relative error of the collected power, by which
+        // I is divided: 1e-13.
         given =
             planes.bilinear(
                 plane, [&](std::size_t j, std::size_t l) { return F.off * (F.found[j] + F.found[l] + F.off); }, first, last) +

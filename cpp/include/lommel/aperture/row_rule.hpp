@@ -79,7 +79,8 @@ class RowRule {
         return *rule;
     }
     static constexpr double few = 24.0;  // panels with fewer rows than this are not halved
-    // Number of rows that a panel needs. If panel.root is 0 (linear map), a map that needs fewer rows may replace it.
+    // Number of rows that a panel (range of heights y) needs. Gauss nodes are mapped to it linearly if panel.root is 0; a quadratic
+    // map that needs fewer rows may then replace the linear one.
     GaussNodes needed(Panel& panel, double degree, double error);
     void split(Panel panel, double degree, double error, int depth);
     void fill(const Panel& panel, std::size_t rows);

@@ -123,8 +123,8 @@ class Ellipses {
     }
 
     // Bound on the tail of the Legendre series at any image radius: the sum over n >= terms of |beta_n| / sqrt(2n+1), with Legendre
-    // coefficients beta_n. On an ellipse of size eta and perimeter l, if |pupil function| <= M, |beta_n| <= (2n+1) l M e^{-(n+1)
-    // eta} / (pi (1 - e^{-2 eta})) (Wang and Xiang, Math. Comp. 81, 861 (2012)).
+    // coefficients beta_n. If |pupil function| <= M on an ellipse of size eta and perimeter l, then
+    // |beta_n| <= (2n+1) l M e^{-(n+1) eta} / (pi (1 - e^{-2 eta})) (Wang and Xiang, Math. Comp. 81, 861 (2012)).
     double tail(std::size_t terms) const {
         const double order = 2.0 * static_cast<double>(terms) + 1.0;
         std::array<double, count> exponent;

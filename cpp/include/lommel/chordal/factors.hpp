@@ -67,8 +67,8 @@ struct FactorLanes {
 };
 
 // Multiply the pupil function at a pair of chords (`nodes`) by the Zernike term of each lane; write the product to `to`. In x and
-// in y, the parity of the product is the sum of the factors' parities modulo 2. room: Zernike terms, [parity][node][lane], 0 before
-// the first chord.
+// in y, the parity of the product is the sum of the factors' parities modulo 2. room: working memory for the Zernike terms,
+// [parity][node][lane], set to 0 by the caller before the first chord.
 template <class I, class Real>
 LOMMEL_INLINE void times_factors(I, const FactorLanes& given, std::size_t chord, const Real* nodes, Real* room, Real* to) {
     using V = typename Waves<I, Real>::V;

@@ -55,8 +55,8 @@ struct ChordalBudget {
     // Second attempt: the allowed error of U is multiplied by a factor of at least retry_least and, if the first attempt was in
     // double precision, at most retry_most. retry_single: as `single`, but relative to tol x computed max |U|.
     static constexpr double retry_most = 0.3, retry_least = 1e-3, retry_single = 0.47;
-    // For pixel averages: (allowed error of U) / tolerance. The rest of the tolerance is for rounding, which is larger if batches
-    // share tables.
+    // For pixel averages: (allowed error of U) / tolerance. The rest of the tolerance is for rounding, which grows with the number
+    // of nodes: tables shared by batches have more nodes than a batch needs.
     static constexpr double of_nodes = 0.9;
 };
 
@@ -205,7 +205,7 @@ class ChordalRenderer {
             groups.push_back(next);
         }
         share(groups, 1.12);
-        // If the tables exceed the cache, all groups share one table.
+        // If `alike`, or if the tables exceed the caches, all groups share one table: then all or none of them must be `lone`.
         if (alike || !kept<Real>(groups)) {
             if (groups.front().lone != groups.back().lone) {
                 return grouped<Real>(pending, pupils, true);
@@ -371,6 +371,7 @@ class ChordalRenderer {
     }
 
     // Estimate times of this method (costs_.first; the first `singles` pupils in float) and of a Zernike series (costs_.second).
+    // In run_if_cheaper(), throw LimitExceeded if the series is likely to take less time.
     void weigh(const std::vector<std::size_t>& pending, std::size_t singles) {
         const double count = static_cast<double>(stack_.count);
         costs_.first = 8800.0 + 49.0 * count * static_cast<double>(stack_.terms.size()) +

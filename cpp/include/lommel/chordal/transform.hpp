@@ -232,8 +232,8 @@ LOMMEL_INLINE void pair_of_chords(I isa, const TermTable& table, std::size_t cho
     });
 }
 
-// Fourier transform along y, from the nodes of a pair of chords (`Lone`: a vector of pairs) to chords[row][parity in x][chord][re,
-// im], for each row of pixels.
+// Fourier transform along y for each row of pixels, from the nodes of a pair of chords (`Lone`: of a vector of pairs) to
+// chords[row][parity in x][chord][re, im].
 template <bool Lone, class I, class Real>
 LOMMEL_INLINE void rows_of_chords(I, const KernelTable<Real>& kernel, std::size_t chord, const Real* nodes, Real* chords) {
     using V = typename Waves<I, Real>::V;
@@ -379,7 +379,8 @@ LOMMEL_INLINE void rows_of_parity(I, const KernelTable<Real>& kernel, std::size_
     });
 }
 
-// Fourier transform along x of a pupil function's even or odd part: chords[chord][re, im] -> row[distance from the axis][re, im].
+// Fourier transform along x of a part of the pupil function that is even or odd in x: from chords[chord][re, im] to row[distance
+// of a column from the axis][re, im]. Odd parts use sines and omit the factor -i.
 template <class I, class Real>
 LOMMEL_INLINE void columns_of_parity(I, const KernelTable<Real>& kernel, bool odd, const Real* chords, Real* row) {
     using V = typename Waves<I, Real>::V;

@@ -226,7 +226,8 @@ LOMMEL_ONCE void EnergyWithin::make(Field& field, const Phase& phase, double obs
         double* const energy = &energies_[s * count_];
         const double before = inside;
         inside = integrate_moment(0.5 * width, middle, mean_.data(), points, before, moment_.data(), series_.data());
-        // evaluating: rounding error of the energy, due to positions and coefficients; tall: bound on the intensity on the panel.
+        // evaluating: rounding error of the energy, in roundoffs, due to positions and coefficients; tall: bound on the intensity
+        // on the panel.
         const double top = *std::max_element(values, values + points), tall = spread * top + between;
         double evaluating = 4.0 * end * end * tall;
         rows_summed(monomials_.data(), series_.data(), count_, count_, energy);
@@ -291,7 +292,7 @@ class CoarseAverages {
     static constexpr double least_exact = 2.0;  // minimum pixel pitch, in optical units, if tables are not accurate enough
     static constexpr std::size_t few = 8;  // largest number of pupils for which filters may be faster
 #if defined(__wasm__)
-    // The live web page renders one image per window: no other image would share its weights.
+    // The live web page renders one image per window: weights (AverageRings), computed for it alone, would not save time.
     static constexpr double least = 3.0, least_alone = least, of_weights = 1e9;
 #else
     static constexpr double least = 7.4;         // minimum pixel pitch, in optical units
@@ -305,8 +306,9 @@ class CoarseAverages {
 
     // Error bound of averages without interference rings, over pixels of width `step` with edges at distances >= r from the axis.
     // The flux through an edge is E (top of the file) times the angle that the edge subtends at the axis: an error rings(r) of E
-    // counts with the sum of the four angles / step^2. This sum is <= 2 sqrt(2) step / r or, if the axis is in the pixel, 2 pi <=
-    // pi step / r. The factor of curved(r) is at most 1 or, if the axis is in the pixel, pi / 2.
+    // counts with (sum of the four angles) / step^2. This sum is at most 2 sqrt(2) step / r. If the axis is in the pixel, it is
+    // 2 pi, at most pi step / r. Of the smooth intensity, only the term in r^-3 is averaged. curved(r) bounds the rest; its factor
+    // is at most 1 or, if the axis is in the pixel, pi / 2.
     static double left_out(const EnergyTail& tail, double step, double r) {
         return 3.1416 * tail.rings(r) / (r * step) + 1.6 * tail.curved(r);
     }
@@ -405,7 +407,8 @@ LOMMEL_ONCE void CoarseAverages::make(const CoarseWindow& coarse, const Phase& p
                 off += sides_of[i].off;
             }
             values[pixel.group] = sum / square;
-            // A constant error of the encircled energy is multiplied by the sum of the edges' signed angles, which is nearly 0.
+            // A constant error of the encircled energy is multiplied by the sum of the edges' signed angles, `turn`: nearly 0, or
+            // 2 pi if the axis is in the pixel.
             const double first = energy_.off(step * std::sqrt(coarse.nearest(pixel.column, pixel.row))),
                          last = energy_.off(step * std::sqrt(coarse.farthest(pixel.column, pixel.row)));
             const double given = std::min(off, 0.5 * (last - first) * turns + 0.5 * (last + first) * std::abs(turn));

@@ -96,7 +96,8 @@ struct RadialBudget {
     // Error of the field U / (tolerance * peak of |U|). It counts twice in the intensity; 1 - 2 * field is a margin.
     static constexpr double field = 0.4;
     static_assert(2.0 * field <= 1.0);
-    // Shares of the allowed error of the field U: full disk (outer), obscuration (inner), interpolation in the radius (pieces).
+    // Factors of the allowed error of the field U: full disk (outer), obscuration (inner), interpolation in the radius (pieces).
+    // A disk uses only the fraction truncation + quadrature of its allowed error.
     static constexpr double outer = 0.5, inner = 0.5, pieces = 0.4;
     // Shares of the allowed error of one disk: omitted terms of the Legendre series, and quadrature of its coefficients.
     static constexpr double truncation = 0.5, quadrature = 0.1;

@@ -51,7 +51,8 @@ struct ZernikePhase {
         });
         return std::sqrt(1.0 + variance);
     }
-    // Cautious value of dimness(), which may be too small by a factor of 2; the factor 2.5 leaves a margin.
+    // Cautious value of this ratio: dimness() may be too small by a factor of 2; the factor 2.5 leaves a margin. For weak
+    // aberrations, size() + 1 is smaller.
     double dimmest() const { return std::min(size() + 1.0, 2.5 * dimness()); }
 
     // Rounding error of the pupil function, in units of roundoff, due to rounding of rho and to the recurrence for R_n^m.

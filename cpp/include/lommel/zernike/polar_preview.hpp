@@ -48,7 +48,7 @@ class PolarLooks : public Looks {
         for (std::size_t i = 0; i < bright.size(); ++i) {
             v.push_back(LookTable::at(i));
         }
-        // Drop radii far beyond the window, which only fill up the last block.
+        // Keep only one radius beyond `reach`: the others just fill up the last block.
         while (v.size() > 2 && v[v.size() - 2] > reach) {
             v.pop_back();
         }
@@ -69,7 +69,7 @@ class PolarLooks : public Looks {
             }
         }
         for (std::size_t i = 0; i < block; ++i) {
-            // Values on circles are divided by the transform of the kernel, which magnifies them by at most `largest`.
+            // Values on circles are divided by the transform of the kernel: their errors grow by a factor of at most `largest`.
             const double i_here = b * block + i < bright.size() ? bright[b * block + i] : 0.0;
             const double largest = kernels.outer().largest;
             out[i] = {0.0, largest * out[i].around, largest * out[i].sum, 1.2 * largest * circle.gains[0] * std::sqrt(i_here)};
@@ -115,7 +115,8 @@ class PolarOrders {
         }
     }
 
-    // Bound on the sum of U's orders m >= `orders` at radii >= v, plus for its aliases: `aliases` x (bound on it at any radius).
+    // Bound on the sum of U's orders m >= `orders` at radii >= v, together with its aliases. These are at most `aliases` times the
+    // bound on this sum at any radius.
     double left(std::size_t orders, double v, double aliases) const {
         return left_of(tails_[orders], OrderSize::fall(v), aliases);
     }

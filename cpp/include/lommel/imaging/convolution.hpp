@@ -14,7 +14,7 @@
 namespace lommel {
 
 // FFT convolution of the planes (colours) of an image with real PSFs. The upper and lower half of a plane, each with its
-// margins, are the real and imaginary part of one complex plane, which convolution with a real PSF does not mix. Rows are
+// margins, are the real and imaginary part of one complex plane; convolution with a real PSF does not mix these parts. Rows are
 // transformed eight at a time, then columns. Layout of a spectrum: [group of eight columns][frequency][re or im][column].
 // Single precision: error of about 1e-6 of the brightest pixel, bounded by RowFft::rounding() units of roundoff per transform.
 class Convolution {

@@ -74,7 +74,8 @@ class Spreader {
     // `out`. `image`: values, at the same pixels as Scene::positions, with row stride `down` and column stride `right`.
     void forward(const T* image, std::ptrdiff_t down, std::ptrdiff_t right, T* out) const;
 
-    // Transpose of forward(): out[height][width] = inner product of the pixel's window and `image`, laid out as forward()'s `out`.
+    // Transpose of forward(): out[height][width] = inner product of the pixel's window and `image`. `image` has the layout of `out`
+    // in forward().
     void adjoint(const T* image, T* out) const;
 
    private:

@@ -1,4 +1,4 @@
-// Nodes for pixel averages: radii of a ring for interpolating the intensity, and quadrature points of a pixel.
+// Nodes for pixel averages: radii for interpolating the intensity on a ring around the axis, and quadrature points of a pixel.
 #pragma once
 
 #include <algorithm>

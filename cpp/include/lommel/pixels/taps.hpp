@@ -17,8 +17,8 @@ namespace lommel {
 // The taps are a least-squares fit at Chebyshev points of the band. The error of the response is even and entire, of
 // exponential type k h for the largest k; up to 1e-17 it is a polynomial in w of degree M = 2.36 k h + 48, as its Chebyshev
 // series falls below e^-48 there. As a trigonometric polynomial of an angle it falls, at an angle s from its maximum, no
-// faster than cos(M s) (Duffin and Schaeffer, Bull. Amer. Math. Soc. 44, 236, 1938). One of 2 M Chebyshev points is within pi
-// / (4 M) of the maximum, which is hence at most sqrt(2) times the largest value at these points.
+// faster than cos(M s) (Duffin and Schaeffer, Bull. Amer. Math. Soc. 44, 236, 1938). One of 2 M Chebyshev points is within
+// pi / (4 M) of the maximum, so the maximum is at most sqrt(2) times the largest value at these points.
 struct PixelTaps {
     std::size_t stride;           // number of samples per pixel pitch
     std::vector<double> weights;  // filter taps, an odd number, centred on the pixel
@@ -88,7 +88,8 @@ struct PixelTaps {
 //
 // Let M be the peak of the intensity I. Along a line through the peak, f = 2 I - M is of exponential type 2 and at most M in
 // modulus, so f'^2 + 4 f^2 <= 4 M^2 (Duffin and Schaeffer, Bull. Amer. Math. Soc. 44, 236, 1938): at a distance s <= pi/2 from
-// the peak, I >= M cos(s)^2. This is averaged over the disk, with half the pitch as radius, in a pixel centred on the peak.
+// the peak, I >= M cos(s)^2. In a pixel centred on the peak, this bound is integrated over the disk around the peak with the radius
+// min(step / 2, pi / 2), and divided by the pixel's area step^2.
 inline double least_average(double step) {
     constexpr double half_pi = 1.5707963267948966;
     const double r = std::min(0.5 * step, half_pi), sine = std::sin(r);

@@ -32,8 +32,8 @@ class RimBoxes {
 
    private:
     static constexpr std::size_t probed = 16;  // number of pupils in a sample of a large stack
-    // Pixels outside boxes are computed from the waves of the rim only if the diagonal of the window, in pixels, is at most reach *
-    // sqrt(P / s). P: number of pupils, which share tables; s: pixel pitch in lambda / (2 pi NA).
+    // Pixels outside boxes are computed from the waves of the rim only if the diagonal of the window, in pixels, is at most
+    // reach * sqrt(P / s). P: number of pupils, which share tables; s: pixel pitch in lambda / (2 pi NA).
     static constexpr double reach = 200.0;
     static constexpr double shorter = 0.5;  // factor on `reach` with an obscuration: a pixel then has 3 times as many weights
     static constexpr double shortest = 48.0;  // least value of reach / sqrt(s): small windows gain most

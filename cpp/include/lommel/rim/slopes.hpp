@@ -22,7 +22,7 @@ constexpr std::size_t rim_orders = 8;        // K: number of integrations by par
 constexpr std::size_t rim_most_degree = 16;  // largest degree of the phase and of the exponent of the amplitude
 constexpr double rim_unit = 32.0;            // factor of rim_scale() for each order, so that derivatives do not overflow
 
-// k! rim_unit^k, by which derivatives of order k are divided when they are stored, to avoid overflow.
+// k! rim_unit^k, by which derivatives of order k of the pupil function are divided when they are stored, to avoid overflow.
 inline double rim_scale(std::size_t k) {
     double scale = 1.0;
     for (std::size_t i = 1; i <= k; ++i) {
@@ -31,9 +31,9 @@ inline double rim_scale(std::size_t k) {
     return scale;
 }
 
-// Derivatives dbar^j Phi of the phase Phi on circles, dbar = d/dx + i d/dy. They determine those of the pupil function P = exp(i
-// Phi), dbar^k P = Q_k P. On a circle, i dbar^j Phi / ((j - 1)! rim_unit^j) is a sum over mu of E_j,mu exp(i mu theta). A
-// Zernike term contributes to the real or the imaginary part of two coefficients E for each j.
+// Derivatives dbar^j ln P of the pupil function P = A exp(i Phi) on circles, dbar = d/dx + i d/dy. They determine dbar^k P = Q_k P.
+// On a circle, dbar^j ln P / ((j - 1)! rim_unit^j) is a sum over mu of E_j,mu exp(i mu theta). A Zernike term of the phase Phi
+// contributes to the real or the imaginary part of two coefficients E for each j.
 struct RimSlopes {
     struct Part {
         std::size_t at, term;  // at: index of the real or imaginary part of a Fourier coefficient; term: of the Zernike term
@@ -143,8 +143,8 @@ struct RimSlopes {
     }
 };
 
-// Derivatives of the phase on one circle as Fourier coefficients (E in RimSlopes): e[E][re, im][lane], from the Zernike
-// coefficients[term][lane]. `Moduli`: sums of the moduli of the summands instead.
+// Derivatives of ln P on one circle as Fourier coefficients (E in RimSlopes): e[E][re, im][lane], from the pupil's amplitude and
+// the Zernike coefficients[term][lane]. `Moduli`: sums of the moduli of the summands instead.
 template <bool Moduli = false, class I>
 LOMMEL_INLINE void slopes_of_circle(I, const RimSlopes& table, std::size_t circle, const float* coefficients, float* e) {
     using V = typename I::floats;
@@ -191,9 +191,10 @@ struct RimTurns {
     }
 };
 
-// Derivatives dbar^k P / rim_scale(k) (RimSlopes), k = 1 .. Last, of the pupil function P = q[point][0] at an angle (point 0)
-// and half a turn further (point 1): q[point][k][re, im]. turns: from RimTurns; e: from slopes_of_circle(). Degree: bound on the
-// degree of the phase, so that loops are unrolled. Lanes are pupils or, if `Lone`, angles of one pupil, with equal e in all lanes.
+// Derivatives q[point][k][re, im] = dbar^k P / rim_scale(k), k = 1 .. Last, dbar = d/dx + i d/dy, of the pupil function P. Points:
+// an angle (0) and half a turn further (1). q[point][0]: P, given. turns: cosines and sines from RimTurns; e: Fourier coefficients
+// from slopes_of_circle(). Degree: at least table.degree; a constant, so that loops are unrolled. Lanes are pupils or, if `Lone`,
+// angles of one pupil, with equal e in all lanes.
 template <std::size_t Degree, std::size_t Last, bool Lone, class I, class V>
 LOMMEL_INLINE void rim_powers(I, const RimSlopes& table, const float* turns, const float* e, V (&q)[2][rim_orders + 1][2]) {
     constexpr std::size_t lanes = sizeof(V) / sizeof(float);

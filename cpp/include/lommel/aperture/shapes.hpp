@@ -19,7 +19,8 @@ struct Point {
     double x, y;
 };
 
-// Side of a part, x as a function of y: p + q (y - origin) for a line, plus k sqrt((y - low) (high - y)) for an arc.
+// Side of a convex shape (Part), x as a function of y: p + q (y - origin) for a line, plus k sqrt((y - low) (high - y)) for an
+// arc from y = low to y = high.
 struct Side {
     double p = 0.0, q = 0.0, origin = 0.0, k = 0.0, low = 0.0, high = 0.0;
     double terms = 0.0;  // for an arc: sum of the moduli of the two terms of q, which may cancel

@@ -107,7 +107,8 @@ class Amplitude {
     }
 
     bool closed() const { return terms_ <= 1; }
-    // Peak of |field| without aberrations: integral of the amplitude over t from obscuration^2 to 1, exact or by 16 Gauss nodes.
+    // Peak of |field| without aberrations: integral of the amplitude over t from obscuration^2 to 1, exact if K <= 1 (closed()),
+    // else by 16 Gauss nodes.
     double integral(double obscuration) const {
         const double low = obscuration * obscuration, open = 1.0 - low, g = g_[1];
         if (closed()) {

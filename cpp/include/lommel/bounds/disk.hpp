@@ -141,8 +141,9 @@ class DiskBounds {
 
     // Bound on the contribution of all degrees >= n to the field at any image radius v, since |2 (n+1) J_{n+1}(v) / v| <= 1.
     double tail(std::size_t n) const { return chords_.tail(n); }
-    // Bound on the contribution of all azimuthal orders >= m to the field at any image radius v: on a ring the pupil function is
-    // analytic in the azimuth, its Fourier coefficients fall like exp(-m b), and |2 int J_m(v rho) rho d rho| <= 1.
+    // Bound on the contribution of all azimuthal orders >= m to the field at any image radius v. On a circle of radius rho in the
+    // pupil, the pupil function is analytic in the azimuth, so its Fourier coefficients fall like exp(-m b); and
+    // |2 int J_m(v rho) rho d rho| <= 1.
     double orders_tail(std::size_t m) const { return 2.0 * turns_.tail(m); }
     double distance(std::size_t d) const { return chords_.distance(d); }
 

@@ -50,9 +50,9 @@ LOMMEL_INLINE void multiply_nodes(I, std::size_t within, const double* pupil, co
     }
 }
 
-// Transpose of place_field() for one field with the adjoint field G. The field's pupil amplitude is made of parts (sum_series()).
-// Add the derivatives of the sum of (pupil function x G) over the nodes of a pair of chords, by the values of each part at these
-// nodes, to sums[part][re, im][node]. adjoint: G at these nodes; room: working memory.
+// Transpose of place_field() for one field of a plane. The field's pupil function is linear in its parts (sum_series()). Add to
+// sums[part][re, im][node] the derivatives of the sum of (pupil function x G) by the values of each part, at the nodes of a pair of
+// chords. adjoint: adjoint field G at these nodes, its values `lanes` apart; room: working memory.
 inline void take_field(Level level, const NodeSeries& given, std::size_t plane, const FieldSet& set, std::size_t field,
                        const double* adjoint, std::size_t chord, std::size_t lanes, double* room, double* sums) {
     const std::size_t all = given.nodes(), within = given.count.half_nodes(), from = chord * within;

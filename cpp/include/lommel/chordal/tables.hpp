@@ -114,7 +114,8 @@ struct TermTable {
     bool is(const ChordCount& n, const ChordLanes& in) const { return count == n && lanes == in; }
     std::size_t bytes() const { return (values.size() + weights.size() + own.size()) * sizeof(double); }
 
-    // Set complex weights for apertures of any shape: given[chord][node][signs of x and y][re, im], at the nodes of the whole disk.
+    // Set complex weights of the nodes, for apertures of any shape: given[chord][node][signs of x, y: ++, +-, -+, --][re, im].
+    // Chords and nodes of the quadrant x, y > 0 and the four signs together give the nodes of the whole disk.
     void weigh(const double* given) {
         const std::size_t half = count.half_nodes();
         own.assign(weights.size() * 8, 0.0);
@@ -235,8 +236,8 @@ struct KernelTable {
     static double bytes(double nodes, std::size_t rows) { return 0.5 * sizeof(Real) * nodes * static_cast<double>(rows); }
 
    private:
-    // Write cosines and sines of the phases at[i] x factor x nodes[k]. Distances `at` are stored in tiles of at most `tile`
-    // (`padded`: all of equal length); stride: step between stored values.
+    // Write cosines and sines of the phases at[i] x step x factor x nodes[k]. Distances `at` are stored in tiles of at most `tile`
+    // distances (`padded`: all tiles have the length `tile`). stride: spacing of the stored values.
     void fill(const std::vector<double>& at, std::size_t tile, bool padded, const std::vector<wide>& nodes, wide factor,
               std::size_t stride, Real* cosines, Real* sines) const {
         look();

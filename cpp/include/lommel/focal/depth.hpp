@@ -12,10 +12,10 @@
 
 namespace lommel {
 
-// Depth candidates, at equal steps of vergence (1 / distance). forms[candidate][product]: factors of products of residual images in
-// the energy E. statistics[row][candidate]; row 0: E of white noise; 1: (variance of E' / 2 due to texture) / kappa; 2: variance of
-// E' / 2 due to noise; 3: kappa / (mean of E over candidates - minimum of E); 4: variance of kappa due to noise. E', E'':
-// derivatives of E with respect to the index of the candidate; kappa = E'' / 2.
+// Depth candidates, at equal steps of vergence (1 / distance). The energy E of a candidate is the sum of forms[candidate][product]
+// times products of residual images. E', E'': derivatives of E with respect to the index of the candidate; kappa = E'' / 2.
+// statistics[row][candidate]; row 0: E of white noise; 1: (variance of E' / 2 due to texture) / kappa; 2: variance of E' / 2 due to
+// noise; 3: kappa / (mean of E over candidates - minimum of E); 4: variance of kappa due to noise.
 struct FocalCandidates {
     static constexpr std::size_t rows = 5;
 
@@ -62,7 +62,8 @@ class FocalSearch {
     };
 
     // Estimate the depths of up to one vector of blocks. sums[product * pitch + block]: products of residual images, averaged
-    // over the window and divided by the noise variance. trust[block]: trusted fraction of the window.
+    // over the window and divided by the noise variance. trust[block]: fraction of the window's pixels that are trusted (known,
+    // and far from unknown pixels and from the border).
     template <class I>
     LOMMEL_INLINE void operator()(I, const float* sums, std::size_t pitch, const float* trust, std::size_t blocks,
                                   Scratch& scratch, FocalPlace* out) const {
@@ -114,7 +115,7 @@ class FocalSearch {
     static float square(float x) { return x * x; }
     static constexpr std::size_t rough_step = 4, lanes_ = 16, near = 16, several = 8;
     static constexpr float unknown = std::numeric_limits<float>::quiet_NaN(), infinite = std::numeric_limits<float>::infinity();
-    // Minimum trusted fraction of the window of a block whose depth is estimated.
+    // Minimum fraction of trusted pixels in the window of a block; below it, the depth is unknown.
     static constexpr float least_trust = 0.5f;
     static constexpr float wide = 1.0f;  // variance (candidates^2) above which the likelihood's second moment is used
     static constexpr float unlike = 0.4f;  // relative standard deviation of the curvature between textures
@@ -196,8 +197,8 @@ class FocalSearch {
         if (!(likelihood * (second - here) >= distinct)) {
             return found;
         }
-        // Noise makes the measured curvature too large: average it with the curvature expected from the depth of the valley, with
-        // weights by their inverse variances, due to noise and to differences between textures respectively.
+        // Noise makes the measured curvature too large: average it with the curvature expected from the depth of the valley. The
+        // weights are inverse variances: by noise for the measured curvature, by texture for the expected curvature.
         const auto statistic = [&](std::size_t row) { return statistics_[row * given_.count + at]; };
         const float expected = statistic(Steepness) * valley, by_noise = worse * std::sqrt(statistic(OfCurvature) / pixels);
         const float share = 1.0f / (1.0f + by_noise * by_noise / std::max(square(unlike * expected), 1e-30f));

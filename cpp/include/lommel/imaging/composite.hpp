@@ -119,8 +119,8 @@ class Compositor {
     // the first layer, made.seen must be beyond() and made.total must be 0.
     void operator()(std::size_t from, std::size_t to, bool known, const Composite<T>& made);
 
-    // level(): layer number relative to the middle layer, as small numbers leave more bits of the visibility for the fraction;
-    // beyond(): visibility at a pixel that sees all layers.
+    // level(): layer number relative to the middle layer. Small levels leave more bits of the visibility (Composite::seen) for
+    // the fraction of a layer that a pixel sees. beyond(): visibility at a pixel that sees all layers.
     T level(std::size_t layer) const { return static_cast<T>(static_cast<std::ptrdiff_t>(layer) - middle()); }
     T beyond() const { return level(layered_.count); }
 
@@ -133,7 +133,8 @@ class Compositor {
     std::size_t image_height() const { return scene_.height - 2 * layered_.pad; }
     std::size_t image_width() const { return scene_.width - 2 * layered_.pad; }
 
-    // Part of a tile, in pixels of the scene: so small that the sums of a column of points stay in the cache.
+    // Part of a tile, in pixels of the scene; a tile is a rectangle of the scene that one thread processes at a time. Parts are so
+    // small that the sums of a column of points stay in the cache.
     struct Part {
         std::size_t top, left, height, width;
     };
@@ -332,7 +333,8 @@ class Compositor {
         return reached;
     }
 
-    // Set the bank positions and light of the points of `layer` in a part of a tile, and each column's range of rows with points.
+    // For the points of `layer` in a part of a tile, set their positions in the bank of windows and their light, and the range of
+    // rows that contains the points of each column.
     void place(const Part& part, const Extent& extent, std::size_t tall, std::uint8_t layer, Points& points) const {
         std::fill_n(points.first, part_width, tall), std::fill_n(points.last, part_width, std::size_t{0});
         for (std::size_t i = extent.top; i < extent.bottom; ++i) {

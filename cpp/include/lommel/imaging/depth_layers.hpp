@@ -135,7 +135,7 @@ class HiddenPoints {
         return any ? least : std::vector<float>();
     }
 
-    // For each block of pixels, the minimum blur radius over the block and over all pixels up to `reach` around it.
+    // For each block of pixels, the minimum blur radius over this block and over all blocks with pixels up to `reach` around it.
     std::vector<float> least_around(std::size_t reach) const {
         const std::size_t rows = (height_ + block - 1) / block, columns = (width_ + block - 1) / block;
         const std::size_t more = (reach + block - 1) / block;

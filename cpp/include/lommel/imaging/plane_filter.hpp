@@ -35,7 +35,8 @@ struct PlaneTransfer {
 // Each row is first copied from all planes, because each plane is on a memory page of its own.
 class PlaneFilter {
    public:
-    // `length`: FFT length supported by RowFft, at least the number of all planes; weights[kernel][plane of the specimen].
+    // `length`: FFT length supported by RowFft, at least the number of planes of the specimen and of all copies (StackPlanes);
+    // weights[kernel][plane of the specimen].
     PlaneFilter(StackPlanes planes, std::size_t length, std::size_t rows, std::size_t columns,
                 std::vector<PlaneTransfer> kernels, const float* weights)
         : planes_(planes), fft_(length), rows_(rows), columns_(columns), groups_((columns + 7) / 8),

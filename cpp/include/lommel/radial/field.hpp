@@ -33,8 +33,8 @@ class Field {
     // Prepare the field of t^power * pupil function, t: squared pupil radius, for an error of about `error`; returns its bound.
     double prepare(const Phase& phase, std::size_t power, double obscuration, const Places& places, double error);
 
-    // For ascending i, from `first` until radii[last - 1] is done, call sink(i - first, re, im) with a vector of the field at the
-    // ascending step * radii[i], step * radii[i + 1], .. The sink and the radii need room for widest_step values past the last.
+    // Evaluate the field at the ascending radii step * radii[i], first <= i < last: call sink(i - first, re, im), with ascending
+    // i, for each vector of values, which begins with radius i. Sink and radii need room for widest_step values past the last.
     template <class I, class Sink>
     LOMMEL_INLINE void evaluate(I isa, const double* radii, std::size_t first, std::size_t last, double step,
                                 const Sink& sink) {

@@ -435,8 +435,9 @@ LOMMEL_INLINE void rim_waves(I, const RimTable& table, std::size_t disk, const R
     }
 }
 
-// Channels of v^3 I at one polar angle, with radius v and intensity I, from the waves x[rim][re X, im X, re Y, im Y] (RimWaves).
-// Channel 0: sum of |wave|^2; then pairs of coefficients of cos(f v) and sin(f v), one for each frequency f of interference rings.
+// Channels of v^3 I at one polar angle, with radius v and intensity I, from x[rim][re X, im X, re Y, im Y] (RimWaves). Each rim has
+// two waves, of amplitudes X + i Y and X - i Y. Channel 0: sum of the squared moduli of all amplitudes; then pairs of coefficients
+// of cos(f v) and sin(f v), one pair for each frequency f of interference rings.
 template <std::size_t Rims, class V>
 LOMMEL_INLINE void rim_channels(const V (&x)[Rims][4], V* out) {
     const auto two = splat<V>(2.0f), four = splat<V>(4.0f), zero = splat<V>(0.0f);
@@ -468,7 +469,7 @@ LOMMEL_INLINE void rim_channels(const V (&x)[Rims][4], V* out) {
     }
 }
 
-// One to four pixels with the same weights, at quarter turns about the axis, which are averaged together.
+// One to four pixels with the same weights, at quarter turns about the axis; their averages are computed together.
 struct RimJob {
     const RimPixels* pixels;
     std::array<std::size_t, 4> at, to;  // at: index of the first angle in the padded ring; to: index of the average

@@ -22,8 +22,8 @@ namespace lommel {
 // interpolation error and larger coefficients, which amplify rounding.
 constexpr std::array<double, 7> widths = {12.0, 9.6, 8.0, 6.4, 5.2, 4.2, 3.2};
 
-// Bound, relative to sup|U|, on the error of interpolating the field U at 16 Chebyshev points of a piece of width H: 2 (H/4)^16
-// / 16!, as the 16th derivative of U is at most sup|U| (Bernstein's inequality: U is of exponential type 1).
+// Bound, relative to sup|U|, on the error of interpolating the field U at 16 Chebyshev points of a piece of width H:
+// 2 (H/4)^16 / 16!, as the 16th derivative of U is at most sup|U| (Bernstein's inequality: U is of exponential type 1).
 inline double piece_error(double width) { return 2.0 * std::pow(0.25 * width, 16) / 20922789888000.0; }
 
 struct PieceTable {

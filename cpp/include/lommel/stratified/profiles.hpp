@@ -75,7 +75,8 @@ class Profiles {
         }
     }
 
-    // Fields of `together` planes at two vectors of radii. Multiply-adds limit the speed.
+    // Fields of `together` planes, of waves (re, im), at two vectors of radii: those from i on in tile t of the table. kind: 0, or
+    // the number of parts for derivatives by the radius. Multiply-adds limit the speed.
     template <class I, class V>
     LOMMEL_INLINE void fields(I, std::size_t t, std::size_t i, std::size_t kind, const double* re, const double* im,
                               Fields<V>& out) const {
@@ -142,7 +143,8 @@ class Profiles {
         }
     }
 
-    // Real part of the sum over j, l of form[j][l] G_j conj(F_l). F_j, G_j: parts of two fields; form: Hermitian matrix.
+    // Real part of the sum over j, l of form[j][l] G_j conj(F_l), for plane p and vector u of radii. F_j, G_j: parts (azimuthal
+    // orders) of two fields; form: Hermitian matrix.
     template <class V>
     LOMMEL_INLINE V formed(const Harmonic& harmonic, const Fields<V>& G, const Fields<V>& F, std::size_t p,
                            std::size_t u) const {

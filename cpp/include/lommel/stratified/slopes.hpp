@@ -147,14 +147,15 @@ class WindowSlopes {
             all.most += size * far * 2.0 * self.swing;
             all.swing += size * table.growth() * self.swing;
         }
-        // `own` contains (derivative of the collected power) / (collected power), each with a relative error of 1e-13.
+        // 1e-12: `own` contains the quotient (derivative of the collected power) / (collected power), and the relative errors of
+        // numerator and denominator are 1e-13.
         all.given += 1e-12 * std::abs(own) * self.most + 8.0 * unit_roundoff * all.most;
         return {mixed.data(), all};
     }
 
     // Derivatives by the position of the axis. For pixel averages: differences between averages along opposite pixel sides. For
-    // samples: I' / v times (pixel pitch)^2 times the offset of the axis from the pixel, in rows or columns; I' / v is even in the
-    // radius v, of exponential type 2, and at most max |I''|.
+    // samples: I' / v times (pixel pitch)^2 times the offset, in rows or columns, of the axis from the pixel. As a function of the
+    // radius v, I' / v is even, of exponential type 2, and at most max |I''|.
     void axis(std::size_t image, std::size_t plane, const PlaneProfiles& of, double scale, WindowValues& made) const {
         thread_local Doubles down, across, scratch;
         const std::size_t room = pixels() + widest_step;

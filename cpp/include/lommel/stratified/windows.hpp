@@ -46,9 +46,9 @@ inline void add_order(const Harmonic& h, const PixelWindow& here, const double* 
     }
 }
 
-// Compute samples of an intensity that depends on the azimuth; returns their error bound. The azimuthal orders h_0, h_2 and h_1
-// / v, v being the radius, are even in v and of exponential type 2. |h_1 / v| is at most max |h_1'|, which by Bernstein's
-// inequality is at most twice max |h_1| (docs/certificate.md, section 15).
+// Compute samples of an intensity that depends on the azimuth; returns their error bound. h_0, h_1, h_2: azimuthal orders. As
+// functions of the radius v, h_0, h_1 / v and h_2 are even and of exponential type 2. |h_1 / v| is at most max |h_1'|, which by
+// Bernstein's inequality is at most twice max |h_1| (docs/certificate.md, section 15).
 template <class Of>
 double turned_window(const AnywhereTable& table, const Planes& planes, const PixelWindow& here, const Of& order,
                      WindowValues& made, double* total) {

@@ -208,8 +208,8 @@ LOMMEL_ONCE void FarLight::add(const ZernikeSeries& series, double radius, doubl
             }
         });
     }
-    // Waves exp(+-i radius v) v^(-3/2) * sum over k of factor (+-i)^k D_k / (radius v)^k, apart from constant phases. psi: azimuth.
-    // D_k is D_k(psi + pi) in the wave exp(+i radius v), D_k(psi) in the wave exp(-i radius v).
+    // Waves exp(+-i radius v) v^(-3/2) * sum over k of factor (+-i)^k D_k / (radius v)^k, apart from constant phases. At the
+    // azimuth psi, the wave exp(-i radius v) contains D_k(psi), the wave exp(+i radius v) contains D_k(psi + pi).
     disk.radius = radius;
     disk.factor = std::sqrt(2.0 / pi) * weight / (radius * std::sqrt(radius));
     // Bound on maximum over angles / maximum at samples: a Fourier sum is >= M cos(orders_ s) at a distance s from its maximum M.
@@ -254,7 +254,8 @@ LOMMEL_ONCE void FarLight::prepare(double v) {
         }
         for (std::size_t n = 0; n < disk.size.size(); ++n) {
             // Remainder of Hankel's series for degree n after `terms` terms, by the smaller of two bounds: sum of the next terms up
-            // to k = n (`after`) plus the one that follows (`here`); or sum of the first terms (`before`) plus bound on the field.
+            // to k = n (`after`) plus the one that follows (`here`); or sum of the first terms (`before`) plus bound on the series'
+            // exact sum, from |2 (n+1) J_{n+1}(v) / v| <= 1.
             const double order = static_cast<double>(n + 1);
             double here = 1.0, before = 0.0, after = 0.0;
             for (std::size_t k = 0; k < std::max(terms, n + 1); ++k) {
@@ -277,7 +278,7 @@ LOMMEL_ONCE void FarLight::prepare(double v) {
 
 LOMMEL_ONCE void FarLight::fit(double v) {
     prepare(v);
-    // Sum of the squared moduli of all waves at samples of x = from_ / v between 0 and 1: squares[sample][angle].
+    // Sum of the squared moduli of all waves at radii v / x, for samples of x between 0 and 1: squares[sample][angle].
     std::vector<double> squares((points + smooth) * angles_, 0.0);
     std::array<double, points + smooth> places;
     for (std::size_t i = 0; i < points; ++i) {
@@ -325,7 +326,7 @@ LOMMEL_ONCE void FarLight::fit(double v) {
             power /= v;
         }
     }
-    // Coefficients of the polynomial in x through the last `smooth` samples, by divided differences.
+    // Coefficients of the polynomial in x through the last `smooth` samples of `squares`, by divided differences.
     const double* const at = places.data() + points;
     std::vector<double> terms_of(smooth * angles_);
     for (std::size_t l = 0; l < angles_; ++l) {
@@ -504,7 +505,8 @@ class FarAverages {
    private:
     void render(std::size_t pupil);
 
-    // Estimate of the largest pixel average: largest mean of I over annuli as wide as a pixel.
+    // Estimate of the largest pixel average: largest mean of I over annuli as wide as a pixel, out to the radius v = `reach` or to
+    // half of the total energy. light: total energy divided by 2 pi.
     double likely_peak(const ZernikeField& field, double reach, double light) const {
         const double step = window_.step, spacing = std::min(3.0, 0.5 * step);
         const std::size_t across = static_cast<std::size_t>(std::ceil(step / spacing));

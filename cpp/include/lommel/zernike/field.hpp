@@ -22,7 +22,7 @@ namespace lommel {
 
 constexpr double max_coefficients = 134217728.0;  // maximum number of coefficients for all pieces of an image: 1 GiB
 
-// Directions at which the field is sampled, equally spaced; no axis of symmetry is among them.
+// Directions at which the field is sampled, equally spaced; none is a symmetry axis of a Zernike term of low azimuthal order.
 struct Directions {
     static constexpr std::size_t count = 32;
     std::array<double, count> cosine, sine;
@@ -71,8 +71,8 @@ class ZernikeField {
     // Largest I over the sampled directions at the radius v, from Bessel functions without interpolation.
     double look(double v) const;
 
-    // Compute the coefficients of the pieces whose ascending indices in_use(number of pieces) returns. Omitted orders and
-    // interpolation change U by at most about `error`; base() then is the error of U that all pieces have in common.
+    // Compute the coefficients of the pieces in use: in_use(number of pieces) returns their indices, ascending. Omitted orders
+    // and interpolation change U by at most about `error`. Afterwards, base() is the error of U that all pieces have in common.
     template <class InUse>
     void prepare(double error, int threads, const InUse& in_use) {
         orders_.measure(outer_, inner_, obscuration_);
@@ -168,7 +168,7 @@ class ZernikeField {
         }
     }
 
-    // Write to `out` the coefficients with which sum_orders<8> computes I on ring r of piece s.
+    // Write to `out` the coefficients with which sum_orders<8> computes the intensity on ring r (an interval of v) of piece s.
     template <class I>
     LOMMEL_INLINE void ring(I isa, const PiecePlan& plan, std::size_t s, std::size_t r, Doubles& out) const {
         const std::size_t parts = plan.orders.sines ? 4 : 2;

@@ -1,4 +1,4 @@
-// Selection of the azimuthal orders to evaluate, for the whole image and for each radial piece.
+// Selection of the azimuthal orders of the field to evaluate, for the whole image and for each radial piece (interval of v).
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 
 namespace lommel {
 
-// Plan for the evaluation of a piece: orders in use, and number of rings (0: the piece is not divided).
+// Plan for a radial piece: orders in use, and number of rings (narrower intervals of v) that divide the piece (0: not divided).
 struct PiecePlan {
     ActiveOrders orders;
     std::vector<std::size_t> rows;  // [order in use]: index of its coefficients in the piece

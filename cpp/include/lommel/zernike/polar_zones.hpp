@@ -19,8 +19,8 @@ namespace lommel {
 struct PolarBudget {
     // image: (allowed error of I) / (tolerance of I); brighter: factor by which |U| may exceed its value in the preview PolarLooks.
     static constexpr double image = 0.9, brighter = 1.15;
-    // As fractions of the allowed error of U: `promise`, the largest estimated error with which a PolarStyle is chosen; `orders`,
-    // the allowed error due to omitted azimuthal orders.
+    // As fractions of the allowed error of U: `promise`, the largest estimated error with which a PolarStyle (settings of the
+    // interpolation) is chosen; `orders`, the allowed error due to omitted azimuthal orders.
     static constexpr double promise = 0.95, orders = 0.05;
     // The second attempt, if any, aims at retry * tolerance * (tolerance / error bound of the first attempt).
     static constexpr double retry = 0.7;
@@ -68,7 +68,8 @@ class PolarZones {
         return cache<PolarCircle>.get(RowFft<float>::length(std::max(PolarCircle::least_points(taps), 4 * orders)), taps);
     }
 
-    // Smallest index i, plus 1 as a margin, for which `style` meets the allowed error of U at all radii looks.v[i .. end - 1].
+    // Smallest index i for which `style` meets the allowed error of U at all radii looks.v[i .. end - 1]. If i is not 0, it is
+    // increased by 1 as a margin, to at most `end`.
     template <class Allowed>
     static std::size_t start(const PolarPupil& pupil, const PolarStyle& style, const PolarKernels& kernels,
                              const PolarLooks& looks, const PolarOrders& orders, std::size_t end, const Allowed& allowed) {

@@ -113,7 +113,8 @@ LOMMEL_ONCE GrowthTable::GrowthTable(const TermPairs& list, std::size_t at)
 
 // Growth of a pupil function exp(i Phi): logarithm of the mean of e^{-Im Phi} over the complex points of all chords of a direction,
 // for the direction where it is largest. mean: this logarithm from samples. margin: bound on its error, from rounding and, between
-// samples, from the second derivatives of the Zernike terms, which are at most n^2 or m^2 times the maximum of the term.
+// samples, from the second derivatives of the Zernike terms. By a and tau (GrowthTable), these are at most n^2 times the maximum of
+// the term; by the angle of the direction, m^2 times.
 struct SampledGrowth {
     double mean, margin;
 };
@@ -144,7 +145,7 @@ LOMMEL_INLINE SampledGrowth sampled_growth(I, const GrowthTable& table, const Te
         // Im Phi, Phi the phase, at the mirror images of a sample: (x, y), (-x, -y), (x, -y), (-x, y).
         const auto images = [&](std::size_t s, V* image) LOMMEL_INLINE_LAMBDA {
             const float *value = &table.values[2 * s * pairs], *with = &given[first];
-            // Sums even (index 0) and odd (index 1) in x.
+            // Sums over the cosine terms and over the sine terms; index 0: terms even in x, index 1: terms odd in x.
             V cosines[2] = {}, sines[2] = {};
             const auto add = [&](std::size_t odd, std::size_t end) LOMMEL_INLINE_LAMBDA {
                 for (; value < &table.values[2 * s * pairs] + 2 * end; value += 2, with += 2 * directions) {

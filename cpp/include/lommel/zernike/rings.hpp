@@ -62,8 +62,8 @@ void resample(double* onto, const Powers& powers_at) {
     }
 }
 
-// Map the coefficients of rows `which` of a piece by the matrix `onto` to out[row][part][power]; with Add, `weight` times the
-// result is added.
+// Map the coefficients of rows (azimuthal orders m) `which` of a piece by the matrix `onto`. Write the result to `out`, or add
+// `weight` times the result if Add: out[row][re A_m, im A_m and, if `parts` is 4, re B_m, im B_m][power].
 template <bool Add, class I>
 LOMMEL_INLINE void resample_rows(I, const double* onto, const double* rows, const std::vector<std::size_t>& which,
                                  std::size_t parts, double weight, double* out) {

@@ -192,7 +192,7 @@ def test_what_other_apertures_lack_is_said():
         lm.psf(vanes, 9, 0.5, derivatives=("obscuration",))
     stop = lm.Segments.hexagonal(1).phased(np.arange(6.0))
     segments = lm.Pupil(stop=stop, wavelength=5e-7, f_number=2.0)
-    with pytest.raises(ValueError, match="by 'wavelength' are those of apertures with segments in phase"):
+    with pytest.raises(ValueError, match="by 'wavelength' need an aperture with segments in phase"):
         lm.psf(segments, 9, 0.5e-6, derivatives=("wavelength",))
     cells = lm.Pupil(mask=lm.Mask(np.ones((64, 64)), squares=True))
     with pytest.raises(ValueError, match="by 'row' are not available for masks with squares=True"):

@@ -1,11 +1,12 @@
 r"""Pixel integration for any pupil: samples on a fine grid, and a filter.
 
 Lengths are in units of ``v = pi x / (lambda*N)``, frequencies w in radians per unit of v, and a is the pixel pitch.
-Averaging the intensity I over a pixel multiplies its transfer function (OTF) by ``sinc(a wx / 2) sinc(a wy / 2)``,
-with ``sinc x = sin(x) / x``. The OTF vanishes for ``abs(w) > 2``. Weights ("taps") c_k of samples with the spacing h
-thus average over a pixel if their response ``C(w) = sum_k c_k cos(k h w)`` equals the sinc for ``abs(w) <= 2``. An
-error eps of both responses changes an average by at most ``(2 eps + eps^2) int abs(OTF) dw``; the integral is at most
-the unaberrated peak. Far pixels of circular and annular pupils are averaged in closed form, without samples.
+Averaging the intensity I over a pixel multiplies the transfer function of I (OTF) by ``sinc(a wx / 2) sinc(a wy /
+2)``, with ``sinc x = sin(x) / x``. The OTF vanishes for ``abs(w) > 2``. Weights ("taps") c_k of samples with the
+spacing h therefore compute the average over a pixel if their response ``C(w) = sum_k c_k cos(k h w)`` equals the sinc
+for ``abs(w) <= 2``. An error eps of both responses changes an average by at most ``(2 eps + eps^2) int abs(OTF) dw``;
+the integral is at most the unaberrated peak. Far pixels of circular and annular pupils are averaged in closed form,
+without samples.
 """
 
 from __future__ import annotations
@@ -34,12 +35,12 @@ from lommel.optics.grid import Grid
 if TYPE_CHECKING:
     from lommel.optics.pupil import Pupil
 
-# Two adjacent pixels may share an odd number s of samples, with the spacing ``h = 2 a / s``. The centre of one pixel
+# Two adjacent pixels may share an odd number s of samples with the spacing ``h = 2 a / s``. The centre of one pixel
 # then lies on a sample, and the centre of the other pixel lies half-way between two samples.
 
 _PAIR_SPACING = 1.27  # largest spacing (v) of samples that two pixels share; the Nyquist limit of I is pi / 2
 _TAP_COST = 0.02  # time to apply one weight for one pixel, divided by the time to compute one sample
-_PAIR_COST_LIMIT = 0.85  # two pixels share samples if the number of samples falls below this fraction
+_PAIR_COST_LIMIT = 0.85  # two pixels share samples if this reduces the number of samples below this fraction
 
 
 P = TypeVar("P", bound=BasePupil)
@@ -47,10 +48,10 @@ Function = Callable[[Array], Array]
 
 
 def fit_taps(response: Function, wave: Function, x: Pixels, *, in_disc: bool = False) -> tuple[Array, float, float]:
-    """Return weights of samples at distances `x` (v) on both sides, their error, and their gain, as in :class:`Taps`.
+    """Return weights of samples at distances `x` (v) on both sides, and error and gain as in :class:`Taps`.
 
-    The error is the maximum error of the response for ``abs(w) <= 2`` or, if `in_disc`, a bound on its mean error,
-    weighted by the OTF of a circular aperture.
+    The error is the maximum error of the response for ``abs(w) <= 2`` or, if `in_disc`, a bound on the mean error of
+    the response, weighted by the OTF of a circular aperture.
     """
     # Least-squares fit of the response at points w of the band.
     w = band_points(float(x[-1]))
@@ -69,7 +70,8 @@ def fit_taps(response: Function, wave: Function, x: Pixels, *, in_disc: bool = F
     gain = float((multiplicity * np.abs(c)).sum())
     # Rounding of the response: an error of 2^-52 for each product and each sum over the taps.
     rounding = 2.0**-52 * (x.size + 3) * gain
-    # Up to 1e-17 the error is a polynomial in w: at most sqrt(2) times its maximum at Chebyshev nodes (2 x degree).
+    # Up to 1e-17 the error is a polynomial in w, and at most sqrt(2) times its maximum at Chebyshev nodes, whose
+    # number is twice the degree.
     most = math.sqrt(2.0) * (float(np.abs(basis @ c - target).max()) + rounding) + 1e-17
     if in_disc:
         # If both responses, along y and x, have the mean error m, their product has the mean error m (2 + `most`).
@@ -79,15 +81,15 @@ def fit_taps(response: Function, wave: Function, x: Pixels, *, in_disc: bool = F
 
 def pair_stride(step: float, error: float, across: int, sides: tuple[int, ...], *, in_disc: bool = False) -> int:
     """Return the number of samples per two pixels: `2 across`, or fewer if this saves time for `sides` pixels."""
-    # Wider spacing needs longer filters, and so more samples beyond the edges of the window.
+    # Wider spacing requires longer filters, and therefore more samples beyond the edges of the window.
 
     def cost(s: int) -> float:
         taps = 2.0 * _half_length(step, error, s, in_disc=in_disc)
         tall, wide = (0.5 * s * side + taps for side in sides)
         return tall * wide + (_TAP_COST * taps * sides[0] * (wide + sides[1]) if in_disc else 0.0)
 
-    # At least 2 samples per two pixels: with 1, interpolation half-way between samples would magnify errors.
-    # Filters with a bounded mean error allow h = pi / 2; all others need a gap between the band and its first alias.
+    # At least 2 samples per two pixels: 1 sample would require interpolation half-way, which magnifies errors.
+    # Filters with a bounded mean error allow h = pi / 2; others need a gap between band and first alias.
     lower_limit = 2.0 * step / (0.5 * math.pi * (1.0 + 1e-12) if in_disc else _PAIR_SPACING)
     counts = range(max(2, math.ceil(lower_limit)), 2 * across + 1)
     cheapest = min((s for s in counts if s % 2 == 0 or 2.0 * step <= s * _PAIR_SPACING), key=cost)
@@ -109,7 +111,7 @@ def _half_length(step: float, error: float, s: int, *, in_disc: bool = False) ->
 def fit_pair_weights(
     response: Function, step: float, error: float, s: int, *, in_disc: bool = False
 ) -> tuple[Array, float, float]:
-    """Return weights (2, taps) for two pixels that share `s` samples (odd), their error and their gain."""
+    """Return weights (2, taps) for two pixels that share `s` samples (odd), and their error and gain."""
     h, half = 2.0 * step / s, _half_length(step, error, s, in_disc=in_disc)
     while True:
         even, largest_error, gain = fit_taps(response, np.cos, h * np.arange(half + 1), in_disc=in_disc)
@@ -127,7 +129,7 @@ _BLOCK_SAMPLES = 2**23  # largest number of samples held in memory together
 _FIRST_SPACING, _RETRY_SPACING = 1.05, 0.8  # largest spacing (v) of samples: 2/3 and 1/2 of the Nyquist limit pi / 2
 _MAX_STRIDE = 512  # largest number of samples across a pixel
 _SINGLE_TOL = 2e-7  # smallest tolerance at which samples are stored in single precision
-_MAX_PITCH = 20.0  # largest pixel pitch (v) for filters with a bounded mean error: larger pixels are too slow
+_MAX_PITCH = 20.0  # largest pixel pitch (v) for filters with a bounded mean error, which are slow for large pixels
 _MEAN_FACTOR = 64.0  # allowed mean error of a response, divided by its allowed largest error, at a Strehl ratio of 1
 _SLOPE_FACTOR = 10.0  # allowed error of derivative filters, divided by the allowed error of averaging filters
 _DARK_PART = 0.1  # fraction of the tolerance that summation of dark samples in single precision may use
@@ -135,7 +137,7 @@ _NO_LIMIT = 1e30  # brightness (relative to the peak) above the brightness of an
 
 # Signature: pupils, pixels, tolerance, specification -> intensity at the pixel centres.
 Sample = Callable[[P, Grid, float, Wanted], Images]
-# Signature: pupils, pixels, largest v at which far pixels may begin, tolerance, threads -> averages of far pixels.
+# Signature: pupils, pixels, largest v at which far pixels may start, tolerance, threads -> averages of far pixels.
 Far = Callable[[P, Grid, float, float, int], FarPixels]
 
 Band = tuple[float, float]  # bandwidth divided by the bandwidth of I, and integral of the modulus of the OTF
@@ -170,7 +172,7 @@ def pixel_averages(
     try:
         return _averages_at_spacing(sample, pupil, grid, tol, wanted, band, _FIRST_SPACING, gradients=gradients)
     except ToleranceError:
-        # A wider spacing needs longer filters, with errors from bright light beside a dark window.
+        # A filter for a wider spacing is longer, and adds errors of bright light outside a dark window.
         return _averages_at_spacing(sample, pupil, grid, tol, wanted, band, _RETRY_SPACING, gradients=gradients)
 
 
@@ -185,7 +187,8 @@ def _averages_at_spacing(
     *,
     gradients: bool,
 ) -> Averages:
-    # Light of twice the bandwidth needs the filter for twice the pitch. `ceiling` bounds the integral of abs(OTF).
+    # For light of twice the bandwidth the filter is that for twice the pitch. `ceiling` bounds the integral of
+    # abs(OTF).
     bandwidth, ceiling = (1.0, pupil.amplitude**2) if band is None else band
     step, normalize = bandwidth * grid.step(pupil), wanted.scale is None
     lowest = least_average(step)
@@ -198,7 +201,7 @@ def _averages_at_spacing(
             1.0,
             err_response * 2.0 ** math.floor(math.log2(_MEAN_FACTOR * ceiling * pupil.likely_strehl)),
         )
-    # Five attempts: each divides the allowed errors of samples and filter by the excess of the previous bound.
+    # Five attempts: each divides the allowed errors of samples and filter by the ratio of the last bound to `tol`.
     for _ in range(5):
         taps, slope = _choose_filters(step, err_response, widest, grid.shape, gradients=gradients, in_disc=in_disc)
         tol_samples = err_samples / taps.gain**2
@@ -234,9 +237,10 @@ def _averages_at_spacing(
             errors[0] = bounds
             return Averages(total, errors, peak)
         too_large = float((err_given[0] / peak).max()) / (0.5 * tol_stored)
-        # If only the filter is too inaccurate, keep the tolerance of samples: a smaller one may be impossible.
+        # If only the filter is too inaccurate, keep the tolerance of samples: a smaller tolerance may fail.
         if too_large > 1.0 and err_samples >= _SINGLE_TOL * taps.gain**2:
-            # Errors in single precision do not predict errors in double precision: start just below the limit.
+            # Errors in single precision do not predict errors in double precision: the next tolerance is just below
+            # the limit of single precision.
             err_samples = 0.9 * _SINGLE_TOL
         elif too_large > 1.0:
             err_samples /= too_large
@@ -272,7 +276,7 @@ def error_before_storing(tol: float, wanted: Wanted) -> float:
 
 
 def stored_error(off: Array, wanted: Wanted) -> Array:
-    """Return the error of images after storing from the error `off` of averages, both relative to the peak."""
+    """Return the error of stored images from the error `off` of averages; both errors are relative to the peak."""
     return stored(normalized_error(off) if wanted.scale is None else off, wanted.dtype)
 
 
@@ -290,17 +294,17 @@ _MIN_SAVED_SAMPLES = 250000  # least number of samples that far pixels must save
 
 @lru_cache(maxsize=64)
 def largest_far_start(step: float, shape: tuple[int, int]) -> float:
-    """Return the largest v at which far pixels may begin and still save time; 0 if they cannot save time."""
+    """Return the largest v at which far pixels may start such that they save time; 0 if they cannot save time."""
     inside = math.prod(shape) - _MIN_SAVED_SAMPLES * (_PAIR_SPACING / step) ** 2
     return 0.5 * step * max(0.0, min(math.sqrt(max(0.0, inside)), *shape), inside / min(shape))
 
 
 def estimate_far_start(pupil: Pupil, grid: Grid, tol: float) -> float:
-    """Estimate the smallest v at which far pixels begin; 0 if all pixels need samples."""
+    """Estimate the smallest v at which far pixels can start; 0 if all pixels need samples."""
     step = grid.step(pupil)
     if largest_far_start(step, grid.shape) == 0.0:
         return 0.0
-    # Amplitude m_0 / r^3 of the averaged rings, unaberrated: certificate, section 9, "Farther out".
+    # Diffraction rings, averaged without aberrations, have the amplitude m_0 / r^3: section 9, "Farther out".
     rings = 4.0 / math.pi * float(pupil.illumination.at(np.ones(()))) ** 2 * min(1.0, math.sqrt(2.0) / step)
     return math.cbrt(rings / (_FAR_FRACTION * tol * min(1.0, 4.0 * math.pi * pupil.transmission / step**2)))
 
@@ -308,7 +312,7 @@ def estimate_far_start(pupil: Pupil, grid: Grid, tol: float) -> float:
 def _near_and_far(
     sample: Sample[P], far: Far[P], pupil: P, grid: Grid, tol: float, wanted: Wanted
 ) -> Averages | None:
-    """Return averages, in closed form for far pixels; None if this is slower or does not meet the tolerance."""
+    """Return averages, far pixels in closed form; None if this is slower or does not meet the tolerance."""
     step = grid.step(pupil)
     most = largest_far_start(step, grid.shape)
     if wanted.terms or wanted.powers or most == 0.0:
@@ -335,14 +339,14 @@ def _near_and_far(
         except (Declined, ToleranceError):
             return None
         try:
-            inner = pixel_averages(sample, pupil, box, tol, wanted)  # not caught: Declined, true of the whole window
+            inner = pixel_averages(sample, pupil, box, tol, wanted)  # Declined is not caught: it concerns all pixels
         except ToleranceError:
             return None  # the whole window may meet the tolerance, since its peak may be larger
         err_outer = outer.error / inner.peak
         bounds = stored_error(err_outer, wanted)
         if bounds.max() <= tol:
             outer.values[:, inside[0], inside[1]] = inner.values[0]
-            # Division by the largest average needs the maximum of the whole window, far pixels included.
+            # The divisor is the largest average of the whole window, far pixels included.
             top = outer.values.max(axis=(1, 2)) if wanted.scale is None else inner.peak
             return Averages(outer.values[None], np.maximum(inner.error, bounds), np.maximum(inner.peak, top))
         tol_far *= 0.8 * allowed / float(err_outer.max())
@@ -384,9 +388,9 @@ def to_images(averages: Averages, wanted: Wanted) -> Images:
 class Taps(NamedTuple):
     """Filter along one axis, for averages over pixels or for derivatives."""
 
-    stride: int  # samples per pixel or, with weights of two pixels, per two pixels (odd)
+    stride: int  # number of samples per pixel or, with weights of two pixels, per two pixels (odd)
     weights: Array  # (2 k + 1,), of samples -k ... k around the centre; of two pixels (2, taps): fit_pair_weights()
-    error: float  # bound on the error of the response for abs(w) <= 2, or on its mean error: fit_taps(), in_disc
+    error: float  # bound on the error of the response for abs(w) <= 2, or on the mean error: fit_taps(in_disc=True)
     gain: float  # sum of the moduli of the weights: the largest factor by which the filter multiplies errors
 
     @property
@@ -405,7 +409,8 @@ def samples_across(step: float, widest: float = _FIRST_SPACING) -> int:
     if step > _MAX_STRIDE * _FIRST_SPACING:
         raise Declined(
             f"pixel must be at most {_MAX_STRIDE * _FIRST_SPACING / math.pi:.0f} lambda*N to average a pupil "
-            f"without radial symmetry, got {step / math.pi:.4g} lambda*N; take smaller pixels, average blocks"
+            f"without radial symmetry, got {step / math.pi:.4g} lambda*N; use smaller pixels, "
+            "and average blocks of them"
         )
     return max(1, math.ceil(step / widest))
 
@@ -462,12 +467,12 @@ def _shortest_filter(
     *,
     in_disc: bool = False,
 ) -> Taps:
-    """Return the shortest filter with at most this `error` and gain `most`; if none has, the longest one tried."""
+    """Return the shortest filter of at most this `error` and gain `most`, else the longest filter of the search."""
     stride = samples_across(step, widest)
     half, odd = _half_length(step, error, 2 * stride, in_disc=True) if in_disc else stride // 2 + 2, wave is np.sin
     while True:
         c, reached, gain = fit_taps(response, wave, step / stride * np.arange(half + 1), in_disc=in_disc)
-        # A filter with few samples beyond the edges of a large pixel may have large weights, which magnify errors.
+        # A filter with too few samples beyond the edges of a pixel may have large weights, which magnify errors.
         if (reached <= error and gain <= most) or half > stride + 60:
             # Sine filters are odd: weights before the centre have the opposite sign.
             return Taps(stride, np.concatenate([-c[:0:-1] if odd else c[:0:-1], c]), reached, gain)
@@ -497,10 +502,10 @@ def _average_stack(
     dark: float,
     slope: Taps | None = None,
 ) -> tuple[Array, Array, Array]:
-    """Return averages in the order of :class:`Averages`, their errors due to samples, and the largest samples.
+    """Return averages in the order of :class:`Averages`, their errors due to errors of samples, and largest samples.
 
-    Samples of at most `dark` times the peak are summed in single precision. The last two arrays, present with the
-    filter `slope`, are derivatives along y and x.
+    Samples of at most `dark` times the peak are summed in single precision. If the filter `slope` is present,
+    the last two entries of the first axis are derivatives along y and x.
     """
     count, images = math.prod(pupil.shape), 1 + len(wanted.terms) + len(wanted.powers)
     dtype = np.dtype(np.float32 if tol >= _SINGLE_TOL else np.float64)
@@ -558,8 +563,8 @@ def averaged_gradient(
     gradient: Callable[[P, Grid, float, Array], Array], pupil: P, grid: Grid, tol: float, weights: Array
 ) -> Array:
     """Return the gradient of ``sum(weights * averages)`` over pixels, weights of shape (n, height, width)."""
-    # The transposed filter converts weights of pixels to weights of samples. Samples have the first tolerance that
-    # :func:`pixel_averages` tries, which mostly suffices.
+    # The transposed filter converts weights of pixels to weights of samples. The tolerance of samples is the first
+    # one of :func:`pixel_averages`, which mostly suffices.
     err_samples, response = _first_errors(tol - (1.0 + tol) * storing(np.float64), grid.step(pupil))
 
     def with_spacing(widest: float) -> Array:
@@ -580,7 +585,7 @@ def averaged_gradient(
 
 
 def _row_strips(values: Pixels, taps: Taps) -> Iterator[tuple[int, Pixels]]:
-    """Yield strips of `values` (..., n, height, width) whose samples fit into memory, each after its first row."""
+    """Yield first rows and strips of `values` (..., n, height, width), whose samples fit into memory."""
     samples_per_row = math.prod(values.shape[:-3]) * _sample_count(values.shape[-1], taps) * taps.stride / taps.pixels
     max_rows = max(1, int(_BLOCK_SAMPLES / samples_per_row))
     if max_rows >= values.shape[-2]:

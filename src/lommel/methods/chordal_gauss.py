@@ -22,17 +22,17 @@ class ChordalGauss(Method[Pupil]):
     r"""Quadrature over chords of the pupil by two matrix products, for any wavefront, with a proven error bound.
 
     Supports circular and annular apertures, with or without apodization. Intended for stacks of small windows:
-    several pupils are computed together, and the tables of a window are kept between calls. The cost is proportional
-    to the number N of chords times the number of nodes per chord. Both numbers grow with the phase and with the
-    window; N is at most 1024. Images in float32 are summed in single precision if the tolerance allows this; the
-    bound includes it.
+    several pupils are computed together, and the tables of a window are cached between calls. The cost is
+    proportional to the number N of chords times the number of nodes per chord. Both numbers grow with the phase and
+    with the window; N is at most 1024. Images in float32 are summed in single precision if the tolerance allows this;
+    the bound includes the rounding errors.
 
     Parameters
     ----------
     tol : float, default 1e-6
         Bound on ``max abs(I - I_exact) / max I`` over the window, max I being the largest value in the window, 1e-12
-        to 1e-1. It is a contract: quadrature and rounding errors are bounded, the bound is checked against the
-        largest computed value, and :class:`ToleranceError` is raised if the bound cannot be brought below `tol`, for
+        to 1e-1. Quadrature and rounding errors are bounded, the bound is compared with the largest computed value,
+        and :class:`ToleranceError` is raised if the bound cannot be brought below `tol`, for
         example in a window far from the light.
 
     Raises
@@ -42,13 +42,13 @@ class ChordalGauss(Method[Pupil]):
 
     Notes
     -----
-    ``U(v_x, v_y) = (1/pi) int P(x, y) exp(-i (v_x x + v_y y)) dx dy`` over the disk, P the pupil function, by the
-    rule with nodes ``x_i = cos(i pi / (N+1))``, ``y_ik = sqrt(1 - x_i^2) eta_k``, eta_k the Gauss-Legendre nodes. The
-    weights ``(1 - x_i^2) w_k / (N+1)`` are positive. Across the chords, this is the trapezoidal rule for a periodic
-    function; along the chords, it is a Gauss rule. Both converge geometrically, since the integrand is entire. The
-    bound, derived in docs/certificate.md, uses that Zernike terms are trigonometric polynomials on every chord. A
-    tilt counts as a shift of the window. An obscured aperture is the difference of two disks. Values at nodes and
-    pixels of opposite sign are computed together, along both axes.
+    ``U(v_x, v_y) = (1/pi) int P(x, y) exp(-i (v_x x + v_y y)) dx dy`` over the disk, with the pupil function P,
+    is computed by the rule with nodes ``x_i = cos(i pi / (N+1))``, ``y_ik = sqrt(1 - x_i^2) eta_k``, with the
+    Gauss-Legendre nodes eta_k. The weights ``(1 - x_i^2) w_k / (N+1)`` are positive. Across the chords, this is the
+    trapezoidal rule for a periodic function; along the chords, it is a Gauss rule. Both rules converge geometrically,
+    since the integrand is entire. The bound, derived in docs/certificate.md, uses that Zernike terms are
+    trigonometric polynomials on every chord. A tilt is treated as a shift of the window. An obscured aperture is the
+    difference of two disks. Nodes and pixels at opposite coordinates are computed together, along both axes.
 
     References
     ----------
@@ -67,12 +67,12 @@ class ChordalGauss(Method[Pupil]):
     _if_cheaper: ClassVar[bool] = False
 
     def intensity(self, pupil: Pupil, grid: Grid, threads: int = 0) -> Intensities:
-        """Return I at, or averaged over, the pixels, shape ``(n, height, width)``, with its error bound."""
+        """Return I at pixel centres, or averaged over pixels, shape ``(n, height, width)``, with its error bound."""
         return self.images(pupil, grid, Wanted(threads=threads)).intensities
 
     def plan(self, pupil: Pupil, grid: Grid, wanted: Wanted) -> Shortcut | None:
         """Return a prepared computation for further pupils with the same axis; see :meth:`Method.plan`."""
-        # A plan computes point samples around one axis; its bound excludes truncation errors of an apodization.
+        # Plans compute point samples around one axis; their bounds exclude truncation errors of an apodization.
         if grid.stack or grid.integrate or pupil.illumination.error:
             return None
         shape, dtype = pupil.shape + grid.shape, np.dtype(wanted.dtype)
@@ -102,7 +102,7 @@ class ChordalGauss(Method[Pupil]):
 
         if grid.integrate:
             stack, window = disk_stack(pupil), window_of(pupil, grid)
-            # If this is faster, averages are sums over nodes that all pixels of the window share: certificate,
+            # If faster, averages are computed as sums over nodes that all pixels of the window share: certificate,
             # section 10, "Nodes of a window".
             averages = disk_averages(stack, window, self.tol, wanted, if_cheaper=self._if_cheaper)
             if averages is not None:
@@ -144,11 +144,11 @@ class ChordalGauss(Method[Pupil]):
         return averaged_gradient(gradient_of_samples, pupil, grid, self.tol, weights)
 
 
-_MAX_SAMPLED_V = 90.0  # estimated v of the outermost sample for averages, beyond which the series is faster
+_MAX_SAMPLED_V = 90.0  # largest v of samples for averages (estimate): NijboerZernike is faster for larger windows
 
 
 class ChordalIfCheaper(ChordalGauss):
-    """ChordalGauss, which declines before computing if :class:`NijboerZernike` is estimated to be faster."""
+    """ChordalGauss that raises Declined if :class:`NijboerZernike` is estimated to be faster."""
 
     _if_cheaper = True
 
@@ -157,7 +157,7 @@ class ChordalIfCheaper(ChordalGauss):
         if grid.integrate and not wanted.terms:
             from lommel.methods.averaging import estimate_far_start
 
-            # Averages far from the axis have a closed form: the series needs samples near the axis only.
+            # NijboerZernike has a closed form of averages far from the axis, and needs samples near the axis only.
             if estimate_far_start(pupil, grid, self.tol) > _MAX_SAMPLED_V:
                 raise Declined("NijboerZernike is estimated to compute the samples near the axis faster")
         return super().images(pupil, grid, wanted)

@@ -1,8 +1,8 @@
 r"""Images and the derivatives of :mod:`lommel.methods.derivative_names`, each with a proven error bound.
 
-The radial series differentiates radially symmetric phases of circular and annular pupils, also with respect to
-position and scale. The chordal rule differentiates other phases of these pupils, and the quadrature along rows all
-phases of other apertures. Polychromatic derivatives are sums over the wavelengths.
+NijboerZernike computes derivatives by radially symmetric phases of circular and annular pupils, also by position and
+scale; ChordalGauss by other phases of these pupils, and NonuniformFFT by all phases of other apertures. Polychromatic
+derivatives are sums over the wavelengths.
 """
 
 from __future__ import annotations
@@ -42,19 +42,20 @@ from lommel.special import zernike
 
 TILTS = SHIFTS["column"], SHIFTS["row"]  # tilts along x and y; the derivatives of I by them are -grad I
 
-_FINER = 0.1  # tolerance of samples divided by tolerance of the derivative: filters multiply errors by about 4
+_FINER = 0.1  # tolerance of samples / tolerance of the derivative, since filters multiply errors by about 4
 
 # Signature: method, pupils, pixels, specification -> samples with error bounds.
 Ask = Callable[[Method, BasePupil, Grid, Wanted], Images]
 
-# In a pixel around ``v_c`` the position is ``v_c + u``. The average of ``v . grad I`` is ``v_c`` times the average of
-# ``grad I`` plus the average of ``u . grad I``. Derivatives by tilts determine the first average; the second is the
-# derivative of the average of I by ln a, a being the pixel pitch. It is a sum of two terms, one for each axis. The
-# term of x multiplies the transfer function by ``cos(a w / 2) - sinc(a w / 2)`` along x and by the sinc along y.
+# A position in the pixel with the centre ``v_c`` is ``v_c + u``. The average of ``v . grad I`` is ``v_c`` times the
+# average of ``grad I`` plus the average of ``u . grad I``. Derivatives by tilts determine the first average. The
+# second one is the derivative of the average of I by ln a, with the pixel pitch a: a sum of two terms, one for each
+# axis. The term of x multiplies the transfer function by ``cos(a w / 2) - sinc(a w / 2)`` along x and by the sinc
+# along y.
 
 
 def _images(method: Method, pupil: BasePupil, grid: Grid, wanted: Wanted) -> Images:
-    return method.images(pupil, grid, wanted)  # looked up on the instance: subclasses override `images`
+    return method.images(pupil, grid, wanted)  # a function, since subclasses override `images`
 
 
 def scaling_derivative(
@@ -71,7 +72,7 @@ def scaling_derivative(
     across, down = (step / grid.side * part for part in grid.positions(pupil.shape))
     for v, (slope, off) in zip((across[:, None, :], down[:, :, None]), tilts, strict=True):
         total -= v * slope
-        # The largest v of the window multiplies errors of grad I.
+        # Errors of grad I are multiplied by v, at most the largest v of the window.
         far = np.abs(v).max(axis=(1, 2))
         error += far * (off + 8.0 * 2.0**-53 * np.abs(slope).max(axis=(1, 2)))
     if grid.integrate:
@@ -84,7 +85,7 @@ def scaling_derivative(
 def _average_growth(engine: Method, pupil: BasePupil, grid: Grid, threads: int, compute: Ask) -> tuple[Array, Array]:
     """Return averages of ``u . grad I``, u the position within the pixel, with absolute error bounds."""
     step = grid.step(pupil)
-    # The filter may add a thousandth of the tolerance; below 1e-13 rounding errors dominate.
+    # The filter may add an error of a thousandth of the tolerance; below 1e-13 rounding errors dominate.
     response = max(1e-3 * engine.tol * least_average(step), 1e-13)
     plain, growing = pad_filters(averaging_filter(step, response), averaging_filter(step, response, growing=True))
     # Bound for both terms, as responses are at most 2: 2 (2 eps + (1 + eps) eps_T) A^2 (section 12, "Growth").
@@ -131,7 +132,7 @@ def _sample_blocks(
     fine, rounded = engine.tightened(_FINER * engine.tol), (4 * taps.weights.size + 16) * 2.0**-53
     for part, one, pixels in blocks(pupil, grid, taps):
         question = one, sample_grid(pixels, taps), Wanted(threads=threads)
-        # If double precision does not allow the finer tolerance, the method is used with its own tolerance.
+        # If double precision does not allow the smaller tolerance, the tolerance of the method is used.
         _, images = first_within_tolerance((fine, engine), lambda way: compute(way, *question))  # noqa: B023
         yield part, images.values, images.brightest * (images.bound + rounded)
 
@@ -160,12 +161,12 @@ def obscuration_derivative(pupil: Pupil, grid: Grid, error: float) -> tuple[Arra
     taps = averaging_filter(step, max(0.1 * error * least_average(step), 1e-13))
     total, off = np.empty((count, *grid.shape)), np.empty(count)
     # Bound on the integral of the modulus of the transfer function of the product of two fields.
-    most = 2.0 * pupil.amplitude * _rim_maximum(pupil)
+    ceiling = 2.0 * pupil.amplitude * _rim_maximum(pupil)
     for part, one, pixels in blocks(pupil, grid, taps):
         values, sample_error = _sample_slopes(one, sample_grid(pixels, taps), 0.3 * error)
         total[part] = filter_axes(values, taps, taps)
-        off[part] = taps.gain**2 * (sample_error + (2 * taps.weights.size + 8) * _UNIT * most)
-    return total, off + (2.0 + taps.error) * taps.error * most
+        off[part] = taps.gain**2 * (sample_error + (2 * taps.weights.size + 8) * _UNIT * ceiling)
+    return total, off + (2.0 + taps.error) * taps.error * ceiling
 
 
 def _rim_maximum(pupil: Pupil) -> float:
@@ -185,10 +186,10 @@ def _sample_slopes(pupil: Pupil, grid: Grid, error: float) -> tuple[Array, Array
     x, y, weight = pupil.rule(degree)
     disk = _fields(pupil, x, y, weight, across, down)
     nodes = _nodes(terms, eps, largest_v, allowed / light)
-    # The trapezoidal rule, by midpoints.
+    # Trapezoidal rule, with nodes at midpoints.
     theta = (np.arange(nodes) + 0.5) * (2.0 * math.pi / nodes)
     rim = _fields(pupil, eps * np.cos(theta), eps * np.sin(theta), np.full(nodes, 2.0 * eps / nodes), across, down)
-    # A phase (or relative amplitude) error e changes a field by at most e times its maximum; so does rounding.
+    # A phase error or relative amplitude error e, like rounding, changes a field by at most e times its maximum.
     left = pupil.wavefront.left_out + 2.0 * pupil.illumination.error
     # Rounding errors divided by the integral of the amplitude: certificate, section 8.
     of_terms = np.array([n * n + 10.0 + len(pupil.wavefront.terms) for n, _ in pupil.wavefront.terms])
@@ -225,10 +226,10 @@ def _fields(pupil: Pupil, x: Array, y: Array, weight: Array, across: Array, down
     return total
 
 
-Key = int | Term  # variable of an engine's derivative: k for the coefficient of rho^(2k), or a Zernike term
+Key = int | Term  # variable of a derivative by an engine (method): k for the coefficient of rho^(2k), or a term
 
-_MOST_POWERS = 4  # largest k of rho^(2k) in conversions of radial terms: large coefficients of higher powers cancel
-_MOST_CANCELLED = 321.0  # sum of the moduli of the coefficients of powers, for the radial term of degree 8
+_MOST_POWERS = 4  # largest k of rho^(2k) in conversions of radial terms; terms of higher powers cancel
+_MOST_CANCELLED = 321.0  # sum of the moduli of the coefficients of powers of rho, for the radial term of degree 8
 
 
 class Slope(NamedTuple):
@@ -263,24 +264,24 @@ def differentiated(
         assert images.slopes is not None
         return rule, images, list(map(Slope, *images.slopes))
     sums = [parts(name, pupil, grid.step(pupil), energy=energy) for name in names]
-    way, engine = engines(method, pupil, names, sums, tol)
+    method_used, engine = engines(method, pupil, names, sums, tol)
     radial = isinstance(engine, NijboerZernike)
     sums = [each._replace(phases=translated(each.phases, powers=radial)) for each in sums]
 
     def is_single(each: Parts) -> bool:
-        """Return whether a derivative is a multiple of one by a single coefficient, computed with the images."""
+        """Return whether a derivative is a multiple of the derivative by one coefficient, without other parts."""
         tilt = radial and any(key in TILTS for key in each.phases)
         more = tilt or np.any(each.own) or np.any(each.scaling) or each.obscuration
-        return way is engine and len(each.phases) == 1 and not more
+        return method_used is engine and len(each.phases) == 1 and not more
 
-    # Single derivatives are computed with the images; all others are summed in double precision.
+    # Derivatives by one coefficient are computed with the images; others are summed in double precision.
     stored, others = [each for each in sums if is_single(each)], [each for each in sums if not is_single(each)]
     keys = _keys(stored)
-    images = with_model_error(_compute(way, pupil, grid, wanted, keys), pupil, way, normalized=False)
+    images = with_model_error(_compute(method_used, pupil, grid, wanted, keys), pupil, method_used, normalized=False)
     single = iter(_single_slopes(images, stored, keys))
-    pieces = _sum_terms(way, engine, pupil, grid, images, wanted, others) if others else {}
+    pieces = _sum_terms(method_used, engine, pupil, grid, images, wanted, others) if others else {}
     slopes = [next(single) if is_single(each) else _combine(each, images, pieces, wanted.dtype) for each in sums]
-    return way, images, slopes
+    return method_used, images, slopes
 
 
 def _keys(sums: Sequence[Parts]) -> tuple[Key, ...]:
@@ -325,9 +326,7 @@ def _require_available(pupil: Pupil, names: Sequence[Name], sums: Sequence[Parts
         if each.obscuration:
             raise ValueError(f"derivatives by {name!r} need a circular or annular aperture; {differences}")
         if each.unknown and pupil.segmented:
-            raise ValueError(
-                f"derivatives by {name!r} are those of apertures with segments in phase only; {differences}"
-            )
+            raise ValueError(f"derivatives by {name!r} need an aperture with segments in phase; {differences}")
         if pupil.mask is not None and pupil.mask.squares and (name in SHIFTS or np.any(each.scaling)):
             raise ValueError(
                 f"derivatives by {name!r} are not available for masks with squares=True, whose cells spread light "
@@ -338,7 +337,7 @@ def _require_available(pupil: Pupil, names: Sequence[Name], sums: Sequence[Parts
 def _rule_of_terms(
     method: Method | None, pupil: Pupil, names: Sequence[Name], tol: float
 ) -> ChordalGauss | NonuniformFFT | None:
-    """Return a rule that computes all derivatives, all by distinct Zernike terms, without sums; otherwise None."""
+    """Return a method that computes all derivatives directly, if all are by distinct Zernike terms; else None."""
     if len({*names}) < len(names) or str in map(type, names):
         return None
     if method is not None:
@@ -349,12 +348,12 @@ def _rule_of_terms(
 
 
 def _is_radial_key(key: Key) -> bool:
-    """Return whether the radial series can differentiate by a power of rho, or by a term: low radial terms, tilts."""
+    """Return whether NijboerZernike has the derivative by a power of rho, or by a term: low radial terms, tilts."""
     return isinstance(key, int) or key in TILTS or (key[1] == 0 and key[0] <= 2 * _MOST_POWERS)
 
 
 def _is_radial(each: Parts) -> bool:
-    """Return whether the radial series can compute a derivative."""
+    """Return whether NijboerZernike can compute a derivative."""
     return all(map(_is_radial_key, each.phases)) and not each.obscuration
 
 
@@ -390,8 +389,8 @@ def _least_peak(images: Images) -> Array:
 
 
 def _single_slopes(images: Images, sums: Sequence[Parts], keys: tuple[Key, ...]) -> list[Slope]:
-    """Return the single derivatives: each is a multiple of the derivative by one coefficient."""
-    found, taken = [], set[int]()
+    """Return the derivatives that are multiples of the derivative by one coefficient."""
+    results, used = [], set[int]()
     for each in sums:
         assert images.slopes is not None
         ((key, factor),) = each.phases.items()
@@ -401,12 +400,12 @@ def _single_slopes(images: Images, sums: Sequence[Parts], keys: tuple[Key, ...])
             values = (values * by[:, None, None]).astype(values.dtype)
             rounded = _largest_moduli(values) * storing(values.dtype) * (by != 2.0)  # multiplication by 2 is exact
             error = np.abs(by) * error + rounded / _least_peak(images)
-        # Two names may denote the same derivative: each gets its own array.
-        elif at in taken:
+        # Two names may denote the same derivative: the second one is a copy.
+        elif at in used:
             values = values.copy()
-        taken.add(at)
-        found.append(Slope(values, error))
-    return found
+        used.add(at)
+        results.append(Slope(values, error))
+    return results
 
 
 def _per_pupil(factor: Factor, count: int) -> Array:
@@ -420,9 +419,15 @@ def _largest_moduli(values: Pixels) -> Array:
 
 
 def _sum_terms(
-    way: Method, engine: Method, pupil: Pupil, grid: Grid, images: Images, wanted: Wanted, sums: Sequence[Parts]
+    method_used: Method,
+    engine: Method,
+    pupil: Pupil,
+    grid: Grid,
+    images: Images,
+    wanted: Wanted,
+    sums: Sequence[Parts],
 ) -> dict[object, Piece]:
-    """Return the terms of sums of derivatives, in double precision, summed over the wavelengths."""
+    """Return the terms of sums of derivatives, in double precision, each summed over the wavelengths."""
     # Powers of rho in a radial term cancel: the moduli of their coefficients have a sum of up to 321.
     size = max(
         sum(float(np.abs(by).max()) for key, by in each.phases.items() if isinstance(key, int)) for each in sums
@@ -435,13 +440,13 @@ def _sum_terms(
     by_samples = isinstance(engine, NijboerZernike)  # tilts are not radial: filters compute them from samples of I
     assert isinstance(wanted.scale, float)
     faintest = float(_least_peak(images).min()) / wanted.scale
-    found: dict[object, Piece] = {}
+    results: dict[object, Piece] = {}
 
     def add(key: object, values: Array, error: Array, factor: float) -> None:
-        before = found.get(key, Piece(np.zeros((1, 1, 1)), np.zeros(1)))
-        found[key] = Piece(before.values + factor * values, before.error + factor * error)
+        before = results.get(key, Piece(np.zeros((1, 1, 1)), np.zeros(1)))
+        results[key] = Piece(before.values + factor * values, before.error + factor * error)
 
-    for part in way.components(pupil):
+    for part in method_used.components(pupil):
         scale, threads = wanted.scale * part.weight, wanted.threads
         left = (part.pupil.wavefront.left_out + 2.0 * part.pupil.illumination.error) * part.pupil.amplitude**2
         add("unknown", np.zeros((1, 1, 1)), np.full(1, 2.0 * left), scale)
@@ -456,14 +461,14 @@ def _sum_terms(
             for key, values, error in zip(rest, *part_images.slopes, strict=True):
                 slopes[key] = Piece(values, error * part_images.brightest + 4.0 * left)
         for key in keys:
-            # Phases are path differences: phases in radians grow as the wavelength falls.
+            # Optical path differences are constant: phases in radians are proportional to 1 / wavelength.
             add(key, *slopes[key], scale * part.stretch)
         if scales:
             tilts = [slopes[key] for key in TILTS]
             add("scaling", *scaling_derivative(engine, part.pupil, grid, tilts, threads), scale)
         if obscures:
             add("obscuration", *obscuration_derivative(part.pupil, grid, 0.1 * engine.tol * faintest), scale)
-    return found
+    return results
 
 
 def _combine(each: Parts, images: Images, pieces: Mapping[object, Piece], dtype: DTypeLike) -> Slope:
@@ -496,22 +501,22 @@ def gradient(
     """
     tol, free = method.tol, _with_derivatives(method)
     sums = {name: parts(name, pupil, grid.step(pupil), energy=energy) for name in names}
-    way, engine = engines(free, pupil, names, list(sums.values()), tol)
-    found: dict[Name, Array] = {}
+    method_used, engine = engines(free, pupil, names, list(sums.values()), tol)
+    results: dict[Name, Array] = {}
     if isinstance(engine, ChordalGauss):
         factors = {name: translated(each.phases, powers=False) for name, each in sums.items() if _is_by_phase(each)}
         terms = tuple(dict.fromkeys(t for phases in factors.values() for t in phases if isinstance(t, tuple)))
         each = np.zeros((len(weights), len(terms)))
-        for part in way.components(pupil) if terms else ():
-            rate = scale * part.weight * part.stretch  # phases grow as the wavelength falls
+        for part in method_used.components(pupil) if terms else ():
+            rate = scale * part.weight * part.stretch  # phases are proportional to 1 / wavelength
             each += rate * engine.gradient(part.pupil, grid, weights, terms)
         for name, phases in factors.items():
-            found[name] = np.sum([by * each[:, terms.index(term)] for term, by in phases.items()], axis=0)
-    if others := [name for name in names if name not in found]:
+            results[name] = np.sum([by * each[:, terms.index(term)] for term, by in phases.items()], axis=0)
+    if others := [name for name in names if name not in results]:
         _, _, slopes = differentiated(free, pupil, grid, others, Wanted(scale), tol, energy=energy)
         for name, slope in zip(others, slopes, strict=True):
-            found[name] = np.einsum("nij,nij->n", weights, slope.values)
-    return found
+            results[name] = np.einsum("nij,nij->n", weights, slope.values)
+    return results
 
 
 def _is_by_phase(each: Parts) -> bool:

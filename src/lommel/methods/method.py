@@ -39,7 +39,7 @@ _NOUN = {"lens": "a lens", "objective": "an objective"}
 # Accuracy levels l of tables in the compiled core, errors about 10^-l: section 9, "Requested accuracy".
 _LEVELS = range(3, 16)
 _DEFAULT_LEVEL = 10  # level for profiles without an error bound
-# Steps of the line from the axis to the outermost ray, to search the peak: section 9, "Relative to what".
+# Number of steps from the axis to the outermost ray, on which the peak is searched: section 9, "Relative to what".
 _LINE_STEPS = 512
 
 
@@ -97,7 +97,7 @@ class Method(ABC, Generic[P]):
         return float(pupil.amplitude**2)
 
     def stretch(self, pupil: P) -> float:
-        """Return the exponential type (bandwidth) of U in v, relative to that at the wavelength of `pupil`."""
+        """Return the exponential type (bandwidth) of U in v, divided by the one at the wavelength of `pupil`."""
         return 1.0
 
     def period(self, pupil: P) -> float:
@@ -149,17 +149,17 @@ class Method(ABC, Generic[P]):
                 f"derivatives are not available from {type(self).__name__}; leave method out to use one that has them"
             )
         way = self
-        made = way.intensity(pupil, grid, wanted.threads)
+        result = way.intensity(pupil, grid, wanted.threads)
         while (
-            self.keeps_tol and (error := with_storage_rounding(made, wanted)) is not None and error.max() > self.tol
+            self.keeps_tol and (error := with_storage_rounding(result, wanted)) is not None and error.max() > self.tol
         ):
             # Division of values by their largest value doubles the error: tol is then divided by 4, else by 2.
             finer = way.tightened() if wanted.scale is not None else way.tightened().tightened()
             if finer == way:
                 raise not_met(self.tol, float(error.max()), "the peak")
             way = finer
-            made = way.intensity(pupil, grid, wanted.threads)
-        return to_images(made, grid, wanted)
+            result = way.intensity(pupil, grid, wanted.threads)
+        return to_images(result, grid, wanted)
 
     def plan(self, pupil: P, grid: Grid, wanted: Wanted) -> Shortcut | None:
         """Return a prepared computation on `grid` for pupils that differ from `pupil` in their wavefronts only.
@@ -265,11 +265,11 @@ class RadialMethod(Method[P]):
     def on_pixels(
         self, pupil: P, grid: Grid, threads: int, *, tol: float | None = None, window: bool = False
     ) -> Intensities:
-        """Return I at, or averaged over, the pixels of `grid` from the profile of `pupil`, with at most `threads`.
+        """Return I at pixel centres of `grid`, or averaged over pixels, from the profile of `pupil`.
 
-        `tol` bounds the error relative to the peak, or to the largest value in the `window`; by default it is the
-        tolerance of the method. Raises ToleranceError if the bound cannot be met. Profiles without an error bound are
-        interpolated with an error of about 1e-10.
+        `tol` bounds the error relative to the peak or, if `window`, to the largest value in the window; by default it
+        is the tolerance of the method. Raises ToleranceError if the bound cannot be met. Profiles without an error
+        bound are interpolated with an error of about 1e-10.
         """
         # I is band-limited (exponential type 2 in v) and differs from a constant by at most half its largest value.
         # Both properties bound the error of weighted sums of the profile: docs/certificate.md, section 9.
@@ -363,7 +363,7 @@ class FieldMethod(RadialMethod[P]):
     def field(self, pupil: P, v: ArrayLike) -> NDArray[np.complex128]:
         """Return the complex field U of a `pupil` at optical coordinates `v`, shape ``pupil.shape + v.shape``.
 
-        Raises TypeError or ValueError unless these are finite numbers >= 0.
+        Raises TypeError or ValueError unless the coordinates are finite numbers >= 0.
         """
         self.require(pupil)
         at = validation.real_array("v", v, least=0.0) + 0.0  # no -0
@@ -384,7 +384,8 @@ def squared(field: FieldValues) -> Intensities:
 
 def relative_error(intensity: Array, field_error: Array) -> Array:
     """Bound ``max abs(I - I_exact) / max I_exact`` from a bound e on abs(U - U_exact)."""
-    # (2 M e + e^2) / (M - e)^2, M the largest computed abs(U), the exact one >= M - e: certificate, section 6.
+    # (2 M e + e^2) / (M - e)^2, with M the largest computed abs(U); the largest exact one is >= M - e: certificate,
+    # section 6.
     peak = np.sqrt(intensity.max(axis=1))
     exact = peak - field_error
     error = field_error * (2.0 * peak + field_error)
@@ -398,26 +399,26 @@ def storing(dtype: DTypeLike) -> float:
 
 
 def stored(relative: Array, dtype: DTypeLike) -> Array:
-    """Bound the error of stored values from their error `relative` before, both relative to the peak."""
+    """Bound the error of stored values from their error `relative` before storing; units of the peak."""
     return np.asarray(relative + (1.0 + relative) * storing(dtype))
 
 
-def with_storage_rounding(made: Intensities, wanted: Wanted) -> Array | None:
+def with_storage_rounding(result: Intensities, wanted: Wanted) -> Array | None:
     """Bound the error of images after scaling (a scale of None makes the largest value 1) and storing."""
-    if made.error is None:
+    if result.error is None:
         return None
-    return stored(normalized_error(made.error) if wanted.scale is None else made.error, wanted.dtype)
+    return stored(normalized_error(result.error) if wanted.scale is None else result.error, wanted.dtype)
 
 
-def to_images(made: Intensities, grid: Grid, wanted: Wanted) -> Images:
+def to_images(result: Intensities, grid: Grid, wanted: Wanted) -> Images:
     """Return intensities, at the radii of `grid` or on its pixels, as images; see :meth:`lommel.Method.images`."""
-    largest = made.values.reshape(len(made.values), -1).max(axis=1)
+    largest = result.values.reshape(len(result.values), -1).max(axis=1)
     if wanted.scale is None and not np.all(largest > 0):
         raise ValueError('normalize="peak" is impossible: no light falls into the window')
     scales = np.broadcast_to(wanted.scale, largest.shape) if wanted.scale is not None else 1.0 / largest
     values = np.empty((len(largest), *grid.shape), wanted.dtype) if wanted.out is None else wanted.out
-    grid.paint(made.values, scales, values, wanted.threads)
-    return Images(values, scales, with_storage_rounding(made, wanted), None, made.peak)
+    grid.paint(result.values, scales, values, wanted.threads)
+    return Images(values, scales, with_storage_rounding(result, wanted), None, result.peak)
 
 
 def normalized_error(relative: Array) -> Array:
@@ -427,33 +428,33 @@ def normalized_error(relative: Array) -> Array:
     return np.asarray(np.where(relative < 1.0 - 1e-9, 2.0 * safe / (1.0 - safe), np.inf))
 
 
-def with_model_error(made: Images, pupil: BasePupil, method: Method, *, normalized: bool) -> Images:
+def with_model_error(result: Images, pupil: BasePupil, method: Method, *, normalized: bool) -> Images:
     """Return images whose bounds include the truncation errors of the terms of wavefront and apodization."""
     # Certificate, "Model error of a wavefront": a phase error e changes U, and its derivatives, by at most e int A
     # dx dy / pi. At the shorter wavelengths of a spectrum both e and U are larger. An amplitude error e A has the
     # same effect, and counts twice: it also changes the peak or the light by which values are divided.
     of_phase, of_light = pupil.left_out
-    if not (of_phase or of_light) or made.error is None:
-        return made
+    if not (of_phase or of_light) or result.error is None:
+        return result
     stretch = max(1.0, method.stretch(pupil))
     left = np.asarray((of_phase * stretch + 2.0 * of_light) * pupil.amplitude * stretch)
-    brightest = made.values.reshape(len(made.values), -1).max(axis=1).astype(np.float64) / made.scale
+    brightest = result.values.reshape(len(result.values), -1).max(axis=1).astype(np.float64) / result.scale
     relative = relative_error(brightest[:, None], left)
-    error = made.error + (normalized_error(relative) if normalized else relative)
-    if method.keeps_tol and error.max() > method.tol >= made.error.max():
+    error = result.error + (normalized_error(relative) if normalized else relative)
+    if method.keeps_tol and error.max() > method.tol >= result.error.max():
         raise ToleranceError(
             f"tol={method.tol:g} cannot be met: the terms of the wavefront leave up to {of_phase:.2g} rad of the "
             f"phase out, the terms of the apodization {of_light:.2g} of the amplitude, so that the error bound is "
             f"{error.max():.2g} of the peak; use a larger tol"
         )
-    if made.slopes is None:
-        return made._replace(error=error)
+    if result.slopes is None:
+        return result._replace(error=error)
     further = 4.0 * left * pupil.amplitude / brightest
-    return made._replace(error=error, slopes=made.slopes._replace(error=made.slopes.error + further))
+    return result._replace(error=error, slopes=result.slopes._replace(error=result.slopes.error + further))
 
 
 def powers_cancel(pupil: Pupil) -> str | None:
-    """Return the reason why the phase must not be expanded in powers of rho, or None."""
+    """Return the reason why powers of rho would lose too many digits of the phase, else None."""
     from lommel.optics.wavefront.wavefront import MAX_HIGHER  # imported on use
 
     if pupil.wavefront.symmetric <= 2 + MAX_HIGHER:

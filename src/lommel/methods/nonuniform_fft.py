@@ -1,7 +1,8 @@
-"""Quadrature along the rows of any aperture, summed by a non-uniform FFT: every pupil, with a proven error bound.
+"""PSFs of apertures of any shape: quadrature along rows, summed by a non-uniform FFT, with a proven error bound.
 
-Stacks and derivatives on small windows use the moment rule instead, a quadrature rule of the disc that has the same
-moments as the aperture: certificate, section 18.
+A row is a set of quadrature nodes on a line of constant y; a chord is a row that crosses the whole disc. Stacks
+and derivatives on small windows use the moment rule instead, a quadrature rule of the disc that has the same moments
+as the aperture: certificate, section 18.
 
 References
 ----------
@@ -35,7 +36,7 @@ from lommel.special.legendre import gauss_legendre
 
 Complexes = NDArray[np.complex128]
 
-_UNIT = 2.0**-53
+_UNIT = 2.0**-53  # unit roundoff
 _MAX_VALUES = 2**21  # largest number of values of the pupil function in memory at a time
 _MAX_TERM_DEGREE = 12  # Zernike degree above which products of polynomials of x and y lose digits by cancellation
 _MIN_FIELDS = 4  # smallest number of fields for which the moment rule saves time
@@ -46,8 +47,8 @@ _DEGREE_STEP = 32  # degrees are rounded up to multiples of this
 
 # Moment rule. A quadrature rule of the aperture is a linear functional L. For polynomials p up to degree D there is
 # one polynomial g with L(p) = integral of p g over the disc. A rule of the disc that is exact to degree 2 D therefore
-# equals L if its weights omega are multiplied by g. It has D + 2 chords of D + 2 nodes, for any number of vanes or
-# segments. The products of weights and g may be negative or complex; the sum of their moduli is at most
+# yields L(p) if its weights omega are multiplied by g. The rule has D + 2 chords of D + 2 nodes, for any number of
+# vanes or segments. The products of weights and g may be negative or complex; the sum of their moduli is at most
 # ``sqrt(sum omega) sqrt(sum omega |g|^2)``, about the square root of the transmitted area (certificate, section 18,
 # "Moments").
 #
@@ -58,7 +59,7 @@ _DEGREE_STEP = 32  # degrees are rounded up to multiples of this
 def moment_rule_is_faster(
     pupil: Pupil, grid: Grid, terms: tuple[tuple[int, int], ...], degree: int, rule_degree: int, error: float
 ) -> bool:
-    """Return whether the moment rule takes less time than transforms of rows; arguments as of :func:`moment_rule`."""
+    """Return whether the moment rule, with the last three arguments, takes less time than transforms of rows."""
     count, highest = math.prod(pupil.shape), max((n for n, _ in terms), default=0)
     fields, degrees, (height, width) = 1 + len(terms), 1 + highest, grid.shape
     rows = degree + _DEGREE_STEP / 2
@@ -66,13 +67,13 @@ def moment_rule_is_faster(
         return False
     if degrees * rows**2 / 4 * max(height, width) > _MAX_WAVES:
         return False
-    # Cost per PSF, in units of the time per sample of the Fourier transform, fitted to timings of stacks of 1 to 27
+    # Cost per PSF, in units of the time per node in the transforms of rows, fitted to timings of stacks of 1 to 27
     # PSFs of 17 to 257 pixels a side. Four stacks, or steps of a fit, are assumed to share the cost of the rule.
-    _, sampled, power = _round_up_degrees(degree, rule_degree, error)
-    samples = _samples(pupil.opening, sampled, power)
-    setup = 0.16 * samples * rows / (4 * count)
+    _, rounded_degree, power = _round_up_degrees(degree, rule_degree, error)
+    nodes_in_rows = _count_nodes(pupil.opening, rounded_degree, power)
+    setup = 0.16 * nodes_in_rows * rows / (4 * count)
     sums = 1.6 * rows**2 + degrees * rows**2 * width / 300 + (degrees**2 * rows / 240 + fields / 3) * height * width
-    return setup + sums < (fields + 0.3) * samples + fields * (0.8 * height * width + 1700.0)
+    return setup + sums < (fields + 0.3) * nodes_in_rows + fields * (0.8 * height * width + 1700.0)
 
 
 class MomentRule(NamedTuple):
@@ -80,7 +81,7 @@ class MomentRule(NamedTuple):
 
     weight: Complexes
     total: float  # sum of the moduli of the weights
-    lost: float  # error due to edges displaced by rounding
+    lost: float  # error of U due to edges that rounding displaces
 
     @property
     def rows(self) -> int:
@@ -107,9 +108,10 @@ def nodes(rows: int) -> Nodes:
 
 
 def moment_rule(opening: Opening, degree: int, rule_degree: int, error: float) -> MomentRule:
-    """Return the moment rule that is equal to the rule of :meth:`Opening.rows` for polynomials up to `degree`.
+    """Return the moment rule whose sums equal those of :meth:`Opening.rows` for polynomials up to `degree`.
 
-    The latter is exact to `rule_degree`: it also integrates the phase factors of segments, which the weights contain.
+    The rows, exact to degree `rule_degree` with about this `error`, also integrate the phase factors of segments; the
+    weights of the moment rule contain these factors.
     """
     return _moment_rule(opening, *_round_up_degrees(degree, rule_degree, error))
 
@@ -117,7 +119,8 @@ def moment_rule(opening: Opening, degree: int, rule_degree: int, error: float) -
 def degrees_and_error(pupil: Pupil, reach: float, allowed: float) -> tuple[int, int, float]:
     """Return `degree` and `rule_degree` of :func:`moment_rule` for v up to `reach`, and the resulting error of U.
 
-    Polynomial approximations have the error `allowed`. For derivatives add the degree of the term to both degrees.
+    Each polynomial approximation has an error of at most `allowed`. For the derivative by a Zernike term, add the
+    degree of the term to both degrees.
     """
     terms = [(n, w) for (n, _), w in pupil.wavefront.amplitudes().items()]
     phases = pupil.opening.phases
@@ -131,7 +134,7 @@ def degrees_and_error(pupil: Pupil, reach: float, allowed: float) -> tuple[int, 
 
 def phase_roundings(pupil: Pupil) -> float:
     """Bound the error of U due to rounding of segment phases, which may be many turns."""
-    # Certificate, section 18, "Phases": 8 u s ||A||, where ||A||^2 is at most the amplitude.
+    # Certificate, section 18, "Phases": 8 u s ||A||, s bounding abs(phase) of a segment; ||A||^2 <= amplitude.
     return 8.0 * _UNIT * float(np.abs(pupil.opening.phases).sum(axis=1).max()) * math.sqrt(pupil.amplitude)
 
 
@@ -142,8 +145,8 @@ def _round_up_degrees(degree: int, rule_degree: int, error: float) -> tuple[int,
 
 
 @lru_cache(maxsize=16)
-def _samples(opening: Opening, rule_degree: int, power: int) -> int:
-    """Return the number of nodes in all rows, over which the Fourier transform sums."""
+def _count_nodes(opening: Opening, rule_degree: int, power: int) -> int:
+    """Return the number of nodes in all rows."""
     return sum(rule.nodes.shape[1] for rule in opening.rows(rule_degree, 10.0**power))
 
 
@@ -157,14 +160,14 @@ def _moment_rule(opening: Opening, degree: int, rule_degree: int, power: int) ->
             continue
         firsts = np.flatnonzero(np.diff(y, prepend=np.nan) != 0.0)
         half = np.sqrt((1.0 - y) * (1.0 + y))
-        # Whole turns are removed exactly: cosines of large angles lose digits.
+        # Whole turns are removed exactly, since cosines of large angles lose digits.
         piston = math.remainder(phase[0], 2.0 * math.pi)
         phased = weight * np.exp(1j * (piston + phase[1] * x + phase[2] * y))
         along = np.clip(x / half, -1.0, 1.0)
         sums = np.array([np.add.reduceat(phased * part, firsts) for part in _legendre(degree, along)])
         for m, part in enumerate(_gegenbauer(degree, y[firsts])):
             moments[: len(part), m] += np.einsum("kr,kr->k", part, sums[: len(part)])
-    # Values of g = sum L(phi) phi at the nodes, times the weights of the disc rule (of sum 1) and its area pi.
+    # Values of g = sum L(phi) phi at the nodes, times the weights of the disc rule (of sum 1) and the disc area pi.
     at = nodes(degree + 2)
     values = np.zeros((degree + 1, at.y.size), dtype=np.complex128)
     for m, part in enumerate(_gegenbauer(degree, at.y)):
@@ -176,7 +179,7 @@ def _moment_rule(opening: Opening, degree: int, rule_degree: int, power: int) ->
 
 
 def _legendre(degree: int, x: Array) -> Iterator[Array]:
-    """Yield the orthonormal Legendre polynomials on [-1, 1] up to a degree."""
+    """Yield the orthonormal Legendre polynomials on [-1, 1], of degrees 0 to `degree`, at `x`."""
     before, here = np.zeros_like(x), np.ones_like(x)
     for k in range(degree + 1):
         yield math.sqrt(k + 0.5) * here
@@ -209,8 +212,9 @@ def field_sums(
 ) -> tuple[Array, Array, Array]:
     """Return I (n, h, w), its derivatives by terms (k, n, h, w), and rounding error bounds of U and its derivatives.
 
-    Terms are sums of Chebyshev products T_a(x) T_b(y). These and waves are even or odd in x and in y: a quarter of
-    the nodes and pixels suffices. All terms with the same a share the sums along rows.
+    Zernike terms are sums of Chebyshev products T_a(x) T_b(y). These products, and the cosines and sines of plane
+    waves, are even or odd in x and in y: a quarter of the nodes and pixels suffices. All products with the same a
+    share the sums along rows.
     """
     at, q, edge, count = nodes(rule.rows), rule.rows // 2, pupil.wavefront.flattened().edge, math.prod(pupil.shape)
     amplitude = rule.weight
@@ -241,13 +245,13 @@ def field_sums(
                     product = product.reshape(degrees - a, *sums.shape[2:])
                     for b in range(min(2, degrees - a)):
                         sums[c ^ b] += np.tensordot(coefficients[:, a, b : degrees - a : 2], product[b::2], 1)
-            # e^{-i v.r} = (cos - i sin)(cos - i sin): an odd part has a factor -i and the sign of its coordinate.
+            # e^{-i v.r} = (cos - i sin)(cos - i sin): each odd part has a factor -i and the sign of its x or y.
             for j in range(2):
                 both = (sums[j, :, :, :, 0] + 1j * sums[j, :, :, :, 1]).swapaxes(1, 2)[:, :, row[:, None], column]
                 field += ((-1j) ** (i + j) * signs[0][i] * signs[1][j]) * both
         u, others = field[0], field[1:]
         values[part] = u.real**2 + u.imag**2
-        # dI/dc = -2 Im(conj(U) D): certificate, section 8, "Derivatives".
+        # dI/dc = -2 Im(conj(U) D), with D the field of the term: certificate, section 8, "Derivatives".
         slopes[:, part] = 2.0 * (u.imag * others.real - u.real * others.imag)
     reach = step * math.hypot(np.abs(grid.x).max(), np.abs(grid.y).max())
     rounding = roundings(rule, pupil, reach) * np.array([1.0, float(np.abs(coefficients).sum(axis=(1, 2)).max())])
@@ -255,7 +259,7 @@ def field_sums(
 
 
 def roundings(rule: MomentRule, pupil: Pupil, reach: float, *, single: bool = False) -> float:
-    """Bound the rounding error of U for v up to `reach`; `single`: with sums in single precision."""
+    """Bound the rounding error of U for v up to `reach`, with sums in single precision if `single`."""
     # Rounding of phases, waves, sums along both axes, and weights: certificate, section 18, "Phases", "Moments".
     edge = pupil.wavefront.flattened().edge
     per_term = np.array([4.0 * n * n + 14.0 + len(edge[0]) for n, _ in pupil.wavefront.terms])
@@ -276,7 +280,7 @@ def _products(terms: tuple[tuple[int, int], ...]) -> Array:
     back = np.linalg.inv(chebvander(x, count - 1))
     rho, theta = np.hypot(x[:, None], x), np.arctan2(x, x[:, None])
     products = np.array([back @ zernike.polynomial(n, m, rho, theta) @ back.T for n, m in terms])
-    # Coefficients of the wrong parity are rounding errors; each would cost a sum.
+    # Coefficients of the wrong parity are rounding errors; setting them to 0 saves sums.
     return np.where(np.abs(products) > 1e-14 * np.abs(products).max(), products, 0.0)
 
 
@@ -289,7 +293,7 @@ def _multiply_wave(amplitude: Complexes, cosine: Array, sine: Array) -> Array:
 
 
 def _parts(wave: Array, q: int) -> dict[tuple[int, int], Array]:
-    """Return even and odd parts along x and y at the nodes of a quarter of the disc, by parity: [row, ..., node]."""
+    """Return parts even (0) or odd (1) in x and in y on a quarter of the disc: {(x, y parity): [row, ..., node]}."""
     y = [wave[:q] + sign * wave[: q - 1 : -1] for sign in (1.0, -1.0)]
     mirrored = [part[..., : q - 1 : -1] for part in y]
     return {
@@ -330,20 +334,20 @@ def _rows(rows: int, step: float, pixel_rows: Array, degrees: int) -> tuple[Arra
 
 _MIN_IMAGES = 4  # number of images and derivatives that fill vector lanes
 _STEPS = 8  # assumed number of stacks or steps of a fit with the same rule
-_RULE_COST = 2.4e-5  # ms per cubed number of rows (measured, like the next two costs)
-_SUM_COST = 5.5e-8  # ms per product of a sum
+_RULE_COST = 2.4e-5  # ms, times the cube of the number of rows (measured, like the next two costs)
+_SUM_COST = 5.5e-8  # ms per product in the sums over nodes
 _SAMPLE_COST = 1.15e-4  # ms per filtered sample
 _MAX_DEGREE = 400  # largest degree of a moment rule for averages
 _SINGLE_SHARE = 0.5  # fraction of the tolerance that sums in single precision may use
 _MIN_NODE_ERROR = 1e-12  # error of the field below which rounding errors dominate
 
 
-# Pixel averages use the moment rule at the nodes of the window. The moment rule and the chordal rule of the disc have
-# the same nodes: as for circular apertures, the core sums pupils side by side in vector lanes.
+# Pixel averages use the moment rule, which has the same nodes as the chordal rule of circular apertures. The core
+# therefore sums several pupils in parallel vector lanes, as for circular apertures.
 
 
 def averaged_apertures(pupil: Pupil, grid: Grid, tol: float, wanted: Wanted) -> Images | None:
-    """Return pixel averages with bounds below `tol`; None if inapplicable or slower than filtering."""
+    """Return pixel averages with bounds below `tol`; None if not applicable, or slower than filtered samples."""
     highest = max((n for n, _ in wanted.terms), default=0)
     fields = math.prod(pupil.shape) * (1 + len(wanted.terms))
     if pupil.mask is not None or wanted.powers or fields < _MIN_IMAGES:
@@ -354,17 +358,17 @@ def averaged_apertures(pupil: Pupil, grid: Grid, tol: float, wanted: Wanted) -> 
         allowed = 0.15 * tol
         if allowed < _MIN_NODE_ERROR:
             return None
-        degree, rule_degree, missed = degrees_and_error(pupil, reach, allowed)
+        degree, rule_degree, approximation_error = degrees_and_error(pupil, reach, allowed)
         sums = _SUM_COST * columns * (degree + highest + 20.0) * (degree + highest + 20.0 + rows)
         if degree + highest > _MAX_DEGREE or not _nodes_are_faster(fields, degree + highest + 20.0, sums, window):
             return None
         moments = moment_rule(pupil.opening, degree + highest, rule_degree + highest, allowed)
         rounding = roundings(moments, pupil, reach, single=True)
         single = single and rounding < _SINGLE_SHARE * tol
-        error = missed + 1.1 * allowed + (rounding if single else roundings(moments, pupil, reach))
+        error = approximation_error + 1.1 * allowed + (rounding if single else roundings(moments, pupil, reach))
         return of_quadrant(moments, pupil), error, single
 
-    # Chords are rows of the aperture here, but columns in the core: x and y are exchanged.
+    # The nodes lie on lines of constant y here, but of constant x in the core: x and y are exchanged.
     by, signs = exchanged(wanted.terms)
     images = aperture_averages(
         transposed(stack),
@@ -427,7 +431,7 @@ def of_quadrant(rule: MomentRule, pupil: Pupil) -> Array:
 
 
 _MIN_ERROR = 4e-15  # smallest allowed error of U, relative to the largest possible value of U
-_SUM_SHARE = 0.25  # fraction of the error of U that the sums may use
+_SUM_SHARE = 0.25  # fraction of the error of U allotted to the sums
 _MAX_HALF_SHARE = 0.75  # mirroring saves time if the half image has at most this fraction of the pixels
 
 
@@ -452,9 +456,9 @@ class NonuniformFFT(Method[Pupil]):
 
     Notes
     -----
-    Lines of constant y cut the aperture into intervals. Gauss-Legendre rules are used along the intervals, and across
-    them between the intersections of edges. Their error is bounded for all polynomials of a given degree with modulus
-    at most 1 on the unit disc, and the integrand is proven to be close to such a polynomial
+    Lines of constant y cut the aperture into intervals. Gauss-Legendre rules are used along the intervals and,
+    in y, between the intersections of edges. Their error is bounded for all polynomials of a given degree with a
+    modulus of at most 1 on the unit disc, and the integrand is proven to be close to such a polynomial
     (:func:`lommel.optics.aperture.opening.degree_needed`). One non-uniform FFT spreads the nodes of each row to a
     fine grid with a kernel and transforms them to the columns; a second one transforms the rows in the same way.
     Aliasing and rounding errors are included in the bound: docs/certificate.md, section 18. Pixel-integrated values
@@ -474,7 +478,7 @@ class NonuniformFFT(Method[Pupil]):
     tol: float = 1e-6
 
     def intensity(self, pupil: Pupil, grid: Grid, threads: int = 0) -> Intensities:
-        """Return I, sampled at or averaged over the pixels, shape ``(n, height, width)``, with its error bound."""
+        """Return I at pixel centres, or averaged over pixels, shape ``(n, height, width)``, with its error bound."""
         return self.images(pupil, grid, Wanted(threads=threads)).intensities
 
     def images(self, pupil: Pupil, grid: Grid, wanted: Wanted) -> Images:
@@ -482,7 +486,9 @@ class NonuniformFFT(Method[Pupil]):
         if wanted.powers:
             raise ValueError("derivatives by powers of rho are not available from NonuniformFFT; use Zernike terms")
         if wanted.terms and wanted.scale is None:
-            raise ValueError('derivatives of values divided by their largest one are not available: normalize="peak"')
+            raise ValueError(
+                'derivatives of values divided by their largest one are not available; avoid normalize="peak"'
+            )
         grid.require_one_axis()
         if grid.integrate:
             averages = averaged_apertures(pupil, grid, self.tol, wanted)
@@ -494,7 +500,10 @@ class NonuniformFFT(Method[Pupil]):
 
 
 def _sample_images(pupil: Pupil, grid: Grid, tol: float, wanted: Wanted, *, everywhere: bool = False) -> Images:
-    """Return samples of the flattened stack, with bounds relative to the peak below `tol`, storage included."""
+    """Return samples of the flattened stack, with bounds below `tol` of the peak, including rounding of storage.
+
+    With `everywhere`, the peak is the peak of the whole PSF, otherwise the largest value in the window.
+    """
     if pupil.mask is not None and not pupil.mask.squares:
         needed, reason = samples_needed(pupil, grid)
         if needed > pupil.mask.side:
@@ -504,11 +513,11 @@ def _sample_images(pupil: Pupil, grid: Grid, tol: float, wanted: Wanted, *, ever
     budget = tol - (1.0 + tol) * storing(wanted.dtype)
     if wanted.scale is None:
         budget *= 0.49  # division by the computed peak doubles the error (section 6)
-    # Estimate of the peak field, for light spread evenly over the blur; usually an underestimate.
+    # Estimate of max |U|, for light that is spread evenly over the blur; usually an underestimate.
     bright = pupil.amplitude / (1.0 + sum(n * w for (n, _), w in pupil.wavefront.amplitudes().items() if n > 1))
     outer_peak: Array | None = np.zeros(math.prod(pupil.shape)) if wanted.scale is None else None
-    # The first requested error assumes the estimated peak. It is reduced if the computed peak is too dim for the
-    # bound (section 6).
+    # The first requested error of U assumes the estimated peak. It is reduced if the error bound, relative to the
+    # computed peak, exceeds `tol` (section 6).
     for _ in range(8):
         requested = max(0.45 * budget * bright / pupil.amplitude, _MIN_ERROR)
         values, slopes, field_bounds, slope_bounds = _sums(pupil, grid, requested, wanted)
@@ -551,7 +560,7 @@ def _peak_bound(pupil: Pupil, error: float, threads: int) -> Array:
 
 
 def _has_real_function(pupil: Pupil) -> bool:
-    """Return whether the pupil function is real, so that images are symmetric under rotation by 180 degrees."""
+    """Return whether the pupil function is real; images are then symmetric under rotation by 180 degrees."""
     return pupil.wavefront.flat and not pupil.phase_mask and not pupil.opening.phases.any()
 
 
@@ -582,7 +591,7 @@ def _mirror_half(values: Array, half: Grid, grid: Grid) -> Array:
 def _sums(pupil: Pupil, grid: Grid, error: float, wanted: Wanted) -> tuple[Array, Array, Array, Array]:
     """Return I, its derivatives, and bounds on the errors of U and of its derivatives by any term.
 
-    `error` is the requested error of U relative to the amplitude, which the bounds approach.
+    `error` is the requested error of U divided by the amplitude; the bounds are about `error` times the amplitude.
     """
     half = None if wanted.terms or not _has_real_function(pupil) else _half_grid(grid)
     if half is not None:
@@ -593,22 +602,23 @@ def _sums(pupil: Pupil, grid: Grid, error: float, wanted: Wanted) -> tuple[Array
     highest = max((n for n, _ in wanted.terms), default=0)
     phases = pupil.opening.phases.copy()
     if pupil.mask is None:
-        # Reduced to [-pi, pi): sines of large phases lose digits.
+        # Pistons are reduced to [-pi, pi), since sines of large phases lose digits.
         phases[:, 0] = np.remainder(phases[:, 0] + math.pi, 2.0 * math.pi) - math.pi
         terms = [(n, w) for (n, _), w in pupil.wavefront.amplitudes().items()]
         steepest = float(np.hypot(phases[:, 1], phases[:, 2]).max())
         allowed = 0.3 * error * amplitude
-        degree, rule_degree, missed = degrees_and_error(pupil, reach, allowed)
+        degree, rule_degree, approximation_error = degrees_and_error(pupil, reach, allowed)
         degree, rule_degree = degree + highest, rule_degree + highest
         if moment_rule_is_faster(pupil, grid, wanted.terms, degree, rule_degree, allowed):
             rule = moment_rule(pupil.opening, degree, rule_degree, allowed)
             values, slopes, rounding = field_sums(rule, pupil, grid, wanted.terms)
-            field_bounds, slope_bounds = np.tile((missed + 1.1 * allowed + rounding)[:, None], len(values))
+            bounds = approximation_error + 1.1 * allowed + rounding
+            field_bounds, slope_bounds = np.tile(bounds[:, None], len(values))
             return values, slopes, field_bounds, slope_bounds
         degree = degree_needed(terms, reach + steepest, pupil.illumination, allowed) + highest
         rules = pupil.opening.rows(degree, allowed)
     else:
-        phases, rules, missed = np.zeros((1, 3)), pupil.samples, phase_roundings(pupil)
+        phases, rules, approximation_error = np.zeros((1, 3)), pupil.samples, phase_roundings(pupil)
     window = window_of(pupil, grid)
     values, slopes, sum_error = row_images(rules, phases, disk_stack(pupil), window, 0.5 * _SUM_SHARE * error, wanted)
     if pupil.mask is not None and pupil.mask.squares:
@@ -617,5 +627,5 @@ def _sums(pupil: Pupil, grid: Grid, error: float, wanted: Wanted) -> tuple[Array
         down, across = (np.sinc(step / grid.side / (math.pi * pupil.mask.side) * at) ** 2 for at in (grid.y, grid.x))
         cells = down[:, None] * across
         values, slopes = values * cells, slopes * cells
-    field_bounds = missed + sum_error
+    field_bounds = approximation_error + sum_error
     return values, slopes, field_bounds, field_bounds

@@ -155,7 +155,7 @@ def test_where_rounding_is_too_much_the_reference_answers(monkeypatch):
     pupil = planes(2)
     monkeypatch.setattr(stratified, "layered_images", lambda *_, **__: None)
     assert not asked_of_the_engine(pupil, Grid(9, PIXEL), 1e-6)
-    monkeypatch.setattr(stratified, "_refined", lambda *_: None)
+    monkeypatch.setattr(stratified, "_refine", lambda *_: None)
     alone = lm.psf(pupil, 9, PIXEL, method=lm.Stratified(), integrate=False, dtype=np.float64).values
     assert np.array_equal(
         alone, lm.psf(pupil, 9, PIXEL, method=lm.DebyeWolf(), integrate=False, dtype=np.float64).values

@@ -1,6 +1,8 @@
 """Microscope images with a measured wavefront in small windows, by the chordal Gauss rule with projected amplitudes.
 
-Images use numbers of chords and nodes that are proven to suffice. Searches use fewer, without an error bound.
+A chord is a line of constant x across the unit disc of the pupil; quadrature nodes lie on chords. Images use numbers
+of chords and of nodes per chord that are proven to suffice. Searches for parameters use fewer, without an error
+bound.
 """
 
 from __future__ import annotations
@@ -43,21 +45,21 @@ from lommel.special.legendre import gauss_legendre
 
 _B = np.geomspace(0.03, 2.7, 64)  # imaginary parts b of the shifted integration paths; each b gives a bound
 _SINH = np.sinh(_B)
-# Bounds decrease like exp(-2 n b); the core solves them for n / 2.
+# Bounds decrease like exp(-2 n b) with the number n of chords or nodes; the core solves them for n / 2.
 _QUARTER = 0.25 / _B
 _RATIO = np.exp(-4.0 * _B)
 _OVER_CHORDS = np.log1p(_RATIO)
 # cosh(b)^2 / (cosh(2 b) / 2): certificate, section 16, "Chords and nodes".
-_CHORD_WEIGHT = 1.0 + 1.0 / np.cosh(2.0 * _B)  # largest weight of chords on the shifted paths, over the mean
+_CHORD_WEIGHT = 1.0 + 1.0 / np.cosh(2.0 * _B)  # largest weight of chords on the shifted paths / mean weight
 _ETA = np.linspace(0.0, 1.0, 17)  # positions on a path for the trapezoidal rule of means_of_kernel()
 # exp(-s) I_0(s) <= sqrt(_BESSEL / s), by 1 - cos t >= 2 t^2 / pi^2 in the integral of I_0 (section 16).
 _BESSEL = math.pi / 8.0
 _OVER_NODES = math.log(32.0 / 15.0) - np.log(-np.expm1(-2.0 * _B))
 _MOST_NODES, _MOST_DEGREE = 256, 250  # limits that keep sums of exp(n b) finite
 _ROUNDING = 2.0**-53
-# Fractions of the error of a field: for the projection, the sum over chords and the sum over nodes.
+# Fractions of the allowed error of a field: for the projection, the sum over chords and the sum over nodes.
 _SHARES = (0.25, 0.3, 0.3)
-_QUADRATURE = 0.05  # fraction of the error of a field: for the quadrature of the radial series
+_QUADRATURE = 0.05  # fraction of the allowed error of a field: for the quadrature of the radial series
 
 
 class By(NamedTuple):
@@ -95,8 +97,8 @@ class ChordalDebye(AberratedMethod):
     Every field is ``(1/pi) int t(rho) exp(i q theta + i W - i v.r) dx dy`` over the unit disc, where t is the
     amplitude with the phase of the layers, W the measured wavefront (radians) and v the image position. t has a kink
     at the critical angle, and is therefore replaced by its series of radial polynomials ``R_n^q`` up to degree D. The
-    remainder is orthogonal to all polynomials of lower degree, and in a small window ``exp(i W - i v.r)`` is nearly a
-    polynomial of lower degree: the remainder contributes little. :class:`ChordalGauss` integrates the product.
+    remainder is orthogonal to all polynomials of degree up to D, and in a small window ``exp(i W - i v.r)`` is nearly
+    such a polynomial: the remainder contributes little. :class:`ChordalGauss` integrates the product.
     Degree, chords and nodes are proven to suffice; see docs/certificate.md, section 16.
 
     References
@@ -120,8 +122,9 @@ class ChordalDebye(AberratedMethod):
     ) -> tuple[Images, Array, Array, Array]:
         """Return I of a `pupil` at the pixel centres of `grid`, and derivatives `by` parameters.
 
-        The derivatives have the shape (k, n, height, width), and no tolerance. The last two arrays, (k, n), are
-        bounds on their errors and on their largest moduli. Raises ToleranceError and ValueError like ``images``.
+        The derivatives have the shape (k, n, height, width); their errors have bounds, but no tolerance. The last two
+        arrays, (k, n), are bounds on the errors and on the largest moduli of the derivatives. Raises ToleranceError
+        and ValueError like ``images``.
         """
         n = pupil.depth.size
         if not grid.stack:
@@ -158,21 +161,26 @@ class ChordalDebye(AberratedMethod):
         return Images(out, scales, stored(relative, wanted.dtype), None, least), values[1:], error[1:], largest[1:]
 
     def _prove(
-        self, pupil: ObjectivePupil, tol: float, wanted: Wanted, made: Callable[[float], tuple[_Result, Array, Array]]
+        self,
+        pupil: ObjectivePupil,
+        tol: float,
+        wanted: Wanted,
+        compute: Callable[[float], tuple[_Result, Array, Array]],
     ) -> tuple[_Result, Array, Array]:
-        """Return the result for fields accurate enough for `tol`, the largest I, and its relative error.
+        """Return the result from fields accurate enough for `tol`, the largest I, and the error relative to it.
 
-        `made` computes the result, the largest I and its absolute error from a required error of fields. Raises
-        ToleranceError if `tol` cannot be met.
+        `compute` returns the result, the largest I and the absolute error of I, for a required error of fields.
+        Raises ToleranceError if `tol` cannot be met.
         """
         # Division by the computed peak doubles the error, and adds a second rounding error.
         twice = 2.0 if wanted.scale is None else 1.0
-        # The first error of fields assumes a quarter of the likely peak; it is reduced until the bound is proven.
+        # The first required error of fields assumes a quarter of the likely peak. It is reduced until the bound of I
+        # is at most `tol`.
         aim = max(tol, LEAST) / twice - 2.0 * storing(wanted.dtype)
         peak = likely_peak(pupil) / 4.0
         while True:
             field = max(LEAST, 2.0 ** math.floor(math.log2(aim * math.sqrt(peak) / 6.0)))
-            result, top, error = made(field)
+            result, top, error = compute(field)
             least = top - error
             relative: Array = np.where(least > 0.0, error / np.where(least > 0.0, least, 1.0), np.inf)
             if wanted.scale is None:
@@ -220,7 +228,7 @@ class ChordalDebye(AberratedMethod):
         return averaged_gradient(gradient_of_samples, pupil, grid, self.tol, weights)
 
 
-# Groups of planes: largest extent of the axes in a group, and side of the cells that divide larger groups (windows).
+# Groups of planes: largest distance of their axes, and side of the cells of larger groups; units: window sides.
 _MAX_SPREAD, _CELL = 0.2, 0.15
 
 
@@ -255,17 +263,17 @@ def gathered(
 
 # Limits above which methods over circles (Stratified, DebyeRings) are faster: their tables serve many samples.
 _MOST_SAMPLES = 50000  # samples of all planes
-_MOST_PLANE_SAMPLES = 10000  # samples of a plane with its own axis
-_PLAIN_PLANES, _PLAIN_SAMPLES = 8, 20000  # number of planes, and of their samples, without aberrations
+_MOST_PLANE_SAMPLES = 10000  # samples of a plane, if each plane has its own axis
+_PLAIN_PLANES, _PLAIN_SAMPLES = 8, 20000  # without aberrations: number of planes, and samples of all planes
 
 
 class ChordalDebyeIfCheaper(ChordalDebye):
-    """ChordalDebye, which declines before computing if methods over circles are estimated to be faster."""
+    """ChordalDebye that raises Declined if methods over circles are estimated to be faster."""
 
     def differentiated(
         self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted, by: By = _NONE
     ) -> tuple[Images, Array, Array, Array]:
-        """Return I at the centres of pixels and its derivatives."""
+        """Return I at pixel centres and its derivatives; see :meth:`ChordalDebye.differentiated`."""
         planes, samples = pupil.depth.size, pupil.depth.size * math.prod(grid.shape)
         plain = not pupil.aberrated and (planes > _PLAIN_PLANES or samples > _PLAIN_SAMPLES)
         shared = not grid.stack or planes == 1
@@ -294,7 +302,7 @@ class Fields(NamedTuple):
     sets: NDArray[np.int32]  # see :func:`all_sets`
     terms: NodeTerms
     field_errors: Array  # bounds on errors of fields, (sets, planes, fields)
-    turns: tuple[float, float]  # scales of the two sets of derivatives by ln k: phases of layers, and largest W
+    turns: tuple[float, float]  # factors of the two terms of derivatives by ln k: phases of layers, and W
 
 
 @dataclass(frozen=True, eq=False)
@@ -317,7 +325,7 @@ class _Case:
     ends: NDArray[np.int32]  # index after the last term of each amplitude part
     series: NDArray[np.int32]  # index of the radial series of each set
     left: Array  # truncation error of each set of fields, (sets,)
-    lost: Array  # part of the rounding errors that does not depend on the rule, in units of _ROUNDING, (sets,)
+    lost: Array  # part of the rounding errors that is independent of the rule, in units of _ROUNDING, (sets,)
     rules: dict[Rule, _RuleTables]  # cached tables
 
     def rule_tables(self, rule: Rule) -> _RuleTables:
@@ -350,7 +358,7 @@ _MOST_RULES, _MOST_BYTES = 8, 2**20  # number of cached rules, and largest size 
 
 
 def all_sets(by: By, *, turned: bool) -> list[tuple[int, int, int]]:
-    """Return the sets of fields (series, term or -1, kind); kind 1 (factor W) is added if `turned`."""
+    """Return the sets of fields (series, term or -1, kind): kind 1 has the factor W, else 0; only if `turned`."""
     sets = [*_series(by), *((0, k, 0) for k in range(len(by.terms)))]
     return [*sets, (0, -1, 1)] if turned else sets
 
@@ -373,12 +381,13 @@ def _case(
     sets = all_sets(by, turned=largest > 0.0)
     factors = [highest if kind else 0 if term < 0 else by.terms[term][0] for _, term, kind in sets]
     sizes = Growth(*(np.stack(each) for each in zip(*(plain.times(n) for n in factors), strict=True)))
-    # Films multiply s and p waves by different factors. A part is a sum of both waves, hence sqrt(2) times the norm.
+    # Films multiply s and p waves by different factors. An amplitude part is the sum of an s and a p wave: the norm
+    # is at most sqrt(2) times as large.
     norms = [norm, *(norm * (math.sqrt(2.0) if rate == projection.WAVENUMBER else 1.0) for rate in by.rates)]
     left = np.array([norms[series] for series, _, _ in sets]) * truncation_error(sizes.across, degree)
     reach = window.step * float(np.hypot(*np.maximum(axis, shape - 1.0 - axis)))
     of_terms = wavefront.indices[:, 0] ** 2 * 3.0 + 16.0 + len(wavefront.terms)
-    # Section 16, "Rounding", without 2 N + 2 K, which depends on the rule.
+    # Section 16, "Rounding", without 2 N + 2 K for the N chords and K nodes of the rule.
     lost = 4.0 * degree + 64.0 + 9.0 * reach + (np.abs(wavefront.edge) @ of_terms).max()
     # Further rounding errors, from a factor of degree n: section 8, "Derivatives".
     more = [6.0 * n * n + (of_terms.max() if kind else 0.0) for n, (_, _, kind) in zip(factors, sets, strict=True)]
@@ -402,7 +411,7 @@ def fields(pupil: ObjectivePupil, grid: Grid, field: float, by: By) -> Fields:
     window = Window(grid.shape, grid.axis, grid.step(pupil))
     case = _case(pupil.layers, pupil.emitter, pupil.aberrations, window, by, field)
     series = projection.amplitudes(pupil, case.degree, _QUADRATURE * field, by.rates)
-    # The weights of a rule have the sum 1: an amplitude is at most the sum of the moduli of its terms.
+    # The weights of a rule have the sum 1: the mean of an amplitude is at most the sum of the moduli of its terms.
     sizes, chords, nodes = chordal_series_sizes(series.coefficients, case.ends, case.powers, _QUARTER, case.chosen)
     tables_of_rule = case.rule_tables(Rule(_even(chords), _even(nodes), case.degree))
     shares = _shares(pupil.emitter)
@@ -419,21 +428,21 @@ def intensities(
 ) -> tuple[Array, Array, Array]:
     """Return I at pixel centres around one axis, and its derivatives, from fields with errors of about `field`.
 
-    The values have the shape (1 + k, n, height, width). The other two arrays, (1 + k, n), are bounds on their errors
-    and on their largest moduli.
+    The values have the shape (1 + k, n, height, width). The other two arrays, (1 + k, n), are bounds on the errors
+    and on the largest moduli of the values.
     """
     data = fields(pupil, grid, field, by)
     of_layers, measured = data.turns
-    found = chordal_series_light(*data.arguments, data.sets, data.terms, data.field_errors, pupil.power, threads)
+    results = chordal_series_light(*data.arguments, data.sets, data.terms, data.field_errors, pupil.power, threads)
     if projection.WAVENUMBER in by.rates:
         at = 1 + by.rates.index(projection.WAVENUMBER)
-        for each in found:
+        for each in results:
             each[at] *= of_layers
             if measured > 0.0:
                 each[at] += measured * each[-1]
-        values, error, largest = (each[: 1 + len(by.rates) + len(by.terms)] for each in found)
+        values, error, largest = (each[: 1 + len(by.rates) + len(by.terms)] for each in results)
         return values, error, largest
-    return found
+    return results
 
 
 def sums(
@@ -448,12 +457,12 @@ def sums(
 
 
 def _series(by: By) -> list[tuple[int, int, int]]:
-    """Return the sets of fields that have their own radial series."""
+    """Return the sets of fields without a Zernike term, of I and of its derivatives by rates."""
     return [(k, -1, 0) for k in range(1 + len(by.rates))]
 
 
 def error_of_light(field_errors: Array, largest: Array) -> Array:
-    """Bound the error of a sum of squares of fields with these errors and moduli up to `largest`; shape (n,)."""
+    """Bound the error of a sum of squared fields with `field_errors` and moduli up to `largest`; shape (n,)."""
     return np.asarray((field_errors * (2.0 * largest + field_errors) + 32.0 * _ROUNDING * largest**2).sum(axis=-1))
 
 
@@ -507,7 +516,7 @@ def growth(
     """
     terms, reach = wavefront.edge_terms(), []
     for edges, term in zip(zip(low.tolist(), high.tolist(), strict=True), ((1, -1), (1, 1)), strict=True):
-        # A tilt shifts the image: only v minus the tilt matters.
+        # A tilt shifts the image: the integrand depends on v minus the tilt.
         tilt = terms.get(term, 0.0)
         reach.append(max(float(np.abs(edge - tilt).max()) for edge in edges))
     total = np.zeros(_B.shape)
@@ -565,7 +574,7 @@ def degree_for(size: Array, norm: float, error: float) -> int:
 
 
 def _even(halved: float) -> int:
-    """Return the smallest even number of chords or nodes that is proven to suffice."""
+    """Return the even number of chords or nodes that is proven to suffice, from half of this number."""
     needed = 2 * max(2, math.ceil(halved))
     if needed > _MOST_NODES:
         raise Declined(_TOO_LARGE)
@@ -573,7 +582,7 @@ def _even(halved: float) -> int:
 
 
 def curves(size: Growth, rule: Rule) -> tuple[Array, Array]:
-    """Return the errors of the sum over chords and of the sum over nodes, per unit amplitude on the shifted paths."""
+    """Return the errors of the sums over chords and over nodes, for amplitudes of modulus 1 on the shifted paths."""
     of_chords, of_nodes = _rule_errors(rule.chords, rule.nodes)
     return np.exp(np.minimum(size.around + of_chords, 600.0)), np.exp(np.minimum(size.along + of_nodes, 600.0))
 
@@ -581,7 +590,7 @@ def curves(size: Growth, rule: Rule) -> tuple[Array, Array]:
 @lru_cache(maxsize=64)
 def _rule_errors(chords: int, nodes: int) -> tuple[Array, Array]:
     """Return the logarithms of the relative errors of sums over chords and over nodes."""
-    # Certificate, section 8: e_N and e_K, divided by the mean of the integrand on the shifted paths.
+    # Certificate, section 8: e_N and e_K, divided by the mean modulus of the integrand on the shifted paths.
     around = np.log1p(_RATIO) - np.log(-np.expm1(-2.0 * (chords + 1) * _B)) - 2.0 * chords * _B
     return around, _OVER_NODES - 2.0 * nodes * _B
 
@@ -597,7 +606,7 @@ class Quadrant(NamedTuple):
 @lru_cache(maxsize=16)
 def quadrant(chords: int, nodes: int) -> Quadrant:
     """Return the nodes of a rule in the quadrant x, y > 0, and their weights."""
-    # The other quadrants are mirror images, which the core folds onto this one.
+    # The other quadrants are mirror images; the core adds their waves to the waves of this one.
     angle = np.pi / (chords + 1) * np.arange(1, chords // 2 + 1)[:, None]
     eta, weight = (each[::-1][: nodes // 2] for each in gauss_legendre(nodes, -1.0, 1.0))
     x, y = np.cos(angle) + 0.0 * eta, np.sin(angle) * eta
@@ -644,7 +653,7 @@ _MOST_DISC_CHORDS = 200
 
 
 def chords_for(radius: float, error: float) -> int:
-    """Return the smallest even number of chords with which the error of a disc average is at most `error`."""
+    """Return the smallest even number of chords for which the error of a disc average is at most `error`."""
     for chords in range(2, _MOST_DISC_CHORDS + 1, 2):
         if chord_error(radius, chords) <= error:
             return chords
@@ -658,10 +667,10 @@ def chord_error(radius: float, chords: int) -> float:
     return float(((1.0 + np.exp(-4.0 * _DISC_B)) * grown / -np.expm1(-2.0 * (chords + 1) * _DISC_B)).min())
 
 
-# Parameter searches need errors that are small relative to the noise only; a certified image checks their result.
-# They use rules of fixed size, with about half as many chords and nodes as the proof requires. Pixel, bead and blur
-# are linear filters of the samples. Filter weights are fitted to the transfer function at frequencies abs(w) <= 2,
-# beyond which the OTF is 0, by least squares with the OTF of a circular aperture as the weight.
+# Parameter searches only need errors that are small relative to the noise; a certified image checks their result. The
+# searches use rules of fixed size, with about half as many chords and nodes as the proof requires. Pixels, beads and
+# blur are linear filters of the samples. The OTF of I is 0 at frequencies abs(w) > 2. Below, filter weights are
+# fitted to the transfer function by least squares, weighted with the OTF of a circular aperture.
 
 Term = tuple[int, int]
 HALF = 7  # smallest number of samples on each side of a filter
@@ -703,10 +712,10 @@ class SampleLattice(NamedTuple):
         return Window((height, width), (row, column), self.step / s)
 
 
-def search_rule(reach: float, waves: float) -> Rule:
-    """Return a rule for samples up to `reach` in v along each axis, and phases up to `waves` (radians)."""
+def search_rule(reach: float, phase: float) -> Rule:
+    """Return a rule for samples up to `reach` in v along each axis, and phases up to `phase` (radians)."""
     # Fitted to stacks over 2 um at NA 1.2 to 1.49, with errors of 1e-4 of the peak.
-    count = 2 * math.ceil(0.5 * (0.54 * reach + 17.0 + 0.9 * waves))
+    count = 2 * math.ceil(0.5 * (0.54 * reach + 17.0 + 0.9 * phase))
     return Rule(count + 2, count, count - 4)
 
 
@@ -798,7 +807,7 @@ class Filter(NamedTuple):
 
     def of(self, samples: Array) -> Array:
         """Return pixels (..., height, width) from samples."""
-        # Small products for each image, for which BLAS starts no threads.
+        # One small product for each image: BLAS starts no threads for small products.
         total: Array = np.zeros(())
         for rows, columns in self.parts:
             down, across = (each.astype(samples.dtype, copy=False) for each in (rows, columns))
@@ -813,7 +822,7 @@ def pixel_filter(
     s, half, side = samples.stride, samples.half, samples.step if integrate else 0.0
     h = samples.step / s
 
-    # Transfer function along one axis: pixel, Gaussian, a chord (sinc), and the chord with its mirror image (cosine).
+    # Transfer function along one axis: pixel, Gaussian, mean over a chord (sinc), and a pair of chords (cosine).
     def along(w: Array, mean: float, cosine: float) -> Array:
         plain = np.sinc(side * w / (2.0 * math.pi)) * np.exp(-0.5 * variance * w * w)
         return np.asarray(plain * np.sinc(mean * w / math.pi) * np.cos(cosine * w))

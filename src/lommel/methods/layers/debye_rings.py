@@ -1,4 +1,4 @@
-"""Microscope stacks with a measured wavefront: fields on circles, as sums over azimuthal orders."""
+"""Microscope stacks with a measured wavefront: fields on circles around the axis, as sums over azimuthal orders."""
 
 from __future__ import annotations
 
@@ -27,13 +27,13 @@ from lommel.special.bessel import bessel_sequence
 
 
 class _Band(NamedTuple):
-    """Bandwidth of I in radians per spacing of circles, and smallest error of the interpolation between circles."""
+    """Bandwidth of I times the spacing of circles, and smallest error of the interpolation between circles."""
 
     band: float
     least: float
 
 
-# Circles are 0.8 apart in v or, for small errors, 0.55: certificate, section 16, "Between circles".
+# The spacing of circles in v is 0.8 or, for small errors, 0.55: certificate, section 16, "Between circles".
 _BANDS = (_Band(1.6, 5e-12), _Band(1.1, 5e-13))
 _AROUND = 1e-12  # smallest error of the interpolation around circles
 _PARTS = 2**22  # largest number of values of pupil functions in memory, if each pupil has its own wavefront
@@ -41,7 +41,7 @@ _ROUNDING = 2.0**-53
 
 
 class Accuracy(NamedTuple):
-    """Allowed errors: of fields, of I by interpolation between circles, and by interpolation around them (over I)."""
+    """Allowed errors: of fields, of I by interpolation between circles, and around circles (relative to I)."""
 
     field: float
     between: float
@@ -94,11 +94,11 @@ class DebyeRings(AberratedMethod):
         Raises ToleranceError if rounding errors exceed `tol`.
         """
         peak = likely_peak(pupil) / 4.0
-        # Division of values by their own largest value doubles the error, and adds a second rounding error.
+        # Division of values by the largest value doubles the error, and adds a second rounding error.
         twice = 2.0 if wanted.scale is None else 1.0
         allowed = max(tol, LEAST) / twice - 2.0 * storing(wanted.dtype)
         while True:
-            # Powers of two, so that similar tolerances share taps and angles.
+            # Powers of two, so that similar tolerances share interpolation weights (taps) and angles.
             errors = (allowed * math.sqrt(peak) / 8.0, allowed * peak, allowed / 100.0)
             accuracy = Accuracy(*(2.0 ** math.floor(math.log2(error)) for error in errors))
             images = ringed(pupil, grid, accuracy, wanted)
@@ -129,13 +129,13 @@ class Turn(NamedTuple):
 
 
 def ringed(pupil: ObjectivePupil, grid: Grid, accuracy: Accuracy, wanted: Wanted, turn: Turn | None = None) -> Images:
-    """Return images computed with this accuracy, and their error bounds: certificate, section 16.
+    """Return images computed with these allowed errors, and error bounds: certificate, section 16.
 
-    A `turn` multiplies the waves by a further factor.
+    A `turn` multiplies the waves by a further factor, for derivatives.
     """
     step, light, n = grid.step(pupil), pupil.light, pupil.depth.size
     band, along = _along(accuracy.between)
-    # Circles up to the farthest pixel, and further circles for the taps and the filter.
+    # Circles up to the farthest pixel, and a margin for the interpolation weights (taps) and the filter.
     circles = math.ceil(grid._farthest * step / (0.5 * band)) + along.taps.size // 2 + along.filter.size + 2
     wavefront, terms, rule = _nodes(pupil, (0.5 * band * (circles - 1), accuracy.field), turn)
     rows = squares(light.waves.form)
@@ -153,7 +153,7 @@ def ringed(pupil: ObjectivePupil, grid: Grid, accuracy: Accuracy, wanted: Wanted
         # The order of a field is the sum of an order of the wavefront and the order of an emitter's wave.
         shift = max(map(abs, light.waves.orders))
         max_order = across.shape[1] // 2 + shift
-        # The intensity has up to twice the orders of a field; this number of angles separates them.
+        # The orders of the intensity are up to twice those of a field; this number of angles separates the orders.
         angles = fft_length(4 * max_order + 1)
         around = interpolation.circular_taps(2 * max_order, 2 * angles, max(accuracy.around, _AROUND))
         waves = rule.waves(pupil.depth.ravel()[part], pupil.focus.ravel()[part])
@@ -192,34 +192,34 @@ def ringed(pupil: ObjectivePupil, grid: Grid, accuracy: Accuracy, wanted: Wanted
 def _nodes(
     pupil: ObjectivePupil, reach_and_error: tuple[float, float], turn: Turn | None
 ) -> tuple[Wavefront, projection.Sizes, debye.Rule]:
-    """Return the flattened wavefronts, the sizes of their terms, and the rule over the angles of the objective."""
+    """Return the flattened wavefronts, the amplitudes of Zernike terms, and the quadrature rule over angles."""
     assert pupil.aberrations is not None
     wavefront = pupil.aberrations.flattened()
     terms = tuple(wavefront.amplitudes().items())
 
     def growth(piece: Piece) -> Array:
-        of_wavefront = projection.growth(piece, terms)
-        return of_wavefront if turn is None else of_wavefront + turn.growth(piece)
+        wavefront_growth = projection.growth(piece, terms)
+        return wavefront_growth if turn is None else wavefront_growth + turn.growth(piece)
 
     depth, focus = pupil.depth.ravel(), pupil.focus.ravel()
     return wavefront, terms, debye.rule(pupil.layers, pupil.light.model, depth, focus, *reach_and_error, growth)
 
 
-def _circle_error(found: Ringed, field_errors: Array, max_order: int, angles: int) -> Array:
+def _circle_error(sampled: Ringed, field_errors: Array, max_order: int, angles: int) -> Array:
     """Bound the error of the intensity at any angle of a circle, from the errors of fields, shape (fields, n)."""
     # Between angles a field is at most 1 / cos(pi max_order / angles) times its maximum (Ehlich and Zeller).
-    largest = np.sqrt(found.squares) / math.cos(math.pi * max_order / angles)
+    largest = np.sqrt(sampled.squares) / math.cos(math.pi * max_order / angles)
     return np.asarray((field_errors * (2.0 * largest + field_errors)).sum(axis=0))
 
 
 def _pixel_error(
-    found: Ringed, error: Array, along: interpolation.FilteredTaps, around: interpolation.CircularTaps, angles: int
+    sampled: Ringed, error: Array, along: interpolation.FilteredTaps, around: interpolation.CircularTaps, angles: int
 ) -> Array:
     """Bound the error of pixels: interpolation between and around circles, errors of intensities, rounding."""
-    sizes = found.sums + float(np.abs(along.filter).sum()) * found.top
+    sizes = sampled.sums + float(np.abs(along.filter).sum()) * sampled.top
     # Section 16, "Rounding".
     units = 64.0 * math.sqrt(2 * angles) + 2 * along.filter.size + 64
-    interpolated = found.aliases + units * _ROUNDING * around.taps.gain * sizes
+    interpolated = sampled.aliases + units * _ROUNDING * around.taps.gain * sizes
     return np.asarray(along.error + along.gain * error + along.taps.gain * interpolated)
 
 

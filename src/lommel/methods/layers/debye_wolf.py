@@ -19,7 +19,7 @@ from lommel.optics.layers import debye
 from lommel.optics.layers.emitter import Harmonic
 from lommel.optics.layers.objective_pupil import ObjectivePupil
 
-LEAST = 1e-15  # smallest error of fields that may be requested, near rounding
+LEAST = 1e-15  # smallest error of fields that may be requested, close to rounding errors
 
 BRIGHT_RING = 1.8412  # v of the maximum of J1: images that are dark on the axis are bright near this radius
 
@@ -115,12 +115,12 @@ class DebyeWolf(LayeredMethod, RadialMethod[ObjectivePupil]):
 
     def profile(self, pupil: ObjectivePupil, v: Array) -> Intensities:
         """Return I at ascending v, with errors relative to the computed peak."""
-        # One more radius, at which images that are dark on the axis are bright, so that the peak is not missed.
+        # An additional radius at which images that are dark on the axis are bright, for the estimate of the peak.
         profile = self._refine(pupil, np.append(v, BRIGHT_RING), lambda orders: orders[0], self.tol)
         return profile._replace(values=profile.values[:, :-1])
 
     def intensity(self, pupil: ObjectivePupil, grid: Grid, threads: int = 0) -> Intensities:
-        """Return I at the distinct radii of a radially symmetric image centred on `grid`, else on its pixels."""
+        """Return I at the distinct radii of `grid` if I is radially symmetric and centred, else at its pixels."""
         if grid.integrate and pupil.radial:
             return self.on_pixels(pupil, grid, threads)
         if grid.integrate:
@@ -140,7 +140,7 @@ class DebyeWolf(LayeredMethod, RadialMethod[ObjectivePupil]):
         return to_images(self._centres(pupil, grid, max(tol, LEAST)), grid, wanted)
 
     def _centres(self, pupil: ObjectivePupil, grid: Grid, tol: float) -> Intensities:
-        """Return I at the centres of pixels; a grid with a centre for each plane is computed plane by plane."""
+        """Return I at pixel centres; if each plane of the grid has its own axis, planes are computed one by one."""
         if not grid.stack:
             return self._sample_centres(pupil, grid, tol)
         planes = [self._sample_centres(pupil[k], grid[k], tol) for k in np.ndindex(pupil.shape)]
@@ -166,7 +166,7 @@ class DebyeWolf(LayeredMethod, RadialMethod[ObjectivePupil]):
     def _refine(
         self, pupil: ObjectivePupil, v: Array, intensities: Callable[[Array], Array], tol: float
     ) -> Intensities:
-        """Return ``intensities(orders)`` of :func:`harmonics` at v, with an error of at most `tol` of the peak."""
+        """Return `intensities` of the azimuthal orders at v, with an error of at most `tol` of the peak."""
 
         def compute(field_tol: float) -> tuple[Array, Array]:
             orders, error = harmonics(pupil, v, field_tol)

@@ -1,14 +1,15 @@
 r"""Point samples of the light of microscopes with aberrations, and their means over discs, with error bounds.
 
-This light has too many azimuthal orders for :mod:`lommel.methods.layers.scanning`. A mean over a disc of radius s
-multiplies the transfer function by
+Light with aberrations has too many azimuthal orders for :mod:`lommel.methods.layers.scanning`. A mean over a disc of
+radius s multiplies the transfer function by
 
 .. math:: \frac1\pi \iint e^{i s (w_x x + w_y y)} dx\, dy
     \approx \frac{2}{N + 1} \sum_i \sin^2 a_i \cos(s\, w_x \cos a_i)\, \mathrm{sinc}(s\, w_y \sin a_i),
     \quad a_i = \frac{i \pi}{N + 1} ,
 
 the sum over N chords of :class:`lommel.ChordalGauss`. For ``abs(w) <= 2`` and every b > 0 its error is at most
-``(1 + exp(-4 b)) exp(2 s sinh(b) - 2 N b) / (1 - exp(-2 (N + 1) b))``. Each factor is the response of a filter.
+``(1 + exp(-4 b)) exp(2 s sinh(b) - 2 N b) / (1 - exp(-2 (N + 1) b))``. The cosine and the sinc are responses of
+filters of columns and rows.
 
 References
 ----------
@@ -43,13 +44,13 @@ if TYPE_CHECKING:
 # errors, for every eta > 0 and ``rho = exp(eta)``. Mean over a circle of radius s from m points: ``exp(2 s sinh eta)
 # / (exp(m eta) - 1)``. Mean over radii up to a from n Gauss points in the squared radius: ``2 exp(2 a sinh(eta / 2))
 # rho^(1 - 2 n) / (rho - 1)``, since on Bernstein's ellipse around [0, 1] ``abs(Im sqrt(t)) <= sinh(eta / 2)``.
-# Interpolation in an even table of step h by polynomials of degree 11: ``(2 h)^12 max(abs(omega)) / (2 * 12!)``
-# (Bernstein's inequality).
+# Interpolation in an equally spaced table of step h by polynomials of degree 11: ``(2 h)^12 max(abs(omega)) / (2 *
+# 12!)`` (Bernstein's inequality).
 #
 # For light ``sum_m F_m(r) exp(i m phi)`` each order m is treated separately. A disc is symmetric about the line from
-# the axis to its centre, so that its mean of an order is of the same order. Along a line through the axis, F_m
-# extends to negative radii by ``F_m(-r) = (-1)^m F_m(r)``. The sum over the orders equals the same rule applied to
-# the whole light, for which the bounds are proven.
+# the axis to its centre; the mean of an order over the disc is therefore of the same order. Along a line through the
+# axis, F_m extends to negative radii by ``F_m(-r) = (-1)^m F_m(r)``. The sum over the orders equals the same rule
+# applied to the whole light, for which the bounds are proven.
 
 HALF = 6  # half the number of points of an interpolation
 _OMEGA = math.prod(k + 0.5 for k in range(HALF)) ** 2 / math.factorial(2 * HALF)
@@ -63,11 +64,11 @@ Values = NDArray[np.float64] | NDArray[np.complex128]  # values of azimuthal ord
 
 
 class DiscMeans(NamedTuple):
-    """Radii at which an intensity must be known, and the weights of its means over discs."""
+    """Radii at which an intensity is needed, and weights from intensities at these radii to means over discs."""
 
     places: Array  # the radii, rising v
     weights: tuple[csr_array, ...]  # for each m >= 0, a sparse matrix (places, means) for the orders m and -m
-    gain: float  # largest factor by which errors of the values grow
+    gain: float  # largest factor by which means multiply errors of the values
     error: float  # bound on the error of the means, relative to the unaberrated peak
 
     def of(self, values: Values) -> Values:
@@ -78,7 +79,7 @@ class DiscMeans(NamedTuple):
 
 
 def disc_means(v: Array, radius: float, error: float, order: int = 0) -> DiscMeans:
-    """Return the rule for averages of an intensity over discs of this radius, with centres at distances `v`."""
+    """Return the rule for means of an intensity over discs of `radius`, centred at distances `v` from the axis."""
     from scipy.sparse import coo_array
 
     # The table, the circles and the radii each use a third of the error: certificate, "Means over a disc".
@@ -101,7 +102,7 @@ def disc_means(v: Array, radius: float, error: float, order: int = 0) -> DiscMea
 
 
 def table_step(error: float) -> float:
-    """Return the largest step of an even table for which the error of :func:`between` is at most `error`."""
+    """Return the largest table step for which the interpolation error of :func:`between` is at most `error`."""
     return float(min(_MAX_STEP, 0.5 * (2.0 * error / _OMEGA) ** (0.5 / HALF)))
 
 
@@ -171,21 +172,21 @@ class SampledLight(NamedTuple):
 
 
 def light_samples(pupil: ObjectivePupil, grid: Grid, fraction: float, threads: int = 0) -> SampledLight:
-    """Return the intensity of a pupil over the collected light of each plane, within `fraction` of the peak."""
+    """Return the intensity of a pupil, for unit collected light in each plane, to `fraction` of the peak."""
     tol = max(fraction, _LEAST)
 
     def compute(way: Method) -> Images:
         return way.images(pupil, grid, Wanted(1.0, np.dtype(np.float64), threads=threads))
 
     images = first_within_tolerance(candidates(pupil, grid, tol), compute)[1]
-    # A phase error changes a field by at most the same amount; the intensity follows as in section 6.
+    # A phase error changes a field by at most the same amount; section 6 bounds the change of the intensity.
     left = pupil.left_out[0]
     error = images.bound * images.brightest + left * (2.0 * np.sqrt(images.brightest) + left)
     return SampledLight(images.values.reshape(-1, *grid.shape), np.broadcast_to(error, (math.prod(pupil.shape),)))
 
 
 class DiscFilter(NamedTuple):
-    """Pairs of filters of rows and columns, of equal length; the sum of their results is the mean over discs."""
+    """Pairs of a row filter and a column filter, all of equal length; their sum computes means over discs."""
 
     parts: tuple[tuple[Taps, Taps], ...]
     error: float  # bound on the error of the response
@@ -200,21 +201,21 @@ class DiscFilter(NamedTuple):
         """Return the grid of samples for means around pixel centres."""
         return sample_grid(grid, self.taps)
 
-    def of(self, given: SampledLight, threads: int = 0) -> SampledLight:
-        """Return the means of samples; the modulus of their transfer function must have an integral of at most 1."""
-        total = sum((filter_axes(given.values, rows, columns, threads) for rows, columns in self.parts), np.zeros(()))
-        rounded = (4.0 * self.taps.weights.size + len(self.parts) + 16.0) * 2.0**-53 * given.most
-        return SampledLight(np.asarray(total), self.error + self.gain * (given.error + rounded))
+    def of(self, light: SampledLight, threads: int = 0) -> SampledLight:
+        """Return means of samples of an intensity; the integral of the modulus of its OTF must be at most 1."""
+        total = sum((filter_axes(light.values, rows, columns, threads) for rows, columns in self.parts), np.zeros(()))
+        rounded = (4.0 * self.taps.weights.size + len(self.parts) + 16.0) * 2.0**-53 * light.most
+        return SampledLight(np.asarray(total), self.error + self.gain * (light.error + rounded))
 
 
 @lru_cache(maxsize=64)
 def disc_filter(step: float, radius: float, error: float, least: int = 0) -> DiscFilter:
-    """Return the filter for means over discs of `radius` around pixels of pitch `step` (both in v), within `error`.
+    """Return the filter, to `error`, for means over discs of `radius` around pixels of pitch `step` (both in v).
 
     The filter has at least `least` weights on either side. Raises Declined if it needs too many chords.
     """
     chords = chords_for(radius, 0.5 * error)
-    # The samples are as dense as for averages over pixels: section 10.
+    # The sample density is that of averages over pixels: section 10.
     stride = samples_across(step)
     h, filter_error = step / stride, error / 8.0
     angles = np.pi / (chords + 1) * np.arange(1, chords // 2 + 1)
@@ -239,7 +240,10 @@ def disc_filter(step: float, radius: float, error: float, least: int = 0) -> Dis
 
 
 def _response(half: int, h: float, error: float, length: float, *, mean: bool) -> tuple[Array, float, float]:
-    """Return weights from the centre on: their response is ``cos(length w)``, or its mean from 0 to `length`."""
+    """Return the weights of a symmetric filter, from the centre outward, its error and its gain.
+
+    The response is ``cos(length w)``, or its mean over lengths from 0 to `length` if `mean`.
+    """
     longest = half + 60
     while True:
         weights, off, gain = fit_taps(

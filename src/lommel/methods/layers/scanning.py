@@ -42,7 +42,7 @@ from lommel.optics.layers.objective_pupil import ObjectivePupil
 
 _MIN_ERROR = 1e-13  # smallest error that is requested of intensities of peak about 1
 _BRIGHT = np.array([0.0, BRIGHT_RING])  # radii v at which most planes are bright
-_FINEST = 0.05  # smallest error requested of one factor of a product, as a fraction of the tolerance
+_MIN_ERROR_FRACTION = 0.05  # smallest error requested of one factor of a product, divided by the tolerance
 _ROUNDING = 2.0**-50  # relative rounding error of an intensity or a product
 _AZIMUTHS = np.linspace(0.0, 2.0 * np.pi, 8, endpoint=False)  # azimuths at which the peak is searched, radians
 _PEAK_RADII = 512  # approximate number of radii at which the peak is searched
@@ -93,10 +93,9 @@ def highest(pupil: ObjectivePupil) -> int:
 def light(pupil: ObjectivePupil, v: Array, accuracy: float, tol: float) -> Orders:
     """Return the intensity of a pupil at rising v.
 
-    The requested error, relative to the peak of this intensity, is `accuracy`, but at least 0.05 `tol`, which double
-    precision can reach.
+    The requested error, relative to the peak of this intensity, is `accuracy` or, if this is larger, 0.05 `tol`.
     """
-    computed = profiles(pupil, v, max(accuracy, _FINEST * tol, Stratified.least_tol))
+    computed = profiles(pupil, v, max(accuracy, _MIN_ERROR_FRACTION * tol, Stratified.least_tol))
     if computed is None:
         values, error = harmonics(pupil, v, LEAST)
         computed = np.moveaxis(values, 0, 1), error
@@ -144,7 +143,7 @@ class Table(NamedTuple):
 
     @classmethod
     def around(cls, radius: Array, error: float, stretch: float) -> Table:
-        """Return the table for pixels at `radius`, this error, and intensities of exponential type 2 `stretch`."""
+        """Return the table for pixels at `radius`, interpolation to `error`, and intensities of type 2 `stretch`."""
         step = table_step(error) / stretch
         first, last = (int(np.floor(at / step)) for at in (radius.min(), radius.max()))
         return cls(np.arange(first + 1 - HALF, last + HALF + 1), step)
@@ -272,8 +271,8 @@ class ProvenMethod(LayeredMethod, RadialMethod[ObjectivePupil]):
             samples = self._pixels(pupil, grid, target, wanted.threads)
             return np.maximum(samples.values, 0.0), samples.error
 
-        made = refine_until(compute, allowed, start=0.1 * allowed, floor=_MIN_ERROR, named=self.tol)
-        return to_images(made, grid, wanted)
+        intensities = refine_until(compute, allowed, start=0.1 * allowed, floor=_MIN_ERROR, named=self.tol)
+        return to_images(intensities, grid, wanted)
 
 
 _MAX_HEIGHTS = 200  # largest number of heights of the Gauss rule over a bead
@@ -284,9 +283,10 @@ _MAX_DIAMETER = 1e-5  # largest diameter of a bead, metres
 class Bead(ProvenMethod):
     r"""A bead uniformly filled with emitters, centred on the emitter of the pupil.
 
-    The bead is integrated over discs: ``3/4 int (1 - u^2) D(u) du`` over -1 to 1, D being the mean PSF over a disc of
-    radius ``R sqrt(1 - u^2)`` at the depth ``d + R u``, with d the depth of its centre and R its radius. The integral
-    is computed by a Gauss rule for the weight ``1 - u^2``; its number of heights u is proven to suffice.
+    The image is an integral over discs, ``3/4 int (1 - u^2) D(u) du`` over -1 to 1. R is the radius of the
+    bead and d the depth of its centre; D is the mean PSF over a disc of radius ``R sqrt(1 - u^2)`` at the depth
+    ``d + R u``. A Gauss rule for the weight ``1 - u^2`` computes the integral; its number of heights u is proven
+    to suffice.
 
     Parameters
     ----------
@@ -302,9 +302,10 @@ class Bead(ProvenMethod):
 
     Notes
     -----
-    The intensity is band-limited along the height h as well as laterally: the phase of a plane wave in the sample
-    (wavenumber ``k n_s``) varies by at most ``k n_s (1 - c) h``, c being the smallest cosine of its angle, and beyond
-    the critical angle it decays like ``exp(-k n_s kappa h)``. The sum over heights therefore converges geometrically.
+    The intensity is band-limited along the height h as well as laterally. Relative to the axial wave, the phase of a
+    plane wave in the sample (wavenumber ``k n_s``) varies by at most ``k n_s (1 - c) h``, with c the smallest cosine
+    of a ray's angle. Waves beyond the critical angle decay like ``exp(-k n_s kappa h)``, where the cosine is
+    ``i kappa``. The sum over heights therefore converges geometrically.
     Refraction by the bead itself is neglected.
     """
 
@@ -317,7 +318,7 @@ class Bead(ProvenMethod):
         super().__post_init__()
 
     def unsupported(self, pupil: ObjectivePupil) -> str | None:
-        """Return the reason why a pupil is not supported, such as a bead that extends into the glass; else None."""
+        """Return the reason why a pupil is not supported, for example a bead that extends into glass; else None."""
         radius = 0.5 * self.diameter
         near = float(pupil.depth.min())
         if near < radius * (1.0 - 1e-9):
@@ -362,9 +363,10 @@ class Bead(ProvenMethod):
         return SampledLight(values, error)
 
     def _planes(self, pupil: ObjectivePupil, target: float) -> tuple[Array, ObjectivePupil, Array, float]:
-        """Return heights, a pupil per height and plane (heights, n), fractions of the light, and the rule's error.
+        """Return the heights u, and for each height and plane a pupil and a fraction of the light; also the error.
 
-        The pupils have no aberrations. The fractions have the sum 1 over the heights of each plane.
+        The pupils have no aberrations. For each plane the fractions have the sum 1. The error is that of the sum over
+        heights.
         """
         # Gauss rule for the weight 1 - u^2 over heights u in units of the radius.
         heights, weights, error = _height_rule(self._growth(pupil), target)
@@ -375,19 +377,19 @@ class Bead(ProvenMethod):
         return heights, stack, share / share.sum(axis=0), error
 
     def _growth(self, pupil: ObjectivePupil) -> Array:
-        """Return the logarithm of a bound on the intensity on each of the ellipses `ETA` of complex heights."""
+        """Return the logarithm of a bound on the intensity, for complex heights on each Bernstein ellipse `ETA`."""
         layers, radius = pupil.layers, 0.5 * self.diameter
         eta, ratio = ETA, layers.NA / layers.sample
-        within = float(1.0 - np.sqrt(max(1.0 - ratio**2, 0.0)))  # 1 - c, for propagating waves
-        fading = float(np.sqrt(max(ratio**2 - 1.0, 0.0)))  # largest kappa, for waves beyond the critical angle
-        # On the ellipse, abs(Im) is R sinh(eta) abs(cos t) for the radius of the disc, R sinh(eta) abs(sin t) for
-        # the height: certificate, "Beads".
-        across = radius * layers.wavenumber * float(np.hypot(2.0 * layers.NA, layers.sample * within))
-        return across * np.sinh(eta) + 2.0 * radius * layers.wavenumber * layers.sample * fading * np.cosh(eta)
+        one_minus_cosine = float(1.0 - np.sqrt(max(1.0 - ratio**2, 0.0)))  # largest 1 - c, for propagating waves
+        largest_kappa = float(np.sqrt(max(ratio**2 - 1.0, 0.0)))  # for waves beyond the critical angle
+        # At the parameter t of the ellipse, the imaginary part of the disc's radius has the modulus R sinh(eta)
+        # abs(cos t), that of the height R sinh(eta) abs(sin t): certificate, "Beads".
+        across = radius * layers.wavenumber * float(np.hypot(2.0 * layers.NA, layers.sample * one_minus_cosine))
+        return across * np.sinh(eta) + 2.0 * radius * layers.wavenumber * layers.sample * largest_kappa * np.cosh(eta)
 
 
 def _height_rule(growth: Array, error: float) -> tuple[Array, Array, float]:
-    """Return heights u, weights of sum 1, and the error bound: at most `error` if `_MAX_HEIGHTS` suffice."""
+    """Return heights u, weights of sum 1, and the error bound; it exceeds `error` if `_MAX_HEIGHTS` are too few."""
     from scipy.special import roots_jacobi
 
     nodes = 2
@@ -413,9 +415,9 @@ class Confocal(ProvenMethod):
     ``E(r) P(r)``, r being the distance of the emitter from the axis: E is the excitation intensity, relative to the
     focus of a uniform scalar aperture that sends as much light through the same plane of the sample; P is the
     fraction of the collected emission that passes the pinhole. An image is computed for the pupil of the
-    emission; its planes are used for the excitation, too. A :class:`lommel.Dipole` absorbs the field along its
-    moment: E is then three times the intensity of that component, averaged over its wobble; for a freely rotating
-    dipole it is the total intensity.
+    emission; its planes are used for the excitation, too. A :class:`lommel.Dipole` absorbs the component of the field
+    along its moment: E is then three times the intensity of this component, averaged over the wobble of the dipole.
+    For a freely rotating dipole, E is the total intensity.
 
     Parameters
     ----------
@@ -433,10 +435,10 @@ class Confocal(ProvenMethod):
 
     Notes
     -----
-    ``E(r) = 4 pi / (k NA)^2 I(r) / int I d^2r``, with the integral over the plane of the emitter, which does not
-    depend on the focus; for circular polarization ``I = abs(K0)^2 + 2 abs(K1)^2 + abs(K2)^2``, with K0 to K2 of
-    :meth:`lommel.Objective.fields`. The integral includes Fresnel losses and light beyond the critical angle; near
-    the glass it changes with depth.
+    ``E(r) = 4 pi / (k NA)^2 I(r) / int I d^2r``, with the integral over the plane of the emitter. The integral
+    does not depend on the focus. For circular polarization ``I = abs(K0)^2 + 2 abs(K1)^2 + abs(K2)^2``, with K0 to
+    K2 of :meth:`lommel.Objective.fields`. The integral includes Fresnel losses and light beyond the critical angle;
+    near the glass it changes with depth.
 
     The spatial frequencies of E P are sums of a frequency of E and a frequency of P: the cutoff is the cutoff of the
     emission times ``1 + lambda_emission / lambda_excitation``.
@@ -507,7 +509,7 @@ class Confocal(ProvenMethod):
         return absorbed.power / replace(absorbed, emitter=self.excitation.emitter).power
 
     def stretch(self, pupil: ObjectivePupil) -> float:
-        """Return the exponential type in v of a field whose square is E P: 1 plus the excitation type."""
+        """Return the exponential type in v of a field whose square is E P: 1 for P, plus that of the excitation."""
         return 1.0 + pupil.scale / self.excitation.scale
 
     def _orders(self, pupil: ObjectivePupil, v: Array, target: float) -> Orders:
@@ -605,8 +607,8 @@ class Sted(Confocal):
     depletion : ObjectivePupil
         A rotationally symmetric beam that is dark on the axis: ``lm.Beam("vortex")``, in any planes.
     saturation : float
-        The factor s of D, at most 1e4. The argument of :func:`lommel.microscopy.sted` is the saturation at the peak
-        of the beam instead.
+        The factor s of D, at most 1e4. The argument of :func:`lommel.microscopy.sted`, by contrast, is s times the
+        peak of D.
 
     Raises
     ------
@@ -656,7 +658,7 @@ class Sted(Confocal):
     def images(self, pupil: ObjectivePupil, grid: Grid, wanted: Wanted) -> Images:
         """Return the images of the flattened stack; see ``Method.images``."""
         if grid.integrate and self.along_radius(pupil) is None:
-            raise ValueError("integrate must be False for a Sted whose light depends on the direction, got True")
+            raise ValueError("integrate must be False for a Sted whose light depends on the azimuth, got True")
         return super().images(pupil, grid, wanted)
 
     def _aberrated(self, pupil: ObjectivePupil) -> bool:
@@ -681,14 +683,14 @@ class Sted(Confocal):
         beam, excited_type = self.depletion, super().stretch(pupil)
         planes = self._depletion_pupil(pupil)
         rate, depletion_type = math.log(2.0) * self.saturation, pupil.scale / beam.scale
-        finer, ceiling = max(1.0, rate), self._ceiling(pupil)
+        divisor, ceiling = max(1.0, rate), self._ceiling(pupil)
         # Both factors are band-limited: they are computed at few radii and interpolated to the radii v.
         # A disc mean of radius 0 is an interpolation, from a table as fine as the bandwidth requires.
         means = disc_means(excited_type * v, 0.0, 0.1 * target / ceiling, highest(self._absorbed_excitation(pupil)))
         tabulated = super()._orders(pupil, means.places / excited_type, target)
         excited = Orders(means.of(tabulated.values), tabulated.error * means.gain + ceiling * means.error)
-        means = disc_means(depletion_type * v, 0.0, 0.1 * target / finer)
-        tabulated = light(planes, means.places, target / finer, self.tol / finer)
+        means = disc_means(depletion_type * v, 0.0, 0.1 * target / divisor)
+        tabulated = light(planes, means.places, target / divisor, self.tol / divisor)
         depleting = Orders(means.of(tabulated.values), tabulated.error * means.gain + means.error)
         undepleted = np.exp(-rate * depleting.mean)
         # The error of the polynomial counts twice: for values in the table, and for interpolated values.
@@ -709,7 +711,7 @@ class Sted(Confocal):
 
 
 def crest(pupil: ObjectivePupil) -> float:
-    """Return the peak intensity of a radial beam over its planes if the layers caused no aberration.
+    """Return the largest intensity of a radial beam in any of its planes, without aberrations by the layers.
 
     The unit is the unit of E in :class:`lommel.methods.Confocal`; the relative error is about 1e-6.
     """

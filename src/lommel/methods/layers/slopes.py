@@ -3,7 +3,7 @@ r"""Derivatives of microscope stacks by stage, depth, wavelength and position of
 Fields are sums of ``exp(i psi)``, so that derivatives by a parameter in which psi is linear are sums over the same
 angles with a factor ``i dpsi/dx``. Phases are proportional to the wavenumber, and so is v at a position in metres.
 When the axis moves, samples change by ``dI/dv``, and averages by the difference of line averages along two sides of
-each pixel. The light lost by an emitter near the cover glass depends on its depth and on the wavelength.
+each pixel. The light collected from an emitter near the cover glass depends on depth and wavelength.
 """
 
 from __future__ import annotations
@@ -60,40 +60,41 @@ def sampled_slopes(
     by = rates(pupil)
     layers, model = pupil.layers, pupil.light.model
     if isinstance(method, Stratified):
-        most = debye.steepest(layers, model, pupil.depth.ravel(), pupil.focus.ravel())
+        largest_rates = debye.steepest(layers, model, pupil.depth.ravel(), pupil.focus.ravel())
     else:
         # Derivatives divided by their largest factor have OTFs of at most twice the modulus of the OTF of I:
         # certificate, section 15, "Light that depends on the azimuth".
-        most = (*projection.steepest(layers, model), 0.0)
+        largest_rates = (*projection.steepest(layers, model), 0.0)
         if any(one.which == engine.BY_WAVENUMBER for one in by):
-            most = (*most[:2], debye.steepest(layers, model, pupil.depth.ravel(), pupil.focus.ravel())[2])
+            by_wavenumber = debye.steepest(layers, model, pupil.depth.ravel(), pupil.focus.ravel())[2]
             if pupil.aberrations is not None:
-                most = (*most[:2], most[2] + sum(pupil.aberrations.flattened().amplitudes().values()))
+                by_wavenumber += sum(pupil.aberrations.flattened().amplitudes().values())
+            largest_rates = (*largest_rates[:2], by_wavenumber)
     # Divisors with which OTFs have at most twice the modulus of the OTF of the aperture, as averages assume.
-    sizes = [abs(one.factor) * most[min(one.which, 2)] + 0.5 * _largest(one.own) for one in by]
-    sizes += [1.0] * len(terms)
+    divisors = [abs(one.factor) * largest_rates[min(one.which, 2)] + 0.5 * _largest(one.own) for one in by]
+    divisors += [1.0] * len(terms)
 
     def sample(pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
-        each, plain = list(zip(rates(pupil), sizes, strict=False)), wanted._replace(terms=())
+        each, plain = list(zip(rates(pupil), divisors, strict=False)), wanted._replace(terms=())
         if isinstance(method, ChordalDebye):
             return _by_chords(method, pupil, grid, each, terms, tol, plain)
         if isinstance(method, DebyeRings):
-            return _by_circles(method, pupil, grid, each, most, tol, plain)
+            return _by_circles(method, pupil, grid, each, largest_rates, tol, plain)
         return _by_engine(pupil, grid, each, tol, plain)
 
-    question = wanted._replace(terms=((0, 0),) * len(sizes))  # placeholders: only their number matters
+    question = wanted._replace(terms=((0, 0),) * len(divisors))  # placeholders: only their number matters
     if moved:
-        made = to_images(pixel_averages(sample, pupil, grid, method.tol, question, gradients=True), question)
-        sizes += [-grid.step(pupil)] * 2
+        images = to_images(pixel_averages(sample, pupil, grid, method.tol, question, gradients=True), question)
+        divisors += [-grid.step(pupil)] * 2
     else:
-        made = averaged_images(sample, pupil, grid, method.tol, question)
-    made = with_model_error(made, pupil, method, normalized=False)
-    assert made.slopes is not None
-    values, error = made.slopes
-    for each, size in zip(values, sizes, strict=True):
-        each *= size
-    error *= np.abs(sizes)[:, None]
-    return made._replace(slopes=Slopes(values, error))
+        images = averaged_images(sample, pupil, grid, method.tol, question)
+    images = with_model_error(images, pupil, method, normalized=False)
+    assert images.slopes is not None
+    values, error = images.slopes
+    for each, divisor in zip(values, divisors, strict=True):
+        each *= divisor
+    error *= np.abs(divisors)[:, None]
+    return images._replace(slopes=Slopes(values, error))
 
 
 def _largest(values: Array | float) -> float:
@@ -106,30 +107,35 @@ def engine_slopes(
     by: Sequence[By],
     tol: float,
     wanted: Wanted,
-    otherwise: Callable[[], Images] | None,
+    compute_images: Callable[[], Images] | None,
 ) -> Images | None:
     """Return images and derivatives by the engine, or None if it does not support the window."""
     # Derivatives have bounds but no tolerance. If rounding prevents the tolerance of the images, a larger one is used
-    # for the derivatives; the images are then computed by `otherwise` or, if this is None, with the larger tolerance.
+    # for the derivatives; the images are then computed by `compute_images` or, if this is None, with the larger
+    # tolerance.
     for looser in (1.0, 10.0, 100.0, 1000.0):
-        if (found := differentiated(pupil, grid, by, looser * tol, wanted)) is not None:
-            return found if looser == 1.0 or otherwise is None else otherwise()._replace(slopes=found.slopes)
+        if (result := differentiated(pupil, grid, by, looser * tol, wanted)) is not None:
+            return (
+                result if looser == 1.0 or compute_images is None else compute_images()._replace(slopes=result.slopes)
+            )
     return None
 
 
 def _by_engine(
     pupil: ObjectivePupil, grid: Grid, each: Sequence[tuple[By, float]], tol: float, wanted: Wanted
 ) -> Images:
-    """Return samples by Stratified, and derivatives, each divided by its size."""
-    by = [one._replace(factor=one.factor / size, own=np.asarray(one.own) / size) for one, size in each]
-    way = Stratified(max(tol, Stratified.least_tol))
-    found = engine_slopes(pupil, grid, by, way.tol, wanted, lambda: way._samples(pupil, grid, tol, wanted))
-    if found is None:
+    """Return samples by Stratified, and derivatives, each divided by its divisor."""
+    by = [one._replace(factor=one.factor / divisor, own=np.asarray(one.own) / divisor) for one, divisor in each]
+    stratified = Stratified(max(tol, Stratified.least_tol))
+    result = engine_slopes(
+        pupil, grid, by, stratified.tol, wanted, lambda: stratified._samples(pupil, grid, tol, wanted)
+    )
+    if result is None:
         raise Declined(
             "derivatives of light that depends on the azimuth are available in windows up to "
             f"{110.0 / grid.step(pupil):.0f} pixels from each axis; use a smaller shape, or a larger tol"
         )
-    return found
+    return result
 
 
 def _by_circles(
@@ -137,29 +143,29 @@ def _by_circles(
     pupil: ObjectivePupil,
     grid: Grid,
     each: Sequence[tuple[By, float]],
-    most: tuple[float, float, float],
+    largest_rates: tuple[float, float, float],
     tol: float,
     wanted: Wanted,
 ) -> Images:
-    """Return samples by DebyeRings, and derivatives, each divided by its size; `most` bounds their factors."""
-    made, accuracy = method.refined(pupil, grid, tol, wanted)
-    values = np.empty((len(each), *made.values.shape), wanted.dtype)
-    error = np.empty((len(each), len(made.values)))
-    for k, (one, size) in enumerate(each):
-        steep, middle = most[one.which], pupil.layers.middle_rates()[1 + one.which]
+    """Return samples by DebyeRings, and derivatives, each divided by its divisor."""
+    images, accuracy = method.refined(pupil, grid, tol, wanted)
+    values = np.empty((len(each), *images.values.shape), wanted.dtype)
+    error = np.empty((len(each), len(images.values)))
+    for k, (one, divisor) in enumerate(each):
+        steep, middle = largest_rates[one.which], pupil.layers.middle_rates()[1 + one.which]
         up, down = (
             ringed(pupil, grid, accuracy, Wanted(threads=wanted.threads), Turn(one.which + 1, turn / steep, middle))
             for turn in (1j, -1j)
         )
         # The derivative is twice the difference divided by s = 1 / steep: certificate, section 16, "Derivatives".
-        share = 2.0 * one.factor * steep / size
-        own = np.broadcast_to(np.asarray(one.own) / size, made.scale.shape)
-        slope = share * (up.values - down.values) * made.scale[:, None, None] + own[:, None, None] * made.values
+        share = 2.0 * one.factor * steep / divisor
+        own = np.broadcast_to(np.asarray(one.own) / divisor, images.scale.shape)
+        slope = share * (up.values - down.values) * images.scale[:, None, None] + own[:, None, None] * images.values
         off = up.bound * up.brightest + down.bound * down.brightest
-        largest = np.abs(slope).reshape(len(slope), -1).max(axis=1) / made.scale
-        wrong = abs(share) * off + (storing(wanted.dtype) + 2.0**-48) * largest
-        values[k], error[k] = slope, wrong / made.brightest + np.abs(own) * (made.bound + 1e-12)
-    return made._replace(slopes=Slopes(values, error))
+        largest = np.abs(slope).reshape(len(slope), -1).max(axis=1) / images.scale
+        error_bound = abs(share) * off + (storing(wanted.dtype) + 2.0**-48) * largest
+        values[k], error[k] = slope, error_bound / images.brightest + np.abs(own) * (images.bound + 1e-12)
+    return images._replace(slopes=Slopes(values, error))
 
 
 def _by_chords(
@@ -171,24 +177,24 @@ def _by_chords(
     tol: float,
     wanted: Wanted,
 ) -> Images:
-    """Return samples by ChordalDebye, and derivatives, each divided by its size; Zernike terms come last."""
+    """Return samples by ChordalDebye, and derivatives, each divided by its divisor; Zernike terms come last."""
     by = chordal_debye.By(tuple(one.which for one, _ in each), terms)
-    made, raw, wrong, largest = method.differentiated(pupil, grid, tol, wanted, by)
+    images, raw, error_bound, largest = method.differentiated(pupil, grid, tol, wanted, by)
     steep = (*projection.steepest(pupil.layers, pupil.light.model), 1.0)
     shares = np.ones(len(raw))
-    shares[: len(each)] = [one.factor * steep[min(one.which, 2)] / size for one, size in each]
-    raw *= (shares[:, None] * made.scale)[:, :, None, None]
-    error, largest = (np.abs(shares)[:, None] * each for each in (wrong, largest))
-    for k, (one, size) in enumerate(each):
+    shares[: len(each)] = [one.factor * steep[min(one.which, 2)] / divisor for one, divisor in each]
+    raw *= (shares[:, None] * images.scale)[:, :, None, None]
+    error, largest = (np.abs(shares)[:, None] * each for each in (error_bound, largest))
+    for k, (one, divisor) in enumerate(each):
         if _largest(one.own) > 0.0:
-            own = np.asarray(one.own) / size
-            raw[k] += np.broadcast_to(own, made.scale.shape)[:, None, None] * made.values
-            error[k] += np.abs(own) * (made.bound + 1e-12) * made.brightest
-            largest[k] += np.abs(own) * (1.0 + 2.0 * made.bound) * made.brightest
+            own = np.asarray(one.own) / divisor
+            raw[k] += np.broadcast_to(own, images.scale.shape)[:, None, None] * images.values
+            error[k] += np.abs(own) * (images.bound + 1e-12) * images.brightest
+            largest[k] += np.abs(own) * (1.0 + 2.0 * images.bound) * images.brightest
     # Rounding errors of storing and of the products with the factors above.
     error += (storing(wanted.dtype) + 2.0**-48) * largest
-    error /= made.brightest
-    return made._replace(slopes=Slopes(raw.astype(wanted.dtype, copy=False), error))
+    error /= images.brightest
+    return images._replace(slopes=Slopes(raw.astype(wanted.dtype, copy=False), error))
 
 
 TERMS_BY_CHORDS = (
@@ -215,20 +221,20 @@ def layered_slopes(
         return [by_name(name, planes, far=far, energy=energy) for name in kinds]
 
     if by_engine:
-        made = _radial(method, pupil, grid, kinds, rates(pupil), wanted, axis)
+        images = _radial(method, pupil, grid, kinds, rates(pupil), wanted, axis)
     elif kinds or terms or (axis and grid.integrate and not isinstance(method, Stratified)):
-        # Tilts from finer samples, for the derivative by the wavelength, also yield derivatives by the axis.
+        # The derivative by the wavelength requires tilts of finer samples, which also yield derivatives by the axis.
         moved = axis and grid.integrate and "wavelength" not in kinds
-        made = sampled_slopes(method, pupil, grid, rates, wanted, terms, moved=moved)
+        images = sampled_slopes(method, pupil, grid, rates, wanted, terms, moved=moved)
     else:
-        made = with_model_error(method.images(pupil, grid, wanted), pupil, method, normalized=False)
+        images = with_model_error(method.images(pupil, grid, wanted), pupil, method, normalized=False)
     each: dict[Name, Slope] = {}
-    if made.slopes is not None:  # derivatives by the axis, if present, are last
-        each |= zip((*kinds, *terms, *_AXIS), map(Slope, *made.slopes), strict=False)
+    if images.slopes is not None:  # derivatives by the axis, if present, are last
+        each |= zip((*kinds, *terms, *_AXIS), map(Slope, *images.slopes), strict=False)
     grows = "wavelength" in kinds and not by_engine
     if grows or (axis and "row" not in each):
-        each |= _moved(method, pupil, grid, made, wanted, each["wavelength"] if grows else None)
-    return method.reported, made, [each[named.get(name, name)] for name in names]
+        each |= _moved(method, pupil, grid, images, wanted, each["wavelength"] if grows else None)
+    return method.reported, images, [each[named.get(name, name)] for name in names]
 
 
 def _require_available(
@@ -260,35 +266,37 @@ def _require_available(
 
 
 def _moved(
-    method: Method, pupil: ObjectivePupil, grid: Grid, made: Images, wanted: Wanted, at_fixed_v: Slope | None
+    method: Method, pupil: ObjectivePupil, grid: Grid, images: Images, wanted: Wanted, at_fixed_v: Slope | None
 ) -> dict[Name, Slope]:
-    """Return derivatives by the axis and, from the one `at_fixed_v`, by the wavelength: certificate, section 12."""
+    """Return derivatives by the axis and, from the derivative `at_fixed_v`, by the wavelength: section 12."""
     step = grid.step(pupil)
-    # The phase that the terms omit changes fields and their gradients by at most the same amount.
+    # A phase that the Zernike terms omit changes fields and their gradients by at most the same amount.
     left = 4.0 * pupil.left_out[0]
     tilts = [(values, off + left) for values, off in tilted(method, pupil, grid, wanted.threads, _samples)]
-    found: dict[Name, Slope] = {
-        name: _stored(step * values, step * off, made, wanted)
+    result: dict[Name, Slope] = {
+        name: _stored(step * values, step * off, images, wanted)
         for name, (values, off) in zip(("column", "row"), tilts, strict=True)
     }
     if at_fixed_v is not None:
         values, off = scaling_derivative(method, pupil, grid, tilts, wanted.threads, _samples)
         # The omitted phase also grows as the wavelength falls.
         off = off + 2.0 * pupil.left_out[0]
-        of_place = _stored(values / -pupil.wavelength, off / pupil.wavelength, made, wanted)
-        found["wavelength"] = _sum(at_fixed_v, of_place, made, wanted)
-    return found
+        of_place = _stored(values / -pupil.wavelength, off / pupil.wavelength, images, wanted)
+        result["wavelength"] = _sum(at_fixed_v, of_place, images, wanted)
+    return result
 
 
 def _radial(
     method: Method, pupil: ObjectivePupil, grid: Grid, kinds: list[str], by: Sequence[By], wanted: Wanted, axis: bool
 ) -> Images:
     """Return images and the derivatives that the engine supports in this window."""
-    for asked in ([*by, By(engine.BY_AXIS)], by) if axis else (by,):
-        if asked:
-            found = engine_slopes(pupil, grid, asked, method.tol, wanted, lambda: method.images(pupil, grid, wanted))
-            if found is not None:
-                return found
+    for requested in ([*by, By(engine.BY_AXIS)], by) if axis else (by,):
+        if requested:
+            result = engine_slopes(
+                pupil, grid, requested, method.tol, wanted, lambda: method.images(pupil, grid, wanted)
+            )
+            if result is not None:
+                return result
     if kinds:
         raise ValueError(
             f"derivatives by {kinds[0]!r} are available for samples in windows up to {110.0 / grid.step(pupil):.0f} "
@@ -300,14 +308,14 @@ def _radial(
 def _samples(method: Method, pupil: BasePupil, grid: Grid, wanted: Wanted) -> Images:
     """Return samples with bounds; the engine may use a larger tolerance, to avoid the slow reference method."""
     if isinstance(method, Stratified):
-        found = engine_slopes(cast("ObjectivePupil", pupil), grid, (), method.tol, wanted, None)
-        if found is not None:
-            return found
+        result = engine_slopes(cast("ObjectivePupil", pupil), grid, (), method.tol, wanted, None)
+        if result is not None:
+            return result
     return method.images(pupil, grid, wanted)
 
 
 def by_name(name: str, pupil: ObjectivePupil, *, far: bool, energy: bool) -> By:
-    """Return the derivative of values, divided by their scale, from derivatives of I at fixed power and pixels in v.
+    """Return the derivative of values / scale as a sum of derivatives of I at fixed power and fixed pixels in v.
 
     With `far`, values are relative to the light that an emitter far from the glass sends to the objective.
     """
@@ -315,7 +323,7 @@ def by_name(name: str, pupil: ObjectivePupil, *, far: bool, energy: bool) -> By:
         return By(engine.BY_FOCUS)
     model, shares = pupil.light.model, pupil.light.shares
     kind = "depth" if name == "depth" else "wavenumber"
-    # Values are divided by light that depends on depth and wavenumber, too.
+    # Values are divided by the collected light, which also depends on depth and wavenumber.
     near, above = debye.power(pupil.layers, pupil.depth.ravel(), model, by=kind)
     if far:
         _, whole = debye.power(pupil.layers, np.zeros(0), model)
@@ -324,30 +332,30 @@ def by_name(name: str, pupil: ObjectivePupil, *, far: bool, energy: bool) -> By:
         rate = near @ shares / pupil.power
     if name == "depth":
         return By(engine.BY_DEPTH, 1.0, -rate)
-    # By ln k: v grows with k, and a pixel becomes a larger part of the plane, hence -2.
+    # The area of a pixel in v is proportional to wavelength^-2, hence -2.
     return By(
         engine.BY_WAVENUMBER, -1.0 / pupil.wavelength, ((-2.0 if energy or far else 0.0) + rate) / pupil.wavelength
     )
 
 
-def _stored(values: Array, wrong: Array, made: Images, wanted: Wanted) -> Slope:
-    """Return the derivative of the stored images from `values`, the derivative of I, with error bounds `wrong`."""
-    scale = np.broadcast_to(np.asarray(made.scale, dtype=np.float64), wrong.shape)
+def _stored(values: Array, error_bound: Array, images: Images, wanted: Wanted) -> Slope:
+    """Return the derivative of stored images from `values`, the derivative of I, with its `error_bound`."""
+    scale = np.broadcast_to(np.asarray(images.scale, dtype=np.float64), error_bound.shape)
     # Derivatives have the scale of the images.
     stored = np.empty(values.shape, wanted.dtype)
     np.multiply(values, scale[:, None, None], out=stored, casting="same_kind")
     largest = np.maximum(values.max(axis=(1, 2)), -values.min(axis=(1, 2)))
-    return Slope(stored, (wrong + (storing(wanted.dtype) + 2.0**-48) * largest) / made.brightest)
+    return Slope(stored, (error_bound + (storing(wanted.dtype) + 2.0**-48) * largest) / images.brightest)
 
 
-def _sum(one: Slope, other: Slope, made: Images, wanted: Wanted) -> Slope:
+def _sum(one: Slope, other: Slope, images: Images, wanted: Wanted) -> Slope:
     """Return the stored sum of two derivatives."""
     values = one.values.astype(np.float64) + other.values
-    largest = np.abs(values).reshape(len(values), -1).max(axis=1) / made.scale / made.brightest
+    largest = np.abs(values).reshape(len(values), -1).max(axis=1) / images.scale / images.brightest
     return Slope(values.astype(wanted.dtype), one.error + other.error + storing(wanted.dtype) * largest)
 
 
-_BY_SERIES = ("z", "depth")  # derivatives of the transpose of ChordalDebye, in addition to terms and shifts
+_BY_SERIES = ("z", "depth")  # derivatives of ChordalDebye.gradient(), in addition to terms and shifts
 
 
 def layered_gradient(
@@ -390,7 +398,7 @@ def _gradient_by_chords(
     energy: bool,
     far: bool,
 ) -> dict[Name, Array]:
-    """Return the derivatives that the transpose of ChordalDebye has; {} if it declines and circles have them, too."""
+    """Return derivatives by ChordalDebye.gradient(); {} if it declines and methods over circles have them, too."""
     terms = _terms_of(tuple(names))
     kinds: dict[Name, By] = {
         name: by_name(str(name), pupil, far=far, energy=energy) for name in names if name in _BY_SERIES

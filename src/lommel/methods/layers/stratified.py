@@ -42,8 +42,8 @@ class Stratified(DebyeWolf):
     Supports the same pupils as :class:`lommel.DebyeWolf`, with the same error bound. Fields at few radii are sums
     over angles, whose number follows from a proven error bound. Between these radii the intensity, which is of
     exponential type 2 in v, is interpolated with a proven error. For images that depend on the azimuth, samples are
-    computed around any axis, and pixel integrals from samples. Windows off the axis that extend beyond v = 110, and
-    tolerances near rounding, are computed by the method of `DebyeWolf`.
+    computed around any axis, and pixel integrals are computed from samples. Windows off the axis that extend beyond
+    v = 110, and tolerances near rounding, are computed by the method of `DebyeWolf`.
 
     Parameters
     ----------
@@ -90,7 +90,7 @@ class Stratified(DebyeWolf):
 class By(NamedTuple):
     """Derivative computed by the engine; see :class:`lommel.core.engine.LayeredSlopes`."""
 
-    which: int
+    which: int  # parameter of the derivative: a constant of the engine
     factor: float = 1.0
     own: Array | float = 0.0  # factor of I itself in the derivative, for each plane
 
@@ -102,7 +102,7 @@ class _Accuracy(NamedTuple):
     interpolation: float
 
 
-def _refined(attempt: Callable[[_Accuracy], tuple[T | None, float]], pupil: ObjectivePupil, tol: float) -> T | None:
+def _refine(attempt: Callable[[_Accuracy], tuple[T | None, float]], pupil: ObjectivePupil, tol: float) -> T | None:
     """Refine until the relative error bound is at most `tol`; None if rounding prevents it or `attempt` returns None.
 
     `attempt` returns a result, or None, and the largest error bound relative to the peak.
@@ -133,7 +133,7 @@ def profiles(pupil: ObjectivePupil, v: Array, tol: float) -> tuple[Array, Array]
         relative = np.divide(error, least_peak, out=np.full(least_peak.shape, np.inf), where=least_peak > 0.0)
         return (values, error), float(relative.max())
 
-    return _refined(attempt, pupil, tol) if pupil.light.model.orders[0] == 0 else None
+    return _refine(attempt, pupil, tol) if pupil.light.model.orders[0] == 0 else None
 
 
 def differentiated(pupil: ObjectivePupil, grid: Grid, by: Sequence[By], tol: float, wanted: Wanted) -> Images | None:
@@ -161,7 +161,7 @@ def differentiated(pupil: ObjectivePupil, grid: Grid, by: Sequence[By], tol: flo
         )
         return images, 0.0 if images is None else float(images.bound.max())
 
-    return _refined(attempt, pupil, tol)
+    return _refine(attempt, pupil, tol)
 
 
 def is_supported(light: Light) -> bool:

@@ -1,4 +1,7 @@
-"""The paper's closed-form integral solution (CFIS), Eq. 6-14 and 18-23, and its refinement to a tolerance."""
+"""Closed-form integral solution (CFIS) of the paper cited in docs/paper.md, and its refinement to a tolerance.
+
+Equation numbers are those of the paper. R is the pupil radius, a the argument of the Bessel function J0.
+"""
 
 from __future__ import annotations
 
@@ -26,25 +29,26 @@ from lommel.special.interpolation import chebyshev_powers
 from lommel.special.piecewise import FITS, SPLITS, fit_quadratics, fitted
 
 _WIDTH, _POINTS = 8.0, 24  # width (v) and number of points of an interpolation of U with an error below 1e-15
-_MIN_SPARED = 400  # radii to be spared by interpolation, times the number of quadratic phases, to save time
+_MIN_SAVED = 400  # number of radii that interpolation must save, times the number of quadratic phases
 # Constants of the tuned form.
-_TRANSITION, _TERMS = 10.0, 10  # start, and number of terms, of Hankel's expansion: remainder below 1e-8 of J0
-_SERIES = 28  # number of terms of the power series below the transition, for rounding errors only
-_KERNEL = 1e-10  # error of chirp moments, which lose digits if the curvature of the phase is small
-_MAX_SEGMENTS = 4096
+_TRANSITION, _TERMS = 10.0, 10  # smallest a, and number of terms, of Hankel's expansion of J0; remainder < 1e-8
+_SERIES = 28  # number of terms of the power series below the transition; truncation error below rounding errors
+_MOMENT_ERROR = 1e-10  # estimated error of a chirp moment: moments lose digits if the phase has little curvature
+_MAX_SEGMENTS = 4096  # largest number of quadratic phases
 
 
 @dataclass(frozen=True)
 class ClosedForm(FieldMethod[Pupil]):
     r"""Piecewise Bessel approximation integrated in closed form: approximate, with the paper's parameters.
 
-    Supports every pupil: aberrations beyond defocus by piecewise quadratic phases, an obscuration by the difference
-    of two disks. Errors of 20 to 40 % of the peak are intrinsic to Eq. (8) and (9); there is no error bound.
+    Supports uniformly illuminated circular and annular apertures with radially symmetric aberrations. Aberrations
+    other than defocus are approximated by piecewise quadratic phases. Eq. (8) and (9) cause errors of 20 to 40 % of
+    the peak; there is no error bound.
 
     Parameters
     ----------
     tangent : float, default 100
-        Tangent-line centre of Eq. (9), in units of the argument ``2 pi k R`` of the Bessel function.
+        Centre of the tangent line of Eq. (9), as a value of the argument ``2 pi k R`` of the Bessel function.
     erf : Erf, default FresnelErf()
         `AbramowitzErf` (Eq. 14), `TableErf` (the lookup table the paper proposes) or `FresnelErf` (exact).
     transition : float, default 1
@@ -57,7 +61,7 @@ class ClosedForm(FieldMethod[Pupil]):
     truncate : float, optional
         Optical coordinate v beyond which the PSF is set to zero, as the paper's section 3 suggests.
     segments : int, default 16
-        Number N of quadratic phases in Eq. (17), for pupils with more than defocus.
+        Number N of quadratic phases in Eq. (17), for pupils with aberrations other than defocus.
     split : {"optimal", "linear", "sqrt", "log"}, default "optimal"
         Boundaries between quadratic phases; see :func:`lommel.special.piecewise.split_edges`.
     fit : {"interpolation", "least-squares", "sweep"}, default "interpolation"
@@ -80,7 +84,7 @@ class ClosedForm(FieldMethod[Pupil]):
     Eq. 8 to 12    sqrt(2/pi) of (7) dropped in the outer       outer integral carries sqrt(2/pi)
                    integral
     Eq. 13         (1/2) sqrt(2/a)                              (1/2) sqrt(pi/a)
-    Eq. 15 to 17   exp[...] called a phase; i, j mixed;         Phi_s = C_s rho^4; the piston only
+    Eq. 15 to 17   exp[...] called a phase; i, j any_aberrated;         Phi_s = C_s rho^4; the piston only
                    piston -C_d inside the exponential           turns U
     Eq. 21         signs of the last end-point term of each     those terms with the opposite sign,
                    bracket, and of the whole                    then the whole negated
@@ -121,9 +125,9 @@ class ClosedForm(FieldMethod[Pupil]):
     def best(cls, pupil: Pupil, shape: int | tuple[int, int], pixel: float, **options: Any) -> ClosedForm:
         """Return the form with the best tangent-line centre, and the best number of erf terms, for a window.
 
-        The centre minimizes the mean squared error over the window, relative to :class:`NijboerZernike`: it is
-        searched between 1 and four times the largest argument, and refined around the best value. The error function
-        is Eq. (14) with the fewest terms (5, 10, ... 200) for an error within 1 % of the minimum, else exact.
+        The centre minimizes the mean squared difference from :class:`NijboerZernike` over the window. It is searched
+        between 1 and four times the largest v, then refined around the best value. `erf` is Eq. (14) with the fewest
+        terms (5, 10, ... 200) whose mean squared error is at most 1 % above the minimum, else `FresnelErf`.
 
         Parameters
         ----------
@@ -142,7 +146,7 @@ class ClosedForm(FieldMethod[Pupil]):
             raise TypeError("options must not include tangent or erf, which this method optimizes")
         grid = Grid(shape, pixel)
         grid.require_reach(pupil)
-        # All radii of a small window, or 600; each has the weight of the pixels up to the next radius.
+        # At most 600 radii of the window; the weight of a radius is the number of pixels up to the next radius.
         count = grid.radii.size
         subset = np.unique(np.linspace(0, count - 1, min(count, 600)).astype(int))
         v, weight = grid.v(pupil)[subset], np.add.reduceat(grid.multiplicity, subset)
@@ -165,11 +169,11 @@ class ClosedForm(FieldMethod[Pupil]):
         return cls(tangent=tangent, erf=FresnelErf(), **options)
 
     def stretch(self, pupil: Pupil) -> float:
-        """Return 8, a nominal value: jumps at `transition` and between pieces make the form not band-limited."""
+        """Return 8, a nominal value: U is not band-limited, as it jumps at `transition` and between pieces."""
         return 8.0
 
     def unsupported(self, pupil: Pupil) -> str | None:
-        """Return the reason if the phase must not be expanded in powers of rho, or None."""
+        """Return the reason why powers of rho would lose too many digits of the phase, else None."""
         return powers_cancel(pupil)
 
     def evaluate(self, pupil: Pupil, v: Array) -> FieldValues:
@@ -189,7 +193,7 @@ class ClosedForm(FieldMethod[Pupil]):
         return result
 
     def sub_integrals(self, defocus: float, v: Array) -> NDArray[np.complex128]:
-        r"""Return the integrals of the appendix for a `defocus` C_d at `v` above 0; U is twice their sum.
+        r"""Return the integrals of the paper's appendix for a `defocus` C_d at `v` above 0; U is twice their sum.
 
         The result has the shape ``(terms + 3, len(v))``. With rho = R / R_max, ``alpha = 2 C_d``, ``beta = v`` and
         ``T = transition / v``, at most 1. The first `terms` rows are the integrals 1, 2, 3 ... of the appendix (Eq.
@@ -201,7 +205,7 @@ class ClosedForm(FieldMethod[Pupil]):
             split = np.minimum(self.transition / v, 1.0)
         k = np.arange(self.terms)[:, None]
         factorials = np.array([math.factorial(k) for k in range(self.terms)], dtype=np.float64)[:, None]
-        # Variable x = R / T: the powers of v T, which is at most the transition, cannot overflow.
+        # In the variable rho / T the powers of v T cannot overflow: v T is at most `transition`.
         moments = split**2 * unit_moments(alpha * split**2, self.terms)
         inner = (-0.25 * (v * split) ** 2) ** k / factorials**2 * moments
         outer = np.zeros((3, v.size), dtype=np.complex128)
@@ -214,15 +218,15 @@ class ClosedForm(FieldMethod[Pupil]):
         return np.concatenate([inner, self._factor * outer])
 
     def _disk(self, coefficients: Array, v: Array, threads: int) -> NDArray[np.complex128]:
-        """Return U of full disks: with one segment for defocus alone, otherwise over all segments (Eq. 17)."""
-        bent = coefficients[:, 1:].any(axis=1)
-        mixed = bool(bent.any())
-        if mixed and not bent.all():
-            out = np.empty((bent.size, v.size), dtype=np.complex128)
-            for subset in (bent, ~bent):
+        """Return U of full disks: with one quadratic phase for defocus alone, else with `segments` (Eq. 17)."""
+        aberrated = coefficients[:, 1:].any(axis=1)
+        any_aberrated = bool(aberrated.any())
+        if any_aberrated and not aberrated.all():
+            out = np.empty((aberrated.size, v.size), dtype=np.complex128)
+            for subset in (aberrated, ~aberrated):
                 out[subset] = self._disk(coefficients[subset], v, threads)
             return out
-        if mixed:
+        if any_aberrated:
             edges, rows = fitted(coefficients, self.segments, self.split, self.fit, self.piston)
         else:
             edges, rows = np.array([0.0, 1.0]), coefficients[:, None, :1] * [1.0, 0.0, 0.0]
@@ -233,12 +237,12 @@ class ClosedForm(FieldMethod[Pupil]):
 
         if not isinstance(self.erf, FresnelErf):
             return fields(v)
-        # For v > `start` the transition lies in the first segment. Its contribution to U varies slowly with 1/v; all
-        # other contributions are of exponential type 1.
+        # For v > `start` the transition lies in the first segment. Its contribution to U then varies slowly with 1/v;
+        # all other contributions are of exponential type 1.
         alpha, beta = np.abs(rows[:, 0, :2]).max(axis=0).tolist()
         start = max(16.0, self.transition / edges[1], (8.0 * alpha * self.transition**2) ** (1 / 3))
         start = max(start, math.sqrt(6.0 * beta * self.transition))
-        return interpolated(fields, v, start, _WIDTH, threads, spared=_MIN_SPARED // rows[..., 0].size)
+        return interpolated(fields, v, start, _WIDTH, threads, min_saved=_MIN_SAVED // rows[..., 0].size)
 
     @cached_property
     def _bessel(self) -> tuple[Array, NDArray[np.complex128]]:
@@ -253,7 +257,7 @@ class ClosedForm(FieldMethod[Pupil]):
 
 
 def _phase(edges: Array, rows: Array) -> tuple[Array, Array, Array, NDArray[np.complex128]]:
-    """Return phases in the layout of the compiled core, in which U is twice the sum of all integrals."""
+    """Return edges and coefficients of quadratic phases for the compiled core, with ``2 exp(i gamma)`` for gamma."""
     alpha, beta = np.ascontiguousarray(rows[..., 0]), np.ascontiguousarray(rows[..., 1])
     return edges, alpha, beta, 2.0 * np.exp(1j * rows[..., 2])
 
@@ -264,12 +268,12 @@ def interpolated(
     start: float,
     width: float,
     threads: int,
-    spared: int = 0,
+    min_saved: int = 0,
 ) -> NDArray[np.complex128]:
-    """Return fields at rising `v`, interpolated from `start` on if this spares more than `spared` radii."""
+    """Return fields at rising `v`, interpolated for v >= `start` if this saves more than `min_saved` radii."""
     near = int(np.searchsorted(v, start))
     pieces = max(1, math.ceil((v[-1] - start) / width)) if near < v.size else 0
-    if pieces * _POINTS + spared >= v.size - near:
+    if pieces * _POINTS + min_saved >= v.size - near:
         return fields(v)
     width = (v[-1] - start) / pieces
     nodes, to_series, to_powers = _points()
@@ -293,7 +297,7 @@ def _points() -> tuple[Array, Array, Array]:
 class TunedClosedForm(FieldMethod[Pupil]):
     r"""The closed form with all approximations refined to meet a tolerance; slower than the default.
 
-    It can reach any practical accuracy, in tens of times the time of :class:`NijboerZernike` or more.
+    It takes tens of times as long as :class:`NijboerZernike`, or longer.
 
     Parameters
     ----------
@@ -308,22 +312,23 @@ class TunedClosedForm(FieldMethod[Pupil]):
 
     Notes
     -----
-    Eq. (8) with the transition at a = 10 and ten terms of Hankel's expansion (DLMF 10.17.3) instead of one; Eq. (9)
-    by quadratics at the Chebyshev points of pieces of a that grow geometrically, instead of one tangent line; Eq.
-    (17) by interpolation with the constant gamma_i, on ``R_i = (i/S)^(3/4)``; Eq. (13) by real Fresnel integrals.
-    Each piece is then exact. The pieces are chosen from bounds on their interpolation, ``abs(f''') h^3 / 192``:
+    Changes to the paper's equations: Eq. (8) has its transition at a = 10, and ten terms of Hankel's expansion (DLMF
+    10.17.3) instead of one. Eq. (9) has quadratics through Chebyshev points on pieces of a, not one tangent line; the
+    lengths of the pieces grow geometrically. Eq. (17) includes the constants gamma_i, with the segment boundaries
+    ``R_i = (i/S)^(3/4)``. Eq. (13) uses real Fresnel integrals. The integral over each piece is then exact. The
+    interpolation error ``abs(f''') h^3 / 192`` of a function f on a piece of length h determines the pieces:
 
-    - a relative error delta of ``1/sqrt(a)`` changes U by at most ``1.1 delta / sqrt(10)``,
-    - a phase error changes U by at most the same amount.
+    - a relative error delta of the amplitude ``1/sqrt(a)`` changes U by at most ``1.1 delta / sqrt(10)``,
+    - a phase error (radians) changes U by at most the same amount.
 
-    Rounding errors (1e-10) are estimated, not bounded.
+    Rounding errors, about 1e-10 for each piece, are estimated, not bounded.
     """
 
     least_tol = 1e-6
     tol: float = 1e-4
 
     def unsupported(self, pupil: Pupil) -> str | None:
-        """Return the reason if the phase must not be expanded in powers of rho, or None."""
+        """Return the reason why powers of rho would lose too many digits of the phase, else None."""
         return powers_cancel(pupil)
 
     def evaluate(self, pupil: Pupil, v: Array) -> FieldValues:
@@ -340,11 +345,12 @@ class TunedClosedForm(FieldMethod[Pupil]):
                 return Intensities(intensity, relative, peak)
             error *= 0.2
         raise ToleranceError(
-            f"tol={self.tol:g} cannot be met: the error bound stays at {relative.max():.2g} of the largest value"
+            f"tol={self.tol:g} cannot be met: the error bound stays at {relative.max():.2g} of the largest value; "
+            "use a larger tol or another method"
         )
 
     def _error(self, pupil: Pupil) -> float:
-        """Return the error of U that `tol` requires, from the peak of a rough profile out to the outermost ray."""
+        """Return the allowed error of U, from `tol` and the peak of a rough profile up to the outermost ray."""
         phases = float(np.abs(pupil.coefficients()).sum(axis=1).max())
         largest_v = float(pupil.v(pupil.geometric_radius()).max()) + 4.0
         rough = 0.05 * pupil.area / (2.0 * phases + 1.0)
@@ -360,7 +366,7 @@ class TunedClosedForm(FieldMethod[Pupil]):
         return annulus(disk, pupil, v)
 
     def _intensities(self, pupil: Pupil, v: Array, error: float) -> tuple[Array, Array]:
-        """Return I and the error bound of U; U is interpolated if this needs fewer radii."""
+        """Return I and the error bound of U; U is interpolated if this requires fewer evaluations."""
         width = 4.0 * (0.1 * error * math.factorial(_POINTS)) ** (1.0 / _POINTS)
         bounds = []
 
@@ -379,8 +385,8 @@ class TunedClosedForm(FieldMethod[Pupil]):
 
 def _field(coefficients: Array, v: Array, error: float) -> tuple[NDArray[np.complex128], float]:
     """Return U of one full disk, with its error bound."""
-    # The amplitude uses half of the error. For f = sqrt(a) on [a, r a], |f'''| h^3 / 192 is 0.00196 (r - 1)^3 f; the
-    # slowly varying P + iQ adds less than a third.
+    # Half of the error is for the amplitude. For f = sqrt(a) on [a, r a], |f'''| h^3 / 192 is 0.00196 (r - 1)^3 f;
+    # the slowly varying factor P + iQ of Hankel's expansion increases this by less than a third.
     delta = 0.5 * error * math.sqrt(_TRANSITION) / 1.1
     ratio = 1.0 + min(0.6, (delta / 0.0026) ** (1.0 / 3.0))
     amplitude = 1.1 / math.sqrt(_TRANSITION) * 0.0026 * (ratio - 1.0) ** 3
@@ -405,16 +411,16 @@ def _field(coefficients: Array, v: Array, error: float) -> tuple[NDArray[np.comp
     values = engine.closed_form_fields(phase, (starts, quadratics, _SERIES), FresnelErf().compiled, v, 1)[0]
     pieces = fit.alpha.size + starts.size
     # The remainder of Hankel's expansion is at most its first neglected terms, here below 4e-9 of U.
-    return values, amplitude + fit.bound + 4e-9 + _KERNEL * math.sqrt(pieces)
+    return values, amplitude + fit.bound + 4e-9 + _MOMENT_ERROR * math.sqrt(pieces)
 
 
 def _hankel_pieces(ratio: float, largest_v: float) -> tuple[Array, NDArray[np.complex128]]:
-    """Return starts of geometric pieces of x up to `largest_v`, and quadratics for the amplitude of x J0(x)."""
+    """Return starts of geometric pieces of x up to `largest_v`, and quadratics in x for the amplitude of x J0(x)."""
     # Each quadratic interpolates values of Hankel's expansion at three Chebyshev points of the piece.
     count = max(1, math.ceil(math.log(max(1.0, largest_v / _TRANSITION)) / math.log(ratio)))
     starts = np.asarray(_TRANSITION * ratio ** np.arange(count), dtype=np.float64)
     x = starts * (0.5 * (1.0 + ratio) + 0.5 * (ratio - 1.0) * np.cos(np.pi * np.array([5, 3, 1]) / 6)[:, None])
-    # P + i Q of order 0 (DLMF 10.17): sum_k (i / x)^k a_k with a_k = prod (-(2j-1)^2) / (8 j).
+    # P + i Q of order 0 (DLMF 10.17): sum_k (i / x)^k a_k with a_k = prod_(j=1..k) (-(2j-1)^2) / (8 j).
     j = np.arange(1.0, _TERMS)
     terms = np.cumprod(np.append(1.0, -((2.0 * j - 1.0) ** 2) / (8.0 * j)))
     f = np.sqrt(2.0 / np.pi * x) * np.polynomial.polynomial.polyval(1j / x, terms)

@@ -20,10 +20,11 @@ _MAX_SIDE = 16384  # largest side of an FFT
 
 @dataclass(frozen=True)
 class Fraunhofer(Method[Pupil]):
-    r"""Fast Fourier transform of the pupil on a Cartesian grid that contains the requested pixel centres.
+    r"""Fast Fourier transform of the sampled pupil to an image grid that contains the requested pixel centres.
 
-    Supports every pupil, if no light is aliased into the window. The error is of first order in the sample
-    spacing (edge of the aperture) and not bounded: typically 1e-3 to 1e-2 of the peak with 256 samples.
+    Supports every pupil, if no light is aliased into the window. Sampling the
+    aperture's edge causes an error of first order in the sample spacing, which is not bounded: typically 1e-3 to
+    1e-2 of the peak with 256 samples.
 
     Parameters
     ----------
@@ -41,10 +42,10 @@ class Fraunhofer(Method[Pupil]):
 
     Notes
     -----
-    The FFT of M samples spaced delta in rho has the spacing ``2 pi / (M delta)`` in v. delta is chosen such that
-    this spacing is the pixel pitch divided by an integer: no interpolation to the pixel centres is needed. Light at v
-    appears again at ``v +- 2 pi / delta``; ValueError is raised if the geometric blur would so reach the window.
-    Averages over pixels multiply the spectrum of the intensity by sincs.
+    The FFT of M samples with the spacing delta in rho has the spacing ``2 pi / (M delta)`` in v. delta is chosen such
+    that this spacing is the pixel pitch divided by an integer: the pixel centres need no interpolation. Light at v is
+    aliased to ``v +- 2 pi / delta``; ValueError is raised if the aliased geometric blur would reach the window. Pixel
+    averages are computed by multiplying the spectrum of the intensity by sincs.
     """
 
     apodized = nonradial = any_aperture = True
@@ -58,11 +59,11 @@ class Fraunhofer(Method[Pupil]):
         validation.choice("edge", self.edge, ("binary", "grey"))
 
     def period(self, pupil: Pupil) -> float:
-        """Return the period of the image of any `pupil` in units of lambda*N, the number of samples."""
+        """Return the period of the image, which is `samples` times lambda*N for any `pupil`; in units of lambda*N."""
         return float(self.samples)
 
     def intensity(self, pupil: Pupil, grid: Grid, threads: int = 0) -> Intensities:
-        """Return I at, or averaged over, the pixels, shape ``(n, height, width)``.
+        """Return I at pixel centres, or averaged over pixels, shape ``(n, height, width)``.
 
         Raises
         ------
@@ -74,21 +75,21 @@ class Fraunhofer(Method[Pupil]):
         stride, side, spacing = self._layout(pupil, grid)
         count = math.ceil(1.0 / spacing + 0.5)
         x = spacing * np.arange(-count, count + 1, dtype=np.float64)
-        # The FFT has its axis at pixel (height // 2, width // 2). A tilt of the pupil shifts it (shift theorem).
+        # The FFT has the optical axis at pixel (height // 2, width // 2); a tilt of the pupil shifts the axis.
         shift = grid.step(pupil) * (np.array([grid.height // 2, grid.width // 2]) - grid.axis)
         tilt = np.exp(-1j * (shift[0] * x[:, None] + shift[1] * x))
-        place = np.arange(-count, count + 1) % side
+        index = np.arange(-count, count + 1) % side
         rows = stride * (np.arange(grid.height) - grid.height // 2) % side
         columns = stride * (np.arange(grid.width) - grid.width // 2) % side
         out = np.empty((math.prod(pupil.shape), *grid.shape))
         for image, pupil_function in zip(out, pupil_functions(pupil, x, 0.5 * spacing, self.edge), strict=True):
             padded = np.zeros((side, side), dtype=np.complex128)
             # Sum, not assignment: without padding the first and the last sample have the same index.
-            np.add.at(padded, np.ix_(place, place), pupil_function * tilt)
+            np.add.at(padded, np.ix_(index, index), pupil_function * tilt)
             field = fft2(padded, overwrite_x=True)
             field = field if grid.integrate else field[np.ix_(rows, columns)]
             intensity = (spacing**2 / math.pi) ** 2 * (field.real**2 + field.imag**2)
-            image[:] = _averaged(intensity, stride)[np.ix_(rows, columns)] if grid.integrate else intensity
+            image[:] = _average_squares(intensity, stride)[np.ix_(rows, columns)] if grid.integrate else intensity
         return Intensities(out, None)
 
     def require_fit(self, pupil: Pupil, grid: Grid) -> None:
@@ -110,7 +111,7 @@ class Fraunhofer(Method[Pupil]):
         from scipy.fft import next_fast_len
 
         step = grid.step(pupil)
-        # The intensity has twice the bandwidth of the field, so that averages need twice the padding.
+        # The intensity has twice the bandwidth of the field: pixel averages need a padding of at least 2.
         padding = max(self.padding, 2.0) if grid.integrate else self.padding
         stride = max(1, math.ceil(padding * step / math.pi - 1e-9))
         per_diameter = stride * math.pi / step  # FFT length / `samples` at which the FFT spacing fits the pixels
@@ -119,14 +120,15 @@ class Fraunhofer(Method[Pupil]):
         if length > _MAX_SIDE:
             raise ValueError(
                 f"Fraunhofer would need an FFT of {length:.0f}^2 for {self.samples} samples and pixels of "
-                f"{grid.side / pupil.scale:.4g} lambda*N, more than the limit of {_MAX_SIDE}^2"
+                f"{grid.side / pupil.scale:.4g} lambda*N, more than the limit of {_MAX_SIDE}^2; use fewer samples "
+                "or a smaller window"
             )
         side = int(next_fast_len(math.ceil(length)))
         return stride, side, 2.0 * math.pi * stride / (side * step)
 
 
-def _averaged(intensity: Array, stride: int) -> Array:
-    """Return averages over squares of `stride` samples around each sample, by sincs on the spectrum."""
+def _average_squares(intensity: Array, stride: int) -> Array:
+    """Return averages over squares of `stride` x `stride` samples: the spectrum is multiplied by sincs."""
     from scipy.fft import irfft2, rfft2
 
     side = len(intensity)

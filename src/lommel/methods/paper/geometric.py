@@ -15,15 +15,16 @@ from lommel.optics.aperture.shapes import disk_overlap
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil, ray_height
 
-_MAX_CELLS = 2**23  # largest number of cells of the aperture
+_MAX_CELLS = 2**23  # largest number of cells, intervals of rho that divide the aperture
 
 
 @dataclass(frozen=True)
 class Geometric(Method[Pupil]):
     r"""Geometrical optics: ray density averaged over each pixel, conserving energy exactly.
 
-    Supports every pupil. A ray through rho meets the sensor at ``v = abs(dPhi/drho)``: defocus makes a uniform disk
-    of radius ``4 abs(C_d)``, spherical aberration caustics. Diffraction is neglected. If the blur is many lambda*N
+    Supports uniformly illuminated circular and annular apertures with radially symmetric aberrations. A ray through
+    rho meets the sensor at ``v = abs(dPhi/drho)``, Phi being the phase: defocus C_d causes a uniform disk of radius
+    ``4 abs(C_d)``, spherical aberration causes caustics. Diffraction is neglected. If the blur is many lambda*N
     wide, the result approximates local averages of the PSF, but not its point values.
 
     Parameters
@@ -72,7 +73,7 @@ class Geometric(Method[Pupil]):
             inside = covered
         if grid.centered:
             image = grid.unfold(image)
-        # Convert the density per pixel area to I: the integral of I over the plane in v is 4 pi times pupil.area.
+        # Convert light per pixel area to I: the integral of I over the plane, in v, is 4 pi pupil.area.
         return Intensities(image * (4.0 * math.pi * pupil.area / step**2), None)
 
     def _light(self, terms: Array, obscuration: float, width: float, count: int) -> Array:
@@ -80,7 +81,7 @@ class Geometric(Method[Pupil]):
         rho = np.linspace(obscuration, 1.0, 4097)
         height = ray_height(terms[None], rho)[0]
         steepest = float(np.abs(np.diff(height)).max()) / (rho[1] - rho[0])
-        # Cells so small that the rays of a cell fall into at most two neighbouring rings (5 % margin).
+        # The cells are so small that the rays of a cell fall into at most two neighbouring rings (5 % margin).
         cells = max(4096, math.ceil(1.05 * steepest * (1.0 - obscuration) / width))
         if cells > _MAX_CELLS:
             raise ValueError(
@@ -92,10 +93,10 @@ class Geometric(Method[Pupil]):
         energy = np.diff(rho**2) / (1.0 - obscuration**2)
         low, high = np.minimum(height[1:], height[:-1]), np.maximum(height[1:], height[:-1])
         ring = np.floor(low)
-        # Fraction of the light of a cell beyond the ring of its lowest ray, if rays are spread evenly over the cell.
+        # Light of a cell beyond the ring of its lowest ray, if the rays of a cell are spread evenly over its heights.
         spread = high - low
-        past = np.maximum(high - ring - 1.0, 0.0)
-        beyond = energy * np.minimum(past / np.where(spread > 0, spread, 1.0), 1.0)
+        excess = np.maximum(high - ring - 1.0, 0.0)
+        beyond = energy * np.minimum(excess / np.where(spread > 0, spread, 1.0), 1.0)
         inner = np.minimum(ring, count).astype(np.int64)
         total = np.bincount(inner, energy - beyond, count + 2) + np.bincount(inner + 1, beyond, count + 2)
         return np.asarray(total[:count])

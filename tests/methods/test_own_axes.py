@@ -223,7 +223,7 @@ def test_a_lens_and_a_field_have_them_too():
 )
 def test_methods_that_take_one_axis_say_so(method):
     lens = lm.Lens(focal_length=50e-3, f_number=8, focus_distance=2.0, wavelength=500e-9)
-    said = r"center must be one \(row, column\).*its own center, or take NijboerZernike or ChordalGauss"
+    said = r"center must be one \(row, column\).*its own center, or use NijboerZernike or ChordalGauss"
     for integrate in (None, True):
         with pytest.raises(ValueError, match=said):
             lm.psf(lens.pupil([1.9, 2.1]), 9, 3e-6, center=([4, 4.3], 4), method=method, integrate=integrate)

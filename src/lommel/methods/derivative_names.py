@@ -31,7 +31,7 @@ Name = str | Term  # a text such as "defocus", or n and m of a Zernike term
 # Exponent k of rho^(2k), by name. For "defocus" the coefficient of rho^2 is 2 C_d.
 POWERS = {"defocus": 1, "spherical": 2, "rho^6": 3, "rho^8": 4}
 
-# Tilt term that shifts the image along the direction; its coefficient, for one pixel, is the pixel pitch in v.
+# Tilt terms that shift the image by rows or columns; the coefficient for one pixel is the pixel pitch in v.
 SHIFTS: dict[str, Term] = {"row": (1, -1), "column": (1, 1)}
 
 LAYERED = ("z", "depth")  # only for the pupils of an Objective: stage position, and depth of the emitter
@@ -39,7 +39,7 @@ LAYERED = ("z", "depth")  # only for the pupils of an Objective: stage position,
 _INDEXED = re.compile(r"(noll|ansi|fringe) +([0-9]{1,4})")  # name of a Zernike term with a single index
 
 
-Factor = float | Array  # one number for a stack, or one for each of its pupils
+Factor = float | Array  # one number for a stack, or one number for each pupil
 
 
 class Parts(NamedTuple):
@@ -62,8 +62,8 @@ def checked(
             f"{argument} must be a sequence of names such as ('defocus', (3, 1)), got {validation.shown(names)}"
         )
     texts = _TEXTS if texts is None else texts
-    # Gradients have hundreds of names: checks of text names are cached. Checks of numbers are not: the cache would
-    # take True for 1, and only 1 is an index.
+    # Gradients have hundreds of names: checks of text names are cached. Checks of numbers are not,
+    # since a cache does not distinguish True from 1, and True is not a valid index.
     if all(type(name) is str for name in names):
         return _check_texts(argument, tuple(names), tuple(texts))
     return tuple(_check_name(argument, name, texts) for name in names)
@@ -125,34 +125,34 @@ def parts(name: Name, pupil: Pupil, step: float, *, energy: bool) -> Parts:
     if name in SHIFTS:
         return Parts({SHIFTS[name]: step})
     if name in LAYERED:
-        raise ValueError(f"derivatives by {name!r} are of the pupils of an Objective only; make the pupil with one")
+        raise ValueError(f"derivatives by {name!r} need the pupil of an Objective; use Objective.pupil")
     return _OTHERS[name](pupil, -2.0 if energy else 0.0)
 
 
-# Arguments of the following functions: a pupil, and `squeeze`, the derivative d ln scale / d ln N.
+# Arguments of the following functions: a pupil, and `scale_rate`, the derivative d ln scale / d ln N.
 
 
-def _f_number(pupil: Pupil, squeeze: float) -> Parts:
+def _f_number(pupil: Pupil, scale_rate: float) -> Parts:
     # v = pi x / (lambda N) falls as 1 / N: the image grows, -v . grad I / N.
     n = _metric("f_number", pupil)[1]
-    return Parts(own=squeeze / n, scaling=-1.0 / n)
+    return Parts(own=scale_rate / n, scaling=-1.0 / n)
 
 
-def _wavelength(pupil: Pupil, squeeze: float) -> Parts:
+def _wavelength(pupil: Pupil, scale_rate: float) -> Parts:
     # Path differences are constant, so that phases are proportional to 1 / wavelength.
     wave, wavefront = _metric("wavelength", pupil)[0], pupil.wavefront
     edge = wavefront.edge.reshape(-1, len(wavefront.terms))
     phases: dict[int | Term, Factor] = {
         term: edge[:, j] / -wave for j, term in enumerate(wavefront.terms) if edge[:, j].any()
     }
-    return Parts(phases, squeeze / wave, -1.0 / wave, unknown=1.0 / wave)
+    return Parts(phases, scale_rate / wave, -1.0 / wave, unknown=1.0 / wave)
 
 
-def _obscuration(pupil: Pupil, squeeze: float) -> Parts:
+def _obscuration(pupil: Pupil, scale_rate: float) -> Parts:
     eps = pupil.obscuration
     edge = float(pupil.illumination.at(np.array(eps * eps)))
     # Relative decrease of the normalisation: of the transmission ("energy") or of the squared amplitude.
-    decrease = 2.0 * eps * edge**2 / pupil.transmission if squeeze else 4.0 * eps * edge / pupil.amplitude
+    decrease = 2.0 * eps * edge**2 / pupil.transmission if scale_rate else 4.0 * eps * edge / pupil.amplitude
     return Parts(own=decrease, obscuration=1.0 if eps else 0.0)
 
 
@@ -162,10 +162,10 @@ def _object_distance(pupil: Pupil, _: float) -> Parts:
     return Parts({1: -2.0 * rate / np.square(lens.object_distance)})
 
 
-def _focus_distance(pupil: Pupil, squeeze: float) -> Parts:
+def _focus_distance(pupil: Pupil, scale_rate: float) -> Parts:
     rate, lens = _lens("focus_distance", pupil)
     log_n_rate = -lens.sensor_distance * lens.in_focus**2  # d ln N / d focus_distance: the sensor moves inwards
-    return Parts({1: 2.0 * rate * lens.in_focus**2}, squeeze * log_n_rate, -log_n_rate)
+    return Parts({1: 2.0 * rate * lens.in_focus**2}, scale_rate * log_n_rate, -log_n_rate)
 
 
 _OTHERS: dict[str, Callable[[Pupil, float], Parts]] = {
@@ -196,7 +196,7 @@ def _lens(name: str, pupil: Pupil) -> tuple[float, Geometry]:
         raise ValueError(f"derivatives by {name!r} need a pupil with the distances of a lens; make it by Lens.pupil")
     if lens.model != "paraxial":
         raise ValueError(
-            f"derivatives by {name!r} are of paraxial lenses only, got model={lens.model!r}, where the distance "
+            f"derivatives by {name!r} need a paraxial lens, got model={lens.model!r}, where the distance "
             "changes all terms; take differences of the PSFs of Lens.pupil at two distances"
         )
     return math.pi * lens.aperture_radius**2 / (2.0 * wave), lens

@@ -38,7 +38,7 @@ def growth(terms: Array, low: float, v: float, light: Apodization = _UNIFORM) ->
     """Bound ``log(abs(A exp(i Phi) J0(v sqrt t)))`` on each ellipse around ``[low, 1]``, for a whole stack.
 
     `terms` are the coefficients of R_2^0, R_4^0, ... (P_1(2t - 1), P_2, ...), shape ``(n, terms)``; the bound holds
-    in their whole bounding box. The maximum over theta is computed on a grid. For `low` = 0, the sum is a
+    in the whole bounding box of the stack. The maximum over theta is computed on a grid. For `low` = 0, the sum is a
     trigonometric polynomial of theta / 2, at most ``1 / cos(degree step / 2)`` times its largest grid value (Ehlich
     and Zeller, 1964). Otherwise each interval between grid points is bounded separately: see :func:`rise`.
     """
@@ -101,7 +101,7 @@ def between(phase: Array, kernel: Array, degree: int, low: float) -> Array:
 
 def quadrature_error(g: Array, n: int, low: float = 0.0) -> float:
     """Bound the error of n-point Gauss-Legendre quadrature over ``[low, 1]``, from the :func:`growth` `g`."""
-    # exp of more than 700 overflows; so large a bound is useless anyway.
+    # The limit of 700 prevents overflow; a bound this large has no use.
     return math.exp(min(float((_quadrature_log(g, low) - 2.0 * n * _ETA).min()), 700.0))
 
 

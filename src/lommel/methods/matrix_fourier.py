@@ -36,7 +36,7 @@ class MatrixFourier(Method[Pupil]):
     ----------
     samples : int, default 256
         Number of samples across the diameter of the aperture, 8 to 8192; their square cells span the diameter
-        exactly. If this equals the side of the mask of a pupil, the samples of the mask are used unchanged.
+        exactly. If `samples` equals the side of the mask of a pupil, the samples of the mask are used unchanged.
     edge : {"grey", "binary"}, default "grey"
         "grey": a sample is weighted by the clear fraction of its cell. "binary": it is 1 if its centre is clear, else
         0.
@@ -48,8 +48,8 @@ class MatrixFourier(Method[Pupil]):
 
     Notes
     -----
-    ``U = (4 / (pi n^2)) E_y P E_x`` with ``E = exp(-i v x)`` and n samples across. `integrate` averages over
-    Gauss-Legendre points within each pixel, with an error of 1e-8 of the peak of the unaberrated aperture.
+    ``U = (4 / (pi n^2)) E_y P E_x`` with ``E = exp(-i v x)`` and n samples across. With `integrate`, I is averaged
+    over Gauss-Legendre points within each pixel, with an error of 1e-8 of the peak of the unaberrated aperture.
 
     References
     ----------
@@ -66,11 +66,11 @@ class MatrixFourier(Method[Pupil]):
         validation.choice("edge", self.edge, ("grey", "binary"))
 
     def period(self, pupil: Pupil) -> float:
-        """Return the period of the image of any `pupil` in units of lambda*N, the number of samples."""
+        """Return the period of the image, which is `samples` times lambda*N for any `pupil`; in units of lambda*N."""
         return float(self.samples)
 
     def intensity(self, pupil: Pupil, grid: Grid, threads: int = 0) -> Intensities:
-        """Return I at, or averaged over, the pixels, shape ``(n, height, width)``.
+        """Return I at pixel centres, or averaged over pixels, shape ``(n, height, width)``.
 
         Raises
         ------
@@ -102,7 +102,7 @@ class MatrixFourier(Method[Pupil]):
 
 
 def samples_needed(pupil: Pupil, grid: Grid) -> tuple[int, str]:
-    """Return the smallest number of samples without light wrapped into the window, and the reason for it as text."""
+    """Return the smallest number of samples without aliased light in the window, and a text with the reason."""
     # Images of n samples repeat at ``pi n`` in v: the blur of the neighbouring image must not reach the window.
     step = grid.step(pupil)
     blur = float(pupil.v(pupil.geometric_radius()).max())
@@ -131,16 +131,17 @@ def pupil_functions(pupil: Pupil, x: Array, half: float, edge: str) -> Iterator[
         square, clear = x * x, np.abs(amplitude) > 0.0
         amplitude[clear] *= pupil.illumination.at((square[:, None] + square)[clear])
     wavefronts = pupil.wavefront.flattened()
-    added = pupil.opening.phase(x[None, :], x[:, None]) if pupil.segmented else 0.0
+    segment_phase = pupil.opening.phase(x[None, :], x[:, None]) if pupil.segmented else 0.0
     for i in range(wavefronts.shape[0]):
-        yield amplitude * np.exp(1j * (wavefronts[i].phase(rho, theta) + added))
+        yield amplitude * np.exp(1j * (wavefronts[i].phase(rho, theta) + segment_phase))
 
 
 def transmission(pupil: Pupil, x: Array, half: float, edge: str) -> Values:
     """Return the amplitude, without apodization, of square cells of side ``2 half`` centred at ``(x, x)``.
 
     A "binary" edge has the transmission 0 or 1 at the centre of the cell, a "grey" edge the clear fraction of the
-    cell (:meth:`lommel.optics.aperture.opening.Opening.coverage`); a mask multiplies it by its value at the centre.
+    cell (:meth:`lommel.optics.aperture.opening.Opening.coverage`); a mask multiplies this transmission by the mask
+    value at the centre.
     """
     across, down = x[None, :], x[:, None]
     if edge == "grey":
@@ -161,7 +162,8 @@ def gauss_pixel(width: float, error: float) -> tuple[Array, Array]:
 
 def pixel_error(width: float, nodes: int) -> float:
     """Bound the error of the q-point average over a pixel of `width` in v along an axis, over sup abs(U)^2."""
-    # The core's bound is for both axes and relative to half the range of I. For one axis and the range, it is 1/4.
+    # The core's bound is for both axes and relative to half the range of I. The bound for one axis, relative to the
+    # whole range, is a quarter of it.
     return 0.25 * gauss_error(width, nodes)
 
 

@@ -72,7 +72,7 @@ class NijboerZernike(FieldMethod["Pupil"]):
     tol: float = 1e-6
 
     def evaluate(self, pupil: Pupil, v: Array) -> FieldValues:
-        """Return the field U at increasing v, so exact that the error of I is at most `tol`, and its error bound."""
+        """Return U at increasing v with its error bound, which is small enough for an error of I of at most `tol`."""
         return radial_fields(radial_stack(pupil), v, self.tol)
 
     def profile(self, pupil: Pupil, v: Array) -> Intensities:
@@ -135,7 +135,7 @@ class NijboerZernike(FieldMethod["Pupil"]):
         sampled = averaged and filters_pay(stack, window, self.tol)
         if averaged and wanted.powers and (sampled or filters_pay(stack, window, self.tol, derivatives=True)):
             values = images(wanted._replace(powers=()), sampled=sampled)
-            # Derivatives are computed from finer samples, values by the faster of the two ways.
+            # Derivatives are computed from finer samples, values by the faster of the two methods.
             return values._replace(slopes=images(wanted._replace(out=None), sampled=True).slopes)
         return images(wanted, sampled=sampled)
 

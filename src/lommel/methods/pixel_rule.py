@@ -1,4 +1,4 @@
-"""Averages of a radial PSF over square pixels, however large, from its values at few radii."""
+"""Averages of a radial PSF over square pixels of any size, from values at few radii."""
 
 from __future__ import annotations
 
@@ -132,7 +132,7 @@ def averaging_error(width: float, count: int) -> float:
     """
     # I(v) = U(v) conj(U(conj(v))) is an entire function of either coordinate, and at most exp(2 |Im v|) times the
     # square of the amplitude of the pupil. On the Bernstein ellipse of parameter b around a pixel, this factor is at
-    # most exp(width sinh b). The error of p Gauss nodes along either side is therefore at most
+    # most exp(width sinh b). The error of p = `count` Gauss nodes along either side is therefore at most
     # 2 (32/15) exp(width sinh b - 2 p b) / (1 - exp(-2 b)) for every b; the smallest of several bounds is used.
     b = np.linspace(0.05, 5.0, 200)
     exponent = width * np.sinh(b) - 2.0 * count * b - np.log(-np.expm1(-2.0 * b))

@@ -28,9 +28,9 @@ def mixed(
     """Return sums over wavelengths of the intensities that `compute` returns, with errors of at most `tol`.
 
     Errors are relative to the peak of the sum or, with `window`, to its largest value in the window. The tolerance is
-    a contract if `method` keeps its tolerance.
+    guaranteed if `method.keeps_tol`.
     """
-    # At a shorter wavelength light falls on a smaller area: I, relative to the reference, grows as 1 / lambda^2.
+    # At a shorter wavelength light falls on a smaller area: I is proportional to 1 / wavelength^2.
     weights = shares * np.array([part.stretch**2 for part in parts])
     part_tol, least = tol, (method.method or Method).least_tol
     while True:
@@ -44,7 +44,8 @@ def mixed(
         errors = [float(each.error.max()) for each in sums if each.error is not None]
         if not errors or not method.keeps_tol or (worst := max(errors)) <= tol:
             return sums
-        # Each part meets the tolerance of its own peak; the peak of the sum may be below the sum of the peaks.
+        # The error of each part is relative to the peak of the part; the peak of the sum may be below the sum of the
+        # peaks.
         if part_tol <= least:
             raise not_met(method.tol, worst, "the largest value in the window" if window else "the peak")
         # The next tolerance is reduced by the excess of the error, and halved for safety.
@@ -65,12 +66,12 @@ def _sums(
     sums: list[Array | None] = [None] * len(weights)
     tops, errors, bounded = [], [], [True] * len(weights)
     for k, part in enumerate(parts):
-        made = compute(part, part_tol)
-        tops.append(made.values.reshape(len(made.values), -1).max(axis=1) if made.peak is None else made.peak)
-        errors.append(np.zeros(len(made.values)) if made.error is None else made.error)
+        result = compute(part, part_tol)
+        tops.append(result.values.reshape(len(result.values), -1).max(axis=1) if result.peak is None else result.peak)
+        errors.append(np.zeros(len(result.values)) if result.error is None else result.error)
         for c in np.flatnonzero(weights[:, k]):
-            bounded[c] &= made.error is not None
-            term, before = weights[c, k] * made.values, sums[c]
+            bounded[c] &= result.error is not None
+            term, before = weights[c, k] * result.values, sums[c]
             sums[c] = term if before is None else np.add(before, term, out=before)
     results = []
     for row, values, has_bound in zip(weights, sums, bounded, strict=True):
@@ -96,7 +97,7 @@ class Polychromatic(Spectrum, RadialMethod[BasePupil]):
     r"""Incoherent sum over a spectrum, with another method for each wavelength.
 
     Supports pupils with a wavelength, the reference wavelength. The phases of a pupil are optical path differences:
-    at another wavelength the phases, and v at a given radius, are ``wavelength / other`` times as large.
+    at another wavelength w, the phases and the v of a given radius are multiplied by ``wavelength / w``.
 
     Parameters
     ----------
@@ -107,8 +108,8 @@ class Polychromatic(Spectrum, RadialMethod[BasePupil]):
     method : Method, optional
         Method for each wavelength, by default chosen as by :func:`lommel.psf`, so that every pupil is supported.
     tol : float, optional
-        Tolerance of the sum relative to its peak: a contract if all wavelengths have a bound. By default the
-        tolerance of `method`, or 1e-6.
+        Tolerance of the sum relative to its peak; guaranteed if the method of each wavelength has an error bound. By
+        default the tolerance of `method`, or 1e-6.
 
     Raises
     ------
@@ -215,10 +216,10 @@ class Polychromatic(Spectrum, RadialMethod[BasePupil]):
                 "derivatives are not available from Polychromatic.images; use derivatives= of lommel.psf"
             )
         aim = self.tol - 1.1 * storing(wanted.dtype)
-        # Division of values by their own largest value doubles the error; 0.48 leaves a reserve.
+        # Division of values by their own largest value doubles the error; 0.48 instead of 0.5 leaves a reserve.
         aim = aim if wanted.scale is not None else 0.48 * aim
-        made = together((self,), pupil, grid, wanted.threads, aim, window=wanted.scale is None)
-        return to_images(made[0], grid, wanted)
+        result = together((self,), pupil, grid, wanted.threads, aim, window=wanted.scale is None)
+        return to_images(result[0], grid, wanted)
 
 
 def together(
@@ -233,15 +234,15 @@ def together(
         np.add.at(row, [places[w] for w in each.wavelengths], each.weights)
     method = sums[0].method
     # With lateral colour some components are off the axis, and share no radii with the others.
-    alike = all(part.pupil.radial == pupil.radial for part in parts)
+    equal_symmetry = all(part.pupil.radial == pupil.radial for part in parts)
 
     def compute(part: Component, tol: float) -> Intensities:
         ways = candidates(part.pupil, grid, tol) if method is None else (method.tightened(tol),)
-        made = first_within_tolerance(ways, lambda way: way.intensity(part.pupil, grid, threads))[1]
-        if alike or made.values.ndim == 3:
-            return made
-        values = np.empty((len(made.values), *grid.shape))
-        grid.paint(made.values, np.ones(len(values)), values)
-        return made._replace(values=values)
+        result = first_within_tolerance(ways, lambda way: way.intensity(part.pupil, grid, threads))[1]
+        if equal_symmetry or result.values.ndim == 3:
+            return result
+        values = np.empty((len(result.values), *grid.shape))
+        grid.paint(result.values, np.ones(len(values)), values)
+        return result._replace(values=values)
 
     return mixed(parts, shares, compute, sums[0], tol, window)

@@ -65,10 +65,10 @@ class Prepared(NamedTuple):
 
         try:
             method, images = first_within_tolerance(self.methods, images_by)
-        except Declined as refused:
+        except Declined as declined:
             if self.named:
                 raise
-            raise Declined(f"{refused}{instead(pupil, self.grid)}") from None
+            raise Declined(f"{declined}{instead(pupil, self.grid)}") from None
         return method.reported, images, []
 
 
@@ -98,7 +98,7 @@ def output_spec(grid: Grid, pupil: BasePupil, method: Method, normalize: str, dt
     method.require(pupil)
     for pitch in grid.pitch:
         validation.pixel_on(pitch, pupil.scale, metric=pupil.wavelength is not None)
-    # Only Geometric, which has no point samples, has no limit of the distance from the axis.
+    # All methods limit the distance from the axis, except Geometric, which has no point samples.
     if method.sampling == "center":
         grid.require_reach(pupil)
     if pupil.period < math.inf:

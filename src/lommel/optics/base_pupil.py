@@ -238,7 +238,7 @@ class BasePupil(display.Shown):
         """
         at = validation.real_array("radius", radius)
         with np.errstate(over="ignore"):
-            return validation.real_array("radius over lambda*N", math.pi / self.scale * at)
+            return validation.real_array("radius / (lambda*N)", math.pi / self.scale * at)
 
 
 def not_a_pupil(thing: object) -> TypeError:

@@ -76,7 +76,7 @@ class Grid(EqualByContent):
         center = middle if center is None else validation.positions("center", center)
         integrate = validation.truth("integrate", integrate)
         if fill != (1.0, 1.0) and not integrate:
-            raise ValueError(f"fill must be 1 for pixels that sample their centres, got {fill}; average over them")
+            raise ValueError(f"fill must be 1 for pixels that sample their centres, got {fill}; use integrate=True")
         stack = () if isinstance(center[0], float) else center[0].shape
         # Like object.__setattr__ for each field of a frozen dataclass, but in one step, which is faster.
         vars(self).update(height=height, width=width, pixel=pitch, center=center, integrate=integrate, stack=stack)
@@ -88,7 +88,7 @@ class Grid(EqualByContent):
         return self.height, self.width, self.pixel, self.integrate, self.stack, center, self.fill
 
     def __getitem__(self, index: Index) -> Grid:
-        """Return the grid around a part of several axes, indexed as an array of the shape `stack`."""
+        """Return the grid with a part of the axes, indexed as an array of the shape `stack`."""
         if not self.stack:
             raise TypeError("a grid around one axis cannot be indexed")
         return self._around(*(np.asarray(part)[index] for part in self.center))
@@ -119,7 +119,7 @@ class Grid(EqualByContent):
         if self.stack:
             raise ValueError(
                 f"center must be one (row, column) for this method, got arrays of shape {self.stack}; compute each "
-                "pupil with its own center, or take NijboerZernike or ChordalGauss for a circular or annular aperture"
+                "pupil with its own center, or use NijboerZernike or ChordalGauss for a circular or annular aperture"
             )
 
     @property
@@ -171,7 +171,7 @@ class Grid(EqualByContent):
 
     @property
     def mirrored(self) -> bool:
-        """True if one axis is in the window and, along both sides, at a pixel centre or midway between two."""
+        """True if there is one axis, in the window, and in x and in y at a pixel centre or midway between two."""
         return not self.stack and all(
             0.0 <= c <= side - 1 and 2.0 * c % 1.0 == 0.0 for c, side in zip(self.axis, self.shape, strict=True)
         )
@@ -217,7 +217,7 @@ class Grid(EqualByContent):
         return math.pi * self.side / pupil.scale
 
     def cell(self, pupil: BasePupil) -> float:
-        """Return the area of a pixel in v^2 of a `pupil`, with its inactive part."""
+        """Return the area of a pixel in v^2 of a `pupil`, including the inactive part."""
         if isinstance(self.pixel, float):
             return self.step(pupil) ** 2
         down, across = self.pixel
@@ -227,7 +227,7 @@ class Grid(EqualByContent):
     def side(self) -> float:
         """Pitch of square pixels; ValueError for rectangular pixels, which methods do not support."""
         if not isinstance(self.pixel, float):
-            raise ValueError(f"pixel must be one number for a Method, got {self.named}; lommel.psf takes two")
+            raise ValueError(f"pixel must be one number for a Method, got {self.named}; lommel.psf accepts two")
         return self.pixel
 
     def reach(self, pupil: BasePupil) -> float:
@@ -254,7 +254,7 @@ class Grid(EqualByContent):
 
     @cached_property
     def _far_center(self) -> tuple[float, float]:
-        """The centre with the farthest pixel, of several centres."""
+        """The axis with the largest distance to a corner of the window."""
         if not self.stack:
             return self.axis
         (row, column), (far_row, far_column) = self.center, (0.5 * (side - 1) for side in self.shape)

@@ -41,7 +41,7 @@ def aperture(focal_length: float, f_number: float | None, aperture_diameter: flo
 
 
 def sensor(focal_length: float, focus_distance: float | None, sensor_distance: float | None) -> float:
-    """Return the sensor distance, metres, from the object distance in focus (by default infinity) or as given."""
+    """Return the sensor distance, metres, from `focus_distance` (by default infinity) or `sensor_distance`."""
     if focus_distance is not None and sensor_distance is not None:
         raise ValueError(
             "give at most one of focus_distance and sensor_distance, "
@@ -68,7 +68,7 @@ _Numbers = float | NDArray[np.float64]
 
 @dataclass(frozen=True, init=False, repr=False)
 class Lens(display.Shown):
-    """A thin lens with its stop at the lens; metres everywhere, distances from the lens.
+    """A thin lens with its stop at the lens; all lengths in metres, distances measured from the lens.
 
     Parameters
     ----------
@@ -94,10 +94,10 @@ class Lens(display.Shown):
         f-number).
     corrected_for : {"object", "focus"}, default "object"
         Conjugate at which an aplanatic lens is free of aberration; the conditions of Abbe and Herschel cannot both
-        hold. "object": the object at any distance, with spheres around its image and around the axial point of the
-        sensor (the sensor is displaced). "focus": the point in focus, with spheres around the object and around that
-        point, where the sine of the angle is rho times ``aperture radius / focus distance`` (the object is displaced,
-        as in microscopes).
+        hold. "object": objects at any distance are imaged without aberration. The reference spheres are centred on
+        the image and on the axial point of the sensor: the sensor is displaced. "focus": the point in focus is imaged
+        without aberration. The spheres are centred on the object and on the point in focus, where the sine of the
+        angle is rho times ``aperture radius / focus distance``: the object is displaced, as in microscopes.
     apodization : float, Apodization or "aplanatic", default 0
         Amplitude across the pupil, as for :class:`lommel.Pupil`. "aplanatic", for an aplanatic lens only, is
         ``cos(theta)^(-1/2)``, theta being the angle of the model: the amplitude ``cos(theta)^(1/2)`` of an evenly lit
@@ -120,7 +120,8 @@ class Lens(display.Shown):
     Warns
     -----
     UserWarning
-        If a focal length above 1 metre, with an f-number, visible light and no obscuration, may be in millimetres.
+        If the focal length is above 1 metre, with an f-number, visible light and no obscuration: it may have been
+        given in millimetres.
 
     Examples
     --------
@@ -297,10 +298,10 @@ class Lens(display.Shown):
         )
 
     def in_light(self, wavelength: float) -> Lens:
-        """Return the lens at another `wavelength`, metres, with the focal length of its colour there.
+        """Return the lens at another `wavelength`, metres, with the focal length that its colour defines.
 
-        Sensor, stop and path differences of the aberrations stay. TypeError or ValueError if the wavelength is out of
-        range or beyond the table of the colour.
+        Sensor, stop and the path differences of the aberrations do not change. TypeError or ValueError if the
+        wavelength is out of range or beyond the table of the colour.
         """
         wave, colour = validation.wavelength(wavelength), self.pupil_colour
         stop = self.stop
@@ -353,9 +354,9 @@ class Lens(display.Shown):
     def phase(self, defocus: ArrayLike) -> Wavefront:
         """Return the wavefront of a `defocus` C_d (radians, of any shape), without the aberrations of the lens.
 
-        For an aplanatic lens these are the Zernike terms of the exact path difference, with an error bound; see
+        For an aplanatic lens it consists of the Zernike terms of the exact path difference, with an error bound; see
         :func:`lommel.optics.wavefront.wavefront.expansion`. TypeError or ValueError if C_d is not finite or beyond
-        the range of that expansion.
+        the range of the expansion.
         """
         return self._phase(validation.real_array("defocus", defocus))
 
@@ -369,7 +370,7 @@ class Lens(display.Shown):
         return wavefront.wavefront(radius, self._geometry.sphere, vergence, self.wavelength)
 
     def phase_rate(self, reach: float) -> float:
-        """Return a bound on the range of Im phase across the pupil per Im C_d, for abs(C_d) up to `reach` radians.
+        """Return a bound on (range of Im phase across the pupil) / Im C_d, for complex C_d up to `reach` radians.
 
         2 for a paraxial lens, slightly more for an aplanatic lens, infinite if no bound is known.
         """
@@ -403,7 +404,8 @@ class Lens(display.Shown):
         Raises
         ------
         TypeError, ValueError
-            If a distance is not above 0 or does not broadcast with the aberrations, or if there is none in focus.
+            If a distance is not above 0 or does not broadcast with the aberrations, or if none is given and none is
+            in focus.
         """
         s = self._object_distance(object_distance)
         wavefront = self._phase(self._defocus(s))

@@ -41,7 +41,7 @@ class Pupil(BasePupil):
     wavelength : float, optional
         Wavelength, metres. With `f_number`, lengths on the sensor are in metres; without both, in units of lambda*N.
     f_number : float, optional
-        Working f-number N: sensor distance over aperture diameter.
+        Working f-number N: sensor distance divided by aperture diameter.
     apodization : float or Apodization, default 0
         Amplitude across the aperture, for all pupils of a stack. A number g, 0 to 100, is a Gaussian
         ``exp(-g rho^2)``: a laser beam of 1/e amplitude radius w, truncated at the radius a, has ``g = (a / w)^2``.
@@ -166,7 +166,7 @@ class Pupil(BasePupil):
 
     @property
     def period(self) -> float:
-        """Period of the image along x and y in units of lambda*N: the side of a sampled mask; else infinite."""
+        """Period of the image along x and y in units of lambda*N: the side of a sampled mask, else infinite."""
         return math.inf if self.mask is None or self.mask.squares else float(self.mask.side)
 
     def _integral(self, power: float) -> float:
@@ -333,7 +333,7 @@ class Pupil(BasePupil):
         return np.asarray(np.hypot(across + tip, down + tilt).max(axis=1))
 
     def carrying(self, wavefront: Wavefront, geometry: Geometry | None, wavelength: float | None = None) -> Pupil:
-        """Return a copy with these attributes; TypeError if `wavefront` is not a Wavefront."""
+        """Return a copy with other wavefront, geometry and wavelength; TypeError if `wavefront` is no Wavefront."""
         validation.instance("wavefront", wavefront, Wavefront)
         return changed(
             self,
@@ -484,7 +484,9 @@ class FieldPupil(BasePupil):
     @property
     def amplitude(self) -> float:
         """Raise ValueError: each pupil has its own amplitude."""
-        raise ValueError("each position has an aperture of its own: index the stack, and measure each PSF")
+        raise ValueError(
+            "pupil must have one aperture, got one for each position; index the stack, and measure each PSF"
+        )
 
     @property
     def transmission(self) -> Array:  # type: ignore[override]

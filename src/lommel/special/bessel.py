@@ -1,4 +1,4 @@
-"""Bessel functions of the first kind (compiled), and the approximations of J0 in the paper."""
+"""Bessel functions of the first kind (compiled), and the approximations of J0 in the paper of docs/paper.md."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def bessel_sequence(v: ArrayLike, count: int) -> Array:
 
 
 def legendre_transforms(v: ArrayLike, terms: int) -> Array:
-    """Return ``2 (-1)^n J_{2n+1}(v) / v``, the transforms of ``P_n(2t - 1)``.
+    """Return ``2 (-1)^n J_{2n+1}(v) / v``, the Hankel transforms of ``P_n(2t - 1)``, t = rho^2.
 
     Parameters
     ----------

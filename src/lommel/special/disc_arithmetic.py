@@ -1,6 +1,7 @@
-"""Circular arithmetic: each result is a disc of the complex plane that contains the results for all numbers in discs.
+"""Circular arithmetic: each result is a disc of the complex plane that contains all exact results.
 
-The disc of a function has the largest slope times the radius of the argument as its radius. Every radius is widened
+The arguments are any numbers in given discs. The radius of the disc of a function is the largest slope of the
+function times the radius of the argument. Every radius is widened
 by 1e-13 of the magnitudes from which it is computed, more than the rounding errors.
 
 References
@@ -33,7 +34,7 @@ class Disc:
 
     @cached_property
     def size(self) -> Array:
-        """Modulus of each centre, unprotected from overflow: five times as fast as numpy.abs."""
+        """Modulus of each centre; without protection from overflow, and thus five times as fast as numpy.abs."""
         with np.errstate(over="ignore", invalid="ignore"):
             return np.asarray(np.sqrt(self.centre.real**2 + self.centre.imag**2))
 
@@ -90,7 +91,7 @@ class Disc:
             return Disc(np.where(clear, 1.0 / self.centre, 0.0), radius)
 
     def sqrt(self) -> Disc:
-        """Return discs of the root with a positive real part; the radius is infinite beyond the right half plane."""
+        """Return discs of the root with a positive real part; the radius is infinite unless real parts are > 0."""
         # In the right half plane the principal root is analytic: certificate, section 14, "Discs".
         right = self.centre.real * (1.0 - _ROUNDING) > self.radius
         root = np.sqrt(np.where(right, self.centre, 1.0))
@@ -117,7 +118,7 @@ def cosine_and_sinc(square: Disc) -> tuple[Disc, Disc]:
     small = np.abs(z) < 1e-4
     safe = np.where(small, 1.0, z)
     sinc = np.where(small, 1.0 - square.centre / 6.0, np.sin(safe) / safe)
-    # abs(Im z) = sqrt((abs(z^2) - Re z^2) / 2); within the disc the square of this is larger by at most the radius.
+    # abs(Im z) = sqrt((abs(z^2) - Re z^2) / 2); within the disc, (Im z)^2 is larger by at most the radius.
     height = np.exp(np.sqrt(z.imag**2 + square.radius) * (1.0 + _ROUNDING))
     extent = height * (square.radius + 4.0 * _ROUNDING * (1.0 + np.abs(square.centre)))
     size = np.maximum(np.sqrt(square.least), 1.0)
@@ -128,7 +129,7 @@ def cosine_and_sinc(square: Disc) -> tuple[Disc, Disc]:
 def windings(values: Disc) -> NDArray[np.int_]:
     """Return the winding numbers around 0 of closed curves covered by discs along the last axis; -1 if unknown."""
     # Neighbouring discs share a point of the curve. If no disc contains 0, the argument changes by less than pi
-    # between neighbouring centres. For a function analytic inside the curve, this is its number of zeros.
+    # between neighbouring centres. For a function analytic inside the curve, the result is the number of zeros.
     clear = np.asarray((values.least > 0.0).all(axis=-1))
     x, y = values.centre.real, values.centre.imag
     with np.errstate(invalid="ignore", over="ignore"):

@@ -1,4 +1,4 @@
-"""Error function on the rays at +-45 degrees of the complex plane, for the closed form, by three algorithms.
+"""Error function on the rays at +-45 degrees of the complex plane, by three algorithms, for the paper's closed form.
 
 ``erf(e^{-i pi/4} s)`` with real s is a pair of real Fresnel integrals:
 ``int_0^s exp(i tau^2) d tau = (sqrt(pi)/2) e^{i pi/4} erf(e^{-i pi/4} s)`` (DLMF 7.5.8).
@@ -27,7 +27,7 @@ def fresnel_auxiliary(s: ArrayLike) -> NDArray[np.complex128]:
     """Return ``G(s) = exp(-i s^2) int_s^inf exp(i tau^2) d tau`` for ``s >= 0``.
 
     ``G(s) = (sqrt(pi)/2) e^{i pi/4} w(e^{i pi/4} s)`` with the Faddeeva function w (DLMF 7.5.8-10);
-    smooth, ``~ i / (2s)`` at large s. Relative error about 1e-13.
+    G is smooth, and about ``i / (2s)`` at large s. The relative error is about 1e-13.
 
     Parameters
     ----------
@@ -134,7 +134,8 @@ class AbramowitzErf(Erf):
     """Error function by the truncated series of the paper's Eq. (14), Abramowitz and Stegun 7.1.29.
 
     The largest term is at ``n = 2 abs(Im z)``: N terms suffice only if ``abs(Im z)`` is below about ``N/2 - 3``.
-    Beyond, the result approaches the real error function, and the outer rings of the paper's figures appear.
+    For larger ``abs(Im z)`` the result approaches the real error function, which causes the outer rings in the
+    paper's figures.
 
     Parameters
     ----------
@@ -169,7 +170,7 @@ class AbramowitzErf(Erf):
 
         at = validation.array("z", z)
         numbers = at.dtype.kind in "iufc"
-        with np.errstate(over="ignore"):  # a long double beyond the range becomes infinite, and is refused
+        with np.errstate(over="ignore"):  # a long double beyond the range becomes infinite: TypeError
             at = at.astype(np.complex128) if numbers else at
         if not numbers or not np.all(np.isfinite(at)):
             raise TypeError(f"z must hold finite numbers, got {validation.shown(z)}")
@@ -262,7 +263,8 @@ def unit_moments(phase: Array, count: int) -> NDArray[np.complex128]:
     r"""Return ``int_0^1 x^(2m+1) exp(i phase x^2) dx`` for m = 0, ..., count-1.
 
     With u = x^2, the integral is ``J_m = int_0^1 u^m e^{i phase u} du / 2``. Large phases use the
-    recurrence ``J_m = (e^{i phase}/2 - m J_{m-1}) / (i phase)``, which cancels for small ones: these use quadrature.
+    recurrence ``J_m = (e^{i phase}/2 - m J_{m-1}) / (i phase)``, which cancels for small phases; small phases use
+    quadrature.
 
     Parameters
     ----------

@@ -48,7 +48,7 @@ class Taps(NamedTuple):
         return _evaluate(np.asarray(2.0 * np.polynomial.polynomial.polyder(self.polynomials[::-1, : self.size])), t)
 
     def weighted(self, times: Array) -> float:
-        """Return a bound, for all t, on the sum of the moduli of the weights, multiplied by `times` (size,)."""
+        """Return a bound, for all t, on the sum over the taps of ``abs(weight) * times``; `times` (size,)."""
         return _BETWEEN_POINTS * float((np.abs(self.at(_check_positions())) * times).sum(axis=1).max())
 
     @property

@@ -27,7 +27,7 @@ def _rule(n: int) -> tuple[Array, Array]:
 def gauss_legendre(n: int, low: float = 0.0, high: float = 1.0) -> tuple[Array, Array]:
     """Return the nodes (rising) and weights of the n-point Gauss-Legendre rule on ``[low, high]``.
 
-    Nodes are computed by Newton's method in extended precision, and are correct to rounding; so are sums of order 1.
+    Nodes are computed by Newton's method in extended precision, and are correct to rounding.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Approximation of a phase by piecewise quadratic functions: the paper's Eq. (17), with and without piston."""
+"""Approximation of a phase by piecewise quadratic functions: Eq. (17) of the paper in docs/paper.md."""
 
 from __future__ import annotations
 
@@ -18,7 +18,11 @@ SPLITS = ("linear", "sqrt", "log", "optimal")
 FITS = ("interpolation", "least-squares", "sweep")
 
 _SAMPLES = 96  # samples of each segment for the mean error
-_SWEEP, _LEVELS, _MAXIMA = 31, 3, 24  # values of a coefficient in a finer sweep; finer sweeps; maxima refined
+_SWEEP, _LEVELS, _MAXIMA = (
+    31,
+    3,
+    24,
+)  # numbers: values in a finer sweep, finer sweeps, refined maxima
 
 
 @dataclass(frozen=True, eq=False)
@@ -109,10 +113,11 @@ def fit_quadratics(
     split : {"optimal", "linear", "sqrt", "log"}
         See :func:`split_edges`.
     fit : {"interpolation", "least-squares", "sweep"}
-        "interpolation": at the Chebyshev points of each segment, error bound about ``max abs(phi''') h^3 / 192``
-        (without piston, where this is impossible: with the value, up to whole turns, and the slope in the middle;
-        no bound). "least-squares": fit of ``exp(i phase)`` that starts there. "sweep": the paper's search over alpha
-        and beta, repeated with finer steps around the best values.
+        "interpolation": at three Chebyshev points of each segment, with an error bound of about
+        ``max abs(phi''') h^3 / 192``; without piston at the middle of each segment, with the value (up to whole
+        turns) and the slope of the phase, and no bound. "least-squares": fit of ``exp(i phase)`` that starts from the
+        result of "interpolation". "sweep": the paper's search over alpha and beta, then with finer steps around the
+        best.
     piston : bool, default True
         True if each segment has a constant gamma_i, which Eq. (17) omits.
     sweep : (float, float), optional
@@ -132,7 +137,7 @@ def fit_quadratics(
         raise ValueError(f"coefficients must be a sequence of numbers, got {validation.shown(coefficients)}")
     validation.choice("fit", fit, FITS)
     validation.truth("piston", piston)
-    edges, rows = fitted(c[None], segments, split, fit, piston, sweep)
+    edges, rows = fit_stack(c[None], segments, split, fit, piston, sweep)
     alpha, beta, gamma = rows[0].T
     bound = None
     if piston and fit == "interpolation":
@@ -140,7 +145,7 @@ def fit_quadratics(
     return PiecewiseQuadratic(edges, alpha, beta, gamma, bound)
 
 
-def fitted(
+def fit_stack(
     c: Array, segments: int, split: str, fit: str, piston: bool, sweep: tuple[float, float] | None = None
 ) -> tuple[Array, Array]:
     """Return the edges, and alpha, beta and gamma of each phase of a stack in each segment, ``(n, segments, 3)``."""
@@ -167,9 +172,9 @@ def _derivative(coefficients: ArrayLike, rho: ArrayLike, order: int) -> Array:
 def _interpolation_error(c: Array, edges: Array) -> Array:
     """Bound the error on each segment: h^3 / 32 times the third divided difference of the phase."""
     low, high = edges[:-1], edges[1:]
-    # Third divided differences of rho^p are at most C(p, 3) high^(p - 3); of rho^4 the sum is exact.
+    # Third divided differences of rho^p are at most C(p, 3) high^(p - 3); for rho^4 the exact value is used.
     difference = np.zeros(low.size)
-    # c_1 rho^2 is itself quadratic, and has no error.
+    # c_1 rho^2 is quadratic, and has no error.
     for k, size in enumerate(c[1:], 2):
         difference += size * (1.5 * (low + high) + high if k == 2 else math.comb(2 * k, 3) * high ** (2 * k - 3))
     return np.asarray((high - low) ** 3 / 32.0 * difference)
@@ -177,7 +182,7 @@ def _interpolation_error(c: Array, edges: Array) -> Array:
 
 @lru_cache(maxsize=8)
 def _interpolation_matrix(terms: int, segments: int, split: str) -> tuple[Array, Array]:
-    """Return the edges, and the coefficients of each segment that interpolate each term at its Chebyshev points."""
+    """Return the edges, and coefficients that interpolate each term at the Chebyshev points of each segment."""
     edges = split_edges(segments, split)
     # Interpolation at Chebyshev points of each segment has the smallest error bound.
     middle, half = 0.5 * (edges[:-1] + edges[1:]), 0.5 * np.diff(edges)
@@ -196,7 +201,7 @@ def _match_value_and_slope(c: Array, edges: Array) -> Array:
     """Return alpha and beta with the value (modulo 2 pi) and slope of the phase in the middle of each segment."""
     middle = 0.5 * (edges[:-1] + edges[1:])
     value, slope, curvature = (_derivative(c, middle, k) for k in range(3))
-    # The number of whole turns for which the curvature is closest to the curvature of the phase.
+    # The number of whole turns is the one for which the curvature is closest to the curvature of the phase.
     turns = np.round((slope * middle - value - 0.5 * curvature * middle**2) / (2.0 * math.pi))
     alpha = (slope * middle - value - 2.0 * math.pi * turns) / middle**2
     return np.stack([alpha, slope - 2.0 * alpha * middle, np.zeros_like(alpha)], axis=-1)
@@ -212,7 +217,7 @@ def _least_squares(c: Array, low: float, high: float, start: Array, piston: bool
     powers = np.vander(rho - m, 3)[:, :count]
 
     def residual(p: Array) -> Array:
-        # Its squares sum to abs(exp(i fit) - exp(i phase))^2, which whole turns do not change.
+        # The squares sum to abs(exp(i fit) - exp(i phase))^2, which does not change with whole turns.
         error = powers @ p - phase
         return np.concatenate([np.cos(error) - 1.0, np.sin(error)])
 

@@ -20,7 +20,7 @@ MAX_DEGREE = 60
 
 
 def check_term(n: object, m: object) -> tuple[int, int]:
-    """Return (n, m) if there is such a polynomial; otherwise raise ValueError with the term in its message."""
+    """Return (n, m) if these are the indices of a Zernike term; otherwise raise ValueError."""
     try:
         degree = validation.integer("n", n, least=0, most=MAX_DEGREE)
         order = validation.integer("m", m, least=-MAX_DEGREE, most=MAX_DEGREE)
@@ -134,7 +134,7 @@ def name(n: int, m: int) -> str:
 
 def radial(n: int, m: int, rho: Array) -> Array:
     """Return ``R_n^abs(m)(rho) = rho^abs(m) P_k^(0,abs(m))(2 rho^2 - 1)``, 1 at rho = 1; ``k = (n - abs(m)) / 2``."""
-    # Only the last polynomial of the recurrence is used.
+    # The last polynomial of the recurrence has the degree n.
     (highest,) = deque(_jacobi(abs(m), n, rho), maxlen=1)
     return np.asarray(rho ** abs(m) * highest)
 
@@ -244,7 +244,8 @@ def edge_of_powers(powers: Array) -> Array:
 def conversion_error(powers: Array) -> Array:
     """Bound the sum of the errors of :func:`edge_of_powers`, except the last rounding of each coefficient."""
     # On [0, 1] each power is at most 1, and its Legendre coefficients are positive with a sum of 1.
-    # (K + 3) u' sum abs(c_k): certificate, "Model error of a wavefront".
+    # The bound is (K + 3) u' sum abs(c_k) for K powers with coefficients c_k, u' the unit of extended precision:
+    # certificate, "Model error of a wavefront".
     unit = float(np.finfo(np.longdouble).eps)
     return np.asarray((powers.shape[-1] + 3) * unit * np.abs(powers).sum(axis=-1))
 
@@ -279,7 +280,9 @@ def legendre_to_powers(terms: int) -> NDArray[np.longdouble]:
 def _matrix(fraction: Callable[[int, int], tuple[int, int]], rows: range, terms: int) -> NDArray[np.longdouble]:
     pairs = [[fraction(row, k) for k in range(1, terms + 1)] for row in rows]
     # Quotients of exact integers, rounded once to extended precision.
-    matrix = np.array([[np.longdouble(over) / np.longdouble(under) for over, under in row] for row in pairs])
+    matrix = np.array(
+        [[np.longdouble(numerator) / np.longdouble(denominator) for numerator, denominator in row] for row in pairs]
+    )
     matrix.flags.writeable = False
     return matrix
 

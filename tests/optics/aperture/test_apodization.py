@@ -120,7 +120,7 @@ def test_a_number_stays_a_number_and_means_a_gaussian(tmp_path):
     [
         (lambda: lm.Apodization([101.0]), "powers must lead to an exponent of at most 100, got 101"),
         (lambda: lm.Apodization([1e308, 1e308]), "powers must lead to an exponent of at most 100"),
-        (lambda: lm.Apodization(np.ones(11)), "powers must be at most 10, got 11"),
+        (lambda: lm.Apodization(np.ones(11)), "powers must have at most 10 coefficients, got 11"),
         (lambda: lm.Apodization([math.nan]), "powers must be"),
         (lambda: lm.Apodization([1.0], error=-1.0), "error must be"),
         (lambda: lm.Apodization.gaussian(-0.1), "g must be"),

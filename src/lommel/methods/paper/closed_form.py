@@ -26,7 +26,7 @@ from lommel.optics.pupil import Pupil, checked
 from lommel.special.bessel import tangent_line
 from lommel.special.erf import AbramowitzErf, Erf, FresnelErf, chirp_moments, unit_moments
 from lommel.special.interpolation import chebyshev_powers
-from lommel.special.piecewise import FITS, SPLITS, fit_quadratics, fitted
+from lommel.special.piecewise import FITS, SPLITS, fit_quadratics, fit_stack
 
 _WIDTH, _POINTS = 8.0, 24  # width (v) and number of points of an interpolation of U with an error below 1e-15
 _MIN_SAVED = 400  # number of radii that interpolation must save, times the number of quadratic phases
@@ -227,7 +227,7 @@ class ClosedForm(FieldMethod[Pupil]):
                 out[subset] = self._disk(coefficients[subset], v, threads)
             return out
         if any_aberrated:
-            edges, rows = fitted(coefficients, self.segments, self.split, self.fit, self.piston)
+            edges, rows = fit_stack(coefficients, self.segments, self.split, self.fit, self.piston)
         else:
             edges, rows = np.array([0.0, 1.0]), coefficients[:, None, :1] * [1.0, 0.0, 0.0]
         phase, bessel = _phase(edges, rows), self._bessel

@@ -1,4 +1,4 @@
-"""Huygens' superposition, the paper's "ray tracing": a sum of waves from all points of the aperture."""
+"""Huygens' superposition ("ray tracing" in the paper of docs/paper.md): the sum of waves from the aperture."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ from lommel.special.legendre import gauss_legendre
 _MAX_WAVELETS = 10**11  # largest number of sources times points of the image
 _MAX_RADIAL = 20_000  # largest number of radii of sources
 _MAX_SOURCES = 5 * 10**7  # largest number of sources
-_BLOCK = 2**22  # wavelets of one call of the core, well below a second, so that Ctrl+C is not delayed
+_BLOCK = 2**22  # number of wavelets in one call of the core, which takes well below a second: Ctrl+C is not delayed
 
 
 @dataclass(frozen=True)
@@ -43,8 +43,8 @@ class HuygensFresnel(FieldMethod[Pupil]):
 
     An *aplanatic* lens emits plane waves from its reference sphere, in directions whose *sines* are proportional to
     the pupil coordinate: the Debye integral with exact path differences. The other methods expand the same phase in
-    powers of the squared pupil coordinate, and agree. The Debye integral neglects the finite distance of the pupil:
-    phases of up to ``k r^2 (R_max / d)^2 / (2 d)`` at the distance r from the axis.
+    powers of the squared pupil coordinate, and agree with this method. The Debye integral neglects the finite
+    distance of the pupil, and thus phases of up to ``k r^2 (R_max / d)^2 / (2 d)`` at the distance r from the axis.
 
     Parameters
     ----------
@@ -193,10 +193,10 @@ def _nodes(pupil: Pupil, geometry: Geometry, largest_v: float) -> tuple[int, int
     middle = 0.5 * (t[1:] + t[:-1])
     # Bandwidth of the phase in Chebyshev polynomials of t, plus 10 % for orders beyond the Fresnel approximation.
     bandwidth = 1.1 * float((np.sqrt((middle - low) * (1.0 - middle)) * slope).max() + 0.5 * largest_v)
-    digits = 27.6  # natural logarithm of 1e12
-    # Half of the bandwidth, since n Gauss-Legendre nodes are exact to degree 2 n - 1, and a transition.
-    radial = 0.5 * bandwidth + 0.587 * digits ** (2 / 3) * bandwidth ** (1 / 3) + 0.2 * digits + 4.0
+    log_accuracy = 27.6  # natural logarithm of 1e12
+    # Half of the bandwidth, since n Gauss-Legendre nodes are exact to degree 2 n - 1, plus the width of a transition.
+    radial = 0.5 * bandwidth + 0.587 * log_accuracy ** (2 / 3) * bandwidth ** (1 / 3) + 0.2 * log_accuracy + 4.0
     radial += 0.5 * pupil.illumination.slope
-    # Orders of Bessel functions J_n(v) above v vanish after a transition of width v^(1/3).
+    # Bessel functions J_n(v) vanish for n above v plus a transition of width v^(1/3).
     azimuthal = 1.1 * largest_v + 12.0 * (largest_v + 1.0) ** (1 / 3) + 24.0
     return math.ceil(radial), 2 * math.ceil(0.5 * azimuthal)

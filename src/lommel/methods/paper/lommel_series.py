@@ -23,7 +23,8 @@ _SMALL = 1.0  # largest u = 4 |C_d| for which U_n is used in the geometric image
 class LommelSeries(FieldMethod[Pupil]):
     r"""Lommel's functions U_n and V_n, for defocus alone; exact to rounding on both sides of u = v.
 
-    Supports pupils without spherical or higher aberration. Obscured pupils are the difference of two disks.
+    Supports uniformly illuminated circular and annular pupils with defocus alone. An obscured pupil is the difference
+    of two disks.
 
     Notes
     -----
@@ -39,7 +40,7 @@ class LommelSeries(FieldMethod[Pupil]):
     """
 
     def unsupported(self, pupil: Pupil) -> str | None:
-        """Return the reason if the pupil has aberrations other than defocus, or None."""
+        """Return the reason if the pupil has aberrations other than defocus, else None."""
         w = pupil.wavefront
         if np.any(w.spherical) or any(np.any(c) for c in w.higher):
             return "supports defocus only; this pupil has spherical aberration"

@@ -41,7 +41,8 @@ class Apodization:
     powers : sequence of float
         Coefficients g_1, g_2, ...: at most ten. g_0 is computed so that the largest amplitude on the disk is 1.
     error : float, default 0
-        Bound on the relative error of the amplitude, up to a constant factor. It contributes to `PSF.error_bound`.
+        Bound on the relative error of the amplitude, apart from a constant factor. It contributes to
+        `PSF.error_bound`.
 
     Attributes
     ----------
@@ -70,7 +71,7 @@ class Apodization:
         while powers and powers[-1] == 0.0:
             powers.pop()
         if len(powers) > _MAX_POWERS:
-            raise ValueError(f"powers must be at most {_MAX_POWERS}, got {len(powers)}")
+            raise ValueError(f"powers must have at most {_MAX_POWERS} coefficients, got {len(powers)}")
         largest = max(map(abs, powers), default=0.0)
         # Powers above 1e11 have Chebyshev coefficients above the limit, whose computation might overflow.
         exponent = np.array([0.0 if largest > 1e11 else _constant(powers), *powers])

@@ -30,10 +30,10 @@ class Mask(EqualByContent):
 
     The amplitude of a cell is its value times the fraction of the cell inside the aperture. By default the values are
     samples of a function, and images are sums over the samples. These images repeat every `side` lambda*N along x and
-    y, and one period around the axis contains all light: windows, circles and halos of seeing beyond it raise
-    ValueError. With `squares` the pupil function is constant on each cell, with the phase of the wavefront at its
-    centre: the field is the same sum times ``sinc(v_x / side) sinc(v_y / side)``, in every window. Both images are
-    exact, with an error bound.
+    y, and one period around the axis contains all light: windows, circles and halos of seeing beyond this
+    period raise ValueError. With `squares` the pupil function is constant on each cell, with the phase of the
+    wavefront at its centre: the field is the same sum times ``sinc(v_x / side) sinc(v_y / side)``, in every window.
+    Both images are exact, with an error bound.
 
     Parameters
     ----------
@@ -66,24 +66,24 @@ class Mask(EqualByContent):
     _digest: bytes = field(init=False, repr=False)
 
     def __post_init__(self) -> None:
-        given = validation.array("values", self.values)
-        if given.dtype == np.bool_:
-            given = given.astype(np.float64)
-        if given.ndim != 2 or given.shape[0] != given.shape[1] or not 2 <= given.shape[0] <= MAX_SIDE:
-            raise ValueError(f"values must be a square array with a side of 2 to {MAX_SIDE}, got shape {given.shape}")
+        array = validation.array("values", self.values)
+        if array.dtype == np.bool_:
+            array = array.astype(np.float64)
+        if array.ndim != 2 or array.shape[0] != array.shape[1] or not 2 <= array.shape[0] <= MAX_SIDE:
+            raise ValueError(f"values must be a square array with a side of 2 to {MAX_SIDE}, got shape {array.shape}")
         validation.truth("squares", self.squares)
-        if given.dtype.kind == "c":
-            if not np.isfinite(given).all():
+        if array.dtype.kind == "c":
+            if not np.isfinite(array).all():
                 raise ValueError("values must be finite, got NaN or infinity; put 0 where no light passes")
-            self._keep(np.ascontiguousarray(given, dtype=np.complex128))
+            self._store(np.ascontiguousarray(array, dtype=np.complex128))
         else:
-            real = validation.real_array("values", given)
+            real = validation.real_array("values", array)
             if real.min() < 0.0:
                 raise ValueError(f"values must be amplitudes from 0 to 1, got {real.min():.6g}; {_OF_PHASES}")
-            # + 0.0: -0 and 0 must have one digest.
-            self._keep(np.ascontiguousarray(real) + 0.0)
+            # + 0.0 turns -0 into 0, so that equal masks have equal digests.
+            self._store(np.ascontiguousarray(real) + 0.0)
 
-    def _keep(self, values: Values) -> None:
+    def _store(self, values: Values) -> None:
         """Store values of the right shape, finite and not negative, without a copy."""
         most = float(np.abs(values).max())
         if most > 1.0 + (1e-12 if values.dtype.kind == "c" else 0.0):  # moduli of rounded cosine and sine exceed 1
@@ -172,10 +172,10 @@ class Mask(EqualByContent):
 
     def to_dict(self) -> Json:
         """Return plain types: values as little-endian float64 (complex: pairs), deflated, in base64."""
-        given = {"complex": True} if self.values.dtype.kind == "c" else {}
-        data = zlib.compress(self.values.astype("<c16" if given else "<f8").tobytes(), 6)
-        kept = {"side": self.side, "values": base64.b64encode(data).decode("ascii"), **given}
-        return {**kept, "squares": True} if self.squares else kept
+        flag = {"complex": True} if self.values.dtype.kind == "c" else {}
+        data = zlib.compress(self.values.astype("<c16" if flag else "<f8").tobytes(), 6)
+        description = {"side": self.side, "values": base64.b64encode(data).decode("ascii"), **flag}
+        return {**description, "squares": True} if self.squares else description
 
     @classmethod
     def from_dict(cls, description: Json) -> Mask:
@@ -200,7 +200,7 @@ class Mask(EqualByContent):
         mask = object.__new__(cls)
         vars(mask)["squares"] = validation.truth("squares", description.get("squares", False))
         values += 0.0  # no -0
-        mask._keep(values)
+        mask._store(values)
         return mask
 
 

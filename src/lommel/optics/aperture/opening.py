@@ -1,7 +1,7 @@
 r"""The clear region of an aperture, and quadrature over it with a proven error bound.
 
 An aperture is a disc minus an obscuration and vanes, limited by vignetting and other shapes. Lines of constant y cut
-the aperture into intervals. Gauss-Legendre rules along the intervals, and across them between the intersections of
+the aperture into intervals. Gauss-Legendre rules along the intervals and, in y, between the intersections of
 edges, converge geometrically (`cpp/include/lommel/aperture`). All weights are positive, and all nodes are clear.
 """
 
@@ -34,7 +34,7 @@ from lommel.optics.aperture.shapes import (
 )
 
 _EXACT = 1e-14  # relative error of rules for measures
-_OVERLAP = 1e-10  # largest overlap of segments (area / pi) that is taken for a rounding error
+_OVERLAP = 1e-10  # largest overlap of segments (area / pi) that is treated as a rounding error
 _STEP = 16  # degrees are rounded up to multiples of this, so that similar requests share nodes
 MAX_DEGREE = 2**12
 """Highest degree of a quadrature rule."""
@@ -55,7 +55,7 @@ class Rule(NamedTuple):
     weight: Array
 
 
-# Sizes b of the complex neighbourhood: each gives a bound, and the smallest bound is used.
+# Sizes b of the complex neighbourhood: each size gives a bound, and the smallest bound is used.
 _B = np.geomspace(1e-3, 4.0, 192)
 
 
@@ -249,7 +249,7 @@ class Opening:
         return _nodes(self, validation.integer("degree", degree, least=0, most=4 * MAX_DEGREE))
 
     def rows(self, degree: int, error: float) -> tuple[engine.RowRule, ...]:
-        """Return the rule of each region, with this error at most for polynomials of modulus 1 on the unit disc.
+        """Return the rule of each region, with at most this `error` for polynomials of modulus <= 1 on the unit disc.
 
         `degree` is rounded up to a multiple of 16, `error` down to a power of ten.
         """

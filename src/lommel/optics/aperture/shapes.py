@@ -27,7 +27,7 @@ _FARTHEST = _FAR + 1.0  # largest coordinate of a centre: a disc of the largest 
 _MOST_CORNERS = 256
 _MOST_SEGMENTS = 4096
 _AT_ONCE = 2**24  # largest number of cells times parts in memory at a time
-_LEAST = 1e-10  # error of areas / pi
+_AREA_ERROR = 1e-10  # error of areas / pi
 _BOTH, _EITHER, _WITHOUT = -1, -2, -3  # codes of the compiled core for intersection, union and difference
 _PLANE = np.array([[-2.0, -2.0], [2.0, -2.0], [2.0, 2.0], [-2.0, 2.0]])  # square that contains every aperture
 _Part = TypeVar("_Part")
@@ -102,7 +102,7 @@ class Listed(NamedTuple):
     steps: tuple[int, ...]  # postfix order: index of a part, or code of an operation
 
     def rule(self, degree: int, error: float) -> engine.RowRule:
-        """Return a rule with this error for polynomials of a `degree` with modulus at most 1 on the unit disc."""
+        """Return a rule with at most this `error` for polynomials of a `degree` and modulus <= 1 on the unit disc."""
         return engine.row_rule(self.ellipses, self.polygons, self.steps, degree, error)
 
     def mapped(self, matrix: Array, shift: Array) -> Listed:
@@ -126,7 +126,7 @@ class Listed(NamedTuple):
         either: Callable[[_Part, _Part], _Part],
         without: Callable[[_Part, _Part], _Part],
     ) -> _Part:
-        """Return the values of the parts, combined by these operations as the parts are combined to the region."""
+        """Combine values of the parts by the given operations, as the region combines the parts."""
         # Postfix order: operands first, then the operation on the last two operands.
         by, stack = {_BOTH: both, _EITHER: either, _WITHOUT: without}, []
         for step in self.steps:
@@ -138,7 +138,7 @@ class Listed(NamedTuple):
         return stack.pop()
 
     def reduced(self, pattern: Sequence[int]) -> Listed:
-        """Return the region for cells with this coverage by each part (see _NONE), composed of cut parts only."""
+        """Return the region without the parts that cover none or all of a cell; `pattern`: coverage by each part."""
         stack: list[int | list[int]] = []
         for step in self.steps:
             if step >= 0:
@@ -157,7 +157,7 @@ class Listed(NamedTuple):
             elif isinstance(first, int) and step != _WITHOUT:
                 stack.append(second)
             else:
-                # "Everything minus a cut part" still needs a first operand: the plane, as one more polygon.
+                # "Everything minus a cut part" requires a first operand: the plane, as an additional polygon.
                 stack.append([*([len(pattern)] if isinstance(first, int) else first), *second, step])
         steps = cast("list[int]", stack.pop())
         used = sorted({step for step in steps if step >= 0})
@@ -202,7 +202,7 @@ def covered(region: Shape, x: Array, y: Array, half: float) -> Array:
         bands = zip(np.array_split(x, pieces), np.array_split(y, pieces), strict=True)
         return np.concatenate([covered(region, *band, half) for band in bands])
     whole, reach = listed(region), math.sqrt(2.0) * half * (1.0 + 1e-9)
-    # An edge does not cross a cell if it is farther from its centre than the corners of the cell.
+    # An edge that is farther from the centre of a cell than the corners of the cell does not cross the cell.
     margins = (part.margin(x, y) for part in parts)
     coverage = np.array([np.where(m > reach, _FULL, np.where(m < -reach, _NONE, _CUT)) for m in margins], np.int8)
     state = whole.combined(list(coverage), np.minimum, np.maximum, lambda a, b: np.minimum(a, _FULL - b))
@@ -394,7 +394,7 @@ class Polygon(Shape):
     Raises
     ------
     TypeError, ValueError
-        If corners are not such numbers, lie on a line or are not convex.
+        If corners are not 3 to 256 pairs of numbers within 1000, lie on a line or are not convex.
 
     Examples
     --------
@@ -435,7 +435,7 @@ class Polygon(Shape):
     def regular(
         cls, sides: int, radius: float, center: tuple[float, float] = (0.0, 0.0), angle: float = 0.0
     ) -> Polygon:
-        """Return a regular polygon of `sides` corners at the distance `radius` from `center`; `angle`: first corner.
+        """Return a regular polygon of `sides` corners at `radius` from `center`, the first one at the `angle`.
 
         TypeError or ValueError if an argument is out of range.
         """
@@ -460,13 +460,14 @@ class Polygon(Shape):
 
     @classmethod
     def half_plane(cls, angle: float, offset: float = 0.0) -> Polygon:
-        """Return the points of the aperture whose distance from the axis towards `angle` is at most `offset`.
+        """Return the half plane of points whose coordinate in the direction `angle` is at most `offset`.
 
         ``half_plane(0.0, 0.2)`` as a `stop` transmits x <= 0.2: a knife edge that enters from large x. TypeError or
         ValueError if `offset` is not from -2 to 2.
         """
         turn, at = validation.real("angle", angle), validation.real("offset", offset, least=-2.0, most=2.0)
-        # A square of half-width 4 extends beyond the aperture for every offset: only one of its sides crosses it.
+        # A square of half-width 4 extends beyond the aperture for every offset: only one side of the square crosses
+        # the aperture.
         corners = ((at, -4.0), (at, 4.0), (-4.0, 4.0), (-4.0, -4.0))
         return cls(tuple(_rotated(corner, turn) for corner in corners))
 
@@ -481,7 +482,8 @@ class Polygon(Shape):
         least = np.full(np.broadcast_shapes(np.shape(x), np.shape(y)), np.inf)
         for (px, py), (qx, qy) in zip(self.corners, (*self.corners[1:], self.corners[0]), strict=True):
             length = math.hypot(qx - px, qy - py)
-            # Signed distance to the line of each side; inside, the smallest is the distance to the polygon.
+            # Signed distance to the line of each side; the smallest one is, inside the polygon, the distance to the
+            # edge.
             np.minimum(least, ((qx - px) / length) * (y - py) - ((qy - py) / length) * (x - px), out=least)
         return least
 
@@ -667,7 +669,7 @@ class Segments:
     Raises
     ------
     TypeError, ValueError
-        If arguments are not such shapes and finite numbers.
+        If arguments are not shapes and finite numbers.
 
     Examples
     --------
@@ -758,7 +760,7 @@ class Segments:
     def centers(self) -> Array:
         """Centre (x, y) of each segment, to which slopes refer, shape (n, 2): the mean of points on its edge.
 
-        Subtraction of a shape from a segment, such as a vane, does not move its centre.
+        Subtraction of another shape, for example a vane, does not move the centre of a segment.
         """
         return np.array([np.concatenate(_whole(part).outline(48)).mean(axis=0) for part in self.shapes])
 
@@ -827,10 +829,10 @@ class Segments:
 
 def _clear(part: Shape) -> bool:
     """Return whether a part has points inside the rim of the aperture."""
-    return listed(Disc() & part).rule(0, _LEAST).weight > 0.0
+    return listed(Disc() & part).rule(0, _AREA_ERROR).weight > 0.0
 
 
-_AROUND = 1.5  # largest margin at the axis of a part: its edge may then be near the rim of the aperture
+_AROUND = 1.5  # largest margin of a part at the axis; with a larger margin its edge is far beyond the rim
 
 
 def require_reach(name: str, region: Shape) -> None:
@@ -855,7 +857,7 @@ def _whole(part: Shape) -> Shape:
     return _whole(part.first) if isinstance(part, Combined) and part.kind != "|" else part
 
 
-def _nearest(part: Shape, other: Shape) -> tuple[float, float]:
+def _margin_bounds(part: Shape, other: Shape) -> tuple[float, float]:
     """Return a lower and an upper bound on the margin of `other` at all points of a `part`."""
     edge = np.concatenate(_whole(part).outline(48))
     x, y = edge.mean(axis=0)
@@ -870,13 +872,13 @@ def _without(part: Shape, other: Shape) -> Shape | None:
     if isinstance(other, Combined) and other.kind == "|":
         left = _without(part, other.first)
         return None if left is None else _without(left, other.second)
-    least, most = _nearest(part, other)
+    least, most = _margin_bounds(part, other)
     return part if most < 0.0 else None if least > 0.0 else part - other
 
 
 def _within(part: Shape, other: Shape) -> Shape | None:
     """Return a part within another shape: the same object if it is entirely inside, None if it is outside."""
-    least, most = _nearest(part, other)
+    least, most = _margin_bounds(part, other)
     return None if most < 0.0 else part if least > 0.0 else part & other
 
 
@@ -932,13 +934,13 @@ def _corner(r: Array, x: Array, y: Array) -> Array:
     r = np.minimum(r, 2.0 * (np.abs(x) + np.abs(y)))
     a, b = np.minimum(np.abs(x), r), np.minimum(np.abs(y), r)
     # Beyond this x the circle, not the far side of the rectangle, is the boundary.
-    leaves = np.minimum(a, np.sqrt((r - b) * (r + b)))
-    area = leaves * b + _under_arc(r, a) - _under_arc(r, leaves)
+    crossing = np.minimum(a, np.sqrt((r - b) * (r + b)))
+    area = crossing * b + _under_arc(r, a) - _under_arc(r, crossing)
     return np.asarray(np.sign(x) * np.sign(y) * area)
 
 
 def _under_arc(r: Array, x: Array) -> Array:
     """Return ``int_0^x sqrt(r^2 - s^2) ds``."""
     height = np.sqrt((r - x) * (r + x))
-    # By its tangent, since near x = r its sine would lose half the digits of the angle.
+    # The arctangent, since an arcsine would lose half of the digits near x = r.
     return np.asarray(0.5 * (x * height + r * r * np.arctan2(x, height)))

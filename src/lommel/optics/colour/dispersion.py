@@ -72,7 +72,7 @@ class Colour:
         if shift.shape != waves.shape:
             raise ValueError(f"focus_shift must be one for each of {waves.size} wavelengths, got shape {shift.shape}")
         if (lateral is None) != (heights is None):
-            raise ValueError("lateral and heights, at which it is known, must be given together or not at all")
+            raise ValueError("lateral and heights must be given together or not at all")
         across = np.zeros((0, waves.size)) if lateral is None else validation.real_array("lateral", lateral)
         places = np.zeros(0) if heights is None else validation.rising("heights", heights)
         if places.size and not places[0] > 0.0:
@@ -114,15 +114,15 @@ class Colour:
         return cls(wavelengths, f * ((index[0] - 1.0) / (index - 1.0) - 1.0))
 
     def shift(self, wavelength: float) -> float:
-        """Return the change of the focal length at a `wavelength`, metres; TypeError or ValueError off the table."""
-        return float(_between(self._known(wavelength), self.wavelengths, self.focus_shift))
+        """Return the change of focal length at a `wavelength`, metres; TypeError or ValueError outside the table."""
+        return float(_interpolate(self._check_wavelength(wavelength), self.wavelengths, self.focus_shift))
 
     def shift_across(self, height: ArrayLike, wavelength: float) -> Array:
         """Return the radial shift of the image at distances `height` from the axis, at a `wavelength`, all in metres.
 
-        TypeError or ValueError beyond the table.
+        TypeError or ValueError outside the table.
         """
-        h, wave = validation.real_array("height", height, least=0.0), self._known(wavelength)
+        h, wave = validation.real_array("height", height, least=0.0), self._check_wavelength(wavelength)
         if not self.heights:
             return np.zeros(h.shape)
         if h.size and h.max() > self.heights[-1] * (1.0 + 1e-9):
@@ -130,13 +130,13 @@ class Colour:
                 f"lateral colour is known up to {self.heights[-1]:g} m from the axis, got {h.max():g} m; give "
                 "larger heights"
             )
-        shifts = [float(_between(wave, self.wavelengths, row)) for row in self.lateral]
+        shifts = [float(_interpolate(wave, self.wavelengths, row)) for row in self.lateral]
         places = np.array(self.heights)
         # The shift is odd in the height: an odd spline has no kink on the axis.
         both = np.concatenate([-places[::-1], [0.0], places])
-        return np.asarray(_between(h, both, [-d for d in reversed(shifts)] + [0.0, *shifts]))
+        return np.asarray(_interpolate(h, both, [-d for d in reversed(shifts)] + [0.0, *shifts]))
 
-    def _known(self, wavelength: float) -> float:
+    def _check_wavelength(self, wavelength: float) -> float:
         wave, (first, *_, last) = validation.wavelength(wavelength), self.wavelengths
         if not first * (1.0 - 1e-9) <= wave <= last * (1.0 + 1e-9):
             raise ValueError(
@@ -151,7 +151,7 @@ class Colour:
 
     @classmethod
     def from_dict(cls, description: Json) -> Colour:
-        """Rebuild it from a `description` by :meth:`to_dict`."""
+        """Rebuild the object from a `description` by :meth:`to_dict`."""
         parts = dict(description)
         if not parts["heights"]:
             del parts["heights"], parts["lateral"]
@@ -160,7 +160,7 @@ class Colour:
 
 @dataclass(frozen=True)
 class PupilColour:
-    """Change of a pupil with the wavelength: table, focal length minus its shift, radius and model of the lens.
+    """Change of a pupil with the wavelength: colour table, focal length minus shift, radius and model of the lens.
 
     x and y (metres on the sensor) are empty on the axis; otherwise each pupil of the flattened stack has a position.
     """
@@ -179,7 +179,7 @@ class PupilColour:
         return replace(self, x=tuple(x.ravel().tolist()), y=tuple(y.ravel().tolist()))
 
     def each(self, shape: tuple[int, ...], of: Callable[[Array], Array]) -> PupilColour:
-        """Return the colour of a stack of a `shape`, `of` applied to its positions."""
+        """Return the colour with the function `of` applied to the positions of a stack of a `shape`."""
         if not self.x:
             return self
         return self.at(*(np.asarray(of(np.reshape(p, shape))) for p in (self.x, self.y)))
@@ -187,21 +187,21 @@ class PupilColour:
     def change(
         self, pupil: BasePupil, geometry: Geometry | None, wavelength: float
     ) -> tuple[Wavefront, Geometry | None]:
-        """Return the wavefront added at another wavelength to constant path differences, and the distances there."""
+        """Return the change of the wavefront, besides constant path differences, and distances at a wavelength."""
         reference, shape = pupil.wavelength, pupil.shape
         assert reference is not None
         # Most images are at the wavelength of the pupil.
         if wavelength == reference:
             return Wavefront(), geometry
-        # Only the difference matters: the zero of the table is arbitrary.
+        # Only differences of focus shifts matter: the zero of the table is arbitrary.
         before, after = (self.focal_length + self.table.shift(w) for w in (reference, wavelength))
         new_geometry = geometry and replace(geometry, focal_length=geometry.focal_length + (after - before))
-        added = Wavefront()
+        chromatic = Wavefront()
         if after != before:
             # Change of C_d due to the focal length at the other wavelength.
             vergence = 1.0 / before - 1.0 / after
             if self.model == "paraxial":
-                added = Wavefront.of_defocus(0.5 * math.pi / wavelength * vergence * self.radius**2)
+                chromatic = Wavefront.of_defocus(0.5 * math.pi / wavelength * vergence * self.radius**2)
             elif geometry is None or new_geometry is None:
                 raise ValueError(
                     "colour of an aplanatic lens needs its distances, which this pupil does not have; use pupils of "
@@ -210,15 +210,15 @@ class PupilColour:
             else:
                 spheres = [(g.sphere, np.reshape(g.vergence, shape)) for g in (geometry, new_geometry)]
                 old, new = (wavefront.wavefront(self.radius, a, v, wavelength) for a, v in spheres)
-                added = new - old
+                chromatic = new - old
         if self.x:
             x, y = (np.reshape(p, shape) for p in (self.x, self.y))
             h = np.hypot(x, y)
             tilt = self.table.shift_across(h, wavelength) - self.table.shift_across(h, reference)
             # A shift of the image by r is a tilt of pi r / (lambda N) at the edge.
             tilt *= np.divide(math.pi / (pupil.scale * wavelength / reference), h, out=np.zeros(shape), where=h > 0.0)
-            added = added + Wavefront(np.zeros(shape), nonradial={(1, 1): tilt * x, (1, -1): tilt * y})
-        return added, new_geometry
+            chromatic = chromatic + Wavefront(np.zeros(shape), nonradial={(1, 1): tilt * x, (1, -1): tilt * y})
+        return chromatic, new_geometry
 
     def to_dict(self) -> Json:
         """Return everything in plain types."""
@@ -226,14 +226,14 @@ class PupilColour:
 
     @classmethod
     def from_dict(cls, description: Json) -> PupilColour:
-        """Rebuild it from a `description` by :meth:`to_dict`."""
+        """Rebuild the object from a `description` by :meth:`to_dict`."""
         parts = dict(description)
         x, y = (tuple(float(p) for p in parts.pop(name)) for name in ("x", "y"))
         return cls(Colour.from_dict(parts.pop("table")), x=x, y=y, **parts)
 
 
-def _between(at: float | Array, known: Sequence[float] | Array, values: Sequence[float]) -> Array:
-    """Return a spline through values at `known`: cubic, or a line or a parabola through two or three values."""
+def _interpolate(at: float | Array, known: Sequence[float] | Array, values: Sequence[float]) -> Array:
+    """Return a spline through `values` at `known`: cubic, or a line or parabola through two or three values."""
     from scipy.interpolate import CubicSpline
 
     size = known[-1] - known[0]

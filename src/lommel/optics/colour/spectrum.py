@@ -56,8 +56,8 @@ class Spectrum:
     Raises
     ------
     TypeError, ValueError
-        If there is no wavelength or one is invalid, if the numbers of weights and wavelengths differ, or if a weight
-        is negative or all are 0.
+        If there is no wavelength or one wavelength is invalid, if the numbers of weights and wavelengths differ, or
+        if a weight is negative or all are 0.
     """
 
     wavelengths: tuple[float, ...]
@@ -124,7 +124,7 @@ def few(wavelengths: Array, curves: Array, paths: float, tol: float) -> tuple[Ar
     count = max(1, int(0.5 * phase / math.pi))
     if 0.5 * count > _MAX_WAVELENGTHS:
         raise _too_many(paths, tol)
-    dense, light = _dense(wavelengths, curves, paths)
+    dense, light = _quadrature(wavelengths, curves, paths)
     path = np.linspace(0.0, paths, math.ceil(phase / (2.0 * math.sqrt(_SLACK * tol))) + 2)
     # E is a mean of waves of modulus at most 2 + tol, whose phases change by at most phase / (path.size - 1) = Bh
     # between two neighbouring samples of L. By Bernstein's inequality for the second derivative, E exceeds the larger
@@ -140,7 +140,7 @@ def few(wavelengths: Array, curves: Array, paths: float, tol: float) -> tuple[Ar
         nodes = 1.0 / (low + (high - low) * gauss_legendre(count, 0.0, 1.0)[0][::-1])
         waves = _waves(nodes, path, middle)
         weights = np.stack(
-            [_fitted_weights(waves, row, nodes, q @ dense**2) for row, q in zip(exact, spectrum, strict=True)]
+            [_fit_weights(waves, row, nodes, q @ dense**2) for row, q in zip(exact, spectrum, strict=True)]
         )
         u = weights / nodes**2 * mean_squares[:, None]
         error = float(np.abs(u @ waves.T - exact).max()) + slack
@@ -153,13 +153,13 @@ def few(wavelengths: Array, curves: Array, paths: float, tol: float) -> tuple[Ar
 
 def _too_many(paths: float, tol: float) -> ValueError:
     return ValueError(
-        f"tol={tol:g} takes more than {_MAX_WAVELENGTHS} wavelengths where paths differ by up to {paths:g} m; give a "
+        f"tol={tol:g} takes more than {_MAX_WAVELENGTHS} wavelengths where paths differ by up to {paths:g} m; use a "
         "larger tol or smaller paths"
     )
 
 
-def _dense(wavelengths: Array, curves: Array, paths: float) -> tuple[Array, Array]:
-    """Return nodes (m,) of a quadrature over the spectrum, and response times weight at each, (channels, m).
+def _quadrature(wavelengths: Array, curves: Array, paths: float) -> tuple[Array, Array]:
+    """Return nodes (m,) of a quadrature over the spectrum, and responses times weights, (channels, m).
 
     The error of the quadrature is about 1e-10.
     """
@@ -180,14 +180,14 @@ def _waves(wavelengths: Array, path: Array, middle: float) -> Array:
     return np.asarray(np.exp(2j * math.pi * np.outer(path, 1.0 / wavelengths - middle)))
 
 
-def _fitted_weights(waves: Array, exact: Array, nodes: Array, mean_square: float) -> Array:
+def _fit_weights(waves: Array, exact: Array, nodes: Array, mean_square: float) -> Array:
     """Return the weights of the nodes, of sum 1, that minimise E by nonnegative least squares over the paths.
 
     `exact` (paths,) is the integral in E, and `mean_square` is the mean squared wavelength of the spectrum q.
     """
     from scipy.optimize import nnls
 
-    # A few paths for each unknown suffice for the fit; `few` computes the error at all of them.
+    # A few paths for each unknown suffice for the fit; `few` computes the error at all paths.
     sampled = waves[:: max(1, len(waves) // (8 * nodes.size + 32))]
     target = exact[:: max(1, len(waves) // (8 * nodes.size + 32))]
     scale = mean_square / nodes**2  # ratio of u_k to the weight of a node
@@ -235,7 +235,7 @@ class Channels:
     weights : tuple of tuple of float
         Weights of each channel, with sum 1.
     light : tuple of float
-        Total response of each channel, relative to the largest.
+        Total response of each channel, divided by the largest total response.
     error : float
         Bound on the PSF error due to sampling measured curves at these wavelengths, relative to the unaberrated peak;
         0 unless channels are from :meth:`from_curves`.
@@ -431,7 +431,7 @@ class Channels:
         rows = validation.real_array("weights", parts["weights"]) * light[:, None]
         channels = cls(parts["wavelengths"], rows, parts["names"])
         paths, error = parts["paths"], validation.real("error", parts["error"], least=0.0)
-        # The stored weights, since a second normalisation would change their last digits.
+        # Stored weights are used, since a second normalisation would change their last digits.
         weights = tuple(tuple(float(w) for w in row) for row in parts["weights"])
         vars(channels).update(weights=weights, light=tuple(light.tolist()), error=error, paths=paths and float(paths))
         return channels

@@ -1,12 +1,12 @@
 r"""Pixel integration for any pupil: samples on a fine grid, and a filter.
 
 Lengths are in units of ``v = pi x / (lambda*N)``, frequencies w in radians per unit of v, and a is the pixel pitch.
-Averaging the intensity I over a pixel multiplies the transfer function of I (OTF) by ``sinc(a wx / 2) sinc(a wy /
-2)``, with ``sinc x = sin(x) / x``. The OTF vanishes for ``abs(w) > 2``. Weights ("taps") c_k of samples with the
-spacing h therefore compute the average over a pixel if their response ``C(w) = sum_k c_k cos(k h w)`` equals the sinc
-for ``abs(w) <= 2``. An error eps of both responses changes an average by at most ``(2 eps + eps^2) int abs(OTF) dw``;
-the integral is at most the unaberrated peak. Far pixels of circular and annular pupils are averaged in closed form,
-without samples.
+Averaging the intensity I over a pixel multiplies the transfer function of I (OTF) by
+``sinc(a wx / 2) sinc(a wy / 2)``, with ``sinc x = sin(x) / x``. The OTF vanishes for ``abs(w) > 2``. Weights ("taps")
+c_k of samples with the spacing h therefore compute the average over a pixel if their response ``C(w) = sum_k c_k
+cos(k h w)`` equals the sinc for ``abs(w) <= 2``. An error eps of both responses changes an average by at most ``(2
+eps + eps^2) int abs(OTF) dw``; the integral is at most the unaberrated peak. Far pixels of circular and annular
+pupils are averaged in closed form, without samples.
 """
 
 from __future__ import annotations
@@ -230,9 +230,9 @@ def _averages_at_spacing(
             errors = err_given + 2.0 * err_filter + rounding * peaks
             if slope is not None:
                 # The responses of the derivative and averaging filters are at most 2 and 1: section 12, "Shifts".
-                missed = (slope.error * (1.0 + taps.error) + 2.0 * taps.error) * ceiling
+                slope_error = (slope.error * (1.0 + taps.error) + 2.0 * taps.error) * ceiling
                 rounding = (4 * taps.weights.size + 16) * 2.0**-53 * taps.gain * slope.gain
-                errors[-2:] = err_given[-2:] + missed + rounding * peaks[-2:]
+                errors[-2:] = err_given[-2:] + slope_error + rounding * peaks[-2:]
             errors /= peak
             errors[0] = bounds
             return Averages(total, errors, peak)
@@ -265,8 +265,8 @@ def _dark_samples(taps: Taps, allowed: float) -> tuple[float, float]:
     Both are relative to the peak; the error is at most `allowed`: certificate, section 10, "Dark rows".
     """
     # Error for the largest dark sample d: 2 (n + 4) u32 G^2 d, with n weights, unit roundoff u32 and gain G.
-    lost = 2.0 * (taps.weights.shape[-1] + 4) * 2.0**-24 * taps.gain**2
-    return (lost, _NO_LIMIT) if allowed > lost else (allowed, allowed / lost)
+    summation_error = 2.0 * (taps.weights.shape[-1] + 4) * 2.0**-24 * taps.gain**2
+    return (summation_error, _NO_LIMIT) if allowed > summation_error else (allowed, allowed / summation_error)
 
 
 def error_before_storing(tol: float, wanted: Wanted) -> float:
@@ -276,7 +276,7 @@ def error_before_storing(tol: float, wanted: Wanted) -> float:
 
 
 def stored_error(off: Array, wanted: Wanted) -> Array:
-    """Return the error of stored images from the error `off` of averages; both errors are relative to the peak."""
+    """Return the error of stored images from the error `off` of averages, both relative to the peak."""
     return stored(normalized_error(off) if wanted.scale is None else off, wanted.dtype)
 
 

@@ -110,8 +110,8 @@ def term_of(name: Name) -> Term | None:
 @lru_cache(maxsize=1024)
 def _parse_index(name: str) -> Term | None:
     """Return the term of a name with an index, such as "noll 8"; cached."""
-    found = _INDEXED.fullmatch(name)
-    return zernike.term(int(found[2]), found[1]) if found else None
+    match = _INDEXED.fullmatch(name)
+    return zernike.term(int(match[2]), match[1]) if match else None
 
 
 def parts(name: Name, pupil: Pupil, step: float, *, energy: bool) -> Parts:

@@ -92,8 +92,8 @@ def _average_growth(engine: Method, pupil: BasePupil, grid: Grid, threads: int, 
     truncation = 2.0 * (2.0 * plain.error + growing.error * (1.0 + plain.error)) * pupil.amplitude**2
     # A phase (or relative amplitude) error e changes U and grad U by at most e int A; abs(u) <= a / sqrt(2).
     of_phase, of_light = pupil.left_out
-    left = of_phase + 2.0 * of_light
-    truncation += math.sqrt(8.0) * step * left * (2.0 + left) * pupil.amplitude**2
+    omitted = of_phase + 2.0 * of_light
+    truncation += math.sqrt(8.0) * step * omitted * (2.0 + omitted) * pupil.amplitude**2
     count = math.prod(pupil.shape)
     total, error = np.empty((count, *grid.shape)), np.empty(count)
     for part, values, off in _sample_blocks(engine, pupil, grid, plain, threads, compute):
@@ -190,12 +190,12 @@ def _sample_slopes(pupil: Pupil, grid: Grid, error: float) -> tuple[Array, Array
     theta = (np.arange(nodes) + 0.5) * (2.0 * math.pi / nodes)
     rim = _fields(pupil, eps * np.cos(theta), eps * np.sin(theta), np.full(nodes, 2.0 * eps / nodes), across, down)
     # A phase error or relative amplitude error e, like rounding, changes a field by at most e times its maximum.
-    left = pupil.wavefront.left_out + 2.0 * pupil.illumination.error
+    omitted = pupil.wavefront.left_out + 2.0 * pupil.illumination.error
     # Rounding errors divided by the integral of the amplitude: certificate, section 8.
     of_terms = np.array([n * n + 10.0 + len(pupil.wavefront.terms) for n, _ in pupil.wavefront.terms])
     phases = float((np.abs(pupil.wavefront.edge) @ of_terms).max())
-    left += _UNIT * (phases + 12.0 * largest_v + 3.0 * _NODES + max(nodes, weight.size) / _NODES + 40.0)
-    of_disk, of_rim = allowed + left * amplitude, allowed + left * light
+    omitted += _UNIT * (phases + 12.0 * largest_v + 3.0 * _NODES + max(nodes, weight.size) / _NODES + 40.0)
+    of_disk, of_rim = allowed + omitted * amplitude, allowed + omitted * light
     off = np.full(len(across), 2.0 * (amplitude * of_rim + light * of_disk + of_rim * of_disk))
     return -2.0 * (disk.real * rim.real + disk.imag * rim.imag), off
 
@@ -443,23 +443,23 @@ def _sum_terms(
     results: dict[object, Piece] = {}
 
     def add(key: object, values: Array, error: Array, factor: float) -> None:
-        before = results.get(key, Piece(np.zeros((1, 1, 1)), np.zeros(1)))
-        results[key] = Piece(before.values + factor * values, before.error + factor * error)
+        previous = results.get(key, Piece(np.zeros((1, 1, 1)), np.zeros(1)))
+        results[key] = Piece(previous.values + factor * values, previous.error + factor * error)
 
     for part in method_used.components(pupil):
         scale, threads = wanted.scale * part.weight, wanted.threads
-        left = (part.pupil.wavefront.left_out + 2.0 * part.pupil.illumination.error) * part.pupil.amplitude**2
-        add("unknown", np.zeros((1, 1, 1)), np.full(1, 2.0 * left), scale)
+        omitted = (part.pupil.wavefront.left_out + 2.0 * part.pupil.illumination.error) * part.pupil.amplitude**2
+        add("unknown", np.zeros((1, 1, 1)), np.full(1, 2.0 * omitted), scale)
         slopes: dict[Key, Piece] = {}
         if by_samples and any(key in TILTS for key in engine_keys):
             for term, (values, error) in zip(TILTS, tilted(engine, part.pupil, grid, threads), strict=True):
-                slopes[term] = Piece(values, error + 4.0 * left)
-        if rest := tuple(key for key in engine_keys if key not in slopes):
-            ask = partial(_compute, pupil=part.pupil, grid=grid, wanted=Wanted(threads=threads), keys=rest)
+                slopes[term] = Piece(values, error + 4.0 * omitted)
+        if other_keys := tuple(key for key in engine_keys if key not in slopes):
+            ask = partial(_compute, pupil=part.pupil, grid=grid, wanted=Wanted(threads=threads), keys=other_keys)
             _, part_images = first_within_tolerance((finer_engine, engine), ask)
             assert part_images.slopes is not None
-            for key, values, error in zip(rest, *part_images.slopes, strict=True):
-                slopes[key] = Piece(values, error * part_images.brightest + 4.0 * left)
+            for key, values, error in zip(other_keys, *part_images.slopes, strict=True):
+                slopes[key] = Piece(values, error * part_images.brightest + 4.0 * omitted)
         for key in keys:
             # Optical path differences are constant: phases in radians are proportional to 1 / wavelength.
             add(key, *slopes[key], scale * part.stretch)

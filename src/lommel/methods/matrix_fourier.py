@@ -66,7 +66,7 @@ class MatrixFourier(Method[Pupil]):
         validation.choice("edge", self.edge, ("grey", "binary"))
 
     def period(self, pupil: Pupil) -> float:
-        """Return the period of the image, which is `samples` times lambda*N for any `pupil`; in units of lambda*N."""
+        """Return the period of the image in units of lambda*N, which is `samples` for any `pupil`."""
         return float(self.samples)
 
     def intensity(self, pupil: Pupil, grid: Grid, threads: int = 0) -> Intensities:

@@ -97,7 +97,7 @@ class Method(ABC, Generic[P]):
         return float(pupil.amplitude**2)
 
     def stretch(self, pupil: P) -> float:
-        """Return the exponential type (bandwidth) of U in v, divided by the one at the wavelength of `pupil`."""
+        """Return the exponential type (bandwidth) of U in v, divided by its value at the wavelength of `pupil`."""
         return 1.0
 
     def period(self, pupil: P) -> float:
@@ -148,17 +148,17 @@ class Method(ABC, Generic[P]):
             raise ValueError(
                 f"derivatives are not available from {type(self).__name__}; leave method out to use one that has them"
             )
-        way = self
-        result = way.intensity(pupil, grid, wanted.threads)
+        method = self
+        result = method.intensity(pupil, grid, wanted.threads)
         while (
             self.keeps_tol and (error := with_storage_rounding(result, wanted)) is not None and error.max() > self.tol
         ):
             # Division of values by their largest value doubles the error: tol is then divided by 4, else by 2.
-            finer = way.tightened() if wanted.scale is not None else way.tightened().tightened()
-            if finer == way:
+            finer = method.tightened() if wanted.scale is not None else method.tightened().tightened()
+            if finer == method:
                 raise not_met(self.tol, float(error.max()), "the peak")
-            way = finer
-            result = way.intensity(pupil, grid, wanted.threads)
+            method = finer
+            result = method.intensity(pupil, grid, wanted.threads)
         return to_images(result, grid, wanted)
 
     def plan(self, pupil: P, grid: Grid, wanted: Wanted) -> Shortcut | None:
@@ -437,9 +437,9 @@ def with_model_error(result: Images, pupil: BasePupil, method: Method, *, normal
     if not (of_phase or of_light) or result.error is None:
         return result
     stretch = max(1.0, method.stretch(pupil))
-    left = np.asarray((of_phase * stretch + 2.0 * of_light) * pupil.amplitude * stretch)
+    omitted = np.asarray((of_phase * stretch + 2.0 * of_light) * pupil.amplitude * stretch)
     brightest = result.values.reshape(len(result.values), -1).max(axis=1).astype(np.float64) / result.scale
-    relative = relative_error(brightest[:, None], left)
+    relative = relative_error(brightest[:, None], omitted)
     error = result.error + (normalized_error(relative) if normalized else relative)
     if method.keeps_tol and error.max() > method.tol >= result.error.max():
         raise ToleranceError(
@@ -449,7 +449,7 @@ def with_model_error(result: Images, pupil: BasePupil, method: Method, *, normal
         )
     if result.slopes is None:
         return result._replace(error=error)
-    further = 4.0 * left * pupil.amplitude / brightest
+    further = 4.0 * omitted * pupil.amplitude / brightest
     return result._replace(error=error, slopes=result.slopes._replace(error=result.slopes.error + further))
 
 

@@ -134,7 +134,7 @@ def degrees_and_error(pupil: Pupil, reach: float, allowed: float) -> tuple[int, 
 
 def phase_roundings(pupil: Pupil) -> float:
     """Bound the error of U due to rounding of segment phases, which may be many turns."""
-    # Certificate, section 18, "Phases": 8 u s ||A||, s bounding abs(phase) of a segment; ||A||^2 <= amplitude.
+    # Certificate, section 18, "Phases": 8 u s ||A||, s the largest sum of moduli of three coefficients.
     return 8.0 * _UNIT * float(np.abs(pupil.opening.phases).sum(axis=1).max()) * math.sqrt(pupil.amplitude)
 
 
@@ -180,10 +180,10 @@ def _moment_rule(opening: Opening, degree: int, rule_degree: int, power: int) ->
 
 def _legendre(degree: int, x: Array) -> Iterator[Array]:
     """Yield the orthonormal Legendre polynomials on [-1, 1], of degrees 0 to `degree`, at `x`."""
-    before, here = np.zeros_like(x), np.ones_like(x)
+    previous, current = np.zeros_like(x), np.ones_like(x)
     for k in range(degree + 1):
-        yield math.sqrt(k + 0.5) * here
-        before, here = here, ((2 * k + 1) * x * here - k * before) / (k + 1)
+        yield math.sqrt(k + 0.5) * current
+        previous, current = current, ((2 * k + 1) * x * current - k * previous) / (k + 1)
 
 
 def _gegenbauer(degree: int, y: Array) -> Iterator[Array]:
@@ -192,18 +192,18 @@ def _gegenbauer(degree: int, y: Array) -> Iterator[Array]:
     k = np.arange(degree + 1.0)[:, None]
     area = np.cumprod(np.concatenate([[0.5 * math.pi], (k[1:, 0] + 0.5) / (k[1:, 0] + 1.0)]))
     half = np.sqrt((1.0 - y) * (1.0 + y))
-    here = half**k / np.sqrt(area)[:, None]
-    before = np.zeros_like(here)
+    current = half**k / np.sqrt(area)[:, None]
+    previous = np.zeros_like(current)
 
     # Off-diagonal coefficient of the orthonormal Gegenbauer recurrence, for each k.
     def off_diagonal(m: int) -> Array:
         return np.sqrt(m * (m + 2.0 * k + 1.0) / (4.0 * (m + k + 1.0) * (m + k)))
 
     for m in range(degree + 1):
-        yield here
+        yield current
         count = degree - m
-        last = off_diagonal(m)[:count] * before[:count] if m else 0.0
-        before, here = here, (y * here[:count] - last) / off_diagonal(m + 1)[:count]
+        last = off_diagonal(m)[:count] * previous[:count] if m else 0.0
+        previous, current = current, (y * current[:count] - last) / off_diagonal(m + 1)[:count]
         k = k[:count]
 
 
@@ -277,9 +277,9 @@ def _products(terms: tuple[tuple[int, int], ...]) -> Array:
     count = 1 + max(n for n, _ in terms)
     # Interpolation at Chebyshev points along both axes, exact for polynomials of this degree.
     x = np.cos((np.arange(count) + 0.5) * (math.pi / count))
-    back = np.linalg.inv(chebvander(x, count - 1))
+    inverse = np.linalg.inv(chebvander(x, count - 1))
     rho, theta = np.hypot(x[:, None], x), np.arctan2(x, x[:, None])
-    products = np.array([back @ zernike.polynomial(n, m, rho, theta) @ back.T for n, m in terms])
+    products = np.array([inverse @ zernike.polynomial(n, m, rho, theta) @ inverse.T for n, m in terms])
     # Coefficients of the wrong parity are rounding errors; setting them to 0 saves sums.
     return np.where(np.abs(products) > 1e-14 * np.abs(products).max(), products, 0.0)
 

@@ -241,14 +241,14 @@ def local_rule(half: int, step: float) -> LocalRule:
     ends = np.cumsum(high - low)
     entry = np.repeat(ends - (high - low) - low, counts) + first
     # Lagrange weights prod_(k != j) (t - k) / (j - k), from the products over k < j and over k > j.
-    after = np.ones((_STENCIL, radii.size))
+    products_above = np.ones((_STENCIL, radii.size))
     for j in range(_STENCIL - 1, 0, -1):
-        after[j - 1] = after[j] * (t - j)
-    before, sums = weights, np.zeros(ends[-1])
+        products_above[j - 1] = products_above[j] * (t - j)
+    products_below, sums = weights, np.zeros(ends[-1])
     for j in range(_STENCIL):
         scale = math.prod(j - k for k in range(_STENCIL) if k != j)
-        sums += np.bincount(entry + j, before * after[j] / scale, ends[-1])
-        before = before * (t - j)
+        sums += np.bincount(entry + j, products_below * products_above[j] / scale, ends[-1])
+        products_below = products_below * (t - j)
     # I is even: a negative radius uses the value at the positive radius.
     column = np.abs(np.arange(ends[-1]) - np.repeat(ends - high, high - low))
     count = int(high.max())

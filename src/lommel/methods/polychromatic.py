@@ -188,19 +188,19 @@ class Polychromatic(Spectrum, RadialMethod[BasePupil]):
 
     def period(self, pupil: BasePupil) -> float:
         """Return the shortest period of the components of `pupil`; the sum of the components has no period."""
-        way = Method.period if self.method is None else type(self.method).period
-        return min(way(self.method or self, part.pupil) / part.stretch for part in self.components(pupil))
+        period = Method.period if self.method is None else type(self.method).period
+        return min(period(self.method or self, part.pupil) / part.stretch for part in self.components(pupil))
 
     def profile(self, pupil: BasePupil, v: Array) -> Intensities:
         """Return the weighted sum of I at rising v (of the reference wavelength)."""
 
         def compute(part: Component, tol: float) -> Intensities:
-            way = of_profiles(tol) if self.method is None else self.method.tightened(tol)
-            if not isinstance(way, RadialMethod):
+            method = of_profiles(tol) if self.method is None else self.method.tightened(tol)
+            if not isinstance(method, RadialMethod):
                 raise ValueError(
-                    f"{type(way).__name__} has no radial profile; name a RadialMethod such as NijboerZernike()"
+                    f"{type(method).__name__} has no radial profile; name a RadialMethod such as NijboerZernike()"
                 )
-            return way.profile(part.pupil, v * part.stretch)
+            return method.profile(part.pupil, v * part.stretch)
 
         parts = self.components(pupil)
         return mixed(parts, np.array([self.weights]), compute, self, self.tol)[0]

@@ -354,9 +354,9 @@ class Lens(display.Shown):
     def phase(self, defocus: ArrayLike) -> Wavefront:
         """Return the wavefront of a `defocus` C_d (radians, of any shape), without the aberrations of the lens.
 
-        For an aplanatic lens it consists of the Zernike terms of the exact path difference, with an error bound; see
-        :func:`lommel.optics.wavefront.wavefront.expansion`. TypeError or ValueError if C_d is not finite or beyond
-        the range of the expansion.
+        For an aplanatic lens the wavefront consists of the Zernike terms of the exact path difference, with an error
+        bound; see :func:`lommel.optics.wavefront.wavefront.expansion`. TypeError or ValueError if C_d is not finite
+        or beyond the range of the expansion.
         """
         return self._phase(validation.real_array("defocus", defocus))
 

@@ -166,7 +166,7 @@ class Pupil(BasePupil):
 
     @property
     def period(self) -> float:
-        """Period of the image along x and y in units of lambda*N: the side of a sampled mask, else infinite."""
+        """Period of the image along x and y in units of lambda*N: the samples per side of a mask, or infinity."""
         return math.inf if self.mask is None or self.mask.squares else float(self.mask.side)
 
     def _integral(self, power: float) -> float:
@@ -365,8 +365,8 @@ class Pupil(BasePupil):
     def to_dict(self) -> Json:
         """Return everything in plain types; :meth:`from_dict` is the inverse."""
         values = {item.name: getattr(self, item.name) for item in fields(self) if item.init}
-        kept = {name: value for name, value in values.items() if value is not None or name not in _PARTS}
-        return {name: value.to_dict() if hasattr(value, "to_dict") else value for name, value in kept.items()}
+        entries = {name: value for name, value in values.items() if value is not None or name not in _PARTS}
+        return {name: value.to_dict() if hasattr(value, "to_dict") else value for name, value in entries.items()}
 
     @classmethod
     def from_dict(cls, description: Json) -> Pupil:

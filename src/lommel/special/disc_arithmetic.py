@@ -1,6 +1,6 @@
-"""Circular arithmetic: each result is a disc of the complex plane that contains all exact results.
+"""Circular arithmetic on discs of the complex plane: a result contains the results for all numbers in the discs.
 
-The arguments are any numbers in given discs. The radius of the disc of a function is the largest slope of the
+The radius of the disc of a function is the largest slope of the
 function times the radius of the argument. Every radius is widened
 by 1e-13 of the magnitudes from which it is computed, more than the rounding errors.
 

@@ -18,11 +18,8 @@ SPLITS = ("linear", "sqrt", "log", "optimal")
 FITS = ("interpolation", "least-squares", "sweep")
 
 _SAMPLES = 96  # samples of each segment for the mean error
-_SWEEP, _LEVELS, _MAXIMA = (
-    31,
-    3,
-    24,
-)  # numbers: values in a finer sweep, finer sweeps, refined maxima
+_SWEEP = 31  # number of values of a coefficient in a finer sweep
+_LEVELS, _MAXIMA = 3, 24  # number of finer sweeps, and number of refined maxima
 
 
 @dataclass(frozen=True, eq=False)
@@ -113,11 +110,11 @@ def fit_quadratics(
     split : {"optimal", "linear", "sqrt", "log"}
         See :func:`split_edges`.
     fit : {"interpolation", "least-squares", "sweep"}
-        "interpolation": at three Chebyshev points of each segment, with an error bound of about
-        ``max abs(phi''') h^3 / 192``; without piston at the middle of each segment, with the value (up to whole
-        turns) and the slope of the phase, and no bound. "least-squares": fit of ``exp(i phase)`` that starts from the
-        result of "interpolation". "sweep": the paper's search over alpha and beta, then with finer steps around the
-        best.
+        "interpolation": of the phase at three Chebyshev points of each segment; the error bound is about
+        ``max abs(phi''') h^3 / 192``. Without piston: match of the value (up to whole turns) and the slope of the
+        phase in the middle of each segment, without a bound. "least-squares": fit of ``exp(i phase)`` that starts
+        from the result of "interpolation". "sweep": search over alpha and beta as in the paper, then with finer
+        steps.
     piston : bool, default True
         True if each segment has a constant gamma_i, which Eq. (17) omits.
     sweep : (float, float), optional

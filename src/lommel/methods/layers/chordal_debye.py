@@ -411,7 +411,7 @@ def fields(pupil: ObjectivePupil, grid: Grid, field: float, by: By) -> Fields:
     window = Window(grid.shape, grid.axis, grid.step(pupil))
     case = _case(pupil.layers, pupil.emitter, pupil.aberrations, window, by, field)
     series = projection.amplitudes(pupil, case.degree, _QUADRATURE * field, by.rates)
-    # The weights of a rule have the sum 1: the mean of an amplitude is at most the sum of the moduli of its terms.
+    # The weights of a rule have the sum 1: a weighted sum of an amplitude is at most the sum of moduli of its terms.
     sizes, chords, nodes = chordal_series_sizes(series.coefficients, case.ends, case.powers, _QUARTER, case.chosen)
     tables_of_rule = case.rule_tables(Rule(_even(chords), _even(nodes), case.degree))
     shares = _shares(pupil.emitter)

@@ -225,7 +225,7 @@ def _pixel_error(
 
 @lru_cache(maxsize=64)
 def _along(error: float) -> tuple[float, interpolation.FilteredTaps]:
-    band, least = next((way for way in _BANDS if error >= way.least), _BANDS[-1])
+    band, least = next((choice for choice in _BANDS if error >= choice.least), _BANDS[-1])
     return band, interpolation.filtered_taps(band, max(error, least))
 
 

@@ -44,8 +44,8 @@ if TYPE_CHECKING:
 # errors, for every eta > 0 and ``rho = exp(eta)``. Mean over a circle of radius s from m points: ``exp(2 s sinh eta)
 # / (exp(m eta) - 1)``. Mean over radii up to a from n Gauss points in the squared radius: ``2 exp(2 a sinh(eta / 2))
 # rho^(1 - 2 n) / (rho - 1)``, since on Bernstein's ellipse around [0, 1] ``abs(Im sqrt(t)) <= sinh(eta / 2)``.
-# Interpolation in an equally spaced table of step h by polynomials of degree 11: ``(2 h)^12 max(abs(omega)) / (2 *
-# 12!)`` (Bernstein's inequality).
+# Interpolation in an equally spaced table of step h by polynomials of degree 11, by Bernstein's inequality:
+# ``(2 h)^12 max(abs(omega)) / (2 * 12!)``.
 #
 # For light ``sum_m F_m(r) exp(i m phi)`` each order m is treated separately. A disc is symmetric about the line from
 # the axis to its centre; the mean of an order over the disc is therefore of the same order. Along a line through the
@@ -175,13 +175,13 @@ def light_samples(pupil: ObjectivePupil, grid: Grid, fraction: float, threads: i
     """Return the intensity of a pupil, for unit collected light in each plane, to `fraction` of the peak."""
     tol = max(fraction, _LEAST)
 
-    def compute(way: Method) -> Images:
-        return way.images(pupil, grid, Wanted(1.0, np.dtype(np.float64), threads=threads))
+    def compute(method: Method) -> Images:
+        return method.images(pupil, grid, Wanted(1.0, np.dtype(np.float64), threads=threads))
 
     images = first_within_tolerance(candidates(pupil, grid, tol), compute)[1]
     # A phase error changes a field by at most the same amount; section 6 bounds the change of the intensity.
-    left = pupil.left_out[0]
-    error = images.bound * images.brightest + left * (2.0 * np.sqrt(images.brightest) + left)
+    omitted = pupil.left_out[0]
+    error = images.bound * images.brightest + omitted * (2.0 * np.sqrt(images.brightest) + omitted)
     return SampledLight(images.values.reshape(-1, *grid.shape), np.broadcast_to(error, (math.prod(pupil.shape),)))
 
 
@@ -224,9 +224,9 @@ def disc_filter(step: float, radius: float, error: float, least: int = 0) -> Dis
     for angle in angles:
         across, along = radius * math.cos(angle), radius * math.sin(angle)
         weight = 4.0 / (chords + 1) * math.sin(angle) ** 2
-        columns, off, gain = _response(half, h, filter_error, across, mean=False)
+        columns, fit_error, gain = _response(half, h, filter_error, across, mean=False)
         rows, off_rows, gain_rows = _response(half, h, filter_error, along, mean=True)
-        responses.append((weight, rows, columns, off_rows * (1.0 + off) + off, gain * gain_rows))
+        responses.append((weight, rows, columns, off_rows * (1.0 + fit_error) + fit_error, gain * gain_rows))
         half = max(half, rows.size, columns.size)
     size = max(max(rows.size, columns.size) for _, rows, columns, _, _ in responses)
 
@@ -235,7 +235,7 @@ def disc_filter(step: float, radius: float, error: float, least: int = 0) -> Dis
         return Taps(stride, np.concatenate([padded[:0:-1], padded]), 0.0, 1.0)
 
     parts = tuple((taps(rows, weight), taps(columns, 1.0)) for weight, rows, columns, _, _ in responses)
-    total = 0.5 * error + sum(weight * off for weight, _, _, off, _ in responses)
+    total = 0.5 * error + sum(weight * fit_error for weight, _, _, fit_error, _ in responses)
     return DiscFilter(parts, total, sum(weight * gain for weight, _, _, _, gain in responses))
 
 
@@ -246,9 +246,9 @@ def _response(half: int, h: float, error: float, length: float, *, mean: bool) -
     """
     longest = half + 60
     while True:
-        weights, off, gain = fit_taps(
+        weights, fit_error, gain = fit_taps(
             lambda w: np.sinc(length / math.pi * w) if mean else np.cos(length * w), np.cos, h * np.arange(half + 1)
         )
-        if off <= error or half >= longest:
-            return weights, off, gain
+        if fit_error <= error or half >= longest:
+            return weights, fit_error, gain
         half += max(2, half // 16)

@@ -143,7 +143,7 @@ class Table(NamedTuple):
 
     @classmethod
     def around(cls, radius: Array, error: float, stretch: float) -> Table:
-        """Return the table for pixels at `radius`, interpolation to `error`, and intensities of type 2 `stretch`."""
+        """Return the table for pixels at `radius`: interpolation to `error`, exponential type 2 `stretch`."""
         step = table_step(error) / stretch
         first, last = (int(np.floor(at / step)) for at in (radius.min(), radius.max()))
         return cls(np.arange(first + 1 - HALF, last + HALF + 1), step)
@@ -320,9 +320,9 @@ class Bead(ProvenMethod):
     def unsupported(self, pupil: ObjectivePupil) -> str | None:
         """Return the reason why a pupil is not supported, for example a bead that extends into glass; else None."""
         radius = 0.5 * self.diameter
-        near = float(pupil.depth.min())
-        if near < radius * (1.0 - 1e-9):
-            return f"needs a depth of at least the radius of the bead, {radius:g} metres, got {near:g}"
+        least_depth = float(pupil.depth.min())
+        if least_depth < radius * (1.0 - 1e-9):
+            return f"needs a depth of at least the radius of the bead, {radius:g} metres, got {least_depth:g}"
         return super().unsupported(pupil)
 
     def _orders(self, pupil: ObjectivePupil, v: Array, target: float) -> Orders:
@@ -340,9 +340,9 @@ class Bead(ProvenMethod):
         values: Values = np.zeros(1)
         error, first = np.full(depths.shape[1], rule_error), 0
         for k, means in enumerate(discs):
-            here = rows[first : first + means.places.size]
+            rows_of_disc = rows[first : first + means.places.size]
             first += means.places.size
-            values = values + share[k, :, None, None] * means.of(values_at[k][..., here])
+            values = values + share[k, :, None, None] * means.of(values_at[k][..., rows_of_disc])
             error += share[k] * (errors[k] * means.gain + means.error)
         return Orders(values, error)
 

@@ -113,10 +113,12 @@ def engine_slopes(
     # Derivatives have bounds but no tolerance. If rounding prevents the tolerance of the images, a larger one is used
     # for the derivatives; the images are then computed by `compute_images` or, if this is None, with the larger
     # tolerance.
-    for looser in (1.0, 10.0, 100.0, 1000.0):
-        if (result := differentiated(pupil, grid, by, looser * tol, wanted)) is not None:
+    for loosening in (1.0, 10.0, 100.0, 1000.0):
+        if (result := differentiated(pupil, grid, by, loosening * tol, wanted)) is not None:
             return (
-                result if looser == 1.0 or compute_images is None else compute_images()._replace(slopes=result.slopes)
+                result
+                if loosening == 1.0 or compute_images is None
+                else compute_images()._replace(slopes=result.slopes)
             )
     return None
 
@@ -124,7 +126,7 @@ def engine_slopes(
 def _by_engine(
     pupil: ObjectivePupil, grid: Grid, each: Sequence[tuple[By, float]], tol: float, wanted: Wanted
 ) -> Images:
-    """Return samples by Stratified, and derivatives, each divided by its divisor."""
+    """Return samples by Stratified, and derivatives, divided by the divisors in `each`."""
     by = [one._replace(factor=one.factor / divisor, own=np.asarray(one.own) / divisor) for one, divisor in each]
     stratified = Stratified(max(tol, Stratified.least_tol))
     result = engine_slopes(
@@ -147,7 +149,7 @@ def _by_circles(
     tol: float,
     wanted: Wanted,
 ) -> Images:
-    """Return samples by DebyeRings, and derivatives, each divided by its divisor."""
+    """Return samples by DebyeRings, and derivatives, divided by the divisors in `each`."""
     images, accuracy = method.refined(pupil, grid, tol, wanted)
     values = np.empty((len(each), *images.values.shape), wanted.dtype)
     error = np.empty((len(each), len(images.values)))
@@ -177,7 +179,7 @@ def _by_chords(
     tol: float,
     wanted: Wanted,
 ) -> Images:
-    """Return samples by ChordalDebye, and derivatives, each divided by its divisor; Zernike terms come last."""
+    """Return samples by ChordalDebye, and derivatives, divided by the divisors in `each`; Zernike terms come last."""
     by = chordal_debye.By(tuple(one.which for one, _ in each), terms)
     images, raw, error_bound, largest = method.differentiated(pupil, grid, tol, wanted, by)
     steep = (*projection.steepest(pupil.layers, pupil.light.model), 1.0)
@@ -271,8 +273,8 @@ def _moved(
     """Return derivatives by the axis and, from the derivative `at_fixed_v`, by the wavelength: section 12."""
     step = grid.step(pupil)
     # A phase that the Zernike terms omit changes fields and their gradients by at most the same amount.
-    left = 4.0 * pupil.left_out[0]
-    tilts = [(values, off + left) for values, off in tilted(method, pupil, grid, wanted.threads, _samples)]
+    omitted = 4.0 * pupil.left_out[0]
+    tilts = [(values, off + omitted) for values, off in tilted(method, pupil, grid, wanted.threads, _samples)]
     result: dict[Name, Slope] = {
         name: _stored(step * values, step * off, images, wanted)
         for name, (values, off) in zip(("column", "row"), tilts, strict=True)

@@ -84,7 +84,7 @@ class ClosedForm(FieldMethod[Pupil]):
     Eq. 8 to 12    sqrt(2/pi) of (7) dropped in the outer       outer integral carries sqrt(2/pi)
                    integral
     Eq. 13         (1/2) sqrt(2/a)                              (1/2) sqrt(pi/a)
-    Eq. 15 to 17   exp[...] called a phase; i, j any_aberrated;         Phi_s = C_s rho^4; the piston only
+    Eq. 15 to 17   exp[...] called a phase; i, j mixed;         Phi_s = C_s rho^4; the piston only
                    piston -C_d inside the exponential           turns U
     Eq. 21         signs of the last end-point term of each     those terms with the opposite sign,
                    bracket, and of the whole                    then the whole negated
@@ -314,9 +314,10 @@ class TunedClosedForm(FieldMethod[Pupil]):
     -----
     Changes to the paper's equations: Eq. (8) has its transition at a = 10, and ten terms of Hankel's expansion (DLMF
     10.17.3) instead of one. Eq. (9) has quadratics through Chebyshev points on pieces of a, not one tangent line; the
-    lengths of the pieces grow geometrically. Eq. (17) includes the constants gamma_i, with the segment boundaries
-    ``R_i = (i/S)^(3/4)``. Eq. (13) uses real Fresnel integrals. The integral over each piece is then exact. The
-    interpolation error ``abs(f''') h^3 / 192`` of a function f on a piece of length h determines the pieces:
+    lengths of the pieces grow geometrically. Eq. (17) includes the constants gamma_i; the boundaries of its S
+    segments are ``R_i = (i/S)^(3/4)``. Eq. (13) uses real Fresnel integrals. The integral over each piece is then
+    exact. The interpolation error ``abs(f''') h^3 / 192`` of a function f on a piece of length h determines the
+    pieces:
 
     - a relative error delta of the amplitude ``1/sqrt(a)`` changes U by at most ``1.1 delta / sqrt(10)``,
     - a phase error (radians) changes U by at most the same amount.

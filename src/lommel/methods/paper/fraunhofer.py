@@ -59,7 +59,7 @@ class Fraunhofer(Method[Pupil]):
         validation.choice("edge", self.edge, ("binary", "grey"))
 
     def period(self, pupil: Pupil) -> float:
-        """Return the period of the image, which is `samples` times lambda*N for any `pupil`; in units of lambda*N."""
+        """Return the period of the image in units of lambda*N, which is `samples` for any `pupil`."""
         return float(self.samples)
 
     def intensity(self, pupil: Pupil, grid: Grid, threads: int = 0) -> Intensities:

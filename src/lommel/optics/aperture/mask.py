@@ -132,15 +132,15 @@ class Mask(EqualByContent):
             part = at[start * points : (start + band) * points]
             returned = validation.array("function", function(at[None, :], part[:, None]))
             try:
-                whole = np.broadcast_to(returned, (len(part), n * points))
+                band_values = np.broadcast_to(returned, (len(part), n * points))
             except ValueError:
                 raise ValueError(
                     f"function must return a number, or values of the shape ({len(part)}, {n * points}) that x and y "
                     f"broadcast to, got shape {returned.shape}"
                 ) from None
             if points > 1:
-                whole = whole.reshape(-1, points, n, points).mean(axis=(1, 3))
-            rows.append(whole)
+                band_values = band_values.reshape(-1, points, n, points).mean(axis=(1, 3))
+            rows.append(band_values)
         return cls(np.concatenate(rows), squares)
 
     @property

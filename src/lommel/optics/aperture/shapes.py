@@ -405,15 +405,15 @@ class Polygon(Shape):
     corners: tuple[tuple[float, float], ...]
 
     def __post_init__(self) -> None:
-        given = validation.real_array("corners", self.corners)
-        if given.ndim != 2 or given.shape[1] != 2 or not 3 <= len(given) <= _MOST_CORNERS:
+        array = validation.real_array("corners", self.corners)
+        if array.ndim != 2 or array.shape[1] != 2 or not 3 <= len(array) <= _MOST_CORNERS:
             raise ValueError(
                 f"corners must be 3 to {_MOST_CORNERS} pairs (x, y), got {validation.shown(self.corners)} "
-                f"of shape {given.shape}"
+                f"of shape {array.shape}"
             )
-        if np.abs(given).max() > _FAR:
-            raise ValueError(f"corners must be within {_FAR:g} radii of the axis, got {np.abs(given).max():g}")
-        edge = np.roll(given, -1, axis=0) - given
+        if np.abs(array).max() > _FAR:
+            raise ValueError(f"corners must be within {_FAR:g} radii of the axis, got {np.abs(array).max():g}")
+        edge = np.roll(array, -1, axis=0) - array
         after = np.roll(edge, -1, axis=0)
         turn = edge[:, 0] * after[:, 1] - edge[:, 1] * after[:, 0]
         length = np.hypot(*edge.T)
@@ -429,7 +429,7 @@ class Polygon(Shape):
                 f"join convex polygons by |, got {validation.shown(self.corners)}"
             )
         # Stored counter-clockwise, as margin() requires.
-        object.__setattr__(self, "corners", tuple((float(x), float(y)) for x, y in given[:: int(sense)]))
+        object.__setattr__(self, "corners", tuple((float(x), float(y)) for x, y in array[:: int(sense)]))
 
     @classmethod
     def regular(
@@ -688,10 +688,10 @@ class Segments:
         shapes = tuple(shape(f"shapes[{i}]", part) for i, part in enumerate(self.shapes))
         vars(self).update(shapes=shapes)
         for name in ("piston", "tip", "tilt"):
-            given = validation.real_array(name, getattr(self, name))
-            if given.size and given.shape != (len(shapes),):
-                raise ValueError(f"{name} must have one number for each of {len(shapes)} segments, got {given.shape}")
-            vars(self)[name] = tuple(given.tolist()) if given.size else (0.0,) * len(shapes)
+            array = validation.real_array(name, getattr(self, name))
+            if array.size and array.shape != (len(shapes),):
+                raise ValueError(f"{name} must have one number for each of {len(shapes)} segments, got {array.shape}")
+            vars(self)[name] = tuple(array.tolist()) if array.size else (0.0,) * len(shapes)
 
     @classmethod
     def hexagonal(cls, rings: int, gap: float = 0.0, *, middle: bool = False, angle: float = 0.0) -> Segments:
@@ -780,14 +780,14 @@ class Segments:
         """
         turn = 1.0 if validation.choice("unit", unit, ("radians", "waves")) == "radians" else 2.0 * math.pi
         phases = {"piston": piston, "tip": tip, "tilt": tilt}
-        given = [validation.real_array(name, value) for name, value in phases.items()]
-        for name, part in zip(phases, given, strict=True):
+        array = [validation.real_array(name, value) for name, value in phases.items()]
+        for name, part in zip(phases, array, strict=True):
             if part.shape not in ((), (len(self.shapes),)):
                 raise ValueError(
                     f"{name} must be a number, or one for each of {len(self.shapes)} segments, got shape {part.shape}"
                 )
         return Segments(
-            self.shapes, *(tuple(np.broadcast_to(turn * part, len(self.shapes)).tolist()) for part in given)
+            self.shapes, *(tuple(np.broadcast_to(turn * part, len(self.shapes)).tolist()) for part in array)
         )
 
     def scaled(self, factor: float) -> Segments:
@@ -808,10 +808,10 @@ class Segments:
         # Margins identify some of the vanished segments, and areas identify the others.
         whole = zip(left, self.shapes, strict=True)
         left = [None if part is not one and part is not None and not _clear(part) else part for part, one in whole]
-        kept = [i for i, part in enumerate(left) if part is not None]
-        if not kept:
+        indices = [i for i, part in enumerate(left) if part is not None]
+        if not indices:
             raise ValueError(f"other must leave some area of the segments, got {validation.shown(other)}")
-        phases = ([part[i] for i in kept] for part in (self.piston, self.tip, self.tilt))
+        phases = ([part[i] for i in indices] for part in (self.piston, self.tip, self.tilt))
         return Segments(tuple(part for part in left if part is not None), *map(tuple, phases))
 
     def margin(self, x: Array, y: Array) -> Array:

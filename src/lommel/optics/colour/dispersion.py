@@ -232,10 +232,10 @@ class PupilColour:
         return cls(Colour.from_dict(parts.pop("table")), x=x, y=y, **parts)
 
 
-def _interpolate(at: float | Array, known: Sequence[float] | Array, values: Sequence[float]) -> Array:
-    """Return a spline through `values` at `known`: cubic, or a line or parabola through two or three values."""
+def _interpolate(at: float | Array, points: Sequence[float] | Array, values: Sequence[float]) -> Array:
+    """Return a spline through `values` at `points`: cubic, or a line or parabola through two or three values."""
     from scipy.interpolate import CubicSpline
 
-    size = known[-1] - known[0]
-    spline: Array = CubicSpline((np.asarray(known) - known[0]) / size, values)((np.asarray(at) - known[0]) / size)
+    size = points[-1] - points[0]
+    spline: Array = CubicSpline((np.asarray(points) - points[0]) / size, values)((np.asarray(at) - points[0]) / size)
     return spline

@@ -3,10 +3,10 @@ r"""Pixel integration for any pupil: samples on a fine grid, and a filter.
 Lengths are in units of ``v = pi x / (lambda*N)``, frequencies w in radians per unit of v, and a is the pixel pitch.
 Averaging the intensity I over a pixel multiplies the transfer function of I (OTF) by
 ``sinc(a wx / 2) sinc(a wy / 2)``, with ``sinc x = sin(x) / x``. The OTF vanishes for ``abs(w) > 2``. Weights ("taps")
-c_k of samples with the spacing h therefore compute the average over a pixel if their response ``C(w) = sum_k c_k
-cos(k h w)`` equals the sinc for ``abs(w) <= 2``. An error eps of both responses changes an average by at most ``(2
-eps + eps^2) int abs(OTF) dw``; the integral is at most the unaberrated peak. Far pixels of circular and annular
-pupils are averaged in closed form, without samples.
+c_k of samples with the spacing h therefore compute the average over a pixel if the response of the weights,
+``C(w) = sum_k c_k cos(k h w)``, equals the sinc for ``abs(w) <= 2``. An error eps of the responses along x and y
+changes an average by at most ``(2 eps + eps^2) int abs(OTF) dw``; the integral is at most the unaberrated peak. Far pixels of circular and
+annular pupils are averaged in closed form, without samples.
 """
 
 from __future__ import annotations
@@ -80,7 +80,7 @@ def fit_taps(response: Function, wave: Function, x: Pixels, *, in_disc: bool = F
 
 
 def pair_stride(step: float, error: float, across: int, sides: tuple[int, ...], *, in_disc: bool = False) -> int:
-    """Return the number of samples per two pixels: `2 across`, or fewer if this saves time for `sides` pixels."""
+    """Return the number of samples per two pixels: 2 `across`, or fewer if this saves time; `sides` in pixels."""
     # Wider spacing requires longer filters, and therefore more samples beyond the edges of the window.
 
     def cost(s: int) -> float:
@@ -284,7 +284,7 @@ def _first_errors(allowed: float, step: float) -> tuple[float, float]:
     """Estimate the errors of samples and of a filter response that keep averages within the error `allowed`."""
     # Assumptions: the largest average is 4 times its lower bound, and the Strehl ratio is not small.
     lowest = least_average(step)
-    # Samples get half of the error; the response gets 0.002, since the peak intensity multiplies its error.
+    # Half of the error is for samples, 0.002 for the response, whose error is multiplied by the peak intensity.
     return 0.5 * allowed * min(4.0 * lowest, 1.0), 2e-3 * allowed * lowest
 
 

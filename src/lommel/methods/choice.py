@@ -135,7 +135,7 @@ def of_derivatives(pupil: "ObjectivePupil", methods: tuple[Method, ...]) -> tupl
 def first_within_tolerance(
     methods: tuple[Method, ...], compute: Callable[[Method], _Result]
 ) -> tuple[Method, _Result]:
-    """Return the first method that neither declines nor misses its tolerance, and its result."""
+    """Return the first method that computes a result within its tolerance, and the result."""
     # The chordal rule has a limited number of chords, and errors relative to the window: it fails for a dark window,
     # which NijboerZernike can compute. Errors of other types are defects, and are not caught.
     failure: ToleranceError | Declined | None = None
@@ -143,8 +143,8 @@ def first_within_tolerance(
         try:
             return method, compute(method)
         except (ToleranceError, Declined) as error:
-            # Prefer a missed tolerance, whose message states a possible one; then the reason of a method other than
-            # the last one, the chordal rule.
+            # If all methods fail, the error to raise is preferably a ToleranceError, whose message states a possible
+            # tolerance, else the reason of a method other than the last one, the chordal rule.
             if (
                 failure is None
                 or isinstance(error, ToleranceError)

@@ -45,7 +45,7 @@ TILTS = SHIFTS["column"], SHIFTS["row"]  # tilts along x and y; the derivatives 
 _FINER = 0.1  # tolerance of samples / tolerance of the derivative, since filters multiply errors by about 4
 
 # Signature: method, pupils, pixels, specification -> samples with error bounds.
-Ask = Callable[[Method, BasePupil, Grid, Wanted], Images]
+Sampler = Callable[[Method, BasePupil, Grid, Wanted], Images]
 
 # A position in the pixel with the centre ``v_c`` is ``v_c + u``. The average of ``v . grad I`` is ``v_c`` times the
 # average of ``grad I`` plus the average of ``u . grad I``. Derivatives by tilts determine the first average. The
@@ -64,7 +64,7 @@ def scaling_derivative(
     grid: Grid,
     tilts: Sequence[tuple[Array, Array]],
     threads: int = 0,
-    compute: Ask = _images,
+    compute: Sampler = _images,
 ) -> tuple[Array, Array]:
     """Return ``v . grad I``, or its averages, from the derivatives of I by :data:`TILTS`, with absolute bounds."""
     count, step = math.prod(pupil.shape), grid.step(pupil)
@@ -82,7 +82,9 @@ def scaling_derivative(
     return total, error
 
 
-def _average_growth(engine: Method, pupil: BasePupil, grid: Grid, threads: int, compute: Ask) -> tuple[Array, Array]:
+def _average_growth(
+    engine: Method, pupil: BasePupil, grid: Grid, threads: int, compute: Sampler
+) -> tuple[Array, Array]:
     """Return averages of ``u . grad I``, u the position within the pixel, with absolute error bounds."""
     step = grid.step(pupil)
     # The filter may add an error of a thousandth of the tolerance; below 1e-13 rounding errors dominate.
@@ -104,7 +106,7 @@ def _average_growth(engine: Method, pupil: BasePupil, grid: Grid, threads: int, 
 
 
 def tilted(
-    engine: Method, pupil: BasePupil, grid: Grid, threads: int = 0, compute: Ask = _images
+    engine: Method, pupil: BasePupil, grid: Grid, threads: int = 0, compute: Sampler = _images
 ) -> list[tuple[Array, Array]]:
     """Return the derivatives by :data:`TILTS`, ``-grad I``, from samples of I alone, with absolute error bounds."""
     step = grid.step(pupil)
@@ -126,7 +128,7 @@ def tilted(
 
 
 def _sample_blocks(
-    engine: Method, pupil: BasePupil, grid: Grid, taps: Taps, threads: int, compute: Ask
+    engine: Method, pupil: BasePupil, grid: Grid, taps: Taps, threads: int, compute: Sampler
 ) -> Iterator[tuple[slice, Array, Array]]:
     """Yield blocks of pupils: slice, samples of I for the filter, absolute bounds (with rounding of filter sums)."""
     fine, rounded = engine.tightened(_FINER * engine.tol), (4 * taps.weights.size + 16) * 2.0**-53
@@ -137,10 +139,10 @@ def _sample_blocks(
         yield part, images.values, images.brightest * (images.bound + rounded)
 
 
-# Field of the rim: ``(eps / pi) A(eps) int_0^2pi P(eps, theta) exp(-i eps v cos(theta - psi)) d theta``, equal to
-# ``-dU/d eps``. It is integrated by the trapezoidal rule, which converges geometrically for a periodic entire
-# integrand. U is integrated by the product rule of the aperture, exact for polynomials up to a required degree. Both
-# fields are computed as products of two matrices, one for rows and one for columns.
+# The field of the rim of the obscuration, equal to ``-dU/d eps``, is
+# ``(eps / pi) A(eps) int_0^2pi P(eps, theta) exp(-i eps v cos(theta - psi)) d theta``. It is integrated by the trapezoidal rule, which converges geometrically for a
+# periodic entire integrand. U is integrated by the product rule of the aperture, exact for polynomials up to a
+# required degree. Both fields are computed as products of two matrices, one for rows and one for columns.
 #
 # References
 # ----------
@@ -455,8 +457,10 @@ def _sum_terms(
             for term, (values, error) in zip(TILTS, tilted(engine, part.pupil, grid, threads), strict=True):
                 slopes[term] = Piece(values, error + 4.0 * omitted)
         if other_keys := tuple(key for key in engine_keys if key not in slopes):
-            ask = partial(_compute, pupil=part.pupil, grid=grid, wanted=Wanted(threads=threads), keys=other_keys)
-            _, part_images = first_within_tolerance((finer_engine, engine), ask)
+            derivative_images = partial(
+                _compute, pupil=part.pupil, grid=grid, wanted=Wanted(threads=threads), keys=other_keys
+            )
+            _, part_images = first_within_tolerance((finer_engine, engine), derivative_images)
             assert part_images.slopes is not None
             for key, values, error in zip(other_keys, *part_images.slopes, strict=True):
                 slopes[key] = Piece(values, error * part_images.brightest + 4.0 * omitted)

@@ -120,7 +120,7 @@ class Method(ABC, Generic[P]):
         return changed
 
     def tightened(self, tol: float | None = None) -> Self:
-        """Return the method with half its tolerance, or with `tol`; unchanged if it keeps no tolerance."""
+        """Return the method with half its tolerance, or with `tol`; unchanged without `tol` or `keeps_tol`."""
         if not (self._has_tol and self.keeps_tol):
             return self
         return self.with_tol(max(0.5 * self.tol if tol is None else tol, self.least_tol))
@@ -193,7 +193,7 @@ class Method(ABC, Generic[P]):
 
 
 def require_period(period: float, pupil: BasePupil, grid: Grid, *, edges: bool) -> None:
-    """Raise ValueError if the window, to pixel centres or with `edges` to pixel edges, exceeds the image's period."""
+    """Raise ValueError if the window, up to pixel centres or (`edges`) pixel edges, exceeds the image's period."""
     if period == math.inf:
         return
     for pitch, side, places in zip(grid.pitch, grid.shape, (grid.y, grid.x), strict=True):

@@ -40,8 +40,8 @@ class NijboerZernike(FieldMethod["Pupil"]):
     ----------
     tol : float, default 1e-6
         Bound on ``max|I - I_exact| / max I`` over the window, max I being the peak of the PSF, 1e-12 to 1e-1. The
-        errors of truncation, quadrature, interpolation and rounding are bounded, their sum is compared with the
-        computed peak, and :class:`ToleranceError` is raised if their ratio cannot be brought below `tol`.
+        errors of truncation, quadrature, interpolation and rounding are bounded, and :class:`ToleranceError` is
+        raised if their sum, divided by the computed peak, cannot be brought below `tol`.
 
     Raises
     ------

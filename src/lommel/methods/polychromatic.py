@@ -160,7 +160,7 @@ class Polychromatic(Spectrum, RadialMethod[BasePupil]):
         return (self.method or Method).sampling
 
     def unsupported(self, pupil: BasePupil) -> str | None:
-        """Return a reason if the reference wavelength is unknown, or the reason of the method; otherwise None."""
+        """Return the reason if the wavelength is unknown or the method does not support `pupil`, else None."""
         if pupil.wavelength is None:
             return "needs a pupil with a wavelength, the reference for the other wavelengths"
         if self.method is None:
@@ -168,7 +168,7 @@ class Polychromatic(Spectrum, RadialMethod[BasePupil]):
         try:
             self.method.require(pupil)
         except Declined as fault:
-            # The message of the method begins with its name; it becomes a relative clause.
+            # The message begins with the name of the method; the remainder becomes a relative clause.
             name, reason = str(fault).split(" ", 1)
             return f"sums {name}, which {reason}"
         return None

@@ -261,7 +261,7 @@ def test_what_has_no_derivatives_says_so():
         lm.psf(pupil(), 9, PIXEL, derivatives=("defocus",))
     with pytest.raises(ValueError, match="use Stratified"):
         lm.psf(pupil(), 9, PIXEL, method=lm.DebyeWolf(), derivatives=("z",))
-    with pytest.raises(ValueError, match="'z' are of the pupils of an Objective"):
+    with pytest.raises(ValueError, match="'z' need the pupil of an Objective"):
         lm.psf(lm.Pupil(), 9, 0.3, derivatives=("z",))
     with pytest.raises(ValueError, match="in windows up to"):
         lm.psf(pupil(), 3, PIXEL, center=(400.0, 2.0), derivatives=("depth",))

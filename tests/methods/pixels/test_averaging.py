@@ -274,7 +274,7 @@ def test_half_of_what_is_promised_of_the_best_placed_pixel_would_be_too_little_t
 
 def test_pixels_too_wide_for_a_filter_are_refused_with_a_way_out():
     pupil = lm.Pupil(lm.Wavefront(nonradial={(3, 1): 1.0}))
-    with pytest.raises(ValueError, match=r"pixel must be at most 171 lambda\*N .* got 200 lambda\*N; take smaller"):
+    with pytest.raises(ValueError, match=r"pixel must be at most 171 lambda\*N .* got 200 lambda\*N; use smaller"):
         lm.psf(pupil, 3, 200.0, integrate=True)
 
 

@@ -527,7 +527,7 @@ def growth(
 
 
 def means_of_kernel(y: float, x: float) -> tuple[Array, Array, Array]:
-    """Bound the logarithms of the means of ``abs(exp(-i v.r))`` on the three paths, for abs(v) up to (`y`, `x`)."""
+    """Bound the logarithms of the means of ``abs(exp(-i v.r))``, as in :class:`Growth`, for abs(v) up to (y, x)."""
     # m_1 = sinh(s) / s, s = abs(v) sinh(b): section 16, "Projection".
     s = np.maximum(math.hypot(y, x) * _SINH, 1e-12)
     across = s + np.log(-np.expm1(-2.0 * s) / (2.0 * s))
@@ -683,7 +683,7 @@ _DISC = 1e-4  # allowed error of the transfer function of a disc
 
 
 class Planes(NamedTuple):
-    """Depths and stage positions of planes (metres), and their phases (radians at the edge)."""
+    """Depths and stage positions of planes (metres), and phase coefficients (radians at the edge)."""
 
     depth: Array  # (n,)
     focus: Array  # (n,)

@@ -26,7 +26,7 @@ _FAR = 1000.0  # largest radius, semi-axis or coordinate of a shape
 _FARTHEST = _FAR + 1.0  # largest coordinate of a centre: a disc of the largest radius may still reach the aperture
 _MOST_CORNERS = 256
 _MOST_SEGMENTS = 4096
-_AT_ONCE = 2**24  # largest number of cells times parts in memory at a time
+_MAX_CELL_PARTS = 2**24  # largest number of cells times number of parts in memory at a time
 _AREA_ERROR = 1e-10  # error of areas / pi
 _BOTH, _EITHER, _WITHOUT = -1, -2, -3  # codes of the compiled core for intersection, union and difference
 _PLANE = np.array([[-2.0, -2.0], [2.0, -2.0], [2.0, 2.0], [-2.0, 2.0]])  # square that contains every aperture
@@ -197,8 +197,8 @@ def covered(region: Shape, x: Array, y: Array, half: float) -> Array:
     parts: list[Shape] = []
     region._listed(parts, [])
     # Computation in bands of cells limits the memory.
-    if x.size * len(parts) > _AT_ONCE and x.size > 1:
-        pieces = -(-x.size * len(parts) // _AT_ONCE)
+    if x.size * len(parts) > _MAX_CELL_PARTS and x.size > 1:
+        pieces = -(-x.size * len(parts) // _MAX_CELL_PARTS)
         bands = zip(np.array_split(x, pieces), np.array_split(y, pieces), strict=True)
         return np.concatenate([covered(region, *band, half) for band in bands])
     whole, reach = listed(region), math.sqrt(2.0) * half * (1.0 + 1e-9)

@@ -140,8 +140,8 @@ def _sample_blocks(
 
 
 # The field of the rim of the obscuration, equal to ``-dU/d eps``, is
-# ``(eps / pi) A(eps) int_0^2pi P(eps, theta) exp(-i eps v cos(theta - psi)) d theta``. It is integrated by the trapezoidal rule, which converges geometrically for a
-# periodic entire integrand. U is integrated by the product rule of the aperture, exact for polynomials up to a
+# ``(eps / pi) A(eps) int_0^2pi P(eps, theta) exp(-i eps v cos(theta - psi)) d theta``. It is
+# integrated by the trapezoidal rule, which converges geometrically for a periodic entire integrand. U is integrated by the product rule of the aperture, exact for polynomials up to a
 # required degree. Both fields are computed as products of two matrices, one for rows and one for columns.
 #
 # References

@@ -5,8 +5,8 @@ Averaging the intensity I over a pixel multiplies the transfer function of I (OT
 ``sinc(a wx / 2) sinc(a wy / 2)``, with ``sinc x = sin(x) / x``. The OTF vanishes for ``abs(w) > 2``. Weights ("taps")
 c_k of samples with the spacing h therefore compute the average over a pixel if the response of the weights,
 ``C(w) = sum_k c_k cos(k h w)``, equals the sinc for ``abs(w) <= 2``. An error eps of the responses along x and y
-changes an average by at most ``(2 eps + eps^2) int abs(OTF) dw``; the integral is at most the unaberrated peak. Far pixels of
-circular and annular pupils are averaged in closed form, without samples.
+changes an average by at most ``(2 eps + eps^2) int abs(OTF) dw``; the integral is at most the unaberrated peak. Far
+pixels of circular and annular pupils are averaged in closed form, without samples.
 """
 
 from __future__ import annotations

@@ -140,9 +140,10 @@ def _sample_blocks(
 
 
 # The field of the rim of the obscuration, equal to ``-dU/d eps``, is
-# ``(eps / pi) A(eps) int_0^2pi P(eps, theta) exp(-i eps v cos(theta - psi)) d theta``. It is
-# integrated by the trapezoidal rule, which converges geometrically for a periodic entire integrand. U is integrated by the product rule of the aperture, exact for polynomials up to a
-# required degree. Both fields are computed as products of two matrices, one for rows and one for columns.
+# ``(eps / pi) A(eps) int_0^2pi P(eps, theta) exp(-i eps v cos(theta - psi)) d theta``. It is integrated by the
+# trapezoidal rule, which converges geometrically for a periodic entire integrand. U is integrated by the product rule
+# of the aperture, exact for polynomials up to a required degree. Both fields are computed as products of two
+# matrices, one for rows and one for columns.
 #
 # References
 # ----------
@@ -421,13 +422,7 @@ def _largest_moduli(values: Pixels) -> Array:
 
 
 def _sum_terms(
-    method_used: Method,
-    engine: Method,
-    pupil: Pupil,
-    grid: Grid,
-    images: Images,
-    wanted: Wanted,
-    sums: Sequence[Parts],
+    method: Method, engine: Method, pupil: Pupil, grid: Grid, images: Images, wanted: Wanted, sums: Sequence[Parts]
 ) -> dict[object, Piece]:
     """Return the terms of sums of derivatives, in double precision, each summed over the wavelengths."""
     # Powers of rho in a radial term cancel: the moduli of their coefficients have a sum of up to 321.
@@ -448,7 +443,7 @@ def _sum_terms(
         previous = results.get(key, Piece(np.zeros((1, 1, 1)), np.zeros(1)))
         results[key] = Piece(previous.values + factor * values, previous.error + factor * error)
 
-    for part in method_used.components(pupil):
+    for part in method.components(pupil):
         scale, threads = wanted.scale * part.weight, wanted.threads
         omitted = (part.pupil.wavefront.left_out + 2.0 * part.pupil.illumination.error) * part.pupil.amplitude**2
         add("unknown", np.zeros((1, 1, 1)), np.full(1, 2.0 * omitted), scale)

@@ -2,7 +2,7 @@ r"""Hankel transform by direct quadrature (the reference for all other methods),
 
 In t = rho^2 the integrand ``exp(i Phi(t)) J0(v sqrt t)`` is entire. On the ellipse
 ``t = c + h cos(theta + i eta)`` around ``[c - h, c + h]`` its modulus is at most ``exp(g(eta))`` with
-``g = max_theta (abs(Im Phi) + v abs(Im sqrt t))``. The error of n Gauss nodes is thus bounded in proportion to
+``g = max_theta (abs(Im Phi) + v abs(Im sqrt t))``. The error of n Gauss nodes has a bound proportional to
 ``exp(g(eta) - 2 n eta)`` for every eta > 0; the smallest bound is used. Certificate, "Differentiable PSFs".
 
 References

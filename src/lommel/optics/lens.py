@@ -75,7 +75,7 @@ class Lens(display.Shown):
     focal_length : float
         Focal length, metres; positive.
     f_number, aperture_diameter : float
-        Exactly one: focal length divided by aperture diameter, or the aperture diameter in metres.
+        Exactly one of the two: focal length divided by aperture diameter, or the aperture diameter in metres.
     focus_distance, sensor_distance : float
         At most one: the object distance in focus (default infinity; must exceed the focal length), or the
         distance of the sensor behind the lens.
@@ -89,9 +89,9 @@ class Lens(display.Shown):
         Aperture, as for :class:`lommel.Pupil`; phases of segments at the wavelength of the lens.
     model : {"paraxial", "aplanatic"}, default "paraxial"
         "paraxial": spheres are approximated by parabolas (the paper's Eq. 1-3). "aplanatic": the exact path
-        difference between reference spheres of a lens that obeys Abbe's sine condition: rays reach the axial point of
-        the sensor at an angle whose sine is rho times ``aperture radius / sensor distance`` (1 / 2N, N the working
-        f-number).
+        difference between reference spheres of a lens that obeys Abbe's sine condition. Rays reach the axial point of
+        the sensor at an angle theta whose sine is rho times ``aperture radius / sensor distance`` (1 / 2N, N the
+        working f-number).
     corrected_for : {"object", "focus"}, default "object"
         Conjugate at which an aplanatic lens is free of aberration; the conditions of Abbe and Herschel cannot both
         hold. "object": objects at any distance are imaged without aberration. The reference spheres are centred on
@@ -100,8 +100,8 @@ class Lens(display.Shown):
         angle is rho times ``aperture radius / focus distance``: the object is displaced, as in microscopes.
     apodization : float, Apodization or "aplanatic", default 0
         Amplitude across the pupil, as for :class:`lommel.Pupil`. "aplanatic", for an aplanatic lens only, is
-        ``cos(theta)^(-1/2)``, theta being the angle of the model: the amplitude ``cos(theta)^(1/2)`` of an evenly lit
-        entrance pupil on the reference sphere, divided by ``cos(theta)`` of the solid angle (Richards and Wolf 1959,
+        ``cos(theta)^(-1/2)``: the amplitude ``cos(theta)^(1/2)`` of a uniformly illuminated entrance pupil on the
+        reference sphere, divided by the factor ``cos(theta)`` of the solid angle (Richards and Wolf 1959,
         scalar part, doi:10.1098/rspa.1959.0200). Isotropic emission has the same amplitude.
     colour : Colour, optional
         Axial and lateral colour: how focal length and size of the image change with the wavelength.
@@ -114,8 +114,8 @@ class Lens(display.Shown):
     Notes
     -----
     ``dataclasses.replace(lens, aberrations=wavefront)`` is the same lens with another wavefront. Other arguments are
-    replaced likewise, except `f_number` and `focus_distance`: replace ``aperture_diameter`` and ``sensor_distance``,
-    or use :meth:`stopped` and :meth:`focused`.
+    replaced likewise, except `f_number` and `focus_distance`: replace ``aperture_diameter`` and ``sensor_distance``
+    instead, or use :meth:`stopped` and :meth:`focused`.
 
     Warns
     -----
@@ -264,8 +264,9 @@ class Lens(display.Shown):
         Raises
         ------
         TypeError, ValueError
-            If the f-number is not a positive number, the obscuration covers the aperture, a lens with aberrations or
-            an Apodization would be opened wider, or it has vignetting, a mask or a stop of another shape.
+            If the f-number is not a positive number, if the obscuration covers the aperture, if a lens with
+            aberrations or an Apodization would be opened wider, or if the lens has vignetting, a mask or a stop of
+            another shape.
         """
         stop = validation.real("f_number", f_number, least=1e-6, below=1e12)
         ratio = stop / self.f_number

@@ -1,8 +1,7 @@
 """Circular arithmetic on discs of the complex plane: a result contains the results for all numbers in the discs.
 
-The radius of the disc of a function is the largest slope of the
-function times the radius of the argument. Every radius is widened
-by 1e-13 of the magnitudes from which it is computed, more than the rounding errors.
+The radius of the disc of a function is the largest slope of the function times the radius of the argument. Every
+radius is widened by 1e-13 of the magnitudes from which it is computed, more than the rounding errors.
 
 References
 ----------

@@ -262,9 +262,8 @@ def disk_moments(alpha: float, limit: ArrayLike, count: int) -> NDArray[np.compl
 def unit_moments(phase: Array, count: int) -> NDArray[np.complex128]:
     r"""Return ``int_0^1 x^(2m+1) exp(i phase x^2) dx`` for m = 0, ..., count-1.
 
-    With u = x^2, the integral is ``J_m = int_0^1 u^m e^{i phase u} du / 2``. Large phases use the
-    recurrence ``J_m = (e^{i phase}/2 - m J_{m-1}) / (i phase)``, which cancels for small phases; small phases use
-    quadrature.
+    With u = x^2, the integral is ``J_m = int_0^1 u^m e^{i phase u} du / 2``. Large phases use the recurrence
+    ``J_m = (e^{i phase}/2 - m J_{m-1}) / (i phase)``, which cancels for small phases; small phases use quadrature.
 
     Parameters
     ----------

@@ -183,7 +183,7 @@ def polynomial(n: int, m: int, rho: Array, theta: Array) -> Array:
 
 
 def scaled(terms: Mapping[tuple[int, int], Array], radius: Array | float) -> dict[tuple[int, int], Array]:
-    """Return the coefficients on a concentric disk of `radius`, relative to the pupil radius, constant included."""
+    """Return the coefficients, with the constant, on a concentric disk of `radius` (in units of the pupil radius)."""
     # A. J. E. M. Janssen and P. Dirksen, J. Microlith. Microfab. Microsyst. 5, 030501 (2006): ``R_n^m(a rho) = sum_k
     # (R_n^k(a) - R_n^(k+2)(a)) R_k^m(rho)``, k = m, m + 2, ..., n.
     at = np.asarray(radius, dtype=np.float64)

@@ -22,9 +22,8 @@ _MAX_SIDE = 16384  # largest side of an FFT
 class Fraunhofer(Method[Pupil]):
     r"""Fast Fourier transform of the sampled pupil to an image grid that contains the requested pixel centres.
 
-    Supports every pupil, if no light is aliased into the window. Sampling the
-    aperture's edge causes an error of first order in the sample spacing, which is not bounded: typically 1e-3 to
-    1e-2 of the peak with 256 samples.
+    Supports every pupil, if no light is aliased into the window. Sampling the aperture's edge causes an error of
+    first order in the sample spacing, which is not bounded: typically 1e-3 to 1e-2 of the peak with 256 samples.
 
     Parameters
     ----------

@@ -92,8 +92,8 @@ class Apodization:
     def cosine(cls, sine: float, power: float) -> Apodization:
         """Return ``cos(theta)^power`` divided by its maximum, ``sin(theta) = sine * rho``, `sine` 0 to below 1.
 
-        The exponent is a series in rho^2 of at most ten terms; `error` bounds its truncation and rounding. TypeError
-        or ValueError if the sine or the `power` is out of range.
+        The exponent is a series in rho^2 of at most ten terms; `error` bounds the truncation and rounding errors.
+        TypeError or ValueError if the sine or the `power` is out of range.
         """
         s = validation.real("sine", sine, least=0.0, below=1.0)
         p = validation.real("power", power)

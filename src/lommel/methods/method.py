@@ -164,9 +164,10 @@ class Method(ABC, Generic[P]):
     def plan(self, pupil: P, grid: Grid, wanted: Wanted) -> Shortcut | None:
         """Return a prepared computation on `grid` for pupils that differ from `pupil` in their wavefronts only.
 
-        `wanted` has neither `out` nor derivatives. The returned function has as arguments such a pupil and an array
-        for the values. It returns the scale of the values, of the shape of the pupil, and the largest error bound; or
-        None if :meth:`images` must be called instead. It raises the exceptions of :meth:`images`. Default: None.
+        `wanted` has neither `out` nor derivatives. The arguments of the returned function are a pupil and an array
+        for the values. The function returns the scale of the values, of the shape of the pupil, and the largest error
+        bound, or None if :meth:`images` must be called instead; it raises the exceptions of :meth:`images`. By
+        default None is returned instead of a function.
         """
         return None
 

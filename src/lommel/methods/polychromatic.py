@@ -17,7 +17,7 @@ from lommel.optics.colour.spectrum import Component, Spectrum
 from lommel.optics.grid import Grid
 
 
-def mixed(
+def sum_wavelengths(
     parts: Sequence[Component],
     shares: Array,
     compute: Callable[[Component, float], Intensities],
@@ -203,7 +203,7 @@ class Polychromatic(Spectrum, RadialMethod[BasePupil]):
             return method.profile(part.pupil, v * part.stretch)
 
         parts = self.components(pupil)
-        return mixed(parts, np.array([self.weights]), compute, self, self.tol)[0]
+        return sum_wavelengths(parts, np.array([self.weights]), compute, self, self.tol)[0]
 
     def intensity(self, pupil: BasePupil, grid: Grid, threads: int = 0) -> Intensities:
         """Return the weighted sum of I at the distinct radii or, if the grid is not symmetric, on the pixels."""
@@ -245,4 +245,4 @@ def together(
         grid.paint(result.values, np.ones(len(values)), values)
         return result._replace(values=values)
 
-    return mixed(parts, shares, compute, sums[0], tol, window)
+    return sum_wavelengths(parts, shares, compute, sums[0], tol, window)

@@ -309,7 +309,7 @@ class Pupil(BasePupil):
         return np.asarray(blur.reshape(self.shape) * (self.scale / math.pi))
 
     def _raster(self) -> NDArray[np.float64]:
-        """Return a raster of points in the clear aperture, with the slopes of segments there."""
+        """Return a raster of points in the clear aperture, with the slopes of segments at the points."""
         raster = self.opening.raster()
         if self.mask is None:
             return raster

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.optics.colour.spectrum import Spectrum, few
+from lommel.optics.colour.spectrum import Spectrum, fit_wavelengths
 from lommel.optics.wavefront.wavefront import same_path
 
 WAVES = np.arange(400, 701, 10) * 1e-9
@@ -45,7 +45,7 @@ def test_a_band_has_the_moments_of_an_even_one():
 @pytest.mark.parametrize("paths", [1e-6, 5e-6, 12e-6])
 @pytest.mark.parametrize("tol", [1e-2, 1e-4])
 def test_few_wavelengths_are_off_by_no_more_than_they_say(paths, tol):
-    nodes, weights, error = few(WAVES, CURVES, paths, tol)
+    nodes, weights, error = fit_wavelengths(WAVES, CURVES, paths, tol)
     assert error <= tol
     assert weights.min() >= 0.0
     assert weights.sum(axis=1) == pytest.approx(1.0, abs=1e-12)

@@ -48,13 +48,13 @@ _SINH = np.sinh(_B)
 # Bounds decrease like exp(-2 n b) with the number n of chords or nodes; the core solves them for n / 2.
 _QUARTER = 0.25 / _B
 _RATIO = np.exp(-4.0 * _B)
-_OVER_CHORDS = np.log1p(_RATIO)
+_OVER_CHORDS = np.log1p(_RATIO)  # logarithm of the factor of exp(-2 n b) in the bound for chords
 # cosh(b)^2 / (cosh(2 b) / 2): certificate, section 16, "Chords and nodes".
 _CHORD_WEIGHT = 1.0 + 1.0 / np.cosh(2.0 * _B)  # largest weight of chords on the shifted paths / mean weight
 _ETA = np.linspace(0.0, 1.0, 17)  # positions on a path for the trapezoidal rule of means_of_kernel()
 # exp(-s) I_0(s) <= sqrt(_BESSEL / s), by 1 - cos t >= 2 t^2 / pi^2 in the integral of I_0 (section 16).
 _BESSEL = math.pi / 8.0
-_OVER_NODES = math.log(32.0 / 15.0) - np.log(-np.expm1(-2.0 * _B))
+_OVER_NODES = math.log(32.0 / 15.0) - np.log(-np.expm1(-2.0 * _B))  # the same for nodes
 _MOST_NODES, _MOST_DEGREE = 256, 250  # limits that keep sums of exp(n b) finite
 _ROUNDING = 2.0**-53
 # Fractions of the allowed error of a field: for the projection, the sum over chords and the sum over nodes.
@@ -65,7 +65,7 @@ _QUADRATURE = 0.05  # fraction of the allowed error of a field: for the quadratu
 class By(NamedTuple):
     """Parameters of derivatives."""
 
-    rates: tuple[int, ...] = ()  # 0: depth, 1: focus, both normalized to the steepest phase; WAVENUMBER: ln k
+    rates: tuple[int, ...] = ()  # 0: depth, 1: focus, divided by the largest phase rate; WAVENUMBER: ln k
     terms: tuple[tuple[int, int], ...] = ()  # n and m of Zernike terms
 
 

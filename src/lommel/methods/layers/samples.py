@@ -41,11 +41,12 @@ if TYPE_CHECKING:
 # Means of radial intensities over discs, from few samples, with a proven error bound (certificate, "Means over a
 # disc"). An intensity between 0 and 1 with spatial frequencies up to 2 (in v) differs from a constant by at most 1/2,
 # and at complex positions ``x + i y`` by at most ``exp(2 abs(y)) / 2`` (Plancherel and Polya). This bounds three
-# errors, for every eta > 0 and ``rho = exp(eta)``. Mean over a circle of radius s from m points: ``exp(2 s sinh eta)
-# / (exp(m eta) - 1)``. Mean over radii up to a from n Gauss points in the squared radius: ``2 exp(2 a sinh(eta / 2))
-# rho^(1 - 2 n) / (rho - 1)``, since on Bernstein's ellipse around [0, 1] ``abs(Im sqrt(t)) <= sinh(eta / 2)``.
-# Interpolation in an equally spaced table of step h by polynomials of degree 11, by Bernstein's inequality:
-# ``(2 h)^12 max(abs(omega)) / (2 * 12!)``.
+# errors, for every eta > 0 and ``rho = exp(eta)``:
+# - mean over a circle of radius s from m points: ``exp(2 s sinh eta) / (exp(m eta) - 1)``,
+# - mean over radii up to a from n Gauss points in the squared radius, with ``abs(Im sqrt(t)) <= sinh(eta / 2)`` on
+#   Bernstein's ellipse around [0, 1]: ``2 exp(2 a sinh(eta / 2)) rho^(1 - 2 n) / (rho - 1)``,
+# - interpolation in an equally spaced table of step h by polynomials of degree 11, by Bernstein's inequality:
+#   ``(2 h)^12 max(abs(omega)) / (2 * 12!)``.
 #
 # For light ``sum_m F_m(r) exp(i m phi)`` each order m is treated separately. A disc is symmetric about the line from
 # the axis to its centre; the mean of an order over the disc is therefore of the same order. Along a line through the
@@ -57,7 +58,7 @@ _OMEGA = math.prod(k + 0.5 for k in range(HALF)) ** 2 / math.factorial(2 * HALF)
 _DENOMINATORS = np.array([math.prod(k - j for j in range(2 * HALF) if j != k) for k in range(2 * HALF)], np.float64)
 _MAX_STEP = 0.5  # largest step of a table in v
 ETA = np.geomspace(0.02, 12.0, 96)  # logarithms of the parameters of Bernstein's ellipses; each one gives a bound
-_DISC_ROUNDING = 2.0**-46  # rounding error of sums of some thousand products, with weights of sum a few units
+_DISC_ROUNDING = 2.0**-46  # rounding error of sums of some thousand products, with a sum of weights of a few units
 
 
 Values = NDArray[np.float64] | NDArray[np.complex128]  # values of azimuthal orders; real if there is only order 0

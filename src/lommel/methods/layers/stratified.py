@@ -27,7 +27,7 @@ from lommel.optics.layers.stratified import Layers
 
 # Fractions of the tolerance: errors of fields / square root of the peak, errors of interpolation / peak.
 _FIELD_SHARE, _INTERPOLATION_SHARE = 1.0 / 32.0, 1.0 / 8.0
-_LEAST = 2.0**-52  # smallest error that is requested: a rounding error
+_LEAST = 2.0**-52  # smallest requested error, a rounding error
 _MAX_ORDER = 2  # highest azimuthal order that the core supports
 
 T = TypeVar("T")

@@ -50,7 +50,8 @@ class ClosedForm(FieldMethod[Pupil]):
     tangent : float, default 100
         Centre of the tangent line of Eq. (9), as a value of the argument ``2 pi k R`` of the Bessel function.
     erf : Erf, default FresnelErf()
-        `AbramowitzErf` (Eq. 14), `TableErf` (the lookup table the paper proposes) or `FresnelErf` (exact).
+        `AbramowitzErf` (Eq. 14), `TableErf` (the lookup table that the paper proposes) or `FresnelErf` (exact to
+        about 1e-13).
     transition : float, default 1
         Argument at which the asymptotic form (7) replaces the power series (6).
     terms : int, default 3

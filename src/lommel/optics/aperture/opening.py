@@ -75,7 +75,7 @@ def degree_needed(
     ``M(b) = exp(sum_j W_j sinh(n_j b) + v sinh(b) + a(cosh 2 b))``, b > 0 the size of the complex neighbourhood and
     a the growth of the amplitude A, :meth:`lommel.Apodization.growth`. A rule with positive weights that is exact to
     degree E has an error of U of at most ``2 sum_{n > E} (n + 1)^1.5 M(b) (1 + e^{-2 b}) e^{-n b}``; the best b is
-    used. A relative error of the rule itself adds this error, and the product of both errors.
+    used. A relative error r of the rule increases an error e of U to ``e + r + r e``.
 
     Parameters
     ----------
@@ -256,7 +256,7 @@ class Opening:
         return _rows(self, -(-degree // _STEP) * _STEP, math.floor(math.log10(error)))
 
     def raster(self) -> Array:
-        """Return points that fill the clear region up to its edges, with slopes of segments there, (4, n)."""
+        """Return points that fill the clear region up to its edges, with slopes of segments at the points, (4, n)."""
         return _raster(self)
 
 

@@ -62,24 +62,24 @@ class Shape:
     def parts(self) -> tuple[Shape, ...]:
         """Discs, ellipses and polygons that compose the shape."""
         parts: list[Shape] = []
-        self._listed(parts, [])
+        self._append_to(parts, [])
         return tuple(parts)
 
     def moved(self, x: float, y: float) -> Shape:
         """Return the shape shifted by (`x`, `y`); TypeError or ValueError if they are not finite."""
-        return self._moved(validation.real("x", x), validation.real("y", y))
+        return self._translate(validation.real("x", x), validation.real("y", y))
 
     def turned(self, angle: float) -> Shape:
         """Return the shape rotated about the axis by an `angle`, radians from x to y; TypeError or ValueError."""
-        return self._turned(validation.real("angle", angle))
+        return self._rotate(validation.real("angle", angle))
 
-    def _moved(self, x: float, y: float) -> Shape:
+    def _translate(self, x: float, y: float) -> Shape:
         raise NotImplementedError
 
-    def _turned(self, angle: float) -> Shape:
+    def _rotate(self, angle: float) -> Shape:
         raise NotImplementedError
 
-    def _listed(self, parts: list[Shape], steps: list[int]) -> None:
+    def _append_to(self, parts: list[Shape], steps: list[int]) -> None:
         """Append the ellipses and polygons of the shape to `parts`, and the postfix operations to `steps`."""
         steps.append(len(parts))
         parts.append(self)
@@ -195,7 +195,7 @@ def covered(region: Shape, x: Array, y: Array, half: float) -> Array:
         Half of the side of the cells.
     """
     parts: list[Shape] = []
-    region._listed(parts, [])
+    region._append_to(parts, [])
     # Computation in bands of cells limits the memory.
     if x.size * len(parts) > _MAX_CELL_PARTS and x.size > 1:
         pieces = -(-x.size * len(parts) // _MAX_CELL_PARTS)
@@ -225,7 +225,7 @@ def listed(region: Shape) -> Listed:
     """Return a region in the layout of the compiled core."""
     parts: list[Shape] = []
     steps: list[int] = []
-    region._listed(parts, steps)
+    region._append_to(parts, steps)
     ellipses = [
         (*part.center, part.radius, part.radius, 0.0)
         if isinstance(part, Disc)
@@ -244,7 +244,7 @@ def _point(name: str, value: ArrayLike) -> tuple[float, float]:
     return x, y
 
 
-def _rotated(point: tuple[float, float], angle: float) -> tuple[float, float]:
+def _rotate_point(point: tuple[float, float], angle: float) -> tuple[float, float]:
     c, s = math.cos(angle), math.sin(angle)
     return c * point[0] - s * point[1], s * point[0] + c * point[1]
 
@@ -266,19 +266,19 @@ class Combined(Shape):
         """Return points along the edges of both shapes."""
         return self.first.outline(points) + self.second.outline(points)
 
-    def _moved(self, x: float, y: float) -> Shape:
-        return Combined(self.kind, self.first._moved(x, y), self.second._moved(x, y))
+    def _translate(self, x: float, y: float) -> Shape:
+        return Combined(self.kind, self.first._translate(x, y), self.second._translate(x, y))
 
-    def _turned(self, angle: float) -> Shape:
-        return Combined(self.kind, self.first._turned(angle), self.second._turned(angle))
+    def _rotate(self, angle: float) -> Shape:
+        return Combined(self.kind, self.first._rotate(angle), self.second._rotate(angle))
 
     def to_dict(self) -> Json:
         """Return both shapes in plain types."""
         return {"name": self.kind, "first": self.first.to_dict(), "second": self.second.to_dict()}
 
-    def _listed(self, parts: list[Shape], steps: list[int]) -> None:
-        self.first._listed(parts, steps)
-        self.second._listed(parts, steps)
+    def _append_to(self, parts: list[Shape], steps: list[int]) -> None:
+        self.first._append_to(parts, steps)
+        self.second._append_to(parts, steps)
         steps.append(_STEPS[self.kind])
 
 
@@ -326,11 +326,11 @@ class Ellipse(Shape):
         u, v, c, s = self.a * np.cos(t), self.b * np.sin(t), math.cos(self.angle), math.sin(self.angle)
         return [np.stack([self.center[0] + c * u - s * v, self.center[1] + s * u + c * v], axis=-1)]
 
-    def _moved(self, x: float, y: float) -> Shape:
+    def _translate(self, x: float, y: float) -> Shape:
         return Ellipse(self.a, self.b, self.angle, (self.center[0] + x, self.center[1] + y))
 
-    def _turned(self, angle: float) -> Shape:
-        return Ellipse(self.a, self.b, self.angle + angle, _rotated(self.center, angle))
+    def _rotate(self, angle: float) -> Shape:
+        return Ellipse(self.a, self.b, self.angle + angle, _rotate_point(self.center, angle))
 
     def to_dict(self) -> Json:
         """Return the ellipse in plain types, with its name."""
@@ -371,11 +371,11 @@ class Disc(Shape):
         t = np.arange(points) * (2.0 * math.pi / points)
         return [np.array(self.center) + self.radius * np.stack([np.cos(t), np.sin(t)], axis=-1)]
 
-    def _moved(self, x: float, y: float) -> Shape:
+    def _translate(self, x: float, y: float) -> Shape:
         return Disc(self.radius, (self.center[0] + x, self.center[1] + y))
 
-    def _turned(self, angle: float) -> Shape:
-        return Disc(self.radius, _rotated(self.center, angle))
+    def _rotate(self, angle: float) -> Shape:
+        return Disc(self.radius, _rotate_point(self.center, angle))
 
     def to_dict(self) -> Json:
         """Return the disc in plain types, with its name."""
@@ -469,7 +469,7 @@ class Polygon(Shape):
         # A square of half-width 4 extends beyond the aperture for every offset: only one side of the square crosses
         # the aperture.
         corners = ((at, -4.0), (at, 4.0), (-4.0, 4.0), (-4.0, -4.0))
-        return cls(tuple(_rotated(corner, turn) for corner in corners))
+        return cls(tuple(_rotate_point(corner, turn) for corner in corners))
 
     @property
     def center(self) -> tuple[float, float]:
@@ -493,11 +493,11 @@ class Polygon(Shape):
         t = np.linspace(0.0, 1.0, max(2, points // len(at)), endpoint=False)[:, None, None]
         return [(at + t * (np.roll(at, -1, axis=0) - at)).reshape(-1, 2)]
 
-    def _moved(self, x: float, y: float) -> Shape:
+    def _translate(self, x: float, y: float) -> Shape:
         return Polygon(tuple((u + x, v + y) for u, v in self.corners))
 
-    def _turned(self, angle: float) -> Shape:
-        return Polygon(tuple(_rotated(corner, angle) for corner in self.corners))
+    def _rotate(self, angle: float) -> Shape:
+        return Polygon(tuple(_rotate_point(corner, angle) for corner in self.corners))
 
     def to_dict(self) -> Json:
         """Return the polygon in plain types, with its name."""
@@ -569,10 +569,10 @@ class Spider(Shape):
         """Return points along the edges."""
         return [line for vane in self.vanes() for line in vane.outline(points)]
 
-    def _moved(self, x: float, y: float) -> Shape:
-        return reduce(or_, self.vanes())._moved(x, y)
+    def _translate(self, x: float, y: float) -> Shape:
+        return reduce(or_, self.vanes())._translate(x, y)
 
-    def _turned(self, angle: float) -> Shape:
+    def _rotate(self, angle: float) -> Shape:
         return Spider(self.width, tuple(each + angle for each in self.angles))
 
     def to_dict(self) -> Json:
@@ -584,9 +584,9 @@ class Spider(Shape):
         """Rebuild a spider from a `description` by :meth:`to_dict`, with or without its name."""
         return cls(**{name: value for name, value in description.items() if name != "name"})
 
-    def _listed(self, parts: list[Shape], steps: list[int]) -> None:
+    def _append_to(self, parts: list[Shape], steps: list[int]) -> None:
         for i, vane in enumerate(self.vanes()):
-            vane._listed(parts, steps)
+            vane._append_to(parts, steps)
             steps += [_EITHER] if i else []
 
 
@@ -636,14 +636,14 @@ class CatEye(Shape):
         """Return points along the edge of the second circle."""
         return self.disc.outline(points)
 
-    def _moved(self, x: float, y: float) -> Shape:
-        return self.disc._moved(x, y)  # a Disc, since the circle of a cat's eye must overlap the aperture
+    def _translate(self, x: float, y: float) -> Shape:
+        return self.disc._translate(x, y)  # a Disc, since the circle of a cat's eye must overlap the aperture
 
-    def _turned(self, angle: float) -> Shape:
-        return CatEye(_rotated(self.shift, angle), self.radius)
+    def _rotate(self, angle: float) -> Shape:
+        return CatEye(_rotate_point(self.shift, angle), self.radius)
 
-    def _listed(self, parts: list[Shape], steps: list[int]) -> None:
-        self.disc._listed(parts, steps)
+    def _append_to(self, parts: list[Shape], steps: list[int]) -> None:
+        self.disc._append_to(parts, steps)
 
     def to_dict(self) -> Json:
         """Return the circle in plain types, with its name."""

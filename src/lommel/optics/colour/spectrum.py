@@ -110,7 +110,7 @@ _MAX_BLOCK = 2**20  # largest number of complex values computed in one call
 _SLACK = 0.1  # bound on the increase of |E| between the sampled values of L, as a fraction of the tolerance
 
 
-def few(wavelengths: Array, curves: Array, paths: float, tol: float) -> tuple[Array, Array, float]:
+def fit_wavelengths(wavelengths: Array, curves: Array, paths: float, tol: float) -> tuple[Array, Array, float]:
     """Return wavelengths, weights of each channel (sum 1), and a bound on the PSF error of this sampling.
 
     `wavelengths` (n,) and `curves` (channels, n) are measured responses, and `paths` is the largest optical path
@@ -187,7 +187,7 @@ def _fit_weights(waves: Array, exact: Array, nodes: Array, mean_square: float) -
     """
     from scipy.optimize import nnls
 
-    # A few paths for each unknown suffice for the fit; `few` computes the error at all paths.
+    # A few paths for each unknown suffice for the fit; `fit_wavelengths` computes the error at all paths.
     sampled = waves[:: max(1, len(waves) // (8 * nodes.size + 32))]
     target = exact[:: max(1, len(waves) // (8 * nodes.size + 32))]
     scale = mean_square / nodes**2  # ratio of u_k to the weight of a node
@@ -398,7 +398,7 @@ class Channels:
                 f"curves must be of shape (channels, {waves.size}), with light in every channel, "
                 f"got {validation.shown(curves)}"
             )
-        nodes, weights, error = few(waves, light / light.max(), *checked_paths(paths, tol))
+        nodes, weights, error = fit_wavelengths(waves, light / light.max(), *checked_paths(paths, tol))
         channels = cls(tuple(nodes.tolist()), weights * np.trapezoid(light, waves, axis=1).reshape(-1, 1), names)
         vars(channels).update(error=error, paths=float(paths))
         return channels

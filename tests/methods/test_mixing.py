@@ -7,7 +7,7 @@ import pytest
 
 import lommel as lm
 from lommel.core.answers import Intensities, ToleranceError
-from lommel.methods.polychromatic import Polychromatic, mixed
+from lommel.methods.polychromatic import Polychromatic, sum_wavelengths
 from lommel.optics.colour.spectrum import Component
 
 KEPT, LOOSE = Polychromatic([5e-7]), Polychromatic([5e-7], method=lm.Hankel(1e-6))
@@ -33,7 +33,7 @@ def parts_of(error):
 @pytest.mark.parametrize("window", [False, True])
 def test_sums_and_bounds_are_those_written_out(window):
     ask, asked = parts_of(lambda k, tol: (k + 1) * 1e-6)
-    found = mixed(PARTS, SHARES, ask, KEPT, 1.0, window)
+    found = sum_wavelengths(PARTS, SHARES, ask, KEPT, 1.0, window)
     assert len(asked) == 3
     for row, made in zip(SHARES, found, strict=True):
         weights = row * np.array([part.stretch**2 for part in PARTS])
@@ -48,7 +48,7 @@ def test_sums_and_bounds_are_those_written_out(window):
 
 def test_parts_are_asked_for_more_until_every_sum_is_exact_enough():
     ask, asked = parts_of(lambda k, tol: 5.0 * tol if k == 0 else 1e-3 * tol)
-    found = mixed(PARTS, SHARES, ask, KEPT, 1e-6)
+    found = sum_wavelengths(PARTS, SHARES, ask, KEPT, 1e-6)
     assert max(made.error.max() for made in found) <= 1e-6
     assert asked[0] == 1e-6 > asked[-1]
 
@@ -56,15 +56,15 @@ def test_parts_are_asked_for_more_until_every_sum_is_exact_enough():
 def test_what_cannot_be_kept_is_told():
     ask, _ = parts_of(lambda k, tol: max(tol, 1e-5))
     with pytest.raises(ToleranceError, match="tol=1e-06 cannot be met"):
-        mixed(PARTS, SHARES, ask, KEPT, 1e-6)
-    kept_by_nobody = mixed(PARTS, SHARES, ask, LOOSE, 1e-6)
+        sum_wavelengths(PARTS, SHARES, ask, KEPT, 1e-6)
+    kept_by_nobody = sum_wavelengths(PARTS, SHARES, ask, LOOSE, 1e-6)
     assert kept_by_nobody[2].error.max() > 1e-6
 
     def refusing(part, tol):
         raise ToleranceError("too much")
 
     with pytest.raises(ToleranceError, match=r"by a sum over wavelengths, .* each be accurate to 1e-06"):
-        mixed(PARTS, SHARES, refusing, KEPT, 1e-6)
+        sum_wavelengths(PARTS, SHARES, refusing, KEPT, 1e-6)
 
 
 def test_a_part_without_a_bound_leaves_its_sums_without_one():
@@ -72,5 +72,5 @@ def test_a_part_without_a_bound_leaves_its_sums_without_one():
         k = PARTS.index(part)
         return Intensities(VALUES[k], None if k == 1 else np.full(2, 1e-9), None if k == 1 else PEAKS[k])
 
-    found = mixed(PARTS, SHARES, ask, KEPT, 1e-6)
+    found = sum_wavelengths(PARTS, SHARES, ask, KEPT, 1e-6)
     assert [made.error is None for made in found] == [True, True, False]

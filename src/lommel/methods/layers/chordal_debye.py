@@ -161,15 +161,11 @@ class ChordalDebye(AberratedMethod):
         return Images(out, scales, stored(relative, wanted.dtype), None, least), values[1:], error[1:], largest[1:]
 
     def _prove(
-        self,
-        pupil: ObjectivePupil,
-        tol: float,
-        wanted: Wanted,
-        compute: Callable[[float], tuple[_Result, Array, Array]],
+        self, pupil: ObjectivePupil, tol: float, wanted: Wanted, run: Callable[[float], tuple[_Result, Array, Array]]
     ) -> tuple[_Result, Array, Array]:
         """Return the result from fields accurate enough for `tol`, the largest I, and the error relative to it.
 
-        `compute` returns the result, the largest I and the absolute error of I, for a required error of fields.
+        `run` returns the result, the largest I and the absolute error of I, for a required error of fields.
         Raises ToleranceError if `tol` cannot be met.
         """
         # Division by the computed peak doubles the error, and adds a second rounding error.
@@ -180,7 +176,7 @@ class ChordalDebye(AberratedMethod):
         peak = likely_peak(pupil) / 4.0
         while True:
             field = max(LEAST, 2.0 ** math.floor(math.log2(aim * math.sqrt(peak) / 6.0)))
-            result, top, error = compute(field)
+            result, top, error = run(field)
             least = top - error
             relative: Array = np.where(least > 0.0, error / np.where(least > 0.0, least, 1.0), np.inf)
             if wanted.scale is None:

@@ -107,19 +107,14 @@ def engine_slopes(
     by: Sequence[By],
     tol: float,
     wanted: Wanted,
-    compute_images: Callable[[], Images] | None,
+    compute: Callable[[], Images] | None,
 ) -> Images | None:
     """Return images and derivatives by the engine, or None if it does not support the window."""
     # Derivatives have bounds but no tolerance. If rounding prevents the tolerance of the images, a larger one is used
-    # for the derivatives; the images are then computed by `compute_images` or, if this is None, with the larger
-    # tolerance.
+    # for the derivatives; the images are then computed by `compute` or, if this is None, with the larger tolerance.
     for loosening in (1.0, 10.0, 100.0, 1000.0):
         if (result := differentiated(pupil, grid, by, loosening * tol, wanted)) is not None:
-            return (
-                result
-                if loosening == 1.0 or compute_images is None
-                else compute_images()._replace(slopes=result.slopes)
-            )
+            return result if loosening == 1.0 or compute is None else compute()._replace(slopes=result.slopes)
     return None
 
 
@@ -128,10 +123,8 @@ def _by_engine(
 ) -> Images:
     """Return samples by Stratified, and derivatives, divided by the divisors in `each`."""
     by = [one._replace(factor=one.factor / divisor, own=np.asarray(one.own) / divisor) for one, divisor in each]
-    stratified = Stratified(max(tol, Stratified.least_tol))
-    result = engine_slopes(
-        pupil, grid, by, stratified.tol, wanted, lambda: stratified._samples(pupil, grid, tol, wanted)
-    )
+    method = Stratified(max(tol, Stratified.least_tol))
+    result = engine_slopes(pupil, grid, by, method.tol, wanted, lambda: method._samples(pupil, grid, tol, wanted))
     if result is None:
         raise Declined(
             "derivatives of light that depends on the azimuth are available in windows up to "
@@ -292,11 +285,9 @@ def _radial(
     method: Method, pupil: ObjectivePupil, grid: Grid, kinds: list[str], by: Sequence[By], wanted: Wanted, axis: bool
 ) -> Images:
     """Return images and the derivatives that the engine supports in this window."""
-    for requested in ([*by, By(engine.BY_AXIS)], by) if axis else (by,):
-        if requested:
-            result = engine_slopes(
-                pupil, grid, requested, method.tol, wanted, lambda: method.images(pupil, grid, wanted)
-            )
+    for rates in ([*by, By(engine.BY_AXIS)], by) if axis else (by,):
+        if rates:
+            result = engine_slopes(pupil, grid, rates, method.tol, wanted, lambda: method.images(pupil, grid, wanted))
             if result is not None:
                 return result
     if kinds:

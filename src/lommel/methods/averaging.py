@@ -172,7 +172,7 @@ def pixel_averages(
     try:
         return _averages_at_spacing(sample, pupil, grid, tol, wanted, band, _FIRST_SPACING, gradients=gradients)
     except ToleranceError:
-        # A filter for a wider spacing is longer, and adds errors of bright light outside a dark window.
+        # The filter for the first, wider spacing is longer, and adds errors of bright light outside a dark window.
         return _averages_at_spacing(sample, pupil, grid, tol, wanted, band, _RETRY_SPACING, gradients=gradients)
 
 
@@ -187,8 +187,7 @@ def _averages_at_spacing(
     *,
     gradients: bool,
 ) -> Averages:
-    # For light of twice the bandwidth the filter is that for twice the pitch. `ceiling` bounds the integral of
-    # abs(OTF).
+    # Light of twice the bandwidth requires the filter for twice the pitch; `ceiling` bounds int abs(OTF).
     bandwidth, ceiling = (1.0, pupil.amplitude**2) if band is None else band
     step, normalize = bandwidth * grid.step(pupil), wanted.scale is None
     lowest = least_average(step)
@@ -201,7 +200,7 @@ def _averages_at_spacing(
             1.0,
             err_response * 2.0 ** math.floor(math.log2(_MEAN_FACTOR * ceiling * pupil.likely_strehl)),
         )
-    # Five attempts: each divides the allowed errors of samples and filter by the ratio of the last bound to `tol`.
+    # Five attempts: each reduces the allowed errors of samples and filter by the factors by which they were exceeded.
     for _ in range(5):
         taps, slope = _choose_filters(step, err_response, widest, grid.shape, gradients=gradients, in_disc=in_disc)
         tol_samples = err_samples / taps.gain**2
@@ -239,8 +238,8 @@ def _averages_at_spacing(
         too_large = float((err_given[0] / peak).max()) / (0.5 * tol_stored)
         # If only the filter is too inaccurate, keep the tolerance of samples: a smaller tolerance may fail.
         if too_large > 1.0 and err_samples >= _SINGLE_TOL * taps.gain**2:
-            # Errors in single precision do not predict errors in double precision: the next tolerance is just below
-            # the limit of single precision.
+            # Errors in single precision do not predict errors in double precision: the next tolerance is at the
+            # limit.
             err_samples = 0.9 * _SINGLE_TOL
         elif too_large > 1.0:
             err_samples /= too_large

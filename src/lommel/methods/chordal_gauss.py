@@ -144,7 +144,7 @@ class ChordalGauss(Method[Pupil]):
         return averaged_gradient(gradient_of_samples, pupil, grid, self.tol, weights)
 
 
-_MAX_SAMPLED_V = 90.0  # largest v of samples for averages (estimate): NijboerZernike is faster for larger windows
+_MAX_SAMPLED_V = 90.0  # largest estimated v at which far pixels start; beyond it NijboerZernike is faster
 
 
 class ChordalIfCheaper(ChordalGauss):

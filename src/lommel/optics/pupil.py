@@ -166,7 +166,7 @@ class Pupil(BasePupil):
 
     @property
     def period(self) -> float:
-        """Period of the image along x and y in units of lambda*N: the samples per side of a mask, or infinity."""
+        """Period of the image along x and y, in lambda*N: samples per side of a sampled mask, or infinity."""
         return math.inf if self.mask is None or self.mask.squares else float(self.mask.side)
 
     def _integral(self, power: float) -> float:

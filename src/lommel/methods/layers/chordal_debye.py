@@ -224,7 +224,8 @@ class ChordalDebye(AberratedMethod):
         return averaged_gradient(gradient_of_samples, pupil, grid, self.tol, weights)
 
 
-# Groups of planes: largest distance of their axes, and side of the cells of larger groups; units: window sides.
+# Planes with neighbouring axes share a group: largest extent of the axes, and side of the cells that divide larger
+# extents, both in units of the side of the window.
 _MAX_SPREAD, _CELL = 0.2, 0.15
 
 

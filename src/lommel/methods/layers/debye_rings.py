@@ -41,7 +41,7 @@ _ROUNDING = 2.0**-53
 
 
 class Accuracy(NamedTuple):
-    """Allowed errors: of fields, of I by interpolation between circles, and around circles (relative to I)."""
+    """Allowed errors: of fields, of I interpolated between circles, and of I interpolated around circles / I."""
 
     field: float
     between: float

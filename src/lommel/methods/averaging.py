@@ -72,11 +72,12 @@ def fit_taps(response: Function, wave: Function, x: Pixels, *, in_disc: bool = F
     rounding = 2.0**-52 * (x.size + 3) * gain
     # Up to 1e-17 the error is a polynomial in w, and at most sqrt(2) times its maximum at Chebyshev nodes, whose
     # number is twice the degree.
-    most = math.sqrt(2.0) * (float(np.abs(basis @ c - target).max()) + rounding) + 1e-17
+    highest = math.sqrt(2.0) * (float(np.abs(basis @ c - target).max()) + rounding) + 1e-17
     if in_disc:
-        # If both responses, along y and x, have the mean error m, their product has the mean error m (2 + `most`).
-        return c, (1.0 + 0.5 * most) * (float(np.linalg.norm(design @ c - rhs)) + 2.0 * rounding + 1e-17), gain
-    return c, most, gain
+        # If both responses, along y and x, have the mean error m, their product has the mean error m (2 + `highest`).
+        mean_error = (1.0 + 0.5 * highest) * (float(np.linalg.norm(design @ c - rhs)) + 2.0 * rounding + 1e-17)
+        return c, mean_error, gain
+    return c, highest, gain
 
 
 def pair_stride(step: float, error: float, across: int, sides: tuple[int, ...], *, in_disc: bool = False) -> int:
@@ -313,8 +314,8 @@ def _near_and_far(
 ) -> Averages | None:
     """Return averages, far pixels in closed form; None if this is slower or does not meet the tolerance."""
     step = grid.step(pupil)
-    most = largest_far_start(step, grid.shape)
-    if wanted.terms or wanted.powers or most == 0.0:
+    far_limit = largest_far_start(step, grid.shape)
+    if wanted.terms or wanted.powers or far_limit == 0.0:
         return None
     allowed = error_before_storing(tol, wanted)
     if allowed <= 0.0:
@@ -322,7 +323,7 @@ def _near_and_far(
     tol_far = _FAR_FRACTION * allowed
     for _ in range(3):
         try:
-            outer = far(pupil, grid, most, tol_far, wanted.threads)
+            outer = far(pupil, grid, far_limit, tol_far, wanted.threads)
             inside = [
                 slice(
                     max(0, math.floor((axis - outer.nearest).min())),
@@ -462,17 +463,17 @@ def _shortest_filter(
     step: float,
     error: float,
     widest: float,
-    most: float,
+    max_gain: float,
     *,
     in_disc: bool = False,
 ) -> Taps:
-    """Return the shortest filter of at most this `error` and gain `most`, else the longest filter of the search."""
+    """Return the shortest filter with at most this `error` and gain `max_gain`, else the longest filter tried."""
     stride = samples_across(step, widest)
     half, odd = _half_length(step, error, 2 * stride, in_disc=True) if in_disc else stride // 2 + 2, wave is np.sin
     while True:
         c, reached, gain = fit_taps(response, wave, step / stride * np.arange(half + 1), in_disc=in_disc)
         # A filter with too few samples beyond the edges of a pixel may have large weights, which magnify errors.
-        if (reached <= error and gain <= most) or half > stride + 60:
+        if (reached <= error and gain <= max_gain) or half > stride + 60:
             # Sine filters are odd: weights before the centre have the opposite sign.
             return Taps(stride, np.concatenate([-c[:0:-1] if odd else c[:0:-1], c]), reached, gain)
         half += 1 + half // 16 * in_disc

@@ -198,7 +198,7 @@ TERMS_BY_CHORDS = (
 )
 LAYERED = (Stratified, DebyeRings, ChordalDebye)  # methods with derivatives
 _AXIS = ("row", "column")  # derivatives by the position of the axis
-_OWN = ("z", "depth", "wavelength")  # other derivatives that only the pupils of objectives have
+_OWN = ("z", "depth", "wavelength")  # derivatives by parameters of the planes and of the light
 
 
 def layered_slopes(

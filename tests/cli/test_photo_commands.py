@@ -46,7 +46,7 @@ BAD = [
     (f"{PULL} --focus 0m --focus-to 2m -o f.gif", "--focus must be > 0 metres"),
     (f"{PULL} --focus 1m --focus-to 2m -o no/f%03d.png", "No such file or directory"),
     (f"{BLUR} lens.toml -o out.bmp", "--output must end in .png, .jpg, .jpeg, .tif, .tiff, .exr for a photograph"),
-    ("blur alpha.png depth.npy lens.toml -o out.png", "it has alpha, and is not opaque everywhere; put it on"),
+    ("blur alpha.png depth.npy lens.toml -o out.png", "it has alpha that is not opaque everywhere; put it on"),
     ("blur lens.toml depth.npy lens.toml -o out.png", "lens.toml is not a PNG, JPEG, TIFF, EXR, WEBP, BMP"),
     ("blur photo.png small.npy lens.toml -o out.png", "must have the size of the upright photo, 36 x 30, got"),
     ("blur photo.png depth.png lens.toml -o out.png", "depth.png is an integer image; give the scale, e.g."),

@@ -642,7 +642,7 @@ def test_blur_goes_with_a_lens_and_its_own_search():
         with pytest.raises(ValueError, match="blur must be False, or also 'center'"):
             lm.retrieve(images, lm.Pupil(), blur=True, **known, **wrong)
     oil = lm.Objective(NA=1.3, magnification=63, immersion=1.518, sample=1.33).pupil(depth=0.0, wavelength=6e-7)
-    with pytest.raises(TypeError, match="pupil must be a Pupil, got that of an Objective"):
+    with pytest.raises(TypeError, match="pupil must be a Pupil, got the pupil of an Objective"):
         lm.retrieve(images, oil, pixel=6.5e-6, noise=NOISE)
 
 

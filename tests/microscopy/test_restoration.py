@@ -506,7 +506,7 @@ def test_a_misfit_is_one_of_the_psf_where_another_one_is_better(monkeypatch, dee
     monkeypatch.setattr("lommel.microscopy.restoration.rank_alternatives", lambda *_, **__: found)
     way = lm.imaging.RichardsonLucy(target=1.0)
     sizes = {"pixel": PIXEL, "step": STEP, "wavelength": WAVE}
-    monkeypatch.setattr(restoration.HeldOut, "plain", True)
+    monkeypatch.setattr(restoration.HeldOut, "is_uniform", True)
     made = quick(deep, direction="down", method=way, diagnosis=True, **sizes)
     assert made.channels[0].stopped == "misfit"
     finding = made.findings.get("misfit")

@@ -142,7 +142,7 @@ def test_what_cannot_be_drawn_is_refused():
         lm.Pupil().plot(what="psf")
     with pytest.raises(ValueError, match="unit must be one of 'waves', 'radians', got 'nm'"):
         WAVEFRONT.plot(unit="nm")
-    with pytest.raises(ValueError, match='unit="nm" needs a wavelength'):
+    with pytest.raises(ValueError, match='unit="nm" needs a pupil with a wavelength'):
         lm.Pupil().plot(unit="nm")
     with pytest.raises(ValueError, match=r"at most 64 pictures can be drawn, got a stack of shape \(65,\)"):
         lm.Pupil(lm.Wavefront(np.arange(65.0))).plot()

@@ -130,7 +130,7 @@ def test_each_kind_of_pupil_has_its_methods():
         lm.psf(lm.Pupil(), 5, 0.5, normalize="emitted")
     with pytest.raises(TypeError, match=r"objective\.pupil\(depth"):
         lm.psf(OIL, 5, 0.5)
-    with pytest.raises(TypeError, match="that of an Objective"):
+    with pytest.raises(TypeError, match="the pupil of an Objective"):
         lm.strehl(microscope)
 
 

@@ -45,7 +45,7 @@ inline std::size_t bessel_start(double v, std::size_t count) {
 }
 
 // J_0(v) .. J_{count-1}(v) for v >= 0, with an absolute error of a few units of 2^-53. If count <= rising(v): upward recurrence
-// from J_0 and J_1. Otherwise, for v < 1e-3: power series; for larger v: Miller's backward recurrence (DLMF 3.6(vi)) from the order
+// from J_0 and J_1. Otherwise, for small v: power series; for larger v: Miller's backward recurrence (DLMF 3.6(vi)) from the order
 // bessel_start(v, count), normalised by J_0 + 2 (J_2 + J_4 + ...) = 1 (DLMF 10.12.4).
 inline void bessel_sequence(double v, std::size_t count, double* out) {
     if (count == 0) {

@@ -57,8 +57,9 @@ class WindowNodes {
 
    private:
     // Waves cos(w x) (index 0) and sin(w x) (index 1) of several frequencies w; those of frequency i are multiplied by factor(i).
-    // nodes[index][frequency, node]: twice the wave at a node x > 0, as the node -x has the same weight for cosines and minus this
-    // weight for sines. pixels[index][frequency, pixel]: average over a pixel, which a weighted sum over nodes shall equal.
+    // nodes[index][frequency, node]: twice the wave at a node x > 0, for the nodes x and -x together: a pixel's weights are split
+    // into a part even in x, which multiplies cosines, and an odd part, which multiplies sines. pixels[index][frequency, pixel]:
+    // average of the wave over a pixel, which a weighted sum over nodes shall equal.
     struct Waves {
         std::vector<double> nodes[2], pixels[2];
     };

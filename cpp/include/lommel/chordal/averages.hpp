@@ -23,9 +23,9 @@ struct PixelNodes {
     double *largest, *together;  // results, [pupil]: largest pixel average; sum of all pixel averages
 };
 
-// Return PixelNodes with these pointers; `places` (rows, columns), given relative to the window's middle, become relative to the
-// axis. In each direction, if the axis is within `near` pixels of the middle, the middle becomes the axis, and a tilt of the pupils
-// keeps the image where it is: nodes at opposite distances from the axis then share their sums.
+// Return PixelNodes with the pointers given; `places` (rows, columns), given relative to the window's middle, become relative to
+// the axis. In each direction, if the axis is within `near` pixels of the middle, the middle becomes the axis, and a tilt of the
+// pupils keeps the image where it is: nodes at opposite distances from the axis then share their sums.
 inline PixelNodes nodes_about_axis(DiskStack& stack, const DiskWindow& window, const std::array<std::vector<double>, 2>& places,
                                    const std::array<const double*, 2>& weights, double* averages, double* largest,
                                    double* together) {

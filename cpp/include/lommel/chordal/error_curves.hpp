@@ -1,5 +1,6 @@
 // Error bounds of quadrature along chords of the pupil, for a stack of pupils. They need a bound on the integrand on a complex
-// curve. The curve is chosen here; if that saves time, the integrand is sampled on it (docs/certificate.md, section 8).
+// curve. The curve is chosen here; samples of the integrand on it give a smaller bound, and are taken if that saves time
+// (docs/certificate.md, section 8).
 #pragma once
 
 #include <algorithm>

@@ -50,9 +50,10 @@ LOMMEL_INLINE void multiply_nodes(I, std::size_t within, const double* pupil, co
     }
 }
 
-// Transpose of place_field() for one field of a plane. The field's pupil function is linear in its parts (sum_series()). Add to
-// sums[part][re, im][node] the derivatives of the sum of (pupil function x G) by the values of each part, at the nodes of a pair of
-// chords. adjoint: adjoint field G at these nodes, its values `lanes` apart; room: working memory.
+// Transpose of place_field() for one field of a plane. The field's pupil function is linear in the parts of the amplitude series,
+// the sums over ranges of its terms (sum_series()). Add to sums[part][re, im][node] the derivative of the sum over nodes of
+// (pupil function x G) by the value of each part at each node of a pair of chords. adjoint: adjoint field G at these nodes, its
+// values `lanes` apart; room: working memory.
 inline void take_field(Level level, const NodeSeries& given, std::size_t plane, const FieldSet& set, std::size_t field,
                        const double* adjoint, std::size_t chord, std::size_t lanes, double* room, double* sums) {
     const std::size_t all = given.nodes(), within = given.count.half_nodes(), from = chord * within;

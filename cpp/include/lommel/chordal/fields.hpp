@@ -30,7 +30,7 @@ struct FieldShare {
 };
 
 // Pupil functions of a set of fields. series: index of their amplitude series; term: index of a Zernike term Z for a factor i Z,
-// negative for none; kind: first index of NodeSeries::waves, 0 for exp(i W), 1 for i W exp(i W) / largest (fold_waves()).
+// negative for none; kind: first index of NodeSeries::waves, 0 for exp(i W), 1 for i W exp(i W) / (bound on |W|).
 struct FieldSet {
     std::int32_t series, term, kind;
 };
@@ -179,8 +179,8 @@ inline Doubles all_parts(Level level, const NodeSeries& given, std::size_t serie
     return parts;
 }
 
-// Part of a field's pupil function with this `parity`: re[node], im[node]. own[p]: whether the plane's wave for this set, exp(i W)
-// or i W exp(i W) / largest (fold_waves()), has a nonzero part with parity p; parts: results of sum_series().
+// Part of a field's pupil function with this `parity`: re[node], im[node]. own[p]: whether the plane's wave for this set (of the
+// kind set.kind, see FieldSet) has a nonzero part with parity p; parts: results of sum_series().
 inline void field_nodes(Level level, const NodeSeries& given, std::size_t plane, const FieldSet& set, std::size_t field,
                         std::size_t parity, const std::array<bool, 4>& own, const double* parts, double* re, double* im) {
     const std::size_t nodes = given.nodes();
@@ -262,7 +262,7 @@ inline void place_field(Level level, const NodeSeries& given, std::size_t plane,
 }
 
 // [kind][wave][parity]: true if the part of the wave with this parity is nonzero. For a wavefront even in x or in y, two of four
-// parts vanish. kind: 0 for exp(i W), 1 for i W exp(i W) / largest (fold_waves()).
+// parts vanish. kind: 0 for exp(i W), 1 for i W exp(i W) / (bound on |W|), see fold_waves().
 using Parities = std::vector<std::array<bool, 4>>;
 
 inline Parities wave_parities(const NodeSeries& given) {
@@ -398,7 +398,7 @@ struct PlaneLight {
     const WindowAxis &rows, &columns;
     const double* parts;  // results of part_fields()
     const std::size_t* place;  // [set][field][parity]: index in `parts`
-    double *values, *largest;  // results from this plane on, [set][plane][row][column]; [set][plane][field]
+    double *values, *largest;  // results of node_light(), from this plane on
 
     // Return whether each field and its derivatives have parts of only one parity in y (odd = 1) or in x (odd = 2): then images are
     // symmetric.
@@ -439,7 +439,8 @@ struct PlaneLight {
         return count;
     }
     // Compute intensity and derivatives on row y of the quadrant given by `below` and `left`: light[set][column].
-    // there[column]: 1 if the pixel exists, else 0; squares[set][field][lane]: running maximum of |field|^2; first: working memory.
+    // there[column]: 1 if the pixel exists, else 0; squares[set][field][lane]: running maximum of |field|^2; first: memory for the
+    // field of set 0.
     template <class I>
     LOMMEL_INLINE void row(I, std::size_t y, bool below, bool left, const double* there, double* first, double* squares,
                            double* light) const {
@@ -518,7 +519,7 @@ struct PlaneLight {
     }
 };
 
-// As node_light(), for fields that have parts of all four parities: these parts are transformed together.
+// As node_light(), for waves with more than two nonzero parts on average: parts of all four parities are transformed together.
 inline void full_light(const NodeSeries& given, const DiskWindow& window, int threads, double* values, double* largest) {
     using Kernels = ChordKernels<double>;
     const Level level = processor_level();

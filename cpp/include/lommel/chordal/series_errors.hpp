@@ -20,8 +20,9 @@ struct SeriesSizes {
     std::size_t series, parts, curves;
     double *on_curves, *moduli;  // bounds on a complex curve, [series][part][curve]; on the real disk, [series][part]
 
-    // Compute on_curves and moduli. Half the number of chords (i = 0) or nodes (i = 1) that these require is
-    // needed[i] = min over curves of (log(largest on_curves) * rate[curve] + chosen[i][curve]).
+    // Compute on_curves and moduli, and half the number of chords (i = 0) or of nodes per chord (i = 1) that make the error small
+    // enough: needed[i] = min over curves of (log(largest on_curves) * rate[curve] + chosen[i][curve]). The error bound with n
+    // chords or nodes is on_curves * C * exp(-2 n b) on a curve: rate = 1 / (4 b), chosen = log(C / requested error) / (4 b).
     // ends[part]: index after the last term of a part; powers[term][curve]: bound on a term of coefficient 1.
     void sum(Level level, const std::complex<double>* coefficients, const std::vector<std::size_t>& ends, const double* powers,
              const double* rate, const double* chosen, double (&needed)[2]) const;
@@ -29,7 +30,9 @@ struct SeriesSizes {
     // Compute error bounds field_errors[set][plane][field]: sums over parts of shares[field][part] * e, with e the error of a part:
     // e = (min over curves of on_curves * chords[set][curve]) + (min over curves of on_curves * nodes[set][curve])
     //     + left[set] + rounding[set] * moduli + error.
-    // of[set]: index of the set's series, whose on_curves and moduli in the plane are taken.
+    // chords, nodes: error bounds of the sums over chords and over nodes if on_curves = 1; left: truncation error; rounding: error
+    // if moduli = 1; error: that of the amplitude series. of[set]: index of the set's series, whose on_curves and moduli in the
+    // plane are taken.
     void errors(const std::int32_t* of, std::size_t sets, std::size_t planes, const double* chords, const double* nodes,
                 const double* left, const double* rounding, const double* shares, std::size_t fields, double error,
                 double* field_errors) const;

@@ -42,8 +42,9 @@ struct ChordCount {
     }
 };
 
-// Nodes of a quadrature with N chords in the quadrant x, y > 0: x_i = cos(i pi / (N+1)), y = s_i eta_k, s_i = sqrt(1 - x_i^2). eta,
-// gauss: Gauss-Legendre nodes and weights. Weights increase with both indices, so that sums begin with the smallest terms.
+// Nodes, in the quadrant x, y > 0, of a quadrature with N chords of the whole disk: x_i = cos(i pi / (N+1)), i = 1 .. N/2, stored
+// at index i - 1; y = s_i eta_k, s_i = sqrt(1 - x_i^2). eta, gauss: positive Gauss-Legendre nodes and their weights. The weights of
+// the nodes increase with both indices, so that sums begin with the smallest terms.
 struct ChordRule {
     std::vector<wide> x, s, eta, gauss;
 

@@ -25,7 +25,7 @@ struct FocalTaps {
     float values[3];
 };
 
-// Buffers of the last rows of several images, filtered by T_m(2 B - 1) with the filter B of FocalTaps; each buffer is reused
+// Buffers of the most recent rows of several images, filtered by T_m(2 B - 1) with the filter B of FocalTaps; each buffer is reused
 // cyclically. margin: number of floats beyond each end of a row.
 class FocalRows {
    public:

@@ -292,7 +292,8 @@ class Compositor {
         std::size_t first[part_width], last[part_width];
     };
 
-    // Add the windows of a layer's points in a tile to `light` and, unless `known`, to `white`. Returns the box of pixels reached.
+    // Add the light of a layer's points in a tile, spread by their windows, to `light` (if there is an image) and, unless the
+    // visibility is `known`, their coverage (the light of a white scene) to `white`. Returns the box of pixels reached.
     Box spread(std::size_t row, std::size_t column, std::size_t layer, bool known, T* white, T* light) const {
         Box reached = Box::empty();
         dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {

@@ -25,8 +25,8 @@ struct FieldWindows {
 };
 
 // Source pixel (y, x) is image pixel (rows[y], columns[x]), so border extension needs no copy of the image. Splines give PSF
-// windows only at some columns, the "places", an odd number of them. The window of image column x is interpolated between places by
-// a parabola: the sum of the windows at the places 2 tiles[x] .. 2 tiles[x] + 2, times the weights shares[x][3].
+// windows only at some columns, the "places", an odd number of them. The window of image column c is interpolated between places by
+// a parabola: the sum of the windows at the places 2 tiles[c] .. 2 tiles[c] + 2, each times one of the weights shares[c][3].
 template <class T>
 struct FieldScene {
     const T *down, *places, *shares;  // spline weights: down[image row][node], places[place][node]; shares[column][3]

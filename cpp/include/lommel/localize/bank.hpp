@@ -117,9 +117,9 @@ class Localizer {
     Localizer(std::vector<Channel> channels, const Limits& limits, const std::vector<Place>& places, std::size_t layer)
         : channels_(std::move(channels)), limits_(limits), bank_(channels_, places, layer) {}
 
-    // Fit `count` molecules from one stack per channel. Each fit starts from the most similar template; if it is doubtful, further
-    // templates are tried, up to `starts` in all. offsets[molecule][channel][row, column]: offset of the channel's positions (see
-    // Channel); tilted: fit a linear background.
+    // Fit `count` molecules from one stack per channel. A fit starts from the most similar template. If its result is in_doubt(),
+    // fits from further templates are tried, up to `starts` in all. offsets[molecule][channel][row, column]: offset of the
+    // channel's positions (see Channel); tilted: fit a linear background.
     void fit(const std::vector<BoxStack>& stacks, const double* offsets, std::size_t count, int starts, bool tilted,
              int threads, Fitted* fitted) const;
 

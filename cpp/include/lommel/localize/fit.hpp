@@ -84,7 +84,7 @@ LOMMEL_INLINE double total(V v) {
 
 // Score, Fisher information and deviance for expected counts of photons x image + background + read variance. With 7 unknowns
 // the background has slopes. `images`: image and its derivatives; `ramps`: row and column of each pixel relative to the middle.
-// Sums are in float: the deviance is accurate to about 1e-7 of the electrons.
+// Sums are in float: the deviance is accurate to about 1e-7 of the number of electrons.
 template <std::size_t Unknown>
 inline void add_up(const float* images, const float* ramps, std::size_t pixels, const Counts& counts, const Light& light,
                    Sums& sums) {

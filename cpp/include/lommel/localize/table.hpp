@@ -175,7 +175,8 @@ class MoleculeImages {
         return piece;
     }
 
-    // Tap weights and their derivatives at `at` (pixels), with first_row or first_column as `first`; returns the first tap's index.
+    // Weights of the taps, and their derivatives by `at`, for a molecule at the row (or column) `at`, in pixels. first: first_row
+    // (or first_column). Returns the index of the first tap.
     std::size_t taps_at(double at, double first, Weights& weights) const {
         const double per = static_cast<double>(table_.per), place = -per * at - first, whole = std::floor(place);
         const double x = 2.0 * (place - whole) - 1.0;

@@ -244,8 +244,8 @@ LOMMEL_INLINE void sum_harmonics(I isa, Degree degree, const double* coefficient
 }
 
 // Sum harmonics of odd order. across: sum over j, k of coefficients[j][k] T_(2k+1)(r) / r cos((2j+1) theta) / cos(theta), with
-// Chebyshev polynomials T, r^2 = (1 + x) / 2 and theta the angle from the x axis; down: the same with theta from the y axis.
-// cosine: cos(2 theta), theta from the x axis. Speed is limited by arithmetic.
+// Chebyshev polynomials T, r^2 = (1 + x[i]) / 2 and theta the polar angle from the direction of the rows; down: the same, with
+// theta from the direction of the columns. cosine: cos(2 theta), theta as for `across`. Speed is limited by arithmetic.
 template <class I, class Degree>
 LOMMEL_INLINE void sum_odd_harmonics(I isa, Degree degree, const double* coefficients, std::size_t harmonics, const double* x,
                                      const double* cosine, std::size_t count, double* across, double* down) {

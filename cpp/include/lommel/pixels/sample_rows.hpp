@@ -112,7 +112,7 @@ class SampleRows {
             Row ahead = seen(begin, least, most, {});
             for (std::size_t row = begin; row < end; ++row) {
                 glance(4 * padded);
-                // Compute the scalars of the next row here, so that they overlap with the pixels of this row.
+                // Compute the scalars of the next row here, so that this overlaps with computing the pixels of this row.
                 const Row seen_here = ahead;
                 ahead = seen(std::min(row + 1, end - 1), least, most, ahead);
                 const auto [square, low, high, first, other, straight] = seen_here;

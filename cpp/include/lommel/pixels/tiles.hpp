@@ -58,8 +58,8 @@ class Tiles {
         return made;
     }
 
-    // whole(): whether a tile is in the image in all eight directions; visible(): whether pixel (a, b) is in it in the given
-    // direction.
+    // whole(): whether a tile is inside the image in all eight directions; visible(): whether pixel (a, b) is inside the image in
+    // the given direction.
     bool whole(const Tile& tile) const {
         const std::int64_t most = tile.a + side - 1;
         return most <= std::min(std::min(row, column), std::min(height - 1 - row, width - 1 - column));
@@ -70,7 +70,7 @@ class Tiles {
         return x >= 0 && x < width && y >= 0 && y < height;
     }
 
-    // Call f(line) for a tile's pixels at squared distances in [low, high) from the axis that are in the image in any direction.
+    // Call f(line) for those pixels of a tile which are in the image in any direction, at squared distances in [low, high).
     template <class F>
     void lines(const Tile& tile, std::int64_t low, std::int64_t high, const F& f) const {
         const std::int64_t end_a = tile.a + side - 1, end_b = tile.b + side - 1;

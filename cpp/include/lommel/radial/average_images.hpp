@@ -282,8 +282,10 @@ class PixelRenderer {
         const double room = coarse_attempt(phase, likely_value(phase)).rings;
         return CoarseAverages::without_rings(EnergyTail(phase, stack_.obscuration), window_.step, room) / window_.step;
     }
-    // Return whether the flux through pixel edges is faster than weights, which are computed once for the stack. By measurement,
-    // the weights of a pixel take as long as the flux of 20 + step^2 / 4 pixels, with `step` the pitch in optical units.
+    // Return whether to compute averages from the flux through pixel edges and not by weights. crossings_serve() is required. If
+    // the weights are computed once for a stack, the flux of all pupils must also take less than the share of_weights of their
+    // time. By measurement, the weights of a pixel take as long as the flux of 20 + step^2 / 4 pixels, `step` the pitch in optical
+    // units.
     bool coarse(const Phase& phase) const {
         const bool serve = crossings_serve(phase);
         if (!serve || stack_.count == 1 || pixels() > most_tabled) {

@@ -20,7 +20,7 @@ namespace lommel {
 struct WindowValues {
     Doubles values;
     std::size_t count = 0;
-    double penalty = 0.0;  // rounding error of the harmonics, in units of roundoff
+    double penalty = 0.0;  // rounding error of the azimuthal harmonics, in units of roundoff
 
     // Compute the values by a table that does not depend on the position of the axis, from the intensities `at_radii`.
     template <class Table>
@@ -66,8 +66,8 @@ LOMMEL_ONCE void WindowValues::make(const PixelTable& table, const PixelWindow&,
 }
 #endif
 
-// Compute made[pupil * value_stride + value], the windows of some pupils, from the intensities at_radii[pupil * stride +
-// radius]; returns the largest rounding error of the harmonics, in units of roundoff.
+// Compute the pixel values made[pupil * value_stride + value] of `pupils` pupils from their intensities at_radii[pupil * stride +
+// radius]; returns the largest rounding error of the azimuthal harmonics, in units of roundoff.
 double make_together(const PixelTable& table, const PixelWindows&, std::size_t, std::size_t pupils, const double* at_radii,
                      std::size_t stride, double* made, std::size_t value_stride);
 #if defined(LOMMEL_DEFINES)
@@ -102,9 +102,9 @@ inline double make_together(const AnywhereTable& table, const PixelWindows& wind
     return penalty;
 }
 
-// Error bound of a table's values (docs/certificate.md, section 9, "Together"). penalty: rounding error of the harmonics, in
-// roundoffs. Bounds: on the intensity I at the table's radii (size) and on its error there (given), on the derivative of I along
-// any straight line (slope), and on |I - c| for some constant c (swing).
+// Error bound of a table's values (docs/certificate.md, section 9, "Together"). penalty: see WindowValues. Bounds: on the intensity
+// I at the table's radii (size) and on its error there (given), on the derivative of I along any straight line (slope), and on |I -
+// c| for some constant c (swing).
 template <class Table>
 double window_error(const Table& table, double penalty, double size, double given, double slope, double swing) {
     // Error due to rounded distances: 3 roundings of each radius, 6 of each position in a pixel, 4 of each pixel position.

@@ -53,7 +53,7 @@ class Field {
                       [&](std::size_t i, V a, V b) LOMMEL_INLINE_LAMBDA { sink(i, a - load<V>(re + i), b - load<V>(im + i)); });
     }
 
-    // Write the field at radii[first .. last) times `step` to re[i - first] and im[i - first].
+    // Write the field at the radii radii[i] * step, first <= i < last, to re[i - first] and im[i - first].
     void values(const double* radii, std::size_t first, std::size_t last, double step, double* re, double* im);
 
    private:

@@ -340,7 +340,8 @@ LOMMEL_ONCE double RimAverages::bound(std::size_t pupil, const RimScratch& scrat
             const double energy = static_cast<double>(of.energy[k * lanes + lane]);
             const double left = 1.0001 * static_cast<double>(of.left[k * lanes + lane]) +
                                 2.0 * each[k] * std::sqrt(orders * energy) + orders * each[k] * each[k];
-            // Rounding error, in units of 2^-24 rounded[k]: of sums over angles, phases, derivatives, and k steps of rim_powers().
+            // units: rounding error of the sums over angles, the phases, the derivatives of ln P and k steps of rim_powers(), in
+            // units of 2^-24 times the bound rounded[k] from strangers().
             const double units = sums + 16.0 + lines_[d]->slopes.units() * static_cast<double>(k);
             off += rim.radius * rim.radius * rim_scale(k) * 2.0 / std::pow(v, static_cast<double>(k + 1)) *
                    (std::sqrt(left) + orders * each[k] + 0x1p-24 * units * rounded[k]);

@@ -133,7 +133,7 @@ LOMMEL_ONCE bool RimBoxes::pay(const std::vector<std::size_t>& which, int thread
     return work <= worth * whole() * static_cast<double>(which.size());
 }
 
-// If fewer than `together` pupils have boxes of equal side, they get the next larger side in use, if it fits the window.
+// If fewer than `together` pupils have boxes of equal side, each gets the next larger side in use, if at most its most[pupil].
 LOMMEL_ONCE void RimBoxes::gather_few() {
     std::vector<std::int64_t> counts(static_cast<std::size_t>(*std::max_element(sides.begin(), sides.end())) + 1, 0);
     for (const std::int64_t side : sides) {

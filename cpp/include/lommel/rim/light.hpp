@@ -451,7 +451,7 @@ LOMMEL_INLINE void rim_channels(const V (&x)[Rims][4], V* out) {
     }
     out[0] = smooth;
     if constexpr (Rims == 2) {
-        // Amplitudes A = X + i Y of the waves exp(i v), and B = X - i Y of the waves exp(-i v), for both rims.
+        // For each rim, of radius R: amplitudes A = X + i Y of the wave exp(i R v), and B = X - i Y of the wave exp(-i R v).
         V a[2][2], b[2][2];
         for (std::size_t d = 0; d < 2; ++d) {
             a[d][0] = x[d][0] - x[d][3];

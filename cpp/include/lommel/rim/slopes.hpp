@@ -106,7 +106,8 @@ struct RimSlopes {
         return degree;
     }
 
-    // Rounding error, in units of roundoff, of computing the next derivative of the pupil function, including sums over terms.
+    // Rounding error, in units of roundoff, of one step of rim_powers(), from the derivatives of the pupil function up to order k
+    // to that of order k + 1, including the sums over Zernike terms.
     double units() const { return static_cast<double>(terms.size() + 4 * degree + 16); }
 
    private:

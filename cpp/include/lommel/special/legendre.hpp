@@ -61,7 +61,7 @@ void gauss_legendre(std::size_t n, Number* nodes, Number* weights) {
     }
 }
 
-// Legendre polynomials P_0(x) .. P_{terms-1}(x) for 0 <= x <= 1, correct to double rounding if Real is wider than double.
+// Legendre polynomials P_0(x) .. P_{terms-1}(x) for 0 <= x <= 1, accurate to the rounding of a double if Real is wider.
 template <class Real = wide>
 void legendre_sequence(double x, std::size_t terms, double* out) {
     each_legendre(1 - static_cast<Real>(x), terms, [&](std::size_t n, Real p) { out[n] = static_cast<double>(p); });

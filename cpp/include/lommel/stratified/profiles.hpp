@@ -39,7 +39,8 @@ class Profiles {
     const Planes& planes() const { return planes_; }
     std::size_t stride() const { return table_->stride(); }
     std::size_t harmonics() const { return planes_.harmonics.size(); }
-    // outputs(): rows per plane, one per azimuthal order of the intensity and each derivative; kinds(): 1 + number of derivatives.
+    // outputs(): number of rows per plane, one for each azimuthal order of each kind; kinds(): number of kinds, which are the
+    // intensity and its derivatives.
     std::size_t outputs() const { return harmonics() * kinds(); }
     std::size_t kinds() const { return 1 + planes_.derivatives.size(); }
 
@@ -75,8 +76,9 @@ class Profiles {
         }
     }
 
-    // Fields of `together` planes, of waves (re, im), at two vectors of radii: those from i on in tile t of the table. kind: 0, or
-    // the number of parts for derivatives by the radius. Multiply-adds limit the speed.
+    // Fields of `together` planes from their waves (re, im), at two vectors of radii: those from i on in tile t of the table. kind:
+    // index of the first Bessel function in the table, 0 or, for derivatives by the radius, the number of parts. Multiply-adds
+    // limit the speed.
     template <class I, class V>
     LOMMEL_INLINE void fields(I, std::size_t t, std::size_t i, std::size_t kind, const double* re, const double* im,
                               Fields<V>& out) const {

@@ -368,7 +368,7 @@ LOMMEL_ONCE void FarLight::fit(double v) {
     });
     misfit_ = *std::max_element(most.begin(), most.end());
     misfit_ *= twice;
-    // Fourier coefficients of the smooth part in the azimuth, from every other sample, which suffices. At most 96 orders are
+    // Fourier coefficients, in the azimuth, of the smooth part, from every other sample, which suffices. At most 96 orders are
     // computed; the mean square of the samples minus that of these orders bounds the higher orders.
     constexpr std::size_t lanes = 8;
     const std::size_t half = angles_ / 2, all = 2 * orders_, known = std::min<std::size_t>(all, 96);

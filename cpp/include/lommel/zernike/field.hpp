@@ -80,7 +80,7 @@ class ZernikeField {
         base_ +=
             trim(outer_, 1.0, trimmed) + trim(inner_, weight_ - 1.0, trimmed) + orders_.keep(ZernikeBudget::dropped * error);
         std::size_t width = 0;
-        // Interpolation at the 8 points of a ring multiplies the error of a piece by at most 2.3 (Lebesgue constant). 3.1 is safe.
+        // Interpolation at the 8 points of a ring multiplies the error of a piece by at most 2.3 (Lebesgue constant); 3.1 is used.
         while (width + 1 < widths.size() && 3.1 * piece_error(widths[width]) * weight_ > ZernikeBudget::pieces * error) {
             ++width;
         }
@@ -115,7 +115,8 @@ class ZernikeField {
                 inner_tables[parity] = all.get(width, within, (inner_.degrees + 2) / 2);
             }
         }
-        // By Cauchy and Parseval, sum |2 beta J_{n+1}(v) / v| is <= 1 for coefficients beta of exp(i m psi), <= 2 for cos and sin.
+        // Rounding. The sum over all Zernike terms of |2 beta J_{n+1}(v) / v|, beta being the coefficient of a term of degree n, is
+        // at most 1 for terms with factors exp(i m psi) (Cauchy, Parseval), hence at most 2 with cos(m psi) and sin(m psi).
         const double terms = static_cast<double>(std::max(outer_.degrees, inner_.degrees));
         base_ += 2.0 * weight_ * unit_roundoff * (magnitude * (0.5 * terms + 60.0) + 6.0 * terms);
         rows_.resize(pieces);

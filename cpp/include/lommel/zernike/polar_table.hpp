@@ -54,7 +54,7 @@ struct PolarTable {
     GriddingKernel kernel;
     std::size_t blocks, degrees;
     Doubles values;
-    std::vector<std::size_t> reached;  // [block]: number of degrees in use; omitted degrees add less than left_out
+    std::vector<std::size_t> reached;  // [block]: number of degrees in use; the others change U by less than left_out
     std::vector<double> roundings;     // [block]: bound on the rounding of (n + 1) times the values of degree n
 
     // Bound on the contribution to U of the degrees that a block omits, for any pupil.
@@ -87,10 +87,10 @@ struct PolarTable {
     // from the kernel's transform, the sines of arguments and the products.
     static double rounding(double shares, double nodes, double v) { return unit_roundoff * shares * (nodes + 5.0 * v + 170.0); }
 
-    // Error of U if the table's values for `count` degrees n have errors of `each` / (n + 1): at most `each` * sum |beta| / (n + 1)
-    // over the terms, with Zernike coefficients beta. By Cauchy's inequality this sum is <= sqrt(count), for cosines and sines
-    // separately: the sum of e |beta|^2 / (n + 1) is <= 1, with e = 1 for m = 0, else 1/2, and 1 / e sums to at most n + 1 over the
-    // orders m of a degree.
+    // Bound on that part of the error of U which comes from the cosine terms, or from the sine terms (callers count it twice), if
+    // the table's values for `count` degrees n have errors of `each` / (n + 1): `each` times the sum over these terms of
+    // |beta| / (n + 1), with Zernike coefficients beta. By Cauchy's inequality this sum is <= sqrt(count): the sum of
+    // e |beta|^2 / (n + 1) is <= 1, with e = 1 for m = 0, else 1/2, and 1 / e sums to at most n + 1 over the orders m of a degree.
     static double rounding(double each, double count) { return each * std::sqrt(count); }
 
     bool is(double circle_step, std::size_t taps, double beta, std::size_t block_count, std::size_t degree_count) const {
@@ -220,8 +220,8 @@ struct LookTable {
         for (std::size_t i = 0; i < blocks * block; ++i) {
             look();
             const double v = shrunk * at(i);
-            // Higher degrees are negligible at this v. Their number depends only on v, so images do not depend on the contents of
-            // the cache.
+            // Compute only the degrees that are not negligible at this v. How many these are depends only on v, so that images do
+            // not depend on the contents of the cache.
             const std::size_t count = static_cast<std::size_t>(v + 6.0 * std::cbrt(v) + 15.0) / 2;
             one.resize(count);
             for (std::size_t parity = 0; parity < 2; ++parity) {

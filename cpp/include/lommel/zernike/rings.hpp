@@ -62,8 +62,9 @@ void resample(double* onto, const Powers& powers_at) {
     }
 }
 
-// Map the coefficients of rows (azimuthal orders m) `which` of a piece by the matrix `onto`. Write the result to `out`, or add
-// `weight` times the result if Add: out[row][re A_m, im A_m and, if `parts` is 4, re B_m, im B_m][power].
+// Map polynomial coefficients from a piece to a ring by the matrix `onto` (resample()), for a field U = sum over m of
+// A_m(v) cos(m psi) + B_m(v) sin(m psi) and the rows (azimuthal orders m) `which`. Write the result to `out`, or add `weight` times
+// the result if Add: out[row][re A_m, im A_m and, if `parts` is 4, re B_m, im B_m][power]. rows: coefficients on the piece.
 template <bool Add, class I>
 LOMMEL_INLINE void resample_rows(I, const double* onto, const double* rows, const std::vector<std::size_t>& which,
                                  std::size_t parts, double weight, double* out) {

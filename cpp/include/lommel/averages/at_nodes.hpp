@@ -77,7 +77,7 @@ bool average_at_nodes(const AverageRequest& asked, const PupilLight& light, std:
                       const NodeSample& sample);
 
 // Call compute(answer), which writes averages and derivatives in double precision. Store these in `images` and
-// slopes[term][pupil][pixel], with error bounds. Returns false, with nothing stored, if compute() does.
+// slopes[term][pupil][pixel], with error bounds. If compute() returns false, nothing is stored and false is returned.
 template <class T, class Compute>
 bool averaged_images(const AverageRequest& asked, std::size_t pupils, const DiskAnswer<T>& images, T* slopes,
                      double* slope_bounds, const Compute& compute) {

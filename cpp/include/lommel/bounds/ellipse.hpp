@@ -171,7 +171,7 @@ class Ellipses {
         return std::sqrt(2.0 * static_cast<double>(terms) + 1.0) * std::exp(std::min(best, 700.0));
     }
 
-    // Number of Gauss nodes with quadrature() <= error.
+    // Number of Gauss nodes for which quadrature() <= error.
     std::size_t nodes(std::size_t terms, double error) const {
         const double log_error = std::log(error) - 0.5 * std::log(2.0 * static_cast<double>(terms) + 1.0);
         const double needed = least([&](std::size_t i) {
@@ -273,7 +273,7 @@ LOMMEL_ONCE void Ellipses::measure(const double* phase, std::size_t terms) {
         for (const double sum : sums) {
             top = std::max(top, std::abs(sum));
         }
-        // Largest sample -> bound on the maximum over all angles, for a trigonometric polynomial (Ehlich and Zeller, 1964).
+        // From the largest sample follows a bound on the maximum over all angles (Ehlich and Zeller, 1964).
         g_[i] = top / std::cos(0.5 * static_cast<double>(terms) * pi / static_cast<double>(EllipseGrid::steps));
     }
 }

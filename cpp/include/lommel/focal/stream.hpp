@@ -39,7 +39,7 @@ struct FocalPlan {
     std::size_t ahead() const { return std::max(taps.degree * taps.reach, blur); }
 };
 
-// Processing of a focal stack: take() filters frames and estimates depths; search() corrects them; mix() computes sharp images.
+// Processing of a focal stack: take() filters frames and estimates depths; search() corrects depths; mix() computes sharp images.
 class FocalStream {
    public:
     FocalStream(const FocalPlan& plan, const FocalCandidates* candidates)
@@ -75,7 +75,7 @@ class FocalStream {
     const FocalPlace* places() const { return places_.data(); }
     const float* filled() const { return filled_.data(); }
 
-    // Compute the sums of FocalSums: raw values over the pixels known in all frames, and the number of these pixels.
+    // Write the results of FocalSums: sums of raw values over the pixels known in all frames, and the number of these pixels.
     void sum(const FocalFrame* frames, double* out);
 
     // Filter a stack of frames, estimate the depth of each block, and keep images for mix().
@@ -123,7 +123,7 @@ class FocalStream {
         std::vector<int> counts;  // number of unknown pixels within `blur` of each pixel of a row
         Floats smooth[2], padded, between, coefficients;
         std::size_t held[2] = {none, none};  // index of the block row whose averages each `smooth` holds
-        Floats sums;  // ring buffer with the sums of the last block rows
+        Floats sums;  // ring buffer with the sums of the most recent block rows
         std::size_t next = 0, end = 0;  // range of rows of the depth map still to estimate
         static constexpr std::size_t none = ~std::size_t{0};
         std::unique_ptr<FocalSearch::Scratch> scratch;

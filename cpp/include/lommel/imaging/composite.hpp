@@ -264,8 +264,8 @@ class Compositor {
         return false;
     }
 
-    // Select the tiles that have points of `layer`, if it is visible from a pixel of the tile or of an adjacent tile. Returns
-    // whether any tile is selected.
+    // Select the tiles that have points of `layer`, if this layer is visible from a pixel of the tile or of an adjacent tile.
+    // Returns whether any tile is selected.
     bool choose(std::size_t layer) {
         chosen_.assign(rows_ * columns_, 0);
         bool any = false;

@@ -96,7 +96,7 @@ struct SamplePieces : Radii {  // radii at which the intensity is computed, in o
 
    private:
     // Call made(row, start, count, values) for runs of pixels in rows [begin, end), with values = max(by * intensity, least).
-    // all: coefficients of all parts. Returns the largest intensity. Its speed is limited by loads of doubles.
+    // all: coefficients of all parts. Returns the largest intensity. Speed is limited by loads of doubles.
     using Made = Reference<void(std::size_t row, std::size_t start, std::size_t count, const double* values)>;
     double evaluate(const SampleRows& rows, const double* all, double by, double least, std::size_t begin, std::size_t end,
                     const Made& made) const;

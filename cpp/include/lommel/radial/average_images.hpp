@@ -260,7 +260,7 @@ class PixelRenderer {
         return window_.integrate && few_share() && windows_.centers == nullptr && window_.step <= widest_filtered;
     }
 
-    // Return whether a table of weights for this axis takes few products per pupil.
+    // Return whether a table of weights for this axis takes at most light_work products per pupil.
     bool weights_are_few() const {
         const double places = 0.8 * window_.step + 8.0;
         return static_cast<double>(pixels()) * places * places <= light_work * static_cast<double>(stack_.count);

@@ -103,8 +103,8 @@ inline double make_together(const AnywhereTable& table, const PixelWindows& wind
 }
 
 // Error bound of a table's values (docs/certificate.md, section 9, "Together"). penalty: see WindowValues. Bounds: on the intensity
-// I at the table's radii (size) and on its error there (given), on the derivative of I along any straight line (slope), and on |I -
-// c| for some constant c (swing).
+// I at the table's radii (size) and on its error there (given), on the derivative of I along any straight line (slope), and on
+// |I - c| for some constant c (swing).
 template <class Table>
 double window_error(const Table& table, double penalty, double size, double given, double slope, double swing) {
     // Error due to rounded distances: 3 roundings of each radius, 6 of each position in a pixel, 4 of each pixel position.

@@ -81,7 +81,7 @@ class RimStack {
     std::size_t degree_;
 };
 
-// Results of RimAverages. The averages `near`, in a box around each axis, are computed before. Boxes may exceed the window.
+// Results of RimAverages. The averages `near`, in a box around each axis, are computed beforehand. Boxes may exceed the window.
 struct RimAnswer {
     const double *remainders, *near;  // RimStack::remainders(), [pupil]; near: averages in boxes, [pupil][row][column]
     const std::int64_t* places;  // [pupil]: index of its image in `images`

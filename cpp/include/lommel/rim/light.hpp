@@ -226,7 +226,8 @@ LOMMEL_INLINE void rim_edge(I, const RimLine& line, float edge, RimScratch& scra
     }
 }
 
-// Like rim_coefficients(), for one pupil: vector lanes hold angles, and after the FFT the real and imaginary parts of all orders k.
+// Like rim_coefficients(), for one pupil: vector lanes are angles in rim_powers() and, in the Fourier sums that follow, the real
+// and imaginary parts of the derivatives of all orders k.
 template <std::size_t Degree, class I>
 LOMMEL_INLINE void rim_coefficients_of_pupil(I isa, const RimWaves& rim, const RimLine& line, double amplitude,
                                              RimScratch& scratch, Floats& values, RimSums& of) {

@@ -22,7 +22,8 @@ struct Angles {
     std::size_t count, parts;
     const std::complex<double>*part, *fixed, *by_depth, *by_focus;  // part: amplitudes [part][angle]; others: phases [angle]
     double error;                                                   // error bound of each part of the field
-    // Derivatives by ln(wavenumber). turning[3][angle]: of fixed, by_depth, by_focus, less a real constant each; change: of part.
+    // Derivatives by ln(wavenumber). turning[3][angle]: those of fixed, by_depth, by_focus, each less a real constant; change: that
+    // of part.
     const std::complex<double>*turning = nullptr, *change = nullptr;
 
     // (Rounding error of a sum over angles) / (sum of its terms' moduli). of_bessel: error of Bessel functions, in roundoffs.

@@ -573,8 +573,12 @@ class PSF(Measured, PSFLike, display.Shown):
         )
 
     def measured(self, measure: Callable[[PSF], Found]) -> Found:
-        """Return the result of `measure` for this PSF."""
-        return measure(self)
+        """Return the result of `measure` for this PSF, or for the PSF of each pupil if apertures differ."""
+        if self.pupil.one_aperture:
+            return measure(self)
+        # Measures of a stack assume the same aperture for all pupils.
+        results = [np.asarray(measure(self[index])) for index in np.ndindex(self.pupil.shape)]
+        return cast("Found", np.reshape(results, self.pupil.shape + results[0].shape))
 
     @property
     def z(self) -> NDArray[np.float64]:

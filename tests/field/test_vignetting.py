@@ -10,6 +10,7 @@ from scipy import special
 
 import lommel as lm
 from lommel.optics.pupil import FieldPupil
+from lommel.psf import Measured
 
 EDGES = lm.Vignetting([0.0, 10e-3, 20e-3], shift=[0.0, 0.2, 0.8], radius=[1.0, 1.0, 1.1])
 PLAIN = lm.FieldMap.from_seidel(20e-3, W131=1.0, W222=0.5, wavelength=550e-9, f_number=2.8)
@@ -84,7 +85,6 @@ def test_an_illuminated_grid_darkens_as_the_light_does():
         (lambda: FIELD.pupil([0.0, 1e-3], 0.0), "psf accepts arrays"),
         (lambda: FIELD.illumination(21e-3, 0.0), "beyond the last height"),
         (lambda: lm.strehl(FIELD.psf([1e-3, 9e-3], 0.0, 5, 2e-6, method=SAMPLED).pupil), "pupil must be a Pupil"),
-        (lambda: FIELD.psf([1e-3, 9e-3], 0.0, 5, 2e-6, method=SAMPLED).peak_strehl, "index the stack"),
         (lambda: lm.FieldMap.from_seidel(1.0, W131=1.0).working_f_number(0.0, 0.0), "f_number must be known"),
     ],
 )
@@ -137,3 +137,35 @@ def test_foreshortening_of_bad_axes_or_of_an_aperture_with_parts_is_refused():
     vanes = lm.FieldMap.from_seidel(20e-3, aperture=lm.Pupil(spider=lm.Spider(0.02, [0.0, 2.0])))
     with pytest.raises(ValueError, match="must not be a Foreshortening unless the aperture is circular"):
         vanes.seen_through(seen)
+
+
+MEASURES = {
+    "energy": lambda psf: psf.energy,
+    "strehl": lambda psf: psf.strehl,
+    "peak_strehl": lambda psf: psf.peak_strehl,
+    "peak_position": lambda psf: psf.peak_position,
+    "centroid": lambda psf: psf.centroid,
+    "encircled_energy": lambda psf: psf.encircled_energy([2e-6, 4e-6]),
+    "ensquared_energy": lambda psf: psf.ensquared_energy(3e-6),
+    "energy_diameter": lambda psf: psf.energy_diameter(0.5),
+    "fwhm": lambda psf: psf.fwhm("x"),
+    "otf": lambda psf: psf.otf([30e3, 60e3], [[0.0], [20e3]]),
+    "mtf": lambda psf: psf.mtf(36e3),
+    "lm.mtf": lambda psf: lm.mtf(psf, 36e3),
+    "lm.mtf_frequency": lambda psf: lm.mtf_frequency(psf, 0.5),
+}
+
+
+@pytest.mark.parametrize("name", MEASURES)
+@pytest.mark.parametrize("seen", [EDGES, lm.Foreshortening([0.0, 20e-3], [1.0, 0.7], [1.0, 0.9])])
+def test_measures_of_a_grid_of_different_apertures_are_those_of_its_psfs(seen, name):
+    grid = PLAIN.seen_through(seen).grid(2, 2, sensor=(16e-3, 20e-3), shape=17, pixel=2e-6)
+    measure = MEASURES[name]
+    together = measure(grid)
+    assert np.shape(together)[:2] == (2, 2)
+    for place in np.ndindex(2, 2):
+        np.testing.assert_array_equal(together[place], measure(grid[place]))
+
+
+def test_every_measure_of_a_psf_is_compared_on_a_grid_of_different_apertures():
+    assert {name for name in vars(Measured) if not name.startswith("_")} - {"measured"} <= set(MEASURES)

@@ -77,6 +77,7 @@ def test_json_and_zarr(files):
     (channel,) = json.loads(found.output)["channels"]
     assert (channel["steps"], channel["background"], channel["strength"]) == (3, 0.0, None)
     assert channel["discrepancy"] < channel["before"]
+    assert any(note.endswith("; --per-plane returns F.") for note in json.loads(found.output)["notes"])
     assert (channel["name"], channel["wavelength"]) == ("channel 0", pytest.approx(520e-9))
     assert (there / ".zattrs").exists()
 

@@ -412,6 +412,11 @@ def test_depths_in_focus_are_those_of_the_brightest_focus():
     [
         ({"pixel": None}, ValueError, r"states no voxel size: give pixel= \(on the camera\) and step="),
         ({"step": None}, ValueError, "states no voxel size"),
+        (
+            {"pixel": PIXEL / OIL_60X.magnification},
+            ValueError,
+            "must be the pitch on the camera, .* give pixel=6.* um",
+        ),
         ({"wavelength": None}, ValueError, "emission wavelength of 'channel 0': give wavelength="),
         ({"stack": np.ones((2, 9, 9))}, ValueError, "3 planes or more, got 2"),
         ({"stack": np.ones((9, 9))}, ValueError, r"must have the shape \(planes, height, width\)"),

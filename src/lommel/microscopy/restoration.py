@@ -71,6 +71,7 @@ MISFIT = "misfit"
 _DIRECTIONS = ("auto", "up", "down")
 _MEMORY = 2.0**31  # default memory limit, bytes
 _TOLERANCE = 0.02  # relative difference between values of the file and of the objective above which a note is added
+_FINEST = 5e-9  # finest pixel in the sample times NA, metres: a twentieth of Nyquist sampling at 400 nm
 _DARK_FRACTION = 0.02  # fraction of voxels darker than the offset above which a note is added
 _USUAL_STEPS = 60  # typical number of steps of a restoration, for the progress display
 _MISFIT_PROGRESS = 0.3  # progress shown after `EARLIEST` steps, when the restoration may end as a misfit
@@ -558,6 +559,14 @@ class _Sizes:
         self.step = self._length("step", step, recording.step, sizes[1], recording, notes)
         if pixel is not None:
             validation.pixel(self.pixel, metric=True)
+            if self.pixel < _FINEST / lens.NA * lens.magnification:
+                # Most often the size of a voxel, given in place of the camera's.
+                given, camera = format_length(self.pixel), format_length(self.pixel * lens.magnification)
+                raise ValueError(
+                    f"pixel must be the pitch on the camera, got {given}, which is"
+                    f" {format_length(self.pixel / lens.magnification)} in the sample; for {given} in the sample give"
+                    f" pixel={camera}"
+                )
         if not 0.0 < self.step < 1e-4:
             raise ValueError(f"step must be of the stage, in metres, above 0 and below 1e-4, got {self.step:g}")
         if recording.NA is not None and abs(recording.NA - lens.NA) > _TOLERANCE * lens.NA:

@@ -1034,8 +1034,8 @@ class Radial(WavefrontsOnSensor):
         orders = np.array([m for _, m in self.terms])
         if np.any(np.abs(values[0, orders != 0]) > _AXIS):
             raise ValueError(
-                "the wavefront at height 0, on the axis of a rotationally symmetric lens, must be radially "
-                f"symmetric, got {validation.shown(wavefront[0])}"
+                "the wavefront at height 0 must be radially symmetric, as on the axis of a rotationally symmetric "
+                "lens; for other lenses give the wavefronts at positions over the field (`fields` of the adapters)"
             )
         # Rotation by 180 degrees changes the sign of the height, and multiplies a term by (-1)^m.
         parity = np.where(orders % 2, -1.0, 1.0)

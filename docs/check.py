@@ -41,7 +41,9 @@ def empty_axes(figure: Any) -> list[str]:
     found = []
     for axes in figure.axes:
         left, low, right, high = (round(side) for side in axes.get_window_extent().extents)
-        inside = picture[picture.shape[0] - high + 3 : picture.shape[0] - low - 3, left + 3 : right - 3]
+        # Without the frame; colour bars may be few pixels wide.
+        edge = min(3, (right - left) // 4, (high - low) // 4)
+        inside = picture[picture.shape[0] - high + edge : picture.shape[0] - low - edge, left + edge : right - edge]
         seen = np.ptp(inside.reshape(-1, 4).astype(int), axis=0).any()
         if axes.get_visible() and not (axes.has_data() and seen):
             found.append(f"{axes.get_title()!r}, x {axes.get_xlabel()!r}")

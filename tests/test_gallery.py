@@ -100,7 +100,7 @@ def test_a_script_of_the_gallery_draws_figures_whose_axes_say_what_they_show(pat
             figure.set_layout_engine("none")  # which that has laid out
             labels = [axes.get_xlabel() + axes.get_ylabel() for axes in figure.axes]
             # With a unit in brackets, unless all are counts and ratios.
-            counted = any(re.search("steps|samples|over|ratio", label) for label in labels)
+            counted = any(re.search("steps|samples|over|ratio| / ", label) for label in labels)
             assert counted or any(re.search(r"\(.+\)", label) for label in labels), labels
             assert not any("(1)" in label for label in labels)
             thumbnails.keep(path.stem, count, figure)

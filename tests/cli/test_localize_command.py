@@ -143,7 +143,7 @@ def test_fits_at_the_range_of_z_and_beyond_the_reach_are_counted_apart(folder, c
     )
     assert f"not written: {count} at an end of the range of z (--z), {len(ended) - count} farther from" in text
     assert "farther from the middle of their box than --reach" in text
-    assert f"{count} of {facts['spots']} spots are at an end of the range of z: a wider one may hold them" in text
+    assert f"{count} of {facts['spots']} spots are at an end of the range of z: use a wider range" in text
 
 
 def test_a_mask_and_a_stated_background(folder, call_lommel):

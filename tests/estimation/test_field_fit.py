@@ -335,7 +335,7 @@ def test_the_table_is_read_by_lens_files_as_it_was_written(tmp_path):
     assert text.startswith("# converged, but in doubt: ")
     with pytest.raises(ValueError, match=r"path must end in \.csv"):
         fit.save(tmp_path / "field.txt")
-    with pytest.raises(ValueError, match="a table has positions in metres"):
+    with pytest.raises(ValueError, match="save requires positions in metres"):
         one_focus().save(tmp_path / "field.csv")
 
 

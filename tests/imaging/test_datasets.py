@@ -153,7 +153,7 @@ def test_what_does_not_fit_is_refused(files, tmp_path):
         rendered(files, "x", energy=1.0)
     with pytest.raises(ValueError, match=r"^depth_scale must be > 0 metres per level, got 0"):
         rendered(files, "x", depth_scale=0.0)
-    with pytest.raises(ValueError, match="give one of `depth_scale`, `inverse_depth` and `disparity`"):
+    with pytest.raises(ValueError, match="give only one of `depth_scale`, `inverse_depth` and `disparity`"):
         rendered(files, "x", depth_scale=1.0, inverse_depth=(1.0, 2.0))
     with pytest.raises(ValueError, match="f_number must be a pair"):
         LensRanges(focal_length=50e-3, f_number=(4, 2), focus_distance=1.0, pixel=4e-6)

@@ -236,7 +236,7 @@ WAYS_DEPTH_NOTES = {
 @pytest.mark.parametrize("way", WAYS_DEPTH_NOTES)
 def test_integers_are_refused_with_the_way_out(way):
     for kind in (np.uint16, np.int64):
-        with pytest.raises(TypeError, match=rf"floats, got {np.dtype(kind)}; .* millimetre give 0\.001 \* depth"):
+        with pytest.raises(TypeError, match=rf"floats, got {np.dtype(kind)}; .* millimetre, pass 0\.001 \* depth"):
             WAYS_DEPTH_NOTES[way](np.full(SCENE_DEPTH_NOTES.shape, 2000, kind))
     WAYS_DEPTH_NOTES[way](0.001 * np.full(SCENE_DEPTH_NOTES.shape, 2000, np.uint16))
 

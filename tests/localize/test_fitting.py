@@ -261,7 +261,7 @@ def test_two_planes_tell_more_than_one(table):
     lower = Table(pupil, shape=13, pixel=6.5e-6, z=RANGE, offset=shift)
     other = copy.copy(lower)
     other.z = (RANGE[0], RANGE[1] + shift)
-    with pytest.raises(ValueError, match="table must have channels of one range of z"):
+    with pytest.raises(ValueError, match="must have the same range of z"):
         fit([table, other], [np.ones((1, 15, 15)), np.ones((1, 13, 13))])
     angle = 0.4
     turn = 1.05 * np.array([[math.cos(angle), math.sin(angle)], [math.sin(angle), -math.cos(angle)]])

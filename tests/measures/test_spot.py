@@ -196,7 +196,7 @@ def test_what_is_impossible_is_refused_by_name():
         "radius must be None for a pupil that is not radial": lambda: coma.profile(1.0),
         "pupil must be radially symmetric|supports radially": lambda: lm.best_focus(coma.pupil, 1.0),
         "supports radially|must be radially": lambda: spot.radial_fwhm(lm.Hankel(), coma.pupil),
-        "no light": lambda: energy.window_centroid(
+        "must have light in the window": lambda: energy.window_centroid(
             lm.psf(lm.Pupil(), 3, 1.0, method=lm.Geometric(), center=(50, 50))
         ),
     }.items():

@@ -343,7 +343,7 @@ def test_a_star_over_a_spider_has_the_transfer_function_of_its_image():
 
 
 def test_what_would_take_too_long_is_refused():
-    with pytest.raises(ToleranceError, match=r"the OTF to tol=1e-12 cannot be computed: .* degree over 4096"):
+    with pytest.raises(ToleranceError, match=r"the OTF to tol=1e-12 cannot be computed: .* degree above 4096"):
         lm.otf(lm.Pupil(lm.Wavefront(1e4), **EDGES["vanes"]), 0.3, 0.2, tol=1e-12)
 
 

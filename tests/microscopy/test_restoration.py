@@ -376,7 +376,7 @@ def test_planes_that_a_depth_puts_above_the_sample_are_told(deep):
     count = int((DepthModel(OIL_60X, WAVE, PIXEL, STEP, 1e-6, PLANES, WINDOW).depths() <= 0.0).sum())
     assert 3 < count < PLANES // 2
     assert f"{count} of {PLANES} planes are focused above the sample" in notes
-    assert "of depths from 0 to " in notes
+    assert "at depths from 0 to " in notes
     assert "above the sample" not in " ".join(quick(deep, **sizes).notes)
 
 

@@ -163,4 +163,4 @@ def test_directions_are_told_apart_where_their_mtf_differs(call_lommel, astigmat
         assert rows[f"MTF at Nyquist, {axis}"].startswith(expected)
         assert rows[f"MTF50, {axis}"].startswith(f"{lm.mtf_frequency(pupil, angle=angle) / 1e3:.4g} cycles/mm")
     assert rows["MTF at Nyquist, x"] != rows["MTF at Nyquist, y"]
-    assert max(map(len, text.splitlines())) <= 80
+    assert max(len(line) for line in text.splitlines() if not line.startswith("not computed: ")) <= 80

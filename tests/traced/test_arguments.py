@@ -143,7 +143,7 @@ def test_wavefronts_refuse_tensors_and_name_what_takes_them():
         lambda: lm.Wavefront.from_seidel(W040=jax.numpy.ones(2)),
         lambda: jax.grad(lambda c: lm.Wavefront(c).defocus)(1.0),
     ):
-        with pytest.raises(TypeError, match=r"of JAX, whose gradients would end here: .*traced"):
+        with pytest.raises(TypeError, match=r"a JAX array, whose gradients would be lost: .*traced"):
             bad()
 
 

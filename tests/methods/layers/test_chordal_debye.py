@@ -134,7 +134,7 @@ def test_few_samples_are_taken_by_chords_and_many_by_circles():
     assert isinstance(lm.psf(pupil, 9, PIXEL, center=(200.0, 200.0)).method, lm.DebyeRings)
     stack = OIL.pupil(depth=1e-6, z=np.linspace(-1e-7, 1e-7, 40), wavelength=WAVE, aberrations=FIVE)
     assert isinstance(lm.psf(stack, 25, PIXEL).method, lm.DebyeRings)
-    with pytest.raises(ValueError, match="smaller windows"):
+    with pytest.raises(ValueError, match="smaller window"):
         lm.psf(pupil, 301, PIXEL, method=lm.ChordalDebye())
     plain = OIL.pupil(depth=1e-6, z=0.2e-6, wavelength=WAVE)
     assert lm.psf(plain, 15, PIXEL, derivatives=("z",)).method == lm.Stratified(1e-6)

@@ -30,7 +30,8 @@ struct FieldShare {
 };
 
 // Pupil functions of a set of fields. series: index of their amplitude series; term: index of a Zernike term Z for a factor i Z,
-// negative for none; kind: first index of NodeSeries::waves, 0 for exp(i W), 1 for i W exp(i W) / (bound on |W|).
+// negative for none; kind: first index of NodeSeries::waves, 0 for exp(i W), 1 for i W exp(i W) / (bound on |W|), W being the phase
+// of the plane (fold_waves()).
 struct FieldSet {
     std::int32_t series, term, kind;
 };

@@ -167,7 +167,7 @@ class FocalReader {
 };
 
 // Sums of raw values over the pixels known in all frames, for each of cells x cells parts of the frame:
-// out[frame][row][column]. out[frames] has the number of these pixels in each part.
+// out[frame][row][column]. After the last frame, out[count] is the number of these pixels in each part.
 class FocalSums {
    public:
     static constexpr std::size_t cells = 8;

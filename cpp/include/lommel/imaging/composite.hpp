@@ -467,7 +467,8 @@ class Compositor {
         return below(least, covered, one, Short{});
     }
 
-    // Add the visible part of a layer to a tile's pixels; unless `known`, compute the visibility. Reset `white` and `light` to 0.
+    // Add the visible part of a layer to a tile's pixels, from its sums `light` by spread(). Unless `known`, first compute the
+    // visibility from its coverage `white`. The sums that were read are reset to 0.
     void compose(std::size_t row, std::size_t column, T layer, bool known, T* white, T* light, const Composite<T>& made) {
         constexpr std::size_t lanes = sizeof(Short) / sizeof(T);
         const std::size_t tile = row * columns_ + column;

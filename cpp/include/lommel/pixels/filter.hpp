@@ -25,7 +25,8 @@ struct PixelFilter {
     std::size_t samples(std::size_t count) const { return (count - 1) / pixels * stride + taps; }
 
     // Average `count` images of samples(height) x samples(width) samples to images of height x width pixels, which begin `pitch`
-    // values apart. Averages below `lowest` are set to `lowest`, which is 0 for intensities, so that their error does not increase.
+    // values apart. Averages below `lowest`, a lower bound on the exact averages (0 for intensities), are set to it; this
+    // does not increase their error.
     template <class T>
     void average(const T* from, std::size_t count, std::size_t height, std::size_t width, double* to, std::size_t pitch,
                  int threads) const;

@@ -58,8 +58,8 @@ LOMMEL_ONCE double Aperture::bright(double eps, const Amplitude& amplitude) {
 template <class T>
 class PixelRenderer {
    public:
-    // Error bounds are relative to a lower bound on the largest pixel: of the whole plane or, if an image is divided by its largest
-    // pixel, of the window.
+    // Error bounds are relative to a lower bound on the largest pixel value: that of the whole plane or, if an image is divided by
+    // its largest value, that of the window.
     PixelRenderer(const Stack& stack, const PixelWindows& windows, double tol, int threads, const Answer<T>& answer)
         : stack_(stack), aperture_(stack.obscuration, stack.amplitude), windows_(windows), window_(windows.first), tol_(tol),
           allowed_(std::max(1e-16, tol - 1.1 * storing<T>(false))), threads_(threads), answer_(answer) {}

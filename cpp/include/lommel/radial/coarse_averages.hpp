@@ -131,7 +131,7 @@ class EnergyWithin {
     Crossed crossing(double x, double start, double step, const std::vector<double>& nodes,
                      const std::vector<double>& weights) const;
 
-    // Bound on the error of the encircled energy within r.
+    // Bound on the error of E(r), the encircled energy / (2 pi).
     double off(double r) const {
         const std::size_t s = panel(r);
         const double inside = width * static_cast<double>(s);
@@ -305,10 +305,10 @@ class CoarseAverages {
     };
 
     // Error bound of averages without interference rings, over pixels of width `step` with edges at distances >= r from the axis.
-    // The flux through an edge is E (top of the file) times the angle that the edge subtends at the axis: an error rings(r) of E
-    // counts with (sum of the four angles) / step^2. This sum is at most 2 sqrt(2) step / r. If the axis is in the pixel, it is
-    // 2 pi, at most pi step / r. Of the smooth intensity, only the term in r^-3 is averaged. curved(r) bounds the rest; its factor
-    // is at most 1 or, if the axis is in the pixel, pi / 2.
+    // The flux through an edge is E (top of the file) times the angle that the edge subtends at the axis. An error rings(r) of E
+    // therefore gives an error of rings(r) * (sum of the four angles) / step^2. This sum is at most 2 sqrt(2) step / r or, if the
+    // axis is in the pixel, 2 pi <= pi step / r, as then r <= step / 2. Of the smooth intensity, only the term in r^-3 is averaged;
+    // the average of the rest is at most curved(r) or, if the axis is in the pixel, pi / 2 times curved(r).
     static double left_out(const EnergyTail& tail, double step, double r) {
         return 3.1416 * tail.rings(r) / (r * step) + 1.6 * tail.curved(r);
     }

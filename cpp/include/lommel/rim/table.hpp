@@ -304,7 +304,8 @@ LOMMEL_ONCE RadiusRule RimTable::chosen_rule() const {
             for (double x = last; x < 1.0; x *= 1.05) {
                 worst = std::max(worst, x * x * x * rule.error(x, rule.rho(0)));
             }
-            // Estimated squared modulus of waves in the ellipse: 1.2 * nearest, and more in large boxes, as phases are then large.
+            // Estimated squared modulus of the waves in the ellipse of rule.rho(0): 1.2 * nearest, and more if `nearest` and the
+            // box are large, because pupils that need large boxes have large phases.
             const double large = std::pow(nearest / 55.0, 4), squares = 1.2 * nearest * (1.0 + large);
             if (4.0 * squares * worst <= 0.2 * window.error * nearest * nearest * nearest) {
                 best = rule;

@@ -226,7 +226,8 @@ class ZernikeAnalysis {
                 }
             }
             for (std::size_t m = 0; m < orders; ++m) {
-                // Fourier coefficient l, rotated by exp(-+i m pi / n) because the first angle is half a step from 0.
+                // Fourier coefficient l times exp(turn i m pi / n), as the first angle is half a step from 0: turn = 1 for l = m,
+                // -1 for l = n - m.
                 const auto at = [&](std::size_t l, double turn) LOMMEL_INLINE_LAMBDA {
                     const double* here = x + l * fft_element + k;
                     const ComplexPack<V> found = {load<V>(here), load<V>(here + fft_rows)};

@@ -73,7 +73,7 @@ def entries(folder: Path) -> list[tuple[str, object, dict[str, object]]]:
     of_voxels = {
         "depth": 2e-6,
         "wavelength": 520e-9,
-        "pixel": 1e-7,
+        "pixel": 6.5e-6,
         "step": 3e-7,
         "noise": lm.Noise(read=1.0),
         "saturation": None,
@@ -450,7 +450,7 @@ def test_an_array_in_place_of_anything_is_taken_or_refused_by_name(value, files)
 def test_a_stack_of_what_no_camera_counts_is_refused_at_once(value, kind):
     stack = VOXELS.astype(np.float64)
     stack[1, 5, 5] = value
-    given = {"depth": 2e-6, "wavelength": 520e-9, "pixel": 1e-7, "step": 3e-7, "method": ONCE}
+    given = {"depth": 2e-6, "wavelength": 520e-9, "pixel": 6.5e-6, "step": 3e-7, "method": ONCE}
     held = stack if kind == "array" else lm.microscopy.open_recording(stack)
     for noise in (lm.Noise(read=1.0), None):
         with pytest.raises(ValueError, match=r"^stack must be within 1e\+15, or NaN where a value is unknown"):
@@ -460,7 +460,7 @@ def test_a_stack_of_what_no_camera_counts_is_refused_at_once(value, kind):
 
 
 def test_a_window_far_larger_than_the_stack_is_refused_with_what_is_enough():
-    given = {"depth": 2e-6, "wavelength": 520e-9, "pixel": 1e-7, "step": 3e-7, "noise": lm.Noise(read=1.0)}
+    given = {"depth": 2e-6, "wavelength": 520e-9, "pixel": 6.5e-6, "step": 3e-7, "noise": lm.Noise(read=1.0)}
     with pytest.raises(ValueError, match=r"^psf_shape must be at most \(\d+, \d+\), which is enough") as caught:
         lm.microscopy.restore(VOXELS, MICROSCOPE, psf_shape=(513, 513), method=ONCE, **given)
     enough = tuple(map(int, str(caught.value).partition("(")[2].partition(")")[0].split(",")))

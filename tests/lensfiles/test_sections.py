@@ -157,7 +157,7 @@ def test_a_lens_without_a_field_says_so(load):
         (SENSOR + 'file = "no.csv"\n', "field.file (line 21): 'no.csv' cannot be read: No such file or directory"),
         (TABLE.replace("0.5, 0.3", '"a", "b"'), "field.rows (line 22): row 2, Z4: must be a number, got 'a'; row 2"),
         (TABLE.replace("0 mm", "1 mm"), "field: height must begin with 0, the axis, got 0.001"),
-        (TABLE.replace("0.1, 0]", "0.1, 1]"), "field: the wavefront at height 0, on the axis"),
+        (TABLE.replace("0.1, 0]", "0.1, 1]"), "field: the wavefront at height 0 must be radially symmetric"),
     ],
 )  # fmt: skip
 def test_a_fault_is_told_with_its_key_and_line(load, text, what):

@@ -59,7 +59,7 @@ class ZernikeSum {
 
     double size() const { return size_; }  // bound on the modulus of the sum
     // Rounding error of the sum in units of roundoff. x has three roundings, y two; if the point moves by d, a term of degree n and
-    // amplitude 1 changes by at most n^2 d (Markov's inequality on discs). Its recurrence and x^2 + y^2 add 0.34 n^2, as measured.
+    // amplitude 1 changes by at most n^2 d (Markov's inequality on discs). The recurrence and x^2 + y^2 add 0.34 n^2, as measured.
     double rounding() const { return rounding_ + static_cast<double>(count_ + 2 * orders_.size()) * size_; }
 
     template <class V>

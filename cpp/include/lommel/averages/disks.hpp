@@ -48,7 +48,7 @@ class DiskAverages {
 
     bool from_rims(const AverageAnswer& answer);
     // Compute the averages of the pupils `which`, whose boxes have the same side: pixels in a box from nodes, others from the rim.
-    // `stack`: all pupils, with axes at pixel centres. If averages in boxes miss the tolerance, `answer` remains as it is.
+    // `stack`: all pupils, with axes at pixel centres. If averages in boxes miss the tolerance, `answer` is not changed.
     void with_box(const Pupils& which, std::int64_t side, const RimBoxes& boxes, const DiskStack& stack,
                   const AverageAnswer& answer) const;
     // Compute averages from samples at nodes of the window `asked` (image or box), with the pupils' axes at `centers`; return

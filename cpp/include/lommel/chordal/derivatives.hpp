@@ -43,7 +43,7 @@ struct ChordalDerivatives {
     double* sizes = nullptr;  // with `averages`: bounds on |derivative of the intensity| at the samples, [term][pupil]
 
     // Compute the derivatives for a batch from the complex amplitudes U (scratch.fields) and the pupil functions (scratch.kept).
-    // scales[lane]: image / |U|^2; found: see PupilErrors; weights: of the samples in pixel averages, null without averages.
+    // scales[lane]: image / |U|^2; found: see PupilErrors; weights: those of the samples in pixel averages, or null.
     template <class Real>
     void follow(const ChordalBatch<Real>& batch, const double* scales, const PupilErrors& found,
                 const NodeWeights<Real>* weights) const {

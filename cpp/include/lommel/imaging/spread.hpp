@@ -57,7 +57,8 @@ struct Screen {
     const T* seen = nullptr;    // indexed like the output of forward()
 };
 
-// Blur by interpolated PSF windows: source pixels add them to the image (forward) or take inner products with them (adjoint).
+// Blur by interpolated PSF windows: each source pixel adds its window to the image (forward) or takes the inner product of its
+// window with the image (adjoint).
 template <class T>
 class Spreader {
    public:

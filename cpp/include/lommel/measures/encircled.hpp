@@ -61,7 +61,7 @@ class MeanProfile {
         return series(&energies_[s * (points_ + 2)], points_ + 2, place(v, s));
     }
 
-    // Bound on the error of mean() that is due to errors of the given values at(v), divided by the largest of these errors.
+    // Bound on (error of mean() due to errors of the given values at(v)) / (largest of these errors).
     double magnification() const { return lebesgue(points_); }
 
    private:

@@ -165,7 +165,9 @@ def test_the_noise_of_8_bit_srgb_is_said_to_be_a_guess_and_what_is_stated_is_use
     result = call_lommel("watch", *SCENE, *STATED, *source, "--table", "found.csv", folder=folder)
     guess = "The noise of 8-bit sRGB values is a guess, because cameras denoise and compress them: 12000 electrons"
     assert result.stderr.startswith(guess)
+    # The note is the second line of the report, which is wrapped.
     assert result.stderr.splitlines()[0].startswith(result.stdout.splitlines()[1])
+    assert result.stderr.splitlines()[0] in " ".join(result.stdout.split())
     assert "read noise 3 electrons (as stated), and rounding." in result.stderr
     for row, distance in zip(rows(folder / "found.csv"), DISTANCES, strict=True):
         assert abs(row["depth (m)"] - distance) < (0.6 if lossless else 1.5) * row["error (m)"]

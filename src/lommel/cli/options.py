@@ -427,10 +427,8 @@ def with_options(message: str) -> str:
     # A value that was not on the command line may be from a file, whose key is the name of the argument.
     if context and first in flags and context.get_parameter_source(keys[flags[first]]) is ParameterSource.COMMANDLINE:
         message = flags[first] + message.removeprefix(first)
-    for part in context.command.params if context else ():
-        if isinstance(part, click.Option) and part.is_flag and not part.secondary_opts:
-            message = message.replace(f"{part.name}=True", flags[part.name or ""])
-    message = _NAMES.sub(partial(_flag_of, flags), message)
+    # A flag has no value: "per_plane=True" is --per-plane.
+    message = re.sub(r"(--[a-z-]+) True\b", r"\1", _NAMES.sub(partial(_flag_of, flags), message))
     message = re.sub(r", in metres, such as (\d+)e-9", r", such as \1nm", message).replace(
         ", in metres", ", with a unit"
     )

@@ -444,6 +444,9 @@ def checked(pupil: object) -> Pupil:
     raise not_a_pupil(pupil)
 
 
+_SEVERAL_APERTURES = "pupil must have one aperture, got one for each position; index the stack"
+
+
 @dataclass(frozen=True)
 class FieldPupil(BasePupil):
     """Pupils with equal scale and different apertures, flattened in C order; `places` is the shape of the stack."""
@@ -479,14 +482,12 @@ class FieldPupil(BasePupil):
     @property
     def aperture(self) -> tuple[object, ...]:
         """Raise ValueError: each pupil has its own aperture."""
-        raise ValueError("pupil must have one aperture, got one for each position; index the stack")
+        raise ValueError(_SEVERAL_APERTURES)
 
     @property
     def amplitude(self) -> float:
         """Raise ValueError: each pupil has its own amplitude."""
-        raise ValueError(
-            "pupil must have one aperture, got one for each position; index the stack, and measure each PSF"
-        )
+        raise ValueError(_SEVERAL_APERTURES)
 
     @property
     def transmission(self) -> Array:  # type: ignore[override]

@@ -606,7 +606,7 @@ class PSF(Measured, PSFLike, display.Shown):
         g : array_like
             Derivative of the loss, with the shape of the values.
         of : sequence, optional
-            Parameters, as `derivatives` of :func:`psf`; by default the keys of :attr:`derivatives`, or the terms of
+            Parameters, as `derivatives` of :func:`psf`; by default the keys of ``PSF.derivatives``, or the terms of
             the wavefront if there are none.
 
         Returns

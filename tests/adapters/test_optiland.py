@@ -158,7 +158,7 @@ def test_what_is_no_polarisation_is_refused(triplet):
 
 
 def test_the_map_is_exact_where_it_was_traced_and_close_in_between(triplet):
-    field = adapter.field_map(triplet, heights=9)
+    field = adapter.field_map(triplet, heights=9, circular=True, tol=0.03)
     assert field.pupil_without_wavefront.f_number == pytest.approx(4.98, abs=0.005)
     assert field.pupil_without_wavefront.wavelength == pytest.approx(550e-9)
     for hx, hy, within in [(0.0, 0.5, 1e-6), (0.0, 1.0, 1e-6), (0.0, 0.7, 0.02), (0.3, 0.4, 0.02), (-0.5, 0.1, 0.02)]:
@@ -184,9 +184,8 @@ def test_a_map_of_ellipses_has_the_psfs_of_huygens_sum_where_circles_are_wrong(t
 
 
 def test_distortion_moves_the_light_of_elliptical_pupils_to_the_chief_ray(triplet):
-    straight = adapter.field_map(triplet, circular=False, heights=5)
-    bent = adapter.field_map(triplet, circular=False, heights=5, distortion=True)
-    at, ideal = straight.vignetting.height[3], bent.vignetting.height[3]
+    straight, bent = (adapter.field_map(triplet, heights=17, distortion=each) for each in (False, True))
+    at, ideal = straight.vignetting.height[12], bent.vignetting.height[12]
     assert bent.vignetting.along == straight.vignetting.along
     assert abs(at - ideal) > 4e-6
     axis = 7.0 + (at - ideal) / 2e-6  # of rows downwards, where the field is upwards
@@ -197,7 +196,7 @@ def test_distortion_moves_the_light_of_elliptical_pupils_to_the_chief_ray(triple
 
 def test_fields_that_are_named_are_traced_instead(triplet):
     points = [(0.0, 0.0), (0.5, 0.0), (0.0, 0.5), (0.5, 0.5)]
-    field = adapter.field_map(triplet, fields=points)
+    field = adapter.field_map(triplet, fields=points, circular=True, tol=1.0)
     chief = triplet.trace_generic(0.5, 0.5, Px=0.0, Py=0.0, wavelength=0.55)
     found = field.pupil(1e-3 * float(chief.x[0]), -1e-3 * float(chief.y[0])).wavefront
     rest = found - adapter.pupil(triplet, (0.5, 0.5), circular=True).wavefront
@@ -209,7 +208,7 @@ def test_what_is_no_lens_or_no_wavelength_is_refused(triplet):
         adapter.pupil(5)
     with pytest.raises(ValueError, match=r"wavelength is in metres .* for 550 nm give 550e-9"):
         adapter.pupil(triplet, wavelength=550)
-    with pytest.raises(ValueError, match="fields must be left out for elliptical pupils"):
+    with pytest.raises(ValueError, match="fields need circular=True"):
         adapter.field_map(triplet, circular=False, fields=[(0.0, 0.0), (0.5, 0.0), (0.0, 0.5)])
     with pytest.raises(ValueError, match="degree must be higher: Zernike terms up to 2 leave"):
         adapter.pupil(triplet, degree=2)
@@ -243,7 +242,7 @@ def test_distortion_is_that_of_their_analysis(sample):
 
 
 def test_maps_of_several_wavelengths_differ_by_the_lateral_colour_of_the_chief_rays(triplet):
-    blue, red = (adapter.field_map(triplet, heights=5, distortion=True, wavelength=w) for w in (480e-9, 650e-9))
+    blue, red = (adapter.field_map(triplet, distortion=True, wavelength=w, circular=True) for w in (480e-9, 650e-9))
     assert blue.reach == red.reach
     chief = [1e-3 * float(triplet.trace_generic(0.0, 1.0, 0.0, 0.0, w).y[0]) for w in (0.48, 0.65)]
     edge = [adapter.pupil(triplet, (0.0, 1.0), wavelength=w, circular=True).wavefront for w in (480e-9, 650e-9)]

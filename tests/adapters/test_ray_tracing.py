@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
+import lommel as lm
 from lommel.adapters import ray_tracing as tracing
 from lommel.special import zernike
 
@@ -53,6 +55,10 @@ def single(trace, field, degree=6, tol=1e-6):
     return tracing.single_pupil(trace, field, WAVELENGTH, degree, tol, circular=True)
 
 
+def mapped(fields):
+    return tracing.field_map(lens(), None, fields, WAVELENGTH, 6, 1, circular=True)
+
+
 def test_the_pupil_and_the_position_are_mirrored_so_that_y_rises_downwards():
     pupil = single(lens(), (0.3, 0.8))
     x, y = 0.4, 0.5
@@ -89,9 +95,45 @@ def test_a_lens_without_symmetry_is_told_unless_fields_are_given():
     with pytest.raises(ValueError, match="not rotationally symmetric; give fields"):
         tracing.field_map(trace, 4, None, WAVELENGTH, 6, 1e-6)
     points = [(hx, hy) for hx in (-1.0, 0.0, 1.0) for hy in (-1.0, 0.0, 1.0)]
-    field = tracing.field_map(trace, 4, points, WAVELENGTH, 6, 1e-6)
+    field = tracing.field_map(trace, 4, points, WAVELENGTH, 6, 1e-6, circular=True)
     found = field.pupil(EDGE, -EDGE).wavefront - single(trace, (1.0, 1.0)).wavefront
     assert all(abs(float(c)) < 1e-9 for c in found.edge_terms().values())
+
+
+def wavy(trace, waves):
+    """The lens with astigmatism that oscillates over the field: `waves` periods from the axis to the edge."""
+
+    def traced(hx, hy, x, y):
+        rays = trace(hx, hy, x, y)
+        height = math.hypot(hx, hy) + 1e-12
+        bend = 0.5 * math.sin(math.pi * waves * height) ** 2 / height**2
+        along, across = x * hx + y * hy, x * hy - y * hx
+        phase = rays.phase + bend * (along**2 - across**2)
+        # The rays move with the gradient of the phase.
+        gx, gy = (2.0 * bend * (along * p + q * across) for p, q in ((hx, -hy), (hy, hx)))
+        reach = WAVELENGTH / (math.pi / N)
+        return replace(rays, phase=phase, missed_x=rays.missed_x + reach * gx, missed_y=rays.missed_y + reach * gy)
+
+    return traced
+
+
+@pytest.mark.parametrize("circular", [True, False])
+def test_a_map_has_as_many_heights_as_its_pupils_require(circular):
+    trace = wavy(lens(), 3.0)
+    with pytest.raises(ValueError, match=r"between 7 heights .* differ by up to 0\.\d+ rad rms .* leave heights out"):
+        tracing.field_map(trace, 7, None, WAVELENGTH, 6, 0.01, circular=circular)
+    field = tracing.field_map(trace, None, None, WAVELENGTH, 6, 0.01, circular=circular)
+    for h in np.linspace(0.0, 1.0, 38):
+        rest = field.pupil(0.0, -EDGE * h).wavefront - single(trace, (0.0, h), tol=0.01).wavefront
+        assert lm.rms(rest) < 0.01
+    with pytest.raises(ValueError, match="between 129 heights"):
+        tracing.field_map(wavy(lens(), 41.3), None, None, WAVELENGTH, 6, 1e-4, circular=circular)
+
+
+def test_fields_between_which_the_lens_does_not_follow_the_map_are_refused():
+    points = [(hx, hy) for hx in (-1.0, 0.0, 1.0) for hy in (-1.0, 0.0, 1.0)]
+    with pytest.raises(ValueError, match=r"fields must be closer together: at \(.*\), between them, .* rad rms"):
+        tracing.field_map(wavy(lens(), 3.0), None, points, WAVELENGTH, 6, 0.01, circular=True)
 
 
 @pytest.mark.parametrize(
@@ -106,8 +148,8 @@ def test_a_lens_without_symmetry_is_told_unless_fields_are_given():
         (lambda: single(lens(), (0, math.nan)), ValueError, r"field\[1\] must be finite"),
         (lambda: single(lens(slower=-1.0), (0, 0)), ValueError, "do not converge towards an image"),
         (lambda: tracing.field_map(lens(), 1, None, WAVELENGTH, 6, 1), ValueError, "heights must be from 2 to 1000"),
-        (lambda: tracing.field_map(lens(), 2, 5, WAVELENGTH, 6, 1), TypeError, "fields must be a sequence of pairs"),
-        (lambda: tracing.field_map(lens(), 2, [(0, 0), 1], WAVELENGTH, 6, 1), TypeError, r"fields\[1\] must be"),
+        (lambda: mapped(5), TypeError, "fields must be a sequence of pairs"),
+        (lambda: mapped([(0, 0), 1]), TypeError, r"fields\[1\] must be"),
         (lambda: tracing.field_map(lens(image=0.0), 3, None, WAVELENGTH, 6, 1), ValueError, "image is on the axis"),
     ],
 )  # fmt: skip
@@ -152,7 +194,7 @@ def test_a_tilt_that_rays_do_not_have_is_found(tilt):
         lambda trace: tracing.single_pupil(trace, (0.0, -1.0), WAVELENGTH, 6, 1e-6, circular=False),
         lambda trace: tracing.polarized_pupils(trace, (0.0, 1.0), WAVELENGTH, 6, 1e-6, 16),
         lambda trace: tracing.field_map(trace, 3, None, WAVELENGTH, 6, 1e-6),
-        lambda trace: tracing.field_map(trace, 3, [(0, 0), (0, 1), (1, 0)], WAVELENGTH, 6, 1e-6),
+        lambda trace: tracing.field_map(trace, 3, [(0, 0), (0, 1), (1, 0)], WAVELENGTH, 6, 9.0, circular=True),
     ],
     ids=["circle", "ellipse", "polarised", "map", "fields"],
 )

@@ -48,10 +48,10 @@ def pupil(
     wavelength : float
         Wavelength, metres.
     circular : bool, default False
-        True for a circular annulus with the geometric mean f-number, as in :func:`field_map`. False for the pupil
-        seen from the image, an elliptical annulus off the axis. At the edge of the field of SDSS, PSFs of circular
-        annuli differ by 9 % of the peak from Huygens' sum over the traced rays. Phase retrieval and gradients in JAX
-        or PyTorch support circular annuli only.
+        True for a circular annulus with the geometric mean f-number. False for the pupil seen from the image, an
+        elliptical annulus off the axis. At the edge of the field of SDSS, PSFs of circular annuli differ by 9 % of
+        the peak from Huygens' sum over the traced rays. Phase retrieval and gradients in JAX or PyTorch support
+        circular annuli only.
     degree : int, default 12
         Highest degree of the Zernike terms, 2 to 20.
     tol : float, default 0.01
@@ -79,9 +79,9 @@ def field_map(
     radius: float,
     *,
     wavelength: float,
-    heights: int = 9,
+    heights: int | None = None,
     fields: Sequence[tuple[float, float]] | None = None,
-    circular: bool = True,
+    circular: bool = False,
     degree: int = 12,
     tol: float = 0.01,
 ) -> FieldMap:
@@ -93,16 +93,21 @@ def field_map(
         Telescope.
     radius : float
         Largest field angle, radians from the axis.
-    heights : int, default 9
-        Number of directions traced, from the axis to `radius`; the telescope must be rotationally symmetric.
+    heights : int, optional
+        Number of directions traced, from the axis to `radius`; the telescope must be rotationally symmetric. By
+        default 5 to 129, as many as are needed for pupils between them to agree with traced ones within `tol`.
     fields : sequence of (float, float), optional
-        Directions to trace instead, as fractions of `radius`; required for a telescope without rotational symmetry.
-    circular : bool, default True
+        Directions to trace instead, as fractions of `radius`; required for a telescope without rotational symmetry,
+        and requires ``circular=True``.
+    circular : bool, default False
         True for circular annuli with the f-number on the axis, which blurs over the field require. At the edge of
         Rubin's field the PSFs of circular annuli differ by 2.4 % of the peak from Huygens' sum over the traced rays.
         False for elliptical annuli of :func:`pupil`, whose PSFs differ by 0.02 %; not supported with `fields`.
-    wavelength, degree, tol
+    wavelength, degree
         As for :func:`pupil`.
+    tol : float, default 0.01
+        Largest accepted rms residual, radians, of the fits to traced phases and, between the traced directions, of
+        the interpolation.
 
     Returns
     -------
@@ -113,7 +118,8 @@ def field_map(
     Raises
     ------
     ImportError, TypeError, ValueError
-        As for :func:`pupil`; also if the telescope is not rotationally symmetric and no `fields` are given.
+        As for :func:`pupil`; also if pupils interpolated between `heights` or between `fields` differ from traced
+        ones by more than `tol`, or if the telescope is not rotationally symmetric and no `fields` are given.
     """
     edge = validation.real("radius", radius, above=0.0)
     trace, metres, obscuration = _tracer(optic, wavelength, edge)

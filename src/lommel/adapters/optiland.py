@@ -52,10 +52,10 @@ def pupil(
     wavelength : float, optional
         Wavelength, metres; by default the primary wavelength of the lens.
     circular : bool, default False
-        True for a circle with the geometric mean f-number, as in :func:`field_map` and in optiland's FFT PSF. False
-        for the pupil seen from the image, which is an ellipse off the axis. For six lenses, PSFs of ellipses differ
-        by up to 1.5 % of the peak from Huygens' sum over the traced rays, PSFs of circles by up to 32 %
-        (:doc:`/optiland-checked`). Phase retrieval and gradients in JAX or PyTorch support circles only.
+        True for a circle with the geometric mean f-number, as in optiland's FFT PSF. False for the pupil seen from
+        the image, which is an ellipse off the axis. For six lenses, PSFs of ellipses differ by up to 1.5 % of the
+        peak from Huygens' sum over the traced rays, PSFs of circles by up to 32 % (:doc:`/optiland-checked`). Phase
+        retrieval and gradients in JAX or PyTorch support circles only.
     degree : int, default 12
         Highest degree of the Zernike terms, 2 to 20.
     tol : float, default 0.01
@@ -172,11 +172,11 @@ def polarized_pupils(
 def field_map(
     optic: object,
     *,
-    heights: int = 9,
+    heights: int | None = None,
     fields: Sequence[tuple[float, float]] | None = None,
     distortion: bool = False,
     wavelength: float | None = None,
-    circular: bool = True,
+    circular: bool = False,
     degree: int = 12,
     tol: float = 0.01,
 ) -> FieldMap:
@@ -186,21 +186,26 @@ def field_map(
     ----------
     optic : optiland.optic.Optic
         Lens.
-    heights : int, default 9
-        Number of field points traced, from the axis to the edge; the lens must be rotationally symmetric.
+    heights : int, optional
+        Number of field points traced, from the axis to the edge; the lens must be rotationally symmetric. By default
+        5 to 129, as many as are needed for pupils between them to agree with traced ones within `tol`.
     fields : sequence of (float, float), optional
-        Points (Hx, Hy) to trace instead, as fractions of the largest field; required without rotational symmetry.
+        Points (Hx, Hy) to trace instead, as fractions of the largest field; required without rotational symmetry,
+        and requires ``circular=True``.
     distortion : bool, default False
         False for positions at which the chief rays meet the sensor. True for ideal positions, f tan(theta) or a
         constant magnification; tilts of the wavefronts then shift the light to the actual positions, as
         :func:`lommel.imaging.field_photograph` requires. The ideal scale is that of the primary wavelength, so that
         maps for different wavelengths include the lateral colour of the lens.
-    circular : bool, default True
+    circular : bool, default False
         True for circles with the f-number on the axis, which blurs over the field require. At the edges of the fields
         of four lenses, their PSFs differ by 3 to 61 % of the peak from Huygens' sum over the traced rays. False for
         the ellipses of :func:`pupil`, whose PSFs differ by up to 1.5 %; not supported with `fields`.
-    wavelength, degree, tol
+    wavelength, degree
         As for :func:`pupil`.
+    tol : float, default 0.01
+        Largest accepted rms residual, radians, of the fits to traced phases and, between the traced field points, of
+        the interpolation.
 
     Returns
     -------
@@ -211,7 +216,8 @@ def field_map(
     Raises
     ------
     ImportError, TypeError, ValueError
-        As for :func:`pupil`; also without `fields` if the lens is not rotationally symmetric, if `fields` are given
+        As for :func:`pupil`; also if pupils interpolated between `heights` or between `fields` differ from traced
+        ones by more than `tol`, without `fields` if the lens is not rotationally symmetric, if `fields` are given
         with `distortion`, or if `distortion` is requested for fields defined by real image heights.
     """
     trace, metres = _tracer(optic, wavelength)

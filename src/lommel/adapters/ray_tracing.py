@@ -6,8 +6,8 @@ around the image point of the chief ray. A longer path delays the wave, which ha
 Pupil points (x, y) are fractions of the radius of the entrance pupil. Under the sine condition they are proportional
 to the direction cosines from the reference sphere to the image point, which are the variables of Debye's integral.
 Off the axis the factors differ between x and y, so that the pupil seen from the image is an ellipse: a linear map,
-fitted by least squares, maps the entrance pupil to this ellipse. By default field maps use a circle instead, as do
-the FFT PSFs of ray tracers. Its f-number is 1 / (2 s), where s is the geometric mean of n sin(angle) at the edge in x
+fitted by least squares, maps the entrance pupil to this ellipse. A circle instead, as in the FFT PSFs of ray tracers,
+is less accurate. Its f-number is 1 / (2 s), where s is the geometric mean of n sin(angle) at the edge in x
 and in y.
 
 In ray tracers y points upwards, in images of lommel downwards. Pupils and positions are therefore mirrored: they are
@@ -19,13 +19,16 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from functools import cache
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.spatial import Delaunay
 
 from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.field.maps import FieldMap, Foreshortening, foreshortened
+from lommel.measures.aperture_means import rms
 from lommel.optics.aperture.mask import Mask
 from lommel.optics.aperture.shapes import Ellipse
 from lommel.optics.pupil import Pupil
@@ -41,6 +44,7 @@ MAX_DEGREE = 20
 # If the degree is too low, the fit residual is up to a sixth of the tilt.
 _TILT, _TILT_OF_SLOPES, _TILT_OF_RESIDUAL = 0.1, 0.01, 10.0
 _MIN_AMPLITUDE = 1e-9  # components of the electric field below this amplitude are omitted
+_COUNTS = (5, 9, 17, 33, 65, 129)  # numbers of heights tried for a map, until interpolation agrees with the rays
 _MIN_ELLIPTICITY = 1e-5  # a pupil with smaller ellipticity is treated as a circle, which all methods support
 
 
@@ -243,7 +247,7 @@ def polarized_pupils(
 
 def field_map(
     trace: Trace,
-    heights: int,
+    heights: int | None,
     fields: Sequence[object] | None,
     wavelength: float,
     degree: int,
@@ -251,7 +255,7 @@ def field_map(
     obscuration: float = 0.0,
     ideal: Callable[[float], float] | None = None,
     *,
-    circular: bool = True,
+    circular: bool = False,
 ) -> FieldMap:
     """Return the field map; without `fields` the lens must be rotationally symmetric.
 
@@ -260,6 +264,9 @@ def field_map(
 
     `ideal` is a function that returns the image height without distortion (metres, upwards) for a fraction of the
     largest field. With it, these heights are the positions of the map, and tilts shift the light to the actual ones.
+
+    The lens is also traced between the positions of the map. ValueError if the interpolated pupils there differ from
+    the traced ones by more than `tol` (radians rms); if `heights` is None, it is increased until they do not.
     """
     as_circle = validation.truth("circular", circular)
     points, trace = sample_points(degree, tol), _check_phases(trace, wavelength)
@@ -268,22 +275,61 @@ def field_map(
     if ideal is not None:
         raise ValueError("fields must be left out with distortion, which needs a rotationally symmetric lens")
     if not as_circle:
-        raise ValueError("fields must be left out for elliptical pupils, which need a rotationally symmetric lens")
+        raise ValueError(
+            "fields need circular=True, circular pupils, which are less accurate off the axis: a map of elliptical "
+            "pupils needs a rotationally symmetric lens; pupil() has the ellipse of one field point of any lens"
+        )
     if not isinstance(fields, Sequence | np.ndarray):
         raise TypeError(f"fields must be a sequence of pairs (hx, hy), got {validation.shown(fields)}")
     f_number = fit(trace(0.0, 0.0, *points), degree, tol)[1]
-    at = [_check_point(f"fields[{k}]", field) for k, field in enumerate(fields)]
-    traced_fields = [trace(hx, hy, *points) for hx, hy in at]
-    wavefront = _stack_fits([fit(one, degree, tol)[0] for one in traced_fields])
-    x, y = np.array([one.position for one in traced_fields]).reshape(-1, 2).T
+    field_points = [_check_point(f"fields[{k}]", field) for k, field in enumerate(fields)]
+    traced_fields = [trace(hx, hy, *points) for hx, hy in field_points]
+    wavefront = _stack_fits([fit(traced, degree, tol)[0] for traced in traced_fields])
+    x, y = np.array([traced.position for traced in traced_fields]).reshape(-1, 2).T
     aperture = Pupil(obscuration=obscuration, wavelength=wavelength, f_number=f_number)
-    return FieldMap.scattered(x, -y, wavefront, aperture=aperture)
+    scattered = FieldMap.scattered(x, -y, wavefront, aperture=aperture)
+    _check_between_fields(scattered, trace, points, np.array(field_points), np.stack([x, y], axis=1), degree, tol)
+    return scattered
+
+
+def _check_between_fields(
+    field_map: FieldMap,
+    trace: Trace,
+    points: tuple[Array, Array],
+    fields: Array,
+    positions: Array,
+    degree: int,
+    tol: float,
+) -> None:
+    """Raise ValueError if wavefronts of the map differ from traced ones at the centres of triangles of fields."""
+    triangulation = Delaunay(positions / np.ptp(positions, axis=0).max())
+    for hx, hy in fields[triangulation.simplices].mean(axis=1):
+        traced = trace(float(hx), float(hy), *points)
+        x, y = traced.position
+        if triangulation.find_simplex(np.array([x, y]) / np.ptp(positions, axis=0).max()) < 0:
+            continue  # distortion moves the centre of a narrow triangle at the border out of the map
+        difference = _difference(field_map.pupil(x, -y), fit(traced, degree, tol)[0])
+        if difference > tol:
+            raise ValueError(
+                f"fields must be closer together: at ({hx:.3g}, {hy:.3g}), between them, the interpolated wavefront "
+                f"differs by {difference:.3g} rad rms from the traced one, more than tol={tol:g}"
+            )
+
+
+def _difference(pupil: Pupil, terms: dict[tuple[int, int], float]) -> float:
+    """Return the rms difference in radians between the phase of a pupil and that of Zernike coefficients."""
+    return float(rms(pupil.wavefront - Wavefront.zernike(terms, normalization="edge")))
+
+
+def _semi_axes(traced: TracedField) -> Array:
+    """Return n sin(angle) at the edge of the pupil in x and in y, its semi-axes for a field point along y."""
+    return np.abs(np.diag(_fit_transform(traced)))
 
 
 def _radial_map(
     trace: Trace,
     points: tuple[Array, Array],
-    heights: int,
+    heights: int | None,
     wavelength: float,
     degree: int,
     tol: float,
@@ -293,39 +339,71 @@ def _radial_map(
     circular: bool,
 ) -> FieldMap:
     """Return the map of a rotationally symmetric lens from `heights` field points along y."""
-    f_number = fit(trace(0.0, 0.0, *points), degree, tol)[1]
-    count = validation.integer("heights", heights, least=2, most=1000)
-    fractions = np.linspace(0.0, 1.0, count)
-    along_y = [trace(0.0, float(hy), *points) for hy in fractions]
-    position = np.array([one.position for one in along_y]) - along_y[0].position
-    upwards = math.copysign(1.0, position[-1, 1])
-    distances = upwards * position[:, 1]
-    if not distances[-1] > 0.0:
+    trace_height = cache(lambda fraction: trace(0.0, fraction, *points))
+    axis, edge = trace_height(0.0), trace_height(1.0)
+    f_number = fit(axis, degree, tol)[1]
+    upwards = math.copysign(1.0, edge.position[1] - axis.position[1])
+
+    def distance(fraction: float) -> float:
+        return upwards * (trace_height(fraction).position[1] - axis.position[1])
+
+    if not distance(1.0) > 0.0:
         raise ValueError("the largest field of the lens must be off the axis, but its image is on the axis")
-    # n sin(angle) at the edge of each pupil, perpendicular (x) and parallel (y) to the direction of the field.
-    axes = np.abs([np.diag(_fit_transform(one)) for one in along_y])
-    half = 0.5 / f_number if circular else float(axes.max())
-    aperture = Pupil(obscuration=obscuration, wavelength=wavelength, f_number=0.5 / half)
-
-    def terms(traced: TracedField) -> dict[tuple[int, int], float]:
-        if circular:
-            return fit(traced, degree, tol)[0]
-        x, y = _fit_transform(traced) @ np.stack([traced.x, traced.y]) / half
-        return _fit_terms(traced.phase, x, y, degree, tol)
-
-    azimuth = -0.5 * math.pi * upwards
-    wavefront = _stack_fits([terms(one) for one in along_y])
-    radial_map = FieldMap.radial(distances, wavefront, azimuth=azimuth, aperture=aperture)
     along_x = trace(1.0, 0.0, *points)
-    _require_symmetry(radial_map, terms(along_x), along_x.position, distances[-1], tol)
-    if ideal is not None:
-        undistorted = np.array([upwards * ideal(float(h)) for h in fractions])
-        # A tilt of c radians at the edge moves the image by c lambda N / pi.
-        tilt = -upwards * math.pi / aperture.scale * (distances - undistorted)
-        tilted = wavefront + Wavefront.zernike({(1, -1): tilt}, normalization="edge")
-        radial_map = FieldMap.radial(undistorted, tilted, azimuth=azimuth, aperture=aperture)
-        distances = undistorted
-    return radial_map if circular else radial_map.seen_through(Foreshortening(distances, *(axes.T / half)[::-1]))
+
+    def build(count: int) -> tuple[FieldMap, float]:
+        """Return the map of `count` heights, and its largest difference from pupils traced between them."""
+        fractions = np.linspace(0.0, 1.0, count).tolist()
+        distances = [distance(h) for h in fractions]
+        # n sin(angle) at the edge of each pupil, perpendicular (x) and parallel (y) to the direction of the field.
+        axes = np.array([_semi_axes(trace_height(h)) for h in fractions])
+        half = 0.5 / f_number if circular else float(axes.max())
+        aperture = Pupil(obscuration=obscuration, wavelength=wavelength, f_number=0.5 / half)
+
+        def terms(traced: TracedField) -> dict[tuple[int, int], float]:
+            if circular:
+                return fit(traced, degree, tol)[0]
+            x, y = _fit_transform(traced) @ np.stack([traced.x, traced.y]) / half
+            return _fit_terms(traced.phase, x, y, degree, tol)
+
+        def shifted_terms(fraction: float) -> dict[tuple[int, int], float]:
+            fitted = terms(trace_height(fraction))
+            if ideal is not None:
+                # A tilt of c radians at the edge moves the image by c lambda N / pi.
+                shift = distance(fraction) - upwards * ideal(fraction)
+                fitted[1, -1] = fitted.get((1, -1), 0.0) - upwards * math.pi / aperture.scale * shift
+            return fitted
+
+        azimuth = -0.5 * math.pi * upwards
+        wavefront = _stack_fits([terms(trace_height(h)) for h in fractions])
+        radial_map = FieldMap.radial(distances, wavefront, azimuth=azimuth, aperture=aperture)
+        _require_symmetry(radial_map, terms(along_x), along_x.position, distances[-1], tol)
+        if ideal is not None:
+            distances = [upwards * ideal(h) for h in fractions]
+            wavefront = _stack_fits([shifted_terms(h) for h in fractions])
+            radial_map = FieldMap.radial(distances, wavefront, azimuth=azimuth, aperture=aperture)
+        foreshortening = None if circular else Foreshortening(distances, *(axes.T / half)[::-1])
+        differences = []
+        for fraction in np.mean([fractions[1:], fractions[:-1]], axis=0).tolist():
+            height = distance(fraction) if ideal is None else upwards * ideal(fraction)
+            differences.append(_difference(radial_map.pupil(0.0, -upwards * height), shifted_terms(fraction)))
+            if foreshortening is not None:
+                # An error e of a semi-axis changes amplitudes by up to 2 e, as a phase error of 2 e rad rms does.
+                ellipse = foreshortening.at(height, 0.0) or Ellipse(1.0, 1.0)
+                across, along = _semi_axes(trace_height(fraction)) / half
+                differences.append(2.0 * max(abs(ellipse.a - along), abs(ellipse.b - across)))
+        return radial_map if foreshortening is None else radial_map.seen_through(foreshortening), max(differences)
+
+    counts = _COUNTS if heights is None else (validation.integer("heights", heights, least=2, most=1000),)
+    for count in counts:
+        radial_map, difference = build(count)
+        if difference <= tol:
+            return radial_map
+    raise ValueError(
+        f"heights must be more: between {count} heights of the field, interpolated pupils differ by up to "
+        f"{difference:.3g} rad rms from traced ones, more than tol={tol:g}"
+        + ("" if heights is None else "; leave heights out to have as many as tol requires")
+    )
 
 
 def _require_symmetry(

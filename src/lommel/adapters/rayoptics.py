@@ -59,8 +59,8 @@ def pupil(
         True to raise an error if a ray misses the clear aperture of a surface. False to ignore clear apertures, for
         example if they have not been set yet.
     circular : bool, default False
-        True for a circle with the geometric mean f-number, as in :func:`field_map`. False for the pupil seen from the
-        image, off the axis an ellipse. Phase retrieval and gradients in JAX or PyTorch support circles only.
+        True for a circle with the geometric mean f-number. False for the pupil seen from the image, off
+        the axis an ellipse. Phase retrieval and gradients in JAX or PyTorch support circles only.
     degree : int, default 12
         Highest degree of the Zernike terms, 2 to 20.
     tol : float, default 0.01
@@ -87,11 +87,11 @@ def pupil(
 def field_map(
     model: object,
     *,
-    heights: int = 9,
+    heights: int | None = None,
     fields: Sequence[tuple[float, float]] | None = None,
     wavelength: float | None = None,
     apertures: bool = True,
-    circular: bool = True,
+    circular: bool = False,
     degree: int = 12,
     tol: float = 0.01,
 ) -> FieldMap:
@@ -101,16 +101,21 @@ def field_map(
     ----------
     model : rayoptics.optical.opticalmodel.OpticalModel
         Lens, after ``update_model()``.
-    heights : int, default 9
-        Number of field points traced, from the axis to the edge; the lens must be rotationally symmetric.
+    heights : int, optional
+        Number of field points traced, from the axis to the edge; the lens must be rotationally symmetric. By default
+        5 to 129, as many as are needed for pupils between them to agree with traced ones within `tol`.
     fields : sequence of (float, float), optional
-        Points to trace instead, as fractions of the largest field; required for a lens without rotational symmetry.
-    circular : bool, default True
+        Points to trace instead, as fractions of the largest field; required for a lens without rotational symmetry,
+        and requires ``circular=True``.
+    circular : bool, default False
         True for circles with the f-number on the axis, which blurs over the field require; errors of their PSFs can
         be tens of percent of the peak near the edge of the field. False for the ellipses of :func:`pupil`; not
         supported with `fields`.
-    wavelength, apertures, degree, tol
+    wavelength, apertures, degree
         As for :func:`pupil`.
+    tol : float, default 0.01
+        Largest accepted rms residual, radians, of the fits to traced phases and, between the traced field points, of
+        the interpolation.
 
     Returns
     -------
@@ -121,7 +126,8 @@ def field_map(
     Raises
     ------
     ImportError, TypeError, ValueError
-        As for :func:`pupil`; also if the lens is not rotationally symmetric and no `fields` are given.
+        As for :func:`pupil`; also if pupils interpolated between `heights` or between `fields` differ from traced
+        ones by more than `tol`, or if the lens is not rotationally symmetric and no `fields` are given.
     """
     trace, metres = _tracer(model, wavelength, apertures)
     return ray_tracing.field_map(trace, heights, fields, metres, degree, tol, circular=circular)

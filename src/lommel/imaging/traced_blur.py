@@ -189,14 +189,14 @@ class TracedBlur:
             Distance from the lens in metres; may be infinite. A number, or an array of the shape (..., 1, 1), applies
             to all points of an image.
         focus_distance, f_number : array, shape () or (n,), optional
-            Focus distance (m) and f-number, within the ranges given to :func:`traced_blur`; by default those of the
+            Focus distance (m) and f-number, within the ranges given to ``traced_blur``; by default those of the
             given lens. The sensor is moved to the focus, and PSFs scale with the sensor distance and the f-number.
             With the shape (n,), where n is the batch size (first axis of `image`), each image has its own lens.
         defocus : array, optional
             Additional C_d, radians; broadcasts with `distance`.
         zernike : array, shape (k,) or (n, k), or (rows, columns, k) or (n, rows, columns, k), optional
             Zernike coefficients added to the wavefront, radians at the edge of the pupil and the wavelength of the
-            lens, in the order of the terms given to :func:`traced_blur`; n is the batch size. With axes of rows and
+            lens, in the order of the terms given to ``traced_blur``; n is the batch size. With axes of rows and
             columns, aberrations vary over the field: coefficients are given at nodes with equal spacing from the
             first pixel to the last. PSFs are interpolated linearly between nodes; each node takes the time of a blur.
         occlusion : bool, default False

@@ -178,7 +178,7 @@ class RestoredStack(FitReport):
         Returns
         -------
         dict
-            The entries of :meth:`FitReport.to_dict`, the shape, and the voxel sizes (metres). Each channel has its
+            The entries of ``FitReport.to_dict()``, the shape, and the voxel sizes (metres). Each channel has its
             name, wavelength, smallest and largest depth, number of PSFs, and mean background.
         """
         result = super().to_dict()

@@ -122,7 +122,7 @@ class Wavefront(EqualByContent, display.Shown):
     Parameters
     ----------
     defocus : array_like, default 0
-        C_d of Eq. (2) in Wei et al. (:mod:`lommel.paper`), radians. An array describes a stack of wavefronts.
+        C_d of Eq. (2) in Wei et al. (module ``lommel.paper``), radians. An array describes a stack of wavefronts.
     spherical : array_like, default 0
         C_s of Eq. (15), radians.
     higher : sequence of array_like, default ()

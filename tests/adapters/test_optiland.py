@@ -183,6 +183,23 @@ def test_a_map_of_ellipses_has_the_psfs_of_huygens_sum_where_circles_are_wrong(t
         assert checked["error"](other, truth) > 0.05
 
 
+def test_a_pupil_over_a_band_has_the_psfs_of_huygens_sum_at_other_wavelengths(triplet):
+    checked = runpy.run_path(str(Path(__file__).parents[2] / "benchmarks" / "optiland_checked.py"))
+    blue = type(triplet)()
+    for wavelength in blue.wavelengths.wavelengths:
+        if wavelength.is_primary:
+            wavelength._value = wavelength._value_in_um = 0.45
+    assert blue.primary_wavelength == 0.45
+    for h in ((0.0, 0.0), (0.5, 0.6)):
+        pupil = adapter.pupil(triplet, h, band=(440e-9, 650e-9))
+        pitch = 0.7e6 * pupil.scale
+        places = checked["steps"](15, pitch)
+        chief = triplet.trace_generic(*h, Px=0.0, Py=0.0, wavelength=0.55)
+        truth = checked["huygens"](blue, h, places, places, about=(float(chief.x[0]), float(chief.y[0])))
+        found = lm.psf(pupil.in_light(450e-9), 15, 1e-6 * pitch, integrate=False).values[::-1]
+        assert checked["error"](found, truth) < 0.006
+
+
 def test_distortion_moves_the_light_of_elliptical_pupils_to_the_chief_ray(triplet):
     straight, bent = (adapter.field_map(triplet, heights=17, distortion=each) for each in (False, True))
     at, ideal = straight.vignetting.height[12], bent.vignetting.height[12]

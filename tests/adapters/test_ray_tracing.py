@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import math
 from dataclasses import replace
 
@@ -52,7 +53,7 @@ def lens(
 
 
 def single(trace, field, degree=6, tol=1e-6):
-    return tracing.single_pupil(trace, field, WAVELENGTH, degree, tol, circular=True)
+    return tracing.single_pupil(lambda wave: trace, field, WAVELENGTH, degree, tol, circular=True)
 
 
 def mapped(fields):
@@ -98,6 +99,83 @@ def test_a_lens_without_symmetry_is_told_unless_fields_are_given():
     field = tracing.field_map(trace, 4, points, WAVELENGTH, 6, 1e-6, circular=True)
     found = field.pupil(EDGE, -EDGE).wavefront - single(trace, (1.0, 1.0)).wavefront
     assert all(abs(float(c)) < 1e-9 for c in found.edge_terms().values())
+
+
+def dispersive(wave):
+    """The lens with axial colour, lateral colour and spherochromatism of its own: as in no achromatic lens."""
+    relative = wave / WAVELENGTH - 1.0
+    trace = lens()
+
+    def traced(hx, hy, x, y):
+        rays = trace(hx, hy, x, y)
+        # Path differences in metres are those at WAVELENGTH, and others that grow with the distance from it.
+        squares = x * x + y * y
+        focus, sphere = 2.0 * relative + 5.0 * relative**2, 3.0 * relative
+        phase = (rays.phase + focus * squares + sphere * squares**2) / (1.0 + relative)
+        reach = WAVELENGTH / (math.pi / N)
+        gradient = reach * (2.0 * focus + 4.0 * sphere * squares)
+        missed = rays.missed_x + gradient * x, rays.missed_y + gradient * y
+        position = tuple(p * (1.0 + 1e-4 * relative) for p in rays.position)
+        return replace(rays, phase=phase, missed_x=missed[0], missed_y=missed[1], position=position)
+
+    return traced
+
+
+@pytest.mark.parametrize("circular", [True, False])
+@pytest.mark.parametrize("field", [(0.0, 0.0), (0.3, 0.8)])
+def test_a_pupil_over_a_band_has_the_colour_of_the_lens(circular, field):
+    options = {"degree": 6, "tol": 1e-3, "circular": circular}
+    pupil = tracing.single_pupil(dispersive, field, WAVELENGTH, band=(450e-9, 650e-9), **options)
+    for wave in (450e-9, 487e-9, WAVELENGTH, 650e-9):
+        alone = tracing.single_pupil(dispersive, field, wave, **options)
+        # The image moves along with the chief ray, which is the middle of the image of the pupil alone.
+        moved = [EDGE * 1e-4 * (wave / WAVELENGTH - 1.0) * h for h in (field[0], -field[1])]
+        pixel, middle = 1e-6, 16.0
+        found = lm.psf(pupil.in_light(wave), 33, pixel)
+        center = tuple(middle + shift / pixel for shift in reversed(moved))
+        np.testing.assert_allclose(
+            found.values, lm.psf(alone, 33, pixel, center=center).values, atol=2e-3 * found.values.max()
+        )
+    again = lm.Pupil.from_dict(json.loads(json.dumps(pupil.to_dict())))
+    assert again == pupil
+    with pytest.raises(ValueError, match="known from 450 to 650 nm, got 660; pass a wider band"):
+        lm.colour_psf(pupil, 9, 1e-6, lm.Channels([660e-9], [[1.0]], ["deep red"]))
+
+
+def test_a_traced_pupil_or_map_without_a_band_is_not_taken_for_achromatic():
+    pupil = tracing.single_pupil(dispersive, (0.0, 0.5), WAVELENGTH, 6, 1e-3, circular=False)
+    with pytest.raises(ValueError, match=r"known at 550 nm, not at 6\d\d nm; pass band="):
+        lm.colour_psf(pupil, 9, 1e-6)
+    with pytest.raises(ValueError, match="or compute a map for each wavelength"):
+        tracing.field_map(dispersive(WAVELENGTH), None, None, WAVELENGTH, 6, 1e-3).psf(
+            0.0, 0.0, 9, 1e-6
+        ).pupil.in_light(6e-7)
+
+
+@pytest.mark.parametrize("band", [(650e-9, 450e-9), (500e-9, 540e-9), (500e-9, 550e-9, 600e-9), (math.nan, 1.0)])
+def test_a_band_that_is_none_is_refused(band):
+    with pytest.raises(ValueError, match="band must"):
+        tracing.single_pupil(dispersive, (0.0, 0.5), WAVELENGTH, 6, 1e-3, circular=False, band=band)
+
+
+def test_a_band_over_which_the_cone_or_the_phases_change_too_fast_is_refused():
+    def slower(wave):
+        return lens(slower=wave / WAVELENGTH)
+
+    with pytest.raises(ValueError, match=r"band must be narrower: at 4\.5e-07 m the cone of light differs by 0\.2"):
+        tracing.single_pupil(slower, (0.0, 0.0), WAVELENGTH, 6, 1e-3, circular=False, band=(450e-9, 650e-9))
+
+    def fast(wave):
+        trace = wavy(lens(), 1e9 * (wave - WAVELENGTH) * math.sqrt(2.0))
+
+        def traced(*point):
+            rays, factor = trace(*point), wave / WAVELENGTH
+            return replace(rays, missed_x=factor * rays.missed_x, missed_y=factor * rays.missed_y)
+
+        return traced
+
+    with pytest.raises(ValueError, match="band must be narrower: between 33 traced wavelengths"):
+        tracing.single_pupil(fast, (0.0, 1.0), WAVELENGTH, 6, 1e-2, circular=False, band=(450e-9, 650e-9))
 
 
 def wavy(trace, waves):
@@ -191,7 +269,7 @@ def test_a_tilt_that_rays_do_not_have_is_found(tilt):
     "call",
     [
         lambda trace: single(trace, (0.6, 0.8)),
-        lambda trace: tracing.single_pupil(trace, (0.0, -1.0), WAVELENGTH, 6, 1e-6, circular=False),
+        lambda trace: tracing.single_pupil(lambda wave: trace, (0.0, -1.0), WAVELENGTH, 6, 1e-6, circular=False),
         lambda trace: tracing.polarized_pupils(trace, (0.0, 1.0), WAVELENGTH, 6, 1e-6, 16),
         lambda trace: tracing.field_map(trace, 3, None, WAVELENGTH, 6, 1e-6),
         lambda trace: tracing.field_map(trace, 3, [(0, 0), (0, 1), (1, 0)], WAVELENGTH, 6, 9.0, circular=True),

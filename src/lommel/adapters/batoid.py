@@ -33,6 +33,7 @@ def pupil(
     field: tuple[float, float] = (0.0, 0.0),
     *,
     wavelength: float,
+    band: tuple[float, float] | None = None,
     circular: bool = False,
     degree: int = 12,
     tol: float = 0.01,
@@ -47,6 +48,11 @@ def pupil(
         Field angles theta_x and theta_y, radians.
     wavelength : float
         Wavelength, metres.
+    band : (float, float), optional
+        Shortest and longest wavelength, metres, of :func:`lommel.colour_psf` and :class:`lommel.Polychromatic` with
+        this pupil. The telescope is traced at 3 to 33 wavelengths, as many as `tol` requires: PSFs include axial and
+        lateral colour, about the chief ray at `wavelength`, and spherochromatism. By default the pupil is known at
+        `wavelength` only.
     circular : bool, default False
         True for a circular annulus with the geometric mean f-number. False for the pupil seen from the image, an
         elliptical annulus off the axis. At the edge of the field of SDSS, PSFs of circular annuli differ by 9 % of
@@ -70,8 +76,17 @@ def pupil(
     TypeError, ValueError
         If an argument is out of range, if rays miss a surface, or if the fit residual for `degree` exceeds `tol`.
     """
-    trace, metres, obscuration = _tracer(optic, wavelength, 1.0)
-    return ray_tracing.single_pupil(trace, field, metres, degree, tol, obscuration, circular=circular)
+    _, metres, obscuration = _tracer(optic, wavelength, 1.0)
+    return ray_tracing.single_pupil(
+        lambda wave: _tracer(optic, wave, 1.0)[0],
+        field,
+        metres,
+        degree,
+        tol,
+        obscuration,
+        circular=circular,
+        band=band,
+    )
 
 
 def field_map(

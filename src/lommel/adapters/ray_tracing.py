@@ -31,6 +31,7 @@ from lommel.field.maps import FieldMap, Foreshortening, foreshortened
 from lommel.measures.aperture_means import rms
 from lommel.optics.aperture.mask import Mask
 from lommel.optics.aperture.shapes import Ellipse
+from lommel.optics.colour.dispersion import TracedColour
 from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.special import zernike
@@ -45,6 +46,7 @@ MAX_DEGREE = 20
 _TILT, _TILT_OF_SLOPES, _TILT_OF_RESIDUAL = 0.1, 0.01, 10.0
 _MIN_AMPLITUDE = 1e-9  # components of the electric field below this amplitude are omitted
 _COUNTS = (5, 9, 17, 33, 65, 129)  # numbers of heights tried for a map, until interpolation agrees with the rays
+_BAND_COUNTS = (3, 5, 9, 17, 33)  # numbers of wavelengths tried for a band
 _MIN_ELLIPTICITY = 1e-5  # a pupil with smaller ellipticity is treated as a circle, which all methods support
 
 
@@ -181,7 +183,13 @@ def _pupil_from_image(
         ellipse = Ellipse(1.0, float(minor / major), math.atan2(axes[1, 0], axes[0, 0]))
     x, y = transform @ np.stack([traced.x, traced.y]) / major
     wavefront = Wavefront.zernike(_fit_terms(traced.phase, x, y, degree, tol), normalization="edge")
-    pupil = Pupil(wavefront, obscuration=obscuration, wavelength=wavelength, f_number=0.5 / float(major))
+    pupil = Pupil(
+        wavefront,
+        obscuration=obscuration,
+        wavelength=wavelength,
+        f_number=0.5 / float(major),
+        colour=TracedColour((wavelength,)),
+    )
     return pupil if ellipse is None else foreshortened(pupil, ellipse), transform / major
 
 
@@ -194,7 +202,7 @@ def _fit_transform(traced: TracedField) -> Array:
 
 
 def single_pupil(
-    trace: Trace,
+    tracer: Callable[[float], Trace],
     field: object,
     wavelength: float,
     degree: int,
@@ -202,16 +210,86 @@ def single_pupil(
     obscuration: float = 0.0,
     *,
     circular: bool,
+    band: tuple[float, float] | None = None,
 ) -> Pupil:
-    """Return the pupil, with its f-number, at one point of the field."""
+    """Return the pupil, with its f-number, at one point of the field; `tracer` returns the trace at a wavelength.
+
+    The pupil is known at its wavelength only, or over a `band`, from the shortest wavelength to the longest (metres).
+    """
     as_circle = validation.truth("circular", circular)
-    hx, hy = _check_point("field", field)
-    traced = _check_phases(trace, wavelength)(hx, hy, *sample_points(degree, tol))
-    if not as_circle:
-        return _pupil_from_image(traced, wavelength, degree, tol, obscuration)[0]
-    terms, f_number = fit(traced, degree, tol)
-    wavefront = Wavefront.zernike(terms, normalization="edge")
-    return Pupil(wavefront, obscuration=obscuration, wavelength=wavelength, f_number=f_number)
+    point, points = _check_point("field", field), sample_points(degree, tol)
+
+    def trace_at(wave: float) -> TracedField:
+        return _check_phases(tracer(wave), wave)(*point, *points)
+
+    traced = trace_at(wavelength)
+    if as_circle:
+        terms, f_number = fit(traced, degree, tol)
+        wavefront, colour = Wavefront.zernike(terms, normalization="edge"), TracedColour((wavelength,))
+        pupil = Pupil(wavefront, obscuration=obscuration, wavelength=wavelength, f_number=f_number, colour=colour)
+    else:
+        pupil = _pupil_from_image(traced, wavelength, degree, tol, obscuration)[0]
+    if band is None:
+        return pupil
+    limits = validation.rising("band", band, count=2).tolist()
+    if len(limits) != 2 or not limits[0] <= wavelength <= limits[1]:
+        raise ValueError(
+            f"band must be the shortest and longest wavelength, about the {wavelength:g} m of the pupil, got {band}"
+        )
+    return replace(pupil, colour=_trace_band(trace_at, traced, pupil, limits, degree, tol, as_circle))
+
+
+def _trace_band(
+    trace_at: Callable[[float], TracedField],
+    reference: TracedField,
+    pupil: Pupil,
+    band: Sequence[float],
+    degree: int,
+    tol: float,
+    circular: bool,
+) -> TracedColour:
+    """Return path differences over a band of wavelengths, in the coordinates and about the image point of a pupil.
+
+    Wavelengths are added until path differences between them, interpolated, agree with traced ones.
+    """
+    scale = 2.0 * float(pupil.f_number or 0.0)
+    sign = math.copysign(1.0, _fit_slopes(reference)[0])
+    cone = _fit_transform(reference) * scale
+
+    @cache
+    def paths_at(wave: float) -> dict[tuple[int, int], float]:
+        """Return the coefficients of the path difference at the edge, metres; ValueError if the cone differs."""
+        traced = trace_at(wave)
+        transform = _fit_transform(traced) * scale
+        # An error e of the edge of the pupil changes amplitudes by up to 2 e.
+        if 2.0 * float(np.linalg.norm(transform - cone, 2)) > tol:
+            raise ValueError(
+                f"band must be narrower: at {wave:g} m the cone of light differs by "
+                f"{np.linalg.norm(transform - cone, 2):.2g} of its radius, more than half of tol={tol:g}; trace a "
+                "pupil for each wavelength"
+            )
+        x, y = (sign * traced.x, -sign * traced.y) if circular else transform @ np.stack([traced.x, traced.y])
+        paths = {t: wave / (2.0 * math.pi) * c for t, c in _fit_terms(traced.phase, x, y, degree, tol).items()}
+        # A shift of the image by d is a path difference of d / (2 N) at the edge; y is upwards in traced fields.
+        for term, new, old in zip(((1, 1), (1, -1)), traced.position, reference.position, strict=True):
+            paths[term] += math.copysign(1.0, term[1]) * (new - old) / scale
+        return paths
+
+    for count in _BAND_COUNTS:
+        waves = np.linspace(band[0], band[-1], count)
+        fits = [paths_at(float(wave)) for wave in waves]
+        terms = tuple(fits[0])
+        colour = TracedColour(tuple(waves.tolist()), terms, tuple(tuple(fit[t] for t in terms) for fit in fits))
+        coloured, differences = replace(pupil, colour=colour), []
+        for wave in (0.5 * (waves[1:] + waves[:-1])).tolist():
+            phases = {t: 2.0 * math.pi / wave * path for t, path in paths_at(wave).items()}
+            differences.append(_difference(coloured.in_light(wave), phases))
+        if max(differences) <= tol:
+            return colour
+    raise ValueError(
+        f"band must be narrower: between {count} traced wavelengths, interpolated wavefronts differ by up to "
+        f"{max(differences):.3g} rad rms from traced ones, more than tol={tol:g}"
+    )
 
 
 def polarized_pupils(
@@ -286,7 +364,8 @@ def field_map(
     traced_fields = [trace(hx, hy, *points) for hx, hy in field_points]
     wavefront = _stack_fits([fit(traced, degree, tol)[0] for traced in traced_fields])
     x, y = np.array([traced.position for traced in traced_fields]).reshape(-1, 2).T
-    aperture = Pupil(obscuration=obscuration, wavelength=wavelength, f_number=f_number)
+    colour = TracedColour((wavelength,))
+    aperture = Pupil(obscuration=obscuration, wavelength=wavelength, f_number=f_number, colour=colour)
     scattered = FieldMap.scattered(x, -y, wavefront, aperture=aperture)
     _check_between_fields(scattered, trace, points, np.array(field_points), np.stack([x, y], axis=1), degree, tol)
     return scattered
@@ -358,7 +437,8 @@ def _radial_map(
         # n sin(angle) at the edge of each pupil, perpendicular (x) and parallel (y) to the direction of the field.
         axes = np.array([_semi_axes(trace_height(h)) for h in fractions])
         half = 0.5 / f_number if circular else float(axes.max())
-        aperture = Pupil(obscuration=obscuration, wavelength=wavelength, f_number=0.5 / half)
+        colour = TracedColour((wavelength,))
+        aperture = Pupil(obscuration=obscuration, wavelength=wavelength, f_number=0.5 / half, colour=colour)
 
         def terms(traced: TracedField) -> dict[tuple[int, int], float]:
             if circular:

@@ -41,6 +41,7 @@ def pupil(
     *,
     wavelength: float | None = None,
     apertures: bool = True,
+    band: tuple[float, float] | None = None,
     circular: bool = False,
     degree: int = 12,
     tol: float = 0.01,
@@ -58,6 +59,11 @@ def pupil(
     apertures : bool, default True
         True to raise an error if a ray misses the clear aperture of a surface. False to ignore clear apertures, for
         example if they have not been set yet.
+    band : (float, float), optional
+        Shortest and longest wavelength, metres, of :func:`lommel.colour_psf` and :class:`lommel.Polychromatic` with
+        this pupil. The lens is traced at 3 to 33 wavelengths, as many as `tol` requires: PSFs include axial and
+        lateral colour, about the chief ray at `wavelength`, and spherochromatism. By default the pupil is known at
+        `wavelength` only.
     circular : bool, default False
         True for a circle with the geometric mean f-number. False for the pupil seen from the image, off
         the axis an ellipse. Phase retrieval and gradients in JAX or PyTorch support circles only.
@@ -80,8 +86,10 @@ def pupil(
         If an argument is out of range, if rays are blocked, or if the residual of the fit of this `degree` exceeds
         `tol`.
     """
-    trace, metres = _tracer(model, wavelength, apertures)
-    return ray_tracing.single_pupil(trace, field, metres, degree, tol, circular=circular)
+    _, metres = _tracer(model, wavelength, apertures)
+    return ray_tracing.single_pupil(
+        lambda wave: _tracer(model, wave, apertures)[0], field, metres, degree, tol, circular=circular, band=band
+    )
 
 
 def field_map(

@@ -25,7 +25,7 @@ if TYPE_CHECKING:  # most pupils are round, and need none of these
     from lommel.optics.aperture.mask import Mask
     from lommel.optics.aperture.opening import Opening, Rule
     from lommel.optics.aperture.shapes import CatEye, Ellipse, Segments, Shape, Spider
-    from lommel.optics.colour.dispersion import PupilColour
+    from lommel.optics.colour.dispersion import PupilColour, TracedColour
 
 
 @dataclass(frozen=True, repr=False)
@@ -57,8 +57,9 @@ class Pupil(BasePupil):
     stop : Shape or Segments, optional
         Clear region within the unit disc, by default all of it: a shape, or segments with phases, whose path
         differences are independent of wavelength. See ``lommel.telescopes`` for the apertures of telescopes.
-    colour : PupilColour, optional
-        Change of wavefront and distances with the wavelength, set by a :class:`lommel.Lens` with colour.
+    colour : PupilColour or TracedColour, optional
+        Change of wavefront and distances with the wavelength, set by a :class:`lommel.Lens` with colour, or by an
+        adapter to the wavelengths at which it traced the lens.
 
     Attributes
     ----------
@@ -88,7 +89,7 @@ class Pupil(BasePupil):
     vignetting: Ellipse | CatEye | None = field(default=None, kw_only=True)
     mask: Mask | None = field(default=None, kw_only=True)
     stop: Shape | Segments | None = field(default=None, kw_only=True)
-    colour: PupilColour | None = field(default=None, kw_only=True)
+    colour: PupilColour | TracedColour | None = field(default=None, kw_only=True)
     illumination: Apodization = field(init=False, repr=False, compare=False)
     circular: bool = field(init=False, repr=False, compare=False)
     # Fields, not properties, for speed: a PSF takes microseconds and reads them several times.
@@ -373,10 +374,10 @@ class Pupil(BasePupil):
         """Rebuild a pupil from a `description` by :meth:`to_dict`."""
         from lommel.optics.aperture.mask import Mask
         from lommel.optics.aperture.shapes import Spider, shape_from_dict
-        from lommel.optics.colour.dispersion import PupilColour
+        from lommel.optics.colour.dispersion import colour_from_dict
 
         parts = dict(description)
-        builds = (Spider.from_dict, shape_from_dict, Mask.from_dict, shape_from_dict, PupilColour.from_dict)
+        builds = (Spider.from_dict, shape_from_dict, Mask.from_dict, shape_from_dict, colour_from_dict)
         built: dict[str, Callable[[Json], object]] = dict(zip(_PARTS, builds, strict=True))
         built |= {"geometry": Geometry.from_dict, "apodization": Apodization.from_dict}
         for name, build in built.items():

@@ -232,6 +232,67 @@ class PupilColour:
         return cls(Colour.from_dict(parts.pop("table")), x=x, y=y, **parts)
 
 
+@dataclass(frozen=True)
+class TracedColour:
+    """Change of the pupil of a traced lens with the wavelength, interpolated between traced wavelengths.
+
+    `paths` are path differences at the edge of the pupil, metres: a row for each wavelength (metres, rising), and a
+    column for each Zernike term. With one wavelength, the pupil is known at this wavelength only.
+    """
+
+    wavelengths: tuple[float, ...]
+    terms: tuple[tuple[int, int], ...] = ()
+    paths: tuple[tuple[float, ...], ...] = ()
+
+    def at(self, x: Array, y: Array) -> TracedColour:
+        """Return the colour itself, which has no position."""
+        return self
+
+    def each(self, shape: tuple[int, ...], of: Callable[[Array], Array]) -> TracedColour:
+        """Return the colour itself, which is common to all pupils of a stack."""
+        return self
+
+    def change(
+        self, pupil: BasePupil, geometry: Geometry | None, wavelength: float
+    ) -> tuple[Wavefront, Geometry | None]:
+        """Return the change of the wavefront, besides constant path differences, and distances at a wavelength."""
+        reference = pupil.wavelength
+        assert reference is not None
+        if wavelength == reference:
+            return Wavefront(), geometry
+        first, last = self.wavelengths[0], self.wavelengths[-1]
+        if len(self.wavelengths) < 2:
+            raise ValueError(
+                f"the pupil of this traced lens is known at {first * 1e9:g} nm, not at {wavelength * 1e9:g} nm; pass "
+                "band=(shortest, longest wavelength) to pupil() of the adapter, or compute a map for each wavelength"
+            )
+        if not first * (1.0 - 1e-9) <= wavelength <= last * (1.0 + 1e-9):
+            raise ValueError(
+                f"the pupil of this traced lens is known from {first * 1e9:g} to {last * 1e9:g} nm, got "
+                f"{wavelength * 1e9:g}; pass a wider band"
+            )
+        columns = zip(self.terms, zip(*self.paths, strict=True), strict=True)
+        paths = {t: _interpolate(np.array([wavelength, reference]), self.wavelengths, path) for t, path in columns}
+        waves = {t: 2.0 * math.pi / wavelength * float(new - old) for t, (new, old) in paths.items()}
+        return Wavefront.zernike(waves, normalization="edge"), geometry
+
+    def to_dict(self) -> Json:
+        """Return everything in plain types."""
+        return asdict(self)
+
+    @classmethod
+    def from_dict(cls, description: Json) -> TracedColour:
+        """Rebuild the object from a `description` by :meth:`to_dict`."""
+        terms = tuple((int(n), int(m)) for n, m in description["terms"])
+        paths = tuple(tuple(float(path) for path in row) for row in description["paths"])
+        return cls(tuple(float(wave) for wave in description["wavelengths"]), terms, paths)
+
+
+def colour_from_dict(description: Json) -> PupilColour | TracedColour:
+    """Rebuild the colour of a pupil from a `description` by its method ``to_dict``."""
+    return (PupilColour if "table" in description else TracedColour).from_dict(description)
+
+
 def _interpolate(at: float | Array, points: Sequence[float] | Array, values: Sequence[float]) -> Array:
     """Return a spline through `values` at `points`: cubic, or a line or parabola through two or three values."""
     from scipy.interpolate import CubicSpline

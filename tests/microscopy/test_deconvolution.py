@@ -123,7 +123,13 @@ def test_a_window_that_cuts_off_the_cone_of_light_is_said():
 def test_an_uneven_background_is_found_beside_beads():
     rising = np.linspace(15.0, 45.0, 44)  # electrons from one side to the other, of the specimen and around it
     stack = record(beads(0.0) + rising)
+    flat = lm.microscopy.deconvolve(stack, PSF, NOISE)
+    doubt = flat.findings.get("uneven_background")
+    assert doubt.severity == "doubt" and doubt.numbers["share"] > 0.07 and 'background="uneven"' in doubt.text
+    assert not flat.reliable and lm.microscopy.deconvolve(record(beads(20.0)), PSF, NOISE).reliable
+    assert lm.microscopy.deconvolve(stack, PSF, NOISE, background=0.0).findings.get("uneven_background") is None
     found = lm.microscopy.deconvolve(stack, PSF, NOISE, background="uneven")
+    assert found.findings.get("uneven_background") is None
     np.testing.assert_allclose(found.background.mean(axis=0), rising[9:35], rtol=0.25)
     assert found.background.shape == stack.shape[1:]
     errors = []

@@ -48,6 +48,7 @@ CODES: Mapping[str, str] = {
     "too_dim": "too little light: images are not linear within the standard errors, and other wavefronts fit as well",
     "too_quiet": "the images are less noisy than gain, offset and read noise state",
     "undetermined": "the images do not determine a parameter",
+    "uneven_background": "a floor of light between structures may be a background that is not flat",
     "unit_sum": "the images sum to 1, as PSFs do and electrons do not",
     "untested": "values or effects that these images do not test",
     "z_range": "many fits end at a limit of the range of z",

@@ -6,10 +6,10 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import validation
-from lommel.base.arrays import Values
+from lommel.base.arrays import Array, Values
 from lommel.base.units import percent
 from lommel.deconvolve.algorithms import ProgressCallback, Restoration, RichardsonLucy, TotalVariation, shown, silent
 from lommel.deconvolve.iterations import Background, State, iteration_of
@@ -26,6 +26,13 @@ from lommel.recorded.recordings import Recording
 
 FLAT = "flat"
 _BACKGROUNDS = {FLAT: 1, "uneven": 3}  # points along each side of the field at which levels are estimated
+
+_FLOOR_BLOCK = 8  # side, pixels, of the blocks whose means show the floor of the restored light
+_FLOOR_REGIONS = 3  # regions along each side of the field, each with a floor of its own
+_FLOOR_PERCENTILE = 10.0  # of the means of the blocks of a region, which is the floor
+_MAX_FLOOR = (
+    0.05  # share of the floor in the light; below 0.02 in simulations with flat backgrounds, 0.18 with uneven
+)
 
 _LEAST_PLANES = 8  # smallest default margin, planes, unless half of the PSF has fewer
 _RIM = 0.02  # fraction of the light of a PSF on the rim of its window above which the light cone counts as cut off
@@ -147,6 +154,10 @@ def deconvolve(
     if finding is not None:
         stopped = f"misfit: {finding}"
     findings = [] if finding is None else [finding]
+    floor = Floor()
+    floor.add(values, slice(0, shape[1]), slice(0, shape[2]))
+    if uneven := floor.finding(*shape[1:], background_of(background)):
+        findings.append(uneven)
     if not is_contained:
         text = (
             f"{percent(rim)} of the light of the PSF is on the rim of its window, which cuts off its light cone: "
@@ -158,6 +169,62 @@ def deconvolve(
         values, values, discrepancy, tuple(map(float, by_plane)), before, steps, stopped, iteration.strength, unknown,
         background=counted.background, findings=Findings(findings),
     )  # fmt: skip
+
+
+class Floor:
+    """The floor of the light of a specimen that was restored chunk by chunk: of its darkest blocks.
+
+    A background that varies over the field, where a flat one is estimated, is restored in part as such a floor.
+    """
+
+    def __init__(self) -> None:
+        self._means: list[tuple[Array, Array, Values]] = []  # rows, columns (block centres), and means of blocks
+        self._light = self._voxels = 0.0
+
+    def add(self, restored: Values, rows: slice, columns: slice) -> None:
+        """Add a restored chunk (planes, height, width) at `rows` and `columns` of the field."""
+        self._light += float(restored.sum(dtype=np.float64))
+        self._voxels += restored.size
+        edges = [np.linspace(0, side, max(side // _FLOOR_BLOCK, 1) + 1).astype(int) for side in restored.shape[1:]]
+        sums = np.add.reduceat(np.add.reduceat(restored, edges[0][:-1], axis=1), edges[1][:-1], axis=2)
+        down, across = (
+            at.start + 0.5 * (edge[1:] + edge[:-1]) for at, edge in zip((rows, columns), edges, strict=True)
+        )
+        self._means.append((down, across, sums / np.outer(np.diff(edges[0]), np.diff(edges[1]))))
+
+    def finding(self, height: int, width: int, background: Background) -> Finding | None:
+        """Return the finding if an estimated `background` left a floor of more than _MAX_FLOOR of the light."""
+        if (
+            background.level is not None
+            or not self._light > 0.0
+            or (share := self._share(height, width)) <= _MAX_FLOOR
+        ):
+            return None
+        advice = 'background="uneven" estimates' if background.points == 1 else "a background in the offset removes"
+        text = (
+            f"{percent(share)} of the restored light is a floor between the structures, in part of the field: a "
+            f"specimen that fills it, or a background that is not flat, which {advice}"
+        )
+        return Finding("uneven_background", "doubt", text, {"share": share, "most": _MAX_FLOOR})
+
+    def _share(self, height: int, width: int) -> float:
+        """Return the share of the light in the floor: the darkest blocks in each of 3 x 3 regions of the field."""
+        floors = []
+        for i in range(_FLOOR_REGIONS):
+            for j in range(_FLOOR_REGIONS):
+                values = [
+                    means[:, _region(down, height, i)][:, :, _region(across, width, j)].ravel()
+                    for down, across, means in self._means
+                ]
+                region = np.concatenate(values)
+                if region.size:
+                    floors.append(float(np.percentile(region, _FLOOR_PERCENTILE)))
+        return float(np.mean(floors)) * self._voxels / self._light
+
+
+def _region(centres: Array, side: int, number: int) -> NDArray[np.bool_]:
+    """Return which block centres are in a region, one of _FLOOR_REGIONS equal parts of a side of the field."""
+    return np.minimum((centres * _FLOOR_REGIONS / side).astype(int), _FLOOR_REGIONS - 1) == number
 
 
 def _held_out(recorded: Values, noise: Noise, blur: Callable[[], TiledBlur]) -> tuple[Background, int]:

@@ -28,7 +28,7 @@ from lommel.deconvolve.linear import Part, PlaneOperator, tiles_of
 from lommel.deconvolve.poisson_counts import PoissonCounts
 from lommel.fit.findings import Finding, Findings, FitReport
 from lommel.microscopy import depth_model
-from lommel.microscopy.deconvolution import FLAT, background_of
+from lommel.microscopy.deconvolution import FLAT, Floor, background_of
 from lommel.microscopy.depth_model import MODALITIES, SPREADING, DepthModel, PSFs
 from lommel.microscopy.held_out import SIDE, WHOLE, HeldOut, enough, estimated_held_out_steps
 from lommel.microscopy.refinement import (
@@ -863,7 +863,7 @@ class _ChannelRestoration:
         self._stack, self._model, self._options, self._notes = stack, model, options, notes
         self._threads, self._target, self._place = options.threads or 0, target, place
         planes, height, width = stack.shape
-        self._projections = ProjectionBuilder((planes, height, width))
+        self._projections, self._floor = ProjectionBuilder((planes, height, width)), Floor()
         self._findings: list[Finding] = []
         self._best_steps = 0  # number of steps after which the result agrees best with held-out photons
 
@@ -985,11 +985,14 @@ class _ChannelRestoration:
             depth_range = between(psf_depths[0], psf_depths[-1])
             notes.append(f"{len(psf_depths)} PSFs were used, {each}, at depths from {depth_range}.")
         if model.spreads and self._options.per_plane:
-            notes.append("Restored values are light per plane: a point with F counts in each plane has the value F.")
+            notes.append(
+                "Restored values are light per plane: a point with F counts in each plane has the value F, or with F "
+                "counts in the mean of the planes if it fades."
+            )
         elif model.spreads:
             notes.append(
                 f"Restored values are the light summed over {model.window[0]} planes: a point with F counts in each "
-                f"plane has the value {model.window[0]} F; per_plane=True returns F."
+                f"plane, or in their mean if it fades, has the value {model.window[0]} F; per_plane=True returns F."
             )
 
     def _request(
@@ -1015,6 +1018,8 @@ class _ChannelRestoration:
                     finding, rank_alternatives(context, report, turned=options.direction != "auto")
                 )
             self._findings.append(finding)
+        if uneven := self._floor.finding(*self._stack.shape[1:], background_of(options.background)):
+            self._findings.append(uneven)
         if outcome.stopped == INTERRUPTED:
             self._findings.append(Finding("interrupted", "doubt", "it was interrupted: the completed steps are kept"))
 
@@ -1191,6 +1196,7 @@ class _ChannelRestoration:
             restored = np.ascontiguousarray(iteration.inside(*margin)[:, *within])
             restored *= factor
             corner = around[0].start, around[1].start
+            self._floor.add(restored, *place)
             self._projections.add(*place, corner, blur, counted, iteration.guess, restored)
             # The target has the planes in the order of the recording.
             self._target.put(request, at, restored[::-1] if source.turned else restored)

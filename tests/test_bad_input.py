@@ -294,7 +294,7 @@ def test_a_wavelength_that_has_no_meaning_is_looked_at_all_the_same(value):
         (lambda: lm.Hankel().field(SPHERICAL, np.array([1j])), "v must hold real numbers, got array([0.+1.j])"),
         (lambda: lm.FresnelErf().on_ray(math.nan), "s must be finite, got nan"),
         (lambda: lm.mse(["1"], ["1"]), "values must hold real numbers, got ['1']"),
-        (lambda: lm.PSFGrid(1, [], [], (1, 1)), "psf must be a PSF, got 1"),
+        (lambda: lm.PSFGrid(1, [], [], (1, 1)), "psf must be a PSF or ColourPSF, got 1"),
     ],
 )
 def test_what_is_of_the_wrong_kind_is_refused_by_name(call, name):

@@ -24,7 +24,7 @@ from lommel.estimation.star_images import star_counts
 from lommel.fit.scoring import weighted_light
 from lommel.methods.derivative_names import SHIFTS, Term
 from lommel.methods.layers import chordal_debye as light_by_rule
-from lommel.methods.layers.chordal_debye import HALF, Planes, Rule
+from lommel.methods.layers.chordal_debye import MIN_MARGIN, Planes, Rule
 from lommel.methods.layers.chordal_debye import SampleLattice as Samples
 from lommel.optics.aperture.apodization import Apodization, illumination
 from lommel.optics.layers.emitter import Emitter
@@ -340,7 +340,7 @@ def _half(setup: Setup) -> int:
     """Return the number of samples on either side of a pixel that the pixel filter uses."""
     stride = max(1, math.ceil(setup.pixel_v / 1.535))
     half_width = 2.0 * math.sqrt(max(setup.blur, 0.0)) * setup.pixel_v + setup.radius
-    return HALF + (stride - 1) * 2 + math.ceil(half_width * stride / setup.pixel_v)
+    return MIN_MARGIN + (stride - 1) * 2 + math.ceil(half_width * stride / setup.pixel_v)
 
 
 def flux_background(values: Array, star: Array, before: Array | None = None) -> Array:

@@ -32,7 +32,7 @@ _INVERSE_ERROR = 1e-10  # error of inverted positions, relative to the largest d
 
 
 def spectrum_of(wavelength: Spectrum | None) -> tuple[tuple[float | None, float], ...]:
-    """Return (wavelength, weight) pairs with weights that sum to 1; the wavelength None is that of the map."""
+    """Return (wavelength, weight) pairs with weights that sum to 1; None for a wavelength means that of the map."""
     if wavelength is None:
         return ((None, 1.0),)
     if not isinstance(wavelength, Sequence | np.ndarray):
@@ -81,26 +81,26 @@ def inverse(
     size = max(float(np.hypot(x - middle[0], y - middle[1]).max(initial=0.0)), np.finfo(float).tiny)
     # Initial guess: no displacement.
     position = np.stack(_move_inside(x, y, contains, middle), axis=-1)
-    goal = np.stack([x, y], axis=-1)
+    target = np.stack([x, y], axis=-1)
     # Broyden's method updates an approximate inverse Jacobian without derivatives of the displacement. The identity
     # is a good initial approximation, because distortion is small.
     jacobian_inverse = np.broadcast_to(np.eye(2), (*x.shape, 2, 2)).copy()
-    residual = position + np.stack(displacement(position[..., 0], position[..., 1]), axis=-1) - goal
+    residual = position + np.stack(displacement(position[..., 0], position[..., 1]), axis=-1) - target
     for _ in range(_MAX_STEPS):
         if np.abs(residual).max(initial=0.0) <= _INVERSE_ERROR * size:
             break
-        new = position - np.einsum("...ij,...j", jacobian_inverse, residual)
-        new = np.stack(_move_inside(new[..., 0], new[..., 1], contains, middle), axis=-1)
-        step, previous = new - position, residual
-        position = new
-        residual = position + np.stack(displacement(position[..., 0], position[..., 1]), axis=-1) - goal
+        updated = position - np.einsum("...ij,...j", jacobian_inverse, residual)
+        updated = np.stack(_move_inside(updated[..., 0], updated[..., 1], contains, middle), axis=-1)
+        step, previous_residual = updated - position, residual
+        position = updated
+        residual = position + np.stack(displacement(position[..., 0], position[..., 1]), axis=-1) - target
         row = np.einsum("...j,...ji", step, jacobian_inverse)
-        predicted = np.einsum("...ij,...j", jacobian_inverse, residual - previous)
-        product = (step * predicted).sum(axis=-1)
+        predicted_step = np.einsum("...ij,...j", jacobian_inverse, residual - previous_residual)
+        product = (step * predicted_step).sum(axis=-1)
         updatable = np.abs(product) > 0.1 * (step * step).sum(axis=-1)  # smaller divisors amplify rounding errors
         gain = np.divide(1.0, product, out=np.zeros(product.shape), where=updatable & (product != 0.0))
         # Sherman-Morrison formula: the inverse of the Jacobian after Broyden's rank-1 update.
-        jacobian_inverse += gain[..., None, None] * (step - predicted)[..., :, None] * row[..., None, :]
+        jacobian_inverse += gain[..., None, None] * (step - predicted_step)[..., :, None] * row[..., None, :]
     converged = np.asarray(np.abs(residual).max(axis=-1) <= 10.0 * _INVERSE_ERROR * size)
     return position[..., 0], position[..., 1], converged
 
@@ -119,9 +119,9 @@ def _move_inside(
         fraction = 0.5 * (low + high)
         inside = contains(middle[0] + fraction * dx, middle[1] + fraction * dy)
         low, high = np.where(inside, fraction, low), np.where(inside, high, fraction)
-    across, down = x.copy(), y.copy()
-    across[outside], down[outside] = middle[0] + low * dx, middle[1] + low * dy
-    return across, down
+    new_x, new_y = x.copy(), y.copy()
+    new_x[outside], new_y[outside] = middle[0] + low * dx, middle[1] + low * dy
+    return new_x, new_y
 
 
 @dataclass(frozen=True, init=False)
@@ -168,8 +168,8 @@ class Vignetting:
             raise ValueError(f"radius must be a number, or a value for each height, got {validation.shown(radius)}")
         radii = np.broadcast_to(radii, heights.shape)
         vars(self).update(height=tuple(heights.tolist()), shift=tuple(shifts.tolist()), radius=tuple(radii.tolist()))
-        for offset, size in zip(self.shift, self.radius, strict=True):
-            CatEye((offset, 0.0), size)  # raises ValueError if no light passes
+        for offset, circle_radius in zip(self.shift, self.radius, strict=True):
+            CatEye((offset, 0.0), circle_radius)  # raises ValueError if no light passes
 
     def applied(self, pupil: Pupil, x: float, y: float) -> Pupil:
         """Return `pupil` with the vignetting at (`x`, `y`); ValueError beyond the last height."""
@@ -178,11 +178,11 @@ class Vignetting:
     def at(self, x: float, y: float) -> CatEye | None:
         """Return the vignetting at (`x`, `y`), None for an unvignetted pupil; ValueError beyond the last height."""
         r = _require_height(math.hypot(x, y), self.height[-1])
-        offset, size = (float(np.interp(r, self.height, values)) for values in (self.shift, self.radius))
-        if abs(offset) + 1.0 <= size:  # the second circle contains the whole aperture
+        offset, circle_radius = (float(np.interp(r, self.height, values)) for values in (self.shift, self.radius))
+        if abs(offset) + 1.0 <= circle_radius:  # the second circle contains the whole aperture
             return None
         direction = (x / r, y / r) if r > 0.0 else (1.0, 0.0)
-        return CatEye((offset * direction[0], offset * direction[1]), size)
+        return CatEye((offset * direction[0], offset * direction[1]), circle_radius)
 
 
 _MIN_ELLIPTICITY = 1e-5  # pupils with a smaller ellipticity are treated as circles, which all methods support
@@ -212,8 +212,8 @@ class Foreshortening:
     Examples
     --------
     >>> import lommel as lm
-    >>> seen = lm.Foreshortening([0.0, 20e-3], along=[1.0, 0.8], across=[1.0, 0.9])
-    >>> seen.at(10e-3, 0.0)
+    >>> pupils = lm.Foreshortening([0.0, 20e-3], along=[1.0, 0.8], across=[1.0, 0.9])
+    >>> pupils.at(10e-3, 0.0)
     Ellipse(a=0.95, b=0.975, angle=0.0, center=(0.0, 0.0))
     """
 
@@ -234,8 +234,8 @@ class Foreshortening:
         """Return the elliptical pupil at (`x`, `y`), None if circular; ValueError beyond the last height."""
         r = _require_height(math.hypot(x, y), self.height[-1])
         # Interpolation is linear in r^2, because the semi-axes of a symmetric lens are even functions of height.
-        squares = np.square(self.height)
-        a, b = (float(np.interp(r * r, squares, part)) for part in (self.along, self.across))
+        squared_heights = np.square(self.height)
+        a, b = (float(np.interp(r * r, squared_heights, semi_axes)) for semi_axes in (self.along, self.across))
         return None if min(a, b) > 1.0 - _MIN_ELLIPTICITY else Ellipse(a, b, math.atan2(y, x))
 
     def applied(self, pupil: Pupil, x: float, y: float) -> Pupil:
@@ -245,7 +245,7 @@ class Foreshortening:
 
 
 def foreshortened(pupil: Pupil, ellipse: Ellipse) -> Pupil:
-    """Return a circular or annular pupil foreshortened to an ellipse, and its obscuration by the same factors."""
+    """Return a circular or annular pupil foreshortened to an ellipse; its obscuration shrinks by the same factors."""
     eps = pupil.obscuration
     if eps == 0.0:
         return replace(pupil, vignetting=ellipse)
@@ -321,17 +321,17 @@ def _heights(height: ArrayLike) -> Array:
     return heights
 
 
-def _require_height(r: float, most: float) -> float:
+def _require_height(r: float, last_height: float) -> float:
     # The distance r may exceed the last height by rounding errors.
-    if r > most * (1.0 + 1e-12):
-        raise ValueError(f"the position {r:.6g} from the axis lies beyond the last height, {most:.6g}")
+    if r > last_height * (1.0 + 1e-12):
+        raise ValueError(f"the position {r:.6g} from the axis lies beyond the last height, {last_height:.6g}")
     return r
 
 
 def positions(x: ArrayLike, y: ArrayLike) -> tuple[Array, Array]:
     """Return positions on the sensor as arrays, broadcast to the same shape."""
-    across, down = validation.broadcast("x and y", validation.real_array("x", x), validation.real_array("y", y))
-    return across, down
+    x_values, y_values = validation.broadcast("x and y", validation.real_array("x", x), validation.real_array("y", y))
+    return x_values, y_values
 
 
 class ApertureKeywords(TypedDict, total=False):
@@ -374,8 +374,8 @@ def bare_pupil(constructor: Callable[..., FieldMap], keywords: ApertureKeywords)
             "aperture.unaberrated(), and add its wavefront to the map if required (field + wavefront)"
         )
     for name, value in numeric.items():
-        if (own := getattr(aperture, name)) not in (None, value):
-            raise ValueError(f"{name} must be that of the aperture, {own:g}, or be left out, got {value!r}")
+        if (pupil_value := getattr(aperture, name)) not in (None, value):
+            raise ValueError(f"{name} must be that of the aperture, {pupil_value:g}, or left out, got {value!r}")
     return replace(aperture, geometry=None, **numeric)
 
 
@@ -412,11 +412,11 @@ class FieldMap:
     True
     """
 
-    pupil_hint = "a FieldMap; field.pupil(x, y) is that of a position"
+    pupil_hint = "a FieldMap; field.pupil(x, y) is the pupil at a position"
 
     pupil_without_wavefront: Pupil
     _wavefronts: WavefrontsOnSensor
-    _added: Wavefront
+    _added_wavefront: Wavefront
     vignetting: Vignetting | Foreshortening | None = None
     shading: Shading | None = None
 
@@ -536,7 +536,7 @@ class FieldMap:
             return NotImplemented
         if other.shape != ():
             raise ValueError(f"a single wavefront can be added to a map, got a stack of shape {other.shape}")
-        return replace(self, _added=self._added + other)
+        return replace(self, _added_wavefront=self._added_wavefront + other)
 
     def pupil(self, x: ArrayLike, y: ArrayLike) -> Pupil:
         """Return the pupil at the position (x, y) of the sensor, or a stack of pupils for arrays of positions.
@@ -556,22 +556,22 @@ class FieldMap:
         TypeError, ValueError
             If a position is not finite or lies outside the map; or for several positions of a map with vignetting.
         """
-        across, down = positions(x, y)
-        if across.size == 0:
-            raise ValueError(f"x and y must not be empty, got shape {across.shape}")
-        outside = ~self._wavefronts.contains(across, down)
+        x_values, y_values = positions(x, y)
+        if x_values.size == 0:
+            raise ValueError(f"x and y must not be empty, got shape {x_values.shape}")
+        outside = ~self._wavefronts.contains(x_values, y_values)
         if outside.any():
-            at = f"({across[outside].flat[0]:.6g}, {down[outside].flat[0]:.6g}) {self.unit}"
+            position = f"({x_values[outside].flat[0]:.6g}, {y_values[outside].flat[0]:.6g}) {self.unit}"
             limits = self._wavefronts.limits(self.unit)
-            raise ValueError(f"position (x, y) = {at} lies outside of the map, {limits}")
-        wavefront = self._wavefronts.wavefront(across, down) + self._added
-        bare = self.pupil_without_wavefront
-        pupil = replace(bare, wavefront=wavefront, colour=bare.colour and bare.colour.at(across, down))
+            raise ValueError(f"position (x, y) = {position} lies outside of the map, {limits}")
+        wavefront = self._wavefronts.wavefront(x_values, y_values) + self._added_wavefront
+        base = self.pupil_without_wavefront
+        pupil = replace(base, wavefront=wavefront, colour=base.colour and base.colour.at(x_values, y_values))
         if self.vignetting is None:
             return pupil
-        if across.shape != ():
+        if x_values.shape != ():
             raise ValueError("x and y must be one position if vignetting changes the aperture; psf accepts arrays")
-        return self.vignetting.applied(pupil, float(across), float(down))
+        return self.vignetting.applied(pupil, float(x_values), float(y_values))
 
     def displacement(self, x: ArrayLike, y: ArrayLike, wavelength: Spectrum | None = None) -> tuple[Array, Array]:
         """Return the image displacement due to wavefront tilt at positions (x, y): distortion and lateral colour.
@@ -603,9 +603,9 @@ class FieldMap:
         >>> round(1e3 * float(dx), 6)  # 2 W311 lambda N, -8 % of 20 mm
         -1.6
         """
-        across, down = positions(x, y)
-        bare = replace(self, vignetting=None)
-        return shift_of(bare.pupil(across, down), spectrum_of(wavelength))
+        x_values, y_values = positions(x, y)
+        unvignetted = replace(self, vignetting=None)
+        return shift_of(unvignetted.pupil(x_values, y_values), spectrum_of(wavelength))
 
     def undistorted(self, x: ArrayLike, y: ArrayLike, wavelength: Spectrum | None = None) -> tuple[Array, Array]:
         """Return the undistorted positions of the image points at (x, y): the inverse of `displacement`.
@@ -636,21 +636,21 @@ class FieldMap:
         >>> round(1e3 * float(x), 6)
         20.0
         """
-        across, down = positions(x, y)
-        spectrum, bare = spectrum_of(wavelength), replace(self, vignetting=None)
+        x_values, y_values = positions(x, y)
+        spectrum, unvignetted = spectrum_of(wavelength), replace(self, vignetting=None)
 
         def shift(x: Array, y: Array) -> tuple[Array, Array]:
-            return shift_of(bare.pupil(x, y), spectrum)
+            return shift_of(unvignetted.pupil(x, y), spectrum)
 
-        stored = self._wavefronts
-        a, d, converged = inverse(np.atleast_1d(across), np.atleast_1d(down), shift, stored.contains, stored.middle)
+        points, wavefronts = [np.atleast_1d(values) for values in (x_values, y_values)], self._wavefronts
+        x_map, y_map, converged = inverse(*points, shift, wavefronts.contains, wavefronts.middle)
         if not converged.all():
-            at = tuple(float(np.atleast_1d(part)[~converged].flat[0]) for part in (across, down))
+            point = tuple(float(values[~converged].flat[0]) for values in points)
             raise ValueError(
-                f"light at (x, y) = ({at[0]:.6g}, {at[1]:.6g}) {self.unit} must come from within the map, "
-                f"{stored.limits(self.unit)}, and from one position only: the distortion must not fold the image"
+                f"position (x, y) = ({point[0]:.6g}, {point[1]:.6g}) {self.unit} must come from within the map, "
+                f"{wavefronts.limits(self.unit)}, and from one position only: distortion must not fold the image"
             )
-        return a.reshape(across.shape), d.reshape(across.shape)
+        return x_map.reshape(x_values.shape), y_map.reshape(x_values.shape)
 
     def untilted(self, x: ArrayLike, y: ArrayLike, wavelength: Spectrum | None = None) -> Pupil:
         """Return the pupil of the image point at (x, y), without the tilt that displaces it.
@@ -730,14 +730,14 @@ class FieldMap:
         TypeError, ValueError
             If a position is not finite, or lies beyond the last height of the vignetting or the shading.
         """
-        across, down = positions(x, y)
-        light = np.ones(across.shape) if self.shading is None else self.shading.at(across, down)
+        x_values, y_values = positions(x, y)
+        illumination = np.ones(x_values.shape) if self.shading is None else self.shading.at(x_values, y_values)
         if self.vignetting is not None:
-            points = [(0.0, 0.0), *zip(across.ravel().tolist(), down.ravel().tolist(), strict=True)]
-            bare, edge = self.pupil_without_wavefront, self.vignetting
-            axis, *transmission = (edge.applied(bare, *point).transmission for point in points)
-            light = light * np.reshape(transmission, across.shape) / axis
-        return numbers(light, across.shape)
+            points = [(0.0, 0.0), *zip(x_values.ravel().tolist(), y_values.ravel().tolist(), strict=True)]
+            base, vignetting = self.pupil_without_wavefront, self.vignetting
+            on_axis, *transmissions = (vignetting.applied(base, *point).transmission for point in points)
+            illumination = illumination * np.reshape(transmissions, x_values.shape) / on_axis
+        return numbers(illumination, x_values.shape)
 
     def working_f_number(self, x: ArrayLike, y: ArrayLike) -> Numbers:
         """Return the working f-number at positions (`x`, `y`): ``N / sqrt(illumination)``, N: f-number of the map.
@@ -776,11 +776,11 @@ class FieldMap:
         TypeError, ValueError
             See :meth:`pupil` and :func:`lommel.psf`.
         """
-        across, down = positions(x, y)
-        if self.vignetting is None or across.shape == ():
+        x_values, y_values = positions(x, y)
+        if self.vignetting is None or x_values.shape == ():
             return psf(self.pupil(x, y), shape, pixel, method=method, **options)
-        pupils = tuple(self.pupil(float(a), float(b)) for a, b in zip(across.flat, down.flat, strict=True))
-        return psf(FieldPupil(pupils, across.shape), shape, pixel, method=method, **options)
+        pupils = tuple(self.pupil(float(a), float(b)) for a, b in zip(x_values.flat, y_values.flat, strict=True))
+        return psf(FieldPupil(pupils, x_values.shape), shape, pixel, method=method, **options)
 
     def grid(
         self,
@@ -822,27 +822,27 @@ class FieldMap:
             `depths` and `lens` is given, or if the wavelength of the lens is not that of the map.
         """
         if (depths is None) != (lens is None):
-            missing = "lens" if lens is None else "depths"
-            raise ValueError(f"{missing} is missing: pass depths and lens together, because the lens defines defocus")
+            name = "lens" if lens is None else "depths"
+            raise ValueError(f"{name} is missing: pass depths and lens together, because the lens defines defocus")
         counts = [validation.integer(n, v, least=1, most=1000) for n, v in (("rows", rows), ("columns", columns))]
         height_width = sides(sensor, self.unit)
         # The positions are exactly symmetric: for an odd number of cells, the centre of one lies exactly on the axis.
         y, x = (np.asarray(s / n * (np.arange(n) - 0.5 * (n - 1))) for s, n in zip(height_width, counts, strict=True))
         weighted = validation.truth("illuminated", illuminated)
-        named = [name for name, value in (("channels", channels), ("depths", depths)) if value is not None]
-        if named and (self.vignetting is not None or weighted):
+        stack_options = [name for name, value in (("channels", channels), ("depths", depths)) if value is not None]
+        if stack_options and (self.vignetting is not None or weighted):
             raise ValueError(
-                f"{' and '.join(named)} must be left out if vignetting changes the aperture or illuminated is True; "
-                "compute each channel separately, or multiply by illumination(x, y)"
+                f"{' and '.join(stack_options)} must be left out if vignetting changes the aperture or illuminated "
+                "is True; compute each channel separately, or multiply by illumination(x, y)"
             )
-        if not named:
-            stack = self.psf(x, y[:, None], shape, pixel, **options)
+        if not stack_options:
+            psfs = self.psf(x, y[:, None], shape, pixel, **options)
             if weighted:
-                light = np.asarray(self.illumination(x, y[:, None]))
-                factor = light[..., None, None].astype(stack.values.dtype)
-                slopes = {name: slope * factor for name, slope in stack.derivatives.items()}
-                stack = replace(stack, values=stack.values * factor, scale=stack.scale * light, derivatives=slopes)
-            return PSFGrid(stack, x, y, height_width)
+                weight = np.asarray(self.illumination(x, y[:, None]))
+                factor = weight[..., None, None].astype(psfs.values.dtype)
+                derivatives = {name: derivative * factor for name, derivative in psfs.derivatives.items()}
+                psfs = replace(psfs, values=psfs.values * factor, scale=psfs.scale * weight, derivatives=derivatives)
+            return PSFGrid(psfs, x, y, height_width)
         pupil, distances = self.pupil(x, y[:, None]), None
         if depths is not None and lens is not None:
             pupil = at_depths(pupil, lens, depths)
@@ -871,14 +871,14 @@ def require_light(map_pupil: Pupil, lens: Lens) -> None:
     if not lens.aberrations.flat:
         raise ValueError("lens must have no aberrations: add them to the map, which defines all aberrations")
     lens_pupil = lens.pupil(1.0).unaberrated()
-    for name, own, other in (
+    for name, lens_value, map_value in (
         ("wavelength", lens_pupil.wavelength, map_pupil.wavelength),
         ("working f-number", lens_pupil.f_number, map_pupil.f_number),
         ("aperture", lens_pupil.aperture, map_pupil.aperture),
     ):
-        if own != other:
+        if lens_value != map_value:
             raise ValueError(
-                f"lens must have the {name} of the map, {other}, got {own}; make the map with "
+                f"lens must have the {name} of the map, {map_value}, got {lens_value}; make the map with "
                 "aperture=lens.pupil(1.0).unaberrated()"
             )
 
@@ -894,11 +894,11 @@ def at_depths(pupil: Pupil, lens: Lens, depths: ArrayLike) -> Pupil:
     pupils = pupil[(..., None)].broadcast(shape)
     geometry = defocused.geometry
     assert geometry is not None
-    repeated = tuple(np.broadcast_to(distances, shape).ravel().tolist())
+    repeated_distances = tuple(np.broadcast_to(distances, shape).ravel().tolist())
     return replace(
         pupils,
         wavefront=pupils.wavefront + defocused.wavefront,
-        geometry=replace(geometry, object_distance=repeated),
+        geometry=replace(geometry, object_distance=repeated_distances),
         colour=pupils.colour or defocused.colour,
     )
 
@@ -942,17 +942,17 @@ class OnGrid(WavefrontsOnSensor):
         values, self.terms = _coefficients_and_terms(wavefront, (self.y.size, self.x.size), "(len(y), len(x))")
         degrees = {"kx": min(3, self.y.size - 1), "ky": min(3, self.x.size - 1)}
         # Positions are scaled to 0 to 1, because FITPACK uses absolute tolerances.
-        down, across = self._scaled(self.x, self.y)[::-1]
-        columns = np.moveaxis(values, -1, 0)
-        self.splines = [RectBivariateSpline(down, across, column, **degrees, s=0) for column in columns]
+        y_scaled, x_scaled = self._scaled(self.x, self.y)[::-1]
+        tables = np.moveaxis(values, -1, 0)
+        self.splines = [RectBivariateSpline(y_scaled, x_scaled, table, **degrees, s=0) for table in tables]
         self.reach = float(np.hypot(np.abs(self.x).max(), np.abs(self.y).max()))
         self.middle = float(self.x[[0, -1]].mean()), float(self.y[[0, -1]].mean())
 
     def _scaled(self, x: Array, y: Array) -> tuple[Array, Array]:
         """Return positions divided by the extent of the grid, from 0 at the first to 1 at the last grid position."""
         pairs = ((x, self.x), (y, self.y))
-        across, down = (np.clip((part - k[0]) / (k[-1] - k[0]), 0.0, 1.0) for part, k in pairs)
-        return across, down
+        x_scaled, y_scaled = (np.clip((part - nodes[0]) / (nodes[-1] - nodes[0]), 0.0, 1.0) for part, nodes in pairs)
+        return x_scaled, y_scaled
 
     def contains(self, x: Array, y: Array) -> NDArray[np.bool_]:
         """Return a mask of positions inside the rectangle."""
@@ -968,8 +968,8 @@ class OnGrid(WavefrontsOnSensor):
 
     def wavefront(self, x: Array, y: Array) -> Wavefront:
         """Return the wavefronts, of the shape of x and y."""
-        across, down = self._scaled(x, y)
-        return Wavefront.trusted(self.terms, np.stack([s.ev(down, across) for s in self.splines], axis=-1))
+        x_scaled, y_scaled = self._scaled(x, y)
+        return Wavefront.trusted(self.terms, np.stack([s.ev(y_scaled, x_scaled) for s in self.splines], axis=-1))
 
 
 class Scattered(WavefrontsOnSensor):
@@ -979,29 +979,29 @@ class Scattered(WavefrontsOnSensor):
         from scipy.interpolate import RBFInterpolator
         from scipy.spatial import ConvexHull, QhullError
 
-        across, down = validation.real_array("x", x), validation.real_array("y", y)
-        if across.ndim != 1 or across.shape != down.shape:
-            raise ValueError(f"x and y must be of the same shape (n,), got {across.shape} and {down.shape}")
-        count = validation.integer("the number of positions", across.size, least=3, most=MAX_SCATTERED)
+        x_values, y_values = validation.real_array("x", x), validation.real_array("y", y)
+        if x_values.ndim != 1 or x_values.shape != y_values.shape:
+            raise ValueError(f"x and y must be of the same shape (n,), got {x_values.shape} and {y_values.shape}")
+        count = validation.integer("the number of positions", x_values.size, least=3, most=MAX_SCATTERED)
         values, self.terms = _coefficients_and_terms(wavefront, (count,), "of x and y")
-        order = np.lexsort((down, across))
-        same = (np.diff(across[order]) == 0.0) & (np.diff(down[order]) == 0.0)
-        if same.any():
-            at = order[np.flatnonzero(same)[0]]
-            raise ValueError(f"positions must all be different, got ({across[at]:.6g}, {down[at]:.6g}) twice")
-        self.x, self.y = across, down
-        self.middle = float(across.mean()), float(down.mean())
-        self.size = float(max(np.ptp(across), np.ptp(down)))
-        points = self._scaled(across, down)
+        order = np.lexsort((y_values, x_values))
+        repeated = (np.diff(x_values[order]) == 0.0) & (np.diff(y_values[order]) == 0.0)
+        if repeated.any():
+            k = order[np.flatnonzero(repeated)[0]]
+            raise ValueError(f"positions must all be different, got ({x_values[k]:.6g}, {y_values[k]:.6g}) twice")
+        self.x, self.y = x_values, y_values
+        self.middle = float(x_values.mean()), float(y_values.mean())
+        self.size = float(max(np.ptp(x_values), np.ptp(y_values)))
+        points = self._scaled(x_values, y_values)
         try:
             self.edges = ConvexHull(points).equations
         except QhullError:
             raise ValueError(f"positions must not all lie on one line, got {count} positions on a line") from None
-        quadratic = np.stack([np.ones(count), *points.T, *points.T**2, points[:, 0] * points[:, 1]], axis=1)
+        monomials = np.stack([np.ones(count), *points.T, *points.T**2, points[:, 0] * points[:, 1]], axis=1)
         # Positions on a conic do not determine a quadratic polynomial.
-        degree = 2 if np.linalg.matrix_rank(quadratic, tol=1e-6) == 6 else 1
+        degree = 2 if np.linalg.matrix_rank(monomials, tol=1e-6) == 6 else 1
         self.interpolate = RBFInterpolator(points, values, kernel="cubic", degree=degree)
-        self.reach = float(np.hypot(across, down).max())
+        self.reach = float(np.hypot(x_values, y_values).max())
 
     def _scaled(self, x: Array, y: Array) -> Array:
         # Division by the size of the map makes the interpolation matrix independent of the unit of length.
@@ -1047,9 +1047,9 @@ class Radial(WavefrontsOnSensor):
 
     def wavefront(self, x: Array, y: Array) -> Wavefront:
         """Return the wavefronts, of the shape of x and y."""
-        along = self.spline(np.minimum(np.hypot(x, y) / self.reach, 1.0))
-        turn = np.arctan2(y, x) - self.azimuth
-        rotated = zernike.rotated({term: along[..., k] for k, term in enumerate(self.terms)}, turn)
+        coefficients = self.spline(np.minimum(np.hypot(x, y) / self.reach, 1.0))
+        angle = np.arctan2(y, x) - self.azimuth
+        rotated = zernike.rotated({term: coefficients[..., k] for k, term in enumerate(self.terms)}, angle)
         return Wavefront.from_edge(rotated)
 
 
@@ -1083,9 +1083,9 @@ def _span(values: Array) -> str:
 
 
 def _coefficients_and_terms(
-    wavefront: Wavefront, shape: tuple[int, ...], what: str
+    wavefront: Wavefront, shape: tuple[int, ...], shape_label: str
 ) -> tuple[Array, tuple[tuple[int, int], ...]]:
     """Return the coefficients at the pupil edge, shape ``shape + (k,)``, and the indices (n, m) of the k terms."""
     if validation.instance("wavefront", wavefront, Wavefront).shape != shape:
-        raise ValueError(f"wavefront must have the shape {what}, {shape}, got {wavefront.shape}")
+        raise ValueError(f"wavefront must have the shape {shape_label}, {shape}, got {wavefront.shape}")
     return wavefront.edge, wavefront.terms

@@ -51,19 +51,19 @@ class PSFGrid(Measured, PSFGridLike):
 
     def __post_init__(self) -> None:
         if not isinstance(self.psf, PSF | ColourPSF):
-            raise TypeError(f"psf must be a PSF, got {validation.shown(self.psf)}")
-        stack = self.psf.pupil.shape
+            raise TypeError(f"psf must be a PSF or ColourPSF, got {validation.shown(self.psf)}")
+        shape = self.psf.pupil.shape
         axes = 2 if self.depths is None else 3
         for name, axis in (("y", 0), ("x", 1)):
             positions = validation.real_array(name, getattr(self, name))
-            if len(stack) != axes or positions.shape != stack[axis : axis + 1]:
-                raise ValueError(f"{name} must fit a stack of PSFs of shape {stack}, got shape {positions.shape}")
+            if len(shape) != axes or positions.shape != shape[axis : axis + 1]:
+                raise ValueError(f"{name} must fit a stack of PSFs of shape {shape}, got shape {positions.shape}")
             object.__setattr__(self, name, positions)
         object.__setattr__(self, "sensor", sides(self.sensor, self.unit))
         if self.depths is not None:
             distances = np.atleast_1d(object_distances(self.depths))
-            if distances.shape != stack[2:]:
-                raise ValueError(f"depths must fit a stack of PSFs of shape {stack}, got shape {distances.shape}")
+            if distances.shape != shape[2:]:
+                raise ValueError(f"depths must fit a stack of PSFs of shape {shape}, got shape {distances.shape}")
             object.__setattr__(self, "depths", distances)
 
     def __len__(self) -> int:
@@ -86,15 +86,15 @@ class PSFGrid(Measured, PSFGridLike):
     def channel(self, channel: str | int) -> PSFGrid:
         """Return the grid of one `channel`, given by name or number; ValueError or KeyError for other channels."""
         if not isinstance(self.psf, ColourPSF):
-            raise ValueError("this grid has no channels; compute a grid with grid(..., channels=)")
+            raise ValueError("this grid has no channels; compute it with FieldMap.grid(..., channels=...)")
         return replace(self, psf=self.psf[channel])
 
     def at_depth(self, index: int) -> PSFGrid:
         """Return the grid at the distance ``depths[index]``; ValueError without distances, or for another index."""
         if self.depths is None:
-            raise ValueError("this grid has no distances; compute a grid with grid(..., depths=, lens=)")
-        number = validation.integer("index", index, least=-self.depths.size, most=self.depths.size - 1)
-        return replace(self, psf=self[:, :, number], depths=None)
+            raise ValueError("this grid has no distances; compute it with FieldMap.grid(..., depths=..., lens=...)")
+        depth_index = validation.integer("index", index, least=-self.depths.size, most=self.depths.size - 1)
+        return replace(self, psf=self[:, :, depth_index], depths=None)
 
     def plot(self, ax: Axes | None = None, *, stretch: str = "sqrt") -> Axes:
         """Draw each PSF, enlarged, at its position on the sensor; a grid of three channels is drawn in colour.

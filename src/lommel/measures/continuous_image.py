@@ -73,13 +73,13 @@ def phased_cells(opening: Opening, side: int) -> NDArray[np.complex128]:
     means = np.zeros((side, side), dtype=np.complex128)
     centers = cell_centers(side)
     for region, phase in zip(opening.regions, opening.phases, strict=True):
-        rows, columns, clear = _covered_fractions(listed(region), side)
+        rows, columns, fractions = _covered_fractions(listed(region), side)
         if phase.any():
             x, y = centers[columns], centers[rows, None]
             mean = float(np.prod(np.sinc(phase[1:] / (math.pi * side))))
-            means[rows, columns] += clear * (mean * np.exp(1j * (phase[0] + phase[1] * x + phase[2] * y)))
+            means[rows, columns] += fractions * (mean * np.exp(1j * (phase[0] + phase[1] * x + phase[2] * y)))
         else:
-            means[rows, columns] += clear
+            means[rows, columns] += fractions
     return means
 
 
@@ -91,27 +91,27 @@ def _covered_fractions(region: Listed, side: int) -> tuple[slice, slice, Array]:
     # Between neighbouring ends a line is either clear or blocked throughout: test the midpoint.
     middle = 0.5 * (ends[1:] + ends[:-1])
     inside = [(a < middle) & (middle < b) for a, b in zip(low, high, strict=True)]
-    clear = region.combined(inside, np.logical_and, np.logical_or, lambda a, b: a & ~b)
-    clear &= ends[1:] > ends[:-1]
-    piece, line = np.nonzero(clear)
+    is_clear = region.combined(inside, np.logical_and, np.logical_or, lambda a, b: a & ~b)
+    is_clear &= ends[1:] > ends[:-1]
+    piece, line = np.nonzero(is_clear)
     if not line.size:
         return slice(0, 0), slice(0, 0), np.zeros((0, 0))
     # The covered part of each cell along a line is a running sum: the start of an interval adds 1 to all cells after
     # it, the end of an interval subtracts 1. An edge at the fraction `part` of a cell changes the sum by 1 - part in
     # this cell and by part in the next.
-    place = np.concatenate([ends[piece, line], ends[piece + 1, line]])
-    place = np.clip(0.5 * side * (place + 1.0), 0.0, float(side))
+    position = np.concatenate([ends[piece, line], ends[piece + 1, line]])
+    position = np.clip(0.5 * side * (position + 1.0), 0.0, float(side))
     change = np.concatenate([weight[line], -weight[line]])
-    first = np.floor(place).astype(np.int64)
-    top, left = int(row[line].min()), int(first.min())
-    shape = int(row[line].max()) + 1 - top, int(first.max()) + 2 - left
-    at = np.tile(row[line] - top, 2) * shape[1] + first - left
-    part = place - first
-    steps = np.bincount(at, change * (1.0 - part), math.prod(shape)) + np.bincount(
-        at + 1, change * part, math.prod(shape)
+    first_cell = np.floor(position).astype(np.int64)
+    first_row, first_column = int(row[line].min()), int(first_cell.min())
+    shape = int(row[line].max()) + 1 - first_row, int(first_cell.max()) + 2 - first_column
+    index = np.tile(row[line] - first_row, 2) * shape[1] + first_cell - first_column
+    part = position - first_cell
+    steps = np.bincount(index, change * (1.0 - part), math.prod(shape)) + np.bincount(
+        index + 1, change * part, math.prod(shape)
     )
-    covered = np.cumsum(steps.reshape(shape), axis=1)[:, : side - left]
-    return slice(top, top + shape[0]), slice(left, left + covered.shape[1]), covered
+    covered = np.cumsum(steps.reshape(shape), axis=1)[:, : side - first_column]
+    return slice(first_row, first_row + shape[0]), slice(first_column, first_column + covered.shape[1]), covered
 
 
 def _clear_lines(region: Listed, side: int) -> tuple[Array, Array, NDArray[np.int64]]:
@@ -127,12 +127,12 @@ def _clear_lines(region: Listed, side: int) -> tuple[Array, Array, NDArray[np.in
             spans.append((corners[:, 1].min(), corners[:, 1].max()))
         else:
             _, y, a, b, angle = next(ellipses)
-            tall = math.hypot(a * math.sin(angle), b * math.cos(angle))
-            across = math.hypot(a * math.cos(angle), b * math.sin(angle))
+            half_height = math.hypot(a * math.sin(angle), b * math.cos(angle))
+            half_width = math.hypot(a * math.cos(angle), b * math.sin(angle))
             # The ellipse is split in steps of at most one column of cells, up to 0.8 of its half-width.
-            height = tall * np.sqrt(1.0 - np.linspace(0.0, 0.8, 2 + int(across / cell)) ** 2)
+            height = half_height * np.sqrt(1.0 - np.linspace(0.0, 0.8, 2 + int(half_width / cell)) ** 2)
             events += [y + height, y - height]
-            spans.append((y - tall, y + tall))
+            spans.append((y - half_height, y + half_height))
     # Smallest and largest y of the region.
     low, high = region.combined(
         spans,
@@ -144,29 +144,29 @@ def _clear_lines(region: Listed, side: int) -> tuple[Array, Array, NDArray[np.in
         np.clip(np.concatenate([cell * np.arange(side + 1.0) - 1.0, *events]), max(low, -1.0), min(high, 1.0))
     )
     # Two Gauss nodes are exact for cubics; the covered length of a row is linear in y between straight edges.
-    middle, wide = 0.5 * (edges[1:] + edges[:-1]), np.diff(edges)
+    middle, heights = 0.5 * (edges[1:] + edges[:-1]), np.diff(edges)
     row = np.minimum((0.5 * side * (middle + 1.0)).astype(np.int64), side - 1)
-    lines = np.concatenate([middle - _GAUSS * wide, middle + _GAUSS * wide])
-    return lines, np.tile(0.25 * side * wide, 2), np.tile(row, 2)
+    lines = np.concatenate([middle - _GAUSS * heights, middle + _GAUSS * heights])
+    return lines, np.tile(0.25 * side * heights, 2), np.tile(row, 2)
 
 
 def _intervals(region: Listed, part: int, y: Array) -> tuple[Array, Array]:
-    """Return both ends in x of each line of constant `y` within a part of a region; 2 if the line misses the part."""
+    """Return both ends in x of each line of constant `y` within a part of a region; both are 2 if there are none."""
     corners = region.polygons[part]
     if len(corners):
         (x0, y0), (x1, y1) = corners.T[:, :, None], np.roll(corners, -1, axis=0).T[:, :, None]
-        meets = (np.minimum(y0, y1) <= y) & (y < np.maximum(y0, y1))
-        x = x0 + (x1 - x0) * np.divide(y - y0, y1 - y0, out=np.zeros(meets.shape), where=meets)
-        low, high = np.where(meets, x, np.inf).min(axis=0), np.where(meets, x, -np.inf).max(axis=0)
+        crosses = (np.minimum(y0, y1) <= y) & (y < np.maximum(y0, y1))
+        x = x0 + (x1 - x0) * np.divide(y - y0, y1 - y0, out=np.zeros(crosses.shape), where=crosses)
+        low, high = np.where(crosses, x, np.inf).min(axis=0), np.where(crosses, x, -np.inf).max(axis=0)
         return np.where(low < high, low, 2.0), np.where(low < high, high, 2.0)
-    x, middle, a, b, angle = region.ellipses[sum(len(at) == 0 for at in region.polygons[:part])]
+    x, middle, a, b, angle = region.ellipses[sum(len(polygon) == 0 for polygon in region.polygons[:part])]
     cos, sin = math.cos(angle), math.sin(angle)
-    tall = math.hypot(a * sin, b * cos)
+    half_height = math.hypot(a * sin, b * cos)
     # Chord of a rotated ellipse: half length a b sqrt(tall^2 - up^2) / tall^2, with its middle on a straight line.
-    up = y - middle
-    half = a * b * np.sqrt(np.maximum(tall**2 - up**2, 0.0)) / tall**2
-    center = x + up * (a * a - b * b) * sin * cos / tall**2
-    return np.where(half > 0.0, center - half, 2.0), np.where(half > 0.0, center + half, 2.0)
+    dy = y - middle
+    half_chord = a * b * np.sqrt(np.maximum(half_height**2 - dy**2, 0.0)) / half_height**2
+    center = x + dy * (a * a - b * b) * sin * cos / half_height**2
+    return np.where(half_chord > 0.0, center - half_chord, 2.0), np.where(half_chord > 0.0, center + half_chord, 2.0)
 
 
 # OTF at low frequencies, for strong blur: the autocorrelation of the pupil at small shifts (docs/certificate.md,
@@ -184,7 +184,7 @@ class SmallShifts(NamedTuple):
 
     splines: tuple[Array, ...]  # real part, and the imaginary part unless it is zero
     side: int  # number of cells along the diameter of the aperture
-    most: int  # largest shift, cells
+    max_shift: int  # cells
 
     @classmethod
     def of(cls, pupil: Pupil, end: float) -> SmallShifts:
@@ -196,13 +196,13 @@ class SmallShifts(NamedTuple):
         """Return the OTF at frequencies in units of the cutoff frequency."""
         from scipy.ndimage import map_coordinates
 
-        places = [self.side * f + self.most for f in (fy, fx)]
-        parts = [map_coordinates(spline, places, order=3, prefilter=False) for spline in self.splines]
+        positions = [self.side * f + self.max_shift for f in (fy, fx)]
+        parts = [map_coordinates(spline, positions, order=3, prefilter=False) for spline in self.splines]
         return np.asarray(parts[0] if len(parts) == 1 else parts[0] + 1j * parts[1], dtype=np.complex128)
 
 
 @lru_cache(maxsize=4)
-def _small_shifts(pupil: Pupil, side: int, most: int) -> SmallShifts:
+def _small_shifts(pupil: Pupil, side: int, max_shift: int) -> SmallShifts:
     from scipy import fft
     from scipy.ndimage import spline_filter
 
@@ -211,33 +211,33 @@ def _small_shifts(pupil: Pupil, side: int, most: int) -> SmallShifts:
     centers = cell_centers(side)
     x, y = centers[columns], centers[rows]
     rho = np.hypot(x, y)
-    light = np.ones(rho.size) if pupil.illumination.uniform else pupil.illumination.at(rho * rho)
+    amplitude = np.ones(rho.size) if pupil.illumination.uniform else pupil.illumination.at(rho * rho)
     if pupil.wavefront.flat:
-        field[rows, columns] *= light
+        field[rows, columns] *= amplitude
     else:
         theta = np.arctan2(y, x)
         # Mean over a cell along which the phase is linear: a sinc of the phase change along each side.
-        light *= np.prod(np.sinc(gradient(pupil.wavefront, rho, theta)[0] / (math.pi * side)), axis=0)
-        field[rows, columns] *= light * np.exp(1j * pupil.wavefront.phase(rho, theta))
+        amplitude *= np.prod(np.sinc(gradient(pupil.wavefront, rho, theta)[0] / (math.pi * side)), axis=0)
+        field[rows, columns] *= amplitude * np.exp(1j * pupil.wavefront.phase(rho, theta))
     # Zero padding by the largest shift, so that no shifted product wraps around.
-    size = fft.next_fast_len(side + most + 1)
+    size = fft.next_fast_len(side + max_shift + 1)
     spectrum = fft.fft2(field, (size, size))
-    shifts = np.arange(-most - 1, most + 2)
-    raw = fft.ifft2(spectrum.real**2 + spectrum.imag**2)[np.ix_(shifts, shifts)].conj()
+    shifts = np.arange(-max_shift - 1, max_shift + 2)
+    raw_otf = fft.ifft2(spectrum.real**2 + spectrum.imag**2)[np.ix_(shifts, shifts)].conj()
     # OTF = sum over cells * (area of a cell, (2 / side)^2) / (pi * transmission).
-    raw *= 4.0 / (math.pi * side**2 * pupil.transmission)
-    otf = raw[1:-1, 1:-1]
+    raw_otf *= 4.0 / (math.pi * side**2 * pupil.transmission)
+    otf = raw_otf[1:-1, 1:-1]
     # The averages over the cells of both pupils convolve the autocorrelation with a kernel of variance 1/6 (cells^2)
     # along each axis, which adds 1/12 of its Laplacian. Subtract this term, by the five-point stencil.
-    neighbours = raw[:-2, 1:-1] + raw[2:, 1:-1] + raw[1:-1, :-2] + raw[1:-1, 2:]
+    neighbours = raw_otf[:-2, 1:-1] + raw_otf[2:, 1:-1] + raw_otf[1:-1, :-2] + raw_otf[1:-1, 2:]
     otf = otf - (neighbours - 4.0 * otf) / 12.0
     # Near the shift 0 the OTF is the cone 1 - c d, with the distance d in cells. The sum of its samples exceeds the
     # integral by 0.229 c (sum of k^-3 / (4 pi^2) over a lattice), which is subtracted from the sample at 0.
-    center = otf[most - 2 : most + 3, most - 2 : most + 3].real
+    center = otf[max_shift - 2 : max_shift + 3, max_shift - 2 : max_shift + 3].real
     slope = float(np.mean([1.0 - center[0, 2], 1.0 - center[4, 2], 1.0 - center[2, 0], 1.0 - center[2, 4]])) / 2.0
-    otf[most, most] = 1.0 - 0.229 * slope
+    otf[max_shift, max_shift] = 1.0 - 0.229 * slope
     parts = (otf.real, otf.imag) if np.abs(otf.imag).max() > 1e-12 else (otf.real,)
-    return SmallShifts(tuple(spline_filter(part, order=3) for part in parts), side, most)
+    return SmallShifts(tuple(spline_filter(part, order=3) for part in parts), side, max_shift)
 
 
 def transfer(pupil: Pupil, end: float, fx: Array, fy: Array) -> NDArray[np.complex128]:
@@ -275,11 +275,11 @@ class ImageModel(NamedTuple):
     active: tuple[float, float] = (0.0, 0.0)
 
     @classmethod
-    def of(cls, psf: PSFLike, what: str = "image") -> ImageModel:
-        """Return the model of a PSF; its pixels are included unless `what` is "optics"."""
-        validation.choice("of", what, ("image", "optics"))
+    def of(cls, psf: PSFLike, scope: str = "image") -> ImageModel:
+        """Return the model of a PSF; its pixels are included unless `scope` is "optics"."""
+        validation.choice("of", scope, ("image", "optics"))
         checked(psf)
-        return cls(psf.pupil, psf.method, psf.blur, psf.grid.active if what == "image" else (0.0, 0.0))
+        return cls(psf.pupil, psf.method, psf.blur, psf.grid.active if scope == "image" else (0.0, 0.0))
 
     @property
     def radial_method(self) -> RadialMethod | None:
@@ -287,7 +287,7 @@ class ImageModel(NamedTuple):
         return None if self.blur or self.active != (0.0, 0.0) else self.method.along_radius(self.pupil)
 
     @property
-    def singles(self) -> list[ImageModel]:
+    def single_models(self) -> list[ImageModel]:
         """One model for each pupil of the flattened stack."""
         shape = self.pupil.shape
         return [self._replace(pupil=self.pupil[index]) for index in np.ndindex(shape)] if shape else [self]
@@ -316,7 +316,7 @@ class ImageModel(NamedTuple):
         return self.method.stretch(self.pupil) * (1.0 if mask is None else 1.0 + math.sqrt(2.0) / mask.side)
 
     @property
-    def _short(self) -> Short:
+    def _short_blur(self) -> Short:
         """Gaussian and motion blur; lengths in the optical unit v, pi at lambda*N."""
         return Short.of(self.blur, self.pupil.scale)
 
@@ -325,7 +325,7 @@ class ImageModel(NamedTuple):
         """Highest frequency, up to `cutoff`, at which the transfer function of the blur exceeds 1e-11."""
         scale, f = self.pupil.scale, np.linspace(0.0, self.cutoff, 1025)
         # Gaussian blur passes the highest frequencies along the direction in which it is narrowest.
-        variance = float(np.linalg.eigvalsh(self._short.covariance)[0]) / math.pi**2
+        variance = float(np.linalg.eigvalsh(self._short_blur.covariance)[0]) / math.pi**2
         transmitted = np.exp(-2.0 * math.pi**2 * variance * f**2)
         # Seeing is weakest at the longest wavelength.
         longest = max((part.pupil.wavelength for part in self.parts if part.pupil.wavelength), default=None)
@@ -336,27 +336,27 @@ class ImageModel(NamedTuple):
         return float(f[min(last + 1, f.size - 1)])
 
     @property
-    def spread(self) -> tuple[float, float]:
+    def blur_extent(self) -> tuple[float, float]:
         """Radius of pixel and blur other than seeing, and the largest width of the seeing, lambda*N."""
         scale = self.pupil.scale
-        gaussian, streaks = self._short
+        gaussian, streaks = self._short_blur
         # The fraction exp(-6.5^2 / 2) = 7e-10 of a Gaussian lies beyond 6.5 standard deviations.
-        short = 6.5 * math.sqrt(max(float(np.linalg.eigvalsh(gaussian)[-1]), 0.0))
-        short += 0.5 * float(np.hypot(*streaks.T).sum())
+        radius = 6.5 * math.sqrt(max(float(np.linalg.eigvalsh(gaussian)[-1]), 0.0))
+        radius += 0.5 * float(np.hypot(*streaks.T).sum())
         widths = [
             1.0 / (blur.coherence(part.pupil.wavelength) * scale)
             for part in self.parts
             for blur in self.blur
             if isinstance(blur, Seeing)
         ]
-        return short / math.pi + 0.5 * math.hypot(*self.active) / scale, max(widths, default=0.0)
+        return radius / math.pi + 0.5 * math.hypot(*self.active) / scale, max(widths, default=0.0)
 
     @property
     def extent(self) -> float:
         """Approximate distance from the axis within which most of the light falls, lambda*N."""
         rays = float(np.max(self.pupil.geometric_radius(), initial=0.0)) / self.pupil.scale
-        short, seeing_width = self.spread
-        return rays + short + 1.5 * seeing_width + 2.5
+        blur_radius, seeing_width = self.blur_extent
+        return rays + blur_radius + 1.5 * seeing_width + 2.5
 
 
 @dataclass(frozen=True)
@@ -386,15 +386,15 @@ class CartesianImage:
     def circles(self, radius: Array, center: tuple[float, float] = (0.0, 0.0)) -> Array:
         """Return the light within circles of each radius about `center`."""
         x, y = center
-        turned = (np.exp(2j * math.pi * y * self.fy)[:, None] * self.table) * np.exp(2j * math.pi * x * self.fx)
+        shifted = (np.exp(2j * math.pi * y * self.fy)[:, None] * self.table) * np.exp(2j * math.pi * x * self.fx)
         squares, index = self._distances
-        light = np.bincount(index, turned.real.ravel())
+        sums = np.bincount(index, shifted.real.ravel())
         f = np.sqrt(squares[1:]) * (self.fx[1] - self.fx[0])
         # Fourier transform of a disc, pi r^2 at f = 0, else r J1(2 pi r f) / f: once for each distinct abs(f).
-        out = np.empty(radius.size)
+        light = np.empty(radius.size)
         for i, r in enumerate(radius):
-            out[i] = math.pi * r * r * light[0] + (r * j1(2.0 * math.pi * r * f) / f) @ light[1:]
-        return out
+            light[i] = math.pi * r * r * sums[0] + (r * j1(2.0 * math.pi * r * f) / f) @ sums[1:]
+        return light
 
     @cached_property
     def _distances(self) -> tuple[NDArray[np.int64], NDArray[np.intp]]:
@@ -422,33 +422,33 @@ def cartesian_images(model: ImageModel, reach: float) -> Iterator[CartesianImage
     # With 1 / pitch >= cutoff + 2 band no alias reaches the frequencies that the cut-off passes (docs/certificate.md,
     # "From samples").
     pitch = 1.0 / max(cutoff + 2.0 * band, 4.0 * band)
-    short, seeing_width = model.spread
-    # Farther outside the region of radius `reach` samples are omitted: the kernel of the cut-off is below 1e-10.
-    half = reach + _KERNEL_REACH / band + short
-    half += seeing_margin(reach, seeing_width)
+    blur_radius, seeing_width = model.blur_extent
+    # Farther than `half_side` from the axis samples are omitted: the kernel of the cut-off is below 1e-10 there.
+    half_side = reach + _KERNEL_REACH / band + blur_radius
+    half_side += seeing_margin(reach, seeing_width)
     period = model.method.period(pupil)
-    if reach <= 0.5 * period < half and period == pupil.period and not seeing_width:
+    if reach <= 0.5 * period < half_side and period == pupil.period and not seeing_width:
         # The image of a sampled mask is periodic, with or without blur: one period is the whole image.
         side = fft.next_fast_len(math.ceil(period / pitch), real=True)
-        pitch, half = period / side, 0.5 * period
+        pitch, half_side = period / side, 0.5 * period
     else:
-        side = fft.next_fast_len(2 * math.ceil(half / pitch) + 1, real=True)
-    if half > (most := 0.5 * pitch * MOST_SIDE):
-        raise _radius_error(pupil, reach, reach - (half - most))
+        side = fft.next_fast_len(2 * math.ceil(half_side / pitch) + 1, real=True)
+    if half_side > (largest := 0.5 * pitch * MOST_SIDE):
+        raise _radius_error(pupil, reach, reach - (half_side - largest))
     grid = Grid(side, pitch * pupil.scale, integrate=model.method.sampling == "pixel")
     fy, fx = fft.fftfreq(side, pitch), fft.rfftfreq(side, pitch)
     in_band_y, in_band_x = np.abs(fy) <= 2.0 * band, fx <= 2.0 * band
     fy, fx = fy[in_band_y], fx[in_band_x]
     # Frequencies fx > 0 count twice, because rfft returns one wave of each conjugate pair.
-    cut = 0.5 * erfc((np.hypot(fy[:, None], fx) / band - _MIDDLE) / _WIDTH) * np.where(fx > 0.0, 2.0, 1.0) / side**2
+    decay = 0.5 * erfc((np.hypot(fy[:, None], fx) / band - _MIDDLE) / _WIDTH) * np.where(fx > 0.0, 2.0, 1.0) / side**2
     parts = model.parts
     count = math.prod(pupil.shape)
     step = max(1, _MAX_VALUES // side**2)
-    for first in range(0, count, step):
-        block = np.arange(first, min(first + step, count))
+    for start in range(0, count, step):
+        block = np.arange(start, min(start + step, count))
         tables = np.zeros((block.size, fy.size, fx.size), dtype=np.complex128)
         error = np.zeros(block.size)
-        for light, stretch, part in parts:
+        for fraction, stretch, part in parts:
             pupils = part[np.unravel_index(block, part.shape)] if part.shape else part
             try:
                 images = _sample(pupils, model.method, grid, whole=len(parts) == 1)
@@ -456,8 +456,8 @@ def cartesian_images(model: ImageModel, reach: float) -> Iterator[CartesianImage
                 raise ValueError(f"{_radius_error(pupil, reach)}: {fault}") from fault
             # Convert intensity to a fraction of all light per area: the integral of the intensity over the plane in v
             # is 4 pi times the transmission, and lambda*N of this wavelength is v = pi.
-            factor = light * stretch**2 * math.pi / (4.0 * part.transmission)
-            response = model.response(fx[None, :], fy[:, None], part.wavelength) * (factor * cut)
+            factor = fraction * stretch**2 * math.pi / (4.0 * part.transmission)
+            response = model.response(fx[None, :], fy[:, None], part.wavelength) * (factor * decay)
             for k, image in enumerate(images.values):
                 tables[k] += fft.rfft2(fft.ifftshift(image))[in_band_y][:, in_band_x] * response
             tops = images.values.reshape(block.size, -1).max(axis=1) if images.peak is None else images.peak
@@ -472,9 +472,9 @@ def seeing_margin(reach: float, seeing_width: float) -> float:
     return min(max(2.0 * reach, 20.0 * seeing_width), 30.0 * seeing_width)
 
 
-def _radius_error(pupil: BasePupil, reach: float, most: float | None = None) -> ValueError:
+def _radius_error(pupil: BasePupil, reach: float, largest: float | None = None) -> ValueError:
     """Return the ValueError for a circle, rectangle or point that needs too many samples."""
-    limit = "" if most is None or most <= 0.0 else f" of at most {most * pupil.scale:.3g} {pupil.unit}"
+    limit = "" if largest is None or largest <= 0.0 else f" of at most {largest * pupil.scale:.3g} {pupil.unit}"
     return ValueError(
         f"a distance of {reach * pupil.scale:.4g} {pupil.unit} from the axis ({reach:.4g} lambda*N) is too far for a "
         f"pupil that is not a radially symmetric lens; use a smaller distance{limit}"
@@ -484,45 +484,45 @@ def _radius_error(pupil: BasePupil, reach: float, most: float | None = None) -> 
 def sampled_transfer(model: ImageModel, fx: Array, fy: Array) -> NDArray[np.complex128]:
     """Return the OTF with blur and pixel from samples of the image; fx, fy in cycles/(lambda*N); ``(n, len(fx))``."""
     # Samples extend 64 lambda*N beyond `ImageModel.extent`; their weights fall to 0 in this margin. The remaining
-    # light is modelled as diffraction at a hard edge, whose light per area falls as the inverse cube of the distance.
+    # light is scope as diffraction at a hard edge, whose light per area falls as the inverse cube of the distance.
     # The error of the OTF is below 1e-3 up to a fifth of the cutoff (3e-4 without straight edges), and below 1e-4 at
     # higher frequencies.
-    far = model.extent + _TAPER
+    radius = model.extent + _TAPER
     cutoff = model.cutoff
     pitch, pupil = 0.25 / cutoff, model.pupil
-    side = 2 * math.ceil(far / pitch)
+    side = 2 * math.ceil(radius / pitch)
     grid = Grid(side, pitch * pupil.scale, integrate=model.method.sampling == "pixel")
     position = pitch * (np.arange(side) - side // 2)
 
     def weight(r: Array) -> Array:
-        return np.asarray(0.5 * erfc((r - far + 0.5 * _TAPER) / (_TAPER / 8.0)))
+        return np.asarray(0.5 * erfc((r - radius + 0.5 * _TAPER) / (_TAPER / 8.0)))
 
     weights = weight(np.hypot(position, position[:, None]))
     columns = np.exp(-2j * math.pi * np.outer(position, fx))
     rows = np.exp(-2j * math.pi * np.outer(fy, position))
     # The light of the tail, r^-3 (2 pi r dr), has a constant density in u = 1 / r, and the range of u is finite.
-    u, rule = gauss_legendre(4096, 0.0, 1.0 / (far - _TAPER))
-    tail = (rule * (1.0 - weight(1.0 / u))) @ j0(2.0 * math.pi * np.hypot(fx, fy) / u[:, None])
-    tail /= rule @ (1.0 - weight(1.0 / u))
+    u, rule = gauss_legendre(4096, 0.0, 1.0 / (radius - _TAPER))
+    tail_transform = (rule * (1.0 - weight(1.0 / u))) @ j0(2.0 * math.pi * np.hypot(fx, fy) / u[:, None])
+    tail_transform /= rule @ (1.0 - weight(1.0 / u))
     otf = np.zeros((math.prod(pupil.shape), fx.size), dtype=np.complex128)
     parts = model.parts
-    for light, stretch, part in parts:
-        singles = [part[index] for index in np.ndindex(part.shape)] if part.shape else [part]
+    for fraction, stretch, part in parts:
+        pupils = [part[index] for index in np.ndindex(part.shape)] if part.shape else [part]
         response = model.response(fx, fy, part.wavelength) * (np.hypot(fx, fy) < cutoff)
         factor = stretch**2 * math.pi / (4.0 * part.transmission) * pitch**2
-        for k, one in enumerate(singles):
-            image = factor * weights * _sample(one, model.method, grid, whole=len(parts) == 1).values[0]
-            inside = np.einsum("fy,yf->f", rows, image @ columns)
-            otf[k] += light * response * (inside + (1.0 - image.sum()) * tail)
+        for k, single in enumerate(pupils):
+            image = factor * weights * _sample(single, model.method, grid, whole=len(parts) == 1).values[0]
+            sampled = np.einsum("fy,yf->f", rows, image @ columns)
+            otf[k] += fraction * response * (sampled + (1.0 - image.sum()) * tail_transform)
     return otf
 
 
 def _sample(pupil: BasePupil, method: Method, grid: Grid, *, whole: bool) -> Images:
     """Return samples of the intensity, summed over the spectrum of a :class:`Polychromatic` method if `whole`."""
-    one = method.method if isinstance(method, Polychromatic) and not whole else method
-    methods: tuple[Method, ...] = () if one is None else (one,)
+    method_used = method.method if isinstance(method, Polychromatic) and not whole else method
+    methods: tuple[Method, ...] = () if method_used is None else (method_used,)
     # A method with a proven error bound is replaced by the fastest one for this grid, with at most its tolerance.
-    if one is None or isinstance(one, NijboerZernike | ChordalGauss | ChordalDebye):
+    if method_used is None or isinstance(method_used, NijboerZernike | ChordalGauss | ChordalDebye):
         methods = candidates(pupil, grid, min(method.tol, Method.tol))
 
     def compute(candidate: Method) -> Images:
@@ -543,38 +543,38 @@ class PolarImage:
     def circles(self, radius: Array, center: tuple[float, float] = (0.0, 0.0)) -> Array:
         """Return the light within circles of each radius about `center`."""
         total = np.zeros(radius.size)
-        for f, fx, fy, light in self._waves(math.hypot(*center)):
-            turned = light * np.exp(2j * math.pi * (center[0] * fx + center[1] * fy)) if any(center) else light
-            amplitude = turned.real.sum(axis=1) / f
-            total += [r * (j1(2.0 * math.pi * r * f) @ amplitude) for r in radius]
+        for f, fx, fy, waves in self._waves(math.hypot(*center)):
+            shifted = waves * np.exp(2j * math.pi * (center[0] * fx + center[1] * fy)) if any(center) else waves
+            radial = shifted.real.sum(axis=1) / f
+            total += [r * (j1(2.0 * math.pi * r * f) @ radial) for r in radius]
         return total
 
     def rectangle(self, low: tuple[float, float], high: tuple[float, float]) -> float:
         """Return the light in a rectangle between two corners (x, y)."""
         (x, y), (right, bottom) = low, high
         total = 0.0
-        far = max(math.hypot(a, b) for a in (x, right) for b in (y, bottom))
-        for _, fx, fy, light in self._waves(far):
+        reach = max(math.hypot(a, b) for a in (x, right) for b in (y, bottom))
+        for _, fx, fy, amplitudes in self._waves(reach):
             part = (right - x) * np.sinc(fx * (right - x)) * (bottom - y) * np.sinc(fy * (bottom - y))
-            turned = light * np.exp(1j * math.pi * ((x + right) * fx + (y + bottom) * fy))
-            total += float((part * turned.real).sum())
+            shifted = amplitudes * np.exp(1j * math.pi * ((x + right) * fx + (y + bottom) * fy))
+            total += float((part * shifted.real).sum())
         return total
 
     def on(self, x: Array, y: Array) -> Array:
         """Return light per area on a lattice of points at equal steps, shape ``(len(y), len(x))``."""
         total = np.zeros((y.size, x.size))
-        for _, fx, fy, light in self._all_waves:
-            columns, rows = _plane_waves(fx.ravel(), x), _plane_waves(fy.ravel(), y) * light.ravel()
+        for _, fx, fy, amplitudes in self._all_waves:
+            columns, rows = _plane_waves(fx.ravel(), x), _plane_waves(fy.ravel(), y) * amplitudes.ravel()
             total += product(rows.real, columns.real.T, 0) - product(rows.imag, columns.imag.T, 0)
         return total
 
     def derivatives(self, x: float, y: float) -> Array:
         """Return light per area at a point and its derivatives, [i, j] of order i along y and j along x, (3, 3)."""
         orders, total = np.arange(3), np.zeros((3, 3))
-        for _, fx, fy, light in self._all_waves:
-            turned = (light * np.exp(2j * math.pi * (x * fx + y * fy))).ravel()
+        for _, fx, fy, amplitudes in self._all_waves:
+            shifted = (amplitudes * np.exp(2j * math.pi * (x * fx + y * fy))).ravel()
             rows, columns = ((2j * math.pi * f.ravel()[:, None]) ** orders for f in (fy, fx))
-            total += ((rows * turned[:, None]).T @ columns).real
+            total += ((rows * shifted[:, None]).T @ columns).real
         return total
 
     @cached_property
@@ -586,20 +586,20 @@ class PolarImage:
         # Seeing depends on abs(f) only and is evaluated once for all directions.
         blurs = self.model.blur
         seeing = self.model._replace(active=(0.0, 0.0), blur=tuple(b for b in blurs if isinstance(b, Seeing)))
-        other = self.model._replace(blur=tuple(b for b in blurs if not isinstance(b, Seeing)))
-        reach = reach + self.model.spread[0]
+        without_seeing = self.model._replace(blur=tuple(b for b in blurs if not isinstance(b, Seeing)))
+        reach = reach + self.model.blur_extent[0]
         for f, weight, otf, wavelength in self.parts:
-            least = _MIN_ANGLES if otf is None else _MIN_ANGLES_OTF
+            min_angles = _MIN_ANGLES if otf is None else _MIN_ANGLES_OTF
             # exp(2 pi i f.r) has azimuthal orders up to about 2 pi abs(f) abs(r).
-            angles = least + math.ceil(2.0 * math.pi * float(f.max()) * reach)
+            angles = min_angles + math.ceil(2.0 * math.pi * float(f.max()) * reach)
             # Half a turn suffices, because the waves of opposite directions are conjugate.
             theta = math.pi / angles * np.arange(angles)
-            light = 2.0 * math.pi / angles * weight * seeing.response(f, np.zeros(f.shape), wavelength)
+            amplitudes = 2.0 * math.pi / angles * weight * seeing.response(f, np.zeros(f.shape), wavelength)
             count = max(1, _MAX_VALUES // (16 * angles))
             for start in range(0, f.size, count):
                 block = slice(start, start + count)
                 fx, fy = f[block, None] * np.cos(theta), f[block, None] * np.sin(theta)
-                waves = light[block, None] * other.response(fx, fy, wavelength)
+                waves = amplitudes[block, None] * without_seeing.response(fx, fy, wavelength)
                 yield f[block], fx, fy, waves.astype(np.complex128) if otf is None else waves * otf(fx, fy)
 
 
@@ -610,12 +610,12 @@ def _plane_waves(f: Array, x: Array) -> NDArray[np.complex128]:
     """Return exp(2 pi i f x) at equally spaced `x`, shape ``(len(x), len(f))``."""
     waves = np.empty((x.size, f.size), dtype=np.complex128)
     waves[0] = np.exp(2j * math.pi * x[0] * f)
-    done = 1
+    count = 1
     # Each pass doubles the number of rows by exp(i f (x + d)) = exp(i f x) exp(i f d), with one factor for all rows.
-    while done < x.size:
-        more = min(done, x.size - done)
-        np.multiply(waves[:more], np.exp(2j * math.pi * (x[done] - x[0]) * f), out=waves[done : done + more])
-        done += more
+    while count < x.size:
+        added = min(count, x.size - count)
+        np.multiply(waves[:added], np.exp(2j * math.pi * (x[count] - x[0]) * f), out=waves[count : count + added])
+        count += added
     return waves
 
 
@@ -643,11 +643,11 @@ class RayImage(NamedTuple):
 
     def rectangle(self, low: tuple[float, float], high: tuple[float, float]) -> float:
         """Return the light in a rectangle between two corners (x, y)."""
-        across, down = (
+        columns, rows = (
             np.maximum(np.minimum(ends[1], b) - np.maximum(ends[0], a), 0.0) / self.side
             for ends, a, b in ((self._ends(0.0), low[k], high[k]) for k in (0, 1))
         )
-        return float(down @ self.light @ across)
+        return float(rows @ self.light @ columns)
 
     def _ends(self, origin: float) -> tuple[Array, Array]:
         """Return the lower and upper edges of the cells along an axis, relative to `origin`."""
@@ -667,8 +667,8 @@ def ray_images(model: ImageModel, reach: float) -> Iterator[RayImage]:
     half = math.ceil((reach + pixel) / side) + 1
     grid = Grid(2 * half + 1, side * pupil.scale, integrate=True)
     for image in model.method.images(pupil, grid, Wanted()).values:
-        light = image * (math.pi * side**2 / (4.0 * pupil.transmission))
-        yield RayImage(uniform_filter(light, round(pixel / side), mode="constant") if pixel else light, side)
+        fractions = image * (math.pi * side**2 / (4.0 * pupil.transmission))
+        yield RayImage(uniform_filter(fractions, round(pixel / side), mode="constant") if pixel else fractions, side)
 
 
 Image = CartesianImage | PolarImage | RayImage
@@ -682,20 +682,20 @@ def images(model: ImageModel, reach: float) -> Iterator[Image]:
     return (polar_images if is_radial_lens(model) or is_lens_in_seeing(model) else cartesian_images)(model, reach)
 
 
-def energy_images(model: ImageModel, reach: float, what: str) -> Iterator[Image]:
-    """Return :func:`images`; ValueError, with the name `what`, if `reach` exceeds half a period of the image."""
+def energy_images(model: ImageModel, reach: float, name: str) -> Iterator[Image]:
+    """Return :func:`images`; ValueError, with the name `name`, if `reach` exceeds half a period of the image."""
     if (period := model.method.period(model.pupil)) < math.inf:
-        short, seeing_width = model.spread
-        far = reach + (short + seeing_margin(reach, seeing_width) if seeing_width else 0.0)
-        if far > 0.5 * period * (1.0 + 1e-9):
-            raise beyond_period(what if far == reach else f"{what} with the halo of the seeing", far, period)
+        blur_radius, seeing_width = model.blur_extent
+        edge = reach + (blur_radius + seeing_margin(reach, seeing_width) if seeing_width else 0.0)
+        if edge > 0.5 * period * (1.0 + 1e-9):
+            raise beyond_period(name if edge == reach else f"{name} with the halo of the seeing", edge, period)
     return images(model, reach)
 
 
 def is_radial_lens(model: ImageModel) -> bool:
     """Return True for a radially symmetric lens and a method of scalar diffraction with a proven error bound."""
-    one = model.method.method if isinstance(model.method, Polychromatic) else model.method
-    if not (one is None or isinstance(one, NijboerZernike | ChordalGauss)):
+    method_used = model.method.method if isinstance(model.method, Polychromatic) else model.method
+    if not (method_used is None or isinstance(method_used, NijboerZernike | ChordalGauss)):
         return False
     if not (isinstance(model.pupil, Pupil) and model.pupil.circular):
         return False
@@ -705,8 +705,8 @@ def is_radial_lens(model: ImageModel) -> bool:
 def is_lens_in_seeing(model: ImageModel) -> bool:
     """Return True for a lens with seeing and a method of scalar diffraction, for which PolarImage is used."""
     # A CartesianImage would need samples over the whole halo of the seeing.
-    one = model.method.method if isinstance(model.method, Polychromatic) else model.method
-    if not (one is None or isinstance(one, NijboerZernike | ChordalGauss | NonuniformFFT)):
+    method_used = model.method.method if isinstance(model.method, Polychromatic) else model.method
+    if not (method_used is None or isinstance(method_used, NijboerZernike | ChordalGauss | NonuniformFFT)):
         return False
     lens = isinstance(model.pupil, Pupil | FieldPupil) and math.isinf(model.pupil.period)
     return lens and any(isinstance(blur, Seeing) for blur in model.blur)
@@ -723,35 +723,35 @@ def polar_images(model: ImageModel, reach: float) -> Iterator[PolarImage]:
     # OTF, and the error is about 1e-6 of all light.
     reach = math.sqrt(2.0) * reach  # the corner of the square of half-side `reach`
     if not is_radial_lens(model):
-        for one in model.singles:
-            yield PolarImage(one, list(_directed_parts(one, reach)), one.band, reach)
+        for single in model.single_models:
+            yield PolarImage(single, list(_directed_parts(single, reach)), single.band, reach)
         return
-    band, (short, _) = model.band, model.spread
+    band, (blur_radius, _) = model.band, model.blur_extent
     pupil = cast("Pupil", model.pupil)
-    blur = float(np.max(pupil.geometric_radius(), initial=0.0)) / pupil.scale
+    ray_radius = float(np.max(pupil.geometric_radius(), initial=0.0)) / pupil.scale
     parts = []
-    for light, stretch, part in model.method.components(pupil):
+    for fraction, stretch, part in model.method.components(pupil):
         eps = part.obscuration
         # The autocorrelation of an annulus is singular at the shifts at which circles of the two copies touch.
         kinks = (0.0, 0.5 * (1.0 - eps), eps, 0.5 * (1.0 + eps), 1.0)
         ends = sorted({min(kink * stretch, stretch, band) for kink in kinks})
-        at, weight = _radial_rule(ends, reach + short + 2.0 * blur, 32)
-        overlap = autocorrelation(part, np.stack([at / stretch, np.zeros(at.size)], axis=-1), 1e-11).real
-        parts.append((at, light * overlap * weight * at, part.wavelength))
+        f, weight = _radial_rule(ends, reach + blur_radius + 2.0 * ray_radius, 32)
+        overlap = autocorrelation(part, np.stack([f / stretch, np.zeros(f.size)], axis=-1), 1e-11).real
+        parts.append((f, fraction * overlap * weight * f, part.wavelength))
     for k in range(math.prod(pupil.shape)):
-        polar_parts = [PolarPart(f, weights[k], None, wavelength) for f, weights, wavelength in parts]
+        polar_parts = [PolarPart(nodes, weights[k], None, wavelength) for nodes, weights, wavelength in parts]
         yield PolarImage(model, polar_parts, band, reach)
 
 
 def _directed_parts(model: ImageModel, reach: float) -> Iterator[PolarPart]:
     """Yield a part for each wavelength of a single image whose OTF is not radially symmetric."""
-    band, (short, _) = model.band, model.spread
-    blur = float(np.max(model.pupil.geometric_radius(), initial=0.0)) / model.pupil.scale
-    for light, stretch, part in model.method.components(model.pupil):
+    band, (blur_radius, _) = model.band, model.blur_extent
+    ray_radius = float(np.max(model.pupil.geometric_radius(), initial=0.0)) / model.pupil.scale
+    for fraction, stretch, part in model.method.components(model.pupil):
         end = min(stretch, band)
-        at, weight = _radial_rule([0.0, end], reach + short + 2.0 * blur, 64)
+        f, weight = _radial_rule([0.0, end], reach + blur_radius + 2.0 * ray_radius, 64)
         otf = partial(_scaled_transfer, part, stretch, end / stretch)
-        yield PolarPart(at, light * weight * at, otf, part.wavelength)
+        yield PolarPart(f, fraction * weight * f, otf, part.wavelength)
 
 
 def _scaled_transfer(pupil: Pupil, stretch: float, end: float, fx: Array, fy: Array) -> NDArray[np.complex128]:

@@ -184,7 +184,7 @@ def fwhm(psf: PSFLike, along: str = "mean", *, of: str = "image") -> Numbers:
     model = ImageModel.of(psf, of)
     if model.radial_method is not None:
         return radial_fwhm(model.radial_method, psf.pupil)
-    return numbers([width(model, along) for model in model.singles], psf.pupil.shape)
+    return numbers([width(model, along) for model in model.single_models], psf.pupil.shape)
 
 
 def width(model: ImageModel, along: str = "mean") -> float:
@@ -336,7 +336,7 @@ def energy_diameter(psf: PSFLike, fraction: float, *, about: str = "axis", of: s
     if model.radial_method is not None:
         return radial_diameter(model.radial_method, pupil, target)
     out = []
-    for one, (x, y) in zip(model.singles, centers, strict=True):
+    for one, (x, y) in zip(model.single_models, centers, strict=True):
         # A circle must lie within one period of a periodic image.
         within = 0.5 * one.method.period(one.pupil) - math.hypot(x, y)
         reach = min(one.extent, max(within, 0.0))

@@ -166,7 +166,7 @@ def test_terms_of_high_degree_hardly_reach_a_small_window(seed):
     rng = np.random.default_rng(seed)
     wavefront = lm.Wavefront.zernike({(n, m): 0.1 * rng.normal() for n in (2, 3) for m in range(-n, n + 1, 2)})
     v = rng.uniform(0.3, 3.0)
-    size = chordal_debye.growth(wavefront.flattened(), np.array([-v, -v]), np.array([v, v])).across
+    size = chordal_debye.growth(wavefront.flattened(), np.array([-v, -v]), np.array([v, v])).projection
     q = int(rng.integers(0, 3))
     degree = q + 2 * (seed + 1) - 1
 
@@ -436,7 +436,7 @@ def test_axes_of_their_own_are_tilts_around_those_near_by(aberrations, apart):
     weights = rng.normal(size=(7, 9, 9))
     together = lm.psf(pupil, 9, PIXEL, center=center, **asked)
     gradient = together.pullback(weights, ("z", "row", (2, 2)))
-    cells = list(chordal_debye.gathered(pupil, together.grid, apart=False))
+    cells = list(chordal_debye.axis_groups(pupil, together.grid, separate=False))
     assert (len(cells) > 1) == (apart > 1.0)
     assert sorted(np.concatenate([these for these, _, _ in cells])) == list(range(7))
     for k in range(7):

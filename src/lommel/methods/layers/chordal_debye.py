@@ -45,7 +45,7 @@ from lommel.special.legendre import gauss_legendre
 
 _B = np.geomspace(0.03, 2.7, 64)  # imaginary parts b of the shifted integration paths; each b gives a bound
 _SINH = np.sinh(_B)
-# Bounds decrease like exp(-2 n b) with the number n of chords or nodes; the core solves them for n / 2.
+# Bounds decrease like exp(-2 n b) with the number n of chords or nodes; the core computes the required n / 2.
 _QUARTER = 0.25 / _B
 _RATIO = np.exp(-4.0 * _B)
 _OVER_CHORDS = np.log1p(_RATIO)  # logarithm of the factor of exp(-2 n b) in the bound for chords
@@ -54,11 +54,11 @@ _CHORD_WEIGHT = 1.0 + 1.0 / np.cosh(2.0 * _B)  # largest weight of chords on the
 _ETA = np.linspace(0.0, 1.0, 17)  # positions on a path for the trapezoidal rule of means_of_kernel()
 # exp(-s) I_0(s) <= sqrt(_BESSEL / s), by 1 - cos t >= 2 t^2 / pi^2 in the integral of I_0 (section 16).
 _BESSEL = math.pi / 8.0
-_OVER_NODES = math.log(32.0 / 15.0) - np.log(-np.expm1(-2.0 * _B))  # the same for nodes
+_OVER_NODES = math.log(32.0 / 15.0) - np.log(-np.expm1(-2.0 * _B))  # logarithm of the factor in the bound for nodes
 _MOST_NODES, _MOST_DEGREE = 256, 250  # limits that keep sums of exp(n b) finite
 _ROUNDING = 2.0**-53
 # Fractions of the allowed error of a field: for the projection, the sum over chords and the sum over nodes.
-_SHARES = (0.25, 0.3, 0.3)
+_FRACTIONS = (0.25, 0.3, 0.3)
 _QUADRATURE = 0.05  # fraction of the allowed error of a field: for the quadrature of the radial series
 
 
@@ -69,8 +69,8 @@ class By(NamedTuple):
     terms: tuple[tuple[int, int], ...] = ()  # n and m of Zernike terms
 
 
-_NONE = By()
-_FLAT = Wavefront()
+_NO_DERIVATIVES = By()
+_FLAT_WAVEFRONT = Wavefront()
 _Result = TypeVar("_Result")
 
 
@@ -95,11 +95,12 @@ class ChordalDebye(AberratedMethod):
     Notes
     -----
     Every field is ``(1/pi) int t(rho) exp(i q theta + i W - i v.r) dx dy`` over the unit disc, where t is the
-    amplitude with the phase of the layers, W the measured wavefront (radians) and v the image position. t has a kink
-    at the critical angle, and is therefore replaced by its series of radial polynomials ``R_n^q`` up to degree D. The
-    remainder is orthogonal to all polynomials of degree up to D, and in a small window ``exp(i W - i v.r)`` is nearly
-    such a polynomial: the remainder contributes little. :class:`ChordalGauss` integrates the product.
-    Degree, chords and nodes are proven to suffice; see docs/certificate.md, section 16.
+    amplitude with the phase of the layers, W the measured wavefront (radians), r the pupil position and v the image
+    position. t has a kink at the critical angle, and is replaced by its series of radial polynomials ``R_n^q`` up to
+    degree D. The remainder is orthogonal to all polynomials of degree up to D, and in a small window
+    ``exp(i W - i v.r)`` is nearly such a polynomial: the remainder contributes little. The rule of
+    :class:`ChordalGauss` integrates the series times this exponential. The degree and the numbers of chords and nodes
+    are proven to suffice; see docs/certificate.md, section 16.
 
     References
     ----------
@@ -118,47 +119,52 @@ class ChordalDebye(AberratedMethod):
         return self.differentiated(pupil, grid, tol, wanted)[0]
 
     def differentiated(
-        self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted, by: By = _NONE
+        self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted, by: By = _NO_DERIVATIVES
     ) -> tuple[Images, Array, Array, Array]:
-        """Return I of a `pupil` at the pixel centres of `grid`, and derivatives `by` parameters.
+        """Return the intensity I of a `pupil` at the pixel centres of `grid`, and its derivatives `by` parameters.
 
-        The derivatives have the shape (k, n, height, width); their errors have bounds, but no tolerance. The last two
-        arrays, (k, n), are bounds on the errors and on the largest moduli of the derivatives. Raises ToleranceError
-        and ValueError like ``images``.
+        Results: (1) images; (2) derivatives, shape (k, n, height, width), to which `tol` does not apply; (3) bounds
+        on the errors of the derivatives, (k, n); (4) bounds on their largest moduli, (k, n). Raises the errors
+        of ``images``.
         """
         n = pupil.depth.size
         if not grid.stack:
             return self._refine(pupil, grid, tol, wanted, by)
         values = np.empty((n, *grid.shape), wanted.dtype) if wanted.out is None else wanted.out
         scales = None if wanted.scale is None else np.broadcast_to(wanted.scale, n)
-        scalars, slopes, bounds = np.empty((3, n)), None, np.empty(0)
-        for indices, planes, axis_grid in gathered(pupil, grid, apart=projection.WAVENUMBER in by.rates):
+        scalars, derivatives, bounds = np.empty((3, n)), None, np.empty(0)
+        for indices, planes, subgrid in axis_groups(pupil, grid, separate=projection.WAVENUMBER in by.rates):
             part_wanted = wanted._replace(scale=None if scales is None else scales[indices], out=None)
-            images, part_slopes, *part_bounds = self._refine(planes, axis_grid, tol, part_wanted, by)
+            images, part_derivatives, *part_bounds = self._refine(planes, subgrid, tol, part_wanted, by)
             values[indices] = images.values
             scalars[:, indices] = images.scale, images.bound, images.brightest
-            if slopes is None:
-                slopes, bounds = np.empty((len(part_slopes), n, *grid.shape)), np.empty((2, len(part_slopes), n))
-            slopes[:, indices], bounds[:, :, indices] = part_slopes, part_bounds
-        assert slopes is not None
-        return Images(values, scalars[0], scalars[1], None, scalars[2]), slopes, bounds[0], bounds[1]
+            if derivatives is None:
+                derivatives = np.empty((len(part_derivatives), n, *grid.shape))
+                bounds = np.empty((2, len(part_derivatives), n))
+            derivatives[:, indices], bounds[:, :, indices] = part_derivatives, part_bounds
+        assert derivatives is not None
+        return Images(values, scalars[0], scalars[1], None, scalars[2]), derivatives, bounds[0], bounds[1]
 
     def _refine(
         self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted, by: By
     ) -> tuple[Images, Array, Array, Array]:
         """Return the result of :meth:`differentiated` for one axis, with the error of I below `tol` of its peak."""
 
-        def compute(field: float) -> tuple[tuple[Array, Array, Array], Array, Array]:
-            result = intensities(pupil, grid, field, wanted.threads, by)
+        def compute(field_error: float) -> tuple[tuple[Array, Array, Array], Array, Array]:
+            result = intensities(pupil, grid, field_error, wanted.threads, by)
             return result, result[2][0], result[1][0]
 
-        (values, error, largest), top, relative = self._prove(pupil, tol, wanted, compute)
-        scales = np.empty(top.shape)
-        scales[:] = 1.0 / top if wanted.scale is None else wanted.scale
+        (values, error, largest), peak, relative = self._prove(pupil, tol, wanted, compute)
+        scales = np.empty(peak.shape)
+        scales[:] = 1.0 / peak if wanted.scale is None else wanted.scale
         out = np.empty(values.shape[1:], wanted.dtype) if wanted.out is None else wanted.out
         np.multiply(values[0], scales[:, None, None], out=out, casting="same_kind")
-        least = top - error[0]
-        return Images(out, scales, stored(relative, wanted.dtype), None, least), values[1:], error[1:], largest[1:]
+        return (
+            Images(out, scales, stored(relative, wanted.dtype), None, peak - error[0]),
+            values[1:],
+            error[1:],
+            largest[1:],
+        )
 
     def _prove(
         self, pupil: ObjectivePupil, tol: float, wanted: Wanted, run: Callable[[float], tuple[_Result, Array, Array]]
@@ -169,24 +175,24 @@ class ChordalDebye(AberratedMethod):
         Raises ToleranceError if `tol` cannot be met.
         """
         # Division by the computed peak doubles the error, and adds a second rounding error.
-        twice = 2.0 if wanted.scale is None else 1.0
-        # The first required error of fields assumes a quarter of the likely peak. It is reduced until the bound of I
-        # is at most `tol`.
-        aim = max(tol, LEAST) / twice - 2.0 * storing(wanted.dtype)
-        peak = likely_peak(pupil) / 4.0
+        factor = 2.0 if wanted.scale is None else 1.0
+        # The first required error of fields assumes a quarter of the likely peak. It is reduced until the error
+        # bound of I is at most `tol`.
+        target = max(tol, LEAST) / factor - 2.0 * storing(wanted.dtype)
+        assumed_peak = likely_peak(pupil) / 4.0
         while True:
-            field = max(LEAST, 2.0 ** math.floor(math.log2(aim * math.sqrt(peak) / 6.0)))
-            result, top, error = run(field)
-            least = top - error
-            relative: Array = np.where(least > 0.0, error / np.where(least > 0.0, least, 1.0), np.inf)
+            field_error = max(LEAST, 2.0 ** math.floor(math.log2(target * math.sqrt(assumed_peak) / 6.0)))
+            result, peak, error = run(field_error)
+            least_peak = peak - error
+            relative: Array = np.where(least_peak > 0.0, error / np.where(least_peak > 0.0, least_peak, 1.0), np.inf)
             if wanted.scale is None:
                 relative = normalized_error(relative)
-            if (worst := float(stored(relative, wanted.dtype).max())) <= tol:
-                return result, top, relative
-            if field <= LEAST or (not worst < np.inf and peak < 1e-12):
-                raise not_met(self.tol, worst, "the largest value in the window")
+            if (worst_error := float(stored(relative, wanted.dtype).max())) <= tol:
+                return result, peak, relative
+            if field_error <= LEAST or (not worst_error < np.inf and assumed_peak < 1e-12):
+                raise not_met(self.tol, worst_error, "the largest value in the window")
             # The peak is lower than assumed, or the bound is less tight: reduce the error of fields.
-            peak, aim = peak * 0.25, aim * max(1e-3, min(0.5, 0.5 * tol / worst))
+            assumed_peak, target = assumed_peak * 0.25, target * max(1e-3, min(0.5, 0.5 * tol / worst_error))
 
     def gradient(self, pupil: ObjectivePupil, grid: Grid, weights: Array, by: By, threads: int = 0) -> Array:
         """Return weighted sums of I over the pixels of `grid` and their derivatives `by` parameters, (n, 1 + k).
@@ -206,17 +212,17 @@ class ChordalDebye(AberratedMethod):
         Raises
         ------
         ToleranceError, ValueError
-            If the tolerance cannot be met, or needs too many nodes.
+            If the tolerance cannot be met, or too many nodes are required.
         """
         wanted = Wanted(1.0, np.dtype(np.float64), threads=threads)
 
         def gradient_of_samples(pupil: ObjectivePupil, grid: Grid, tol: float, weights: Array) -> Array:
             if grid.stack:
                 result = np.empty((len(weights), 1 + len(by.rates) + len(by.terms)))
-                for indices, planes, axis_grid in gathered(pupil, grid, apart=projection.WAVENUMBER in by.rates):
-                    result[indices] = gradient_of_samples(planes, axis_grid, tol, weights[indices])
+                for indices, planes, subgrid in axis_groups(pupil, grid, separate=projection.WAVENUMBER in by.rates):
+                    result[indices] = gradient_of_samples(planes, subgrid, tol, weights[indices])
                 return result
-            return self._prove(pupil, tol, wanted, lambda field: sums(pupil, grid, field, weights, threads, by))[0]
+            return self._prove(pupil, tol, wanted, lambda error: sums(pupil, grid, error, weights, threads, by))[0]
 
         weights = np.ascontiguousarray(weights, dtype=np.float64)
         if not grid.integrate:
@@ -229,26 +235,26 @@ class ChordalDebye(AberratedMethod):
 _MAX_SPREAD, _CELL = 0.2, 0.15
 
 
-def gathered(
-    pupil: ObjectivePupil, grid: Grid, *, apart: bool
+def axis_groups(
+    pupil: ObjectivePupil, grid: Grid, *, separate: bool
 ) -> Iterator[tuple[NDArray[np.int64], ObjectivePupil, Grid]]:
     """Yield groups of planes with a common axis: indices, planes and grid.
 
     Planes with neighbouring axes share a group, in which tilts of the wavefront replace small shifts of the axis.
-    With `apart` each plane is a group of its own, without tilts.
+    With `separate` each plane is a group of its own, without tilts.
     """
-    if apart or pupil.depth.size == 1:
+    if separate or pupil.depth.size == 1:
         for i, k in enumerate(np.ndindex(pupil.shape)):
             yield np.array([i]), pupil[k] if pupil.shape else pupil, grid[k]
         return
-    flat = pupil[np.unravel_index(np.arange(pupil.depth.size), pupil.shape)]
+    all_planes = pupil[np.unravel_index(np.arange(pupil.depth.size), pupil.shape)]
     axes, side = grid.axes, np.array(grid.shape)
     cells = np.zeros(len(axes), dtype=np.int64)
     if (np.ptp(axes, axis=0) > _MAX_SPREAD * side).any():
         cells = np.unique(np.floor(axes / (_CELL * side)), axis=0, return_inverse=True)[1].ravel()
     for cell in range(int(cells.max(initial=0)) + 1):
         indices = np.flatnonzero(cells == cell)
-        group_axes, planes = axes[indices], flat[indices]
+        group_axes, planes = axes[indices], all_planes[indices]
         middle = 0.5 * (group_axes.min(axis=0) + group_axes.max(axis=0))
         if len(indices) > 1:
             # A shift d of the axis in v is a tilt: exp(-i (v - d).r) = exp(-i v.r) exp(i d.r).
@@ -268,13 +274,13 @@ class ChordalDebyeIfCheaper(ChordalDebye):
     """ChordalDebye that raises Declined if methods over circles are estimated to be faster."""
 
     def differentiated(
-        self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted, by: By = _NONE
+        self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted, by: By = _NO_DERIVATIVES
     ) -> tuple[Images, Array, Array, Array]:
         """Return I at pixel centres and its derivatives; see :meth:`ChordalDebye.differentiated`."""
         planes, samples = pupil.depth.size, pupil.depth.size * math.prod(grid.shape)
-        plain = not pupil.aberrated and (planes > _PLAIN_PLANES or samples > _PLAIN_SAMPLES)
-        shared = not grid.stack or planes == 1
-        if plain or samples > (_MOST_SAMPLES if shared else planes * _MOST_PLANE_SAMPLES):
+        many_unaberrated = not pupil.aberrated and (planes > _PLAIN_PLANES or samples > _PLAIN_SAMPLES)
+        common_axis = not grid.stack or planes == 1
+        if many_unaberrated or samples > (_MOST_SAMPLES if common_axis else planes * _MOST_PLANE_SAMPLES):
             raise Declined("methods over circles are estimated to be faster for so many samples")
         return super().differentiated(pupil, grid, tol, wanted, by)
 
@@ -299,7 +305,7 @@ class Fields(NamedTuple):
     sets: NDArray[np.int32]  # see :func:`all_sets`
     terms: NodeTerms
     field_errors: Array  # bounds on errors of fields, (sets, planes, fields)
-    turns: tuple[float, float]  # factors of the two terms of derivatives by ln k: phases of layers, and W
+    wavenumber_factors: tuple[float, float]  # of the two terms of derivatives by ln k: phases of layers, and W
 
 
 @dataclass(frozen=True, eq=False)
@@ -315,25 +321,25 @@ class _Case:
     degree: int
     norm: float
     largest: float  # bound on abs(W) if a set of fields has the factor W, else 0
-    own: NDArray[np.int32] | None  # index of the wavefront of each plane; None if all planes share one wavefront
+    wave_index: NDArray[np.int32] | None  # wavefront of each plane; None if all planes share one
     sizes: Growth  # for each set, (sets, b)
     chosen: Array  # bounds that determine the numbers of chords and of nodes, (2, b)
     powers: Array  # bound on each term on the shifted paths, (terms, b)
     ends: NDArray[np.int32]  # index after the last term of each amplitude part
     series: NDArray[np.int32]  # index of the radial series of each set
-    left: Array  # truncation error of each set of fields, (sets,)
-    lost: Array  # part of the rounding errors that is independent of the rule, in units of _ROUNDING, (sets,)
+    truncation: Array  # truncation error of each set of fields, (sets,)
+    rounding: Array  # part of the rounding errors that is independent of the rule, in units of _ROUNDING, (sets,)
     rules: dict[Rule, _RuleTables]  # cached tables
 
     def rule_tables(self, rule: Rule) -> _RuleTables:
         """Return the tables for given numbers of chords and nodes."""
         result = self.rules.get(rule)
         if result is None:
-            of_phases = node_terms(rule.chords, rule.nodes, self.wavefront.terms)
+            phase_terms = node_terms(rule.chords, rule.nodes, self.wavefront.terms)
             weight = quadrant(rule.chords, rule.nodes).weight
-            waves = folded_waves(of_phases, self.wavefront.edge, weight, self.largest)
+            waves = folded_waves(phase_terms, self.wavefront.edge, weight, self.largest)
             tables = node_tables(rule, self.orders, self.emitter)
-            rounding = _ROUNDING * (2.0 * (rule.chords + rule.nodes) + self.lost)
+            rounding = _ROUNDING * (2.0 * (rule.chords + rule.nodes) + self.rounding)
             terms = node_terms(rule.chords, rule.nodes, self.by.terms)
             result = _RuleTables(tables, waves, terms, curves(self.sizes, rule), rounding)
             if len(self.rules) < _MOST_RULES and waves.nbytes <= _MOST_BYTES:
@@ -354,103 +360,103 @@ class _RuleTables(NamedTuple):
 _MOST_RULES, _MOST_BYTES = 8, 2**20  # number of cached rules, and largest size (bytes) of the waves of a cached rule
 
 
-def all_sets(by: By, *, turned: bool) -> list[tuple[int, int, int]]:
-    """Return the sets of fields (series, term or -1, kind): kind 1 has the factor W, else 0; only if `turned`."""
+def _all_sets(by: By, *, with_phase: bool) -> list[tuple[int, int, int]]:
+    """Return sets of fields (series, Zernike term or -1, kind); kind 1, with the factor W, only if `with_phase`."""
     sets = [*_series(by), *((0, k, 0) for k in range(len(by.terms)))]
-    return [*sets, (0, -1, 1)] if turned else sets
+    return [*sets, (0, -1, 1)] if with_phase else sets
 
 
 @lru_cache(maxsize=32)
 def _case(
-    layers: Layers, emitter: Emitter, aberrations: Wavefront | None, window: Window, by: By, field: float
+    layers: Layers, emitter: Emitter, aberrations: Wavefront | None, window: Window, by: By, field_error: float
 ) -> _Case:
-    wavefront, model = (aberrations or _FLAT).flattened(), emitter.light.model
+    wavefront, model = (aberrations or _FLAT_WAVEFRONT).flattened(), emitter.light.model
     axis, shape = np.array(window.center), np.array(window.shape)
     # Derivatives by ln k multiply waves by i W: section 16, "Their derivatives".
     by_k, phases = projection.WAVENUMBER in by.rates, wavefront.amplitudes()
-    plain = growth(wavefront, -axis * window.step, (shape - 1.0 - axis) * window.step, phases)
-    highest = max((n for n, _ in phases), default=0)
+    base_growth = growth(wavefront, -axis * window.step, (shape - 1.0 - axis) * window.step, phases)
+    highest_degree = max((n for n, _ in phases), default=0)
     # The degree allows for the factor of the highest Zernike term of the derivatives.
-    size = plain.times(max((n for n, _ in by.terms), default=highest if by_k else 0))
+    limit = base_growth.times(max((n for n, _ in by.terms), default=highest_degree if by_k else 0))
     norm = projection.norm(layers, model)
-    degree = degree_for(size.across, norm, _SHARES[0] * field)
+    degree = degree_for(limit.projection, norm, _FRACTIONS[0] * field_error)
     largest = sum(phases.values()) if by_k else 0.0
-    sets = all_sets(by, turned=largest > 0.0)
-    factors = [highest if kind else 0 if term < 0 else by.terms[term][0] for _, term, kind in sets]
-    sizes = Growth(*(np.stack(each) for each in zip(*(plain.times(n) for n in factors), strict=True)))
+    sets = _all_sets(by, with_phase=largest > 0.0)
+    factors = [highest_degree if kind else 0 if term < 0 else by.terms[term][0] for _, term, kind in sets]
+    sizes = Growth(*(np.stack(parts) for parts in zip(*(base_growth.times(n) for n in factors), strict=True)))
     # Films multiply s and p waves by different factors. An amplitude part is the sum of an s and a p wave: the norm
     # is at most sqrt(2) times as large.
     norms = [norm, *(norm * (math.sqrt(2.0) if rate == projection.WAVENUMBER else 1.0) for rate in by.rates)]
-    left = np.array([norms[series] for series, _, _ in sets]) * truncation_error(sizes.across, degree)
+    truncation = np.array([norms[series] for series, _, _ in sets]) * truncation_error(sizes.projection, degree)
     reach = window.step * float(np.hypot(*np.maximum(axis, shape - 1.0 - axis)))
-    of_terms = wavefront.indices[:, 0] ** 2 * 3.0 + 16.0 + len(wavefront.terms)
+    per_term = wavefront.indices[:, 0] ** 2 * 3.0 + 16.0 + len(wavefront.terms)
     # Section 16, "Rounding", without 2 N + 2 K for the N chords and K nodes of the rule.
-    lost = 4.0 * degree + 64.0 + 9.0 * reach + (np.abs(wavefront.edge) @ of_terms).max()
+    rounding = 4.0 * degree + 64.0 + 9.0 * reach + (np.abs(wavefront.edge) @ per_term).max()
     # Further rounding errors, from a factor of degree n: section 8, "Derivatives".
-    more = [6.0 * n * n + (of_terms.max() if kind else 0.0) for n, (_, _, kind) in zip(factors, sets, strict=True)]
+    extra = [6.0 * n * n + (per_term.max() if kind else 0.0) for n, (_, _, kind) in zip(factors, sets, strict=True)]
     counts = [projection.degrees(q, degree).size for q in model.orders]
     powers = np.concatenate([_powers(q, degree) for q in model.orders])
     chosen = [
-        (each - math.log(share * field)) * _QUARTER
-        for each, share in zip((size.around + _OVER_CHORDS, size.along + _OVER_NODES), _SHARES[1:], strict=True)
+        (mean - math.log(part * field_error)) * _QUARTER
+        for mean, part in zip((limit.chords + _OVER_CHORDS, limit.nodes + _OVER_NODES), _FRACTIONS[1:], strict=True)
     ]
     planes = len(wavefront.edge)
     return _Case(
         wavefront, window, model.orders, emitter, by, np.array(sets, dtype=np.int32), degree, norm, largest,
         np.arange(planes, dtype=np.int32) if planes > 1 else None, sizes, np.array(chosen), powers,
-        np.cumsum(counts, dtype=np.int32), np.array([k for k, _, _ in sets], dtype=np.int32), left,
-        lost + np.array(more), {},
+        np.cumsum(counts, dtype=np.int32), np.array([k for k, _, _ in sets], dtype=np.int32), truncation,
+        rounding + np.array(extra), {},
     )  # fmt: skip
 
 
-def fields(pupil: ObjectivePupil, grid: Grid, field: float, by: By) -> Fields:
+def fields(pupil: ObjectivePupil, grid: Grid, field_error: float, by: By) -> Fields:
     """Return arguments for fields of planes with one axis and their derivatives, with errors of about `field`."""
     window = Window(grid.shape, grid.axis, grid.step(pupil))
-    case = _case(pupil.layers, pupil.emitter, pupil.aberrations, window, by, field)
-    series = projection.amplitudes(pupil, case.degree, _QUADRATURE * field, by.rates)
+    case = _case(pupil.layers, pupil.emitter, pupil.aberrations, window, by, field_error)
+    series = projection.amplitudes(pupil, case.degree, _QUADRATURE * field_error, by.rates)
     # The weights of a rule have the sum 1: a weighted sum of an amplitude is at most the sum of moduli of its terms.
     sizes, chords, nodes = chordal_series_sizes(series.coefficients, case.ends, case.powers, _QUARTER, case.chosen)
-    tables_of_rule = case.rule_tables(Rule(_even(chords), _even(nodes), case.degree))
-    shares = _shares(pupil.emitter)
+    tables_of_rule = case.rule_tables(Rule(_even_count(chords), _even_count(nodes), case.degree))
+    shares = _part_moduli(pupil.emitter)
     field_errors = chordal_field_errors(
-        sizes, case.series, tables_of_rule.curves, case.left, tables_of_rule.rounding, shares, series.error
+        sizes, case.series, tables_of_rule.curves, case.truncation, tables_of_rule.rounding, shares, series.error
     )
-    own = np.zeros(pupil.depth.size, dtype=np.int32) if case.own is None else case.own
-    arguments = tables_of_rule.tables, series.coefficients, NodeWaves(tables_of_rule.waves, own), window
+    index = np.zeros(pupil.depth.size, dtype=np.int32) if case.wave_index is None else case.wave_index
+    arguments = tables_of_rule.tables, series.coefficients, NodeWaves(tables_of_rule.waves, index), window
     return Fields(arguments, case.sets, tables_of_rule.terms, field_errors, (series.steepest, case.largest))
 
 
 def intensities(
-    pupil: ObjectivePupil, grid: Grid, field: float, threads: int, by: By = _NONE
+    pupil: ObjectivePupil, grid: Grid, field_error: float, threads: int, by: By = _NO_DERIVATIVES
 ) -> tuple[Array, Array, Array]:
     """Return I at pixel centres around one axis, and its derivatives, from fields with errors of about `field`.
 
     The values have the shape (1 + k, n, height, width). The other two arrays, (1 + k, n), are bounds on the errors
     and on the largest moduli of the values.
     """
-    data = fields(pupil, grid, field, by)
-    of_layers, measured = data.turns
+    data = fields(pupil, grid, field_error, by)
+    layer_factor, wavefront_factor = data.wavenumber_factors
     results = chordal_series_light(*data.arguments, data.sets, data.terms, data.field_errors, pupil.power, threads)
     if projection.WAVENUMBER in by.rates:
-        at = 1 + by.rates.index(projection.WAVENUMBER)
-        for each in results:
-            each[at] *= of_layers
-            if measured > 0.0:
-                each[at] += measured * each[-1]
-        values, error, largest = (each[: 1 + len(by.rates) + len(by.terms)] for each in results)
+        index = 1 + by.rates.index(projection.WAVENUMBER)
+        for array in results:
+            array[index] *= layer_factor
+            if wavefront_factor > 0.0:
+                array[index] += wavefront_factor * array[-1]
+        values, error, largest = (array[: 1 + len(by.rates) + len(by.terms)] for array in results)
         return values, error, largest
     return results
 
 
 def sums(
-    pupil: ObjectivePupil, grid: Grid, field: float, weights: Array, threads: int, by: By
+    pupil: ObjectivePupil, grid: Grid, field_error: float, weights: Array, threads: int, by: By
 ) -> tuple[Array, Array, Array]:
     """Return weighted sums of I and their derivatives, (n, 1 + k), for one axis; also the largest I and its error."""
-    data = fields(pupil, grid, field, by)
+    data = fields(pupil, grid, field_error, by)
     sets = np.array(_series(by), dtype=np.int32)
     results, largest = chordal_series_gradient(*data.arguments, sets, data.terms, weights, threads)
-    top, error = largest[:, 0], error_of_light(data.field_errors[0], largest[:, 1:])
-    return results / pupil.power[:, None], top / pupil.power, error / pupil.power * (1.0 + 1e-12)
+    peak, error = largest[:, 0], error_of_light(data.field_errors[0], largest[:, 1:])
+    return results / pupil.power[:, None], peak / pupil.power, error / pupil.power * (1.0 + 1e-12)
 
 
 def _series(by: By) -> list[tuple[int, int, int]]:
@@ -470,7 +476,7 @@ def _rows(emitter: Emitter) -> Complex:
 
 
 @lru_cache(maxsize=64)
-def _shares(emitter: Emitter) -> Array:
+def _part_moduli(emitter: Emitter) -> Array:
     """Return the moduli of the coefficients of amplitude parts in the fields of an emitter."""
     parts, count = np.array(emitter.light.waves.parts), len(emitter.light.model.orders)
     return np.asarray(np.abs(_rows(emitter)) @ (parts[:, None] == np.arange(count)).astype(np.float64))
@@ -485,13 +491,13 @@ def _powers(order: int, degree: int) -> Array:
 class Growth(NamedTuple):
     """Logarithms of bounds on the means of ``abs(exp(i W - i v.r))`` on the shifted paths, each of shape (..., b)."""
 
-    across: Array  # for the projection
-    around: Array  # for the sum over chords
-    along: Array  # for the sums over nodes
+    projection: Array  # for the projection
+    chords: Array  # for the sum over chords
+    nodes: Array  # for the sums over nodes
 
     def times(self, n: int) -> Growth:
         """Return bounds for integrands with a Zernike term of degree n, at most ``cosh(n b)``, as a factor."""
-        return Growth(*(each + _factor(n) for each in self)) if n else self
+        return Growth(*(log_mean + _factor(n) for log_mean in self)) if n else self
 
 
 @lru_cache(maxsize=256)
@@ -520,26 +526,26 @@ def growth(
     for (n, _), w in (wavefront.amplitudes() if phases is None else phases).items():
         if n > 1:
             total += w * _sinh(n)
-    return Growth(*(total + each for each in means_of_kernel(reach[0], reach[1])))
+    return Growth(*(total + kernel_mean for kernel_mean in means_of_kernel(reach[0], reach[1])))
 
 
 def means_of_kernel(y: float, x: float) -> tuple[Array, Array, Array]:
     """Bound the logarithms of the means of ``abs(exp(-i v.r))``, as in :class:`Growth`, for abs(v) up to (y, x)."""
     # m_1 = sinh(s) / s, s = abs(v) sinh(b): section 16, "Projection".
     s = np.maximum(math.hypot(y, x) * _SINH, 1e-12)
-    across = s + np.log(-np.expm1(-2.0 * s) / (2.0 * s))
+    over_disc = s + np.log(-np.expm1(-2.0 * s) / (2.0 * s))
     # The trapezoidal rule overestimates the mean of a convex function.
-    each = np.maximum(np.outer(_SINH, np.hypot(x, y * _ETA)), 1e-12)
-    scaled = np.exp(each - s[:, None]) * np.minimum(1.0, np.sqrt(_BESSEL / each))
-    around = s + np.minimum(0.0, np.log(_CHORD_WEIGHT * (0.5 * (scaled[:, 1:] + scaled[:, :-1])).mean(axis=1)))
+    exponent = np.maximum(np.outer(_SINH, np.hypot(x, y * _ETA)), 1e-12)
+    scaled = np.exp(exponent - s[:, None]) * np.minimum(1.0, np.sqrt(_BESSEL / exponent))
+    over_chords = s + np.minimum(0.0, np.log(_CHORD_WEIGHT * (0.5 * (scaled[:, 1:] + scaled[:, :-1])).mean(axis=1)))
     # m_K <= I_0(abs(v_y) sinh b) <= exp(s) sqrt(pi / (8 s)).
-    along = np.maximum(y * _SINH, 1e-12)
-    return across, around, along + np.minimum(0.0, 0.5 * np.log(_BESSEL / along))
+    over_nodes = np.maximum(y * _SINH, 1e-12)
+    return over_disc, over_chords, over_nodes + np.minimum(0.0, 0.5 * np.log(_BESSEL / over_nodes))
 
 
-def truncation_error(size: Array, degree: int) -> Array:
+def truncation_error(log_means: Array, degree: int) -> Array:
     """Bound the contribution of terms above `degree` to a field, divided by the norm; `size` has shape (..., b)."""
-    return np.asarray(np.exp(np.minimum(700.0, (size + _tail_exponent(degree)).min(axis=-1))))
+    return np.asarray(np.exp(np.minimum(700.0, (log_means + _tail_exponent(degree)).min(axis=-1))))
 
 
 @lru_cache(maxsize=256)
@@ -547,10 +553,10 @@ def _tail_exponent(degree: int) -> Array:
     return np.asarray(_tail(degree + 1.0) - (degree + 1.0) * _B)
 
 
-def _tail(first: Array | float) -> Array:
+def _tail(first_degree: Array | float) -> Array:
     """Return the logarithm of the tail of the series from degree `first` on, without the factor exp(-first b)."""
     # The squared tail is the sum over n = D + 1, D + 3, ... of (n + 1) exp(-2 n b).
-    terms = (first + 1.0) / (1.0 - _RATIO) + 2.0 * _RATIO / (1.0 - _RATIO) ** 2
+    terms = (first_degree + 1.0) / (1.0 - _RATIO) + 2.0 * _RATIO / (1.0 - _RATIO) ** 2
     return np.asarray(0.5 * np.log(terms) + np.log1p(np.exp(-2.0 * _B)))
 
 
@@ -558,38 +564,38 @@ _FIRST_TAIL = _tail(40.0)
 _TOO_LARGE = "window or aberrations too large for ChordalDebye; leave method out, or use a smaller window"
 
 
-def degree_for(size: Array, norm: float, error: float) -> int:
+def degree_for(log_means: Array, norm: float, error: float) -> int:
     """Return the degree at which truncation of amplitudes with this norm causes an error of at most about `error`."""
-    needed = size + math.log(norm / error)
+    log_reduction = log_means + math.log(norm / error)
     # The tail depends weakly on the degree: two steps of a fixed-point iteration suffice.
-    first = np.maximum((needed + _FIRST_TAIL) / _B, 1.0)
-    first = np.maximum((needed + _tail(first)) / _B, 1.0)
-    degree = math.ceil(float(first.min())) - 1
+    first_degree = np.maximum((log_reduction + _FIRST_TAIL) / _B, 1.0)
+    first_degree = np.maximum((log_reduction + _tail(first_degree)) / _B, 1.0)
+    degree = math.ceil(float(first_degree.min())) - 1
     if degree > _MOST_DEGREE:
         raise Declined(_TOO_LARGE)
     return degree
 
 
-def _even(halved: float) -> int:
+def _even_count(half_count: float) -> int:
     """Return the even number of chords or nodes that is proven to suffice, from half of this number."""
-    needed = 2 * max(2, math.ceil(halved))
-    if needed > _MOST_NODES:
+    count = 2 * max(2, math.ceil(half_count))
+    if count > _MOST_NODES:
         raise Declined(_TOO_LARGE)
-    return needed
+    return count
 
 
-def curves(size: Growth, rule: Rule) -> tuple[Array, Array]:
+def curves(means: Growth, rule: Rule) -> tuple[Array, Array]:
     """Return the errors of the sums over chords and over nodes, for amplitudes of modulus 1 on the shifted paths."""
-    of_chords, of_nodes = _rule_errors(rule.chords, rule.nodes)
-    return np.exp(np.minimum(size.around + of_chords, 600.0)), np.exp(np.minimum(size.along + of_nodes, 600.0))
+    over_chords, over_nodes = _rule_errors(rule.chords, rule.nodes)
+    return np.exp(np.minimum(means.chords + over_chords, 600.0)), np.exp(np.minimum(means.nodes + over_nodes, 600.0))
 
 
 @lru_cache(maxsize=64)
 def _rule_errors(chords: int, nodes: int) -> tuple[Array, Array]:
     """Return the logarithms of the relative errors of sums over chords and over nodes."""
     # Certificate, section 8: e_N and e_K, divided by the mean modulus of the integrand on the shifted paths.
-    around = np.log1p(_RATIO) - np.log(-np.expm1(-2.0 * (chords + 1) * _B)) - 2.0 * chords * _B
-    return around, _OVER_NODES - 2.0 * nodes * _B
+    over_chords = np.log1p(_RATIO) - np.log(-np.expm1(-2.0 * (chords + 1) * _B)) - 2.0 * chords * _B
+    return over_chords, _OVER_NODES - 2.0 * nodes * _B
 
 
 class Quadrant(NamedTuple):
@@ -605,7 +611,7 @@ def quadrant(chords: int, nodes: int) -> Quadrant:
     """Return the nodes of a rule in the quadrant x, y > 0, and their weights."""
     # The other quadrants are mirror images; the core adds their waves to the waves of this one.
     angle = np.pi / (chords + 1) * np.arange(1, chords // 2 + 1)[:, None]
-    eta, weight = (each[::-1][: nodes // 2] for each in gauss_legendre(nodes, -1.0, 1.0))
+    eta, weight = (values[::-1][: nodes // 2] for values in gauss_legendre(nodes, -1.0, 1.0))
     x, y = np.cos(angle) + 0.0 * eta, np.sin(angle) * eta
     return Quadrant(np.hypot(x, y), np.arctan2(y, x), np.sin(angle) ** 2 * weight / (chords + 1))
 
@@ -613,18 +619,18 @@ def quadrant(chords: int, nodes: int) -> Quadrant:
 @lru_cache(maxsize=16)
 def node_tables(rule: Rule, orders: tuple[int, ...], emitter: Emitter) -> NodeTables:
     """Return the tables of an emitter's fields at the nodes of a quadrant."""
-    at, waves = quadrant(rule.chords, rule.nodes), emitter.light.waves
-    radial = [zernike.radials(q, max(rule.degree, q), at.rho) for q in orders]
+    nodes, waves = quadrant(rule.chords, rule.nodes), emitter.light.waves
+    radial = [zernike.radials(q, max(rule.degree, q), nodes.rho) for q in orders]
     shares, factors = [], []
     for c, row in enumerate(_rows(emitter)):
-        for share, q, j in zip(row, waves.orders, waves.parts, strict=True):
+        for coefficient, q, j in zip(row, waves.orders, waves.parts, strict=True):
             for parity, factor in zip(
-                _PARITIES[q % 2], (np.cos(q * at.theta), 1j * np.sin(q * at.theta)), strict=True
+                _PARITIES[q % 2], (np.cos(q * nodes.theta), 1j * np.sin(q * nodes.theta)), strict=True
             ):
-                if share and (q or not parity):
+                if coefficient and (q or not parity):
                     shares.append((c, parity, j))
-                    factors.append(share * factor)
-    ends = np.cumsum([len(each) for each in radial])
+                    factors.append(coefficient * factor)
+    ends = np.cumsum([len(functions) for functions in radial])
     return NodeTables(
         np.concatenate(radial), ends.astype(np.int32), np.array(shares, dtype=np.int32), np.stack(factors)
     )
@@ -637,11 +643,11 @@ _PARITIES = ((0, 3), (2, 1))  # of the cosine and the sine of q theta, for even 
 @lru_cache(maxsize=16)
 def node_terms(chords: int, nodes: int, terms: tuple[tuple[int, int], ...]) -> NodeTerms:
     """Return Zernike terms at the nodes of a quadrant, and the parity of each term."""
-    at = quadrant(chords, nodes)
+    points = quadrant(chords, nodes)
     odd_y = np.array([m < 0 for _, m in terms], dtype=np.int32)
     odd_x = np.array([(abs(m) + (m < 0)) % 2 for _, m in terms], dtype=np.int32)
-    values = [zernike.polynomial(n, m, at.rho, at.theta) for n, m in terms]
-    return NodeTerms(np.reshape(values, (len(terms), *at.rho.shape)), 2 * odd_x + odd_y)
+    values = [zernike.polynomial(n, m, points.rho, points.theta) for n, m in terms]
+    return NodeTerms(np.reshape(values, (len(terms), *points.rho.shape)), 2 * odd_x + odd_y)
 
 
 # Averages over discs are sums over chords of the same kind of rule: certificate, "Scanning microscopes and beads".
@@ -670,7 +676,7 @@ def chord_error(radius: float, chords: int) -> float:
 # fitted to the transfer function by least squares, weighted with the OTF of a circular aperture.
 
 Term = tuple[int, int]
-HALF = 7  # smallest number of samples on each side of a filter
+MIN_MARGIN = 7  # smallest number of samples on each side of a filter
 _MAX_SPACING = 1.535  # v between samples; pi/2 is the Nyquist limit
 _BAND = 2.0 * np.cos((np.arange(160) + 0.5) * (0.5 * math.pi / 160))  # Chebyshev points of [0, 2]
 _HALF_BAND = 0.5 * _BAND
@@ -705,7 +711,7 @@ class SampleLattice(NamedTuple):
         """Window of all samples, with the margin."""
         s, half = self.stride, self.half
         height, width = (s * (side - 1) + 2 * half + 1 for side in self.shape)
-        row, column = (s * at + half for at in self.center)
+        row, column = (s * position + half for position in self.center)
         return Window((height, width), (row, column), self.step / s)
 
 
@@ -743,19 +749,19 @@ def light(
     edge = np.ascontiguousarray(planes.edge, np.float64)
     waves = folded_waves(nodes, edge, weight, 0.0)
     count = planes.depth.size
-    which = np.zeros(count, np.int32) if len(edge) == 1 else np.arange(count, dtype=np.int32)
+    index = np.zeros(count, np.int32) if len(edge) == 1 else np.arange(count, dtype=np.int32)
     derivative_terms = node_terms(rule.chords, rule.nodes, by)
     sets = [*((k, -1, 0) for k in range(len(coefficients))), *((0, k, 0) for k in range(len(by)))]
     # The rule has no error bound: errors of fields are set to 0.
     no_error = np.zeros((len(sets), count, int(tables.shares[:, 0].max()) + 1))
-    arguments = tables, coefficients, NodeWaves(waves, which), samples.window, np.array(sets, dtype=np.int32)
+    arguments = tables, coefficients, NodeWaves(waves, index), samples.window, np.array(sets, dtype=np.int32)
     return chordal_series_light(*arguments, derivative_terms, no_error, np.ones(count), threads)[0]
 
 
 def collected(layers: Layers, emitter: Emitter, depth: Array) -> Array:
     """Return the collected light at each depth; see :attr:`lommel.ObjectivePupil.power`."""
-    each, index = np.unique(depth, return_inverse=True)
-    power, _ = debye.power(layers, each, emitter.light.model)
+    depths, index = np.unique(depth, return_inverse=True)
+    power, _ = debye.power(layers, depths, emitter.light.model)
     return np.asarray((power @ emitter.light.shares)[index.ravel()])
 
 
@@ -764,22 +770,22 @@ def _amplitudes(
 ) -> Complex:
     """Return the radial series of the amplitudes of planes and their derivatives, (1 + rates, n, terms)."""
     rates, weights, rho = _integrals(layers, model, degree, _nodes(layers, planes, degree))
-    fixed, by_depth, by_stage = rates
-    waves = np.exp(1j * (fixed + np.outer(planes.depth, by_depth) + np.outer(planes.focus, by_stage)))
-    each = [waves]
+    constant, by_depth, by_stage = rates
+    waves = np.exp(1j * (constant + np.outer(planes.depth, by_depth) + np.outer(planes.focus, by_stage)))
+    amplitudes = [waves]
     if by_focus:
-        each.append(waves * (1j * (by_stage - layers.middle_rates()[2])))
-    each += [waves * (math.sqrt(n + 1.0) * zernike.radial(n, 0, rho)) for n in by_amplitude]
-    return np.stack([np.einsum("pq,qt->pt", one, weights) for one in each])
+        amplitudes.append(waves * (1j * (by_stage - layers.middle_rates()[2])))
+    amplitudes += [waves * (math.sqrt(n + 1.0) * zernike.radial(n, 0, rho)) for n in by_amplitude]
+    return np.stack([np.einsum("pq,qt->pt", amplitude, weights) for amplitude in amplitudes])
 
 
 def _nodes(layers: Layers, planes: Planes, degree: int) -> int:
     """Return the number of quadrature angles per section, from the degree and the phase change over the pupil."""
-    of = layers.rates(layers.cosine(np.array([0.0, 0.7, min(1.0, layers.sample / layers.NA)])))
+    rates = layers.rates(layers.cosine(np.array([0.0, 0.7, min(1.0, layers.sample / layers.NA)])))
     # Phase change from the axis to the rim, or to the critical angle.
-    swing = [float(np.abs(np.ptp(rate.real)) + np.abs(np.ptp(rate.imag))) for rate in of]
-    turns = swing[0] + swing[1] * float(planes.depth.max()) + swing[2] * float(np.abs(planes.focus).max())
-    return 8 * math.ceil((20.0 + 0.5 * degree + 0.6 * turns) / 8.0)
+    changes = [float(np.abs(np.ptp(rate.real)) + np.abs(np.ptp(rate.imag))) for rate in rates]
+    change = changes[0] + changes[1] * float(planes.depth.max()) + changes[2] * float(np.abs(planes.focus).max())
+    return 8 * math.ceil((20.0 + 0.5 * degree + 0.6 * change) / 8.0)
 
 
 @lru_cache(maxsize=64)
@@ -787,13 +793,13 @@ def _integrals(
     layers: Layers, model: Model, degree: int, nodes: int
 ) -> tuple[tuple[Complex, Complex, Complex], Complex, Array]:
     """Return phase rates at the quadrature angles, weights of the angles in each radial term, and rho."""
-    cut = debye.pieces(layers, model)
-    rho, parts, rates = debye.tabulated(cut, model, (nodes,) * len(cut))
+    sections = debye.pieces(layers, model)
+    rho, parts, rates = debye.tabulated(sections, model, (nodes,) * len(sections))
     columns: list[Complex] = []
     for order, part in zip(model.orders, parts, strict=True):
         radial = zernike.radials(order, max(degree, order), rho)
         n = projection.degrees(order, degree)
-        columns += [part * ((k + 1.0) * one) for k, one in zip(n, radial, strict=True)]
+        columns += [part * ((k + 1.0) * polynomial) for k, polynomial in zip(n, radial, strict=True)]
     return rates, np.stack(columns, axis=1), rho
 
 
@@ -807,8 +813,8 @@ class Filter(NamedTuple):
         # One small product for each image: BLAS starts no threads for small products.
         total: Array = np.zeros(())
         for rows, columns in self.parts:
-            down, across = (each.astype(samples.dtype, copy=False) for each in (rows, columns))
-            total = total + np.matmul(np.matmul(down, samples), across.T)
+            row_matrix, column_matrix = (matrix.astype(samples.dtype, copy=False) for matrix in (rows, columns))
+            total = total + np.matmul(np.matmul(row_matrix, samples), column_matrix.T)
         return np.asarray(total)
 
 
@@ -820,17 +826,17 @@ def pixel_filter(
     h = samples.step / s
 
     # Transfer function along one axis: pixel, Gaussian, mean over a chord (sinc), and a pair of chords (cosine).
-    def along(w: Array, mean: float, cosine: float) -> Array:
-        plain = np.sinc(side * w / (2.0 * math.pi)) * np.exp(-0.5 * variance * w * w)
-        return np.asarray(plain * np.sinc(mean * w / math.pi) * np.cos(cosine * w))
+    def axis_response(w: Array, mean: float, cosine: float) -> Array:
+        response = np.sinc(side * w / (2.0 * math.pi)) * np.exp(-0.5 * variance * w * w)
+        return np.asarray(response * np.sinc(mean * w / math.pi) * np.cos(cosine * w))
 
     chords = 0 if disc == 0.0 else chords_for(disc, _DISC)
     angles = np.pi / (chords + 1) * np.arange(1, chords // 2 + 1) if chords else np.array([0.5 * np.pi])
     parts = []
     for angle in angles:
-        share = 4.0 / (chords + 1) * math.sin(angle) ** 2 if chords else 1.0
-        rows = _fit_weights(along(_BAND, disc * math.sin(angle), 0.0), h, half)
-        columns = share * _fit_weights(along(_BAND, 0.0, disc * math.cos(angle)), h, half)
+        weight = 4.0 / (chords + 1) * math.sin(angle) ** 2 if chords else 1.0
+        rows = _fit_weights(axis_response(_BAND, disc * math.sin(angle), 0.0), h, half)
+        columns = weight * _fit_weights(axis_response(_BAND, 0.0, disc * math.cos(angle)), h, half)
         height, width = samples.shape
         parts.append((_filter_matrix(rows, s, height), _filter_matrix(columns, s, width)))
     return Filter(tuple(parts))

@@ -26,13 +26,13 @@ class ToleranceError(ArithmeticError):
     bound: float | None = None
 
 
-def not_met(tol: float, bound: float, what: str, where: str = "in double precision") -> ToleranceError:
-    """Return the exception for a method whose error bound, relative to `what`, exceeds `tol`."""
-    size = f"{bound:.2g} of {what}" if bound < 1.0 else f"as large as {what}"
+def not_met(tol: float, bound: float, reference: str, conditions: str = "in double precision") -> ToleranceError:
+    """Return the exception for a method whose error bound, relative to `reference`, exceeds `tol`."""
+    error_size = f"{bound:.2g} of {reference}" if bound < 1.0 else f"as large as {reference}"
     # Suggest twice the bound, since the bound may increase with the tolerance.
-    enough = _rounded_up(2.0 * bound) if 1e-300 < bound < 0.05 else 1.0
-    advice = f"; give tol={enough:g}" if tol < enough < 1.0 else ""
-    error = ToleranceError(f"tol={tol:g} cannot be met {where}: the proven error bound is {size}{advice}")
+    sufficient = _rounded_up(2.0 * bound) if 1e-300 < bound < 0.05 else 1.0
+    advice = f"; give tol={sufficient:g}" if tol < sufficient < 1.0 else ""
+    error = ToleranceError(f"tol={tol:g} cannot be met {conditions}: the proven error bound is {error_size}{advice}")
     error.bound = bound
     return error
 
@@ -61,11 +61,11 @@ class Intensities(NamedTuple):
 class Wanted(NamedTuple):
     """Request for images: scale, type, output array, derivatives and threads."""
 
-    # Factor of I, one number or (n,), one for each image; None to divide each image by its largest value.
+    # Factor of I: one number, or (n,) with one for each image; None to divide each image by its largest value.
     scale: float | Array | None = 1.0
     dtype: DTypeLike = np.float64  # float32 or float64
     out: Pixels | None = None  # (n, height, width), array for the values
-    powers: tuple[int, ...] = ()  # exponents k; derivatives are with respect to the phase coefficients of t^k
+    powers: tuple[int, ...] = ()  # exponents k; derivatives are with respect to the phase coefficients of rho^(2 k)
     threads: int = 0  # maximum number of threads; 0 for the number of processors
     terms: tuple[tuple[int, int], ...] = ()  # (n, m) of Zernike terms for derivatives with respect to coefficients
 

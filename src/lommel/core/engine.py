@@ -4,8 +4,8 @@ The core encodes "divide by the largest value" as the scale 0, and a missed tole
 In this file these are a scale of None and a ToleranceError.
 
 Terms of this file: n is the number of pupils of a flattened stack; v = pi r / (lambda N) is the optical coordinate; U
-is the field and I = abs(U)^2 the intensity. The chordal rule integrates over the pupil along chords (rows of constant
-y); each chord has quadrature points ("nodes"). By symmetry only the nodes of one quadrant (x > 0, y > 0) are stored.
+is the field and I = abs(U)^2 the intensity. The chordal rule integrates over the pupil along chords (lines of
+constant x), each with quadrature points ("nodes"). By symmetry only nodes of one quadrant (x > 0, y > 0) are stored.
 Distances in v are distances on the sensor. "Certificate" is the document with the proofs of the bounds.
 """
 
@@ -97,10 +97,10 @@ def _outputs(count: int, window: Window, wanted: Wanted) -> tuple[float, Pixels,
     return _common_scale(wanted), values, np.empty((3, count))
 
 
-def _require(unmet: float, tol: float, relative_to: str) -> None:
-    """Raise ToleranceError if `unmet` is not 0; it is then the error bound, which exceeds `tol`."""
-    if unmet:
-        raise not_met(tol, unmet, relative_to)
+def _require(bound: float, tol: float, relative_to: str) -> None:
+    """Raise ToleranceError if `bound`, an error bound that exceeds `tol`, is not 0."""
+    if bound:
+        raise not_met(tol, bound, relative_to)
 
 
 def radial_images(
@@ -108,15 +108,15 @@ def radial_images(
 ) -> Images:
     """Return images of radially symmetric pupils: point samples, or averages over pixels with `integrate`."""
     scale, values, numbers = _outputs(len(stack.terms), window, wanted)
-    slopes, derivatives = None, _NO_DERIVATIVES
+    slopes, arguments = None, _NO_DERIVATIVES
     if n := len(wanted.powers):
         slopes = Slopes(np.empty((n, *values.shape), values.dtype), np.empty((n, len(values))))
-        derivatives = {"powers": np.array(wanted.powers, dtype=np.int64)}
-        derivatives |= {"derivative_images": slopes.values, "derivative_bounds": slopes.error}
+        arguments = {"powers": np.array(wanted.powers, dtype=np.int64)}
+        arguments |= {"derivative_images": slopes.values, "derivative_bounds": slopes.error}
     render: Callable[..., float] = _core.render
     # Positional arguments: with keywords, a small image would take a sixth longer.
-    unmet = render(stack, window, integrate, (tol, wanted.threads, scale), values, numbers, **derivatives)
-    _require(unmet, tol, _error_reference(wanted))
+    bound = render(stack, window, integrate, (tol, wanted.threads, scale), values, numbers, **arguments)
+    _require(bound, tol, _error_reference(wanted))
     return Images(values, numbers[0], numbers[1], slopes, numbers[2])
 
 
@@ -171,14 +171,14 @@ class FarPixels(NamedTuple):
     axes: Array  # (n, 2), row and column of the axis
 
 
-def far_averages(stack: DiskStack, window: Window, most: float, tol: float, threads: int) -> FarPixels:
+def far_averages(stack: DiskStack, window: Window, limit: float, tol: float, threads: int) -> FarPixels:
     """Return averages over pixels so far from the axis that their errors are likely below tol * (largest average).
 
-    If the nearest such pixel is farther than `most` (in v), no pixel is computed; `nearest` exceeds all distances.
+    If the nearest such pixel is farther than `limit` (in v), no pixel is computed; `nearest` exceeds all distances.
     """
     count = len(stack.edge)
     values, numbers = np.empty((count, *window.shape)), np.empty((count, 5))
-    _core.far_averages(stack, window, most, tol, threads, values, numbers)
+    _core.far_averages(stack, window, limit, tol, threads, values, numbers)
     return FarPixels(values, numbers[:, 0], numbers[:, 1], numbers[:, 3:])
 
 
@@ -278,9 +278,9 @@ def chordal_plan(
     def compute_images(terms: NDArray[np.int32], edge: Array, values: Pixels) -> tuple[Array, float]:
         stack, count = values.shape[:-2], edge.size // len(terms)
         numbers = np.empty((3, count))
-        flat, images = edge.reshape(count, -1), values.reshape(count, *window.shape)
-        if unmet := compute((terms, flat, obscuration, amplitude), window, request, images, numbers):
-            raise not_met(tol, unmet, "the largest value in the window")
+        edges, images = edge.reshape(count, -1), values.reshape(count, *window.shape)
+        if bound := compute((terms, edges, obscuration, amplitude), window, request, images, numbers):
+            raise not_met(tol, bound, "the largest value in the window")
         return numbers[0].reshape(stack), max(numbers[1].tolist())
 
     return compute_images
@@ -336,7 +336,7 @@ class NodeWaves(NamedTuple):
     """Results of :func:`folded_waves`, and the index of the wave of each plane."""
 
     values: NDArray[np.complex128]  # (kinds, waves, 4, ...)
-    which: NDArray[np.int32]  # (planes,)
+    index: NDArray[np.int32]  # (planes,)
 
 
 class NodeTerms(NamedTuple):
@@ -363,15 +363,15 @@ class SeriesSizes(NamedTuple):
 
 
 def chordal_series_sizes(
-    coefficients: NDArray[np.complex128], ends: NDArray[np.int32], powers: Array, rate: Array, chosen: Array
+    coefficients: NDArray[np.complex128], ends: NDArray[np.int32], powers: Array, rate: Array, offsets: Array
 ) -> tuple[SeriesSizes, float, float]:
     """Return bounds on amplitude series, and half the required number of chords and of nodes.
 
     `coefficients` have the shape (series, planes, terms); `powers` (terms, curves) bound the terms on the curves. The
     numbers (i = 0 for chords, 1 for nodes) are the minimum over the curves of
-    ``chosen[i, curve] + rate[curve] * log(largest part on the curve)``.
+    ``offsets[i, curve] + rate[curve] * log(largest part on the curve)``.
     """
-    on_curves, moduli, chords, nodes = _core.chordal_series_sizes(coefficients, ends, powers, rate, chosen)
+    on_curves, moduli, chords, nodes = _core.chordal_series_sizes(coefficients, ends, powers, rate, offsets)
     return SeriesSizes(on_curves, moduli), chords, nodes
 
 
@@ -379,7 +379,7 @@ def chordal_field_errors(
     sizes: SeriesSizes,
     series: NDArray[np.int32],
     curves: tuple[Array, Array],
-    left: Array,
+    truncation: Array,
     rounding: Array,
     shares: Array,
     error: float,
@@ -387,10 +387,10 @@ def chordal_field_errors(
     """Return bounds on the errors of sums over chords and nodes, of shape (sets, planes, fields).
 
     A set of fields has a series (index `series`). The arrays `curves`, of shape (sets, curves), are factors of the
-    parts on the curves, for chords and for nodes. `left` bounds the truncation error of the series, `rounding` the
+    parts on the curves, for chords and nodes. `truncation` bounds the truncation error of a series, `rounding` the
     rounding error / modulus. A field is a sum of parts times `shares` (fields, parts); `error` is added to each part.
     """
-    return _core.chordal_field_errors(*sizes, series, *curves, left, rounding, shares, error)
+    return _core.chordal_field_errors(*sizes, series, *curves, truncation, rounding, shares, error)
 
 
 def chordal_series_light(
@@ -473,17 +473,17 @@ class Layered(NamedTuple):
     error: float  # bound on the error of each field component
     planes: Array  # (3, n), depth, focus and power
     forms: NDArray[np.complex128]  # (k, m, m), Hermitian forms of the intensity, one for each azimuthal order
-    turns: Array  # (k, 3), azimuthal order (order 0 first), factor of its cosine, factor of its sine
+    azimuthal: Array  # (k, 3), azimuthal order (order 0 first), factor of its cosine, factor of its sine
 
 
 class LayeredSlopes(NamedTuple):
     """Variables with respect to which images of :class:`Layered` are differentiated; k is the wavenumber in ln k."""
 
-    by: Array  # (variables, 2), one of BY_DEPTH, ..., and a factor of this derivative of I
-    own: Array  # (variables, n), factor c of the term c * I that is added to each derivative
-    of_fields: Array  # (4,), errors of derivatives of U with respect to depth, focus, v and ln k
-    turning: NDArray[np.complex128]  # (3, q), `rates` minus one real number per row
-    changes: NDArray[np.complex128] | None  # (m, q), derivatives of `parts` with respect to ln k
+    variables: Array  # (variables, 2), one of BY_DEPTH, ..., and a factor of this derivative of I
+    intensity_factors: Array  # (variables, n), factor c of the term c * I that is added to each derivative
+    field_errors: Array  # (4,), errors of derivatives of U with respect to depth, focus, v and ln k
+    centred_rates: NDArray[np.complex128]  # (3, q), `rates` minus one real number per row
+    part_derivatives: NDArray[np.complex128] | None  # (m, q), derivatives of `parts` with respect to ln k
 
 
 class Rings(NamedTuple):
@@ -495,8 +495,8 @@ class Rings(NamedTuple):
     power: Array  # (n,)
     angles: int  # number of angles on each circle, a result of :func:`fft_length`
     filter: Array  # weights of a circle, of its two neighbours, of the next two, ...
-    along: Array  # (terms, 16), radial interpolation weights ("taps") as polynomials, highest power first
-    around: Array  # (terms, 16), azimuthal interpolation weights as polynomials, highest power first
+    radial: Array  # (terms, 16), radial interpolation weights ("taps") as polynomials, highest power first
+    angular: Array  # (terms, 16), azimuthal interpolation weights as polynomials, highest power first
     taps: tuple[int, int]  # numbers of radial and of azimuthal weights
     gains: Array  # (2, 2 orders - 1), factors of azimuthal orders of I, and errors of these factors
 
@@ -528,7 +528,7 @@ def layered_images(
     values = np.empty((count, *window.shape), wanted.dtype) if wanted.out is None else wanted.out
     numbers = np.empty((3, count))
     numbers[0] = 0.0 if wanted.scale is None else wanted.scale
-    kinds = 0 if slopes is None else len(slopes.by) + int((slopes.by[:, 0] == BY_AXIS).sum())
+    kinds = 0 if slopes is None else len(slopes.variables) + int((slopes.variables[:, 0] == BY_AXIS).sum())
     derivatives, errors = np.empty((kinds, *values.shape), wanted.dtype), np.empty((kinds, count))
     arguments = None if slopes is None else (*slopes, derivatives, errors)
     images: Callable[..., bool] = _core.layered_images
@@ -635,21 +635,21 @@ def row_images(
     constant and its slopes in x and y. The bounds are on errors of the sums, about `precision` * sum(weights).
     """
     count, factors = len(stack.edge), np.array(wanted.terms, dtype=np.int32).reshape(-1, 2)
-    values, slopes, lost = (
+    values, slopes, bounds = (
         np.empty(s) for s in ((count, *window.shape), (len(factors), count, *window.shape), (count,))
     )
-    _core.row_images(list(rules), phases, stack, window, precision, wanted.threads, values, factors, slopes, lost)
-    return values, slopes, lost
+    _core.row_images(list(rules), phases, stack, window, precision, wanted.threads, values, factors, slopes, bounds)
+    return values, slopes, bounds
 
 
-def star_likelihood(images: Sequence[Pixels], light: Array, star: Array, threads: int) -> tuple[Array, Array]:
+def star_likelihood(images: Sequence[Pixels], flux: Array, star: Array, threads: int) -> tuple[Array, Array]:
     """Return the sums that Fisher scoring requires, for n star images and several sets of parameters.
 
     Parameters
     ----------
     images : sequence of ndarray, each of shape (sets * n, height, width)
         Model images of a point, followed by the derivatives of these images.
-    light : ndarray, shape (sets, 2, n)
+    flux : ndarray, shape (sets, 2, n)
         Flux and background of each image, electrons.
     star : ndarray, shape (4, n, height * width)
         Counted electrons; variance of the readout noise; variance of the readout noise for the weights; 1 for a valid
@@ -667,7 +667,7 @@ def star_likelihood(images: Sequence[Pixels], light: Array, star: Array, threads
     """
     kind = images[0].dtype
     compute = _core.star_likelihood_single if kind == np.float32 else _core.star_likelihood_double
-    return compute([np.ascontiguousarray(image, kind) for image in images], light, star, threads)
+    return compute([np.ascontiguousarray(image, kind) for image in images], flux, star, threads)
 
 
 _CachedFunction = type(lru_cache(maxsize=1)(len))

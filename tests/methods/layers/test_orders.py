@@ -51,8 +51,8 @@ def test_light_is_the_sum_of_its_plane_waves(emitter, tol):
     x, y = (np.multiply.outer(part, r).ravel() for part in (np.cos(PHI), np.sin(PHI)))
     exact = (intensity(TIRF, pupil, x, y, 50, 80) / pupil.power[:, None]).reshape(2, PHI.size, V.size)
     assert np.all(np.abs(at(made) - exact).max(axis=(1, 2)) <= made.error + 1e-13)
-    assert np.all(made.error <= 1.01 * tol * made.most)
-    assert np.all(exact.max(axis=(1, 2)) <= made.most + made.error)
+    assert np.all(made.error <= 1.01 * tol * made.largest)
+    assert np.all(exact.max(axis=(1, 2)) <= made.largest + made.error)
 
 
 def test_a_beam_is_absorbed_on_average_by_all_dipoles():
@@ -99,9 +99,9 @@ def test_pixels_are_between_even_radii_within_their_bound(error, faster):
         upper[0] += 0.5
         return np.concatenate([upper[:0:-1].conj(), upper])[None]
 
-    table = Table.around(radius, error, faster)
+    table = Table.for_pixels(radius, error, faster)
     given = Orders(known(table.radii), np.zeros(1))
-    found, added = table.painted(given, radius, np.exp(1j * phi)), table.error(given)
+    found, added = table.interpolate(given, radius, np.exp(1j * phi)), table.error(given)
     exact = np.einsum("mp,mp->p", known(radius)[0], np.exp(1j * np.multiply.outer(np.arange(-2, 3), phi))).real
     assert np.abs(found - exact).max() <= error + added[0]
     assert np.abs(found - exact).max() >= 1e-3 * error or error < 1e-8
@@ -109,13 +109,13 @@ def test_pixels_are_between_even_radii_within_their_bound(error, faster):
 
 
 def test_errors_of_pixels_are_those_of_light_times_what_they_may_grow():
-    table = Table.around(np.array([3.0, 9.0]), 1e-3, 1.0)
+    table = Table.for_pixels(np.array([3.0, 9.0]), 1e-3, 1.0)
     # Midway between two radii, with the signs of the weights: errors add up.
     away = np.arange(table.radii.size) - table.radii.size // 2 + 0.5
     signs = (-1.0) ** np.floor(np.abs(away))
     middle = np.array([table.radii[np.abs(away) < 1.0].mean(), 3.0, 9.0])
     given = Orders(0.5 + 0.1 * signs[None, None], np.full(1, 0.1))
-    found, error = table.painted(given, middle, np.ones(3)), table.error(given)
+    found, error = table.interpolate(given, middle, np.ones(3)), table.error(given)
     off = np.abs(found - 0.5).max()
     assert 0.15 < off <= error[0] <= 1.001 * off
 
@@ -138,8 +138,8 @@ def test_vortices_have_no_derivatives():
 @pytest.mark.parametrize("ends", [(0.0, 5.0), (2.95, 3.05), (3.3, 9.1), (40.0, 40.0)])
 def test_a_table_has_what_each_pixel_needs_and_no_more(ends):
     radius = np.linspace(*ends, 301)
-    table = Table.around(radius, 1e-6, 1.3)
+    table = Table.for_pixels(radius, 1e-6, 1.3)
     first, weights = between(radius / table.step)
-    assert table.places[0] == first.min()
-    assert table.places[-1] <= first.max() + weights.shape[-1]
-    assert table.places[-1] >= first.max() + weights.shape[-1] - 1
+    assert table.positions[0] == first.min()
+    assert table.positions[-1] <= first.max() + weights.shape[-1]
+    assert table.positions[-1] >= first.max() + weights.shape[-1] - 1

@@ -226,7 +226,7 @@ def test_the_core_refuses_what_does_not_match():
         asked._replace(rates=asked.rates[:2]),
         asked._replace(planes=asked.planes[:2]),
         asked._replace(forms=asked.forms[:, :2]),
-        asked._replace(turns=np.array([[1.0, 1.0, 0.0]])),
+        asked._replace(azimuthal=np.array([[1.0, 1.0, 0.0]])),
     ):
         with pytest.raises(ValueError, match=r"must|are|one value"):
             engine.layered_images(wrong, window, 1e-9, Wanted())

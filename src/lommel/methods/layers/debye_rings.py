@@ -35,7 +35,7 @@ class _Band(NamedTuple):
 
 # The spacing of circles in v is 0.8 or, for small errors, 0.55: certificate, section 16, "Between circles".
 _BANDS = (_Band(1.6, 5e-12), _Band(1.1, 5e-13))
-_AROUND = 1e-12  # smallest error of the interpolation around circles
+_MIN_ERROR = 1e-12  # smallest error of the interpolation around circles
 _PARTS = 2**22  # largest number of values of pupil functions in memory, if each pupil has its own wavefront
 _ROUNDING = 2.0**-53
 
@@ -44,8 +44,8 @@ class Accuracy(NamedTuple):
     """Allowed errors: of fields, of I interpolated between circles, and of I interpolated around circles / I."""
 
     field: float
-    between: float
-    around: float
+    radial: float
+    angular: float
 
 
 @dataclass(frozen=True)
@@ -95,36 +95,36 @@ class DebyeRings(AberratedMethod):
         """
         peak = likely_peak(pupil) / 4.0
         # Division of values by the largest value doubles the error, and adds a second rounding error.
-        twice = 2.0 if wanted.scale is None else 1.0
-        allowed = max(tol, LEAST) / twice - 2.0 * storing(wanted.dtype)
+        factor = 2.0 if wanted.scale is None else 1.0
+        allowed = max(tol, LEAST) / factor - 2.0 * storing(wanted.dtype)
         while True:
             # Powers of two, so that similar tolerances share interpolation weights (taps) and angles.
             errors = (allowed * math.sqrt(peak) / 8.0, allowed * peak, allowed / 100.0)
             accuracy = Accuracy(*(2.0 ** math.floor(math.log2(error)) for error in errors))
             images = ringed(pupil, grid, accuracy, wanted)
             assert images.error is not None
-            if (worst := float(images.error.max())) <= tol:
+            if (worst_error := float(images.error.max())) <= tol:
                 return images, accuracy
             if accuracy.field <= LEAST:
-                raise not_met(self.tol, worst, "the peak")
+                raise not_met(self.tol, worst_error, "the peak")
             # The peak is lower than estimated, or the bound is less tight: reduce the errors.
-            peak, allowed = peak * 0.25, allowed * max(1e-6, min(0.5, 0.5 * tol / worst))
+            peak, allowed = peak * 0.25, allowed * max(1e-6, min(0.5, 0.5 * tol / worst_error))
 
 
 class Turn(NamedTuple):
     """Factor of waves, ``(1 + amount (rate - middle)) / 2``, with a modulus of at most 1 for real rho."""
 
-    which: int  # index of the phase rate: 1 by depth, 2 by focus
+    rate_index: int  # index of the phase rate: 1 by depth, 2 by focus
     amount: complex
     middle: float
 
     def of(self, rates: tuple[NDArray[np.complex128], ...]) -> NDArray[np.complex128]:
         """Return the factor at each angle."""
-        return np.asarray(0.5 * (1.0 + self.amount * (rates[self.which] - self.middle)))
+        return np.asarray(0.5 * (1.0 + self.amount * (rates[self.rate_index] - self.middle)))
 
     def growth(self, piece: Piece) -> Array:
         """Return the logarithm of a bound on the factor, for each disc of complex angles around a piece."""
-        largest_rate = (piece.covered.rates[self.which] - self.middle).largest
+        largest_rate = (piece.covered.rates[self.rate_index] - self.middle).largest
         return np.asarray(np.log(0.5 * (1.0 + abs(self.amount) * largest_rate)))
 
 
@@ -134,49 +134,49 @@ def ringed(pupil: ObjectivePupil, grid: Grid, accuracy: Accuracy, wanted: Wanted
     A `turn` multiplies the waves by a further factor, for derivatives.
     """
     step, light, n = grid.step(pupil), pupil.light, pupil.depth.size
-    band, along = _along(accuracy.between)
+    band, radial = _radial_taps(accuracy.radial)
     # Circles up to the farthest pixel, and a margin for the interpolation weights (taps) and the filter.
-    circles = math.ceil(grid._farthest * step / (0.5 * band)) + along.taps.size // 2 + along.filter.size + 2
+    circles = math.ceil(grid._farthest * step / (0.5 * band)) + radial.taps.size // 2 + radial.filter.size + 2
     wavefront, terms, rule = _nodes(pupil, (0.5 * band * (circles - 1), accuracy.field), turn)
     rows = squares(light.waves.form)
     values = np.empty((n, *grid.shape), wanted.dtype) if wanted.out is None else wanted.out
     scales = np.ones(n) if wanted.scale is None else np.broadcast_to(wanted.scale, n)
     axes = grid.axes
     errors, peaks, tops = np.empty((3, n))
-    many = wavefront.shape[0] > 1
+    separate = wavefront.shape[0] > 1
     # Stacks with a wavefront for each plane are computed in parts, so that the pupil functions fit into memory.
-    block_size = max(8, _PARTS // (len(rows) * rule.rho.size * 100) // 8 * 8) if many else n
+    block_size = max(8, _PARTS // (len(rows) * rule.rho.size * 100) // 8 * 8) if separate else n
     for part in (slice(k, min(k + block_size, n)) for k in range(0, n, block_size)):
-        across, omitted = projection.components(
-            wavefront[part] if many else wavefront, terms, rule, 0.1 * accuracy.field
+        orders, omitted = projection.components(
+            wavefront[part] if separate else wavefront, terms, rule, 0.1 * accuracy.field
         )
         # The order of a field is the sum of an order of the wavefront and the order of an emitter's wave.
         shift = max(map(abs, light.waves.orders))
-        max_order = across.shape[1] // 2 + shift
+        max_order = orders.shape[1] // 2 + shift
         # The orders of the intensity are up to twice those of a field; this number of angles separates the orders.
         angles = fft_length(4 * max_order + 1)
-        around = interpolation.circular_taps(2 * max_order, 2 * angles, max(accuracy.around, _AROUND))
+        angular = interpolation.circular_taps(2 * max_order, 2 * angles, max(accuracy.angular, _MIN_ERROR))
         waves = rule.waves(pupil.depth.ravel()[part], pupil.focus.ravel()[part])
         sums = Rings(
             bessel=_bessel(rule.rho.tobytes(), 0.5 * band, circles, max_order + 1),
-            parts=_fields(light.waves, rows, rule.parts, across, shift),
+            parts=_fields(light.waves, rows, rule.parts, orders, shift),
             waves=np.ascontiguousarray(waves * (1.0 if turn is None else turn.of(rule.rates))),
             power=pupil.power[part],
             angles=angles,
-            filter=along.filter,
-            along=along.taps.polynomials,
-            around=around.taps.polynomials,
-            taps=(along.taps.size, around.taps.size),
-            gains=np.stack([around.gains, around.errors]),
+            filter=radial.filter,
+            radial=radial.taps.polynomials,
+            angular=angular.taps.polynomials,
+            taps=(radial.taps.size, angular.taps.size),
+            gains=np.stack([angular.gains, angular.errors]),
         )
         window = Window(grid.shape, axes[part] if len(axes) > 1 else axes, step / (0.5 * band))
         sampled = ringed_images(sums, window, scales[part], wanted.threads, values[part])
-        size = max(float(np.abs(each).sum()) for each in rule.parts)
+        size = max(float(np.abs(integrand).sum()) for integrand in rule.parts)
         # Quadrature, omitted orders, and roundings of the transform over angles (section 16, "Rounding").
         field_error = rule.error + omitted + 64.0 * math.sqrt(angles) * _ROUNDING * size
         field_errors = field_error * np.abs(rows).sum(axis=1)[:, None] / np.sqrt(sums.power)
         by_circles = _circle_error(sampled, field_errors, max_order, angles)
-        errors[part] = _pixel_error(sampled, by_circles, along, around, angles)
+        errors[part] = _pixel_error(sampled, by_circles, radial, angular, angles)
         peaks[part] = np.maximum(sampled.top - by_circles, sampled.pixel - errors[part])
         tops[part] = sampled.pixel
     relative = np.divide(errors, peaks, out=np.full(peaks.shape, np.inf), where=peaks > 0.0)
@@ -213,18 +213,22 @@ def _circle_error(sampled: Ringed, field_errors: Array, max_order: int, angles: 
 
 
 def _pixel_error(
-    sampled: Ringed, error: Array, along: interpolation.FilteredTaps, around: interpolation.CircularTaps, angles: int
+    sampled: Ringed,
+    error: Array,
+    radial: interpolation.FilteredTaps,
+    angular: interpolation.CircularTaps,
+    angles: int,
 ) -> Array:
     """Bound the error of pixels: interpolation between and around circles, errors of intensities, rounding."""
-    sizes = sampled.sums + float(np.abs(along.filter).sum()) * sampled.top
+    sizes = sampled.sums + float(np.abs(radial.filter).sum()) * sampled.top
     # Section 16, "Rounding".
-    units = 64.0 * math.sqrt(2 * angles) + 2 * along.filter.size + 64
-    interpolated = sampled.aliases + units * _ROUNDING * around.taps.gain * sizes
-    return np.asarray(along.error + along.gain * error + along.taps.gain * interpolated)
+    units = 64.0 * math.sqrt(2 * angles) + 2 * radial.filter.size + 64
+    interpolated = sampled.aliases + units * _ROUNDING * angular.taps.gain * sizes
+    return np.asarray(radial.error + radial.gain * error + radial.taps.gain * interpolated)
 
 
 @lru_cache(maxsize=64)
-def _along(error: float) -> tuple[float, interpolation.FilteredTaps]:
+def _radial_taps(error: float) -> tuple[float, interpolation.FilteredTaps]:
     band, least = next((choice for choice in _BANDS if error >= choice.least), _BANDS[-1])
     return band, interpolation.filtered_taps(band, max(error, least))
 
@@ -235,23 +239,23 @@ def squares(form: Complex) -> Complex:
         rows = np.diag(np.sqrt(np.diag(form).astype(np.complex128)))
     else:
         # A Hermitian form is a sum of squares of its eigenvectors; negative eigenvalues are rounding errors.
-        shares, vectors = np.linalg.eigh(form)
-        rows = np.sqrt(np.maximum(shares, 0.0))[:, None] * vectors.T
+        eigenvalues, vectors = np.linalg.eigh(form)
+        rows = np.sqrt(np.maximum(eigenvalues, 0.0))[:, None] * vectors.T
     return np.asarray(rows[np.abs(rows).max(axis=1) > 1e-14])
 
 
 def _fields(
-    waves: Waves, rows: Complex, parts: Sequence[Complex], across: Complex, shift: int
+    waves: Waves, rows: Complex, parts: Sequence[Complex], orders: Complex, shift: int
 ) -> NDArray[np.complex128]:
     """Return the integrands of each azimuthal order of the fields, shape (wavefronts, orders, fields, nodes)."""
-    integrands = np.zeros((len(across), across.shape[1] + 2 * shift, len(rows), across.shape[2]), np.complex128)
+    integrands = np.zeros((len(orders), orders.shape[1] + 2 * shift, len(rows), orders.shape[2]), np.complex128)
     for c, row in enumerate(rows):
-        for share, q, j in zip(row, waves.orders, waves.parts, strict=True):
-            if share:
-                integrands[:, shift + q : shift + q + across.shape[1], c] += share * parts[j] * across
+        for coefficient, q, j in zip(row, waves.orders, waves.parts, strict=True):
+            if coefficient:
+                integrands[:, shift + q : shift + q + orders.shape[1], c] += coefficient * parts[j] * orders
     # Factor (-i)^abs(m + q) of each order: certificate, section 16, first equation.
-    turns = (-1j) ** np.abs(np.arange(integrands.shape[1]) - integrands.shape[1] // 2)
-    integrands *= turns[:, None, None]
+    phases = (-1j) ** np.abs(np.arange(integrands.shape[1]) - integrands.shape[1] // 2)
+    integrands *= phases[:, None, None]
     return integrands
 
 

@@ -35,23 +35,23 @@ def likely_peak(pupil: ObjectivePupil) -> float:
 
 
 def refine_until(
-    compute: Callable[[float], tuple[Array, Array]], tol: float, *, start: float, floor: float, named: float
+    compute: Callable[[float], tuple[Array, Array]], target: float, *, start: float, floor: float, tol: float
 ) -> Intensities:
-    """Refine a computation until its error bound is at most `tol` of the peak of every plane, and return intensities.
+    """Return intensities, refined until the error bound is at most `target` of the peak of every plane.
 
     `compute(accuracy)` returns values (n, ...) and bounds on their errors (n,). The accuracy falls from `start` to
-    `floor`. If no accuracy suffices, ToleranceError is raised with `named`, the tolerance that the user requested.
+    `floor`. If no accuracy suffices, ToleranceError is raised with `tol`, the tolerance that the user requested.
     """
     accuracy = start
     while True:
         values, error = compute(accuracy)
         least_peak = values.reshape(len(values), -1).max(axis=1) - error  # lower bound on the exact peak
         relative = np.divide(error, least_peak, out=np.full(least_peak.shape, np.inf), where=least_peak > 0.0)
-        if (worst := float(relative.max(initial=0.0))) <= tol:
+        if (worst_error := float(relative.max(initial=0.0))) <= target:
             return Intensities(values, relative, least_peak)
         if accuracy <= floor:
-            raise not_met(named, worst, "the peak")
-        accuracy = max(floor, accuracy * max(1e-4, min(0.5, 0.5 * tol / worst)))
+            raise not_met(tol, worst_error, "the peak")
+        accuracy = max(floor, accuracy * max(1e-4, min(0.5, 0.5 * target / worst_error)))
 
 
 class LayeredMethod(Method[ObjectivePupil]):
@@ -157,8 +157,8 @@ class DebyeWolf(LayeredMethod, RadialMethod[ObjectivePupil]):
         def with_azimuth(orders: Array) -> Array:
             total = np.zeros((orders.shape[1], *grid.shape))
             for h, values in zip(pupil.light.harmonics, orders, strict=True):
-                around = h.cosine * np.cos(h.order * azimuth) + h.sine * np.sin(h.order * azimuth)
-                total += values[:, index.reshape(grid.shape)] * around
+                factor = h.cosine * np.cos(h.order * azimuth) + h.sine * np.sin(h.order * azimuth)
+                total += values[:, index.reshape(grid.shape)] * factor
             return np.maximum(total, 0.0)
 
         return self._refine(pupil, pupil.v(radius), with_azimuth, tol)
@@ -172,7 +172,7 @@ class DebyeWolf(LayeredMethod, RadialMethod[ObjectivePupil]):
             orders, error = harmonics(pupil, v, field_tol)
             return intensities(orders), error
 
-        return refine_until(compute, tol, start=0.02 * tol, floor=LEAST, named=self.tol)
+        return refine_until(compute, tol, start=0.02 * tol, floor=LEAST, tol=self.tol)
 
 
 def harmonics(pupil: ObjectivePupil, v: Array, tol: float) -> tuple[Array, Array]:
@@ -197,5 +197,5 @@ def _form_error(harmonic: Harmonic, brightest: Array, error: float) -> Array:
     """
     # g of section 15: e (abs(F_j) + abs(F_l) + e) for each entry of H.
     sizes = np.abs(harmonic.form) * np.hypot(harmonic.cosine, harmonic.sine)
-    one, other = brightest[:, None], brightest[None]
-    return np.asarray(np.einsum("jl,jln->n", sizes, error * (one + other + error)))
+    a, b = brightest[:, None], brightest[None]
+    return np.asarray(np.einsum("jl,jln->n", sizes, error * (a + b + error)))

@@ -86,20 +86,20 @@ def disc_means(v: Array, radius: float, error: float, order: int = 0) -> DiscMea
     # The table, the circles and the radii each use a third of the error: certificate, "Means over a disc".
     step = table_step(error / 3.0)
     (x, y), w = _points(radius, error / 1.5)
-    along = v[:, None] + x
-    first, shares = between(np.hypot(along, y) / step)
-    row = first[..., None] + np.arange(2 * HALF)
-    away = np.abs(row)
-    is_used = np.zeros(away.max(initial=0) + 1, np.bool_)
-    is_used[away] = True
-    used, column_of_use = np.flatnonzero(is_used), np.cumsum(is_used)[away] - 1
+    x_distance = v[:, None] + x
+    start, node_weights = between(np.hypot(x_distance, y) / step)
+    row = start[..., None] + np.arange(2 * HALF)
+    index = np.abs(row)
+    is_used = np.zeros(index.max(initial=0) + 1, np.bool_)
+    is_used[index] = True
+    indices, column_of_use = np.flatnonzero(is_used), np.cumsum(is_used)[index] - 1
     column = np.broadcast_to(np.arange(v.size)[:, None, None], row.shape).ravel()
-    data, shape, matrices = w[:, None] * shares, (used.size, v.size), []
+    data, shape, matrices = w[:, None] * node_weights, (indices.size, v.size), []
     for m in range(order + 1):
-        around = np.cos(m * np.arctan2(y, along))[..., None] * np.where(row < 0, (-1.0) ** m, 1.0) if m else 1.0
-        matrices.append(coo_array(((data * around).ravel(), (column_of_use.ravel(), column)), shape=shape).tocsr())
-    gain = float((w * np.abs(shares).sum(axis=-1)).sum(axis=-1).max(initial=1.0))
-    return DiscMeans(np.asarray(step * used), tuple(matrices), gain, error + _DISC_ROUNDING)
+        factor = np.cos(m * np.arctan2(y, x_distance))[..., None] * np.where(row < 0, (-1.0) ** m, 1.0) if m else 1.0
+        matrices.append(coo_array(((data * factor).ravel(), (column_of_use.ravel(), column)), shape=shape).tocsr())
+    gain = float((w * np.abs(node_weights).sum(axis=-1)).sum(axis=-1).max(initial=1.0))
+    return DiscMeans(np.asarray(step * indices), tuple(matrices), gain, error + _DISC_ROUNDING)
 
 
 def table_step(error: float) -> float:
@@ -112,34 +112,34 @@ def growth() -> float:
     return float(np.abs(between(np.array([0.5]))[1]).sum())
 
 
-def between(at: Array) -> tuple[NDArray[np.int64], Array]:
-    """Return the interpolation at positions `at` (in steps) of a table: the first of 12 indices, and 12 weights."""
-    below = np.floor(at).astype(np.int64)
-    away = (at - below)[..., None] - np.arange(1 - HALF, HALF + 1)
-    weights = np.ones(away.shape)
-    weights[..., 1:] = np.cumprod(away[..., :-1], axis=-1)
-    weights[..., :-1] *= np.cumprod(away[..., :0:-1], axis=-1)[..., ::-1]
-    return below + (1 - HALF), weights / _DENOMINATORS
+def between(positions: Array) -> tuple[NDArray[np.int64], Array]:
+    """Return the interpolation at `positions` (in steps) of a table: the first of 12 indices, and 12 weights."""
+    lower = np.floor(positions).astype(np.int64)
+    distance = (positions - lower)[..., None] - np.arange(1 - HALF, HALF + 1)
+    weights = np.ones(distance.shape)
+    weights[..., 1:] = np.cumprod(distance[..., :-1], axis=-1)
+    weights[..., :-1] *= np.cumprod(distance[..., :0:-1], axis=-1)[..., ::-1]
+    return lower + (1 - HALF), weights / _DENOMINATORS
 
 
 def _points(radius: float, error: float) -> tuple[Array, Array]:
     """Return points (x, y) of half a disc, shape (2, points), and weights of a mean with this error at most."""
-    around, across = 2, 1
-    while _circle_error(radius, around) > 0.5 * error:
-        around += 2
-    while gauss_error(2.0 * radius * np.sinh(0.5 * ETA) - math.log(2.0), across) > 0.5 * error:
-        across += 1
+    angles, radii = 2, 1
+    while _circle_error(radius, angles) > 0.5 * error:
+        angles += 2
+    while gauss_error(2.0 * radius * np.sinh(0.5 * ETA) - math.log(2.0), radii) > 0.5 * error:
+        radii += 1
     # Gauss rule in the squared radius, to which the area is proportional.
-    t, w = gauss_legendre(across)
-    theta = math.pi * (2 * np.arange(around // 2) + 1) / around
+    t, w = gauss_legendre(radii)
+    theta = math.pi * (2 * np.arange(angles // 2) + 1) / angles
     r = radius * np.sqrt(t)[:, None]
     points = np.stack([r * np.cos(theta), r * np.sin(theta)]).reshape(2, -1)
-    return points, np.repeat(w * (2.0 / around), around // 2)
+    return points, np.repeat(w * (2.0 / angles), angles // 2)
 
 
-def _circle_error(radius: float, around: int) -> float:
+def _circle_error(radius: float, angles: int) -> float:
     with np.errstate(over="ignore"):
-        return float((np.exp(2.0 * radius * np.sinh(ETA) - around * ETA) / -np.expm1(-around * ETA)).min())
+        return float((np.exp(2.0 * radius * np.sinh(ETA) - angles * ETA) / -np.expm1(-angles * ETA)).min())
 
 
 def gauss_error(growth: Array, nodes: int) -> float:
@@ -159,7 +159,7 @@ class SampledLight(NamedTuple):
     error: Array  # (n,), absolute bound
 
     @property
-    def most(self) -> Array:
+    def largest(self) -> Array:
         """Largest value of each plane."""
         return np.asarray(np.abs(self.values).max(axis=(1, 2)))
 
@@ -167,8 +167,8 @@ class SampledLight(NamedTuple):
         """Return the product with other light, or with a factor of each plane."""
         if isinstance(other, np.ndarray):
             return SampledLight(self.values * other[:, None, None], self.error * np.abs(other))
-        sizes = self.most, other.most
-        error = self.error * sizes[1] + other.error * (sizes[0] + self.error) + _ROUNDING * sizes[0] * sizes[1]
+        bounds = self.largest, other.largest
+        error = self.error * bounds[1] + other.error * (bounds[0] + self.error) + _ROUNDING * bounds[0] * bounds[1]
         return SampledLight(self.values * other.values, error)
 
 
@@ -205,8 +205,8 @@ class DiscFilter(NamedTuple):
     def of(self, light: SampledLight, threads: int = 0) -> SampledLight:
         """Return means of samples of an intensity; the integral of the modulus of its OTF must be at most 1."""
         total = sum((filter_axes(light.values, rows, columns, threads) for rows, columns in self.parts), np.zeros(()))
-        rounded = (4.0 * self.taps.weights.size + len(self.parts) + 16.0) * 2.0**-53 * light.most
-        return SampledLight(np.asarray(total), self.error + self.gain * (light.error + rounded))
+        rounding = (4.0 * self.taps.weights.size + len(self.parts) + 16.0) * 2.0**-53 * light.largest
+        return SampledLight(np.asarray(total), self.error + self.gain * (light.error + rounding))
 
 
 @lru_cache(maxsize=64)
@@ -221,14 +221,14 @@ def disc_filter(step: float, radius: float, error: float, least: int = 0) -> Dis
     h, filter_error = step / stride, error / 8.0
     angles = np.pi / (chords + 1) * np.arange(1, chords // 2 + 1)
     responses: list[tuple[float, Array, Array, float, float]] = []
-    half = max(least, stride // 2 + 2, math.ceil(radius / h) + 2)
+    side = max(least, stride // 2 + 2, math.ceil(radius / h) + 2)
     for angle in angles:
-        across, along = radius * math.cos(angle), radius * math.sin(angle)
+        x_length, y_length = radius * math.cos(angle), radius * math.sin(angle)
         weight = 4.0 / (chords + 1) * math.sin(angle) ** 2
-        columns, fit_error, gain = _response(half, h, filter_error, across, mean=False)
-        rows, off_rows, gain_rows = _response(half, h, filter_error, along, mean=True)
-        responses.append((weight, rows, columns, off_rows * (1.0 + fit_error) + fit_error, gain * gain_rows))
-        half = max(half, rows.size, columns.size)
+        columns, fit_error, gain = _response(side, h, filter_error, x_length, mean=False)
+        rows, row_error, row_gain = _response(side, h, filter_error, y_length, mean=True)
+        responses.append((weight, rows, columns, row_error * (1.0 + fit_error) + fit_error, gain * row_gain))
+        side = max(side, rows.size, columns.size)
     size = max(max(rows.size, columns.size) for _, rows, columns, _, _ in responses)
 
     def taps(weights: Array, factor: float) -> Taps:
@@ -240,16 +240,18 @@ def disc_filter(step: float, radius: float, error: float, least: int = 0) -> Dis
     return DiscFilter(parts, total, sum(weight * gain for weight, _, _, _, gain in responses))
 
 
-def _response(half: int, h: float, error: float, length: float, *, mean: bool) -> tuple[Array, float, float]:
+def _response(side: int, h: float, error: float, length: float, *, mean: bool) -> tuple[Array, float, float]:
     """Return the weights of a symmetric filter, from the centre outward, its error and its gain.
 
     The response is ``cos(length w)``, or its mean over lengths from 0 to `length` if `mean`.
     """
-    longest = half + 60
+    longest = side + 60
     while True:
         weights, fit_error, gain = fit_taps(
-            lambda w: np.sinc(length / math.pi * w) if mean else np.cos(length * w), np.cos, h * np.arange(half + 1)
+            lambda w: np.sinc(length / math.pi * w) if mean else np.cos(length * w),
+            np.cos,
+            h * np.arange(side + 1),
         )
-        if fit_error <= error or half >= longest:
+        if fit_error <= error or side >= longest:
             return weights, fit_error, gain
-        half += max(2, half // 16)
+        side += max(2, side // 16)

@@ -41,7 +41,7 @@ from lommel.optics.layers.emitter import Absorbed, Beam, Dipole
 from lommel.optics.layers.objective_pupil import ObjectivePupil
 
 _MIN_ERROR = 1e-13  # smallest error that is requested of intensities of peak about 1
-_BRIGHT = np.array([0.0, BRIGHT_RING])  # radii v at which most planes are bright
+_BRIGHT_RADII = np.array([0.0, BRIGHT_RING])  # radii v at which most planes are bright
 _MIN_ERROR_FRACTION = 0.05  # smallest error requested of one factor of a product, divided by the tolerance
 _ROUNDING = 2.0**-50  # relative rounding error of an intensity or a product
 _AZIMUTHS = np.linspace(0.0, 2.0 * np.pi, 8, endpoint=False)  # azimuths at which the peak is searched, radians
@@ -56,7 +56,7 @@ class Orders(NamedTuple):
     error: Array  # (n,), bound on the error of the intensity at these radii and any azimuth
 
     @property
-    def most(self) -> Array:
+    def largest(self) -> Array:
         """Upper bound on the intensity at these radii, for each plane."""
         return np.asarray(np.abs(self.values).sum(axis=1).max(axis=1))
 
@@ -68,17 +68,17 @@ class Orders(NamedTuple):
     @property
     def samples(self) -> Array:
         """Intensity on a coarse grid of radii and azimuths, shape (n, samples), to estimate the peak."""
-        coarse = self._nonnegative[..., :: max(1, self.values.shape[2] // _PEAK_RADII), None]
-        return _sum_orders(coarse, np.exp(1j * _AZIMUTHS)).reshape(len(self.values), -1)
+        subset = self._nonnegative[..., :: max(1, self.values.shape[2] // _PEAK_RADII), None]
+        return _sum_orders(subset, np.exp(1j * _AZIMUTHS)).reshape(len(self.values), -1)
 
     @property
     def _nonnegative(self) -> Values:
         """The orders 0 to M; the order -m is the conjugate of the order m."""
         return self.values[:, self.values.shape[1] // 2 :]
 
-    def at(self, which: NDArray[np.int64]) -> Orders:
-        """Return the intensity at the radii of the indices `which`."""
-        return Orders(self.values[:, :, which], self.error)
+    def at(self, indices: NDArray[np.int64]) -> Orders:
+        """Return the intensity at the radii of the `indices`."""
+        return Orders(self.values[:, :, indices], self.error)
 
     def times(self, factor: Array) -> Orders:
         """Return the intensity times `factor`, one number of at least 0 for each plane."""
@@ -100,29 +100,29 @@ def light(pupil: ObjectivePupil, v: Array, accuracy: float, tol: float) -> Order
         values, error = harmonics(pupil, v, LEAST)
         computed = np.moveaxis(values, 0, 1), error
     values, error = computed
-    if (most := highest(pupil)) == 0:
+    if (highest_order := highest(pupil)) == 0:
         return Orders(values, error)
-    orders = np.zeros((len(values), 2 * most + 1, v.size), np.complex128)
-    for h, each in zip(pupil.light.harmonics, np.moveaxis(values, 1, 0), strict=True):
+    orders = np.zeros((len(values), 2 * highest_order + 1, v.size), np.complex128)
+    for h, profile in zip(pupil.light.harmonics, np.moveaxis(values, 1, 0), strict=True):
         if h.order:
             # a cos m phi + b sin m phi = Re (a - i b) exp(i m phi).
-            orders[:, most + h.order] += 0.5 * (h.cosine - 1j * h.sine) * each
+            orders[:, highest_order + h.order] += 0.5 * (h.cosine - 1j * h.sine) * profile
         else:
-            orders[:, most] = each
-    orders[:, :most] = orders[:, :most:-1].conj()
+            orders[:, highest_order] = profile
+    orders[:, :highest_order] = orders[:, :highest_order:-1].conj()
     return Orders(orders, error + _ROUNDING * np.abs(orders).sum(axis=1).max(axis=1))
 
 
-def product(one: Orders, other: Orders) -> Orders:
+def product(a: Orders, b: Orders) -> Orders:
     """Return the product of two intensities in the same planes at the same radii."""
-    first, second = one.values.shape[1], other.values.shape[1]
-    kind = np.result_type(one.values, other.values)
-    values = np.zeros((len(one.values), first + second - 1, one.values.shape[2]), kind)
-    for j in range(first):
+    count, other_count = a.values.shape[1], b.values.shape[1]
+    kind = np.result_type(a.values, b.values)
+    values = np.zeros((len(a.values), count + other_count - 1, a.values.shape[2]), kind)
+    for j in range(count):
         # The orders of a product are the convolution of the orders of its factors.
-        values[:, j : j + second] += one.values[:, j, None] * other.values
-    sizes = one.most, other.most
-    error = one.error * sizes[1] + other.error * (sizes[0] + one.error) + _ROUNDING * sizes[0] * sizes[1]
+        values[:, j : j + other_count] += a.values[:, j, None] * b.values
+    bounds = a.largest, b.largest
+    error = a.error * bounds[1] + b.error * (bounds[0] + a.error) + _ROUNDING * bounds[0] * bounds[1]
     return Orders(values, error)
 
 
@@ -138,46 +138,46 @@ def _sum_orders(values: Values, turn: NDArray[np.complex128]) -> Array:
 class Table(NamedTuple):
     """Equally spaced radii, from which intensities at pixels are interpolated by the nearest 2 HALF radii."""
 
-    places: NDArray[np.int64]  # radii in units of `step`; a negative radius is at the opposite azimuth
+    positions: NDArray[np.int64]  # radii in units of `step`; a negative radius is at the opposite azimuth
     step: float  # spacing of the radii in v
 
     @classmethod
-    def around(cls, radius: Array, error: float, stretch: float) -> Table:
+    def for_pixels(cls, radius: Array, error: float, stretch: float) -> Table:
         """Return the table for pixels at `radius`: interpolation to `error`, exponential type 2 `stretch`."""
         step = table_step(error) / stretch
-        first, last = (int(np.floor(at / step)) for at in (radius.min(), radius.max()))
+        first, last = (int(np.floor(r / step)) for r in (radius.min(), radius.max()))
         return cls(np.arange(first + 1 - HALF, last + HALF + 1), step)
 
     @property
     def radii(self) -> Array:
         """Radii v, rising, at which the intensity has to be computed."""
-        return self.step * np.unique(np.abs(self.places))
+        return self.step * np.unique(np.abs(self.positions))
 
     def error(self, orders: Orders) -> Array:
-        """Bound the error of pixels, ``(n,)``, without the interpolation error that is passed to :meth:`around`."""
-        return growth() * (orders.error + 8.0 * _ROUNDING * orders.most)
+        """Bound the error of pixels, ``(n,)``, without the interpolation error passed to :meth:`for_pixels`."""
+        return growth() * (orders.error + 8.0 * _ROUNDING * orders.largest)
 
-    def painted(self, tabulated: Orders, radius: Array, turn: NDArray[np.complex128]) -> Array:
+    def interpolate(self, tabulated: Orders, radius: Array, turn: NDArray[np.complex128]) -> Array:
         """Interpolate the intensity from :attr:`radii` to pixels, ``(n, pixels)``; `turn` is ``exp(i phi)``."""
         from scipy.sparse import csr_array
 
         orders = tabulated._nonnegative
         # At negative radii the azimuth changes by pi: F_m(-r) = (-1)^m F_m(r), certificate, "Scanning microscopes and
         # beads".
-        sign = np.where(self.places < 0, -1.0, 1.0)
-        row = np.searchsorted(np.unique(np.abs(self.places)), np.abs(self.places))
+        sign = np.where(self.positions < 0, -1.0, 1.0)
+        row = np.searchsorted(np.unique(np.abs(self.positions)), np.abs(self.positions))
         extended = np.stack([orders[:, m][:, row] * sign**m for m in range(orders.shape[1])], axis=1)
-        out = np.empty((len(orders), radius.size))
+        values = np.empty((len(orders), radius.size))
         block = max(1, _BLOCK_VALUES // (extended.shape[0] * extended.shape[1]))
         for part in (slice(k, k + block) for k in range(0, radius.size, block)):
-            at, where = np.unique(radius[part], return_inverse=True)
-            first, weights = between(at / self.step)
-            columns = (first - self.places[0])[:, None] + np.arange(2 * HALF)
+            radii, index = np.unique(radius[part], return_inverse=True)
+            start, weights = between(radii / self.step)
+            columns = (start - self.positions[0])[:, None] + np.arange(2 * HALF)
             ends = np.arange(0, columns.size + 1, 2 * HALF)
-            matrix = csr_array((weights.ravel(), columns.ravel(), ends), shape=(at.size, self.places.size))
-            lines = (matrix @ extended.reshape(-1, self.places.size).T).T.reshape(*extended.shape[:2], at.size)
-            out[:, part] = _sum_orders(lines[..., where], turn[part])
-        return np.maximum(out, 0.0, out=out)
+            matrix = csr_array((weights.ravel(), columns.ravel(), ends), shape=(radii.size, self.positions.size))
+            lines = (matrix @ extended.reshape(-1, self.positions.size).T).T.reshape(*extended.shape[:2], radii.size)
+            values[:, part] = _sum_orders(lines[..., index], turn[part])
+        return np.maximum(values, 0.0, out=values)
 
 
 class ProvenMethod(LayeredMethod, RadialMethod[ObjectivePupil]):
@@ -205,14 +205,14 @@ class ProvenMethod(LayeredMethod, RadialMethod[ObjectivePupil]):
             raise ValueError(
                 f"{type(self).__name__} has no profiles of light with aberrations; compute an image, and measure that"
             )
-        at, where = np.unique(np.append(v, _BRIGHT), return_inverse=True)
+        radii, index = np.unique(np.append(v, _BRIGHT_RADII), return_inverse=True)
 
         def compute(target: float) -> tuple[Array, Array]:
-            orders = self._orders(pupil, at, target)
+            orders = self._orders(pupil, radii, target)
             return orders.mean, orders.error
 
-        intensities = refine_until(compute, self.tol, start=0.1 * self.tol, floor=_MIN_ERROR, named=self.tol)
-        return intensities._replace(values=intensities.values[:, where[: v.size]])
+        intensities = refine_until(compute, self.tol, start=0.1 * self.tol, floor=_MIN_ERROR, tol=self.tol)
+        return intensities._replace(values=intensities.values[:, index[: v.size]])
 
     def intensity(self, pupil: ObjectivePupil, grid: Grid, threads: int = 0) -> Intensities:
         """Return I at the distinct radii of the pixels if it is radially symmetric, else at every pixel."""
@@ -242,24 +242,24 @@ class ProvenMethod(LayeredMethod, RadialMethod[ObjectivePupil]):
         allowed = (0.48 if divided_by_peak else 1.0) * (max(tol, LEAST) - 1.1 * storing(wanted.dtype))
         # With a scale, errors are relative to the peak of the plane, which may lie outside of the window. Intensities
         # on the axis and on a bright ring are then a lower bound of the peak.
-        bright = _BRIGHT[:0] if divided_by_peak else _BRIGHT
+        ring = _BRIGHT_RADII[:0] if divided_by_peak else _BRIGHT_RADII
         latest: list[tuple[Table, Orders]] = []
 
         def compute(target: float) -> tuple[Array, Array]:
-            table = Table.around(radius, 0.25 * target / ceiling, stretch)
-            at, where = np.unique(np.append(table.radii, bright), return_inverse=True)
-            orders, count = self._orders(pupil, at, target), where.size - bright.size
-            tabulated, on_ring = orders.at(where[:count]), orders.at(where[count:])
+            table = Table.for_pixels(radius, 0.25 * target / ceiling, stretch)
+            radii, index = np.unique(np.append(table.radii, ring), return_inverse=True)
+            orders, count = self._orders(pupil, radii, target), index.size - ring.size
+            tabulated, on_ring = orders.at(index[:count]), orders.at(index[count:])
             latest[:] = [(table, tabulated)]
             if divided_by_peak:
-                values = table.painted(tabulated, radius, turn)
+                values = table.interpolate(tabulated, radius, turn)
             else:
                 values = np.append(tabulated.samples, on_ring.samples, axis=1)
             return values, table.error(orders) + 0.25 * target
 
-        intensities = refine_until(compute, allowed, start=0.03 * allowed, floor=_MIN_ERROR * ceiling, named=self.tol)
+        intensities = refine_until(compute, allowed, start=0.03 * allowed, floor=_MIN_ERROR * ceiling, tol=self.tol)
         table, tabulated = latest[0]
-        pixels = intensities.values if divided_by_peak else table.painted(tabulated, radius, turn)
+        pixels = intensities.values if divided_by_peak else table.interpolate(tabulated, radius, turn)
         values = pixels.reshape(-1, *grid.shape)
         return to_images(intensities._replace(values=values), grid, wanted)._replace(peak=intensities.peak)
 
@@ -271,7 +271,7 @@ class ProvenMethod(LayeredMethod, RadialMethod[ObjectivePupil]):
             samples = self._pixels(pupil, grid, target, wanted.threads)
             return np.maximum(samples.values, 0.0), samples.error
 
-        intensities = refine_until(compute, allowed, start=0.1 * allowed, floor=_MIN_ERROR, named=self.tol)
+        intensities = refine_until(compute, allowed, start=0.1 * allowed, floor=_MIN_ERROR, tol=self.tol)
         return to_images(intensities, grid, wanted)
 
 
@@ -302,7 +302,7 @@ class Bead(ProvenMethod):
 
     Notes
     -----
-    The intensity is band-limited along the height h as well as laterally. Relative to the axial wave, the phase of a
+    The intensity is band-limited along the height h as well as phasely. Relative to the axial wave, the phase of a
     plane wave in the sample (wavenumber ``k n_s``) varies by at most ``k n_s (1 - c) h``, with c the smallest cosine
     of a ray's angle. Waves beyond the critical angle decay like ``exp(-k n_s kappa h)``, where the cosine is
     ``i kappa``. The sum over heights therefore converges geometrically.
@@ -329,37 +329,37 @@ class Bead(ProvenMethod):
         """Return the image intensity of the bead at rising v."""
         radius, layers, highest_order = 0.5 * self.diameter, pupil.layers, highest(pupil)
         size = layers.wavenumber * layers.NA * radius
-        heights, stack, share, rule_error = self._planes(pupil, target)
+        heights, stack, fractions, rule_error = self._planes(pupil, target)
         depths = stack.depth
-        half = heights.size // 2
-        discs = [disc_means(v, size * float(np.sqrt(1.0 - u * u)), target, highest_order) for u in heights[half:]]
-        discs = discs[: -half - 1 : -1] + discs  # the disc at -u has the radius of the disc at u
+        middle = heights.size // 2
+        discs = [disc_means(v, size * float(np.sqrt(1.0 - u * u)), target, highest_order) for u in heights[middle:]]
+        discs = discs[: -middle - 1 : -1] + discs  # the disc at -u has the radius of the disc at u
         places, rows = np.unique(np.concatenate([d.places for d in discs]), return_inverse=True)
         points = light(stack, places, target, self.tol)
         values_at, errors = points.values.reshape(*depths.shape, -1, places.size), points.error.reshape(depths.shape)
         values: Values = np.zeros(1)
-        error, first = np.full(depths.shape[1], rule_error), 0
+        error, start = np.full(depths.shape[1], rule_error), 0
         for k, means in enumerate(discs):
-            rows_of_disc = rows[first : first + means.places.size]
-            first += means.places.size
-            values = values + share[k, :, None, None] * means.of(values_at[k][..., rows_of_disc])
-            error += share[k] * (errors[k] * means.gain + means.error)
+            rows_of_disc = rows[start : start + means.places.size]
+            start += means.places.size
+            values = values + fractions[k, :, None, None] * means.of(values_at[k][..., rows_of_disc])
+            error += fractions[k] * (errors[k] * means.gain + means.error)
         return Orders(values, error)
 
     def _pixels(self, pupil: ObjectivePupil, grid: Grid, target: float, threads: int) -> SampledLight:
         """Return the image intensity of the bead at pixel centres."""
         size = 0.5 * self.diameter * pupil.layers.wavenumber * pupil.layers.NA
-        heights, stack, share, rule_error = self._planes(pupil, target)
+        heights, stack, fractions, rule_error = self._planes(pupil, target)
         count = math.prod(pupil.shape)
         values, error = np.zeros((count, *grid.shape)), np.full(count, rule_error)
         # The discs at heights u and -u have the same radius, and hence the same filter.
-        for k, other in enumerate(range(len(heights) - 1, len(heights) // 2 - 1, -1)):
+        for k, mirror in enumerate(range(len(heights) - 1, len(heights) // 2 - 1, -1)):
             means = disc_filter(grid.step(pupil), size * math.sqrt(1.0 - heights[k] ** 2), target)
-            for j in {k, other}:
+            for j in {k, mirror}:
                 plane = replace(pupil, depth=stack.depth[j].reshape(pupil.shape))
-                one = means.of(light_samples(plane, means.samples(grid), target / means.gain, threads), threads)
-                values += one.times(share[j]).values
-                error += share[j] * one.error
+                samples = means.of(light_samples(plane, means.samples(grid), target / means.gain, threads), threads)
+                values += samples.times(fractions[j]).values
+                error += fractions[j] * samples.error
         return SampledLight(values, error)
 
     def _planes(self, pupil: ObjectivePupil, target: float) -> tuple[Array, ObjectivePupil, Array, float]:
@@ -373,8 +373,8 @@ class Bead(ProvenMethod):
         depths = np.maximum(pupil.depth.ravel() + 0.5 * self.diameter * heights[:, None], 0.0)
         focus, z = (np.broadcast_to(part.ravel(), depths.shape) for part in (pupil.focus, pupil.z))
         stack = replace(pupil, depth=depths, focus=focus, z=z, aberrations=None)
-        share = weights[:, None] * stack.power.reshape(depths.shape)
-        return heights, stack, share / share.sum(axis=0), error
+        fractions = weights[:, None] * stack.power.reshape(depths.shape)
+        return heights, stack, fractions / fractions.sum(axis=0), error
 
     def _growth(self, pupil: ObjectivePupil) -> Array:
         """Return the logarithm of a bound on the intensity, for complex heights on each Bernstein ellipse `ETA`."""
@@ -384,8 +384,8 @@ class Bead(ProvenMethod):
         largest_kappa = float(np.sqrt(max(ratio**2 - 1.0, 0.0)))  # for waves beyond the critical angle
         # At the parameter t of the ellipse, the imaginary part of the disc's radius has the modulus R sinh(eta)
         # abs(cos t), that of the height R sinh(eta) abs(sin t): certificate, "Beads".
-        across = radius * layers.wavenumber * float(np.hypot(2.0 * layers.NA, layers.sample * one_minus_cosine))
-        return across * np.sinh(eta) + 2.0 * radius * layers.wavenumber * layers.sample * largest_kappa * np.cosh(eta)
+        phase = radius * layers.wavenumber * float(np.hypot(2.0 * layers.NA, layers.sample * one_minus_cosine))
+        return phase * np.sinh(eta) + 2.0 * radius * layers.wavenumber * layers.sample * largest_kappa * np.cosh(eta)
 
 
 def _height_rule(growth: Array, error: float) -> tuple[Array, Array, float]:
@@ -405,14 +405,14 @@ AIRY = 2.0 * math.pi * 0.61  # radius ``0.61 lambda / NA``, half an Airy unit, i
 _MAX_PINHOLE = 100.0  # Airy units
 _MAX_SATURATION = 1e4
 _POLYNOMIAL_ERROR = 0.02  # largest error of the polynomial for the depletion, as a fraction of the tolerance
-_COARSE, _FINE = np.linspace(0.1, 8.0, 80), np.linspace(-0.1, 0.1, 101)  # peak search: radii v, then offsets in v
+_RADII, _OFFSETS = np.linspace(0.1, 8.0, 80), np.linspace(-0.1, 0.1, 101)  # peak search: radii v, then offsets in v
 
 
 @dataclass(frozen=True)
 class Confocal(ProvenMethod):
     r"""Confocal microscope: excitation intensity times the fraction of the emission that passes the pinhole.
 
-    ``E(r) P(r)``, r being the distance of the emitter from the axis: E is the excitation intensity, relative to the
+    The image is ``E(r) P(r)``, r being the distance from the axis: E is the excitation intensity, relative to the
     focus of a uniform scalar aperture that sends as much light through the same plane of the sample; P is the
     fraction of the collected emission that passes the pinhole. An image is computed for the pupil of the
     emission; its planes are used for the excitation, too. A :class:`lommel.Dipole` absorbs the component of the field
@@ -518,10 +518,10 @@ class Confocal(ProvenMethod):
         excited = light(self._absorbed_excitation(pupil), pupil.scale / self.excitation.scale * v, target, self.tol)
         means = disc_means(v, AIRY * self.pinhole, target / max(1.0, self._pinhole_area), highest(pupil))
         detected = light(pupil, means.places, target, self.tol)
-        passed = Orders(means.of(detected.values), detected.error * means.gain + means.error)
+        through_pinhole = Orders(means.of(detected.values), detected.error * means.gain + means.error)
         return product(
             excited.times(self._absorbed_fraction(pupil)),
-            passed.times(np.full(len(detected.error), self._pinhole_area)),
+            through_pinhole.times(np.full(len(detected.error), self._pinhole_area)),
         )
 
     def _pixels(self, pupil: ObjectivePupil, grid: Grid, target: float, threads: int) -> SampledLight:
@@ -596,9 +596,10 @@ class TwoPhoton(ProvenMethod):
 class Sted(Confocal):
     r"""Confocal microscope with stimulated emission depletion (STED).
 
-    ``E(r) P(r) 2^(-s D(r))``: E and P as in :class:`lommel.methods.Confocal`, D the intensity of the depletion beam
-    in the units of E, and s the saturation. This holds for pulses that are short compared with the lifetime of the
-    excited state; s D is the intensity divided by the saturation intensity, which depletes half of the emitters.
+    The image is ``E(r) P(r) 2^(-s D(r))``: E and P as in :class:`lommel.methods.Confocal`, D the intensity of the
+    depletion beam in the units of E, and s the saturation. This holds for pulses that are short compared with the
+    lifetime of the excited state; s D is the intensity divided by the saturation intensity, which depletes half of
+    the emitters.
 
     Parameters
     ----------
@@ -695,7 +696,7 @@ class Sted(Confocal):
         undepleted = np.exp(-rate * depleting.mean)
         # The error of the polynomial counts twice: for values in the table, and for interpolated values.
         error = rate * depleting.error + 2.0 * _POLYNOMIAL_ERROR * self.tol
-        return Orders(excited.values * undepleted[:, None], excited.error + excited.most * error)
+        return Orders(excited.values * undepleted[:, None], excited.error + excited.largest * error)
 
     @property
     def _degree(self) -> int:
@@ -720,13 +721,13 @@ def crest(pupil: ObjectivePupil) -> float:
     from scipy.special import jv
 
     model, depth, focus = pupil.light.model, pupil.depth.ravel(), pupil.focus.ravel()
-    rule = debye.rule(pupil.layers, model, depth, focus, float(_COARSE[-1] + _FINE[-1]), 1e-10)
+    rule = debye.rule(pupil.layers, model, depth, focus, float(_RADII[-1] + _OFFSETS[-1]), 1e-10)
     waves = np.abs(rule.waves(depth, focus))
 
     def intensity(v: Array) -> Array:
         arguments = np.multiply.outer(rule.rho, v)
         components = zip(pupil.light.shares, model.orders, rule.parts, strict=True)
-        total = sum(share * np.abs((waves * part) @ jv(order, arguments)) ** 2 for share, order, part in components)
+        total = sum(weight * np.abs((waves * part) @ jv(order, arguments)) ** 2 for weight, order, part in components)
         return np.asarray((total / pupil.power[:, None]).max(axis=0))
 
-    return float(intensity(_COARSE[intensity(_COARSE).argmax()] + _FINE).max())
+    return float(intensity(_RADII[intensity(_RADII).argmax()] + _OFFSETS).max())

@@ -51,13 +51,13 @@ def sampled_slopes(
     wanted: Wanted,
     terms: tuple[tuple[int, int], ...] = (),
     *,
-    moved: bool = False,
+    by_axis: bool = False,
 ) -> Images:
     """Return images and their derivatives; derivatives by Zernike `terms`, from ChordalDebye, follow the others.
 
-    With `moved`, which requires pixel averages, the last two derivatives are by the row and the column of the axis.
+    With `by_axis`, which requires pixel averages, the last two derivatives are by the row and the column of the axis.
     """
-    by = rates(pupil)
+    entries = rates(pupil)
     layers, model = pupil.layers, pupil.light.model
     if isinstance(method, Stratified):
         largest_rates = debye.steepest(layers, model, pupil.depth.ravel(), pupil.focus.ravel())
@@ -65,34 +65,37 @@ def sampled_slopes(
         # Derivatives divided by their largest factor have OTFs of at most twice the modulus of the OTF of I:
         # certificate, section 15, "Light that depends on the azimuth".
         largest_rates = (*projection.steepest(layers, model), 0.0)
-        if any(one.which == engine.BY_WAVENUMBER for one in by):
+        if any(entry.variable == engine.BY_WAVENUMBER for entry in entries):
             by_wavenumber = debye.steepest(layers, model, pupil.depth.ravel(), pupil.focus.ravel())[2]
             if pupil.aberrations is not None:
                 by_wavenumber += sum(pupil.aberrations.flattened().amplitudes().values())
             largest_rates = (*largest_rates[:2], by_wavenumber)
     # Divisors with which OTFs have at most twice the modulus of the OTF of the aperture, as averages assume.
-    divisors = [abs(one.factor) * largest_rates[min(one.which, 2)] + 0.5 * _largest(one.own) for one in by]
+    divisors = [
+        abs(entry.factor) * largest_rates[min(entry.variable, 2)] + 0.5 * _largest(entry.image_factor)
+        for entry in entries
+    ]
     divisors += [1.0] * len(terms)
 
     def sample(pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
-        each, plain = list(zip(rates(pupil), divisors, strict=False)), wanted._replace(terms=())
+        pairs, images_only = list(zip(rates(pupil), divisors, strict=False)), wanted._replace(terms=())
         if isinstance(method, ChordalDebye):
-            return _by_chords(method, pupil, grid, each, terms, tol, plain)
+            return _by_chords(method, pupil, grid, pairs, terms, tol, images_only)
         if isinstance(method, DebyeRings):
-            return _by_circles(method, pupil, grid, each, largest_rates, tol, plain)
-        return _by_engine(pupil, grid, each, tol, plain)
+            return _by_circles(method, pupil, grid, pairs, largest_rates, tol, images_only)
+        return _by_engine(pupil, grid, pairs, tol, images_only)
 
-    question = wanted._replace(terms=((0, 0),) * len(divisors))  # placeholders: only their number matters
-    if moved:
-        images = to_images(pixel_averages(sample, pupil, grid, method.tol, question, gradients=True), question)
+    request = wanted._replace(terms=((0, 0),) * len(divisors))  # placeholders: only their number matters
+    if by_axis:
+        images = to_images(pixel_averages(sample, pupil, grid, method.tol, request, gradients=True), request)
         divisors += [-grid.step(pupil)] * 2
     else:
-        images = averaged_images(sample, pupil, grid, method.tol, question)
+        images = averaged_images(sample, pupil, grid, method.tol, request)
     images = with_model_error(images, pupil, method, normalized=False)
     assert images.slopes is not None
     values, error = images.slopes
-    for each, divisor in zip(values, divisors, strict=True):
-        each *= divisor
+    for array, divisor in zip(values, divisors, strict=True):
+        array *= divisor
     error *= np.abs(divisors)[:, None]
     return images._replace(slopes=Slopes(values, error))
 
@@ -119,12 +122,17 @@ def engine_slopes(
 
 
 def _by_engine(
-    pupil: ObjectivePupil, grid: Grid, each: Sequence[tuple[By, float]], tol: float, wanted: Wanted
+    pupil: ObjectivePupil, grid: Grid, pairs: Sequence[tuple[By, float]], tol: float, wanted: Wanted
 ) -> Images:
-    """Return samples by Stratified, and derivatives, divided by the divisors in `each`."""
-    by = [one._replace(factor=one.factor / divisor, own=np.asarray(one.own) / divisor) for one, divisor in each]
+    """Return samples by Stratified, and derivatives, divided by the divisors in `pairs`."""
+    derivatives = [
+        entry._replace(factor=entry.factor / divisor, image_factor=np.asarray(entry.image_factor) / divisor)
+        for entry, divisor in pairs
+    ]
     method = Stratified(max(tol, Stratified.least_tol))
-    result = engine_slopes(pupil, grid, by, method.tol, wanted, lambda: method._samples(pupil, grid, tol, wanted))
+    result = engine_slopes(
+        pupil, grid, derivatives, method.tol, wanted, lambda: method._samples(pupil, grid, tol, wanted)
+    )
     if result is None:
         raise Declined(
             "derivatives of light that depends on the azimuth are available in windows up to "
@@ -137,29 +145,34 @@ def _by_circles(
     method: DebyeRings,
     pupil: ObjectivePupil,
     grid: Grid,
-    each: Sequence[tuple[By, float]],
+    pairs: Sequence[tuple[By, float]],
     largest_rates: tuple[float, float, float],
     tol: float,
     wanted: Wanted,
 ) -> Images:
-    """Return samples by DebyeRings, and derivatives, divided by the divisors in `each`."""
+    """Return samples by DebyeRings, and derivatives, divided by the divisors in `pairs`."""
     images, accuracy = method.refined(pupil, grid, tol, wanted)
-    values = np.empty((len(each), *images.values.shape), wanted.dtype)
-    error = np.empty((len(each), len(images.values)))
-    for k, (one, divisor) in enumerate(each):
-        steep, middle = largest_rates[one.which], pupil.layers.middle_rates()[1 + one.which]
-        up, down = (
-            ringed(pupil, grid, accuracy, Wanted(threads=wanted.threads), Turn(one.which + 1, turn / steep, middle))
+    values = np.empty((len(pairs), *images.values.shape), wanted.dtype)
+    error = np.empty((len(pairs), len(images.values)))
+    for k, (entry, divisor) in enumerate(pairs):
+        rate, middle = largest_rates[entry.variable], pupil.layers.middle_rates()[1 + entry.variable]
+        plus, minus = (
+            ringed(
+                pupil, grid, accuracy, Wanted(threads=wanted.threads), Turn(entry.variable + 1, turn / rate, middle)
+            )
             for turn in (1j, -1j)
         )
         # The derivative is twice the difference divided by s = 1 / steep: certificate, section 16, "Derivatives".
-        share = 2.0 * one.factor * steep / divisor
-        own = np.broadcast_to(np.asarray(one.own) / divisor, images.scale.shape)
-        slope = share * (up.values - down.values) * images.scale[:, None, None] + own[:, None, None] * images.values
-        off = up.bound * up.brightest + down.bound * down.brightest
+        factor = 2.0 * entry.factor * rate / divisor
+        image_factor = np.broadcast_to(np.asarray(entry.image_factor) / divisor, images.scale.shape)
+        slope = (
+            factor * (plus.values - minus.values) * images.scale[:, None, None]
+            + image_factor[:, None, None] * images.values
+        )
+        bound = plus.bound * plus.brightest + minus.bound * minus.brightest
         largest = np.abs(slope).reshape(len(slope), -1).max(axis=1) / images.scale
-        error_bound = abs(share) * off + (storing(wanted.dtype) + 2.0**-48) * largest
-        values[k], error[k] = slope, error_bound / images.brightest + np.abs(own) * (images.bound + 1e-12)
+        error_bound = abs(factor) * bound + (storing(wanted.dtype) + 2.0**-48) * largest
+        values[k], error[k] = slope, error_bound / images.brightest + np.abs(image_factor) * (images.bound + 1e-12)
     return images._replace(slopes=Slopes(values, error))
 
 
@@ -167,29 +180,31 @@ def _by_chords(
     method: ChordalDebye,
     pupil: ObjectivePupil,
     grid: Grid,
-    each: Sequence[tuple[By, float]],
+    pairs: Sequence[tuple[By, float]],
     terms: tuple[tuple[int, int], ...],
     tol: float,
     wanted: Wanted,
 ) -> Images:
-    """Return samples by ChordalDebye, and derivatives, divided by the divisors in `each`; Zernike terms come last."""
-    by = chordal_debye.By(tuple(one.which for one, _ in each), terms)
-    images, raw, error_bound, largest = method.differentiated(pupil, grid, tol, wanted, by)
-    steep = (*projection.steepest(pupil.layers, pupil.light.model), 1.0)
-    shares = np.ones(len(raw))
-    shares[: len(each)] = [one.factor * steep[min(one.which, 2)] / divisor for one, divisor in each]
-    raw *= (shares[:, None] * images.scale)[:, :, None, None]
-    error, largest = (np.abs(shares)[:, None] * each for each in (error_bound, largest))
-    for k, (one, divisor) in enumerate(each):
-        if _largest(one.own) > 0.0:
-            own = np.asarray(one.own) / divisor
-            raw[k] += np.broadcast_to(own, images.scale.shape)[:, None, None] * images.values
-            error[k] += np.abs(own) * (images.bound + 1e-12) * images.brightest
-            largest[k] += np.abs(own) * (1.0 + 2.0 * images.bound) * images.brightest
+    """Return samples by ChordalDebye, and derivatives, divided by the divisors in `pairs`; Zernike terms are last."""
+    by = chordal_debye.By(tuple(entry.variable for entry, _ in pairs), terms)
+    images, values, error_bound, largest = method.differentiated(pupil, grid, tol, wanted, by)
+    largest_rates = (*projection.steepest(pupil.layers, pupil.light.model), 1.0)
+    factors = np.ones(len(values))
+    factors[: len(pairs)] = [
+        entry.factor * largest_rates[min(entry.variable, 2)] / divisor for entry, divisor in pairs
+    ]
+    values *= (factors[:, None] * images.scale)[:, :, None, None]
+    error, largest = (np.abs(factors)[:, None] * bounds for bounds in (error_bound, largest))
+    for k, (entry, divisor) in enumerate(pairs):
+        if _largest(entry.image_factor) > 0.0:
+            image_factor = np.asarray(entry.image_factor) / divisor
+            values[k] += np.broadcast_to(image_factor, images.scale.shape)[:, None, None] * images.values
+            error[k] += np.abs(image_factor) * (images.bound + 1e-12) * images.brightest
+            largest[k] += np.abs(image_factor) * (1.0 + 2.0 * images.bound) * images.brightest
     # Rounding errors of storing and of the products with the factors above.
     error += (storing(wanted.dtype) + 2.0**-48) * largest
     error /= images.brightest
-    return images._replace(slopes=Slopes(raw.astype(wanted.dtype, copy=False), error))
+    return images._replace(slopes=Slopes(values.astype(wanted.dtype, copy=False), error))
 
 
 TERMS_BY_CHORDS = (
@@ -198,17 +213,17 @@ TERMS_BY_CHORDS = (
 )
 LAYERED = (Stratified, DebyeRings, ChordalDebye)  # methods with derivatives
 _AXIS = ("row", "column")  # derivatives by the position of the axis
-_OWN = ("z", "depth", "wavelength")  # derivatives by parameters of the planes and of the light
+_PARAMETERS = ("z", "depth", "wavelength")  # derivatives by parameters of the planes and of the light
 
 
 def layered_slopes(
     method: Method, pupil: ObjectivePupil, grid: Grid, names: Sequence[Name], wanted: Wanted, *, energy: bool
 ) -> tuple[Method, Images, list[Slope]]:
     """Return the method, images and their derivatives by checked names."""
-    named = {name: term for name in names if (term := term_of(name)) is not None}
-    _require_available(method, pupil, names, named)
-    terms = tuple(dict.fromkeys(named.values()))
-    kinds = [str(name) for name in dict.fromkeys(names) if name in _OWN]
+    zernike_names = {name: term for name in names if (term := term_of(name)) is not None}
+    _require_available(method, pupil, names, zernike_names)
+    terms = tuple(dict.fromkeys(zernike_names.values()))
+    kinds = [str(name) for name in dict.fromkeys(names) if name in _PARAMETERS]
     axis = any(name in _AXIS for name in names)
     far, by_engine = isinstance(wanted.scale, np.ndarray), pupil.radial and isinstance(method, Stratified)
 
@@ -219,21 +234,21 @@ def layered_slopes(
         images = _radial(method, pupil, grid, kinds, rates(pupil), wanted, axis)
     elif kinds or terms or (axis and grid.integrate and not isinstance(method, Stratified)):
         # The derivative by the wavelength requires tilts of finer samples, which also yield derivatives by the axis.
-        moved = axis and grid.integrate and "wavelength" not in kinds
-        images = sampled_slopes(method, pupil, grid, rates, wanted, terms, moved=moved)
+        by_axis = axis and grid.integrate and "wavelength" not in kinds
+        images = sampled_slopes(method, pupil, grid, rates, wanted, terms, by_axis=by_axis)
     else:
         images = with_model_error(method.images(pupil, grid, wanted), pupil, method, normalized=False)
-    each: dict[Name, Slope] = {}
+    slopes: dict[Name, Slope] = {}
     if images.slopes is not None:  # derivatives by the axis, if present, are last
-        each |= zip((*kinds, *terms, *_AXIS), map(Slope, *images.slopes), strict=False)
-    grows = "wavelength" in kinds and not by_engine
-    if grows or (axis and "row" not in each):
-        each |= _moved(method, pupil, grid, images, wanted, each["wavelength"] if grows else None)
-    return method.reported, images, [each[named.get(name, name)] for name in names]
+        slopes |= zip((*kinds, *terms, *_AXIS), map(Slope, *images.slopes), strict=False)
+    by_wavelength = "wavelength" in kinds and not by_engine
+    if by_wavelength or (axis and "row" not in slopes):
+        slopes |= _axis_slopes(method, pupil, grid, images, wanted, slopes["wavelength"] if by_wavelength else None)
+    return method.reported, images, [slopes[zernike_names.get(name, name)] for name in names]
 
 
 def _require_available(
-    method: Method, pupil: ObjectivePupil, names: Sequence[Name], named: Mapping[Name, Term]
+    method: Method, pupil: ObjectivePupil, names: Sequence[Name], zernike_names: Mapping[Name, Term]
 ) -> None:
     """Raise ValueError for unavailable derivatives, or Declined if another method may have them."""
     if not isinstance(method, LAYERED):
@@ -241,12 +256,12 @@ def _require_available(
             f"derivatives are not available from {type(method).__name__} for an Objective; use Stratified, "
             "ChordalDebye or, with aberrations, DebyeRings"
         )
-    if unknown := [name for name in names if name not in (*_OWN, *_AXIS, *named)]:
+    if unknown := [name for name in names if name not in (*_PARAMETERS, *_AXIS, *zernike_names)]:
         raise ValueError(
             "derivatives of the pupils of an Objective are by 'z', 'depth', 'wavelength', 'row', 'column' or "
             f"Zernike terms, got {unknown[0]!r}"
         )
-    if named and not isinstance(method, ChordalDebye):
+    if zernike_names and not isinstance(method, ChordalDebye):
         raise Declined(TERMS_BY_CHORDS)
     if isinstance(method, Stratified) and not is_supported(pupil.light):
         raise ValueError(
@@ -260,23 +275,23 @@ def _require_available(
         )
 
 
-def _moved(
+def _axis_slopes(
     method: Method, pupil: ObjectivePupil, grid: Grid, images: Images, wanted: Wanted, at_fixed_v: Slope | None
 ) -> dict[Name, Slope]:
     """Return derivatives by the axis and, from the derivative `at_fixed_v`, by the wavelength: section 12."""
     step = grid.step(pupil)
     # A phase that the Zernike terms omit changes fields and their gradients by at most the same amount.
     omitted = 4.0 * pupil.left_out[0]
-    tilts = [(values, off + omitted) for values, off in tilted(method, pupil, grid, wanted.threads, _samples)]
+    tilts = [(values, error + omitted) for values, error in tilted(method, pupil, grid, wanted.threads, _samples)]
     result: dict[Name, Slope] = {
-        name: _stored(step * values, step * off, images, wanted)
-        for name, (values, off) in zip(("column", "row"), tilts, strict=True)
+        name: _stored(step * values, step * error, images, wanted)
+        for name, (values, error) in zip(("column", "row"), tilts, strict=True)
     }
     if at_fixed_v is not None:
-        values, off = scaling_derivative(method, pupil, grid, tilts, wanted.threads, _samples)
+        values, error = scaling_derivative(method, pupil, grid, tilts, wanted.threads, _samples)
         # The omitted phase also grows as the wavelength falls.
-        off = off + 2.0 * pupil.left_out[0]
-        of_place = _stored(values / -pupil.wavelength, off / pupil.wavelength, images, wanted)
+        error = error + 2.0 * pupil.left_out[0]
+        of_place = _stored(values / -pupil.wavelength, error / pupil.wavelength, images, wanted)
         result["wavelength"] = _sum(at_fixed_v, of_place, images, wanted)
     return result
 
@@ -317,12 +332,12 @@ def by_name(name: str, pupil: ObjectivePupil, *, far: bool, energy: bool) -> By:
     model, shares = pupil.light.model, pupil.light.shares
     kind = "depth" if name == "depth" else "wavenumber"
     # Values are divided by the collected light, which also depends on depth and wavenumber.
-    near, above = debye.power(pupil.layers, pupil.depth.ravel(), model, by=kind)
+    rates_at_depth, far_rate = debye.power(pupil.layers, pupil.depth.ravel(), model, by=kind)
     if far:
-        _, whole = debye.power(pupil.layers, np.zeros(0), model)
-        rate = np.full(pupil.power.shape, above @ shares / (whole @ shares))
+        _, far_power = debye.power(pupil.layers, np.zeros(0), model)
+        rate = np.full(pupil.power.shape, far_rate @ shares / (far_power @ shares))
     else:
-        rate = near @ shares / pupil.power
+        rate = rates_at_depth @ shares / pupil.power
     if name == "depth":
         return By(engine.BY_DEPTH, 1.0, -rate)
     # The area of a pixel in v is proportional to wavelength^-2, hence -2.
@@ -341,11 +356,11 @@ def _stored(values: Array, error_bound: Array, images: Images, wanted: Wanted) -
     return Slope(stored, (error_bound + (storing(wanted.dtype) + 2.0**-48) * largest) / images.brightest)
 
 
-def _sum(one: Slope, other: Slope, images: Images, wanted: Wanted) -> Slope:
+def _sum(a: Slope, b: Slope, images: Images, wanted: Wanted) -> Slope:
     """Return the stored sum of two derivatives."""
-    values = one.values.astype(np.float64) + other.values
+    values = a.values.astype(np.float64) + b.values
     largest = np.abs(values).reshape(len(values), -1).max(axis=1) / images.scale / images.brightest
-    return Slope(values.astype(wanted.dtype), one.error + other.error + storing(wanted.dtype) * largest)
+    return Slope(values.astype(wanted.dtype), a.error + b.error + storing(wanted.dtype) * largest)
 
 
 _BY_SERIES = ("z", "depth")  # derivatives of ChordalDebye.gradient(), in addition to terms and shifts
@@ -371,11 +386,12 @@ def layered_gradient(
     by_term = any(name not in SHIFTS for name in _terms_of(tuple(names)))
     if isinstance(method, LAYERED) and (by_term or not isinstance(method, Stratified)):
         results = _gradient_by_chords(method, pupil, grid, names, weights, scale, energy=energy, far=far)
-    if others := [name for name in names if name not in results]:
+    if remaining := [name for name in names if name not in results]:
         wanted = Wanted(scale if far else float(scale[0]))
-        each = layered_slopes(method, pupil, grid, others, wanted, energy=energy)[2]
+        slopes = layered_slopes(method, pupil, grid, remaining, wanted, energy=energy)[2]
         results |= {
-            name: np.einsum("nij,nij->n", weights, slope.values) for name, slope in zip(others, each, strict=True)
+            name: np.einsum("nij,nij->n", weights, slope.values)
+            for name, slope in zip(remaining, slopes, strict=True)
         }
     return results
 
@@ -396,8 +412,8 @@ def _gradient_by_chords(
     kinds: dict[Name, By] = {
         name: by_name(str(name), pupil, far=far, energy=energy) for name in names if name in _BY_SERIES
     }
-    places = {term: k for k, term in enumerate(dict.fromkeys(terms.values()))}
-    by = chordal_debye.By(tuple(one.which for one in kinds.values()), tuple(places))
+    index = {term: k for k, term in enumerate(dict.fromkeys(terms.values()))}
+    by = chordal_debye.By(tuple(entry.variable for entry in kinds.values()), tuple(index))
     if not (terms or kinds):
         return {}
     try:
@@ -406,12 +422,14 @@ def _gradient_by_chords(
         if isinstance(method, ChordalDebye) or any(name not in SHIFTS for name in terms):
             raise ValueError(TERMS_BY_CHORDS) from None
         return {}
-    steep = projection.steepest(pupil.layers, pupil.light.model)
+    largest_rates = projection.steepest(pupil.layers, pupil.light.model)
     results: dict[Name, Array] = {}
-    for (name, one), raw in zip(kinds.items(), sums[1:], strict=False):
-        results[name] = scale * (one.factor * steep[one.which] * raw + one.own * sums[0])
+    for (name, entry), sums_by in zip(kinds.items(), sums[1:], strict=False):
+        results[name] = scale * (
+            entry.factor * largest_rates[entry.variable] * sums_by + entry.image_factor * sums[0]
+        )
     by_term = scale * sums[1 + len(kinds) :]
-    results |= {name: by_term[places[term]] for name, term in terms.items()}
+    results |= {name: by_term[index[term]] for name, term in terms.items()}
     for name in SHIFTS.keys() & terms.keys():
         results[name] = grid.step(pupil) * results[name]
     return results
@@ -420,5 +438,5 @@ def _gradient_by_chords(
 @lru_cache(maxsize=64)
 def _terms_of(names: tuple[Name, ...]) -> Mapping[Name, Term]:
     """Return the Zernike terms by which the names differentiate: a shift is a tilt."""
-    each = {name: name if isinstance(name, tuple) else SHIFTS.get(name) or term_of(name) for name in names}
-    return MappingProxyType({name: term for name, term in each.items() if term})
+    terms = {name: name if isinstance(name, tuple) else SHIFTS.get(name) or term_of(name) for name in names}
+    return MappingProxyType({name: term for name, term in terms.items() if term})

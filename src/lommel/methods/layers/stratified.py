@@ -77,8 +77,8 @@ class Stratified(DebyeWolf):
 
     def images(self, pupil: ObjectivePupil, grid: Grid, wanted: Wanted) -> Images:
         """Return the images of the flattened stack; see :meth:`lommel.Method.images`."""
-        plain = not (wanted.terms or wanted.powers) and (pupil.radial or not grid.integrate)
-        images = differentiated(pupil, grid, (), self.tol, wanted) if plain else None
+        direct = not (wanted.terms or wanted.powers) and (pupil.radial or not grid.integrate)
+        images = differentiated(pupil, grid, (), self.tol, wanted) if direct else None
         return super().images(pupil, grid, wanted) if images is None else images
 
     def _samples(self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
@@ -90,9 +90,9 @@ class Stratified(DebyeWolf):
 class By(NamedTuple):
     """Derivative computed by the engine; see :class:`lommel.core.engine.LayeredSlopes`."""
 
-    which: int  # parameter of the derivative: a constant of the engine
+    variable: int  # parameter of the derivative: a constant of the engine
     factor: float = 1.0
-    own: Array | float = 0.0  # factor of I itself in the derivative, for each plane
+    image_factor: Array | float = 0.0  # factor of I itself in the derivative, for each plane
 
 
 class _Accuracy(NamedTuple):
@@ -112,13 +112,13 @@ def _refine(attempt: Callable[[_Accuracy], tuple[T | None, float]], pupil: Objec
         # Powers of two, so that similar tolerances share angles and tables.
         field = max(_LEAST, 2.0 ** math.floor(math.log2(_FIELD_SHARE * tol * math.sqrt(peak))))
         interpolation = max(_LEAST, 2.0 ** math.floor(math.log2(_INTERPOLATION_SHARE * tol * peak)))
-        result, worst = attempt(_Accuracy(field, interpolation))
-        if result is None or worst <= tol:
+        result, worst_error = attempt(_Accuracy(field, interpolation))
+        if result is None or worst_error <= tol:
             return result
         if field <= _LEAST:
             return None
         # The bound was too large because the peak was estimated too high.
-        peak *= max(1e-6, min(0.25, 0.5 * tol / worst))
+        peak *= max(1e-6, min(0.25, 0.5 * tol / worst_error))
 
 
 def profiles(pupil: ObjectivePupil, v: Array, tol: float) -> tuple[Array, Array] | None:
@@ -151,10 +151,10 @@ def differentiated(pupil: ObjectivePupil, grid: Grid, by: Sequence[By], tol: flo
         field = accuracy.field / 2.0 if grid.integrate else accuracy.field
         slopes = None
         if by:
-            errors, turning = _slopes(_angles_key(pupil, largest_v, field))
-            pairs = np.array([(derivative.which, derivative.factor) for derivative in by])
-            own = np.stack([np.broadcast_to(derivative.own, pupil.power.shape) for derivative in by])
-            slopes = LayeredSlopes(pairs, own, errors, *turning)
+            errors, wavenumber_factors = _derivative_errors(_angles_key(pupil, largest_v, field))
+            variables = np.array([(derivative.variable, derivative.factor) for derivative in by])
+            factors = np.stack([np.broadcast_to(derivative.image_factor, pupil.power.shape) for derivative in by])
+            slopes = LayeredSlopes(variables, factors, errors, *wavenumber_factors)
         stack = layered(pupil, largest_v, field)
         images = layered_images(
             stack, window, accuracy.interpolation, wanted, integrate=grid.integrate, slopes=slopes
@@ -175,8 +175,8 @@ def layered(pupil: ObjectivePupil, largest_v: float, tol: float) -> Layered:
     rule, parts, rates = _angles(_angles_key(pupil, largest_v, tol))
     planes = np.stack([pupil.depth.ravel(), pupil.focus.ravel(), pupil.power])
     harmonics = pupil.light.harmonics
-    turns = np.array([[h.order, h.cosine, h.sine] for h in harmonics], dtype=np.float64)
-    return Layered(rule.rho, parts, rates, rule.error, planes, np.stack([h.form for h in harmonics]), turns)
+    azimuthal = np.array([[h.order, h.cosine, h.sine] for h in harmonics], dtype=np.float64)
+    return Layered(rule.rho, parts, rates, rule.error, planes, np.stack([h.form for h in harmonics]), azimuthal)
 
 
 def _angles_key(pupil: ObjectivePupil, largest_v: float, tol: float) -> _AnglesKey:
@@ -215,7 +215,7 @@ def _angles(key: _AnglesKey) -> tuple[Rule, Complex, Complex]:
 
 
 @lru_cache(maxsize=32)
-def _slopes(key: _AnglesKey) -> tuple[Array, Turning]:
+def _derivative_errors(key: _AnglesKey) -> tuple[Array, Turning]:
     """Return the errors of derivatives of fields computed with these angles, and factors of derivatives by ln k."""
     (layers, model, depths, foci, largest_v, tol), (rule, _, _) = key, _angles(key)
     errors = debye.slope_errors(rule, layers, model, *_corners(layers, depths, foci), largest_v, tol)

@@ -113,7 +113,7 @@ def test_growth_is_off_by_what_tilts_and_finer_samples_are(integrate):
     expected = far[0] * (tilts[0][1] + 8 * U * 0.25) + far[1] * (tilts[1][1] + 8 * U * 0.5)
     if integrate:
         aim = 1e-3 * 1e-6 * least_average(step)
-        plain, growing = averaging_filter(step, aim), averaging_filter(step, aim, growing=True)
+        plain, growing = averaging_filter(step, aim), averaging_filter(step, aim, by_pitch=True)
         bright = PUPIL.amplitude**2
         expected += 2.0 * (2.0 * plain.error + (1.0 + plain.error) * growing.error) * bright
         expected += math.sqrt(8.0) * step * E * (2.0 + E) * bright

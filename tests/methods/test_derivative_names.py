@@ -220,7 +220,7 @@ def test_factors_are_those_of_the_conventions():
     focus = parts("focus_distance", pupil, step, energy=True)
     assert focus.phases[1] == pytest.approx(2.0 * rate / 2.0**2)
     assert focus.scaling == pytest.approx(lens.sensor_distance / 2.0**2)
-    assert focus.own == pytest.approx(2.0 * focus.scaling)
+    assert focus.image == pytest.approx(2.0 * focus.scaling)
 
 
 @pytest.mark.parametrize(

@@ -80,21 +80,21 @@ def fit_taps(response: Function, wave: Function, x: Pixels, *, in_disc: bool = F
     return c, highest, gain
 
 
-def pair_stride(step: float, error: float, across: int, sides: tuple[int, ...], *, in_disc: bool = False) -> int:
-    """Return the number of samples per two pixels: 2 `across`, or fewer if this saves time; `sides` in pixels."""
+def pair_stride(step: float, error: float, stride: int, sides: tuple[int, ...], *, in_disc: bool = False) -> int:
+    """Return the number of samples per two pixels: 2 `stride`, or fewer if this saves time; `sides` in pixels."""
     # Wider spacing requires longer filters, and therefore more samples beyond the edges of the window.
 
-    def cost(s: int) -> float:
-        taps = 2.0 * _half_length(step, error, s, in_disc=in_disc)
-        tall, wide = (0.5 * s * side + taps for side in sides)
-        return tall * wide + (_TAP_COST * taps * sides[0] * (wide + sides[1]) if in_disc else 0.0)
+    def cost(count: int) -> float:
+        taps = 2.0 * _half_length(step, error, count, in_disc=in_disc)
+        rows, columns = (0.5 * count * side + taps for side in sides)
+        return rows * columns + (_TAP_COST * taps * sides[0] * (columns + sides[1]) if in_disc else 0.0)
 
     # At least 2 samples per two pixels: 1 sample would require interpolation half-way, which magnifies errors.
     # Filters with a bounded mean error allow h = pi / 2; others need a gap between band and first alias.
     lower_limit = 2.0 * step / (0.5 * math.pi * (1.0 + 1e-12) if in_disc else _PAIR_SPACING)
-    counts = range(max(2, math.ceil(lower_limit)), 2 * across + 1)
-    cheapest = min((s for s in counts if s % 2 == 0 or 2.0 * step <= s * _PAIR_SPACING), key=cost)
-    return cheapest if cost(cheapest) < (1.0 if in_disc else _PAIR_COST_LIMIT) * cost(2 * across) else 2 * across
+    numbers = range(max(2, math.ceil(lower_limit)), 2 * stride + 1)
+    cheapest = min((count for count in numbers if count % 2 == 0 or 2.0 * step <= count * _PAIR_SPACING), key=cost)
+    return cheapest if cost(cheapest) < (1.0 if in_disc else _PAIR_COST_LIMIT) * cost(2 * stride) else 2 * stride
 
 
 def _half_length(step: float, error: float, s: int, *, in_disc: bool = False) -> int:
@@ -104,8 +104,8 @@ def _half_length(step: float, error: float, s: int, *, in_disc: bool = False) ->
     gap = 1.0 - 4.0 * step / (s * math.pi)
     if in_disc:
         # Without a gap the error falls only as a power of the filter length.
-        far = math.log(0.1 / error) / (3.7 * gap + 0.2) - 3.0 + s % 2
-        return max(s // 4 + 2, int(0.25 * s + min(far, (0.045 / error) ** 0.32)))
+        length = math.log(0.1 / error) / (3.7 * gap + 0.2) - 3.0 + s % 2
+        return max(s // 4 + 2, int(0.25 * s + min(length, (0.045 / error) ** 0.32)))
     return max(s // 4 + 2, int(0.25 * s + math.log(0.1 / error) / (3.4 * gap)) - 2)
 
 
@@ -113,17 +113,17 @@ def fit_pair_weights(
     response: Function, step: float, error: float, s: int, *, in_disc: bool = False
 ) -> tuple[Array, float, float]:
     """Return weights (2, taps) for two pixels that share `s` samples (odd), and their error and gain."""
-    h, half = 2.0 * step / s, _half_length(step, error, s, in_disc=in_disc)
+    h, side = 2.0 * step / s, _half_length(step, error, s, in_disc=in_disc)
     while True:
-        even, largest_error, gain = fit_taps(response, np.cos, h * np.arange(half + 1), in_disc=in_disc)
-        odd, odd_error, odd_gain = fit_taps(response, np.cos, h * (np.arange(half) + 0.5), in_disc=in_disc)
-        largest_error, gain = max(largest_error, odd_error), max(gain, odd_gain)
-        if (largest_error <= error and gain <= 1.5) or half > s + 60:
-            weights = np.zeros((2, 2 * half + s // 2 + 1))
-            weights[0, : 2 * half + 1] = np.concatenate([even[:0:-1], even])
-            weights[1, s // 2 + 1 :] = np.concatenate([odd[::-1], odd])
+        centred, largest_error, gain = fit_taps(response, np.cos, h * np.arange(side + 1), in_disc=in_disc)
+        midway, midway_error, midway_gain = fit_taps(response, np.cos, h * (np.arange(side) + 0.5), in_disc=in_disc)
+        largest_error, gain = max(largest_error, midway_error), max(gain, midway_gain)
+        if (largest_error <= error and gain <= 1.5) or side > s + 60:
+            weights = np.zeros((2, 2 * side + s // 2 + 1))
+            weights[0, : 2 * side + 1] = np.concatenate([centred[:0:-1], centred])
+            weights[1, s // 2 + 1 :] = np.concatenate([midway[::-1], midway])
             return weights, largest_error, gain
-        half += 1 + half // 16 * in_disc
+        side += 1 + side // 16 * in_disc
 
 
 _BLOCK_SAMPLES = 2**23  # largest number of samples held in memory together
@@ -184,17 +184,19 @@ def _averages_at_spacing(
     tol: float,
     wanted: Wanted,
     band: Band | None,
-    widest: float,
+    spacing: float,
     *,
     gradients: bool,
 ) -> Averages:
     # Light of twice the bandwidth requires the filter for twice the pitch; `ceiling` bounds int abs(OTF).
     bandwidth, ceiling = (1.0, pupil.amplitude**2) if band is None else band
     step, normalize = bandwidth * grid.step(pupil), wanted.scale is None
-    lowest = least_average(step)
+    least_ratio = least_average(step)
     tol_stored = error_before_storing(tol, wanted)
     err_samples, err_response = _first_errors(tol_stored, step)
-    in_disc = band is None and not gradients and widest == _FIRST_SPACING and step <= _MAX_PITCH and pupil.within_disc
+    in_disc = (
+        band is None and not gradients and spacing == _FIRST_SPACING and step <= _MAX_PITCH and pupil.within_disc
+    )
     if in_disc:
         # Rounded to a power of two, so that pupils with similar peaks use the same cached filter.
         ceiling, err_response = (
@@ -203,13 +205,13 @@ def _averages_at_spacing(
         )
     # Five attempts: each reduces the allowed errors of samples and filter by the factors by which they were exceeded.
     for _ in range(5):
-        taps, slope = _choose_filters(step, err_response, widest, grid.shape, gradients=gradients, in_disc=in_disc)
+        taps, slope = _choose_filters(step, err_response, spacing, grid.shape, gradients=gradients, in_disc=in_disc)
         tol_samples = err_samples / taps.gain**2
-        err_single, dark = _dark_samples(
-            taps, _DARK_PART * tol_stored * lowest if tol_samples >= _SINGLE_TOL else 0.0
+        err_single, limit = _dark_samples(
+            taps, _DARK_PART * tol_stored * least_ratio if tol_samples >= _SINGLE_TOL else 0.0
         )
         try:
-            total, err_given, peaks = _average_stack(sample, pupil, grid, tol_samples, taps, wanted, dark, slope)
+            total, err_input, peaks = _average_stack(sample, pupil, grid, tol_samples, taps, wanted, limit, slope)
         except ToleranceError as fault:
             # Filtering multiplies the errors of samples by the squared gain: certificate, section 10.
             bound = math.inf if fault.bound is None else tol * fault.bound / tol_samples
@@ -218,44 +220,44 @@ def _averages_at_spacing(
         tops = total[0].max(axis=(1, 2))
         rounding = (2 * taps.weights.shape[-1] + 8) * 2.0**-53 * taps.gain**2
         err_filter = (2.0 + taps.error) * taps.error * ceiling
-        err_own = err_filter + (rounding + 1.01 * err_single) * peaks[0]
+        err_added = err_filter + (rounding + 1.01 * err_single) * peaks[0]
         # The largest average in the plane is at least `lowest` times the peak of I: section 10, "Relative to what".
-        peak = tops if normalize else np.maximum(tops, lowest * peaks[0])
+        peak = tops if normalize else np.maximum(tops, least_ratio * peaks[0])
         if not peak.min() > 0:
             break
-        relative = (err_given[0] + err_own) / peak
+        relative = (err_input[0] + err_added) / peak
         bounds = stored_error(relative, wanted)
         if largest(bounds) <= tol:
             # The OTFs of derivatives by terms have at most twice the modulus of the unaberrated OTF: section 8.
-            errors = err_given + 2.0 * err_filter + rounding * peaks
+            errors = err_input + 2.0 * err_filter + rounding * peaks
             if slope is not None:
                 # The responses of the derivative and averaging filters are at most 2 and 1: section 12, "Shifts".
                 slope_error = (slope.error * (1.0 + taps.error) + 2.0 * taps.error) * ceiling
                 rounding = (4 * taps.weights.size + 16) * 2.0**-53 * taps.gain * slope.gain
-                errors[-2:] = err_given[-2:] + slope_error + rounding * peaks[-2:]
+                errors[-2:] = err_input[-2:] + slope_error + rounding * peaks[-2:]
             errors /= peak
             errors[0] = bounds
             return Averages(total, errors, peak)
-        too_large = float((err_given[0] / peak).max()) / (0.5 * tol_stored)
+        excess = float((err_input[0] / peak).max()) / (0.5 * tol_stored)
         # If only the filter is too inaccurate, keep the tolerance of samples: a smaller tolerance may fail.
-        if too_large > 1.0 and err_samples >= _SINGLE_TOL * taps.gain**2:
+        if excess > 1.0 and err_samples >= _SINGLE_TOL * taps.gain**2:
             # Errors in single precision do not predict errors in double precision: the next tolerance is at the
             # limit.
             err_samples = 0.9 * _SINGLE_TOL
-        elif too_large > 1.0:
-            err_samples /= too_large
-        err_response *= min(1.0, 0.2 * tol_stored / float((err_own / peak).max()))
+        elif excess > 1.0:
+            err_samples /= excess
+        err_response *= min(1.0, 0.2 * tol_stored / float((err_added / peak).max()))
     raise not_met(tol, 1.0 if not peak.min() > 0 else float(bounds.max()), "the largest value in the window")
 
 
 def _choose_filters(
-    step: float, error: float, widest: float, shape: tuple[int, int], *, gradients: bool, in_disc: bool
+    step: float, error: float, spacing: float, shape: tuple[int, int], *, gradients: bool, in_disc: bool
 ) -> tuple[Taps, Taps | None]:
     """Return an averaging filter with the allowed `error`, and a derivative filter if `gradients`, else None."""
     if gradients:
-        return _average_and_slope_filters(step, error, widest)
-    if widest < _FIRST_SPACING:
-        return averaging_filter(step, error, widest), None
+        return _average_and_slope_filters(step, error, spacing)
+    if spacing < _FIRST_SPACING:
+        return averaging_filter(step, error, spacing), None
     return _cheapest_filter(step, error, shape, in_disc=in_disc), None
 
 
@@ -275,17 +277,17 @@ def error_before_storing(tol: float, wanted: Wanted) -> float:
     return (0.4 if wanted.scale is None else 1.0) * (tol - (1.0 + tol) * storing(wanted.dtype))
 
 
-def stored_error(off: Array, wanted: Wanted) -> Array:
-    """Return the error of stored images from the error `off` of averages, both relative to the peak."""
-    return stored(normalized_error(off) if wanted.scale is None else off, wanted.dtype)
+def stored_error(error: Array, wanted: Wanted) -> Array:
+    """Return the error of stored images from the `error` of averages, both relative to the peak."""
+    return stored(normalized_error(error) if wanted.scale is None else error, wanted.dtype)
 
 
 def _first_errors(allowed: float, step: float) -> tuple[float, float]:
     """Estimate the errors of samples and of a filter response that keep averages within the error `allowed`."""
     # Assumptions: the largest average is 4 times its lower bound, and the Strehl ratio is not small.
-    lowest = least_average(step)
+    least_ratio = least_average(step)
     # Half of the error is for samples, 0.002 for the response, whose error is multiplied by the peak intensity.
-    return 0.5 * allowed * min(4.0 * lowest, 1.0), 2e-3 * allowed * lowest
+    return 0.5 * allowed * min(4.0 * least_ratio, 1.0), 2e-3 * allowed * least_ratio
 
 
 _FAR_FRACTION = 0.7  # fraction of the tolerance that far pixels may use, if the peak is as estimated
@@ -295,8 +297,8 @@ _MIN_SAVED_SAMPLES = 250000  # least number of samples that far pixels must save
 @lru_cache(maxsize=64)
 def largest_far_start(step: float, shape: tuple[int, int]) -> float:
     """Return the largest v at which far pixels may start such that they save time; 0 if they cannot save time."""
-    inside = math.prod(shape) - _MIN_SAVED_SAMPLES * (_PAIR_SPACING / step) ** 2
-    return 0.5 * step * max(0.0, min(math.sqrt(max(0.0, inside)), *shape), inside / min(shape))
+    count = math.prod(shape) - _MIN_SAVED_SAMPLES * (_PAIR_SPACING / step) ** 2
+    return 0.5 * step * max(0.0, min(math.sqrt(max(0.0, count)), *shape), count / min(shape))
 
 
 def estimate_far_start(pupil: Pupil, grid: Grid, tol: float) -> float:
@@ -323,32 +325,34 @@ def _near_and_far(
     tol_far = _FAR_FRACTION * allowed
     for _ in range(3):
         try:
-            outer = far(pupil, grid, far_limit, tol_far, wanted.threads)
-            inside = [
+            far_part = far(pupil, grid, far_limit, tol_far, wanted.threads)
+            slices = [
                 slice(
-                    max(0, math.floor((axis - outer.nearest).min())),
-                    min(side, math.ceil((axis + outer.nearest).max()) + 1),
+                    max(0, math.floor((axis - far_part.nearest).min())),
+                    min(side, math.ceil((axis + far_part.nearest).max()) + 1),
                 )
-                for axis, side in zip(outer.axes.T, grid.shape, strict=True)
+                for axis, side in zip(far_part.axes.T, grid.shape, strict=True)
             ]
-            shape = tuple(max(0, part.stop - part.start) for part in inside)
+            shape = tuple(max(0, part.stop - part.start) for part in slices)
             if not 0 < math.prod(shape) < math.prod(grid.shape):
                 return None
-            center = [middle - part.start for middle, part in zip(grid.center, inside, strict=True)]
+            center = [middle - part.start for middle, part in zip(grid.center, slices, strict=True)]
             box = Grid((shape[0], shape[1]), grid.side, center=(center[0], center[1]), integrate=True)
         except (Declined, ToleranceError):
             return None
         try:
-            inner = pixel_averages(sample, pupil, box, tol, wanted)  # Declined is not caught: it concerns all pixels
+            near_part = pixel_averages(sample, pupil, box, tol, wanted)  # Declined is not caught
         except ToleranceError:
             return None  # the whole window may meet the tolerance, since its peak may be larger
-        err_outer = outer.error / inner.peak
+        err_outer = far_part.error / near_part.peak
         bounds = stored_error(err_outer, wanted)
         if bounds.max() <= tol:
-            outer.values[:, inside[0], inside[1]] = inner.values[0]
+            far_part.values[:, slices[0], slices[1]] = near_part.values[0]
             # The divisor is the largest average of the whole window, far pixels included.
-            top = outer.values.max(axis=(1, 2)) if wanted.scale is None else inner.peak
-            return Averages(outer.values[None], np.maximum(inner.error, bounds), np.maximum(inner.peak, top))
+            tops = far_part.values.max(axis=(1, 2)) if wanted.scale is None else near_part.peak
+            return Averages(
+                far_part.values[None], np.maximum(near_part.error, bounds), np.maximum(near_part.peak, tops)
+            )
         tol_far *= 0.8 * allowed / float(err_outer.max())
     return None
 
@@ -365,8 +369,8 @@ def averaged_images(
     """Return point samples or, if `grid` integrates, pixel averages; `far` computes averages of far pixels."""
     if not grid.integrate:
         return sample(pupil, grid, tol, wanted)
-    joined = None if far is None else _near_and_far(sample, far, pupil, grid, tol, wanted)
-    return to_images(pixel_averages(sample, pupil, grid, tol, wanted, band) if joined is None else joined, wanted)
+    averages = None if far is None else _near_and_far(sample, far, pupil, grid, tol, wanted)
+    return to_images(pixel_averages(sample, pupil, grid, tol, wanted, band) if averages is None else averages, wanted)
 
 
 def to_images(averages: Averages, wanted: Wanted) -> Images:
@@ -404,29 +408,29 @@ class Taps(NamedTuple):
         return int(self.weights.shape[-1] - (self.pixels - 1) * (self.stride // 2)) // 2
 
 
-def samples_across(step: float, widest: float = _FIRST_SPACING) -> int:
-    """Return the number of samples across a pixel of pitch `step` in v, with a spacing of at most `widest`."""
+def samples_across(step: float, spacing: float = _FIRST_SPACING) -> int:
+    """Return the number of samples across a pixel of pitch `step` in v, with a spacing of at most `spacing`."""
     if step > _MAX_STRIDE * _FIRST_SPACING:
         raise Declined(
             f"pixel must be at most {_MAX_STRIDE * _FIRST_SPACING / math.pi:.0f} lambda*N to average a pupil "
             f"without radial symmetry, got {step / math.pi:.4g} lambda*N; use smaller pixels, "
             "and average blocks of them"
         )
-    return max(1, math.ceil(step / widest))
+    return max(1, math.ceil(step / spacing))
 
 
 @lru_cache(maxsize=64)
-def averaging_filter(step: float, error: float, widest: float = _FIRST_SPACING, *, growing: bool = False) -> Taps:
-    """Return a filter for averages over pixels of pitch `step`, with samples at most `widest` apart (both in v).
+def averaging_filter(step: float, error: float, spacing: float = _FIRST_SPACING, *, by_pitch: bool = False) -> Taps:
+    """Return a filter for averages over pixels of pitch `step`, with samples at most `spacing` apart (both in v).
 
-    If `growing`, the filter computes derivatives of averages by ln a: response ``cos(a w / 2) - sinc(a w / 2)``.
+    If `by_pitch`, the filter computes derivatives of averages by ln a: response ``cos(a w / 2) - sinc(a w / 2)``.
     """
 
     def response(w: Array) -> Array:
         mean = _sinc(step)(w)
-        return np.cos(0.5 * step * w) - mean if growing else mean
+        return np.cos(0.5 * step * w) - mean if by_pitch else mean
 
-    return _shortest_filter(response, np.cos, step, error, widest, 3.0 if growing else 1.5)
+    return _shortest_filter(response, np.cos, step, error, spacing, 3.0 if by_pitch else 1.5)
 
 
 def _sinc(step: float) -> Callable[[Array], Array]:
@@ -445,7 +449,7 @@ def _cheapest_filter(step: float, error: float, shape: tuple[int, int], *, in_di
 
 
 @lru_cache(maxsize=64)
-def slope_filter(step: float, error: float, *, averages: bool, widest: float = _FIRST_SPACING) -> Taps:
+def slope_filter(step: float, error: float, *, averages: bool, spacing: float = _FIRST_SPACING) -> Taps:
     """Return a filter for derivatives by v along an axis: of pixel averages or, without `averages`, of I.
 
     The response, divided by i, is ``w sinc(a w / 2)`` or w.
@@ -454,7 +458,7 @@ def slope_filter(step: float, error: float, *, averages: bool, widest: float = _
     def response(w: Array) -> Array:
         return w * np.sinc(0.5 * step / math.pi * w) if averages else w
 
-    return _shortest_filter(response, np.sin, step, error, widest, 6.0)
+    return _shortest_filter(response, np.sin, step, error, spacing, 6.0)
 
 
 def _shortest_filter(
@@ -462,34 +466,34 @@ def _shortest_filter(
     wave: Function,
     step: float,
     error: float,
-    widest: float,
+    spacing: float,
     max_gain: float,
     *,
     in_disc: bool = False,
 ) -> Taps:
     """Return the shortest filter with at most this `error` and gain `max_gain`, else the longest filter tried."""
-    stride = samples_across(step, widest)
-    half, odd = _half_length(step, error, 2 * stride, in_disc=True) if in_disc else stride // 2 + 2, wave is np.sin
+    stride = samples_across(step, spacing)
+    side, is_odd = _half_length(step, error, 2 * stride, in_disc=True) if in_disc else stride // 2 + 2, wave is np.sin
     while True:
-        c, reached, gain = fit_taps(response, wave, step / stride * np.arange(half + 1), in_disc=in_disc)
+        c, max_error, gain = fit_taps(response, wave, step / stride * np.arange(side + 1), in_disc=in_disc)
         # A filter with too few samples beyond the edges of a pixel may have large weights, which magnify errors.
-        if (reached <= error and gain <= max_gain) or half > stride + 60:
+        if (max_error <= error and gain <= max_gain) or side > stride + 60:
             # Sine filters are odd: weights before the centre have the opposite sign.
-            return Taps(stride, np.concatenate([-c[:0:-1] if odd else c[:0:-1], c]), reached, gain)
-        half += 1 + half // 16 * in_disc
+            return Taps(stride, np.concatenate([-c[:0:-1] if is_odd else c[:0:-1], c]), max_error, gain)
+        side += 1 + side // 16 * in_disc
 
 
 @lru_cache(maxsize=64)
-def _average_and_slope_filters(step: float, error: float, widest: float) -> tuple[Taps, Taps]:
+def _average_and_slope_filters(step: float, error: float, spacing: float) -> tuple[Taps, Taps]:
     """Return an averaging filter with the allowed `error` and a derivative filter, of equal length."""
-    averaging = averaging_filter(step, error, widest)
-    return pad_filters(averaging, slope_filter(step, _SLOPE_FACTOR * error, averages=True, widest=widest))
+    averaging = averaging_filter(step, error, spacing)
+    return pad_filters(averaging, slope_filter(step, _SLOPE_FACTOR * error, averages=True, spacing=spacing))
 
 
-def pad_filters(one: Taps, other: Taps) -> tuple[Taps, Taps]:
+def pad_filters(a: Taps, b: Taps) -> tuple[Taps, Taps]:
     """Return two filters padded with zeros to the same number of weights."""
-    size = max(one.weights.size, other.weights.size)
-    return tuple(t._replace(weights=np.pad(t.weights, (size - t.weights.size) // 2)) for t in (one, other))  # type: ignore[return-value]
+    size = max(a.weights.size, b.weights.size)
+    return tuple(taps._replace(weights=np.pad(taps.weights, (size - taps.weights.size) // 2)) for taps in (a, b))  # type: ignore[return-value]
 
 
 def _average_stack(
@@ -499,12 +503,12 @@ def _average_stack(
     tol: float,
     taps: Taps,
     wanted: Wanted,
-    dark: float,
+    dark_limit: float,
     slope: Taps | None = None,
 ) -> tuple[Array, Array, Array]:
     """Return averages in the order of :class:`Averages`, their errors due to errors of samples, and largest samples.
 
-    Samples of at most `dark` times the peak are summed in single precision. If the filter `slope` is present,
+    Samples of at most `dark_limit` times the peak are summed in single precision. If the filter `slope` is present,
     the last two entries of the first axis are derivatives along y and x.
     """
     count, images = math.prod(pupil.shape), 1 + len(wanted.terms) + len(wanted.powers)
@@ -512,28 +516,28 @@ def _average_stack(
     request = Wanted(dtype=dtype, threads=wanted.threads, terms=wanted.terms, powers=wanted.powers)
     arrays = images + (0 if slope is None else 2)
     total, error, peaks = np.empty((arrays, count, *grid.shape)), np.zeros((arrays, count)), np.zeros((arrays, count))
-    for part, one, pixels in blocks(pupil, grid, taps, images):
-        for fine, rows in _sample_strips(total[:, part], pixels, taps):
+    for part, pupils, pixels in blocks(pupil, grid, taps, images):
+        for fine_grid, rows in _sample_strips(total[:, part], pixels, taps):
             # Strips limit the memory for samples. Errors and peaks are the largest of all strips.
-            sampled = sample(one, fine, tol, request)
+            sampled = sample(pupils, fine_grid, tol, request)
             err = sampled.bound * sampled.brightest
             error[0, part] = np.maximum(error[0, part], taps.gain**2 * err)
             peaks[0, part] = np.maximum(peaks[0, part], sampled.brightest - err)
-            limit = dark * float(sampled.brightest.min())
+            limit = dark_limit * float(sampled.brightest.min())
             average_samples(sampled.values, _weight_rows(taps), taps.stride, wanted.threads, rows[0], dark=limit)
             if slope is not None:
                 error[-2:, part] = np.maximum(error[-2:, part], taps.gain * slope.gain * err)
                 peaks[-2:, part] = np.maximum(peaks[-2:, part], sampled.brightest + err)
-                for down, across, out in ((slope, taps, rows[-2]), (taps, slope, rows[-1])):
-                    _filter_into(sampled.values, down, across, wanted.threads, out)
+                for row_filter, column_filter, out in ((slope, taps, rows[-2]), (taps, slope, rows[-1])):
+                    _filter_into(sampled.values, row_filter, column_filter, wanted.threads, out)
             if sampled.slopes is None:
                 continue
             steepest = np.abs(sampled.slopes.values).max(axis=(2, 3))
             peaks[1:images, part] = np.maximum(peaks[1:images, part], steepest)
             err = taps.gain**2 * sampled.slopes.error * sampled.brightest
             error[1:images, part] = np.maximum(error[1:images, part], err)
-            for slopes, out in zip(sampled.slopes.values, rows[1:images], strict=True):
-                average_samples(slopes, _weight_rows(taps), taps.stride, wanted.threads, out, -math.inf)
+            for derivative, out in zip(sampled.slopes.values, rows[1:images], strict=True):
+                average_samples(derivative, _weight_rows(taps), taps.stride, wanted.threads, out, -math.inf)
     return total, error, peaks
 
 
@@ -544,8 +548,8 @@ def average_strips(
 
     `samples` returns k arrays for a grid. The first is an intensity; the others may be negative.
     """
-    for fine, rows in _sample_strips(out, grid, taps):
-        for k, values in enumerate(samples(fine)):
+    for fine_grid, rows in _sample_strips(out, grid, taps):
+        for k, values in enumerate(samples(fine_grid)):
             average_samples(values, _weight_rows(taps), taps.stride, threads, rows[k], -math.inf if k else 0.0)
 
 
@@ -567,14 +571,14 @@ def averaged_gradient(
     # one of :func:`pixel_averages`, which mostly suffices.
     err_samples, response = _first_errors(tol - (1.0 + tol) * storing(np.float64), grid.step(pupil))
 
-    def with_spacing(widest: float) -> Array:
-        taps = averaging_filter(grid.step(pupil), response, widest)
+    def with_spacing(spacing: float) -> Array:
+        taps = averaging_filter(grid.step(pupil), response, spacing)
         gradients = []
-        for part, one, pixels in blocks(pupil, grid, taps):
+        for part, pupils, pixels in blocks(pupil, grid, taps):
             sums: float | Array = 0.0
             for y, rows in _row_strips(weights[part], taps):
-                fine = _strip_grid(pixels, y, rows.shape[1], taps)
-                sums += gradient(one, fine, err_samples / taps.gain**2, spread_out(rows, taps))
+                fine_grid = _strip_grid(pixels, y, rows.shape[1], taps)
+                sums += gradient(pupils, fine_grid, err_samples / taps.gain**2, spread_out(rows, taps))
             gradients.append(sums)
         return np.concatenate(gradients)
 
@@ -632,10 +636,10 @@ def _strip_grid(grid: Grid, row: int, height: int, taps: Taps) -> Grid:
 
 
 @lru_cache(maxsize=64)
-def _refined_grid(grid: Grid, row: int, shape: tuple[int, int], across: float, margin: int) -> Grid:
-    """Return a grid with `across` samples per pixel that begins `margin` samples before the first pixel centre."""
+def _refined_grid(grid: Grid, row: int, shape: tuple[int, int], density: float, margin: int) -> Grid:
+    """Return a grid with `density` samples per pixel that begins `margin` samples before the first pixel centre."""
     y, x = grid.center
-    return Grid(shape, grid.side / across, center=((y - row) * across + margin, x * across + margin))
+    return Grid(shape, grid.side / density, center=((y - row) * density + margin, x * density + margin))
 
 
 def sample_grid(grid: Grid, taps: Taps) -> Grid:
@@ -650,7 +654,7 @@ def blocks(pupil: P, grid: Grid, taps: Taps, images: int = 1) -> Iterator[tuple[
     if count <= count_per_block:
         yield slice(0, count), pupil, grid
         return
-    for first in range(0, count, count_per_block):
-        part = slice(first, min(first + count_per_block, count))
-        which = np.unravel_index(np.arange(part.start, part.stop), pupil.shape)
-        yield part, pupil[which], grid[which] if grid.stack else grid
+    for start in range(0, count, count_per_block):
+        part = slice(start, min(start + count_per_block, count))
+        index = np.unravel_index(np.arange(part.start, part.stop), pupil.shape)
+        yield part, pupil[index], grid[index] if grid.stack else grid

@@ -47,7 +47,7 @@ class Parts(NamedTuple):
 
     # Factors of derivatives by coefficients: of rho^(2k) under the key k, of a Zernike term under the key (n, m).
     phases: Mapping[int | Term, Factor] = MappingProxyType({})
-    own: Factor = 0.0  # factor of the image itself
+    image: Factor = 0.0  # factor of the image itself
     scaling: Factor = 0.0  # factor of scale * (v . grad I)
     obscuration: float = 0.0  # factor of scale * (derivative of I by the obscuration)
     unknown: float = 0.0  # factor of the derivative by the phase outside of the terms, divided by a bound on it
@@ -126,7 +126,7 @@ def parts(name: Name, pupil: Pupil, step: float, *, energy: bool) -> Parts:
         return Parts({SHIFTS[name]: step})
     if name in LAYERED:
         raise ValueError(f"derivatives by {name!r} need the pupil of an Objective; use Objective.pupil")
-    return _OTHERS[name](pupil, -2.0 if energy else 0.0)
+    return _BY_NAME[name](pupil, -2.0 if energy else 0.0)
 
 
 # Arguments of the following functions: a pupil, and `scale_rate`, the derivative d ln scale / d ln N.
@@ -135,7 +135,7 @@ def parts(name: Name, pupil: Pupil, step: float, *, energy: bool) -> Parts:
 def _f_number(pupil: Pupil, scale_rate: float) -> Parts:
     # v = pi x / (lambda N) falls as 1 / N: the image grows, -v . grad I / N.
     n = _metric("f_number", pupil)[1]
-    return Parts(own=scale_rate / n, scaling=-1.0 / n)
+    return Parts(image=scale_rate / n, scaling=-1.0 / n)
 
 
 def _wavelength(pupil: Pupil, scale_rate: float) -> Parts:
@@ -153,7 +153,7 @@ def _obscuration(pupil: Pupil, scale_rate: float) -> Parts:
     edge = float(pupil.illumination.at(np.array(eps * eps)))
     # Relative decrease of the normalisation: of the transmission ("energy") or of the squared amplitude.
     decrease = 2.0 * eps * edge**2 / pupil.transmission if scale_rate else 4.0 * eps * edge / pupil.amplitude
-    return Parts(own=decrease, obscuration=1.0 if eps else 0.0)
+    return Parts(image=decrease, obscuration=1.0 if eps else 0.0)
 
 
 def _object_distance(pupil: Pupil, _: float) -> Parts:
@@ -168,14 +168,14 @@ def _focus_distance(pupil: Pupil, scale_rate: float) -> Parts:
     return Parts({1: 2.0 * rate * lens.in_focus**2}, scale_rate * log_n_rate, -log_n_rate)
 
 
-_OTHERS: dict[str, Callable[[Pupil, float], Parts]] = {
+_BY_NAME: dict[str, Callable[[Pupil, float], Parts]] = {
     "wavelength": _wavelength,
     "f_number": _f_number,
     "obscuration": _obscuration,
     "object_distance": _object_distance,
     "focus_distance": _focus_distance,
 }
-_TEXTS = (*POWERS, *SHIFTS, *_OTHERS, *LAYERED)
+_TEXTS = (*POWERS, *SHIFTS, *_BY_NAME, *LAYERED)
 
 
 def _metric(name: str, pupil: Pupil) -> tuple[float, float]:

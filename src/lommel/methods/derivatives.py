@@ -42,7 +42,7 @@ from lommel.special import zernike
 
 TILTS = SHIFTS["column"], SHIFTS["row"]  # tilts along x and y; the derivatives of I by them are -grad I
 
-_FINER = 0.1  # tolerance of samples / tolerance of the derivative, since filters multiply errors by about 4
+_SAMPLE_TOL = 0.1  # tolerance of samples / tolerance of the derivative, since filters multiply errors by about 4
 
 # Signature: method, pupils, pixels, specification -> samples with error bounds.
 Sampler = Callable[[Method, BasePupil, Grid, Wanted], Images]
@@ -69,16 +69,16 @@ def scaling_derivative(
     """Return ``v . grad I``, or its averages, from the derivatives of I by :data:`TILTS`, with absolute bounds."""
     count, step = math.prod(pupil.shape), grid.step(pupil)
     total, error = np.zeros((count, *grid.shape)), np.zeros(count)
-    across, down = (step / grid.side * part for part in grid.positions(pupil.shape))
-    for v, (slope, off) in zip((across[:, None, :], down[:, :, None]), tilts, strict=True):
+    vx, vy = (step / grid.side * part for part in grid.positions(pupil.shape))
+    for v, (slope, bound) in zip((vx[:, None, :], vy[:, :, None]), tilts, strict=True):
         total -= v * slope
         # Errors of grad I are multiplied by v, at most the largest v of the window.
-        far = np.abs(v).max(axis=(1, 2))
-        error += far * (off + 8.0 * 2.0**-53 * np.abs(slope).max(axis=(1, 2)))
+        largest_v = np.abs(v).max(axis=(1, 2))
+        error += largest_v * (bound + 8.0 * 2.0**-53 * np.abs(slope).max(axis=(1, 2)))
     if grid.integrate:
-        values, off = _average_growth(engine, pupil, grid, threads, compute)
+        values, bound = _average_growth(engine, pupil, grid, threads, compute)
         total += values
-        error += off
+        error += bound
     return total, error
 
 
@@ -89,19 +89,19 @@ def _average_growth(
     step = grid.step(pupil)
     # The filter may add an error of a thousandth of the tolerance; below 1e-13 rounding errors dominate.
     response = max(1e-3 * engine.tol * least_average(step), 1e-13)
-    plain, growing = pad_filters(averaging_filter(step, response), averaging_filter(step, response, growing=True))
+    mean, scaling = pad_filters(averaging_filter(step, response), averaging_filter(step, response, by_pitch=True))
     # Bound for both terms, as responses are at most 2: 2 (2 eps + (1 + eps) eps_T) A^2 (section 12, "Growth").
-    truncation = 2.0 * (2.0 * plain.error + growing.error * (1.0 + plain.error)) * pupil.amplitude**2
+    truncation = 2.0 * (2.0 * mean.error + scaling.error * (1.0 + mean.error)) * pupil.amplitude**2
     # A phase (or relative amplitude) error e changes U and grad U by at most e int A; abs(u) <= a / sqrt(2).
-    of_phase, of_light = pupil.left_out
-    omitted = of_phase + 2.0 * of_light
+    phase_error, light_error = pupil.left_out
+    omitted = phase_error + 2.0 * light_error
     truncation += math.sqrt(8.0) * step * omitted * (2.0 + omitted) * pupil.amplitude**2
     count = math.prod(pupil.shape)
     total, error = np.empty((count, *grid.shape)), np.empty(count)
-    for part, values, off in _sample_blocks(engine, pupil, grid, plain, threads, compute):
-        total[part] = filter_axes(values, plain, growing, threads)
-        total[part] += filter_axes(values, growing, plain, threads)
-        error[part] = 2.0 * plain.gain * growing.gain * off + truncation
+    for part, values, bound in _sample_blocks(engine, pupil, grid, mean, threads, compute):
+        total[part] = filter_axes(values, mean, scaling, threads)
+        total[part] += filter_axes(values, scaling, mean, threads)
+        error[part] = 2.0 * mean.gain * scaling.gain * bound + truncation
     return total, error
 
 
@@ -112,31 +112,31 @@ def tilted(
     step = grid.step(pupil)
     response = max(1e-3 * engine.tol * (least_average(step) if grid.integrate else 1.0), 1e-13)
     slope = slope_filter(step, response, averages=grid.integrate)
-    plain = averaging_filter(step, response) if grid.integrate else Taps(slope.stride, np.ones(1), 0.0, 1.0)
-    slope, plain = pad_filters(slope, plain)
+    mean = averaging_filter(step, response) if grid.integrate else Taps(slope.stride, np.ones(1), 0.0, 1.0)
+    slope, mean = pad_filters(slope, mean)
     # The responses of the derivative and averaging filters are at most 2 and 1 within the band: section 12, "Shifts".
-    truncation = (slope.error * (1.0 + plain.error) + 2.0 * plain.error) * pupil.amplitude**2
+    truncation = (slope.error * (1.0 + mean.error) + 2.0 * mean.error) * pupil.amplitude**2
     count = math.prod(pupil.shape)
-    (across, down), error = np.empty((2, count, *grid.shape)), np.empty(count)
-    for part, values, off in _sample_blocks(engine, pupil, grid, plain, threads, compute):
-        across[part], down[part] = (
-            filter_axes(values, plain, slope, threads),
-            filter_axes(values, slope, plain, threads),
+    (dx, dy), error = np.empty((2, count, *grid.shape)), np.empty(count)
+    for part, values, bound in _sample_blocks(engine, pupil, grid, mean, threads, compute):
+        dx[part], dy[part] = (
+            filter_axes(values, mean, slope, threads),
+            filter_axes(values, slope, mean, threads),
         )
-        error[part] = plain.gain * slope.gain * off + truncation
-    return [(-across, error), (-down, error)]
+        error[part] = mean.gain * slope.gain * bound + truncation
+    return [(-dx, error), (-dy, error)]
 
 
 def _sample_blocks(
     engine: Method, pupil: BasePupil, grid: Grid, taps: Taps, threads: int, compute: Sampler
 ) -> Iterator[tuple[slice, Array, Array]]:
     """Yield blocks of pupils: slice, samples of I for the filter, absolute bounds (with rounding of filter sums)."""
-    fine, rounded = engine.tightened(_FINER * engine.tol), (4 * taps.weights.size + 16) * 2.0**-53
-    for part, one, pixels in blocks(pupil, grid, taps):
-        question = one, sample_grid(pixels, taps), Wanted(threads=threads)
+    finer, rounding = engine.tightened(_SAMPLE_TOL * engine.tol), (4 * taps.weights.size + 16) * 2.0**-53
+    for part, pupils, pixels in blocks(pupil, grid, taps):
+        arguments = pupils, sample_grid(pixels, taps), Wanted(threads=threads)
         # If double precision does not allow the smaller tolerance, the tolerance of the method is used.
-        _, images = first_within_tolerance((fine, engine), lambda way: compute(way, *question))  # noqa: B023
-        yield part, images.values, images.brightest * (images.bound + rounded)
+        _, images = first_within_tolerance((finer, engine), lambda method: compute(method, *arguments))  # noqa: B023
+        yield part, images.values, images.brightest * (images.bound + rounding)
 
 
 # The field of the rim of the obscuration, equal to ``-dU/d eps``, is
@@ -162,14 +162,14 @@ def obscuration_derivative(pupil: Pupil, grid: Grid, error: float) -> tuple[Arra
         return _sample_slopes(pupil, grid, error)
     step = grid.step(pupil)
     taps = averaging_filter(step, max(0.1 * error * least_average(step), 1e-13))
-    total, off = np.empty((count, *grid.shape)), np.empty(count)
+    total, bounds = np.empty((count, *grid.shape)), np.empty(count)
     # Bound on the integral of the modulus of the transfer function of the product of two fields.
     ceiling = 2.0 * pupil.amplitude * _rim_maximum(pupil)
-    for part, one, pixels in blocks(pupil, grid, taps):
-        values, sample_error = _sample_slopes(one, sample_grid(pixels, taps), 0.3 * error)
+    for part, pupils, pixels in blocks(pupil, grid, taps):
+        values, sample_error = _sample_slopes(pupils, sample_grid(pixels, taps), 0.3 * error)
         total[part] = filter_axes(values, taps, taps)
-        off[part] = taps.gain**2 * (sample_error + (2 * taps.weights.size + 8) * _UNIT * ceiling)
-    return total, off + (2.0 + taps.error) * taps.error * ceiling
+        bounds[part] = taps.gain**2 * (sample_error + (2 * taps.weights.size + 8) * _UNIT * ceiling)
+    return total, bounds + (2.0 + taps.error) * taps.error * ceiling
 
 
 def _rim_maximum(pupil: Pupil) -> float:
@@ -179,52 +179,52 @@ def _rim_maximum(pupil: Pupil) -> float:
 
 
 def _sample_slopes(pupil: Pupil, grid: Grid, error: float) -> tuple[Array, Array]:
-    amplitude, light, eps = pupil.amplitude, _rim_maximum(pupil), pupil.obscuration
-    across, down = (grid.step(pupil) / grid.side * part for part in grid.positions(pupil.shape))
-    largest_v = float(np.hypot(np.abs(across).max(axis=1), np.abs(down).max(axis=1)).max())
+    amplitude, rim_peak, eps = pupil.amplitude, _rim_maximum(pupil), pupil.obscuration
+    vx, vy = (grid.step(pupil) / grid.side * part for part in grid.positions(pupil.shape))
+    largest_v = float(np.hypot(np.abs(vx).max(axis=1), np.abs(vy).max(axis=1)).max())
     # The error of each of the two fields in the product is a tenth of the allowed error.
-    allowed = max(0.1 * error / (amplitude + light), 1e-15)
+    allowed = max(0.1 * error / (amplitude + rim_peak), 1e-15)
     terms = pupil.wavefront.amplitudes()
     degree = degree_needed([(n, w) for (n, _), w in terms.items()], largest_v, pupil.illumination, allowed)
     x, y, weight = pupil.rule(degree)
-    disk = _fields(pupil, x, y, weight, across, down)
-    nodes = _nodes(terms, eps, largest_v, allowed / light)
+    disk = _fields(pupil, x, y, weight, vx, vy)
+    nodes = _nodes(terms, eps, largest_v, allowed / rim_peak)
     # Trapezoidal rule, with nodes at midpoints.
     theta = (np.arange(nodes) + 0.5) * (2.0 * math.pi / nodes)
-    rim = _fields(pupil, eps * np.cos(theta), eps * np.sin(theta), np.full(nodes, 2.0 * eps / nodes), across, down)
+    rim = _fields(pupil, eps * np.cos(theta), eps * np.sin(theta), np.full(nodes, 2.0 * eps / nodes), vx, vy)
     # A phase error or relative amplitude error e, like rounding, changes a field by at most e times its maximum.
     omitted = pupil.wavefront.left_out + 2.0 * pupil.illumination.error
     # Rounding errors divided by the integral of the amplitude: certificate, section 8.
-    of_terms = np.array([n * n + 10.0 + len(pupil.wavefront.terms) for n, _ in pupil.wavefront.terms])
-    phases = float((np.abs(pupil.wavefront.edge) @ of_terms).max())
+    per_term = np.array([n * n + 10.0 + len(pupil.wavefront.terms) for n, _ in pupil.wavefront.terms])
+    phases = float((np.abs(pupil.wavefront.edge) @ per_term).max())
     omitted += _UNIT * (phases + 12.0 * largest_v + 3.0 * _NODES + max(nodes, weight.size) / _NODES + 40.0)
-    of_disk, of_rim = allowed + omitted * amplitude, allowed + omitted * light
-    off = np.full(len(across), 2.0 * (amplitude * of_rim + light * of_disk + of_rim * of_disk))
-    return -2.0 * (disk.real * rim.real + disk.imag * rim.imag), off
+    disk_error, rim_error = allowed + omitted * amplitude, allowed + omitted * rim_peak
+    bounds = np.full(len(vx), 2.0 * (amplitude * rim_error + rim_peak * disk_error + rim_error * disk_error))
+    return -2.0 * (disk.real * rim.real + disk.imag * rim.imag), bounds
 
 
 def _nodes(terms: dict[tuple[int, int], float], eps: float, largest_v: float, error: float) -> int:
     """Return the number of equally spaced angles for an `error` of the field of the rim, relative to its maximum."""
     # At ``theta + i b`` the integrand is at most ``exp(sum_j W_j abs(R_j(eps)) sinh(m_j b) + eps v sinh b)``. The
     # error of k nodes is at most twice this bound divided by ``e^(k b) - 1``, for every b > 0.
-    size = eps * largest_v * np.sinh(_B)
+    growth = eps * largest_v * np.sinh(_B)
     for (n, m), w in terms.items():
-        size = size + w * abs(float(zernike.radial(n, m, np.array(eps)))) * np.sinh(np.minimum(m * _B, 700.0))
-    return max(1, math.ceil(float(((size + math.log(2.0 / error + 1.0)) / _B).min())))
+        growth = growth + w * abs(float(zernike.radial(n, m, np.array(eps)))) * np.sinh(np.minimum(m * _B, 700.0))
+    return max(1, math.ceil(float(((growth + math.log(2.0 / error + 1.0)) / _B).min())))
 
 
-def _fields(pupil: Pupil, x: Array, y: Array, weight: Array, across: Array, down: Array) -> NDArray[np.complex128]:
+def _fields(pupil: Pupil, x: Array, y: Array, weight: Array, vx: Array, vy: Array) -> NDArray[np.complex128]:
     """Return ``sum weight P exp(-i (v_x x + v_y y))`` over nodes, for each pupil of the flattened stack."""
     rho, theta = np.hypot(x, y), np.arctan2(y, x)
-    light = weight * pupil.illumination.at(rho * rho)
-    wavefronts, shared = pupil.wavefront.flattened(), bool(np.all(across == across[0]) and np.all(down == down[0]))
-    total = np.zeros((len(across), down.shape[1], across.shape[1]), dtype=np.complex128)
-    for first in range(0, x.size, _NODES):
-        part = slice(first, first + _NODES)
+    weighted = weight * pupil.illumination.at(rho * rho)
+    wavefronts, same_axis = pupil.wavefront.flattened(), bool(np.all(vx == vx[0]) and np.all(vy == vy[0]))
+    total = np.zeros((len(vx), vy.shape[1], vx.shape[1]), dtype=np.complex128)
+    for start in range(0, x.size, _NODES):
+        part = slice(start, start + _NODES)
         for i in range(len(total)):
-            if i == 0 or not shared:
-                rows, columns = np.exp(-1j * np.outer(down[i], y[part])), np.exp(-1j * np.outer(x[part], across[i]))
-            wave = light[part] * np.exp(1j * wavefronts[i].phase(rho[part], theta[part]))
+            if i == 0 or not same_axis:
+                rows, columns = np.exp(-1j * np.outer(vy[i], y[part])), np.exp(-1j * np.outer(x[part], vx[i]))
+            wave = weighted[part] * np.exp(1j * wavefronts[i].phase(rho[part], theta[part]))
             total[i] += (rows * wave) @ columns
     return total
 
@@ -269,27 +269,27 @@ def differentiated(
     sums = [parts(name, pupil, grid.step(pupil), energy=energy) for name in names]
     method_used, engine = engines(method, pupil, names, sums, tol)
     radial = isinstance(engine, NijboerZernike)
-    sums = [each._replace(phases=translated(each.phases, powers=radial)) for each in sums]
+    sums = [item._replace(phases=translated(item.phases, powers=radial)) for item in sums]
 
-    def is_single(each: Parts) -> bool:
+    def is_single(item: Parts) -> bool:
         """Return whether a derivative is a multiple of the derivative by one coefficient, without other parts."""
-        tilt = radial and any(key in TILTS for key in each.phases)
-        more = tilt or np.any(each.own) or np.any(each.scaling) or each.obscuration
-        return method_used is engine and len(each.phases) == 1 and not more
+        tilt = radial and any(key in TILTS for key in item.phases)
+        extra = tilt or np.any(item.image) or np.any(item.scaling) or item.obscuration
+        return method_used is engine and len(item.phases) == 1 and not extra
 
     # Derivatives by one coefficient are computed with the images; others are summed in double precision.
-    stored, others = [each for each in sums if is_single(each)], [each for each in sums if not is_single(each)]
-    keys = _keys(stored)
+    direct, summed = [item for item in sums if is_single(item)], [item for item in sums if not is_single(item)]
+    keys = _keys(direct)
     images = with_model_error(_compute(method_used, pupil, grid, wanted, keys), pupil, method_used, normalized=False)
-    single = iter(_single_slopes(images, stored, keys))
-    pieces = _sum_terms(method_used, engine, pupil, grid, images, wanted, others) if others else {}
-    slopes = [next(single) if is_single(each) else _combine(each, images, pieces, wanted.dtype) for each in sums]
+    singles = iter(_single_slopes(images, direct, keys))
+    pieces = _sum_terms(method_used, engine, pupil, grid, images, wanted, summed) if summed else {}
+    slopes = [next(singles) if is_single(item) else _combine(item, images, pieces, wanted.dtype) for item in sums]
     return method_used, images, slopes
 
 
 def _keys(sums: Sequence[Parts]) -> tuple[Key, ...]:
     """Return the distinct variables of derivatives: powers of rho^2 and Zernike terms."""
-    return tuple(dict.fromkeys(key for each in sums for key in each.phases))
+    return tuple(dict.fromkeys(key for item in sums for key in item.phases))
 
 
 def single_light(method: Method | None) -> Method | None:
@@ -325,12 +325,12 @@ def engines(
 def _require_available(pupil: Pupil, names: Sequence[Name], sums: Sequence[Parts]) -> None:
     """Raise ValueError for derivatives that are not available for apertures other than circular ones."""
     differences = "take differences, (psf(a + h) - psf(a - h)) / (2 h)"
-    for name, each in zip(names, sums, strict=True):
-        if each.obscuration:
+    for name, item in zip(names, sums, strict=True):
+        if item.obscuration:
             raise ValueError(f"derivatives by {name!r} need a circular or annular aperture; {differences}")
-        if each.unknown and pupil.segmented:
+        if item.unknown and pupil.segmented:
             raise ValueError(f"derivatives by {name!r} need an aperture with segments in phase; {differences}")
-        if pupil.mask is not None and pupil.mask.squares and (name in SHIFTS or np.any(each.scaling)):
+        if pupil.mask is not None and pupil.mask.squares and (name in SHIFTS or np.any(item.scaling)):
             raise ValueError(
                 f"derivatives by {name!r} are not available for masks with squares=True, whose cells spread light "
                 f"about the axis; {differences}"
@@ -355,9 +355,9 @@ def _is_radial_key(key: Key) -> bool:
     return isinstance(key, int) or key in TILTS or (key[1] == 0 and key[0] <= 2 * _MOST_POWERS)
 
 
-def _is_radial(each: Parts) -> bool:
+def _is_radial(item: Parts) -> bool:
     """Return whether NijboerZernike can compute a derivative."""
-    return all(map(_is_radial_key, each.phases)) and not each.obscuration
+    return all(map(_is_radial_key, item.phases)) and not item.obscuration
 
 
 def translated(phases: Mapping[Key, Factor], *, powers: bool) -> dict[Key, Factor]:
@@ -371,8 +371,8 @@ def translated(phases: Mapping[Key, Factor], *, powers: bool) -> dict[Key, Facto
         elif not powers and isinstance(key, int):
             column = zernike.powers_to_legendre(key)[1:, -1]
             coefficients = {(2 * j, 0): float(coefficient) for j, coefficient in enumerate(column, 1)}
-        for other, coefficient in coefficients.items():
-            converted[other] = converted.get(other, 0.0) + coefficient * factor
+        for new_key, coefficient in coefficients.items():
+            converted[new_key] = converted.get(new_key, 0.0) + coefficient * factor
     return converted
 
 
@@ -385,28 +385,28 @@ def _compute(engine: Method, pupil: Pupil, grid: Grid, wanted: Wanted, keys: tup
 
 def _least_peak(images: Images) -> Array:
     """Return a lower bound on the peak of each image, shape (n,), in the scale of the values."""
-    top = images.values.reshape(len(images.values), -1).max(axis=1).astype(np.float64)
+    largest = images.values.reshape(len(images.values), -1).max(axis=1).astype(np.float64)
     if images.peak is not None:
-        top = np.maximum(top, images.peak * images.scale)
-    return np.asarray(top / (1.0 + images.bound))
+        largest = np.maximum(largest, images.peak * images.scale)
+    return np.asarray(largest / (1.0 + images.bound))
 
 
 def _single_slopes(images: Images, sums: Sequence[Parts], keys: tuple[Key, ...]) -> list[Slope]:
     """Return the derivatives that are multiples of the derivative by one coefficient."""
-    results, used = [], set[int]()
-    for each in sums:
+    results, seen = [], set[int]()
+    for item in sums:
         assert images.slopes is not None
-        ((key, factor),) = each.phases.items()
-        at = keys.index(key)
-        values, error, by = images.slopes.values[at], images.slopes.error[at], _per_pupil(factor, len(images.values))
-        if not np.all(by == 1.0):
-            values = (values * by[:, None, None]).astype(values.dtype)
-            rounded = _largest_moduli(values) * storing(values.dtype) * (by != 2.0)  # multiplication by 2 is exact
-            error = np.abs(by) * error + rounded / _least_peak(images)
+        ((key, factor),) = item.phases.items()
+        k = keys.index(key)
+        values, error, c = images.slopes.values[k], images.slopes.error[k], _per_pupil(factor, len(images.values))
+        if not np.all(c == 1.0):
+            values = (values * c[:, None, None]).astype(values.dtype)
+            rounded = _largest_moduli(values) * storing(values.dtype) * (c != 2.0)  # multiplication by 2 is exact
+            error = np.abs(c) * error + rounded / _least_peak(images)
         # Two names may denote the same derivative: the second one is a copy.
-        elif at in used:
+        elif k in seen:
             values = values.copy()
-        used.add(at)
+        seen.add(k)
         results.append(Slope(values, error))
     return results
 
@@ -426,17 +426,18 @@ def _sum_terms(
 ) -> dict[object, Piece]:
     """Return the terms of sums of derivatives, in double precision, each summed over the wavelengths."""
     # Powers of rho in a radial term cancel: the moduli of their coefficients have a sum of up to 321.
-    size = max(
-        sum(float(np.abs(by).max()) for key, by in each.phases.items() if isinstance(key, int)) for each in sums
+    cancellation = max(
+        sum(float(np.abs(factor).max()) for key, factor in item.phases.items() if isinstance(key, int))
+        for item in sums
     )
     # Certificate, section 12, "Powers of rho^2": the sums are 3, 12, 63 and 321 for the terms of degrees 2 to 8.
-    finer_engine = engine.tightened(engine.tol / min(size, _MOST_CANCELLED)) if size > 2.0 else engine
-    scales, obscures = (any(np.any(getattr(each, part)) for each in sums) for part in ("scaling", "obscuration"))
+    finer_engine = engine.tightened(engine.tol / min(cancellation, _MOST_CANCELLED)) if cancellation > 2.0 else engine
+    scaling, obscuration = (any(np.any(getattr(item, part)) for item in sums) for part in ("scaling", "obscuration"))
     keys = _keys(sums)
-    engine_keys = tuple(dict.fromkeys((*keys, *TILTS))) if scales else keys
+    engine_keys = tuple(dict.fromkeys((*keys, *TILTS))) if scaling else keys
     by_samples = isinstance(engine, NijboerZernike)  # tilts are not radial: filters compute them from samples of I
     assert isinstance(wanted.scale, float)
-    faintest = float(_least_peak(images).min()) / wanted.scale
+    least_peak = float(_least_peak(images).min()) / wanted.scale
     results: dict[object, Piece] = {}
 
     def add(key: object, values: Array, error: Array, factor: float) -> None:
@@ -462,32 +463,32 @@ def _sum_terms(
         for key in keys:
             # Optical path differences are constant: phases in radians are proportional to 1 / wavelength.
             add(key, *slopes[key], scale * part.stretch)
-        if scales:
+        if scaling:
             tilts = [slopes[key] for key in TILTS]
             add("scaling", *scaling_derivative(engine, part.pupil, grid, tilts, threads), scale)
-        if obscures:
-            add("obscuration", *obscuration_derivative(part.pupil, grid, 0.1 * engine.tol * faintest), scale)
+        if obscuration:
+            add("obscuration", *obscuration_derivative(part.pupil, grid, 0.1 * engine.tol * least_peak), scale)
     return results
 
 
-def _combine(each: Parts, images: Images, pieces: Mapping[object, Piece], dtype: DTypeLike) -> Slope:
+def _combine(item: Parts, images: Images, pieces: Mapping[object, Piece], dtype: DTypeLike) -> Slope:
     """Return the sum of images and terms, multiplied by their factors, rounded to `dtype`."""
-    count, bright = len(images.values), _least_peak(images)
-    factors: list[tuple[object, Factor]] = [*each.phases.items()]
-    factors += [(name, getattr(each, name)) for name in ("scaling", "obscuration", "unknown")]
-    total = images.values * _per_pupil(each.own, count)[:, None, None].astype(np.float64)
-    error = np.abs(_per_pupil(each.own, count)) * images.bound * bright * (1.0 + images.bound)
+    count, peak = len(images.values), _least_peak(images)
+    factors: list[tuple[object, Factor]] = [*item.phases.items()]
+    factors += [(name, getattr(item, name)) for name in ("scaling", "obscuration", "unknown")]
+    total = images.values * _per_pupil(item.image, count)[:, None, None].astype(np.float64)
+    error = np.abs(_per_pupil(item.image, count)) * images.bound * peak * (1.0 + images.bound)
     size = _largest_moduli(total)
     for key, factor in factors:
-        by = _per_pupil(factor, count)
-        if by.any():
-            total += by[:, None, None] * pieces[key].values
-            error = error + np.abs(by) * pieces[key].error
-            size = size + np.abs(by) * _largest_moduli(pieces[key].values)
+        weights = _per_pupil(factor, count)
+        if weights.any():
+            total += weights[:, None, None] * pieces[key].values
+            error = error + np.abs(weights) * pieces[key].error
+            size = size + np.abs(weights) * _largest_moduli(pieces[key].values)
     values = total.astype(dtype)
     # Certificate, section 12: at most k + 8 roundings of the sum of the largest moduli.
     error = error + (len(factors) + 8) * 2.0**-53 * size + storing(dtype) * _largest_moduli(total)
-    return Slope(values, error / bright)
+    return Slope(values, error / peak)
 
 
 def gradient(
@@ -498,29 +499,29 @@ def gradient(
     `weights` are (n, height, width), values are `scale` times the intensity. Derivatives by phases use reverse mode
     if the chordal rule applies (certificate, section 8, "Derivatives"); others are sums over derivative images.
     """
-    tol, free = method.tol, _with_derivatives(method)
+    tol, candidate = method.tol, _with_derivatives(method)
     sums = {name: parts(name, pupil, grid.step(pupil), energy=energy) for name in names}
-    method_used, engine = engines(free, pupil, names, list(sums.values()), tol)
+    method_used, engine = engines(candidate, pupil, names, list(sums.values()), tol)
     results: dict[Name, Array] = {}
     if isinstance(engine, ChordalGauss):
-        factors = {name: translated(each.phases, powers=False) for name, each in sums.items() if _is_by_phase(each)}
+        factors = {name: translated(item.phases, powers=False) for name, item in sums.items() if _is_by_phase(item)}
         terms = tuple(dict.fromkeys(t for phases in factors.values() for t in phases if isinstance(t, tuple)))
-        each = np.zeros((len(weights), len(terms)))
+        gradients = np.zeros((len(weights), len(terms)))
         for part in method_used.components(pupil) if terms else ():
             rate = scale * part.weight * part.stretch  # phases are proportional to 1 / wavelength
-            each += rate * engine.gradient(part.pupil, grid, weights, terms)
+            gradients += rate * engine.gradient(part.pupil, grid, weights, terms)
         for name, phases in factors.items():
-            results[name] = np.sum([by * each[:, terms.index(term)] for term, by in phases.items()], axis=0)
-    if others := [name for name in names if name not in results]:
-        _, _, slopes = differentiated(free, pupil, grid, others, Wanted(scale), tol, energy=energy)
-        for name, slope in zip(others, slopes, strict=True):
+            results[name] = np.sum([c * gradients[:, terms.index(term)] for term, c in phases.items()], axis=0)
+    if remaining := [name for name in names if name not in results]:
+        _, _, slopes = differentiated(candidate, pupil, grid, remaining, Wanted(scale), tol, energy=energy)
+        for name, slope in zip(remaining, slopes, strict=True):
             results[name] = np.einsum("nij,nij->n", weights, slope.values)
     return results
 
 
-def _is_by_phase(each: Parts) -> bool:
+def _is_by_phase(item: Parts) -> bool:
     """Return whether a derivative is by coefficients of the phase only."""
-    return not (np.any(each.own) or np.any(each.scaling) or each.obscuration)
+    return not (np.any(item.image) or np.any(item.scaling) or item.obscuration)
 
 
 def _with_derivatives(method: Method) -> Method | None:

@@ -154,10 +154,10 @@ class Method(ABC, Generic[P]):
             self.keeps_tol and (error := with_storage_rounding(result, wanted)) is not None and error.max() > self.tol
         ):
             # Division of values by their largest value doubles the error: tol is then divided by 4, else by 2.
-            finer = method.tightened() if wanted.scale is not None else method.tightened().tightened()
-            if finer == method:
+            tighter = method.tightened() if wanted.scale is not None else method.tightened().tightened()
+            if tighter == method:
                 raise not_met(self.tol, float(error.max()), "the peak")
-            method = finer
+            method = tighter
             result = method.intensity(pupil, grid, wanted.threads)
         return to_images(result, grid, wanted)
 
@@ -190,37 +190,37 @@ class Method(ABC, Generic[P]):
 
     def to_dict(self) -> Json:
         """Return the method's name and options in plain types."""
-        return described(self)
+        return to_plain_types(self)
 
 
 def require_period(period: float, pupil: BasePupil, grid: Grid, *, edges: bool) -> None:
     """Raise ValueError if the window, up to pixel centres or (`edges`) pixel edges, exceeds the image's period."""
     if period == math.inf:
         return
-    for pitch, side, places in zip(grid.pitch, grid.shape, (grid.y, grid.x), strict=True):
+    for pitch, side, positions in zip(grid.pitch, grid.shape, (grid.y, grid.x), strict=True):
         width = pitch * (side - (not edges)) / pupil.scale
-        far = (float(np.abs(places).max()) + (0.5 * pitch if edges else 0.0)) / pupil.scale
+        farthest = (float(np.abs(positions).max()) + (0.5 * pitch if edges else 0.0)) / pupil.scale
         # Windows of even sides extend half a pixel farther to one side than to the other.
-        most = 0.5 * (period + pitch / pupil.scale * (side % 2 == 0))
-        if not (width <= period * (1.0 + 1e-9) and far <= most * (1.0 + 1e-9)):
-            raise beyond_period("the window", far, period)
+        limit = 0.5 * (period + pitch / pupil.scale * (side % 2 == 0))
+        if not (width <= period * (1.0 + 1e-9) and farthest <= limit * (1.0 + 1e-9)):
+            raise beyond_period("the window", farthest, period)
 
 
-def beyond_period(what: str, reach: float, period: float) -> ValueError:
-    """Return the exception for the object `what` at `reach` lambda*N, beyond half the period of the image."""
+def beyond_period(name: str, reach: float, period: float) -> ValueError:
+    """Return the exception for the object `name` at `reach` lambda*N, beyond half the period of the image."""
     return ValueError(
-        f"{what} reaches {reach:.4g} lambda*N from the axis, but the image of a sampled pupil repeats every "
+        f"{name} reaches {reach:.4g} lambda*N from the axis, but the image of a sampled pupil repeats every "
         f"{period:.4g} lambda*N; stay within half of this, or use finer samples (or a Mask with squares=True)"
     )
 
 
-def described(thing: Any) -> Json:
+def to_plain_types(instance: Any) -> Json:
     """Return the name and fields of a dataclass, including nested dataclasses, in plain types."""
-    options = {item.name: getattr(thing, item.name) for item in fields(thing)}
+    options = {item.name: getattr(instance, item.name) for item in fields(instance)}
     for name, value in options.items():
         if hasattr(value, "__dataclass_fields__"):
-            options[name] = value.to_dict() if hasattr(value, "to_dict") else described(value)
-    return {"name": type(thing).__name__} | options
+            options[name] = value.to_dict() if hasattr(value, "to_dict") else to_plain_types(value)
+    return {"name": type(instance).__name__} | options
 
 
 class RadialMethod(Method[P]):
@@ -260,8 +260,8 @@ class RadialMethod(Method[P]):
         if grid.symmetric or wanted.scale is not None or wanted.powers or self.along_radius(pupil) is None:
             return super().images(pupil, grid, wanted)
         # Division of values by their own largest value doubles their relative error.
-        aim = 0.48 * (self.tol - 1.1 * storing(wanted.dtype))
-        return to_images(self.on_pixels(pupil, grid, wanted.threads, tol=aim, window=True), grid, wanted)
+        target = 0.48 * (self.tol - 1.1 * storing(wanted.dtype))
+        return to_images(self.on_pixels(pupil, grid, wanted.threads, tol=target, window=True), grid, wanted)
 
     def on_pixels(
         self, pupil: P, grid: Grid, threads: int, *, tol: float | None = None, window: bool = False
@@ -274,43 +274,43 @@ class RadialMethod(Method[P]):
         """
         # I is band-limited (exponential type 2 in v) and differs from a constant by at most half its largest value.
         # Both properties bound the error of weighted sums of the profile: docs/certificate.md, section 9.
-        allowed, finer = self.tol if tol is None else tol, self
+        allowed, method = self.tol if tol is None else tol, self
         # The largest value is about the peak of I or, for pixels that contain all light, the mean over such a pixel.
         side = grid.step(pupil) if grid.integrate else 0.0
         peak_estimate = 1.0 / (1.0 / self._likely_peak(pupil) + side**2 / (4.0 * math.pi * pupil.transmission))
         # Interpolation may use a fifth of the tolerance; its errors are relative to half the range of I.
-        needed = math.ceil(-math.log10(0.2 * allowed * peak_estimate / (0.5 * self._ceiling(pupil))))
-        level = min(max(needed, _LEVELS[0]), _LEVELS[-1])
+        digits = math.ceil(-math.log10(0.2 * allowed * peak_estimate / (0.5 * self._ceiling(pupil))))
+        level = min(max(digits, _LEVELS[0]), _LEVELS[-1])
         # The tolerance determines the level, except for profiles without an error bound.
         if self.profile(pupil, np.zeros(1)).error is None:
             level = _DEFAULT_LEVEL
-        plane_peak, searched = np.zeros(math.prod(pupil.shape)), window
+        plane_peak, has_peak = np.zeros(math.prod(pupil.shape)), window
         while True:
-            values, profile_error, sum_error = _pixel_sums(finer, pupil, grid, level, threads)
-            top = values.max(axis=(1, 2))
+            values, profile_error, sum_error = _pixel_sums(method, pupil, grid, level, threads)
+            tops = values.max(axis=(1, 2))
             if profile_error is None:
-                return Intensities(values, None, top)
+                return Intensities(values, None, tops)
             error = profile_error + sum_error
-            peak = np.maximum(top - error, plane_peak)
-            if not searched and np.any(error > allowed * peak):
-                plane_peak, searched = _peak_at_least(finer, pupil, grid, level, threads), True
+            peak = np.maximum(tops - error, plane_peak)
+            if not has_peak and np.any(error > allowed * peak):
+                plane_peak, has_peak = _peak_at_least(method, pupil, grid, level, threads), True
                 peak = np.maximum(peak, plane_peak)
             relative = np.divide(error, peak, out=np.full(peak.shape, np.inf), where=peak > 1e-300)
-            worst = int(relative.argmax())
+            k = int(relative.argmax())
             # A part of the error above a fifth of the tolerance is reduced: section 9, "Requested accuracy".
-            part_limit = 0.2 * allowed * max(float(top[worst]), float(plane_peak[worst]), 1e-3 * float(error[worst]))
-            previous = level, finer
-            if sum_error[worst] > part_limit:
-                level = max(level, min(_LEVELS[-1], level + math.ceil(math.log10(sum_error[worst] / part_limit))))
-            if profile_error[worst] > part_limit:
-                further = finer.tightened().tightened().tightened()  # an eighth of the tolerance
-                finer = further if further.tol >= 1e-5 * self.tol else self
-            stuck = (level, finer) == previous
-            if relative[worst] <= allowed or (stuck and not self.keeps_tol):
+            part_limit = 0.2 * allowed * max(float(tops[k]), float(plane_peak[k]), 1e-3 * float(error[k]))
+            settings = level, method
+            if sum_error[k] > part_limit:
+                level = max(level, min(_LEVELS[-1], level + math.ceil(math.log10(sum_error[k] / part_limit))))
+            if profile_error[k] > part_limit:
+                tightened = method.tightened().tightened().tightened()  # an eighth of the tolerance
+                method = tightened if tightened.tol >= 1e-5 * self.tol else self
+            unchanged = (level, method) == settings
+            if relative[k] <= allowed or (unchanged and not self.keeps_tol):
                 return Intensities(values, relative, peak)
-            if stuck:
+            if unchanged:
                 raise ToleranceError(
-                    f"tol={self.tol:g} cannot be met: the error is bounded by {relative[worst]:.2g} of the "
+                    f"tol={self.tol:g} cannot be met: the error is bounded by {relative[k]:.2g} of the "
                     f"{'largest value in the window' if window else 'peak'}"
                 )
 
@@ -367,9 +367,9 @@ class FieldMethod(RadialMethod[P]):
         Raises TypeError or ValueError unless the coordinates are finite numbers >= 0.
         """
         self.require(pupil)
-        at = validation.real_array("v", v, least=0.0) + 0.0  # no -0
-        values, where = np.unique(_radii(at.ravel()), return_inverse=True)
-        return self.evaluate(pupil, values).values[:, where].reshape(pupil.shape + at.shape)
+        points = validation.real_array("v", v, least=0.0) + 0.0  # no -0
+        values, index = np.unique(_radii(points.ravel()), return_inverse=True)
+        return self.evaluate(pupil, values).values[:, index].reshape(pupil.shape + points.shape)
 
     def profile(self, pupil: P, v: Array) -> Intensities:
         """Return I = abs(U)^2 at rising v with the bound on its error relative to the largest value."""
@@ -425,8 +425,8 @@ def to_images(result: Intensities, grid: Grid, wanted: Wanted) -> Images:
 def normalized_error(relative: Array) -> Array:
     """Bound the error of values divided by their largest value, from their error `relative` before division."""
     # 2 r / (1 - r): a value and the largest value that divides it both have errors of at most r.
-    safe = np.minimum(relative, 1.0 - 1e-9)
-    return np.asarray(np.where(relative < 1.0 - 1e-9, 2.0 * safe / (1.0 - safe), np.inf))
+    clipped = np.minimum(relative, 1.0 - 1e-9)
+    return np.asarray(np.where(relative < 1.0 - 1e-9, 2.0 * clipped / (1.0 - clipped), np.inf))
 
 
 def with_model_error(result: Images, pupil: BasePupil, method: Method, *, normalized: bool) -> Images:
@@ -434,24 +434,24 @@ def with_model_error(result: Images, pupil: BasePupil, method: Method, *, normal
     # Certificate, "Model error of a wavefront": a phase error e changes U, and its derivatives, by at most e int A
     # dx dy / pi. At the shorter wavelengths of a spectrum both e and U are larger. An amplitude error e A has the
     # same effect, and counts twice: it also changes the peak or the light by which values are divided.
-    of_phase, of_light = pupil.left_out
-    if not (of_phase or of_light) or result.error is None:
+    phase_error, light_error = pupil.left_out
+    if not (phase_error or light_error) or result.error is None:
         return result
     stretch = max(1.0, method.stretch(pupil))
-    omitted = np.asarray((of_phase * stretch + 2.0 * of_light) * pupil.amplitude * stretch)
+    omitted = np.asarray((phase_error * stretch + 2.0 * light_error) * pupil.amplitude * stretch)
     brightest = result.values.reshape(len(result.values), -1).max(axis=1).astype(np.float64) / result.scale
     relative = relative_error(brightest[:, None], omitted)
     error = result.error + (normalized_error(relative) if normalized else relative)
     if method.keeps_tol and error.max() > method.tol >= result.error.max():
         raise ToleranceError(
-            f"tol={method.tol:g} cannot be met: the terms of the wavefront leave up to {of_phase:.2g} rad of the "
-            f"phase out, the terms of the apodization {of_light:.2g} of the amplitude, so that the error bound is "
+            f"tol={method.tol:g} cannot be met: the terms of the wavefront leave up to {phase_error:.2g} rad of the "
+            f"phase out, the terms of the apodization {light_error:.2g} of the amplitude, so that the error bound is "
             f"{error.max():.2g} of the peak; use a larger tol"
         )
     if result.slopes is None:
         return result._replace(error=error)
-    further = 4.0 * omitted * pupil.amplitude / brightest
-    return result._replace(error=error, slopes=result.slopes._replace(error=result.slopes.error + further))
+    slope_error = 4.0 * omitted * pupil.amplitude / brightest
+    return result._replace(error=error, slopes=result.slopes._replace(error=result.slopes.error + slope_error))
 
 
 def powers_cancel(pupil: Pupil) -> str | None:

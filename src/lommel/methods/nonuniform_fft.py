@@ -81,7 +81,7 @@ class MomentRule(NamedTuple):
 
     weight: Complexes
     total: float  # sum of the moduli of the weights
-    lost: float  # error of U due to edges that rounding displaces
+    edge_error: float  # error of U due to edges that rounding displaces
 
     @property
     def rows(self) -> int:
@@ -94,7 +94,7 @@ class Nodes(NamedTuple):
 
     y: Array
     x: Array
-    along: Array  # node positions in units of half the length of the chord
+    t: Array  # node positions along the chord, in units of half its length
     weight: Array
 
 
@@ -103,8 +103,8 @@ def nodes(rows: int) -> Nodes:
     """Return the rule of the disc that is exact to degree ``2 rows - 1`` and symmetric about both axes."""
     # Chords at y = cos(t_i), t_i = i pi / (N + 1), with weights sin^2 t_i / (N + 1): certificate, section 8.
     theta = (np.arange(rows) + 1.0) * (math.pi / (rows + 1))
-    half, (along, weight) = np.sin(theta), gauss_legendre(rows, -1.0, 1.0)
-    return Nodes(np.cos(theta), np.outer(half, along), np.asarray(along), np.outer(half**2 / (rows + 1), weight))
+    end, (t, weight) = np.sin(theta), gauss_legendre(rows, -1.0, 1.0)
+    return Nodes(np.cos(theta), np.outer(end, t), np.asarray(t), np.outer(end**2 / (rows + 1), weight))
 
 
 def moment_rule(opening: Opening, degree: int, rule_degree: int, error: float) -> MomentRule:
@@ -140,8 +140,8 @@ def phase_roundings(pupil: Pupil) -> float:
 
 def _round_up_degrees(degree: int, rule_degree: int, error: float) -> tuple[int, int, int]:
     """Return degrees rounded up and the exponent of the error rounded down, so that cached rules are reused."""
-    first, second = (_DEGREE_STEP * math.ceil(each / _DEGREE_STEP) for each in (degree, max(rule_degree, degree)))
-    return first, second, 2 * math.floor(0.5 * math.log10(error))
+    degree, rule_degree = (_DEGREE_STEP * math.ceil(n / _DEGREE_STEP) for n in (degree, max(rule_degree, degree)))
+    return degree, rule_degree, 2 * math.floor(0.5 * math.log10(error))
 
 
 @lru_cache(maxsize=16)
@@ -158,24 +158,24 @@ def _moment_rule(opening: Opening, degree: int, rule_degree: int, power: int) ->
         x, y, weight = rule.nodes
         if not x.size:
             continue
-        firsts = np.flatnonzero(np.diff(y, prepend=np.nan) != 0.0)
-        half = np.sqrt((1.0 - y) * (1.0 + y))
+        starts = np.flatnonzero(np.diff(y, prepend=np.nan) != 0.0)
+        end = np.sqrt((1.0 - y) * (1.0 + y))
         # Whole turns are removed exactly, since cosines of large angles lose digits.
         piston = math.remainder(phase[0], 2.0 * math.pi)
         phased = weight * np.exp(1j * (piston + phase[1] * x + phase[2] * y))
-        along = np.clip(x / half, -1.0, 1.0)
-        sums = np.array([np.add.reduceat(phased * part, firsts) for part in _legendre(degree, along)])
-        for m, part in enumerate(_gegenbauer(degree, y[firsts])):
+        t = np.clip(x / end, -1.0, 1.0)
+        sums = np.array([np.add.reduceat(phased * part, starts) for part in _legendre(degree, t)])
+        for m, part in enumerate(_gegenbauer(degree, y[starts])):
             moments[: len(part), m] += np.einsum("kr,kr->k", part, sums[: len(part)])
     # Values of g = sum L(phi) phi at the nodes, times the weights of the disc rule (of sum 1) and the disc area pi.
-    at = nodes(degree + 2)
-    values = np.zeros((degree + 1, at.y.size), dtype=np.complex128)
-    for m, part in enumerate(_gegenbauer(degree, at.y)):
+    disc = nodes(degree + 2)
+    values = np.zeros((degree + 1, disc.y.size), dtype=np.complex128)
+    for m, part in enumerate(_gegenbauer(degree, disc.y)):
         values[: len(part)] += part * moments[: len(part), m, None]
-    weight = np.ascontiguousarray(values.T @ np.array(list(_legendre(degree, at.along))) * (math.pi * at.weight))
+    weight = np.ascontiguousarray(values.T @ np.array(list(_legendre(degree, disc.t))) * (math.pi * disc.weight))
     weight.flags.writeable = False
-    lost = sum(rule.lost for rule in opening.rows(rule_degree, 10.0**power))
-    return MomentRule(weight, float(np.abs(weight).sum()), lost)
+    edge_error = sum(rule.lost for rule in opening.rows(rule_degree, 10.0**power))
+    return MomentRule(weight, float(np.abs(weight).sum()), edge_error)
 
 
 def _legendre(degree: int, x: Array) -> Iterator[Array]:
@@ -191,8 +191,8 @@ def _gegenbauer(degree: int, y: Array) -> Iterator[Array]:
     # (1 - y^2)^(k / 2) times polynomials of degree m, orthonormal with the weight (1 - y^2)^(k + 1/2).
     k = np.arange(degree + 1.0)[:, None]
     area = np.cumprod(np.concatenate([[0.5 * math.pi], (k[1:, 0] + 0.5) / (k[1:, 0] + 1.0)]))
-    half = np.sqrt((1.0 - y) * (1.0 + y))
-    current = half**k / np.sqrt(area)[:, None]
+    end = np.sqrt((1.0 - y) * (1.0 + y))
+    current = end**k / np.sqrt(area)[:, None]
     previous = np.zeros_like(current)
 
     # Off-diagonal coefficient of the orthonormal Gegenbauer recurrence, for each k.
@@ -202,8 +202,8 @@ def _gegenbauer(degree: int, y: Array) -> Iterator[Array]:
     for m in range(degree + 1):
         yield current
         count = degree - m
-        last = off_diagonal(m)[:count] * previous[:count] if m else 0.0
-        previous, current = current, (y * current[:count] - last) / off_diagonal(m + 1)[:count]
+        correction = off_diagonal(m)[:count] * previous[:count] if m else 0.0
+        previous, current = current, (y * current[:count] - correction) / off_diagonal(m + 1)[:count]
         k = k[:count]
 
 
@@ -216,20 +216,20 @@ def field_sums(
     waves, are even or odd in x and in y: a quarter of the nodes and pixels suffices. All products with the same a
     share the sums along rows.
     """
-    at, q, edge, count = nodes(rule.rows), rule.rows // 2, pupil.wavefront.flattened().edge, math.prod(pupil.shape)
+    disc, q, edge, count = nodes(rule.rows), rule.rows // 2, pupil.wavefront.flattened().edge, math.prod(pupil.shape)
     amplitude = rule.weight
     if not pupil.illumination.uniform:
-        amplitude = amplitude * pupil.illumination.at(at.x**2 + at.y[:, None] ** 2)
+        amplitude = amplitude * pupil.illumination.at(disc.x**2 + disc.y[:, None] ** 2)
     phases, coefficients = _polynomials(pupil.wavefront.terms, rule.rows), _products(((0, 0), *terms))
     degrees, (height, width) = coefficients.shape[1], grid.shape
     step = grid.step(pupil) / grid.side
-    (right, column), (down, row) = (np.unique(np.abs(part), return_inverse=True) for part in (grid.x, grid.y))
-    across, upward = _waves(rule.rows, step, tuple(right.tolist()), degrees), _rows(rule.rows, step, down, degrees)
+    (xs, column), (ys, row) = (np.unique(np.abs(part), return_inverse=True) for part in (grid.x, grid.y))
+    x_waves, y_waves = _waves(rule.rows, step, tuple(xs.tolist()), degrees), _rows(rule.rows, step, ys, degrees)
     signs = (np.ones(width), np.sign(grid.x)), (np.ones((height, 1)), np.sign(grid.y)[:, None])
-    values, slopes = np.empty((count, height, width)), np.empty((len(terms), count, height, width))
+    values, derivatives = np.empty((count, height, width)), np.empty((len(terms), count, height, width))
     block_size = max(1, _MAX_VALUES // (4 * degrees * q * q))
-    for first in range(0, count, block_size):
-        part = slice(first, min(first + block_size, count))
+    for start in range(0, count, block_size):
+        part = slice(start, min(start + block_size, count))
         angle = edge[part] @ phases
         wave = _multiply_wave(amplitude[:, None], np.cos(angle), np.sin(angle))
         parts = _parts(wave, q)
@@ -237,36 +237,36 @@ def field_sums(
         field = np.zeros((1 + len(terms), size, height, width), dtype=np.complex128)
         for i in range(2):
             # Both parities along y: [parity, term, row of pixels, pupil, real or imaginary, column].
-            sums = np.zeros((2, len(coefficients), down.size, size, 2, right.size))
+            sums = np.zeros((2, len(coefficients), ys.size, size, 2, xs.size))
             for a in range(degrees):
                 for c in range(2):
-                    along = parts[i ^ (a & 1), c].reshape(q, -1, q) @ across[i][a]
-                    product = upward[c][: degrees - a] @ along.reshape(q, -1)
+                    row_sums = parts[i ^ (a & 1), c].reshape(q, -1, q) @ x_waves[i][a]
+                    product = y_waves[c][: degrees - a] @ row_sums.reshape(q, -1)
                     product = product.reshape(degrees - a, *sums.shape[2:])
                     for b in range(min(2, degrees - a)):
                         sums[c ^ b] += np.tensordot(coefficients[:, a, b : degrees - a : 2], product[b::2], 1)
             # e^{-i v.r} = (cos - i sin)(cos - i sin): each odd part has a factor -i and the sign of its x or y.
             for j in range(2):
-                both = (sums[j, :, :, :, 0] + 1j * sums[j, :, :, :, 1]).swapaxes(1, 2)[:, :, row[:, None], column]
-                field += ((-1j) ** (i + j) * signs[0][i] * signs[1][j]) * both
-        u, others = field[0], field[1:]
+                pixels = (sums[j, :, :, :, 0] + 1j * sums[j, :, :, :, 1]).swapaxes(1, 2)[:, :, row[:, None], column]
+                field += ((-1j) ** (i + j) * signs[0][i] * signs[1][j]) * pixels
+        u, term_fields = field[0], field[1:]
         values[part] = u.real**2 + u.imag**2
         # dI/dc = -2 Im(conj(U) D), with D the field of the term: certificate, section 8, "Derivatives".
-        slopes[:, part] = 2.0 * (u.imag * others.real - u.real * others.imag)
+        derivatives[:, part] = 2.0 * (u.imag * term_fields.real - u.real * term_fields.imag)
     reach = step * math.hypot(np.abs(grid.x).max(), np.abs(grid.y).max())
     rounding = roundings(rule, pupil, reach) * np.array([1.0, float(np.abs(coefficients).sum(axis=(1, 2)).max())])
-    return values, slopes, rounding
+    return values, derivatives, rounding
 
 
-def roundings(rule: MomentRule, pupil: Pupil, reach: float, *, single: bool = False) -> float:
-    """Bound the rounding error of U for v up to `reach`, with sums in single precision if `single`."""
+def roundings(rule: MomentRule, pupil: Pupil, reach: float, *, single_precision: bool = False) -> float:
+    """Bound the rounding error of U for v up to `reach`, with sums in `single_precision`."""
     # Rounding of phases, waves, sums along both axes, and weights: certificate, section 18, "Phases", "Moments".
     edge = pupil.wavefront.flattened().edge
     per_term = np.array([4.0 * n * n + 14.0 + len(edge[0]) for n, _ in pupil.wavefront.terms])
     units = float((np.abs(edge) @ per_term).max()) + 6.0 * reach + 20.0 * rule.rows + pupil.illumination.slope + 40.0
     # Sums over mirrored chords and nodes, and phases in multiples of 2^-32 turns: section 8, "In single precision".
-    more = 2.0**-24 * (36.0 + 0.875 * rule.rows) + 7.4e-10 * (len(edge[0]) + 6) if single else 0.0
-    return (_UNIT * units + more) * rule.total + rule.lost
+    extra = 2.0**-24 * (36.0 + 0.875 * rule.rows) + 7.4e-10 * (len(edge[0]) + 6) if single_precision else 0.0
+    return (_UNIT * units + extra) * rule.total + rule.edge_error
 
 
 @lru_cache(maxsize=8)
@@ -306,9 +306,9 @@ def _parts(wave: Array, q: int) -> dict[tuple[int, int], Array]:
 @lru_cache(maxsize=8)
 def _polynomials(terms: tuple[tuple[int, int], ...], rows: int) -> Array:
     """Return Zernike terms (1 at the edge) at the nodes of a rule, shape (rows, terms, rows)."""
-    at = nodes(rows)
-    y = np.broadcast_to(at.y[:, None], at.x.shape)
-    rho, theta = np.hypot(at.x, y), np.arctan2(y, at.x)
+    disc = nodes(rows)
+    y = np.broadcast_to(disc.y[:, None], disc.x.shape)
+    rho, theta = np.hypot(disc.x, y), np.arctan2(y, disc.x)
     return np.stack([zernike.polynomial(n, m, rho, theta) for n, m in terms], axis=1)
 
 
@@ -327,9 +327,9 @@ def _rows(rows: int, step: float, pixel_rows: Array, degrees: int) -> tuple[Arra
     y = nodes(rows).y[: rows // 2]
     turn = step * np.outer(pixel_rows, y)
     powers = np.polynomial.chebyshev.chebvander(y, degrees - 1).T[:, None]
-    even, odd = powers * np.cos(turn), powers * np.sin(turn)
-    swapped = np.arange(degrees)[:, None, None] % 2 == 1
-    return np.where(swapped, odd, even), np.where(swapped, even, odd)
+    cosines, sines = powers * np.cos(turn), powers * np.sin(turn)
+    is_odd = np.arange(degrees)[:, None, None] % 2 == 1
+    return np.where(is_odd, sines, cosines), np.where(is_odd, cosines, sines)
 
 
 _MIN_IMAGES = 4  # number of images and derivatives that fill vector lanes
@@ -354,7 +354,7 @@ def averaged_apertures(pupil: Pupil, grid: Grid, tol: float, wanted: Wanted) -> 
         return None
     stack, window = disk_stack(pupil), window_of(pupil, grid)
 
-    def rule(reach: float, tol: float, single: bool, rows: int, columns: int) -> tuple[Array, float, bool] | None:
+    def rule(reach: float, tol: float, float32: bool, rows: int, columns: int) -> tuple[Array, float, bool] | None:
         allowed = 0.15 * tol
         if allowed < _MIN_NODE_ERROR:
             return None
@@ -363,20 +363,20 @@ def averaged_apertures(pupil: Pupil, grid: Grid, tol: float, wanted: Wanted) -> 
         if degree + highest > _MAX_DEGREE or not _nodes_are_faster(fields, degree + highest + 20.0, sums, window):
             return None
         moments = moment_rule(pupil.opening, degree + highest, rule_degree + highest, allowed)
-        rounding = roundings(moments, pupil, reach, single=True)
-        single = single and rounding < _SINGLE_SHARE * tol
-        error = approximation_error + 1.1 * allowed + (rounding if single else roundings(moments, pupil, reach))
-        return of_quadrant(moments, pupil), error, single
+        rounding = roundings(moments, pupil, reach, single_precision=True)
+        float32 = float32 and rounding < _SINGLE_SHARE * tol
+        error = approximation_error + 1.1 * allowed + (rounding if float32 else roundings(moments, pupil, reach))
+        return quadrant_weights(moments, pupil), error, float32
 
     # The nodes lie on lines of constant y here, but of constant x in the core: x and y are exchanged.
-    by, signs = exchanged(wanted.terms)
+    core_terms, signs = exchange_axes(wanted.terms)
     images = aperture_averages(
         transposed(stack),
         window._replace(shape=window.shape[::-1], center=window.center[::-1]),
         pupil.likely_strehl,
         pupil.transmission,
         tol,
-        wanted._replace(out=None, terms=tuple((int(n), int(m)) for n, m in by)),
+        wanted._replace(out=None, terms=tuple((int(n), int(m)) for n, m in core_terms)),
         rule,
     )
     return None if images is None else _transposed_back(images, signs, wanted.out)
@@ -399,35 +399,35 @@ def _nodes_are_faster(count: int, rows: float, sums: float, window: Window) -> b
     return _RULE_COST * rows**3 < _STEPS * count * (samples - sums)
 
 
-def exchanged(terms: Sequence[tuple[int, int]] | NDArray[np.int32]) -> tuple[NDArray[np.int32], Array]:
+def exchange_axes(terms: Sequence[tuple[int, int]] | NDArray[np.int32]) -> tuple[NDArray[np.int32], Array]:
     """Return Zernike terms with x and y exchanged, and their signs; odd orders exchange cosine and sine."""
     n, m = np.reshape(np.asarray(terms, dtype=np.int32), (-1, 2)).T
-    odd, order = m % 2 != 0, np.abs(m)
+    is_odd, order = m % 2 != 0, np.abs(m)
     # cos(m (pi / 2 - theta)) and sin(m (pi / 2 - theta)) depend on m modulo 4.
-    half = np.where(order // 2 % 2 == 0, 1.0, -1.0)
-    other = np.stack([n, np.where(odd, -m, m)], axis=1)
-    return np.ascontiguousarray(other, dtype=np.int32), np.where(odd, half, np.where(m < 0, -half, half))
+    sign = np.where(order // 2 % 2 == 0, 1.0, -1.0)
+    exchanged = np.stack([n, np.where(is_odd, -m, m)], axis=1)
+    return np.ascontiguousarray(exchanged, dtype=np.int32), np.where(is_odd, sign, np.where(m < 0, -sign, sign))
 
 
 def transposed(stack: DiskStack) -> DiskStack:
     """Return the stack with x and y exchanged."""
-    terms, signs = exchanged(stack.terms)
+    terms, signs = exchange_axes(stack.terms)
     return stack._replace(terms=terms, edge=stack.edge * signs)
 
 
-def of_quadrant(rule: MomentRule, pupil: Pupil) -> Array:
+def quadrant_weights(rule: MomentRule, pupil: Pupil) -> Array:
     """Return the weights times the pupil amplitude in the layout of the core, (chords, nodes, 8).
 
     The last axis has the four mirror images of a node of the top right quadrant, each as real and imaginary part.
     """
-    weight, half = rule.weight, rule.rows // 2
+    weight, q = rule.weight, rule.rows // 2
     if not pupil.illumination.uniform:
-        at = nodes(rule.rows)
-        weight = weight * pupil.illumination.at(at.x**2 + at.y[:, None] ** 2)
+        disc = nodes(rule.rows)
+        weight = weight * pupil.illumination.at(disc.x**2 + disc.y[:, None] ** 2)
     # y decreases with the row index, x increases with the node index.
-    top, bottom = weight[:half], weight[: half - 1 : -1]
-    parts = [part for rows in (top, bottom) for part in (rows[:, : half - 1 : -1], rows[:, :half])]
-    return np.stack([part for each in parts for part in (each.real, each.imag)], axis=2)
+    top, bottom = weight[:q], weight[: q - 1 : -1]
+    parts = [part for rows in (top, bottom) for part in (rows[:, : q - 1 : -1], rows[:, :q])]
+    return np.stack([part for weights in parts for part in (weights.real, weights.imag)], axis=2)
 
 
 _MIN_ERROR = 4e-15  # smallest allowed error of U, relative to the largest possible value of U
@@ -505,57 +505,57 @@ def _sample_images(pupil: Pupil, grid: Grid, tol: float, wanted: Wanted, *, ever
     With `everywhere`, the peak is the peak of the whole PSF, otherwise the largest value in the window.
     """
     if pupil.mask is not None and not pupil.mask.squares:
-        needed, reason = samples_needed(pupil, grid)
-        if needed > pupil.mask.side:
+        min_side, reason = samples_needed(pupil, grid)
+        if min_side > pupil.mask.side:
             raise Declined(
-                f"the mask of side {pupil.mask.side} is too coarse: {reason} need a side of at least {needed:.5g}"
+                f"the mask of side {pupil.mask.side} is too coarse: {reason} need a side of at least {min_side:.5g}"
             )
     budget = tol - (1.0 + tol) * storing(wanted.dtype)
     if wanted.scale is None:
         budget *= 0.49  # division by the computed peak doubles the error (section 6)
     # Estimate of max |U|, for light that is spread evenly over the blur; usually an underestimate.
-    bright = pupil.amplitude / (1.0 + sum(n * w for (n, _), w in pupil.wavefront.amplitudes().items() if n > 1))
+    peak_field = pupil.amplitude / (1.0 + sum(n * w for (n, _), w in pupil.wavefront.amplitudes().items() if n > 1))
     outer_peak: Array | None = np.zeros(math.prod(pupil.shape)) if wanted.scale is None else None
     # The first requested error of U assumes the estimated peak. It is reduced if the error bound, relative to the
     # computed peak, exceeds `tol` (section 6).
     for _ in range(8):
-        requested = max(0.45 * budget * bright / pupil.amplitude, _MIN_ERROR)
-        values, slopes, field_bounds, slope_bounds = _sums(pupil, grid, requested, wanted)
+        field_error = max(0.45 * budget * peak_field / pupil.amplitude, _MIN_ERROR)
+        values, slopes, field_bounds, slope_bounds = _sums(pupil, grid, field_error, wanted)
         peak = values.max(axis=(1, 2))
         intensities, error = _with_bounds(
             values, peak if outer_peak is None else np.maximum(peak, outer_peak), field_bounds, wanted
         )
-        if outer_peak is None and (error > tol or (everywhere and float(peak.min()) < bright**2)):
-            outer_peak = _peak_bound(pupil, max(requested, 1e-4 * bright / pupil.amplitude), wanted.threads)
+        if outer_peak is None and (error > tol or (everywhere and float(peak.min()) < peak_field**2)):
+            outer_peak = _peak_bound(pupil, max(field_error, 1e-4 * peak_field / pupil.amplitude), wanted.threads)
             intensities, error = _with_bounds(values, np.maximum(peak, outer_peak), field_bounds, wanted)
-        if error <= tol or requested <= _MIN_ERROR:
+        if error <= tol or field_error <= _MIN_ERROR:
             break
         assert intensities.peak is not None
-        bright = min(0.9 * math.sqrt(max(float(intensities.peak.min()), 1e-300)), 0.5 * bright)
+        peak_field = min(0.9 * math.sqrt(max(float(intensities.peak.min()), 1e-300)), 0.5 * peak_field)
     if not error <= tol:
         raise not_met(tol, error, "the peak")
-    answer = to_images(intensities, grid, wanted)
+    images = to_images(intensities, grid, wanted)
     if not wanted.terms:
-        return answer
+        return images
     peak = np.asarray(intensities.peak)
     # Error of I' = 2 Re(conj(U) U'), where |U'| is at most the amplitude.
-    rise = 2.0 * (np.sqrt(peak) * slope_bounds + (pupil.amplitude + slope_bounds) * field_bounds) / peak
-    scaled = (slopes * answer.scale[:, None, None]).astype(wanted.dtype)
-    error = rise + (np.abs(slopes).max(axis=(2, 3)) / peak + rise) * storing(wanted.dtype)
-    return answer._replace(slopes=Slopes(scaled, error))
+    derivative_error = 2.0 * (np.sqrt(peak) * slope_bounds + (pupil.amplitude + slope_bounds) * field_bounds) / peak
+    scaled = (slopes * images.scale[:, None, None]).astype(wanted.dtype)
+    error = derivative_error + (np.abs(slopes).max(axis=(2, 3)) / peak + derivative_error) * storing(wanted.dtype)
+    return images._replace(slopes=Slopes(scaled, error))
 
 
 def _with_bounds(values: Array, peak: Array, field_bounds: Array, wanted: Wanted) -> tuple[Intensities, float]:
     """Return intensities with bounds relative to `peak`, and the largest bound after storing."""
-    bounded = Intensities(values, relative_error(peak[:, None], field_bounds), peak)
-    return bounded, float(np.max(with_storage_rounding(bounded, wanted)))  # type: ignore[arg-type]
+    intensities = Intensities(values, relative_error(peak[:, None], field_bounds), peak)
+    return intensities, float(np.max(with_storage_rounding(intensities, wanted)))  # type: ignore[arg-type]
 
 
 def _peak_bound(pupil: Pupil, error: float, threads: int) -> Array:
     """Return a lower bound on the peak of each PSF, from a coarse lattice over the whole blur."""
     blur = float(pupil.v(pupil.geometric_radius()).max())
-    far = Grid(64, max(0.5, blur / (30.0 * math.pi)) * pupil.scale)
-    values, _, field_bounds, _ = _sums(pupil, far, error, Wanted(threads=threads))
+    lattice = Grid(64, max(0.5, blur / (30.0 * math.pi)) * pupil.scale)
+    values, _, field_bounds, _ = _sums(pupil, lattice, error, Wanted(threads=threads))
     return np.asarray(np.maximum(np.sqrt(values.max(axis=(1, 2))) - field_bounds, 0.0) ** 2)
 
 
@@ -568,24 +568,24 @@ def _half_grid(grid: Grid) -> Grid | None:
     """Return the pixels on one side of the axis; None if mirroring them does not save time."""
     if not grid.mirrored:
         return None
-    down, across = (max(c, side - 1 - c) for c, side in zip(grid.axis, grid.shape, strict=True))
-    first = grid.axis[1] % 1.0
-    shape = int(2.0 * down) + 1, int(across - first) + 1
+    reach_y, reach_x = (max(c, side - 1 - c) for c, side in zip(grid.axis, grid.shape, strict=True))
+    offset = grid.axis[1] % 1.0
+    shape = int(2.0 * reach_y) + 1, int(reach_x - offset) + 1
     if math.prod(shape) > _MAX_HALF_SHARE * math.prod(grid.shape):
         return None
-    return Grid(shape, grid.pixel, center=(down, -first))
+    return Grid(shape, grid.pixel, center=(reach_y, -offset))
 
 
 def _mirror_half(values: Array, half: Grid, grid: Grid) -> Array:
     """Return images on the pixels of `grid` from images on its :func:`_half_grid`."""
-    (row, column), (down, _) = grid.axis, half.axis
-    left, top, end = math.ceil(column), int(down - row), int(down + row) + 1
-    out = np.empty((len(values), *grid.shape))
-    out[:, :, left:] = values[:, top : top + grid.height, : grid.width - left]
-    near = int(left == column)  # the column on the axis has no mirror image
-    turned = values[:, end - grid.height : end, near : near + left]
-    out[:, :, :left] = turned[:, ::-1, ::-1]
-    return out
+    (row, column), (reach_y, _) = grid.axis, half.axis
+    columns, top, last = math.ceil(column), int(reach_y - row), int(reach_y + row) + 1
+    images = np.empty((len(values), *grid.shape))
+    images[:, :, columns:] = values[:, top : top + grid.height, : grid.width - columns]
+    skipped = int(columns == column)  # the column on the axis has no mirror image
+    rotated = values[:, last - grid.height : last, skipped : skipped + columns]
+    images[:, :, :columns] = rotated[:, ::-1, ::-1]
+    return images
 
 
 def _sums(pupil: Pupil, grid: Grid, error: float, wanted: Wanted) -> tuple[Array, Array, Array, Array]:
@@ -624,8 +624,8 @@ def _sums(pupil: Pupil, grid: Grid, error: float, wanted: Wanted) -> tuple[Array
     if pupil.mask is not None and pupil.mask.squares:
         # Square cells multiply the field by a sinc along each axis, and I by squared sincs (section 18, "The light of
         # a mask").
-        down, across = (np.sinc(step / grid.side / (math.pi * pupil.mask.side) * at) ** 2 for at in (grid.y, grid.x))
-        cells = down[:, None] * across
+        sinc_y, sinc_x = (np.sinc(step / grid.side / (math.pi * pupil.mask.side) * r) ** 2 for r in (grid.y, grid.x))
+        cells = sinc_y[:, None] * sinc_x
         values, slopes = values * cells, slopes * cells
     field_bounds = approximation_error + sum_error
     return values, slopes, field_bounds, field_bounds

@@ -19,7 +19,7 @@ PUPIL = lm.Pupil(lm.Wavefront(1.5, 0.7, nonradial={(3, 1): 0.8, (2, -2): 0.5}), 
 @pytest.mark.parametrize("step", [0.05, 0.785, 1.6, 3.0, 11.0, 60.0])
 @pytest.mark.parametrize("error", [1e-5, 1e-9, 1e-12])
 def test_the_response_of_a_growing_pixel_is_the_derivative_of_that_of_a_pixel(step, error):
-    taps = averaging_filter(step, error, growing=True)
+    taps = averaging_filter(step, error, by_pitch=True)
     k = np.arange(taps.weights.size) - taps.weights.size // 2
     w = np.linspace(0.0, 2.0, 8001)
     response = np.cos(np.outer(w, k * step / taps.stride)) @ taps.weights

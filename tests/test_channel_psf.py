@@ -129,13 +129,13 @@ def test_blocks_of_a_stack_are_those_of_the_whole(monkeypatch):
 
     pupil = LENS.pupil(np.linspace(1.8, 2.2, 6).reshape(2, 3))
     whole = lm.colour_psf(pupil, 9, 3e-6, CHANNELS, center=(np.array([3.0, 4.0, 5.0]), 4.0))
-    counts, together = [], module.together
+    counts, together = [], module.sum_spectra
 
     def counted(sums, pupil, *rest, **more):
         counts.append(pupil.shape)
         return together(sums, pupil, *rest, **more)
 
-    monkeypatch.setattr(module, "together", counted)
+    monkeypatch.setattr(module, "sum_spectra", counted)
     monkeypatch.setattr(module, "_BLOCK_VALUES", 200)
     parts = lm.colour_psf(pupil, 9, 3e-6, CHANNELS, center=(np.array([3.0, 4.0, 5.0]), 4.0))
     assert np.abs(whole.values - parts.values).max() <= 1e-6 * whole.values.max()

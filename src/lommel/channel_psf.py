@@ -19,7 +19,7 @@ from lommel.core.answers import Wanted
 from lommel.measures.psf_like import ColourPSFLike
 from lommel.methods import question
 from lommel.methods.method import Method, storing, to_images, with_model_error
-from lommel.methods.polychromatic import Polychromatic, together
+from lommel.methods.polychromatic import Polychromatic, sum_spectra
 from lommel.methods.question import prepare
 from lommel.optics.base_pupil import BasePupil, imaged
 from lommel.optics.colour.spectrum import Channels, checked
@@ -291,7 +291,7 @@ def _compute_channels(pupil: BasePupil, sums: list[Polychromatic], plan: Plan) -
         normalized = prepared.wanted.scale is None
         # Division by the largest value, which has an error too, about doubles the error divided by the peak.
         aim = (0.48 if normalized else 1.0) * (plan.tol - 1.1 * storing(plan.dtype))
-        found = together(sums, part, grid, plan.threads, aim, window=normalized)
+        found = sum_spectra(sums, part, grid, plan.threads, aim, window=normalized)
         for c, (each, intensities) in enumerate(zip(sums, found, strict=True)):
             out = values[c].reshape(count, *sides)[block]
             request = Wanted(

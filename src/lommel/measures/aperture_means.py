@@ -122,9 +122,9 @@ def strehl(pupil: Pupil) -> Numbers:
     ToleranceError
         If the phase on a disc or an annulus needs more than 2^24 nodes.
     """
-    flat = checked(pupil).wavefront.flattened()
+    wavefronts = checked(pupil).wavefront.flattened()
     # One pupil at a time, because the numbers of nodes differ.
-    pupils = (replace(pupil, wavefront=flat[i], geometry=None) for i in range(*flat.shape))
+    pupils = (replace(pupil, wavefront=wavefronts[i], geometry=None) for i in range(*wavefronts.shape))
     return numbers([_strehl(single) for single in pupils], pupil.shape)
 
 
@@ -196,23 +196,23 @@ def _variance(pupil: Pupil) -> Array:
 class _Nodes(NamedTuple):
     """Quadrature nodes of an aperture, with weights whose sum is 1.
 
-    `extra`, shape (3, points), holds the phase of segments and mask at the nodes, and its derivatives along x and y.
+    `other_phase`, shape (3, points), is the phase of segments and mask at the nodes, and its derivatives by x and y.
     """
 
     rho: Array
     theta: Array
     weight: Array
-    extra: Array | None = None
+    other_phase: Array | None = None
 
     def phase(self, pupil: Pupil) -> Array:
         """Return the phase at the nodes, shape ``pupil.shape + (points,)``."""
         phase = pupil.wavefront.phase(self.rho, self.theta)
-        return phase if self.extra is None else phase + self.extra[0]
+        return phase if self.other_phase is None else phase + self.other_phase[0]
 
     def gradient(self, pupil: Pupil) -> Array:
         """Return the gradient of the phase at the nodes, shape (n, 2, points) for the flattened stack."""
         slope = gradient(pupil.wavefront, self.rho, self.theta)
-        return slope if self.extra is None else slope + self.extra[1:]
+        return slope if self.other_phase is None else slope + self.other_phase[1:]
 
 
 def _polynomial_rule(pupil: Pupil, power: float) -> _Nodes:
@@ -235,16 +235,16 @@ def _polynomial_rule(pupil: Pupil, power: float) -> _Nodes:
     return _rule(pupil, power, radial, 2 * order + 2)
 
 
-def _rule(pupil: Pupil, power: float, radial: int, around: int) -> _Nodes:
-    """Return a quadrature rule for discs and annuli: `radial` Gauss-Legendre nodes times `around` angles."""
-    low = pupil.obscuration**2
-    t, weight = gauss_legendre(radial, low, 1.0)
+def _rule(pupil: Pupil, power: float, radial: int, angles: int) -> _Nodes:
+    """Return a quadrature rule for discs and annuli: `radial` Gauss-Legendre nodes times `angles` equal angles."""
+    t_min = pupil.obscuration**2
+    t, weight = gauss_legendre(radial, t_min, 1.0)
     # Amplitudes are relative to the brightest zone, so that a strong apodization does not underflow.
     exponent = pupil.illumination.exponent_at(t)
     weight = weight * np.exp(-power * (exponent - exponent.min()))
-    theta = np.arange(around) * (2.0 * math.pi / around)
-    rho = np.repeat(np.sqrt(t), around)
-    return _Nodes(rho, np.tile(theta, radial), np.repeat(weight / (weight.sum() * around), around))
+    theta = np.arange(angles) * (2.0 * math.pi / angles)
+    rho = np.repeat(np.sqrt(t), angles)
+    return _Nodes(rho, np.tile(theta, radial), np.repeat(weight / (weight.sum() * angles), angles))
 
 
 def _clear_rule(pupil: Pupil, power: float, degree: int) -> _Nodes:
@@ -255,22 +255,22 @@ def _clear_rule(pupil: Pupil, power: float, degree: int) -> _Nodes:
     # A mask may have a node at rho = 0, where (1 / rho) d/dtheta would divide by 0.
     rho = np.maximum(np.hypot(x, y), 1e-12)
     weight = weight * mask_factor * pupil.illumination.at(rho**2, power)
-    extra = None
+    other_phase = None
     if pupil.segmented:
-        extra = pupil.opening.tilted_nodes(degree) if pupil.mask is None else pupil.opening.tilted(x, y)
+        other_phase = pupil.opening.tilted_nodes(degree) if pupil.mask is None else pupil.opening.tilted(x, y)
     if pupil.phase_mask:
-        extra = np.zeros((3, x.size)) if extra is None else extra
-        extra[0] += np.angle(pupil.mask.at(x, y))  # type: ignore[union-attr]
-    return _Nodes(rho, np.arctan2(y, x), weight / weight.sum(), extra)
+        other_phase = np.zeros((3, x.size)) if other_phase is None else other_phase
+        other_phase[0] += np.angle(pupil.mask.at(x, y))  # type: ignore[union-attr]
+    return _Nodes(rho, np.arctan2(y, x), weight / weight.sum(), other_phase)
 
 
 def gradient(wavefront: Wavefront, rho: Array, theta: Array) -> Array:
     """Return ``(dPhi/dx, dPhi/dy)`` at points with rho > 0, shape ``(n, 2, points)`` for the flattened stack."""
-    flat = wavefront.flattened()
+    flattened = wavefront.flattened()
     # dPhi/drho and (1/rho) dPhi/dtheta: first the radial terms, then terms c R(rho) times cos or sin of m theta.
-    radial = ray_height(flat.edge[:, : flat.symmetric], rho)
+    radial = ray_height(flattened.edge[:, : flattened.symmetric], rho)
     tangential = np.zeros_like(radial)
-    for (n, m), c in flat.nonradial.items():
+    for (n, m), c in flattened.nonradial.items():
         k = abs(m)
         function, derivative = (np.cos, -np.sin(k * theta)) if m > 0 else (np.sin, np.cos(k * theta))
         radial = radial + c[:, None] * (_radial_slope(n, k, rho) * function(k * theta))
@@ -306,22 +306,22 @@ def _strehl(pupil: Pupil) -> float:
     order = max([0, *(abs(m) for _, m in terms)])
     # About 0.5 nodes per unit of the blur (in v) resolve exp(i phase); the loop below verifies this estimate.
     radial = 24 + math.ceil(0.5 * blur + 0.5 * pupil.illumination.slope)
-    around = 2 * (16 + 2 * order + math.ceil(0.6 * blur)) if terms else 2
+    angles = 2 * (16 + 2 * order + math.ceil(0.6 * blur)) if terms else 2
 
-    def quadrature(radial: int, around: int) -> float:
-        if radial * around > _MAX_NODES:
+    def quadrature(radial: int, angles: int) -> float:
+        if radial * angles > _MAX_NODES:
             raise ToleranceError(
                 f"the Strehl ratio of a phase with a blur of v = {blur:.3g} needs more than {_MAX_NODES} nodes"
             )
-        nodes = _rule(pupil, 1.0, radial, around)
+        nodes = _rule(pupil, 1.0, radial, angles)
         mean = np.sum(nodes.weight * np.exp(1j * nodes.phase(pupil)))
         return float(mean.real**2 + mean.imag**2)
 
-    value = quadrature(radial, around)
+    value = quadrature(radial, angles)
     while True:
         radial = math.ceil(1.4 * radial)
-        around = 2 * math.ceil(0.7 * around) if terms else around
-        before, value = value, quadrature(radial, around)
+        angles = 2 * math.ceil(0.7 * angles) if terms else angles
+        previous, value = value, quadrature(radial, angles)
         # Rounding errors of large phases are about 1e-15 times the blur.
-        if abs(value - before) <= 1e-12 + 1e-15 * blur:
+        if abs(value - previous) <= 1e-12 + 1e-15 * blur:
             return value

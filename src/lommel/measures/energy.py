@@ -109,11 +109,11 @@ def _light_within(
     `sizes` are in the unit of the pupil. `centers` (n, 2), their `offsets` from the axis, and the arguments of
     `light_within` are in units of lambda*N.
     """
-    pupil, flat = model.pupil, sizes.ravel() / model.pupil.scale
-    reach = float(flat.max(initial=0.0)) + float(offsets.max(initial=0.0))
+    pupil, lengths = model.pupil, sizes.ravel() / model.pupil.scale
+    reach = float(lengths.max(initial=0.0)) + float(offsets.max(initial=0.0))
     validation.reach(f"{name}={sizes.max(initial=0.0):g}", math.pi * reach, pupil.scale, pupil.unit)
     pairs = zip(energy_images(model, reach, name), centers, strict=True)
-    return numbers([light_within(image, flat, center) for image, center in pairs], pupil.shape + sizes.shape)
+    return numbers([light_within(image, lengths, center) for image, center in pairs], pupil.shape + sizes.shape)
 
 
 def image_centroid(psf: PSFLike) -> Array:
@@ -215,13 +215,13 @@ def radial_energy(method: RadialMethod, pupil: BasePupil, radius: ArrayLike) -> 
         If the method is not radial or does not support the pupil, or if a radius is negative or not finite.
     """
     validation.instance("method", method, RadialMethod)
-    at = validation.real_array("radius", radius, least=0.0)
+    radii = validation.real_array("radius", radius, least=0.0)
     method.require(pupil)
-    if at.size == 0:
-        return np.zeros(pupil.shape + at.shape)
+    if radii.size == 0:
+        return np.zeros(pupil.shape + radii.shape)
     # v refers to the reference wavelength; at the shortest wavelength I oscillates faster by the factor `stretch`.
     stretch = method.stretch(pupil)
-    edges, index = np.unique(_v_within_reach(pupil, "radius", at, stretch), return_inverse=True)
+    edges, index = np.unique(_v_within_reach(pupil, "radius", radii, stretch), return_inverse=True)
     # A node on the axis, with weight 0, because the error of a profile is relative to its largest value.
     nodes, weights, counts = [np.zeros(1)], [np.zeros(1)], []
     for low, high in zip(np.append(0.0, edges), edges, strict=False):
@@ -232,9 +232,9 @@ def radial_energy(method: RadialMethod, pupil: BasePupil, radius: ArrayLike) -> 
         counts.append(x.size)
     intensity = method.profile(pupil, np.concatenate(nodes)).values
     # Panels end at the radii, so that one cumulative sum includes the integrals to all radii.
-    light = np.cumsum(intensity * np.concatenate(weights), axis=1)
+    integrals = np.cumsum(intensity * np.concatenate(weights), axis=1)
     # E = int I v dv / (2 tau), because the integral of I over the plane, int I 2 pi v dv, is 4 pi tau.
-    return numbers(light[:, np.cumsum(counts)[index]] / (2.0 * pupil.transmission), pupil.shape + at.shape)
+    return numbers(integrals[:, np.cumsum(counts)[index]] / (2.0 * pupil.transmission), pupil.shape + radii.shape)
 
 
 def radial_square_energy(method: RadialMethod, pupil: BasePupil, half_width: Array) -> Numbers:
@@ -246,8 +246,8 @@ def radial_square_energy(method: RadialMethod, pupil: BasePupil, half_width: Arr
 
 def _v_within_reach(pupil: BasePupil, name: str, distance: Array, stretch: float) -> Array:
     """Return distances from the axis as values of v, flattened; ValueError if a distance is too large."""
-    far = float(distance.max(initial=0.0))
-    validation.reach(f"{name}={far:g}", stretch * (math.pi / pupil.scale * far), pupil.scale / stretch, pupil.unit)
+    edge = float(distance.max(initial=0.0))
+    validation.reach(f"{name}={edge:g}", stretch * (math.pi / pupil.scale * edge), pupil.scale / stretch, pupil.unit)
     return pupil.v(distance).ravel()
 
 
@@ -282,12 +282,12 @@ def window_energy(psf: PSFLike) -> Numbers:
         float(end) for end in (grid.x[0] - half_x, grid.x[-1] + half_x, grid.y[0] - half_y, grid.y[-1] + half_y)
     )
     if radial is None:
-        low, far = np.array([left, top]) / pupil.scale, np.array([right, bottom]) / pupil.scale
+        low, high = np.array([left, top]) / pupil.scale, np.array([right, bottom]) / pupil.scale
         # A window with an even number of pixels is off-centre: one of its sides may exceed half the period of a
         # sampled image by half a pixel.
-        reach = min(float(np.abs([low, far]).max()), 0.5 * psf.method.period(pupil))
+        reach = min(float(np.abs([low, high]).max()), 0.5 * psf.method.period(pupil))
         images = energy_images(ImageModel.of(psf, "optics"), reach, "the window")
-        return numbers([image.rectangle((low[0], low[1]), (far[0], far[1])) for image in images], pupil.shape)
+        return numbers([image.rectangle((low[0], low[1]), (high[0], high[1])) for image in images], pupil.shape)
     step = math.pi / pupil.scale
     # The window as a signed sum of rectangles with one corner on the axis.
     corners = [
@@ -317,9 +317,9 @@ def _light_in_rectangles(
 
 def _quadrant_rule(a: float, b: float, stretch: float) -> tuple[Array, Array]:
     """Return nodes v and weights to integrate a radial function of type ``2 stretch`` over [0, a] x [0, b]."""
-    near, far = min(a, b), max(a, b)
+    shorter, longer = min(a, b), max(a, b)
     # Three ranges of radii: full quarter circles, arcs cut by the nearer side, and arcs cut by both sides.
-    pieces = [(0.0, near), (near, far), (far, math.hypot(a, b))]
+    pieces = [(0.0, shorter), (shorter, longer), (longer, math.hypot(a, b))]
     nodes, weights = [], []
     for low, high in pieces:
         # The length of the arc has a square-root singularity at v = low, which v = low + (high - low) s^2 removes.
@@ -384,14 +384,14 @@ def encircled(pupil: Pupil, radius: ArrayLike, *, method: Method | None = None) 
     TypeError, ValueError
         If a radius is not finite or out of range, or if the pupil is a stack.
     """
-    at = np.atleast_1d(validation.real_array("radius", radius, least=0.0))
+    radii = np.atleast_1d(validation.real_array("radius", radius, least=0.0))
     if method is not None:
         validation.instance("method", method, Method)
     if checked_pupil(pupil).shape != ():
         raise ValueError(f"pupil must be a single one, got a stack of shape {pupil.shape}")
     if pupil.radial:
-        return Encircled(np.atleast_1d(radial_energy(of_profiles(), pupil, at)), None)
-    reach = at / pupil.scale
+        return Encircled(np.atleast_1d(radial_energy(of_profiles(), pupil, radii)), None)
+    reach = radii / pupil.scale
     if reach.size and reach.max() > MAX_RADIUS:
         raise ValueError(
             f"radius must be at most {MAX_RADIUS:g} lambda*N for a pupil that is not radially symmetric, "
@@ -445,7 +445,7 @@ def best_focus(pupil: Pupil, radius: float, *, method: RadialMethod | None = Non
     from scipy.optimize import minimize_scalar
 
     radial_method = validation.instance("method", of_profiles() if method is None else method, RadialMethod)
-    at = validation.real("radius", radius, above=0.0)
+    valid_radius = validation.real("radius", radius, above=0.0)
     if checked_pupil(pupil).shape != ():
         raise ValueError(f"pupil must be a single one, got a stack of shape {pupil.shape}")
     if not pupil.radial:
@@ -463,7 +463,7 @@ def best_focus(pupil: Pupil, radius: float, *, method: RadialMethod | None = Non
 
     def energy(defocus: ArrayLike) -> NDArray[np.float64]:
         defocused = replace(pupil, wavefront=pupil.wavefront + Wavefront(defocus), geometry=None)
-        return np.asarray(radial_energy(radial_method, defocused, at))
+        return np.asarray(radial_energy(radial_method, defocused, valid_radius))
 
     start = float(scan[np.argmax(energy(scan))])
     bounds, options = (start - 0.5, start + 0.5), {"xatol": 1e-6}

@@ -66,11 +66,11 @@ class Cells:
         spectrum = fft.fft2(self.field, (2 * len(self.field), 2 * len(self.field)))
         return np.asarray(fft.ifft2(spectrum.real**2 + spectrum.imag**2).conj())
 
-    def at(self, across: NDArray[np.int64], down: NDArray[np.int64]) -> NDArray[np.complex128]:
+    def at(self, x_shift: NDArray[np.int64], y_shift: NDArray[np.int64]) -> NDArray[np.complex128]:
         """Return the autocorrelation at shifts by whole cells along columns and rows."""
         side = len(self.field)
         # At shifts by a whole side or more no cells overlap.
-        x, y = (np.clip(shift, -side, side) for shift in (across, down))
+        x, y = (np.clip(shift, -side, side) for shift in (x_shift, y_shift))
         if side <= _MAX_TABLE:
             return np.asarray(self._table[y, x])
         # For a large mask each distinct shift is computed once, by a direct sum.
@@ -80,19 +80,19 @@ class Cells:
     def _at_shift(self, x: int, y: int) -> complex:
         """Return the autocorrelation at one shift, by a direct sum."""
         side = len(self.field)
-        first, second = (
+        field, shifted = (
             self.field[max(b, 0) : side + min(b, 0), max(a, 0) : side + min(a, 0)] for a, b in ((x, y), (-x, -y))
         )
-        return complex(np.einsum("yx,yx->", first.conj(), second))
+        return complex(np.einsum("yx,yx->", field.conj(), shifted))
 
     def between(self, shift: Array) -> NDArray[np.complex128]:
         """Return the autocorrelation at arbitrary shifts, shape (points, 2), in units of the side of a cell."""
         # Bilinear interpolation is exact (docs/certificate.md, "Masks").
-        first = np.floor(np.clip(shift, -len(self.field), len(self.field)))
-        (x, y), (column, row) = (shift - first).T, first.T.astype(np.int64)
+        corner = np.floor(np.clip(shift, -len(self.field), len(self.field)))
+        (x, y), (column, row) = (shift - corner).T, corner.T.astype(np.int64)
         x, y = (np.clip(part, 0.0, 1.0) for part in (x, y))
-        near, next_to = ((1.0 - x) * self.at(column, j) + x * self.at(column + 1, j) for j in (row, row + 1))
-        return np.asarray((1.0 - y) * near + y * next_to)
+        value, next_value = ((1.0 - x) * self.at(column, j) + x * self.at(column + 1, j) for j in (row, row + 1))
+        return np.asarray((1.0 - y) * value + y * next_value)
 
     def centroid(self, *, squares: bool) -> Array:
         """Return the centroid (x, y) of the image of square cells, or of one period for point samples, lambda*N."""
@@ -123,7 +123,7 @@ def cells_of_stack(pupil: Pupil) -> list[Cells]:
 def mask_otf(pupil: Pupil, f: Array) -> NDArray[np.complex128]:
     """Return the OTF of a flattened stack of pupils with masks, at f (points, 2) in units of the cutoff frequency."""
     assert pupil.mask is not None
-    return np.stack([one.between(pupil.mask.side * f) for one in cells_of_stack(pupil)])
+    return np.stack([single.between(pupil.mask.side * f) for single in cells_of_stack(pupil)])
 
 
 _CHUNK = 2**20  # largest number of pupil values computed together, to limit the memory
@@ -143,25 +143,25 @@ def autocorrelation(pupil: Pupil, f: Array, tol: float) -> NDArray[np.complex128
         mirrored = (f[:, 1] < 0) | ((f[:, 1] == 0) & (f[:, 0] < 0))
         canonical = np.where(mirrored[:, None], -f, f)
     # In lattices of frequencies many points have the same OTF: compute it once for each distinct point.
-    points, where = np.unique(canonical, axis=0, return_inverse=True)
+    points, index = np.unique(canonical, axis=0, return_inverse=True)
     shift = np.hypot(points[:, 0], points[:, 1])
     values = np.zeros((math.prod(pupil.shape), len(points)), dtype=np.complex128)
-    # Up to the shift `least` the OTF is 1 up to rounding. It is not computed there, because quotients would overflow
+    # Up to `min_shift` the OTF is 1 up to rounding. It is not computed there, because quotients would overflow
     # and edges of shapes have rounding errors.
-    least = 1e-100 if pupil.circular else 1e-14
-    values[:, shift <= least] = 1.0
-    within = np.flatnonzero((shift > least) & (shift < 1))
+    min_shift = 1e-100 if pupil.circular else 1e-14
+    values[:, shift <= min_shift] = 1.0
+    indices = np.flatnonzero((shift > min_shift) & (shift < 1))
     if pupil.circular:
         blur = float(pupil.v(pupil.geometric_radius()).max())
         # Group frequencies of similar modulus, which need similar numbers of nodes.
-        within = within[np.argsort(shift[within])]
-        for group in np.array_split(within, math.ceil(len(within) / 32)) if len(within) else ():
+        indices = indices[np.argsort(shift[indices])]
+        for group in np.array_split(indices, math.ceil(len(indices) / 32)) if len(indices) else ():
             values[:, group] = _circular_otf(pupil, points[group], shift[group], blur, tol)
     else:
-        clear = _clear_parts(pupil.opening)
-        for k in within:
-            values[:, k] = _general_otf(pupil, clear, points[k], float(shift[k]), tol)
-    values = values[:, where.reshape(-1)]
+        parts = _clear_parts(pupil.opening)
+        for k in indices:
+            values[:, k] = _general_otf(pupil, parts, points[k], float(shift[k]), tol)
+    values = values[:, index.reshape(-1)]
     return np.where(mirrored, values.conj(), values)
 
 
@@ -169,69 +169,69 @@ def _circular_otf(pupil: Pupil, f: Array, shift: Array, blur: float, tol: float)
     """Return the OTF of circular or annular apertures at a few frequencies."""
     # The number of nodes follows from an estimate of the phase change along a line of the overlap. If the estimate is
     # too low, _converged_integral() adds nodes.
-    swing = 2.0 * blur * (1.0 - float(shift.min())) * min(1.0, 2.0 * float(shift.max()))
-    nodes = 16 + math.ceil(0.25 * swing + 0.25 * pupil.illumination.slope)
+    phase_change = 2.0 * blur * (1.0 - float(shift.min())) * min(1.0, 2.0 * float(shift.max()))
+    nodes = 16 + math.ceil(0.25 * phase_change + 0.25 * pupil.illumination.slope)
     return _converged_integral(
         lambda nodes: _overlap_integral(pupil, f, shift, nodes), nodes, tol, tol + 1e-15 * blur
     )
 
 
 def _converged_integral(
-    integral: Callable[[int], NDArray[np.complex128]], nodes: int, tol: float, least: float
+    integral: Callable[[int], NDArray[np.complex128]], nodes: int, tol: float, allowed: float
 ) -> NDArray[np.complex128]:
-    """Return ``integral(nodes)``, with `nodes` increased until two successive values differ by at most `least`."""
-    before: NDArray[np.complex128] | None = None
+    """Return ``integral(nodes)``, with `nodes` increased until two successive values differ by at most `allowed`."""
+    previous: NDArray[np.complex128] | None = None
     while nodes <= _MAX_NODES:
         value = integral(nodes)
-        if before is not None and np.abs(value - before).max() <= least:
+        if previous is not None and np.abs(value - previous).max() <= allowed:
             return value
-        before, nodes = value, math.ceil(1.4 * nodes)
+        previous, nodes = value, math.ceil(1.4 * nodes)
     raise ToleranceError(f"the OTF to tol={tol:g} needs more than {_MAX_NODES} nodes along a line")
 
 
 def _overlap_integral(pupil: Pupil, f: Array, shift: Array, nodes: int) -> NDArray[np.complex128]:
     """Return the autocorrelation at f by `nodes` Gauss nodes along and across each part of the overlap."""
     x, w = gauss_legendre(nodes)
-    which, y, low, width, weight = _lines(shift, pupil.obscuration, x, w)
+    frequency, y, low, width, weight = _lines(shift, pupil.obscuration, x, w)
     # For defocus alone the phase difference is linear in u, and integrals along u have a closed form.
     if pupil.radial and pupil.illumination.uniform and not pupil.radial_terms()[:, 1:].any():
-        lines = _defocused_lines(pupil.radial_terms()[:, :1] * shift[which], low, width) * weight
-        return _sum_lines(lines, which, len(f)) / (math.pi * pupil.transmission)
+        lines = _defocused_lines(pupil.radial_terms()[:, :1] * shift[frequency], low, width) * weight
+        return _sum_lines(lines, frequency, len(f)) / (math.pi * pupil.transmission)
     if not pupil.radial:
         # Without radial symmetry the lines at -y are added, and all weights are halved.
-        which, low, width, weight = (np.tile(part, 2) for part in (which, low, width, 0.5 * weight))
+        frequency, low, width, weight = (np.tile(part, 2) for part in (frequency, low, width, 0.5 * weight))
         y = np.concatenate([y, -y])
-    out = np.zeros((math.prod(pupil.shape), len(f)), dtype=np.complex128)
-    many = max(1, _CHUNK // (len(out) * nodes))
-    for start in range(0, y.size, many):
-        part = slice(start, start + many)
-        at = which[part]
-        along = low[part, None] + width[part, None] * x
-        cos, sin = (f[at].T / shift[at])[:, :, None]
-        px = along * cos - y[part, None] * sin
-        py = along * sin + y[part, None] * cos
-        fx, fy = f[at].T[:, :, None]
+    otf = np.zeros((math.prod(pupil.shape), len(f)), dtype=np.complex128)
+    block_size = max(1, _CHUNK // (len(otf) * nodes))
+    for start in range(0, y.size, block_size):
+        part = slice(start, start + block_size)
+        index = frequency[part]
+        u = low[part, None] + width[part, None] * x
+        cos, sin = (f[index].T / shift[index])[:, :, None]
+        px = u * cos - y[part, None] * sin
+        py = u * sin + y[part, None] * cos
+        fx, fy = f[index].T[:, :, None]
         if pupil.radial:
             product = _radial_product(pupil, (px - fx) ** 2 + (py - fy) ** 2, (px + fx) ** 2 + (py + fy) ** 2)
         else:
             product = pupil.values(px - fx, py - fy) * pupil.values(px + fx, py + fy).conj()
-        np.add.at(out.T, at, ((product @ w) * (width[part] * weight[part])).T)
-    return out / (math.pi * pupil.transmission)
+        np.add.at(otf.T, index, ((product @ w) * (width[part] * weight[part])).T)
+    return otf / (math.pi * pupil.transmission)
 
 
 def _defocused_lines(slope: Array, low: Array, width: Array) -> Array:
     """Return the integrals of ``cos(8 slope u)`` along lines from `low` to `low + width`, shape (n, lines)."""
-    half = 4.0 * slope * width + 1e-300  # avoids 0 / 0
-    lines = np.cos(8.0 * slope * low + half)
-    lines *= np.sin(half)
-    lines /= half
+    half_phase = 4.0 * slope * width + 1e-300  # avoids 0 / 0
+    lines = np.cos(8.0 * slope * low + half_phase)
+    lines *= np.sin(half_phase)
+    lines /= half_phase
     lines *= width
     return lines
 
 
-def _sum_lines(lines: Array, which: NDArray[np.intp], count: int) -> NDArray[np.complex128]:
-    """Sum the integrals of lines for each frequency; `which` is the index of a line's frequency, below `count`."""
-    return np.array([np.bincount(which, each, count) for each in lines], dtype=np.complex128)
+def _sum_lines(lines: Array, frequency: NDArray[np.intp], count: int) -> NDArray[np.complex128]:
+    """Sum the integrals of lines for each frequency; `frequency` is the index (below `count`) for each line."""
+    return np.array([np.bincount(frequency, values, count) for values in lines], dtype=np.complex128)
 
 
 def _radial_product(pupil: Pupil, s: Array, t: Array) -> Values:
@@ -253,16 +253,16 @@ def _lines(shift: Array, eps: float, x: Array, w: Array) -> tuple[Values, ...]:
     if eps > 0:
         # Angles theta, y = eps sin(theta), at which the rim of one aperture intersects the obscuration of the other
         # aperture, and at which both obscurations intersect.
-        meets = shift - (1.0 - eps**2) / (4.0 * shift)
+        crossing = shift - (1.0 - eps**2) / (4.0 * shift)
         last = np.arcsin(np.minimum(1.0, top / eps))
-        rim = np.arccos(np.minimum(1.0, np.abs(meets) / eps))
-        both = np.arccos(np.minimum(1.0, shift / eps))
-        edges = np.sort(np.minimum([np.zeros_like(last), rim, both, last], last), axis=0)
+        rim = np.arccos(np.minimum(1.0, np.abs(crossing) / eps))
+        hole = np.arccos(np.minimum(1.0, shift / eps))
+        edges = np.sort(np.minimum([np.zeros_like(last), rim, hole, last], last), axis=0)
         panels += [_panel(a, b, eps, shift, eps, x, w) for a, b in pairwise(edges)]
-    which, y, low, width, weight = (np.concatenate(part) for part in zip(*panels, strict=True))
+    frequency, y, low, width, weight = (np.concatenate(part) for part in zip(*panels, strict=True))
     nonempty = width * weight > 0
-    which, y, low, width, weight = (part[nonempty] for part in (which, y, low, width, weight))
-    return which, y, low, width, 2.0 * weight
+    frequency, y, low, width, weight = (part[nonempty] for part in (frequency, y, low, width, weight))
+    return frequency, y, low, width, 2.0 * weight
 
 
 def _panel(
@@ -282,8 +282,8 @@ def _panel(
         left = [(-f - rim, -f - hole), (-f + hole, -f + rim)]
         # The overlap consists of intersections of the clear intervals of both apertures.
         pieces = [(np.maximum(a, c), np.minimum(b, d)) for a, b in right for c, d in left]
-    which = np.broadcast_to(np.arange(shift.size)[:, None], y.shape).ravel()
-    lines = (which, y.ravel(), weight.ravel())
+    frequency = np.broadcast_to(np.arange(shift.size)[:, None], y.shape).ravel()
+    lines = (frequency, y.ravel(), weight.ravel())
     parts = [(*lines[:2], low.ravel(), np.maximum(high - low, 0.0).ravel(), lines[2]) for low, high in pieces]
     return tuple(np.concatenate(part) for part in zip(*parts, strict=True))
 
@@ -315,49 +315,49 @@ def _clear_parts(opening: Opening) -> _ClearParts:
     edges = [np.concatenate(part.outline(256)) for part in opening.stop.shapes]  # type: ignore[union-attr]
     centers = np.array([0.5 * (edge.min(axis=0) + edge.max(axis=0)) for edge in edges])
     # Curved edges bulge between the 256 points of an outline by less than 1 % of the radius.
-    radii = [1.01 * np.hypot(*(edge - at).T).max() for edge, at in zip(edges, centers, strict=True)]
+    radii = [1.01 * np.hypot(*(edge - center).T).max() for edge, center in zip(edges, centers, strict=True)]
     return _ClearParts(regions, opening.phases, centers, np.array(radii))
 
 
-def _general_otf(pupil: Pupil, clear: _ClearParts, f: Array, shift: float, tol: float) -> NDArray[np.complex128]:
+def _general_otf(pupil: Pupil, parts: _ClearParts, f: Array, shift: float, tol: float) -> NDArray[np.complex128]:
     """Return the OTF of an aperture of any shape at one frequency; its error is at most `tol` plus rounding."""
     axes = np.array([1.0 - shift, math.sqrt((1.0 - shift) * (1.0 + shift))])
-    # `back` maps the unit disc to the ellipse around the overlap, and `frame` is its inverse.
+    # `from_disc` maps the unit disc to the ellipse around the overlap, and `to_disc` is its inverse.
     cos, sin = f / shift
-    back = np.array([[cos, -sin], [sin, cos]]) * axes
-    frame = np.array([[cos, sin], [-sin, cos]]) / axes[:, None]
+    from_disc = np.array([[cos, -sin], [sin, cos]]) * axes
+    to_disc = np.array([[cos, sin], [-sin, cos]]) / axes[:, None]
     factor = float(axes[0] * axes[1]) / pupil.transmission
     # Segments can overlap only if their enclosing discs do.
-    distances = np.hypot(*(clear.centers[:, None] - clear.centers + 2.0 * f).transpose(2, 0, 1))
-    pairs = np.argwhere(distances < clear.radii[:, None] + clear.radii)
-    first, second = clear.phases[pairs[:, 0]], clear.phases[pairs[:, 1]]
+    distances = np.hypot(*(parts.centers[:, None] - parts.centers + 2.0 * f).transpose(2, 0, 1))
+    pairs = np.argwhere(distances < parts.radii[:, None] + parts.radii)
+    first, second = parts.phases[pairs[:, 0]], parts.phases[pairs[:, 1]]
     tilts = first[:, 1:] - second[:, 1:]
     constants = first[:, 0] - second[:, 0] - (first[:, 1:] + second[:, 1:]) @ f
     # About half of the tolerance is for the polynomial approximation of the integrand, half for the rules.
     rule_tol = min(max(0.45 * tol / factor, _MIN_ERROR), 0.05)
     # A difference in tilt is linear in position, like the Fourier kernel: degree_needed() treats it as a distance v.
-    steepest = float(np.hypot(*(tilts @ back).T).max(initial=0.0))
+    steepest = float(np.hypot(*(tilts @ from_disc).T).max(initial=0.0))
     # Radius of the disc that contains the shifted ellipse: docs/certificate.md, section 18, "Transfer functions".
     rim = math.sqrt(1.0 + 0.5 * shift * (1.0 - shift))
-    sizes = _amplitudes(pupil, back, f)
+    sizes = _amplitudes(pupil, from_disc, f)
     try:
         degree = degree_needed(sizes, steepest, pupil.illumination, rule_tol, power=2.0, radius=rim)
     except ValueError as fault:
         raise ToleranceError(f"the OTF to tol={tol:g} cannot be computed: {fault}") from None
-    offset, total = frame @ f, np.zeros(math.prod(pupil.shape), dtype=np.complex128)
-    mapped = {(i, sign): clear.regions[i].mapped(frame, sign * offset) for i, sign in _shifted_regions(pairs)}
+    offset, total = to_disc @ f, np.zeros(math.prod(pupil.shape), dtype=np.complex128)
+    mapped = {(i, sign): parts.regions[i].mapped(to_disc, sign * offset) for i, sign in _shifted_regions(pairs)}
     for (i, j), tilt, constant in zip(pairs, tilts, constants, strict=True):
         rule = (mapped[i, 1] & mapped[j, -1]).rule(degree, rule_tol / len(pairs))
         u, y, weight = rule.nodes
-        many = max(1, _CHUNK // len(total))
-        for start in range(0, u.size, many):
-            part = slice(start, start + many)
-            at = back @ np.stack([u[part], y[part]])
-            phase = _phase_difference(pupil, at, f) + (constant + tilt @ at)
-            light = weight[part]
+        block_size = max(1, _CHUNK // len(total))
+        for start in range(0, u.size, block_size):
+            part = slice(start, start + block_size)
+            points = from_disc @ np.stack([u[part], y[part]])
+            phase = _phase_difference(pupil, points, f) + (constant + tilt @ points)
+            weights = weight[part]
             if not pupil.illumination.uniform:
-                light = light * np.prod([pupil.illumination.at(r * r) for r in _radii(at, f)], axis=0)
-            total += np.exp(1j * phase) @ light
+                weights = weights * np.prod([pupil.illumination.at(r * r) for r in _radii(points, f)], axis=0)
+            total += np.exp(1j * phase) @ weights
     return factor * total
 
 
@@ -366,29 +366,29 @@ def _shifted_regions(pairs: NDArray[np.intp]) -> set[tuple[int, int]]:
     return {(int(i), 1) for i in pairs[:, 0]} | {(int(j), -1) for j in pairs[:, 1]}
 
 
-def _radii(at: Array, f: Array) -> list[Array]:
+def _radii(points: Array, f: Array) -> list[Array]:
     """Return the distances of points from the axes of the two apertures, which are shifted by f and by -f."""
-    return [np.hypot(at[0] - sign * f[0], at[1] - sign * f[1]) for sign in (1.0, -1.0)]
+    return [np.hypot(points[0] - sign * f[0], points[1] - sign * f[1]) for sign in (1.0, -1.0)]
 
 
-def _phase_difference(pupil: Pupil, at: Array, f: Array) -> Array:
+def _phase_difference(pupil: Pupil, points: Array, f: Array) -> Array:
     """Return ``Phi(rho - f) - Phi(rho + f)`` at points, shape (n, points)."""
     if not pupil.wavefront.terms:
-        return np.zeros((math.prod(pupil.shape), at.shape[1]))
-    radii = _radii(at, f)
-    angles = [np.arctan2(at[1] - sign * f[1], at[0] - sign * f[0]) for sign in (1.0, -1.0)]
+        return np.zeros((math.prod(pupil.shape), points.shape[1]))
+    radii = _radii(points, f)
+    angles = [np.arctan2(points[1] - sign * f[1], points[0] - sign * f[0]) for sign in (1.0, -1.0)]
     phases = [pupil.wavefront.phase(rho, theta) for rho, theta in zip(radii, angles, strict=True)]
-    return np.asarray((phases[0] - phases[1]).reshape(-1, at.shape[1]))
+    return np.asarray((phases[0] - phases[1]).reshape(-1, points.shape[1]))
 
 
-def _amplitudes(pupil: Pupil, back: Array, f: Array) -> list[tuple[int, float]]:
+def _amplitudes(pupil: Pupil, from_disc: Array, f: Array) -> list[tuple[int, float]]:
     """Return (n, sum of the amplitudes of degree n) of the Zernike terms of the phase difference over the ellipse."""
     degree = max((n for n, _ in pupil.wavefront.amplitudes()), default=0) - 1  # the highest powers cancel
     if degree < 1:
         return []
     rho, theta, table = _projection(degree)
     points = np.stack([np.outer(rho, np.cos(theta)).ravel(), np.outer(rho, np.sin(theta)).ravel()])
-    values = _phase_difference(pupil, back @ points, f).reshape(-1, rho.size, theta.size)
+    values = _phase_difference(pupil, from_disc @ points, f).reshape(-1, rho.size, theta.size)
     waves = np.fft.rfft(values, axis=2)[:, :, : degree + 1] / theta.size
     sizes = np.abs(np.einsum("mni,sim->snm", table, waves)).max(axis=0).sum(axis=1)
     # Amplitudes below 1e-15 of their sum are rounding errors.

@@ -112,13 +112,13 @@ class PSFLike(Recorded):
             reason = "a pupil that is not radial" if not self.pupil.radial else type(self.method).__name__
             reason = "a PSF with blur" if self.blur else reason
             raise ValueError(f"radius must be None for {reason}, whose values are on the grid only")
-        at = validation.real_array("radius", radius, least=0.0)
-        far = float(at.max(initial=0.0))
-        validation.reach(f"radius={far:g}", float(self.pupil.v(far)), self.pupil.scale, self.unit)
+        radii = validation.real_array("radius", radius, least=0.0)
+        largest = float(radii.max(initial=0.0))
+        validation.reach(f"radius={largest:g}", float(self.pupil.v(largest)), self.pupil.scale, self.unit)
         # Methods expect distinct radii in ascending order.
-        v, index = np.unique(self.pupil.v(at).ravel(), return_inverse=True)
-        intensity = method.profile(self.pupil, v).values[:, index].reshape(self.pupil.shape + at.shape)
-        return np.array(at), self.scale.reshape(self.scale.shape + (1,) * at.ndim) * intensity
+        v, index = np.unique(self.pupil.v(radii).ravel(), return_inverse=True)
+        intensity = method.profile(self.pupil, v).values[:, index].reshape(self.pupil.shape + radii.shape)
+        return np.array(radii), self.scale.reshape(self.scale.shape + (1,) * radii.ndim) * intensity
 
     def __getitem__(self, index: Index) -> Self:
         """Return part of a stack, indexed like a NumPy array of shape ``pupil.shape``."""
@@ -126,14 +126,14 @@ class PSFLike(Recorded):
             raise TypeError("a single PSF cannot be indexed; its pixels are in `values`")
         pupil = self.pupil[index]
         # Convert to indices into the flattened stack, which apply to all arrays.
-        which = np.arange(self.scale.size).reshape(self.scale.shape)[index]
+        indices = np.arange(self.scale.size).reshape(self.scale.shape)[index]
         return replace(
             self,
-            values=self.values.reshape(-1, *self.shape[-2:])[which],
+            values=self.values.reshape(-1, *self.shape[-2:])[indices],
             grid=self.grid[index] if self.grid.stack else self.grid,
             pupil=pupil,
-            scale=np.asarray(self.scale.reshape(-1)[which]),
-            derivatives={k: d.reshape(-1, *self.shape[-2:])[which] for k, d in self.derivatives.items()},
+            scale=np.asarray(self.scale.reshape(-1)[indices]),
+            derivatives={k: d.reshape(-1, *self.shape[-2:])[indices] for k, d in self.derivatives.items()},
         )
 
 
@@ -188,9 +188,9 @@ class Measurable(Protocol):
         """Return the result of `measure` for each PSF."""
 
 
-def is_psf(thing: object) -> TypeGuard[PSFLike]:
+def is_psf(value: object) -> TypeGuard[PSFLike]:
     """Return True if an object is a PSF or a stack of PSFs, with pixels and a method."""
-    return isinstance(getattr(thing, "grid", None), Grid) and isinstance(getattr(thing, "method", None), Method)
+    return isinstance(getattr(value, "grid", None), Grid) and isinstance(getattr(value, "method", None), Method)
 
 
 def checked(psf: object, name: str = "psf") -> PSFLike:
@@ -206,8 +206,8 @@ def colours(psf: ColourPSFLike) -> Array:
     if len(names) not in (1, 3):
         raise ValueError(f"a picture needs one or three channels, got {len(names)}: {', '.join(names)}")
     # Colours must not be negative; values may be, within the error bound.
-    light = np.maximum(np.moveaxis(psf.values, -3, -1).astype(np.float64), 0.0)
-    peak = light.max(axis=(-3, -2, -1), keepdims=True)
+    rgb = np.maximum(np.moveaxis(psf.values, -3, -1).astype(np.float64), 0.0)
+    peak = rgb.max(axis=(-3, -2, -1), keepdims=True)
     if not peak.min() > 0.0:
         raise ValueError("a picture needs a positive value; every value of this PSF is 0")
-    return np.asarray(np.broadcast_to(light / peak, (*light.shape[:-1], 3)))
+    return np.asarray(np.broadcast_to(rgb / peak, (*rgb.shape[:-1], 3)))

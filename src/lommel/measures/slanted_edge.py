@@ -21,7 +21,7 @@ _MAX_GAP = 0.25  # largest distance between samples of the profile, pixels: the 
 _MARGIN = 5.0  # smallest distance of the edge from the sides of the picture, pixels
 _MIN_ANGLE, _MAX_ANGLE = 2.0, 40.0  # angle between the edge and the rows or columns, degrees
 _MIN_CONTRAST = 5.0  # smallest step at the edge divided by the standard deviation of the noise of a pixel
-_FLAT = 0.5  # fraction of the profile over which its window function is 1; it falls to 0 like cos^2 at both ends
+_PLATEAU = 0.5  # fraction of the profile over which its window function is 1; it falls to 0 like cos^2 at both ends
 
 
 @dataclass(frozen=True, eq=False)
@@ -61,8 +61,8 @@ class EdgeResponse:
         return numbers(np.interp(f, self.frequencies, self.values), f.shape)
 
     def __repr__(self) -> str:
-        half = np.flatnonzero(self.values < 0.5)
-        mtf50 = f"0.5 at {per_mm(float(self.frequencies[half[0]]))}" if half.size else "above 0.5"
+        below_half = np.flatnonzero(self.values < 0.5)
+        mtf50 = f"0.5 at {per_mm(float(self.frequencies[below_half[0]]))}" if below_half.size else "above 0.5"
         return f"<EdgeResponse {mtf50}, {self.values[-1]:.3f} at Nyquist, {per_mm(float(self.frequencies[-1]))}>"
 
     def to_dict(self) -> dict[str, object]:
@@ -123,15 +123,15 @@ def sfr(image: ArrayLike, pixel: float) -> EdgeResponse:
         raise ValueError(f"image must have the shape (height, width) of 20 x 20 pixels or more, got {values.shape}")
     # A nearly horizontal edge is transposed to a nearly vertical one.
     horizontal = np.ptp(values.mean(axis=1)) > np.ptp(values.mean(axis=0))
-    upright = values.T if horizontal else values
-    start, slope = _fit_edge(upright)
+    vertical = values.T if horizontal else values
+    start, slope = _fit_edge(vertical)
     degrees = math.degrees(math.atan(abs(slope)))
     if not _MIN_ANGLE <= degrees <= _MAX_ANGLE:
         raise ValueError(
             f"image must have an edge at {_MIN_ANGLE:g} to {_MAX_ANGLE:g} degrees to its rows or columns, "
             f"got {degrees:.2g}"
         )
-    height, width = upright.shape
+    height, width = vertical.shape
     ends = start, start + slope * (height - 1)
     if min(ends) < _MARGIN or max(ends) > width - 1 - _MARGIN:
         raise ValueError(
@@ -142,30 +142,30 @@ def sfr(image: ArrayLike, pixel: float) -> EdgeResponse:
     cosine = math.cos(math.atan(slope))
     distance = ((columns - start - slope * rows) * cosine).ravel()  # pixels
     reach = min(*ends, width - 1 - max(ends)) * cosine
-    inside = np.abs(distance) <= reach
-    distance, light = distance[inside], upright.ravel()[inside]
-    position, profile, counts = _bin_profile(distance, light)
+    is_used = np.abs(distance) <= reach
+    distance, samples = distance[is_used], vertical.ravel()[is_used]
+    position, profile, counts = _bin_profile(distance, samples)
     if np.diff(position).max() > _MAX_GAP:
         raise ValueError(
             f"image must have an edge whose slope is not a simple fraction such as 1/3, got a slope of {slope:.4g} "
             f"with gaps of {np.diff(position).max():.2g} pixels in the profile; turn the edge by a degree"
         )
-    response, errors = _response(position, profile, _noise(distance, light, reach) ** 2 / counts)
+    response, errors = _response(position, profile, _noise(distance, samples, reach) ** 2 / counts)
     frequencies = np.linspace(0.0, 0.5, response.size) / side
     # The normal of the line x = start + slope y is along (1, -slope).
     angle = math.atan2(1.0, -slope) if horizontal else math.atan2(-slope, 1.0)
-    sides = [light[where].mean() for where in (distance < -0.8 * reach, distance > 0.8 * reach)]
+    sides = [samples[mask].mean() for mask in (distance < -0.8 * reach, distance > 0.8 * reach)]
     contrast = abs(sides[1] - sides[0]) / max(sides[0] + sides[1], 1e-300)
     return EdgeResponse(frequencies, response, errors, angle, float(contrast))
 
 
-def _bin_profile(distance: Array, light: Array) -> tuple[Array, Array, Array]:
+def _bin_profile(distance: Array, samples: Array) -> tuple[Array, Array, Array]:
     """Return mean positions, mean values and numbers of the samples in each nonempty bin of the profile."""
     bins = np.floor(_BINS_PER_PIXEL * (distance - distance.min())).astype(int)
     counts = np.bincount(bins).astype(float)
-    filled = counts > 0
-    position, values = (np.bincount(bins, part)[filled] / counts[filled] for part in (distance, light))
-    return position, values, counts[filled]
+    nonempty = counts > 0
+    position, values = (np.bincount(bins, part)[nonempty] / counts[nonempty] for part in (distance, samples))
+    return position, values, counts[nonempty]
 
 
 def _fit_edge(values: Array) -> tuple[float, float]:
@@ -174,47 +174,47 @@ def _fit_edge(values: Array) -> tuple[float, float]:
     differences = np.diff(values, axis=1)
     noise = 1.4826 * np.median(np.abs(differences)) / math.sqrt(2.0)
     differences = differences * np.sign(differences.sum())
-    rows, places = np.arange(height), np.arange(width - 1) + 0.5
+    rows, positions = np.arange(height), np.arange(width - 1) + 0.5
     line, reach = np.array([0.0, 0.5 * (width - 1)]), float(width)
     # Noise in all columns pulls the centroids towards the middle column: the second and third fit use columns near
     # the edge only.
     for _ in range(3):
-        near = np.abs(places - np.polyval(line, rows)[:, None]) <= reach
-        steps = np.where(near, differences, 0.0)
+        is_near = np.abs(positions - np.polyval(line, rows)[:, None]) <= reach
+        steps = np.where(is_near, differences, 0.0)
         step = steps.sum(axis=1)
         if not np.median(step) > _MIN_CONTRAST * noise:
             raise ValueError("image must show an edge whose step exceeds the noise of its pixels")
-        good = step > 0.5 * np.median(step)
-        line = np.polyfit(rows[good], ((steps * places).sum(axis=1)[good]) / step[good], 1)
+        is_clear = step > 0.5 * np.median(step)
+        line = np.polyfit(rows[is_clear], ((steps * positions).sum(axis=1)[is_clear]) / step[is_clear], 1)
         reach = max(8.0, 0.25 * width)
     return float(line[1]), float(line[0])
 
 
-def _noise(distance: Array, light: Array, reach: float) -> float:
+def _noise(distance: Array, samples: Array, reach: float) -> float:
     """Return the standard deviation of pixel values from lines fitted to both outer thirds of the profile."""
     squares, count = 0.0, 0
-    for outer in (distance < -0.67 * reach, distance > 0.67 * reach):
-        line = np.polyfit(distance[outer], light[outer], 1)
-        squares += float(np.square(light[outer] - np.polyval(line, distance[outer])).sum())
-        count += int(outer.sum()) - 2
+    for third in (distance < -0.67 * reach, distance > 0.67 * reach):
+        line = np.polyfit(distance[third], samples[third], 1)
+        squares += float(np.square(samples[third] - np.polyval(line, distance[third])).sum())
+        count += int(third.sum()) - 2
     return math.sqrt(squares / max(count, 1))
 
 
 def _response(position: Array, profile: Array, variances: Array) -> tuple[Array, Array]:
     """Return the response at frequencies from 0 to 0.5 cycles per pixel, and its standard errors."""
     reach, gaps, middle = float(np.abs(position).max()), np.diff(position), 0.5 * (position[1:] + position[:-1])
-    window = np.sin(0.5 * math.pi * np.clip((1.0 - np.abs(middle) / reach) / (1.0 - _FLAT), 0.0, 1.0)) ** 2
+    window = np.sin(0.5 * math.pi * np.clip((1.0 - np.abs(middle) / reach) / (1.0 - _PLATEAU), 0.0, 1.0)) ** 2
     frequencies = np.linspace(0.0, 0.5, max(int(reach), 2))
     waves = window * np.exp(-2j * math.pi * np.outer(frequencies, middle)) * np.sinc(np.outer(frequencies, gaps))
     response = waves @ np.diff(profile)
-    # Propagate the noise: the final `along` is the derivative of abs(response) / abs(response[0]) with respect to
+    # Propagate the noise: the final `derivative` is that of abs(response) / abs(response[0]) with respect to
     # each sample of the profile, times abs(response[0]).
     edges = np.zeros((frequencies.size, 1))
-    slopes = -np.diff(np.hstack([edges, waves, edges]), axis=1)
-    along = np.real(slopes * np.exp(-1j * np.angle(response))[:, None])
+    differences = -np.diff(np.hstack([edges, waves, edges]), axis=1)
+    derivative = np.real(differences * np.exp(-1j * np.angle(response))[:, None])
     values = np.abs(response) / abs(response[0])
-    along -= np.outer(values, along[0])
-    return values, np.sqrt(along**2 @ variances) / abs(response[0])
+    derivative -= np.outer(values, derivative[0])
+    return values, np.sqrt(derivative**2 @ variances) / abs(response[0])
 
 
 def slanted_edge(

@@ -59,11 +59,11 @@ def peak_position(psf: PSFLike) -> Array:
     """
     checked(psf)
     height, width = psf.grid.pitch
-    out = [
-        (x[column] + width * _vertex(across, column), y[row] + height * _vertex(down, row))
-        for x, y, (row, column, across, down) in zip(*psf.positions(), _brightest(psf), strict=True)
+    positions = [
+        (x[column] + width * _vertex(row_values, column), y[row] + height * _vertex(column_values, row))
+        for x, y, (row, column, row_values, column_values) in zip(*psf.positions(), _brightest(psf), strict=True)
     ]
-    return np.array(out).reshape(*psf.pupil.shape, 2)
+    return np.array(positions).reshape(*psf.pupil.shape, 2)
 
 
 def _brightest(psf: PSFLike) -> Iterator[tuple[int, int, Array, Array]]:
@@ -73,11 +73,11 @@ def _brightest(psf: PSFLike) -> Iterator[tuple[int, int, Array, Array]]:
         yield row, column, image[row], image[:, column]
 
 
-def _vertex(line: Array, at: int) -> float:
-    """Return the vertex of the parabola through the values at and beside `at`, relative to `at`, at most +-0.5."""
-    if not 0 < at < line.size - 1:
+def _vertex(line: Array, index: int) -> float:
+    """Return the vertex of the parabola through the values at and beside `index`, as an offset up to +-0.5."""
+    if not 0 < index < line.size - 1:
         return 0.0
-    before, here, after = line[at - 1 : at + 2]
+    before, here, after = line[index - 1 : index + 2]
     # Three equal values, as on a saturated peak, have no curvature and define no vertex.
     curvature = 2.0 * here - before - after
     return 0.0 if curvature <= 0.0 else float(np.clip(0.5 * (after - before) / curvature, -0.5, 0.5))
@@ -191,10 +191,10 @@ def width(model: ImageModel, along: str = "mean") -> float:
     """Return the full width at half maximum of a single image; see :func:`lommel.measures.spot.fwhm`."""
     reach = model.extent
     while True:
-        image, values, places, step = _sampled_image(model, reach)
-        half = 0.5 * _maximum(image, values, places, step)[0]
-        bright = values >= half
-        if not (bright[[0, -1]].any() or bright[:, [0, -1]].any()):
+        image, values, points, step = _sampled_image(model, reach)
+        level = 0.5 * _maximum(image, values, points, step)[0]
+        is_bright = values >= level
+        if not (is_bright[[0, -1]].any() or is_bright[:, [0, -1]].any()):
             break
         # Enlarge the square until the region above half maximum lies inside.
         if reach > _MAX_HALF_WIDTH:
@@ -204,12 +204,12 @@ def width(model: ImageModel, along: str = "mean") -> float:
         reach *= 1.6
     widths = []
     for transposed in {"x": (False,), "y": (True,), "mean": (False, True)}[along]:
-        high, low = (_end(image, values, places, half, sign, transposed=transposed) for sign in (1.0, -1.0))
+        high, low = (_end(image, values, points, level, sign, transposed=transposed) for sign in (1.0, -1.0))
         widths.append(high - low)
     return model.pupil.scale * sum(widths) / len(widths)
 
 
-def brightest_place(model: ImageModel) -> tuple[float, float]:
+def brightest_position(model: ImageModel) -> tuple[float, float]:
     """Return the position (x, y) of the maximum of a single image, lambda*N; one of several equal maxima."""
     return _maximum(*_sampled_image(model, model.extent))[1]
 
@@ -219,11 +219,11 @@ def _sampled_image(model: ImageModel, reach: float) -> tuple[PointImage, Array, 
     (image,) = point_images(model, reach)
     # With eight samples per period of the highest frequency the maximum is at most a sixth larger than a sample.
     step = 0.125 / image.band
-    places = step * np.arange(-math.floor(reach / step), math.floor(reach / step) + 1.0)
-    return image, image.on(places, places), places, step
+    points = step * np.arange(-math.floor(reach / step), math.floor(reach / step) + 1.0)
+    return image, image.on(points, points), points, step
 
 
-def _maximum(image: PointImage, values: Array, places: Array, step: float) -> tuple[float, tuple[float, float]]:
+def _maximum(image: PointImage, values: Array, points: Array, step: float) -> tuple[float, tuple[float, float]]:
     """Return the maximum of the light per area and its position, by Newton's method from the brightest samples."""
     inner = values[1:-1, 1:-1]
     tops = np.ones(inner.shape, dtype=bool)
@@ -234,44 +234,44 @@ def _maximum(image: PointImage, values: Array, places: Array, step: float) -> tu
     rows, columns = np.nonzero(tops & (inner > 0.85 * values.max()))
     order = np.argsort(inner[rows, columns])[::-1][:6]
     row, column = np.unravel_index(int(values.argmax()), values.shape)
-    best, place = float(values.max()), (float(places[column]), float(places[row]))
-    for x, y in zip(places[columns[order] + 1], places[rows[order] + 1], strict=True):
+    peak, position = float(values.max()), (float(points[column]), float(points[row]))
+    for x, y in zip(points[columns[order] + 1], points[rows[order] + 1], strict=True):
         for _ in range(8):
-            (_, right, twice_right), (down, cross, _), (twice_down, _, _) = image.derivatives(x, y)
-            curvature = np.array([[twice_right, cross], [cross, twice_down]])
+            (_, d_x, d_xx), (d_y, d_xy, _), (d_yy, _, _) = image.derivatives(x, y)
+            curvature = np.array([[d_xx, d_xy], [d_xy, d_yy]])
             # Along a ridge the curvature is 0: the pseudo-inverse makes no step in this direction.
-            shift = np.clip(-np.linalg.pinv(curvature, rcond=1e-6) @ [right, down], -step, step)
+            shift = np.clip(-np.linalg.pinv(curvature, rcond=1e-6) @ [d_x, d_y], -step, step)
             x, y = x + shift[0], y + shift[1]
             if np.abs(shift).max() < 1e-7 * step:
                 break
-        if (top := float(image.derivatives(x, y)[0, 0])) > best:
-            best, place = top, (float(x), float(y))
-    return best, place
+        if (top := float(image.derivatives(x, y)[0, 0])) > peak:
+            peak, position = top, (float(x), float(y))
+    return peak, position
 
 
-def _end(image: PointImage, values: Array, places: Array, half: float, sign: float, *, transposed: bool) -> float:
-    """Return the largest (`sign` 1) or smallest (-1) x, or y if `transposed`, with `half` as the light per area."""
+def _end(image: PointImage, values: Array, points: Array, level: float, sign: float, *, transposed: bool) -> float:
+    """Return the largest (`sign` 1) or smallest (-1) x, or y if `transposed`, with `level` as the light per area."""
     lines = (values.T if transposed else values)[:, :: int(sign)]
-    at = places[:: int(sign)]
-    last = lines.shape[1] - 1 - np.argmax((lines >= half)[:, ::-1], axis=1)
-    rows = np.flatnonzero((lines >= half).any(axis=1))
-    here, beyond = lines[rows, last[rows]], lines[rows, last[rows] + 1]
-    # Interpolate the last crossing of `half` in each line linearly; Newton's method starts from the farthest
+    x_points = points[:: int(sign)]
+    last = lines.shape[1] - 1 - np.argmax((lines >= level)[:, ::-1], axis=1)
+    rows = np.flatnonzero((lines >= level).any(axis=1))
+    inner, outer = lines[rows, last[rows]], lines[rows, last[rows] + 1]
+    # Interpolate the last crossing of `level` in each line linearly; Newton's method starts from the farthest
     # crossing.
-    crossings = at[last[rows]] + (at[1] - at[0]) * (here - half) / (here - beyond)
-    first = int(np.argmax(sign * crossings))
-    x, y = float(crossings[first]), float(places[rows[first]])
-    step, middle = abs(float(at[1] - at[0])), y
+    crossings = x_points[last[rows]] + (x_points[1] - x_points[0]) * (inner - level) / (inner - outer)
+    farthest = int(np.argmax(sign * crossings))
+    x, y = float(crossings[farthest]), float(points[rows[farthest]])
+    step, middle = abs(float(x_points[1] - x_points[0])), y
 
-    # Alternate Newton steps: along y to the maximum of the light, along x to the value `half`.
+    # Alternate Newton steps: along y to the maximum of the light, along x to the value `level`.
     for _ in range(20):
         derivatives = image.derivatives(y, x).T if transposed else image.derivatives(x, y)
-        (light, slope_x, _), (slope_y, _, _), (curvature_y, _, _) = derivatives
+        (value, slope_x, _), (slope_y, _, _), (curvature_y, _, _) = derivatives
         dy = 0.0
         if curvature_y < 0.0:
             dy = float(np.clip(y - slope_y / curvature_y, middle - step, middle + step)) - y
         y += dy
-        dx = float(np.clip((half - light) / slope_x, -step, step)) if slope_x else 0.0
+        dx = float(np.clip((level - value) / slope_x, -step, step)) if slope_x else 0.0
         x += dx
         if max(abs(dx), abs(dy)) < 1e-10 * step:
             break
@@ -283,26 +283,26 @@ def radial_fwhm(method: RadialMethod, pupil: BasePupil) -> Numbers:
     # The profile I(v) of one wavelength is of exponential type 2. Polynomials of degree 11 through samples at steps
     # of 0.15 in v differ from I(v) by less than 2e-11 of the peak of the aperture without aberrations.
     require_radial(method, pupil)
-    far = float(pupil.v(pupil.geometric_radius()).max()) + 12.0
+    reach = float(pupil.v(pupil.geometric_radius()).max()) + 12.0
     step = _STEP / method.stretch(pupil)
     # Interpolation uses twelve samples, six of them beyond the last crossing.
-    places = step * np.arange(math.ceil(far / step) + HALF, dtype=np.float64)
-    table = method.profile(pupil, places).values
-    out = np.empty(len(table))
-    fine = np.linspace(0.0, 1.0, 65)
+    points = step * np.arange(math.ceil(reach / step) + HALF, dtype=np.float64)
+    table = method.profile(pupil, points).values
+    widths = np.empty(len(table))
+    fractions = np.linspace(0.0, 1.0, 65)
     for i, values in enumerate(table):
         line = _EvenInterpolation(values)
         top = int(values.argmax())
         # Scan both steps beside the largest sample, then 1/32 of a step around the best point. This suffices, because
         # an error of the position of a maximum hardly changes its value.
-        near = np.concatenate([max(top - 1, 0) + fine, top + fine])
-        best = float(near[np.argmax(line(near))])
-        peak = float(line(np.clip(best + (fine - 0.5) / 32.0, 0.0, None)).max())
+        scan = np.concatenate([max(top - 1, 0) + fractions, top + fractions])
+        position = float(scan[np.argmax(line(scan))])
+        peak = float(line(np.clip(position + (fractions - 0.5) / 32.0, 0.0, None)).max())
         last = int(np.flatnonzero(values > 0.5 * peak)[-1])
         if last > values.size - HALF - 1:
-            raise ValueError(f"the image must fall to half of its maximum within v = {far:.3g} of the axis")
-        out[i] = 2.0 * step * line.falls_to(0.5 * peak, last, last + 1)
-    return numbers(out * (pupil.scale / math.pi), pupil.shape)
+            raise ValueError(f"the image must fall to half of its maximum within v = {reach:.3g} of the axis")
+        widths[i] = 2.0 * step * line.falls_to(0.5 * peak, last, last + 1)
+    return numbers(widths * (pupil.scale / math.pi), pupil.shape)
 
 
 def energy_diameter(psf: PSFLike, fraction: float, *, about: str = "axis", of: str = "image") -> Numbers:
@@ -335,13 +335,13 @@ def energy_diameter(psf: PSFLike, fraction: float, *, about: str = "axis", of: s
     centers = energy_centers(psf, about) / pupil.scale
     if model.radial_method is not None:
         return radial_diameter(model.radial_method, pupil, target)
-    out = []
-    for one, (x, y) in zip(model.single_models, centers, strict=True):
+    diameters = []
+    for single, (x, y) in zip(model.single_models, centers, strict=True):
         # A circle must lie within one period of a periodic image.
-        within = 0.5 * one.method.period(one.pupil) - math.hypot(x, y)
-        reach = min(one.extent, max(within, 0.0))
+        max_radius = 0.5 * single.method.period(single.pupil) - math.hypot(x, y)
+        reach = min(single.extent, max(max_radius, 0.0))
         while True:
-            (image,) = energy_images(one, reach + math.hypot(x, y), "fraction")
+            (image,) = energy_images(single, reach + math.hypot(x, y), "fraction")
 
             def excess(radius: float, image: Image = image, center: tuple[float, float] = (x, y)) -> float:
                 return float(image.circles(np.array([radius]), center)[0]) - target
@@ -349,15 +349,15 @@ def energy_diameter(psf: PSFLike, fraction: float, *, about: str = "axis", of: s
             if excess(reach) >= 0.0:
                 break
             # The next diameter is at most 4 * reach.
-            limit = _MAX_DIAMETER if is_radial_lens(one) or is_lens_in_seeing(one) else _MAX_SAMPLED_DIAMETER
-            if reach >= within or 4.0 * reach > limit:
+            limit = _MAX_DIAMETER if is_radial_lens(single) or is_lens_in_seeing(single) else _MAX_SAMPLED_DIAMETER
+            if reach >= max_radius or 4.0 * reach > limit:
                 raise ValueError(
                     f"fraction must be reached within a diameter of {2.0 * reach:.4g} lambda*N, got {target:g}; "
                     "use a smaller fraction"
                 )
-            reach = min(2.0 * reach, within)
-        out.append(2.0 * brentq(excess, 0.0, reach, xtol=1e-10))
-    return numbers(out, pupil.shape) * pupil.scale
+            reach = min(2.0 * reach, max_radius)
+        diameters.append(2.0 * brentq(excess, 0.0, reach, xtol=1e-10))
+    return numbers(diameters, pupil.shape) * pupil.scale
 
 
 def radial_diameter(method: RadialMethod, pupil: BasePupil, fraction: float) -> Numbers:
@@ -377,11 +377,11 @@ def radial_diameter(method: RadialMethod, pupil: BasePupil, fraction: float) -> 
                 f"got {target:g}; use a smaller fraction"
             )
         count = min(4 * count, _MAX_RADII)
-    out = np.empty(len(table))
+    diameters = np.empty(len(table))
     for i, values in enumerate(table):
-        cross = int(np.argmax(values >= target))
-        out[i] = 2.0 * step * _EvenInterpolation(-values).falls_to(-target, cross - 1, cross)
-    return numbers(out * unit, pupil.shape)
+        crossing = int(np.argmax(values >= target))
+        diameters[i] = 2.0 * step * _EvenInterpolation(-values).falls_to(-target, crossing - 1, crossing)
+    return numbers(diameters * unit, pupil.shape)
 
 
 class _EvenInterpolation:
@@ -390,17 +390,17 @@ class _EvenInterpolation:
     def __init__(self, values: Array) -> None:
         self.values = np.concatenate([values[HALF:0:-1], values])
 
-    def __call__(self, at: Array) -> Array:
+    def __call__(self, points: Array) -> Array:
         """Interpolate at points from 0 up to the sixth value from the end."""
-        first, weights = between(at)
-        samples = self.values[first[:, None] + np.arange(HALF, 3 * HALF)]
+        start, weights = between(points)
+        samples = self.values[start[:, None] + np.arange(HALF, 3 * HALF)]
         return np.asarray((samples * weights).sum(axis=1))
 
     def falls_to(self, level: float, low: float, high: float) -> float:
         """Return the point between `low` and `high` at which the function falls to `level`."""
         from scipy.optimize import brentq
 
-        return float(brentq(lambda at: float(self(np.array([at]))[0]) - level, low, high, xtol=1e-15))
+        return float(brentq(lambda x: float(self(np.array([x]))[0]) - level, low, high, xtol=1e-15))
 
 
 def stage(psf: PSFLike) -> Array:
@@ -463,18 +463,18 @@ def axial_fwhm(psf: PSFLike, *, of: str = "image") -> Numbers:
     if z.shape[-1] < 4:
         raise ValueError(f"the width along z needs at least 4 planes, got {z.shape[-1]}")
     lines = _axial_lines(psf, model).reshape(-1, z.shape[-1])
-    out = []
-    for places, line in zip(z.reshape(lines.shape), lines, strict=True):
-        spline = CubicSpline(places, line)
-        turns = spline.derivative().roots(extrapolate=False)
-        tops = np.append(turns[np.isfinite(turns)], places[line.argmax()])
+    widths = []
+    for points, line in zip(z.reshape(lines.shape), lines, strict=True):
+        spline = CubicSpline(points, line)
+        extrema = spline.derivative().roots(extrapolate=False)
+        tops = np.append(extrema[np.isfinite(extrema)], points[line.argmax()])
         top = float(tops[np.argmax(spline(tops))])
         crossings = spline.solve(0.5 * float(spline(top)), extrapolate=False)
-        below, above = crossings[crossings < top], crossings[crossings > top]
-        if not (below.size and above.size):
+        lower, upper = crossings[crossings < top], crossings[crossings > top]
+        if not (lower.size and upper.size):
             raise ValueError("the stack must extend in z until the light falls to half of its maximum on both sides")
-        out.append(float(above.min() - below.max()))
-    return numbers(out, z.shape[:-1])
+        widths.append(float(upper.min() - lower.max()))
+    return numbers(widths, z.shape[:-1])
 
 
 def _axial_lines(psf: PSFLike, model: ImageModel) -> Array:
@@ -489,10 +489,10 @@ def _axial_lines(psf: PSFLike, model: ImageModel) -> Array:
     lines = []
     for k, stack in enumerate(np.ndindex(pupil.shape[:-1])):
         planes_model = model._replace(pupil=pupil[stack]) if stack else model
-        place = (0.0, 0.0)
+        position = (0.0, 0.0)
         if psf.radial_method is None:
-            place = brightest_place(planes_model._replace(pupil=planes_model.pupil[brightest[k]]))
-        images = cartesian_images(planes_model, float(np.abs(place).max()))
-        lines.append([float(image.derivatives(*place)[0, 0]) for image in images])
+            position = brightest_position(planes_model._replace(pupil=planes_model.pupil[brightest[k]]))
+        images = cartesian_images(planes_model, float(np.abs(position).max()))
+        lines.append([float(image.derivatives(*position)[0, 0]) for image in images])
     # `scale` includes the excitation of each plane, for example by a light sheet.
     return np.asarray(psf.scale * np.array(lines).reshape(pupil.shape))

@@ -106,25 +106,25 @@ def otf(
     """
     if isinstance(pupil, Measurable):
         _require_default(pixel=pixel is not None, fill=fill != 1.0, blur=blur != (), spectrum=spectrum is not None)
-        return pupil.measured(lambda one: image_otf(one, fx, fy, tol=tol))
+        return pupil.measured(lambda psf: image_otf(psf, fx, fy, tol=tol))
     checked(pupil)
-    across, down = frequencies(fx, fy)
+    x_f, y_f = frequencies(fx, fy)
     tolerance = validation.real("tol", tol, least=1e-13, most=0.1)
-    pixel_transfer, several = _pixel_transfer(pupil, across, down, pixel, fill), blurs(blur)
-    require_unit(several, pupil)
-    total = np.zeros((math.prod(pupil.shape), across.size), dtype=np.complex128)
+    pixel_transfer, blurs_used = _pixel_transfer(pupil, x_f, y_f, pixel, fill), blurs(blur)
+    require_unit(blurs_used, pupil)
+    total = np.zeros((math.prod(pupil.shape), x_f.size), dtype=np.complex128)
     parts = [Component(1.0, 1.0, pupil)]
     if spectrum is not None:
         parts = validation.instance("spectrum", spectrum, Polychromatic).components(pupil)
-    for light, _, part in parts:
+    for weight, _, part in parts:
         # Frequencies in units of 1 / (lambda N) at the wavelength of the component.
-        f = np.stack([across.ravel(), down.ravel()], axis=-1) * part.scale
+        f = np.stack([x_f.ravel(), y_f.ravel()], axis=-1) * part.scale
         # The transfer function of seeing depends on the wavelength of the component.
-        factors = [one.transfer(across, down, wavelength=part.wavelength) for one in several]
+        factors = [kernel.transfer(x_f, y_f, wavelength=part.wavelength) for kernel in blurs_used]
         total += (
-            light * autocorrelation(part, f, tolerance) * np.prod([np.ravel(factor) for factor in factors], axis=0)
+            weight * autocorrelation(part, f, tolerance) * np.prod([np.ravel(factor) for factor in factors], axis=0)
         )
-    result: Complexes = (total.reshape(pupil.shape + across.shape) * pixel_transfer)[()]
+    result: Complexes = (total.reshape(pupil.shape + x_f.shape) * pixel_transfer)[()]
     return result
 
 
@@ -161,23 +161,23 @@ def image_otf(
         pixels = {"pixel": grid.pixel, "fill": grid.fill} if averaged else {}
         spectrum = method if isinstance(method, Polychromatic) else None
         return otf(pupil, fx, fy, **pixels, blur=psf.blur, spectrum=spectrum, tol=tol)
-    across, down = frequencies(fx, fy)
-    scaled = across.ravel() * pupil.scale, down.ravel() * pupil.scale
-    result: Complexes = sampled_transfer(ImageModel.of(psf, of), *scaled).reshape(pupil.shape + across.shape)[()]
+    x_f, y_f = frequencies(fx, fy)
+    scaled = x_f.ravel() * pupil.scale, y_f.ravel() * pupil.scale
+    result: Complexes = sampled_transfer(ImageModel.of(psf, of), *scaled).reshape(pupil.shape + x_f.shape)[()]
     return result
 
 
-def _pixel_transfer(pupil: Pupil, across: Array, down: Array, pixel: Pitch | None, fill: Pitch) -> Array:
+def _pixel_transfer(pupil: Pupil, x_f: Array, y_f: Array, pixel: Pitch | None, fill: Pitch) -> Array:
     """Return the transfer function of pixel integration; 1 without pixels."""
     if pixel is None:
         if validation.fill("fill", fill) != (1.0, 1.0):
             raise ValueError(f"fill must be omitted without pixel=, which it modifies, got {validation.shown(fill)}")
-        return np.ones(across.shape)
+        return np.ones(x_f.shape)
     metric, sensor = pupil.wavelength is not None, Grid(1, pixel, integrate=True, fill=fill)
     for side in sensor.pitch:
         validation.pixel(side, metric=metric)
     height, width = sensor.active
-    return np.asarray(np.sinc(across * width) * np.sinc(down * height))
+    return np.asarray(np.sinc(x_f * width) * np.sinc(y_f * height))
 
 
 def mtf(
@@ -285,13 +285,13 @@ def mtf_frequency(
     if isinstance(pupil, Measurable):
         _require_default(pixel=pixel is not None, fill=fill != 1.0, blur=blur != ())
 
-        def of_image(one: PSFLike) -> Numbers:
-            sensor: Sensor = {"blur": one.blur}
-            if one.grid.integrate:
-                sensor |= {"pixel": one.grid.pixel, "fill": one.grid.fill}
-            if isinstance(one.method, Polychromatic):
-                sensor["spectrum"] = one.method
-            return _first_crossing(checked(one.pupil), threshold, direction, sensor)
+        def of_image(single: PSFLike) -> Numbers:
+            sensor: Sensor = {"blur": single.blur}
+            if single.grid.integrate:
+                sensor |= {"pixel": single.grid.pixel, "fill": single.grid.fill}
+            if isinstance(single.method, Polychromatic):
+                sensor["spectrum"] = single.method
+            return _first_crossing(checked(single.pupil), threshold, direction, sensor)
 
         return pupil.measured(of_image)
     return _first_crossing(checked(pupil), threshold, direction, {"pixel": pixel, "fill": fill, "blur": blurs(blur)})
@@ -350,12 +350,12 @@ def focus_tolerance(
     sensor: Sensor = {"pixel": pixel, "fill": fill, "blur": blurs(blur), "spectrum": spectrum}
     metres_per_radian = -8.0 * wavelength * number**2 / math.pi  # displacement per defocus coefficient C_d
 
-    def above(c: ArrayLike) -> Array:
-        moved = replace(pupil, wavefront=pupil.wavefront + Wavefront.of_defocus(np.asarray(c)), geometry=None)
-        values = np.asarray(mtf(moved, np.array([f, 0.0]), np.array([0.0, f]), **sensor, tol=1e-8))
+    def margin_at(c: ArrayLike) -> Array:
+        displaced = replace(pupil, wavefront=pupil.wavefront + Wavefront.of_defocus(np.asarray(c)), geometry=None)
+        values = np.asarray(mtf(displaced, np.array([f, 0.0]), np.array([0.0, f]), **sensor, tol=1e-8))
         return np.asarray(values.min(axis=-1) - threshold)
 
-    if (margin := float(above(0.0))) < 0.0:
+    if (margin := float(margin_at(0.0))) < 0.0:
         raise ValueError(
             f"least must be at most the MTF without displacement, {margin + threshold:.3g}, got {threshold:g}; use a "
             "smaller least or frequency"
@@ -367,11 +367,13 @@ def focus_tolerance(
     for side in (1.0, -1.0):  # towards the lens first
         for start in range(0, 4096, 8):
             c = side * step * np.arange(start, start + 9)
-            below = above(c[1:]) <= 0.0
-            if below.any():
-                k = int(below.argmax())
+            is_below = margin_at(c[1:]) <= 0.0
+            if is_below.any():
+                k = int(is_below.argmax())
                 # An error of 1e-5 rad in C_d is 2.5e-5 lambda N^2 in the displacement.
-                ends.append(metres_per_radian * float(brentq(lambda at: float(above(at)), c[k], c[k + 1], xtol=1e-5)))
+                ends.append(
+                    metres_per_radian * float(brentq(lambda x: float(margin_at(x)), c[k], c[k + 1], xtol=1e-5))
+                )
                 break
         else:
             raise ValueError(f"least must be an MTF that defocus reaches, got {threshold:g}; use a larger value")
@@ -395,33 +397,33 @@ def _first_crossing(pupil: Pupil, threshold: float, angle: float, sensor: Sensor
     # Steps must resolve the zeros of the OTF: of J1(2 pi r f) for a blur circle of radius r, and multiples of 1 / d
     # for motion blur of length d.
     oscillation = float(pupil.v(pupil.geometric_radius()).max())
-    oscillation += 4.0 * sum(math.hypot(*one.streak) for one in sensor["blur"]) / pupil.scale
+    oscillation += 4.0 * sum(math.hypot(*b.streak) for b in sensor["blur"]) / pupil.scale
     steps = math.ceil(max(128.0, 2.0 * oscillation, 0.0 if pupil.mask is None else min(pupil.mask.side, 1024)))
-    first = np.zeros(math.prod(pupil.shape), dtype=np.int64)
+    crossing = np.zeros(math.prod(pupil.shape), dtype=np.int64)
     # For circular apertures several frequencies are computed together, so that larger blocks are faster.
     block = 32 if pupil.circular else 4
     for start in range(1, steps + 1, block):
         k = np.arange(start, min(start + block, steps + 1))
         f = k * (cutoff / steps)
-        below = np.asarray(mtf(pupil, f * cos, f * sin, **sensor, tol=1e-8)).reshape(-1, k.size) <= threshold
-        first = np.where((first == 0) & below.any(axis=1), k[below.argmax(axis=1)], first)
-        if first.all():
+        is_below = np.asarray(mtf(pupil, f * cos, f * sin, **sensor, tol=1e-8)).reshape(-1, k.size) <= threshold
+        crossing = np.where((crossing == 0) & is_below.any(axis=1), k[is_below.argmax(axis=1)], crossing)
+        if crossing.all():
             break
-    flat = replace(pupil, wavefront=pupil.wavefront.flattened(), geometry=None)
-    out = np.empty(first.size)
-    for i, k_high in enumerate(first):
+    pupils = replace(pupil, wavefront=pupil.wavefront.flattened(), geometry=None)
+    results = np.empty(crossing.size)
+    for i, k_high in enumerate(crossing):
 
-        def above(f: float, one: Pupil = flat[i]) -> float:
-            return float(mtf(one, f * cos, f * sin, **sensor)) - threshold
+        def margin_at(f: float, single: Pupil = pupils[i]) -> float:
+            return float(mtf(single, f * cos, f * sin, **sensor)) - threshold
 
         low, high = (float(k) * (cutoff / steps) for k in (k_high - 1, k_high))
         # The scan has a larger tolerance than the root search, so that the bracket may contain no crossing.
-        ends = above(low), above(high)
+        ends = margin_at(low), margin_at(high)
         if ends[0] <= 0.0 or ends[1] >= 0.0:
-            out[i] = low if ends[0] <= 0.0 else high
+            results[i] = low if ends[0] <= 0.0 else high
         else:
-            out[i] = brentq(above, low, high, xtol=1e-10 * cutoff)
-    return numbers(out, pupil.shape)
+            results[i] = brentq(margin_at, low, high, xtol=1e-10 * cutoff)
+    return numbers(results, pupil.shape)
 
 
 def sampled_otf(psf: PSFLike, fx: ArrayLike, fy: ArrayLike = 0.0) -> Complexes:
@@ -450,20 +452,20 @@ def sampled_otf(psf: PSFLike, fx: ArrayLike, fy: ArrayLike = 0.0) -> Complexes:
         If the frequencies are not finite, do not broadcast, or exceed the Nyquist frequency.
     """
     checked_answer(psf)
-    across, down = frequencies(fx, fy)
+    x_f, y_f = frequencies(fx, fy)
     height, width = psf.grid.pitch
-    for name, part, pitch in (("fx", across, width), ("fy", down, height)):
+    for name, f, pitch in (("fx", x_f, width), ("fy", y_f, height)):
         limit = 0.5 / pitch
-        if part.size and np.abs(part).max() > limit * (1.0 + 1e-12):
+        if f.size and np.abs(f).max() > limit * (1.0 + 1e-12):
             raise ValueError(
                 f"{name} must be at most the Nyquist frequency 1 / (2 pixel) = {limit:.6g} of the samples, "
-                f"got {np.abs(part).max():.6g}"
+                f"got {np.abs(f).max():.6g}"
             )
     x, y = psf.grid.x, psf.grid.y
-    columns = np.exp(-2j * math.pi * x[..., None] * across.ravel())
-    rows = np.exp(-2j * math.pi * y[..., None] * down.ravel())
+    columns = np.exp(-2j * math.pi * x[..., None] * x_f.ravel())
+    rows = np.exp(-2j * math.pi * y[..., None] * y_f.ravel())
     transform = np.einsum("...yf,...yf->...f", energy_per_pixel(psf) @ columns, rows)
-    result: Complexes = transform.reshape(psf.pupil.shape + across.shape)[()]
+    result: Complexes = transform.reshape(psf.pupil.shape + x_f.shape)[()]
     return result
 
 

@@ -128,8 +128,8 @@ def of_derivatives(pupil: "ObjectivePupil", methods: tuple[Method, ...]) -> tupl
     tol = methods[0].tol
     # If the light depends on the azimuth, the chordal rule is tried first: the other methods need new tables over
     # circles for each further plane.
-    first = () if pupil.aberrated or pupil.light.radial else (ChordalDebyeIfCheaper(tol),)
-    return (*first, *methods, ChordalDebye(tol))
+    chordal = () if pupil.aberrated or pupil.light.radial else (ChordalDebyeIfCheaper(tol),)
+    return (*chordal, *methods, ChordalDebye(tol))
 
 
 def first_within_tolerance(
@@ -186,11 +186,11 @@ def fixed_order(methods: tuple[Method, ...], pupil: BasePupil, grid: Grid) -> tu
     from lommel.optics.pupil import checked
 
     lens, count = checked(pupil), math.prod(pupil.shape)
-    every = np.arange(0, count, -(-count // _COST_PUPILS))
-    part = lens[np.unravel_index(every, pupil.shape)] if pupil.shape else lens
-    across = samples_across(grid.step(pupil)) if grid.integrate else 1
-    height, width = (across * side for side in grid.shape)
-    samples = Grid((height, width), grid.side / across)
+    indices = np.arange(0, count, -(-count // _COST_PUPILS))
+    part = lens[np.unravel_index(indices, pupil.shape)] if pupil.shape else lens
+    per_pixel = samples_across(grid.step(pupil)) if grid.integrate else 1
+    height, width = (per_pixel * side for side in grid.shape)
+    samples = Grid((height, width), grid.side / per_pixel)
     _, series, chords = methods
     try:
         # Estimated times of chords and of the series, from the compiled core.

@@ -76,11 +76,11 @@ class ChordalGauss(Method[Pupil]):
         if grid.stack or grid.integrate or pupil.illumination.error:
             return None
         shape, dtype = pupil.shape + grid.shape, np.dtype(wanted.dtype)
-        light, window = pupil.illumination.exponent, window_of(pupil, grid)
-        compute = chordal_plan(pupil.obscuration, light, window, self.tol, wanted, if_cheaper=self._if_cheaper)
+        exponent, window = pupil.illumination.exponent, window_of(pupil, grid)
+        compute = chordal_plan(pupil.obscuration, exponent, window, self.tol, wanted, if_cheaper=self._if_cheaper)
 
-        def shortcut(further: Pupil, values: Pixels) -> tuple[Array, float] | None:
-            wavefront, flags = further.wavefront, values.flags
+        def shortcut(new_pupil: Pupil, values: Pixels) -> tuple[Array, float] | None:
+            wavefront, flags = new_pupil.wavefront, values.flags
             fits = values.shape == shape and values.dtype == dtype and flags.c_contiguous and flags.writeable
             # The core writes in place, only to arrays of exactly this layout.
             if wavefront.left_out or not fits:

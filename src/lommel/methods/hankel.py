@@ -34,7 +34,7 @@ UNIT_ROUNDOFF = 2.0**-53
 _UNIFORM = Apodization()
 
 
-def growth(terms: Array, low: float, v: float, light: Apodization = _UNIFORM) -> Array:
+def growth(terms: Array, low: float, v: float, illumination: Apodization = _UNIFORM) -> Array:
     """Bound ``log(abs(A exp(i Phi) J0(v sqrt t)))`` on each ellipse around ``[low, 1]``, for a whole stack.
 
     `terms` are the coefficients of R_2^0, R_4^0, ... (P_1(2t - 1), P_2, ...), shape ``(n, terms)``; the bound holds
@@ -45,26 +45,26 @@ def growth(terms: Array, low: float, v: float, light: Apodization = _UNIFORM) ->
     degree = terms.shape[1]
     # Bounding box of the stack in the space of coefficients.
     middle = 0.5 * (terms.max(axis=0) + terms.min(axis=0))
-    spread = 0.5 * (terms.max(axis=0) - terms.min(axis=0))
+    half_width = 0.5 * (terms.max(axis=0) - terms.min(axis=0))
     t = ellipses(_ETA, low, _STEPS)
     # Im Phi is linear in the coefficients: its maximum over the box is the value at the centre plus a sum over sides.
     x = 2.0 * t - 1.0
     phase, sides, previous, current = np.zeros(t.shape), np.zeros(t.shape), np.zeros_like(t), np.ones_like(t)
-    for j, (c, s) in enumerate(zip(middle, spread, strict=True), 1):
+    for j, (c, s) in enumerate(zip(middle, half_width, strict=True), 1):
         previous, current = current, ((2 * j - 1) * x * current - (j - 1) * previous) / j
         phase += c * current.imag
         sides += s * np.abs(current.imag)
     largest = between(np.abs(phase) + sides, v * rise(_ETA, low, _STEPS), degree, low)
-    return np.asarray(largest + light.growth(np.cosh(_ETA), low))
+    return np.asarray(largest + illumination.growth(np.cosh(_ETA), low))
 
 
 def ellipses(eta: Array, low: float, steps: int) -> NDArray[np.complex128]:
     """Return points on half of each ellipse around ``[low, 1]``, shape ``(ellipses, steps + 1)``."""
     # The other half has conjugate points, at which the moduli are equal.
     theta = np.linspace(0.0, math.pi, steps + 1)
-    half = 0.5 * (1.0 - low)
-    around = np.cos(theta) * np.cosh(eta)[:, None] - 1j * np.sin(theta) * np.sinh(eta)[:, None]
-    return np.asarray(0.5 * (1.0 + low) + half * around)
+    half_length = 0.5 * (1.0 - low)
+    ellipse = np.cos(theta) * np.cosh(eta)[:, None] - 1j * np.sin(theta) * np.sinh(eta)[:, None]
+    return np.asarray(0.5 * (1.0 + low) + half_length * ellipse)
 
 
 def rise(eta: Array, low: float, steps: int) -> Array:
@@ -73,16 +73,16 @@ def rise(eta: Array, low: float, steps: int) -> Array:
     # ``sqrt(z^2 - low sinh(eta)^2)``, so that ``(Im sqrt t)^2 = (abs(t) - Re t) / 2`` is a concave function of x. In
     # an interval it is therefore at most the larger value at the two ends, except in the interval around its only
     # maximum, at ``x = -cosh(eta) (1 - sqrt(low)) / (1 + sqrt(low))``.
-    at = np.asarray(np.abs(np.sqrt(ellipses(eta, low, steps)).imag))
+    values = np.asarray(np.abs(np.sqrt(ellipses(eta, low, steps)).imag))
     if low == 0.0:
-        return at
+        return values
     cosh, root, step = np.cosh(eta), math.sqrt(low), math.pi / steps
     top = np.arccos(np.maximum(-1.0, -cosh * (1.0 - root) / (1.0 + root)))
-    half = 0.5 * (1.0 - low)
-    t = 0.5 * (1.0 + low) + half * (np.cos(top) * cosh - 1j * np.sin(top) * np.sinh(eta))
-    between_two = np.maximum(at[:, :-1], at[:, 1:])
-    around = np.abs((np.arange(steps) + 0.5) * step - top[:, None]) <= step * (0.5 + 1e-9)
-    return np.asarray(np.where(around, np.abs(np.sqrt(t).imag)[:, None], between_two))
+    half_length = 0.5 * (1.0 - low)
+    t = 0.5 * (1.0 + low) + half_length * (np.cos(top) * cosh - 1j * np.sin(top) * np.sinh(eta))
+    between_two = np.maximum(values[:, :-1], values[:, 1:])
+    is_maximum = np.abs((np.arange(steps) + 0.5) * step - top[:, None]) <= step * (0.5 + 1e-9)
+    return np.asarray(np.where(is_maximum, np.abs(np.sqrt(t).imag)[:, None], between_two))
 
 
 def between(phase: Array, kernel: Array, degree: int, low: float) -> Array:
@@ -108,8 +108,8 @@ def quadrature_error(g: Array, n: int, low: float = 0.0) -> float:
 def quadrature_nodes(g: Array, error: float, low: float = 0.0) -> int:
     """Return the smallest number of nodes for which :func:`quadrature_error` is at most `error`."""
     # The bound is solved for n at each eta.
-    needed = (_quadrature_log(g, low) - math.log(error)) / (2.0 * _ETA)
-    return max(1, math.ceil(float(needed.min())))
+    counts = (_quadrature_log(g, low) - math.log(error)) / (2.0 * _ETA)
+    return max(1, math.ceil(float(counts.min())))
 
 
 def _quadrature_log(g: Array, low: float) -> Array:

@@ -82,8 +82,8 @@ class MatrixFourier(Method[Pupil]):
         offset, weight = gauss_pixel(step, 1e-8) if grid.integrate else (np.zeros(1), np.ones(1))
         if grid.height * grid.width * offset.size**2 > _MAX_FIELD:
             raise Declined(
-                f"averages over pixels of v = {step:.3g} need {offset.size} x {offset.size} points per pixel, for "
-                f"{grid.height} x {grid.width} pixels more than the limit of {_MAX_FIELD}; use a smaller window"
+                f"averages over pixels of v = {step:.3g} need {offset.size} x {offset.size} points per pixel; for "
+                f"{grid.height} x {grid.width} pixels this exceeds the limit of {_MAX_FIELD}; use a smaller window"
             )
         x = cell_centers(self.samples)
         # Two matrices (Soummer et al.): exp(-i v y) for rows of pixels (and their nodes), exp(-i v x) for columns.
@@ -91,14 +91,16 @@ class MatrixFourier(Method[Pupil]):
             np.exp(-1j * np.multiply.outer((step / grid.side * part[:, None] + offset).ravel(), x))
             for part in (grid.y, grid.x)
         )
-        out = np.empty((math.prod(pupil.shape), *grid.shape))
-        for image, pupil_function in zip(out, pupil_functions(pupil, x, 1.0 / self.samples, self.edge), strict=True):
+        stack = np.empty((math.prod(pupil.shape), *grid.shape))
+        for image, pupil_function in zip(
+            stack, pupil_functions(pupil, x, 1.0 / self.samples, self.edge), strict=True
+        ):
             field = to_rows @ pupil_function @ to_columns.T
             # A cell has the area (2 / n)^2, and the aperture the area pi: U = (4 / (pi n^2)) times the sum.
-            fine = (4.0 / (math.pi * self.samples**2)) ** 2 * (field.real**2 + field.imag**2)
-            shaped: Array = fine.reshape(grid.height, offset.size, grid.width, offset.size)
-            image[:] = np.einsum("yaxb,a,b->yx", shaped, weight, weight, optimize=True)
-        return Intensities(out, None)
+            samples = (4.0 / (math.pi * self.samples**2)) ** 2 * (field.real**2 + field.imag**2)
+            pixels: Array = samples.reshape(grid.height, offset.size, grid.width, offset.size)
+            image[:] = np.einsum("yaxb,a,b->yx", pixels, weight, weight, optimize=True)
+        return Intensities(stack, None)
 
 
 def samples_needed(pupil: Pupil, grid: Grid) -> tuple[int, str]:
@@ -113,42 +115,42 @@ def samples_needed(pupil: Pupil, grid: Grid) -> tuple[int, str]:
 
 
 def require_samples(method: Method, samples: int, pupil: Pupil, grid: Grid) -> None:
-    """Raise ValueError if light would wrap around into the window, or if each pupil has an axis of its own."""
+    """Raise ValueError if light would be aliased into the window, or if each image has an axis of its own."""
     grid.require_one_axis()
-    needed, reason = samples_needed(pupil, grid)
-    if needed > samples:
+    count, reason = samples_needed(pupil, grid)
+    if count > samples:
         requirement = (
-            f"at least samples={needed}" if needed <= MAX_SAMPLES else f"{needed:.3g} samples, over {MAX_SAMPLES}"
+            f"at least samples={count}" if count <= MAX_SAMPLES else f"{count:.3g} samples, over {MAX_SAMPLES}"
         )
         raise Declined(f"{type(method).__name__}(samples={samples}) would alias: {reason} need {requirement}")
 
 
-def pupil_functions(pupil: Pupil, x: Array, half: float, edge: str) -> Iterator[NDArray[np.complex128]]:
-    """Yield the field in cells of side ``2 half`` centred at ``(x, x)``, for each pupil of the flattened stack."""
+def pupil_functions(pupil: Pupil, x: Array, half_side: float, edge: str) -> Iterator[NDArray[np.complex128]]:
+    """Yield the field in cells of side ``2 half_side`` centred at ``(x, x)``, for each pupil of the stack."""
     rho, theta = np.hypot(x[:, None], x), np.arctan2(x[:, None], x)
-    amplitude = transmission(pupil, x, half, edge)
+    amplitude = transmission(pupil, x, half_side, edge)
     if not pupil.illumination.uniform:
-        square, clear = x * x, np.abs(amplitude) > 0.0
-        amplitude[clear] *= pupil.illumination.at((square[:, None] + square)[clear])
+        square, is_clear = x * x, np.abs(amplitude) > 0.0
+        amplitude[is_clear] *= pupil.illumination.at((square[:, None] + square)[is_clear])
     wavefronts = pupil.wavefront.flattened()
     segment_phase = pupil.opening.phase(x[None, :], x[:, None]) if pupil.segmented else 0.0
     for i in range(wavefronts.shape[0]):
         yield amplitude * np.exp(1j * (wavefronts[i].phase(rho, theta) + segment_phase))
 
 
-def transmission(pupil: Pupil, x: Array, half: float, edge: str) -> Values:
-    """Return the amplitude, without apodization, of square cells of side ``2 half`` centred at ``(x, x)``.
+def transmission(pupil: Pupil, x: Array, half_side: float, edge: str) -> Values:
+    """Return the amplitude, without apodization, of square cells of side ``2 half_side`` centred at ``(x, x)``.
 
     A "binary" edge has the transmission 0 or 1 at the centre of the cell, a "grey" edge the clear fraction of the
     cell (:meth:`lommel.optics.aperture.opening.Opening.coverage`); a mask multiplies this transmission by the mask
     value at the centre.
     """
-    across, down = x[None, :], x[:, None]
+    columns, rows = x[None, :], x[:, None]
     if edge == "grey":
-        clear_fraction = pupil.opening.coverage(across, down, half)
+        clear_fraction = pupil.opening.coverage(columns, rows, half_side)
     else:
-        clear_fraction = (pupil.opening.margin(across, down) >= 0.0).astype(np.float64)
-    return clear_fraction if pupil.mask is None else clear_fraction * pupil.mask.at(across, down)
+        clear_fraction = (pupil.opening.margin(columns, rows) >= 0.0).astype(np.float64)
+    return clear_fraction if pupil.mask is None else clear_fraction * pupil.mask.at(columns, rows)
 
 
 def gauss_pixel(width: float, error: float) -> tuple[Array, Array]:
@@ -161,9 +163,9 @@ def gauss_pixel(width: float, error: float) -> tuple[Array, Array]:
 
 
 def pixel_error(width: float, nodes: int) -> float:
-    """Bound the error of the q-point average over a pixel of `width` in v along an axis, over sup abs(U)^2."""
-    # The core's bound is for both axes and relative to half the range of I. The bound for one axis, relative to the
-    # whole range, is a quarter of it.
+    """Bound the error of the mean of I over a pixel of `width` in v along an axis, divided by sup abs(U)^2."""
+    # gauss_error() bounds the error of both axes relative to half the range of I. The bound for one axis, relative to
+    # the whole range, is a quarter of it.
     return 0.25 * gauss_error(width, nodes)
 
 

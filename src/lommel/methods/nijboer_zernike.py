@@ -102,8 +102,8 @@ class NijboerZernike(FieldMethod["Pupil"]):
         window = window_of(pupil, grid)
         compute = radial_plan(radial_stack(pupil), pupil.shape, window, self.tol, wanted, integrate=grid.integrate)
 
-        def shortcut(further: Pupil, values: Pixels) -> tuple[Array, float] | None:
-            wavefront = further.wavefront
+        def shortcut(new_pupil: Pupil, values: Pixels) -> tuple[Array, float] | None:
+            wavefront = new_pupil.wavefront
             return None if wavefront.left_out else compute(wavefront.radial_terms, values)
 
         return shortcut
@@ -181,7 +181,7 @@ def disk_images(
         return sample(pupil, grid, tol, wanted)
     from lommel.methods.averaging import averaged_images
 
-    def far(part: Pupil, pixels: Grid, most: float, tol: float, threads: int) -> FarPixels:
-        return far_averages(disk_stack(part), window_of(part, pixels), most, tol, threads)
+    def far_pixels(part: Pupil, pixels: Grid, limit: float, tol: float, threads: int) -> FarPixels:
+        return far_averages(disk_stack(part), window_of(part, pixels), limit, tol, threads)
 
-    return averaged_images(sample, pupil, grid, tol, wanted, far=far)
+    return averaged_images(sample, pupil, grid, tol, wanted, far=far_pixels)

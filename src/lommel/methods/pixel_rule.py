@@ -184,10 +184,10 @@ def _rule(half: int, eighths: int, margin: int) -> PixelRule:
     angle = np.arccos(np.minimum(1.0, radii / reach))
     moments = _moments(2.0 * np.cos(2.0 * angle), weights, starts, count)
     # Cosine transform from values at the positive half of 2 count Chebyshev nodes to coefficients of even degrees.
-    at = (np.arange(count, dtype=np.float64)[::-1] + 0.5) * (0.5 * math.pi / count)
-    transform = np.cos(2.0 * np.outer(at, np.arange(count))) * (2.0 / count)
+    angles = (np.arange(count, dtype=np.float64)[::-1] + 0.5) * (0.5 * math.pi / count)
+    transform = np.cos(2.0 * np.outer(angles, np.arange(count))) * (2.0 / count)
     transform[:, 0] *= 0.5
-    return PixelRule(reach * np.cos(at), engine.product(transform, moments, 1))
+    return PixelRule(reach * np.cos(angles), engine.product(transform, moments, 1))
 
 
 class LocalRule(NamedTuple):
@@ -233,13 +233,13 @@ def local_rule(half: int, step: float) -> LocalRule:
 
     radii, weights, starts = _nodes(half, step, 8)
     t = radii * (step / _SPACING)
-    first = np.floor(t).astype(np.int64) - (_STENCIL // 2 - 1)
-    t -= first
+    start = np.floor(t).astype(np.int64) - (_STENCIL // 2 - 1)
+    t -= start
     counts = np.diff(starts, append=radii.size)
-    low, high = np.minimum.reduceat(first, starts), np.maximum.reduceat(first, starts) + _STENCIL
+    nearest, farthest = np.minimum.reduceat(start, starts), np.maximum.reduceat(start, starts) + _STENCIL
     # The row of a pixel in the matrix has entries for all values from its nearest to its farthest node.
-    ends = np.cumsum(high - low)
-    entry = np.repeat(ends - (high - low) - low, counts) + first
+    ends = np.cumsum(farthest - nearest)
+    entry = np.repeat(ends - (farthest - nearest) - nearest, counts) + start
     # Lagrange weights prod_(k != j) (t - k) / (j - k), from the products over k < j and over k > j.
     products_above = np.ones((_STENCIL, radii.size))
     for j in range(_STENCIL - 1, 0, -1):
@@ -250,8 +250,8 @@ def local_rule(half: int, step: float) -> LocalRule:
         sums += np.bincount(entry + j, products_below * products_above[j] / scale, ends[-1])
         products_below = products_below * (t - j)
     # I is even: a negative radius uses the value at the positive radius.
-    column = np.abs(np.arange(ends[-1]) - np.repeat(ends - high, high - low))
-    count = int(high.max())
+    column = np.abs(np.arange(ends[-1]) - np.repeat(ends - farthest, farthest - nearest))
+    count = int(farthest.max())
     matrix = csr_array((sums, column, np.concatenate([[0], ends])), shape=(starts.size, count))
     return LocalRule(_SPACING * np.arange(count, dtype=np.float64), matrix)
 
@@ -298,7 +298,7 @@ def _nodes(half: int, step: float, margin: int) -> tuple[Array, Array, NDArray[n
         return np.asarray(arc(np.minimum(1.0, edges[cell] * inverse)))
 
     # Angles at which the circle enters the pixel, through y0 or x1, and leaves it, through x0 or y1.
-    first = np.where(piece < 2, angle(np.arcsin, y0), angle(np.arccos, x1))
-    last = np.where(piece < 1, angle(np.arccos, x0), angle(np.arcsin, y1))
+    entry_angle = np.where(piece < 2, angle(np.arcsin, y0), angle(np.arccos, x1))
+    exit_angle = np.where(piece < 1, angle(np.arccos, x0), angle(np.arcsin, y1))
     w = copies[cell] * length * np.concatenate([weights for _, weights in interval_rules])
-    return r, w * u * np.maximum(0.0, last - first), np.cumsum(counts.sum(axis=1)) - counts.sum(axis=1)
+    return r, w * u * np.maximum(0.0, exit_angle - entry_angle), np.cumsum(counts.sum(axis=1)) - counts.sum(axis=1)

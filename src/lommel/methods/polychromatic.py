@@ -32,7 +32,7 @@ def sum_wavelengths(
     """
     # At a shorter wavelength light falls on a smaller area: I is proportional to 1 / wavelength^2.
     weights = shares * np.array([part.stretch**2 for part in parts])
-    part_tol, least = tol, (method.method or Method).least_tol
+    part_tol, least_tol = tol, (method.method or Method).least_tol
     while True:
         try:
             sums = _sums(parts, weights, compute, part_tol, window)
@@ -41,15 +41,15 @@ def sum_wavelengths(
                 f"tol={method.tol:g} cannot be met by a sum over wavelengths, whose images must each be accurate to "
                 f"{part_tol:.2g} of the peak: {fault}"
             ) from None
-        errors = [float(each.error.max()) for each in sums if each.error is not None]
-        if not errors or not method.keeps_tol or (worst := max(errors)) <= tol:
+        errors = [float(result.error.max()) for result in sums if result.error is not None]
+        if not errors or not method.keeps_tol or (worst_error := max(errors)) <= tol:
             return sums
         # The error of each part is relative to the peak of the part; the peak of the sum may be below the sum of the
         # peaks.
-        if part_tol <= least:
-            raise not_met(method.tol, worst, "the largest value in the window" if window else "the peak")
+        if part_tol <= least_tol:
+            raise not_met(method.tol, worst_error, "the largest value in the window" if window else "the peak")
         # The next tolerance is reduced by the excess of the error, and halved for safety.
-        part_tol = max(least, part_tol * max(1e-3, min(0.5, 0.5 * tol / worst)))
+        part_tol = max(least_tol, part_tol * max(1e-3, min(0.5, 0.5 * tol / worst_error)))
 
 
 def _sums(
@@ -71,8 +71,8 @@ def _sums(
         errors.append(np.zeros(len(result.values)) if result.error is None else result.error)
         for c in np.flatnonzero(weights[:, k]):
             bounded[c] &= result.error is not None
-            term, before = weights[c, k] * result.values, sums[c]
-            sums[c] = term if before is None else np.add(before, term, out=before)
+            term, previous = weights[c, k] * result.values, sums[c]
+            sums[c] = term if previous is None else np.add(previous, term, out=previous)
     results = []
     for row, values, has_bound in zip(weights, sums, bounded, strict=True):
         assert values is not None  # each sum has a wavelength with a positive weight
@@ -80,15 +80,15 @@ def _sums(
         if not has_bound:
             results.append(Intensities(values, None, highest))
             continue
-        used = np.flatnonzero(row)
+        indices = np.flatnonzero(row)
         # Certificate, section 9, last paragraph.
-        error = (len(used) + 8) * 2.0**-53 * highest  # roundings of weights, products and the sum
-        error = error + sum(row[k] * errors[k] * tops[k] for k in used)
+        error = (len(indices) + 8) * 2.0**-53 * highest  # roundings of weights, products and the sum
+        error = error + sum(row[k] * errors[k] * tops[k] for k in indices)
         # Intensities are not negative: the sum is at least as bright as any of its parts.
-        peak = highest if window else np.maximum(highest, np.max([row[k] * tops[k] for k in used], axis=0))
-        least = peak - error
-        relative = np.divide(error, least, out=np.full(error.shape, np.inf), where=least > 0)
-        results.append(Intensities(values, relative, least))
+        peak = highest if window else np.maximum(highest, np.max([row[k] * tops[k] for k in indices], axis=0))
+        least_peak = peak - error
+        relative = np.divide(error, least_peak, out=np.full(error.shape, np.inf), where=least_peak > 0)
+        results.append(Intensities(values, relative, least_peak))
     return results
 
 
@@ -207,7 +207,7 @@ class Polychromatic(Spectrum, RadialMethod[BasePupil]):
 
     def intensity(self, pupil: BasePupil, grid: Grid, threads: int = 0) -> Intensities:
         """Return the weighted sum of I at the distinct radii or, if the grid is not symmetric, on the pixels."""
-        return together((self,), pupil, grid, threads, self.tol)[0]
+        return sum_spectra((self,), pupil, grid, threads, self.tol)[0]
 
     def images(self, pupil: BasePupil, grid: Grid, wanted: Wanted) -> Images:
         """Return the images of the flattened stack; see :meth:`lommel.Method.images`."""
@@ -215,30 +215,30 @@ class Polychromatic(Spectrum, RadialMethod[BasePupil]):
             raise ValueError(
                 "derivatives are not available from Polychromatic.images; use derivatives= of lommel.psf"
             )
-        aim = self.tol - 1.1 * storing(wanted.dtype)
+        target = self.tol - 1.1 * storing(wanted.dtype)
         # Division of values by their own largest value doubles the error; 0.48 instead of 0.5 leaves a reserve.
-        aim = aim if wanted.scale is not None else 0.48 * aim
-        result = together((self,), pupil, grid, wanted.threads, aim, window=wanted.scale is None)
+        target = target if wanted.scale is not None else 0.48 * target
+        result = sum_spectra((self,), pupil, grid, wanted.threads, target, window=wanted.scale is None)
         return to_images(result[0], grid, wanted)
 
 
-def together(
+def sum_spectra(
     sums: Sequence[Polychromatic], pupil: BasePupil, grid: Grid, threads: int, tol: float, *, window: bool = False
 ) -> list[Intensities]:
     """Return the intensities of several sums, with each wavelength computed once for all sums."""
-    places = {w: k for k, w in enumerate(dict.fromkeys(w for each in sums for w in each.wavelengths))}
-    parts = Spectrum(tuple(places), np.ones(len(places))).components(pupil)
+    columns = {w: k for k, w in enumerate(dict.fromkeys(w for spectrum in sums for w in spectrum.wavelengths))}
+    parts = Spectrum(tuple(columns), np.ones(len(columns))).components(pupil)
     shares = np.zeros((len(sums), len(parts)))
-    for row, each in zip(shares, sums, strict=True):
+    for row, spectrum in zip(shares, sums, strict=True):
         # A wavelength that a sum has twice counts twice: += on repeated indices would count it once.
-        np.add.at(row, [places[w] for w in each.wavelengths], each.weights)
+        np.add.at(row, [columns[w] for w in spectrum.wavelengths], spectrum.weights)
     method = sums[0].method
     # With lateral colour some components are off the axis, and share no radii with the others.
     equal_symmetry = all(part.pupil.radial == pupil.radial for part in parts)
 
     def compute(part: Component, tol: float) -> Intensities:
-        ways = candidates(part.pupil, grid, tol) if method is None else (method.tightened(tol),)
-        result = first_within_tolerance(ways, lambda way: way.intensity(part.pupil, grid, threads))[1]
+        methods = candidates(part.pupil, grid, tol) if method is None else (method.tightened(tol),)
+        result = first_within_tolerance(methods, lambda candidate: candidate.intensity(part.pupil, grid, threads))[1]
         if equal_symmetry or result.values.ndim == 3:
             return result
         values = np.empty((len(result.values), *grid.shape))

@@ -139,16 +139,16 @@ def gradient(
         from lommel.methods.layers.slopes import layered_gradient
 
         objective_pupil = cast("ObjectivePupil", pupil)
-        by, far = _terms(objective_pupil.aberrations) if names is None else names, normalize == "emitted"
-        result = layered_gradient(method, objective_pupil, grid, by, weights, scale, energy=energy, far=far)
-        return {name: result[name] for name in by}
+        parameters, far = _terms(objective_pupil.aberrations) if names is None else names, normalize == "emitted"
+        result = layered_gradient(method, objective_pupil, grid, parameters, weights, scale, energy=energy, far=far)
+        return {name: result[name] for name in parameters}
     from lommel.methods import derivatives
     from lommel.optics.pupil import checked
 
     lens_pupil = checked(pupil)
-    by = _terms(lens_pupil.wavefront) if names is None else names
-    result = derivatives.gradient(method, lens_pupil, grid, by, weights, float(scale[0]), energy=energy)
-    return {name: result[name] for name in by}
+    parameters = _terms(lens_pupil.wavefront) if names is None else names
+    result = derivatives.gradient(method, lens_pupil, grid, parameters, weights, float(scale[0]), energy=energy)
+    return {name: result[name] for name in parameters}
 
 
 def _terms(wavefront: Wavefront | None) -> tuple[Name, ...]:
@@ -201,13 +201,13 @@ def output_type(dtype: DTypeLike | None, tol: float) -> DType:
     return kind
 
 
-def for_axes(pupil: AnyPupil, places: tuple[int, ...]) -> AnyPupil:
-    """Return the stack of pupils broadcast with `places`, the shape of an array of window centres."""
+def for_axes(pupil: AnyPupil, center_shape: tuple[int, ...]) -> AnyPupil:
+    """Return the stack of pupils broadcast with `center_shape`, the shape of an array of window centres."""
     try:
-        return pupil.broadcast(np.broadcast_shapes(pupil.shape, places))
+        return pupil.broadcast(np.broadcast_shapes(pupil.shape, center_shape))
     except ValueError:
         raise ValueError(
-            f"center must broadcast with the stack of pupils, got centres of shape {places} for {pupil.shape}"
+            f"center must broadcast with the stack of pupils, got centres of shape {center_shape} for {pupil.shape}"
         ) from None
 
 

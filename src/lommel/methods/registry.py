@@ -76,16 +76,16 @@ def method_from_dict(description: Mapping[str, object]) -> Method:
         If the name is unknown, or is not the name of a method.
     """
     kinds = [*METHODS.values(), *LAYERED.values(), *_SUMS.values(), *ERFS.values()]
-    known: dict[object, Callable[..., object]] = {kind.__name__: kind for kind in kinds}
+    constructors: dict[object, Callable[..., object]] = {kind.__name__: kind for kind in kinds}
 
     def build(part: Mapping[str, object]) -> object:
         nested = {key: build(value) for key, value in part.items() if isinstance(value, dict) and "name" in value}
         options = {**part, **nested}
         name = options.pop("name")
-        if name not in known:
-            raise ValueError(f"unknown method {name!r}; known are {', '.join(sorted(map(str, known)))}")
+        if name not in constructors:
+            raise ValueError(f"unknown method {name!r}; known are {', '.join(sorted(map(str, constructors)))}")
         # JSON has no tuples, but options must be tuples, which are hashable.
-        return known[name](**{k: tuple(v) if isinstance(v, list) else v for k, v in options.items()})
+        return constructors[name](**{k: tuple(v) if isinstance(v, list) else v for k, v in options.items()})
 
     method = build(description)
     if not isinstance(method, Method):

@@ -73,7 +73,7 @@ class PointQuality:
         pupil = self.pupil
         if not pupil.radial:
             # An additional tilt moves the brightest point to the axis.
-            x, y = spot.brightest_place(optics(pupil))
+            x, y = spot.brightest_position(optics(pupil))
             return float(aperture_means.strehl(_with_tilt(pupil, -math.pi * x, -math.pi * y)))
         method, far = of_profiles(), float(pupil.v(pupil.geometric_radius())) + 4.0
         v = np.linspace(0.0, far, 64 + math.ceil(10.0 * far))

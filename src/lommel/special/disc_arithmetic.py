@@ -54,13 +54,13 @@ class Disc:
 
     def __mul__(self, other: Disc | complex) -> Disc:
         other = disc(other)
-        mine, others = self.size, other.size
+        size, other_size = self.size, other.size
         with np.errstate(invalid="ignore", over="ignore"):  # 0 times infinity is NaN: no bound
             # Exact factors, such as 0.5 and 1j, are frequent and need no second radius.
-            if others.ndim == 0 and not other.radius:
-                return Disc(self.centre * other.centre, others * (self.radius + _ROUNDING * mine))
+            if other_size.ndim == 0 and not other.radius:
+                return Disc(self.centre * other.centre, other_size * (self.radius + _ROUNDING * size))
             # abs(z w - c d) <= abs(c) r_w + (abs(d) + r_w) r_z.
-            radius = mine * (other.radius + _ROUNDING * others) + (others + other.radius) * self.radius
+            radius = size * (other.radius + _ROUNDING * other_size) + (other_size + other.radius) * self.radius
             return Disc(self.centre * other.centre, radius)
 
     def __neg__(self) -> Disc:
@@ -84,19 +84,19 @@ class Disc:
         """Return discs of 1/z, with an infinite radius for discs that contain 0."""
         size = self.size
         with np.errstate(divide="ignore", invalid="ignore"):
-            clear = self.least > 0.0
+            is_nonzero = self.least > 0.0
             # abs(1/z - 1/c) = abs(z - c) / (abs(c) abs(z)).
-            radius = np.where(clear, self.radius / (size * self.least) + _ROUNDING / self.least, np.inf)
-            return Disc(np.where(clear, 1.0 / self.centre, 0.0), radius)
+            radius = np.where(is_nonzero, self.radius / (size * self.least) + _ROUNDING / self.least, np.inf)
+            return Disc(np.where(is_nonzero, 1.0 / self.centre, 0.0), radius)
 
     def sqrt(self) -> Disc:
         """Return discs of the root with a positive real part; the radius is infinite unless real parts are > 0."""
         # In the right half plane the principal root is analytic: certificate, section 14, "Discs".
-        right = self.centre.real * (1.0 - _ROUNDING) > self.radius
-        root = np.sqrt(np.where(right, self.centre, 1.0))
+        is_right = self.centre.real * (1.0 - _ROUNDING) > self.radius
+        root = np.sqrt(np.where(is_right, self.centre, 1.0))
         # sqrt(a) - sqrt(b) = (a - b) / (sqrt(a) + sqrt(b)). Both roots are within 45 degrees of the real axis, so
         # that the modulus of their sum is at least the modulus of the root at the centre.
-        radius = np.where(right, self.radius / np.abs(root) + _ROUNDING * np.abs(root), np.inf)
+        radius = np.where(is_right, self.radius / np.abs(root) + _ROUNDING * np.abs(root), np.inf)
         return Disc(root, radius)
 
 
@@ -114,9 +114,9 @@ def cosine_and_sinc(square: Disc) -> tuple[Disc, Disc]:
     # abs(sinc z) <= exp(abs(Im z)) min(1, 1 / abs(z)).
     z = np.sqrt(square.centre)
     # Near 0, sin(z) / z is computed by two terms of its series, exact to 1e-17, to avoid 0 / 0.
-    small = np.abs(z) < 1e-4
-    safe = np.where(small, 1.0, z)
-    sinc = np.where(small, 1.0 - square.centre / 6.0, np.sin(safe) / safe)
+    is_small = np.abs(z) < 1e-4
+    divisor = np.where(is_small, 1.0, z)
+    sinc = np.where(is_small, 1.0 - square.centre / 6.0, np.sin(divisor) / divisor)
     # abs(Im z) = sqrt((abs(z^2) - Re z^2) / 2); within the disc, (Im z)^2 is larger by at most the radius.
     height = np.exp(np.sqrt(z.imag**2 + square.radius) * (1.0 + _ROUNDING))
     extent = height * (square.radius + 4.0 * _ROUNDING * (1.0 + np.abs(square.centre)))
@@ -129,12 +129,12 @@ def windings(values: Disc) -> NDArray[np.int_]:
     """Return the winding numbers around 0 of closed curves covered by discs along the last axis; -1 if unknown."""
     # Neighbouring discs share a point of the curve. If no disc contains 0, the argument changes by less than pi
     # between neighbouring centres. For a function analytic inside the curve, the result is the number of zeros.
-    clear = np.asarray((values.least > 0.0).all(axis=-1))
+    is_known = np.asarray((values.least > 0.0).all(axis=-1))
     x, y = values.centre.real, values.centre.imag
     with np.errstate(invalid="ignore", over="ignore"):
-        after, up = np.roll(x, -1, axis=-1), np.roll(y, -1, axis=-1)
-        onwards = x * up - y * after  # its sign is the sign of the change of the argument
+        next_x, next_y = np.roll(x, -1, axis=-1), np.roll(y, -1, axis=-1)
+        rotation = x * next_y - y * next_x  # its sign is the sign of the change of the argument
         # Crossings of the negative real axis, in both directions.
-        down = (y >= 0.0) & (up < 0.0) & (onwards > 0.0)
-        back = (y < 0.0) & (up >= 0.0) & (onwards < 0.0)
-    return np.where(clear, down.sum(axis=-1) - back.sum(axis=-1), -1)
+        downward = (y >= 0.0) & (next_y < 0.0) & (rotation > 0.0)
+        upward = (y < 0.0) & (next_y >= 0.0) & (rotation < 0.0)
+    return np.where(is_known, downward.sum(axis=-1) - upward.sum(axis=-1), -1)

@@ -62,18 +62,18 @@ class Erf(ABC):
 
     def on_ray(self, s: ArrayLike) -> NDArray[np.complex128]:
         """Return ``erf(e^{-i pi/4} s)`` for real `s` of either sign."""
-        at = _arguments(s)
+        x = _arguments(s)
         # erf is odd, and G is defined for s >= 0.
-        size = np.abs(at)
-        return np.asarray(np.where(at < 0, -1.0, 1.0) * (1.0 - np.exp(1j * size**2) * self.auxiliary(size) / HALF))
+        r = np.abs(x)
+        return np.asarray(np.where(x < 0, -1.0, 1.0) * (1.0 - np.exp(1j * r**2) * self.auxiliary(r) / HALF))
 
 
 def _arguments(s: ArrayLike) -> Array:
-    at = validation.real_array("s", s)
+    argument = validation.real_array("s", s)
     # s^2 must not overflow.
-    if at.size and np.abs(at).max() > 1e150:
-        raise ValueError(f"s must be at most 1e150, got {np.abs(at).max():g}")
-    return at
+    if argument.size and np.abs(argument).max() > 1e150:
+        raise ValueError(f"s must be at most 1e150, got {np.abs(argument).max():g}")
+    return argument
 
 
 @dataclass(frozen=True)
@@ -168,35 +168,35 @@ class AbramowitzErf(Erf):
         """
         from scipy.special import erf
 
-        at = validation.array("z", z)
-        numbers = at.dtype.kind in "iufc"
+        argument = validation.array("z", z)
+        is_numeric = argument.dtype.kind in "iufc"
         with np.errstate(over="ignore"):  # a long double beyond the range becomes infinite: TypeError
-            at = at.astype(np.complex128) if numbers else at
-        if not numbers or not np.all(np.isfinite(at)):
+            argument = argument.astype(np.complex128) if is_numeric else argument
+        if not is_numeric or not np.all(np.isfinite(argument)):
             raise TypeError(f"z must hold finite numbers, got {validation.shown(z)}")
         # erf is odd; the formula is used for x >= 0.
-        side = np.where(at.real < 0, -1.0, 1.0)
-        x, y = side * at.real, side * at.imag
+        sign = np.where(argument.real < 0, -1.0, 1.0)
+        x, y = sign * argument.real, sign * argument.imag
         # Intermediate products may overflow although the sum does not; the sum itself is checked at the end.
         with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
             xy2 = 2.0 * x * y
             decay = np.exp(-x * x)
             # (1 - cos 2xy + i sin 2xy) / (2 pi x), with the limit i y / pi at x = 0.
-            first = np.where(x > 1e-150, (2.0 * np.sin(0.5 * xy2) ** 2 + 1j * np.sin(xy2)) / (2.0 * np.pi * x), 0)
-            total = erf(x) + decay * np.where(x > 1e-150, first, 1j * y / np.pi)
+            quotient = np.where(x > 1e-150, (2.0 * np.sin(0.5 * xy2) ** 2 + 1j * np.sin(xy2)) / (2.0 * np.pi * x), 0)
+            total = erf(x) + decay * np.where(x > 1e-150, quotient, 1j * y / np.pi)
             cos, sin = np.cos(xy2), np.sin(xy2)
             for n in range(1, self.terms + 1):
                 unit = np.exp(-0.25 * n * n - x * x)
-                growing = np.exp(n * np.abs(y) - 0.25 * n * n - x * x)
-                decaying = np.exp(-n * np.abs(y) - 0.25 * n * n - x * x)
-                cosh = 0.5 * (growing + decaying)
-                sinh = np.sign(y) * 0.5 * (growing - decaying)
+                rise = np.exp(n * np.abs(y) - 0.25 * n * n - x * x)
+                fall = np.exp(-n * np.abs(y) - 0.25 * n * n - x * x)
+                cosh = 0.5 * (rise + fall)
+                sinh = np.sign(y) * 0.5 * (rise - fall)
                 f = 2.0 * x * unit - 2.0 * x * cosh * cos + n * sinh * sin
                 g = 2.0 * x * cosh * sin + n * sinh * cos
                 total = total + 2.0 / np.pi * (f + 1j * g) / (n * n + 4.0 * x * x)
         if not np.all(np.isfinite(total)):
-            raise OverflowError(f"Eq. (14) overflows doubles at z={at[~np.isfinite(total)].flat[0]}")
-        return np.asarray(side * total)
+            raise OverflowError(f"Eq. (14) overflows doubles at z={argument[~np.isfinite(total)].flat[0]}")
+        return np.asarray(sign * total)
 
     def on_ray(self, s: ArrayLike) -> NDArray[np.complex128]:
         """Return Eq. (14) at ``e^{-i pi/4} s``."""
@@ -276,22 +276,22 @@ def unit_moments(phase: Array, count: int) -> NDArray[np.complex128]:
     ndarray of complex, shape ``(count,) + phase.shape``
     """
     modulus = np.abs(phase)
-    out = np.empty((count, *phase.shape), dtype=np.complex128)
+    moments = np.empty((count, *phase.shape), dtype=np.complex128)
     # The recurrence multiplies errors by m / phase at each step.
-    slow = modulus <= max(32.0, 2.0 * count)
-    if np.any(slow):
-        u, w = gauss_legendre(24 + count // 2 + int(modulus[slow].max()))
-        wave = 0.5 * w * np.exp(1j * phase[slow][:, None] * u)
+    is_small = modulus <= max(32.0, 2.0 * count)
+    if np.any(is_small):
+        u, w = gauss_legendre(24 + count // 2 + int(modulus[is_small].max()))
+        wave = 0.5 * w * np.exp(1j * phase[is_small][:, None] * u)
         for m in range(count):
-            out[m, slow] = wave.sum(axis=1)
+            moments[m, is_small] = wave.sum(axis=1)
             wave = wave * u
-    fast = ~slow
-    if np.any(fast):
-        p = phase[fast]
+    is_large = ~is_small
+    if np.any(is_large):
+        p = phase[is_large]
         end = np.exp(1j * p)
         value = (end - 1.0) / (2j * p)
-        out[0, fast] = value
+        moments[0, is_large] = value
         for m in range(1, count):
             value = (0.5 * end - m * value) / (1j * p)
-            out[m, fast] = value
-    return out
+            moments[m, is_large] = value
+    return moments

@@ -100,16 +100,16 @@ def filtered_taps(band: float, error: float, width: int = 0) -> FilteredTaps:
 
 
 @lru_cache(maxsize=64)
-def circular_taps(most: int, steps: int, error: float) -> CircularTaps:
-    """Return the fewest taps within `error` for orders up to `most` on `steps` samples of a circle, or ValueError."""
-    frequencies: Array = np.arange(most + 1, dtype=np.float64) * (_TWO_PI / steps)
+def circular_taps(max_order: int, steps: int, error: float) -> CircularTaps:
+    """Return the fewest taps within `error`, for orders up to `max_order` on `steps` samples; or ValueError."""
+    frequencies: Array = np.arange(max_order + 1, dtype=np.float64) * (_TWO_PI / steps)
     for count in range(4, MAX_TAPS + 1, 2):
         taps = _kaiser_bessel(count, max(float(frequencies[-1]), 0.1))
         gains = 1.0 / _mean_response(taps, frequencies)
         errors = _wave_errors(taps, frequencies, gains, taps.at(_check_positions()), np.ones(1)).max(axis=1)
         if errors.max() <= error:
             return CircularTaps(taps, gains, errors)
-    raise ValueError(f"{MAX_TAPS} taps do not reach an error of {error:.2g} for order {most} on {steps} samples")
+    raise ValueError(f"{MAX_TAPS} taps do not reach an error of {error:.2g} for order {max_order} on {steps} samples")
 
 
 @lru_cache(maxsize=256)
@@ -128,11 +128,13 @@ def _fit_filter(count: int, band: float, neighbours: int, width: int = 0) -> Fil
     # The error is evaluated at other frequencies than the fit.
     w = _chebyshev(2 * math.ceil(1.18 * extent * band + 48), band)
     gains = np.cos(np.outer(w, distance)) @ (weights * times)
-    even, positions = np.concatenate([weights[:0:-1], weights]), _check_positions()
+    symmetric, positions = np.concatenate([weights[:0:-1], weights]), _check_positions()
 
     def bounds(rows: Array, target: Array | NDArray[np.complex128]) -> tuple[float, float]:
-        sums = max(np.abs(np.convolve(row, even)).sum() for row in rows)
-        rounding = 2.0**-53 * (2 * neighbours + 8) * _SQRT_2 * np.abs(rows).sum(axis=1).max() * np.abs(even).sum()
+        sums = max(np.abs(np.convolve(row, symmetric)).sum() for row in rows)
+        rounding = (
+            2.0**-53 * (2 * neighbours + 8) * _SQRT_2 * np.abs(rows).sum(axis=1).max() * np.abs(symmetric).sum()
+        )
         error = _wave_errors(taps, w, gains, rows, target).max() + rounding
         return _SQRT_2 * float(error), _BETWEEN_POINTS * float(sums)
 

@@ -39,8 +39,8 @@ def gauss_legendre(n: int, low: float = 0.0, high: float = 1.0) -> tuple[Array, 
     nodes, weights : ndarray, shape (n,)
     """
     nodes, weights = _rule(n)
-    half = 0.5 * (high - low)
-    return low + half * (1.0 + nodes), half * weights
+    half_length = 0.5 * (high - low)
+    return low + half_length * (1.0 + nodes), half_length * weights
 
 
 def gauss_panels(n: int, low: float = 0.0, high: float = 1.0) -> tuple[Array, Array]:

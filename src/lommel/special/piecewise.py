@@ -44,9 +44,9 @@ class PiecewiseQuadratic:
 
     def phase(self, rho: ArrayLike) -> Array:
         """Return the phase at pupil radii `rho` (0 to 1)."""
-        at = np.asarray(rho, dtype=np.float64)
-        i = np.clip(np.searchsorted(self.edges, at, side="right") - 1, 0, self.alpha.size - 1)
-        return np.asarray((self.alpha[i] * at + self.beta[i]) * at + self.gamma[i])
+        radii = np.asarray(rho, dtype=np.float64)
+        i = np.clip(np.searchsorted(self.edges, radii, side="right") - 1, 0, self.alpha.size - 1)
+        return np.asarray((self.alpha[i] * radii + self.beta[i]) * radii + self.gamma[i])
 
     def mse(self, coefficients: Sequence[float]) -> float:
         """Return the mean of ``abs(exp(i fit) - exp(i phase))^2`` over the radius, as the paper reports it.
@@ -83,8 +83,8 @@ def split_edges(segments: int, split: str = "optimal") -> Array:
     count = validation.integer("segments", segments, least=1, most=4096)
     validation.choice("split", split, SPLITS)
     x = np.linspace(0.0, 1.0, count + 1)
-    even = np.maximum(count * x - 0.123, 0.0) / (count - 0.123)
-    forms = {"linear": x, "sqrt": np.sqrt(x), "log": np.log1p((math.e - 1.0) * x), "optimal": even**0.75}
+    shifted = np.maximum(count * x - 0.123, 0.0) / (count - 0.123)
+    forms = {"linear": x, "sqrt": np.sqrt(x), "log": np.log1p((math.e - 1.0) * x), "optimal": shifted**0.75}
     edges = forms[split]
     edges[-1] = 1.0
     return edges
@@ -159,11 +159,11 @@ def fit_stack(
 
 def _derivative(coefficients: ArrayLike, rho: ArrayLike, order: int) -> Array:
     """Return a derivative by rho of each phase of a stack, coefficients ``(..., terms)``, at all `rho`."""
-    c, at = np.asarray(coefficients, dtype=np.float64), np.asarray(rho, dtype=np.float64)
+    c, radii = np.asarray(coefficients, dtype=np.float64), np.asarray(rho, dtype=np.float64)
     powers = [2 * k for k in range(1, c.shape[-1] + 1)]
     # (d/drho)^k of rho^p has the factor p! / (p - k)!.
     factors = np.array([math.perm(p, order) for p in powers], dtype=np.float64)
-    return np.asarray(np.tensordot(c * factors, np.stack([at ** (p - order) for p in powers]), axes=1))
+    return np.asarray(np.tensordot(c * factors, np.stack([radii ** (p - order) for p in powers]), axes=1))
 
 
 def _interpolation_error(c: Array, edges: Array) -> Array:
@@ -182,13 +182,13 @@ def _interpolation_matrix(terms: int, segments: int, split: str) -> tuple[Array,
     """Return the edges, and coefficients that interpolate each term at the Chebyshev points of each segment."""
     edges = split_edges(segments, split)
     # Interpolation at Chebyshev points of each segment has the smallest error bound.
-    middle, half = 0.5 * (edges[:-1] + edges[1:]), 0.5 * np.diff(edges)
-    x = middle + half * np.cos(np.pi * np.array([5, 3, 1]) / 6)[:, None]
+    middle, half_width = 0.5 * (edges[:-1] + edges[1:]), 0.5 * np.diff(edges)
+    x = middle + half_width * np.cos(np.pi * np.array([5, 3, 1]) / 6)[:, None]
     value = np.moveaxis(_derivative(np.eye(terms), x, 0), -2, 0)
     # Newton's divided differences.
-    first = [(value[k + 1] - value[k]) / (x[k + 1] - x[k]) for k in (0, 1)]
-    alpha = (first[1] - first[0]) / (x[2] - x[0])
-    beta = first[0] - alpha * (x[0] + x[1])
+    slope = [(value[k + 1] - value[k]) / (x[k + 1] - x[k]) for k in (0, 1)]
+    alpha = (slope[1] - slope[0]) / (x[2] - x[0])
+    beta = slope[0] - alpha * (x[0] + x[1])
     coefficients = np.stack([alpha, beta, value[0] - (alpha * x[0] + beta) * x[0]], axis=-1).reshape(terms, -1)
     edges.flags.writeable = coefficients.flags.writeable = False
     return edges, coefficients
@@ -199,8 +199,8 @@ def _match_value_and_slope(c: Array, edges: Array) -> Array:
     middle = 0.5 * (edges[:-1] + edges[1:])
     value, slope, curvature = (_derivative(c, middle, k) for k in range(3))
     # The number of whole turns is the one for which the curvature is closest to the curvature of the phase.
-    turns = np.round((slope * middle - value - 0.5 * curvature * middle**2) / (2.0 * math.pi))
-    alpha = (slope * middle - value - 2.0 * math.pi * turns) / middle**2
+    whole_turns = np.round((slope * middle - value - 0.5 * curvature * middle**2) / (2.0 * math.pi))
+    alpha = (slope * middle - value - 2.0 * math.pi * whole_turns) / middle**2
     return np.stack([alpha, slope - 2.0 * alpha * middle, np.zeros_like(alpha)], axis=-1)
 
 
@@ -219,9 +219,9 @@ def _least_squares(c: Array, low: float, high: float, start: Array, piston: bool
         return np.concatenate([np.cos(error) - 1.0, np.sin(error)])
 
     a, b, g = start
-    first = np.array([a, b + 2 * a * m, g + (a * m + b) * m])[:count]
-    best = least_squares(residual, first, x_scale="jac", xtol=1e-14, ftol=1e-14, gtol=1e-14).x
-    a, b, g = np.append(best, np.zeros(3 - count))
+    initial = np.array([a, b + 2 * a * m, g + (a * m + b) * m])[:count]
+    optimum = least_squares(residual, initial, x_scale="jac", xtol=1e-14, ftol=1e-14, gtol=1e-14).x
+    a, b, g = np.append(optimum, np.zeros(3 - count))
     return np.array([a, b - 2 * a * m, g - (b - a * m) * m])
 
 
@@ -232,8 +232,8 @@ def _sweep_coefficients(c: Array, low: float, high: float, piston: bool, ranges:
     wave = np.exp(1j * _derivative(c, rho, 0))
     if ranges is None:
         # Without a piston alpha also compensates the constant, up to half a turn.
-        spread = 0.0 if piston else math.pi / (0.5 * (low + high)) ** 2
-        alpha = 0.75 * float(_derivative(np.abs(c), high, 2)) + spread + 1.0
+        piston_part = 0.0 if piston else math.pi / (0.5 * (low + high)) ** 2
+        alpha = 0.75 * float(_derivative(np.abs(c), high, 2)) + piston_part + 1.0
         beta = 1.5 * float(_derivative(np.abs(c), high, 1)) + 2.0 * alpha * high
     else:
         alpha, beta = (validation.real("sweep", r, above=0.0) for r in ranges)
@@ -258,7 +258,7 @@ def _sweep_coefficients(c: Array, low: float, high: float, piston: bool, ranges:
     # The maximum of a coarse sweep need not be near the global maximum: the highest local maxima are all refined.
     maxima = np.argwhere((score == maximum_filter(score, size=3)) & (score > 0.5 * score.max()))
     maxima = maxima[np.argsort(-score[tuple(maxima.T)])][:_MAXIMA]
-    best, highest = np.zeros(3), -math.inf
+    optimum, highest = np.zeros(3), -math.inf
     for i, j in maxima:
         x, y = a, b
         for _ in range(_LEVELS):
@@ -270,5 +270,5 @@ def _sweep_coefficients(c: Array, low: float, high: float, piston: bool, ranges:
             i, j = np.unravel_index(int(score.argmax()), score.shape)
         if score[i, j] > highest:
             highest = float(score[i, j])
-            best = np.array([x[i], y[j], angle[i, j] if piston else 0.0])
-    return best
+            optimum = np.array([x[i], y[j], angle[i, j] if piston else 0.0])
+    return optimum

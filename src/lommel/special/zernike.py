@@ -39,15 +39,15 @@ def term(index: object, order: str) -> tuple[int, int]:
     validation.choice("order", order, ORDERS)
     if order == "nm":
         if not isinstance(index, tuple | list) or len(index) != 2:
-            numbered = isinstance(index, int | np.integer) and not isinstance(index, bool)
-            hint = '; for terms by number use order="noll", "ansi" or "fringe"' if numbered else ""
+            is_number = isinstance(index, int | np.integer) and not isinstance(index, bool)
+            hint = '; for terms by number use order="noll", "ansi" or "fringe"' if is_number else ""
             raise TypeError(f'a term in the order "nm" must be a pair (n, m), got {validation.shown(index)}{hint}')
         return check_term(*index)
-    first = 0 if order == "ansi" else 1
-    most = 37 if order == "fringe" else first + (MAX_DEGREE + 1) * (MAX_DEGREE + 2) // 2 - 1
+    lowest = 0 if order == "ansi" else 1
+    largest = 37 if order == "fringe" else lowest + (MAX_DEGREE + 1) * (MAX_DEGREE + 2) // 2 - 1
     if isinstance(index, tuple | list):
         raise TypeError(f'a term in the order "{order}" must be an integer, got {validation.shown(index)}')
-    j = validation.integer(f"a Zernike index in the order {order!r}", index, least=first, most=most)
+    j = validation.integer(f"a Zernike index in the order {order!r}", index, least=lowest, most=largest)
     if order == "ansi":
         # Degree n begins at j = n (n + 1) / 2, which is solved for n in exact integers.
         n = (math.isqrt(8 * j + 1) - 1) // 2
@@ -70,9 +70,9 @@ def index_of(n: int, m: int, order: str) -> Any:
     if order == "ansi":
         return (n * (n + 2) + m) // 2
     if order == "noll":
-        low = n * (n + 1) // 2 + abs(m)
+        start = n * (n + 1) // 2 + abs(m)
         # Even indices are cosines, odd indices are sines.
-        return low + (1 if (m == 0 or (m > 0) == (low % 2 == 1)) else 0)
+        return start + (1 if (m == 0 or (m > 0) == (start % 2 == 1)) else 0)
     if (n, m) not in _FRINGE_INDEX:
         raise ValueError(f'the order "fringe" ends with 37 terms and has no (n, m) = ({n}, {m})')
     return _FRINGE_INDEX[n, m]
@@ -141,8 +141,8 @@ def radial(n: int, m: int, rho: Array) -> Array:
 
 def radials(m: int, highest: int, rho: Array) -> list[Array]:
     """Return ``R_n^abs(m)(rho)`` for ``n = abs(m), abs(m) + 2, ...`` up to `highest`, at least ``abs(m)``."""
-    outer = rho ** abs(m)
-    return [np.asarray(outer * factor) for factor in _jacobi(abs(m), highest, rho)]
+    power = rho ** abs(m)
+    return [np.asarray(power * factor) for factor in _jacobi(abs(m), highest, rho)]
 
 
 def _jacobi(m: int, highest: int, rho: Array) -> Iterator[Array]:
@@ -158,8 +158,8 @@ def _jacobi(m: int, highest: int, rho: Array) -> Iterator[Array]:
             scale = 2.0 * (k + 1) * (k + 1 + a) * s
             slope = (s + 1) * (s + 2) * s
             shift = -(s + 1) * a * a
-            back = 2.0 * k * (k + a) * (s + 2)
-            previous, current = current, ((slope * x + shift) * current - back * previous) / scale
+            weight = 2.0 * k * (k + a) * (s + 2)
+            previous, current = current, ((slope * x + shift) * current - weight * previous) / scale
         yield current
 
 
@@ -186,11 +186,11 @@ def scaled(terms: Mapping[tuple[int, int], Array], radius: Array | float) -> dic
     """Return the coefficients, with the constant, on a concentric disk of `radius` (in units of the pupil radius)."""
     # A. J. E. M. Janssen and P. Dirksen, J. Microlith. Microfab. Microsyst. 5, 030501 (2006): ``R_n^m(a rho) = sum_k
     # (R_n^k(a) - R_n^(k+2)(a)) R_k^m(rho)``, k = m, m + 2, ..., n.
-    at = np.asarray(radius, dtype=np.float64)
+    radii = np.asarray(radius, dtype=np.float64)
     results: dict[tuple[int, int], Array] = {}
     for (n, m), c in terms.items():
         # Certificate, section 5: s_jk = R_n^k(eps) - R_n^(k+2)(eps).
-        values = [radial(n, k, at) for k in range(abs(m), n + 1, 2)] + [np.zeros(())]
+        values = [radial(n, k, radii) for k in range(abs(m), n + 1, 2)] + [np.zeros(())]
         for i, k in enumerate(range(abs(m), n + 1, 2)):
             results[k, m] = results.get((k, m), np.zeros(())) + (values[i] - values[i + 1]) * c
     return results
@@ -199,16 +199,16 @@ def scaled(terms: Mapping[tuple[int, int], Array], radius: Array | float) -> dic
 def rotated(terms: Mapping[tuple[int, int], Array], angle: Array) -> dict[tuple[int, int], Array]:
     """Return the coefficients of the function rotated by `angle` from x to y: ``f(rho, theta - angle)``."""
     zero = np.zeros(())
-    turned: dict[tuple[int, int], Array] = {}
+    coefficients: dict[tuple[int, int], Array] = {}
     for n, m in sorted({(n, abs(m)) for n, m in terms}):
         # Expansion of a cos m(theta - angle) + b sin m(theta - angle). Rotation mixes the cosine and the sine of a
         # term; if one of the two is missing, its coefficient is 0.
         a, b = terms.get((n, m), zero), terms.get((n, -m), zero)
         cosine, sine = np.cos(m * angle), np.sin(m * angle)
-        turned[n, m] = np.asarray(a * cosine - b * sine)
+        coefficients[n, m] = np.asarray(a * cosine - b * sine)
         if m:
-            turned[n, -m] = np.asarray(a * sine + b * cosine)
-    return turned
+            coefficients[n, -m] = np.asarray(a * sine + b * cosine)
+    return coefficients
 
 
 def legendre_sum(coefficients: Array, x: Array) -> Array:
@@ -301,9 +301,9 @@ def annular(m: int, highest: int, obscuration: float) -> Array:
         If rounding errors would cost more than seven of sixteen digits.
     """
     orders = range(abs(m), highest + 1, 2)
-    low = obscuration * obscuration
+    t_min = obscuration * obscuration
     x, w = np.polynomial.legendre.leggauss(orders[-1] + 1)  # exact: the integrands are polynomials of rho^2
-    rho = np.sqrt(low + (1.0 - low) * 0.5 * (1.0 + x))
+    rho = np.sqrt(t_min + (1.0 - t_min) * 0.5 * (1.0 + x))
     # The mean of cos^2 over the azimuth is 1/2, which rms_factor, normalised for the disc, contains.
     weight = np.sqrt((0.5 if m == 0 else 0.25) * w)
     basis = np.stack([rms_factor(n, m) * radial(n, m, rho) * weight for n in orders], axis=1)

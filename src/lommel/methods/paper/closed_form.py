@@ -163,9 +163,9 @@ class ClosedForm(FieldMethod[Pupil]):
         optimum = minimize_scalar(
             lambda x: error(math.exp(x), FresnelErf()), bounds=bounds, method="bounded", options={"xatol": 1e-3}
         )
-        least, tangent = min((error(t, FresnelErf()), t) for t in (math.exp(optimum.x), float(scan[start])))
+        least_error, tangent = min((error(t, FresnelErf()), t) for t in (math.exp(optimum.x), float(scan[start])))
         for terms in range(5, 205, 5):
-            if error(tangent, AbramowitzErf(terms)) <= 1.01 * least:
+            if error(tangent, AbramowitzErf(terms)) <= 1.01 * least_error:
                 return cls(tangent=tangent, erf=AbramowitzErf(terms), **options)
         return cls(tangent=tangent, erf=FresnelErf(), **options)
 
@@ -185,8 +185,8 @@ class ClosedForm(FieldMethod[Pupil]):
         return squared(self._fields(pupil, v, threads))
 
     def _fields(self, pupil: Pupil, v: Array, threads: int) -> FieldValues:
-        def disk(coefficients: Array, at: Array) -> FieldValues:
-            return FieldValues(self._disk(coefficients, at, threads), None)
+        def disk(coefficients: Array, points: Array) -> FieldValues:
+            return FieldValues(self._disk(coefficients, points, threads), None)
 
         result = annulus(disk, pupil, v)
         if self.truncate is not None:
@@ -203,19 +203,21 @@ class ClosedForm(FieldMethod[Pupil]):
         """
         alpha = 2.0 * defocus
         with np.errstate(divide="ignore", over="ignore"):
-            split = np.minimum(self.transition / v, 1.0)
+            limit = np.minimum(self.transition / v, 1.0)
         k = np.arange(self.terms)[:, None]
         factorials = np.array([math.factorial(k) for k in range(self.terms)], dtype=np.float64)[:, None]
         # In the variable rho / T the powers of v T cannot overflow: v T is at most `transition`.
-        moments = split**2 * unit_moments(alpha * split**2, self.terms)
-        inner = (-0.25 * (v * split) ** 2) ** k / factorials**2 * moments
+        moments = limit**2 * unit_moments(alpha * limit**2, self.terms)
+        inner = (-0.25 * (v * limit) ** 2) ** k / factorials**2 * moments
         outer = np.zeros((3, v.size), dtype=np.complex128)
-        beyond = split < 1.0
-        at = v[beyond]
+        is_outer = limit < 1.0
+        outer_v = v[is_outer]
         a, b = tangent_line(self.tangent)
         for sign in (1.0, -1.0):
-            m = chirp_moments(alpha, sign * at, split[beyond], 1.0, erf=self.erf)
-            outer[:, beyond] += 0.5 * np.exp(-0.25j * sign * math.pi) * np.stack([a * at * m[2], b * m[1], m[0] / at])
+            m = chirp_moments(alpha, sign * outer_v, limit[is_outer], 1.0, erf=self.erf)
+            outer[:, is_outer] += (
+                0.5 * np.exp(-0.25j * sign * math.pi) * np.stack([a * outer_v * m[2], b * m[1], m[0] / outer_v])
+            )
         return np.concatenate([inner, self._factor * outer])
 
     def _disk(self, coefficients: Array, v: Array, threads: int) -> NDArray[np.complex128]:
@@ -223,18 +225,18 @@ class ClosedForm(FieldMethod[Pupil]):
         aberrated = coefficients[:, 1:].any(axis=1)
         any_aberrated = bool(aberrated.any())
         if any_aberrated and not aberrated.all():
-            out = np.empty((aberrated.size, v.size), dtype=np.complex128)
+            field = np.empty((aberrated.size, v.size), dtype=np.complex128)
             for subset in (aberrated, ~aberrated):
-                out[subset] = self._disk(coefficients[subset], v, threads)
-            return out
+                field[subset] = self._disk(coefficients[subset], v, threads)
+            return field
         if any_aberrated:
             edges, rows = fit_stack(coefficients, self.segments, self.split, self.fit, self.piston)
         else:
             edges, rows = np.array([0.0, 1.0]), coefficients[:, None, :1] * [1.0, 0.0, 0.0]
         phase, bessel = _phase(edges, rows), self._bessel
 
-        def fields(at: Array) -> NDArray[np.complex128]:
-            return engine.closed_form_fields(phase, (*bessel, self.terms), self.erf.compiled, at, threads)
+        def fields(points: Array) -> NDArray[np.complex128]:
+            return engine.closed_form_fields(phase, (*bessel, self.terms), self.erf.compiled, points, threads)
 
         if not isinstance(self.erf, FresnelErf):
             return fields(v)
@@ -272,17 +274,17 @@ def interpolated(
     min_saved: int = 0,
 ) -> NDArray[np.complex128]:
     """Return fields at rising `v`, interpolated for v >= `start` if this saves more than `min_saved` radii."""
-    near = int(np.searchsorted(v, start))
-    pieces = max(1, math.ceil((v[-1] - start) / width)) if near < v.size else 0
-    if pieces * _POINTS + min_saved >= v.size - near:
+    count = int(np.searchsorted(v, start))
+    pieces = max(1, math.ceil((v[-1] - start) / width)) if count < v.size else 0
+    if pieces * _POINTS + min_saved >= v.size - count:
         return fields(v)
     width = (v[-1] - start) / pieces
     nodes, to_series, to_powers = _points()
-    at = start + width * (np.arange(pieces)[:, None] + nodes)
-    values = fields(np.concatenate([v[:near], at.ravel()]))
-    powers = values[:, near:].reshape(-1, pieces, _POINTS) @ to_series @ to_powers
-    far = engine.polynomial_fields(powers, start, width, v[near:], threads)
-    return np.concatenate([values[:, :near], far], axis=1) if near else far
+    points = start + width * (np.arange(pieces)[:, None] + nodes)
+    values = fields(np.concatenate([v[:count], points.ravel()]))
+    powers = values[:, count:].reshape(-1, pieces, _POINTS) @ to_series @ to_powers
+    tail = engine.polynomial_fields(powers, start, width, v[count:], threads)
+    return np.concatenate([values[:, :count], tail], axis=1) if count else tail
 
 
 @lru_cache(maxsize=1)
@@ -355,14 +357,14 @@ class TunedClosedForm(FieldMethod[Pupil]):
         """Return the allowed error of U, from `tol` and the peak of a rough profile up to the outermost ray."""
         phases = float(np.abs(pupil.coefficients()).sum(axis=1).max())
         largest_v = float(pupil.v(pupil.geometric_radius()).max()) + 4.0
-        rough = 0.05 * pupil.area / (2.0 * phases + 1.0)
-        scan = self._fields(pupil, np.linspace(0.0, largest_v, 48), rough)
+        rough_error = 0.05 * pupil.area / (2.0 * phases + 1.0)
+        scan = self._fields(pupil, np.linspace(0.0, largest_v, 48), rough_error)
         peak = max(float(np.abs(scan.values).max(axis=1).min()), pupil.area / (2.0 * phases + 1.0))
         return 0.2 * self.tol * peak
 
     def _fields(self, pupil: Pupil, v: Array, error: float) -> FieldValues:
-        def disk(coefficients: Array, at: Array) -> FieldValues:
-            rows = [_field(c, np.ascontiguousarray(at), error) for c in coefficients]
+        def disk(coefficients: Array, points: Array) -> FieldValues:
+            rows = [_field(c, np.ascontiguousarray(points), error) for c in coefficients]
             return FieldValues(np.stack([row[0] for row in rows]), np.array([row[1] for row in rows]))
 
         return annulus(disk, pupil, v)
@@ -372,12 +374,12 @@ class TunedClosedForm(FieldMethod[Pupil]):
         width = 4.0 * (0.1 * error * math.factorial(_POINTS)) ** (1.0 / _POINTS)
         bounds = []
 
-        def fields(at: Array) -> NDArray[np.complex128]:
-            values, bound = self._fields(pupil, at, error)
+        def fields(points: Array) -> NDArray[np.complex128]:
+            values, bound = self._fields(pupil, points, error)
             assert bound is not None
             # 3.03: Lebesgue constant of the points. The second term is the error of interpolation.
             bounds.append(
-                bound if at is v else 3.03 * bound + 2.0 * (0.25 * width) ** _POINTS / math.factorial(_POINTS)
+                bound if points is v else 3.03 * bound + 2.0 * (0.25 * width) ** _POINTS / math.factorial(_POINTS)
             )
             return values
 
@@ -426,7 +428,7 @@ def _hankel_pieces(ratio: float, largest_v: float) -> tuple[Array, NDArray[np.co
     j = np.arange(1.0, _TERMS)
     terms = np.cumprod(np.append(1.0, -((2.0 * j - 1.0) ** 2) / (8.0 * j)))
     f = np.sqrt(2.0 / np.pi * x) * np.polynomial.polynomial.polyval(1j / x, terms)
-    first, second = ((f[k + 1] - f[k]) / (x[k + 1] - x[k]) for k in (0, 1))
-    c2 = (second - first) / (x[2] - x[0])
-    c1 = first - c2 * (x[0] + x[1])
+    slope, next_slope = ((f[k + 1] - f[k]) / (x[k + 1] - x[k]) for k in (0, 1))
+    c2 = (next_slope - slope) / (x[2] - x[0])
+    c1 = slope - c2 * (x[0] + x[1])
     return starts, np.stack([f[0] - (c1 + c2 * x[0]) * x[0], c1, c2], axis=1)

@@ -80,8 +80,8 @@ class Fraunhofer(Method[Pupil]):
         index = np.arange(-count, count + 1) % side
         rows = stride * (np.arange(grid.height) - grid.height // 2) % side
         columns = stride * (np.arange(grid.width) - grid.width // 2) % side
-        out = np.empty((math.prod(pupil.shape), *grid.shape))
-        for image, pupil_function in zip(out, pupil_functions(pupil, x, 0.5 * spacing, self.edge), strict=True):
+        images = np.empty((math.prod(pupil.shape), *grid.shape))
+        for image, pupil_function in zip(images, pupil_functions(pupil, x, 0.5 * spacing, self.edge), strict=True):
             padded = np.zeros((side, side), dtype=np.complex128)
             # Sum, not assignment: without padding the first and the last sample have the same index.
             np.add.at(padded, np.ix_(index, index), pupil_function * tilt)
@@ -89,7 +89,7 @@ class Fraunhofer(Method[Pupil]):
             field = field if grid.integrate else field[np.ix_(rows, columns)]
             intensity = (spacing**2 / math.pi) ** 2 * (field.real**2 + field.imag**2)
             image[:] = _average_squares(intensity, stride)[np.ix_(rows, columns)] if grid.integrate else intensity
-        return Intensities(out, None)
+        return Intensities(images, None)
 
     def require_fit(self, pupil: Pupil, grid: Grid) -> None:
         """Raise ValueError if light would be aliased into the window, or the FFT would be too large.
@@ -131,8 +131,8 @@ def _average_squares(intensity: Array, stride: int) -> Array:
     from scipy.fft import irfft2, rfft2
 
     side = len(intensity)
-    across = np.sinc(stride / side * np.arange(side // 2 + 1))
-    down = np.sinc(stride * np.fft.fftfreq(side))
+    sinc_x = np.sinc(stride / side * np.arange(side // 2 + 1))
+    sinc_y = np.sinc(stride * np.fft.fftfreq(side))
     # Clamp to 0: averages of an intensity are not negative.
-    averages: Array = irfft2(rfft2(intensity) * (down[:, None] * across), s=intensity.shape)
+    averages: Array = irfft2(rfft2(intensity) * (sinc_y[:, None] * sinc_x), s=intensity.shape)
     return np.maximum(averages, 0.0)

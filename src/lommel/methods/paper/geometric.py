@@ -55,28 +55,28 @@ class Geometric(Method[Pupil]):
         corner = math.hypot(np.abs(rows).max() + 0.5, np.abs(columns).max() + 0.5)
         count = math.ceil(corner * self.rings) + 1
         stack = pupil.radial_terms()
-        light = np.stack([self._light(c, pupil.obscuration, step / self.rings, count) for c in stack])
+        energies = np.stack([self._ring_energies(c, pupil.obscuration, step / self.rings, count) for c in stack])
         edges = np.arange(count + 1) / self.rings
-        density = light / (math.pi * (edges[1:] ** 2 - edges[:-1] ** 2))
+        density = energies / (math.pi * (edges[1:] ** 2 - edges[:-1] ** 2))
 
         # The nearest point of each pixel determines the first ring that can overlap the pixel.
         nearest = np.hypot(*(np.maximum(np.abs(part) - 0.5, 0) for part in np.meshgrid(rows, columns, indexing="ij")))
-        first = np.floor(nearest * self.rings).astype(np.int64)
+        first_ring = np.floor(nearest * self.rings).astype(np.int64)
         pixel = (columns - 0.5, columns + 0.5, (rows - 0.5)[:, None], (rows + 0.5)[:, None])
         image = np.zeros((stack.shape[0], rows.size, columns.size))
-        inside = disk_overlap(first / self.rings, *pixel)
+        covered = disk_overlap(first_ring / self.rings, *pixel)
         # The diagonal of a pixel, sqrt(2), limits the number of rings that overlap it.
         for k in range(math.ceil(math.sqrt(2.0) * self.rings) + 1):
-            ring = np.minimum(first + k, count - 1)
-            covered = disk_overlap((first + k + 1) / self.rings, *pixel)
-            image += density[:, ring] * np.maximum(covered - inside, 0.0)
-            inside = covered
+            ring = np.minimum(first_ring + k, count - 1)
+            covered_next = disk_overlap((first_ring + k + 1) / self.rings, *pixel)
+            image += density[:, ring] * np.maximum(covered_next - covered, 0.0)
+            covered = covered_next
         if grid.centered:
             image = grid.unfold(image)
         # Convert light per pixel area to I: the integral of I over the plane, in v, is 4 pi pupil.area.
         return Intensities(image * (4.0 * math.pi * pupil.area / step**2), None)
 
-    def _light(self, terms: Array, obscuration: float, width: float, count: int) -> Array:
+    def _ring_energies(self, terms: Array, obscuration: float, width: float, count: int) -> Array:
         """Return the fraction of all light in each of `count` rings of `width` in v."""
         rho = np.linspace(obscuration, 1.0, 4097)
         height = ray_height(terms[None], rho)[0]
@@ -93,10 +93,10 @@ class Geometric(Method[Pupil]):
         energy = np.diff(rho**2) / (1.0 - obscuration**2)
         low, high = np.minimum(height[1:], height[:-1]), np.maximum(height[1:], height[:-1])
         ring = np.floor(low)
-        # Light of a cell beyond the ring of its lowest ray, if the rays of a cell are spread evenly over its heights.
-        spread = high - low
+        # Energy of a cell outside the ring of its lowest ray, if spread evenly over the heights of its rays.
+        extent = high - low
         excess = np.maximum(high - ring - 1.0, 0.0)
-        beyond = energy * np.minimum(excess / np.where(spread > 0, spread, 1.0), 1.0)
-        inner = np.minimum(ring, count).astype(np.int64)
-        total = np.bincount(inner, energy - beyond, count + 2) + np.bincount(inner + 1, beyond, count + 2)
+        outside = energy * np.minimum(excess / np.where(extent > 0, extent, 1.0), 1.0)
+        index = np.minimum(ring, count).astype(np.int64)
+        total = np.bincount(index, energy - outside, count + 2) + np.bincount(index + 1, outside, count + 2)
         return np.asarray(total[:count])

@@ -102,7 +102,7 @@ class HuygensFresnel(FieldMethod[Pupil]):
         if grid.integrate:
             taps = averaging_filter(grid.step(pupil), 1e-9)
             values = np.empty((math.prod(pupil.shape), *grid.shape))
-            average_strips(lambda fine: [self._samples(pupil, fine)], values[None], grid, taps, threads)
+            average_strips(lambda samples: [self._samples(pupil, samples)], values[None], grid, taps, threads)
             return Intensities(values, None)
         return Intensities(self._samples(pupil, grid), None)
 
@@ -143,7 +143,7 @@ class HuygensFresnel(FieldMethod[Pupil]):
         ring = geometry.aperture_radius * np.sqrt(t)[:, None]
         source_x = np.ascontiguousarray((ring * np.cos(angle)).ravel())
         source_y = np.ascontiguousarray((ring * np.sin(angle)).ravel())
-        out = np.empty((phase.shape[0], x.size), dtype=np.complex128)
+        fields = np.empty((phase.shape[0], x.size), dtype=np.complex128)
         positions = max(1, _BLOCK // source_x.size)
         for start in range(0, x.size, positions):
             block = slice(start, start + positions)
@@ -151,14 +151,14 @@ class HuygensFresnel(FieldMethod[Pupil]):
                 k_over_d = wavenumber / geometry.sensor_distance
                 waves = np.exp(-1j * k_over_d * (np.outer(x[block], source_x) + np.outer(y[block], source_y)))
                 rings = waves.reshape(-1, radial, points).mean(axis=2)
-                out[:, block] = (weights * np.exp(1j * phase)) @ rings.T
+                fields[:, block] = (weights * np.exp(1j * phase)) @ rings.T
                 continue
-            for field, row in zip(out, phase, strict=True):
+            for values, row in zip(fields, phase, strict=True):
                 amplitude = np.repeat(weights / points * np.exp(1j * row), points)
-                field[block] = huygens_sum(
+                values[block] = huygens_sum(
                     source_x, source_y, amplitude, x[block], y[block], geometry.sensor_distance, wavenumber
                 )
-        return out
+        return fields
 
 
 def exact_phase(pupil: Pupil, geometry: Geometry, t: Array) -> Array:
@@ -187,12 +187,12 @@ def _sag(vergence: Array, square: Array) -> Array:
 
 def _nodes(pupil: Pupil, geometry: Geometry, largest_v: float) -> tuple[int, int]:
     """Return the numbers of radial and azimuthal nodes for an error of about 1e-10 at radii up to `largest_v`."""
-    low = pupil.obscuration**2
-    t = np.linspace(low, 1.0, 1025)
+    t_min = pupil.obscuration**2
+    t = np.linspace(t_min, 1.0, 1025)
     slope = np.abs(np.diff(exact_phase(pupil, geometry, t), axis=1)) / (t[1] - t[0])
     middle = 0.5 * (t[1:] + t[:-1])
     # Bandwidth of the phase in Chebyshev polynomials of t, plus 10 % for orders beyond the Fresnel approximation.
-    bandwidth = 1.1 * float((np.sqrt((middle - low) * (1.0 - middle)) * slope).max() + 0.5 * largest_v)
+    bandwidth = 1.1 * float((np.sqrt((middle - t_min) * (1.0 - middle)) * slope).max() + 0.5 * largest_v)
     log_accuracy = 27.6  # natural logarithm of 1e12
     # Half of the bandwidth, since n Gauss-Legendre nodes are exact to degree 2 n - 1, plus the width of a transition.
     radial = 0.5 * bandwidth + 0.587 * log_accuracy ** (2 / 3) * bandwidth ** (1 / 3) + 0.2 * log_accuracy + 4.0

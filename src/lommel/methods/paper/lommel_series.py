@@ -16,7 +16,7 @@ from lommel.optics.pupil import Pupil
 from lommel.special.bessel import bessel_sequence
 
 _BLOCK = 2**20  # values of J in memory at a time: 8 MiB
-_SMALL = 1.0  # largest u = 4 |C_d| for which U_n is used in the geometric image (v < u), where V_n would cancel
+_NEAR_FOCUS = 1.0  # largest u = 4 |C_d| for which U_n is used in the geometric image (v < u), where V_n would cancel
 
 
 @dataclass(frozen=True)
@@ -63,11 +63,11 @@ def _disk(coefficients: Array, v: Array) -> FieldValues:
 
 def _field(u: float, v: Array) -> NDArray[np.complex128]:
     """Return U = C + iS for C_d = u/4 >= 0."""
-    out = np.empty(v.size, dtype=np.complex128)
+    field = np.empty(v.size, dtype=np.complex128)
     shadow = v >= max(u, 1e-3)
-    out[~shadow] = _near_focus(u, v[~shadow]) if u <= _SMALL else _geometric_image(u, v[~shadow])
-    out[shadow] = _shadow(u, v[shadow])
-    return out
+    field[~shadow] = _near_focus(u, v[~shadow]) if u <= _NEAR_FOCUS else _geometric_image(u, v[~shadow])
+    field[shadow] = _shadow(u, v[shadow])
+    return field
 
 
 def _from_u(u: float, u1: Array, u2: Array) -> NDArray[np.complex128]:
@@ -78,20 +78,20 @@ def _from_u(u: float, u1: Array, u2: Array) -> NDArray[np.complex128]:
 
 def _shadow(u: float, v: Array) -> NDArray[np.complex128]:
     """Return the field for v >= u by U_1 and U_2, both divided by u."""
-    out = np.empty(v.size, dtype=np.complex128)
+    field = np.empty(v.size, dtype=np.complex128)
     for block, u1, u2 in _sums(v, u / v, first=1):
-        out[block] = _from_u(u, u1 / v[block], u2 / v[block])
-    return out
+        field[block] = _from_u(u, u1 / v[block], u2 / v[block])
+    return field
 
 
 def _geometric_image(u: float, v: Array) -> NDArray[np.complex128]:
     """Return the field for v < u by V_0 and V_1."""
-    out = np.empty(v.size, dtype=np.complex128)
+    field = np.empty(v.size, dtype=np.complex128)
     c, s = math.cos(0.5 * u), math.sin(0.5 * u)
     for block, v0, v1 in _sums(v, v / u, first=0):
         edge = 0.5 * v[block] ** 2 / u
-        out[block] = 2.0 / u * ((np.sin(edge) + s * v0 - c * v1) + 1j * (np.cos(edge) - c * v0 - s * v1))
-    return out
+        field[block] = 2.0 / u * ((np.sin(edge) + s * v0 - c * v1) + 1j * (np.cos(edge) - c * v0 - s * v1))
+    return field
 
 
 def _near_focus(u: float, v: Array) -> NDArray[np.complex128]:

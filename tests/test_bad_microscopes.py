@@ -74,7 +74,7 @@ TABLE = [
     ("pixel", 6.5, "pixel is in metres for a pupil with a wavelength and must be at most 0.1, got 6.5"),
     ("shape", 0, "shape must be from 1 to 16384, got 0"),
     ("normalize", "sum", "normalize must be one of 'energy', 'emitted', 'strehl', 'peak', got 'sum'"),
-    ("method", lm.NijboerZernike(), "NijboerZernike supports the pupils of a lens only, got that of an objective"),
+    ("method", lm.NijboerZernike(), "NijboerZernike supports the pupils of a lens only, got the pupil of an"),
     ("tol", 1e-30, "tol must be >= 1e-12 and < 0.1, got 1e-30"),
 ]  # fmt: skip
 
@@ -136,5 +136,5 @@ def test_what_takes_the_pupil_of_a_lens_says_what_to_do_with_another(take, said)
 def test_what_only_microscopes_have_is_refused_of_lenses_with_the_other_way():
     with pytest.raises(ValueError, match='"emitted" is for the pupils of an Objective; for a lens use "energy"'):
         lm.psf(lm.Pupil(), 3, 0.5, normalize="emitted")
-    with pytest.raises(ValueError, match="Stratified supports the pupils of an objective only, got that of"):
+    with pytest.raises(ValueError, match="Stratified supports the pupils of an objective only, got the pupil of"):
         lm.psf(lm.Pupil(), 3, 0.5, method=lm.Stratified())

@@ -336,7 +336,7 @@ class NodeWaves(NamedTuple):
     """Results of :func:`folded_waves`, and the index of the wave of each plane."""
 
     values: NDArray[np.complex128]  # (kinds, waves, 4, ...)
-    index: NDArray[np.int32]  # (planes,)
+    wave_index: NDArray[np.int32]  # (planes,)
 
 
 class NodeTerms(NamedTuple):

@@ -530,13 +530,13 @@ class FieldMap:
     def __repr__(self) -> str:
         return f"<FieldMap, {self._wavefronts.limits(self.unit)}>"
 
-    def __add__(self, other: object) -> FieldMap:
+    def __add__(self, wavefront: object) -> FieldMap:
         """Return the map with one wavefront added everywhere."""
-        if not isinstance(other, Wavefront):
+        if not isinstance(wavefront, Wavefront):
             return NotImplemented
-        if other.shape != ():
-            raise ValueError(f"a single wavefront can be added to a map, got a stack of shape {other.shape}")
-        return replace(self, _added_wavefront=self._added_wavefront + other)
+        if wavefront.shape != ():
+            raise ValueError(f"a single wavefront can be added to a map, got a stack of shape {wavefront.shape}")
+        return replace(self, _added_wavefront=self._added_wavefront + wavefront)
 
     def pupil(self, x: ArrayLike, y: ArrayLike) -> Pupil:
         """Return the pupil at the position (x, y) of the sensor, or a stack of pupils for arrays of positions.
@@ -643,7 +643,7 @@ class FieldMap:
             return shift_of(unvignetted.pupil(x, y), spectrum)
 
         points, wavefronts = [np.atleast_1d(values) for values in (x_values, y_values)], self._wavefronts
-        x_map, y_map, converged = inverse(*points, shift, wavefronts.contains, wavefronts.middle)
+        x_map, y_map, converged = inverse(points[0], points[1], shift, wavefronts.contains, wavefronts.middle)
         if not converged.all():
             point = tuple(float(values[~converged].flat[0]) for values in points)
             raise ValueError(
@@ -985,9 +985,9 @@ class Scattered(WavefrontsOnSensor):
         count = validation.integer("the number of positions", x_values.size, least=3, most=MAX_SCATTERED)
         values, self.terms = _coefficients_and_terms(wavefront, (count,), "of x and y")
         order = np.lexsort((y_values, x_values))
-        repeated = (np.diff(x_values[order]) == 0.0) & (np.diff(y_values[order]) == 0.0)
-        if repeated.any():
-            k = order[np.flatnonzero(repeated)[0]]
+        is_repeated = (np.diff(x_values[order]) == 0.0) & (np.diff(y_values[order]) == 0.0)
+        if is_repeated.any():
+            k = order[np.flatnonzero(is_repeated)[0]]
             raise ValueError(f"positions must all be different, got ({x_values[k]:.6g}, {y_values[k]:.6g}) twice")
         self.x, self.y = x_values, y_values
         self.middle = float(x_values.mean()), float(y_values.mean())

@@ -391,10 +391,10 @@ class CartesianImage:
         sums = np.bincount(index, shifted.real.ravel())
         f = np.sqrt(squares[1:]) * (self.fx[1] - self.fx[0])
         # Fourier transform of a disc, pi r^2 at f = 0, else r J1(2 pi r f) / f: once for each distinct abs(f).
-        light = np.empty(radius.size)
+        fractions = np.empty(radius.size)
         for i, r in enumerate(radius):
-            light[i] = math.pi * r * r * sums[0] + (r * j1(2.0 * math.pi * r * f) / f) @ sums[1:]
-        return light
+            fractions[i] = math.pi * r * r * sums[0] + (r * j1(2.0 * math.pi * r * f) / f) @ sums[1:]
+        return fractions
 
     @cached_property
     def _distances(self) -> tuple[NDArray[np.int64], NDArray[np.intp]]:
@@ -451,7 +451,7 @@ def cartesian_images(model: ImageModel, reach: float) -> Iterator[CartesianImage
         for fraction, stretch, part in parts:
             pupils = part[np.unravel_index(block, part.shape)] if part.shape else part
             try:
-                images = _sample(pupils, model.method, grid, whole=len(parts) == 1)
+                images = _sample(pupils, model.method, grid, sum_spectrum=len(parts) == 1)
             except (ValueError, ToleranceError) as fault:
                 raise ValueError(f"{_radius_error(pupil, reach)}: {fault}") from fault
             # Convert intensity to a fraction of all light per area: the integral of the intensity over the plane in v
@@ -511,15 +511,15 @@ def sampled_transfer(model: ImageModel, fx: Array, fy: Array) -> NDArray[np.comp
         response = model.response(fx, fy, part.wavelength) * (np.hypot(fx, fy) < cutoff)
         factor = stretch**2 * math.pi / (4.0 * part.transmission) * pitch**2
         for k, single in enumerate(pupils):
-            image = factor * weights * _sample(single, model.method, grid, whole=len(parts) == 1).values[0]
+            image = factor * weights * _sample(single, model.method, grid, sum_spectrum=len(parts) == 1).values[0]
             sampled = np.einsum("fy,yf->f", rows, image @ columns)
             otf[k] += fraction * response * (sampled + (1.0 - image.sum()) * tail_transform)
     return otf
 
 
-def _sample(pupil: BasePupil, method: Method, grid: Grid, *, whole: bool) -> Images:
-    """Return samples of the intensity, summed over the spectrum of a :class:`Polychromatic` method if `whole`."""
-    method_used = method.method if isinstance(method, Polychromatic) and not whole else method
+def _sample(pupil: BasePupil, method: Method, grid: Grid, *, sum_spectrum: bool) -> Images:
+    """Return samples of I, summed over the spectrum of a :class:`Polychromatic` method if `sum_spectrum`."""
+    method_used = method.method if isinstance(method, Polychromatic) and not sum_spectrum else method
     methods: tuple[Method, ...] = () if method_used is None else (method_used,)
     # A method with a proven error bound is replaced by the fastest one for this grid, with at most its tolerance.
     if method_used is None or isinstance(method_used, NijboerZernike | ChordalGauss | ChordalDebye):

@@ -175,12 +175,12 @@ class Method(ABC, Generic[P]):
         """Raise Declined, a ValueError, if `pupil` is not supported."""
         if self.pupils not in (kind := "objective" if imaged(pupil).layered else "lens", "any"):
             raise Declined(
-                f"{type(self).__name__} supports the pupils of {_NOUN[self.pupils]} only, got that of {_NOUN[kind]}; "
-                "leave method out for one that supports it"
+                f"{type(self).__name__} supports the pupils of {_NOUN[self.pupils]} only, got the pupil of "
+                f"{_NOUN[kind]}; leave method out for a method that supports it"
             )
         reason = self.unsupported(pupil)
         if reason is None and not (pupil.circular or self.any_aperture):
-            reason = "supports circular and annular apertures only; for any other leave method out"
+            reason = "supports circular and annular apertures only; leave method out for other apertures"
         if reason is None and not (self.nonradial or pupil.radial):
             reason = "supports radially symmetric pupils only; this one has terms that depend on the direction"
         if reason is None and not (self.apodized or cast("Pupil", pupil).illumination.uniform):
@@ -303,8 +303,8 @@ class RadialMethod(Method[P]):
             if sum_error[k] > part_limit:
                 level = max(level, min(_LEVELS[-1], level + math.ceil(math.log10(sum_error[k] / part_limit))))
             if profile_error[k] > part_limit:
-                tightened = method.tightened().tightened().tightened()  # an eighth of the tolerance
-                method = tightened if tightened.tol >= 1e-5 * self.tol else self
+                candidate = method.tightened().tightened().tightened()  # an eighth of the tolerance
+                method = candidate if candidate.tol >= 1e-5 * self.tol else self
             unchanged = (level, method) == settings
             if relative[k] <= allowed or (unchanged and not self.keeps_tol):
                 return Intensities(values, relative, peak)

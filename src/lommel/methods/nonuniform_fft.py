@@ -59,7 +59,7 @@ _DEGREE_STEP = 32  # degrees are rounded up to multiples of this
 def moment_rule_is_faster(
     pupil: Pupil, grid: Grid, terms: tuple[tuple[int, int], ...], degree: int, rule_degree: int, error: float
 ) -> bool:
-    """Return whether the moment rule, with the last three arguments, takes less time than transforms of rows."""
+    """Return True if the moment rule of these degrees and this error takes less time than transforms of rows."""
     count, highest = math.prod(pupil.shape), max((n for n, _ in terms), default=0)
     fields, degrees, (height, width) = 1 + len(terms), 1 + highest, grid.shape
     rows = degree + _DEGREE_STEP / 2
@@ -405,8 +405,8 @@ def exchange_axes(terms: Sequence[tuple[int, int]] | NDArray[np.int32]) -> tuple
     is_odd, order = m % 2 != 0, np.abs(m)
     # cos(m (pi / 2 - theta)) and sin(m (pi / 2 - theta)) depend on m modulo 4.
     sign = np.where(order // 2 % 2 == 0, 1.0, -1.0)
-    exchanged = np.stack([n, np.where(is_odd, -m, m)], axis=1)
-    return np.ascontiguousarray(exchanged, dtype=np.int32), np.where(is_odd, sign, np.where(m < 0, -sign, sign))
+    terms_out = np.stack([n, np.where(is_odd, -m, m)], axis=1)
+    return np.ascontiguousarray(terms_out, dtype=np.int32), np.where(is_odd, sign, np.where(m < 0, -sign, sign))
 
 
 def transposed(stack: DiskStack) -> DiskStack:

@@ -27,14 +27,14 @@ if TYPE_CHECKING:
 class Prepared(NamedTuple):
     """Window, methods and settings for all pupils that differ only in phase."""
 
-    light: tuple[object, ...]  # pupil properties except the phase, and whether the phase is radially symmetric
+    light: tuple[object, ...]  # pupil properties except the phase, and True if the phase is radially symmetric
     grid: Grid
     methods: tuple[Method, ...]  # in the order in which they are tried
-    named: bool  # whether the caller named the method
-    energy: bool  # whether values are fractions of all light
+    is_named: bool  # True if the caller chose the method
+    energy: bool  # True if values are fractions of all light
     wanted: Wanted  # requested output, without `out` and derivatives
     shape: tuple[int, ...]  # shape of the values
-    flat: tuple[int, ...]  # shape of the values of the flattened stack, (n, height, width)
+    flat_shape: tuple[int, ...]  # shape of the values of the flattened stack, (n, height, width)
     shortcut: Shortcut | None  # faster computation that replaces :meth:`images`, None if there is none: Method.plan
 
     def images(
@@ -42,22 +42,22 @@ class Prepared(NamedTuple):
     ) -> tuple[Method, Images, list[Slope]]:
         """Return the method used, the images of a pupil, and their derivatives by `names`; ignores the shortcut."""
         self.methods[0].require(pupil)
-        request = self.wanted._replace(out=None if out is None else out.reshape(self.flat))
+        request = self.wanted._replace(out=None if out is None else out.reshape(self.flat_shape))
         if names and pupil.layered:
             from lommel.methods.layers.slopes import layered_slopes
 
             objective_pupil = cast("ObjectivePupil", pupil)
             return first_within_tolerance(
-                self.methods if self.named else of_derivatives(objective_pupil, self.methods),
+                self.methods if self.is_named else of_derivatives(objective_pupil, self.methods),
                 lambda method: layered_slopes(method, objective_pupil, self.grid, names, request, energy=self.energy),
             )[1]
         if names:
             from lommel.methods.derivatives import differentiated
             from lommel.optics.pupil import checked
 
-            named = self.methods[0] if self.named else None
+            chosen_method = self.methods[0] if self.is_named else None
             lens_pupil, tol = checked(pupil), self.methods[0].tol
-            return differentiated(named, lens_pupil, self.grid, names, request, tol, energy=self.energy)
+            return differentiated(chosen_method, lens_pupil, self.grid, names, request, tol, energy=self.energy)
 
         def images_by(method: Method) -> Images:
             images = method.images(pupil, self.grid, request)
@@ -66,7 +66,7 @@ class Prepared(NamedTuple):
         try:
             method, images = first_within_tolerance(self.methods, images_by)
         except Declined as declined:
-            if self.named:
+            if self.is_named:
                 raise
             raise Declined(f"{declined}{instead(pupil, self.grid)}") from None
         return method.reported, images, []
@@ -87,10 +87,10 @@ def prepare(
         grid = grid.broadcast(pupil.shape)
     methods = candidates(pupil, grid, tol) if method is None else (method,)
     wanted = output_spec(grid, pupil, methods[0], normalize, dtype, threads)
-    stack = pupil.shape
+    stack, is_named, energy = pupil.shape, method is not None, normalize == "energy"
     shortcut = methods[0].plan(pupil, grid, wanted)
-    named, energy, flat = method is not None, normalize == "energy", (math.prod(stack), *grid.shape)
-    return Prepared(light, grid, methods, named, energy, wanted, stack + grid.shape, flat, shortcut)
+    flat_shape = (math.prod(stack), *grid.shape)
+    return Prepared(light, grid, methods, is_named, energy, wanted, stack + grid.shape, flat_shape, shortcut)
 
 
 def output_spec(grid: Grid, pupil: BasePupil, method: Method, normalize: str, dtype: DType, threads: int) -> Wanted:

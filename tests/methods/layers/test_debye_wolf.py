@@ -122,9 +122,9 @@ def test_origins_differ_by_where_the_focus_is():
 def test_each_kind_of_pupil_has_its_methods():
     microscope = OIL.pupil(depth=0.0, wavelength=WAVE)
     for method in (lm.NijboerZernike(), lm.Hankel(), lm.Geometric(), lm.ChordalGauss()):
-        with pytest.raises(ValueError, match="supports the pupils of a lens only, got that of an objective"):
+        with pytest.raises(ValueError, match="supports the pupils of a lens only, got the pupil of an objective"):
             lm.psf(microscope, 5, PIXEL, method=method)
-    with pytest.raises(ValueError, match="supports the pupils of an objective only, got that of a lens"):
+    with pytest.raises(ValueError, match="supports the pupils of an objective only, got the pupil of a lens"):
         lm.psf(lm.Pupil(), 5, 0.5, method=lm.Stratified())
     with pytest.raises(ValueError, match="emitted"):
         lm.psf(lm.Pupil(), 5, 0.5, normalize="emitted")

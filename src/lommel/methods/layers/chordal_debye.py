@@ -666,8 +666,8 @@ def chords_for(radius: float, error: float) -> int:
 def chord_error(radius: float, chords: int) -> float:
     """Bound the error of the transfer function of a disc of `radius` (in v), computed as a sum over chords."""
     # Section 8 for the integrand exp(i s w.r) with abs(w) <= 2.
-    grown = np.exp(np.minimum(2.0 * radius * np.sinh(_DISC_B) - 2.0 * chords * _DISC_B, 600.0))
-    return float(((1.0 + np.exp(-4.0 * _DISC_B)) * grown / -np.expm1(-2.0 * (chords + 1) * _DISC_B)).min())
+    bound = np.exp(np.minimum(2.0 * radius * np.sinh(_DISC_B) - 2.0 * chords * _DISC_B, 600.0))
+    return float(((1.0 + np.exp(-4.0 * _DISC_B)) * bound / -np.expm1(-2.0 * (chords + 1) * _DISC_B)).min())
 
 
 # Parameter searches only need errors that are small relative to the noise; a certified image checks their result. The

@@ -41,7 +41,7 @@ _ROUNDING = 2.0**-53
 
 
 class Accuracy(NamedTuple):
-    """Allowed errors: of fields, of I interpolated between circles, and of I interpolated around circles / I."""
+    """Allowed errors of fields, of I interpolated between circles, and of I interpolated around circles, over I."""
 
     field: float
     radial: float

@@ -166,16 +166,16 @@ class Table(NamedTuple):
         # beads".
         sign = np.where(self.positions < 0, -1.0, 1.0)
         row = np.searchsorted(np.unique(np.abs(self.positions)), np.abs(self.positions))
-        extended = np.stack([orders[:, m][:, row] * sign**m for m in range(orders.shape[1])], axis=1)
+        table = np.stack([orders[:, m][:, row] * sign**m for m in range(orders.shape[1])], axis=1)
         values = np.empty((len(orders), radius.size))
-        block = max(1, _BLOCK_VALUES // (extended.shape[0] * extended.shape[1]))
+        block = max(1, _BLOCK_VALUES // (table.shape[0] * table.shape[1]))
         for part in (slice(k, k + block) for k in range(0, radius.size, block)):
             radii, index = np.unique(radius[part], return_inverse=True)
             start, weights = between(radii / self.step)
             columns = (start - self.positions[0])[:, None] + np.arange(2 * HALF)
             ends = np.arange(0, columns.size + 1, 2 * HALF)
             matrix = csr_array((weights.ravel(), columns.ravel(), ends), shape=(radii.size, self.positions.size))
-            lines = (matrix @ extended.reshape(-1, self.positions.size).T).T.reshape(*extended.shape[:2], radii.size)
+            lines = (matrix @ table.reshape(-1, self.positions.size).T).T.reshape(*table.shape[:2], radii.size)
             values[:, part] = _sum_orders(lines[..., index], turn[part])
         return np.maximum(values, 0.0, out=values)
 

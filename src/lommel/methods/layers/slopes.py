@@ -57,7 +57,7 @@ def sampled_slopes(
 
     With `by_axis`, which requires pixel averages, the last two derivatives are by the row and the column of the axis.
     """
-    entries = rates(pupil)
+    by = rates(pupil)
     layers, model = pupil.layers, pupil.light.model
     if isinstance(method, Stratified):
         largest_rates = debye.steepest(layers, model, pupil.depth.ravel(), pupil.focus.ravel())
@@ -65,16 +65,13 @@ def sampled_slopes(
         # Derivatives divided by their largest factor have OTFs of at most twice the modulus of the OTF of I:
         # certificate, section 15, "Light that depends on the azimuth".
         largest_rates = (*projection.steepest(layers, model), 0.0)
-        if any(entry.variable == engine.BY_WAVENUMBER for entry in entries):
+        if any(d.variable == engine.BY_WAVENUMBER for d in by):
             by_wavenumber = debye.steepest(layers, model, pupil.depth.ravel(), pupil.focus.ravel())[2]
             if pupil.aberrations is not None:
                 by_wavenumber += sum(pupil.aberrations.flattened().amplitudes().values())
             largest_rates = (*largest_rates[:2], by_wavenumber)
     # Divisors with which OTFs have at most twice the modulus of the OTF of the aperture, as averages assume.
-    divisors = [
-        abs(entry.factor) * largest_rates[min(entry.variable, 2)] + 0.5 * _largest(entry.image_factor)
-        for entry in entries
-    ]
+    divisors = [abs(d.factor) * largest_rates[min(d.variable, 2)] + 0.5 * _largest(d.image_factor) for d in by]
     divisors += [1.0] * len(terms)
 
     def sample(pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
@@ -125,14 +122,12 @@ def _by_engine(
     pupil: ObjectivePupil, grid: Grid, pairs: Sequence[tuple[By, float]], tol: float, wanted: Wanted
 ) -> Images:
     """Return samples by Stratified, and derivatives, divided by the divisors in `pairs`."""
-    derivatives = [
-        entry._replace(factor=entry.factor / divisor, image_factor=np.asarray(entry.image_factor) / divisor)
-        for entry, divisor in pairs
+    by = [
+        d._replace(factor=d.factor / divisor, image_factor=np.asarray(d.image_factor) / divisor)
+        for d, divisor in pairs
     ]
     method = Stratified(max(tol, Stratified.least_tol))
-    result = engine_slopes(
-        pupil, grid, derivatives, method.tol, wanted, lambda: method._samples(pupil, grid, tol, wanted)
-    )
+    result = engine_slopes(pupil, grid, by, method.tol, wanted, lambda: method._samples(pupil, grid, tol, wanted))
     if result is None:
         raise Declined(
             "derivatives of light that depends on the azimuth are available in windows up to "
@@ -154,25 +149,23 @@ def _by_circles(
     images, accuracy = method.refined(pupil, grid, tol, wanted)
     values = np.empty((len(pairs), *images.values.shape), wanted.dtype)
     error = np.empty((len(pairs), len(images.values)))
-    for k, (entry, divisor) in enumerate(pairs):
-        rate, middle = largest_rates[entry.variable], pupil.layers.middle_rates()[1 + entry.variable]
+    for k, (d, divisor) in enumerate(pairs):
+        rate, middle = largest_rates[d.variable], pupil.layers.middle_rates()[1 + d.variable]
         plus, minus = (
-            ringed(
-                pupil, grid, accuracy, Wanted(threads=wanted.threads), Turn(entry.variable + 1, turn / rate, middle)
-            )
+            ringed(pupil, grid, accuracy, Wanted(threads=wanted.threads), Turn(d.variable + 1, turn / rate, middle))
             for turn in (1j, -1j)
         )
         # The derivative is twice the difference divided by s = 1 / steep: certificate, section 16, "Derivatives".
-        factor = 2.0 * entry.factor * rate / divisor
-        image_factor = np.broadcast_to(np.asarray(entry.image_factor) / divisor, images.scale.shape)
+        factor = 2.0 * d.factor * rate / divisor
+        offset = np.broadcast_to(np.asarray(d.image_factor) / divisor, images.scale.shape)
         slope = (
             factor * (plus.values - minus.values) * images.scale[:, None, None]
-            + image_factor[:, None, None] * images.values
+            + offset[:, None, None] * images.values
         )
         bound = plus.bound * plus.brightest + minus.bound * minus.brightest
         largest = np.abs(slope).reshape(len(slope), -1).max(axis=1) / images.scale
         error_bound = abs(factor) * bound + (storing(wanted.dtype) + 2.0**-48) * largest
-        values[k], error[k] = slope, error_bound / images.brightest + np.abs(image_factor) * (images.bound + 1e-12)
+        values[k], error[k] = slope, error_bound / images.brightest + np.abs(offset) * (images.bound + 1e-12)
     return images._replace(slopes=Slopes(values, error))
 
 
@@ -186,21 +179,19 @@ def _by_chords(
     wanted: Wanted,
 ) -> Images:
     """Return samples by ChordalDebye, and derivatives, divided by the divisors in `pairs`; Zernike terms are last."""
-    by = chordal_debye.By(tuple(entry.variable for entry, _ in pairs), terms)
+    by = chordal_debye.By(tuple(d.variable for d, _ in pairs), terms)
     images, values, error_bound, largest = method.differentiated(pupil, grid, tol, wanted, by)
     largest_rates = (*projection.steepest(pupil.layers, pupil.light.model), 1.0)
     factors = np.ones(len(values))
-    factors[: len(pairs)] = [
-        entry.factor * largest_rates[min(entry.variable, 2)] / divisor for entry, divisor in pairs
-    ]
+    factors[: len(pairs)] = [d.factor * largest_rates[min(d.variable, 2)] / divisor for d, divisor in pairs]
     values *= (factors[:, None] * images.scale)[:, :, None, None]
     error, largest = (np.abs(factors)[:, None] * bounds for bounds in (error_bound, largest))
-    for k, (entry, divisor) in enumerate(pairs):
-        if _largest(entry.image_factor) > 0.0:
-            image_factor = np.asarray(entry.image_factor) / divisor
-            values[k] += np.broadcast_to(image_factor, images.scale.shape)[:, None, None] * images.values
-            error[k] += np.abs(image_factor) * (images.bound + 1e-12) * images.brightest
-            largest[k] += np.abs(image_factor) * (1.0 + 2.0 * images.bound) * images.brightest
+    for k, (d, divisor) in enumerate(pairs):
+        if _largest(d.image_factor) > 0.0:
+            offset = np.asarray(d.image_factor) / divisor
+            values[k] += np.broadcast_to(offset, images.scale.shape)[:, None, None] * images.values
+            error[k] += np.abs(offset) * (images.bound + 1e-12) * images.brightest
+            largest[k] += np.abs(offset) * (1.0 + 2.0 * images.bound) * images.brightest
     # Rounding errors of storing and of the products with the factors above.
     error += (storing(wanted.dtype) + 2.0**-48) * largest
     error /= images.brightest
@@ -386,12 +377,11 @@ def layered_gradient(
     by_term = any(name not in SHIFTS for name in _terms_of(tuple(names)))
     if isinstance(method, LAYERED) and (by_term or not isinstance(method, Stratified)):
         results = _gradient_by_chords(method, pupil, grid, names, weights, scale, energy=energy, far=far)
-    if remaining := [name for name in names if name not in results]:
+    if others := [name for name in names if name not in results]:
         wanted = Wanted(scale if far else float(scale[0]))
-        slopes = layered_slopes(method, pupil, grid, remaining, wanted, energy=energy)[2]
+        slopes = layered_slopes(method, pupil, grid, others, wanted, energy=energy)[2]
         results |= {
-            name: np.einsum("nij,nij->n", weights, slope.values)
-            for name, slope in zip(remaining, slopes, strict=True)
+            name: np.einsum("nij,nij->n", weights, slope.values) for name, slope in zip(others, slopes, strict=True)
         }
     return results
 
@@ -413,7 +403,7 @@ def _gradient_by_chords(
         name: by_name(str(name), pupil, far=far, energy=energy) for name in names if name in _BY_SERIES
     }
     index = {term: k for k, term in enumerate(dict.fromkeys(terms.values()))}
-    by = chordal_debye.By(tuple(entry.variable for entry in kinds.values()), tuple(index))
+    by = chordal_debye.By(tuple(d.variable for d in kinds.values()), tuple(index))
     if not (terms or kinds):
         return {}
     try:
@@ -424,10 +414,8 @@ def _gradient_by_chords(
         return {}
     largest_rates = projection.steepest(pupil.layers, pupil.light.model)
     results: dict[Name, Array] = {}
-    for (name, entry), sums_by in zip(kinds.items(), sums[1:], strict=False):
-        results[name] = scale * (
-            entry.factor * largest_rates[entry.variable] * sums_by + entry.image_factor * sums[0]
-        )
+    for (name, d), sums_by in zip(kinds.items(), sums[1:], strict=False):
+        results[name] = scale * (d.factor * largest_rates[d.variable] * sums_by + d.image_factor * sums[0])
     by_term = scale * sums[1 + len(kinds) :]
     results |= {name: by_term[index[term]] for name, term in terms.items()}
     for name in SHIFTS.keys() & terms.keys():

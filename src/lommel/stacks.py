@@ -146,7 +146,7 @@ class Store:
                 )
             ZarrArray(_scratch(folder, description), Layout((), (), "|u1")).create()
 
-        atomic.write_folder(path, fill, new=new)
+        atomic.write_folder(path, fill, exclusive=new)
 
     @classmethod
     def open(cls, path: Path) -> Self:
@@ -937,7 +937,7 @@ def _locked(store: Store, *, alone: bool = False) -> Iterator[None]:
         except FileNotFoundError:
             raise replaced(store.path) from None
         if alone and not lockable:
-            raise atomic.unknown_use(store.path)
+            raise atomic.perhaps_in_use_error(store.path)
         # On a file system without locks, every write still checks that the store was not replaced.
         _require_not_replaced(store)
         yield

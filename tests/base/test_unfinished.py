@@ -25,7 +25,7 @@ def begun(place, request=1):
 
 def interrupted(place, request=1):
     with suppress(KeyboardInterrupt), begun(place, request) as there:
-        there.put("0", "a", VALUES)
+        there.record("0", "a", VALUES)
         raise KeyboardInterrupt
     return there
 
@@ -39,10 +39,10 @@ def test_a_part_is_done_if_its_values_and_what_they_are_of_are_the_same(tmp_path
     assert names(tmp_path) == [".a.unfinished"]
     with begun(tmp_path / "a") as again:
         assert again == there
-        assert again.has("0", "a", VALUES)
-        assert not again.has("0", "b", VALUES)  # of another request
-        assert not again.has("0", "a", 0.0 * VALUES)  # missing, that is zeros
-        assert not again.has("1", "a", VALUES)
+        assert again.is_complete("0", "a", VALUES)
+        assert not again.is_complete("0", "b", VALUES)  # of another request
+        assert not again.is_complete("0", "a", 0.0 * VALUES)  # missing, that is zeros
+        assert not again.is_complete("1", "a", VALUES)
         again.finish()
     assert (names(tmp_path), names(tmp_path / "a")) == (["a"], ["made"])
 
@@ -50,7 +50,7 @@ def test_a_part_is_done_if_its_values_and_what_they_are_of_are_the_same(tmp_path
 def test_another_request_begins_anew_and_an_error_leaves_nothing(tmp_path):
     interrupted(tmp_path / "a")
     with suppress(KeyError), begun(tmp_path / "a", 2) as there:
-        assert not there.has("0", "a", VALUES)
+        assert not there.is_complete("0", "a", VALUES)
         raise KeyError
     assert names(tmp_path) == []
 
@@ -60,7 +60,7 @@ def test_one_call_at_a_time_writes(tmp_path):
         for request in (1, 2):
             with pytest.raises(ValueError, match="a is being written by another call; wait until that has ended"):
                 begun(tmp_path / "a", request).__enter__()
-        there.put("0", "a", VALUES)
+        there.record("0", "a", VALUES)
         there.finish()
     assert names(tmp_path) == ["a"]
 
@@ -74,15 +74,15 @@ def test_without_locks_what_another_may_write_is_left(tmp_path, monkeypatch):
     with pytest.raises(ValueError, match="may still be running"), begun(tmp_path / "a", 2):
         pass
     with begun(tmp_path / "a") as there:
-        assert there.has("0", "a", VALUES)
+        assert there.is_complete("0", "a", VALUES)
 
 
 def test_what_was_removed_meanwhile_is_not_written_into(tmp_path):
     with begun(tmp_path / "a") as there:
-        there.put("0", "a", VALUES)
+        there.record("0", "a", VALUES)
         there.remove()
         with begun(tmp_path / "a"):
-            for write in (lambda: there.put("1", "a", VALUES), there.finish):
+            for write in (lambda: there.record("1", "a", VALUES), there.finish):
                 with pytest.raises(ValueError, match="was removed while it was written"):
                     write()
 
@@ -125,18 +125,18 @@ def test_what_tells_whose_it_is_is_removed_last(tmp_path, monkeypatch):
         raise KeyboardInterrupt
 
     with monkeypatch.context() as patch, suppress(KeyboardInterrupt), begun(tmp_path / "a") as there:
-        there.put("0", "a", VALUES)
+        there.record("0", "a", VALUES)
         patch.setattr(atomic.shutil, "rmtree", killed)
         there.finish()
     assert names(tmp_path) == [".a.unfinished", "a"]
     with begun(tmp_path / "a") as again:
-        assert not again.has("0", "a", VALUES)
+        assert not again.is_complete("0", "a", VALUES)
     assert (names(tmp_path), names(tmp_path / "a")) == (["a"], ["made"])
 
 
 def test_a_disk_that_gets_full_is_told_by_the_name_of_the_place(tmp_path):
     with begun(tmp_path / "a") as there, small_disk(5), pytest.raises(OSError, match=r"File too large: '[^']*/a'$"):
-        there.put("0", "a", VALUES)
+        there.record("0", "a", VALUES)
     assert names(tmp_path) == []
 
 
@@ -148,6 +148,6 @@ def test_what_cannot_be_removed_hides_no_error_and_is_begun_anew(tmp_path, monke
         patch.setattr(atomic.shutil, "rmtree", refused)
         raise KeyError
     with begun(tmp_path / "a") as again:
-        again.put("0", "a", VALUES)
+        again.record("0", "a", VALUES)
         again.finish()
     assert (names(tmp_path), names(tmp_path / "a")) == (["a"], ["made"])

@@ -58,7 +58,7 @@ def test_a_grid_of_distances_alone_is_one_of_psfs():
     assert lm.peak_error(table[0, 1, 1], expected) < 1e-6
 
 
-SUFFIXES = [form.suffixes[0] for form in registry.formats("field") if field_files.SEVERAL in form.holds]
+SUFFIXES = [form.suffixes[0] for form in registry.formats("field") if field_files.DEPTHS_OR_CHANNELS in form.holds]
 
 
 def test_all_that_keep_a_psf_but_pictures_keep_all_axes():

@@ -37,7 +37,7 @@ from lommel.base.validation import line
 # file names have a maximum length, and no other program uses it.
 _PREFIX = ".lommel-"
 _DAY = 86400.0  # seconds
-_NEW = os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_BINARY", 0)  # O_BINARY: Windows converts line ends
+_FLAGS = os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_BINARY", 0)  # no conversion of line ends
 
 
 class _Closing(Protocol):
@@ -66,53 +66,53 @@ def whole_files(scratch: Path | None = None) -> Iterator[Callable[[Path, bytes |
 
     The temporary files are in `scratch`, by default in the folder of each target.
     """
-    with _temporary_files(scratch) as make:
+    with _temporary_files(scratch) as create:
 
         def put(target: Path, data: bytes | memoryview) -> None:
             with as_path_error(target):
-                make(target).write_bytes(data)
+                create(target).write_bytes(data)
 
         yield put
 
 
 @contextmanager
-def _temporary_files(scratch: Path | None = None, *, new: bool = False) -> Iterator[Callable[[Path], Path]]:
+def _temporary_files(scratch: Path | None = None, *, exclusive: bool = False) -> Iterator[Callable[[Path], Path]]:
     """Yield a function that creates an empty temporary file for a target; at the end rename each to its target.
 
     Links are followed and permissions kept. Other hard links to the target keep the old contents. The contents are
     synchronised with the disk before the renames. Temporary files that a killed process has left are removed by a
     write that is at least a day later.
     """
-    made: list[tuple[Path, Path, int | None]] = []
+    renames: list[tuple[Path, Path, int | None]] = []
     if scratch is not None:
         _sweep(scratch)
 
-    def make(target: Path) -> Path:
+    def create(target: Path) -> Path:
         with as_path_error(target):
             place = _resolve_target(target)
             temporary = (scratch or place.parent) / (_PREFIX + secrets.token_hex(8))
             mode = stat.S_IMODE(place.stat().st_mode) if place.exists() else None
-            made.append((temporary, place, mode))  # before the file exists, in case of an interrupt after that
+            renames.append((temporary, place, mode))  # before creating the file, since an interrupt may follow that
             # The system subtracts the umask of the process from 0o666.
-            os.close(os.open(temporary, _NEW, 0o666 if mode is None else 0o600))
+            os.close(os.open(temporary, _FLAGS, 0o666 if mode is None else 0o600))
         return temporary
 
     try:
-        yield make
+        yield create
         # All files are synchronised before the first is renamed: after an error (full disk) no file is replaced.
-        for temporary, place, mode in made:
+        for temporary, place, mode in renames:
             with as_path_error(place):
                 _synchronise(temporary)
                 if mode is not None:
                     temporary.chmod(mode)
-        for temporary, place, _ in made:
+        for temporary, place, _ in renames:
             with as_path_error(place):
-                _rename_new(temporary, place) if new else temporary.replace(place)
+                _rename_new(temporary, place) if exclusive else temporary.replace(place)
         # A rename survives a power cut only if the folder is synchronised too.
-        for folder in {place.parent for _, place, _ in made}:
+        for folder in {place.parent for _, place, _ in renames}:
             _synchronise(folder)
     finally:
-        for temporary, _, _ in made:
+        for temporary, _, _ in renames:
             with suppress(OSError):  # already renamed, or in a folder without write permission
                 temporary.unlink()
 
@@ -124,13 +124,13 @@ def write_by(target: Path, fill: Callable[[Path], None]) -> None:
 
 
 @contextmanager
-def temporary_for(target: Path, *, new: bool = False) -> Iterator[Path]:
+def temporary_for(target: Path, *, exclusive: bool = False) -> Iterator[Path]:
     """Yield the path of an empty temporary file; at the end rename it to `target`, or remove it after an error.
 
-    FileExistsError if `new` and `target` exists.
+    FileExistsError if `exclusive` and `target` exists.
     """
-    with _temporary_files(new=new) as make:
-        yield make(target)
+    with _temporary_files(exclusive=exclusive) as create:
+        yield create(target)
 
 
 def _rename_new(temporary: Path, place: Path) -> None:
@@ -144,8 +144,11 @@ def _rename_new(temporary: Path, place: Path) -> None:
         temporary.replace(place)  # on a file system without hard links
 
 
-def write_folder(target: Path, fill: Callable[[Path], None], *, new: bool = False) -> None:
-    """Write a folder: `fill` creates it at a temporary path, and it is renamed to `target` when it is complete."""
+def write_folder(target: Path, fill: Callable[[Path], None], *, exclusive: bool = False) -> None:
+    """Write a folder: `fill` creates it at a temporary path, and it is renamed to `target` when it is complete.
+
+    FileExistsError if `exclusive` and `target` is a folder that is not empty.
+    """
     with as_path_error(target):
         place = Path(os.path.realpath(target))
         _sweep(place.parent)
@@ -153,20 +156,20 @@ def write_folder(target: Path, fill: Callable[[Path], None], *, new: bool = Fals
         scratch.mkdir()
         try:
             fill(scratch / "new")
-            move_folder(scratch, place, new=new)
+            move_folder(scratch, place, exclusive=exclusive)
         finally:
             shutil.rmtree(scratch, ignore_errors=True)
 
 
-def move_folder(scratch: Path, place: Path, *, new: bool = False) -> None:
-    """Move scratch/new to `place`; unless `new`, move an existing folder at `place` to scratch/old before."""
+def move_folder(scratch: Path, place: Path, *, exclusive: bool = False) -> None:
+    """Move scratch/new to `place`; unless `exclusive`, first move an existing folder at `place` to scratch/old."""
     try:
         # The result gets the permissions of the folder that it replaces, or else of the scratch folder.
         mode = stat.S_IMODE((place if place.exists() else scratch).stat().st_mode)
         for path in (scratch / "new", *(scratch / "new").rglob("*")):
             path.chmod(mode if path.is_dir() else mode & 0o666)
             _synchronise(path)
-        if place.exists() and not new:
+        if place.exists() and not exclusive:
             # Two renames: at any moment the old or the new folder exists.
             place.replace(scratch / "old")
         (scratch / "new").replace(place)
@@ -211,10 +214,10 @@ def opened(target: Path, mode: str = "wb", **options: Any) -> Iterator[Any]:
 
 
 @contextmanager
-def closed(make: Callable[[], _Open], target: Path) -> Iterator[_Open]:
-    """Yield the file that `make` opens, and close it at the end; errors of opening and closing name `target`."""
+def closed(open_file: Callable[[], _Open], target: Path) -> Iterator[_Open]:
+    """Yield the file that `open_file` opens, and close it at the end; errors of opening and closing name `target`."""
     with as_path_error(target):
-        file = make()
+        file = open_file()
     try:
         yield file
     except BaseException:
@@ -246,12 +249,14 @@ def _sweep(folder: Path) -> None:
     """Remove temporary files older than a day from a folder; run only once per process and folder (cached)."""
     try:
         with os.scandir(folder) as entries:
-            ours = [entry for entry in entries if entry.name.startswith(_PREFIX)]
-            old = [Path(one.path) for one in ours if time.time() - one.stat(follow_symlinks=False).st_mtime > _DAY]
+            items = [entry for entry in entries if entry.name.startswith(_PREFIX)]
+            # Younger files are kept, since they may belong to a running call.
+            expired = [
+                Path(item.path) for item in items if time.time() - item.stat(follow_symlinks=False).st_mtime > _DAY
+            ]
     except OSError:
         return  # the following write reports the error
-    for path in old:
-        # Younger files are kept, since they may belong to a running call.
+    for path in expired:
         if not path.is_dir():
             with suppress(OSError):  # a file of another user
                 path.unlink()
@@ -269,8 +274,8 @@ _UNSUPPORTED_LOCK_ERRORS = {errno.ENOLCK, errno.ENOSYS, errno.ENOTSUP, errno.EOP
 
 
 @contextmanager
-def locked(mark: Path, place: Path, *, alone: bool = True) -> Iterator[bool]:
-    """Hold an exclusive (`alone`) or shared lock on the file `mark`; ValueError if another call holds a lock.
+def locked(lock_file: Path, place: Path, *, alone: bool = True) -> Iterator[bool]:
+    """Hold an exclusive (`alone`) or shared lock on `lock_file`; ValueError if the lock of another call excludes it.
 
     Yield True if the file system supports locks. Error messages name `place`, the folder that is written. The lock is
     a lock of the operating system, which ends with the process, so that a killed process leaves no lock.
@@ -279,7 +284,7 @@ def locked(mark: Path, place: Path, *, alone: bool = True) -> Iterator[bool]:
         yield True  # no lock: Windows cannot replace an open file, not even for the process that opened it
         return
     with as_path_error(place):
-        handle = os.open(mark, os.O_RDWR)
+        handle = os.open(lock_file, os.O_RDWR)
     _locked_handles.add(handle)
     supported = True
     try:
@@ -302,7 +307,7 @@ def locked(mark: Path, place: Path, *, alone: bool = True) -> Iterator[bool]:
             os.close(handle)
 
 
-def unknown_use(place: Path) -> ValueError:
+def perhaps_in_use_error(place: Path) -> ValueError:
     """Return the error for a folder that another call may still be writing, on a file system without locks."""
     return ValueError(
         f"{line(place)} was begun by another call, which may still be running (its file system has no locks); remove "
@@ -343,18 +348,18 @@ class Unfinished:
         # The name is unique, so that a call that began with an older folder cannot write into a newer folder.
         return self.scratch / str(self.description[_IDENTITY])
 
-    def has(self, name: str, request: str, values: Values) -> bool:
+    def is_complete(self, name: str, request: str, values: Values) -> bool:
         """Return True if a part was recorded as complete with the same `request` and `values`."""
         try:
-            return reading.contents(self._parts / name, 99) == self._sum(name, request, values)
+            return reading.contents(self._parts / name, 99) == self._part_checksum(name, request, values)
         except OSError:
             return False
 
-    def put(self, name: str, request: str, values: Values) -> None:
+    def record(self, name: str, request: str, values: Values) -> None:
         """Record that a part is complete; its values must have been written before."""
         self.require_there()
         with as_path_error(self.place):
-            write(self._parts / name, self._sum(name, request, values))
+            write(self._parts / name, self._part_checksum(name, request, values))
 
     def require_there(self) -> None:
         """Raise ValueError if the scratch folder was removed or replaced."""
@@ -376,9 +381,9 @@ class Unfinished:
         (self.scratch / _REQUEST_FILE).unlink()
         self.scratch.rmdir()
 
-    def _sum(self, name: str, request: str, values: Values) -> bytes:
-        described = {"part": name, "of": self.description[_IDENTITY], "request": request}
-        return f"crc32 {crc32(described, {'values': np.asarray(values)}):08x}".encode()
+    def _part_checksum(self, name: str, request: str, values: Values) -> bytes:
+        part = {"part": name, "of": self.description[_IDENTITY], "request": request}
+        return f"crc32 {crc32(part, {'values': np.asarray(values)}):08x}".encode()
 
 
 @contextmanager
@@ -388,7 +393,7 @@ def unfinished_folder(
     """Yield the unfinished folder of a request; if it does not exist, ``fill(path)`` creates it at `path`.
 
     ValueError if another call is writing it, or if the scratch folder is damaged or of another user or program.
-    An unfinished folder of another request is removed, and at the end a folder without any complete part.
+    An unfinished folder of another request is removed first. At the end a folder without a complete part is removed.
     """
     place = Path(os.path.realpath(target))
     scratch = place.with_name(f".{place.name}.unfinished")
@@ -398,9 +403,9 @@ def unfinished_folder(
             with suppress(FileExistsError):  # another call may have created it at the same time
                 _create_unfinished(place, scratch, plain_request, fill)
             continue
-        with ExitStack() as hold:
+        with ExitStack() as stack:
             try:
-                lockable = hold.enter_context(locked(scratch / _REQUEST_FILE, place))
+                lockable = stack.enter_context(locked(scratch / _REQUEST_FILE, place))
             except FileNotFoundError:
                 continue  # another call has just finished or removed the folder
             # Another call may have replaced the folder before this call locked it.
@@ -408,7 +413,7 @@ def unfinished_folder(
                 continue
             if existing.description["request"] != plain_request or not existing.new.is_dir():
                 if not lockable:
-                    raise unknown_use(scratch)
+                    raise perhaps_in_use_error(scratch)
                 existing.remove()
                 continue
             try:
@@ -425,13 +430,13 @@ def _create_unfinished(place: Path, scratch: Path, request: Json, fill: Callable
     identity = secrets.token_hex(16)
     description = {_IDENTITY: identity, "request": request}
 
-    def make(folder: Path) -> None:
+    def fill_scratch(folder: Path) -> None:
         (folder / identity).mkdir(parents=True)
         fill(folder / "new")
         (folder / _REQUEST_FILE).write_text(json.dumps(sealed(description, {})), encoding="utf-8")
 
     with as_path_error(place):
-        write_folder(scratch, make, new=True)
+        write_folder(scratch, fill_scratch, exclusive=True)
 
 
 def _open_unfinished(place: Path, scratch: Path) -> Unfinished | None:
@@ -441,9 +446,9 @@ def _open_unfinished(place: Path, scratch: Path) -> Unfinished | None:
         # In a shared folder another user may have created this name: refuse links and folders of other users.
         if not stat.S_ISDIR(status.st_mode) or (hasattr(os, "getuid") and status.st_uid != os.getuid()):
             raise ValueError("it is a link, a file, or belongs to another user")
-        if not (found := list(scratch.iterdir())):
+        if not (paths := list(scratch.iterdir())):
             return None
-        if any(path.is_symlink() for path in found):
+        if any(path.is_symlink() for path in paths):
             raise ValueError("it holds links")
         description = reading.json(reading.contents(scratch / _REQUEST_FILE))
         if not isinstance(description, dict) or description.pop("checksum", "") != checksum(description, {}):
@@ -458,8 +463,8 @@ def _open_unfinished(place: Path, scratch: Path) -> Unfinished | None:
 
 def plain(description: Mapping[str, object]) -> Json:
     """Return a description as JSON represents it (tuples as lists, keys as strings)."""
-    found: Json = json.loads(json.dumps(description))
-    return found
+    result: Json = json.loads(json.dumps(description))
+    return result
 
 
 def sealed(description: Json, arrays: Mapping[str, NDArray[np.generic]]) -> Json:
@@ -472,12 +477,12 @@ def checksum(description: Mapping[str, object], arrays: Mapping[str, NDArray[np.
     return f"crc32 {crc32(description, arrays):08x}"
 
 
-def of_bytes(data: bytes) -> str:
+def size_and_checksum_of_bytes(data: bytes) -> str:
     """Return the size and the checksum of the contents of a file as text."""
     return f"{len(data)} bytes, crc32 {zlib.crc32(data):08x}"
 
 
-def of_file(path: Path) -> str:
+def size_and_checksum_of_file(path: Path) -> str:
     """Return the size and the checksum of a file as text; OSError if the file does not exist."""
     size, total = reading.size(path), 0  # raises an error for a pipe, on which reading would wait
     with path.open("rb") as file:
@@ -493,6 +498,6 @@ def crc32(description: Mapping[str, object], arrays: Mapping[str, NDArray[np.gen
     for name in sorted(arrays):
         values = arrays[name]
         # Use little-endian bytes in C order: the checksum does not depend on the machine or the memory layout.
-        plain = np.ascontiguousarray(values, dtype=values.dtype.newbyteorder("<"))
-        total = zlib.crc32(plain.data.cast("B") if plain.size else b"", zlib.crc32(name.encode(), total))
+        contiguous = np.ascontiguousarray(values, dtype=values.dtype.newbyteorder("<"))
+        total = zlib.crc32(contiguous.data.cast("B") if contiguous.size else b"", zlib.crc32(name.encode(), total))
     return total

@@ -66,7 +66,7 @@ NPZ_TIMES = 4
 """Memory for reading the arrays of a .npz file divided by their size."""
 
 # Maximum of memory / file size, for plain and for compressed files, if the memory exceeds MEMORY.
-_TIMES, _COMPRESSED = 10, 100
+_RATIO, _COMPRESSED_RATIO = 10, 100
 _HEADER = 2**16  # number of bytes read to parse the header of an array, which is usually one line
 _TIFF_TYPES = {1: 1, 2: 1, 3: 2, 4: 4, 5: 8, 6: 1, 7: 1, 8: 2, 9: 4, 10: 8, 11: 4, 12: 8, 13: 4, 16: 8, 17: 8, 18: 8}
 _TIFF_INTEGERS = {1: "u1", 3: "u2", 4: "u4", 13: "u4", 16: "u8", 18: "u8"}
@@ -75,25 +75,25 @@ _MANAGER = 51123  # tag of Micro-Manager's metadata
 _TIFF_PAGE = 2**12  # bytes of memory that tifffile uses for a page
 _TIFF_FRAME = 2**10  # bytes of memory that tifffile uses for a page that resembles the first
 _PLANE = 2**6  # bytes of memory that tifffile and this package use for each image plane that the metadata state
-_TAGS = 4096  # maximum number of tags of a page
+_MAX_TAGS = 4096  # maximum number of tags of a page
 DEFLATE = (8, 32946)
 """Codes of the compression deflate in TIFF files."""
 
 _MAX_DEFLATE_RATIO = 1032  # two bits may encode 258 bytes (RFC 1951, 3.2.5)
 # Compressions whose decoded size is known before decoding.
 _COMPRESSIONS = {1: "none", 5: "LZW", 8: "deflate", 32773: "PackBits", 32946: "deflate"}
-_SCANS = 20  # number of scans above which the time to decode a JPEG is limited; progressive files have about ten
-_MEMBERS = 1000  # maximum number of members of an archive
-_PARTS = 16  # maximum number of parts of a dotted key; lens files have at most four
+_MAX_SCANS = 20  # number of scans above which the time to decode a JPEG is limited; progressive files have about ten
+_MAX_MEMBERS = 1000  # maximum number of members of an archive
+_MAX_KEY_PARTS = 16  # maximum number of parts of a dotted key; lens files have at most four
 _KEY = r"(?:[\w-]+|\"[^\"\n]*\"|'[^'\n]*')"
-_DOTTED = re.compile(rf"(?<![\w-]){_KEY}(?:[ \t]*\.[ \t]*{_KEY}){{{_PARTS}}}")
+_DOTTED = re.compile(rf"(?<![\w-]){_KEY}(?:[ \t]*\.[ \t]*{_KEY}){{{_MAX_KEY_PARTS}}}")
 
 
-def contents(path: Path, most: int = 8 * validation.MAX_VALUES + MAX_PIXELS) -> bytes:
+def contents(path: Path, limit: int = 8 * validation.MAX_VALUES + MAX_PIXELS) -> bytes:
     """Return the bytes of a file; OSError if it is too large, or a pipe or device."""
     count = size(path)
-    if count > most:
-        raise OSError(errno.EFBIG, f"has {count} bytes; the limit is {most}", str(path))
+    if count > limit:
+        raise OSError(errno.EFBIG, f"has {count} bytes; the limit is {limit}", str(path))
     with path.open("rb") as file:
         return file.read(count)
 
@@ -115,18 +115,18 @@ def size(path: Path) -> int:
     return status.st_size
 
 
-def affords(memory: float, size: int, times: int = _COMPRESSED) -> bool:
+def affords(memory: float, size: int, times: int = _COMPRESSED_RATIO) -> bool:
     """Return True if reading a file of `size` bytes may use `memory` bytes."""
     return memory <= max(MEMORY, times * size)
 
 
-def afford(memory: float, size: int, times: int = _COMPRESSED) -> None:
+def afford(memory: float, size: int, times: int = _COMPRESSED_RATIO) -> None:
     """Raise ValueError if reading a file of `size` bytes must not use `memory` bytes."""
     if not affords(memory, size, times):
-        most = max(MEMORY, times * size)
-        hint = "; save it without compression" if times == _COMPRESSED else ""
+        limit = max(MEMORY, times * size)
+        hint = "; save it without compression" if times == _COMPRESSED_RATIO else ""
         raise ValueError(
-            f"it would take {memory:.3g} bytes of memory; the limit for a file of {size} bytes is {most:.3g}{hint}"
+            f"it would take {memory:.3g} bytes of memory; the limit for a file of {size} bytes is {limit:.3g}{hint}"
         )
 
 
@@ -145,7 +145,7 @@ def toml(text: str) -> Json:
     if len(text) > MAX_TOML:
         raise ValueError(f"it has {len(text)} characters; the limit is {MAX_TOML}")
     if found := _DOTTED.search(text):
-        raise ValueError(f"a key must have at most {_PARTS} parts, got {validation.shown(found[0])}")
+        raise ValueError(f"a key must have at most {_MAX_KEY_PARTS} parts, got {validation.shown(found[0])}")
     try:
         return tomllib.loads(text)
     except (RecursionError, MemoryError) as error:
@@ -158,8 +158,8 @@ def json(data: bytes | str, pairs: Callable[[list[tuple[str, object]]], object] 
 
     text = data.decode() if isinstance(data, bytes) else data
     # Bytes of the Python objects that the parser may create for each occurrence of these characters.
-    marks = (("[", 128), ("{", 320), (",", 32), (":", 96), ('"', 28))
-    afford(2 * len(text) + sum(each * text.count(mark) for mark, each in marks), len(text), _TIMES)
+    costs = (("[", 128), ("{", 320), (",", 32), (":", 96), ('"', 28))
+    afford(2 * len(text) + sum(cost * text.count(character) for character, cost in costs), len(text), _RATIO)
     try:
         return loads(text, object_pairs_hook=pairs)
     except (RecursionError, MemoryError) as error:
@@ -182,7 +182,7 @@ def _afford_xml(text: str) -> None:
     if "<!ENTITY" in text:
         raise ValueError("it defines XML entities, which are not supported")
     # Python uses up to 512 bytes for an element and 160 bytes for an attribute.
-    afford(2 * len(text) + 512 * text.count("<") + 160 * text.count("="), len(text), _TIMES)
+    afford(2 * len(text) + 512 * text.count("<") + 160 * text.count("="), len(text), _RATIO)
 
 
 def reason(error: Exception) -> str:
@@ -209,9 +209,9 @@ def pixels(width: int, height: int) -> None:
         raise ValueError(f"it has {width} x {height} pixels; the limit of a side is {MAX_PICTURE_SIDE}")
 
 
-def npy(data: bytes, most: int = validation.MAX_VALUES) -> tuple[NDArray[np.generic], bytes]:
+def npy(data: bytes, limit: int = validation.MAX_VALUES) -> tuple[NDArray[np.generic], bytes]:
     """Return the array of a .npy file, and the bytes after the array."""
-    start, shape, fortran, kind = _npy_header(data[:_HEADER], most)
+    start, shape, fortran, kind = _npy_header(data[:_HEADER], limit)
     count = math.prod(shape)
     if start + count * kind.itemsize > len(data):
         raise ValueError(f"its values take {count * kind.itemsize} bytes, got {len(data) - start}")
@@ -221,14 +221,14 @@ def npy(data: bytes, most: int = validation.MAX_VALUES) -> tuple[NDArray[np.gene
 
 def npy_mapped(path: Path) -> NDArray[np.generic]:
     """Return the array of a .npy file as a memory map, whose values are read on access."""
-    at, shape, fortran, kind = _npy_header(start(path, _HEADER), validation.MAX_VALUES)
-    count, held = math.prod(shape) * kind.itemsize, size(path) - at
-    if count > held:
-        raise ValueError(f"its values take {count} bytes, got {held}")
-    return np.memmap(path, kind, "r", at, shape, "F" if fortran else "C") if count else np.zeros(shape, kind)
+    offset, shape, fortran, kind = _npy_header(start(path, _HEADER), validation.MAX_VALUES)
+    count, available = math.prod(shape) * kind.itemsize, size(path) - offset
+    if count > available:
+        raise ValueError(f"its values take {count} bytes, got {available}")
+    return np.memmap(path, kind, "r", offset, shape, "F" if fortran else "C") if count else np.zeros(shape, kind)
 
 
-def _npy_header(data: bytes, most: int) -> tuple[int, tuple[int, ...], bool, np.dtype[np.generic]]:
+def _npy_header(data: bytes, limit: int) -> tuple[int, tuple[int, ...], bool, np.dtype[np.generic]]:
     file = io.BytesIO(data)
     try:
         # Warnings become errors here: NumPy issues warnings for obsolete formats of the header.
@@ -241,8 +241,8 @@ def _npy_header(data: bytes, most: int) -> tuple[int, tuple[int, ...], bool, np.
         raise ValueError(f"its header is not that of an array: {str(error) or type(error).__name__}") from None
     if kind.hasobject:
         raise ValueError("it holds Python objects, a pickle")
-    if min(shape, default=1) < 0 or math.prod(shape) * kind.itemsize > 8 * most:
-        raise ValueError(f"it has {' x '.join(map(str, shape))} values of {kind}; the limit is {most}")
+    if min(shape, default=1) < 0 or math.prod(shape) * kind.itemsize > 8 * limit:
+        raise ValueError(f"it has {' x '.join(map(str, shape))} values of {kind}; the limit is {limit}")
     return file.tell(), shape, fortran, kind
 
 
@@ -250,19 +250,19 @@ def npz(data: bytes) -> dict[str, Callable[[int], NDArray[np.generic]]]:
     """Return for each array of a .npz file, by name, a function that reads it; its argument limits the size."""
     import zipfile
 
-    def read(member: zipfile.ZipInfo, most: int) -> NDArray[np.generic]:
+    def read(member: zipfile.ZipInfo, limit: int) -> NDArray[np.generic]:
         with archive.open(member) as file:
             head = file.read(_HEADER)
-            start, shape, _, kind = _npy_header(head, most)
+            start, shape, _, kind = _npy_header(head, limit)
             size = start + math.prod(shape) * kind.itemsize
             # Decode a member only if the size in its .npy header equals the size in the directory of the archive.
             if size != member.file_size:
                 raise ValueError(f"{validation.shown(member.filename)} takes {size} bytes, got {member.file_size}")
-            return npy(head + file.read(), most)[0]
+            return npy(head + file.read(), limit)[0]
 
     # The members are counted before the archive is opened, since opening creates a Python object for each member.
-    if data.count(b"PK\1\2") > _MEMBERS:
-        raise ValueError(f"it has more than {_MEMBERS} members")
+    if data.count(b"PK\1\2") > _MAX_MEMBERS:
+        raise ValueError(f"it has more than {_MAX_MEMBERS} members")
     archive = zipfile.ZipFile(io.BytesIO(data))
     members = {member.filename.removesuffix(".npy"): member for member in archive.infolist()}
     if any(member.compress_type not in (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED) for member in members.values()):
@@ -276,24 +276,24 @@ def png(data: bytes) -> Image:
     from PIL.PngImagePlugin import PngImageFile
 
     # Chunks have length, name, data, CRC. Only IDAT chunks hold pixels, compressed by deflate.
-    at, held = 8, 0
-    while at + 8 <= len(data):
-        size, name = struct.unpack_from(">I4s", data, at)
-        held += size if name == b"IDAT" else 0
-        at += 12 + size
+    offset, idat = 8, 0
+    while offset + 8 <= len(data):
+        size, name = struct.unpack_from(">I4s", data, offset)
+        idat += size if name == b"IDAT" else 0
+        offset += 12 + size
     width, height, bits, kind = struct.unpack_from(">IIBB", data.ljust(26, b"\0"), 16)
     pixels(width, height)
     samples = {2: 3, 4: 2, 6: 4}.get(kind, 1)
-    needed = (width * bits * samples + 7) // 8 * height
-    if needed > _MAX_DEFLATE_RATIO * held:
-        raise ValueError(f"{width} x {height} pixels take {needed} bytes, more than its {held} can inflate to")
+    pixel_bytes = (width * bits * samples + 7) // 8 * height
+    if pixel_bytes > _MAX_DEFLATE_RATIO * idat:
+        raise ValueError(f"{width} x {height} pixels take {pixel_bytes} bytes, more than its {idat} can inflate to")
     afford(png_takes(width * height, bits, kind in (2, 6)), len(data))
     # Image.open is not used: its limit against decompression bombs would refuse large pictures of this package.
     return PngImageFile(io.BytesIO(data))
 
 
 def png_takes(count: int, bits: int, colour: bool) -> int:
-    """Return the bytes of memory for reading `count` pixels of a PNG: Pillow's image, a copy, and float64 depth."""
+    """Return the bytes of memory for reading a PNG of `count` pixels: Pillow's image, a copy, depth in float64."""
     return count * ((14 if bits == 16 else 8) if colour else 13)
 
 
@@ -307,10 +307,10 @@ def jpeg(data: bytes) -> Image:
     width, height = file.size
     pixels(width, height)
     # With several scans the decoder stores all DCT coefficients of the image, 16 bits each.
-    sampled = [across * down for _, across, down, _ in getattr(file, "layer", [])] or [1]
-    kept = 2.0 * sum(sampled) / max(sampled) if scans > 1 else 0.0
-    afford(width * height * (7.0 + kept), len(data))
-    if scans > _SCANS and width * height * scans > 2**28 + 2**10 * len(data):
+    sampling = [x_factor * y_factor for _, x_factor, y_factor, _ in getattr(file, "layer", [])] or [1]
+    coefficient_bytes = 2.0 * sum(sampling) / max(sampling) if scans > 1 else 0.0
+    afford(width * height * (7.0 + coefficient_bytes), len(data))
+    if scans > _MAX_SCANS and width * height * scans > 2**28 + 2**10 * len(data):
         raise ValueError(f"it has {width} x {height} pixels in {scans} scans")
     return file
 
@@ -322,7 +322,7 @@ def webp(data: bytes) -> Image:
         raise ValueError("it is no WebP")
     # Three encodings of a side: extended (side - 1, 24 bits), lossless (side - 1, 14 bits), lossy (side, 14 bits).
     if kind == b"VP8X":
-        width, height = (1 + int.from_bytes(data[at : at + 3], "little") for at in (24, 27))
+        width, height = (1 + int.from_bytes(data[offset : offset + 3], "little") for offset in (24, 27))
     else:
         sides = int.from_bytes(data[21:25], "little") if kind == b"VP8L" else 0
         width, height = 1 + (sides & 0x3FFF), 1 + (sides >> 14 & 0x3FFF)
@@ -374,7 +374,7 @@ def tiff(data: bytes) -> Iterator[TiffFile]:
     for tags in _tiff_pages(data):
         count += 1
         memory += _tiff_page(data, tags)
-        afford(_TIFF_PAGE * count, len(data), _TIMES)
+        afford(_TIFF_PAGE * count, len(data), _RATIO)
         afford(memory, len(data))
     if not count:
         raise ValueError("it has no page")
@@ -398,13 +398,13 @@ def tiff_on_disk(path: Path) -> tuple[TiffFile, list[str]]:
     if _MANAGER in tags:
         _afford_manager(path.resolve())
     with quietly() as errors:
-        found = tifffile.TiffFile(path)
+        file = tifffile.TiffFile(path)
         try:
-            found.series  # noqa: B018 (finds the pages)
+            file.series  # noqa: B018 (finds the pages)
         except BaseException:
-            found.close()
+            file.close()
             raise
-    return found, errors
+    return file, errors
 
 
 def _tiff_first(path: Path) -> tuple[Tags, list[int]]:
@@ -426,71 +426,72 @@ def _tiff_chain(file: int, data: mmap.mmap) -> list[int]:
     """
     order, big = _tiff_order(data)
     head, entry, word = (struct.Struct(order + part) for part in (("Q", "HHQ", "Q") if big else ("H", "HHI", "I")))
-    (at,) = word.unpack_from(data, 8 if big else 4)
-    seen, sizes, room = set[int](), list[int](), 2**9
-    # First entries of the previous page, up to width and height, and its number of pixels: most pages begin equally.
-    start, pixels_of_start = b"", 0
+    (offset,) = word.unpack_from(data, 8 if big else 4)
+    visited, sizes, read_size = set[int](), list[int](), 2**9
+    # Entries of the previous page up to its width and height, and its number of pixels: most pages begin equally.
+    prefix, prefix_pixels = b"", 0
     try:
-        while at:
-            if at in seen:
+        while offset:
+            if offset in visited:
                 raise ValueError("its chain of pages is circular")
-            seen.add(at)
-            afford(_TIFF_FRAME * len(seen), len(data), _TIMES)
+            visited.add(offset)
+            afford(_TIFF_FRAME * len(visited), len(data), _RATIO)
             # Read as many bytes as the largest header of a page so far: for most pages one system call suffices.
-            part = os.pread(file, room, min(at, len(data)))
+            part = os.pread(file, read_size, min(offset, len(data)))
             (count,) = head.unpack_from(part)
-            if count > _TAGS:
-                raise ValueError(f"it has a page of {count} tags; the limit is {_TAGS}")
+            if count > _MAX_TAGS:
+                raise ValueError(f"it has a page of {count} tags; the limit is {_MAX_TAGS}")
             end = head.size + count * (entry.size + word.size)
             if end + word.size > len(part):
-                room = end + word.size
-                part = os.pread(file, room, at)
-            if not start or end < head.size + len(start) or not part.startswith(start, head.size):
-                start, pixels_of_start = _tiff_sides(part[head.size : end], order, entry, entry.size + word.size)
-            sizes.append(pixels_of_start)
-            (at,) = word.unpack_from(part, end)
+                read_size = end + word.size
+                part = os.pread(file, read_size, offset)
+            if not prefix or end < head.size + len(prefix) or not part.startswith(prefix, head.size):
+                prefix, prefix_pixels = _tiff_sides(part[head.size : end], order, entry, entry.size + word.size)
+            sizes.append(prefix_pixels)
+            (offset,) = word.unpack_from(part, end)
     except struct.error:
         raise ValueError("its pages go beyond its end") from None
     return sizes
 
 
 def _tiff_sides(entries: bytes, order: str, entry: struct.Struct, each: int) -> tuple[bytes, int]:
-    """Return the entries of a page up to its width and height (b"" if one is missing), and width * height."""
+    """Return (1) the entries of a page up to width and height (b"" if either is missing) and (2) width * height."""
     kinds = {1: "B", 3: "H", 4: "I", 16: "Q"}
     sides: dict[int, int] = {}
-    for place in range(0, len(entries) - each + 1, each):
-        tag, kind, _ = entry.unpack_from(entries, place)
+    for offset in range(0, len(entries) - each + 1, each):
+        tag, kind, _ = entry.unpack_from(entries, offset)
         if tag in (256, 257) and kind in kinds:
-            (sides[tag],) = struct.unpack_from(order + kinds[kind], entries, place + entry.size)
+            (sides[tag],) = struct.unpack_from(order + kinds[kind], entries, offset + entry.size)
         if len(sides) == 2:
-            return entries[: place + each], math.prod(sides.values())
+            return entries[: offset + each], math.prod(sides.values())
     return b"", math.prod(sides.values())
 
 
 def _afford_ome(path: Path, text: str, sizes: list[int]) -> None:
     """Raise ValueError for OME metadata that state far more planes than pages, or name files in other folders."""
     root = xml(text)
-    held, count, least = size(path), len(sizes), min(sizes)
-    own, known = root.get("UUID"), {root.get("UUID")}
-    for one in root.iter():
-        name = one.get("FileName")
-        if not one.tag.endswith("UUID") or name is None:
+    total, count, min_size = size(path), len(sizes), min(sizes)
+    uuid, uuids = root.get("UUID"), {root.get("UUID")}
+    for element in root.iter():
+        name = element.get("FileName")
+        if not element.tag.endswith("UUID") or name is None:
             continue
-        if own is None and one.text is not None and name.lower() == path.name.lower():
-            own, known = one.text, {one.text}
-        elif one.text not in known and (beside := _beside(path, name)) is not None:
-            known.add(one.text)
-            others = _tiff_first(beside)[1]
-            held, count, least = held + size(beside), count + len(others), min(least, *others)
-    stated = listed = 0
+        if uuid is None and element.text is not None and name.lower() == path.name.lower():
+            uuid, uuids = element.text, {element.text}
+        elif element.text not in uuids and (sibling := _sibling_file(path, name)) is not None:
+            uuids.add(element.text)
+            sibling_sizes = _tiff_first(sibling)[1]
+            total, count, min_size = total + size(sibling), count + len(sibling_sizes), min(min_size, *sibling_sizes)
+    stated_planes = listed_planes = 0
     for part in root.iter():
         if part.tag.endswith("Pixels"):
-            stated += math.prod(max(1, int(part.get(f"Size{letter}", 1))) for letter in "XYZCT") // max(1, least)
+            sides = (max(1, int(part.get(f"Size{letter}", 1))) for letter in "XYZCT")
+            stated_planes += math.prod(sides) // max(1, min_size)
         if part.tag.endswith("TiffData"):
-            usual = 1 if "IFD" in part.attrib else count
-            listed += max(0, int(part.get("PlaneCount", part.get("NumPlanes", usual))))
-    planes = max(stated, listed)
-    if not affords(_PLANE * planes, held, _TIMES) or not affords(_TIFF_FRAME * count, held, _TIMES):
+            default_count = 1 if "IFD" in part.attrib else count
+            listed_planes += max(0, int(part.get("PlaneCount", part.get("NumPlanes", default_count))))
+    planes = max(stated_planes, listed_planes)
+    if not affords(_PLANE * planes, total, _RATIO) or not affords(_TIFF_FRAME * count, total, _RATIO):
         raise ValueError(f"its OME metadata state {planes:.3g} planes of its size, far more than its {count} pages")
 
 
@@ -500,25 +501,23 @@ def _afford_manager(path: Path) -> None:
 
     if "_MMStack" in path.name:
         for entry in path.parent.glob("*_MMStack*.tif"):
-            _beside(path, entry.name)  # pages are not checked, since few of many files are read
+            _sibling_file(path, entry.name)  # pages are not checked, since few of many files are read
     names = set[str]()
-    if (index := _beside(path, "NDTiff.index")) is not None:
+    if (index := _sibling_file(path, "NDTiff.index")) is not None:
         places: dict[str, set[int | str]] = {}
         for axes, name, *_ in tifffile.read_ndtiff_index(index):
             names.add(name)
             for axis, place in axes.items():
                 places.setdefault(axis, set()).add(place)
-        ends = (
-            max([len(found), *(place + 1 for place in found if isinstance(place, int))]) for found in places.values()
-        )
-        if not affords(_PLANE * (planes := math.prod(ends)), size(index), _TIMES):
+        ends = (max([len(indices), *(k + 1 for k in indices if isinstance(k, int))]) for indices in places.values())
+        if not affords(_PLANE * (planes := math.prod(ends)), size(index), _RATIO):
             raise ValueError(f"its NDTiff.index states {planes:.3g} images, far more than its size allows")
     for name in names - {path.name}:
-        if (beside := _beside(path, name)) is not None:
-            _tiff_first(beside)
+        if (sibling := _sibling_file(path, name)) is not None:
+            _tiff_first(sibling)
 
 
-def _beside(path: Path, name: str) -> Path | None:
+def _sibling_file(path: Path, name: str) -> Path | None:
     """Return the file `name` in the folder of `path`, None if it does not exist; ValueError if it is not allowed."""
     file = path.parent / name
     if not os.path.lexists(file):
@@ -544,20 +543,20 @@ def tiff_values(page: Any, shape: tuple[int, ...], dtype: np.dtype[np.generic]) 
         raise ValueError(f"it has {sides} values of {kind.dtype}, not {' x '.join(map(str, shape))} of {dtype}")
     if kind.compression not in _COMPRESSIONS:
         raise ValueError(f"its compression is of the kind {int(kind.compression)}, which is not supported")
-    part = math.prod(page.chunks) * dtype.itemsize
-    if part > max(4 * size, 2**20 * dtype.itemsize):
-        raise ValueError(f"it has strips or tiles of {part} bytes for a page of {size} bytes")
-    needed = count * kind.bitspersample // 8
-    if kind.compression == 1 and sum(page.databytecounts) < needed:
-        raise ValueError(f"its values take {needed} bytes, got {sum(page.databytecounts)}")
+    part_size = math.prod(page.chunks) * dtype.itemsize
+    if part_size > max(4 * size, 2**20 * dtype.itemsize):
+        raise ValueError(f"it has strips or tiles of {part_size} bytes for a page of {size} bytes")
+    decoded_size = count * kind.bitspersample // 8
+    if kind.compression == 1 and sum(page.databytecounts) < decoded_size:
+        raise ValueError(f"its values take {decoded_size} bytes, got {sum(page.databytecounts)}")
     closed = handle.closed  # an image may consist of more files than can be open simultaneously
     if closed:
         handle.open()
     try:
-        for place, held in zip(page.dataoffsets, page.databytecounts, strict=True):
+        for offset, stored_size in zip(page.dataoffsets, page.databytecounts, strict=True):
             if kind.compression in DEFLATE:
-                handle.seek(place)
-                if not inflates_within(handle.read(held), max(size, part)):
+                handle.seek(offset)
+                if not inflates_within(handle.read(stored_size), max(size, part_size)):
                     raise ValueError(f"a part of it inflates to more than {size} bytes")
         return tiff_array(page).reshape(shape)
     finally:
@@ -618,10 +617,10 @@ def tiff_mapped(file: TiffFile, series: TiffPageSeries, path: Path, count: int) 
     the file contains.
     """
     dtype, sides = np.dtype(series.dtype).newbyteorder(file.byteorder), series.shape[-2:]
-    start, needed = series.dataoffset, count * math.prod(sides) * dtype.itemsize
+    start, byte_count = series.dataoffset, count * math.prod(sides) * dtype.itemsize
     if start is not None and not series.is_multifile:
-        if start + needed > size(path):
-            raise ValueError(f"{needed} bytes of {count} images are more than the file holds")
+        if start + byte_count > size(path):
+            raise ValueError(f"{byte_count} bytes of {count} images are more than the file holds")
         return np.memmap(path, dtype, "r", start, (count, *sides))
     if series.kind != "ome" and count > len(file.pages):  # missing pages of OME files are reported later
         raise ValueError(f"its description states {count} images; it has {len(file.pages)} pages")
@@ -636,10 +635,10 @@ def tiff_left_out(file: TiffFile) -> str:
     count, series = len(file.pages), file.series[0]
     if not file.is_imagej or count <= 1:  # with one page, ImageJ may store many images
         return ""
-    stated = (file.imagej_metadata or {}).get("images", math.prod(series.shape) // max(1, series.keyframe.size))
-    if stated > count:
-        raise ValueError(f"its description by ImageJ states {stated} images; it has {count} pages")
-    return f"{count} pages, of which its description by ImageJ states {stated}" if stated < count else ""
+    images = (file.imagej_metadata or {}).get("images", math.prod(series.shape) // max(1, series.keyframe.size))
+    if images > count:
+        raise ValueError(f"its description by ImageJ states {images} images; it has {count} pages")
+    return f"{count} pages, of which its description by ImageJ states {images}" if images < count else ""
 
 
 def is_raw(data: bytes | mmap.mmap | Path) -> bool:
@@ -647,29 +646,29 @@ def is_raw(data: bytes | mmap.mmap | Path) -> bool:
     if isinstance(data, Path):
         with data.open("rb") as file:
             return is_raw(mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ))
-    first = next(_tiff_pages(data), {})
-    preview = _one(first, 254, 0) & 1 or data[8:10] == b"CR"
-    return bool(preview or 50706 in first or _one(first, 262, 1) in (32803, 34892) or _larger_below(data, first))
+    page = next(_tiff_pages(data), {})
+    preview = _value(page, 254, 0) & 1 or data[8:10] == b"CR"
+    return bool(preview or 50706 in page or _value(page, 262, 1) in (32803, 34892) or _has_larger_subpage(data, page))
 
 
-def _larger_below(data: bytes | mmap.mmap, first: Tags) -> bool:
-    """Return True if a subpage (SubIFD) of the first page is larger than the first page."""
+def _has_larger_subpage(data: bytes | mmap.mmap, page: Tags) -> bool:
+    """Return True if a subpage (SubIFD) of a page is larger than the page."""
     order = "<" if data[:2] == b"II" else ">"
     big = struct.unpack_from(f"{order}H", data, 2)[0] == 43
-    below = [_tiff_tags(data, int(at), order, big)[0] for at in first.get(330, ())[:16]]
-    return any(_one(page, 256, 0) * _one(page, 257, 0) > _one(first, 256, 0) * _one(first, 257, 0) for page in below)
+    subpages = [_tiff_tags(data, int(offset), order, big)[0] for offset in page.get(330, ())[:16]]
+    return any(_value(p, 256, 0) * _value(p, 257, 0) > _value(page, 256, 0) * _value(page, 257, 0) for p in subpages)
 
 
 def _tiff_pages(data: bytes | mmap.mmap) -> Iterator[Tags]:
     """Yield the tags of each page as arrays of integers; a tag of another type has an empty array."""
     order, big = _tiff_order(data)
-    seen: set[int] = set()
-    (at,) = struct.unpack_from(f"{order}Q" if big else f"{order}I", data, 8 if big else 4)
-    while at:
-        if at in seen:
+    visited: set[int] = set()
+    (offset,) = struct.unpack_from(f"{order}Q" if big else f"{order}I", data, 8 if big else 4)
+    while offset:
+        if offset in visited:
             raise ValueError("its chain of pages is circular")
-        seen.add(at)
-        tags, at = _tiff_tags(data, at, order, big)
+        visited.add(offset)
+        tags, offset = _tiff_tags(data, offset, order, big)
         yield tags
 
 
@@ -681,67 +680,67 @@ def _tiff_order(data: bytes | mmap.mmap) -> tuple[str, bool]:
     return order, struct.unpack_from(f"{order}H", data, 2)[0] == 43
 
 
-def _tiff_tags(data: bytes | mmap.mmap, at: int, order: str, big: bool) -> tuple[Tags, int]:
-    """Return the tags of the page at position `at`, and the position of the next page."""
+def _tiff_tags(data: bytes | mmap.mmap, offset: int, order: str, big: bool) -> tuple[Tags, int]:
+    """Return the tags of the page at position `offset`, and the position of the next page."""
     tags: Tags = {}
     head, entry, word = ("Q", "HHQ", "Q") if big else ("H", "HHI", "I")
     try:
-        (count,) = struct.unpack_from(order + head, data, at)
-        at += struct.calcsize(head)
+        (count,) = struct.unpack_from(order + head, data, offset)
+        offset += struct.calcsize(head)
         inline = struct.calcsize(word)
         for _ in range(count):
-            tag, kind, number = struct.unpack_from(order + entry, data, at)
-            place, size = at + struct.calcsize("=" + entry), number * _TIFF_TYPES.get(kind, 1)
+            tag, kind, number = struct.unpack_from(order + entry, data, offset)
+            value_offset, size = offset + struct.calcsize("=" + entry), number * _TIFF_TYPES.get(kind, 1)
             if size > inline:
-                (place,) = struct.unpack_from(order + word, data, place)
-            if place + size > len(data):
+                (value_offset,) = struct.unpack_from(order + word, data, value_offset)
+            if value_offset + size > len(data):
                 raise ValueError(f"its tag {tag} claims {size} bytes of a file of {len(data)}")
             if tag not in tags:
                 integers = "u1" if tag == _DESCRIPTION else _TIFF_INTEGERS.get(kind)
-                tags[tag] = np.frombuffer(data, order + (integers or "u1"), number if integers else 0, place)
-            at += struct.calcsize("=" + entry) + inline
-        return tags, int(struct.unpack_from(order + word, data, at)[0])
+                tags[tag] = np.frombuffer(data, order + (integers or "u1"), number if integers else 0, value_offset)
+            offset += struct.calcsize("=" + entry) + inline
+        return tags, int(struct.unpack_from(order + word, data, offset)[0])
     except (struct.error, OverflowError):  # OverflowError: a position exceeds the largest index
         raise ValueError("its pages go beyond its end") from None
 
 
-def _one(tags: Tags, tag: int, default: int) -> int:
+def _value(tags: Tags, tag: int, default: int) -> int:
     return int(tags[tag][0]) if tag in tags and tags[tag].size else default
 
 
 def _tiff_page(data: bytes | mmap.mmap, tags: Tags) -> int:
     """Check that the file can hold a page; return the bytes of memory for decoding it, 0 if it is not compressed."""
-    one, nothing = partial(_one, tags), np.zeros(0, np.uint8)
-    width, height, samples = one(256, 0), one(257, 0), one(277, 1)
+    value, empty = partial(_value, tags), np.zeros(0, np.uint8)
+    width, height, samples = value(256, 0), value(257, 0), value(277, 1)
     pixels(width, height)
-    compression, bits = one(259, 1), int(tags.get(258, nothing).max(initial=1))
-    if one(32997, 1) != 1 or samples > 64 or bits > 64:
+    compression, bits = value(259, 1), int(tags.get(258, empty).max(initial=1))
+    if value(32997, 1) != 1 or samples > 64 or bits > 64:
         raise ValueError(f"it has {samples} samples of {bits} bits a pixel, or pages of several layers")
     if compression not in _COMPRESSIONS:
-        known = ", ".join(dict.fromkeys(_COMPRESSIONS.values()))
-        raise ValueError(f"its compression is of the kind {compression}; save it with {known}")
+        names = ", ".join(dict.fromkeys(_COMPRESSIONS.values()))
+        raise ValueError(f"its compression is of the kind {compression}; save it with {names}")
     tiled = 322 in tags
-    across, down = (one(322, 0), one(323, 0)) if tiled else (width, min(one(278, height), height))
-    if across * down == 0 or across * down > max(4 * width * height, 2**20):
-        raise ValueError(f"it has {width} x {height} pixels in parts of {across} x {down}")
-    most = (across * samples * bits + 7) // 8 * down
+    part_width, part_height = (value(322, 0), value(323, 0)) if tiled else (width, min(value(278, height), height))
+    if part_width * part_height == 0 or part_width * part_height > max(4 * width * height, 2**20):
+        raise ValueError(f"it has {width} x {height} pixels in parts of {part_width} x {part_height}")
+    part_bytes = (part_width * samples * bits + 7) // 8 * part_height
     if compression == 1 and (width * samples * bits + 7) // 8 * height > len(data):
         raise ValueError(f"{width} x {height} pixels without compression are more than the file holds")
-    parts = math.ceil(width / across) * math.ceil(height / down) * (samples if one(284, 1) == 2 else 1)
-    places, sizes = (tags.get(part, nothing) for part in ((324, 325) if tiled else (273, 279)))
+    parts = math.ceil(width / part_width) * math.ceil(height / part_height) * (samples if value(284, 1) == 2 else 1)
+    places, sizes = (tags.get(part, empty) for part in ((324, 325) if tiled else (273, 279)))
     if len(places) < parts or (compression != 1 and len(sizes) < parts):
         raise ValueError(f"it has {min(len(places), len(sizes))} parts; {width} x {height} pixels take {parts}")
     for place, size in zip(places[:parts].tolist(), sizes[:parts].tolist(), strict=False):
         # Deflate data do not state their decompressed size: inflate each part, up to the size that it must have.
-        if compression in DEFLATE and not inflates_within(data[place : place + size], most):
-            raise ValueError(f"a part of it inflates to more than its {most} bytes")
+        if compression in DEFLATE and not inflates_within(data[place : place + size], part_bytes):
+            raise ValueError(f"a part of it inflates to more than its {part_bytes} bytes")
     return 0 if compression == 1 else width * height * (13 + 2 * samples * ((bits + 7) // 8))
 
 
-def inflates_within(part: bytes, most: int, wbits: int = zlib.MAX_WBITS) -> bool:
-    """Return True if deflated bytes inflate to at most `most` bytes, or are damaged (an error when they are read)."""
+def inflates_within(part: bytes, limit: int, wbits: int = zlib.MAX_WBITS) -> bool:
+    """Return True if deflated bytes inflate to at most `limit` bytes, or are damaged (then reading fails)."""
     try:
-        return len(zlib.decompressobj(wbits).decompress(part, most + 1)) <= most
+        return len(zlib.decompressobj(wbits).decompress(part, limit + 1)) <= limit
     except zlib.error:
         return True
 
@@ -764,32 +763,32 @@ def hdf5_below(group: Group, *names: str) -> Dataset:
     return group
 
 
-def hdf5_values(found: Dataset, size: int) -> NDArray[np.generic]:
-    """Return an array of an HDF5 file of `size` bytes; ValueError if it is in another file, or too large for it."""
+def hdf5_values(array: Dataset, size: int) -> NDArray[np.generic]:
+    """Return an array of an HDF5 file of `size` bytes; ValueError if it is in another file or exceeds the limits."""
     import h5py
 
-    if not isinstance(found, h5py.Dataset) or found.external or found.is_virtual or found.dtype.kind not in "iufS":
+    if not isinstance(array, h5py.Dataset) or array.external or array.is_virtual or array.dtype.kind not in "iufS":
         raise ValueError("it must be an array of numbers in the file itself")
-    if found.chunks is None:
-        if found.nbytes > size:
-            raise ValueError(f"it must be stored in one piece, got {found.nbytes} bytes of {size}")
-        return np.asarray(found[()])
+    if array.chunks is None:
+        if array.nbytes > size:
+            raise ValueError(f"it must be stored in one piece, got {array.nbytes} bytes of {size}")
+        return np.asarray(array[()])
     # Memory for the values as float64 with a mask. Below, chunks that inflate to more than their size are refused.
-    afford(3 * max(found.nbytes, 8 * found.size), size)
-    chunk = math.prod(found.chunks) * found.dtype.itemsize
-    filters = found.id.get_create_plist()
+    afford(3 * max(array.nbytes, 8 * array.size), size)
+    chunk = math.prod(array.chunks) * array.dtype.itemsize
+    filters = array.id.get_create_plist()
     kinds = [filters.get_filter(k)[0] for k in range(filters.get_nfilters())]
-    deflate, shuffle, sums = h5py.h5z.FILTER_DEFLATE, h5py.h5z.FILTER_SHUFFLE, h5py.h5z.FILTER_FLETCHER32
-    if len(kinds) != len(set(kinds)) or not {deflate, shuffle, sums}.issuperset(kinds):
+    deflate, shuffling, fletcher = h5py.h5z.FILTER_DEFLATE, h5py.h5z.FILTER_SHUFFLE, h5py.h5z.FILTER_FLETCHER32
+    if len(kinds) != len(set(kinds)) or not {deflate, shuffling, fletcher}.issuperset(kinds):
         raise ValueError("it is compressed in an unknown way")
-    count = math.prod(math.ceil(side / part) for side, part in zip(found.shape, found.chunks, strict=True))
-    if count > size // 16 + 16 or chunk > max(4 * found.nbytes, 2**20):
+    count = math.prod(math.ceil(side / part) for side, part in zip(array.shape, array.chunks, strict=True))
+    if count > size // 16 + 16 or chunk > max(4 * array.nbytes, 2**20):
         raise ValueError(f"it has {count} chunks of {chunk} bytes, of a file of {size}")
-    for k in range(found.id.get_num_chunks() if deflate in kinds else 0):
-        _, part = found.id.read_direct_chunk(found.id.get_chunk_info(k).chunk_offset)
-        if not inflates_within(part[:-4] if kinds[-1] == sums else part, chunk + 4):
+    for k in range(array.id.get_num_chunks() if deflate in kinds else 0):
+        _, part = array.id.read_direct_chunk(array.id.get_chunk_info(k).chunk_offset)
+        if not inflates_within(part[:-4] if kinds[-1] == fletcher else part, chunk + 4):
             raise ValueError(f"a part of it inflates to more than its {chunk} bytes")
-    return np.asarray(found[()])
+    return np.asarray(array[()])
 
 
 @contextmanager

@@ -59,29 +59,29 @@ def examples(
         if name not in files:
             raise ValueError(f"NAMES must be names of examples, got {shown(name)}; {_suggest(name, files)}")
     copies = {folder / files[name].name: files[name].read_bytes() for name in stems}
-    present = [path for path in copies if path.exists()]
-    for path in present:
+    existing = [path for path in copies if path.exists()]
+    for path in existing:
         if path.is_dir() or path.read_bytes() != copies[path]:
             raise FileExistsError(errno.EEXIST, "File exists and differs from the example", str(path))
     folder.mkdir(parents=True, exist_ok=True)
-    with atomic.whole_files() as put:
-        for path in copies.keys() - present:
-            put(path, copies[path])
-    report = written(path for path in copies if path not in present)
-    return Report(report.facts, [*report.parts, *(f"{path} is already there, unchanged" for path in present)])
+    with atomic.whole_files() as write:
+        for path in copies.keys() - existing:
+            write(path, copies[path])
+    report = written(path for path in copies if path not in existing)
+    return Report(report.facts, [*report.parts, *(f"{path} is already there, unchanged" for path in existing)])
 
 
-def _list_examples(files: dict[str, Path], words: list[str]) -> Report:
-    """Return the list of the examples that contain all `words`, a table for each kind."""
+def _list_examples(files: dict[str, Path], terms: list[str]) -> Report:
+    """Return the list of the examples that contain all `terms`, a table for each kind."""
     rows: list[dict[str, str]] = []
     tables: dict[str, Table] = {}
     for name, path in files.items():
-        kind, what = KINDS[path.parent.name][0], _title(path)
-        if not all(word in f"{kind} {name} {what}".lower() for word in words):
+        kind, title = KINDS[path.parent.name][0], _title(path)
+        if not all(term in f"{kind} {name} {title}".lower() for term in terms):
             continue
-        rows.append({"name": name, "kind": kind, "what": what})
+        rows.append({"name": name, "kind": kind, "what": title})
         columns = Column(width=max(map(len, files)), no_wrap=True), Column()
-        tables.setdefault(kind, Table(*columns, box=None, pad_edge=False, show_header=False)).add_row(name, what)
+        tables.setdefault(kind, Table(*columns, box=None, pad_edge=False, show_header=False)).add_row(name, title)
     parts: Parts = []
     for kind, table in tables.items():
         parts += [*([""] if parts else []), Text(_HEADINGS[kind], "bold"), table]
@@ -159,7 +159,7 @@ _NOTES = {"HuygensFresnel": "flat, thin lens without the Fresnel approximation",
 
 
 class InfoOptions(Optics):
-    """Options for lens, object and sensor, with a window only for the comparison of models."""
+    """Options for lens, object and sensor; the window is used only to compare two lens models."""
 
     # fmt: off
     shape: int | tuple[int, int] | None = option(type=WINDOW,
@@ -186,7 +186,7 @@ def info(lens: Path = LENS, lens_options: InfoOptions = InfoOptions(), depth: fl
       lommel info phone.toml --object-distance 3m
       lommel info zeiss-63x-1.4-oil.toml --depth 10um
     """
-    from lommel.report import optics  # imported here, as the import takes longer than the list of commands
+    from lommel.report import optics  # imported here, since the other commands do not need this slow import
 
     microscope = microscope_of(lens, depth=depth, **vars(lens_options))
     if microscope is not None:
@@ -198,9 +198,7 @@ def info(lens: Path = LENS, lens_options: InfoOptions = InfoOptions(), depth: fl
 def compare(
     lens: Path = LENS,
     lens_options: Optics = Optics(),
-    figure: Path | None = plot_option(
-        "Figure of the reference, maps of the errors of the others, and slices", "--figure"
-    ),
+    figure: Path | None = plot_option("Figure of the reference, error maps of the other methods, slices", "--figure"),
 ) -> Report:
     """Compare the accuracy and speed of all methods for a lens.
 
@@ -219,7 +217,7 @@ def compare(
     Example:
       lommel compare phone.toml --figure methods.png
     """
-    from lommel.report import optics  # imported here, as the import takes longer than the list of commands
+    from lommel.report import optics  # imported here, since the other commands do not need this slow import
     from lommel.report.image_quality import compare_methods, other_model
 
     instrument = instrument_of(lens, **vars(lens_options))
@@ -238,21 +236,21 @@ def compare(
         if figure is not None:
             from lommel.show import plot
 
-            shown = {_command_line_name(name): answer for name, answer in answers.items()}
+            answers_by_name = {_command_line_name(name): answer for name, answer in answers.items()}
             left_out: dict[str, list[str]] = {}
             for row in rows:
                 if row["method"] not in answers and row["method"] != reference:
                     reason = _reason(row) or f"{HOW[row['sampling']]}, unlike the reference"
                     left_out.setdefault(reason, []).append(_command_line_name(row["method"]))
-            save_figure(plot.compare(shown, _command_line_name(reference), left_out), figure)
-    other = other_model(instrument)
+            save_figure(plot.compare(answers_by_name, _command_line_name(reference), left_out), figure)
+    other_model_facts = other_model(instrument)
     table = table_of(("method", "time", "MSE", "peak error", "error bound"), (), no_wrap=True)
     notes = []
     for row in rows:
         row["name"] = name = _command_line_name(row["method"])
         note = _reason(row) or ("the reference" if row["method"] == reference else _NOTES.get(row["method"], ""))
         if row["method"] == "HuygensFresnel" and instrument.lens.model == "aplanatic":
-            note = "same model, without its expansion in powers of rho"
+            note = "aplanatic model without expansion in powers of the pupil radius"
         if row["sampling"] not in (None, sampling):
             note = f"{HOW[row['sampling']]}; {note}"
         if note:
@@ -269,9 +267,9 @@ def compare(
         "reference": reference,
         "sampling": sampling,
         "rows": rows,
-        "other_model": other,
+        "other_model": other_model_facts,
     }
-    model = f"model: {instrument.lens.model}; {optics.model_in_words(other)}"
+    model = f"model: {instrument.lens.model}; {optics.model_in_words(other_model_facts)}"
     files = written([figure], lambda _: ": the reference, maps of the errors, and slices").parts
     return Report(facts, [Text(instrument.name, "bold"), Wrapped(size), table, *notes, model, *files])
 
@@ -284,7 +282,7 @@ def _reason(row: dict[str, Any]) -> str:
 def _command_line_name(method: str) -> str:
     """Return the command-line name of a method, from the name of its class or from its repr."""
     kind, _, options = method.partition("(")
-    name = next((name for name, one in METHODS.items() if one.__name__ == kind), kind)
+    name = next((name for name, method_class in METHODS.items() if method_class.__name__ == kind), kind)
     return f"{name} ({options}" if options else name
 
 
@@ -298,10 +296,10 @@ def methods() -> Report:
     table = Table(Column("method", no_wrap=True), "description", "options (defaults)", box=None, pad_edge=False)
     rows = []
     for name, kind in METHODS.items():
-        what = (kind.__doc__ or "").partition("\n")[0].replace("``", "").rstrip(".")
+        summary = (kind.__doc__ or "").partition("\n")[0].replace("``", "").rstrip(".")
         options = {item.name: _default(item) for item in dataclasses.fields(kind)}  # type: ignore[arg-type]
-        rows.append({"name": name, "what": what, "options": options})
-        table.add_row(name, what, " ".join(f"{option}={value}" for option, value in options.items()))
+        rows.append({"name": name, "what": summary, "options": options})
+        table.add_row(name, summary, " ".join(f"{option}={value}" for option, value in options.items()))
     return Report({"methods": rows}, [table])
 
 

@@ -46,9 +46,9 @@ COMMANDS = {
 class _Commands(click.Group):
     """Group of all commands, which shortens long error messages."""
 
-    def make_context(self, *args: object, **extra: object) -> click.Context:
+    def make_context(self, *args: object, **options: object) -> click.Context:
         with _short_errors():
-            return super().make_context(*args, **extra)  # type: ignore[arg-type]
+            return super().make_context(*args, **options)  # type: ignore[arg-type]
 
     def invoke(self, ctx: click.Context) -> object:
         with _short_errors():
@@ -118,7 +118,7 @@ def main() -> None:
       lommel deconvolve stack.ome.tif zeiss-63x-1.4-oil.toml -o restored.ome.tif
       lommel retrieve star-*.tif phone.toml --defocus -4 0 4 --read 2
       lommel localize movie.tif zeiss-63x-astigmatic.toml --read 2 -o found.csv
-    """  # noqa: D301 (\b is meant)
+    """  # noqa: D301 (Click keeps the line breaks of a paragraph that begins with \b)
 
 
 def commands() -> dict[str, click.Command]:

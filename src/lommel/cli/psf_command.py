@@ -356,7 +356,7 @@ def _of_field(
 
     return _Product(
         size=f"{rows} x {columns} PSFs of {_size(instrument.window)}",
-        find=partial(field_files.find, holding="" if channels is None else field_files.SEVERAL),
+        find=partial(field_files.find, holding="" if channels is None else field_files.DEPTHS_OR_CHANNELS),
         make=make,
         report=report,
         entitle=lambda axes: axes.set_title(

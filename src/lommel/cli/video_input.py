@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 Frame = TypeVar("Frame")
 
 _DEFAULT_WHITE, _DEFAULT_READ = 5000.0, 3.0  # full well and read noise, electrons, assumed for 8-bit sRGB
-_MIN_BITS = 0.95  # fraction of the entropy of noise: compressed pixels with fewer bits raise a warning
+_MIN_BITS_FRACTION = 0.95  # fraction of the entropy of noise: compressed pixels with fewer bits raise a warning
 _TOP_MARGIN = 1e-5  # difference of white and saturation, as a fraction of white: less than half a 16-bit sRGB step
 _FIT_ABOVE = 0.02  # fraction of white: darker levels are left out of the fit of noise to stored values
 _ROW_SMOOTHING = 6.0  # standard deviation, rows, of the Gaussian that smooths the brightness of rows
@@ -54,9 +54,9 @@ class Coding(NamedTuple):
     encoding: str  # "srgb" or "linear"
     levels: int  # number of integer levels, 0 for floats
     white: float  # electrons at white, in the noise model that includes rounding
-    noise: Noise  # noise of the values that `light` returns
-    saturation: float | None  # saturation level of the values that `light` returns; None if there is none
-    guess: str  # sentence on the noise if it is a guess, or ""
+    noise: Noise  # noise of the values that the method `light` returns
+    saturation: float | None  # saturation level of the values that the method `light` returns, or None
+    guess: str  # sentence for the report if the noise is a guess, otherwise ""
     words: str  # description of the encoding for the report
     facts: Facts
 
@@ -66,45 +66,45 @@ class Coding(NamedTuple):
 
     def noise_bits(self, electrons: float) -> float:
         """Return the entropy of a stored pixel's noise, bits, at a number of electrons, for normal noise."""
-        deviation = math.hypot(math.sqrt(electrons), self.noise.read)
-        ends = np.clip(np.array([electrons - deviation, electrons + deviation]) / self.white, 0.0, 1.0)
+        sigma = math.hypot(math.sqrt(electrons), self.noise.read)
+        ends = np.clip(np.array([electrons - sigma, electrons + sigma]) / self.white, 0.0, 1.0)
         low, high = from_light(ends, self.encoding, np.float64)
         steps = 0.5 * (self.levels - 1) * float(high - low)  # standard deviation in steps between levels
         return max(0.0, math.log2(max(steps, 0.1) * math.sqrt(2.0 * math.pi * math.e)))
 
     def check_compression(self, bits: float | None, electrons: float) -> tuple[Facts, str]:
-        """Return the `bits` a pixel of compressed video (or None) and of noise, and a warning if noise is lost."""
+        """Return (1) the bits per pixel of a compressed video and of its noise, (2) a warning if noise is lost."""
         if bits is None or math.isnan(electrons):
             return {"bits": None, "noise_bits": None}, ""
-        noise, warning = self.noise_bits(electrons), ""
-        if bits < _MIN_BITS * noise:
+        noise_bits, warning = self.noise_bits(electrons), ""
+        if bits < _MIN_BITS_FRACTION * noise_bits:
             warning = (
-                f"Compression leaves {bits:.2g} bits a pixel, but the noise alone has {noise:.2g}: fine texture is "
-                "lost, and depth may be wrong by many standard errors. Record with less compression or none."
+                f"Compression leaves {bits:.2g} bits a pixel, but the noise alone has {noise_bits:.2g}: fine texture "
+                "is lost, and depth may be wrong by many standard errors. Record with less compression or none."
             )
-        return {"bits": bits, "noise_bits": noise}, warning
+        return {"bits": bits, "noise_bits": noise_bits}, warning
 
 
 def equalize_rows(first: Values, second: Values, coding: Coding) -> list[Values]:
-    """Return two frames, the second scaled row by row to a uniform ratio of brightness; saturated pixels are NaN.
+    """Return two frames, the rows of the second scaled to a uniform ratio of brightness; saturated pixels are NaN.
 
-    Flickering lamps make bands under a rolling shutter, and a smooth ratio of exposures cannot follow bands.
+    A rolling shutter records a flickering lamp as bands of rows, which a smooth ratio of exposures cannot represent.
     """
-    light = [frame.astype(np.float32) - np.float32(coding.noise.offset) for frame in (first, second)]
+    frames = [frame.astype(np.float32) - np.float32(coding.noise.offset) for frame in (first, second)]
     limit = math.inf if coding.saturation is None else coding.saturation - float(coding.noise.offset)
-    valid = np.logical_and(*(frame < limit for frame in light))
+    valid = np.logical_and(*(frame < limit for frame in frames))
     if not valid.all():
-        light = [np.where(valid, frame, np.float32(np.nan)) for frame in light]
-    rows = [gaussian_filter1d(np.nansum(frame, axis=1, dtype=np.float64), _ROW_SMOOTHING) for frame in light]
-    bright = np.minimum(*rows) > _DARK_ROW * max(rows[0].mean(), rows[1].mean())
-    if bright.any():
+        frames = [np.where(valid, frame, np.float32(np.nan)) for frame in frames]
+    rows = [gaussian_filter1d(np.nansum(frame, axis=1, dtype=np.float64), _ROW_SMOOTHING) for frame in frames]
+    equalized = np.minimum(*rows) > _DARK_ROW * max(rows[0].mean(), rows[1].mean())
+    if equalized.any():
         ratio = np.ones(len(rows[0]))
-        np.divide(rows[1], rows[0], out=ratio, where=bright)
-        ratio[bright] *= rows[0][bright].sum() / rows[1][bright].sum()
-        light[1] *= (1.0 / np.clip(ratio, 0.5, 2.0)).astype(np.float32)[:, None]
-    for frame in light:
+        np.divide(rows[1], rows[0], out=ratio, where=equalized)
+        ratio[equalized] *= rows[0][equalized].sum() / rows[1][equalized].sum()
+        frames[1] *= (1.0 / np.clip(ratio, 0.5, 2.0)).astype(np.float32)[:, None]
+    for frame in frames:
         frame += np.float32(coding.noise.offset)
-    return light
+    return frames
 
 
 def coding_of(
@@ -132,10 +132,10 @@ def coding_of(
     value_of_white = 1.0 if encoding_used == "srgb" or dtype.kind == "f" else float(np.iinfo(str(dtype)).max)
     stored_white, stored_read = stored_noise(white, read, levels, encoding_used)
     bits = "float" if dtype.kind == "f" else f"{levels.bit_length() - 1}-bit"
-    label, other = ("sRGB", "linear") if encoding_used == "srgb" else ("linear", "sRGB")
-    words = f"{bits} values, {label}"
+    label, other_label = ("sRGB", "linear") if encoding_used == "srgb" else ("linear", "sRGB")
+    text = f"{bits} values, {label}"
     if encoding is None:
-        words = f"{bits} values, assumed {label}; if they are {other}, give --encoding {other.lower()}"
+        text = f"{bits} values, assumed {label}; if they are {other_label}, give --encoding {other_label.lower()}"
     guess = ""
     if is_guess:
         source = f"by default; give {' and '.join(assumed)}" if assumed else "as stated"
@@ -143,16 +143,16 @@ def coding_of(
             f"The noise of 8-bit sRGB values is a guess, because cameras denoise and compress them: {white:g} "
             f"electrons at white, read noise {read:g} electrons ({source}), and rounding."
         )
-    facts = {"read": words, "white": white, "read_noise": read, "noise_is_a_guess": is_guess, "assumed": assumed}
+    facts = {"read": text, "white": white, "read_noise": read, "noise_is_a_guess": is_guess, "assumed": assumed}
     saturation = None if video_noise.saturation is None else video_noise.saturation * value_of_white
     if levels:
         saturation = min(math.inf if saturation is None else saturation, (1.0 - _TOP_MARGIN) * value_of_white)
     noise = Noise(white=stored_white / value_of_white, read=stored_read, offset=offset * value_of_white)
-    return Coding(encoding_used, levels, stored_white, noise, saturation, guess, words, facts)
+    return Coding(encoding_used, levels, stored_white, noise, saturation, guess, text, facts)
 
 
 def stored_noise(white: float, read: float, levels: int, encoding: str) -> tuple[float, float]:
-    """Return electrons at white and read noise, electrons, of linear light after rounding to `levels`, 0 for floats.
+    """Return (1) electrons at white and (2) read noise, electrons, both with rounding to `levels` (0: no rounding).
 
     Rounding adds a twelfth of the squared step to the variance. The squared step of sRGB grows with the light, so
     that the total variance is nearly linear in the light: both values follow from a least-squares line.
@@ -163,8 +163,8 @@ def stored_noise(white: float, read: float, levels: int, encoding: str) -> tuple
         return white, math.hypot(read, white / (levels - 1) / math.sqrt(12.0))
     light = to_light("levels", np.linspace(0.0, 1.0, levels), "srgb", np.float64)
     variance = light / white + (read / white) ** 2 + np.gradient(light) ** 2 / 12.0
-    bright = light > _FIT_ABOVE
-    terms = np.stack([light, np.ones_like(light)], axis=1)[bright] / variance[bright, None]
+    fitted = light > _FIT_ABOVE
+    terms = np.stack([light, np.ones_like(light)], axis=1)[fitted] / variance[fitted, None]
     slope, constant = np.linalg.lstsq(terms, np.ones(len(terms)), rcond=None)[0].tolist()
     return 1.0 / slope, math.sqrt(max(constant, 0.0)) / slope
 

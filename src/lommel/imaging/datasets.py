@@ -24,7 +24,7 @@ import numpy as np
 
 from lommel.base import atomic, reading, validation
 from lommel.base.arrays import Array, Json, Values
-from lommel.base.atomic import of_bytes, of_file, plain
+from lommel.base.atomic import plain, size_and_checksum_of_bytes, size_and_checksum_of_file
 from lommel.base.encoding import ENCODINGS, from_light
 from lommel.base.optional import library
 from lommel.base.options import shares
@@ -393,7 +393,7 @@ def _create_folder(folder: Path, record: Json) -> None:
             raise ValueError(f"{validation.line(folder)} must be a new or empty folder, or an incomplete data set")
         folder.mkdir(parents=True, exist_ok=True)
         # FileExistsError: another call created the same data set at the same time.
-        with suppress(FileExistsError), atomic.temporary_for(file, new=True) as place:
+        with suppress(FileExistsError), atomic.temporary_for(file, exclusive=True) as place:
             place.write_text(json.dumps(record, indent=1), encoding="utf-8")
     if not isinstance(existing := _read(file), dict):
         raise ValueError(
@@ -422,7 +422,7 @@ def _complete_pictures(folder: Path, shard: int | None, total: int) -> Iterator[
             facts = _read(folder / f"{number:06d}.json")
             with suppress(FileNotFoundError):
                 if isinstance(facts, dict) and all(
-                    of_file(folder / f"{number:06d}.{name}") == checksum
+                    size_and_checksum_of_file(folder / f"{number:06d}.{name}") == checksum
                     for name, checksum in facts.get("files", {"": ""}).items()
                 ):
                     yield number, facts
@@ -450,7 +450,10 @@ def _in_tar(path: Path, numbers: Sequence[int]) -> Iterator[tuple[int, Json]]:
 
             for number in numbers:
                 facts = reading.json(content(number, "json"))
-                if any(of_bytes(content(number, name)) != checksum for name, checksum in facts["files"].items()):
+                if any(
+                    size_and_checksum_of_bytes(content(number, name)) != checksum
+                    for name, checksum in facts["files"].items()
+                ):
                     raise ValueError(f"the files of picture {number} were changed after they were written")
                 yield number, facts
     except (tarfile.TarError, KeyError, AssertionError, ValueError) as error:
@@ -468,7 +471,7 @@ def _render_missing(
         where = folder if shard is None else folder / _PARTS
         where.mkdir(exist_ok=True)
         # Several pictures may have the same photo: its checksum is computed once.
-        complete, checksum_of = set(), cache(of_file)
+        complete, checksum_of = set(), cache(size_and_checksum_of_file)
         for number, facts in _complete_pictures(folder, shard, total):
             for file, checksum in zip(pairs[number // job.copies], facts["checksums"], strict=True):
                 if checksum_of(file) != checksum:
@@ -632,7 +635,7 @@ def _render(job: _Job, number: int, photo: Path, depth: Path) -> tuple[dict[str,
     """Render a picture; return the contents of its files by name (the JSON file last), and the facts."""
     random = np.random.default_rng([job.seed, number])
     lens, pixel = job.lenses.draw(random)
-    checksums = [of_file(photo), of_file(depth)]
+    checksums = [size_and_checksum_of_file(photo), size_and_checksum_of_file(depth)]
     picture = read_photo(photo, job.encoding)
     light = picture.light(job.settings.dtype)
     metres = read_depth(depth, shape=light.shape, **vars(job.values))
@@ -685,7 +688,7 @@ def _render(job: _Job, number: int, photo: Path, depth: Path) -> tuple[dict[str,
             files["index.png"] = png_of_16_bits(index, None, 1)
             files["psfs.npz"] = atomic.contents(np.savez_compressed, defocus=defocus, psfs=psfs)
     # The JSON file is written last: it lists the checksums of the other files.
-    facts_with_checksums = facts | {"files": {name: of_bytes(data) for name, data in files.items()}}
+    facts_with_checksums = facts | {"files": {name: size_and_checksum_of_bytes(data) for name, data in files.items()}}
     files["json"] = json.dumps(facts_with_checksums, indent=1).encode()
     return files, facts
 

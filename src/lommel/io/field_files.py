@@ -22,14 +22,14 @@ from lommel.measures.psf_like import ColourPSFLike, PSFGridLike, is_psf
 from lommel.optics.colour.spectrum import Channels
 
 _KEY = "field"  # key of the positions of the PSFs in a description
-SEVERAL = "at several distances or in channels"
+DEPTHS_OR_CHANNELS = "at several distances or in channels"
 
 ChannelPSFs = tuple[Channels, tuple[Made, ...]]
 """Channels, and the PSFs of each channel."""
 
 
 def _read(source: Path, kind: Callable[..., Made]) -> tuple[Made | ChannelPSFs[Made], Description]:
-    """Read a file; return its PSFs ``kind(...)`` and its description."""
+    """Read a file; return (1) its PSFs, which `kind` builds, with their channels if any, and (2) its description."""
     form = psf_files.find(source, verb="read")
     return psf_files.read(form, source, "a grid of PSFs", partial(_rebuild, kind=kind))
 
@@ -37,7 +37,7 @@ def _read(source: Path, kind: Callable[..., Made]) -> tuple[Made | ChannelPSFs[M
 def _rebuild(
     arrays: Arrays, description: Description, kind: Callable[..., Made]
 ) -> tuple[Made | ChannelPSFs[Made], Description]:
-    """Return the PSFs ``kind(...)`` from their arrays and description, and the description."""
+    """Return (1) the PSFs that `kind` builds from arrays and a description, and (2) the description."""
     if "channels" in description:
         return psf_files.rebuild_colours(arrays, description, kind), description
     return psf_files.rebuild(arrays, description, kind), description
@@ -59,7 +59,7 @@ def _grid_format(form: Format) -> Format:
     def write(grid: PSFGridLike, description: Description, target: Path) -> None:
         psf_files.write(form, target, grid.psf, description)
 
-    return replace(form, kind="field", write=write, read=_read, holds=(*form.holds, SEVERAL))
+    return replace(form, kind="field", write=write, read=_read, holds=(*form.holds, DEPTHS_OR_CHANNELS))
 
 
 def _write_zarr(grid: PSFGridLike, description: Description, target: Path) -> None:
@@ -83,15 +83,15 @@ def _write_zarr(grid: PSFGridLike, description: Description, target: Path) -> No
         layout = Layout(values.shape, chunk, values.dtype.str, grid.dims)
         ZarrArray(folder / "values", layout).create(values=values)
         for name in grid.dims:
-            at = coordinates[name]
-            array = ZarrArray(folder / name, Layout(at.shape, at.shape, at.dtype.str, (name,)))
-            array.create(attributes={"units": units.get(name, grid.unit)}, values=at)
+            axis = coordinates[name]
+            array = ZarrArray(folder / name, Layout(axis.shape, axis.shape, axis.dtype.str, (name,)))
+            array.create(attributes={"units": units.get(name, grid.unit)}, values=axis)
 
     atomic.write_folder(target, fill)
 
 
 def _read_zarr(source: Path, kind: Callable[..., Made]) -> tuple[Made | ChannelPSFs[Made], Description]:
-    """Read a Zarr folder; return its PSFs ``kind(...)`` and its description."""
+    """Read a Zarr folder; return its PSFs and its description as :func:`_read` does."""
     if not source.exists():
         raise FileNotFoundError(2, os.strerror(2), str(source))
     with psf_files.as_file_error(source, "a grid of PSFs"):
@@ -102,7 +102,7 @@ def _read_zarr(source: Path, kind: Callable[..., Made]) -> tuple[Made | ChannelP
 registry.register(
     Format("field", (".tif", ".tiff"), _write_tiff, _read, library="tifffile",
            what="OME-TIFF, one page per PSF", readers="Fiji, Bio-Formats, napari"),
-    Format("field", (".zarr",), _write_zarr, _read_zarr, holds=(SEVERAL,),
+    Format("field", (".zarr",), _write_zarr, _read_zarr, holds=(DEPTHS_OR_CHANNELS,),
            what="Zarr version 3", readers="zarr, xarray"),
     *(_grid_format(form) for form in registry.formats("psf") if form.write not in psf_files.PICTURES),
 )  # fmt: skip
@@ -134,8 +134,8 @@ def save(grid: PSFGridLike, path: str | PathLike[str]) -> None:
     Raises
     ------
     ValueError
-        If the suffix is unknown, for derivatives in a format without them or in channels, for distances or channels
-        in OME-TIFF, or if the path of a ``.zarr`` exists and is not a Zarr store.
+        If the suffix is unknown; if the format cannot store the derivatives, distances or channels of the grid; for
+        derivatives with channels; for ``.zarr``, if each PSF has its own center or `path` is no Zarr store.
     ImportError
         If tifffile, astropy or h5py is not installed.
     OSError
@@ -143,9 +143,9 @@ def save(grid: PSFGridLike, path: str | PathLike[str]) -> None:
     """
     psf = grid.psf
     if isinstance(psf, ColourPSFLike):
-        description, form = psf_files.describe_colours(psf), find(path, holding=SEVERAL)
+        description, form = psf_files.describe_colours(psf), find(path, holding=DEPTHS_OR_CHANNELS)
     else:
-        contents = "" if grid.depths is None else SEVERAL
+        contents = "" if grid.depths is None else DEPTHS_OR_CHANNELS
         form = find(path, holding="with derivatives" if psf.derivatives else contents)
         description = psf_files.describe(psf)
     field: Description = {"x": grid.x.tolist(), "y": grid.y.tolist(), "sensor": list(grid.sensor)}
@@ -157,9 +157,9 @@ def save(grid: PSFGridLike, path: str | PathLike[str]) -> None:
 def load(
     path: str | PathLike[str], kind: Callable[..., Made]
 ) -> tuple[Made | ChannelPSFs[Made], Array, Array, tuple[float, float], Array | None]:
-    """Read a grid of PSFs; return PSFs ``kind(...)`` or channels and their PSFs, x, y, sensor size, and distances.
+    """Read a grid of PSFs; return (1) PSFs, (2) x, (3) y, (4) the sensor size (height, width), (5) distances.
 
-    Distances are None for a grid at a single distance.
+    `kind` builds the PSFs; in colour they are (channels, PSFs of each channel). At a single distance (5) is None.
     """
     form, source = find(path, verb="read"), Path(path)
     psf, description = form.read(source, kind)
@@ -172,7 +172,8 @@ def load(
         depths = field.get("depths")
         if depths is not None:
             depths = np.array([np.inf if s is None else validation.real("depths", s, above=0.0) for s in depths])
-        any_channel, shape = psf[1][0] if isinstance(psf, tuple) else psf, (y.size, x.size)
-        if any_channel.pupil.shape != shape + (() if depths is None else depths.shape):
-            raise ValueError(f"its positions have the shape {shape}, its PSFs {any_channel.pupil.shape}")
+        one_psf = psf[1][0] if isinstance(psf, tuple) else psf
+        shape = (y.size, x.size) + (() if depths is None else depths.shape)
+        if one_psf.pupil.shape != shape:
+            raise ValueError(f"its positions and distances have the shape {shape}, its PSFs {one_psf.pupil.shape}")
     return psf, x, y, (height, width), depths

@@ -1,6 +1,6 @@
 """FITS images and tables, plain or compressed by gzip or bzip2; sizes are checked before any decoding.
 
-A "card" is an entry of a FITS header: a keyword, a value and a comment.
+A "unit" (HDU) of a file is a header with its data; a "card" is an entry of a header: keyword, value and comment.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ _MAX_AXES = 16
 _BLOCK, _MAX_HEADER = 2880, 2**20  # bytes; headers and data fill whole blocks (FITS standard 4.0, 3.1)
 _SIZE_CARD = re.compile(rb"(BITPIX  |NAXIS\d* *|PCOUNT  |GCOUNT  )= +(-?\d{1,12})\b")
 _END_CARD = re.compile(rb"^(?:.{80})*END {77}", re.DOTALL)
-_FACTOR = 4  # memory for reading the values / size of the decompressed file
+_MEMORY_FACTOR = 4  # memory for reading the values / size of the decompressed file
 
 
 Cards: TypeAlias = Mapping[str, Any]
@@ -56,7 +56,7 @@ def write(images: Sequence[tuple[Values, Cards]]) -> bytes:
         unit = fits.ImageHDU(stored) if file else fits.PrimaryHDU(stored)
         for name, value in cards.items():
             unit.header[name] = value
-        unit.add_checksum(when="of what follows")  # a fixed comment instead of the time of writing
+        unit.add_checksum(when="by lommel")  # a fixed comment instead of the time of writing
         file.append(unit)
     return atomic.contents(file.writeto)
 
@@ -65,28 +65,27 @@ def packed(write: Callable[..., bytes]) -> Callable[..., bytes]:
     """Return a function that compresses the result of `write` by gzip, without a time stamp."""
 
     def write_packed(*args: object) -> bytes:
-        plain = write(*args)
-        compressed = gzip.compress(plain, 6, mtime=0)
-        # A file that this package would refuse to read, because it is compressed too much, is stored uncompressed.
-        return (
-            compressed if reading.affords(_FACTOR * len(plain), len(compressed)) else gzip.compress(plain, 0, mtime=0)
-        )
+        contents = write(*args)
+        compressed = gzip.compress(contents, 6, mtime=0)
+        # Level 0 (no compression) if reading would refuse the file, since it is compressed too much.
+        is_readable = reading.affords(_MEMORY_FACTOR * len(contents), len(compressed))
+        return compressed if is_readable else gzip.compress(contents, 0, mtime=0)
 
     return write_packed
 
 
-def read(data: bytes, most: int) -> list[Image]:
-    """Return the images of a file; ValueError if it has no image, or more than `most` values in total."""
+def read(data: bytes, max_values: int) -> list[Image]:
+    """Return the images of a file; ValueError if it has no image, or more than `max_values` values in total."""
     from astropy.io import fits
 
-    plain = _decompress(data)
+    contents = _decompress(data)
     images, total, primary = list[Image](), 0, Json()
     with warnings.catch_warnings():
         # Ignore warnings about comments that are not ASCII and about cards that are not standard.
         warnings.simplefilter("ignore")
         warnings.filterwarnings("error", ".*truncated")
         # The sizes in each header are checked before its data are read.
-        with fits.open(io.BytesIO(plain), memmap=False, disable_image_compression=True) as file:
+        with fits.open(io.BytesIO(contents), memmap=False, disable_image_compression=True) as file:
             for number, unit in enumerate(file):
                 header, cards = unit.header, Json()
                 for card in header.cards:
@@ -97,10 +96,13 @@ def read(data: bytes, most: int) -> list[Image]:
                     continue  # a table, or a header without data
                 sides = [header[f"NAXIS{k + 1}"] for k in range(min(header["NAXIS"], _MAX_AXES))]
                 total += math.prod(sides)
-                if min(sides) < 1 or total > most or math.prod(sides) * abs(header["BITPIX"]) > 8 * len(plain):
-                    raise ValueError(
-                        f"it states {' x '.join(map(str, sides))} values, more than the file holds or than {most}"
-                    )
+                if (
+                    min(sides) < 1
+                    or total > max_values
+                    or math.prod(sides) * abs(header["BITPIX"]) > 8 * len(contents)
+                ):
+                    count = " x ".join(map(str, sides))
+                    raise ValueError(f"it states {count} values, more than the file holds or than {max_values}")
                 values = np.asarray(unit.data, unit.data.dtype.newbyteorder("="))
                 images.append(Image(values, cards, number, primary))
     if not images:
@@ -116,29 +118,29 @@ def only(images: Sequence[Image], name: str | None) -> Image:
     if name is None and len(images) == 1:
         return images[0]
     extnames = [str(image.header.get("EXTNAME", "")).strip().upper() for image in images]
-    versions = [f"{own},{image.header.get('EXTVER', 1)}" for own, image in zip(extnames, images, strict=True)]
+    versions = [f"{extname},{image.header.get('EXTVER', 1)}" for extname, image in zip(extnames, images, strict=True)]
     key = "" if name is None else name.upper().replace(" ", "")
     fitting = [
         image
-        for image, own, version in zip(images, extnames, versions, strict=True)
-        if key and key in (own, version, str(image.number))
+        for image, extname, version in zip(images, extnames, versions, strict=True)
+        if key and key in (extname, version, str(image.number))
     ]
     if len(fitting) == 1:
         return fitting[0]
     names = [
-        own
-        if own and extnames.count(own) == 1
+        extname
+        if extname and extnames.count(extname) == 1
         else version
-        if own and versions.count(version) == 1
+        if extname and versions.count(version) == 1
         else str(image.number)
-        for image, own, version in zip(images, extnames, versions, strict=True)
+        for image, extname, version in zip(images, extnames, versions, strict=True)
     ]
-    texts = [f"[{own}] of {' x '.join(map(str, one.values.shape))}" for own, one in zip(names, images, strict=True)]
+    texts = [f"[{name}] of {' x '.join(map(str, i.values.shape))}" for name, i in zip(names, images, strict=True)]
     listed = ", ".join(texts[:4]) + (f" and {len(texts) - 4} more" if len(texts) > 4 else "")
     raise ValueError(f"it holds {len(images)} images, {listed}: name one, as in file.fits[{names[0]}]")
 
 
-def read_columns(data: bytes, most: int) -> list[tuple[str, str, Values]]:
+def read_columns(data: bytes, max_bytes: int) -> list[tuple[str, str, Values]]:
     """Return (name, unit, values) of the numeric columns of the first table of a file; ValueError if it has none."""
     from astropy.io import fits
 
@@ -149,53 +151,53 @@ def read_columns(data: bytes, most: int) -> list[tuple[str, str, Values]]:
             for unit in file:
                 if unit.header.get("XTENSION", "").strip() not in ("BINTABLE", "TABLE"):
                     continue
-                if unit.header["NAXIS1"] * unit.header["NAXIS2"] > most:
-                    raise ValueError(f"its table has more than {most} bytes")
+                if unit.header["NAXIS1"] * unit.header["NAXIS2"] > max_bytes:
+                    raise ValueError(f"its table has more than {max_bytes} bytes")
                 columns = [(c.name, (c.unit or "").strip(), np.asarray(unit.data[c.name])) for c in unit.columns]
-                numeric = [each for each in columns if each[2].ndim == 1 and each[2].dtype.kind in "fiu"]
+                numeric = [column for column in columns if column[2].ndim == 1 and column[2].dtype.kind in "fiu"]
                 return [(name, column_unit, values.astype(np.float64)) for name, column_unit, values in numeric]
     raise ValueError("it holds no table")
 
 
-def is_fits(data: bytes) -> bool:
-    """Return True if data begin like a FITS file, or like a file of any format compressed by gzip or bzip2."""
+def may_be_fits(data: bytes) -> bool:
+    """Return True if data begin like a FITS file, or like any file compressed by gzip or bzip2."""
     return data.startswith((b"SIMPLE  =", *PACKED_STARTS))
 
 
 def _decompress(data: bytes) -> bytes:
-    """Return the contents of a file; a compressed file is decompressed up to the end that its headers imply."""
-    packed, parts, at = data.startswith(PACKED_STARTS), list[bytes](), 0
+    """Return the contents of a file; a compressed file is decompressed only up to the size that its headers state."""
+    is_compressed, parts, offset = data.startswith(PACKED_STARTS), list[bytes](), 0
     source: io.BufferedIOBase = io.BytesIO(data)
-    if packed:
+    if is_compressed:
         source = gzip.GzipFile(fileobj=source) if data.startswith(PACKED_STARTS[0]) else bz2.BZ2File(source)
     try:
         block = source.read(_BLOCK)
-        if packed and not block.startswith(b"SIMPLE"):
+        if is_compressed and not block.startswith(b"SIMPLE"):
             raise ValueError("the compressed file is not a FITS file; decompress it first")
-        while not at or block.startswith(b"XTENSION"):
-            start, cards = at, dict[str, int]()
+        while not offset or block.startswith(b"XTENSION"):
+            start, cards = offset, dict[str, int]()
             while True:
                 parts.append(block)
-                at += _BLOCK
+                offset += _BLOCK
                 for card in (block[k : k + 80] for k in range(0, _BLOCK, 80)):
                     if size := _SIZE_CARD.match(card):
                         cards[size[1].decode().strip()] = int(size[2])
                 if _END_CARD.search(block):
                     break
-                if len(block) < _BLOCK or at - start > _MAX_HEADER:
-                    raise ValueError(f"one of its headers has no END within {at - start} bytes")
+                if len(block) < _BLOCK or offset - start > _MAX_HEADER:
+                    raise ValueError(f"one of its headers has no END within {offset - start} bytes")
                 block = source.read(_BLOCK)
             sides = [abs(cards.get(f"NAXIS{k + 1}", 0)) for k in range(min(cards.get("NAXIS", 0), _MAX_AXES))]
-            values = math.prod(sides) if sides else 0
-            values = abs(cards.get("GCOUNT", 1)) * (abs(cards.get("PCOUNT", 0)) + values)
-            count = -(-values * abs(cards.get("BITPIX", 8)) // 8 // _BLOCK) * _BLOCK
-            at += count
-            if packed:
-                reading.afford(_FACTOR * at, len(data))
-                parts.append(source.read(count))
+            value_count = math.prod(sides) if sides else 0
+            value_count = abs(cards.get("GCOUNT", 1)) * (abs(cards.get("PCOUNT", 0)) + value_count)
+            data_size = -(-value_count * abs(cards.get("BITPIX", 8)) // 8 // _BLOCK) * _BLOCK
+            offset += data_size
+            if is_compressed:
+                reading.afford(_MEMORY_FACTOR * offset, len(data))
+                parts.append(source.read(data_size))
             else:
-                source.seek(at)
+                source.seek(offset)
             block = source.read(_BLOCK)
     except (OSError, EOFError, zlib.error) as error:
         raise ValueError(f"it cannot be decompressed: {error}") from None
-    return b"".join(parts) if packed else data
+    return b"".join(parts) if is_compressed else data

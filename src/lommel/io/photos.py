@@ -40,12 +40,8 @@ Directory = dict[int, Entry]
 
 _FILM_DIAGONAL = math.hypot(36e-3, 24e-3)
 _TYPE_BYTES = {1: 1, 2: 1, 3: 2, 4: 4, 5: 8, 6: 1, 7: 1, 8: 2, 9: 4, 10: 8, 11: 4, 12: 8, 129: 1}  # bytes per type
-_WORD_TYPES = {
-    3: "u2",
-    8: "u2",
-    12: "u8",
-    **dict.fromkeys((4, 5, 9, 10, 11), "u4"),
-}  # types of more than one byte, whose byte order matters
+# Types of more than one byte, whose byte order matters.
+_WORD_TYPES = {3: "u2", 8: "u2", 12: "u8", **dict.fromkeys((4, 5, 9, 10, 11), "u4")}
 _MAX_ENTRY_BYTES, _MAX_ENTRIES, _MAX_EXIF_BYTES = 2**12, 256, 2**16 - 256  # limits of EXIF
 _EXPOSURE_TAG, _GPS_TAG = 0x8769, 0x8825  # tags of the subdirectories with exposure and GPS data
 _COPIED_TAGS = (0x010F, 0x0110, 0x0132, 0x013B, 0x8298)  # make, model, date, artist, copyright
@@ -106,14 +102,14 @@ class Exif:
 def parsed(tags: dict[int, Any], stored: bytes | None) -> Exif:
     """Return the lens data of a photograph from the tags of its exposure directory and from its `stored` EXIF."""
 
-    def known(tag: int) -> float | None:
+    def positive_value(tag: int) -> float | None:
         value = tags.get(tag)
         number = math.nan if value is None else float(value)
         return number if 0.0 < number < math.inf else None
 
     # FocalLength and FocalLengthIn35mmFilm (both in millimetres) and FNumber of EXIF 2.32.
-    focal, film = known(0x920A), known(0xA405)
-    return Exif(focal and 1e-3 * focal, known(0x829D), film and 1e-3 * film, stored and _copy_tags(stored))
+    focal, film = positive_value(0x920A), positive_value(0xA405)
+    return Exif(focal and 1e-3 * focal, positive_value(0x829D), film and 1e-3 * film, stored and _copy_tags(stored))
 
 
 def _copy_tags(stored: bytes) -> bytes | None:
@@ -122,27 +118,27 @@ def _copy_tags(stored: bytes) -> bytes | None:
     order = {b"II*\0": "<", b"MM\0*": ">"}.get(data[:4])
     if order is None or len(data) < 8:
         return None
-    (at,) = struct.unpack_from(order + "I", data, 4)
-    first = _directory(data, at, order)
-    below = {
-        tag: {name: entry for name, entry in _subdirectory(data, first, tag, order).items() if name not in left}
-        for tag, left in _OMITTED_TAGS.items()
+    (offset,) = struct.unpack_from(order + "I", data, 4)
+    first = _directory(data, offset, order)
+    subdirectories = {
+        tag: {name: entry for name, entry in _subdirectory(data, first, tag, order).items() if name not in omitted}
+        for tag, omitted in _OMITTED_TAGS.items()
     }
-    block = _pack_directories({tag: first[tag] for tag in _COPIED_TAGS if tag in first}, below, 8)
+    block = _pack_directories({tag: first[tag] for tag in _COPIED_TAGS if tag in first}, subdirectories, 8)
     return b"II*\0" + struct.pack("<I", 8) + block if 6 < len(block) <= _MAX_EXIF_BYTES else None
 
 
-def _directory(data: bytes, at: int, order: str) -> Directory:
-    """Return the entries of the directory at position `at`; damaged and long entries are skipped."""
+def _directory(data: bytes, offset: int, order: str) -> Directory:
+    """Return the entries of the directory at position `offset`; damaged and long entries are skipped."""
     entries: Directory = {}
-    (count,) = struct.unpack_from(order + "H", data, at) if at + 2 <= len(data) else (0,)
-    for entry in range(at + 2, min(at + 2 + 12 * min(count, _MAX_ENTRIES), len(data) - 11), 12):
-        tag, kind, number, place = struct.unpack_from(order + "HHII", data, entry)
+    (count,) = struct.unpack_from(order + "H", data, offset) if offset + 2 <= len(data) else (0,)
+    for entry in range(offset + 2, min(offset + 2 + 12 * min(count, _MAX_ENTRIES), len(data) - 11), 12):
+        tag, kind, number, value_offset = struct.unpack_from(order + "HHII", data, entry)
         size = number * _TYPE_BYTES.get(kind, 0)
-        place = entry + 8 if size <= 4 else place
-        if 0 < size <= _MAX_ENTRY_BYTES and place + size <= len(data):
+        value_offset = entry + 8 if size <= 4 else value_offset
+        if 0 < size <= _MAX_ENTRY_BYTES and value_offset + size <= len(data):
             word = _WORD_TYPES.get(kind, "u1")
-            values = np.frombuffer(data[place : place + size], order + word)
+            values = np.frombuffer(data[value_offset : value_offset + size], order + word)
             entries[tag] = kind, number, values.astype("<" + word).tobytes()
     return entries
 
@@ -152,40 +148,41 @@ def _subdirectory(data: bytes, first: Directory, tag: int, order: str) -> Direct
     return _directory(data, int.from_bytes(first[tag][2][:4], "little"), order) if tag in first else {}
 
 
-def _pack_directories(first: Directory, below: dict[int, Directory], at: int) -> bytes:
-    """Return the bytes of a directory for the position `at` in a file, followed by its subdirectories."""
-    below = {tag: part for tag, part in below.items() if part}
-    behind = at + len(_pack_entries(first | dict.fromkeys(below, (4, 1, bytes(4))), at))
+def _pack_directories(first: Directory, subdirectories: dict[int, Directory], offset: int) -> bytes:
+    """Return the bytes of a directory for the position `offset` in a file, followed by its subdirectories."""
+    subdirectories = {tag: subdirectory for tag, subdirectory in subdirectories.items() if subdirectory}
+    next_offset = offset + len(_pack_entries(first | dict.fromkeys(subdirectories, (4, 1, bytes(4))), offset))
     parts = b""
-    for tag, part in below.items():
-        first = first | {tag: (4, 1, struct.pack("<I", behind + len(parts)))}
-        parts += _pack_entries(part, behind + len(parts))
-    return _pack_entries(first, at) + parts
+    for tag, subdirectory in subdirectories.items():
+        first = first | {tag: (4, 1, struct.pack("<I", next_offset + len(parts)))}
+        parts += _pack_entries(subdirectory, next_offset + len(parts))
+    return _pack_entries(first, offset) + parts
 
 
-def _pack_entries(found: Directory, at: int) -> bytes:
-    """Return the bytes of a directory for the position `at` in a file; values of over four bytes follow it."""
-    head, rest = struct.pack("<H", len(found)), b""
-    behind = at + 6 + 12 * len(found)
-    for tag, (kind, number, values) in sorted(found.items()):
-        place = values.ljust(4, b"\0")
+def _pack_entries(entries: Directory, offset: int) -> bytes:
+    """Return the bytes of a directory for the position `offset` in a file; values of over four bytes follow it."""
+    head, long_values = struct.pack("<H", len(entries)), b""
+    values_offset = offset + 6 + 12 * len(entries)
+    for tag, (kind, number, values) in sorted(entries.items()):
+        value_field = values.ljust(4, b"\0")
         if len(values) > 4:
-            place = struct.pack("<I", behind + len(rest))
-            rest += values + bytes(len(values) % 2)
-        head += struct.pack("<HHI", tag, kind, number) + place
-    return head + bytes(4) + rest
+            value_field = struct.pack("<I", values_offset + len(long_values))
+            long_values += values + bytes(len(values) % 2)
+        head += struct.pack("<HHI", tag, kind, number) + value_field
+    return head + bytes(4) + long_values
 
 
 def in_tiff(file: bytes, block: bytes) -> bytes:
     """Return a little-endian TIFF file of one page with EXIF added: a new directory is appended to the file."""
-    (at,) = struct.unpack_from("<I", file, 4)
-    (count,) = struct.unpack_from("<H", file, at)
-    rows = (struct.unpack_from("<HHI4s", file, at + 2 + 12 * k) for k in range(count))
-    own: Directory = {tag: (kind, number, place) for tag, kind, number, place in rows}
+    (offset,) = struct.unpack_from("<I", file, 4)
+    (count,) = struct.unpack_from("<H", file, offset)
+    rows = (struct.unpack_from("<HHI4s", file, offset + 2 + 12 * k) for k in range(count))
+    entries: Directory = {tag: (kind, number, place) for tag, kind, number, place in rows}
     file += bytes(len(file) % 2)
     first = _directory(block, 8, "<")
-    below = {tag: _subdirectory(block, first, tag, "<") for tag in _OMITTED_TAGS}
-    return file[:4] + struct.pack("<I", len(file)) + file[8:] + _pack_directories(first | own, below, len(file))
+    subdirectories = {tag: _subdirectory(block, first, tag, "<") for tag in _OMITTED_TAGS}
+    directories = _pack_directories(first | entries, subdirectories, len(file))
+    return file[:4] + struct.pack("<I", len(file)) + file[8:] + directories
 
 
 START = (b"\x76\x2f\x31\x01",)
@@ -202,17 +199,17 @@ def _open_exr(data: bytes) -> Iterator[dict[str, Values]]:
         header = dict(file.header())  # a copy, since the library empties the header when it closes the file
     if header.get("type", exr.scanlineimage) not in (exr.scanlineimage, exr.tiledimage):
         raise ValueError("it is a deep image; flatten it first")
-    window, shown = (
+    window, display_window = (
         [np.asarray(corner, dtype=np.int64).tolist() for corner in header[name]]
         for name in ("dataWindow", "displayWindow")
     )
-    if window != shown:
-        raise ValueError(f"it holds the pixels {window} of {shown} (corners x, y); save it uncropped")
+    if window != display_window:
+        raise ValueError(f"it holds the pixels {window} of {display_window} (corners x, y); save it uncropped")
     (left, top), (right, bottom) = window
     width, height = right - left + 1, bottom - top + 1
     reading.pixels(width, height)
     reading.afford(4.0 * width * height * len(header["channels"]), len(data))
-    if any((each.xSampling, each.ySampling) != (1, 1) for each in header["channels"]):
+    if any((c.xSampling, c.ySampling) != (1, 1) for c in header["channels"]):
         raise ValueError("some of its channels are subsampled; save it as RGB or grey")
     with exr.File(io.BytesIO(data), separate_channels=True) as file:
         yield {name: channel.pixels for name, channel in file.channels().items()}
@@ -256,10 +253,10 @@ def read_depth(data: bytes, _scale: float | None) -> Values:
 def _exr_bytes(channels: dict[str, Values]) -> bytes:
     exr = library("OpenEXR", "EXR files need", "exr")
     header = {"compression": exr.ZIP_COMPRESSION, "type": exr.scanlineimage, "software": f"lommel {version()}"}
-    made = io.BytesIO()
+    buffer = io.BytesIO()
     with exr.File(header, {name: np.ascontiguousarray(plane) for name, plane in channels.items()}) as file:
-        file.write(made)
-    return made.getvalue()
+        file.write(buffer)
+    return buffer.getvalue()
 
 
 def write_exr(values: Values, _quality: int, profile: bytes | None) -> bytes:
@@ -277,7 +274,7 @@ def write_depth(values: Values) -> bytes:
 PNG, JPEG, TIFF = (b"\x89PNG\r\n\x1a\n",), (b"\xff\xd8\xff",), (b"II*\0", b"MM\0*", b"II+\0", b"MM\0+")
 """The first bytes of PNG, JPEG and TIFF files."""
 
-_RAW = (b"FUJIFILMCCD-RAW", b"IIRO", b"IIRS", b"MMOR", b"IIU\0", b"FOVb", b"\0MRM")
+_RAW_STARTS = (b"FUJIFILMCCD-RAW", b"IIRO", b"IIRS", b"MMOR", b"IIU\0", b"FOVb", b"\0MRM")
 _RAW_SUFFIXES = (
     *(".3fr", ".arw", ".cr2", ".cr3", ".crw", ".dcr", ".dng", ".erf", ".fff", ".iiq", ".kdc", ".mef", ".mos", ".mrw"),
     *(".nef", ".nrw", ".orf", ".pef", ".raf", ".rw2", ".rwl", ".sr2", ".srf", ".srw", ".x3f"),
@@ -368,8 +365,8 @@ def read_photo(path: str | PathLike[str], encoding: str | None = None) -> Pictur
     """
     if encoding is not None:
         validation.choice("encoding", encoding, ENCODINGS)
-    values, found, profile = read_raster(path)
-    return Picture(values, encoding or ("linear" if values.dtype.kind == "f" else "srgb"), found, profile)
+    values, exif, profile = read_raster(path)
+    return Picture(values, encoding or ("linear" if values.dtype.kind == "f" else "srgb"), exif, profile)
 
 
 def read_raster(path: str | PathLike[str]) -> tuple[Values, Exif, bytes | None]:
@@ -388,8 +385,8 @@ def recognized(source: Path, kind: str, data: bytes) -> Iterator[Format]:
         form = registry.identify(kind, data)
     except ValueError as error:
         raise PhotoError(f"{validation.line(source)} {error}") from None
-    what = f"a {form.name} photograph" if kind == "photo" else f"a {kind}"
-    with reading.refused_as(PhotoError, source, f"cannot be read as {what}"):
+    file_kind = f"a {form.name} photograph" if kind == "photo" else f"a {kind}"
+    with reading.refused_as(PhotoError, source, f"cannot be read as {file_kind}"):
         yield form
 
 
@@ -404,7 +401,7 @@ def require_developed(source: Path, data: bytes) -> None:
 
 
 def _is_raw(source: Path, data: bytes) -> bool:
-    if source.suffix.lower() in _RAW_SUFFIXES or data.startswith(_RAW) or data[4:12] == b"ftypcrx ":
+    if source.suffix.lower() in _RAW_SUFFIXES or data.startswith(_RAW_STARTS) or data[4:12] == b"ftypcrx ":
         return True
     try:
         return data.startswith(TIFF) and reading.is_raw(data if len(data) > _SIGNATURE_BYTES else source)
@@ -416,14 +413,14 @@ def upright(form: Format, data: bytes) -> tuple[Values, Exif, bytes | None]:
     """Return the values rotated upright, the EXIF and the ICC profile; a warning of Pillow is raised as an error."""
     with warnings.catch_warnings(), reading.quietly():
         warnings.simplefilter("error")
-        values, tags, profile, *stored = form.read(data)
+        values, tags, profile, *block = form.read(data)
         orientation = tags.get(0x0112, 1)
         if orientation not in range(1, 9):
             raise ValueError(f"its EXIF states the orientation {orientation!r}; 1 to 8 have a meaning")
-        down, across, exchanged = _ORIENTATIONS[int(orientation) - 1]
-        values = values[::down, ::across].swapaxes(0, exchanged)
-        found = parsed(tags.get_ifd(0x8769), *stored or [None])
-    return np.ascontiguousarray(values), found, profile
+        row_step, column_step, transposed = _ORIENTATIONS[int(orientation) - 1]
+        values = values[::row_step, ::column_step].swapaxes(0, transposed)
+        exif = parsed(tags.get_ifd(_EXPOSURE_TAG), *block or [None])
+    return np.ascontiguousarray(values), exif, profile
 
 
 def write_photo(
@@ -504,12 +501,12 @@ def stored(light: Values, encoding: str, dtype: DTypeLike) -> tuple[Values, floa
         raise ValueError(f"light must be finite, got {light[~np.isfinite(light)].flat[0]}")
     if kind.kind == "f":
         return from_light(light, encoding, kind), 0.0
-    half = 0.5 / np.iinfo(kind).max
-    within = np.clip(light, 0.0, 1.0)
+    half_level = 0.5 / np.iinfo(kind).max
+    clipped_light = np.clip(light, 0.0, 1.0)
     # Half a level in terms of light: sRGB has the slope 12.92 at black and 1.055 / 2.4 at white.
-    low, high = (half / 12.92, half * 2.4 / 1.055) if encoding == "srgb" else (half, half)
-    clipped = float(np.mean((light < -low) | (light > 1.0 + high)))
-    return from_light(within, encoding, kind), clipped
+    low, high = (half_level / 12.92, half_level * 2.4 / 1.055) if encoding == "srgb" else (half_level, half_level)
+    clipped_fraction = float(np.mean((light < -low) | (light > 1.0 + high)))
+    return from_light(clipped_light, encoding, kind), clipped_fraction
 
 
 def encoded(
@@ -533,33 +530,33 @@ def _decode(opener: Callable[[bytes], Any], data: bytes) -> tuple[Values, Tags, 
             raise ValueError(f"it is an animation of {file.n_frames} frames")
         if file.mode not in ("1", "L", "P", "RGB", "I", "I;16", "LA", "RGBA"):
             raise ValueError(f"its colours are {file.mode}, neither grey nor RGB")
-        deep, grey = file.format == "PNG" and data[24] == 16, file.mode not in ("RGB", "RGBA")
-        mode = file.tile[0][3] if deep else ""
-        if deep and "transparency" in file.info:
+        is_16_bit, grey = file.format == "PNG" and data[24] == 16, file.mode not in ("RGB", "RGBA")
+        mode = file.tile[0][3] if is_16_bit else ""
+        if is_16_bit and "transparency" in file.info:
             raise ValueError(_ALPHA)
         if mode == "LA;16B":  # Pillow keeps only the high bytes; decoded as RGBA, each byte is a channel
             file.tile = [(*file.tile[0][:3], "RGBA")]
         values = _opaque_values(file)
         # The tags of a PNG may follow the image data.
-        more = file.getexif(), file.info.get("icc_profile"), file.info.get("exif")
-    if not deep:
-        return values, *more
+        metadata = file.getexif(), file.info.get("icc_profile"), file.info.get("exif")
+    if not is_16_bit:
+        return values, *metadata
     if grey:
-        return values.astype(np.uint16, copy=False), *more
+        return values.astype(np.uint16, copy=False), *metadata
     if mode == "LA;16B":
         if values[..., 2].min() < 255:
             raise ValueError(_ALPHA)
-        return values[..., 0] * np.uint16(256) + values[..., 1], *more
+        return values[..., 0] * np.uint16(256) + values[..., 1], *metadata
     if mode not in ("RGB;16B", "RGBA;16B"):
         raise ValueError(f"this Pillow reads 16-bit colour as {mode}; save it as TIFF")
     del file  # to save memory
     # Of 16-bit colour Pillow keeps only the high bytes. Decode again in the other byte order to get the low bytes.
     values = values.astype(np.uint16)
     values <<= 8
-    with opener(data) as again:
-        again.tile = [(*again.tile[0][:3], mode.replace("16B", "16L"))]
-        values |= _opaque_values(again)
-    return values, *more
+    with opener(data) as swapped_file:
+        swapped_file.tile = [(*swapped_file.tile[0][:3], mode.replace("16B", "16L"))]
+        values |= _opaque_values(swapped_file)
+    return values, *metadata
 
 
 _ALPHA = (
@@ -571,22 +568,22 @@ _ALPHA = (
 def _opaque_values(image: Image) -> Values:
     """Return the values of a Pillow image, without its alpha, which must be opaque; converts bands to save memory."""
     width, height = image.size
-    plain = {"P": "RGB", "1": "L"}.get(image.mode)
+    mode = {"P": "RGB", "1": "L"}.get(image.mode)
     if "transparency" in image.info:
-        plain = {"P": "RGBA", "RGB": "RGBA"}.get(image.mode, "LA")
-    step, made = max(1, _BAND_PIXELS // width), None
+        mode = {"P": "RGBA", "RGB": "RGBA"}.get(image.mode, "LA")
+    step, values = max(1, _BAND_PIXELS // width), None
     for top in range(0, height, step):
         part = image.crop((0, top, width, min(top + step, height)))
-        band = np.asarray(part.convert(plain) if plain else part)
+        band = np.asarray(part.convert(mode) if mode else part)
         if band.shape[2:] in ((2,), (4,)):
             if band[..., -1].min() < 255:
                 raise ValueError(_ALPHA)
             band = band[..., 0] if band.shape[2] == 2 else band[..., :3]
-        if made is None:
-            made = np.empty((height, *band.shape[1:]), band.dtype)
-        made[top : top + step] = band
-    assert made is not None
-    return made
+        if values is None:
+            values = np.empty((height, *band.shape[1:]), band.dtype)
+        values[top : top + step] = band
+    assert values is not None
+    return values
 
 
 def read_tiff(data: bytes, *, levels: bool = False) -> tuple[Values, Tags, bytes | None, bytes]:
@@ -628,15 +625,15 @@ def read_tiff(data: bytes, *, levels: bool = False) -> tuple[Values, Tags, bytes
 def write_png(values: Values, _quality: int, profile: bytes | None, block: bytes | None = None) -> bytes:
     """Return a PNG file, uncompressed if :mod:`lommel.base.reading` would refuse to inflate the compressed file."""
     bits = 8 * values.dtype.itemsize
-    takes = reading.png_takes(values.shape[0] * values.shape[1], bits, values.ndim == 3)
+    memory = reading.png_takes(values.shape[0] * values.shape[1], bits, values.ndim == 3)
     for level in (6, 0):
         if bits == 16:
-            made = png_of_16_bits(values, profile, level, block)
+            contents = png_of_16_bits(values, profile, level, block)
         else:
-            made = _encode("png", values, profile, block, compress_level=level)
-        if reading.affords(takes, len(made)):
+            contents = _encode("png", values, profile, block, compress_level=level)
+        if reading.affords(memory, len(contents)):
             break
-    return made
+    return contents
 
 
 def _write_jpeg(values: Values, quality: int, profile: bytes | None, block: bytes | None = None) -> bytes:
@@ -663,7 +660,7 @@ def _encode(form: str, values: Values, profile: bytes | None, block: bytes | Non
 def png_of_16_bits(
     values: NDArray[np.uint16], profile: bytes | None, level: int, block: bytes | None = None
 ) -> bytes:
-    """Return a 16-bit PNG, grey or (unlike Pillow) RGB; a row is stored as its difference from the previous one."""
+    """Return a 16-bit PNG, grey or (unlike Pillow) RGB; a row is stored as its difference from the previous row."""
     height, width = values.shape[:2]
     # The filter "up" (PNG, 9.2) stores differences between rows, which deflate compresses better.
     rows = values.astype(">u2").view(np.uint8).reshape(height, -1)
@@ -682,32 +679,32 @@ def png_of_16_bits(
 
 
 def _compress(data: bytes, level: int) -> bytes:
-    """Return compressed data, by run lengths if `level` is 1 and the default strategy does no better on a sample."""
-    part = data[len(data) // 2 :][:_SAMPLE_BYTES]
+    """Return compressed data, by run lengths if `level` is 1 and these compress a sample as well as the default."""
+    sample = data[len(data) // 2 :][:_SAMPLE_BYTES]
 
-    def pressed(what: bytes, strategy: int) -> bytes:
-        found = zlib.compressobj(level, strategy=strategy)
-        return found.compress(what) + found.flush()
+    def compress(part: bytes, strategy: int) -> bytes:
+        compressor = zlib.compressobj(level, strategy=strategy)
+        return compressor.compress(part) + compressor.flush()
 
-    plain = level != 1 or len(pressed(part, zlib.Z_DEFAULT_STRATEGY)) < len(pressed(part, zlib.Z_RLE))
-    return pressed(data, zlib.Z_DEFAULT_STRATEGY if plain else zlib.Z_RLE)
+    use_default = level != 1 or len(compress(sample, zlib.Z_DEFAULT_STRATEGY)) < len(compress(sample, zlib.Z_RLE))
+    return compress(data, zlib.Z_DEFAULT_STRATEGY if use_default else zlib.Z_RLE)
 
 
 def _read_pfm(data: bytes, scale: float | None) -> Values:
     """Return the values of a portable float map, whose first row is the bottom; a scale < 0 means little-endian."""
-    found = _PFM.match(data)
-    if not found:
+    header = _PFM.match(data)
+    if not header:
         raise ValueError("its header is not that of a PFM file")
-    if found[1] != b"Pf":
+    if header[1] != b"Pf":
         raise ValueError("it is in colour; save one channel")
-    width, height, unit = int(found[2]), int(found[3]), float(found[4])
+    width, height, scale_in_header = int(header[2]), int(header[3]), float(header[4])
     reading.pixels(width, height)
-    if unit == 0.0 or (abs(unit) != 1.0 and scale is None):
-        raise ValueError(f"its header states the scale {unit:g}; give `scale`, the metres per unit")
-    body = data[found.end() :]
+    if scale_in_header == 0.0 or (abs(scale_in_header) != 1.0 and scale is None):
+        raise ValueError(f"its header states the scale {scale_in_header:g}; give `scale`, the metres per unit")
+    body = data[header.end() :]
     if len(body) != 4 * width * height:
         raise ValueError(f"{width} x {height} values take {4 * width * height} bytes, got {len(body)}")
-    return np.frombuffer(body, dtype="<f4" if unit < 0.0 else ">f4").reshape(height, width)[::-1]
+    return np.frombuffer(body, dtype="<f4" if scale_in_header < 0.0 else ">f4").reshape(height, width)[::-1]
 
 
 def _read_npy(data: bytes, _scale: float | None) -> Values:
@@ -818,22 +815,22 @@ def write_frames(
     duration = 1000.0 / validation.real("fps", fps, least=1e-3, below=1000.0)
     validation.integer("quality", quality, least=1, most=100)
     if not _NUMBER.search(target.name):
-        kept = list(_check_frames(frames))
-        form = registry.find("frames", target, holding=f"of {kept[0].dtype.name}")
-        atomic.write(target, form.write(kept, duration, quality))
+        stored_frames = list(_check_frames(frames))
+        form = registry.find("frames", target, holding=f"of {stored_frames[0].dtype.name}")
+        atomic.write(target, form.write(stored_frames, duration, quality))
         return [target]
     if not target.parent.is_dir():  # checked before the first frame is computed
         raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), str(target))
-    made, block = [], exif.block if exif is not None and _EXIF in find(target).holds else None
-    with atomic.whole_files() as put:
+    paths, block = [], exif.block if exif is not None and _EXIF in find(target).holds else None
+    with atomic.whole_files() as write:
         for number, frame in enumerate(_check_frames(frames), 1):
-            made.append(target.with_name(target.name % number))
-            put(made[-1], encoded(target, frame, quality, None, block))
-    return made
+            paths.append(target.with_name(target.name % number))
+            write(paths[-1], encoded(target, frame, quality, None, block))
+    return paths
 
 
 def _check_frames(frames: Iterable[Values]) -> Iterable[Values]:
-    first = None
+    first_frame = None
     if not isinstance(frames, Iterable) or getattr(frames, "ndim", 1) == 0 or np.ma.is_masked(frames):
         raise TypeError(f"frames must be arrays, got {validation.shown(frames)}")
     for frame in frames:
@@ -841,14 +838,14 @@ def _check_frames(frames: Iterable[Values]) -> Iterable[Values]:
             raise TypeError(
                 f"frames must be arrays of shape (height, width) or with 3 channels, got {validation.shown(frame)}"
             )
-        first = frame if first is None else first
-        if (frame.shape, frame.dtype) != (first.shape, first.dtype):
+        first_frame = frame if first_frame is None else first_frame
+        if (frame.shape, frame.dtype) != (first_frame.shape, first_frame.dtype):
             raise ValueError(
                 f"frames must have the same shape and type, "
-                f"got {first.shape} {first.dtype} and {frame.shape} {frame.dtype}"
+                f"got {first_frame.shape} {first_frame.dtype} and {frame.shape} {frame.dtype}"
             )
         yield frame
-    if first is None:
+    if first_frame is None:
         raise ValueError("there must be at least one frame")
 
 
@@ -864,17 +861,17 @@ def _write_animation(form: str, frames: list[Values], duration: float, quality: 
 
     if form == "webp" and not features.check("webp"):
         raise ImportError("this Pillow has no WebP; write .png, .gif or .tif")
-    first, *others = map(Image.fromarray, frames)
+    first_image, *other_images = map(Image.fromarray, frames)
     options: Description = {"quality": quality} if form == "webp" else {}
     options["duration"] = duration if form == "png" else round(duration)
-    return atomic.contents(first.save, form, save_all=True, append_images=others, loop=0, **options)
+    return atomic.contents(first_image.save, form, save_all=True, append_images=other_images, loop=0, **options)
 
 
-_DEEP = ("of uint16", "of float32", "of float64")
+_MORE_BITS = ("of uint16", "of float32", "of float64")
 _animated = partial(Format, "frames", library="PIL.Image", holds=(_8,))
 registry.register(
     _animated((".gif",), partial(_write_animation, "gif"), what="256 colours per frame"),
     _animated((".png", ".apng"), partial(_write_animation, "png")),
     _animated((".webp",), partial(_write_animation, "webp")),
-    Format("frames", (".tif", ".tiff"), _write_stack, library="tifffile", holds=(_8, *_DEEP)),
+    Format("frames", (".tif", ".tiff"), _write_stack, library="tifffile", holds=(_8, *_MORE_BITS)),
 )

@@ -156,8 +156,8 @@ class VideoFrames(_ClosingIterator):
         self.dropped = self.refused = self.number = 0
         self.lost: str | None = None
         self._times: deque[float] = deque(maxlen=_MEDIAN_STEPS)
-        self._frames = self._numbered()
-        self._last: int | None = None
+        self._frames = self._number_frames()
+        self._last_number: int | None = None
         try:
             first = next(self._frames, None)
             if first is None:
@@ -167,8 +167,8 @@ class VideoFrames(_ClosingIterator):
             raise
         self.shape, self.dtype = first[1].values.shape, first[1].values.dtype
         self._first: _NumberedFrame | None = first
-        deep = reader.grey and reader.levels > 256
-        self.encoding = "linear" if deep or self.dtype.kind == "f" else "srgb"
+        high_depth = reader.grey and reader.levels > 256
+        self.encoding = "linear" if high_depth or self.dtype.kind == "f" else "srgb"
         self._latest = _LatestFrames(self._frames, self.name) if self.live else None
 
     def __repr__(self) -> str:
@@ -182,35 +182,35 @@ class VideoFrames(_ClosingIterator):
 
     @property
     def interval(self) -> float:
-        """Seconds between frames: the median of the latest intervals, or the stated one if fewer than 3 are known."""
+        """Seconds between frames: the median of the latest intervals, or the stated interval if there are under 3."""
         intervals = list(self._times)
         if len(intervals) > 2:
             return median(intervals)
         return self._reader.interval or min(intervals, default=1.0 / USUAL_RATE)
 
-    def _numbered(self) -> Iterator[_NumberedFrame]:
+    def _number_frames(self) -> Iterator[_NumberedFrame]:
         """Yield frames with numbers, which increase by more than 1 if the times show missing frames."""
         frames = self._reader.frames()
         # Stated rates may be wrong and early frames may be missing: read several frames before numbering the first.
-        waiting, end = deque[VideoFrame](), None
+        queue, error = deque[VideoFrame](), None
         try:
             for frame in islice(frames, _FIRST_FRAMES):
-                waiting.append(frame)
-        except VideoError as error:
-            end = error
-        self._times.extend(step for a, b in pairwise(waiting) if (step := b.time - a.time) > 0.0)
-        number, last = 0, math.nan
-        first = (waiting.popleft() for _ in range(len(waiting)))  # releases each frame when it is yielded
-        for k, frame in enumerate(chain(first, frames)):
-            step = frame.time - last
+                queue.append(frame)
+        except VideoError as fault:
+            error = fault
+        self._times.extend(step for a, b in pairwise(queue) if (step := b.time - a.time) > 0.0)
+        number, last_time = 0, math.nan
+        early_frames = (queue.popleft() for _ in range(len(queue)))  # each frame is released when it is yielded
+        for k, frame in enumerate(chain(early_frames, frames)):
+            step = frame.time - last_time
             if k >= _FIRST_FRAMES and step > 0.0:
                 self._times.append(step)
-            if not math.isnan(last):
+            if not math.isnan(last_time):
                 number += max(1, round(step / self.interval))
-            last = frame.time
+            last_time = frame.time
             yield number, frame
-        if end is not None:
-            raise end
+        if error is not None:
+            raise error
 
     def __next__(self) -> VideoFrame:
         """Return the next frame."""
@@ -220,13 +220,13 @@ class VideoFrames(_ClosingIterator):
                 break
             self.refused += 1
             if self.refused == 1:
-                other, own = (" x ".join(map(str, one[1::-1])) for one in (frame.values.shape, self.shape))
+                size, first_size = (" x ".join(map(str, s[1::-1])) for s in (frame.values.shape, self.shape))
                 self._report(
-                    f"{self.name} has a frame of {other} {frame.values.dtype} at {frame.time:.2f} s, where the first "
-                    f"is of {own} {self.dtype}: such frames are skipped"
+                    f"{self.name} has a frame of {size} {frame.values.dtype} at {frame.time:.2f} s, where the first "
+                    f"is of {first_size} {self.dtype}: such frames are skipped"
                 )
-        self.dropped += 0 if self._last is None else self.number - self._last - 1
-        self._last = self.number
+        self.dropped += 0 if self._last_number is None else self.number - self._last_number - 1
+        self._last_number = self.number
         return frame
 
     def _read(self) -> _NumberedFrame:
@@ -257,10 +257,10 @@ class _LatestFrames:
         self._changed = threading.Condition()
         self._end: BaseException | None = None
         self._stopped = False
-        self._thread = threading.Thread(target=self._run, daemon=True, name=f"frames of {name}")
+        self._thread = threading.Thread(target=self._collect, daemon=True, name=f"frames of {name}")
         self._thread.start()
 
-    def _run(self) -> None:
+    def _collect(self) -> None:
         end: BaseException = StopIteration()
         try:
             for frame in self._frames:
@@ -324,7 +324,7 @@ class FramePairs(_ClosingIterator):
         first = sources[0]
         self.shape, self.dtype, self.levels, self.encoding = first.shape, first.dtype, first.levels, first.encoding
         self.alone = 0
-        self._pairs = self._alternating() if len(sources) == 1 else self._matched()
+        self._pairs = self._pair_alternating() if len(sources) == 1 else self._match_times()
 
     def __repr__(self) -> str:
         height, width = self.shape[:2]
@@ -370,34 +370,34 @@ class FramePairs(_ClosingIterator):
         for one in self.sources:
             one.close()
 
-    def _alternating(self) -> Iterator[FramePair]:
-        """Yield each even-numbered frame with the next one; since dropped frames are counted, near stays first."""
+    def _pair_alternating(self) -> Iterator[FramePair]:
+        """Yield each even-numbered frame with the next; dropped frames are counted, so that near remains first."""
         (source,) = self.sources
-        even: VideoFrame | None = None
-        start = expected = -1
+        near_frame: VideoFrame | None = None
+        first_number = next_number = -1
         for frame in source:
-            start = source.number if start < 0 else start
-            odd = bool((source.number - start) % 2)
-            if odd and even is not None and source.number == expected:
-                yield FramePair(even.values, frame.values, even.time)
-                even = None
+            first_number = source.number if first_number < 0 else first_number
+            is_far = bool((source.number - first_number) % 2)
+            if is_far and near_frame is not None and source.number == next_number:
+                yield FramePair(near_frame.values, frame.values, near_frame.time)
+                near_frame = None
                 continue
-            self.alone += (even is not None) + odd
-            even, expected = None if odd else frame, source.number + 1
-        if even is not None:
+            self.alone += (near_frame is not None) + is_far
+            near_frame, next_number = None if is_far else frame, source.number + 1
+        if near_frame is not None:
             self.alone += 1
             if source.lost is None:
                 self._report(f"{source.name} ends inside a pair: its last frame was skipped")
 
-    def _matched(self) -> Iterator[FramePair]:
+    def _match_times(self) -> Iterator[FramePair]:
         """Yield pairs of frames of two sources whose times differ by at most half the shorter frame interval."""
         first, second = self.sources
         unpaired = 0
         a, b = next(first, None), next(second, None)
         while a is not None and b is not None:
             gap = b.time - a.time
-            near = 0.5 * min(first.interval, second.interval)
-            if abs(gap) <= near:
+            max_gap = 0.5 * min(first.interval, second.interval)
+            if abs(gap) <= max_gap:
                 unpaired = 0
                 yield FramePair(a.values, b.values, a.time)
                 a, b = next(first, None), next(second, None)
@@ -406,17 +406,17 @@ class FramePairs(_ClosingIterator):
             unpaired += 1
             if unpaired == _MAX_UNPAIRED:
                 self._report(
-                    f"no frames of {first.name} and {second.name} are within {1e3 * near:.3g} ms of each other, at "
-                    f"{a.time:.3f} and {b.time:.3f} s: they were not recorded together, or their clocks differ"
+                    f"no frames of {first.name} and {second.name} are within {1e3 * max_gap:.3g} ms of each other, "
+                    f"at {a.time:.3f} and {b.time:.3f} s: they were not recorded together, or their clocks differ"
                 )
             if gap > 0.0:
                 a = next(first, None)
             else:
                 b = next(second, None)
-        for ended, left, frame in ((first, second, b), (second, first, a)):
+        for ended, other, frame in ((first, second, b), (second, first, a)):
             if frame is not None and not ended.live and self.lost is None:
                 self.alone += 1
-                self._report(f"{ended.name} ends before {left.name}, whose frame at {frame.time:.3f} s was skipped")
+                self._report(f"{ended.name} ends before {other.name}, whose frame at {frame.time:.3f} s was skipped")
 
 
 def video_frames(source: Source, *, grey: bool = False, tell: Report | None = None) -> VideoFrames:
@@ -452,11 +452,11 @@ def video_frames(source: Source, *, grey: bool = False, tell: Report | None = No
     if isinstance(source, int | np.integer):
         number = validation.integer("source", source, least=0, most=999)
         return VideoFrames(_CameraReader(number, grey, report), report)
-    if isinstance(source, str) and (found := re.match(r"([a-z]\w*)://", source, re.IGNORECASE)):
-        if found[1].lower() not in _SCHEMES:
-            raise ValueError(f"source must be of {', '.join(_SCHEMES)}, got {validation.shown(found[0])}")
-        named = validation.line(re.sub(r"//[^/@]*@", "//", source))  # removes user name and password
-        return VideoFrames(_PyavReader(source, named, True, grey, report), report)
+    if isinstance(source, str) and (scheme := re.match(r"([a-z]\w*)://", source, re.IGNORECASE)):
+        if scheme[1].lower() not in _SCHEMES:
+            raise ValueError(f"source must be of {', '.join(_SCHEMES)}, got {validation.shown(scheme[0])}")
+        name = validation.line(re.sub(r"//[^/@]*@", "//", source))  # removes user name and password
+        return VideoFrames(_PyavReader(source, name, True, grey, report), report)
     path = validation.path("source", source)
     if path.is_dir() or "%" in path.name:
         return VideoFrames(_ImageReader(path, grey, report), report)
@@ -506,15 +506,13 @@ def frame_pairs(
         raise ValueError(f"frames must come from two sources, or from one with alternating=True, got {got}")
     report = _warner(tell)
     with ExitStack() as stack:
-        opened = tuple(
-            stack.enter_context(video_frames(one, grey=True, tell=report)) for one in (a, b) if one is not None
-        )
-        first, last = opened[0], opened[-1]
-        if (first.shape, first.dtype) != (last.shape, last.dtype):
-            each = " and ".join(f"{one.shape[1]} x {one.shape[0]} {one.dtype}" for one in opened)
-            raise VideoError(f"{first.name} and {last.name} must have frames of one size and type, got {each}")
+        sources = tuple(stack.enter_context(video_frames(x, grey=True, tell=report)) for x in (a, b) if x is not None)
+        first, second = sources[0], sources[-1]
+        if (first.shape, first.dtype) != (second.shape, second.dtype):
+            sizes = " and ".join(f"{source.shape[1]} x {source.shape[0]} {source.dtype}" for source in sources)
+            raise VideoError(f"{first.name} and {second.name} must have frames of one size and type, got {sizes}")
         stack.pop_all()
-        return FramePairs(opened, report)
+        return FramePairs(sources, report)
 
 
 def _warner(tell: Report | None) -> Report:
@@ -543,8 +541,8 @@ class _PyavReader:
         try:
             self._container: InputContainer = self._av.open(source, options=options, timeout=_TIMEOUT)
         except (self._av.FFmpegError, ValueError) as error:
-            cut = source.lower().endswith((".mp4", ".mov", ".m4v")) and Path(source).is_file()
-            hint = "; a file of this kind is unreadable if its end is missing: record to .mkv" if cut else ""
+            is_mp4 = source.lower().endswith((".mp4", ".mov", ".m4v")) and Path(source).is_file()
+            hint = "; a file of this kind is unreadable if its end is missing: record to .mkv" if is_mp4 else ""
             raise VideoError(f"{name} cannot be read as video: {_reason(error)}{hint}") from None
         try:
             self._open()
@@ -563,8 +561,8 @@ class _PyavReader:
         codec.options = {"max_pixels": str(MAX_FRAME)}
         codec.thread_type = "SLICE" if self.live else "AUTO"  # frame threading would delay live frames
         # Trust the stated duration only for these formats, and only without another stream, which may be longer.
-        known = len(self._container.streams) == 1 and re.search("matroska|mp4", self._container.format.name)
-        self._stated = 1e-6 * (self._container.duration or 0) if known and not self.live else 0.0
+        trusted = len(self._container.streams) == 1 and re.search("matroska|mp4", self._container.format.name)
+        self._duration = 1e-6 * (self._container.duration or 0) if trusted and not self.live else 0.0
         rate = self._stream.guessed_rate or self._stream.average_rate
         self.interval = float(1 / rate) if rate else 0.0
         try:
@@ -573,26 +571,28 @@ class _PyavReader:
             raise VideoError(f"{self.name} has an unknown pixel format") from None
         self.levels = 2 ** min(16, max(8, form.components[0].bits))
         self.grey = len(form.components) == 1 and not form.has_palette and not form.name.startswith("bayer")
-        deep, plain = self.levels > 256, self.grey or self._grey
-        self._form = ("gray16le" if deep else "gray") if plain else "rgb48le" if deep else "rgb24"
+        high_depth, to_grey = self.levels > 256, self.grey or self._grey
+        self._form = ("gray16le" if high_depth else "gray") if to_grey else "rgb48le" if high_depth else "rgb24"
 
     def frames(self) -> Iterator[VideoFrame]:
         """Yield all frames."""
         packets = self._packets()
-        reported, faults, number, end = False, 0, 0, 0.0
+        reported, faults, number, end_time = False, 0, 0, 0.0
         # Times of a stream have an arbitrary origin: add the smallest recent (arrival - time), since clocks drift.
-        shifts: deque[float] = deque([] if self.live else [0.0], maxlen=_DELAY_FRAMES)
+        delays: deque[float] = deque([] if self.live else [0.0], maxlen=_DELAY_FRAMES)
         while True:
             try:
                 packet = next(packets)
             except (StopIteration, EOFError):
-                if self._stated - end > max(3.0 * self.interval, _MISSING_FRACTION * self._stated):
-                    raise VideoError(f"{self.name} breaks off at {end:.2f} s of {self._stated:.2f} s") from None
+                if self._duration - end_time > max(3.0 * self.interval, _MISSING_FRACTION * self._duration):
+                    raise VideoError(
+                        f"{self.name} breaks off at {end_time:.2f} s of {self._duration:.2f} s"
+                    ) from None
                 return
             except self._av.FFmpegError as error:
                 raise VideoError(f"{self.name} breaks off after {number} frames: {_reason(error)}") from None
             try:
-                found = packet.decode()
+                decoded = packet.decode()
             except self._av.FFmpegError as error:
                 faults += 1
                 if not reported:
@@ -604,15 +604,15 @@ class _PyavReader:
                     raise VideoError(f"{self.name} is damaged: {_reason(error)}") from None
                 continue
             self._bytes += packet.size
-            for frame in found:
+            for frame in decoded:
                 faults = 0
                 self._pixels += frame.width * frame.height
-                stamp = number * (self.interval or 1.0 / USUAL_RATE) if frame.time is None else frame.time
+                seconds = number * (self.interval or 1.0 / USUAL_RATE) if frame.time is None else frame.time
                 if self.live:
-                    shifts.append(time.monotonic() - stamp)
+                    delays.append(time.monotonic() - seconds)
                 number += 1
-                end = max(end, stamp + self.interval)
-                yield VideoFrame(frame.to_ndarray(format=self._form), stamp + min(shifts))
+                end_time = max(end_time, seconds + self.interval)
+                yield VideoFrame(frame.to_ndarray(format=self._form), seconds + min(delays))
 
     @property
     def bits(self) -> float | None:
@@ -655,13 +655,13 @@ class _CameraReader:
     def frames(self) -> Iterator[VideoFrame]:
         """Yield all frames, with their times of arrival."""
         while self._capture.grab():
-            arrived = time.monotonic()
-            taken, values = self._capture.retrieve()
-            if not taken:
+            arrival_time = time.monotonic()
+            is_valid, values = self._capture.retrieve()
+            if not is_valid:
                 break
             _require_frame_size(self.name, *values.shape[1::-1])
             order = self._cv2.COLOR_BGR2GRAY if self._grey else self._cv2.COLOR_BGR2RGB
-            yield VideoFrame(values if values.ndim == 2 else self._cv2.cvtColor(values, order), arrived)
+            yield VideoFrame(values if values.ndim == 2 else self._cv2.cvtColor(values, order), arrival_time)
         raise VideoError(f"{self.name} gives no more frames: it was unplugged, or stopped")
 
     def close(self) -> None:
@@ -677,11 +677,11 @@ class _ImageReader:
     def __init__(self, path: Path, grey: bool, tell: Report) -> None:
         self.name, self._grey, self._report = validation.line(path), grey, tell
         self._bytes = self._pixels = 0
-        folder, form = (path, r".*?(\d+)\D*\.\w+") if path.is_dir() else (path.parent, _number_pattern(path.name))
-        suffixes = {suffix for one in registry.formats("photo") for suffix in one.suffixes}
-        images = (one for one in folder.iterdir() if one.suffix.lower() in suffixes)
-        found = ((re.fullmatch(form, one.name, re.ASCII), one) for one in images)
-        self._files = sorted((int(match[1]), one) for match, one in found if match)
+        folder, pattern = (path, r".*?(\d+)\D*\.\w+") if path.is_dir() else (path.parent, _number_pattern(path.name))
+        suffixes = {suffix for photo_format in registry.formats("photo") for suffix in photo_format.suffixes}
+        images = (file for file in folder.iterdir() if file.suffix.lower() in suffixes)
+        matches = ((re.fullmatch(pattern, file.name, re.ASCII), file) for file in images)
+        self._files = sorted((int(match[1]), file) for match, file in matches if match)
         if not self._files:
             raise VideoError(f"{self.name} has no numbered images")
         values = self._read(self._files[0][1])
@@ -722,7 +722,7 @@ class _ImageReader:
 
 
 def _number_pattern(name: str) -> str:
-    """Return a regular expression for file names with one number such as %04d."""
+    """Return a regular expression for the file names of a pattern with one number, such as frames-%04d.tif."""
     parts = re.split(r"%0?\d?d", name)
     if len(parts) != 2 or "%" in "".join(parts):
         raise ValueError(f"source must have one number such as %04d and no other %, got {validation.shown(name)}")
@@ -750,7 +750,7 @@ class VideoWriter:
     def __init__(self, path: Path, interval: float, comment: str = "", *, form: str) -> None:
         self._path, self._form, self._comment = path, form, comment
         self._rate = Fraction(min(max(1.0 / interval, 0.1), 1000.0)).limit_denominator(1001)
-        self._last = -1
+        self._last_time = -1
         self._stack = ExitStack()
         self._container: OutputContainer | None = None
 
@@ -765,10 +765,10 @@ class VideoWriter:
             self._open(values)
         assert self._container is not None
         grey = "gray16le" if values.dtype == np.uint16 else "gray"
-        if values.dtype == np.uint8 and (odd := [side % 2 for side in values.shape[:2]]) != [0, 0]:
-            values = np.pad(values, [(0, each) for each in odd] + [(0, 0)] * (values.ndim - 2), mode="edge")
+        if values.dtype == np.uint8 and (padding := [side % 2 for side in values.shape[:2]]) != [0, 0]:
+            values = np.pad(values, [(0, rows) for rows in padding] + [(0, 0)] * (values.ndim - 2), mode="edge")
         frame = av.VideoFrame.from_ndarray(np.ascontiguousarray(values), format="rgb24" if values.ndim == 3 else grey)
-        self._last = frame.pts = max(round(1e3 * seconds), self._last + 1)
+        self._last_time = frame.pts = max(round(1e3 * seconds), self._last_time + 1)
         frame.time_base = Fraction(1, 1000)
         with atomic.as_path_error(self._path):
             self._container.mux(self._stream.encode(frame))
@@ -781,16 +781,16 @@ class VideoWriter:
             atomic.closed(lambda: av.open(str(temporary), "w", format=self._form), self._path)
         )
         container.metadata["comment"] = self._comment
-        deep = values.dtype == np.uint16
-        lossy = "libx264" if "libx264" in av.codecs_available else "mpeg4"
-        options = {"crf": "16", "preset": "veryfast"} if lossy == "libx264" and not deep else {}
-        stream = container.add_stream("ffv1" if deep else lossy, rate=self._rate, options=options)
+        is_16_bit = values.dtype == np.uint16
+        lossy_codec = "libx264" if "libx264" in av.codecs_available else "mpeg4"
+        options = {"crf": "16", "preset": "veryfast"} if lossy_codec == "libx264" and not is_16_bit else {}
+        stream = container.add_stream("ffv1" if is_16_bit else lossy_codec, rate=self._rate, options=options)
         assert isinstance(stream, av.VideoStream)
         height, width = values.shape[:2]
-        stream.height, stream.width = (height, width) if deep else (height + height % 2, width + width % 2)
-        stream.pix_fmt = "gray16le" if deep else "yuv420p"
+        stream.height, stream.width = (height, width) if is_16_bit else (height + height % 2, width + width % 2)
+        stream.pix_fmt = "gray16le" if is_16_bit else "yuv420p"
         stream.codec_context.time_base = Fraction(1, 1000)
-        if lossy == "mpeg4" and not deep:
+        if lossy_codec == "mpeg4" and not is_16_bit:
             stream.bit_rate = 8 * width * height
         self._container, self._stream = container, stream
 

@@ -404,7 +404,7 @@ def _curves(path: _PATH, unit: str | None = None) -> tuple[list[str], Array, Arr
     source = validation.path("path", path)
     try:
         data = reading.contents(source, reading.MAX_TEXT)
-        if fits_images.is_fits(data):
+        if fits_images.may_be_fits(data):
             return _fits_table(fits_images.read_columns(data, reading.MAX_TEXT), unit)
         if len(data) > reading.MAX_LIST:
             raise ValueError(f"is larger than {reading.MAX_LIST} bytes")

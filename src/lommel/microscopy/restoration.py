@@ -752,7 +752,7 @@ class _Target:
     def _is_unchanged(self, request: str, at: Chunk) -> bool:
         assert self.unfinished is not None
         with _zarr_errors(self.unfinished):
-            return self.unfinished.has(_chunk_name(at), request, np.asarray(self._array[at]))
+            return self.unfinished.is_complete(_chunk_name(at), request, np.asarray(self._array[at]))
 
     def put(self, request: str, at: Chunk, values: Values) -> None:
         """Write a chunk, and record its request."""
@@ -762,7 +762,7 @@ class _Target:
         self.unfinished.require_there()
         with _zarr_errors(self.unfinished):
             self._array[at] = values
-        self.unfinished.put(_chunk_name(at), request, values)
+        self.unfinished.record(_chunk_name(at), request, values)
         self._complete_chunks.append((request, at))
 
     def finish(self, description: str, channels: int) -> Any:

@@ -57,10 +57,10 @@ def camera_map(text: str, name: str) -> float | Array:
     if len(images) != 1:
         raise ValueError(f"{flag} must be one image, got {len(images)} in {validation.line(path)}")
     values = np.asarray(images[0], np.float64)
-    if (bad := ~np.isfinite(values)).any():
-        place = ", ".join(map(str, np.argwhere(bad)[0]))
+    if (invalid := ~np.isfinite(values)).any():
+        place = ", ".join(map(str, np.argwhere(invalid)[0]))
         defect = "; mark a defective pixel by a read noise of 1000 electrons" if name == "read" else ""
-        raise ValueError(f"{flag} must be finite, got {values[bad][0]} at ({place}) of {path}{defect}")
+        raise ValueError(f"{flag} must be finite, got {values[invalid][0]} at ({place}) of {path}{defect}")
     return values
 
 
@@ -74,10 +74,10 @@ def mask_of(path: Path, images: Values) -> NDArray[np.bool_]:
             f"--mask must have the shape of the images, {images.shape[1]} x {images.shape[2]}, one or {len(images)}, "
             f"got {len(masks)} of {masks.shape[1]} x {masks.shape[2]}"
         )
-    out = np.asarray(masks != 0)  # NaN, too
-    if out.all():
+    mask = np.asarray(masks != 0)  # NaN, too
+    if mask.all():
         raise ValueError(f"--mask must be 0 where pixels are to be used, got no 0 in {path}")
-    return out[0] if len(out) == 1 else out
+    return mask[0] if len(mask) == 1 else mask
 
 
 IMAGES = argument("images", type=PATH, nargs=-1, required=True)
@@ -148,8 +148,8 @@ _LENS_OPTIONS = "focal_length", "f_number", "wavelength", "focus_distance"
 
 def _with_lens_options(instrument: Instrument, stated: Facts, path: Path) -> Instrument:
     """Return an instrument whose lens has the focal length, f-number, wavelength and focus that options state."""
-    if instrument.aberrations_of_field is not None and (fixed := stated.keys() - {"focus_distance"}):
-        flags = ", ".join(flag_of(name) for name in _LENS_OPTIONS if name in fixed)
+    if instrument.aberrations_of_field is not None and (forbidden := stated.keys() - {"focus_distance"}):
+        flags = ", ".join(flag_of(name) for name in _LENS_OPTIONS if name in forbidden)
         raise ValueError(
             f"{flags} cannot be combined with the section [field] of {path}, which states waves over its own "
             "aperture: edit a copy"
@@ -172,11 +172,11 @@ def _with_lens_options(instrument: Instrument, stated: Facts, path: Path) -> Ins
     )
 
 
-def radial_instrument(lens: Path, what: str = "this command", **options: object) -> Instrument:
+def radial_instrument(lens: Path, user: str = "this command", **options: object) -> Instrument:
     """Return the instrument of a lens file; ValueError if its aberrations vary over the field."""
     instrument = instrument_of(lens, **options)
     if instrument.aberrations_of_field is not None:
-        raise ValueError(f"{lens} has aberrations that vary over the field, which {what} does not support")
+        raise ValueError(f"{lens} has aberrations that vary over the field, which {user} does not support")
     return instrument
 
 
@@ -188,18 +188,18 @@ def _changes(options: Facts) -> Facts:
     return changes | ({"shape": validation.image_shape(changes["shape"])} if "shape" in changes else {})
 
 
-_LENS_ONLY = {
+_LENS_ONLY_OPTIONS = {
     "object_distance": "--depth sets the position of the emitter",
     "focus_distance": "--depth sets the position of the emitter",
     "f_number": "its aperture is the NA of the file",
     "focal_length": "its magnification is that of the file",
-    "field": "its PSF is the on-axis one",
-    "mtf": "use PSF.mtf in Python for that of a stack",
+    "field": "its PSF is the on-axis PSF",
+    "mtf": "use PSF.mtf in Python for the MTF of a stack",
     "colour": "its emitter has one wavelength; use lommel.colour_psf with its pupil",
     "seeing": "there is no atmosphere before it",
     "outer_scale": "there is no atmosphere before it",
     "jitter": "blur its images by lommel.Jitter in Python",
-    "at": "its PSF is that of the axis",
+    "at": "its PSF is the on-axis PSF",
 }
 
 
@@ -213,9 +213,9 @@ def microscope_of(lens: Path, **options: object) -> Microscope | None:
             if name in changes:
                 raise ValueError(f"--{name} is for microscopes, files with a section [objective]; {lens} has none")
         return None
-    for name, instead in _LENS_ONLY.items():
+    for name, advice in _LENS_ONLY_OPTIONS.items():
         if name in changes:
-            raise ValueError(f"{flag_of(name)} is for lenses, and {lens} describes a microscope: {instead}")
+            raise ValueError(f"{flag_of(name)} is for lenses, and {lens} describes a microscope: {advice}")
     microscope = load_microscope(lens)
     if isinstance(changes.get("pixel"), tuple):
         changes["pixel"] = changes["camera"].side  # raises ValueError: the pixels of the camera are not square
@@ -227,15 +227,15 @@ def microscope_of(lens: Path, **options: object) -> Microscope | None:
         stage_step(changes["step"])
     planes = changes.get("planes", microscope.planes)
     if planes > 1 and not changes.get("step", microscope.step):
-        most = format_length(microscope.objective.nyquist(wavelength=microscope.wavelength).axial, digits=3)
-        raise ValueError(f"--stack needs --step, if the file has no stack; Nyquist sampling needs at most {most}")
+        limit = format_length(microscope.objective.nyquist(wavelength=microscope.wavelength).axial, digits=3)
+        raise ValueError(f"--stack needs --step, if the file has no stack; Nyquist sampling needs at most {limit}")
     if "step" in changes and planes == 1:
         raise ValueError("--step needs --stack, if the file has no stack")
     return dataclasses.replace(microscope, **changes)
 
 
 def require_microscope(name: str, lens: Path, **options: object) -> Microscope:
-    """Return the microscope of a file, changed by options; ValueError, with the name of the command, for others."""
+    """Return the microscope of a file, changed by options; ValueError, which names the command, for other files."""
     microscope = microscope_of(lens, **options)
     if microscope is None:
         raise ValueError(f"lommel {name} needs a microscope, a file with a section [objective]; {lens} has none")
@@ -249,33 +249,33 @@ def require_order(order: str, images: Path, lens: Path) -> None:
         raise ValueError(f"the order is {order}, got {line(images)} and then {line(lens)}")
 
 
-_MISSING = {"white": "the number of electrons at white", "read": "the read noise in electrons rms"}
+_QUANTITIES = {"white": "the number of electrons at white", "read": "the read noise in electrons rms"}
 
 
 def _camera_facts(camera: Camera | None) -> Facts:
-    """Return the noise parameters that a camera states, None for others."""
+    """Return the noise parameters of a camera, None where it does not state one; {} without a camera."""
     if camera is None:
         return {}
     excess = camera.excess if camera.excess > 1.0 else None
     return {"white": camera.gain, "read": camera.read, "offset": camera.offset, "excess": excess}
 
 
-def noise_of(given: Facts, camera: Camera | None, *, photographs: bool = False) -> Noise:
-    """Return the noise by the options of a command, completed by the values of the camera.
+def noise_of(options: Facts, camera: Camera | None, *, photographs: bool = False) -> Noise:
+    """Return the noise that the options of a command state, completed by the values of the camera.
 
     Images are in counts. With `photographs` the value 1 is white, and the offset of the camera does not apply.
     """
-    known, values = _camera_facts(camera), {}
+    camera_values, values = _camera_facts(camera), {}
     if photographs:
-        known |= {"white": camera and camera.full_well, "offset": None}
+        camera_values |= {"white": camera and camera.full_well, "offset": None}
     for name in ("white", "read", "offset", "excess"):
-        value = given.get(name)
-        values[name] = known.get(name) if value is None else value
+        value = options.get(name)
+        values[name] = camera_values.get(name) if value is None else value
         if values[name] is None and (name == "read" or (photographs and name == "white")):
-            why = "or a camera that states it, by --camera"
+            source = "or a camera that states it, by --camera"
             if camera is not None:
-                why = f"which {camera.name} does not state"
-            raise ValueError(f"--{name} is missing: {_MISSING[name]}, {why}")
+                source = f"which {camera.name} does not state"
+            raise ValueError(f"--{name} is missing: {_QUANTITIES[name]}, {source}")
     return Noise(**{name: value for name, value in values.items() if value is not None})
 
 
@@ -289,28 +289,28 @@ _EXCESS_NOTE = "; gain and read noise must refer to electrons before multiplicat
 _TOLERANCE = 0.02  # relative difference up to which values count as equal
 
 
-def take_header(given: Facts, header: Found, camera: Camera | None = None) -> list[str]:
-    """Complete gain, read noise, saturation and excess in `given` by the header of images; return notes.
+def take_header(options: Facts, header: Found, camera: Camera | None = None) -> list[str]:
+    """Complete gain, read noise, saturation and excess in `options` by the header of images; return notes.
 
     Options have priority over the camera, and the camera over the header. Notes state header values that differ.
     """
-    known, notes = _camera_facts(camera), []
-    for name, (key, words) in _HEADER_VALUES.items():
+    camera_values, notes = _camera_facts(camera), []
+    for name, (key, phrase) in _HEADER_VALUES.items():
         value = header.get(key)
         if isinstance(value, Unusable):
-            if key != "saturation" and given.get(name) is None and known.get(name) is None:
+            if key != "saturation" and options.get(name) is None and camera_values.get(name) is None:
                 raise ValueError(f"the header of the images states {key} {value.words}: state {name}=")
             notes.append(f"The header of the images states {key} {value.words}, which cannot be used.")
         if not isinstance(value, float):
             continue
-        used = known.get(name) if given.get(name) is None else given[name]
-        if used is None:
-            given[name] = value
+        used_value = camera_values.get(name) if options.get(name) is None else options[name]
+        if used_value is None:
+            options[name] = value
             addition = _EXCESS_NOTE if name == "excess" else ""
-            notes.append(f"Taken from the header of the images: {words.format(value)}{addition}.")
-        elif isinstance(used, float | int) and abs(used - value) > _TOLERANCE * abs(value):
-            notes.append(f"The header of the images states {words.format(value)}; {used:g} was used.")
-    if "unsure" in header and given["white"] is None and known.get("white") is None:
+            notes.append(f"Taken from the header of the images: {phrase.format(value)}{addition}.")
+        elif isinstance(used_value, float | int) and abs(used_value - value) > _TOLERANCE * abs(value):
+            notes.append(f"The header of the images states {phrase.format(value)}; {used_value:g} was used.")
+    if "unsure" in header and options["white"] is None and camera_values.get("white") is None:
         notes.append(
             f"The header of the images states {header['unsure']}, which was not used: it may be electrons per count, "
             "or a setting of the camera; set the gain by its option."
@@ -319,19 +319,19 @@ def take_header(given: Facts, header: Found, camera: Camera | None = None) -> li
 
 
 def header_differences(header: Found, microscope: Microscope, step: float | None = None) -> list[str]:
-    """Return notes on pixel size, emission and `step` in the header of images that differ from the values in use."""
-    known = {
+    """Return notes on header values of images (pixel size, emission, `step`) that differ from the values in use."""
+    comparisons = {
         "pixels of {} in the sample": (header.get("pixel"), microscope.pixel / microscope.objective.magnification),
         "an emission of {}": (next(iter(header.get("emission") or ()), None), microscope.wavelength),
         "planes {} apart": (header.get("step"), step),
     }
     notes = []
-    for words, (value, in_use) in known.items():
+    for phrase, (value, in_use) in comparisons.items():
         if in_use is None or not isinstance(value, float | Unusable):
             continue
         text = value.words if isinstance(value, Unusable) else format_length(value, digits=4)
         if isinstance(value, Unusable) or abs(value - abs(in_use)) > _TOLERANCE * abs(in_use):
-            notes.append(f"The images state {words.format(text)}; {format_length(in_use, digits=4)} was used.")
+            notes.append(f"The images state {phrase.format(text)}; {format_length(in_use, digits=4)} was used.")
     return notes
 
 
@@ -373,14 +373,14 @@ class CameraOptions(Group, heading="Camera and noise"):
         return {name: getattr(self, name) for name in ("white", "read", "offset", "excess")}
 
     def resolve(self, header: Found, camera: Camera | None) -> tuple[Noise, float | None, list[str]]:
-        """Return noise, saturation and notes; options come before the camera, and the camera before the header."""
-        given = self.values() | {"saturation": self.saturation}
-        notes = take_header(given, header, camera)
-        return noise_of(given, camera), given["saturation"], notes
+        """Return (1) noise, (2) saturation, (3) notes; options override the camera, and the camera the header."""
+        options = self.values() | {"saturation": self.saturation}
+        notes = take_header(options, header, camera)
+        return noise_of(options, camera), options["saturation"], notes
 
     def recorded(self, lens: Path, camera: Camera | None, noise: Noise) -> tuple[Facts, str]:
-        """Return gain, offset, read noise and excess of a fit, each with its source, as facts and in words."""
-        known, name = _camera_facts(camera), camera and camera.name
+        """Return gain, offset, read noise and excess of a fit with their sources, (1) as facts, (2) as text."""
+        camera_values, name = _camera_facts(camera), camera and camera.name
         sources = {
             "option": "by the option",
             "camera": f"of {name}, {f'in {lens.name}' if self.camera is None else 'by --camera'}",
@@ -388,19 +388,19 @@ class CameraOptions(Group, heading="Camera and noise"):
             "default": "the default, as neither an option nor a camera states it",
         }
         facts: Facts = {"camera": name}
-        words = []
-        for key, (quantity, unit, usual) in _UNITS.items():
+        texts = []
+        for key, (quantity, unit, default) in _UNITS.items():
             value: Any = getattr(noise, key)
-            by_map, value = isinstance(value, np.ndarray), usual if value is None else value
-            source = "camera" if known.get(key) is not None else "header"
+            by_map, value = isinstance(value, np.ndarray), default if value is None else value
+            source = "camera" if camera_values.get(key) is not None else "header"
             if getattr(self, key) is not None:
                 source = "option"
-            elif source == "header" and key != "read" and not by_map and value == usual:
+            elif source == "header" and key != "read" and not by_map and value == default:
                 source = "default"
             facts[quantity.replace(" ", "_")] = {"value": "a map" if by_map else value, "source": source}
             if key != "excess" or value != 1.0:
-                words.append(f"{quantity} {'by a map' if by_map else f'{value:g}{unit}'} ({sources[source]})")
-        return facts, ", ".join(words)
+                texts.append(f"{quantity} {'by a map' if by_map else f'{value:g}{unit}'} ({sources[source]})")
+        return facts, ", ".join(texts)
 
     def mask(self, images: Values) -> NDArray[np.bool_] | None:
         """Return a mask of the pixels of images to ignore, or None."""
@@ -432,15 +432,15 @@ class SeveralNumbers(Command):
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
         """Join the numbers after ``--defocus`` to one word."""
-        joined: list[str] = []
-        for word, before in zip(args, ["", *args], strict=False):
-            if before == "--defocus" and joined[-1] == before:
-                joined[-1] = f"--defocus={word}"
-            elif joined and joined[-1].startswith("--defocus=") and _is_number(word):
-                joined[-1] += f" {word}"
+        words: list[str] = []
+        for word, previous in zip(args, ["", *args], strict=False):
+            if previous == "--defocus" and words[-1] == previous:
+                words[-1] = f"--defocus={word}"
+            elif words and words[-1].startswith("--defocus=") and _is_number(word):
+                words[-1] += f" {word}"
             else:
-                joined.append(word)
-        return super().parse_args(ctx, joined)
+                words.append(word)
+        return super().parse_args(ctx, words)
 
 
 def _is_number(word: str) -> bool:
@@ -470,7 +470,7 @@ class StarCamera(CameraOptions, heading="Camera and noise"):
 
 def numbers_of(text: str) -> float | list[float]:
     """Return the number in the text of an option, or a list if there are several."""
-    words = text.replace(",", " ").split()
-    if not words or not all(map(_is_number, words)):
+    numbers = text.replace(",", " ").split()
+    if not numbers or not all(map(_is_number, numbers)):
         raise ValueError(f"defocus must be numbers, one for each image, got {text!r}")
-    return float(words[0]) if len(words) == 1 else [float(word) for word in words]
+    return float(numbers[0]) if len(numbers) == 1 else [float(number) for number in numbers]

@@ -82,10 +82,10 @@ class DepthMap(Group):
 
 def depth_facts(distance: NDArray[np.float64]) -> tuple[Facts, Callable[[str], str]]:
     """Return the range and the unknown fraction of a depth map, and a function that formats them with a focus."""
-    known = distance[~np.isnan(distance)]
-    low, high = (float(end(known)) if known.size else math.nan for end in (np.min, np.max))
-    unknown_fraction = 1.0 - known.size / distance.size
-    facts = {"depth": [finite(low), finite(high)] if known.size else [None, None], "depth_unknown": unknown_fraction}
+    valid = distance[~np.isnan(distance)]
+    low, high = (float(end(valid)) if valid.size else math.nan for end in (np.min, np.max))
+    unknown_fraction = 1.0 - valid.size / distance.size
+    facts = {"depth": [finite(low), finite(high)] if valid.size else [None, None], "depth_unknown": unknown_fraction}
     return facts, lambda focus: depth_line(low, high, unknown_fraction, focus)
 
 
@@ -131,7 +131,7 @@ _SINGLE_PHOTO_OPTIONS = ("bits", "pixel_from_exif", "no_exif", "last", "frames",
 
 
 def render(
-    out: Path,
+    folder: Path,
     files: tuple[Path, Path, Path | None],
     focus: float | None,
     pull: Facts,
@@ -151,58 +151,58 @@ def render(
     Settings(**options.settings)
     arguments |= options.settings
     start, rendered = time.perf_counter(), 0
-    done = total = 0
+    finished = total = 0
     failed: list[Facts] = []
     rendered_facts: list[Facts] = []
     try:
         with progress("reading") as status:
-            for picture in render_dataset(photos, depths, out, lenses, on_error="skip", **arguments):
-                done, total = picture.done, picture.total
+            for picture in render_dataset(photos, depths, folder, lenses, on_error="skip", **arguments):
+                finished, total = picture.done, picture.total
                 if picture.failure is None:
                     rendered += 1
                     rendered_facts.append(picture.facts)
-                    status(f"picture {done} of {total}", done / total)
+                    status(f"picture {finished} of {total}", finished / total)
                     continue
                 reason = with_options(picture.failure)
-                if reason not in [earlier["reason"] for earlier in failed]:  # not yet reported for another copy
+                if reason not in [failure["reason"] for failure in failed]:  # not yet reported for another copy
                     click.echo(f"Left out: {reason}", err=True)
                 failed.append({"number": picture.number, **picture.facts, "reason": reason})
     except KeyboardInterrupt:
-        finished_text = f"{done} of {total} pictures are finished" if rendered else "no picture was finished"
+        finished_text = f"{finished} of {total} pictures are finished" if rendered else "no picture was finished"
         click.echo(f"Interrupted: {finished_text}; the same command resumes.", err=True)
         raise
     seconds = time.perf_counter() - start
-    if failed and not done:
+    if failed and not finished:
         raise ValueError(f"no picture could be rendered: {failed[0]['reason']}")
-    facts = {"output": str(out), "rendered": rendered, "seconds": seconds, "failed": failed}
+    facts = {"output": str(folder), "rendered": rendered, "seconds": seconds, "failed": failed}
     text = (
         f"{rendered} pictures rendered in {seconds:.3g} s" if rendered or failed else "all pictures existed already"
     )
-    lines = [text, f"folder {out}"]
+    lines = [text, f"folder {folder}"]
     if rendered_facts:
-        shares = [each["depth_unknown"] for each in rendered_facts]
-        ends = [float(end) for each in rendered_facts for end in each["depth_range"]] or [math.nan]
-        foci = [float(each["focus_distance"]) for each in rendered_facts]
-        between = " to ".join(map(format_length, dict.fromkeys((min(foci), max(foci)))))
-        unknown_fraction = sum(shares) / len(shares)
+        unknown_fractions = [picture_facts["depth_unknown"] for picture_facts in rendered_facts]
+        ends = [float(end) for picture_facts in rendered_facts for end in picture_facts["depth_range"]] or [math.nan]
+        focuses = [float(picture_facts["focus_distance"]) for picture_facts in rendered_facts]
+        focus_range = " to ".join(map(format_length, dict.fromkeys((min(focuses), max(focuses)))))
+        unknown_fraction = sum(unknown_fractions) / len(unknown_fractions)
         facts |= {"depth": [finite(min(ends)), finite(max(ends))], "depth_unknown": unknown_fraction}
-        lines.insert(0, depth_line(min(ends), max(ends), unknown_fraction, f"focus {between}"))
+        lines.insert(0, depth_line(min(ends), max(ends), unknown_fraction, f"focus {focus_range}"))
     if failed:
         lines.append(f"{len(failed)} of {total} pictures left out; correct their files and repeat the command")
     return Report(facts, lines, converged=not failed)
 
 
 def _lenses(file: Path | None, stated: Facts) -> LensRanges:
-    """Return the lenses of a file, with the values of options in place of its own, or the lenses of the options."""
+    """Return the lenses of a file, whose values options override; without a file, the lenses of the options."""
     from lommel.lensfiles.lens_files import load_lens_ranges
 
     values = {name: stated[name] for name in ("focal_length", "f_number", "focus_distance", "pixel")}
-    known = {name: value for name, value in values.items() if value is not None}
+    overrides = {name: value for name, value in values.items() if value is not None}
     if file is not None:
-        return LensRanges(**{**vars(load_lens_ranges(file)), **known})
-    if missing := [flag_of(name) for name in values if name not in known]:
-        raise ValueError(f"give a lens file or {', '.join(missing)}")
-    return LensRanges(**known)
+        return LensRanges(**{**vars(load_lens_ranges(file)), **overrides})
+    if missing_flags := [flag_of(name) for name in values if name not in overrides]:
+        raise ValueError(f"give a lens file or {', '.join(missing_flags)}")
+    return LensRanges(**overrides)
 
 
 _TOLERANCE = 0.02  # largest relative difference from the EXIF, which has rounded nominal values
@@ -218,7 +218,7 @@ FOCUS = option("--focus", length="m", help="Focus distance, such as 1.5m or inf;
 
 
 class PhotoNoise(Group, heading="Noise"):
-    """The noise of photographs."""
+    """Options for the noise of photographs."""
 
     # fmt: off
     white: float | None = option(type=float,
@@ -290,7 +290,7 @@ class PhotoOptions(Group, heading="Photo and depth map"):
     @property
     def depth_values(self) -> DepthKeywords:
         """Keyword arguments for the values of the depth map."""
-        return cast("DepthKeywords", {name: one for name, one in vars(self.depth_map).items() if name != "missing"})
+        return cast("DepthKeywords", {k: v for k, v in vars(self.depth_map).items() if k != "missing"})
 
     @property
     def settings(self) -> Facts:
@@ -369,9 +369,9 @@ def blur(
         return _through_field(photo, depth, output, options)
     if data.batch:
         return render(output, (photo, depth, lens), focus_distance, vars(pull), data, options)
-    for one in DataSet.options():
-        if one.name != "batch" and getattr(data, one.name or "") != one.default:
-            raise ValueError(f"--{one.name} is an option for data sets, and needs --batch")
+    for param in DataSet.options():
+        if param.name != "batch" and getattr(data, param.name or "") != param.default:
+            raise ValueError(f"--{param.name} is an option for data sets, and needs --batch")
     open_job = partial(Job, photo, depth, lens, output, options, supersample=supersample)
     if pull.last is not None:
         return _pull_focus(open_job, output, (focus_distance, pull.last), pull)
@@ -387,7 +387,7 @@ def blur(
         photograph = job.photograph(focused_lens, lambda share: status("blurring", share))
         seconds = time.perf_counter() - start
         clipped = job.write(photograph.values)
-    facts, lines = _worst([photograph], [clipped])
+    facts, lines = _largest_errors([photograph], [clipped])
     facts = {"focus_distance": finite(focused_lens.focus_distance), "seconds": seconds} | facts
     return job.report(focused_lens, facts, lines, [output])
 
@@ -432,7 +432,7 @@ def _through_field(photo: Path, path: Path, output: Path, options: PhotoOptions)
     height, width = light.shape[:2]
     x, y = (0.5 * (side - 1) * pitch for side in (width, height))
     shift = math.hypot(*(float(part) for part in field.displacement(x, y))) / pitch
-    facts, lines = _worst([photograph], [clipped])
+    facts, lines = _largest_errors([photograph], [clipped])
     read = read_as(picture, options.encoding)
     facts |= {
         "shape": list(light.shape),
@@ -463,12 +463,12 @@ def _pull_focus(
         if distance is not None and not distance > 0.0:
             raise ValueError(f"{name} must be > 0 metres, got {distance:g}")
     photographs: list[Photograph] = []
-    shares: list[float] = []
+    clipped_fractions: list[float] = []
     with terminated_as_interrupted(), progress("reading", total=frames) as status:
         job = open_job(one_file="%" not in output.name)
-        near = 1.0 / (job.focused(None).focus_distance if first is None else first)
+        first_dioptres = 1.0 / (job.focused(None).focus_distance if first is None else first)
         # Equal steps of 1 / distance are equal movements of a lens.
-        steps = [near + (1.0 / last - near) * k / (frames - 1) for k in range(frames)]
+        steps = [first_dioptres + (1.0 / last - first_dioptres) * k / (frames - 1) for k in range(frames)]
         lenses = [job.focused(1.0 / step if step else math.inf) for step in steps]
         start = time.perf_counter()
 
@@ -478,21 +478,21 @@ def _pull_focus(
                 photograph = job.photograph(lens)
                 values, clipped = stored(photograph.values, job.stored_as, job.dtype)
                 photographs.append(replace(photograph, values=np.empty(0)))  # a view would keep all values in memory
-                shares.append(clipped)
+                clipped_fractions.append(clipped)
                 yield values
 
         files = write_frames(
             output, frame_values(), fps=fps, quality=job.options.output_file.quality, exif=job.picture.exif
         )
         seconds = time.perf_counter() - start
-    foci = [finite(lens.focus_distance) for lens in lenses]
-    facts, lines = _worst(photographs, shares)
-    facts = {"frames": frames, "focus_distances": foci, "seconds": seconds} | facts
+    distances = [finite(lens.focus_distance) for lens in lenses]
+    facts, lines = _largest_errors(photographs, clipped_fractions)
+    facts = {"frames": frames, "focus_distances": distances, "seconds": seconds} | facts
     return job.report(lenses[0], facts, lines, files, until=lenses[-1])
 
 
-def _worst(photographs: list[Photograph], clipped: list[float]) -> tuple[Facts, list[str]]:
-    """Return the largest errors of blurred photographs, and a line of text with them."""
+def _largest_errors(photographs: list[Photograph], clipped: list[float]) -> tuple[Facts, list[str]]:
+    """Return (1) the largest interpolation error, window and clipped fraction of photographs, (2) text on them."""
     side, light_beyond, error = (max(getattr(p, name) for p in photographs) for name in ("window", "lost", "error"))
     if light_beyond:
         text = (
@@ -593,9 +593,9 @@ def restore(
         status("computing PSFs")
         start = time.perf_counter()
 
-        def step_done(step: int, discrepancy: float, left: float) -> None:
-            spent = time.perf_counter() - start
-            status(f"step {step}, discrepancy {discrepancy:.3g}", spent / max(spent + left, 1e-9))
+        def step_done(step: int, discrepancy: float, remaining: float) -> None:
+            elapsed = time.perf_counter() - start
+            status(f"step {step}, discrepancy {discrepancy:.3g}", elapsed / max(elapsed + remaining, 1e-9))
 
         result = restored(
             values,
@@ -626,10 +626,10 @@ def restore(
 def apply_mask(photos: Sequence[Pixels], masked: Path) -> list[Pixels]:
     """Return photos whose pixels are masked by an image file."""
     mask = mask_of(masked, np.broadcast_to(False, (len(photos), *photos[0].shape[:2])))
-    each = [mask] * len(photos) if mask.ndim == 2 else list(mask)
+    masks = [mask] * len(photos) if mask.ndim == 2 else list(mask)
     return [
-        np.ma.masked_array(photo, np.broadcast_to(out.reshape(*out.shape, *[1] * (photo.ndim - 2)), photo.shape))
-        for photo, out in zip(photos, each, strict=True)
+        np.ma.masked_array(photo, np.broadcast_to(m.reshape(*m.shape, *[1] * (photo.ndim - 2)), photo.shape))
+        for photo, m in zip(photos, masks, strict=True)
     ]
 
 
@@ -640,11 +640,11 @@ def terminated_as_interrupted() -> Iterator[None]:
     def interrupt(_signal: int, _frame: FrameType | None) -> None:
         raise KeyboardInterrupt
 
-    before = signal.signal(signal.SIGTERM, interrupt)
+    old_handler = signal.signal(signal.SIGTERM, interrupt)
     try:
         yield
     finally:
-        signal.signal(signal.SIGTERM, before)
+        signal.signal(signal.SIGTERM, old_handler)
 
 
 @dataclass
@@ -696,21 +696,21 @@ class Job:
             wavelength=540e-9 if self.picture.values.ndim == 3 else 550e-9,
         )
 
-    def _resolve(self, option: str, given: float | None, read: float | None, show: Callable[[float], str]) -> float:
-        """Return the value of an option or of the EXIF; ValueError if they contradict each other."""
+    def _resolve(self, option: str, value: float | None, exif: float | None, show: Callable[[float], str]) -> float:
+        """Return the value of an option, or else of the EXIF; ValueError if the two contradict each other."""
         is_ignored = self.options.photo_camera.no_exif
-        known = None if is_ignored else read
-        if given is None:
-            if known is None:
+        exif_value = None if is_ignored else exif
+        if value is None:
+            if exif_value is None:
                 reason = "the EXIF is ignored" if is_ignored else f"{self.photo} has none in its EXIF"
                 raise ValueError(f"give a lens file or {option}: {reason}")
-            return known
-        if known is not None and not math.isclose(given, known, rel_tol=_TOLERANCE):
+            return exif_value
+        if exif_value is not None and not math.isclose(value, exif_value, rel_tol=_TOLERANCE):
             raise ValueError(
-                f"{option} {show(given)} contradicts the EXIF of {self.photo}, {show(known)}; "
+                f"{option} {show(value)} contradicts the EXIF of {self.photo}, {show(exif_value)}; "
                 "give --no-exif to ignore the EXIF"
             )
-        return given
+        return value
 
     def _lens_of_file(self, path: Path) -> Lens:
         """Return the lens of a file, stopped down to --f-number, and keep the pixel pitch of the file."""
@@ -737,18 +737,18 @@ class Job:
     def photograph(self, lens: Lens, progress: Callable[[float], object] | None = None) -> Photograph:
         """Return the blurred light; `progress` is called with the fraction of the work done."""
         settings = self.settings
-        more: Facts = {"keep": 1, "supersample": self.supersample} | vars(settings)
-        plan = FocusPlan(self.picture.light(), self.distance, lens, self.pitch, encoding="linear", **more)
+        arguments: Facts = {"keep": 1, "supersample": self.supersample} | vars(settings)
+        plan = FocusPlan(self.picture.light(), self.distance, lens, self.pitch, encoding="linear", **arguments)
         if progress is not None:
             blur = plan.blur()
             # If the whole PSF is kept, occlusion also blurs white images: twice for each spectrum.
             occlusion_passes = 2 * len(set(blur.spectra)) if settings.occlusion and settings.energy == 1.0 else 0
-            total, done = self.distance.size * (blur.channels + occlusion_passes), 0
+            total, done_points = self.distance.size * (blur.channels + occlusion_passes), 0
 
             def watch(points: int) -> None:
-                nonlocal done
-                done += points
-                progress(min(done / total, 1.0))
+                nonlocal done_points
+                done_points += points
+                progress(min(done_points / total, 1.0))
 
             blur.watch = watch
         return plan()
@@ -763,7 +763,7 @@ class Job:
     def report(
         self, lens: Lens, facts: Facts, lines: list[str], files: Iterable[Path], until: Lens | None = None
     ) -> Report:
-        """Return the report of the job: facts and lines of the command, and common ones."""
+        """Return the report of the job: facts and lines of the command, after those common to all commands."""
         read, (height, width, *_) = read_as(self.picture, self.options.encoding), self.picture.values.shape
         height, width = height // self.supersample, width // self.supersample
         common = {
@@ -777,8 +777,8 @@ class Job:
         }
         facts_of_depth, depth_text = depth_facts(self.distance)
         common |= facts_of_depth
-        last = f" to {format_length(until.focus_distance)}" if until else ""
-        focus = f"focus {format_length(lens.focus_distance)}{last}"
+        end = f" to {format_length(until.focus_distance)}" if until else ""
+        focus = f"focus {format_length(lens.focus_distance)}{end}"
         pixels = f"{width} x {height} pixels of {format_length(self.pitch)}"
         lines = [
             read,
@@ -791,12 +791,12 @@ class Job:
         return Report(common | facts, lines) + written(files)
 
 
-def read_as(picture: Picture, given: str | None) -> str:
-    """Return a description of the encoding of a photograph, as `given` or assumed."""
+def read_as(picture: Picture, encoding: str | None) -> str:
+    """Return a description of the encoding of a photograph, as `encoding` or assumed."""
     kind = "float" if picture.values.dtype.kind == "f" else f"{8 * picture.values.dtype.itemsize}-bit"
     names = {"srgb": "sRGB", "linear": "linear"}
-    if given is not None:
-        return f"{kind} values, {names[given]}"
+    if encoding is not None:
+        return f"{kind} values, {names[encoding]}"
     other = "linear" if picture.encoding == "srgb" else "srgb"
     return f"{kind} values, assumed {names[picture.encoding]}; if they are {names[other]}, give --encoding {other}"
 

@@ -63,7 +63,7 @@ class Axis(NamedTuple):
 
 
 def axes(psf: StoredPSF, description: Description) -> list[Axis]:
-    """Return the axes of the values: those of the stack (z of a microscope; or field and depth), channel, y, x."""
+    """Return the axes of the values: axes of the stack (z of a microscope, or field and depth), channel, y, x."""
     pupil, grid = psf.pupil, psf.grid
     if field := description.get("field"):
         stack = [Axis(f"field_{side}", np.array(field[side]), psf.unit) for side in "yx"]
@@ -82,7 +82,7 @@ def axes(psf: StoredPSF, description: Description) -> list[Axis]:
 
 
 def light(psf: StoredPSF) -> tuple[Array, Array]:
-    """Return the wavelengths (metres) and the fraction of the light at each; empty if the wavelength is unknown.
+    """Return the wavelengths (metres) and the fraction of the light at each wavelength; empty if it is unknown.
 
     For a PSF in channels, the fractions have one row per channel.
     """
@@ -90,14 +90,14 @@ def light(psf: StoredPSF) -> tuple[Array, Array]:
         return np.array(psf.channels.wavelengths), np.array(psf.channels.weights)
     if isinstance(psf.method, Spectrum):
         return np.array(psf.method.wavelengths), np.array(psf.method.weights)
-    known = [] if psf.pupil.wavelength is None else [psf.pupil.wavelength]
-    return np.array(known), np.ones(len(known))
+    wavelengths = [] if psf.pupil.wavelength is None else [psf.pupil.wavelength]
+    return np.array(wavelengths), np.ones(len(wavelengths))
 
 
 def derivative_name(stored: str) -> str | tuple[int, int]:
     """Return the name of a derivative from its text in a file; for a Zernike term, the pair (n, m)."""
-    found = _TERM.fullmatch(stored)
-    return (int(found[1]), int(found[2])) if found else stored
+    match = _TERM.fullmatch(stored)
+    return (int(match[1]), int(match[2])) if match else stored
 
 
 def text(description: Description, arrays: Arrays) -> str:
@@ -106,12 +106,12 @@ def text(description: Description, arrays: Arrays) -> str:
 
 
 def _arrays_of(psf: StoredPSF) -> Arrays:
-    slopes = {} if isinstance(psf, ColourPSFLike) else psf.derivatives
-    return {"values": np.ascontiguousarray(psf.values)} | {f"{SLOPE}{name}": at for name, at in slopes.items()}
+    derivatives = {} if isinstance(psf, ColourPSFLike) else psf.derivatives
+    return {"values": np.ascontiguousarray(psf.values)} | {f"{SLOPE}{name}": d for name, d in derivatives.items()}
 
 
 def _even_step(z: Array) -> float | None:
-    """Return the step of evenly spaced planes in metres; None if the planes are not evenly spaced."""
+    """Return the step of evenly spaced planes at `z`, in metres; None if the planes are not evenly spaced."""
     if z.ndim != 1 or z.size < 2 or not np.isfinite(z).all():
         return None
     steps = np.diff(z)
@@ -129,10 +129,10 @@ def write_npy(psf: StoredPSF, description: Description) -> bytes:
 
 def read_npy(data: bytes) -> tuple[Arrays, str]:
     """Return the values and the description."""
-    values, rest = reading.npy(data)
-    if not rest.startswith(_MARK):
+    values, record = reading.npy(data)
+    if not record.startswith(_MARK):
         raise ValueError("no description of how it was made")
-    return {"values": values}, rest.removeprefix(_MARK).decode()
+    return {"values": values}, record.removeprefix(_MARK).decode()
 
 
 def write_npz(psf: StoredPSF, description: Description) -> bytes:
@@ -151,11 +151,11 @@ def archive(arrays: Arrays, description: Description) -> bytes:
     # np.savez is not used: it always writes 64-bit sizes, which other readers do not support. The archive is not
     # compressed if `reading` would refuse its compression ratio.
     file = io.BytesIO()
-    for way in (zipfile.ZIP_DEFLATED, zipfile.ZIP_STORED):
+    for compression in (zipfile.ZIP_DEFLATED, zipfile.ZIP_STORED):
         file = io.BytesIO()
-        with zipfile.ZipFile(file, "w") as made:
+        with zipfile.ZipFile(file, "w") as zip_file:
             for name, array in stored.items():
-                made.writestr(zipfile.ZipInfo(f"{name}.npy"), array, way)
+                zip_file.writestr(zipfile.ZipInfo(f"{name}.npy"), array, compression)
         if reading.affords(reading.NPZ_TIMES * sum(map(len, stored.values())), file.tell()):
             break
     return file.getvalue()
@@ -166,8 +166,8 @@ def read_npz(data: bytes) -> tuple[Arrays, str]:
     arrays = reading.npz(data)
     array = arrays.pop("description")(reading.MAX_PIXELS)
     record = array.tobytes().decode() if array.dtype == np.uint8 else str(array)  # text in files of early versions
-    most = math.prod(reading.json(record)["shape"])
-    return {name: read(most) for name, read in arrays.items()}, record
+    max_values = math.prod(reading.json(record)["shape"])
+    return {name: read(max_values) for name, read in arrays.items()}, record
 
 
 def write_raw(psf: StoredPSF, description: Description) -> tuple[bytes, bytes]:
@@ -191,11 +191,11 @@ def write_raw(psf: StoredPSF, description: Description) -> tuple[bytes, bytes]:
     return stored.tobytes(), (json.dumps(header, indent=1, allow_nan=False) + "\n").encode()
 
 
-def read_raw(data: bytes, beside: bytes) -> tuple[Arrays, str]:
+def read_raw(data: bytes, json_data: bytes) -> tuple[Arrays, str]:
     """Return the values and the description."""
-    if len(beside) > reading.MAX_PIXELS:
-        raise ValueError(f"its .json file has {len(beside)} bytes; the limit is {reading.MAX_PIXELS}")
-    description = reading.json(beside)["lommel"]
+    if len(json_data) > reading.MAX_PIXELS:
+        raise ValueError(f"its .json file has {len(json_data)} bytes; the limit is {reading.MAX_PIXELS}")
+    description = reading.json(json_data)["lommel"]
     kind = validation.choice("dtype", description["dtype"], ("float32", "float64"))
     values = np.frombuffer(data, np.dtype(kind).newbyteorder("<"))
     if values.size != math.prod(description["shape"]):
@@ -231,14 +231,14 @@ def write_png(psf: PSFLike, description: Description) -> bytes:
     info.add_text("Software", description["software"])
     info.add_text("lommel", text(description | picture, {"values": grey}))
     image = Image.fromarray(enlarged(grey, times))
-    small = atomic.contents(image.save, format="png", pnginfo=info)
-    if reading.affords(reading.png_takes(math.prod(image.size), 16, colour=False), len(small)):
-        return small
+    contents = atomic.contents(image.save, format="png", pnginfo=info)
+    if reading.affords(reading.png_takes(math.prod(image.size), 16, colour=False), len(contents)):
+        return contents
     return atomic.contents(image.save, format="png", pnginfo=info, compress_level=0)
 
 
 def read_png(data: bytes) -> tuple[Arrays, str]:
-    """Return one grey level (uint16) for each pixel of the PSF, and the description."""
+    """Return (1) one grey level (uint16) for each pixel of the PSF and (2) the description."""
     with reading.png(data) as file:
         record = str(file.info["lommel"])  # this text chunk precedes the picture
         description = reading.json(record)
@@ -286,8 +286,8 @@ def write_tiff(psf: PSFLike, description: Description, planes: Description | Non
     values = psf.values if psf.values.ndim == 2 else psf.values.reshape(-1, *psf.shape[-2:])
     if not isinstance(pupil, ObjectivePupil):
         return atomic.contents(write, values, ome=True, metadata=fields)
-    made, pages = tifffile.OmeXml(), (pupil.focus.size, 1, 1, psf.shape[-2], psf.shape[-1], 1)
-    made.addimage(values.dtype, values.shape, pages, **fields | _ome_image(psf, pupil))
+    ome_xml, pages = tifffile.OmeXml(), (pupil.focus.size, 1, 1, psf.shape[-2], psf.shape[-1], 1)
+    ome_xml.addimage(values.dtype, values.shape, pages, **fields | _ome_image(psf, pupil))
     instrument = (
         '<Instrument ID="Instrument:0"><Objective ID="Objective:0" '
         f'LensNA="{pupil.layers.NA}" NominalMagnification="{pupil.magnification}"/></Instrument>'
@@ -296,16 +296,16 @@ def write_tiff(psf: PSFLike, description: Description, planes: Description | Non
         '<InstrumentRef ID="Instrument:0"/>'
         f'<ObjectiveSettings ID="Objective:0" RefractiveIndex="{pupil.layers.immersion}"/>'
     )
-    xml = made.tostring(declaration=True).replace("<Image ", f"{instrument}<Image ", 1)
+    xml = ome_xml.tostring(declaration=True).replace("<Image ", f"{instrument}<Image ", 1)
     xml = xml.replace("<Pixels ", f"{settings}<Pixels ", 1)  # the schema prescribes this order
     return atomic.contents(write, values, description=xml.encode(), metadata=None)
 
 
 def _ome_image(psf: PSFLike, pupil: ObjectivePupil) -> Description:
-    """Return the attributes and elements of an OME image; lengths are those in the sample, not on the sensor."""
-    size, apart = 1e6 * psf.grid.side / pupil.magnification, _even_step(pupil.z)
+    """Return the attributes and elements of an OME image; lengths are in the sample, not on the sensor."""
+    size, step = 1e6 * psf.grid.side / pupil.magnification, _even_step(pupil.z)
     nanometres = 1e9 * pupil.wavelength
-    light = "ExcitationWavelength" if isinstance(pupil.emitter, Beam) else "EmissionWavelength"
+    key = "ExcitationWavelength" if isinstance(pupil.emitter, Beam) else "EmissionWavelength"
     layers = pupil.layers
     annotations = {
         "refractive index of the immersion": layers.immersion,
@@ -315,16 +315,16 @@ def _ome_image(psf: PSFLike, pupil: ObjectivePupil) -> Description:
         "stage since the surface of the cover glass was in focus, in um": _format_range(pupil.focus),
         "emitter": repr(pupil.emitter),
     }
-    found = {
+    attributes = {
         "PhysicalSizeX": _round(size),
         "PhysicalSizeY": _round(size),
         "Plane": {"PositionZ": [_round(1e6 * z) for z in pupil.z.flat], "PositionZUnit": ["µm"] * pupil.z.size},
-        "Channel": {"Name": f"{nanometres:.4g} nm", light: _round(nanometres), f"{light}Unit": "nm"},
+        "Channel": {"Name": f"{nanometres:.4g} nm", key: _round(nanometres), f"{key}Unit": "nm"},
         "MapAnnotation": {"Value": annotations},
     }
-    if apart is not None:
-        found |= {"PhysicalSizeZ": _round(1e6 * abs(apart)), "PhysicalSizeZUnit": "µm"}
-    return found
+    if step is not None:
+        attributes |= {"PhysicalSizeZ": _round(1e6 * abs(step)), "PhysicalSizeZUnit": "µm"}
+    return attributes
 
 
 def _round(value: float) -> float:
@@ -403,21 +403,21 @@ def write_fits(psf: StoredPSF, description: Description) -> bytes:
 def read_fits(data: bytes) -> tuple[Arrays, str]:
     """Return the values and the description."""
     images = fits_images.read(data, validation.MAX_VALUES)
-    described = [
+    descriptions = [
         image for image in images if image.header.get("EXTNAME") == _EXTNAME and image.values.dtype == np.uint8
     ]
-    if len(described) != 1:
+    if len(descriptions) != 1:
         raise ValueError("no description of how it was made")
-    return {"values": images[0].values}, described[0].values.tobytes().decode()
+    return {"values": images[0].values}, descriptions[0].values.tobytes().decode()
 
 
 def write_hdf5(psf: StoredPSF, description: Description) -> bytes:
     """Return an HDF5 file: `values` and derivatives with attributes and dimension scales, and `description`."""
     arrays, places = _arrays_of(psf), axes(psf, description)
     waves, shares = light(psf)
-    plain: Description = {"pixel": psf.pixel, "unit": psf.unit, "normalize": psf.normalize, "sampling": psf.sampling}
-    plain |= {"wavelength": waves, "weight": shares} if waves.size else {}
-    plain |= {} if psf.error_bound is None else {"error_bound": psf.error_bound}
+    attrs: Description = {"pixel": psf.pixel, "unit": psf.unit, "normalize": psf.normalize, "sampling": psf.sampling}
+    attrs |= {"wavelength": waves, "weight": shares} if waves.size else {}
+    attrs |= {} if psf.error_bound is None else {"error_bound": psf.error_bound}
 
     def fill(file: File) -> None:
         record = np.bytes_(text(description, arrays).encode())
@@ -426,14 +426,14 @@ def write_hdf5(psf: StoredPSF, description: Description) -> bytes:
             names = [name.encode() for name in psf.channels.names]
             file.create_dataset("channel", data=np.array(names), track_times=False)
             file["channel"].make_scale("channel")
-        for name, at, unit in places:
-            if at is not None:
-                scale = file.create_dataset(name, data=at, track_times=False)
+        for name, coordinates, unit in places:
+            if coordinates is not None:
+                scale = file.create_dataset(name, data=coordinates, track_times=False)
                 scale.attrs["units"] = np.bytes_(unit)
                 scale.make_scale(name)
         for name, values in arrays.items():
             stored = file.create_dataset(name, data=values, track_times=False)
-            for key, value in plain.items():
+            for key, value in attrs.items():
                 stored.attrs[key] = np.bytes_(value) if isinstance(value, str) else value
             for k, axis in enumerate(places):
                 stored.dims[k].label = axis.name
@@ -449,7 +449,7 @@ def read_hdf5(data: bytes) -> tuple[Arrays, str]:
         record = bytes(_read_array(file, "description", data)).decode()
         names = ["values", *(name for name in file if name.startswith(SLOPE))]
         stored = [reading.hdf5_below(file, name) for name in names]
-        if (total := sum(getattr(one, "nbytes", 0) for one in stored)) > len(data):
+        if (total := sum(getattr(array, "nbytes", 0) for array in stored)) > len(data):
             raise ValueError(f"its arrays take {total} bytes of {len(data)}")
         return {name: _read_array(file, name, data) for name in names}, record
 
@@ -463,7 +463,7 @@ def write_mat(psf: StoredPSF, description: Description) -> bytes:
         texts["channel"] = "\n".join(psf.channels.names)
     arrays = {"values": _reorder_for_matlab(psf.values), "pixel": np.array([[psf.pixel]])}
     places = ((axis.name, axis.places) for axis in axes(psf, description))
-    arrays |= {name: at.reshape(-1, 1) for name, at in places if at is not None}
+    arrays |= {name: coordinates.reshape(-1, 1) for name, coordinates in places if coordinates is not None}
     arrays |= {"wavelength": waves[:, None], "weight": np.atleast_2d(shares).T} if waves.size else {}
 
     def fill(file: File) -> None:
@@ -499,8 +499,8 @@ def _hdf5(fill: Callable[[File], None], head: bytes) -> bytes:
 
     file = io.BytesIO()
     # Write the oldest version of the format, for old readers.
-    with h5py.File(file, "w", libver="earliest", userblock_size=_USER_BLOCK) as made:
-        fill(made)
+    with h5py.File(file, "w", libver="earliest", userblock_size=_USER_BLOCK) as hdf5_file:
+        fill(hdf5_file)
     data = bytearray(file.getvalue())
     data[: len(head)] = head
     mark = _CHECKED + _sum(data)  # checked before reading, since the HDF5 library may crash on damaged files
@@ -522,11 +522,11 @@ def _open_hdf5(data: bytes) -> File:
 
 def _read_array(file: File, name: str, data: bytes) -> Values:
     """Return an array that is stored contiguously in the file itself."""
-    found = reading.hdf5_below(file, name)
-    if not hasattr(found, "chunks"):  # `found` is a group or None
+    dataset = reading.hdf5_below(file, name)
+    if not hasattr(dataset, "chunks"):  # `dataset` is a group or None
         raise ValueError(f"no array {name!r}")
-    if found.chunks is not None or found.nbytes > 8 * validation.MAX_VALUES:
-        raise ValueError(f"{name!r} must be stored in one piece, got {found.nbytes} bytes in a file of {len(data)}")
-    if name == "description" and found.nbytes > 2 * reading.MAX_PIXELS:
-        raise ValueError(f"its description has {found.nbytes} bytes; the limit is {2 * reading.MAX_PIXELS}")
-    return reading.hdf5_values(found, len(data))
+    if dataset.chunks is not None or dataset.nbytes > 8 * validation.MAX_VALUES:
+        raise ValueError(f"{name!r} must be stored in one piece, got {dataset.nbytes} bytes in a file of {len(data)}")
+    if name == "description" and dataset.nbytes > 2 * reading.MAX_PIXELS:
+        raise ValueError(f"its description has {dataset.nbytes} bytes; the limit is {2 * reading.MAX_PIXELS}")
+    return reading.hdf5_values(dataset, len(data))

@@ -74,9 +74,8 @@ class ZernikeTable:
             raise TypeError(f"terms must map indices to coefficients, got {validation.shown(self.terms)}")
         terms = {i: validation.real(f"the Zernike coefficient {i!r}", c) for i, c in self.terms.items()}
         object.__setattr__(self, "terms", terms)
-        Wavefront.zernike(
-            terms, order=self.order, obscuration=self.obscuration
-        )  # raises an error that names unknown terms
+        # This raises an error that names unknown terms.
+        Wavefront.zernike(terms, order=self.order, obscuration=self.obscuration)
 
     @classmethod
     def from_wavefront(
@@ -112,12 +111,12 @@ class ZernikeTable:
         """
         if validation.instance("wavefront", wavefront, Wavefront).shape != ():
             raise ValueError(f"wavefront must be a single one, got a stack of shape {wavefront.shape}")
-        plain, size = _wavefront_unit(validation.choice("unit", unit, UNITS))
-        found = wavefront.to_zernike(
-            order=order, unit=plain, normalization=normalization, wavelength=wavelength, obscuration=obscuration
+        kind, size = _wavefront_unit(validation.choice("unit", unit, UNITS))
+        terms = wavefront.to_zernike(
+            order=order, unit=kind, normalization=normalization, wavelength=wavelength, obscuration=obscuration
         )
         return cls(
-            {i: float(c) / size for i, c in found.items()}, order, unit, normalization, wavelength, obscuration
+            {i: float(c) / size for i, c in terms.items()}, order, unit, normalization, wavelength, obscuration
         )
 
     def wavefront(self, wavelength: float | None = None) -> Wavefront:
@@ -141,24 +140,24 @@ class ZernikeTable:
             If the unit is a length and neither the table nor `wavelength` states a wavelength; or if the unit is
             waves or radians, `wavelength` is given, and the table states no wavelength.
         """
-        plain, size = _wavefront_unit(self.unit)
-        at = self.wavelength if wavelength is None else validation.wavelength(wavelength)
-        if plain == "metres" and at is None:
+        unit, size = _wavefront_unit(self.unit)
+        target = self.wavelength if wavelength is None else validation.wavelength(wavelength)
+        if unit == "metres" and target is None:
             raise ValueError(f"wavelength must be given, since the unit of the table is {self.unit!r}")
-        if plain != "metres" and wavelength is not None and self.wavelength is None:
+        if unit != "metres" and wavelength is not None and self.wavelength is None:
             raise ValueError(f"the table must state the wavelength at which its {self.unit} were measured")
         scaled = {i: size * c for i, c in self.terms.items()}
-        made = Wavefront.zernike(
+        wavefront_of_table = Wavefront.zernike(
             scaled,
             order=self.order,
-            unit=plain,
+            unit=unit,
             normalization=self.normalization,
-            wavelength=at,
+            wavelength=target,
             obscuration=self.obscuration,
         )
-        if plain == "metres" or at is None or self.wavelength is None or at == self.wavelength:
-            return made
-        return same_path(made, self.wavelength, at)
+        if unit == "metres" or target is None or self.wavelength is None or target == self.wavelength:
+            return wavefront_of_table
+        return same_path(wavefront_of_table, self.wavelength, target)
 
 
 def save_zernike(path: str | PathLike[str], table: ZernikeTable | Wavefront) -> None:
@@ -194,11 +193,11 @@ def save_table(path: str | PathLike[str], table: ZernikeTable, errors: Mapping[i
         settings["wavelength"] = f"{table.wavelength!r} m"
     if table.obscuration:
         settings["obscuration"] = table.obscuration
-    held: list[tuple[Index, float]] = [*table.terms.items()]
-    held.sort(key=lambda term: (isinstance(term[0], tuple), term[0]))
-    terms = {(",".join(map(str, i)) if isinstance(i, tuple) else str(i)): value for i, value in held}
-    shown = {str(i): error for i, error in sorted(errors.items()) if math.isfinite(error)}
-    atomic.write(validation.path("path", path), find(path).write(settings, terms, shown).encode())
+    ordered_terms: list[tuple[Index, float]] = [*table.terms.items()]
+    ordered_terms.sort(key=lambda term: (isinstance(term[0], tuple), term[0]))
+    terms = {(",".join(map(str, i)) if isinstance(i, tuple) else str(i)): value for i, value in ordered_terms}
+    finite_errors = {str(i): error for i, error in sorted(errors.items()) if math.isfinite(error)}
+    atomic.write(validation.path("path", path), find(path).write(settings, terms, finite_errors).encode())
 
 
 @display.save.register(Wavefront)
@@ -249,8 +248,8 @@ def build(
             wavelength = validation.wavelength(parse_length(settings["wavelength"]))
     if "obscuration" in settings:
         with text_files.collected(errors, where("obscuration")):
-            given = settings["obscuration"]
-            value = text_files.number(given) if isinstance(given, str) else given
+            stated_value = settings["obscuration"]
+            value = text_files.number(stated_value) if isinstance(stated_value, str) else stated_value
             obscuration = validation.real("it", value, least=0.0, below=1.0)
     if len(terms) > _MAX_TERMS:
         errors.append(f"{where('terms')}: must be at most {_MAX_TERMS} coefficients, got {len(terms)}")
@@ -270,11 +269,11 @@ def build(
 
 def _setting_errors(settings: Json, where: Callable[[str], str]) -> list[str]:
     """Return errors for unknown keys, and for order, unit and normalization if they are missing or not allowed."""
-    stray = [key for key in settings if key not in SETTINGS]
+    keys = [key for key in settings if key not in SETTINGS]
     errors = [
-        f"{where(key)}: unknown key; {near(key, (*SETTINGS, 'terms'))}" for key in stray[: text_files.MAX_MESSAGES]
+        f"{where(key)}: unknown key; {near(key, (*SETTINGS, 'terms'))}" for key in keys[: text_files.MAX_MESSAGES]
     ]
-    errors += ["unknown keys"] * len(stray[text_files.MAX_MESSAGES :])
+    errors += ["unknown keys"] * len(keys[text_files.MAX_MESSAGES :])
     allowed = {"order": zernike.ORDERS, "unit": UNITS, "normalization": NORMALIZATIONS}
     for key, options in allowed.items():
         if key not in settings:
@@ -288,19 +287,19 @@ def _read_terms(terms: Sequence[tuple[str, object, str]], order: object, errors:
     """Return the coefficients by index; append the errors of the terms to `errors`."""
     values: dict[Index, float] = {}
     places: dict[tuple[int, int], str] = {}
-    for text, value, at in terms:
+    for text, value, place in terms:
         coefficient = 0.0
-        with text_files.collected(errors, at):
+        with text_files.collected(errors, place):
             coefficient = validation.real("the coefficient", value)
         if not isinstance(order, str) or order not in zernike.ORDERS:
             continue  # the meaning of an index is unknown
-        with text_files.collected(errors, at):
+        with text_files.collected(errors, place):
             index = _parse_index(text, order)
             term = zernike.term(index, order)
             if term in places:
                 raise ValueError(f"the term {text} was given before, {places[term]}")
             Wavefront.zernike({index: coefficient}, order=order)
-            values[index], places[term] = coefficient, at
+            values[index], places[term] = coefficient, place
     return values
 
 
@@ -332,7 +331,7 @@ _INDEX_COLUMNS = ("index", "term", "j", "zernike")  # names of columns
 _VALUE_COLUMNS = ("value", "coefficient", "coeff", "c")
 _NAME_COLUMNS = ("name", "aberration", "description")  # names of ignored columns
 _COLUMN = re.compile(r"([a-z]+)\s*(?:[(\[]\s*(\S+?)\s*[)\]])?")
-_NUMBERED = re.compile(r"z\s*_?(\d+)", re.IGNORECASE | re.ASCII)
+_NUMBERED_NAME = re.compile(r"z\s*_?(\d+)", re.IGNORECASE | re.ASCII)
 
 _Row: TypeAlias = tuple[int, list[str]]
 
@@ -355,10 +354,10 @@ class _CsvSettings:
 
     def add(self, key: str, value: str, place: int) -> None:
         """Add a setting that the column names state; append an error if a comment line states another value."""
-        if (other := self.values.setdefault(key, value)) != value:
+        if (stated_value := self.values.setdefault(key, value)) != value:
             self.errors.append(
                 f"line {place}: the columns state the {key} {value}, line {self.lines[key]} states "
-                f"{validation.key(other)}"
+                f"{validation.key(stated_value)}"
             )
         self.lines.setdefault(key, place)
 
@@ -372,15 +371,15 @@ def read_csv(text: str) -> tuple[ZernikeTable | None, list[str]]:
     settings = _CsvSettings(text)
     errors, order = settings.errors, settings.values.get("order")
     (head, columns), *rows = [*text_files.rows(text, _find_separator(text))] or [(0, [])]
-    plain = [cell.lower() for cell in columns]
-    if plain and all(map(_NUMBERED.fullmatch, plain)):
-        rows = _transpose_row(rows, plain, errors)
-        plain = ["index", "value"]
-    kept = [k for k, name in enumerate(plain) if name not in _NAME_COLUMNS]
-    index, _, unit = _find_columns([plain[k] for k in kept], order)
+    names = [cell.lower() for cell in columns]
+    if names and all(map(_NUMBERED_NAME.fullmatch, names)):
+        rows = _transpose_row(rows, names, errors)
+        names = ["index", "value"]
+    columns_used = [k for k, name in enumerate(names) if name not in _NAME_COLUMNS]
+    index, _, unit = _find_columns([names[k] for k in columns_used], order)
     if columns and not index:
-        wanted = "n,m,value" if order == "nm" else "index,value"
-        errors.append(f"line {head}: the columns must be {wanted}, got {_shorten_row(columns)}")
+        expected = "n,m,value" if order == "nm" else "index,value"
+        errors.append(f"line {head}: the columns must be {expected}, got {_shorten_row(columns)}")
         rows = []
     if index == ["n", "m"]:
         settings.add("order", "nm", head)
@@ -390,23 +389,23 @@ def read_csv(text: str) -> tuple[ZernikeTable | None, list[str]]:
         settings.add("unit", unit, head)
     terms = []
     for place, row in rows:
-        if len(row) != len(plain):
-            errors.append(f"line {place}: must have {len(plain)} cells, got {len(row)}: {_shorten_row(row)}")
+        if len(row) != len(names):
+            errors.append(f"line {place}: must have {len(names)} cells, got {len(row)}: {_shorten_row(row)}")
             continue
-        *at, number = (row[k] for k in kept)
-        numbered = _NUMBERED.fullmatch(at[0])
-        terms.append((numbered[1] if numbered else ",".join(at), text_files.number(number), f"line {place}"))
-    table, more = build(settings.values, terms, settings.where)
-    return (None if errors else table), [*errors, *more]
+        *index_cells, number = (row[k] for k in columns_used)
+        match = _NUMBERED_NAME.fullmatch(index_cells[0])
+        terms.append((match[1] if match else ",".join(index_cells), text_files.number(number), f"line {place}"))
+    table, table_errors = build(settings.values, terms, settings.where)
+    return (None if errors else table), [*errors, *table_errors]
 
 
 def _find_columns(columns: Sequence[str], order: str | None) -> tuple[list[str], str, str]:
-    """Return the index columns, the value column and its unit (or ""); ([], "", "") if a column is unknown."""
-    *index, last = columns or [""]
-    value = _COLUMN.fullmatch(last)
+    """Return (1) index columns, (2) value column, (3) its unit (or ""); ([], "", "") if a column is unknown."""
+    *index, value_column = columns or [""]
+    value = _COLUMN.fullmatch(value_column)
     pair = index == ["n", "m"] and order in (None, "nm")
-    single = len(index) == 1 and order != "nm" and index[0] in (*_INDEX_COLUMNS, *zernike.ORDERS[1:])
-    if not value or value[1] not in _VALUE_COLUMNS or not (pair or single):
+    one_index = len(index) == 1 and order != "nm" and index[0] in (*_INDEX_COLUMNS, *zernike.ORDERS[1:])
+    if not value or value[1] not in _VALUE_COLUMNS or not (pair or one_index):
         return [], "", ""
     unit = UNIT_NAMES.get(value[2] or "", value[2] or "")
     return (index, value[1], unit) if not unit or unit in UNITS else ([], "", "")
@@ -418,17 +417,17 @@ def _shorten_row(row: Sequence[str]) -> str:
 
 def _find_separator(text: str) -> str:
     """Return the separator of cells: a semicolon or tab if the first row contains it and no comma, else a comma."""
-    first = next((line for line in io.StringIO(text) if line.strip() and not line.lstrip().startswith("#")), "")
-    return next((mark for mark in ";\t" if mark in first and "," not in first), ",")
+    first_row = next((line for line in io.StringIO(text) if line.strip() and not line.lstrip().startswith("#")), "")
+    return next((mark for mark in ";\t" if mark in first_row and "," not in first_row), ",")
 
 
-def _transpose_row(rows: Sequence[_Row], names: Sequence[str], found: list[str]) -> list[_Row]:
-    """Transpose one row of values below Z1, Z2, ... to rows of index and value; append errors to `found`."""
+def _transpose_row(rows: Sequence[_Row], names: Sequence[str], errors: list[str]) -> list[_Row]:
+    """Transpose one row of values below Z1, Z2, ... to rows of index and value; append errors to `errors`."""
     for place, row in rows[1:]:
-        found.append(f"line {place}: only one row may be below Z1, Z2, ..., got {validation.shown(', '.join(row))}")
+        errors.append(f"line {place}: only one row may be below Z1, Z2, ..., got {validation.shown(', '.join(row))}")
     for place, row in rows[:1]:
         if len(row) != len(names):
-            found.append(f"line {place}: must have {len(names)} cells, got {len(row)}: {_shorten_row(row)}")
+            errors.append(f"line {place}: must have {len(names)} cells, got {len(row)}: {_shorten_row(row)}")
     return [(place, [name, cell]) for place, row in rows[:1] for name, cell in zip(names, row, strict=False)]
 
 
@@ -450,8 +449,8 @@ def read_listing(data: bytes) -> tuple[ZernikeTable | None, list[str]]:
     kind, annulus = "".join(kinds), _RATIO.search(text)
     errors: list[str] = []
     if len(kinds) != 1:
-        shown = f"got {' and '.join(sorted(kinds))}" if kinds else "which the line 'Listing of Zernike ...' states"
-        errors.append(f"the terms must be Standard, Fringe or Annular, {shown}")
+        got = f"got {' and '.join(sorted(kinds))}" if kinds else "which the line 'Listing of Zernike ...' states"
+        errors.append(f"the terms must be Standard, Fringe or Annular, {got}")
     if not _WAVES_LINE.search(text):
         errors.append("the unit is not stated; listings have 'Peak to Valley ... waves'")
     wavelength = _find_wavelength(text, errors)
@@ -460,9 +459,9 @@ def read_listing(data: bytes) -> tuple[ZernikeTable | None, list[str]]:
     terms = _find_terms(text, kind, errors)
     if not terms:
         # If no part of a listing was recognised, one message is clearer than a list of all missing parts.
-        what = "is no listing of Zernike coefficients of OpticStudio, which begins with 'Listing of Zernike ...'"
-        what += " and has lines such as 'Z   4     0.25'"
-        errors = [*errors, "it lists no term, such as 'Z   4     0.25'"] if kinds else [what]
+        message = "is no listing of Zernike coefficients of OpticStudio, which begins with 'Listing of Zernike ...'"
+        message += " and has lines such as 'Z   4     0.25'"
+        errors = [*errors, "it lists no term, such as 'Z   4     0.25'"] if kinds else [message]
     if errors:
         return None, errors
     if kind == "fringe":
@@ -507,30 +506,30 @@ def _find_terms(text: str, kind: str, errors: list[str]) -> dict[int, float]:
 
 def read_code_v(data: bytes) -> tuple[ZernikeTable | None, list[str]]:
     """Return the table of a Code V file, and an empty list of errors."""
-    held = text_files.parse(_decode_text(data))
-    if held.kind == "GRD":
+    file = text_files.parse(_decode_text(data))
+    if file.kind == "GRD":
         raise ValueError("it holds a grid; load_opd reads it")
-    if held.missing.any():
-        raise ValueError(f"the term {held.missing.argmax() + 1} has no value (NDA)")
-    indexed = dict(enumerate(held.values.tolist(), 1))
-    if held.kind == "ZFR":
-        return ZernikeTable(indexed, "fringe", "waves", "edge", held.wavelength), []
+    if file.missing.any():
+        raise ValueError(f"the term {file.missing.argmax() + 1} has no value (NDA)")
+    indexed = dict(enumerate(file.values.tolist(), 1))
+    if file.kind == "ZFR":
+        return ZernikeTable(indexed, "fringe", "waves", "edge", file.wavelength), []
     pairs = {text_files.term(j): c for j, c in indexed.items()}
-    return ZernikeTable(pairs, "nm", "waves", "edge", held.wavelength), []
+    return ZernikeTable(pairs, "nm", "waves", "edge", file.wavelength), []
 
 
 def _decode_text(data: bytes) -> str:
     """Decode text as UTF-16 or UTF-8 if it has a byte order mark, else as UTF-8, or Latin-1 if it is not UTF-8."""
-    named = next((name for start, name in _BOMS.items() if data.startswith(start)), None)
-    if named is None:
+    encoding = next((name for start, name in _BOMS.items() if data.startswith(start)), None)
+    if encoding is None:
         try:
             return reading.decoded(data)
         except ValueError:
-            named = "latin-1"
+            encoding = "latin-1"
     try:
-        return "\n".join(data.decode(named).splitlines())
+        return "\n".join(data.decode(encoding).splitlines())
     except UnicodeDecodeError as error:
-        raise ValueError(f"not {named} text: {error}") from None
+        raise ValueError(f"not {encoding} text: {error}") from None
 
 
 def _parse_number(text: str) -> float:
@@ -616,29 +615,29 @@ def _read_toml(data: bytes) -> tuple[ZernikeTable | None, list[str]]:
 
 
 def _read_json(data: bytes) -> tuple[ZernikeTable | None, list[str]]:
-    twice: list[str] = []
+    duplicates: list[str] = []
 
-    def once(pairs: list[tuple[str, object]]) -> dict[str, object]:
+    def unique_keys(pairs: list[tuple[str, object]]) -> dict[str, object]:
         counts = Counter(key for key, _ in pairs)
-        twice.extend(f"{validation.key(key)}: is given twice" for key, count in counts.items() if count > 1)
+        duplicates.extend(f"{validation.key(key)}: is given twice" for key, count in counts.items() if count > 1)
         return dict(pairs)
 
     try:
-        raw = reading.json(reading.decoded(data), once)
+        raw = reading.json(reading.decoded(data), unique_keys)
     except ValueError as error:
         return None, [f"not valid JSON: {reading.reason(error)}"]
     if not isinstance(raw, dict):
         return None, [f"must hold an object, got {type(raw).__name__}"]
-    table, found = build_section(raw, lambda keys: ".".join(map(validation.key, keys)))
-    return (None if twice else table), [*twice, *found]
+    table, errors = build_section(raw, lambda keys: ".".join(map(validation.key, keys)))
+    return (None if duplicates else table), [*duplicates, *errors]
 
 
 _ERRORS = "standard_errors"  # key for other programs; readers of this package ignore it
 
 
 def _write_json(settings: Mapping[str, str], terms: Mapping[str, float], errors: Mapping[str, float]) -> str:
-    held = {**settings, "terms": terms} | ({_ERRORS: errors} if errors else {})
-    return json.dumps(held, indent=2, allow_nan=False) + "\n"
+    contents = {**settings, "terms": terms} | ({_ERRORS: errors} if errors else {})
+    return json.dumps(contents, indent=2, allow_nan=False) + "\n"
 
 
 def _write_toml(settings: Mapping[str, str], terms: Mapping[str, float], errors: Mapping[str, float]) -> str:

@@ -34,7 +34,7 @@ class Row(NamedTuple):
     said: str = ""
     """Unit in words."""
     waves: bool = False
-    """Whether the number is shown in the unit of the wavefront: waves, radians or nanometres."""
+    """True if the number is shown in the unit of the wavefront: waves, radians or nanometres."""
     name: str | None = None
     """Text for screen readers, if the label alone is not enough."""
     when: tuple[tuple[str | int, ...], ...] = ()
@@ -172,11 +172,11 @@ _DIRECTION = {
 def _aberration(name: str) -> dict[str, Real | Word | Terms]:
     n, m = DIRECTED[name]
     size = Row("Wavefront", name.capitalize(), (0, 3), waves=True)
-    half = 180 // m
-    angle = Row("Wavefront", "angle", (-half, half), 1, "°", "degrees", name=f"Direction of {name}")
+    half_turn = 180 // m
+    angle = Row("Wavefront", "angle", (-half_turn, half_turn), 1, "°", "degrees", name=f"Direction of {name}")
     about = f"Zernike term ({n}, {m}), {_POLYNOMIAL[name]}, waves at the edge of the pupil{_SEIDEL.get(name, '')}."
-    direction = f"Direction in which {_DIRECTION[name]}."
-    return {name: Real(0, 0, 10, size, about), f"{name}_angle": Real(0, -half, half, angle, direction)}
+    angle_help = f"Direction in which {_DIRECTION[name]}."
+    return {name: Real(0, 0, 10, size, about), f"{name}_angle": Real(0, -half_turn, half_turn, angle, angle_help)}
 
 
 _LENS, _SENSOR = "Lens and light", "Sensor"
@@ -299,8 +299,8 @@ def colour_weights() -> Array:
     sums of 1 make the spectrum itself white.
     """
 
-    def lobe(height: float, peak: float, below: float, above: float) -> Array:
-        width = np.where(peak > WHITE, below, above)
+    def lobe(height: float, peak: float, width_below: float, width_above: float) -> Array:
+        width = np.where(peak > WHITE, width_below, width_above)
         return height * np.exp(-0.5 * ((WHITE - peak) / width) ** 2)
 
     x = lobe(1.056, 599.8, 37.9, 31.0) + lobe(0.362, 442.0, 16.0, 26.7) + lobe(-0.065, 501.1, 20.4, 26.2)
@@ -314,7 +314,7 @@ def colour_weights() -> Array:
 
 
 def powers(n: int, m: int) -> list[tuple[int, int]]:
-    """Return the powers of rho in the radial polynomial of a Zernike term, each with its factor."""
+    """Return the pairs (power of rho, factor) of the radial polynomial of a Zernike term."""
     f = math.factorial
     return [
         (n - 2 * k, (-1) ** k * f(n - k) // (f(k) * f((n + m) // 2 - k) * f((n - m) // 2 - k)))
@@ -331,24 +331,24 @@ def complete(values: Mapping[str, object]) -> Json:
 
 def link(state: Mapping[str, object]) -> str:
     """Return the fragment of an address that opens the page in a state."""
-    whole = complete(state)
+    full_state = complete(state)
     return "&".join(
         f"{name}={quote(str(value).removesuffix('.0'), safe=',:;')}"
         for name, field in FIELDS.items()
-        if (value := whole[name]) != field.initial
+        if (value := full_state[name]) != field.initial
     )
 
 
 def state_of(instrument: Instrument) -> tuple[Json, str]:
-    """Return the state that shows an instrument, and a list of its features that the page cannot show.
+    """Return (1) the state that shows an instrument and (2) a text that lists features the page cannot show.
 
-    A paraxial lens with an object or a focus nearer than infinity is shown by its distances, others by their defocus.
+    A paraxial lens with an object or a focus nearer than infinity is shown by its distances, other lenses by defocus.
     """
     pupil, lens = instrument.pupil(), instrument.lens
     if pupil.wavelength is None or pupil.f_number is None or pupil.shape:
         raise ValueError("the live page requires one pupil with a wavelength and an f-number")
-    near = min(lens.focus_distance, instrument.object_distance) < _FAR and lens.focus_distance > 0.0
-    distances = near and lens.model == "paraxial"
+    is_near = min(lens.focus_distance, instrument.object_distance) < _FAR and lens.focus_distance > 0.0
+    distances = is_near and lens.model == "paraxial"
     wavefront = lens.aberrations if distances else pupil.wavefront
     waves = {term: float(c) / math.tau for term, c in wavefront.edge_terms().items()}
     state = _sliders(waves, distances=distances)
@@ -366,9 +366,9 @@ def state_of(instrument: Instrument) -> tuple[Json, str]:
     vanes = _vanes(lens.spider)
     _require_range(state | vanes, instrument.name)
     state = {name: float(f"{value:.9g}") if isinstance(value, float) else value for name, value in state.items()}
-    state["zernike"], rest = _without_slider(waves)
+    state["zernike"], remaining_rms = _without_slider(waves)
     left_out = {
-        f"further Zernike terms, {rest:.1g} waves rms": rest > 1e-9,
+        f"further Zernike terms, {remaining_rms:.1g} waves rms": remaining_rms > 1e-9,
         "the spider": not vanes and lens.spider is not None,
         "the vignetting": pupil.vignetting is not None,
         "the stop": pupil.stop is not None,
@@ -378,7 +378,7 @@ def state_of(instrument: Instrument) -> tuple[Json, str]:
         "aberrations of the field": instrument.aberrations_of_field is not None,
     }
     changed = {name: value for name, value in (state | vanes).items() if value != FIELDS[name].initial}
-    return changed, "; ".join(text for text, there in left_out.items() if there)
+    return changed, "; ".join(text for text, is_left_out in left_out.items() if is_left_out)
 
 
 def _sliders(waves: dict[tuple[int, int], float], *, distances: bool) -> Json:
@@ -392,9 +392,9 @@ def _sliders(waves: dict[tuple[int, int], float], *, distances: bool) -> Json:
     else:
         state["defocus"] = 2.0 * waves.pop((2, 0), 0.0) - spherical
     for name, (n, m) in DIRECTED.items():
-        along, across = waves.pop((n, m), 0.0), waves.pop((n, -m), 0.0)
-        state[name] = math.hypot(along, across)
-        state[f"{name}_angle"] = math.degrees(math.atan2(across, along)) / m
+        cosine, sine = waves.pop((n, m), 0.0), waves.pop((n, -m), 0.0)
+        state[name] = math.hypot(cosine, sine)
+        state[f"{name}_angle"] = math.degrees(math.atan2(sine, cosine)) / m
     return state
 
 
@@ -411,7 +411,7 @@ def _require_range(state: Json, lens: str) -> None:
 
 
 def _without_slider(waves: dict[tuple[int, int], float]) -> tuple[str, float]:
-    """Return the text of Zernike terms without a slider, and the rms (waves) of terms beyond its limits."""
+    """Return (1) the text of Zernike terms without a slider and (2) the rms (waves) of terms beyond its limits."""
     rms = {(n, m): c / edge_factor(n, m) for (n, m), c in waves.items()}
     # Largest first, as the number of terms is limited.
     terms = sorted((term for term in rms if 1e-10 < abs(rms[term]) <= MOST_WAVES), key=lambda term: -abs(rms[term]))
@@ -432,56 +432,56 @@ def _vanes(spider: Spider | None) -> Json:
     """Return the part of a state with the vanes of a spider; empty without vanes at equal angles."""
     if spider is None or len(spider.angles) > MOST_VANES:
         return {}
-    count, first = len(spider.angles), min(spider.angles, key=abs)
-    steps = sorted(((angle - first) * count / math.tau) % count for angle in spider.angles)
+    count, first_angle = len(spider.angles), min(spider.angles, key=abs)
+    steps = sorted(((angle - first_angle) * count / math.tau) % count for angle in spider.angles)
     if any(abs(step - round(step)) > 1e-9 for step in steps) or len({round(s) % count for s in steps}) < count:
         return {}
-    turn = math.degrees(math.remainder(first, math.tau))
-    return {"vanes": count, "vane_width": float(f"{spider.width:.9g}"), "vane_angle": float(f"{turn:.9g}")}
+    degrees = math.degrees(math.remainder(first_angle, math.tau))
+    return {"vanes": count, "vane_width": float(f"{spider.width:.9g}"), "vane_angle": float(f"{degrees:.9g}")}
 
 
 def pupil_of(state: Mapping[str, object]) -> Pupil:
     """Return the pupil of a state."""
-    whole = complete(state)
-    distances = whole["focus"] == "distances"
-    wavefront = Wavefront.from_seidel(W020=0.0 if distances else whole["defocus"], W040=whole["spherical"])
+    full_state = complete(state)
+    distances = full_state["focus"] == "distances"
+    wavefront = Wavefront.from_seidel(W020=0.0 if distances else full_state["defocus"], W040=full_state["spherical"])
     for name, (n, m) in DIRECTED.items():
-        if size := whole[name]:
+        if size := full_state[name]:
             term = Wavefront.zernike({(n, m): size}, unit="waves", normalization="edge")
-            wavefront += term.rotated(math.radians(whole[f"{name}_angle"]))
-    if terms := further_terms(whole["zernike"]):
+            wavefront += term.rotated(math.radians(full_state[f"{name}_angle"]))
+    if terms := further_terms(full_state["zernike"]):
         wavefront += Wavefront.zernike(terms, unit="waves")
-    shared: Json = {"obscuration": whole["obscuration"], "wavelength": whole["wavelength"] * 1e-9}
-    if whole["vanes"]:
-        first = math.radians(whole["vane_angle"])
-        shared["spider"] = Spider.equal(whole["vanes"], whole["vane_width"], first)
+    common: Json = {"obscuration": full_state["obscuration"], "wavelength": full_state["wavelength"] * 1e-9}
+    if full_state["vanes"]:
+        first = math.radians(full_state["vane_angle"])
+        common["spider"] = Spider.equal(full_state["vanes"], full_state["vane_width"], first)
     if not distances:
-        return Pupil(wavefront, f_number=whole["f_number"], **shared)
-    focal = whole["focal_length"] * 1e-3
+        return Pupil(wavefront, f_number=full_state["f_number"], **common)
+    focal = full_state["focal_length"] * 1e-3
     # The diameter is passed, because Lens may reject an f-number with a focal length above 1 m as a wrong unit.
     lens = Lens(
         focal_length=focal,
-        aperture_diameter=focal / whole["f_number"],
-        focus_distance=whole["focus_distance"],
+        aperture_diameter=focal / full_state["f_number"],
+        focus_distance=full_state["focus_distance"],
         aberrations=wavefront,
-        **shared,
+        **common,
     )
-    return lens.pupil(whole["object_distance"])
+    return lens.pupil(full_state["object_distance"])
 
 
 def psf_of(state: Mapping[str, object], **options: Any) -> PSF:
     """Return the PSF that the page shows in a state, with further options of :func:`lommel.psf`."""
-    whole = complete(state)
-    pupil = pupil_of(whole)
-    if whole["light"] == "white":
+    full_state = complete(state)
+    pupil = pupil_of(full_state)
+    if full_state["light"] == "white":
         options.setdefault("method", Polychromatic(list(WHITE * 1e-9), [1.0] * len(WHITE)))
-    reach, side, pixel = _fine_reach(pupil), whole["side"], whole["pixel"] * 1e-6
-    if whole["view"] == "fine":
+    reach, side, pixel = _fine_reach(pupil), full_state["side"], full_state["pixel"] * 1e-6
+    if full_state["view"] == "fine":
         pixel = 2.0 * reach / side
-    elif whole["vanes"]:
+    elif full_state["vanes"]:
         # The page limits the window, too, since the computing time with vanes increases with its size.
         side = min(side, max(64, 2 * math.ceil(reach / pixel)))
-    return psf(pupil, side, pixel, integrate=whole["view"] == "averaged", **options)
+    return psf(pupil, side, pixel, integrate=full_state["view"] == "averaged", **options)
 
 
 def _fine_reach(pupil: Pupil) -> float:
@@ -489,17 +489,17 @@ def _fine_reach(pupil: Pupil) -> float:
     # The same samples and steps of sqrt(2) as in fineReach() of the page.
     rho = pupil.obscuration + (1.0 - pupil.obscuration) * np.arange(25)[:, None] / 24.0
     theta = math.tau * np.arange(48) / 48.0
-    outward = np.zeros((25, 48))
-    around = np.zeros_like(outward)
+    radial_slope = np.zeros((25, 48))
+    angular_slope = np.zeros_like(radial_slope)
     for (n, m), edge in pupil.wavefront.edge_terms().items():
         quotient, slope = np.zeros_like(rho), np.zeros_like(rho)  # radial part divided by rho, derivative of the part
         for power, factor in powers(n, abs(m)):
             if power:
                 quotient, slope = quotient + factor * rho ** (power - 1), slope + factor * power * rho ** (power - 1)
         angle = abs(m) * theta - (math.pi / 2 if m < 0 else 0.0)
-        outward += float(edge) * slope * np.cos(angle)
-        around -= float(edge) * quotient * abs(m) * np.sin(angle)
-    v = 1.15 * float(np.hypot(outward, around).max()) + 14.0
+        radial_slope += float(edge) * slope * np.cos(angle)
+        angular_slope -= float(edge) * quotient * abs(m) * np.sin(angle)
+    v = 1.15 * float(np.hypot(radial_slope, angular_slope).max()) + 14.0
     assert pupil.wavelength is not None
     assert pupil.f_number is not None
     reach = v * pupil.wavelength * 1e6 * pupil.f_number / math.pi

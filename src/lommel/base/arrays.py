@@ -34,8 +34,8 @@ def largest(values: Values) -> float:
 
 def numbers(values: object, shape: tuple[int, ...]) -> Numbers:
     """Return `values` as an array of this shape, or as a number if the shape is ()."""
-    found: Numbers = np.asarray(values, dtype=np.float64).reshape(shape)[()]
-    return found
+    result: Numbers = np.asarray(values, dtype=np.float64).reshape(shape)[()]
+    return result
 
 
 def plain(value: object) -> Any:
@@ -66,8 +66,8 @@ def plain(value: object) -> Any:
 
 def fields_of(value: DataclassInstance) -> Json:
     """Return the public fields of a dataclass that its repr shows."""
-    shown = (each.name for each in dataclasses.fields(value) if each.repr and not each.name.startswith("_"))
-    return {name: getattr(value, name) for name in shown}
+    names = (item.name for item in dataclasses.fields(value) if item.repr and not item.name.startswith("_"))
+    return {name: getattr(value, name) for name in names}
 
 
 def _key(name: object) -> str:

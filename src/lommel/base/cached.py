@@ -21,23 +21,23 @@ else:
             return value
 
 
-_Thing = TypeVar("_Thing")
+_Object = TypeVar("_Object")
 # Speed matters: `Lens.pupil` takes only as long as 100 attribute look-ups, and `dict.update` would add a sixth.
 _new, _set = object.__new__, object.__setattr__
 
 
-def made(kind: type[_Thing], parts: dict[str, object]) -> _Thing:
+def made(kind: type[_Object], parts: dict[str, object]) -> _Object:
     """Return an object of the class `kind` whose ``__dict__`` is `parts`, which the caller must have checked."""
     # Skip __init__ and the checks of frozen dataclasses, which take longer than the rest of a small computation.
-    thing = _new(kind)
-    _set(thing, "__dict__", parts)
-    return thing
+    result = _new(kind)
+    _set(result, "__dict__", parts)
+    return result
 
 
-def changed(thing: _Thing, **parts: object) -> _Thing:
-    """Return a copy with the attributes `parts` changed; unlike `replace`, check nothing and keep cached values."""
-    copy = _new(type(thing))
-    _set(copy, "__dict__", thing.__dict__ | parts)
+def changed(original: _Object, **parts: object) -> _Object:
+    """Return a copy with `parts` as changed attributes; unlike `replace`, check nothing and keep cached values."""
+    copy = _new(type(original))
+    _set(copy, "__dict__", original.__dict__ | parts)
     return copy
 
 

@@ -9,56 +9,56 @@ from typing import Any, TypeVar
 _Function = TypeVar("_Function", bound=Callable[..., object])
 
 
-def load(what: str) -> None:
-    """Import all modules that register a `what`, "plot", "table" or "file"; the package replaces this function."""
+def load(kind: str) -> None:
+    """Import the modules that register functions of a `kind`: "plot", "table", "file"; the package replaces this."""
 
 
 @singledispatch
-def plot(thing: object, *args: object, **options: object) -> Any:
+def plot(item: object, *args: object, **options: object) -> Any:
     """Draw a PSF, a pupil or a wavefront on axes of matplotlib, and return the axes."""
-    return _registered(plot.dispatch, thing, "plot")(thing, *args, **options)
+    return _registered(plot.dispatch, item, "plot")(item, *args, **options)
 
 
 @singledispatch
-def save(thing: object, *args: object, **options: object) -> None:
+def save(item: object, *args: object, **options: object) -> None:
     """Write a PSF or a wavefront to a file."""
-    _registered(save.dispatch, thing, "file")(thing, *args, **options)
+    _registered(save.dispatch, item, "file")(item, *args, **options)
 
 
 @singledispatch
-def html(thing: object) -> str:
+def html(item: object) -> str:
     """Return the HTML that a notebook shows: a picture beside a table of numbers."""
-    text: str = _registered(html.dispatch, thing, "table")(thing)
+    text: str = _registered(html.dispatch, item, "table")(item)
     return text
 
 
-def _registered(dispatch: Callable[[type], _Function], thing: object, what: str) -> _Function:
-    load(what)
+def _registered(dispatch: Callable[[type], _Function], item: object, kind: str) -> _Function:
+    load(kind)
     # Without a registered function, dispatch returns the function for `object`, which has called this function.
-    found = dispatch(type(thing))
-    if found is dispatch(object):
-        raise TypeError(f"there is no {what} of a {type(thing).__name__}")
-    return found
+    function = dispatch(type(item))
+    if function is dispatch(object):
+        raise TypeError(f"there is no {kind} of a {type(item).__name__}")
+    return function
 
 
-_named: dict[str, Callable[..., Any]] = {}
+_functions: dict[str, Callable[..., Any]] = {}
 
 
 def register(name: str) -> Callable[[_Function], _Function]:
     """Return a decorator that registers a function under a name, for :func:`named`."""
 
     def decorate(function: _Function) -> _Function:
-        _named[name] = function
+        _functions[name] = function
         return function
 
     return decorate
 
 
-def named(name: str, what: str) -> Callable[..., Any]:
-    """Return the function registered under a name; before, import the modules of the kind `what` if necessary."""
-    if name not in _named:
-        load(what)
-    return _named[name]
+def named(name: str, kind: str) -> Callable[..., Any]:
+    """Return the function registered under a name; first, if necessary, import the modules that register a `kind`."""
+    if name not in _functions:
+        load(kind)
+    return _functions[name]
 
 
 class Shown:

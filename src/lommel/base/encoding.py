@@ -12,7 +12,7 @@ ENCODINGS = ("linear", "srgb")
 
 _MAX_LIGHT = 10.0  # times white; larger values are probably integer levels that were converted to floats
 
-_PART = 2**16  # number of values encoded together, so that intermediate arrays stay in the cache of a processor
+_BLOCK = 2**16  # number of values encoded together, so that intermediate arrays stay in the cache of a processor
 
 
 def to_light(name: str, values: NDArray[np.generic], encoding: str, dtype: DTypeLike) -> Values:
@@ -58,8 +58,8 @@ def to_light(name: str, values: NDArray[np.generic], encoding: str, dtype: DType
         if light.size and float(light.min()) < 0.0:
             raise ValueError(f"{name} must be >= 0 to be sRGB, got {light.min()}; give encoding='linear'")
         # Up to 0.04045 sRGB is linear: encoding by the power alone would have an infinite slope at 0.
-        low = light <= 0.04045
-        light = np.asarray(np.where(low, light / 12.92, ((light + 0.055) / 1.055) ** 2.4), dtype=dtype)
+        is_linear = light <= 0.04045
+        light = np.asarray(np.where(is_linear, light / 12.92, ((light + 0.055) / 1.055) ** 2.4), dtype=dtype)
     return np.asarray(light)
 
 
@@ -94,10 +94,10 @@ def from_light(light: Values, encoding: str, dtype: DTypeLike) -> Values:
     -------
     ndarray, of the shape of `light`
     """
-    kind, flat = np.dtype(dtype), light.reshape(-1)
-    stored_values = np.empty(flat.shape, dtype=kind)
-    for part in (slice(first, first + _PART) for first in range(0, flat.size, _PART)):
-        values = flat[part]
+    kind, flat_light = np.dtype(dtype), light.reshape(-1)
+    stored_values = np.empty(flat_light.shape, dtype=kind)
+    for part in (slice(start, start + _BLOCK) for start in range(0, flat_light.size, _BLOCK)):
+        values = flat_light[part]
         if encoding == "srgb":
             power = 1.055 * np.maximum(values, 0.0) ** (1.0 / 2.4) - 0.055
             values = np.where(values <= 0.0031308, 12.92 * values, power)

@@ -40,9 +40,9 @@ def how_to_get(name: str, extra: str) -> str:
     top = name.partition(".")[0]
     # The environment of a clone has no pip.
     clone = Path(__file__).parents[3] / "Makefile"
-    here = "; in a clone, make env" if clone.is_file() and extra not in _NOT_LOCKED else ""
-    brought = f' (the extra "{extra}" of lommel brings it{here})' if extra else ""
-    return f"{top}: pip install {_TO_INSTALL.get(top, top)}{brought}"
+    clone_hint = "; in a clone, make env" if clone.is_file() and extra not in _NOT_LOCKED else ""
+    extra_hint = f' (the extra "{extra}" of lommel brings it{clone_hint})' if extra else ""
+    return f"{top}: pip install {_TO_INSTALL.get(top, top)}{extra_hint}"
 
 
 def version() -> str:

@@ -22,13 +22,13 @@ def shares(keywords: type, source: Callable[..., object], **defaults: object) ->
     def show(function: _Callable) -> _Callable:
         call: Any = function.__init__ if isinstance(function, type) else function  # type: ignore[misc]
         signature = inspect.signature(call)
-        own = [p for p in signature.parameters.values() if p.kind is not p.VAR_KEYWORD]
+        positional = [p for p in signature.parameters.values() if p.kind is not p.VAR_KEYWORD]
         shared = [
             p.replace(kind=p.KEYWORD_ONLY, default=defaults.get(p.name, p.default))
             for p in inspect.signature(source).parameters.values()
             if p.name in keywords.__annotations__
         ]
-        call.__signature__ = signature.replace(parameters=[*own, *shared])
+        call.__signature__ = signature.replace(parameters=[*positional, *shared])
         if function.__doc__:  # there is none with python -OO
             names = {p.name for p in shared}
             text = "\n".join(
@@ -48,24 +48,24 @@ def sentence(source: Callable[..., object], name: str) -> str:
 
 def _texts(source: Callable[..., object]) -> dict[str, str]:
     """Return the text (type and description) of each entry of the section Parameters; base classes come first."""
-    found: dict[str, str] = {}
+    texts: dict[str, str] = {}
     for kind in reversed(getattr(source, "__mro__", (source,))):
         section = inspect.cleandoc(kind.__doc__ or "").partition("Parameters\n----------\n")[2]
         section = re.split(r"\n\n(?=\w+\n-+\n)", section)[0]
-        found |= re.findall(r"^([\w, ]+) : (.*(?:\n(?!\w).*)*)", section.rstrip(), re.MULTILINE)
-    return found
+        texts |= re.findall(r"^([\w, ]+) : (.*(?:\n(?!\w).*)*)", section.rstrip(), re.MULTILINE)
+    return texts
 
 
 def require_known(function: Callable[..., object], given: Mapping[str, object], keywords: type) -> None:
     """Raise TypeError for an option that `keywords` lacks; the message lists the options of `function`."""
     if unknown := [name for name in given if name not in keywords.__annotations__]:
-        known = [p.name for p in inspect.signature(function).parameters.values() if p.kind is p.KEYWORD_ONLY]
-        raise TypeError(f"{function.__qualname__}() has no option {shown(unknown[0])}; {near(unknown[0], known)}")
+        names = [p.name for p in inspect.signature(function).parameters.values() if p.kind is p.KEYWORD_ONLY]
+        raise TypeError(f"{function.__qualname__}() has no option {shown(unknown[0])}; {near(unknown[0], names)}")
 
 
 def near(name: str, known: Iterable[str]) -> str:
-    """Return a suggestion for a misspelt name, or the list of all valid ones."""
-    each = {one.lower(): one for one in known}
+    """Return a suggestion for a misspelt name, or the list of all valid names."""
+    names = {candidate.lower(): candidate for candidate in known}
     # The name is cut to 60 characters, since the time of difflib grows with the square of the length.
-    matches = difflib.get_close_matches(name[:60].lower(), each, n=1)
-    return f"did you mean {each[matches[0]]}?" if matches else f"known are {', '.join(each.values())}"
+    matches = difflib.get_close_matches(name[:60].lower(), names, n=1)
+    return f"did you mean {names[matches[0]]}?" if matches else f"known are {', '.join(names.values())}"

@@ -26,17 +26,17 @@ class _Cancelled(BaseException):
 _SINGLE_THREAD_PRODUCTS = 1 << 18  # number of multiplications up to which OpenBLAS uses one thread
 
 
-def side_by_side(task: Callable[[Item], Result], each: Sequence[Item], threads: int = 0) -> list[Result]:
-    """Return the results of `task` for `each` item, in order, on at most `threads` threads (0: one per processor)."""
-    most = min(threads or os.cpu_count() or 1, len(each))
-    if most <= 1:
-        return [task(one) for one in each]
-    queue = deque(range(len(each)))
+def side_by_side(task: Callable[[Item], Result], items: Sequence[Item], threads: int = 0) -> list[Result]:
+    """Return the results of `task` for `items`, in order, on at most `threads` threads (0: one per processor)."""
+    count = min(threads or os.cpu_count() or 1, len(items))
+    if count <= 1:
+        return [task(item) for item in items]
+    queue = deque(range(len(items)))
     results: dict[int, Result] = {}
     working_threads: set[int] = set()
     lock = threading.Lock()
 
-    def work() -> None:
+    def run_tasks() -> None:
         # Threads take items from a common queue, since a future for each item would take longer than a short task.
         with lock:
             working_threads.add(threading.get_ident())
@@ -46,25 +46,25 @@ def side_by_side(task: Callable[[Item], Result], each: Sequence[Item], threads: 
                     number = queue.popleft()
                 except IndexError:
                     return
-                results[number] = task(each[number])
+                results[number] = task(items[number])
         finally:
             queue.clear()  # after an error, no thread begins another item
             with lock:
                 working_threads.discard(threading.get_ident())
 
-    with ThreadPoolExecutor(most - 1) as pool:
-        others = [pool.submit(work) for _ in range(most - 1)]
+    with ThreadPoolExecutor(count - 1) as pool:
+        futures = [pool.submit(run_tasks) for _ in range(count - 1)]
         try:
-            work()
-            for other in others:
-                other.result()
+            run_tasks()
+            for future in futures:
+                future.result()
         except BaseException:
             # Ctrl-C interrupts this thread only, while the other threads may run long tasks.
             with lock:
                 for thread in working_threads:
                     ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(thread), ctypes.py_object(_Cancelled))
             raise
-    return [results[number] for number in range(len(each))]
+    return [results[number] for number in range(len(items))]
 
 
 def product(a: Values, b: Values) -> Values:

@@ -89,9 +89,9 @@ def parse_radius(text: str | float, focal_length: float) -> float:
     ValueError
         If `text` is neither a length nor an angle.
     """
-    found = _QUANTITY.fullmatch(text) if isinstance(text, str) else None
-    if found and found[2] in _ANGLES:
-        return parse_angle(found[0]) * real("focal_length", focal_length, above=0.0)
+    match = _QUANTITY.fullmatch(text) if isinstance(text, str) else None
+    if match and match[2] in _ANGLES:
+        return parse_angle(match[0]) * real("focal_length", focal_length, above=0.0)
     return _parse(text, LENGTHS, "length", "5 um", others=_ANGLES)
 
 
@@ -166,7 +166,7 @@ def with_units(message: str) -> str:
     """Return a message of the library with lengths as on the command line: ``"3.45 um"`` instead of 3.45e-6."""
     units = {"6": "um", "9": "nm"}
     message = re.sub(r"\bfor ([\d.e+-]+ mm) [\d.e+-]+e-3\b", r'for \1 "\1"', message)
-    return re.sub(r"\bgive ([\d.]+)e-([69])\b", lambda found: f'write "{found[1]} {units[found[2]]}"', message)
+    return re.sub(r"\bgive ([\d.]+)e-([69])\b", lambda match: f'write "{match[1]} {units[match[2]]}"', message)
 
 
 def _parse(text: object, units: dict[str, float], kind: str, example: str, others: Iterable[str] = ()) -> float:
@@ -174,10 +174,10 @@ def _parse(text: object, units: dict[str, float], kind: str, example: str, other
     if isinstance(text, bool) or not isinstance(text, str | int | float):
         raise ValueError(f"{article} {kind} is a number with a unit, a text such as {example!r}, got {shown(text)}")
     text = text if isinstance(text, str) else format(real(f"{article} {kind}", text, infinite=True), "g")
-    found = _QUANTITY.fullmatch(text)
-    if not found:
+    match = _QUANTITY.fullmatch(text)
+    if not match:
         raise ValueError(f"{shown(text)} is not {article} {kind}; write for example {example!r}")
-    number, unit = float(found[1]), found[2]
+    number, unit = float(match[1]), match[2]
     if unit and unit not in units:
         angles = f", an angle in {', '.join(others)}" if others else ""
         raise ValueError(
@@ -185,8 +185,8 @@ def _parse(text: object, units: dict[str, float], kind: str, example: str, other
         )
     if not unit and number != 0.0 and not math.isinf(number):
         raise ValueError(f"{shown(text)} is {article} {kind} without a unit; write for example {example!r}")
-    value = _scaled(found[1], unit) if unit in _POWERS else number * units.get(unit, 1.0)
-    if math.isinf(value) and not found[1].lstrip("+-").startswith("inf"):
+    value = _scaled(match[1], unit) if unit in _POWERS else number * units.get(unit, 1.0)
+    if math.isinf(value) and not match[1].lstrip("+-").startswith("inf"):
         raise ValueError(f"{shown(text)} exceeds the range of numbers")
     return value
 

@@ -40,9 +40,9 @@ MAX_REACH = 1e6
 """Largest distance from the axis in v = pi r / (lambda N); in focus, I / peak is below 1e-17 at this distance."""
 
 
-_SHOWN = 120  # maximum number of characters of a value in a message
+_MAX_CHARACTERS = 120  # maximum number of characters of a value in a message
 _brief = reprlib.Repr()
-_brief.maxstring = _brief.maxother = _brief.maxlong = _SHOWN
+_brief.maxstring = _brief.maxother = _brief.maxlong = _MAX_CHARACTERS
 _brief.maxlevel = 3
 
 _Value = TypeVar("_Value")
@@ -57,9 +57,9 @@ def shown(value: object) -> str:
     return brief(text)
 
 
-def brief(text: str, most: int = _SHOWN) -> str:
-    """Return a text, whose middle is omitted if it has more than `most` characters."""
-    return text if len(text) <= most else f"{text[: most - 20]}...{text[-17:]}"
+def brief(text: str, limit: int = _MAX_CHARACTERS) -> str:
+    """Return a text, whose middle is omitted if it has more than `limit` characters."""
+    return text if len(text) <= limit else f"{text[: limit - 20]}...{text[-17:]}"
 
 
 def key(text: str) -> str:
@@ -83,17 +83,17 @@ def readable(text: str) -> str:
         return text
 
 
-def _instead(value: object, *kinds: type[object]) -> str:
+def _hints(value: object, *kinds: type[object]) -> str:
     """Return hints on the conversion of `value` to one of `kinds`, from the attribute `made_of` of these classes."""
-    found = (getattr(kind, "made_of", {}).get(type(value).__name__) for kind in kinds)
-    return "".join(f"; {hint}" for hint in found if hint)
+    hints = (getattr(kind, "made_of", {}).get(type(value).__name__) for kind in kinds)
+    return "".join(f"; {hint}" for hint in hints if hint)
 
 
 def instance(name: str, value: _Value, kind: type[object]) -> _Value:
     """Return `value` if it is an instance of `kind`; TypeError otherwise."""
     if not isinstance(value, kind):
         article = "an" if kind.__name__[0] in "AEIOU" else "a"
-        raise TypeError(f"{name} must be {article} {kind.__name__}, got {shown(value)}{_instead(value, kind)}")
+        raise TypeError(f"{name} must be {article} {kind.__name__}, got {shown(value)}{_hints(value, kind)}")
     return value
 
 
@@ -101,7 +101,7 @@ def optional(name: str, value: object, *kinds: type[object]) -> None:
     """Raise TypeError for a value that is neither None nor an instance of one of `kinds`."""
     if value is not None and not isinstance(value, kinds):
         allowed = " or ".join(kind.__name__ for kind in kinds)
-        raise TypeError(f"{name} must be of the type {allowed}, or None, got {shown(value)}{_instead(value, *kinds)}")
+        raise TypeError(f"{name} must be of the type {allowed}, or None, got {shown(value)}{_hints(value, *kinds)}")
 
 
 def path(name: str, value: object) -> Path:
@@ -157,7 +157,7 @@ def real(
 
 def _is_real_scalar(value: object) -> bool:
     if isinstance(value, np.ndarray | np.generic):
-        return value.ndim == 0 and value.dtype.kind in "iuf" and not _masked(value)
+        return value.ndim == 0 and value.dtype.kind in "iuf" and not _is_masked(value)
     return not isinstance(value, bool)
 
 
@@ -197,36 +197,36 @@ def choice(name: str, value: object, allowed: Iterable[str]) -> str:
 
 def array(name: str, value: ArrayLike) -> Values:
     """Return `value` as an array; TypeError if some values are masked, since plain arrays would lose the mask."""
-    held = computed(value)
-    refuse_masked(name, held)
+    values = computed(value)
+    refuse_masked(name, values)
     try:
-        return np.asarray(held)
+        return np.asarray(values)
     except (ValueError, TypeError, OverflowError):  # ragged sequences and objects: later checks refuse the dtype
         return np.asarray(None)
 
 
 def refuse_masked(name: str, value: object) -> None:
     """Raise TypeError for an array or container (NumPy, astropy) in which values are masked."""
-    if _masked(value):
+    if _is_masked(value):
         raise TypeError(f"{name} must not be masked; fill the masked values, or omit them")
 
 
 def parted(name: str, value: object) -> tuple[Values, NDArray[np.bool_] | None]:
-    """Return the numbers of a container, or of a list of containers, and their mask (True: masked), None without one.
+    """Return (1) the numbers of a container or of a list of containers, (2) their mask (True: masked) or None.
 
     TypeError if it does not hold numbers, ValueError if masked containers in a list have different shapes.
     """
     value = computed(value)
-    if not _masked(value):
+    if not _is_masked(value):
         return number_array(name, cast(ArrayLike, value)), None
     if isinstance(value, list | tuple):
-        parts = [parted(f"{name}[{k}]", one) for k, one in enumerate(value)]
+        parts = [parted(f"{name}[{k}]", item) for k, item in enumerate(value)]
         if len(shapes := {data.shape for data, _ in parts}) > 1:
             raise ValueError(f"{name} must have one shape, got {', '.join(map(str, sorted(shapes)))}")
-        hidden = [np.zeros(data.shape, dtype=bool) if mask is None else mask for data, mask in parts]
-        return np.stack([data for data, _ in parts]), np.stack(hidden)
-    held = value if isinstance(value, np.ndarray) else getattr(value, "data", value)
-    numbers = number_array(name, np.array(held, subok=False))
+        masks = [np.zeros(data.shape, dtype=bool) if mask is None else mask for data, mask in parts]
+        return np.stack([data for data, _ in parts]), np.stack(masks)
+    data = value if isinstance(value, np.ndarray) else getattr(value, "data", value)
+    numbers = number_array(name, np.array(data, subok=False))
     return numbers, np.broadcast_to(np.asarray(getattr(value, "mask", False)) != 0, numbers.shape)
 
 
@@ -243,23 +243,23 @@ def computed(value: object) -> Any:
         return value
     if callable(compute := getattr(value, "compute", None)) and hasattr(value, "dask"):
         return compute()
-    held = None if hasattr(value, "__array__") else getattr(value, "data", None)  # astropy's NDData
-    return held if isinstance(held, np.ndarray) and hasattr(value, "mask") else value
+    values = None if hasattr(value, "__array__") else getattr(value, "data", None)  # astropy's NDData
+    return values if isinstance(values, np.ndarray) and hasattr(value, "mask") else value
 
 
-def _masked(value: object) -> bool:
+def _is_masked(value: object) -> bool:
     if type(value) in _NUMBERS:
         return False
     if isinstance(value, list | tuple):
-        return any(_masked(part) for part in value if type(part) not in _NUMBERS)
+        return any(_is_masked(part) for part in value if type(part) not in _NUMBERS)
     if type(value).__module__.partition(".")[0] == "lommel":  # the `mask` of an aperture is an optical element
         return False
     mask = getattr(value, "mask", None)
     if mask is None or callable(mask):  # in pandas `mask` is a method
         return False
-    kept = np.asarray(mask)
-    return bool(kept.dtype.kind in "biu" and kept.any()) or (
-        kept.dtype.names is not None and bool(np.ma.is_masked(value))  # structured arrays
+    mask_array = np.asarray(mask)
+    return bool(mask_array.dtype.kind in "biu" and mask_array.any()) or (
+        mask_array.dtype.names is not None and bool(np.ma.is_masked(value))  # structured arrays
     )
 
 
@@ -274,27 +274,27 @@ def number_array(name: str, value: ArrayLike) -> Values:
 def real_array(name: str, value: float | ArrayLike, *, least: float = -math.inf, most: float = math.inf) -> Array:
     """Return `value` as a read-only float64 array of finite numbers ``>= least`` and ``<= most``."""
     if isinstance(value, float) and math.isfinite(value) and least <= value <= most:
-        found = np.array(value, dtype=np.float64)  # a single number: checks of arrays are slow
+        result = np.array(value, dtype=np.float64)  # a single number: checks of arrays are slow
     else:
         with np.errstate(over="ignore"):  # a long double beyond the range of float64 becomes infinite: refused below
-            found = np.array(number_array(name, value), dtype=np.float64, subok=False)
-        bad = ~(np.isfinite(found) & (found >= least))
+            result = np.array(number_array(name, value), dtype=np.float64, subok=False)
+        invalid = ~(np.isfinite(result) & (result >= least))
         if most < math.inf:
-            bad |= found > most
-        if bad.any():
+            invalid |= result > most
+        if invalid.any():
             limits = [f" and {sign} {x:g}" for sign, x in ((">=", least), ("<=", most)) if math.isfinite(x)]
-            raise ValueError(f"{name} must be finite{''.join(limits)}, got {found[bad].flat[0]}")
+            raise ValueError(f"{name} must be finite{''.join(limits)}, got {result[invalid].flat[0]}")
     # The array is read-only, since pupils and grids cache values computed from it.
-    found.flags.writeable = False
-    return found
+    result.flags.writeable = False
+    return result
 
 
 def rising(name: str, value: float | ArrayLike, *, count: int = 1) -> Array:
     """Return at least `count` strictly increasing numbers as a read-only 1-D array; ValueError otherwise."""
-    found = np.atleast_1d(real_array(name, value))
-    if found.ndim != 1 or found.size < count or not np.all(np.diff(found) > 0.0):
+    result = np.atleast_1d(real_array(name, value))
+    if result.ndim != 1 or result.size < count or not np.all(np.diff(result) > 0.0):
         raise ValueError(f"{name} must rise, and be {count} or more, got {shown(value)}")
-    return found
+    return result
 
 
 def broadcast(names: str, *arrays: Values) -> tuple[Array, ...]:
@@ -314,16 +314,16 @@ def axes(name: str, value: object) -> None:
 
 def kind(name: str, value: object, *allowed: type[np.generic]) -> np.dtype[Any]:
     """Return the dtype that `value` specifies; TypeError if it is not one of `allowed`."""
-    options = [np.dtype(one) for one in allowed]
+    options = [np.dtype(item) for item in allowed]
     try:
-        found: np.dtype[Any] = np.dtype(cast(DTypeLike, value))
+        dtype: np.dtype[Any] = np.dtype(cast(DTypeLike, value))
     except Exception:  # NumPy raises errors of many types for an invalid dtype
-        found = np.dtype(object)
-    number = isinstance(value, np.generic) and not isinstance(value, str)  # a NumPy number is not a dtype
-    if value is None or number or found not in options:
-        *others, last = map(str, options)
-        raise TypeError(f"{name} must be {', '.join(others)} or {last}, got {shown(value)}")
-    return found
+        dtype = np.dtype(object)
+    is_number = isinstance(value, np.generic) and not isinstance(value, str)  # a NumPy number is not a dtype
+    if value is None or is_number or dtype not in options:
+        *other_names, last_name = map(str, options)
+        raise TypeError(f"{name} must be {', '.join(other_names)} or {last_name}, got {shown(value)}")
+    return dtype
 
 
 def image_shape(shape: object) -> tuple[int, int]:
@@ -338,19 +338,19 @@ def image_shape(shape: object) -> tuple[int, int]:
     return height, width
 
 
-def stack_shape(shape: object, own: tuple[int, ...]) -> tuple[int, ...]:
-    """Return `shape` if a stack of shape `own` can be broadcast to it; TypeError or ValueError otherwise."""
+def stack_shape(shape: object, stack: tuple[int, ...]) -> tuple[int, ...]:
+    """Return `shape` if a stack of shape `stack` can be broadcast to it; TypeError or ValueError otherwise."""
     if not isinstance(shape, tuple | list):
         raise TypeError(f"shape must be a tuple of integers, got {shown(shape)}")
     sides = tuple(integer("shape", side, least=0, most=MAX_VALUES) for side in shape)
     if math.prod(sides) > MAX_SIDE**2:
         raise ValueError(f"shape must hold at most {MAX_SIDE**2} pupils, got {shown(sides)}")
     try:
-        fits = np.broadcast_shapes(own, sides) == sides
+        fits = np.broadcast_shapes(stack, sides) == sides
     except ValueError:
         fits = False
     if not fits:
-        raise ValueError(f"shape must be one that {own} broadcasts to, got {shown(sides)}")
+        raise ValueError(f"shape must be one that {stack} broadcasts to, got {shown(sides)}")
     return sides
 
 
@@ -365,8 +365,8 @@ def position(name: str, value: object) -> tuple[float, float]:
 def positions(name: str, value: object) -> tuple[float, float] | tuple[Array, Array]:
     """Return ``(row, column)``, or read-only arrays ``(rows, columns)`` of a common shape if `value` has arrays."""
     if not isinstance(value, tuple | list | np.ndarray) or getattr(value, "ndim", 1) == 0 or len(value) != 2:
-        turned = f": give tuple({name}.T)" if isinstance(value, np.ndarray) and value.shape[1:] == (2,) else ""
-        raise ValueError(f"{name} must be (row, column), or (rows, columns) of several, got {shown(value)}{turned}")
+        hint = f": give tuple({name}.T)" if isinstance(value, np.ndarray) and value.shape[1:] == (2,) else ""
+        raise ValueError(f"{name} must be (row, column), or (rows, columns) of several, got {shown(value)}{hint}")
     if all(np.isscalar(part) or getattr(part, "shape", None) == () for part in value):
         return position(name, value)
     parts = (real_array(f"{name}[{k}]", part) + 0.0 for k, part in enumerate(value))  # turns -0 into 0
@@ -411,8 +411,8 @@ def pitch(name: str, value: object) -> float | tuple[float, float]:
         return real(name, value, above=0.0)
     if len(value) != 2:
         raise ValueError(f"{name} must be one number, or (height, width), got {shown(value)}")
-    down, across = (real(f"{name}[{k}]", side, above=0.0) for k, side in enumerate(value))
-    return down if down == across else (down, across)
+    height, width = (real(f"{name}[{k}]", side, above=0.0) for k, side in enumerate(value))
+    return height if height == width else (height, width)
 
 
 def fill(name: str, value: object) -> tuple[float, float]:
@@ -432,15 +432,15 @@ def _part(name: str, value: object) -> float:
     return part
 
 
-def reach(what: str, v: float, scale: float, unit: str) -> None:
-    """Raise ValueError if `what` extends to a distance `v` above MAX_REACH; `scale` is lambda*N in `unit`."""
+def reach(name: str, v: float, scale: float, unit: str) -> None:
+    """Raise ValueError if what `name` names extends beyond MAX_REACH, to `v`; `scale` is lambda*N in `unit`."""
     if not v <= MAX_REACH:
         limit = f"{MAX_REACH / math.pi * scale:.3g} {unit}"
-        raise ValueError(f"{what} reaches v = {v:.3g} from the axis; the limit is {MAX_REACH:.0e}, here {limit}")
+        raise ValueError(f"{name} reaches v = {v:.3g} from the axis; the limit is {MAX_REACH:.0e}, here {limit}")
 
 
 def pixel_on(pitch: float, scale: float, *, metric: bool) -> None:
-    """Raise ValueError for a pixel pitch out of range; `scale` is lambda*N in the same unit."""
+    """Raise ValueError for a pixel pitch out of range; `scale` is lambda*N in the unit of `pitch`."""
     if metric and pitch > 0.1:
         pixel(pitch, metric=True)
     if not 1e-4 <= pitch / scale <= 1e6:

@@ -40,39 +40,39 @@ BETWEEN = option("--between", length="m", nargs=2, required=True, metavar="NEAR 
     help="Nearest and farthest distance to search, such as 1m 3m or 1m inf.")  # fmt: skip
 
 
-def lens_options(which: str) -> list[Any]:
-    """Return the options for `foci` and `f_numbers` of :func:`each_lens`; `which` images are in their help."""
-    once = f"once for {which}, or repeated for each; overrides the lens file."
+def lens_options(images: str) -> list[Any]:
+    """Return the options for `foci` and `f_numbers` of :func:`each_lens`; their help names the `images`."""
+    repeat_text = f"once for {images}, or repeated for each; overrides the lens file."
     return [
-        option("--focus", length="m", multiple=True, help=f"Focus distance, such as 1.35m: {once}"),
-        option("--f-number", type=float, multiple=True, help=f"F-number: {once}"),
+        option("--focus", length="m", multiple=True, help=f"Focus distance, such as 1.35m: {repeat_text}"),
+        option("--f-number", type=float, multiple=True, help=f"F-number: {repeat_text}"),
     ]
 
 
 def each_lens(
-    lens: Lens, count: int, foci: tuple[float, ...], f_numbers: tuple[float, ...], what: str = "photos"
+    lens: Lens, count: int, foci: tuple[float, ...], f_numbers: tuple[float, ...], images: str = "photos"
 ) -> list[Lens]:
     """Return the lens of each photo."""
     for name, numbers in (("--focus", foci), ("--f-number", f_numbers)):
         if len(numbers) not in (0, 1, count):
-            raise ValueError(f"{name} must be given once, or for each of {count} {what}, got {len(numbers)}")
+            raise ValueError(f"{name} must be given once, or for each of {count} {images}, got {len(numbers)}")
     if count < 2:
         raise ValueError("PHOTOS must be two or more: in a single photo blur looks like smooth texture; got 1")
     lenses = [lens.stopped(stop) for stop in f_numbers] or [lens]
     lenses *= count // len(lenses)
     if foci:
-        lenses = [one.focused(focus) for one, focus in zip(lenses, foci * (count // len(foci)), strict=True)]
+        lenses = [copy.focused(focus) for copy, focus in zip(lenses, foci * (count // len(foci)), strict=True)]
     return lenses
 
 
 def verdict_report(verdict: DefocusVerdict) -> Report:
-    """Return the report of the test of lenses and noise, with what could not be tested."""
-    untested = verdict.findings.get("untested")
+    """Return the report of the test of lenses and noise, and of the parts that could not be tested."""
+    untested_finding = verdict.findings.get("untested")
     facts = verdict.to_dict()
     del facts["misfit"]  # commands report their own misfit
-    facts |= {"agrees": verdict.agrees, "untested": untested and untested.numbers["what"]}
+    facts |= {"agrees": verdict.agrees, "untested": untested_finding and untested_finding.numbers["what"]}
     lines = [] if math.isnan(verdict.misfit) else [verdict.summary]
-    return Report(facts, [*lines, *(each.text for each in verdict.findings)], verdict.converged)
+    return Report(facts, [*lines, *(finding.text for finding in verdict.findings)], verdict.converged)
 
 
 class PhotoLens(Group, heading="Camera"):
@@ -155,9 +155,9 @@ def depth(
     lenses = each_lens(instrument.lens, len(photos), photo_lens.foci, photo_lens.f_numbers)
     with progress("reading") as status:
         pictures = [read_photo(path, photo_lens.encoding) for path in photos]
-        if len({(one.values.dtype, one.encoding) for one in pictures}) > 1:
+        if len({(picture.values.dtype, picture.encoding) for picture in pictures}) > 1:
             raise ValueError("the photos must have one type and one encoding; give --encoding or convert them")
-        images = [one.values for one in pictures]
+        images = [picture.values for picture in pictures]
         if noise_options.masked is not None:
             images = apply_mask(images, noise_options.masked)
         status("computing the PSFs of every distance")
@@ -174,7 +174,7 @@ def depth(
             f_number_error=photo_lens.f_number_error,
             focus_error=photo_lens.focus_error,
             saturation=noise_options.saturation,
-            progress=lambda done, tiles: status(f"tile {done} of {tiles}", done / tiles),
+            progress=lambda finished, tiles: status(f"tile {finished} of {tiles}", finished / tiles),
             **vars(estimation),
         )
         seconds = time.perf_counter() - start
@@ -208,11 +208,11 @@ def depth(
 
 def _write_sharp(path: Path, estimate: DefocusDepth) -> None:
     """Write the all-in-focus image in the type of the photos if the format can store it, else in 8 bits."""
-    light = to_light("sharp", estimate.sharp, estimate.encoding, np.float32)
+    image = to_light("sharp", estimate.sharp, estimate.encoding, np.float32)
     suffix, kind = path.suffix.lower(), estimate.sharp.dtype
     floats = np.dtype(np.float32 if suffix in (".tif", ".tiff") else np.uint8)
     dtype = kind if kind.kind == "u" and suffix != ".jpg" else floats
-    write_photo(path, light, encoding="linear" if dtype.kind == "f" else "srgb", dtype=dtype)
+    write_photo(path, image, encoding="linear" if dtype.kind == "f" else "srgb", dtype=dtype)
 
 
 class FocusChoice(Group):
@@ -281,7 +281,7 @@ def precision(
     choice.require()
     start = time.perf_counter()
     lenses = choice.lenses(lens_in_use, instrument.side, texture)
-    nearest, *_, farthest = sorted(each.focus_distance for each in lenses)
+    nearest, *_, farthest = sorted(photo.focus_distance for photo in lenses)
     # The default range is from a little nearer than the nearest focus to a little farther than the farthest.
     near, far = between or (0.85 * nearest, 1.2 * farthest if math.isfinite(farthest) else 4.0 * nearest)
     if not 0.0 < near < far:
@@ -289,15 +289,15 @@ def precision(
     distance = np.geomspace(near, far, _ROWS if figure is None else _POINTS)
     errors = np.asarray(depth_precision(lenses, distance, instrument.side, **texture))
     seconds = time.perf_counter() - start
-    foci_in_words = ", ".join(format_length(each.focus_distance) for each in lenses)
+    foci_in_words = ", ".join(format_length(photo.focus_distance) for photo in lenses)
     if figure is not None:
         from lommel.show import estimates
 
         title = f"{instrument.name}\nf/{lens_in_use.f_number:.3g}, {photons:g} electrons a pixel"
-        axes = estimates.precision(distance, {"": errors}, title, [each.focus_distance for each in lenses])
+        axes = estimates.precision(distance, {"": errors}, title, [photo.focus_distance for photo in lenses])
         save_figure(figure_of(axes), figure)
     facts = {
-        "focus_distances": [finite(each.focus_distance) for each in lenses],
+        "focus_distances": [finite(photo.focus_distance) for photo in lenses],
         "f_number": lens_in_use.f_number,
         "distance": distance.tolist(),
         "errors": plain(errors),
@@ -305,9 +305,9 @@ def precision(
     }
     rows = []
     for k in np.linspace(0, len(distance) - 1, _ROWS).round().astype(int):
-        at, error = float(distance[k]), float(errors[k])
-        cells = (format_length(error, digits=3), f"{100.0 * error / at:.2g} %") if error < math.inf else ("inf", "")
-        rows.append((format_length(at), *cells))
+        d, error = float(distance[k]), float(errors[k])
+        cells = (format_length(error, digits=3), f"{100.0 * error / d:.2g} %") if error < math.inf else ("inf", "")
+        rows.append((format_length(d), *cells))
     lines = [
         f"f = {format_length(lens_in_use.focal_length)}, f/{lens_in_use.f_number:.3g}, focus {foci_in_words}",
         f"pixels of {format_length(instrument.side)}, {photons:g} electrons, contrast {contrast:g}, windows of "
@@ -324,4 +324,4 @@ def _lens_pair(lens: Lens, focus: float, dioptres: float) -> list[Lens]:
         raise ValueError(
             f"--pair must be > 0 and at most {1.0 / focus:.4g} dioptres (focus at infinity), got {dioptres:g}"
         )
-    return [lens.focused(1.0 / each if each > 0.0 else math.inf) for each in vergence]
+    return [lens.focused(1.0 / v if v > 0.0 else math.inf) for v in vergence]

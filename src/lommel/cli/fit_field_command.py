@@ -239,13 +239,13 @@ def _too_few(targets: str, points: PointSources | Crossings) -> str:
     """Return the reason why the images cannot be fitted, with advice."""
     names = {"star": "isolated stars", "pinhole": "isolated pinholes", "crossing": "crossings of a checkerboard"}
     problem = f"images must show at least 4 {names[targets]}; {points.message}"
-    counts = Counter(each.reason for each in points.refused)
+    counts = Counter(point.reason for point in points.refused)
     if counts["saturated"]:
         return f"{problem}: expose less, below saturation"
     if counts:
         advice = {"neighbor": "a smaller --window", "edge": "a smaller --window", "masked": "check --mask"}
-        first = counts.most_common(1)[0][0]
-        return f"{problem}: {advice.get(first, 'look at --spots')}"
+        main_reason = counts.most_common(1)[0][0]
+        return f"{problem}: {advice.get(main_reason, 'look at --spots')}"
     if targets == "crossing":
         return f"{problem}: squares must be larger than four times --width, and their contrast above --threshold"
     return (
@@ -264,17 +264,17 @@ def _describe_blur(result: FieldFit, pitch: float, focal_length: float) -> str:
     """Return a sentence on the blur, and on the options that apply it to PSFs."""
     blur_texts, options = [], []
     for blurs, errors in zip(result.blurs, result.blur_errors, strict=True):
-        words, flags = [], []
-        for each, error in zip(blurs, errors, strict=True):
-            if isinstance(each, Seeing):
-                width = FWHM / each.coherence(500e-9) / focal_length / _ARCSEC
-                outer = "" if each.outer_scale is None else f", outer scale {each.outer_scale:.0f} m"
-                words.append(f"seeing of {width:.3f} +- {width * error / each.r0:.3f} arcsec (FWHM at 500 nm{outer})")
+        texts, flags = [], []
+        for blur, error in zip(blurs, errors, strict=True):
+            if isinstance(blur, Seeing):
+                width = FWHM / blur.coherence(500e-9) / focal_length / _ARCSEC
+                outer = "" if blur.outer_scale is None else f", outer scale {blur.outer_scale:.0f} m"
+                texts.append(f"seeing of {width:.3f} +- {width * error / blur.r0:.3f} arcsec (FWHM at 500 nm{outer})")
                 flags.append(f"--seeing {width:.4g}")
-            elif isinstance(each, Jitter):
-                words.append(f"{each.sigma / pitch:.3f} +- {error / pitch:.3f} pixels (standard deviation)")
-                flags.append(f"--jitter {each.sigma / focal_length / _ARCSEC:.3g}")
-        blur_texts.append(" and ".join(words) or "none")
+            elif isinstance(blur, Jitter):
+                texts.append(f"{blur.sigma / pitch:.3f} +- {error / pitch:.3f} pixels (standard deviation)")
+                flags.append(f"--jitter {blur.sigma / focal_length / _ARCSEC:.3g}")
+        blur_texts.append(" and ".join(texts) or "none")
         options.append(" ".join(flags))
     advice = f". The table excludes it: add it by lommel psf {options[0]}, or in Python by the blur of the fit"
     return f"blur: {'; '.join(blur_texts)}{advice if any(result.blurs) else ''}"
@@ -284,16 +284,16 @@ def _parts(facts: Facts, targets: PointSources | Crossings, blur: str) -> Parts:
     """Return the verdict, the table of terms in the middle and in a corner, and the stars that were left out."""
     waves, distortion = facts["waves"].values(), facts["distortion"]
     rows = [
-        [name, *(f"{at['coefficients'][j]:+.4f} +- {at['errors'][j]:.4f}" for at in waves)]
+        [name, *(f"{values['coefficients'][j]:+.4f} +- {values['errors'][j]:.4f}" for values in waves)]
         for j, name in enumerate(facts["terms"])
     ]
     for j, name in enumerate(("rows", "columns") if distortion else ()):
         displacements = distortion["pixels"].values()
-        cells = (f"{at['displacement'][j]:+.3f} +- {at['errors'][j]:.3f}" for at in displacements)
+        cells = (f"{values['displacement'][j]:+.3f} +- {values['errors'][j]:.3f}" for values in displacements)
         rows.append([f"distortion of {name}, pixels", *cells])
-    first = []
+    lines = []
     if coma := facts["coma"]:
-        first.append(
+        lines.append(
             f"coma in the middle: {coma['waves']:.4f} +- {coma['error']:.4f} waves rms, axis at "
             f"{coma['degrees']:.0f} degrees from columns to rows"
         )
@@ -301,20 +301,20 @@ def _parts(facts: Facts, targets: PointSources | Crossings, blur: str) -> Parts:
         direction = "towards the lens" if focus["shift"] > 0.0 else "away from the lens"
         shift = " +- ".join(with_error(1e3 * abs(focus["shift"]), 1e3 * focus["error"], most=6))
         sign = ", or as far the other way" if focus["sign_open"] else ""
-        first.append(f"focus in the middle: the sensor is {shift} mm {direction}{sign}")
-    refused = ({**one, "reason": f"refused, {one['reason']}"} for one in facts["refused"])
+        lines.append(f"focus in the middle: the sensor is {shift} mm {direction}{sign}")
+    refused_points = ({**p, "reason": f"refused, {p['reason']}"} for p in facts["refused"])
     left_out = [
-        f"- row {one['row']}, column {one['column']}: {one['reason']}" for one in (*facts["rejected_stars"], *refused)
+        f"- row {p['row']}, column {p['column']}: {p['reason']}" for p in (*facts["rejected_stars"], *refused_points)
     ]
     if len(left_out) > _MAX_LISTED:
         left_out[_MAX_LISTED:] = [f"- and {len(left_out) - _MAX_LISTED} more, in --json"]
     table = table_of(("term, waves rms", "middle", "bottom right corner"), rows)
-    last = map(Wrapped, (blur, targets.message, *left_out, *facts["notes"]))
-    return paragraphs([Wrapped(facts["message"], "bold")], map(Wrapped, first), [table], last)
+    closing_lines = map(Wrapped, (blur, targets.message, *left_out, *facts["notes"]))
+    return paragraphs([Wrapped(facts["message"], "bold")], map(Wrapped, lines), [table], closing_lines)
 
 
 def _values(values: tuple[Array, Array], name: str, unit: float) -> Facts:
-    """Return values under the key `name`, and their standard errors under "errors", in a unit."""
+    """Return (values, standard errors) in a unit as a dictionary with the keys `name` and "errors"."""
     return {key: (part / unit).tolist() for key, part in zip((name, "errors"), values, strict=True)}
 
 
@@ -329,7 +329,7 @@ def _facts(result: FieldFit, targets: PointSources | Crossings) -> Facts:
             "spacing": float(math.hypot(*warp.pose[:, 0])),
             "rotation": float(math.atan2(warp.pose[1, 0], warp.pose[0, 0])),
             "scatter": warp.scatter,
-            "pixels": {name: _values(warp.at(*at), "displacement", 1.0) for name, at in positions.items()},
+            "pixels": {name: _values(warp.at(*xy), "displacement", 1.0) for name, xy in positions.items()},
         }
     fit, coma, stars = result.to_dict(), result.coma, result.stars
     names = "status", "converged", "reliable", "message", "findings", "chi2", "held_out", "degree", "blur_errors"
@@ -340,7 +340,7 @@ def _facts(result: FieldFit, targets: PointSources | Crossings) -> Facts:
         "focus": result.focus and result.focus._asdict(),
         "distortion": distortion,
         "terms": [label(name) for name in result.names],
-        "waves": {name: _values(result.at(*at), "coefficients", _WAVE) for name, at in positions.items()},
+        "waves": {name: _values(result.at(*xy), "coefficients", _WAVE) for name, xy in positions.items()},
         "blur": plain(result.blurs),
         "stars": len(stars.used),
         "rejected": len(rows),
@@ -349,5 +349,5 @@ def _facts(result: FieldFit, targets: PointSources | Crossings) -> Facts:
             for (row, column), chi2 in zip(stars.places[rows].astype(int).tolist(), stars.chi2[rows], strict=True)
         ],
         "left_out": targets.left_out,
-        "refused": [{"row": each.row, "column": each.column, "reason": each.reason} for each in targets.refused],
+        "refused": [{"row": point.row, "column": point.column, "reason": point.reason} for point in targets.refused],
     }

@@ -74,8 +74,8 @@ def _length(unit: str, text: str) -> float:
 
 def _sides(text: str) -> Pitch:
     """Return a length, or (height, width), in metres."""
-    first, *others = (_length("um", side) for side in re.split(r"\s*[xX]\s*", text))
-    return (first, *others) if others else first
+    sides = tuple(_length("um", side) for side in re.split(r"\s*[xX]\s*", text))
+    return sides if len(sides) > 1 else sides[0]
 
 
 def _lengths(text: str) -> tuple[float, ...]:
@@ -96,13 +96,13 @@ def _window(text: str) -> Window:
 
 
 SIDES = Parsed("length", _sides)
-"""Type of a length with a unit, or of several with an x between them; values are in metres."""
+"""Type of a length with a unit, or of several lengths with an x between them; values are in metres."""
 
 LENGTHS = Parsed("lengths", _lengths)
 """Type of lengths with units, separated by commas; values are in metres."""
 
 WINDOW = Parsed("pixels", _window)
-"""Type of a number of pixels, or of two with an x between them."""
+"""Type of a number of pixels, or of two numbers with an x between them."""
 
 
 _UNNAMED = "--unnamed"
@@ -115,34 +115,34 @@ class Option(click.Option):
     messages suggest this unit.
     """
 
-    def __init__(self, *flags: str, heading: str = "Options", length: str = "", **more: Any) -> None:
+    def __init__(self, *flags: str, heading: str = "Options", length: str = "", **keywords: Any) -> None:
         self.heading = heading
         if length:
-            more["type"] = Parsed("length", partial(_length, length))
-        if more.get("default") is not None and not more.get("is_flag"):
-            more.setdefault("show_default", True)
-        super().__init__(flags or (_UNNAMED,), **more)
+            keywords["type"] = Parsed("length", partial(_length, length))
+        if keywords.get("default") is not None and not keywords.get("is_flag"):
+            keywords.setdefault("show_default", True)
+        super().__init__(flags or (_UNNAMED,), **keywords)
 
 
-def documented(source: Callable[..., object], name: str, *flags: str, sentences: int = 1, **more: Any) -> Any:
+def documented(source: Callable[..., object], name: str, *flags: str, sentences: int = 1, **keywords: Any) -> Any:
     """Return the option for an argument of a function or class, with its default and the help from its docstring."""
     entry = options.sentence(source, name)
     text = re.sub(r":\w+:`(?:[^`<]*\.)?([^`]+)`|`{1,2}([^`]+)`{1,2}", r"\1\2", entry)
     help_text = " ".join(re.split(r"(?<=[.]) (?=[A-Z])", text)[:sentences])
-    settings = {"default": inspect.signature(source).parameters[name].default} if "required" not in more else {}
+    settings = {"default": inspect.signature(source).parameters[name].default} if "required" not in keywords else {}
     if settings.get("default") is inspect.Parameter.empty:
         settings = {"required": True}
-    return Option(*(flags or (f"--{name.replace('_', '-')}",)), **{"help": help_text, **settings, **more})
+    return Option(*(flags or (f"--{name.replace('_', '-')}",)), **{"help": help_text, **settings, **keywords})
 
 
-def option(*flags: str, **more: Any) -> Any:
+def option(*flags: str, **keywords: Any) -> Any:
     """Return an option, as the default of an argument of a command or of an attribute of a :class:`Group`."""
-    return Option(*flags, **more)
+    return Option(*flags, **keywords)
 
 
-def argument(name: str, **more: Any) -> Any:
+def argument(name: str, **keywords: Any) -> Any:
     """Return an argument of the command line, as the default of an argument of a command function."""
-    return click.Argument([name], **more)
+    return click.Argument([name], **keywords)
 
 
 class Group:
@@ -162,29 +162,29 @@ class Group:
 
     @classmethod
     def _members(cls) -> dict[str, Option | Group]:
-        members = {name: one for kind in reversed(cls.__mro__) for name, one in vars(kind).items()}
-        return {name: one for name, one in members.items() if isinstance(one, Option | Group)}
+        members = {name: member for kind in reversed(cls.__mro__) for name, member in vars(kind).items()}
+        return {name: member for name, member in members.items() if isinstance(member, Option | Group)}
 
     @classmethod
     def options(cls) -> list[Option]:
         """Return the options in their order."""
         options: list[Option] = []
-        for name, one in cls._members().items():
-            options += one.options() if isinstance(one, Group) else [_with_name(name, one, cls.heading)]
+        for name, member in cls._members().items():
+            options += member.options() if isinstance(member, Group) else [_with_name(name, member, cls.heading)]
         return options
 
     @classmethod
     def of(cls, values: Facts) -> Self:
         """Return an instance with its values, which are removed from the `values` of a call."""
         members = cls._members().items()
-        return cls(**{name: one.of(values) if isinstance(one, Group) else values.pop(name) for name, one in members})
+        return cls(**{name: m.of(values) if isinstance(m, Group) else values.pop(name) for name, m in members})
 
 
-def _with_name(name: str, one: Param, heading: str | None = None) -> Param:
+def _with_name(name: str, param: Param, heading: str | None = None) -> Param:
     """Return a copy of an option or argument, with the name of the argument of a function."""
-    copied = copy.copy(one)
+    copied = copy.copy(param)
     copied.name = name
-    if one.opts == [_UNNAMED]:
+    if param.opts == [_UNNAMED]:
         copied.opts = [f"--{name.replace('_', '-')}"]
     if heading is not None and isinstance(copied, Option):
         copied.heading = heading
@@ -201,7 +201,7 @@ class Command(click.Command):
         except click.UsageError as error:
             if not error.message.startswith("Got unexpected extra argument"):
                 raise
-            names = " ".join((one.name or "").upper() for one in self.params if isinstance(one, click.Argument))
+            names = " ".join((param.name or "").upper() for param in self.params if isinstance(param, click.Argument))
             advice = f"give {names}, one each; save images of several files as one stack, such as a TIFF"
             raise click.UsageError(f"too many files: {advice}", ctx) from None
 
@@ -218,24 +218,24 @@ class Command(click.Command):
 
 def _require_distinct_files(params: Iterable[click.Parameter], given: Facts) -> None:
     """Raise ValueError if a file to write is also a file to read, or another file to write."""
-    earlier: list[tuple[str, Path]] = []
-    for param in sorted(params, key=lambda one: isinstance(one.type, _OutputPath)):
+    checked: list[tuple[str, Path]] = []
+    for param in sorted(params, key=lambda p: isinstance(p.type, _OutputPath)):
         value = given.get(param.name or "")
-        for each in value if isinstance(value, tuple) else (value,):
-            if not isinstance(each, str | Path):
+        for item in value if isinstance(value, tuple) else (value,):
+            if not isinstance(item, str | Path):
                 continue
-            path, name = Path(each), param.opts[-1] if param.opts[-1].startswith("-") else (param.name or "").upper()
-            for earlier_name, earlier_path in earlier if isinstance(param.type, _OutputPath) else ():
-                if _same(path, earlier_path):
-                    raise ValueError(f"{name} must be another file than {earlier_name}, got {each} for both")
-            earlier.append((name, path))
+            path, name = Path(item), param.opts[-1] if param.opts[-1].startswith("-") else (param.name or "").upper()
+            for earlier_name, earlier_path in checked if isinstance(param.type, _OutputPath) else ():
+                if _same_file(path, earlier_path):
+                    raise ValueError(f"{name} must be another file than {earlier_name}, got {item} for both")
+            checked.append((name, path))
 
 
-def _same(one: Path, other: Path) -> bool:
+def _same_file(path: Path, other_path: Path) -> bool:
     try:
-        return one.samefile(other)
+        return path.samefile(other_path)
     except (OSError, ValueError):  # a file does not exist, or a name is not a path
-        return one == other
+        return path == other_path
 
 
 def command(
@@ -318,7 +318,7 @@ def _report_error(error: Exception, notes: list[str]) -> int:
     if isinstance(error, BrokenPipeError):
         _discard_output()  # the reader has closed the pipe
         return 1
-    if any(words in str(error) for words in _SHORTAGES):
+    if any(text in str(error) for text in _SHORTAGES):
         error = MemoryError(f"memory, or the number of threads, is short: {brief(line(error), 240)}")
     for row in (*_note_lines("Note", notes), f"Error: {_message(error)}"):
         click.echo(row, err=True)
@@ -332,10 +332,10 @@ def _report_error(error: Exception, notes: list[str]) -> int:
 _NOTES = 5  # largest number of notes that are printed
 
 
-def _note_lines(word: str, notes: list[str]) -> list[str]:
+def _note_lines(label: str, notes: list[str]) -> list[str]:
     """Return lines with the first notes, and a line with the number of further notes."""
-    more = [f"{len(notes) - _NOTES} more, which --json lists"] if len(notes) > _NOTES else []
-    return [f"{word}: {note}" for note in [*notes[:_NOTES], *more]]
+    further = [f"{len(notes) - _NOTES} more, which --json lists"] if len(notes) > _NOTES else []
+    return [f"{label}: {note}" for note in [*notes[:_NOTES], *further]]
 
 
 @contextmanager
@@ -343,11 +343,11 @@ def _collected_notes(notes: list[str]) -> Iterator[None]:
     """Add the UserWarnings of the library to a list of notes, each text once."""
     with warnings.catch_warnings():
         warnings.simplefilter("always", UserWarning)
-        original = warnings.showwarning
+        old_show = warnings.showwarning
 
-        def show(message: Warning | str, category: type[Warning], *where: Any, **more: Any) -> None:
+        def show(message: Warning | str, category: type[Warning], *place: Any, **keywords: Any) -> None:
             if not issubclass(category, UserWarning):
-                original(message, category, *where, **more)
+                old_show(message, category, *place, **keywords)
             elif (note := with_options(str(message))) not in notes:
                 notes.append(note)
 
@@ -380,9 +380,9 @@ def _continued(row: str) -> str:
 JSON = Option("--json", "as_json", is_flag=True, help="Print the results as JSON.")
 
 
-def plot_option(what: str, flag: str = "--plot") -> Any:
+def plot_option(contents: str, flag: str = "--plot") -> Any:
     """Return the option for a figure."""
-    return Option(flag, "figure", type=OUTPUT, help=f"{what}: .png, .pdf or .svg.")
+    return Option(flag, "figure", type=OUTPUT, help=f"{contents}: .png, .pdf or .svg.")
 
 
 _SHORTAGES = ("can't start new thread", "failed to map segment")  # messages if memory or threads are short
@@ -460,7 +460,7 @@ def _flag_of(flags: dict[str, str], match: re.Match[str]) -> str:
 
 def finding_lines(facts: Facts) -> list[Wrapped]:
     """Return the findings and notes of a result, one line each."""
-    findings = [f"{each['code'].replace('_', ' ')}: {with_options(each['text'])}" for each in facts["findings"]]
+    findings = [f"{f['code'].replace('_', ' ')}: {with_options(f['text'])}" for f in facts["findings"]]
     return [Wrapped(line) for line in (*findings, *facts["notes"])]
 
 

@@ -74,7 +74,7 @@ def stack(
     window, start, steps = instrument.window, time.perf_counter(), 0
     with progress(f"{count} PSFs of {window[0]} x {window[1]} pixels") as report_progress:
 
-        def done(chunks: int, total: int) -> None:
+        def report_chunk(chunks: int, total: int) -> None:
             nonlocal steps
             steps += 1
             report_progress(f"chunk {chunks} of {total}", chunks / total)
@@ -87,7 +87,7 @@ def stack(
             tol=tol,
             chunk=chunk,
             integrate=instrument.integrate,
-            progress=done,
+            progress=report_chunk,
         )
     bound, seconds = float(store.error_bound.max()), time.perf_counter() - start
     facts = {"store": str(output), "shape": list(store.shape), "dtype": str(store.dtype), "seconds": seconds}
@@ -110,7 +110,7 @@ class _Product(Generic[Result]):
     report: Callable[[Result, float], Report]
     entitle: Callable[[Axes], object]
     note: Callable[[Result, Path], str] = lambda *_: ""
-    drawn: str = ""
+    figure_note: str = ""
     sections: bool = False  # whether a .png shows sections through a stack, like the figure
 
 
@@ -214,8 +214,8 @@ def psf(
       lommel psf zeiss-63x-1.4-oil.toml --stack 64 --step 100nm --depth 2um -o psf.ome.tif -o psf.png
     """
     options, files = computation.arguments(), (outputs, figure, stretch)
-    others: Facts = {"field": field, "at": place, "colour": colour or None, "mtf": mtf or None}
-    microscope = microscope_of(lens, **others, **vars(air), **vars(lens_options), **vars(planes))
+    lens_only: Facts = {"field": field, "at": place, "colour": colour or None, "mtf": mtf or None}
+    microscope = microscope_of(lens, **lens_only, **vars(air), **vars(lens_options), **vars(planes))
     if microscope is not None:
         return _write(_of_microscope(microscope, options), *files)
     instrument = instrument_of(lens, **vars(lens_options))
@@ -231,11 +231,11 @@ def psf(
     if place is not None and field is not None:
         raise ValueError("--at is for one place: leave out --field")
     channels = (instrument.channels or Channels.rgb()) if colour else None
-    pupil, where = _at(instrument, place)
+    pupil, place_lines = _pupil_at(instrument, place)
     transfer = partial(_describe_mtf, instrument, pupil, place, channels) if mtf else None
     if field is not None:
         return _write(_of_field(instrument, field, channels, options), *files, mtf=transfer)
-    lines = [*where, *air.describe()]
+    lines = [*place_lines, *air.describe()]
     if channels is not None:
         return _write(_in_colour(instrument, pupil, channels, options, lines), *files, mtf=transfer)
     return _write(_of_lens(instrument, pupil, options, lines), *files, mtf=transfer)
@@ -257,12 +257,12 @@ def _describe_mtf(
     return optics.describe_mtf(instrument, places, channels)
 
 
-def _at(instrument: Instrument, place: tuple[float, float] | None) -> tuple[Callable[[], Pupil], list[str]]:
+def _pupil_at(instrument: Instrument, place: tuple[float, float] | None) -> tuple[Callable[[], Pupil], list[str]]:
     """Return a function that computes the pupil at a place on the sensor (None: axis), and lines on the place."""
     if place is None:
         return instrument.pupil, []
-    where = (f"{format_length(abs(part))} {side[part < 0.0]}" for part, side in zip(place, _SIDES, strict=True))
-    return partial(instrument.field().pupil, *place), [f"{' and '.join(where)} the middle of the sensor"]
+    offsets = (f"{format_length(abs(part))} {side[part < 0.0]}" for part, side in zip(place, _SIDES, strict=True))
+    return partial(instrument.field().pupil, *place), [f"{' and '.join(offsets)} the middle of the sensor"]
 
 
 _ARCSEC = math.pi / 648000.0
@@ -301,13 +301,13 @@ def _write(
                 psfs.save(path)
         if drawn_files:
             axes: Any = psfs.plot(stretch=stretch)
-            first = axes.flat[0] if hasattr(axes, "flat") else axes
-            product.entitle(first)
+            first_axes = axes.flat[0] if hasattr(axes, "flat") else axes
+            product.entitle(first_axes)
             for path in drawn_files:
-                save_figure(first.figure, path)
+                save_figure(first_axes.figure, path)
 
     def note(path: Path) -> str:
-        return product.drawn.format(_SCALES[stretch]) if path in drawn_files else product.note(psfs, path)
+        return product.figure_note.format(_SCALES[stretch]) if path in drawn_files else product.note(psfs, path)
 
     files_report = written(files, note)
     if not files:
@@ -328,7 +328,7 @@ def _of_lens(instrument: Instrument, pupil: Callable[[], Pupil], options: Facts,
         ),
         entitle=lambda axes: axes.set_title(_title(axes, _setting(instrument), axes.get_title()), fontsize=9),
         note=_picture_note,
-        drawn=": {}",
+        figure_note=": {}",
     )
 
 
@@ -362,7 +362,7 @@ def _of_field(
         entitle=lambda axes: axes.set_title(
             _title(axes, setting, axes.get_title("left")), fontsize=9, loc="left", pad=22
         ),
-        drawn="" if channels else ": {}, each PSF normalized to its maximum",
+        figure_note="" if channels else ": {}, each PSF normalized to its maximum",
     )
 
 
@@ -395,7 +395,7 @@ def _of_microscope(microscope: Microscope, options: Facts) -> _Product[PSF]:
         ),
         entitle=lambda axes: _entitle_figure(axes, microscope.name),
         note=_picture_note,
-        drawn=f": {'sections xy, xz and yz, ' if stack else ''}{{}}",
+        figure_note=f": {'sections xy, xz and yz, ' if stack else ''}{{}}",
         sections=stack,
     )
 
@@ -404,9 +404,9 @@ def _setting(instrument: Instrument, channels: Channels | None = None) -> str:
     """Return the name of a lens, its wavelength unless there are channels, and its distances."""
     lens = instrument.lens
     focus, target = optics.distinct(lens.focus_distance, instrument.object_distance)
-    light = "" if channels else f"{format_length(lens.wavelength)}, "
+    wavelength = "" if channels else f"{format_length(lens.wavelength)}, "
     distances = f"object at {target}" if focus == target else f"focus at {focus}, object at {target}"
-    return f"{instrument.name}\n{light}{distances}"
+    return f"{instrument.name}\n{wavelength}{distances}"
 
 
 def _title(axes: Axes, name: str, title: str) -> str:
@@ -434,8 +434,8 @@ def _picture_note(psf: PSF, path: Path) -> str:
 
     scale = enlargement(psf)
     height, width = (scale * side for side in psf.shape)
-    each = f"{scale} x {scale} for each pixel of the PSF, " if scale > 1 else ""
-    return f": {width} x {height} pixels, {each}square root of the values, 16 bit"
+    enlargement_text = f"{scale} x {scale} for each pixel of the PSF, " if scale > 1 else ""
+    return f": {width} x {height} pixels, {enlargement_text}square root of the values, 16 bit"
 
 
 def build_method(name: str, settings: tuple[str, ...] = ()) -> Method | None:
@@ -445,7 +445,7 @@ def build_method(name: str, settings: tuple[str, ...] = ()) -> Method | None:
             raise ValueError(f"--set needs --method, whose option it is, got --set {settings[0]}")
         return None
     kind = METHODS[name]
-    known = {item.name for item in dataclasses.fields(kind)}  # type: ignore[arg-type]
+    option_names = {item.name for item in dataclasses.fields(kind)}  # type: ignore[arg-type]
     options: Facts = {}
     for setting in settings:
         key, equals, text = setting.partition("=")
@@ -453,8 +453,8 @@ def build_method(name: str, settings: tuple[str, ...] = ()) -> Method | None:
             raise ValueError(f"--set takes NAME=VALUE, got {shown(setting)}")
         if key in options:
             raise ValueError(f"{key} is given twice")
-        if key not in known:
-            allowed = f"its options are {', '.join(sorted(known))}" if known else "it has none"
+        if key not in option_names:
+            allowed = f"its options are {', '.join(sorted(option_names))}" if option_names else "it has none"
             raise ValueError(f"{name} has no option {key!r}; {allowed}")
         options[key] = _erf(text) if key == "erf" else _value(text)
     try:
@@ -477,9 +477,9 @@ def _value(text: str) -> Any:
     """Return the number, pair, truth value or word in a text."""
     if "," in text:
         return tuple(_value(part) for part in text.split(","))
-    words = {"none": None, "true": True, "false": False}
-    if text.lower() in words:
-        return words[text.lower()]
+    constants = {"none": None, "true": True, "false": False}
+    if text.lower() in constants:
+        return constants[text.lower()]
     for kind in (int, float):
         try:
             return kind(text)

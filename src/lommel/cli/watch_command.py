@@ -61,9 +61,9 @@ class PairResult(NamedTuple):
     image: Map | None  # all-in-focus image, electrons
     known: float  # fraction of the blocks that are known
     unfit: float  # fraction of the blocks that are unfit
-    median: tuple[float, float, float]  # depth, standard error of known blocks; misfit of blocks with depth; or NaN
+    median: tuple[float, float, float]  # of known blocks: depth, standard error; of blocks with depth: misfit; or NaN
     duration: float  # time of the computation, seconds
-    light: float  # mean electrons per pixel
+    electrons: float  # mean electrons per pixel
 
 
 class Files(Group):
@@ -171,8 +171,8 @@ def watch(
     files.require()
     stop, tally = Stop(), Tally()
     with progress("opening the sources", endless=True) as status, ExitStack() as stack:
-        second = None if alternating else sources[1]
-        pairs = stack.enter_context(videos.frame_pairs(sources[0], second, alternating=alternating, tell=status.tell))
+        other = None if alternating else sources[1]
+        pairs = stack.enter_context(videos.frame_pairs(sources[0], other, alternating=alternating, tell=status.tell))
         coding = coding_of(pairs.levels, pairs.dtype, pairs.encoding, noise, instrument.camera, cameras.encoding)
         if coding.guess:
             status.tell(coding.guess)
@@ -182,17 +182,17 @@ def watch(
             exposures=cameras.exposures or "smooth", magnification=cameras.magnification,
             saturation=coding.saturation, sharp=files.sharp,
         )  # fmt: skip
-        estimator = Estimator(live, coding, limit, sharp=files.sharp, even=not cameras.exposures)
+        estimator = Estimator(live, coding, limit, sharp=files.sharp, equalize=not cameras.exposures)
         outputs = stack.enter_context(Outputs(files, between, pairs, coding))
         end_reason = _estimate_all(pairs, estimator, outputs, tally, status, stop, alternating=alternating)
         status("finishing")
-        bits, compression = coding.check_compression(pairs.bits, tally.light)
+        bits, compression = coding.check_compression(pairs.bits, tally.electrons)
         if compression and tally.pairs < _COMPRESSION_PAIRS:
             status.tell(compression)
         if not tally.pairs:
             raise ValueError(f"no pair of frames came: {end_reason}; check that the times of the sources overlap")
     verdict = DefocusVerdict.of(math.nan) if tally.failed == tally.pairs else live.verdict()
-    read_report = Report(coding.facts | bits, [each for each in (coding.words, coding.guess, compression) if each])
+    read_report = Report(coding.facts | bits, [text for text in (coding.words, coding.guess, compression) if text])
     height, width = pairs.shape
     (of_lenses, focus), (near, far) = lens_facts(lenses), map(format_length, between)
     setting_report = Report(
@@ -200,7 +200,7 @@ def watch(
             "shape": [height, width],
             "pixel": instrument.side,
             **of_lenses,
-            "between": [finite(one) for one in between],
+            "between": [finite(distance) for distance in between],
             "magnification": cameras.magnification,
             "design_error": live.design_error,
         },
@@ -242,11 +242,11 @@ def _estimate_all(
             result, failure = estimator(pair)
             if failure and not tally.failed:
                 status.tell(f"no depth at {result.time:.2f} s: {failure} (further pairs without depth are counted)")
-            if alternating and not tally.jumped and (jump := tally.jump(result)):
+            if alternating and not tally.jump_note and (jump := tally.jump(result)):
                 status.tell(jump)
             tally.add(result, bool(failure))
             if tally.pairs == _COMPRESSION_PAIRS:
-                _, compression = estimator.coding.check_compression(pairs.bits, tally.light)
+                _, compression = estimator.coding.check_compression(pairs.bits, tally.electrons)
                 if compression:
                     status.tell(compression)
             closed = outputs(result)
@@ -268,17 +268,17 @@ class Estimator:
     live: LiveDepth
     coding: Coding
     limit: float  # largest misfit of blocks whose depth is known
-    sharp: bool  # whether all-in-focus images are computed
-    even: bool  # whether the brightness of the two frames is equalized row by row
-    first: float = math.nan  # time of the first pair
+    sharp: bool  # True to compute all-in-focus images
+    equalize: bool  # True to equalize the brightness of the two frames row by row
+    first_time: float = math.nan  # time of the first pair
 
     def __call__(self, pair: videos.FramePair) -> tuple[PairResult, str]:
-        """Return the depth of a pair and "", or a result without depth and the reason (such as a black frame)."""
-        self.first = pair.time if math.isnan(self.first) else self.first
-        elapsed, start = pair.time - self.first, time.perf_counter()
+        """Return (1) the depth of a pair and (2) "", or the reason why it has no depth (such as a black frame)."""
+        self.first_time = pair.time if math.isnan(self.first_time) else self.first_time
+        elapsed, start = pair.time - self.first_time, time.perf_counter()
         try:
             frames = self.coding.light(pair.first), self.coding.light(pair.second)
-            estimate = self.live(*(equalize_rows(*frames, self.coding) if self.even else frames))
+            estimate = self.live(*(equalize_rows(*frames, self.coding) if self.equalize else frames))
         except ValueError as error:
             duration = time.perf_counter() - start
             failure = with_options(str(error))
@@ -289,10 +289,10 @@ class Estimator:
         duration = time.perf_counter() - start
         depth, errors, misfit = estimate.depth, estimate.errors, estimate.misfit
         estimated = np.isfinite(errors)
-        known = estimated & (misfit <= self.limit)
-        median = _median(depth[known]), _median(errors[known]), _median(misfit[estimated])
-        depth[~known], errors[~known] = np.nan, np.inf
-        fraction, unfit = float(known.mean()), float((estimated & ~known).mean())
+        is_known = estimated & (misfit <= self.limit)
+        median = _median(depth[is_known]), _median(errors[is_known]), _median(misfit[estimated])
+        depth[~is_known], errors[~is_known] = np.nan, np.inf
+        fraction, unfit = float(is_known.mean()), float((estimated & ~is_known).mean())
         return PairResult(elapsed, depth, errors, image, fraction, unfit, median, duration, estimate.light), ""
 
 
@@ -310,26 +310,26 @@ class Tally:
     failed: int = 0  # number of pairs without depth
     durations: deque[float] = field(default_factory=lambda: deque(maxlen=_MAX_PAIRS))  # seconds
     rows: deque[tuple[float, ...]] = field(default_factory=lambda: deque(maxlen=_MAX_PAIRS))  # known, unfit, *median
-    light: float = math.nan  # mean electrons per pixel of the last pair with depth
-    jumped: str = ""  # sentence on a jump of depth, or ""
+    electrons: float = math.nan  # mean electrons per pixel of the last pair with depth
+    jump_note: str = ""  # sentence on a jump of depth, or ""
 
     def jump(self, result: PairResult) -> str:
-        """Set and return `jumped` if the median depth jumps, as it does after the loss of one frame."""
+        """Set and return `jump_note` if the median depth jumps, as it does after the loss of one frame."""
         depth, error = result.median[:2]
         before = self.rows[-1][2] if self.rows else math.nan
         if abs(depth - before) > _JUMP * error:
-            self.jumped = (
+            self.jump_note = (
                 f"Depth jumps at {result.time:.2f} s, from {before:.4g} to {depth:.4g} m: if nothing in the scene "
                 "moved, a frame was lost, and near and far have been exchanged since then."
             )
-        return self.jumped
+        return self.jump_note
 
     def add(self, result: PairResult, failed: bool) -> None:
         """Count a pair."""
         self.pairs += 1
         self.failed += failed
         self.durations.append(result.duration)
-        self.light = self.light if failed else result.light
+        self.electrons = self.electrons if failed else result.electrons
         self.rows.append((result.known, result.unfit, *result.median))
 
     def progress(self, dropped: int) -> str:
@@ -341,12 +341,12 @@ class Tally:
             text += f"; {percent(known)} {depth:.4g} m +- {1e3 * error:.2g} mm, misfit {misfit:.2f}"
         return text
 
-    def summary(self, limit: float, registered: bool, last: DefocusVerdict) -> Report:
-        """Return the report of mean fractions and median depth and misfit, and of the verdict on the last pair."""
+    def summary(self, limit: float, registered: bool, live: DefocusVerdict) -> Report:
+        """Return the report of mean fractions, median depth and misfit, and the `live` verdict on the last pair."""
         rows = np.array(self.rows)
         known, unfit = rows[:, :2].mean(axis=0).tolist()
-        depth, error, misfit = (_median(each[np.isfinite(each)]) for each in rows.T[2:])
-        verdict = DefocusVerdict.of(misfit, last.scale, last.scale_error, last.others, last.changes)
+        depth, error, misfit = (_median(column[np.isfinite(column)]) for column in rows.T[2:])
+        verdict = DefocusVerdict.of(misfit, live.scale, live.scale_error, live.others, live.changes)
         lines = ["no depth found: the frames have no texture, or all of it is out of range"]
         if self.failed == self.pairs:
             lines = ["no depth found: no pair could be used, for the reason given at the first pair"]
@@ -363,11 +363,11 @@ class Tally:
                 f"not known for a misfit above {limit:g} (--misfit): {100.0 * unfit:.2g} % of the blocks; causes: "
                 f"motion from frame to frame, depth edges{also}"
             )
-        if self.jumped:
-            lines.append(self.jumped)
+        if self.jump_note:
+            lines.append(self.jump_note)
         values = {"depth": depth, "error": error, "misfit": misfit}
-        facts = {"known": known, "unfit": unfit, "jump": self.jumped or None} | {
-            name: None if math.isnan(each) else each for name, each in values.items()
+        facts = {"known": known, "unfit": unfit, "jump": self.jump_note or None} | {
+            name: None if math.isnan(value) else value for name, value in values.items()
         }
         return Report(facts, lines) + verdict_report(verdict)
 
@@ -375,8 +375,8 @@ class Tally:
 def _counts(tally: Tally, pairs: videos.FramePairs, ended: str) -> Report:
     """Return the report of computation times, and of the numbers of frames and pairs that were not used."""
     seconds = tally.stop - tally.start
-    usual, slow = np.percentile(tally.durations, [50.0, 95.0]).tolist()
-    unused = {
+    median_time, slow_time = np.percentile(tally.durations, [50.0, 95.0]).tolist()
+    unused_counts = {
         "frames dropped": pairs.dropped,
         "frames without a partner": pairs.alone,
         "frames of another size": pairs.refused,
@@ -386,16 +386,16 @@ def _counts(tally: Tally, pairs: videos.FramePairs, ended: str) -> Report:
         "pairs": tally.pairs,
         "seconds": seconds,
         "pairs_per_second": tally.pairs / seconds,
-        "frame_time": {"median": usual, "95 %": slow},
+        "frame_time": {"median": median_time, "95 %": slow_time},
         "interval": pairs.interval,
         "ended": ended,
     }
     lines = [
-        f"{tally.pairs} pairs in {seconds:.3g} s: {tally.pairs / seconds:.3g} pairs/s, {1e3 * usual:.3g} ms each "
-        f"(95 %: {1e3 * slow:.3g} ms); ended: {ended}",
-        ", ".join(f"{name}: {count}" for name, count in unused.items() if count or name == "frames dropped"),
+        f"{tally.pairs} pairs in {seconds:.3g} s: {tally.pairs / seconds:.3g} pairs/s, {1e3 * median_time:.3g} ms "
+        f"each (95 %: {1e3 * slow_time:.3g} ms); ended: {ended}",
+        ", ".join(f"{name}: {count}" for name, count in unused_counts.items() if count or name == "frames dropped"),
     ]
-    return Report(facts | {name.replace(" ", "_"): count for name, count in unused.items()}, lines)
+    return Report(facts | {name.replace(" ", "_"): count for name, count in unused_counts.items()}, lines)
 
 
 class Outputs:
@@ -422,7 +422,7 @@ class Outputs:
         level = f"metres per level {files.scale:g}, 0 where not known"
         self._colour_video = None if files.output is None else open_writer(files.output, "depth")
         titles = (f"depth: {level}", f"standard error of depth: {level}")
-        self._lossless = [open_writer(*each) for each in zip(files.depths, titles, strict=False)]
+        self._lossless = [open_writer(*arguments) for arguments in zip(files.depths, titles, strict=False)]
         self._table = None
         if files.table is not None:
             file = atomic.opened(files.table, "w", encoding="utf-8", newline="")
@@ -437,10 +437,10 @@ class Outputs:
         self._stack.__exit__(kind, error, trace)
 
     def __call__(self, result: PairResult) -> bool:
-        """Write and show the result of a pair; return whether the window has been closed."""
+        """Write and show the result of a pair; return True if the window has been closed."""
         if self._table is not None:
             values = (result.known, result.unfit, *result.median)
-            numbers = ["" if math.isnan(each) else f"{each:.6g}" for each in values]
+            numbers = ["" if math.isnan(value) else f"{value:.6g}" for value in values]
             assert self._files.table is not None
             with atomic.as_path_error(self._files.table):
                 self._table.writerow([f"{result.time:.4f}", *numbers, f"{result.duration:.5f}", self._pairs.dropped])
@@ -459,10 +459,10 @@ class Outputs:
         """Return metres as levels, 1 to 65535 or 0 where not known; count the values above the largest level."""
         if metres is None:
             return np.zeros(self._blocks, np.uint16)
-        known = np.isfinite(metres)
-        levels = np.rint(np.where(known, metres, 0.0) / self._files.scale)
+        is_known = np.isfinite(metres)
+        levels = np.rint(np.where(is_known, metres, 0.0) / self._files.scale)
         self._clipped += int(np.count_nonzero(levels > _MAX_LEVEL))
-        return np.where(known, np.clip(levels, 1, _MAX_LEVEL), 0).astype(np.uint16)
+        return np.where(is_known, np.clip(levels, 1, _MAX_LEVEL), 0).astype(np.uint16)
 
     def _grey(self, electrons: Map) -> NDArray[np.uint8]:
         """Return an all-in-focus image in sRGB; white is as in sRGB video, or set by the first linear image."""
@@ -492,14 +492,14 @@ class Window:
         self._start = math.nan
         stack.callback(self._cv2.destroyAllWindows)
 
-    def __call__(self, picture: NDArray[np.uint8], due: float | None) -> bool:
-        """Show a picture until `due`, seconds after the first picture; return whether the window has been closed."""
+    def __call__(self, picture: NDArray[np.uint8], end_time: float | None) -> bool:
+        """Show a picture until `end_time`, seconds after the first picture; return True if the window was closed."""
         now = time.monotonic()
         if math.isnan(self._start):
             self._start = now
-        wait = 0.0 if due is None else self._start + due - now
+        delay = 0.0 if end_time is None else self._start + end_time - now
         self._cv2.imshow(self._title, picture[..., ::-1])
-        key = self._cv2.waitKey(max(1, round(1e3 * wait))) & 0xFF
+        key = self._cv2.waitKey(max(1, round(1e3 * delay))) & 0xFF
         return key in (27, ord("q")) or self._cv2.getWindowProperty(self._title, self._cv2.WND_PROP_VISIBLE) < 1.0
 
 

@@ -51,7 +51,7 @@ class Measured(NamedTuple):
 def read_dat(data: bytes) -> Measured:
     """Return the map in a file of MetroPro, which has big-endian numbers at fixed offsets."""
     head = np.frombuffer(data[: _HEADER_SIZES[0]].ljust(_HEADER_SIZES[0], b"\0"), _HEADER)[0].item()
-    magic, _, size, across, down, buckets, width, height, _, scale, wavelength, obliquity, spacing, resolution = head
+    magic, _, size, columns, rows, buckets, width, height, _, scale, wavelength, obliquity, spacing, resolution = head
     if len(data) < _HEADER_SIZES[0] or magic not in _MAGIC:
         raise ValueError("it does not begin like a file of MetroPro")
     if size not in _HEADER_SIZES:
@@ -59,7 +59,7 @@ def read_dat(data: bytes) -> Measured:
     if resolution not in _STEPS_PER_FRINGE:
         raise ValueError(f"its phase has the resolution {resolution}; 0 to 2 are supported")
     reading.pixels(width, height)
-    start = size + 2 * across * down * max(buckets, 1)  # the phases follow the intensities
+    start = size + 2 * columns * rows * max(buckets, 1)  # the phases follow the intensities
     if start + 4 * width * height > len(data):
         raise ValueError(f"{width} x {height} values end beyond its {len(data)} bytes")
     for name, value in (("scale factor", scale), ("wavelength", wavelength), ("obliquity factor", obliquity)):
@@ -96,9 +96,9 @@ def read_datx(data: bytes) -> Measured:
 
     with reading.hdf5(data) as file:
         folder = reading.hdf5_below(file, "Data", "Surface")
-        first = next(iter(folder), "") if isinstance(folder, h5py.Group) else ""
-        places = (("Measurement", "Surface"), ("Data", "Surface", first))
-        surfaces = [one for place in places if isinstance(one := reading.hdf5_below(file, *place), h5py.Dataset)]
+        first_name = next(iter(folder), "") if isinstance(folder, h5py.Group) else ""
+        places = (("Measurement", "Surface"), ("Data", "Surface", first_name))
+        surfaces = [x for place in places if isinstance(x := reading.hdf5_below(file, *place), h5py.Dataset)]
         if not surfaces:
             raise ValueError("it holds no surface")
         surface, attrs = surfaces[0], surfaces[0].attrs
@@ -193,8 +193,8 @@ def load_opd(
     data = reading.contents(source, 8 * reading.MAX_PIXELS)
     with reading.refused_as(OPDFileError, source, f"cannot be read as {registry.KINDS['opd']}"):
         measured = form.read(data)
-        merged = {name: _merge_stated(name, value, getattr(measured, name)) for name, value in arguments.items()}
-        opd = None if merged["unit"] is None else _to_metres(measured.values, **merged)
+        facts = {name: _merge_stated(name, value, getattr(measured, name)) for name, value in arguments.items()}
+        opd = None if facts["unit"] is None else _to_metres(measured.values, **facts)
     if opd is None:
         raise ValueError(f"unit must be given, since {validation.line(source)} does not state it")
     return opd
@@ -226,17 +226,17 @@ def save_opd(path: str | PathLike[str], opd: OPDMap) -> None:
     atomic.write(Path(path), form.write(validation.instance("opd", opd, OPDMap)))
 
 
-def _merge_stated(name: str, given: Any, stated: Any) -> Any:
-    if name == "unit" and stated is not None and stated not in UNITS:
-        if given is None:
-            raise ValueError(f"it has the unknown unit {validation.shown(stated)}; give `unit`")
-        return given
-    if given is None or stated is None:
-        return stated if given is None else given
-    same = given == stated if name == "unit" else math.isclose(given, stated, rel_tol=1e-6)
-    if not same:
-        raise ValueError(f"it states the {name} {stated}, not {given}")
-    return stated
+def _merge_stated(name: str, argument: Any, file_value: Any) -> Any:
+    if name == "unit" and file_value is not None and file_value not in UNITS:
+        if argument is None:
+            raise ValueError(f"it has the unknown unit {validation.shown(file_value)}; give `unit`")
+        return argument
+    if argument is None or file_value is None:
+        return file_value if argument is None else argument
+    is_equal = argument == file_value if name == "unit" else math.isclose(argument, file_value, rel_tol=1e-6)
+    if not is_equal:
+        raise ValueError(f"it states the {name} {file_value}, not {argument}")
+    return file_value
 
 
 def _to_metres(values: Values, unit: str, spacing: float | None, wavelength: float | None) -> OPDMap:
@@ -253,11 +253,11 @@ def _to_metres(values: Values, unit: str, spacing: float | None, wavelength: flo
 
 def _find_unit(text: object) -> str | None:
     """Return the unit that a file states, None if it is empty; a known unit has its name in this package."""
-    plain = str(text).strip()
-    if not plain:
+    unit = str(text).strip()
+    if not unit:
         return None
-    known = plain if plain in UNITS else UNIT_NAMES.get(plain.lower(), plain.lower())
-    return known if known in UNITS else plain
+    unit_name = unit if unit in UNITS else UNIT_NAMES.get(unit.lower(), unit.lower())
+    return unit_name if unit_name in UNITS else unit
 
 
 def _read_fits(data: bytes) -> Measured:
@@ -268,8 +268,8 @@ def _read_fits(data: bytes) -> Measured:
         return None if value is None else validation.real(name, value, above=0.0) * metres
 
     spacing = length("PUPLSCAL")
-    if spacing is None and (per := LENGTHS.get(str(header.get("CUNIT1", "")).strip())):
-        spacing = length("CDELT1", per)
+    if spacing is None and (unit_length := LENGTHS.get(str(header.get("CUNIT1", "")).strip())):
+        spacing = length("CDELT1", unit_length)
     return Measured(values, _find_unit(header.get("BUNIT", "")), spacing, length("WAVELEN"))
 
 
@@ -286,9 +286,9 @@ def _write_fits(opd: OPDMap) -> bytes:
 
 def _read_csv(data: bytes) -> Measured:
     text = reading.decoded(data)
-    stated = {key: value for _, key, value in text_files.settings(text)}
-    if others := [key for key in stated if key not in ("unit", "spacing", "wavelength")]:
-        raise ValueError(f"it states {', '.join(map(validation.shown, others[:3]))}, which is unknown")
+    stated_values = {key: value for _, key, value in text_files.settings(text)}
+    if unknown_keys := [key for key in stated_values if key not in ("unit", "spacing", "wavelength")]:
+        raise ValueError(f"it states {', '.join(map(validation.shown, unknown_keys[:3]))}, which is unknown")
     values, width, ragged = array("d"), 0, False
     for _, row in text_files.rows(text):
         ragged |= bool(width) and len(row) != width
@@ -299,24 +299,24 @@ def _read_csv(data: bytes) -> Measured:
             ragged = True
     if ragged or not width:
         raise ValueError("it must hold rows with the same number of values")
-    lengths = {name: parse_length(stated[name]) for name in ("spacing", "wavelength") if name in stated}
-    return Measured(np.array(values).reshape(-1, width), _find_unit(stated.get("unit", "")), **lengths)
+    lengths = {name: parse_length(stated_values[name]) for name in ("spacing", "wavelength") if name in stated_values}
+    return Measured(np.array(values).reshape(-1, width), _find_unit(stated_values.get("unit", "")), **lengths)
 
 
 def _write_csv(opd: OPDMap) -> bytes:
     _require_single(opd, ".csv")
-    known = {"spacing": opd.spacing, "wavelength": opd.wavelength}
-    head = ["# unit: m", *(f"# {name}: {value!r} m" for name, value in known.items() if value is not None)]
+    lengths = {"spacing": opd.spacing, "wavelength": opd.wavelength}
+    head = ["# unit: m", *(f"# {name}: {value!r} m" for name, value in lengths.items() if value is not None)]
     rows = (",".join("" if math.isnan(c) else repr(c) for c in row) for row in opd.values.tolist())
     return "\n".join([*head, *rows, ""]).encode()
 
 
 def _read_int(data: bytes) -> Measured:
-    held = text_files.parse(data.decode("latin-1"))
-    if held.kind != "GRD":
+    file = text_files.parse(data.decode("latin-1"))
+    if file.kind != "GRD":
         raise ValueError("it holds coefficients; load_zernike reads them")
-    values = np.where(held.missing, np.nan, held.values).reshape(held.size[::-1])
-    return Measured(values, "waves", None, held.wavelength)
+    values = np.where(file.missing, np.nan, file.values).reshape(file.size[::-1])
+    return Measured(values, "waves", None, file.wavelength)
 
 
 def _require_single(opd: OPDMap, suffix: str) -> OPDMap:

@@ -32,13 +32,13 @@ Made = TypeVar("Made", bound=PSFLike)
 _Result = TypeVar("_Result")
 NORMALIZE = ("energy", "emitted", "strehl", "peak")
 
-_form, _SLOPES = partial(Format, "psf"), ("with derivatives",)
+_form, _DERIVATIVES = partial(Format, "psf"), ("with derivatives",)
 registry.register(
     _form((".tif", ".tiff"), psf_formats.write_tiff, psf_formats.read_tiff, library="tifffile",
           what="OME-TIFF", readers="Fiji, Bio-Formats, napari"),
     _form((".npy",), psf_formats.write_npy, psf_formats.read_npy,
           what="NumPy array", readers="NumPy, cnpy"),
-    _form((".npz",), psf_formats.write_npz, psf_formats.read_npz, holds=_SLOPES,
+    _form((".npz",), psf_formats.write_npz, psf_formats.read_npz, holds=_DERIVATIVES,
           what="NumPy archive", readers="NumPy, cnpy"),
     _form((".png",), psf_formats.write_png, psf_formats.read_png, library="PIL.Image",
           what="16-bit picture, square root of the values", readers="every picture viewer"),
@@ -46,7 +46,7 @@ registry.register(
           what="FITS", readers="astropy, DS9, MATLAB, Fiji"),
     _form(fits_images.PACKED, fits_images.packed(psf_formats.write_fits), psf_formats.read_fits, library="astropy",
           what="compressed FITS", readers="astropy, DS9"),
-    _form((".h5", ".hdf5"), psf_formats.write_hdf5, psf_formats.read_hdf5, library="h5py", holds=_SLOPES,
+    _form((".h5", ".hdf5"), psf_formats.write_hdf5, psf_formats.read_hdf5, library="h5py", holds=_DERIVATIVES,
           what="HDF5", readers="h5py, MATLAB, Julia"),
     _form((".mat",), psf_formats.write_mat, psf_formats.read_mat, library="h5py",
           what="MATLAB 7.3", readers="MATLAB since R2006b, h5py; not SciPy"),
@@ -94,29 +94,29 @@ def save(psf: PSFLike, path: str | PathLike[str]) -> None:
 
 def write(form: Format, target: Path, psf: PSFLike | ColourPSFLike, description: Description) -> None:
     """Write PSFs and their description, in two files if the format has a second file."""
-    made = form.write(psf, description)
-    with atomic.whole_files() as put:
-        for place, data in zip(form.places(target), made if form.beside else (made,), strict=True):
-            put(place, data)
+    parts = form.write(psf, description)
+    with atomic.whole_files() as write_file:
+        for place, data in zip(form.places(target), parts if form.beside else (parts,), strict=True):
+            write_file(place, data)
 
 
 @display.register("load PSF")
 def load(path: str | PathLike[str], kind: Callable[..., Made]) -> Made:
-    """Read a PSF; return ``kind(...)``. FileError if the file is damaged or was not written by this package."""
+    """Read a PSF, which `kind` builds; FileError if the file is damaged or was not written by this package."""
     return read(find(path, verb="read"), Path(path), "a PSF", partial(rebuild, kind=kind))
 
 
-def read(form: Format, source: Path, what: str, rebuild: Callable[[Arrays, Description], _Result]) -> _Result:
-    """Return ``rebuild(arrays, description)`` for a file; FileError if the file is damaged."""
+def read(form: Format, source: Path, contents: str, rebuild: Callable[[Arrays, Description], _Result]) -> _Result:
+    """Return ``rebuild(arrays, description)`` for a file with `contents`, such as "a PSF"; FileError if damaged."""
     data = [reading.contents(place) for place in form.places(source)]
-    with as_file_error(source, what):
+    with as_file_error(source, contents):
         arrays, text = form.read(*data)
         return rebuild(arrays, reading.json(text))
 
 
-def as_file_error(source: Path, what: str) -> AbstractContextManager[None]:
+def as_file_error(source: Path, contents: str) -> AbstractContextManager[None]:
     """Convert every error except ImportError to a FileError that names the file."""
-    return reading.refused_as(FileError, source, f"is not {what} written by lommel")
+    return reading.refused_as(FileError, source, f"is not {contents} written by lommel")
 
 
 def describe(psf: PSFLike) -> Description:
@@ -132,9 +132,9 @@ def describe(psf: PSFLike) -> Description:
         All attributes but the values and derivatives; ``lommel.base.atomic.sealed`` adds the checksum.
     """
     # Optional entries are written only if needed, so that most files equal the files of older versions.
-    beyond: Description = {"fill": list(psf.grid.fill)} if psf.grid.partly else {}
+    optional_entries: Description = {"fill": list(psf.grid.fill)} if psf.grid.partly else {}
     if psf.blur:
-        beyond["blur"] = [blur.to_dict() for blur in psf.blur]
+        optional_entries["blur"] = [blur.to_dict() for blur in psf.blur]
     return {
         "software": f"lommel {version()}",
         "pupil": {"kind": type(psf.pupil).__name__} | psf.pupil.to_dict(),
@@ -144,7 +144,7 @@ def describe(psf: PSFLike) -> Description:
         "pixel": psf.pixel,
         "center": [np.asarray(part).tolist() for part in psf.grid.center],
         "integrate": psf.grid.integrate,
-        **beyond,
+        **optional_entries,
         "unit": psf.unit,
         "error_bound": psf.error_bound,
         "derivative_bounds": {str(name): bound for name, bound in psf.derivative_bounds.items()},
@@ -155,11 +155,11 @@ def describe(psf: PSFLike) -> Description:
 
 
 def rebuild(arrays: Arrays, description: Description, kind: Callable[..., Made]) -> Made:
-    """Return the PSF ``kind(...)`` from the arrays of a file and the description with its checksum."""
+    """Return the PSF that `kind` builds from the arrays of a file and the description with its checksum."""
     if "channels" in description:
         raise ValueError("it has channels; ColourPSF.load, or PSFGrid.load, reads it")
     entries = dict(description["pupil"])  # files of older versions have no kind: the pupil is a Pupil
-    kinds = {one.__name__: one for one in (Pupil, ObjectivePupil, FieldPupil)}
+    kinds = {pupil_class.__name__: pupil_class for pupil_class in (Pupil, ObjectivePupil, FieldPupil)}
     pupil: BasePupil = kinds[validation.choice("kind", entries.pop("kind", "Pupil"), kinds)].from_dict(entries)
     method = method_from_dict(description["method"])
     method.require(pupil)
@@ -172,7 +172,7 @@ def rebuild(arrays: Arrays, description: Description, kind: Callable[..., Made])
     shape = tuple(description["shape"])
     if shape[:-2] != pupil.shape or scale.shape != pupil.shape or len(shape) != len(pupil.shape) + 2:
         raise ValueError(f"its values have the shape {shape}, its scales {scale.shape}, its pupils {pupil.shape}")
-    made = kind(
+    result = kind(
         values=_restore_values(arrays["values"], dtype, picture).reshape(shape),
         grid=Grid(
             shape[-2:],
@@ -196,13 +196,13 @@ def rebuild(arrays: Arrays, description: Description, kind: Callable[..., Made])
     )
     # Computed values may be negative, but not below minus their error bound.
     least = -(bound or 0.0) * float(scale.max())
-    if float(made.values.min()) < least:
-        raise ValueError(f"its values must be >= 0, got {made.values.min():g}")
+    if float(result.values.min()) < least:
+        raise ValueError(f"its values must be >= 0, got {result.values.min():g}")
     if "checksum" not in description:
         raise ValueError("it has no checksum, so it may be incomplete; save it again")
     if description["checksum"] != checksum(description, arrays):
         raise ValueError(DAMAGED)
-    return made
+    return result
 
 
 def _restore_values(stored: Values, kind: str, picture: Description | None = None) -> Values:
@@ -217,10 +217,7 @@ def _restore_values(stored: Values, kind: str, picture: Description | None = Non
     return stored.astype(kind, copy=False)
 
 
-PICTURES = (
-    psf_formats.write_tiff,
-    psf_formats.write_png,
-)  # formats with separate functions for PSFs in channels
+PICTURES = (psf_formats.write_tiff, psf_formats.write_png)  # these formats have other functions for channels
 _PER_CHANNEL = ("pupil", "method", "error_bound", "scale")  # entries that the description has for each channel
 
 
@@ -289,7 +286,7 @@ def save_colours(answer: ColourPSFLike, path: str | PathLike[str]) -> None:
 
 @display.register("load channels")
 def load_colours(path: str | PathLike[str], kind: Callable[..., Made]) -> tuple[Channels, tuple[Made, ...]]:
-    """Read the channels and their PSFs ``kind(...)``; FileError if the file is damaged or has other contents."""
+    """Read channels and their PSFs, which `kind` builds; FileError if the file is damaged or has other contents."""
     form = find_colours(path, verb="read")
     return read(form, Path(path), "a PSF in channels", partial(rebuild_colours, kind=kind))
 
@@ -299,23 +296,23 @@ def describe_colours(answer: ColourPSFLike) -> Description:
     if any(psf.derivatives for psf in answer.psfs):
         raise ValueError('derivatives are saved channel by channel, as by answer["red"].save("red.npz")')
     descriptions = [describe(psf) for psf in answer.psfs]
-    each = [{name: one[name] for name in _PER_CHANNEL} for one in descriptions]
-    return descriptions[0] | {"channels": answer.channels.to_dict(), "each": each, "shape": list(answer.shape)}
+    entries = [{name: item[name] for name in _PER_CHANNEL} for item in descriptions]
+    return descriptions[0] | {"channels": answer.channels.to_dict(), "each": entries, "shape": list(answer.shape)}
 
 
 def rebuild_colours(
     arrays: Arrays, description: Description, kind: Callable[..., Made]
 ) -> tuple[Channels, tuple[Made, ...]]:
-    """Return the channels and their PSFs ``kind(...)`` from the arrays and the description of a file."""
+    """Return the channels and their PSFs, which `kind` builds, from the arrays and the description of a file."""
     if "channels" not in description:
         raise ValueError("it has no channels; PSF.load reads it")
     values = np.ascontiguousarray(arrays["values"]).reshape(description["shape"])
     if description.get("checksum") != checksum(description, {"values": values}):
         raise ValueError(DAMAGED)
-    channels, each = Channels.from_dict(description["channels"]), description["each"]
-    made, shared = [], {name: entries for name, entries in description.items() if name not in ("channels", "each")}
-    for part, own in zip(np.moveaxis(values, -3, 0), each, strict=True):
-        entries = shared | {name: own[name] for name in _PER_CHANNEL} | {"shape": list(part.shape)}
-        one = {"values": np.ascontiguousarray(part)}
-        made.append(rebuild(one, sealed(entries, one), kind))
-    return channels, tuple(made)
+    channels, channel_entries = Channels.from_dict(description["channels"]), description["each"]
+    psfs, common = [], {name: entries for name, entries in description.items() if name not in ("channels", "each")}
+    for channel_values, channel in zip(np.moveaxis(values, -3, 0), channel_entries, strict=True):
+        entries = common | {name: channel[name] for name in _PER_CHANNEL} | {"shape": list(channel_values.shape)}
+        channel_arrays = {"values": np.ascontiguousarray(channel_values)}
+        psfs.append(rebuild(channel_arrays, sealed(entries, channel_arrays), kind))
+    return channels, tuple(psfs)

@@ -157,9 +157,9 @@ def register(*new_formats: Format) -> None:
     """
     for new in new_formats:
         validation.instance("format", new, Format)
-        taken = {suffix for form in formats(new.kind) for suffix in form.suffixes}
-        if both := taken.intersection(new.suffixes):
-            raise ValueError(f"suffixes must be new for {KINDS[new.kind]}, got {', '.join(sorted(both))}")
+        old_suffixes = {suffix for form in formats(new.kind) for suffix in form.suffixes}
+        if duplicates := old_suffixes.intersection(new.suffixes):
+            raise ValueError(f"suffixes must be new for {KINDS[new.kind]}, got {', '.join(sorted(duplicates))}")
         _FORMATS.append(new)
 
 
@@ -175,29 +175,28 @@ def find(
     suffix, end = "".join(suffixes[-1:]).lower(), "".join(suffixes[-2:]).lower()  # .fits.gz consists of two suffixes
     if not any(end.endswith(form.suffixes) for form in _formats_with(kind, verb)):
         _load_others()
-    fit = [form for form in _formats_with(kind, verb) if not holding or holding in form.holds]
-    for form in fit:
+    forms = [form for form in _formats_with(kind, verb) if not holding or holding in form.holds]
+    for form in forms:
         if end.endswith(form.suffixes):
             return form.ready()
         if suffix and suffix == form.beside:
-            first = form.suffixes[0]
-            raise ValueError(f"{name} must be the {first} file to which {validation.shown(str(path))} belongs")
-    raise ValueError(
-        f"{name} must end in {', '.join(suffix for form in fit for suffix in form.suffixes) or 'nothing known'} for "
-        f"{f'{KINDS[kind]} {holding}'.rstrip()}, got {validation.shown(suffix)} in {validation.shown(str(path))}"
-    )
+            main_suffix = form.suffixes[0]
+            raise ValueError(f"{name} must be the {main_suffix} file to which {validation.shown(str(path))} belongs")
+    allowed = ", ".join(suffix for form in forms for suffix in form.suffixes) or "nothing known"
+    got = f"{validation.shown(suffix)} in {validation.shown(str(path))}"
+    raise ValueError(f"{name} must end in {allowed} for {f'{KINDS[kind]} {holding}'.rstrip()}, got {got}")
 
 
 def identify(kind: str, data: bytes) -> Format:
-    """Return the format of a file from its first bytes; ValueError if unknown, ImportError without its library."""
+    """Return the format of a file from its first bytes; ValueError if unknown, ImportError without the library."""
     for load in (None, _load_others) if data else ():
         if load:
             load()
         for form in _formats_with(kind, "read"):
             if data.startswith(form.starts):
                 return form.ready()
-    *most, last = dict.fromkeys(form.name for form in _formats_with(kind, "read") if form.starts)
-    raise ValueError(f"is not a {', '.join(most)} or {last} file" if data else "is empty")
+    *first_names, last_name = dict.fromkeys(form.name for form in _formats_with(kind, "read") if form.starts)
+    raise ValueError(f"is not a {', '.join(first_names)} or {last_name} file" if data else "is empty")
 
 
 def suffixes(kind: str, *, described: bool = False) -> str:

@@ -53,31 +53,31 @@ def parse(text: str) -> Interferogram:
         raise ValueError(f"its second line must begin with {', '.join(_SIZE_COUNTS)}, got {validation.shown(kind)}")
     count = _SIZE_COUNTS[kind]
     size = tuple(_parse_size(word) for word in words[:count])
-    stated = _parse_settings(words[count:])
-    wavelength = validation.wavelength(1e-6 * stated["WVL"])
+    stated_values = _parse_settings(words[count:])
+    wavelength = validation.wavelength(1e-6 * stated_values["WVL"])
     if len(size) != count or values.size != math.prod(size):
         raise ValueError(f"it states {' x '.join(map(str, size))} values, got {values.size}")
-    missing = values == stated["NDA"] if "NDA" in stated else np.zeros(values.shape, np.bool_)
-    return Interferogram(kind, size, wavelength, values / stated["SSZ"], missing)
+    missing = values == stated_values["NDA"] if "NDA" in stated_values else np.zeros(values.shape, np.bool_)
+    return Interferogram(kind, size, wavelength, values / stated_values["SSZ"], missing)
 
 
 def _parse_settings(words: Sequence[str]) -> dict[str, float]:
     """Return the numbers of the second line by name; ValueError without WVL or SSZ, or if it is not a wavefront."""
-    remaining, contents, stated = list(words), [], dict[str, float]()
-    while remaining:
-        word = remaining.pop(0)
+    remaining_words, contents, stated_values = list(words), [], dict[str, float]()
+    while remaining_words:
+        word = remaining_words.pop(0)
         if word in _CONTENTS:
             contents.append(word)
-        elif word in _NUMBERS and remaining:
-            stated[word] = _parse_number(remaining.pop(0), word)
+        elif word in _NUMBERS and remaining_words:
+            stated_values[word] = _parse_number(remaining_words.pop(0), word)
         elif word not in _FLAGS:
             raise ValueError(f"its second line holds {validation.shown(word)}, which is unknown")
     if contents != ["WFR"]:
-        what = " and ".join(_CONTENTS[word] for word in contents) or "a second line without WFR"
-        raise ValueError(f"it must hold a wavefront (WFR), got {what}")
-    if missing := [word for word in ("WVL", "SSZ") if not stated.get(word, 0.0) > 0.0]:
-        raise ValueError(f"it lacks a positive {' and '.join(missing)} (WVL: wavelength, SSZ: value of one wave)")
-    return stated
+        contents_text = " and ".join(_CONTENTS[word] for word in contents) or "a second line without WFR"
+        raise ValueError(f"it must hold a wavefront (WFR), got {contents_text}")
+    if names := [word for word in ("WVL", "SSZ") if not stated_values.get(word, 0.0) > 0.0]:
+        raise ValueError(f"it lacks a positive {' and '.join(names)} (WVL: wavelength, SSZ: value of one wave)")
+    return stated_values
 
 
 def term(index: int) -> tuple[int, int]:
@@ -106,12 +106,12 @@ MAX_MESSAGES = 12
 """Maximum number of errors of a file in one message."""
 
 
-def rows(text: str, between: str = ",") -> Iterator[tuple[int, list[str]]]:
+def rows(text: str, separator: str = ",") -> Iterator[tuple[int, list[str]]]:
     """Yield the line number and the cells of each line that is neither empty nor a comment (``#``)."""
     for place, text_line in enumerate(io.StringIO(text), 1):  # no list of all lines, since the text may be long
         try:
             quoted = '"' in text_line or len(text_line) > csv.field_size_limit()
-            cells = next(csv.reader([text_line], delimiter=between), []) if quoted else text_line.split(between)
+            cells = next(csv.reader([text_line], delimiter=separator), []) if quoted else text_line.split(separator)
         except csv.Error as error:  # a quote without an end
             raise ValueError(f"{error} in line {place}") from None
         cells = list(map(str.strip, cells))
@@ -143,20 +143,20 @@ def line_of(text: str, keys: Sequence[str]) -> int | None:
 @lru_cache(maxsize=2)
 def _line_numbers(text: str) -> dict[tuple[str, ...], int]:
     """Return the line numbers of the keys and tables of a TOML file."""
-    found: dict[tuple[str, ...], int] = {}
+    line_numbers: dict[tuple[str, ...], int] = {}
     numbers: Counter[tuple[str, ...]] = Counter()
     section: tuple[str, ...] = ()
-    for number, written in enumerate(text.splitlines(), 1):
-        if header := re.match(r"\s*\[(\[?)\s*([\w.\"-]+)\s*\]", written):
+    for number, text_line in enumerate(text.splitlines(), 1):
+        if header := re.match(r"\s*\[(\[?)\s*([\w.\"-]+)\s*\]", text_line):
             section = tuple(header[2].replace('"', "").split("."))
-            found.setdefault(section, number)
+            line_numbers.setdefault(section, number)
             if header[1]:  # one table of an array of tables: append its index
                 numbers[section] += 1
                 section = (*section, str(numbers[section] - 1))
-                found.setdefault(section, number)
-        elif entry := re.match(r"\s*(\"[^\"]*\"|[\w-]+)\s*=", written):
-            found.setdefault((*section, entry[1].strip('"')), number)
-    return found
+                line_numbers.setdefault(section, number)
+        elif entry := re.match(r"\s*(\"[^\"]*\"|[\w-]+)\s*=", text_line):
+            line_numbers.setdefault((*section, entry[1].strip('"')), number)
+    return line_numbers
 
 
 def nearest_line(text: str, keys: Sequence[str]) -> int | None:
@@ -173,10 +173,10 @@ def place(text: str, keys: Sequence[str]) -> str:
 
 def joined_errors(path: Path, errors: Sequence[str], count: int | None = None) -> str:
     """Return one message with the first errors of a file, one error per line; `count` is the number of all errors."""
-    count, shown = len(errors) if count is None else count, [line(error) for error in errors[:MAX_MESSAGES]]
+    count, messages = len(errors) if count is None else count, [line(error) for error in errors[:MAX_MESSAGES]]
     if count > MAX_MESSAGES:
-        shown.append(f"and {count - MAX_MESSAGES} more")
-    return f"{line(path)}: " + (shown[0] if count == 1 else "".join(f"\n  {error}" for error in shown))
+        messages.append(f"and {count - MAX_MESSAGES} more")
+    return f"{line(path)}: " + (messages[0] if count == 1 else "".join(f"\n  {error}" for error in messages))
 
 
 MANY = 1000
@@ -195,6 +195,6 @@ def collected(errors: list[str], place: str) -> Iterator[None]:
 def refuse(errors: Sequence[str]) -> None:
     """Raise ValueError with the first errors of a table, if there are any."""
     if errors:
-        rest = len(errors) - MAX_MESSAGES
-        more = f"; and {rest} {'or more' if len(errors) > MANY else 'more'}" if rest > 0 else ""
-        raise ValueError("; ".join(brief(error, 200) for error in errors[:MAX_MESSAGES]) + more)
+        further = len(errors) - MAX_MESSAGES
+        ending = f"; and {further} {'or more' if len(errors) > MANY else 'more'}" if further > 0 else ""
+        raise ValueError("; ".join(brief(error, 200) for error in errors[:MAX_MESSAGES]) + ending)

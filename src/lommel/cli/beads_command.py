@@ -106,7 +106,7 @@ def beads(
     camera.require()
     with progress("reading") as status:
         read = list(read_each(stacks))
-        noise, saturation, header = camera.resolve(of_all([each.said for each in read]), microscope.camera)
+        noise, saturation, header = camera.resolve(of_all([stack.said for stack in read]), microscope.camera)
         recorded, camera_text = camera.recorded(lens, microscope.camera, noise)
         notes += [f"Camera: {camera_text}.", *header]
         windows: list[_Bead] = []
@@ -114,7 +114,7 @@ def beads(
             file = stack.names[0].removesuffix(" [0]")
             notes += [
                 *stack.notes,
-                *(each for each in header_differences(stack.said, microscope, model.step) if each not in notes),
+                *(note for note in header_differences(stack.said, microscope, model.step) if note not in notes),
             ]
             values = stack.values
             if (mask := camera.mask(values)) is not None:
@@ -140,10 +140,10 @@ def beads(
         notes.append(f"The first {_MAX_BEADS} of {len(windows)} beads were taken.")
     facts = result.to_dict() | {"wavelength": microscope.wavelength, "noise": recorded, "notes": notes}
     facts["places"] = [
-        one | {"row": one["row"] + bead.corner[0], "column": one["column"] + bead.corner[1]}
-        for one, bead in zip(facts["beads"], windows, strict=False)
+        fit | {"row": fit["row"] + bead.corner[0], "column": fit["column"] + bead.corner[1]}
+        for fit, bead in zip(facts["beads"], windows, strict=False)
     ]
-    facts["beads"] = [one.name for one in windows[:_MAX_BEADS]]
+    facts["beads"] = [window.name for window in windows[:_MAX_BEADS]]
     status_text = "" if result.converged else f", of a fit that has not converged: {result.status}"
     files = written([output, figure], lambda path: status_text if path == output else "")
     return Report(facts, _parts(result, facts), result.converged) + files
@@ -166,20 +166,20 @@ def _beads(file: str, planes: Values, camera: BeadCamera, noise: Noise, saturati
     if not len(spots):
         advice = "a smaller --window may do" if spots.refused else "lower --threshold, or check --offset and --gain"
         raise ValueError(f"{line(file)}: no isolated bead; {spots.message}: {advice}")
-    first = (spots.places - np.array(spots.windows.shape[-2:]) // 2).tolist()
-    each = enumerate(zip(spots.windows, first, strict=True))
-    return [_Bead(f"{file} [{k}]", one, (row, column)) for k, (one, (row, column)) in each]
+    corners = (spots.places - np.array(spots.windows.shape[-2:]) // 2).tolist()
+    numbered = enumerate(zip(spots.windows, corners, strict=True))
+    return [_Bead(f"{file} [{k}]", values, (row, column)) for k, (values, (row, column)) in numbered]
 
 
 def _parts(result: BeadFit, facts: Facts) -> Parts:
     """Return the verdict, and the tables of terms, constants, and beads."""
     terms, constants, beads = (list[tuple[str, ...]]() for _ in range(3))
     for name, value in result.coefficients.items():
-        constant = isinstance(name, str)
-        factor, unit = UNITS[CONSTANTS[name].unit] if constant else (_MILLIWAVES, "")
-        title = f"{name} ({unit.strip()})" if unit else name if constant else label(name)
+        is_constant = isinstance(name, str)
+        factor, unit = UNITS[CONSTANTS[name].unit] if is_constant else (_MILLIWAVES, "")
+        title = f"{name} ({unit.strip()})" if unit else name if is_constant else label(name)
         cells = title, *with_error(factor * value, factor * result.errors[name], most=9)
-        (constants if constant else terms).append(cells)
+        (constants if is_constant else terms).append(cells)
     factors = {"row": 1.0, "column": 1.0, "z": 1e9, "depth": 1e9, "flux": 1.0}
     for name, place, bead in zip(facts["beads"], facts["places"], result.beads, strict=True):
         row = [_with_error(factor, np.mean(place[key]), bead.errors.get(key, 0.0)) for key, factor in factors.items()]
@@ -194,5 +194,5 @@ def _parts(result: BeadFit, facts: Facts) -> Parts:
 
 
 def _with_error(factor: float, value: float, error: float) -> str:
-    """Return a number and its standard error, times a factor; only the number if it was not estimated."""
+    """Return a number and its standard error, both times a factor; without an estimate (error 0) only the number."""
     return "+-".join(with_error(factor * value, factor * error, most=3)) if error else f"{factor * value:.4g}"

@@ -203,7 +203,7 @@ def deconvolve(
     return report_findings(facts, Text(microscope.name, "bold"), _table(facts)) + written([*outputs, figure])
 
 
-_STOPPED = {  # reasons to stop, in words
+_STOP_TEXTS = {  # reasons to stop, in words
     NOISE: "at the noise: the result agrees with the recording",
     STEPS: "after all steps",
     INTERRUPTED: "interrupted: the result has the completed steps",
@@ -218,12 +218,12 @@ def _table(facts: Facts) -> Table:
         ("stack", f"{planes} planes of {height} x {width}"),
         ("voxels", f"{format_length(facts['pixel_in_sample'])} x {format_length(facts['step'])} along z"),
     ]
-    for each in facts["channels"]:
-        before, after = each["before"], each["discrepancy"]
-        name = f", {each['name']}" if len(facts["channels"]) > 1 else ""
+    for channel in facts["channels"]:
+        before, after = channel["before"], channel["discrepancy"]
+        name = f", {channel['name']}" if len(facts["channels"]) > 1 else ""
         lines += [
-            (f"discrepancy{name}", f"{before:#.3g} before, {after:#.3g} after {each['steps']} steps"),
-            ("stopped", _STOPPED.get(each["stopped"], each["stopped"])),
-            ("depth in focus", f"{between(*each['depths'])}, {each['psfs']} PSF{'s' * (each['psfs'] > 1)}"),
+            (f"discrepancy{name}", f"{before:#.3g} before, {after:#.3g} after {channel['steps']} steps"),
+            ("stopped", _STOP_TEXTS.get(channel["stopped"], channel["stopped"])),
+            ("depth in focus", f"{between(*channel['depths'])}, {channel['psfs']} PSF{'s' * (channel['psfs'] > 1)}"),
         ]
     return list_of([*lines, ("time", f"{facts['seconds']:.3g} s")])

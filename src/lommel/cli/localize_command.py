@@ -159,7 +159,7 @@ def _parts(facts: Facts, camera: str) -> Parts:
     n, (rows, columns) = facts["frames"], facts["shape"]
     left_out = f"left out {facts['borders']} at borders and {facts['overlapping']} beside brighter spots"
     counts = facts["border_fits"] | facts["states"]
-    rejected = ", ".join(f"{counts[name]} {words}" for name, words in _REJECTED.items() if counts[name])
+    not_written = ", ".join(f"{counts[name]} {reason}" for name, reason in _REJECTION_REASONS.items() if counts[name])
     low, high = (format_length(end, like=1e-6) for end in facts["z"])
     meaning = {"depth": "depth", "none": "not determined"}.get(facts["along"], "position of the stage")
     size = f"{n} frame{'s' * (n != 1)} of {rows} x {columns}, {format_length(facts['pixel_in_sample'])} a pixel"
@@ -167,7 +167,7 @@ def _parts(facts: Facts, camera: str) -> Parts:
         ("movie", size),
         ("camera", camera),
         ("spots", f"{facts['spots']}; {left_out}"),
-        ("localised", f"{facts['written']}{f'; not written: {rejected}' if rejected else ''}"),
+        ("localised", f"{facts['written']}{f'; not written: {not_written}' if not_written else ''}"),
         ("z", f"{low} to {high}, {meaning}"),
         *_median_lines(facts["medians"], math.sqrt(0.5 * math.pi / max(1, facts["written"]))),
         ("table of images", f"each value within {facts['table_error_bound']:.2g} of the dimmest plane's largest"),
@@ -181,7 +181,7 @@ def _parts(facts: Facts, camera: str) -> Parts:
     ]
 
 
-_REJECTED = {
+_REJECTION_REASONS = {
     "z": "at an end of the range of z (--z)",
     "reach": "farther from the middle of their box than --reach",
     "steps": "without convergence",
@@ -193,9 +193,9 @@ def _median_lines(medians: dict[str, float | None], error: float) -> list[tuple[
     if any(value is None for value in medians.values()):
         return []
     sides = [name for name in "xyz" if f"{name}_error" in medians]
-    each = ", ".join(f"{name} {format_length(medians[f'{name}_error'] or 0.0, digits=3)}" for name in sides)
+    precisions = ", ".join(f"{name} {format_length(medians[f'{name}_error'] or 0.0, digits=3)}" for name in sides)
     return [
         ("median light", f"{medians['photons']:.4g} photons, background {medians['background']:.3g} a pixel"),
-        ("median precision", f"{each} (Cramer-Rao bound)"),
+        ("median precision", f"{precisions} (Cramer-Rao bound)"),
         ("median discrepancy", f"{medians['discrepancy']:.2g} (0 +- {error:.1g} where PSF and noise are right)"),
     ]

@@ -22,8 +22,6 @@ if TYPE_CHECKING:
 
 
 _LOG_INTERVAL = 30.0  # seconds until the first line of a log, and least time between lines
-
-
 _LOG_FACTOR = 1.25  # least ratio of the times of successive lines of a log
 
 
@@ -38,7 +36,7 @@ class Steps:
         self._next = _LOG_INTERVAL
 
     def __call__(self, name: str, fraction: float | None = None) -> None:
-        """Show the name of the next step, or of the current one with the fraction done, 0 to 1."""
+        """Show the name of the next step or, with the fraction done (0 to 1), of the current step."""
         if fraction is not None:
             self._fraction = min(max(fraction, self._fraction), 1.0)  # estimates of the remaining time may increase
         elif self._total:
@@ -60,14 +58,15 @@ class Steps:
 
     def _log(self, name: str) -> None:
         """Write a line to the log if enough time has passed since the line before."""
-        spent = time.monotonic() - self._start
-        if spent < self._next:
+        elapsed = time.monotonic() - self._start
+        if elapsed < self._next:
             return
-        self._next = max(spent + _LOG_INTERVAL, _LOG_FACTOR * spent)
-        left = ""
+        self._next = max(elapsed + _LOG_INTERVAL, _LOG_FACTOR * elapsed)
+        remaining = ""
         if self._fraction > 0.0:
-            left = f", {percent(self._fraction)}, about {_time_in_words(spent * (1.0 / self._fraction - 1.0))} left"
-        print(f"{_time_in_words(spent)}{left}: {name}", file=sys.stderr, flush=True)
+            seconds = elapsed * (1.0 / self._fraction - 1.0)
+            remaining = f", {percent(self._fraction)}, about {_time_in_words(seconds)} left"
+        print(f"{_time_in_words(elapsed)}{remaining}: {name}", file=sys.stderr, flush=True)
 
 
 def _time_in_words(seconds: float) -> str:

@@ -119,7 +119,7 @@ def retrieve(
 
 def _parts(result: Retrieval, unit: str, files: list[str]) -> Parts:
     """Return the tables of a retrieved wavefront in a unit, with standard errors, and the verdict."""
-    short = {"radians": "rad"}.get(unit, unit)
+    unit_symbol = {"radians": "rad"}.get(unit, unit)
     values, errors = result.in_unit(unit)
     rows = [(label(name), *with_error(value, errors[name])) for name, value in values.items()]
     constants = {name: value for name, value in result.coefficients.items() if name not in values}
@@ -136,11 +136,11 @@ def _parts(result: Retrieval, unit: str, files: list[str]) -> Parts:
         return f"{value:.6g}" if blurred else "+-".join(with_error(value, float(result.errors[name][k])))
 
     images = [[file, *(cell(name, k) for name in columns)] for k, file in enumerate(files)]
-    last = [f"blur: {'; '.join(map(in_words, result.blurs))}"] if blurred else []
+    closing_lines = [f"blur: {'; '.join(map(in_words, result.blurs))}"] if blurred else []
     return paragraphs(
-        [table_of(("term", short, "std. error"), rows)],
+        [table_of(("term", unit_symbol, "std. error"), rows)],
         [table_of(["image", *columns], images)],
-        map(Wrapped, [*last, result.message]),
+        map(Wrapped, [*closing_lines, result.message]),
     )
 
 
@@ -167,8 +167,8 @@ def _terms(text: str) -> list[str]:
     noll_names = {zernike.name(*zernike.term(j, "noll")): f"noll {j}" for j in range(_LAST_NAMED, 4, -1)}
     names = []
     for name in _names(text):
-        order, _, rest = name.partition(" ")
-        index, _, printed = rest.partition(" ")
+        order, _, remainder = name.partition(" ")
+        index, _, printed = remainder.partition(" ")
         # The table prints "noll 8 coma x"; the user may also write "coma x" alone.
         if order in zernike.ORDERS and printed:
             name = f"{order} {index}"

@@ -34,7 +34,7 @@ if TYPE_CHECKING:
     from lommel.optics.lens import Lens
 
 _RANGE_MARGIN = 1e-3  # relative margin of the range of the filters beyond the distances
-_FAR = 1e9  # metres: largest nearest distance of filters, practically infinity
+_MAX_NEAREST = 1e9  # metres: largest nearest distance of filters, practically infinity
 
 
 class Clip(NamedTuple):
@@ -129,7 +129,7 @@ def sharpen(
         "focus_distance": finite(lens_in_use.focus_distance),
         "f_number": lens_in_use.f_number,
         "focal_length": lens_in_use.focal_length,
-        "between": [finite(each) for each in ends],
+        "between": [finite(end) for end in ends],
         "unknown": depth_values["depth_unknown"],
         "blur": blur,
         "frames": count,
@@ -147,9 +147,9 @@ def sharpen(
         bits, lossy = coding.check_compression(video.bits, mean)
         lines += [lossy] if lossy else []
         facts |= bits | {"frames_dropped": video.dropped, "frames_of_another_size": video.refused}
-        refused = f", of another size: {video.refused}" if video.refused else ""
+        refused_text = f", of another size: {video.refused}" if video.refused else ""
         lines.append(f"{count} frames in {seconds:.3g} s: {count / seconds:.3g} frames/s; ended: {end_reason}")
-        lines.append(f"frames dropped: {video.dropped}{refused}")
+        lines.append(f"frames dropped: {video.dropped}{refused_text}")
     files = written([output])
     return Report(facts | files.facts, [*lines, *files.parts], converged=failure is None)
 
@@ -166,16 +166,16 @@ def _map(path: Path, values: DepthKeywords, shape: tuple[int, ...]) -> Array:
     return depth_map
 
 
-def _filters(lens: Lens, pixel: float, distance: float | Array, coding: Coding, first: Values) -> LiveSharpen:
+def _filters(lens: Lens, pixel: float, distance: float | Array, coding: Coding, first_frame: Values) -> LiveSharpen:
     """Return the filters for a range of distances, and for the mean light of the first frame."""
-    near, far = float(np.min(distance)), float(np.max(distance))
+    nearest, farthest = float(np.min(distance)), float(np.max(distance))
     return LiveSharpen(
         lens,
         pixel,
-        between=(min(near, _FAR) * (1.0 - _RANGE_MARGIN), far * (1.0 + _RANGE_MARGIN)),
+        between=(min(nearest, _MAX_NEAREST) * (1.0 - _RANGE_MARGIN), farthest * (1.0 + _RANGE_MARGIN)),
         noise=coding.noise,
-        shape=first.shape,
-        light=max(1.0, float(coding.noise.electrons(float(np.nanmean(first))))),
+        shape=first_frame.shape,
+        light=max(1.0, float(coding.noise.electrons(float(np.nanmean(first_frame))))),
         saturation=coding.saturation,
     )
 
@@ -205,11 +205,11 @@ def _clip(
     video = stack.enter_context(videos.video_frames(str(clip), tell=status.tell))
     coding = coder(video.levels, video.dtype, video.encoding)
     # Grey of more than 8 bits keeps its bits and its encoding, if the format can store them.
-    deep = video.dtype != np.uint8 and len(video.shape) == 2 and "of uint16" in form.holds
+    is_16_bit = video.dtype != np.uint8 and len(video.shape) == 2 and "of uint16" in form.holds
     write = stack.enter_context(form.write(output, video.interval))
 
     def store(light: Values, seconds: float) -> None:
-        stored = from_light(light, coding.encoding, np.uint16) if deep else from_light(light, "srgb", np.uint8)
+        stored = from_light(light, coding.encoding, np.uint16) if is_16_bit else from_light(light, "srgb", np.uint8)
         write(stored, seconds)
 
     return Clip(video.shape, coding, video, store, video)

@@ -105,11 +105,11 @@ class DepthValues:
             distances[np.isin(values, self.unknown)] = np.nan
             if self.zero_is_unknown:
                 distances[values == 0] = np.nan
-            least, most = (float(extremum.reduce(distances, axis=None)) for extremum in (np.fmin, np.fmax))
+            lowest, highest = (float(extremum.reduce(distances, axis=None)) for extremum in (np.fmin, np.fmax))
             if self.inverse is not None:
-                self._from_inverse(distances, values.dtype, (least, most), name)
+                self._from_inverse(distances, values.dtype, (lowest, highest), name)
             elif self.disparity is not None:
-                self._from_disparity(distances, (least, most), name)
+                self._from_disparity(distances, (lowest, highest), name)
             else:
                 distances *= self.scale or 1.0
                 if zeros := distances.size - np.count_nonzero(distances):
@@ -117,12 +117,12 @@ class DepthValues:
                         f"{name} is 0 at {zeros} of {distances.size} points; if that means unknown, give "
                         "`zero_is_unknown`"
                     )
-                if least < 0.0:
+                if lowest < 0.0:
                     raise ValueError(
-                        f"{name} must hold distances > 0 metres, got {least * (self.scale or 1.0):g}; if the value "
-                        f"{least:g} means unknown, state it as `unknown`"
+                        f"{name} must hold distances > 0 metres, got {lowest * (self.scale or 1.0):g}; if the value "
+                        f"{lowest:g} means unknown, state it as `unknown`"
                     )
-        if most == 1.0 and not self.states_metres:
+        if highest == 1.0 and not self.states_metres:
             validation.tell(
                 f"the farthest depth of {name} is exactly 1: maps of 0 to 1, such as inverse depth, are not in "
                 "metres; `inverse` states the distances at 1 and at 0"
@@ -148,9 +148,9 @@ class DepthValues:
                 f"the highest level of {name} is {ends[1]:g}, but `inverse` assumes {top:g} at the nearest "
                 f"distance: if the levels have fewer bits, scale them to 0 to {top:g}"
             )
-        near, far = (1.0 / distance for distance in self.inverse)
-        levels *= (near - far) / top
-        levels += far
+        near_vergence, far_vergence = (1.0 / distance for distance in self.inverse)
+        levels *= (near_vergence - far_vergence) / top
+        levels += far_vergence
         np.reciprocal(levels, out=levels)
 
     def _from_disparity(self, disparities: Array, ends: tuple[float, float], name: str) -> None:
@@ -176,16 +176,16 @@ class DepthValues:
             return values
         (height, width), (rows, columns) = shape, values.shape
         text = f"{name} must have the size of the upright photo, {width} x {height}, got {columns} x {rows}"
-        # Aspect ratios count as equal if a side is within one pixel of the side that the other one implies.
+        # Aspect ratios count as equal if one side is within a pixel of the side that follows from the other side.
         if abs(rows - height * columns / width) >= 1.0 and abs(columns - width * rows / height) >= 1.0:
             raise ValueError(text)
         if self.resample is None:
             raise ValueError(f'{text}, of the same aspect ratio; resample="nearest" resamples it')
-        down, across = (
+        row_index, column_index = (
             (2 * np.arange(side) + 1) * map_side // (2 * side)
             for side, map_side in zip(shape, values.shape, strict=True)
         )
-        return values[np.ix_(down, across)]
+        return values[np.ix_(row_index, column_index)]
 
 
 def _check_pair(name: str, value: object) -> tuple[object, object]:
@@ -196,7 +196,7 @@ def _check_pair(name: str, value: object) -> tuple[object, object]:
 
 @options.shares(DepthKeywords, DepthValues)
 def read_depth(
-    path: str | PathLike[str], *, shape: tuple[int, ...] | None = None, **given: Unpack[DepthKeywords]
+    path: str | PathLike[str], *, shape: tuple[int, ...] | None = None, **keywords: Unpack[DepthKeywords]
 ) -> Array:
     """Read a depth map: the distance of every point from the lens, NaN where it is unknown.
 
@@ -230,8 +230,8 @@ def read_depth(
     UserWarning
         If the largest value of floats without a conversion is 1, or the highest level for `inverse` is very low.
     """
-    options.require_known(read_depth, given, DepthKeywords)
-    source, conversion = validation.path("path", path), DepthValues(**given)
+    options.require_known(read_depth, keywords, DepthKeywords)
+    source, conversion = validation.path("path", path), DepthValues(**keywords)
     size = None if shape is None else validation.image_shape(tuple(shape[:2]))
     if size is None and conversion.resample is not None:
         raise ValueError("resample needs the shape to resample to")

@@ -186,10 +186,10 @@ def _compressor(metadata: Any) -> tuple[str | None, str]:
     return (compressors[0] if compressors else None), index_location
 
 
-def _decompressed_size(compressor: str, data: bytes, most: int) -> int:
+def _decompressed_size(compressor: str, data: bytes, limit: int) -> int:
     """Return a bound on the decompressed bytes of a chunk; 0 for a damaged chunk, which the decoder reports.
 
-    For gzip and zlib, which store no size, return 0 for at most `most` bytes and ``3 * most`` for more.
+    For gzip and zlib, which store no size, return 0 for at most `limit` bytes and ``3 * most`` for more.
     """
     try:
         if compressor == "blosc":
@@ -200,27 +200,29 @@ def _decompressed_size(compressor: str, data: bytes, most: int) -> int:
             return _decompressed_size_of_zstd(data)
     except struct.error:
         return 0
-    return 0 if reading.inflates_within(data, most, wbits=47) else 3 * most
+    return 0 if reading.inflates_within(data, limit, wbits=47) else 3 * limit
 
 
 def _decompressed_size_of_zstd(data: bytes) -> int:
     """Return a bound on the decompressed bytes of zstd frames, from their headers (RFC 8878, 3.1.1)."""
-    total, at = 0, 0
-    while at + 4 < len(data) and data[at : at + 4] == b"\x28\xb5\x2f\xfd":
+    total, offset = 0, 0
+    while offset + 4 < len(data) and data[offset : offset + 4] == b"\x28\xb5\x2f\xfd":
         # Frame header: descriptor, window descriptor unless a single segment, dictionary, content size.
-        flags = data[at + 4]
+        flags = data[offset + 4]
         single_segment, size_flag = flags >> 5 & 1, flags >> 6
         width = (single_segment, 2, 4, 8)[size_flag]
-        at += 5 + (1 - single_segment) + (0, 1, 2, 4)[flags & 3]
-        content_size = int.from_bytes(data[at : at + width], "little") + (256 if width == 2 else 0)
-        at, block_sizes, last = at + width, 0, False
-        while not last:
-            (header,) = struct.unpack_from("<I", data[at : at + 3].ljust(4, b"\0") if at + 3 <= len(data) else b"")
+        offset += 5 + (1 - single_segment) + (0, 1, 2, 4)[flags & 3]
+        content_size = int.from_bytes(data[offset : offset + width], "little") + (256 if width == 2 else 0)
+        offset, block_sizes, is_last = offset + width, 0, False
+        while not is_last:
+            (header,) = struct.unpack_from(
+                "<I", data[offset : offset + 3].ljust(4, b"\0") if offset + 3 <= len(data) else b""
+            )
             # Types 0 and 1, raw and run-length encoded, have `size` bytes; compressed blocks have at most the limit.
-            last, block_type, size = bool(header & 1), header >> 1 & 3, header >> 3
+            is_last, block_type, size = bool(header & 1), header >> 1 & 3, header >> 3
             block_sizes += size if block_type < 2 else _ZSTD_BLOCK
-            at += 3 + (1 if block_type == 1 else size)
-        at += 4 * (flags >> 2 & 1)  # checksum
+            offset += 3 + (1 if block_type == 1 else size)
+        offset += 4 * (flags >> 2 & 1)  # checksum
         total += content_size if width else block_sizes
     return total
 
@@ -256,13 +258,13 @@ class Layout:
         """Number of chunks along each axis."""
         return tuple(-(-n // c) for n, c in zip(self.shape, self.chunks, strict=True))
 
-    def whole(self, index: tuple[int, ...]) -> tuple[int, ...]:
+    def full_index(self, index: tuple[int, ...]) -> tuple[int, ...]:
         """Return the index of a chunk along all axes, with omitted zeros appended."""
         return (*index, *(0,) * (len(self.shape) - len(index)))
 
     def within(self, index: tuple[int, ...]) -> tuple[slice, ...]:
         """Return the slices of a chunk in the array."""
-        sides = zip(self.whole(index), self.chunks, self.shape, strict=True)
+        sides = zip(self.full_index(index), self.chunks, self.shape, strict=True)
         return tuple(slice(i * c, min((i + 1) * c, n)) for i, c, n in sides)
 
     def first(self, index: tuple[int, ...]) -> int:
@@ -321,20 +323,21 @@ class ZarrArray:
         """Return the array in a folder; ValueError unless its metadata are as :meth:`create` writes them."""
         metadata = _meta(folder)
         kind, codecs = metadata["data_type"], metadata["codecs"]
-        plain = len(codecs) == 1 and codecs[0]["name"] == "bytes" and not metadata.get("storage_transformers")
+        supported = len(codecs) == 1 and codecs[0]["name"] == "bytes" and not metadata.get("storage_transformers")
         keys = metadata["chunk_key_encoding"]
-        plain = plain and codecs[0].get("configuration", {}).get("endian", "little") == "little"
-        plain = plain and kind in _KINDS and keys["name"] == "default" and metadata["chunk_grid"]["name"] == "regular"
+        supported = supported and codecs[0].get("configuration", {}).get("endian", "little") == "little"
+        regular_grid = keys["name"] == "default" and metadata["chunk_grid"]["name"] == "regular"
+        supported = supported and kind in _KINDS and regular_grid
         separator = keys.get("configuration", {}).get("separator", "/")
         shape, chunks = metadata["shape"], metadata["chunk_grid"]["configuration"]["chunk_shape"]
-        sides = all(type(n) is int and n > 0 for n in (*shape, *chunks)) and len(shape) == len(chunks)
-        if not plain or separator not in (".", "/") or not sides:
+        valid_shapes = all(type(n) is int and n > 0 for n in (*shape, *chunks)) and len(shape) == len(chunks)
+        if not supported or separator not in (".", "/") or not valid_shapes:
             raise ValueError(f"its array {folder.name} has an unsupported layout; read it by zarr")
         return cls(folder, Layout(tuple(shape), tuple(chunks), np.dtype(kind).newbyteorder("<").str), separator)
 
     def file(self, index: tuple[int, ...]) -> Path:
         """Return the path of the file of a chunk."""
-        return self.folder / self.separator.join(("c", *map(str, self.layout.whole(index))))
+        return self.folder / self.separator.join(("c", *map(str, self.layout.full_index(index))))
 
     def packed(self, part: Values) -> memoryview:
         """Return the bytes of a chunk; a smaller chunk at the end of an axis is padded with zeros."""
@@ -359,12 +362,12 @@ class ZarrArray:
                 f"it has {' x '.join(map(str, array.shape))} values; the limit is {validation.MAX_VALUES}"
             )
         # Checked before memory is allocated, since the metadata may state any size.
-        if (stored := sum(_size(self.file(index)) for index in np.ndindex(*array.grid))) < array.nbytes:
-            raise ValueError(f"its values take {array.nbytes} uncompressed bytes, got {stored}")
-        out = np.empty(array.shape, array.dtype)
+        if (stored_bytes := sum(_size(self.file(index)) for index in np.ndindex(*array.grid))) < array.nbytes:
+            raise ValueError(f"its values take {array.nbytes} uncompressed bytes, got {stored_bytes}")
+        values = np.empty(array.shape, array.dtype)
         for index in np.ndindex(*array.grid):
-            out[array.within(index)] = self.get(index)
-        return out
+            values[array.within(index)] = self.get(index)
+        return values
 
 
 def attributes(folder: Path) -> Description:

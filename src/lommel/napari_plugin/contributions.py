@@ -60,8 +60,8 @@ def voxel(psf: PSF) -> tuple[float, ...] | None:
         z = np.ravel(psf.pupil.z)
         steps = (1e6 * float(abs(z[1] - z[0])),) if z.size > 1 else ()
     sides = tuple(1e6 * side / magnification for side in psf.grid.pitch)
-    others = (1.0,) * (np.ndim(psf.values) - len(sides) - len(steps))
-    return (*others, *steps, *sides)
+    stack_axes = (1.0,) * (np.ndim(psf.values) - len(sides) - len(steps))
+    return (*stack_axes, *steps, *sides)
 
 
 def psf_of(metadata: Json) -> PSF | None:
@@ -111,11 +111,11 @@ def _channels(path: str) -> list[LayerData] | None:
 
 def voxel_of(layer: Layer) -> tuple[float, float] | None:
     """Return the pixel size and the plane spacing of a stack, metres; None for a layer without a scale."""
-    scale = [float(each) for each in layer.scale[-3:]]
-    if all(each == 1.0 for each in scale):
+    scale = [float(value) for value in layer.scale[-3:]]
+    if all(value == 1.0 for value in scale):
         return None
     # A reader that states no unit means micrometres: the scale bar of napari assumes them, too.
-    units = [_METRES.get(str(each), 1e-6) for each in layer.units[-3:]]
+    units = [_METRES.get(str(value), 1e-6) for value in layer.units[-3:]]
     return scale[2] * units[2], scale[0] * units[0]
 
 
@@ -134,11 +134,11 @@ def beads() -> list[LayerData]:
     """Return a stack of beads with the noise of a camera, in counts, and its PSF."""
     beads_psf, camera = _psf(33, 65), load_camera(_CAMERA)
     draw = np.random.default_rng(1)
-    truth = np.zeros(_SHAPE, np.float32)
+    emitters = np.zeros(_SHAPE, np.float32)
     positions = tuple(draw.integers(0, side, _BEADS) for side in _SHAPE)
-    truth[positions] = _PHOTONS * draw.uniform(0.3, 1.0, _BEADS)
+    emitters[positions] = _PHOTONS * draw.uniform(0.3, 1.0, _BEADS)
     # Planes are the last axis of the operator.
-    blurred = np.moveaxis(StackBlur(beads_psf, _SHAPE).forward(np.moveaxis(truth, 0, -1)), -1, 0)
+    blurred = np.moveaxis(StackBlur(beads_psf, _SHAPE).forward(np.moveaxis(emitters, 0, -1)), -1, 0)
     electrons = np.maximum(blurred, 0.0) + _BACKGROUND
     counts = np.rint(np.clip(camera.noise.record(electrons, draw), 0, 65535)).astype(np.uint16)
     options = {"name": "beads", "scale": voxel(beads_psf), "units": ("um",) * 3, "metadata": {KEY: camera}}
@@ -268,7 +268,7 @@ class Panel(Generic[_Result]):
         self.bar.value = 0
 
 
-_OWN = "of the file"
+_FROM_FILE = "of the file"
 
 
 def psf_widget() -> Container[Widget]:
@@ -279,28 +279,28 @@ def psf_widget() -> Container[Widget]:
     viewer = napari.current_viewer()
 
     objective = ObjectiveFields()
-    camera = ComboBox(label="camera", choices=[_OWN, *of_kind("camera")])
+    camera = ComboBox(label="camera", choices=[_FROM_FILE, *of_kind("camera")])
     depth = FloatSpinBox(label="depth (um)", min=0.0, max=1000.0, step=0.5)
-    light = FloatSpinBox(label="wavelength (nm)", min=200.0, max=2000.0, step=5.0)
+    wavelength = FloatSpinBox(label="wavelength (nm)", min=200.0, max=2000.0, step=5.0)
     planes = SpinBox(label="planes", min=1, max=1024)
     step = FloatSpinBox(label="step (nm)", min=1.0, max=100_000.0, step=10.0)
     side = SpinBox(label="pixels", min=3, max=1025, value=65)
 
     def fill() -> None:
         microscope = objective.load()
-        depth.value, light.value = 1e6 * microscope.depth, 1e9 * microscope.wavelength
+        depth.value, wavelength.value = 1e6 * microscope.depth, 1e9 * microscope.wavelength
         planes.value, step.value = microscope.planes, 1e9 * abs(microscope.step) or 100.0
 
     def begin() -> Work[PSF]:
         microscope = objective.load()
-        selected_camera = microscope.camera if camera.value == _OWN else load_camera(camera.value)
+        selected_camera = microscope.camera if camera.value == _FROM_FILE else load_camera(camera.value)
         requested = replace(
             microscope,
             depth=1e-6 * depth.value,
-            wavelength=1e-9 * light.value,
+            wavelength=1e-9 * wavelength.value,
             planes=planes.value,
             step=1e-9 * step.value if planes.value > 1 else 0.0,
-            pixel=microscope.pixel if selected_camera is None or camera.value == _OWN else selected_camera.side,
+            pixel=microscope.pixel if selected_camera is None or camera.value == _FROM_FILE else selected_camera.side,
             camera=selected_camera,
         )
 
@@ -321,11 +321,11 @@ def psf_widget() -> Container[Widget]:
     objective.connect(fill)
     fill()
     return Panel(
-        [objective.name, objective.file, camera, depth, light, planes, step, side], "Compute", begin, done
+        [objective.name, objective.file, camera, depth, wavelength, planes, step, side], "Compute", begin, done
     ).widget
 
 
-_BY_DEPTH, _ESTIMATED, _STATED = "by depth, of the objective", "estimated from the stack", "as stated below"
+_BY_DEPTH, _ESTIMATED, _STATED_BELOW = "by depth, of the objective", "estimated from the stack", "as stated below"
 _WIDTH = 60  # largest number of characters in a line of notes
 
 
@@ -341,10 +341,10 @@ def deconvolution_widget() -> Container[Widget]:
     layers = viewer.layers
 
     def stacks(_: object) -> list[str]:
-        return [one.name for one in layers if np.ndim(one.data) == 3 and psf_of(one.metadata) is None]
+        return [layer.name for layer in layers if np.ndim(layer.data) == 3 and psf_of(layer.metadata) is None]
 
     def psfs(_: object) -> list[str]:
-        return [_BY_DEPTH, *(one.name for one in layers if psf_of(one.metadata) is not None)]
+        return [_BY_DEPTH, *(layer.name for layer in layers if psf_of(layer.metadata) is not None)]
 
     stack, objective, psf = (
         ComboBox(label="stack", choices=stacks),
@@ -352,18 +352,18 @@ def deconvolution_widget() -> Container[Widget]:
         ComboBox(label="PSF", choices=psfs),
     )
     depth = FloatSpinBox(label="depth (um)", min=0.0, max=1000.0, step=0.5)
-    light = FloatSpinBox(label="wavelength (nm)", min=200.0, max=2000.0, step=5.0)
+    emission = FloatSpinBox(label="wavelength (nm)", min=200.0, max=2000.0, step=5.0)
     pixel = FloatSpinBox(label="pixel in sample (nm)", min=1.0, max=100_000.0, step=1.0)
     step = FloatSpinBox(label="step (nm)", min=1.0, max=100_000.0, step=10.0)
-    stated = [name for name in of_kind("camera") if load_camera(name).read is not None]
-    camera = ComboBox(label="camera", choices=[_ESTIMATED, _STATED, *stated])
+    cameras = [name for name in of_kind("camera") if load_camera(name).read is not None]
+    camera = ComboBox(label="camera", choices=[_ESTIMATED, _STATED_BELOW, *cameras])
     gain = FloatSpinBox(label="electrons / count", min=0.001, max=1000.0, step=0.01, value=1.0)
     read = FloatSpinBox(label="read noise (e-)", min=0.0, max=1000.0, step=0.1, value=1.5)
     offset = FloatSpinBox(label="offset (counts)", min=0.0, max=65535.0, step=1.0, value=0.0)
     steps = SpinBox(label="steps at most", min=1, max=1000, value=RichardsonLucy().steps)
 
     def noise() -> None:
-        if camera.value not in (_ESTIMATED, _STATED):
+        if camera.value not in (_ESTIMATED, _STATED_BELOW):
             camera_noise = load_camera(camera.value).noise
             gain.value, read.value, offset.value = camera_noise.white or 1.0, camera_noise.read, camera_noise.offset
 
@@ -372,9 +372,9 @@ def deconvolution_widget() -> Container[Widget]:
         size = None if stack.value is None else voxel_of(layers[stack.value])
         default = microscope.pixel / microscope.objective.magnification, abs(microscope.step) or 200e-9
         pixel.value, step.value = (1e9 * length for length in size or default)
-        # The wavelength in a file is that of the channel; the wavelength of an objective is only an example.
+        # A stack states the wavelength of its channel; the wavelength of an objective file is only an example.
         wavelength = None if stack.value is None else layers[stack.value].metadata.get(EMISSION)
-        light.value = 1e9 * (wavelength or microscope.wavelength)
+        emission.value = 1e9 * (wavelength or microscope.wavelength)
 
     def load_objective() -> None:
         example = objective.load()
@@ -402,9 +402,9 @@ def deconvolution_widget() -> Container[Widget]:
         def restore_by_depth(report: Callable[[float], None]) -> Restored:
             values = np.asarray(source.data)
             result = restore(
-                values, microscope, depth=1e-6 * depth.value, wavelength=1e-9 * light.value, step=1e-9 * step.value,
-                pixel=1e-9 * pixel.value * microscope.objective.magnification, noise=camera_noise, method=method,
-                progress=lambda fraction, _: report(fraction),
+                values, microscope, depth=1e-6 * depth.value, wavelength=1e-9 * emission.value,
+                step=1e-9 * step.value, pixel=1e-9 * pixel.value * microscope.objective.magnification,
+                noise=camera_noise, method=method, progress=lambda fraction, _: report(fraction),
             )  # fmt: skip
             (channel,) = result.channels
             summary = f"{channel.steps} steps, discrepancy {channel.discrepancy:.3g}, stopped: {channel.stopped}"
@@ -440,7 +440,7 @@ def deconvolution_widget() -> Container[Widget]:
         objective.name,
         objective.file,
         depth,
-        light,
+        emission,
         pixel,
         step,
         psf,

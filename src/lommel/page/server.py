@@ -66,9 +66,9 @@ def html(state: Mapping[str, object], lens: str = "", left_out: str = "", *, alo
     text = path().read_text(encoding="utf-8").replace("</script", "<\\/script") if alone else ""
     source = "" if alone else f"src={json.dumps(NAME)} "
     attributes = {"name": lens, "without": left_out, "docs": documentation()}
-    more = "".join(f' data-lommel-{key}="{escape(value)}"' for key, value in attributes.items() if value)
+    data_attributes = "".join(f' data-lommel-{key}="{escape(value)}"' for key, value in attributes.items() if value)
     title = escape(lens or "lommel")
-    return _PAGE.format(title=title, source=source, state=escape(link(state)), more=more, text=text)
+    return _PAGE.format(title=title, source=source, state=escape(link(state)), more=data_attributes, text=text)
 
 
 # The page may run its module and the WebAssembly core inside it, start workers and show images; it sends no data.
@@ -76,7 +76,11 @@ _POLICY = (
     "default-src 'none'; script-src 'self' 'wasm-unsafe-eval' blob:; worker-src blob:; style-src 'unsafe-inline'; "
     "img-src data: blob:; base-uri 'none'; form-action 'none'; frame-ancestors 'none'"
 )
-_SHARED = (("Cache-Control", "no-store"), ("Content-Security-Policy", _POLICY), ("X-Content-Type-Options", "nosniff"))
+_HEADERS = (
+    ("Cache-Control", "no-store"),
+    ("Content-Security-Policy", _POLICY),
+    ("X-Content-Type-Options", "nosniff"),
+)
 
 
 class PageServer(ThreadingHTTPServer):
@@ -109,7 +113,7 @@ class _Handler(BaseHTTPRequestHandler):
     def do_GET(self) -> None:
         # Against DNS rebinding: a foreign page whose name resolves to 127.0.0.1 still sends its name as the host.
         port = self.server.server_port
-        # If there are several Host headers, a proxy could use another one than this server.
+        # If there are several Host headers, a proxy could use another header than this server.
         hosts = self.headers.get_all("Host", [])
         if len(hosts) != 1 or hosts[0] not in {f"127.0.0.1:{port}", f"localhost:{port}"}:
             return self.send_error(403)
@@ -129,7 +133,7 @@ class _Handler(BaseHTTPRequestHandler):
 
     def end_headers(self) -> None:
         """Send the headers that all responses have, including errors, and end the headers."""
-        for name, value in _SHARED:
+        for name, value in _HEADERS:
             self.send_header(name, value)
         super().end_headers()
 

@@ -62,7 +62,7 @@ def write(target: Path, data: bytes) -> None:
 
 @contextmanager
 def whole_files(scratch: Path | None = None) -> Iterator[Callable[[Path, bytes | memoryview], None]]:
-    """Yield a function (path, contents) that writes files; at the end all are moved into place, after an error none.
+    """Yield a function (path, contents) that writes a file; at the end move all into place, after an error none.
 
     The temporary files are in `scratch`, by default in the folder of each target.
     """

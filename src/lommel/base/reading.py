@@ -454,16 +454,16 @@ def _tiff_chain(file: int, data: mmap.mmap) -> list[int]:
     return sizes
 
 
-def _tiff_sides(entries: bytes, order: str, entry: struct.Struct, each: int) -> tuple[bytes, int]:
+def _tiff_sides(entries: bytes, order: str, entry: struct.Struct, stride: int) -> tuple[bytes, int]:
     """Return (1) the entries of a page up to width and height (b"" if either is missing) and (2) width * height."""
     kinds = {1: "B", 3: "H", 4: "I", 16: "Q"}
     sides: dict[int, int] = {}
-    for offset in range(0, len(entries) - each + 1, each):
+    for offset in range(0, len(entries) - stride + 1, stride):
         tag, kind, _ = entry.unpack_from(entries, offset)
         if tag in (256, 257) and kind in kinds:
             (sides[tag],) = struct.unpack_from(order + kinds[kind], entries, offset + entry.size)
         if len(sides) == 2:
-            return entries[: offset + each], math.prod(sides.values())
+            return entries[: offset + stride], math.prod(sides.values())
     return b"", math.prod(sides.values())
 
 

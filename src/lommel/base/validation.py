@@ -105,7 +105,7 @@ def optional(name: str, value: object, *kinds: type[object]) -> None:
 
 
 def path(name: str, value: object) -> Path:
-    """Return `value` as a path; TypeError or ValueError if it is not one."""
+    """Return `value` as a path; TypeError or ValueError if it is not a path."""
     from pathlib import Path  # late: its imports would slow down `import lommel`
 
     if not isinstance(value, str | os.PathLike) or isinstance(os.fspath(value), bytes):

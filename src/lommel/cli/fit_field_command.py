@@ -53,7 +53,7 @@ class Chart(Group):
 
 
 class FieldModel(Group):
-    """Options for the estimated quantities and for known ones."""
+    """Options for estimated and for known quantities."""
 
     # fmt: off
     degree: int = documented(fit, "degree", type=click.IntRange(0, 6))
@@ -88,7 +88,7 @@ class FieldModel(Group):
             raise ValueError("--seeing and --known-blur must not both be given: either is the whole blur")
 
     def arguments(self, exposures: int, focal_length: float) -> Facts:
-        """Return the arguments of :func:`lommel.fit_field`, except for those of the distortion."""
+        """Return the arguments of :func:`lommel.fit_field`, except the arguments of the distortion."""
         if self.defocus is None and exposures > 1:
             raise ValueError(f"--defocus must be given for {exposures} exposures: one number each, such as -3 3")
         blur: float | bool | Seeing = True if self.known_blur is None else self.known_blur
@@ -169,8 +169,8 @@ def fit_field(
     and pixel pitch. Isolated stars or crossings are found, and fitted jointly: Zernike terms as polynomials of the
     position, the blur, and the place, flux and background of each target; for crossings also the directions of both
     lines. Several exposures need the --defocus of each. One focus leaves the common sign of all even terms open
-    (defocus, astigmatism, spherical): the map nearer to the known --defocus is written, or the one with positive
-    defocus in the mean; --twin writes the other one. One exposure well out of focus ("donuts") is enough to
+    (defocus, astigmatism, spherical): the map nearer to the known --defocus is written, or the map with positive
+    defocus in the mean; --twin writes the other map. One exposure well out of focus ("donuts") is enough to
     collimate.
 
     The table serves as file of the section [field], with unit = "waves". The first line is the verdict. A misfit is

@@ -41,7 +41,7 @@ from lommel.localize.localizations import MEDIANS, joined
 from lommel.report import Facts, Parts, Report, Wrapped, list_of
 from lommel.show.drawing import figure_of
 
-_Z = {"z": (-0.7e-6, 0.7e-6), "depth": (0.0, 1e-6)}
+_Z_RANGES = {"z": (-0.7e-6, 0.7e-6), "depth": (0.0, 1e-6)}
 
 
 class MovieCamera(CameraMaps, heading="Camera"):
@@ -118,7 +118,7 @@ def localize(
         registry.find("molecules", path, "--output")
         require_folder(path)
     require_order("MOVIE LENS, the movie first", movie, lens)
-    shape, z, along = molecules.shape, molecules.z or _Z[molecules.along], molecules.along
+    shape, z, along = molecules.shape, molecules.z or _Z_RANGES[molecules.along], molecules.along
     microscope = require_microscope("localize", lens, camera=camera.camera, pixel=camera.pixel, depth=molecules.depth)
     start = time.perf_counter()
     parts: list[Localizations] = []

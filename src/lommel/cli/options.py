@@ -146,7 +146,7 @@ def argument(name: str, **keywords: Any) -> Any:
 
 
 class Group:
-    """Options that commands share, under a heading of ``--help``: ``name: type = option(...)`` for each.
+    """Options that commands share, under a heading of ``--help``; each is declared by ``name: type = option(...)``.
 
     They follow the options of the base classes, which a subclass may replace. A group may contain other groups. An
     instance has the values of a call as attributes.
@@ -175,7 +175,7 @@ class Group:
 
     @classmethod
     def of(cls, values: Facts) -> Self:
-        """Return an instance with its values, which are removed from the `values` of a call."""
+        """Return an instance with the values of its options, which are removed from `values`."""
         members = cls._members().items()
         return cls(**{name: m.of(values) if isinstance(m, Group) else values.pop(name) for name, m in members})
 
@@ -340,7 +340,7 @@ def _note_lines(label: str, notes: list[str]) -> list[str]:
 
 @contextmanager
 def _collected_notes(notes: list[str]) -> Iterator[None]:
-    """Add the UserWarnings of the library to a list of notes, each text once."""
+    """Add the UserWarnings of the library to a list of notes, without duplicates."""
     with warnings.catch_warnings():
         warnings.simplefilter("always", UserWarning)
         old_show = warnings.showwarning
@@ -356,7 +356,7 @@ def _collected_notes(notes: list[str]) -> Iterator[None]:
 
 
 def _discard_output() -> None:
-    """Redirect standard output to the null device: Python writes the rest of its buffer at exit, and would fail."""
+    """Redirect standard output to the null device, since Python's writing of the buffer at exit would fail."""
     os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 

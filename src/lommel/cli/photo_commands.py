@@ -729,7 +729,7 @@ class Job:
             raise ValueError(f"--f-number of {path}: {error}") from None
 
     def focused(self, focus: float | None) -> Lens:
-        """Return the lens, focused at a distance, or as in its file for None."""
+        """Return the lens focused at a distance, or for None at the focus distance in its file."""
         if focus is None and self.lens is None:
             raise ValueError("without a lens file give --focus")
         return self.optics if focus is None else self.optics.focused(focus)

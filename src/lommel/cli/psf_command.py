@@ -102,7 +102,7 @@ Result = TypeVar("Result", bound=PSF | ColourPSF | PSFGrid)
 
 @dataclass(frozen=True, kw_only=True)
 class _Product(Generic[Result]):
-    """Functions that compute, report, draw and store one kind of PSF."""
+    """Functions and texts to compute, report, draw and store one kind of PSF."""
 
     size: str
     find: Callable[[Path, str], Format]
@@ -111,7 +111,7 @@ class _Product(Generic[Result]):
     entitle: Callable[[Axes], object]
     note: Callable[[Result, Path], str] = lambda *_: ""
     figure_note: str = ""
-    sections: bool = False  # whether a .png shows sections through a stack, like the figure
+    sections: bool = False  # True if a .png shows sections through a stack, like the figure
 
 
 class Air(Group, heading="Telescopes on the ground"):
@@ -401,7 +401,7 @@ def _of_microscope(microscope: Microscope, options: Facts) -> _Product[PSF]:
 
 
 def _setting(instrument: Instrument, channels: Channels | None = None) -> str:
-    """Return the name of a lens, its wavelength unless there are channels, and its distances."""
+    """Return text with the name of a lens, its wavelength (without channels), its focus and object distances."""
     lens = instrument.lens
     focus, target = optics.distinct(lens.focus_distance, instrument.object_distance)
     wavelength = "" if channels else f"{format_length(lens.wavelength)}, "

@@ -66,7 +66,7 @@ def retrieve(
     selects one of several images) or 16-bit PNG files of one size, linear in light (no JPEG, no sRGB). LENS is a lens
     file with aperture, wavelength, f-number and pixel pitch; its wavefront is the starting point. Several images need
     the --defocus of each (phase diversity). One image leaves the common sign of the even terms (total defocus,
-    astigmatism, spherical) undetermined: the solution nearer to the starting point is returned, or the one whose
+    astigmatism, spherical) undetermined: the solution nearer to the starting point is returned, or the solution whose
     first even term is positive if both are equally near.
 
     Coefficients are of Zernike terms in Noll's order, normalised to unit rms, and printed with standard errors. The

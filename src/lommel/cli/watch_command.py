@@ -216,7 +216,7 @@ def watch(
 
 
 def _require_two(sources: tuple[str, ...], *, alternating: bool) -> None:
-    """Raise ValueError unless there are two sources, or one whose focus alternates."""
+    """Raise ValueError unless there are two sources, or one source whose focus alternates."""
     if len(sources) != (1 if alternating else 2):
         also = " and --alternating" if alternating else ""
         raise ValueError(f"--source must be given twice, or once with --alternating; got {len(sources)}{also}")

@@ -168,7 +168,7 @@ class DepthValues:
         np.divide(product, disparities, out=disparities)
 
     def fitted(self, values: Values, shape: tuple[int, int], name: str) -> Values:
-        """Return the values of a map at the pixels of a photograph of the given shape.
+        """Return the values of a map at the pixels of a photograph of a `shape`.
 
         ValueError if the map has another shape, unless `resample` is given and the aspect ratio is the same.
         """

@@ -45,7 +45,7 @@ _WORD_TYPES = {3: "u2", 8: "u2", 12: "u8", **dict.fromkeys((4, 5, 9, 10, 11), "u
 _MAX_ENTRY_BYTES, _MAX_ENTRIES, _MAX_EXIF_BYTES = 2**12, 256, 2**16 - 256  # limits of EXIF
 _EXPOSURE_TAG, _GPS_TAG = 0x8769, 0x8825  # tags of the subdirectories with exposure and GPS data
 _COPIED_TAGS = (0x010F, 0x0110, 0x0132, 0x013B, 0x8298)  # make, model, date, artist, copyright
-# Tags that are not copied: maker's notes contain offsets into the old file, the others describe the old pixels.
+# Tags that are not copied: maker's notes contain offsets into the old file, the other tags describe the old pixels.
 _OMITTED_TAGS = {_EXPOSURE_TAG: (0x927C, 0xA001, 0xA002, 0xA003, 0xA005), _GPS_TAG: ()}
 
 
@@ -216,7 +216,7 @@ def _open_exr(data: bytes) -> Iterator[dict[str, Values]]:
 
 
 def read_exr(data: bytes) -> tuple[Values, Tags, bytes | None]:
-    """Return the values of an EXR photograph in float32, empty tags, and None for the ICC profile."""
+    """Return (1) the values of an EXR photograph in float32, (2) empty tags, (3) None: EXR has no ICC profile."""
     from PIL import Image
 
     with _open_exr(data) as channels:
@@ -370,7 +370,7 @@ def read_photo(path: str | PathLike[str], encoding: str | None = None) -> Pictur
 
 
 def read_raster(path: str | PathLike[str]) -> tuple[Values, Exif, bytes | None]:
-    """Return the upright values of a photograph, its EXIF and its ICC profile; see :func:`read_photo`."""
+    """Return (1) the upright values of a photograph, (2) its EXIF, (3) its ICC profile; see :func:`read_photo`."""
     source = validation.path("path", path)
     data = reading.contents(source)
     with recognized(source, "photo", data) as form:
@@ -410,7 +410,7 @@ def _is_raw(source: Path, data: bytes) -> bool:
 
 
 def upright(form: Format, data: bytes) -> tuple[Values, Exif, bytes | None]:
-    """Return the values rotated upright, the EXIF and the ICC profile; a warning of Pillow is raised as an error."""
+    """Return (1) values rotated upright, (2) EXIF, (3) ICC profile; a warning of Pillow is raised as an error."""
     with warnings.catch_warnings(), reading.quietly():
         warnings.simplefilter("error")
         values, tags, profile, *block = form.read(data)
@@ -524,7 +524,7 @@ _BAND_PIXELS = 2**20  # number of pixels that are converted to an array in one s
 
 
 def _decode(opener: Callable[[bytes], Any], data: bytes) -> tuple[Values, Tags, bytes | None, bytes | None]:
-    """Return values (16 bits if the PNG has 16), tags, ICC profile and EXIF of a file opened by Pillow."""
+    """Return (1) values (16-bit for a 16-bit PNG), (2) tags, (3) ICC profile, (4) EXIF of a file read by Pillow."""
     with opener(data) as file:
         if getattr(file, "is_animated", False):
             raise ValueError(f"it is an animation of {file.n_frames} frames")
@@ -550,7 +550,7 @@ def _decode(opener: Callable[[bytes], Any], data: bytes) -> tuple[Values, Tags, 
     if mode not in ("RGB;16B", "RGBA;16B"):
         raise ValueError(f"this Pillow reads 16-bit colour as {mode}; save it as TIFF")
     del file  # to save memory
-    # Of 16-bit colour Pillow keeps only the high bytes. Decode again in the other byte order to get the low bytes.
+    # Pillow keeps only the high bytes of 16-bit colour: decode again in the other byte order to get the low bytes.
     values = values.astype(np.uint16)
     values <<= 8
     with opener(data) as swapped_file:
@@ -587,7 +587,7 @@ def _opaque_values(image: Image) -> Values:
 
 
 def read_tiff(data: bytes, *, levels: bool = False) -> tuple[Values, Tags, bytes | None, bytes]:
-    """Return values, tags, ICC profile and EXIF of a TIFF file of one page; `levels` allows integers of any size."""
+    """Return (1) values, (2) tags, (3) ICC profile, (4) EXIF of a one-page TIFF; `levels` allows any integer type."""
     import tifffile
     from PIL import Image
 

@@ -206,7 +206,7 @@ def rebuild(arrays: Arrays, description: Description, kind: Callable[..., Made])
 
 
 def _restore_values(stored: Values, kind: str, picture: Description | None = None) -> Values:
-    """Return the values (of a `picture`, from its levels); ValueError unless they are finite and of type `kind`."""
+    """Return stored values, or values from the levels of a `picture`; ValueError unless finite and of type `kind`."""
     if picture:
         peak = validation.real("peak", picture["peak"], above=0.0)
         return np.asarray(peak * (stored.astype(np.float64) / LEVELS) ** 2, dtype=kind)

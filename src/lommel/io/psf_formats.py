@@ -354,7 +354,7 @@ def read_tiff(data: bytes) -> tuple[Arrays, str]:
 
 
 def write_fits(psf: StoredPSF, description: Description) -> bytes:
-    """Return a FITS file; the cards PIXELSCL, WAVELEN, WAVEn and WGHTn are those of POPPY and WebbPSF."""
+    """Return a FITS file; the cards PIXELSCL, WAVELEN, WAVEn, WGHTn mean the same as in POPPY and WebbPSF."""
     shares = "share of the light" if psf.normalize in _COUNT_UNITS else "of a peak"
     cards: Description = {
         "CREATOR": "lommel",

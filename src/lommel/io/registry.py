@@ -155,12 +155,12 @@ def register(*new_formats: Format) -> None:
     TypeError, ValueError
         If an argument is not a Format, or if another format of the same kind has one of its suffixes.
     """
-    for new in new_formats:
-        validation.instance("format", new, Format)
-        old_suffixes = {suffix for form in formats(new.kind) for suffix in form.suffixes}
-        if duplicates := old_suffixes.intersection(new.suffixes):
-            raise ValueError(f"suffixes must be new for {KINDS[new.kind]}, got {', '.join(sorted(duplicates))}")
-        _FORMATS.append(new)
+    for candidate in new_formats:
+        validation.instance("format", candidate, Format)
+        old_suffixes = {suffix for form in formats(candidate.kind) for suffix in form.suffixes}
+        if duplicates := old_suffixes.intersection(candidate.suffixes):
+            raise ValueError(f"suffixes must be new for {KINDS[candidate.kind]}, got {', '.join(sorted(duplicates))}")
+        _FORMATS.append(candidate)
 
 
 def find(
@@ -234,7 +234,7 @@ def _formats_with(kind: str, verb: str) -> list[Format]:
 
 @cache
 def _load_others() -> None:
-    """Register the formats of other packages, once per process; issue a warning for each that cannot be loaded."""
+    """Register the formats of other packages, once per process; issue a warning for each that cannot load."""
     from importlib.metadata import entry_points  # late, since the import is slow
 
     for entry in entry_points(group="lommel.formats"):

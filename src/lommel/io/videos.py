@@ -119,7 +119,7 @@ class VideoFrames(_ClosingIterator):
     reader : object
         Reader of the source: of a file or stream, of a camera, or of numbered images.
     tell : callable
-        Function of a message, which is called for each error after which reading continues.
+        Function that is called with a message for each error after which reading continues.
 
     Attributes
     ----------
@@ -430,7 +430,8 @@ def video_frames(source: Source, *, grey: bool = False, tell: Report | None = No
     grey : bool, default False
         Convert colours to grey (luma).
     tell : callable, optional
-        Function of a message, called for each error after which reading continues; by default a RuntimeWarning.
+        Function that is called with a message for each error after which reading continues; by default a
+        RuntimeWarning is issued.
 
     Returns
     -------

@@ -60,7 +60,7 @@ def regular(root: Path, key: str) -> int | None:
 
 
 def _require_regular(key: str, mode: int) -> None:
-    """Raise ValueError for a mode that is neither that of a regular file nor of a folder."""
+    """Raise ValueError unless `mode` is the mode of a regular file or a folder; `key` is the name in messages."""
     if not (stat.S_ISREG(mode) or stat.S_ISDIR(mode)):
         kind = "a link, which is not followed" if stat.S_ISLNK(mode) else "no regular file"
         raise ValueError(f"{key} is {kind}")
@@ -151,7 +151,7 @@ class Chunks:
                 raise ValueError(f"its chunk {key} unpacks to more than its {self._bytes} bytes")
 
     def _chunks_of_shard(self, data: bytes) -> Iterator[bytes]:
-        """Yield the chunks of a shard, whose index of offsets and lengths is at its start or end."""
+        """Yield the chunks of a shard; an index of their offsets and lengths is at the start or end of the shard."""
         count = math.prod(outer // inner for outer, inner in zip(self._file_chunks, self._array.chunks, strict=True))
         if len(data) < 16 * count:
             raise ValueError(f"its shards of {len(data)} bytes have no index of {count} chunks")
@@ -163,7 +163,7 @@ class Chunks:
 
 
 def _compressor(metadata: Any) -> tuple[str | None, str]:
-    """Return the name of the compressor of an array (None without one), and the location of the index of its shards.
+    """Return (1) the name of the compressor of an array, or None, (2) the location of the index of its shards.
 
     ValueError for several compressors or unknown codecs.
     """

@@ -437,7 +437,7 @@ _WAVELENGTH_LINE = re.compile(r"^\s*Wavelength\s*:\s*([\d.,]+)\s*(\S+)\s*$", re.
 _RATIO = re.compile(r"^\s*(?:Obscuration|Epsilon|Annular ratio)[\w ]*:\s*([\d.,]+)\s*$", re.MULTILINE | re.IGNORECASE)
 _TERM_LINE = re.compile(r"^\s*Z\s*(\d{1,4})\s*[:=]?\s*([+-]?[\d.,]+(?:[eE][+-]?\d+)?)\s*(?::.*)?$", re.ASCII)
 _TERM_START = re.compile(r"^\s*Z\s*\d", re.ASCII)
-# Formula of spherical aberration in a listing; the index of this term shows whether the order is as stated.
+# Formula of spherical aberration in a listing; the index of this term must fit the kind that the heading states.
 _SPHERICAL = re.compile(r":.*\(\s*6\s*p\^4\s*-\s*6\s*p\^2\s*\+\s*1\s*\)\s*$", re.IGNORECASE)
 _BOMS = {codecs.BOM_UTF16_LE: "utf-16", codecs.BOM_UTF16_BE: "utf-16", codecs.BOM_UTF8: "utf-8-sig"}
 

@@ -114,7 +114,7 @@ def voxel_of(layer: Layer) -> tuple[float, float] | None:
     scale = [float(value) for value in layer.scale[-3:]]
     if all(value == 1.0 for value in scale):
         return None
-    # A reader that states no unit means micrometres: the scale bar of napari assumes them, too.
+    # A scale without a unit is taken to be in micrometres, as the scale bar of napari takes it.
     units = [_METRES.get(str(value), 1e-6) for value in layer.units[-3:]]
     return scale[2] * units[2], scale[0] * units[0]
 
@@ -153,7 +153,7 @@ def _psf(planes: int, side: int) -> PSF:
 
 
 class Cancelled(Exception):  # noqa: N818 (no error)
-    """Raised in the work after the user has cancelled it."""
+    """Raised in the function `work` of :func:`start` after the user has cancelled it."""
 
 
 def start(

@@ -155,7 +155,7 @@ def further_terms(text: str) -> dict[tuple[int, int], float]:
     return dict(term for part in text.split(";") if part and (term := _term(part)) is not None)
 
 
-# Aberrations with a direction, by their Zernike term; one slider sets the size and another one the direction.
+# Aberrations with a direction, by their Zernike term; one slider sets the size and a second slider the direction.
 DIRECTED = {"coma": (3, 1), "astigmatism": (2, 2), "trefoil": (3, 3)}
 _POLYNOMIAL = {"coma": "(3ρ³ − 2ρ) cos θ", "astigmatism": "ρ² cos 2θ", "trefoil": "ρ³ cos 3θ"}
 _SEIDEL = {
@@ -485,7 +485,7 @@ def psf_of(state: Mapping[str, object], **options: Any) -> PSF:
 
 
 def _fine_reach(pupil: Pupil) -> float:
-    """Return half the side (metres) of the default window, which contains the geometric blur and some rings."""
+    """Return half the side (metres) of the default window: it has the geometric blur and some diffraction rings."""
     # The same samples and steps of sqrt(2) as in fineReach() of the page.
     rho = pupil.obscuration + (1.0 - pupil.obscuration) * np.arange(25)[:, None] / 24.0
     theta = math.tau * np.arange(48) / 48.0

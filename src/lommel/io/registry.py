@@ -234,7 +234,7 @@ def _formats_with(kind: str, verb: str) -> list[Format]:
 
 @cache
 def _load_others() -> None:
-    """Register the formats of other packages, once per process; issue a warning for each that cannot load."""
+    """Register the formats of other packages, once per process; a format that cannot be loaded issues a warning."""
     from importlib.metadata import entry_points  # late, since the import is slow
 
     for entry in entry_points(group="lommel.formats"):

@@ -3,9 +3,9 @@
 A chunk is a block of the stack, and has one file in each computed array. Writing a chunk changes no other file, so
 that a killed process leaves the other chunks intact.
 
-Every store has an identity, a random number. Each chunk is written by way of a folder whose name is the identity, so
-that no chunk is written into a store that replaced this one. Every checksum includes the identity, so that a chunk
-copied from another store is detected. "Pupils" are the pupils of the stack, one for each PSF.
+Every store has an identity, a random number. Each chunk is first written to a scratch folder named after it: if
+another store has replaced this one, that folder is missing and the write fails. Every checksum includes the identity,
+so that a chunk copied from another store is detected. "Pupils" are the pupils of the stack, one for each PSF.
 """
 
 from __future__ import annotations
@@ -71,17 +71,17 @@ Coordinates: TypeAlias = ArrayLike | tuple[ArrayLike, str]
 """Coordinates along an axis of a stack, or a pair of coordinates and unit."""
 
 
-def chunk_shape(shape: tuple[int, ...], most: int) -> tuple[int, ...]:
-    """Return the shape of equal chunks of a stack: at most `most` PSFs, contiguous in the flattened stack."""
-    # A chunk spans whole axes, beginning with the last axis, while the chunk has at most `most` PSFs.
+def chunk_shape(shape: tuple[int, ...], max_psfs: int) -> tuple[int, ...]:
+    """Return the shape of equal chunks of a stack: at most `max_psfs` PSFs, contiguous in the flattened stack."""
+    # A chunk spans whole axes, beginning with the last axis, while the chunk has at most `max_psfs` PSFs.
     chunk = [1] * len(shape)
     for axis in reversed(range(len(shape))):
-        parts = -(-shape[axis] // min(most, shape[axis]))
+        parts = -(-shape[axis] // min(max_psfs, shape[axis]))
         chunk[axis] = -(-shape[axis] // parts)
         if parts > 1:
             break
-        most //= shape[axis]
-        if most < 2:
+        max_psfs //= shape[axis]
+        if max_psfs < 2:
             break
     return tuple(chunk)
 
@@ -90,7 +90,7 @@ def layouts(description: Description) -> dict[str, Layout]:
     """Return the layout of each array of a store; TypeError, ValueError or KeyError if the description is invalid."""
     stack, window, chunks = (tuple(int(n) for n in description[name]) for name in ("stack", "window", "chunks"))
     names = tuple(description["axes"])
-    kind = {"float32": "<f4", "float64": "<f8"}[description["dtype"]]
+    dtype = {"float32": "<f4", "float64": "<f8"}[description["dtype"]]
     if not len(names) == len(stack) == len(chunks) >= 1 or min(*stack, *chunks, *window) < 1 or len(window) != 2:
         raise ValueError(f"its axes {names}, chunks {chunks} and window {window} do not fit the stack {stack}")
     count = math.prod(-(-n // c) for n, c in zip(stack, chunks, strict=True))
@@ -99,25 +99,25 @@ def layouts(description: Description) -> dict[str, Layout]:
             f"a stack must have at most {validation.MAX_VALUES} PSFs in {MAX_CHUNKS} chunks, "
             f"got {math.prod(stack)} in {count}"
         )
-    found = {
-        "values": Layout(stack + window, chunks + window, kind, (*names, "y", "x")),
+    result = {
+        "values": Layout(stack + window, chunks + window, dtype, (*names, "y", "x")),
         "error_bound": Layout(stack, chunks, "<f8", names),
         "scale": Layout(stack, chunks, "<f8", names),
         "method": Layout(stack, chunks, "|u1", names),
     }
-    if not all(name.isidentifier() for name in (*names, *description["arrays"])) or {*names} & {*found, "y", "x"}:
+    if not all(name.isidentifier() for name in (*names, *description["arrays"])) or {*names} & {*result, "y", "x"}:
         raise ValueError(
             f"axes {names} and arrays {list(description['arrays'])} must have identifiers as names, all different"
         )
     for name, (sizes, _) in description["arrays"].items():
-        tail = tuple(int(n) for n in sizes)
-        found[f"pupil/{name}"] = Layout(stack + tail, chunks + tail, "<f8", (*names, "term")[: len(stack + tail)])
-    chunk_grid = found["scale"].grid
-    found[CHECKSUMS] = Layout(chunk_grid, (1,) * len(chunk_grid), "<i8", tuple(f"{name}_chunk" for name in names))
+        terms = tuple(int(n) for n in sizes)
+        result[f"pupil/{name}"] = Layout(stack + terms, chunks + terms, "<f8", (*names, "term")[: len(stack + terms)])
+    chunk_grid = result["scale"].grid
+    result[CHECKSUMS] = Layout(chunk_grid, (1,) * len(chunk_grid), "<i8", tuple(f"{name}_chunk" for name in names))
     lengths = dict(zip(names, stack, strict=True))
     if description["center"] is not None:
         lengths |= {"y": window[0], "x": window[1]}
-    return found | {name: Layout((n,), (n,), "<f8", (name,)) for name, n in lengths.items()}
+    return result | {name: Layout((n,), (n,), "<f8", (name,)) for name, n in lengths.items()}
 
 
 @dataclass(frozen=True)
@@ -134,8 +134,8 @@ class Store:
     layouts: dict[str, Layout] = field(repr=False)
 
     @classmethod
-    def create(cls, path: Path, description: Description, arrays: Arrays, *, new: bool) -> None:
-        """Write a store without chunks in place of an existing store; if `new`, FileExistsError if one exists."""
+    def create(cls, path: Path, description: Description, arrays: Arrays, *, must_be_new: bool) -> None:
+        """Write a store without chunks, in place of an existing one unless `must_be_new` (then FileExistsError)."""
 
         def fill(folder: Path) -> None:
             zarr_folders.write_group(folder, {KEY: sealed(description, {})})
@@ -146,7 +146,7 @@ class Store:
                 )
             ZarrArray(_scratch(folder, description), Layout((), (), "|u1")).create()
 
-        atomic.write_folder(path, fill, exclusive=new)
+        atomic.write_folder(path, fill, exclusive=must_be_new)
 
     @classmethod
     def open(cls, path: Path) -> Self:
@@ -154,9 +154,9 @@ class Store:
         if not path.is_dir():
             raise FileNotFoundError(2, os.strerror(2), str(path))
         with as_file_error(path, KIND):
-            description, found = checked(zarr_folders.attributes(path)[KEY])
-            store = cls(path, description, found)
-            for name in found:
+            description, array_layouts = checked_description(zarr_folders.attributes(path)[KEY])
+            store = cls(path, description, array_layouts)
+            for name in array_layouts:
                 if ZarrArray.open(path / name) != store._array(name):
                     raise ValueError(f"its array {name} has another layout than its description; read it by zarr")
             return store
@@ -170,18 +170,18 @@ class Store:
         return ZarrArray(self.path / name, self.layouts[name])
 
     def computed(self) -> NDArray[np.bool_]:
-        """Return True for each computed chunk, which has a checksum and a file in each computed array."""
-        found = np.ones(self.layouts[CHECKSUMS].grid, dtype=bool)
+        """Return an array with True for each chunk that has a checksum and a file in each of COMPUTED_ARRAYS."""
+        complete = np.ones(self.layouts[CHECKSUMS].grid, dtype=bool)
         for name in (*COMPUTED_ARRAYS, CHECKSUMS):
-            present = np.zeros_like(found)
+            has_file = np.zeros_like(complete)
             with as_file_error(self.path, KIND), os.scandir(self.path / name) as entries:
                 for entry in entries:
                     key, *numbers = entry.name.split(".")
                     if key == "c" and all(number.isdecimal() for number in numbers):
-                        index = tuple(int(number) for number in numbers[: found.ndim])
-                        present[index] = name != CHECKSUMS or (found[index] and self._checksum(index) >= 0)
-            found &= present
-        return found
+                        index = tuple(int(number) for number in numbers[: complete.ndim])
+                        has_file[index] = name != CHECKSUMS or (complete[index] and self._checksum(index) >= 0)
+            complete &= has_file
+        return complete
 
     def read(self, name: str, index: Index) -> Values | None:
         """Return a chunk of an array, or None if its file is missing."""
@@ -199,12 +199,12 @@ class Store:
                     array = self._array(name)
                     write(array.file(index), array.packed(part))
         except (FileNotFoundError, NotADirectoryError):
-            raise replaced(self.path) from None
+            raise replaced_error(self.path) from None
 
-    def write_chunk(self, index: Index, arrays: Arrays, pupils: int) -> None:
-        """Write a computed chunk, then its checksum, which includes the checksum `pupils` of the requested pupils."""
+    def write_chunk(self, index: Index, arrays: Arrays, pupil_checksum: int) -> None:
+        """Write a computed chunk, then its checksum, which includes the checksum of the requested pupils."""
         self.put(arrays, index)
-        self.put({CHECKSUMS: np.full((1,) * len(index), self._sum(index, arrays, pupils))}, index)
+        self.put({CHECKSUMS: np.full((1,) * len(index), self._crc32(index, arrays, pupil_checksum))}, index)
 
     def read_chunk(self, index: Index) -> Arrays:
         """Return the arrays of a chunk and its pupils; ValueError if it is not computed yet, FileError if damaged."""
@@ -216,7 +216,7 @@ class Store:
             )
         arrays = {name: self.require(name, index) for name in COMPUTED_ARRAYS}
         pupils = {name: self.require(name, index) for name in self.pupils}
-        if self._sum(index, arrays, crc32({}, pupils)) != stored_sum:
+        if self._crc32(index, arrays, crc32({}, pupils)) != stored_sum:
             raise FileError(
                 f"chunk {index} of {validation.line(self.path)} is damaged (wrong checksum); to compute it again, "
                 f"remove {CHECKSUMS}/{self._array(CHECKSUMS).file(index).name} in this folder and call psf_to again"
@@ -226,11 +226,11 @@ class Store:
     def read_whole(self, name: str) -> Values:
         """Return a whole array, such as the error bounds, with its fill value in chunks that are not computed yet."""
         layout = self.layouts[name]
-        out = np.full(layout.shape, fill_value(name, layout), layout.dtype)
+        values = np.full(layout.shape, fill_value(name, layout), layout.dtype)
         for index in np.ndindex(*layout.grid):
             if (part := self.read(name, index)) is not None:
-                out[layout.within(index)] = part
-        return out
+                values[layout.within(index)] = part
+        return values
 
     @property
     def pupils(self) -> list[str]:
@@ -246,17 +246,17 @@ class Store:
 
     def _checksum(self, index: Index) -> int:
         """Return the stored checksum of a chunk, -1 if it is not computed yet."""
-        found = self.read(CHECKSUMS, index)
-        return -1 if found is None else int(found.flat[0])
+        stored = self.read(CHECKSUMS, index)
+        return -1 if stored is None else int(stored.flat[0])
 
-    def _sum(self, index: Index, arrays: Arrays, pupils: int) -> int:
+    def _crc32(self, index: Index, arrays: Arrays, pupil_checksum: int) -> int:
         """Compute the checksum of the arrays and index of a chunk, the store's identity and the pupils' checksum."""
         return crc32(
-            {"chunk": [int(i) for i in index], "store": self.description[IDENTITY], "pupils": pupils}, arrays
+            {"chunk": [int(i) for i in index], "store": self.description[IDENTITY], "pupils": pupil_checksum}, arrays
         )
 
 
-def replaced(path: Path) -> FileError:
+def replaced_error(path: Path) -> FileError:
     """Return the error for a store that was removed or replaced."""
     return FileError(
         f"{validation.line(path)} was removed, or replaced by another call of psf_to, while its PSFs were computed; "
@@ -275,7 +275,7 @@ def units(description: Description, name: str) -> dict[str, str]:
     return {"units": coordinate_units[name]} if name in coordinate_units else {}
 
 
-def checked(record: Description) -> tuple[Description, dict[str, Layout]]:
+def checked_description(record: Description) -> tuple[Description, dict[str, Layout]]:
     """Check the stored description; return it without its checksum, and the layout of each array."""
     if record["checksum"] != checksum(record, {}):
         raise ValueError("its description was changed after it was written")
@@ -369,7 +369,7 @@ class PSFStack:
             if crc32({}, dict(self.axes)) != description["coordinates"]:
                 raise FileError(f"the coordinates of {validation.line(store.path)} are damaged")
             validation.choice("normalize", description["normalize"], NORMALIZE)
-            self._methods = [method_from_dict(one) for one in description["methods"]]
+            self._methods = [method_from_dict(method) for method in description["methods"]]
             self.grid: Grid | None = None if description["center"] is None else self._pixels(description["center"])
         self._last_chunk: tuple[Index, Arrays] | None = None
 
@@ -423,7 +423,7 @@ class PSFStack:
                 "error_bound": (names, self.error_bound),
                 "scale": (names, self.scale),
             },
-            coords={name: (name, at, {"units": units[name]}) for name, at in coordinates.items()},
+            coords={name: (name, values, {"units": units[name]}) for name, values in coordinates.items()},
             attrs={name: description[name] for name in ("software", "pixel", "unit", "normalize")},
         )
 
@@ -433,7 +433,7 @@ class PSFStack:
 
     def __repr__(self) -> str:
         done, total = self.done
-        axes = ", ".join(f"{name} {at.size}" for name, at in self.axes.items())
+        axes = ", ".join(f"{name} {values.size}" for name, values in self.axes.items())
         note = "" if done == total else f", {done} of {total} chunks computed"
         return f"<PSFStack {'x'.join(map(str, self.shape))} {self.dtype} ({axes}) in {self._store.path.name}{note}>"
 
@@ -450,39 +450,37 @@ class PSFStack:
         FileError
             If a chunk is damaged.
         """
-        members, found = self._members(index)
+        members, arrays = self._members(index)
         description = self._store.description
-        used = np.unique(found["method"])
+        method_numbers = np.unique(arrays["method"])
         with as_file_error(self._store.path, KIND):
-            if used[-1] >= len(self._methods):
-                raise ValueError(
-                    f"method number {used[-1]} is not below {len(self._methods)}, the number of its methods"
-                )
-        if used.size != 1:
-            names = " and ".join(type(self._methods[k]).__name__ for k in used)
+            if method_numbers[-1] >= len(self._methods):
+                raise ValueError(f"its method number {method_numbers[-1]} must be below {len(self._methods)}")
+        if method_numbers.size != 1:
+            names = " and ".join(type(self._methods[k]).__name__ for k in method_numbers)
             raise ValueError(
                 f"these PSFs were computed by {names}; choose an index whose PSFs have one method, or use stack.dask"
             )
-        shared = description["pupils"]
-        firsts = np.unique(members // math.prod(self.shape[1:-2])) if len(shared) > 1 else np.zeros(1, int)
-        if firsts.size != 1:
+        descriptions = description["pupils"]
+        first_index = np.unique(members // math.prod(self.shape[1:-2])) if len(descriptions) > 1 else np.zeros(1, int)
+        if first_index.size != 1:
             raise ValueError(
                 "the pupils of the first axis differ in more than phase; choose one by stack[k], or use stack.dask"
             )
-        pupils = {name.removeprefix("pupil/"): at for name, at in found.items() if name.startswith("pupil/")}
+        pupils = {name.removeprefix("pupil/"): array for name, array in arrays.items() if name.startswith("pupil/")}
         center = (
             description["center"] if description["center"] is not None else (pupils.pop("row"), pupils.pop("column"))
         )
-        bound = float(found["error_bound"].max())
+        bound = float(arrays["error_bound"].max())
         with as_file_error(self._store.path, KIND):
             return PSF(
-                values=found["values"],
+                values=arrays["values"],
                 grid=self._pixels(center),
-                pupil=join_pupils(shared[int(firsts[0])], pupils),
-                method=self._methods[int(used[0])],
+                pupil=join_pupils(descriptions[int(first_index[0])], pupils),
+                method=self._methods[int(method_numbers[0])],
                 normalize=description["normalize"],
                 error_bound=None if math.isnan(bound) else bound,
-                scale=found["scale"],
+                scale=arrays["scale"],
                 blur=blurs_from_dicts(description["blur"]),
             )
 
@@ -497,7 +495,7 @@ class PSFStack:
             fill=tuple(description["fill"]),
         )
 
-    def _members(self, index: ArrayIndex, only: tuple[str, ...] | None = None) -> tuple[NDArray[np.intp], Arrays]:
+    def _members(self, index: ArrayIndex, names: tuple[str, ...] | None = None) -> tuple[NDArray[np.intp], Arrays]:
         """Return the positions of the PSFs stack[index] in the flattened stack, and their arrays by name."""
         stack = self.shape[:-2]
         members = np.asarray(np.arange(math.prod(stack)).reshape(stack)[index])
@@ -506,25 +504,25 @@ class PSFStack:
                 f"the index must select at least one PSF and at most 2^31 values, "
                 f"got {members.size} PSFs of shape {self.shape[-2:]}"
             )
-        names = only or (*COMPUTED_ARRAYS, *self._store.pupils)
+        names = names or (*COMPUTED_ARRAYS, *self._store.pupils)
         layouts = {name: self._store.layouts[name] for name in names}
-        tails = {name: layout.shape[len(stack) :] for name, layout in layouts.items()}
-        out = {name: np.empty((members.size, *tails[name]), layouts[name].dtype) for name in names}
+        shapes = {name: layout.shape[len(stack) :] for name, layout in layouts.items()}
+        arrays = {name: np.empty((members.size, *shapes[name]), layouts[name].dtype) for name in names}
         layout = self._store.layouts["scale"]
         positions = np.unravel_index(members.ravel(), stack)
-        chunk_index = tuple(at // size for at, size in zip(positions, layout.chunks, strict=True))
-        chunks = np.ravel_multi_index(chunk_index, layout.grid)
+        chunk_indices = tuple(position // size for position, size in zip(positions, layout.chunks, strict=True))
+        chunks = np.ravel_multi_index(chunk_indices, layout.grid)
         for chunk in np.unique(chunks):
-            where = tuple(int(i) for i in np.unravel_index(chunk, layout.grid))
+            chunk_index = tuple(int(i) for i in np.unravel_index(chunk, layout.grid))
             # The last chunk stays in memory, since consecutive calls often read neighbouring PSFs.
-            last = self._last_chunk
-            if last is None or last[0] != where:
-                self._last_chunk = last = where, self._store.read_chunk(where)
+            loaded = self._last_chunk
+            if loaded is None or loaded[0] != chunk_index:
+                self._last_chunk = loaded = chunk_index, self._store.read_chunk(chunk_index)
             # A chunk is a contiguous run of the flattened stack.
-            at, first = np.flatnonzero(chunks == chunk), layout.first(where)
+            selected, start = np.flatnonzero(chunks == chunk), layout.first(chunk_index)
             for name in names:
-                out[name][at] = last[1][name].reshape(-1, *tails[name])[members.flat[at] - first]
-        return members, {name: values.reshape(members.shape + tails[name]) for name, values in out.items()}
+                arrays[name][selected] = loaded[1][name].reshape(-1, *shapes[name])[members.flat[selected] - start]
+        return members, {name: values.reshape(members.shape + shapes[name]) for name, values in arrays.items()}
 
 
 class _Values:
@@ -535,9 +533,9 @@ class _Values:
 
     def __getitem__(self, index: ArrayIndex) -> Values:
         parts = index if isinstance(index, tuple) else (index,)
-        lead = self.ndim - 2
-        values = self._stack._members(parts[:lead], ("values",))[1]["values"]
-        window = parts[lead:]
+        stack_ndim = self.ndim - 2
+        values = self._stack._members(parts[:stack_ndim], ("values",))[1]["values"]
+        window = parts[stack_ndim:]
         return values[(..., *window, *(slice(None),) * (2 - len(window)))]
 
 
@@ -546,15 +544,15 @@ _LENS, _OBJECTIVE = "Pupil", "ObjectivePupil"
 
 def split_pupils(pupil: BasePupil) -> tuple[Json, dict[str, Array]]:
     """Return the parameters that all pupils of a stack share (plain JSON), and arrays of the varying parameters."""
-    first = pupil[(0,) * len(pupil.shape)] if pupil.shape else pupil
-    shared = first.to_dict()
+    first_pupil = pupil[(0,) * len(pupil.shape)] if pupil.shape else pupil
+    shared = first_pupil.to_dict()
     if isinstance(pupil, ObjectivePupil):
         arrays = {name: np.asarray(getattr(pupil, name)) for name in PLANES}
         for name in PLANES:
             del shared[name]
-        measured = pupil.aberrations
-        if measured is not None and measured.shape:
-            shared["aberrations"] = _split_wavefront(measured, arrays)
+        aberrations = pupil.aberrations
+        if aberrations is not None and aberrations.shape:
+            shared["aberrations"] = _split_wavefront(aberrations, arrays)
         return {"kind": _OBJECTIVE} | shared, arrays
     lens, arrays = checked_pupil(pupil), {}
     shared["wavefront"] = _split_wavefront(lens.wavefront, arrays)
@@ -565,26 +563,26 @@ def split_pupils(pupil: BasePupil) -> tuple[Json, dict[str, Array]]:
 
 
 def join_pupils(shared: Json, arrays: Mapping[str, Array]) -> BasePupil:
-    """Return the pupils, bit for bit, from the results of :func:`split_pupils`, whose arrays may be sliced.
+    """Rebuild the pupils, bit for bit, from the results of :func:`split_pupils`; the arrays may be sliced.
 
     TypeError, ValueError or KeyError if the parameters are invalid.
     """
-    plain = dict(shared)
-    if validation.choice("kind", plain.pop("kind"), (_LENS, _OBJECTIVE)) == _OBJECTIVE:
+    parameters = dict(shared)
+    if validation.choice("kind", parameters.pop("kind"), (_LENS, _OBJECTIVE)) == _OBJECTIVE:
         planes = {name: arrays[name] for name in PLANES}
         if "edge" not in arrays:
-            return ObjectivePupil.from_dict(plain | planes)
-        bare = ObjectivePupil.from_dict(plain | planes | {"aberrations": None})
-        return replace(bare, aberrations=_join_wavefront(plain["aberrations"], arrays))
-    geometry = plain.pop("geometry")
+            return ObjectivePupil.from_dict(parameters | planes)
+        without_aberrations = ObjectivePupil.from_dict(parameters | planes | {"aberrations": None})
+        return replace(without_aberrations, aberrations=_join_wavefront(parameters["aberrations"], arrays))
+    geometry = parameters.pop("geometry")
     if geometry is not None:
         geometry = Geometry.from_dict(geometry | {"object_distance": arrays["object_distance"].ravel().tolist()})
-    bare_lens = Pupil.from_dict(plain | {"wavefront": {}, "geometry": None})
-    return bare_lens.carrying(_join_wavefront(plain["wavefront"], arrays), geometry)
+    without_wavefront = Pupil.from_dict(parameters | {"wavefront": {}, "geometry": None})
+    return without_wavefront.carrying(_join_wavefront(parameters["wavefront"], arrays), geometry)
 
 
 def _split_wavefront(wavefront: Wavefront, arrays: dict[str, Array]) -> Json:
-    """Add the coefficients of a wavefront to `arrays`; return its terms and the bound on their error."""
+    """Add the coefficients of a wavefront to `arrays`; return its terms and its error bound."""
     arrays["edge"] = wavefront.edge
     if wavefront._powers is not None:
         arrays["powers"] = wavefront._powers
@@ -643,19 +641,19 @@ class Request:
 
     def part(self, index: Index) -> tuple[BasePupil, Center, tuple[Method, ...]]:
         """Return the pupils of a chunk, the center of their windows, and the methods to try."""
-        members = self.layouts["scale"]
-        within = members.within(index)
+        layout = self.layouts["scale"]
+        part_slices = layout.within(index)
         if not self.listed:
-            center = self.grid[within].center if self.grid.stack else self.grid.center
-            return self.pupils[0][within], center, self.method_order[0]
-        k = within[0].start
-        one = self.pupils[k][within[1:]] if self.pupils[k].shape else self.pupils[k]
-        return one.broadcast(members.part(index)), self.grid.center, self.method_order[k]
+            center = self.grid[part_slices].center if self.grid.stack else self.grid.center
+            return self.pupils[0][part_slices], center, self.method_order[0]
+        k = part_slices[0].start
+        pupil = self.pupils[k][part_slices[1:]] if self.pupils[k].shape else self.pupils[k]
+        return pupil.broadcast(layout.part(index)), self.grid.center, self.method_order[k]
 
     def pupil_checksum(self, index: Index) -> int:
         """Return the checksum of the pupil arrays of a chunk, as a store computes it."""
-        found = {f"pupil/{name}": at for name, at in self.arrays.items()}
-        parts = {name: np.asarray(at[self.layouts[name].within(index)], "<f8") for name, at in found.items()}
+        arrays = {f"pupil/{name}": values for name, values in self.arrays.items()}
+        parts = {name: np.asarray(values[self.layouts[name].within(index)], "<f8") for name, values in arrays.items()}
         return crc32({}, parts)
 
     @cached_property
@@ -675,20 +673,20 @@ def requested(
             f"pupils must be a stack of 1 to {_MAX_AXES} axes, got shape {stack}; use lommel.psf for a single pupil"
         )
     method_order = tuple(
-        fixed_order(candidates(one, grid, plan.tol), one, grid) if plan.method is None else (plan.method,)
-        for one in stacks
+        fixed_order(candidates(pupil, grid, plan.tol), pupil, grid) if plan.method is None else (plan.method,)
+        for pupil in stacks
     )
-    flat = [way for order in method_order for way in order]
-    methods = [way for k, way in enumerate(flat) if way not in flat[:k]]
+    all_methods = [method for order in method_order for method in order]
+    methods = [method for k, method in enumerate(all_methods) if method not in all_methods[:k]]
     dtype = np.dtype(plan.dtype)
     # One thread for each chunk: sums by several threads may differ in their last bits from one computer to another.
     keywords: PSFKeywords = {"normalize": plan.normalize, "dtype": dtype, "blur": plan.blur, "threads": 1}
     keywords |= {"integrate": grid.integrate, "fill": grid.fill}
     prepare = partial(Plan, grid.shape, grid.pixel, **keywords)
-    most = max(1, DEFAULT_CHUNK_BYTES // (dtype.itemsize * math.prod(grid.shape)))
+    max_psfs = max(1, DEFAULT_CHUNK_BYTES // (dtype.itemsize * math.prod(grid.shape)))
     if chunk is not None:
-        most = validation.integer("chunk", chunk, least=1, most=validation.MAX_VALUES)
-    shared, arrays = _split_stacks(stacks, listed)
+        max_psfs = validation.integer("chunk", chunk, least=1, most=validation.MAX_VALUES)
+    shared_parameters, arrays = _split_stacks(stacks, listed)
     if grid.stack:
         arrays |= {"row": np.asarray(grid.center[0]), "column": np.asarray(grid.center[1])}
     coordinates, units = _check_axes(axes, stack, arrays, stacks[0].unit)
@@ -703,14 +701,16 @@ def requested(
         "unit": stacks[0].unit,
         "integrate": grid.integrate,
         "fill": list(grid.fill),
-        "blur": [one.to_dict() for one in plan.blur],
+        "blur": [part.to_dict() for part in plan.blur],
         "center": None if grid.stack else list(grid.axis),
-        "methods": [way.to_dict() for way in methods],
+        "methods": [method.to_dict() for method in methods],
         "normalize": plan.normalize,
         "dtype": dtype.name,
-        "chunks": [1, *chunk_shape(stack[1:], most)] if listed else chunk_shape(stack, most),
-        "pupils": shared,
-        "arrays": {name: [list(at.shape[len(stack) :]), crc32({}, {name: at})] for name, at in arrays.items()},
+        "chunks": [1, *chunk_shape(stack[1:], max_psfs)] if listed else chunk_shape(stack, max_psfs),
+        "pupils": shared_parameters,
+        "arrays": {
+            name: [list(array.shape[len(stack) :]), crc32({}, {name: array})] for name, array in arrays.items()
+        },
     }
     return Request(stacks, listed, prepare, method_order, grid, coordinates, methods, plain(description), arrays)
 
@@ -719,21 +719,21 @@ def _check_stacks(pupils: BasePupil | Sequence[BasePupil], plan: Plan) -> tuple[
     """Return the pupils as one or several stacks, True if several (one for each first index), and the grid."""
     listed = isinstance(pupils, Sequence)
     stacks: tuple[BasePupil, ...] = tuple(
-        imaged(one) for one in (pupils if isinstance(pupils, Sequence) else [pupils])
+        imaged(pupil) for pupil in (pupils if isinstance(pupils, Sequence) else [pupils])
     )
     if not stacks:
         raise ValueError("pupils must not be an empty list")
     grid = plan.grid(stacks[0])
-    for k, one in enumerate(stacks[1:], 1):
-        for name, value, first in (("shape", one.shape, stacks[0].shape), ("unit", one.unit, stacks[0].unit)):
-            if value != first:
+    for k, pupil in enumerate(stacks[1:], 1):
+        for name, value, expected in (("shape", pupil.shape, stacks[0].shape), ("unit", pupil.unit, stacks[0].unit)):
+            if value != expected:
                 raise ValueError(
-                    f"pupils must all have the {name} of the first, {first}, got {value} for pupils[{k}]"
+                    f"pupils must all have the {name} of the first, {expected}, got {value} for pupils[{k}]"
                 )
     if listed:
-        shared, arrays = _split_stacks(stacks, listed)
-        if len(shared) == 1:  # only their phases differ
-            stacks, listed = (join_pupils(shared[0], arrays),), False
+        shared_parameters, arrays = _split_stacks(stacks, listed)
+        if len(shared_parameters) == 1:  # only their phases differ
+            stacks, listed = (join_pupils(shared_parameters[0], arrays),), False
     if grid.stack:
         if listed:
             raise ValueError(
@@ -746,17 +746,17 @@ def _check_stacks(pupils: BasePupil | Sequence[BasePupil], plan: Plan) -> tuple[
 
 def _split_stacks(stacks: tuple[BasePupil, ...], listed: bool) -> tuple[list[Description], dict[str, Array]]:
     """Return the shared parameters of each stack of pupils (only once if equal), and arrays of the varying ones."""
-    parts = [split_pupils(one) for one in stacks]
+    parts = [split_pupils(pupil) for pupil in stacks]
     shared = [description for description, _ in parts]
     if not listed:
         return shared, parts[0][1]
-    first = parts[0][1]
+    first_arrays = parts[0][1]
     for k, (_, other) in enumerate(parts):
-        if {name: at.shape for name, at in other.items()} != {name: at.shape for name, at in first.items()}:
+        if {name: v.shape for name, v in other.items()} != {name: v.shape for name, v in first_arrays.items()}:
             raise ValueError(
                 f"pupils must all have the same wavefront terms, got other terms for pupils[{k}] than for the first"
             )
-    arrays = {name: np.stack([other[name] for _, other in parts]) for name in first}
+    arrays = {name: np.stack([other[name] for _, other in parts]) for name in first_arrays}
     return (shared[:1] if all(description == shared[0] for description in shared) else shared), arrays
 
 
@@ -778,10 +778,10 @@ def _check_axes(
         if isinstance(value, tuple) and len(value) == 2 and isinstance(value[1], str):
             value, axis_unit = value
         # Infinite coordinates are allowed, since an object may be at infinity.
-        at = np.array(validation.number_array(f"axes[{name!r}]", value), dtype=np.float64)
-        if at.shape != (count,) or np.isnan(at).any():
+        numbers = np.array(validation.number_array(f"axes[{name!r}]", value), dtype=np.float64)
+        if numbers.shape != (count,) or np.isnan(numbers).any():
             raise ValueError(f"axes[{name!r}] must be {count} numbers, got {validation.shown(value)}")
-        coordinates[name], units[name] = at, axis_unit
+        coordinates[name], units[name] = numbers, axis_unit
     return coordinates, units
 
 
@@ -791,9 +791,9 @@ def _default_axes(stack: tuple[int, ...], arrays: Mapping[str, Array]) -> Arrays
     for name in ("object_distance", "depth", "z"):
         if name in arrays:
             for axis, count in enumerate(stack):
-                along = np.moveaxis(arrays[name], axis, 0).reshape(count, -1)
-                if axis not in names and count > 1 and np.all(along == along[:, :1]):
-                    names[axis] = name, along[:, 0]
+                rows = np.moveaxis(arrays[name], axis, 0).reshape(count, -1)
+                if axis not in names and count > 1 and np.all(rows == rows[:, :1]):
+                    names[axis] = name, rows[:, 0]
                     break
     indices = {axis: (f"axis_{axis}", np.arange(count)) for axis, count in enumerate(stack)}
     return dict((indices | names)[axis] for axis in range(len(stack)))
@@ -869,8 +869,8 @@ def psf_to(
     >>> lens = lm.Lens(focal_length=50e-3, f_number=1.8, focus_distance=2.0, wavelength=550e-9)
     >>> stack = lm.psf_to("depths.zarr", lens.pupil(np.linspace(1.0, 3.0, 5000)), 33, 3e-6)  # doctest: +SKIP
     """
-    if stray := [name for name in options if name not in PSFKeywords.__annotations__]:
-        raise TypeError(f"psf_to() has no option {stray[0]!r}; {near(stray[0], PSFKeywords.__annotations__)}")
+    if unknown := [name for name in options if name not in PSFKeywords.__annotations__]:
+        raise TypeError(f"psf_to() has no option {unknown[0]!r}; {near(unknown[0], PSFKeywords.__annotations__)}")
     path = path_of(store)
     validation.function("progress", progress, required=False)
     plan, (pool, slots) = Plan(shape, pixel, **options), _executor(client)
@@ -879,64 +879,62 @@ def psf_to(
     existing = Store.open(path) if path.exists() else None
     request = requested(plan, pupils, axes, chunk)
     if existing is not None and chunk is None:
-        with_its_chunks = replace(
-            request, description=request.description | {"chunks": existing.description["chunks"]}
-        )
-        request = request if _difference(existing.description, with_its_chunks.description) else with_its_chunks
-    opened = _existing_or_new(path, existing, request)
-    computed = opened.computed()
+        with_chunks = replace(request, description=request.description | {"chunks": existing.description["chunks"]})
+        request = request if _difference(existing.description, with_chunks.description) else with_chunks
+    target = _existing_or_new(path, existing, request)
+    computed = target.computed()
     todo = [tuple(int(i) for i in index) for index in np.argwhere(~computed)]
     if pool is None:
         slots = min(plan.threads or os.cpu_count() or 1, max(1, len(todo)))
-    with _locked(opened) if todo else nullcontext():
-        _require_space(opened, len(todo))
-        work = partial(_compute_chunk, opened, request.methods, request.prepare)
+    with _locked(target) if todo else nullcontext():
+        _require_space(target, len(todo))
+        compute = partial(_compute_chunk, target, request.methods, request.prepare)
         tasks = ((index, request.pupil_checksum(index), *request.part(index)) for index in todo)
-        with closing(_run(pool, slots, work, tasks)) as results:
+        with closing(_run_tasks(pool, slots, compute, tasks)) as results:
             for done, _ in enumerate(results, computed.size - len(todo) + 1):
                 if progress is not None:
                     progress(done, computed.size)
-    _require_not_replaced(opened)
-    return PSFStack(opened)
+    _require_not_replaced(target)
+    return PSFStack(target)
 
 
 def _existing_or_new(path: Path, existing: Store | None, request: Request) -> Store:
-    """Return the existing store if it matches the request, else a new store, which replaces one without chunks."""
-    other = "" if existing is None else _difference(existing.description, request.description)
-    if existing is not None and not other:
+    """Return the existing store if it matches the request, else a new store in place of one without chunks."""
+    difference = "" if existing is None else _difference(existing.description, request.description)
+    if existing is not None and not difference:
         return existing
     description = request.description | {IDENTITY: secrets.token_hex(16)}
-    arrays: Arrays = {f"pupil/{name}": at for name, at in request.arrays.items()}
+    arrays: Arrays = {f"pupil/{name}": values for name, values in request.arrays.items()}
     if not request.grid.stack:
         arrays |= {"y": request.grid.y, "x": request.grid.x}
-    with nullcontext() if existing is None else _locked(existing, alone=True):
+    with nullcontext() if existing is None else _locked(existing, exclusive=True):
         if existing is not None and existing.computed().any():
-            raise _other_request(path, other)
+            raise _other_request(path, difference)
         with suppress(FileExistsError):  # another call may have created the store at the same time
-            Store.create(path, description, arrays | request.axes, new=existing is None)
+            Store.create(path, description, arrays | request.axes, must_be_new=existing is None)
     created = _open_existing(path)
-    if other := _difference(created.description, request.description):
-        raise _other_request(path, other)
+    if difference := _difference(created.description, request.description):
+        raise _other_request(path, difference)
     return created
 
 
-def _other_request(path: Path, other: str) -> ValueError:
+def _other_request(path: Path, difference: str) -> ValueError:
     """Return the error for a store that was computed with other arguments."""
     return ValueError(
-        f"{validation.line(path)} holds PSFs computed with other arguments ({other}); "
+        f"{validation.line(path)} holds PSFs computed with other arguments ({difference}); "
         "repeat those arguments or choose a new store"
     )
 
 
 @contextmanager
-def _locked(store: Store, *, alone: bool = False) -> Iterator[None]:
-    """Lock a store: shared to compute chunks, or exclusively (`alone`) to replace it; ValueError if it is in use."""
-    with ExitStack() as held:
+def _locked(store: Store, *, exclusive: bool = False) -> Iterator[None]:
+    """Lock a store: shared to compute chunks, or `exclusive` to replace it; ValueError if it is in use."""
+    with ExitStack() as locks:
         try:
-            lockable = held.enter_context(atomic.locked(store.lock_file, store.path, alone=alone))
+            lockable = locks.enter_context(atomic.locked(store.lock_file, store.path, alone=exclusive))
         except FileNotFoundError:
-            raise replaced(store.path) from None
-        if alone and not lockable:
+            raise replaced_error(store.path) from None
+        if exclusive and not lockable:
             raise atomic.perhaps_in_use_error(store.path)
         # On a file system without locks, every write still checks that the store was not replaced.
         _require_not_replaced(store)
@@ -948,13 +946,13 @@ def _open_existing(path: Path) -> Store:
     try:
         return Store.open(path)
     except FileNotFoundError:
-        raise replaced(path) from None
+        raise replaced_error(path) from None
 
 
 def _require_not_replaced(store: Store) -> None:
     """Raise FileError if the store was removed or replaced since it was opened."""
     if _open_existing(store.path).description != store.description:
-        raise replaced(store.path)
+        raise replaced_error(store.path)
 
 
 def _difference(stored: Description, requested: Description) -> str:
@@ -991,22 +989,22 @@ def _executor(client: Any) -> tuple[futures.Executor | None, int]:
     raise TypeError(f"client must be a distributed.Client, an Executor or None, got {validation.shown(client)}")
 
 
-def _run(
-    pool: futures.Executor | None, slots: int, work: Callable[..., None], tasks: Iterator[tuple[object, ...]]
+def _run_tasks(
+    pool: futures.Executor | None, slots: int, function: Callable[..., None], tasks: Iterator[tuple[object, ...]]
 ) -> Generator[None]:
-    """Call `work` for each task, yield after each; at most `slots + 1` are submitted, and an error cancels these."""
+    """Call `function` for each task, yield after each; at most `slots + 1` are queued, and an error cancels these."""
     under_way: set[futures.Future[None]] = set()
     with futures.ThreadPoolExecutor(slots) if pool is None else nullcontext(pool) as executor:
         try:
             for task in tasks:
                 if len(under_way) > slots:
                     done, under_way = futures.wait(under_way, return_when=futures.FIRST_COMPLETED)
-                    yield from (one.result() for one in done)
-                under_way.add(executor.submit(work, *task))
-            yield from (one.result() for one in futures.as_completed(under_way))
+                    yield from (future.result() for future in done)
+                under_way.add(executor.submit(function, *task))
+            yield from (future.result() for future in futures.as_completed(under_way))
         finally:
-            for one in under_way:
-                one.cancel()
+            for future in under_way:
+                future.cancel()
 
 
 def _compute_chunk(
@@ -1020,7 +1018,7 @@ def _compute_chunk(
     method_order: tuple[Method, ...],
 ) -> None:
     """Compute a chunk by the first method that meets the tolerance, and write it to the store."""
-    _, psf = first_within_tolerance(method_order, lambda way: prepare(method=way, center=center)(pupil))
+    _, psf = first_within_tolerance(method_order, lambda method: prepare(method=method, center=center)(pupil))
     bound = np.nan if psf.error_bound is None else psf.error_bound
     parts: Arrays = {
         "values": psf.values,

@@ -56,7 +56,7 @@ def stack():
 )
 def test_what_is_wrong_is_among_the_psfs_that_are_named(stack, name, wrong, said):
     context = refinement.StackContext(stack, RIGHT.changed(name, wrong), CAMERA, math.inf, 1)
-    found = refinement.rank_alternatives(context, lambda *_: None, turned=False)
+    found = refinement.rank_alternatives(context, lambda *_: None, try_reversed=False)
     assert any(each.startswith(said) for each in found)
 
 

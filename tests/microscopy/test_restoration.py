@@ -65,7 +65,7 @@ def deep():
 def few_trials(monkeypatch):
     """Tell the direction of the planes after a quarter of the steps, and try other depths alone."""
     monkeypatch.setattr(refinement, "_STEPS", refinement._STEPS // 4)
-    monkeypatch.setattr(refinement, "_OTHERS", {"depth": refinement._OTHERS["depth"]})
+    monkeypatch.setattr(refinement, "_ALTERNATIVES", {"depth": refinement._ALTERNATIVES["depth"]})
 
 
 @pytest.fixture
@@ -173,9 +173,9 @@ def test_psfs_between_two_depths_are_like_the_mean_of_both():
     model = DepthModel(OIL_60X, WAVE, PIXEL, STEP, 5e-6, 22, WINDOW, aberrations=tilted)
     nodes = model.psfs(0).depths
     assert 2 < len(nodes) < 9
-    shares = [model.near(float(each)) for each in nodes]
+    shares = [model.window_part(float(each)) for each in nodes]
     for (low, high), (one, other) in zip(pairwise(nodes), pairwise(shares), strict=True):
-        between = model.near((0.5 * (low**0.5 + high**0.5)) ** 2)
+        between = model.window_part((0.5 * (low**0.5 + high**0.5)) ** 2)
         assert np.abs(between - 0.5 * (one + other)).sum() / between.sum() / 2.0 < 0.0301
 
 
@@ -394,7 +394,7 @@ def test_other_microscopes_have_psfs_of_their_own(modality):
     nodes = model.psfs(2, 2).depths
     assert len(nodes) == 2
     assert nodes[0] < 8e-6 < nodes[1]
-    assert model.near(8e-6).argmax() == model.near(8e-6).size // 2
+    assert model.window_part(8e-6).argmax() == model.window_part(8e-6).size // 2
 
 
 def test_depths_in_focus_are_those_of_the_brightest_focus():
@@ -428,7 +428,7 @@ def test_depths_in_focus_are_those_of_the_brightest_focus():
         ({"direction": "sideways"}, ValueError, "direction"),
         ({"refine": "depth"}, TypeError, "refine must be a sequence"),
         ({"refine": ("tilt",)}, ValueError, "refine"),
-        ({"step": 200.0}, ValueError, "step must be of the stage, in metres"),
+        ({"step": 200.0}, ValueError, "step must be a stage displacement"),
         ({"psf_shape": (4, 9)}, ValueError, r"psf_shape must be \(planes, pixels\), both odd"),
         ({"channel": 1}, ValueError, "channel"),
         ({"noise": 1.0}, TypeError, "noise"),
@@ -487,7 +487,7 @@ def test_the_least_discrepancy_has_the_standard_error_of_the_deviance_and_of_the
 def test_points_between_planes_follow_the_right_psf_better_than_others(monkeypatch):
     monkeypatch.setattr(refinement, "_STEPS", 6)
     monkeypatch.setattr(refinement, "_NARROWEST", 21)
-    monkeypatch.setattr(refinement, "_OTHERS", {"spherical": (0.06, "spherical aberration")})
+    monkeypatch.setattr(refinement, "_ALTERNATIVES", {"spherical": (0.06, "spherical aberration")})
     fine = DepthModel(OIL_60X, WAVE, PIXEL, STEP / 2, 3e-6, 16, (29, 21))
     truth = np.zeros((16, 24, 24), np.float32)
     truth[9, 12, 12] = 4e6
@@ -497,12 +497,12 @@ def test_points_between_planes_follow_the_right_psf_better_than_others(monkeypat
 
     def better(values, model, turned):
         context = refinement.StackContext(values, model, CAMERA, np.inf, 1)
-        return refinement.rank_alternatives(context, lambda *_: None, turned=turned)
+        return refinement.rank_alternatives(context, lambda *_: None, try_reversed=turned)
 
     assert better(stack, right, False) == []
     (other,) = better(stack, model.changed("spherical", 0.04), False)
     assert other.startswith("a larger spherical aberration (about 0.0")
-    monkeypatch.setattr(refinement, "_OTHERS", {})
+    monkeypatch.setattr(refinement, "_ALTERNATIVES", {})
     assert better(stack[::-1], right, True) == ["planes in reverse order"]
 
 

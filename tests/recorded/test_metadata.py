@@ -22,7 +22,7 @@ PhysicalSizeX="65" PhysicalSizeXUnit="nm"><Channel ID="C:0" {wave}/></Pixels></I
 
 def said(used: str = "", wave: str = "") -> dict:
     file = SimpleNamespace(ome_metadata=OME.format(used=used, wave=wave), series=[SimpleNamespace(name="a")])
-    return frames.of_ome(file, 0)
+    return frames.ome_metadata(file, 0)
 
 
 def test_the_objective_is_the_one_that_the_image_names():
@@ -53,13 +53,13 @@ def test_lengths_have_three_outcomes(value, unit, found):
 
 
 def test_numbers_of_fits_headers_have_three_outcomes():
-    assert frames.of_fits({}) == {"gain": None, "read": None, "saturation": None}
-    found = frames.of_fits({"EGAIN": "1.3", "READNOIS": 0, "SATLEVEL": math.inf, "GAIN": 120})
+    assert frames.fits_metadata({}) == {"gain": None, "read": None, "saturation": None}
+    found = frames.fits_metadata({"EGAIN": "1.3", "READNOIS": 0, "SATLEVEL": math.inf, "GAIN": 120})
     assert (found["gain"], found["read"], found["saturation"]) == (1.3, 0.0, Unusable("inf"))
     assert "unsure" not in found
-    assert frames.of_fits({"GAIN": 120})["unsure"] == "GAIN = 120"
-    assert frames.of_fits({"BUNIT": "electron", "GAIN": 4.0}) == {"gain": 1.0, "read": None, "saturation": None}
-    assert frames.of_fits({"RDNOISE": -1})["read"] == Unusable("-1")
+    assert frames.fits_metadata({"GAIN": 120})["unsure"] == "GAIN = 120"
+    assert frames.fits_metadata({"BUNIT": "electron", "GAIN": 4.0}) == {"gain": 1.0, "read": None, "saturation": None}
+    assert frames.fits_metadata({"RDNOISE": -1})["read"] == Unusable("-1")
 
 
 def test_a_wavelength_in_the_wrong_unit_is_no_wavelength(tmp_path):
@@ -76,11 +76,11 @@ def test_a_wavelength_in_the_wrong_unit_is_no_wavelength(tmp_path):
 
 
 def test_files_that_state_electron_multiplication_state_its_excess_noise():
-    assert frames.of_fits({"EMGAIN": 300})["excess"] == 2.0
-    assert "excess" not in frames.of_fits({"EMGAIN": 1})
+    assert frames.fits_metadata({"EMGAIN": 300})["excess"] == 2.0
+    assert "excess" not in frames.fits_metadata({"EMGAIN": 1})
     detector = '<Detector ID="Detector:0" Type="{}"/></Instrument>'
     for kind, found in (("EMCCD", 2.0), ("CMOS", None)):
         text = OME.format(used="", wave="").replace("</Instrument>", detector.format(kind), 1)
         assert detector.format(kind) in text
         file = SimpleNamespace(ome_metadata=text, series=[SimpleNamespace(name="a")])
-        assert frames.of_ome(file, 0).get("excess") == found
+        assert frames.ome_metadata(file, 0).get("excess") == found

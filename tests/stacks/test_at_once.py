@@ -161,11 +161,11 @@ def test_of_two_calls_that_begin_a_store_one_gives_way(side, when, begun, tmp_pa
         except ValueError as error:
             two.append(error)
 
-    def made(path, said, arrays, *, new):
+    def made(path, said, arrays, *, must_be_new):
         monkeypatch.undo()
         if when == "before":
             other()
-        create(path, said, arrays, new=new)
+        create(path, said, arrays, must_be_new=must_be_new)
         if when == "after":
             other()
 

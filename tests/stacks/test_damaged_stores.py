@@ -132,7 +132,7 @@ def test_a_method_that_a_store_does_not_have_is_a_fault_of_the_file(place, good,
         {name: own.require(name, (0,)) for name in names} for names in (stacks.COMPUTED_ARRAYS, own.pupils)
     )
     own.write_chunk((0,), made, crc32({}, pupils))
-    with pytest.raises(FileError, match=r"a\.zarr is not a stack .*: method number 31 is not below 2"):
+    with pytest.raises(FileError, match=r"a\.zarr is not a stack .*: its method number 31 must be below 2"):
         lm.open_stack(path)[:]
 
 

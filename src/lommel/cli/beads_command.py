@@ -19,7 +19,7 @@ from lommel.detection.targets import find_spots
 from lommel.estimation.bead_images import CONSTANTS, UNITS
 from lommel.estimation.beads import fit_beads
 from lommel.estimation.star_images import label
-from lommel.recorded.frames import of_all, read_each
+from lommel.recorded.frames import combined_metadata, read_each
 from lommel.report import Facts, Parts, Report, Wrapped, paragraphs, table_of
 
 if TYPE_CHECKING:
@@ -106,7 +106,9 @@ def beads(
     camera.require()
     with progress("reading") as status:
         read = list(read_each(stacks))
-        noise, saturation, header = camera.resolve(of_all([stack.said for stack in read]), microscope.camera)
+        noise, saturation, header = camera.resolve(
+            combined_metadata([stack.metadata for stack in read]), microscope.camera
+        )
         recorded, camera_text = camera.recorded(lens, microscope.camera, noise)
         notes += [f"Camera: {camera_text}.", *header]
         windows: list[_Bead] = []
@@ -114,7 +116,7 @@ def beads(
             file = stack.names[0].removesuffix(" [0]")
             notes += [
                 *stack.notes,
-                *(note for note in header_differences(stack.said, microscope, model.step) if note not in notes),
+                *(note for note in header_differences(stack.metadata, microscope, model.step) if note not in notes),
             ]
             values = stack.values
             if (mask := camera.mask(values)) is not None:

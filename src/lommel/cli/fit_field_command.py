@@ -187,7 +187,7 @@ def fit_field(
     instrument = camera.instrument_of_file(lens)
     with progress("reading") as status:
         read = read_images(list(images))
-        noise, saturation, header = camera.resolve(read.said, instrument.camera)
+        noise, saturation, header = camera.resolve(read.metadata, instrument.camera)
         pupil, focal_length = instrument.pupil(), instrument.lens.focal_length
         arguments = model.arguments(len(read.values), focal_length)
         status(f"finding {chart.targets}s")

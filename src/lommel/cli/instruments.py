@@ -13,7 +13,7 @@ import numpy as np
 from lommel.base import validation
 from lommel.base.units import format_length
 from lommel.cli.options import FILE, PATH, SIDES, WINDOW, Command, Group, Option, Parsed, argument, flag_of, option
-from lommel.recorded.frames import Found, Unusable
+from lommel.recorded.frames import Metadata, Unusable
 from lommel.recorded.noise import Noise
 from lommel.report import Facts
 
@@ -289,7 +289,7 @@ _EXCESS_NOTE = "; gain and read noise must refer to electrons before multiplicat
 _TOLERANCE = 0.02  # relative difference up to which values count as equal
 
 
-def take_header(options: Facts, header: Found, camera: Camera | None = None) -> list[str]:
+def take_header(options: Facts, header: Metadata, camera: Camera | None = None) -> list[str]:
     """Complete gain, read noise, saturation and excess in `options` by the header of images; return notes.
 
     Options have priority over the camera, and the camera over the header. Notes state header values that differ.
@@ -318,7 +318,7 @@ def take_header(options: Facts, header: Found, camera: Camera | None = None) -> 
     return notes
 
 
-def header_differences(header: Found, microscope: Microscope, step: float | None = None) -> list[str]:
+def header_differences(header: Metadata, microscope: Microscope, step: float | None = None) -> list[str]:
     """Return notes on header values of images (pixel size, emission, `step`) that differ from the values in use."""
     comparisons = {
         "pixels of {} in the sample": (header.get("pixel"), microscope.pixel / microscope.objective.magnification),
@@ -372,7 +372,7 @@ class CameraOptions(Group, heading="Camera and noise"):
         """Return gain, read noise, offset and excess, None without an option."""
         return {name: getattr(self, name) for name in ("white", "read", "offset", "excess")}
 
-    def resolve(self, header: Found, camera: Camera | None) -> tuple[Noise, float | None, list[str]]:
+    def resolve(self, header: Metadata, camera: Camera | None) -> tuple[Noise, float | None, list[str]]:
         """Return (1) noise, (2) saturation, (3) notes; options override the camera, and the camera the header."""
         options = self.values() | {"saturation": self.saturation}
         notes = take_header(options, header, camera)

@@ -123,8 +123,8 @@ def localize(
     start = time.perf_counter()
     parts: list[Localizations] = []
     with progress("table of images") as report_progress, open_movie(movie) as frames:
-        noise, saturation, header = camera.resolve(frames.said, microscope.camera)
-        header = [*frames.notes, *header, *header_differences(frames.said, microscope)]
+        noise, saturation, header = camera.resolve(frames.metadata, microscope.camera)
+        header = [*frames.notes, *header, *header_differences(frames.metadata, microscope)]
         mask = camera.mask(np.broadcast_to(False, (1, *frames.shape[1:])))
         pupil, pixel = dataclasses.replace(microscope, planes=1).pupil(), microscope.pixel
         table = Table(pupil, shape, pixel, z=z, along=along, reach=fits.reach, tol=fits.tol, threads=fits.threads)

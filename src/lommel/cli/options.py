@@ -309,7 +309,7 @@ def _print(report: Report | None, notes: list[str], *, as_json: bool) -> None:
             report += Report({"notes": [*report.facts.get("notes", []), *notes]}, _note_lines("note", notes))
         report.print(as_json=as_json)
     sys.stdout.flush()  # now, where a failure can still be reported
-    if report is not None and not report.converged:
+    if report is not None and not report.succeeded:
         sys.exit(3)
 
 

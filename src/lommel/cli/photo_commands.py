@@ -189,7 +189,7 @@ def render(
         lines.insert(0, depth_line(min(ends), max(ends), unknown_fraction, f"focus {focus_range}"))
     if failed:
         lines.append(f"{len(failed)} of {total} pictures left out; correct their files and repeat the command")
-    return Report(facts, lines, converged=not failed)
+    return Report(facts, lines, succeeded=not failed)
 
 
 def _lenses(file: Path | None, stated: Facts) -> LensRanges:

@@ -84,7 +84,7 @@ def retrieve(
     with progress("reading") as status:
         read = read_images(_files(images))
         stars = read.values
-        noise, saturation, header = camera.resolve(read.said, instrument.camera)
+        noise, saturation, header = camera.resolve(read.metadata, instrument.camera)
         if defocus is None and len(stars) > 1:
             raise ValueError(f"--defocus must be given for {len(stars)} images: one number for each, such as -4 0 4")
         status("fitting")

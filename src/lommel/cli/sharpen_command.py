@@ -151,7 +151,7 @@ def sharpen(
         lines.append(f"{count} frames in {seconds:.3g} s: {count / seconds:.3g} frames/s; ended: {end_reason}")
         lines.append(f"frames dropped: {video.dropped}{refused_text}")
     files = written([output])
-    return Report(facts | files.facts, [*lines, *files.parts], converged=failure is None)
+    return Report(facts | files.facts, [*lines, *files.parts], succeeded=failure is None)
 
 
 def _map(path: Path, values: DepthKeywords, shape: tuple[int, ...]) -> Array:

@@ -35,13 +35,13 @@ def example_files() -> dict[str, Path]:
     >>> microscope.objective.NA
     1.4
     """
-    here = Path(__file__).resolve()
+    module = Path(__file__).resolve()
     # A wheel has the examples within the package, the source tree at its top.
-    for folder in (here.parents[1] / "examples", here.parents[3] / "examples"):
-        found = [path for kind, (_, ending) in KINDS.items() for path in sorted((folder / kind).glob(ending))]
-        if found:
-            return {path.stem: path for path in found}
-    raise FileNotFoundError(f"no examples in {here.parents[1] / 'examples'}: install a wheel, which includes them")
+    for folder in (module.parents[1] / "examples", module.parents[3] / "examples"):
+        files = [path for kind, (_, ending) in KINDS.items() for path in sorted((folder / kind).glob(ending))]
+        if files:
+            return {path.stem: path for path in files}
+    raise FileNotFoundError(f"no examples in {module.parents[1] / 'examples'}: install a wheel, which includes them")
 
 
 def of_kind(kind: str) -> dict[str, Path]:

@@ -89,57 +89,57 @@ def load_camera(path: str | PathLike[str]) -> Camera:
     1.38
     """
     source = validation.path("path", path)
-    if named(source):
+    if is_example_name(source):
         examples = of_kind("camera")
         if source.name not in examples:
-            similar = near(source.name, examples)
+            hint = near(source.name, examples)
             # There are too many examples for a message: only a similar name is included.
-            suggestion = f"; {similar}" if similar.startswith("did") else ""
+            suggestion = f"; {hint}" if hint.startswith("did") else ""
             raise ValueError(f"camera must be {NAME}, got {validation.shown(source.name)}{suggestion}")
         source = examples[source.name]
-    text, raw = toml_files.parsed(source)
-    if "camera" not in raw and ("lens" in raw or "objective" in raw):
-        kind = "lens" if "lens" in raw else "objective"
+    text, entries = toml_files.parsed(source)
+    if "camera" not in entries and ("lens" in entries or "objective" in entries):
+        kind = "lens" if "lens" in entries else "objective"
         raise LensFileError(f"{validation.line(source)}: is not a camera file, because it has a section [{kind}]")
-    return toml_files.built(source, raw, text, _File, partial(_camera_of_file, stem=source.stem))
+    return toml_files.built(source, entries, text, _File, partial(_camera_of_file, stem=source.stem))
 
 
-def named(path: Path) -> bool:
+def is_example_name(path: Path) -> bool:
     """Return True if a path may be the name of an example: it has no folder and no suffix .toml."""
     return path.suffix.lower() != ".toml" and path.name == str(path)
 
 
 def _camera_of_file(file: _File, *, stem: str) -> Camera:
-    stated = dict(file.camera)
-    em_gain = stated.pop("em_gain")
+    values = dict(file.camera)
+    em_gain = values.pop("em_gain")
     # Electron multiplication multiplies the variance of the light by the excess noise factor.
-    if stated["excess"] is None:
-        stated["excess"] = _EXCESS if em_gain is not None and em_gain > 1.0 else 1.0
+    if values["excess"] is None:
+        values["excess"] = _EXCESS if em_gain is not None and em_gain > 1.0 else 1.0
     for name in ("gain", "read"):
-        if em_gain is not None and (name == "gain" or stated[name] is not None):
+        if em_gain is not None and (name == "gain" or values[name] is not None):
             # The quotient refers to electrons before multiplication.
-            stated[name] = (1.0 if stated[name] is None else stated[name]) / em_gain
-    return Camera(stem if file.name is None else file.name, file.source, **stated)
+            values[name] = (1.0 if values[name] is None else values[name]) / em_gain
+    return Camera(stem if file.name is None else file.name, file.source, **values)
 
 
 _EXCESS = 2.0  # excess noise factor of an electron multiplication register with many stages of small gain
 
 
-def read_zernike(raw: Toml, text: str, context: Context) -> tuple[ZernikeTable | None, list[str]]:
+def read_zernike(entries: Toml, text: str, context: Context) -> tuple[ZernikeTable | None, list[str]]:
     """Return the table of the section [aberrations.zernike], or None without this section, and error messages."""
-    aberrations = raw.get("aberrations")
+    aberrations = entries.get("aberrations")
     section = aberrations.get("zernike") if isinstance(aberrations, dict) else None
     if not isinstance(section, dict):
         return None, []  # the section is absent, or pydantic reports its wrong type
 
-    def where(keys: Sequence[str]) -> str:
+    def place_of(keys: Sequence[str]) -> str:
         return text_files.place(text, ["aberrations", "zernike", *keys])
 
     if "file" not in section:
-        return zernike_tables.build_section(section, where)
+        return zernike_tables.build_section(section, place_of)
     try:
-        if others := [key for key in section if key != "file"]:
-            raise ValueError(f"the table file replaces all other keys; leave out {', '.join(others)}")
+        if other_keys := [key for key in section if key != "file"]:
+            raise ValueError(f"the table file replaces all other keys; leave out {', '.join(other_keys)}")
         table = read_beside(context, section["file"], "the path of a table", zernike_tables.load_zernike)
         if table.wavelength is None and table.unit in ("radians", "waves"):
             raise ValueError(
@@ -148,17 +148,17 @@ def read_zernike(raw: Toml, text: str, context: Context) -> tuple[ZernikeTable |
         return table, []
     except ValueError as error:
         # The message has one line for each error of the table; the lines are joined.
-        return None, [f"{where(['file'])}: {'; '.join(part.strip() for part in str(error).splitlines())}"]
+        return None, [f"{place_of(['file'])}: {'; '.join(part.strip() for part in str(error).splitlines())}"]
 
 
 def wavefront_of(table: ZernikeTable, wavelength: float) -> Wavefront:
-    """Return the wavefront of a table at a wavelength (metres), which is also the default of its own wavelength."""
+    """Return the wavefront of a table at a wavelength (metres), which is also the default wavelength of the table."""
     table_wavelength = wavelength if table.wavelength is None else table.wavelength
     return replace(table, wavelength=table_wavelength).wavefront(wavelength)
 
 
 def _camera_or_error(value: object) -> object:
-    """Return a camera; raise an error that reading it caused, which pydantic reports with all other errors."""
+    """Return a camera; if `value` is the error of reading it, raise the error, which pydantic reports."""
     if isinstance(value, ValueError):
         raise value
     return value
@@ -180,7 +180,7 @@ class Sensor(Section):
             return raw
         name = raw["camera"]
         try:
-            if isinstance(name, str) and named(Path(name)):
+            if isinstance(name, str) and is_example_name(Path(name)):
                 camera = load_camera(name)
             else:
                 camera = read_beside(info.context, name, NAME, load_camera)

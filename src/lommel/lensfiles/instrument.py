@@ -169,8 +169,8 @@ class Instrument:
         sensor = None if self.sensor is None else " × ".join(length_in_words(side) for side in self.sensor)
 
         def waves() -> str:
-            first = list(self.pupil().wavefront.waves.items())[:4]
-            return true_minus(", ".join(f"{name} = {float(value):.4g}" for name, value in first))
+            terms = list(self.pupil().wavefront.waves.items())[:4]
+            return true_minus(", ".join(f"{name} = {float(value):.4g}" for name, value in terms))
 
         rows: list[notebook.Row] = [
             ("lens", f"f = {length_in_words(lens.focal_length)}, f/{lens.f_number:.4g}{obscuration}"),
@@ -188,8 +188,8 @@ class Instrument:
 
         def image() -> PSF:
             height, width = self.window
-            shown = min(height, _MAX_SHOWN), min(width, _MAX_SHOWN)
-            return psf(self.pupil(), shown, self.pixel, **self.sensor_options)
+            shape = min(height, _MAX_SHOWN), min(width, _MAX_SHOWN)
+            return psf(self.pupil(), shape, self.pixel, **self.sensor_options)
 
         return notebook.device(f"Instrument: {name_in_words(self.name)}", rows, image)
 
@@ -256,5 +256,7 @@ def wide_enough(pupil: Pupil, pixel: float) -> int:
     """Return the side, in pixels (odd), of a square around the axis that contains about 98 % of the light."""
     # Diffraction spreads about the fraction 2 / (pi^2 x (1 - obscuration)) of the light farther than x lambda*N
     # beyond the geometric blur.
-    tail = 10.0 * pupil.scale / (1.0 - pupil.obscuration)
-    return 2 * min(math.ceil((float(pupil.geometric_radius()) + tail) / pixel), validation.MAX_SIDE // 2 - 1) + 1
+    diffraction = 10.0 * pupil.scale / (1.0 - pupil.obscuration)
+    return (
+        2 * min(math.ceil((float(pupil.geometric_radius()) + diffraction) / pixel), validation.MAX_SIDE // 2 - 1) + 1
+    )

@@ -74,11 +74,11 @@ class _Spider(Section):
     angles: Annotated[list[Angle], Field(min_length=1, max_length=MAX_VANES)] | None = None
 
     @classmethod
-    def fault(cls, given: Toml) -> str | None:
+    def fault(cls, entries: Toml) -> str | None:
         """Return the error message unless exactly one of `vanes` and `angles` is present."""
-        if ("vanes" in given) == ("angles" in given):
+        if ("vanes" in entries) == ("angles" in entries):
             return "needs vanes (their number, at equal angles) or angles: exactly one of the two"
-        return "first has no meaning with angles" if {"angles", "first"} <= set(given) else None
+        return "first has no meaning with angles" if {"angles", "first"} <= set(entries) else None
 
     def spider(self, radius: float) -> Spider:
         """Return the spider in an aperture of this radius, metres."""
@@ -116,13 +116,15 @@ class _Mask(Section):
     @classmethod
     def _file(cls, value: object, info: ValidationInfo) -> object:
         if "holds" not in info.data:
-            return value  # `holds` has an error of its own
+            return value  # the error of `holds` is reported
         entry = f"the name of a file, {', '.join(_SUFFIXES)}"
         mask = Mask(read_beside(info.context, value, entry, _read_transmission))
         if info.data["holds"] == "amplitude":
             return mask
         if mask.values.dtype.kind == "c":
-            raise ValueError('must hold real numbers with holds = "intensity", got complex ones: amplitude and phase')
+            raise ValueError(
+                'must hold real numbers with holds = "intensity", got complex numbers: amplitude and phase'
+            )
         return Mask(np.sqrt(mask.values))
 
 
@@ -202,16 +204,16 @@ class _Part(Section):
     corners: list[_Point] = Field(default_factory=list)
 
     @classmethod
-    def fault(cls, given: Toml) -> str | None:
+    def fault(cls, entries: Toml) -> str | None:
         """Return the error message for missing or superfluous keys of this type of shape."""
-        kind = given.get("type")
+        kind = entries.get("type")
         if not isinstance(kind, str) or kind not in _KEYS:
             return None
-        needed, allowed = _KEYS[kind]
-        if missing := sorted(needed - set(given)):
-            return f"a {kind} needs {', '.join(missing)}"
-        stray = sorted((set(given) & set(cls.model_fields)) - needed - allowed - {"type"})
-        return f"{', '.join(stray)} has no meaning for a {kind}" if stray else None
+        required, allowed = _KEYS[kind]
+        if missing_keys := sorted(required - set(entries)):
+            return f"a {kind} needs {', '.join(missing_keys)}"
+        extra_keys = sorted((set(entries) & set(cls.model_fields)) - required - allowed - {"type"})
+        return f"{', '.join(extra_keys)} has no meaning for a {kind}" if extra_keys else None
 
     def build(self, radius: float) -> Shape:
         """Return the shape in an aperture of this radius, metres."""
@@ -243,27 +245,29 @@ class _Segments(Section):
         return None if value is None else read_beside(info.context, value, "the name of a text file", _read_phases)
 
     @classmethod
-    def fault(cls, given: Toml) -> str | None:
+    def fault(cls, entries: Toml) -> str | None:
         """Return the error message for keys that exclude each other."""
-        if "file" in given and set(_PHASES) & set(given):
+        if "file" in entries and set(_PHASES) & set(entries):
             return "takes file or the lists piston, tip and tilt, got both"
-        stray = sorted({"gap", "middle", "angle"} & set(given))
-        return f"{', '.join(stray)} has no meaning without rings" if stray and "rings" not in given else None
+        extra_keys = sorted({"gap", "middle", "angle"} & set(entries))
+        return (
+            f"{', '.join(extra_keys)} has no meaning without rings" if extra_keys and "rings" not in entries else None
+        )
 
     def phased(self, segments: Segments) -> Segments:
         """Return segments with the phases that the section states in waves."""
         rows = self.file
-        given = (
+        phases = (
             dict(zip(_PHASES, rows.T, strict=False))
             if rows is not None
             else {name: part for name in _PHASES if (part := getattr(self, name)) is not None}
         )
-        for name, part in given.items():
+        for name, part in phases.items():
             if len(part) != len(segments.shapes):
-                what = "file" if rows is not None else name
+                key = "file" if rows is not None else name
                 message = f"must have one row for each of {len(segments.shapes)} segments, got {len(part)}"
-                raise PartsError([(("aperture", "segments", what), f"aperture.segments.{what}", message)])
-        return segments.phased(*(given.get(name, 0.0) for name in _PHASES), unit="waves")
+                raise PartsError([(("aperture", "segments", key), f"aperture.segments.{key}", message)])
+        return segments.phased(*(phases.get(name, 0.0) for name in _PHASES), unit="waves")
 
 
 _PHASES = ("piston", "tip", "tilt")
@@ -304,15 +308,15 @@ class ApertureSection(Section):
     blocked: Annotated[list[_Part], Field(min_length=1)] | None = None
 
     @classmethod
-    def fault(cls, given: Toml) -> str | None:
-        """Return the error message for parts that exclude each other."""
-        if {"ellipse", "cat_eye"} <= set(given):
+    def fault(cls, entries: Toml) -> str | None:
+        """Return the error message for entries that exclude each other."""
+        if {"ellipse", "cat_eye"} <= set(entries):
             return "must have at most one of ellipse and cat_eye, got both"
-        segments, telescope = given.get("segments"), given.get("telescope")
-        segmented = telescope in ("elt", "jwst", "keck")
-        if isinstance(segments, dict) and ("rings" not in segments) != segmented:
+        segments, telescope = entries.get("segments"), entries.get("telescope")
+        has_segments = telescope in ("elt", "jwst", "keck")
+        if isinstance(segments, dict) and ("rings" not in segments) != has_segments:
             return "segments needs rings or a telescope with segments (elt, jwst, keck): exactly one of them"
-        if telescope is not None and not segmented and segments is not None:
+        if telescope is not None and not has_segments and segments is not None:
             return f"takes one of segments and telescope, got telescope = {validation.shown(telescope)}"
         return None
 
@@ -342,18 +346,18 @@ class ApertureSection(Section):
         stop: Shape | Segments | None = None
         if self.telescope is not None:
             stop = getattr(telescopes, self.telescope)()
-        one = self.segments
-        if one is None:
+        segments = self.segments
+        if segments is None:
             return stop
-        if one.rings is not None:
-            rings, gap = one.rings, _relative(one.gap, radius)
+        if segments.rings is not None:
+            rings, gap = segments.rings, _relative(segments.gap, radius)
             stop = faults.attempt(
                 ("segments", "gap"),
                 "segments",
-                lambda: Segments.hexagonal(rings, gap, middle=one.middle, angle=one.angle),
+                lambda: Segments.hexagonal(rings, gap, middle=segments.middle, angle=segments.angle),
             )
         return (
-            faults.attempt(("segments",), "segments", lambda: one.phased(stop))
+            faults.attempt(("segments",), "segments", lambda: segments.phased(stop))
             if isinstance(stop, Segments)
             else stop
         )
@@ -365,10 +369,10 @@ class _ErrorCollector:
     def __init__(self) -> None:
         self.faults: list[tuple[tuple[str, ...], str, str]] = []
 
-    def attempt(self, keys: tuple[str, ...], name: str, make: Callable[[], _Result]) -> _Result | None:
-        """Return the result of `make`; if it raises an error, collect the error and return None."""
+    def attempt(self, keys: tuple[str, ...], name: str, compute: Callable[[], _Result]) -> _Result | None:
+        """Return the result of `compute`; if it raises an error, collect the error and return None."""
         try:
-            return make()
+            return compute()
         except PartsError as error:
             self.faults += error.faults
         except ValueError as error:
@@ -393,8 +397,8 @@ def _union(name: str, parts: list[_Part] | None, radius: float, faults: _ErrorCo
         faults.attempt((name, str(k)), f"{name}, entry {k + 1}, {part.type}", partial(build, part))
         for k, part in enumerate(parts or [])
     ]
-    valid = [shape for shape in shapes if shape is not None]
-    return reduce(or_, valid) if valid else None
+    valid_shapes = [shape for shape in shapes if shape is not None]
+    return reduce(or_, valid_shapes) if valid_shapes else None
 
 
 def _lengths(value: Any, info: ValidationInfo) -> Any:
@@ -449,13 +453,13 @@ def load_lens_ranges(path: str | PathLike[str]) -> LensRanges:
     (one value); ``[aberrations]`` spherical (C_s, radians); ``[sensor]`` pixel. Lengths are texts with a unit.
     """
     source = validation.path("path", path)
-    text, raw = toml_files.parsed(source)
+    text, entries = toml_files.parsed(source)
 
     def build(file: _RangesFile) -> LensRanges:
         ranges = file.lens.model_dump() | {"spherical": file.aberrations.spherical, "pixel": file.sensor.pixel}
         return LensRanges(**ranges)
 
-    return toml_files.built(source, raw, text, _RangesFile, build)
+    return toml_files.built(source, entries, text, _RangesFile, build)
 
 
 def _radius(value: str | float) -> str | float:
@@ -498,12 +502,12 @@ class _Lens(Section):
     apodization: Annotated[Any, BeforeValidator(_amplitude)] = 0.0
 
     @classmethod
-    def fault(cls, given: Toml) -> str | None:
+    def fault(cls, entries: Toml) -> str | None:
         """Return the error message unless one key states the aperture and at most one key states the focus."""
-        if ("f_number" in given) == ("aperture_diameter" in given):
-            got = "both" if "f_number" in given else "none"
+        if ("f_number" in entries) == ("aperture_diameter" in entries):
+            got = "both" if "f_number" in entries else "none"
             return f"give exactly one of f_number and aperture_diameter, got {got}"
-        if {"focus_distance", "sensor_distance"} <= set(given):
+        if {"focus_distance", "sensor_distance"} <= set(entries):
             return "give at most one of focus_distance and sensor_distance, got both"
         return None
 
@@ -540,9 +544,9 @@ class ShadingSection(BuiltSection):
     light: list[Number] | None = None
 
     @classmethod
-    def fault(cls, given: Toml) -> str | None:
+    def fault(cls, entries: Toml) -> str | None:
         """Return the error message unless exactly `distance`, or exactly `height` and `light`, are present."""
-        if {"distance", "height", "light"} & set(given) in ({"distance"}, {"height", "light"}):
+        if {"distance", "height", "light"} & set(entries) in ({"distance"}, {"height", "light"}):
             return None
         return "needs distance (from the exit pupil to the sensor), or height and light: one of the two"
 
@@ -585,28 +589,28 @@ class ChannelsSection(BuiltSection):
     @field_validator("file")
     @classmethod
     def _file(cls, value: object, info: ValidationInfo) -> Any:
-        given = info.data
-        if value is None or not {"filters", "illuminant", "tol", "paths"} <= given.keys():
+        entries = info.data
+        if value is None or not {"filters", "illuminant", "tol", "paths"} <= entries.keys():
             return value  # the other keys have errors, which are reported
 
-        def beside(name: str) -> Path:
+        def path_of(name: str) -> Path:
             return read_beside(info.context, name, _CSV, lambda path: path)
 
-        light = given["illuminant"] and beside(given["illuminant"])
-        more = {"illuminant": light, "tol": given["tol"], "paths": given["paths"]}
-        read = partial(load_channels, filters=[beside(name) for name in given["filters"]], **more)
-        return read_beside(info.context, value, _CSV, read)
+        illuminant = entries["illuminant"] and path_of(entries["illuminant"])
+        settings = {"illuminant": illuminant, "tol": entries["tol"], "paths": entries["paths"]}
+        read_channels = partial(load_channels, filters=[path_of(name) for name in entries["filters"]], **settings)
+        return read_beside(info.context, value, _CSV, read_channels)
 
     @classmethod
-    def fault(cls, given: Toml) -> str | None:
-        """Return the error message unless either `file` or `wavelengths` is present, and no option of the other."""
-        if ("file" in given) == ("wavelengths" in given):
+    def fault(cls, entries: Toml) -> str | None:
+        """Return the error message unless exactly one of `file` and `wavelengths` is present, with its options."""
+        if ("file" in entries) == ("wavelengths" in entries):
             return "needs file (a table of the sensor) or wavelengths: exactly one of the two"
-        way, excluded = "file", {"weights"}
-        if "wavelengths" in given:
-            way, excluded = "wavelengths", {"filters", "illuminant", "tol", "paths"}
-        stray = sorted(excluded & set(given))
-        return f"{', '.join(stray)} has no meaning with {way}" if stray else None
+        source, excluded = "file", {"weights"}
+        if "wavelengths" in entries:
+            source, excluded = "wavelengths", {"filters", "illuminant", "tol", "paths"}
+        extra_keys = sorted(excluded & set(entries))
+        return f"{', '.join(extra_keys)} has no meaning with {source}" if extra_keys else None
 
     def build(self) -> Channels:
         """Return the channels."""
@@ -665,17 +669,17 @@ class _Field(_Seidel):
         return read_beside(info.context, value, "the name of a CSV file", read)
 
     @classmethod
-    def fault(cls, given: Toml) -> str | None:
+    def fault(cls, entries: Toml) -> str | None:
         """Return the error message unless the keys describe the field in exactly one way."""
         seidel, of_tables = ", ".join(_SEIDEL), {"order", "unit", "normalization", "direction"}
-        # The ways to describe the field, and the keys that each excludes.
-        ways = {"rows": {"edge"}, "file": {"edge", "columns"}, seidel: {"columns", *of_tables}}
-        present = [way for way in ways if set(given) & set(way.split(", "))]
-        if len(present) != 1:
-            got = " and ".join(present) or "none"
+        # The descriptions of the field, and the keys that each description excludes.
+        excluded_keys = {"rows": {"edge"}, "file": {"edge", "columns"}, seidel: {"columns", *of_tables}}
+        sources = [source for source in excluded_keys if set(entries) & set(source.split(", "))]
+        if len(sources) != 1:
+            got = " and ".join(sources) or "none"
             return f"needs Seidel coefficients ({seidel}), rows, or file: one of them, got {got}"
-        stray = sorted(ways[present[0]] & set(given))
-        return f"{', '.join(stray)} has no meaning with {present[0]}" if stray else None
+        extra_keys = sorted(excluded_keys[sources[0]] & set(entries))
+        return f"{', '.join(extra_keys)} has no meaning with {sources[0]}" if extra_keys else None
 
     def map(self, pupil: Pupil) -> FieldMap:
         """Return the field map, with the aperture and the scale of `pupil`."""
@@ -725,7 +729,7 @@ def load_instrument(path: str | PathLike[str], *, folder_only: bool = False) -> 
     length, the rms of balanced primary spherical aberration over the annulus); W131, W222, W220, W311 (waves at the
     edge of the field) with field, a pair [x, y] relative to the edge of the field. ``[aberrations.zernike]`` has
     either order, unit, normalization and terms as in :func:`lommel.load_zernike`, or file, the name of such a table.
-    Its wavelength is by default that of the lens, but a file in waves or radians must state its wavelength. All
+    Its wavelength is by default the wavelength of the lens, but a file in waves or radians must state it. All
     aberrations are added.
 
     ``[object]``: distance (default: the focus distance). ``[sensor]``: either camera (the name of an example or of a
@@ -749,8 +753,8 @@ def load_instrument(path: str | PathLike[str], *, folder_only: bool = False) -> 
     radius.
 
     ``[field]``: sensor, the height and width of the whole sensor, and one of three descriptions of field-dependent
-    aberrations, which are added to those of the lens: Seidel coefficients W131, W222, W220, W311 in waves at the edge
-    of the field (edge, by default half the diagonal); columns and rows, a table of Zernike coefficients
+    aberrations, which are added to the lens aberrations: Seidel coefficients W131, W222, W220, W311 in waves at the
+    edge of the field (edge, by default half the diagonal); columns and rows, a table of Zernike coefficients
     (:func:`lommel.lensfiles.tables.read_rows`); or file, a CSV file with such a table. Options of tables are order
     ("noll", "ansi", "fringe"), unit ("waves", "radians", "metres"), normalization ("rms", "edge") and direction ("x"
     or "y", the axis of image heights). ``[field.vignetting]`` has height, shift and radius of
@@ -784,31 +788,31 @@ def load_instrument(path: str | PathLike[str], *, folder_only: bool = False) -> 
         If the file cannot be read.
     """
     source = validation.path("path", path)
-    text, raw = toml_files.parsed(source)
-    if "objective" in raw and "lens" not in raw:
+    text, entries = toml_files.parsed(source)
+    if "objective" in entries and "lens" not in entries:
         raise LensFileError(
             f"{validation.line(source)}: describes a microscope, [objective], not a lens: use lommel.load_microscope "
             "or one of the commands info, psf, beads and localize"
         )
     context: Context = {"folder": source.parent, "folder_only": validation.truth("folder_only", folder_only)}
-    table, errors = camera_files.read_zernike(raw, text, context)
-    make = partial(_instrument, table=table, stem=source.stem)
-    return toml_files.built(source, raw, text, _File, make, context=context, found=tuple(errors))
+    table, errors = camera_files.read_zernike(entries, text, context)
+    build = partial(_instrument, table=table, stem=source.stem)
+    return toml_files.built(source, entries, text, _File, build, context=context, earlier_errors=tuple(errors))
 
 
 def _instrument(file: _File, *, table: ZernikeTable | None, stem: str) -> Instrument:
     """Return the instrument of a validated file; `stem` is its default name."""
     wavelength = file.lens.wavelength
-    a = file.aberrations
-    # Convert the rms of balanced spherical aberration from a path length to radians.
-    rms = 2.0 * math.pi * a.spherical_rms / wavelength
-    seidel = a.model_dump(exclude={"defocus", "spherical", "spherical_rms", "zernike"})
-    aberrations = Wavefront(a.defocus, a.spherical) + Wavefront.from_seidel(**seidel)
+    terms = file.aberrations
+    # Rms of balanced spherical aberration, converted from a path length to radians.
+    rms = 2.0 * math.pi * terms.spherical_rms / wavelength
+    seidel = terms.model_dump(exclude={"defocus", "spherical", "spherical_rms", "zernike"})
+    aberrations = Wavefront(terms.defocus, terms.spherical) + Wavefront.from_seidel(**seidel)
     aberrations += Wavefront.balanced_spherical(rms, file.lens.obscuration)
     if table is not None:
         aberrations += camera_files.wavefront_of(table, wavelength)
     options: Toml = dict(file.lens) | {"colour": file.colour and file.colour.build()}
-    # Lens() warns of an f-number with a focal length of several metres; it accepts any diameter without a warning.
+    # Lens() warns if an f-number is given with a focal length of several metres, but not if a diameter is given.
     diameter = aperture(file.lens.focal_length, options.pop("f_number"), options.pop("aperture_diameter"))
     options["aperture_diameter"] = diameter
     radius = 0.5 * Lens(**options).aperture_diameter

@@ -121,34 +121,40 @@ class Microscope:
     def __repr__(self) -> str:
         planes = f", {self.planes} planes {format_length(abs(self.step))} apart" if self.planes > 1 else ""
         lens = f"NA {self.objective.NA:g}, {self.objective.magnification:g}x"
-        light = f"{of_emitter(self.emitter)} at {format_length(self.depth)}, {format_length(self.wavelength)}"
-        return f"<Microscope {self.name!r}: {lens}, {light}, pixels of {format_length(self.pixel)}{planes}>"
+        emission = f"{of_emitter(self.emitter)} at {format_length(self.depth)}, {format_length(self.wavelength)}"
+        return f"<Microscope {self.name!r}: {lens}, {emission}, pixels of {format_length(self.pixel)}{planes}>"
 
     def _repr_html_(self) -> str:
-        one, words = self.objective, length_in_words
-        nyquist = one.nyquist(wavelength=self.wavelength)
-        layer = one.coverslip
-        glass = "none" if layer is None else f"{words(layer.thickness)} of index {layer.index:.4g}"
-        planes = f"{self.planes}, {words(abs(self.step))} apart" if self.planes > 1 else "1"
+        objective, text = self.objective, length_in_words
+        nyquist = objective.nyquist(wavelength=self.wavelength)
+        layer = objective.coverslip
+        glass = "none" if layer is None else f"{text(layer.thickness)} of index {layer.index:.4g}"
+        planes = f"{self.planes}, {text(abs(self.step))} apart" if self.planes > 1 else "1"
         terms = {} if self.aberrations is None else self.aberrations.to_zernike(unit="waves")
-        measured = math.hypot(*map(float, terms.values()))
+        rms = math.hypot(*map(float, terms.values()))
         rows: list[notebook.Row] = [
-            ("objective", f"NA {one.NA:.4g}, {one.magnification:.4g}x, immersion {one.immersion:.4g}"),
+            (
+                "objective",
+                f"NA {objective.NA:.4g}, {objective.magnification:.4g}x, immersion {objective.immersion:.4g}",
+            ),
             ("cover glass", glass),
-            ("sample", f"index {one.sample:.4g}"),
-            ("emitter", f"{notebook.emitter(self.emitter)}, {words(self.depth)} deep"),
-            ("wavelength", words(self.wavelength)),
-            ("aberrations", f"{measured:.4g} waves rms" if measured else None),
-            ("pixels", f"{words(self.pixel / one.magnification)} in the sample ({words(self.pixel)} on the camera)"),
+            ("sample", f"index {objective.sample:.4g}"),
+            ("emitter", f"{notebook.emitter(self.emitter)}, {text(self.depth)} deep"),
+            ("wavelength", text(self.wavelength)),
+            ("aberrations", f"{rms:.4g} waves rms" if rms else None),
+            (
+                "pixels",
+                f"{text(self.pixel / objective.magnification)} in the sample ({text(self.pixel)} on the camera)",
+            ),
             ("planes", planes),
-            ("Nyquist sampling", f"{words(nyquist.lateral)} in the sample, {words(nyquist.axial)} of the stage"),
+            ("Nyquist sampling", f"{text(nyquist.lateral)} in the sample, {text(nyquist.axial)} of the stage"),
             ("source", self.source or None),
         ]
 
         def image() -> PSF:
             height, width = self.window
-            middle = min(height, _NOTEBOOK_SIDE), min(width, _NOTEBOOK_SIDE)
-            return psf(replace(self, planes=1).pupil(), middle, self.pixel, integrate=self.integrate)
+            shape = min(height, _NOTEBOOK_SIDE), min(width, _NOTEBOOK_SIDE)
+            return psf(replace(self, planes=1).pupil(), shape, self.pixel, integrate=self.integrate)
 
         return notebook.device(f"Microscope: {self.name}", rows, image)
 
@@ -163,7 +169,7 @@ class Microscope:
         Returns
         -------
         Microscope
-            Copy with the fitted objective, wavelength, pixel, aberrations and standard errors; all else is unchanged.
+            Copy with the fitted objective, wavelength, pixel, aberrations and standard errors, otherwise unchanged.
         """
         errors: dict[str, float] = {}
         for name, error in found.errors.items():
@@ -298,9 +304,9 @@ class _Emission(BuiltSection):
     beam: _Beam | None = None
 
     @classmethod
-    def fault(cls, given: Toml) -> str | None:
+    def fault(cls, entries: Toml) -> str | None:
         """Return an error message if the section has more than one of the keys emitter, dipole and beam."""
-        kinds = sorted({"emitter", "dipole", "beam"} & set(given))
+        kinds = sorted({"emitter", "dipole", "beam"} & set(entries))
         return f"takes one of emitter, dipole and beam, got {' and '.join(kinds)}" if len(kinds) > 1 else None
 
     def build(self) -> Emitter:
@@ -335,11 +341,11 @@ class _File(Section):
     sensor: Sensor
 
     @classmethod
-    def fault(cls, given: Toml) -> str | None:
+    def fault(cls, entries: Toml) -> str | None:
         """Return an error message if a section [coverslip] contradicts the key "dipping" of the objective."""
-        objective = given.get("objective")
+        objective = entries.get("objective")
         dipping = objective.get("dipping", False) if isinstance(objective, dict) else False
-        if dipping is not ("coverslip" in given):
+        if dipping is not ("coverslip" in entries):
             return None  # also if `dipping` is not a boolean, which pydantic reports
         if dipping:
             return "[coverslip] must be left out for an objective that dips into the sample, dipping = true"
@@ -438,8 +444,8 @@ def _value(value: object) -> str:
 
 def describes_microscope(path: str | PathLike[str]) -> bool:
     """Return True if a file describes a microscope: it has a section [objective] and no section [lens]."""
-    _, raw = toml_files.parsed(validation.path("path", path))
-    return "objective" in raw and "lens" not in raw
+    _, entries = toml_files.parsed(validation.path("path", path))
+    return "objective" in entries and "lens" not in entries
 
 
 def load_microscope(path: str | PathLike[str], *, folder_only: bool = False) -> Microscope:
@@ -490,16 +496,16 @@ def load_microscope(path: str | PathLike[str], *, folder_only: bool = False) -> 
     >>> psf = lm.psf(microscope.pupil(), microscope.window, microscope.pixel)  # doctest: +SKIP
     """
     source = validation.path("path", path)
-    text, raw = toml_files.parsed(source)
-    if "lens" in raw and "objective" not in raw:
+    text, entries = toml_files.parsed(source)
+    if "lens" in entries and "objective" not in entries:
         raise LensFileError(
             f"{validation.line(source)}: describes a lens (section [lens]), not a microscope; read it with "
             "lommel.load_instrument"
         )
     context: Context = {"folder": source.parent, "folder_only": validation.truth("folder_only", folder_only)}
-    table, found = camera_files.read_zernike(raw, text, context)
-    make = partial(_microscope, table=table, stem=source.stem)
-    return toml_files.built(source, raw, text, _File, make, context=context, found=tuple(found))
+    table, errors = camera_files.read_zernike(entries, text, context)
+    build = partial(_microscope, table=table, stem=source.stem)
+    return toml_files.built(source, entries, text, _File, build, context=context, earlier_errors=tuple(errors))
 
 
 def _microscope(file: _File, *, table: ZernikeTable | None, stem: str) -> Microscope:
@@ -508,9 +514,9 @@ def _microscope(file: _File, *, table: ZernikeTable | None, stem: str) -> Micros
         glass = file.design.coverslip
         immersion = file.objective.immersion if file.design.immersion is None else file.design.immersion
         design = Design(immersion, coverslip if glass is None else glass.build())
-    given: Toml = {name: value for name, value in file.objective if name != "dipping"}
+    entries: Toml = {name: value for name, value in file.objective if name != "dipping"}
     films = [film.build() for film in file.films]
-    objective = Objective(**given, coverslip=coverslip, sample=file.sample.index, films=films, design=design)
+    objective = Objective(**entries, coverslip=coverslip, sample=file.sample.index, films=films, design=design)
     stack = dict(file.stack) if file.stack is not None else {}
     microscope = Microscope(
         stem if file.name is None else file.name,

@@ -27,7 +27,7 @@ _MAX_COLUMNS = 1000  # largest number of columns of a field table; there are few
 _PATH = str | PathLike[str]
 _HEAD = re.compile(r"(?:wavelengths?|wave|lambda|wl|λ)?[\s_(\[]*([^\s_()\[\]]+)[\s)\]]*", re.IGNORECASE)
 _PERCENT = re.compile(r"(.*?)[\s_(\[]*(?:%|percent|per cent)[\s)\]]*", re.IGNORECASE)
-_SHORTEST, _LONGEST = 1e-7, 2e-5  # range of wavelengths, metres; others are probably in a wrong unit
+_SHORTEST, _LONGEST = 1e-7, 2e-5  # range of wavelengths, metres; other wavelengths are probably in a wrong unit
 _MAX_POINTS = 200_000  # number of wavelengths above which curves are not refined further
 _MIN_RELATIVE = -0.01  # least (value / largest value) that counts as 0: dark measurements may be negative
 
@@ -64,7 +64,7 @@ class FieldTable:
             )
         if not isinstance(self.terms, dict) or not self.terms:
             raise TypeError(f"terms must be a dict of indices to coefficients, got {validation.shown(self.terms)}")
-        columns = [validation.real_array(f"positions[{name!r}]", at) for name, at in self.positions.items()]
+        columns = [validation.real_array(f"positions[{name!r}]", values) for name, values in self.positions.items()]
         for index, values in self.terms.items():
             zernike.term(index, self.order)
             columns.append(validation.real_array(f"terms[{validation.shown(index)}]", values))
@@ -108,13 +108,13 @@ class FieldTable:
             azimuth = 0.0 if direction == "x" else 0.5 * math.pi
             return FieldMap.radial(self.positions["height"], wavefront, azimuth=azimuth, aperture=aperture)
         x, y = (np.array(self.positions[name]) for name in ("x", "y"))
-        across, down = np.unique(x), np.unique(y)
+        columns, rows = np.unique(x), np.unique(y)
         order = np.lexsort((x, y))
-        grid = np.meshgrid(across, down)
+        grid = np.meshgrid(columns, rows)
         # Bicubic splines need at least four points along each axis.
-        full = min(across.size, down.size) >= 4 and x.size == grid[0].size
-        if full and (x[order] == grid[0].ravel()).all() and (y[order] == grid[1].ravel()).all():
-            return FieldMap.on_grid(across, down, wavefront[order.reshape(grid[0].shape)], aperture=aperture)
+        is_full = min(columns.size, rows.size) >= 4 and x.size == grid[0].size
+        if is_full and (x[order] == grid[0].ravel()).all() and (y[order] == grid[1].ravel()).all():
+            return FieldMap.on_grid(columns, rows, wavefront[order.reshape(grid[0].shape)], aperture=aperture)
         return FieldMap.scattered(x, y, wavefront, aperture=aperture)
 
 
@@ -204,12 +204,12 @@ def _table(
         raise ValueError(f"there must be at most {_MAX_COLUMNS} columns, got {len(columns)}")
     for name in columns[len(places) :]:
         try:
-            if not (found := re.fullmatch(r"Z(\d{1,5})", name)):
+            if not (match := re.fullmatch(r"Z(\d{1,5})", name)):
                 raise ValueError(f"column {validation.shown(name)} must be a Zernike index such as Z4")
-            zernike.term(int(found[1]), order)
-            if int(found[1]) in indices:
+            zernike.term(int(match[1]), order)
+            if int(match[1]) in indices:
                 raise ValueError(f"column {name} occurs twice")
-            indices.append(int(found[1]))
+            indices.append(int(match[1]))
         except ValueError as error:
             errors.append(str(error))
     if len(columns) == len(places):
@@ -229,7 +229,7 @@ def _numbers(
     row_name: str,
     errors: list[str],
 ) -> list[array[float]]:
-    """Return the numbers in each column of numbered rows; ValueError for previous `errors` and errors of cells."""
+    """Return the numbers in each column of numbered rows; ValueError for earlier `errors` and errors of cells."""
     # Compact arrays need a thirtieth of the memory of Python numbers.
     numbers, number = [array("d") for _ in columns], 0
     for number, row in rows:
@@ -340,36 +340,37 @@ def load_channels(
         unit = validation.choice("unit", unit, LENGTHS)
     names, waves, curves = _curves(path, unit)
     tables = [(waves, curves)]
-    single = [filters] if isinstance(filters, str | PathLike) else list(filters)
-    for other in [*single, *([] if illuminant is None else [illuminant])]:
-        columns, at, values = _curves(other, unit)
+    filter_paths = [filters] if isinstance(filters, str | PathLike) else list(filters)
+    for factor_path in [*filter_paths, *([] if illuminant is None else [illuminant])]:
+        columns, table_waves, values = _curves(factor_path, unit)
         if len(columns) != 1:
             raise ValueError(
-                f"{validation.line(other)} must have one column besides the wavelength, got {', '.join(columns)}"
+                f"{validation.line(factor_path)} must have one column besides the wavelength, got "
+                f"{', '.join(columns)}"
             )
-        tables.append((at, values))
-    low, high = max(at[0] for at, _ in tables), min(at[-1] for at, _ in tables)
+        tables.append((table_waves, values))
+    low, high = max(waves[0] for waves, _ in tables), min(waves[-1] for waves, _ in tables)
     if not low < high:
-        spans = ", ".join(f"{at[0] * 1e9:g} to {at[-1] * 1e9:g} nm" for at, _ in tables)
+        spans = ", ".join(f"{waves[0] * 1e9:g} to {waves[-1] * 1e9:g} nm" for waves, _ in tables)
         raise ValueError(f"tables must have wavelengths in common, got {spans}")
-    wavelengths = np.unique(np.concatenate([at for at, _ in tables]))
+    wavelengths = np.unique(np.concatenate([waves for waves, _ in tables]))
     wavelengths = wavelengths[(wavelengths >= low) & (wavelengths <= high)]
-    # Equal wavelengths in different units differ by rounding errors: one of them is kept.
+    # Equal wavelengths in different units differ by rounding errors: only one is kept.
     wavelengths = wavelengths[np.append(True, np.diff(wavelengths) > 1e-9 * high)]
     longest = wavelengths[-1]
 
-    def product_at(at: Array) -> Array:
-        product = np.ones((len(names), at.size)) * (at / longest) ** power
+    def product_at(wavelengths: Array) -> Array:
+        product = np.ones((len(names), wavelengths.size)) * (wavelengths / longest) ** power
         for waves, values in tables:
-            product *= np.stack([np.interp(at, waves, row) for row in values])
+            product *= np.stack([np.interp(wavelengths, waves, row) for row in values])
         return np.asarray(product)
 
     product, product_error = product_at(wavelengths), 0.0
     if len(tables) > 1 or power:
         wavelengths, product, product_error = _refined(product_at, wavelengths, 0.1 * tol)
-    dark = [name for name, row in zip(names, product, strict=True) if not row.max() > 0.0]
-    if dark:
-        raise ValueError(f"{validation.line(path)}: channels must have light, got none for {', '.join(dark)}")
+    empty = [name for name, row in zip(names, product, strict=True) if not row.max() > 0.0]
+    if empty:
+        raise ValueError(f"{validation.line(path)}: channels must have light, got none for {', '.join(empty)}")
     try:
         channels = Channels.from_curves(wavelengths, product, names, tol=max(tol - product_error, 1e-6), paths=paths)
         if channels.error + product_error > tol:
@@ -380,23 +381,23 @@ def load_channels(
         raise ValueError(f"{validation.line(path)}: {reading.reason(error)}") from None
 
 
-def _refined(curves: Callable[[Array], Array], at: Array, allowed: float) -> tuple[Array, Array, float]:
+def _refined(curves: Callable[[Array], Array], points: Array, max_error: float) -> tuple[Array, Array, float]:
     """Return points between which curves are nearly straight, values there, and an estimate of the relative error.
 
-    The error is that of an image computed from straight lines between the points. Refinement stops when it is at most
-    `allowed`.
+    It is the error of an image computed from straight lines between the points. Refinement stops when the error is at
+    most `max_error`.
     """
     while True:
-        middle = 0.5 * (at[1:] + at[:-1])
-        values, step = curves(at), np.diff(at)
+        middle = 0.5 * (points[1:] + points[:-1])
+        values, step = curves(points), np.diff(points)
         # The deviation at the middle is used for the whole step; for a parabola, the mean deviation is 2/3 of it.
         deviation = (np.abs(curves(middle) - 0.5 * (values[:, 1:] + values[:, :-1])) * step).sum(axis=1)
-        light = np.maximum(np.trapezoid(values, at, axis=1), 1e-300)
+        light = np.maximum(np.trapezoid(values, points, axis=1), 1e-300)
         error = float((deviation / light).max()) if values.max(axis=1).all() else 0.0
-        # The error counts twice: in the image, and in the light by which the image is divided.
-        if 2.0 * error <= allowed or at.size > _MAX_POINTS:
-            return at, values, 2.0 * error
-        at = np.sort(np.concatenate([at, middle]))
+        # The error counts twice: in the image, and in the light by which it is divided.
+        if 2.0 * error <= max_error or points.size > _MAX_POINTS:
+            return points, values, 2.0 * error
+        points = np.sort(np.concatenate([points, middle]))
 
 
 def _curves(path: _PATH, unit: str | None = None) -> tuple[list[str], Array, Array]:
@@ -432,7 +433,7 @@ def _blank_separated_table(text: str, name: str, unit: str | None) -> tuple[list
         return _spectral_table(iter(lines))  # the first line has names
     count = len(lines[0][1]) - 1
     names = [name] if count == 1 else [str(k + 1) for k in range(count)]
-    return _spectral_table(iter([(0, [_required(unit), *names]), *lines]))
+    return _spectral_table(iter([(0, [_stated_unit(unit), *names]), *lines]))
 
 
 def _fits_table(columns: list[tuple[str, str, Array]], unit: str | None) -> tuple[list[str], Array, Array]:
@@ -441,12 +442,12 @@ def _fits_table(columns: list[tuple[str, str, Array]], unit: str | None) -> tupl
         raise ValueError(f"must have at least two numeric columns, for wavelength and values, got {len(columns)}")
     tunit = columns[0][1].lower().rstrip("s")
     tunit = {"micron": "um", "a": "angstrom", "ang": "angstrom"}.get(tunit, tunit)
-    head = [tunit if tunit in LENGTHS else _required(unit), *(name for name, _, _ in columns[1:])]
+    head = [tunit if tunit in LENGTHS else _stated_unit(unit), *(name for name, _, _ in columns[1:])]
     rows = zip(*(values for _, _, values in columns), strict=True)
     return _spectral_table(iter([(0, head), *((k, [repr(float(x)) for x in row]) for k, row in enumerate(rows, 1))]))
 
 
-def _required(unit: str | None) -> str:
+def _stated_unit(unit: str | None) -> str:
     if unit is None:
         raise ValueError('states no unit of wavelengths; pass unit="nm" or "angstrom"')
     return unit
@@ -472,8 +473,8 @@ def _spectral_table(rows: Iterator[tuple[int, list[str]]]) -> tuple[list[str], A
         raise ValueError(f"must have at least two wavelengths, got {len(table)}")
     table = table[np.argsort(table[:, 0], kind="stable")]
     waves, curves = table[:, 0] * LENGTHS[unit[1].lower()], np.ascontiguousarray(table[:, 1:].T)
-    if equal := np.flatnonzero(np.diff(waves) <= 0.0).tolist():
-        raise ValueError(f"wavelength {table[equal[0], 0]:g} {unit[1]} occurs twice")
+    if repeated := np.flatnonzero(np.diff(waves) <= 0.0).tolist():
+        raise ValueError(f"wavelength {table[repeated[0], 0]:g} {unit[1]} occurs twice")
     for metres, number in ((waves[0], table[0, 0]), (waves[-1], table[-1, 0])):
         if not _SHORTEST * (1.0 - 1e-9) <= metres <= _LONGEST * (1.0 + 1e-9):
             raise ValueError(f"wavelengths must be from 100 nm to 20 um, got {number:g} {unit[1]}")

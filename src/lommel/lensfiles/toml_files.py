@@ -98,13 +98,13 @@ def pitch(value: str | float | list[str | float]) -> float | tuple[float, float]
     return validation.pitch("pixel", lengths if isinstance(value, list) else lengths[0])
 
 
-def read_beside(context: Context | None, name: object, what: str, read: Callable[[Path], _Read]) -> _Read:
+def read_beside(context: Context | None, name: object, description: str, read: Callable[[Path], _Read]) -> _Read:
     """Read a file that a lens file names; ValueError if it cannot be read or is outside the allowed folder.
 
-    `what` describes a valid entry in the error message for an entry that is not a text, such as "the name of a mask".
+    `description`, such as "the name of a mask", is the valid entry in the error message for other types.
     """
     if not isinstance(name, str):
-        raise ValueError(f"must be {what}, got {shown(name)}")
+        raise ValueError(f"must be {description}, got {shown(name)}")
     options = context or {}
     folder = options.get("folder", Path())
     path = folder / name
@@ -122,7 +122,7 @@ class Section(BaseModel):
     model_config = ConfigDict(extra="forbid", frozen=True)
 
     @classmethod
-    def fault(cls, given: Toml) -> str | None:  # noqa: ARG003 (used by overriding methods)
+    def fault(cls, entries: Toml) -> str | None:  # noqa: ARG003 (used by overriding methods)
         """Return the error message for a wrong combination of keys, None if the combination is valid."""
         return None
 
@@ -143,8 +143,10 @@ class Section(BaseModel):
                 raise
             details = error.errors(include_url=False)
             faults = [
-                InitErrorDetails(type=one["type"], loc=one["loc"], input=one["input"], ctx=one.get("ctx", {}))
-                for one in details
+                InitErrorDetails(
+                    type=detail["type"], loc=detail["loc"], input=detail["input"], ctx=detail.get("ctx", {})
+                )
+                for detail in details
             ] + faults
         if faults:
             raise ValidationError.from_exception_data(cls.__name__, faults)
@@ -194,21 +196,21 @@ def parsed(source: Path) -> tuple[str, Toml]:
 
 def built(
     source: Path,
-    raw: Toml,
+    entries: Toml,
     text: str,
     model: type[_Model],
-    make: Callable[[_Model], _Result],
+    build: Callable[[_Model], _Result],
     *,
     context: Context | None = None,
-    found: tuple[str, ...] = (),
+    earlier_errors: tuple[str, ...] = (),
 ) -> _Result:
-    """Return the object ``make(validated file)``; LensFileError with all errors, including earlier errors `found`."""
-    errors = list(found)
+    """Return the object ``build(validated file)``; LensFileError with all errors, including `earlier_errors`."""
+    errors = list(earlier_errors)
     try:
-        file = model.model_validate(raw, context=context)
-        # Overflows caused by numbers of a file are errors, not warnings.
+        file = model.model_validate(entries, context=context)
+        # Overflows due to numbers in the file are errors, not warnings.
         with np.errstate(over="raise", divide="raise", invalid="raise"):
-            result = make(file)  # also after earlier errors, to report the errors of make() too
+            result = build(file)  # also after earlier errors, to report the errors of build(), too
         if not errors:
             return result
     except ValidationError as error:

@@ -42,28 +42,31 @@ _MOLECULES = 1000  # number of molecules for the tests of noise, background and 
 _MIN_FRAMES, _RECURRING = 20, 0.3  # shortest movie for the test of recurring spots; fraction of frames with the spot
 _WIDEST, _PER_UNIT = 50, 100  # histogram of discrepancies: largest value, and number of bins per unit
 # Smallest plausible (pixel in the sample) / (Nyquist pixel): a smaller pixel was divided by the magnification twice.
-_FINE = 0.1
-_DARK = 0.75  # largest fraction of counts below the offset; without light it is one half
+_MIN_NYQUIST_RATIO = 0.1
+_MAX_DARK = 0.75  # largest fraction of counts below the offset; without light it is one half
 _DISCREPANT, _MISFIT = 0.3, 1.0  # median discrepancy above which fits are in doubt, and in error; no PSF is perfect
-# Fractions of doubtful molecules: the largest due to chance, and that above which results are in doubt.
+# Fractions of doubtful molecules: the largest due to chance, and the fraction above which results are in doubt.
 _BY_CHANCE, _CROWDED = 0.01, 0.05
-_MANY = 0.1  # largest fraction of spots at an end of the range of z
+_MAX_AT_ENDS = 0.1  # largest fraction of spots at an end of the range of z
 _MIN_COMPARED = 10  # smallest number of molecules from which the standard deviation of the gain is estimated
-_DEEPER = 0.4e-6  # change of the depth in focus for a rival, metres
+_DEPTH_CHANGE = 0.4e-6  # change of the depth in focus for a rival, metres
 # Changes of the images that are tested: Zernike terms of the expected size _TERM (radians rms), and errors of the
-# expected sizes _CONSTANTS. _TESTED is the number of molecules for these tests.
+# expected sizes _CONSTANTS. _TEST_MOLECULES is the number of molecules for these tests.
 _TERMS = (*((n, m) for n in (2, 3, 4) for m in range(-n, n + 1, 2) if (n, m) != (2, 0)), (6, 0))
-_TERM, _TESTED = 0.1, 300
+_TERM, _TEST_MOLECULES = 0.1, 300
 _CONSTANTS = {"depth": 0.2e-6, "sample": 0.02, "immersion": 2e-3, "NA": 0.02, "wavelength": 0.02}
 _UNITS = {"depth": " m", "wavelength": " of it"}
-_STEP, _STATED = 0.05, 0.5  # fractions of these sizes: step of differences; largest error of a constant in a message
+_STEP, _MAX_STATED = (
+    0.05,
+    0.5,
+)  # fractions of these sizes: step of differences; largest error of a constant in a message
 _BIASES, _MICRON = ("row", "column", "z", "photons"), 1e-6
 _PHASE_STEP = 1.0  # phase difference between neighbouring planes of the changes, radians
 _SUBPIXELS = 3  # samples along each side of a pixel
 _MIN_GAIN_RATIO = 1.5  # (gain of changes) / (gain of rivals) above which rivals are not reported
 _BIASED = 0.5  # rms bias, in standard errors, above which estimates are in doubt
 # Effects that images of single molecules do not reveal.
-_UNTESTED = (
+_NOT_TESTABLE = (
     "light that is uneven across the pupil, or clipped on one side (moves molecules sideways in proportion to z)",
     "molecules that do not rotate freely, or move during an exposure",
     "drift of the focus",
@@ -88,7 +91,7 @@ class Checks:
         self._compared = 0
         self._changes = TableTest(table, refit.keywords["threads"])
         pupil, pixel = table.pupil, recording.pixel
-        if (finest := pupil.wavelength / (4.0 * pupil.layers.NA)) * _FINE > pixel:
+        if (finest := pupil.wavelength / (4.0 * pupil.layers.NA)) * _MIN_NYQUIST_RATIO > pixel:
             text = (
                 f"a pixel is {format_length(pixel, digits=3)} in the sample, far below the Nyquist pixel, "
                 f"{format_length(finest, digits=3)}: `pixel` is the pitch on the camera, not in the sample"
@@ -108,32 +111,32 @@ class Checks:
     def first(self, counts: Counts) -> None:
         """Check the counts of the first block."""
         # Without light, read noise puts half of the counts below the offset.
-        dark = float(np.mean(counts.values < self._noise.offset))
-        if dark > _DARK:
-            text = f"{percent(dark)} of the counts of the first frames are below the offset: check `offset`"
-            self._add_once("below_offset", "doubt", text, share=dark)
+        dark_fraction = float(np.mean(counts.values < self._noise.offset))
+        if dark_fraction > _MAX_DARK:
+            text = f"{percent(dark_fraction)} of the counts of the first frames are below the offset: check `offset`"
+            self._add_once("below_offset", "doubt", text, share=dark_fraction)
         if words := flat_tops([counts], self._noise, "movie"):
             self._add_once("flat_top", "note", words)
         if counts.assumed:
             self._add_once("saturation_assumed", "note", counts.assumed)
 
-    def tilt(self, spots: Spots, found: Molecules, *, fitted: bool) -> float:
+    def tilt(self, spots: Spots, molecules: Molecules, *, fitted: bool) -> float:
         """Test the wavefront of the table and, unless slopes of the background were `fitted`, slopes and noise.
 
         Return the significance of the slope in standard deviations, or 0 if slopes were fitted.
         """
         if fitted and self._changes.done:
             return 0.0
-        score = scored(spots, found, self._table, self._noise, self._changes.images)
+        score = scored(spots, molecules, self._table, self._noise, self._changes.images)
         if score is None:
             return 0.0
         sizes = self._changes.add(score)
         if fitted:
             return 0.0
         score = score.without_changes(sizes)
-        if sum(len(one) for one, _, _ in self._residuals) < _MOLECULES:
+        if sum(len(residual) for residual, _, _ in self._residuals) < _MOLECULES:
             self._residuals.append((score.residual, score.mean, score.read))
-            residual, mean, read = (np.concatenate(each) for each in zip(*self._residuals, strict=True))
+            residual, mean, read = (np.concatenate(arrays) for arrays in zip(*self._residuals, strict=True))
             self._excess = excess_test(residual, mean, read).findings(self._noise.excess)
         sigmas, slope, error = score.tilt((self._recording.rows, self._recording.columns))
         if sigmas > TILTED:
@@ -151,29 +154,29 @@ class Checks:
 
     def compare(self, spots: Spots, background: str) -> None:
         """Compare fits of the first molecules with fits by rivals; `background` is "flat" or "tilted"."""
-        first = slice(_MOLECULES - self._compared)
+        part = slice(_MOLECULES - self._compared)
         if not self._rivals or self._compared >= _MOLECULES or not len(spots):
             return
         self._compared += len(spots)
-        refit = partial(self._refit, images=spots.images[first], corners=spots.corners[first], background=background)
+        refit = partial(self._refit, images=spots.images[part], corners=spots.corners[part], background=background)
         fits = refit(self._table)
         for name, table in self._rivals.items():
             rival = refit(table)
             # Images of crowded molecules, which have large discrepancies, are no test of the PSF.
-            both = fits.converged & rival.converged & (np.minimum(fits.discrepancy, rival.discrepancy) < DOUBTFUL)
-            self._gains[name] += (rival.log_likelihood - fits.log_likelihood)[both].tolist()
+            usable = fits.converged & rival.converged & (np.minimum(fits.discrepancy, rival.discrepancy) < DOUBTFUL)
+            self._gains[name] += (rival.log_likelihood - fits.log_likelihood)[usable].tolist()
 
     def count(self, part: Localizations) -> None:
         """Add the localisations of a block."""
-        at = (np.floor(part.table[name] / self._recording.pixel).astype(np.int64) for name in "yx")
+        pixels = (np.floor(part.table[name] / self._recording.pixel).astype(np.int64) for name in "yx")
         # Positions at the edge may round to a pixel outside.
-        places = (np.clip(one, 0, side - 1) for one, side in zip(at, self._counts.shape, strict=True))
+        places = (np.clip(pixel, 0, side - 1) for pixel, side in zip(pixels, self._counts.shape, strict=True))
         np.add.at(self._counts, tuple(places), 1)
-        kept = part.table["discrepancy"][part.kept]
+        discrepancies = part.table["discrepancy"][part.kept]
         for name in self._sums:
-            self._sums[name] += int((kept >= DOUBTFUL).sum()) if name == "doubtful" else getattr(part, name)
-        at = np.round(np.clip(kept, -_WIDEST, _WIDEST) * _PER_UNIT).astype(np.int64) + _WIDEST * _PER_UNIT
-        self._discrepancies += np.bincount(at, minlength=self._discrepancies.size)
+            self._sums[name] += int((discrepancies >= DOUBTFUL).sum()) if name == "doubtful" else getattr(part, name)
+        bins = np.round(np.clip(discrepancies, -_WIDEST, _WIDEST) * _PER_UNIT).astype(np.int64) + _WIDEST * _PER_UNIT
+        self._discrepancies += np.bincount(bins, minlength=self._discrepancies.size)
 
     @property
     def molecules(self) -> int:
@@ -200,9 +203,9 @@ class Checks:
     def findings(self) -> Findings:
         """Findings of the blocks checked so far."""
         changes, tables = self._changes, self._rival_findings()
-        gains = (math.fsum(each) / max(len(each), 1) for each in self._gains.values())
+        gains = (math.fsum(values) / max(len(values), 1) for values in self._gains.values())
         if changes.gain > _MIN_GAIN_RATIO * max(gains, default=0.0):
-            tables = iter(())  # the changes explain the gain of rivals
+            tables = iter(())  # the changes of the table explain the gain of the rivals
         of_fits, of_spots = self._fit_findings(), self._spot_findings()
         return Findings(chain(self._excess, tables, changes.findings, of_fits, self._once.values(), of_spots))
 
@@ -213,14 +216,14 @@ class Checks:
         by only 0.1 per molecule: about a thousand molecules are needed to determine the sign.
         """
         likelier: dict[str, tuple[float, int, float]] = {}
-        for name, each in self._gains.items():
+        for name, gains in self._gains.items():
             # The standard deviation of a sum of n independent gains is sqrt(n) times that of one gain.
-            gain, error = math.fsum(each), float(np.std(each or 0.0)) * math.sqrt(len(each))
-            if len(each) >= _MIN_COMPARED and gain > max(_MIN_GAIN, 4.0 * error):
-                likelier[name] = gain, len(each), error
+            gain, error = math.fsum(gains), float(np.std(gains or 0.0)) * math.sqrt(len(gains))
+            if len(gains) >= _MIN_COMPARED and gain > max(_MIN_GAIN, 4.0 * error):
+                likelier[name] = gain, len(gains), error
         if not likelier:
             return
-        name, (gain, count, error) = max(likelier.items(), key=lambda one: one[1])
+        name, (gain, count, error) = max(likelier.items(), key=lambda item: item[1])
         numbers: Json = {"molecules": count, "log_likelihood": gain, "error": error}
         subject = f"{count} molecules of the first frames are likelier"
         text = f"(log-likelihood {gain:.3g} +- {error:.2g} larger)"
@@ -242,7 +245,7 @@ class Checks:
     def _fit_findings(self) -> Iterator[Finding]:
         sums, n = self._sums, self.molecules
         if not sums["spots"]:
-            text = "no spot is above `threshold`: check `offset`, `white` and `read`, or lower it"
+            text = "no spot is above `threshold`: check `offset`, `white` and `read`, or lower `threshold`"
             yield Finding("no_light", "error", text)
         elif not n:
             yield Finding("not_settled", "error", f"none of {sums['spots']} fits converged within the table")
@@ -251,14 +254,14 @@ class Checks:
         # The standard error of the median of n normal deviates is sqrt(pi / (2 n)).
         median, error = self.median, math.sqrt(0.5 * math.pi / n)
         numbers = {"median": median, "error": error}
-        text = f"the median discrepancy, {median:.2g}, is not 0 within its error, {error:.1g}: the "
+        text = f"the median discrepancy, {median:.2g}, is not 0 within its standard error, {error:.1g}: the "
         if median > max(_DISCREPANT, 4.0 * error):
             text += "PSF (sign of the astigmatism, depth, indices, wavelength), the gain or the offset may be wrong"
             yield Finding("misfit", "error" if median > _MISFIT else "doubt", text, numbers)
         elif median < -max(_DISCREPANT, 4.0 * error):
             text += "gain or the offset may be wrong: check `white` and `offset`"
             yield Finding("too_quiet", "doubt", text, numbers)
-        # Report doubtful molecules if their number exceeds the one due to chance by four standard deviations.
+        # Report doubtful molecules if their number exceeds the number due to chance by four standard deviations.
         if median < _MISFIT and sums["doubtful"] > 1.0 + _BY_CHANCE * n + 4.0 * math.sqrt(_BY_CHANCE * n):
             fraction = sums["doubtful"] / n
             text = (
@@ -270,42 +273,42 @@ class Checks:
         if self._recording.along != "none":
             untested = self._changes.untested
             stated = [
-                f"{name} ({_format_error(name, size)} changes {what} by {by:.2g} standard errors)"
-                for name, (size, what, by) in untested.items()
+                f"{name} ({_format_error(name, size)} changes {estimate} by {bias:.2g} standard errors)"
+                for name, (size, estimate, bias) in untested.items()
             ]
-            sizes: Json = {name: {"error": size, what: by} for name, (size, what, by) in untested.items()}
-            yield Finding("untested", "note", f"not tested: {', '.join((*stated, *_UNTESTED))}", sizes)
+            sizes: Json = {name: {"error": size, estimate: bias} for name, (size, estimate, bias) in untested.items()}
+            yield Finding("untested", "note", f"not tested: {', '.join((*stated, *_NOT_TESTABLE))}", sizes)
 
     def _spot_findings(self) -> Iterator[Finding]:
         sums = self._sums
-        words = {"saturated": "saturated", "left_out": "NaN, infinite or masked"}
-        if counts := [f"{sums[name]} {word}" for name, word in words.items() if sums[name]]:
+        reasons = {"saturated": "saturated", "left_out": "NaN, infinite or masked"}
+        if counts := [f"{sums[name]} {reason}" for name, reason in reasons.items() if sums[name]]:
             text = f"pixels of boxes that were left out: {', '.join(counts)}"
-            yield Finding("left_out", "note", text, {name: sums[name] for name in words})
+            yield Finding("left_out", "note", text, {name: sums[name] for name in reasons})
         if places := self._recurring():
             row, column, count = places[0]
-            many = "a spot is" if len(places) == 1 else f"{len(places)} spots are"
+            subject = "a spot is" if len(places) == 1 else f"{len(places)} spots are"
             text = (
-                f"{many} in the same place in many frames, the first in {count} of {self._recording.frames} at row "
-                f"{row}, column {column}: a bead, or a hot pixel; to leave it out, use `mask`, or a map `read` with "
-                f"{DEFECT:g} electrons there"
+                f"{subject} in the same place in many frames, the first in {count} of {self._recording.frames} at "
+                f"row {row}, column {column}: a bead, or a hot pixel; to leave it out, use `mask`, or a map `read` "
+                f"with {DEFECT:g} electrons there"
             )
             yield Finding("recurring", "note", text, {"places": places})
-        if self._recording.along != "none" and sums["ends"] > _MANY * sums["spots"]:
+        if self._recording.along != "none" and sums["ends"] > _MAX_AT_ENDS * sums["spots"]:
             ends, spots = sums["ends"], sums["spots"]
             text = f"{ends} of {spots} spots are at an end of the range of z: use a wider range"
             yield Finding("z_range", "note", text, {"ends": ends, "spots": spots})
 
     def _recurring(self) -> list[tuple[int, int, int]]:
         """Return row, column and number of spots (within a pixel) of recurring spots, the most frequent first."""
-        counts, least = self._counts, _RECURRING * self._recording.frames
-        if self._recording.frames < _MIN_FRAMES or counts.sum() < least:
+        counts, min_count = self._counts, _RECURRING * self._recording.frames
+        if self._recording.frames < _MIN_FRAMES or counts.sum() < min_count:
             return []
         # Spots of one emitter may be located on neighbouring pixels.
-        near = ndimage.convolve(counts, np.ones((3, 3), np.int64), mode="constant")
-        row, column = np.nonzero((near >= least) & (counts == ndimage.maximum_filter(counts, 5)) & (counts > 0))
-        order = np.argsort(-near[row, column], kind="stable")
-        return [(int(row[k]), int(column[k]), int(near[row[k], column[k]])) for k in order]
+        sums = ndimage.convolve(counts, np.ones((3, 3), np.int64), mode="constant")
+        row, column = np.nonzero((sums >= min_count) & (counts == ndimage.maximum_filter(counts, 5)) & (counts > 0))
+        order = np.argsort(-sums[row, column], kind="stable")
+        return [(int(row[k]), int(column[k]), int(sums[row[k], column[k]])) for k in order]
 
 
 def _format_error(name: str, size: float) -> str:
@@ -315,16 +318,20 @@ def _format_error(name: str, size: float) -> str:
     return f"{100.0 * size:.2g} % of it" if name == "wavelength" else f"{size:.2g} of it"
 
 
-def _change_constant(pupil: ObjectivePupil, along: str, name: str, by: float) -> ObjectivePupil:
-    """Return a pupil with the constant `name` increased by `by` (wavelength: relative).
+def _change_constant(pupil: ObjectivePupil, along: str, name: str, change: float) -> ObjectivePupil:
+    """Return a pupil with the constant `name` increased by `change` (wavelength: relative).
 
     "depth" is the depth of the molecules if z is along the stage, and the depth in focus if z is the depth.
     """
     if name == "wavelength":
-        return pupil.in_light(pupil.wavelength * (1.0 + by))
+        return pupil.in_light(pupil.wavelength * (1.0 + change))
     if name == "depth":
-        return replace(pupil, focus=pupil.focus + by) if along == "depth" else replace(pupil, depth=pupil.depth + by)
-    return replace(pupil, layers=replace(pupil.layers, **{name: getattr(pupil.layers, name) + by}))
+        return (
+            replace(pupil, focus=pupil.focus + change)
+            if along == "depth"
+            else replace(pupil, depth=pupil.depth + change)
+        )
+    return replace(pupil, layers=replace(pupil.layers, **{name: getattr(pupil.layers, name) + change}))
 
 
 class ChangeImages:
@@ -349,8 +356,8 @@ class ChangeImages:
             psf, shape=(height, width), pixel=table.pixel / _SUBPIXELS, tol=1e-3, integrate=True, threads=threads
         )
         pupil = waves.at(np.linspace(low, high, planes))
-        stated, slopes = image(pupil).values, image(pupil, derivatives=_TERMS).derivatives
-        changes = [slopes[term] * zernike.rms_factor(*term) for term in _TERMS]
+        images, derivatives = image(pupil).values, image(pupil, derivatives=_TERMS).derivatives
+        changes = [derivatives[term] * zernike.rms_factor(*term) for term in _TERMS]
         layers, self.names, scales = pupil.layers, [label(term) for term in _TERMS], [_TERM] * len(_TERMS)
         for name, size in _CONSTANTS.items():
             step = _STEP * size
@@ -359,14 +366,14 @@ class ChangeImages:
             if name in ("immersion", "NA") and layers.NA + 2.0 * step >= layers.immersion:
                 continue  # NA must be less than the index of the immersion
             # A forward difference, because the depth of molecules on the cover glass cannot be reduced.
-            changes.append((image(_change_constant(pupil, table.along, name, step)).values - stated) / step)
+            changes.append((image(_change_constant(pupil, table.along, name, step)).values - images) / step)
             self.names.append(name)
             scales.append(size)
         self.scales = np.array(scales)
-        whole = (_SUBPIXELS**2 * ndimage.uniform_filter(each, (0, _SUBPIXELS, _SUBPIXELS)) for each in changes)
-        self._splines = [ndimage.spline_filter(each) for each in whole]
+        averaged = (_SUBPIXELS**2 * ndimage.uniform_filter(change, (0, _SUBPIXELS, _SUBPIXELS)) for change in changes)
+        self._splines = [ndimage.spline_filter(change) for change in averaged]
 
-    def together(self, sizes: Array) -> ChangeImages:
+    def combined(self, sizes: Array) -> ChangeImages:
         """Return a single change, the sum of all changes multiplied by `sizes`."""
         total = copy(self)
         total._splines = [np.tensordot(sizes, self._splines, 1)]
@@ -375,11 +382,13 @@ class ChangeImages:
     def __call__(self, row: Array, column: Array, z: Array) -> Array:
         """Return the changes of the images of molecules, (n, changes, height, width); for arguments see `Table`."""
         height, width = self._table.shape
-        at = np.empty((3, len(row), height, width))
-        at[0] = ((z - self._table.z[0]) * self._per_plane)[:, None, None]
-        at[1] = self._middle[0] + _SUBPIXELS * (np.arange(height) - row[:, None])[:, :, None]
-        at[2] = self._middle[1] + _SUBPIXELS * (np.arange(width) - column[:, None])[:, None, :]
-        return np.stack([ndimage.map_coordinates(one, at, prefilter=False) for one in self._splines], axis=1)
+        points = np.empty((3, len(row), height, width))
+        points[0] = ((z - self._table.z[0]) * self._per_plane)[:, None, None]
+        points[1] = self._middle[0] + _SUBPIXELS * (np.arange(height) - row[:, None])[:, :, None]
+        points[2] = self._middle[1] + _SUBPIXELS * (np.arange(width) - column[:, None])[:, None, :]
+        return np.stack(
+            [ndimage.map_coordinates(spline, points, prefilter=False) for spline in self._splines], axis=1
+        )
 
 
 class Score(NamedTuple):
@@ -409,18 +418,21 @@ class Score(NamedTuple):
         There are two tests: a single slope for all molecules, and one slope for each of 4 x 4 parts of the frame. The
         result is that of the more significant test.
         """
-        place = np.clip((4 * self.row / shape[0]).astype(int), 0, 3) * 4
-        place += np.clip((4 * self.column / shape[1]).astype(int), 0, 3)
+        cell = np.clip((4 * self.row / shape[0]).astype(int), 0, 3) * 4
+        cell += np.clip((4 * self.column / shape[1]).astype(int), 0, 3)
         tests = []
-        for parts in (np.zeros_like(place), place):
-            chosen = (parts == np.unique(parts)[:, None]).astype(float)
-            slopes, information = chosen @ self.slope[:, :2], np.tensordot(chosen, self.information[:, :2, :2], 1)
+        for parts in (np.zeros_like(cell), cell):
+            group = (parts == np.unique(parts)[:, None]).astype(float)
+            slopes, information = (
+                group @ self.slope[:, :2],
+                np.tensordot(group, self.information[:, :2, :2], 1),
+            )
             sizes = np.linalg.solve(information, slopes[..., None])[..., 0]
             errors = np.sqrt(np.diagonal(np.linalg.inv(information), axis1=1, axis2=2))
-            most = np.unravel_index(np.abs(sizes / errors).argmax(), sizes.shape)
+            largest = np.unravel_index(np.abs(sizes / errors).argmax(), sizes.shape)
             # The sum of squares of 2 n normal deviates has a chi-squared distribution with 2 n degrees of freedom.
-            chance = float(special.gammaincc(len(chosen), 0.5 * (slopes * sizes).sum()))
-            tests.append((chance, abs(float(sizes[most])), float(errors[most])))
+            chance = float(special.gammaincc(len(group), 0.5 * (slopes * sizes).sum()))
+            tests.append((chance, abs(float(sizes[largest])), float(errors[largest])))
         chance, size, error = min(tests)
         # The two-sided deviation of a normal variable, in standard deviations, with this probability.
         return float(-special.ndtri(max(0.5 * chance, 1e-300))), size, error
@@ -430,55 +442,59 @@ def _eliminate(information: Array, slope: Array, count: int) -> tuple[Array, Arr
     """Eliminate the first `count` columns of each molecule; return information, slope and regression coefficients.
 
     The information is the Schur complement. The coefficients (n, count, columns) are those of the regression of the
-    remaining columns on the eliminated ones.
+    remaining columns on the eliminated columns.
     """
     regression = np.asarray(np.linalg.solve(information[:, :count, :count], information[:, :count, count:]), float)
-    left = information[:, count:, count:] - information[:, count:, :count] @ regression
-    return left, slope[:, count:] - np.einsum("nki,nk->ni", regression, slope[:, :count]), regression
+    reduced = information[:, count:, count:] - information[:, count:, :count] @ regression
+    return reduced, slope[:, count:] - np.einsum("nki,nk->ni", regression, slope[:, :count]), regression
 
 
 def scored(
-    spots: Spots, found: Molecules, table: Table, camera: Noise, changes: ChangeImages | None = None
+    spots: Spots, molecules: Molecules, table: Table, camera: Noise, changes: ChangeImages | None = None
 ) -> Score | None:
     """Return the score of background slopes and of `changes` in the boxes of fits; None if no fit converged."""
     height, width = table.shape
-    at = np.column_stack([found.row, found.column]) - spots.corners
+    positions = np.column_stack([molecules.row, molecules.column]) - spots.corners
     middle = np.array([height // 2, width // 2])
-    good = found.converged & (np.abs(at - middle) < table.reach).all(axis=1)
-    if not good.any():
+    usable = molecules.converged & (np.abs(positions - middle) < table.reach).all(axis=1)
+    if not usable.any():
         return None
-    # Molecules with neighbours are left out because neighbours resemble slopes of the background.
-    kept = np.flatnonzero(good & (found.discrepancy < np.median(found.discrepancy[good]) + DOUBTFUL))[:_MOLECULES]
-    light, read = in_electrons(spots.images[kept], camera, spots.corners[kept].astype(float))
-    places = at[kept, 0], at[kept, 1], found.z[kept]
-    values, slopes = table(*places, derivatives=True)
-    photons, level = (each[kept, None, None] / camera.excess for each in (found.photons, found.background))
+    # Molecules with neighbours are left out, because a neighbour resembles a slope of the background.
+    chosen = np.flatnonzero(usable & (molecules.discrepancy < np.median(molecules.discrepancy[usable]) + DOUBTFUL))[
+        :_MOLECULES
+    ]
+    counts, read = in_electrons(spots.images[chosen], camera, spots.corners[chosen].astype(float))
+    places = positions[chosen, 0], positions[chosen, 1], molecules.z[chosen]
+    values, derivatives = table(*places, derivatives=True)
+    photons, level = (
+        values[chosen, None, None] / camera.excess for values in (molecules.photons, molecules.background)
+    )
     ramps = np.mgrid[:height, :width] - 0.5 * np.array([height - 1, width - 1])[:, None, None]
-    z = "depth" if "depth" in slopes else "z"
-    own = [slopes["row"], slopes["column"], slopes[z] * _MICRON, values, np.ones_like(values)]
-    columns = np.stack([*own, *(np.broadcast_to(one, values.shape) for one in ramps)], axis=1, dtype=float)
+    z = "depth" if "depth" in derivatives else "z"
+    fitted = [derivatives["row"], derivatives["column"], derivatives[z] * _MICRON, values, np.ones_like(values)]
+    columns = np.stack([*fitted, *(np.broadcast_to(ramp, values.shape) for ramp in ramps)], axis=1, dtype=float)
     columns[:, :3] *= photons[:, None]
     if changes is not None:
         columns = np.concatenate([columns, photons[:, None] * changes(*places)], axis=1)
     mean = np.maximum(photons * values + level, 0.01)
-    weight = np.where(np.isfinite(light), 1.0 / (mean + read), 0.0)
+    weight = np.where(np.isfinite(counts), 1.0 / (mean + read), 0.0)
     # The score: sum over pixels of (count - mean) / variance * (derivative of the mean).
-    score = np.einsum("nkyx,nyx->nk", columns, np.nan_to_num(light - mean) * weight)
-    flat = columns.reshape(len(kept), columns.shape[1], -1)
-    information = (flat * weight.reshape(len(kept), 1, -1)) @ flat.swapaxes(1, 2)
-    left, slope, regression = _eliminate(information, score, 5)
-    errors = [getattr(found.errors, name)[kept] for name in _BIASES]
+    score = np.einsum("nkyx,nyx->nk", columns, np.nan_to_num(counts - mean) * weight)
+    vectors = columns.reshape(len(chosen), columns.shape[1], -1)
+    information = (vectors * weight.reshape(len(chosen), 1, -1)) @ vectors.swapaxes(1, 2)
+    reduced, slope, regression = _eliminate(information, score, 5)
+    errors = [getattr(molecules.errors, name)[chosen] for name in _BIASES]
     errors[2], errors[3] = errors[2] / _MICRON, errors[3] / camera.excess
     bias = regression[:, :4, 2:] / np.stack(errors, axis=1)[:, :, None]
     # Correct residuals for the five fitted parameters.
-    pixels = np.isfinite(light).sum(axis=(1, 2))
-    residual = (light - mean) * np.sqrt(pixels / np.maximum(pixels - 5, 1))[:, None, None]
+    pixels = np.isfinite(counts).sum(axis=(1, 2))
+    residual = (counts - mean) * np.sqrt(pixels / np.maximum(pixels - 5, 1))[:, None, None]
     read = np.broadcast_to(read, mean.shape)
-    return Score(slope, left, bias, found.row[kept], found.column[kept], residual, mean, read)
+    return Score(slope, reduced, bias, molecules.row[chosen], molecules.column[chosen], residual, mean, read)
 
 
 class TableTest:
-    """Score tests of changes of a table's images with the first molecules, allowing for sloping backgrounds."""
+    """Score tests of changes of a table's images with the first molecules, allowing for tilted backgrounds."""
 
     def __init__(self, table: Table, threads: int | None) -> None:
         self._table, self._threads = table, threads
@@ -488,8 +504,8 @@ class TableTest:
 
     @property
     def done(self) -> bool:
-        """Whether at least _TESTED molecules were tested."""
-        return len(self._bias) >= _TESTED
+        """Whether at least _TEST_MOLECULES molecules were tested."""
+        return len(self._bias) >= _TEST_MOLECULES
 
     @property
     def _images(self) -> ChangeImages:
@@ -508,8 +524,8 @@ class TableTest:
         """Add the molecules of a block; return the sizes of the changes in the columns of its score."""
         if self.done:
             return np.ones(score.bias.shape[-1])
-        left, slope, _ = _eliminate(score.information, score.slope, 2)  # the two slopes of backgrounds
-        square, pull = left.sum(axis=0), slope.sum(axis=0)
+        reduced, slope, _ = _eliminate(score.information, score.slope, 2)  # the two slopes of backgrounds
+        square, pull = reduced.sum(axis=0), slope.sum(axis=0)
         if len(self._bias):
             square, pull = square + self._square, pull + self._pull
             self._bias = np.concatenate([self._bias, score.bias])
@@ -518,8 +534,8 @@ class TableTest:
         self._square, self._pull = square, pull
         self._sizes = self._significant_sizes()
         # Later blocks use the sum of significant changes.
-        if len(self._bias) >= _TESTED and self._sizes.any():
-            self._sum = self._images.together(self._sizes)
+        if len(self._bias) >= _TEST_MOLECULES and self._sizes.any():
+            self._sum = self._images.combined(self._sizes)
         return self._sizes
 
     def tests(self, eliminated: Sequence[int] = ()) -> tuple[ScoreTest, ...]:
@@ -527,14 +543,14 @@ class TableTest:
         if not len(self._bias):
             return ()
         names = enumerate(zip(self._images.names, self._images.scales.tolist(), strict=True))
-        each = [Candidate(name, (k,), scale) for k, (name, scale) in names if k not in eliminated]
-        return score_tests(self._square, self._pull, eliminated, each)
+        candidates = [Candidate(name, (k,), scale) for k, (name, scale) in names if k not in eliminated]
+        return score_tests(self._square, self._pull, eliminated, candidates)
 
     def _significant_sizes(self) -> Array:
         """Return the sizes of significant changes, which are selected one by one; 0 for all other changes."""
         sizes, chosen = np.zeros(len(self._pull)), list[int]()
-        while likely := seen(self.tests(chosen)):
-            chosen.append(self._images.names.index(likely[0].name))
+        while significant := seen(self.tests(chosen)):
+            chosen.append(self._images.names.index(significant[0].name))
         if chosen:
             # The expected sizes are a prior, because chosen changes may be nearly linearly dependent.
             square = self._square[np.ix_(chosen, chosen)] + np.diag(self._images.scales[chosen] ** -2.0)
@@ -548,51 +564,53 @@ class TableTest:
 
     @property
     def findings(self) -> list[Finding]:
-        """The finding on significant changes."""
-        likely = seen(self.tests())
-        if not likely:
+        """The finding on significant changes, empty if there are none."""
+        significant = seen(self.tests())
+        if not significant:
             return []
-        first, sizes = self._images.names.index(likely[0].name), self._sizes
-        off = np.abs(sizes[first]) * np.sqrt(np.square(self._bias[:, :, first]).mean(axis=0))
-        total = np.sqrt(np.square(self._bias @ sizes).mean(axis=0))
-        words = [
+        strongest, sizes = self._images.names.index(significant[0].name), self._sizes
+        biases = np.abs(sizes[strongest]) * np.sqrt(np.square(self._bias[:, :, strongest]).mean(axis=0))
+        total_biases = np.sqrt(np.square(self._bias @ sizes).mean(axis=0))
+        labels = [
             f"{test.name} {'off by' if test.name in _CONSTANTS else '='} "
             f"{' +- '.join(with_error(test.size[0], test.errors[0]))}{_UNITS.get(test.name, '')}"
             + ("" if test.name in _CONSTANTS else " rad")
-            for test in likely
+            for test in significant
         ]
-        found = other_explanation(likely, [f"{words[0]} beside what the table states", *words[1:]])
-        worst = _BIASES[int(off.argmax())]
-        text = f"{found.text}: this moves {worst} by {off.max():.2g} standard errors rms; fit the pupil to beads"
-        numbers = {**found.numbers, "bias": dict(zip(_BIASES, off.tolist(), strict=True))}
-        severity: Severity = "doubt" if max(off.max(), total.max()) >= _BIASED else "note"
-        return [Finding(found.code, severity, text, numbers)]
+        cause = other_explanation(significant, [f"{labels[0]} beside what the table states", *labels[1:]])
+        estimate = _BIASES[int(biases.argmax())]
+        text = (
+            f"{cause.text}: this moves {estimate} by {biases.max():.2g} standard errors rms; fit the pupil to beads"
+        )
+        numbers = {**cause.numbers, "bias": dict(zip(_BIASES, biases.tolist(), strict=True))}
+        severity: Severity = "doubt" if max(biases.max(), total_biases.max()) >= _BIASED else "note"
+        return [Finding(cause.code, severity, text, numbers)]
 
     @property
     def untested(self) -> dict[str, tuple[float, str, float]]:
-        """Errors of constants that the molecules do not exclude: (error, name of the biased estimate, bias) by name.
+        """Errors of constants that the molecules do not exclude: (error, biased estimate, bias) by constant.
 
         The bias is in standard errors of the estimate.
         """
-        errors, found = {test.name: float(test.errors[0]) for test in self.tests()}, {}
+        errors, result = {test.name: float(test.errors[0]) for test in self.tests()}, {}
         for name, size in _CONSTANTS.items():
             if not len(self._bias) or name not in self._images.names:
                 continue
-            left = min(2.0 * errors.get(name, np.inf), _STATED * size)
-            off = left * np.sqrt(np.square(self._bias[:, :, self._images.names.index(name)]).mean(axis=0))
-            if off.max() > _BIASED:
-                found[name] = left, _BIASES[int(off.argmax())], float(off.max())
-        return found
+            error = min(2.0 * errors.get(name, np.inf), _MAX_STATED * size)
+            biases = error * np.sqrt(np.square(self._bias[:, :, self._images.names.index(name)]).mean(axis=0))
+            if biases.max() > _BIASED:
+                result[name] = error, _BIASES[int(biases.argmax())], float(biases.max())
+        return result
 
 
 def rivals(table: Table, threads: int | None = None) -> dict[str, Table]:
     """Return tables for another sign of astigmatism or depth, by name ("sign" or shift); cached in `table`."""
     cache: dict[str, Table] = vars(table).setdefault("_rivals", {})
     if not cache:
-        same: dict[str, Any] = {name: getattr(table, name) for name in ("along", "reach", "tol")}
+        settings: dict[str, Any] = {name: getattr(table, name) for name in ("along", "reach", "tol")}
         for name, pupil, shift in _other_pupils(table.pupil, table):
             low, high = (max(0.0, end + shift) if shift else end for end in table.z)
-            cache[name] = Table(pupil, table.shape, table.pixel, z=(low, high), threads=threads, **same)
+            cache[name] = Table(pupil, table.shape, table.pixel, z=(low, high), threads=threads, **settings)
     return cache
 
 
@@ -601,15 +619,15 @@ def _other_pupils(pupil: ObjectivePupil, table: Table) -> Iterator[tuple[str, Ob
     wave = pupil.aberrations
     if wave is not None and any(abs(m) == 2 for _, m in wave.amplitudes()):
         # Terms with |m| = 2 are astigmatism of all orders.
-        edge = {(n, m): -one if abs(m) == 2 else one for (n, m), one in zip(wave.terms, wave.edge.T, strict=True)}
-        yield "sign", replace(pupil, aberrations=Wavefront.from_edge(edge, wave.error)), 0.0
+        edges = {(n, m): -edge if abs(m) == 2 else edge for (n, m), edge in zip(wave.terms, wave.edge.T, strict=True)}
+        yield "sign", replace(pupil, aberrations=Wavefront.from_edge(edges, wave.error)), 0.0
     moving = table.along == "depth"
     depth = sum(table.z) / 2.0 if moving else float(pupil.depth)
-    for way in (-1.0, 1.0):
+    for sign in (-1.0, 1.0):
         # The depth must not become negative.
-        shift = max(way * _DEEPER, -depth)
-        if abs(shift) >= 0.5 * _DEEPER:
+        shift = max(sign * _DEPTH_CHANGE, -depth)
+        if abs(shift) >= 0.5 * _DEPTH_CHANGE:
             focus = pupil.focus + brightest(pupil.layers, depth + shift).brightest
             focus = focus - brightest(pupil.layers, depth).brightest
-            deeper = replace(pupil, focus=focus, depth=pupil.depth + (0.0 if moving else shift))
-            yield f"{shift:+.1e}", deeper, shift if moving else 0.0
+            moved_pupil = replace(pupil, focus=focus, depth=pupil.depth + (0.0 if moving else shift))
+            yield f"{shift:+.1e}", moved_pupil, shift if moving else 0.0

@@ -40,7 +40,7 @@ class MoleculeErrors:
         return f"<MoleculeErrors of {len(self.row)} molecules>"
 
 
-_NAMES = tuple(each.name for each in fields(MoleculeErrors))
+_NAMES = tuple(field.name for field in fields(MoleculeErrors))
 
 
 @dataclass(frozen=True, eq=False)
@@ -177,12 +177,12 @@ def fit(
         Number of starts in different ranges of z, 1 to 20. They are used for molecules whose first estimate is at a
         limit of the table or has a discrepancy above 2.5.
     background : {"flat", "tilted"}, default "flat"
-        Background of a box: uniform, or with a slope along rows and one along columns. The two additional parameters
+        Background of a box: uniform, or with slopes along rows and along columns. The two additional parameters
         remove the bias of positions in an uneven background; standard errors are 2 to 4 % larger.
     threads : int, optional
         Maximum number of threads; by default the number of processors.
     progress : callable, optional
-        Function that is called after each block of molecules, with the number of molecules done and the total number.
+        Function that is called after each block, with the number of fitted molecules and the total number.
 
     Returns
     -------
@@ -222,13 +222,13 @@ def fit(
     thread_count = 0 if threads is None else validation.integer("threads", threads, least=1, most=1024)
     validation.function("progress", progress, required=False)
     tables = [table] if isinstance(table, Table) else list(table) if isinstance(table, Sequence) else []
-    if not tables or not all(isinstance(each, Table) for each in tables):
+    if not tables or not all(isinstance(item, Table) for item in tables):
         raise TypeError(f"table must be a Table or a sequence of Tables, got {validation.shown(table)}")
-    several = not isinstance(table, Table)
+    has_channels = not isinstance(table, Table)
     cameras = _cameras(tables, noise, placed=corners is not None)
-    boxes = _boxes(tables, images if several else [images], saturation)
+    boxes = _boxes(tables, images if has_channels else [images], saturation)
     total = len(boxes[0])
-    box_corners = _corners(corners, len(boxes), total, several)
+    box_corners = _corners(corners, len(boxes), total, has_channels)
     matrices, shifts = _transforms(transforms, len(boxes))
     # offset = (position in the box of a channel) - matrix * (position in the box of the first channel)
     differences = np.einsum("cij,nj->cni", matrices.reshape(-1, 2, 2), box_corners[0])
@@ -255,8 +255,8 @@ def fit(
         for columns in (values, errors):
             columns[:, 3 + per_channel * c : 3 + per_channel * (c + 1)] *= camera.excess
     return Molecules(
-        **_named(values, several, per_channel),
-        errors=MoleculeErrors(**_named(errors, several, per_channel)),
+        **_columns_by_name(values, has_channels, per_channel),
+        errors=MoleculeErrors(**_columns_by_name(errors, has_channels, per_channel)),
         log_likelihood=-0.5 * quality[:, 0],
         discrepancy=quality[:, 1].copy(),
         state=state[:, 0].copy(),
@@ -264,14 +264,14 @@ def fit(
     )
 
 
-def _named(estimates: Array, several: bool, per_channel: int) -> dict[str, Any]:
-    """Return the columns of estimates or their errors (n, parameters) by name, without slopes of the background.
+def _columns_by_name(estimates: Array, has_channels: bool, per_channel: int) -> dict[str, Any]:
+    """Return columns of estimates, or of errors, (n, parameters) by name, without slopes of the background.
 
-    Photons and background have the shape (n, channels) if there are `several` tables.
+    Photons and background have the shape (n, channels) if `has_channels`.
     """
     # Parameters: row, column, z, then for each channel photons, background and, if tilted, two slopes.
-    light = [estimates[:, k::per_channel] if several else estimates[:, k] for k in (3, 4)]
-    return dict(zip(_NAMES, (np.ascontiguousarray(part) for part in (*estimates[:, :3].T, *light)), strict=True))
+    levels = [estimates[:, k::per_channel] if has_channels else estimates[:, k] for k in (3, 4)]
+    return dict(zip(_NAMES, (np.ascontiguousarray(part) for part in (*estimates[:, :3].T, *levels)), strict=True))
 
 
 def _fitter(tables: tuple[Table, ...], matrices: bytes) -> engine.MoleculeFitter:
@@ -283,9 +283,9 @@ def _fitter(tables: tuple[Table, ...], matrices: bytes) -> engine.MoleculeFitter
     cached = vars(first).get("_fitter")
     if cached is None or cached[0] != key:
         spacing = _SPACING * first.pupil.scale / (math.pi * first.pixel)  # pixels
-        # Molecules are near the middle of the box: templates need not cover the lateral range of the table.
-        most = min(first.reach, max(1.5, spacing))
-        sides = np.arange(-math.floor(most / spacing), math.floor(most / spacing) + 1) * spacing
+        # Molecules are near the middle of the box, so templates need not cover the lateral range of the table.
+        max_offset = min(first.reach, max(1.5, spacing))
+        sides = np.arange(-math.floor(max_offset / spacing), math.floor(max_offset / spacing) + 1) * spacing
         layers = max(2, math.ceil((first.z[1] - first.z[0]) * first.rate / _PHASE_STEP) + 1)
         if layers * len(sides) ** 2 > _MAX_TEMPLATES:
             raise ValueError(f"table must span less than {layers} templates along z; use several tables")
@@ -337,13 +337,13 @@ def _cameras(tables: list[Table], noise: Noise | Sequence[Noise | None] | None, 
     return cameras
 
 
-def _corners(corners: Any, channels: int, count: int, several: bool) -> Array:
+def _corners(corners: Any, channels: int, count: int, has_channels: bool) -> Array:
     """Return the corners of all boxes, shape (channels, count, 2); all are 0 if `corners` is None."""
     values = validation.real_array("corners", np.zeros((count, 2)) if corners is None else corners)
     if values.ndim == 2:
         values = np.broadcast_to(values, (channels, *values.shape))
     if values.shape != (channels, count, 2):
-        shape = f"({channels}, {count}, 2)" if several else f"({count}, 2)"
+        shape = f"({channels}, {count}, 2)" if has_channels else f"({count}, 2)"
         raise ValueError(f"corners (row, column) must have the shape {shape}, got {np.shape(corners)}")
     if (values != np.round(values)).any():
         raise ValueError(f"corners must be whole numbers, got {values[values != np.round(values)].flat[0]:g}")
@@ -353,39 +353,39 @@ def _corners(corners: Any, channels: int, count: int, several: bool) -> Array:
 def _transforms(transforms: ArrayLike | None, channels: int) -> tuple[Array, Array]:
     """Return the matrix of each channel, (channels, 4), and its shift, (channels, 2)."""
     # The first channel is the reference: identity.
-    whole = np.tile(np.eye(2, 3), (channels, 1, 1))
+    matrices = np.tile(np.eye(2, 3), (channels, 1, 1))
     if transforms is not None:
-        others = validation.real_array("transforms", transforms)
-        if others.shape != (channels - 1, 2, 3):
-            raise ValueError(f"transforms must have the shape {(channels - 1, 2, 3)}, got {others.shape}")
-        if (np.abs(np.linalg.det(others[:, :, :2])) < 1e-6).any():
-            raise ValueError("transforms must not map the camera to a line: the determinant of one is 0")
-        whole[1:] = others
-    return np.ascontiguousarray(whole[:, :, :2]).reshape(channels, 4), whole[:, :, 2]
+        other_matrices = validation.real_array("transforms", transforms)
+        if other_matrices.shape != (channels - 1, 2, 3):
+            raise ValueError(f"transforms must have the shape {(channels - 1, 2, 3)}, got {other_matrices.shape}")
+        if (np.abs(np.linalg.det(other_matrices[:, :, :2])) < 1e-6).any():
+            raise ValueError("transforms must not map the camera to a line: the determinant of a matrix is 0")
+        matrices[1:] = other_matrices
+    return np.ascontiguousarray(matrices[:, :, :2]).reshape(channels, 4), matrices[:, :, 2]
 
 
 def in_electrons(box: Values, camera: Noise, corners: Array) -> tuple[Any, Any]:
     """Return boxes in electrons, divided by the excess noise factor, and their read variance, as float32.
 
-    The variance has the shape of the boxes, or (1, height, width) if it is the same for all of them.
+    The variance has the shape of the boxes, or (1, height, width) if it is the same for all boxes.
     """
     parts: dict[str, Any] = {"white": camera.white, "read": camera.read, "offset": camera.offset}
     pixels = box_pixels(corners.astype(np.int64), box.shape[1:])
     for name, part in parts.items():
         if isinstance(part, np.ndarray):
-            ends = zip(pixels, part.shape, strict=True)
-            if len(box) and any(at.min() < 0 or at.max() >= side for at, side in ends):
+            index_limits = zip(pixels, part.shape, strict=True)
+            if len(box) and any(index.min() < 0 or index.max() >= side for index, side in index_limits):
                 raise ValueError(
                     f"corners must be of boxes within the camera: the map `{name}` has {part.shape} pixels"
                 )
             parts[name] = part[pixels]
     white = 1.0 if parts["white"] is None else parts["white"]
-    light = (box.astype(np.float64) - parts["offset"]) * white
+    electrons = (box.astype(np.float64) - parts["offset"]) * white
     # Defective pixels are ignored (NaN).
     if not isinstance(parts["read"], float):
-        light = np.where(parts["read"] < DEFECT, light, np.nan)
+        electrons = np.where(parts["read"] < DEFECT, electrons, np.nan)
     variance = np.asarray(parts["read"] / camera.excess, dtype=np.float64) ** 2
     variance = variance if variance.ndim == 3 else np.broadcast_to(variance, (1, *box.shape[1:]))
     # Electrons divided by the excess noise factor have a Poisson distribution (Noise.poisson).
-    light = np.ascontiguousarray(light / camera.excess, dtype=np.float32)
-    return light, np.ascontiguousarray(variance, dtype=np.float32)
+    electrons = np.ascontiguousarray(electrons / camera.excess, dtype=np.float32)
+    return electrons, np.ascontiguousarray(variance, dtype=np.float32)

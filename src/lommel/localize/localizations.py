@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
 _ESTIMATES = ("x", "y", "z", "photons", "background")
 _COLUMNS = (*_ESTIMATES, *(f"{name}_error" for name in _ESTIMATES))
-_OTHERS = ("sigma_x", "sigma_y", "discrepancy", "log_likelihood", "score")
+_EXTRA_COLUMNS = ("sigma_x", "sigma_y", "discrepancy", "log_likelihood", "score")
 
 
 DOUBTFUL = 3.0
@@ -89,8 +89,8 @@ class Localizations(FitReport):
         "converged", "border", "steps" and "undetermined", see :class:`lommel.localize.Molecules`. Positions are
         estimates only in the state "converged".
     findings, summary, converged, reliable, status, message
-        Results of the checks of all molecules together, and the verdict; see :class:`lommel.fit.FitReport`. For a
-        block of frames they are those of the movie up to the end of the block.
+        Results of the checks of all molecules, and the verdict; see :class:`lommel.fit.FitReport`. For a
+        block of frames, these attributes describe the movie up to the end of the block.
     """
 
     table: NDArray[np.void] = field(repr=False)
@@ -146,9 +146,9 @@ class Localizations(FitReport):
         """
         numbers, recording = super().to_dict(), self.recording
         del numbers["recording"]
-        kept, flat = self.table[self.kept], recording.along == "none"
-        names = [name for name in MEDIANS if not (flat and name == "z_error")]
-        medians = {name: float(np.median(kept[name])) if kept.size else None for name in names}
+        converged, without_z = self.table[self.kept], recording.along == "none"
+        names = [name for name in MEDIANS if not (without_z and name == "z_error")]
+        medians = {name: float(np.median(converged[name])) if converged.size else None for name in names}
         return numbers | {
             "frames": recording.frames,
             "shape": [recording.rows, recording.columns],
@@ -156,7 +156,7 @@ class Localizations(FitReport):
             "along": recording.along,
             "states": self.counts,
             "border_fits": {"z": self.ends, "reach": self.counts["border"] - self.ends},
-            "written": kept.size,
+            "written": converged.size,
             "doubtful": int(self.doubtful[self.kept].sum()),
             "medians": medians,
         }
@@ -189,7 +189,7 @@ class Localizations(FitReport):
         Parameters
         ----------
         pixel : float, optional
-            Pixel pitch of the picture, metres in the sample. A side has at most 4096 pixels; by default it has 800.
+            Pixel pitch of the picture, metres in the sample. A side has at most 4096 pixels, by default 800.
         ax : matplotlib Axes, optional
             Axes to draw in; by default a new figure.
 
@@ -214,7 +214,7 @@ class Localizations(FitReport):
 
 def columns() -> np.dtype[np.void]:
     """Return the type of a row of ``Localizations.table``."""
-    numbers = [(name, np.float64) for name in (*_COLUMNS, *_OTHERS)]
+    numbers = [(name, np.float64) for name in (*_COLUMNS, *_EXTRA_COLUMNS)]
     return np.dtype([("frame", np.int64), *numbers, ("state", np.int32)])
 
 
@@ -233,7 +233,7 @@ def writer(*paths: str | PathLike[str]) -> Iterator[Callable[[Localizations], No
     ----------
     *paths : path
         Files to write, with the suffix .csv (ThunderSTORM) or .hdf5 (Picasso; requires h5py). A .hdf5 file has a
-        .yaml file with metadata beside it.
+        .yaml file with metadata in the same folder.
 
     Yields
     ------
@@ -273,9 +273,9 @@ def writer(*paths: str | PathLike[str]) -> Iterator[Callable[[Localizations], No
         writers = [files.enter_context(form.write(*form.places(path))) for form, path in formats]
 
         def write(part: Localizations) -> None:
-            kept = validation.instance("part", part, Localizations).table[part.kept]
+            rows = validation.instance("part", part, Localizations).table[part.kept]
             for write_rows in writers:
-                write_rows(kept, part.recording)
+                write_rows(rows, part.recording)
 
         yield write
 
@@ -310,27 +310,30 @@ _Z = ("z [nm]", "uncertainty_z [nm]")
 @contextmanager
 def thunderstorm(path: Path) -> Iterator[Write]:
     """Yield a writer of rows of ThunderSTORM's table (M. Ovesny et al., doi:10.1093/bioinformatics/btu202)."""
-    used, done = dict[str, tuple[str, Callable[[Rows], Values]]](), 0  # columns, and number of rows written
+    columns, row_count = dict[str, tuple[str, Callable[[Rows], Values]]](), 0
 
     def write_header(along: str) -> None:
-        used.update({name: column for name, column in _THUNDERSTORM.items() if along != "none" or name not in _Z})
-        file.write(",".join(f'"{name}"' for name in ("id", *used)) + "\n")
+        columns.update({name: column for name, column in _THUNDERSTORM.items() if along != "none" or name not in _Z})
+        file.write(",".join(f'"{name}"' for name in ("id", *columns)) + "\n")
 
     with atomic.opened(path, "w", **_TEXT) as file:
 
         def write(rows: Rows, recording: Recording) -> None:
-            nonlocal done
-            if not used:
+            nonlocal row_count
+            if not columns:
                 write_header(recording.along)
-            line = ",".join(["%d", *(number_format for number_format, _ in used.values())]) + "\n"
-            columns = [np.arange(done + 1, done + 1 + rows.size), *(values(rows) for _, values in used.values())]
-            done += rows.size
+            line = ",".join(["%d", *(number_format for number_format, _ in columns.values())]) + "\n"
+            numbers = [
+                np.arange(row_count + 1, row_count + 1 + rows.size),
+                *(values(rows) for _, values in columns.values()),
+            ]
+            row_count += rows.size
             with atomic.as_path_error(path):
-                file.writelines(line % row for row in zip(*(column.tolist() for column in columns), strict=True))
+                file.writelines(line % row for row in zip(*(column.tolist() for column in numbers), strict=True))
 
         yield write
         # Without molecules, the file has only a header.
-        if not used:
+        if not columns:
             write_header("z")
 
 
@@ -344,22 +347,26 @@ def _locs(recording: Recording) -> np.dtype[np.void]:
 
 
 @contextmanager
-def picasso(path: Path, beside: Path) -> Iterator[Write]:
-    """Yield a writer of rows of Picasso's data set, with a .yaml `beside` it.
+def picasso(path: Path, yaml_path: Path) -> Iterator[Write]:
+    """Yield a writer of rows of Picasso's data set, with metadata in a .yaml file.
 
     J. Schnitzbauer et al., doi:10.1038/nprot.2017.024. Rows are collected in a temporary file, since their number is
     needed at the beginning of the HDF5 file.
     """
-    h5py, last, done = library("h5py", "files of Picasso need", "hdf5"), Recording(1, 1, 1, 1.0, (1, 1), "z"), 0
+    h5py, movie, count = (
+        library("h5py", "files of Picasso need", "hdf5"),
+        Recording(1, 1, 1, 1.0, (1, 1), "z"),
+        0,
+    )
     with ExitStack() as stack:
         target = stack.enter_context(atomic.opened(path))
         with atomic.as_path_error(path):
-            collected = stack.enter_context(tempfile.TemporaryFile(dir=Path(target.name).parent, buffering=0))
-        metadata = stack.enter_context(atomic.opened(beside, "w", **_TEXT))
+            row_file = stack.enter_context(tempfile.TemporaryFile(dir=Path(target.name).parent, buffering=0))
+        metadata = stack.enter_context(atomic.opened(yaml_path, "w", **_TEXT))
 
         def write(rows: Rows, recording: Recording) -> None:
-            nonlocal last, done
-            last, done = recording, done + rows.size
+            nonlocal movie, count
+            movie, count = recording, count + rows.size
             locs = np.empty(rows.size, _locs(recording))
             locs["frame"], locs["photons"], locs["bg"] = rows["frame"], rows["photons"], rows["background"]
             locs["log_likelihood"] = rows["log_likelihood"]
@@ -369,26 +376,26 @@ def picasso(path: Path, beside: Path) -> Iterator[Write]:
                 locs[f"lp{name}"] = rows[f"{name}_error"] / recording.pixel
             if recording.along != "none":
                 locs["z"], locs["lpz"] = 1e9 * rows["z"], 1e9 * rows["z_error"]
-            remaining = memoryview(locs.tobytes())
+            unwritten = memoryview(locs.tobytes())
             with atomic.as_path_error(path):
-                while remaining:  # a nearly full disk accepts only a part at a time
-                    remaining = remaining[collected.write(remaining) :]
+                while unwritten:  # a nearly full disk accepts only a part at a time
+                    unwritten = unwritten[row_file.write(unwritten) :]
 
         yield write
-        # A full disk would make the HDF5 library end the process: it writes to memory, and only the first row. This
-        # row reserves the place of all rows in the file.
+        # On a full disk the HDF5 library would end the process: it writes to memory, and only the first row,
+        # which reserves the space of all rows in the file.
         header = io.BytesIO()
         with h5py.File(header, "w") as file:
-            table = file.create_dataset("locs", (done,), _locs(last))
-            table[:1] = np.zeros(min(done, 1), _locs(last))
+            table = file.create_dataset("locs", (count,), _locs(movie))
+            table[:1] = np.zeros(min(count, 1), _locs(movie))
             offset = table.id.get_offset()
         with atomic.as_path_error(path):
             target.write(header.getvalue())
-            if done:
-                collected.seek(0)
+            if count:
+                row_file.seek(0)
                 target.seek(offset)
-                shutil.copyfileobj(collected, target)
-        metadata.write(_yaml(last))
+                shutil.copyfileobj(row_file, target)
+        metadata.write(_yaml(movie))
 
 
 def _yaml(recording: Recording) -> str:

@@ -69,7 +69,7 @@ class MovieOptions:
         reaches an end of the range of z then counts as converged, and z is NaN.
     background : {"auto", "flat", "tilted"}, default "auto"
         Background of each box, see :func:`lommel.localize.fit`. "auto" starts with a flat background. It changes to a
-        tilted background if the mean slope of the residuals exceeds five standard deviations; this block is fitted
+        tilted background if the mean slope of the residuals exceeds five standard deviations, and the block is fitted
         again. The mean is over up to a thousand molecules of a block, in the whole frame or in a part of it.
     mask : array_like of bool, shape (rows, columns), optional
         True for pixels to be ignored, for example hot pixels of the camera.
@@ -78,7 +78,7 @@ class MovieOptions:
     threads : int, optional
         Maximum number of threads; by default the number of processors.
     progress : callable, optional
-        Function that is called after each block, with the number of frames done and the total number.
+        Function that is called after each block, with the number of processed frames and the total number.
     """
 
     noise: Noise | None = None
@@ -107,7 +107,7 @@ def localize_movie(
     """Find the molecules of a movie and estimate their positions.
 
     Blocks of frames are searched by :func:`lommel.localize.find` and fitted by :func:`lommel.localize.fit`. Drift of
-    the sample is not corrected. A molecule that emits in several frames has one row for each of them.
+    the sample is not corrected. A molecule that emits in several frames has one row for each frame.
 
     Parameters
     ----------
@@ -168,97 +168,97 @@ def localize_blocks(
 
 
 def _blocks(
-    movie: Movie | str | PathLike[str] | ArrayLike, table: Table, given: MovieOptions
+    movie: Movie | str | PathLike[str] | ArrayLike, table: Table, settings: MovieOptions
 ) -> Iterator[Localizations]:
     """Yield the localisations of a movie block by block."""
-    camera, width, kind = given.noise or Noise(read=0.0), given.width, given.background
-    saturation, threads = given.saturation, given.threads
+    camera, width, background = settings.noise or Noise(read=0.0), settings.width, settings.background
+    saturation, threads = settings.saturation, settings.threads
     widths = gaussian_widths(table)
     if width is None:
         # Median over z of the geometric mean of the widths along y and x.
         width = float(np.clip(np.median(np.sqrt(widths[1] * widths[2])), 0.5, min(table.shape) / 4.0))
-    search = partial(find, box=table.shape, noise=camera, threshold=given.threshold, width=width, threads=threads)
-    with _opened(movie, given.block) as (shape, blocks, name):
+    search = partial(find, box=table.shape, noise=camera, threshold=settings.threshold, width=width, threads=threads)
+    with _open_blocks(movie, settings.block) as (shape, blocks, name):
         pixel = table.pixel / table.pupil.magnification  # in the sample
-        along = "none" if given.flat else table.along
+        along = "none" if settings.flat else table.along
         recording = Recording(*shape, pixel, table.shape, along, name)
         # `counts.marked` replaces saturated pixels by NaN: fits need no test of saturation.
-        fit_boxes = partial(fit, noise=camera, saturation=math.inf, starts=given.starts, threads=threads)
-        checks, done = Checks(recording, table, fit_boxes, kind), 0
+        fit_boxes = partial(fit, noise=camera, saturation=math.inf, starts=settings.starts, threads=threads)
+        checks, count = Checks(recording, table, fit_boxes, background), 0
         for frames in blocks:
-            counts = frame_counts(frames, table.shape, saturation=saturation, mask=given.mask)
-            if not done:
+            counts = frame_counts(frames, table.shape, saturation=saturation, mask=settings.mask)
+            if not count:
                 checks.first(counts)
             if counts.assumed:
                 saturation = counts.saturation  # for all following blocks
-            spots = search(counts, first=done)
+            spots = search(counts, first=count)
             values = counts.marked()
-            first_kind = "flat" if kind == "auto" else kind
-            molecules = _recentred(values, spots, done, table, partial(fit_boxes, table, background=first_kind))
-            if checks.tilt(spots, molecules, fitted=first_kind == "tilted") > TILTED and kind == "auto":
-                kind = "tilted"
-                molecules = _recentred(values, spots, done, table, partial(fit_boxes, table, background=kind))
-            checks.compare(spots, "tilted" if kind == "tilted" else "flat")
+            start = "flat" if background == "auto" else background
+            molecules = _recentred(values, spots, count, table, partial(fit_boxes, table, background=start))
+            if checks.tilt(spots, molecules, fitted=start == "tilted") > TILTED and background == "auto":
+                background = "tilted"
+                molecules = _recentred(values, spots, count, table, partial(fit_boxes, table, background=background))
+            checks.compare(spots, "tilted" if background == "tilted" else "flat")
             localizations = _localizations(spots, molecules, recording, widths, table)
             checks.count(localizations)
             yield replace(localizations, findings=checks.findings, summary=checks.summary)
-            done += len(frames)
-            if given.progress is not None:
-                given.progress(done, shape[0])
+            count += len(frames)
+            if settings.progress is not None:
+                settings.progress(count, shape[0])
 
 
 _MAX_MOVES = 3  # largest number of times that a box is moved
 
 
 def _recentred(
-    frames: Values, spots: Spots, first: int, table: Table, fit_boxes: Callable[..., Molecules]
+    frames: Values, spots: Spots, first_frame: int, table: Table, fit_boxes: Callable[..., Molecules]
 ) -> Molecules:
     """Fit the boxes of spots; fit molecules that are off-centre, for example due to coma, again in centred boxes.
 
-    `frames` (frames, rows, columns) begin at frame `first` of the movie.
+    `frames` (frames, rows, columns) begin at frame `first_frame` of the movie.
     """
 
     def boxes(frame: NDArray[np.int64], corner: NDArray[np.int64]) -> Values:
         return np.asarray(frames[frame[:, None, None], *box_pixels(corner, table.shape)])
 
-    frame, corners = spots.frame - first, spots.corners
+    frame, corners = spots.frame - first_frame, spots.corners
     molecules = fit_boxes(boxes(frame, corners), corners=corners)
     last_corner, middle = np.array(frames.shape[1:]) - table.shape, np.array(table.shape) // 2
-    moved = np.arange(len(frame))  # indices of molecules whose boxes were moved in the last round
+    indices = np.arange(len(frame))  # molecules whose boxes were moved in the last round
     for _ in range(_MAX_MOVES):
-        positions = np.stack([molecules.row[moved], molecules.column[moved]], axis=1)
+        positions = np.stack([molecules.row[indices], molecules.column[indices]], axis=1)
         new_corners = np.clip(np.round(positions).astype(np.int64) - middle, 0, last_corner)
-        off_centre = (new_corners != corners[moved]).any(axis=1)
-        moved, new_corners = moved[off_centre], new_corners[off_centre]
-        if not moved.size:
+        off_centre = (new_corners != corners[indices]).any(axis=1)
+        indices, new_corners = indices[off_centre], new_corners[off_centre]
+        if not indices.size:
             break
-        refitted = fit_boxes(boxes(frame[moved], new_corners), corners=new_corners)
-        # If only the old fit converged, it is kept.
-        better = refitted.converged | ~molecules.converged[moved]
-        moved, new_corners = moved[better], new_corners[better]
-        molecules, corners[moved] = molecules.replaced(moved, refitted[better]), new_corners
+        refitted = fit_boxes(boxes(frame[indices], new_corners), corners=new_corners)
+        # The old fit is kept if it converged and the new fit did not.
+        replace_fit = refitted.converged | ~molecules.converged[indices]
+        indices, new_corners = indices[replace_fit], new_corners[replace_fit]
+        molecules, corners[indices] = molecules.replaced(indices, refitted[replace_fit]), new_corners
     return molecules
 
 
 @contextmanager
-def _opened(
+def _open_blocks(
     movie: Movie | str | PathLike[str] | ArrayLike, block: int | None
 ) -> Iterator[tuple[tuple[int, int, int], Iterator[Values], str]]:
     """Yield the shape of a movie, an iterator over its blocks of frames, and its file name ("" for an array)."""
     if isinstance(movie, str | PathLike):
-        with open_movie(movie) as opened:
-            yield opened.shape, opened.blocks(block), opened.path.name
+        with open_movie(movie) as movie_file:
+            yield movie_file.shape, movie_file.blocks(block), movie_file.path.name
     elif isinstance(movie, Movie):
         yield movie.shape, movie.blocks(block), Path(movie.path).name
     else:
-        values, hidden = validation.parted("movie", movie)
-        frames = values if hidden is None else np.ma.masked_array(values, mask=hidden)
+        values, mask = validation.parted("movie", movie)
+        frames = values if mask is None else np.ma.masked_array(values, mask=mask)
         if frames.ndim != 3 or not frames.size:
             raise ValueError(f"movie must have the shape (frames, rows, columns), got {frames.shape}")
-        count, rows, across = frames.shape
-        each = max(1, BLOCK // (rows * across)) if block is None else block
-        validation.integer("block", each, least=1, most=validation.MAX_VALUES)
-        yield (count, rows, across), (frames[k : k + each] for k in range(0, count, each)), ""
+        count, rows, columns = frames.shape
+        block_size = max(1, BLOCK // (rows * columns)) if block is None else block
+        validation.integer("block", block_size, least=1, most=validation.MAX_VALUES)
+        yield (count, rows, columns), (frames[k : k + block_size] for k in range(0, count, block_size)), ""
 
 
 def _localizations(
@@ -272,15 +272,15 @@ def _localizations(
     sides = {"row": "y", "column": "x"}
     for name in (field.name for field in fields(MoleculeErrors)):
         # Positions are from the outer corner of the first pixel, half a pixel from its middle.
-        to, scale, shift = (sides[name], pixel, 0.5) if name in sides else (name, 1.0, 0.0)
-        rows[to] = (getattr(molecules, name) + shift) * scale
-        rows[f"{to}_error"] = getattr(molecules.errors, name) * scale
+        column, scale, shift = (sides[name], pixel, 0.5) if name in sides else (name, 1.0, 0.0)
+        rows[column] = (getattr(molecules, name) + shift) * scale
+        rows[f"{column}_error"] = getattr(molecules.errors, name) * scale
     heights, width_y, width_x = widths
     rows["sigma_y"], rows["sigma_x"] = (
         pixel * np.interp(molecules.z, heights, width) for width in (width_y, width_x)
     )
     if recording.along == "none":
-        # A fit that reaches an end of z may be right in x and y: it counts as converged, but z is not reported.
+        # A fit that reaches an end of the range of z may be right in x and y: it counts as converged, without z.
         rows["state"][(molecules.state == STATES.index("border")) & np.isin(molecules.z, table.z)] = 0
         rows["z"] = rows["z_error"] = np.nan
     at_ends_of_z = int(np.isin(rows["z"][rows["state"] == STATES.index("border")], table.z).sum())
@@ -301,7 +301,7 @@ def gaussian_widths(table: Table) -> tuple[Array, Array, Array]:
     variances = np.full((2, _HEIGHTS), 2.0)
     for _ in range(_ITERATIONS):
         weight_y, weight_x = (
-            np.exp(-0.5 * at**2 / variance[:, None]) for at, variance in zip((y, x), variances, strict=True)
+            np.exp(-0.5 * axis**2 / variance[:, None]) for axis, variance in zip((y, x), variances, strict=True)
         )
         factors = (weight_y, weight_x), (weight_y * y**2, weight_x), (weight_y, weight_x * x**2)
         sums, *moments = (np.einsum("zyx,zy,zx->z", images, *pair) for pair in factors)

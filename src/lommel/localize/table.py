@@ -81,7 +81,7 @@ class Waves:
         return layers.wavenumber * (index - math.sqrt(max(0.0, index**2 - layers.NA**2)))
 
     @cached_property
-    def fading(self) -> float:
+    def decay_rate(self) -> float:
         """Largest decay rate of intensities with the depth, nepers per metre; 0 along z."""
         layers = self.pupil.layers
         if self.along == "z":
@@ -90,48 +90,48 @@ class Waves:
         return 2.0 * layers.wavenumber * math.sqrt(max(0.0, layers.NA**2 - layers.sample**2))
 
     def light(self, places: Array) -> Array:
-        """Return the light collected at each depth, relative to that far from the cover glass; 1 along "z"."""
-        if self.fading == 0.0:
+        """Return the light collected at each depth, relative to the light far from the cover glass; 1 along "z"."""
+        if self.decay_rate == 0.0:
             return np.ones(places.shape)
         weights = self.pupil.light.shares
-        near, far = debye.power(self.pupil.layers, places.ravel(), self.pupil.light.model)
-        return np.asarray((near @ weights) / float(far @ weights)).reshape(places.shape)
+        at_depth, far_away = debye.power(self.pupil.layers, places.ravel(), self.pupil.light.model)
+        return np.asarray((at_depth @ weights) / float(far_away @ weights)).reshape(places.shape)
 
     def log_bound(self, low: float, high: float) -> Array:
         """Return logs of bounds on (intensity times :meth:`light`), on the ellipses of `_ETA` for `low` to `high`."""
         half, middle = 0.5 * (high - low), 0.5 * (high + low)
         nearest = middle - half * np.cosh(_ETA)
         # At negative depths, decaying light increases exponentially.
-        above = np.maximum(0.0, -nearest) * self.fading
-        return np.asarray(self.rate * half * np.sinh(_ETA) + above + np.log(self.light(np.maximum(0.0, nearest))))
+        growth = np.maximum(0.0, -nearest) * self.decay_rate
+        return np.asarray(self.rate * half * np.sinh(_ETA) + growth + np.log(self.light(np.maximum(0.0, nearest))))
 
     def log_bound_of_quotients(self, low: float, high: float) -> Array:
         """Return logs of bounds on intensities, on the ellipses of :meth:`log_bound`; inf if light may be 0 there."""
         # If the phase of decaying light is at most pi / 2, its real part is not negative: the modulus of the light
-        # is at least that of the constant part.
-        turned = self.fading * 0.5 * (high - low) * np.sinh(_ETA)
-        return np.asarray(np.where(turned <= 0.5 * math.pi, self.log_bound(low, high), np.inf))
+        # is at least the modulus of the constant part.
+        decay_phase = self.decay_rate * 0.5 * (high - low) * np.sinh(_ETA)
+        return np.asarray(np.where(decay_phase <= 0.5 * math.pi, self.log_bound(low, high), np.inf))
 
     @property
-    def steepest(self) -> float:
+    def max_slope(self) -> float:
         """Bound on the sum of moduli of the derivatives of waves, per metre, relative to the collected light."""
         # The derivatives are those of waves exp((i a - b) d), and of 1 / light, which depends on decaying light only.
-        return (self.rate + self.fading) + self.fading
+        return (self.rate + self.decay_rate) + self.decay_rate
 
 
-def _tail(most: Array, count: int) -> Bounds:
+def _tail(log_bounds: Array, count: int) -> Bounds:
     """Return bounds on the error of a Chebyshev series of `count` terms, and on its derivative times half the range.
 
-    `most` are logarithms of bounds M on the function, for each ellipse of `_ETA`.
+    `log_bounds` are logarithms of bounds M on the function, for each ellipse of `_ETA`.
     """
     # Sums over k >= count of 2 M exp(-k eta), a bound on the coefficients (Trefethen, theorem 8.1), and of k^2 times
     # this bound for derivatives.
     x = np.exp(-_ETA)
-    left = 1.0 - x
+    gap = 1.0 - x
     # The limit of 600 prevents overflow; such ellipses do not yield the smallest bound.
-    size = np.exp(np.minimum(most - count * _ETA, 600.0)) * 2.0
-    slope = count**2 / left + 2.0 * count * x / left**2 + x * (1.0 + x) / left**3
-    return Bounds(float((size / left).min()), float((size * slope).min()))
+    size = np.exp(np.minimum(log_bounds - count * _ETA, 600.0)) * 2.0
+    slope = count**2 / gap + 2.0 * count * x / gap**2 + x * (1.0 + x) / gap**3
+    return Bounds(float((size / gap).min()), float((size * slope).min()))
 
 
 class Pieces(NamedTuple):
@@ -153,24 +153,24 @@ def pieces(waves: Waves, low: float, high: float, error: float) -> Pieces:
     for count in range(1, _MAX_PIECES + 1):
         half = 0.5 * length / count
         # Along the depth, decaying light is strongest in the first piece, which has the largest bound.
-        most = waves.log_bound_of_quotients(low, low + length / count)
-        local = _tail(most, terms)
+        log_bounds = waves.log_bound_of_quotients(low, low + length / count)
+        truncation = _tail(log_bounds, terms)
         # Truncation of the series may cause 90 % of the error, interpolation of the values the remainder.
-        if local.value <= 0.9 * error:
+        if truncation.value <= 0.9 * error:
             break
     else:
         raise ValueError(f"z must span less: a range of {length:.3g} m needs more than {_MAX_PIECES} series")
-    whole = waves.log_bound(low, high)
+    whole_bounds = waves.log_bound(low, high)
     for planes in range(terms, _MAX_PLANES):
-        if (first := 2.0 * _tail(whole, planes).value) * terms * 2.0 <= 0.05 * error:
+        if (plane_error := 2.0 * _tail(whole_bounds, planes).value) * terms * 2.0 <= 0.05 * error:
             break
     else:
         raise ValueError(f"z must span less: a range of {length:.3g} m needs more than {_MAX_PLANES} planes")
     # A coefficient of the error of the interpolating polynomial is at most twice this error, because light >= 1.
-    through = first * 2.0 + _tail(most, _INNER).value
-    value = local.value + through * terms
+    interpolation_error = plane_error * 2.0 + _tail(log_bounds, _INNER).value
+    value = truncation.value + interpolation_error * terms
     # Derivatives of Chebyshev polynomials are at most k^2 (Markov), divided by half the length of a piece.
-    slope = local.slope / half + through * sum(k * k for k in range(terms)) / half
+    slope = truncation.slope / half + interpolation_error * sum(k * k for k in range(terms)) / half
     matrix = _matrix(waves, low, high, planes, count)
     return Pieces(_nodes(planes, low, high), matrix, Bounds(value, slope), _gains(matrix, half))
 
@@ -194,14 +194,14 @@ def _matrix(waves: Waves, low: float, high: float, planes: int, pieces: int) -> 
 
     A single polynomial, through the values at all planes, is evaluated at the Chebyshev points of each piece.
     """
-    vander, whole = np.polynomial.chebyshev.chebvander, _series(planes)
-    cut = _series(_INNER)[: engine.MoleculeTable.terms]
+    vander, series = np.polynomial.chebyshev.chebvander, _series(planes)
+    truncated_series = _series(_INNER)[: engine.MoleculeTable.terms]
     length = (high - low) / pieces
     matrices = []
     for k in range(pieces):
-        inner = _nodes(_INNER, low + k * length, low + (k + 1) * length)
-        x = (2.0 * inner - (low + high)) / (high - low)
-        matrices.append((cut / waves.light(inner)) @ vander(x, planes - 1) @ whole)
+        places = _nodes(_INNER, low + k * length, low + (k + 1) * length)
+        x = (2.0 * places - (low + high)) / (high - low)
+        matrices.append((truncated_series / waves.light(places)) @ vander(x, planes - 1) @ series)
     # The polynomial interpolates the product of intensity and light, which is an entire function of the depth.
     return np.stack(matrices) * waves.light(_nodes(planes, low, high))
 
@@ -211,15 +211,15 @@ def _gains(matrix: Array, half: float) -> Bounds:
     terms = matrix.shape[1]
     x = _nodes(8 * terms, -1.0, 1.0)
     values = np.polynomial.chebyshev.chebvander(x, terms - 1)
-    slopes = np.polynomial.chebyshev.chebval(x, np.polynomial.chebyshev.chebder(np.eye(terms), axis=1).T).T
-    # Ehlich and Zeller: between 8 n points, the maximum is at most that at the points divided by cos(pi / 16).
-    between = 1.0 / math.cos(math.pi / 16.0)
-    value, slope = (between * float(np.abs(at @ matrix).sum(axis=2).max()) for at in (values, slopes))
+    derivatives = np.polynomial.chebyshev.chebval(x, np.polynomial.chebyshev.chebder(np.eye(terms), axis=1).T).T
+    # Ehlich and Zeller: between 8 n points, the maximum is at most the largest value there, divided by cos(pi / 16).
+    factor = 1.0 / math.cos(math.pi / 16.0)
+    value, slope = (factor * float(np.abs(basis @ matrix).sum(axis=2).max()) for basis in (values, derivatives))
     return Bounds(value, slope / half)
 
 
 class _Sampling(NamedTuple):
-    """Sampling of images: `step` is the pixel pitch in v = 2 pi NA r / lambda, `per` samples per pixel."""
+    """Sampling of images: `step` is the pixel pitch in v = 2 pi NA r / lambda, `per` the samples per pixel."""
 
     waves: Waves
     taps: interpolation.FilteredTaps
@@ -249,7 +249,7 @@ class Table:
         Meaning of z: position of the stage, for a fixed depth of the emitter; or depth, for a fixed stage.
     offset : float, default 0
         Displacement of the stage, -1e-5 to 1e-5 metres, for example for the second camera of a biplane. The image at
-        z is that with the stage at ``z + offset`` or, along the depth, with the stage displaced by `offset`.
+        z is computed with the stage at ``z + offset`` or, along the depth, with the stage displaced by `offset`.
     reach : float, default 3
         Largest distance of the molecule from the middle of pixel ``(height // 2, width // 2)`` along rows and
         columns, pixels, 0.5 to 16.
@@ -322,28 +322,28 @@ class Table:
         self.tol = validation.real("tol", tol, least=1e-5, most=0.1)
         ends = validation.real_array("z", z)
         if ends.shape != (2,) or not 1e-9 <= ends[1] - ends[0] <= 1e-4:
-            given = " and ".join(map(format_length, ends.tolist())) if ends.shape == (2,) else validation.shown(z)
-            raise ValueError(f"z must be (lowest, highest) in metres, 1 nm to 100 um apart, got {given}")
+            stated = " and ".join(map(format_length, ends.tolist())) if ends.shape == (2,) else validation.shown(z)
+            raise ValueError(f"z must be (lowest, highest) in metres, 1 nm to 100 um apart, got {stated}")
         low, high = ends.tolist()
         if self.along == "depth" and low < 0.0:
             raise ValueError(f"z must be depths >= 0 metres with along='depth', got {format_length(low)}")
         self.z = (low, high)
-        first, last = ([side // 2 + sign * self.reach for side in self.shape] for sign in (-1.0, 1.0))
-        self.limits = np.array([[*first, low], [*last, high]])  # smallest and largest row, column and z
+        smallest, largest = ([side // 2 + sign * self.reach for side in self.shape] for sign in (-1.0, 1.0))
+        self.limits = np.array([[*smallest, low], [*largest, high]])  # smallest and largest row, column and z
         self._build(0 if threads is None else validation.integer("threads", threads, least=1, most=1024))
 
     def _build(self, threads: int) -> None:
         waves, step = Waves(self.pupil, self.along), Grid(self.shape, self.pixel).step(self.pupil)
         self.rate = waves.rate
-        # The band limit of images is twice that of the field.
+        # The band limit of images is twice the band limit of the field.
         per = max(2, math.ceil(2.0 * step / _BAND))
         if per > 4:
-            most = 3.5 * self.pixel / step
-            raise ValueError(f"pixel must be at most {most:.3g} m with this pupil, got {self.pixel:g}")
+            max_pixel = 3.5 * self.pixel / step
+            raise ValueError(f"pixel must be at most {max_pixel:.3g} m with this pupil, got {self.pixel:g}")
         self._render = partial(psf, normalize="strehl", threads=threads or None)
-        rough = self._render(waves.at(np.linspace(*self.z, 9)), self.shape, self.pixel, tol=1e-2, integrate=True)
+        coarse = self._render(waves.at(np.linspace(*self.z, 9)), self.shape, self.pixel, tol=1e-2, integrate=True)
         # Estimate of the largest value of the dimmest plane, relative to the collected light.
-        peak, before = 0.95 * float(rough.values.max(axis=(1, 2)).min()), math.inf
+        peak, previous_bound = 0.95 * float(coarse.values.max(axis=(1, 2)).min()), math.inf
         while True:
             # Fractions of the tolerance: 0.2 for the kernel along each axis, 0.15 for the series along z, 0.3 for the
             # samples, and the remainder for rounding.
@@ -357,9 +357,9 @@ class Table:
             actual = self._fill(_Sampling(waves, taps, planes, step, per), exact)
             if self.error_bound <= self.tol:
                 return
-            if self.error_bound > 0.9 * before:
+            if self.error_bound > 0.9 * previous_bound:
                 break
-            before = self.error_bound
+            previous_bound = self.error_bound
             # The estimated peak was too large, or rounding errors were larger than assumed: use a smaller peak.
             peak = min(0.7 * peak, 0.95 * actual * self.tol / self.error_bound)
         raise not_met(self.tol, self.error_bound, "the largest value of the dimmest plane", "in single precision")
@@ -373,39 +373,41 @@ class Table:
         margin = len(taps.filter) - 1
         # First and last row and column of the samples, numbers of rows and columns, and columns of each phase.
         half, middle = taps.taps.size // 2, [side // 2 for side in self.shape]
-        first = [-math.ceil(per * (at + self.reach)) - half for at in middle]
-        last = [math.ceil(per * (n - 1 - at + self.reach)) + half for n, at in zip(self.shape, middle, strict=True)]
+        first = [-math.ceil(per * (pixel + self.reach)) - half for pixel in middle]
+        last = [
+            math.ceil(per * (n - 1 - pixel + self.reach)) + half for n, pixel in zip(self.shape, middle, strict=True)
+        ]
         rows, columns = (b - a + 1 for a, b in zip(first, last, strict=True))
-        wide = math.ceil(columns / per)
+        phase_columns = math.ceil(columns / per)
         # The length of a row is a multiple of 16 floats, a vector.
-        wide += -wide % (16 // math.gcd(16, per))
+        phase_columns += -phase_columns % (16 // math.gcd(16, per))
         shape, center = (rows + 2 * margin, columns + 2 * margin), (margin - first[0], margin - first[1])
         samples, error = self._samples(sampling, shape, center, exact)
-        whole = np.concatenate([taps.filter[:0:-1], taps.filter])
-        filtered = ndimage.correlate1d(ndimage.correlate1d(samples, whole, axis=1), whole, axis=2)
+        kernel = np.concatenate([taps.filter[:0:-1], taps.filter])
+        filtered = ndimage.correlate1d(ndimage.correlate1d(samples, kernel, axis=1), kernel, axis=2)
         filtered = filtered[:, margin : margin + rows, margin : margin + columns]
         series = np.einsum("pkz,zyx->pkyx", planes.matrix, filtered, optimize=True)
         # A value is the fraction of the collected light in a pixel, like those of lommel.psf.
         light = Grid(self.shape, self.pixel).cell(self.pupil) / (4.0 * math.pi)
         # Sample k of a row belongs to phase k % per; the samples of each phase are stored in separate rows.
-        padded = np.zeros((*series.shape[:2], rows, wide * per), np.float32)
+        padded = np.zeros((*series.shape[:2], rows, phase_columns * per), np.float32)
         padded[..., :columns] = light * series
         if padded.nbytes > _MAX_BYTES:
             size = f"the table would need {padded.nbytes} bytes, more than {_MAX_BYTES}"
             raise ValueError(f"z must span less, or shape and reach must be smaller: {size}")
-        phases = np.swapaxes(padded.reshape(*series.shape[:2], rows, wide, per), -1, -2)
-        flat = np.concatenate([phases.ravel(), np.zeros(engine.MoleculeTable.beyond, np.float32)])
+        phases = np.swapaxes(padded.reshape(*series.shape[:2], rows, phase_columns, per), -1, -2)
+        coefficients = np.concatenate([phases.ravel(), np.zeros(engine.MoleculeTable.beyond, np.float32)])
         self._parts: dict[str, Any] = {
-            "coefficients": flat,
+            "coefficients": coefficients,
             "polynomials": np.ascontiguousarray(taps.taps.polynomials[:, : taps.taps.size]),
-            "sizes": [len(planes.matrix), rows, per, wide, *self.shape],
+            "sizes": [len(planes.matrix), rows, per, phase_columns, *self.shape],
             "numbers": [*map(float, first), *self.z, *self.limits[:, :2].T.ravel().tolist()],
         }
         self.core = engine.MoleculeTable(**self._parts)
         sizes = np.abs(series)
         largest = float(sizes.sum(axis=1).max())
-        summed = float(np.einsum("k,pkyx->pyx", _TERM_ROUNDINGS, sizes).max())
-        return self._bound(sampling, error, (largest, summed), light)
+        weighted = float(np.einsum("k,pkyx->pyx", _TERM_ROUNDINGS, sizes).max())
+        return self._bound(sampling, error, (largest, weighted), light)
 
     def _samples(
         self, sampling: _Sampling, shape: tuple[int, int], center: tuple[int, int], exact: float
@@ -425,40 +427,40 @@ class Table:
                 assert images.error_bound is not None
                 # The error bound is relative to the exact peak, at least (1 - error_bound) times the computed peak:
                 # the division is on the safe side.
-                off = images.error_bound * float(images.values.max()) / (1.0 - images.error_bound)
-                if off <= exact:
+                error_bound = images.error_bound * float(images.values.max()) / (1.0 - images.error_bound)
+                if error_bound <= exact:
                     break
                 if tol <= 1e-12:
-                    raise not_met(self.tol, off / exact * self.tol, "the largest value of the dimmest plane")
+                    raise not_met(self.tol, error_bound / exact * self.tol, "the largest value of the dimmest plane")
                 # Errors are about proportional to the tolerance, which decreases by a factor of two or more.
-                tol = max(1e-12, min(0.5 * tol, 0.8 * tol * exact / off))
-            values[k : k + block], error = images.values, max(error, off)
+                tol = max(1e-12, min(0.5 * tol, 0.8 * tol * exact / error_bound))
+            values[k : k + block], error = images.values, max(error, error_bound)
         return values, error
 
     def _bound(self, sampling: _Sampling, error: float, sizes: tuple[float, float], light: float) -> float:
         """Set the error bounds; return the peak to which they are relative.
 
-        `error` is that of the samples, `sizes` are sums of moduli of coefficients; `light` converts intensities.
+        `error` is the error of the samples, `sizes` are sums of moduli of coefficients, `light` converts intensities.
         """
         # See docs/certificate.md, section 19. The moduli of waves add up to at most 1, the collected light.
         waves, taps, planes, step, per = sampling
         band, both = 2.0 * step / per, taps.gain**2
-        # Relative error e of the taps along rows and along columns: (1 + e)^2 - 1 in total.
+        # With the relative error e of the taps along rows and along columns, the total is (1 + e)^2 - 1.
         kernel = (1.0 + taps.error) ** 2 - 1.0
-        size, sums, moves = taps.taps.size, taps.taps.gain, taps.taps.slope_gain
+        size, sums, slope_sums = taps.taps.size, taps.taps.gain, taps.taps.slope_gain
         terms = engine.MoleculeTable.terms
-        largest, summed = sizes
+        largest, weighted = sizes
         rounding = _EPS * (2 * size + terms + 8) * largest * sums
         # In values, each term is weighted with its number of rounding errors, which is smallest for the middle taps.
-        often = taps.taps.weighted(2.0 + size - np.maximum(np.arange(size), 1))
-        rounded = 1.001 * _EPS * sums * (sums * summed + 2.0 * often * largest)
+        roundings = taps.taps.weighted(2.0 + size - np.maximum(np.arange(size), 1))
+        rounded = 1.001 * _EPS * sums * (sums * weighted + 2.0 * roundings * largest)
         half = 0.5 * (self.z[1] - self.z[0]) / len(planes.matrix)
         value = kernel + both * (planes.error.value + planes.gain.value * error) + rounded
-        moved = (1.0 + taps.error) * taps.slope_error + band * taps.error
-        across = taps.slope_gain * taps.gain * (planes.error.value + planes.gain.value * error)
-        lateral = per * (moved + across + rounding * moves)
-        steep = waves.steepest * kernel + both * (planes.error.slope + planes.gain.slope * error)
-        steep += rounding * sums * (terms - 1) ** 2 / half
+        tap_slope_error = (1.0 + taps.error) * taps.slope_error + band * taps.error
+        sample_error = taps.slope_gain * taps.gain * (planes.error.value + planes.gain.value * error)
+        lateral_slope = per * (tap_slope_error + sample_error + rounding * slope_sums)
+        z_slope = waves.max_slope * kernel + both * (planes.error.slope + planes.gain.slope * error)
+        z_slope += rounding * sums * (terms - 1) ** 2 / half
         # Peak of the dimmest of many planes, with the molecule in the middle of a pixel.
         row, column = (side // 2 for side in self.shape)
         images = np.asarray(self(row, column, np.linspace(*self.z, 4 * terms * len(planes.matrix) + 1)))
@@ -467,7 +469,7 @@ class Table:
             self.error_bound, self.slope_bounds = math.inf, {}
             return max(peak, 0.0)
         self.error_bound = value / peak
-        self.slope_bounds = {"row": lateral / peak, "column": lateral / peak, self.along: steep / peak}
+        self.slope_bounds = {"row": lateral_slope / peak, "column": lateral_slope / peak, self.along: z_slope / peak}
         return peak
 
     def __call__(
@@ -500,8 +502,8 @@ class Table:
         arrays = [validation.real_array(name, part) for name, part in zip(names, (row, column, z), strict=True)]
         for name, part, low, high in zip(names, arrays, *limits, strict=True):
             if part.size and not low <= part.min() <= part.max() <= high:
-                at = part.min() if part.min() < low else part.max()
-                raise ValueError(f"{name} must be from {low:g} to {high:g}, the range of the table, got {at:g}")
+                outside = part.min() if part.min() < low else part.max()
+                raise ValueError(f"{name} must be from {low:g} to {high:g}, the range of the table, got {outside:g}")
         validation.truth("derivatives", derivatives)
         parts = validation.broadcast("row, column and z", *arrays)
         places = np.stack([part.ravel() for part in parts], axis=-1).reshape(-1, 3)

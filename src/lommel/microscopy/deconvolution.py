@@ -17,7 +17,7 @@ from lommel.deconvolve.poisson_counts import PoissonCounts
 from lommel.fit.findings import Finding, Findings
 from lommel.measures.spot import stage
 from lommel.microscopy.depth_model import narrowed, spline_degrees
-from lommel.microscopy.held_out import WHOLE, Best, Halves, enough, highest_level
+from lommel.microscopy.held_out import MAX_VOXELS, Best, Halves, enough, highest_level
 from lommel.microscopy.stack_blur import TiledBlur, kernel_of
 from lommel.psf import PSF
 from lommel.recorded.counts import Counts
@@ -74,7 +74,7 @@ def deconvolve(
     margin : (int, int), optional
         Number of planes and pixels restored beyond each face of the recording, to account for light from outside. By
         default half of the planes and pixels of the PSF, and at most ``max(8, planes // 4)`` planes. Planes beyond
-        the margin are assumed to equal the outermost one; pixels beyond it are assumed to be dark.
+        the margin are assumed to equal the outermost plane; pixels beyond the margin are assumed to be dark.
     saturation : float, optional
         Smallest value, in the unit of `stack`, of saturated voxels, which are ignored. By default the largest value
         of the integer type, or of 8 to 16 bits if many voxels have it.
@@ -103,8 +103,8 @@ def deconvolve(
     Notes
     -----
     Steps are as in :class:`lommel.imaging.RichardsonLucy`, on all processors. In addition to the stack, they need
-    memory for three float32 stacks with margin, approximately, and for one without. Total variation needs a fourth
-    stack with margin: its steps have a closed form for each voxel, and none raises the objective (De Pierro 1995,
+    memory for three float32 stacks with margin, approximately, and for one stack without. Total variation needs a
+    fourth stack: its steps have a closed form for each voxel, and no step raises the objective (De Pierro 1995,
     doi:10.1109/42.370409). If voxels are small enough, and at most 2 % of the light of the PSF is on the rim of its
     window, voxels of the specimen are B-splines of degree 2 or 3 instead of points. Positive voxels then have the
     same image as a point anywhere between them (Magain et al. 1998, doi:10.1086/305187).
@@ -115,8 +115,8 @@ def deconvolve(
     recorded = counts.marked()
     validation.instance("psf", psf, PSF)
     validation.instance("noise", noise, Noise).require_shape(recorded.shape)
-    usual = min(psf.shape[0] // 2, max(_LEAST_PLANES, recorded.shape[0] // 4)), max(psf.grid.shape) // 2
-    margins = usual if margin is None else margin
+    default_margins = min(psf.shape[0] // 2, max(_LEAST_PLANES, recorded.shape[0] // 4)), max(psf.grid.shape) // 2
+    margins = default_margins if margin is None else margin
     if not isinstance(margins, tuple | list) or len(margins) != 2:
         raise ValueError(f"margin must be (planes, pixels), got {validation.shown(margin)}")
     level = background_of(background)
@@ -142,7 +142,7 @@ def deconvolve(
     algorithm = method or RichardsonLucy(target=1.0)
     held_out = 0
     # Photons are held out only of stacks that are small enough, and that a uniform scene does not fit.
-    is_testable = recorded.size <= WHOLE and counted.flat() > 1.0 + counted.slack
+    is_testable = recorded.size <= MAX_VOXELS and counted.flat() > 1.0 + counted.slack
     if diagnosis and is_contained and is_testable and level == Background(None):
         level, held_out = _held_out(recorded, noise, blur_of)
     iteration = iteration_of(algorithm, blur, counted, background=level, aspect=aspect)
@@ -231,11 +231,11 @@ def _held_out(recorded: Values, noise: Noise, blur: Callable[[], TiledBlur]) -> 
     """Return the flat background and the number of steps, estimated from held-out photons."""
     halves = Halves(recorded, noise.poisson)
 
-    def run(background: Background, start: State, steps: int) -> Best:
+    def continue_iteration(background: Background, start: State, steps: int) -> Best:
         return halves.deconvolve_half(blur(), silent, background=background, start=start, steps=steps)
 
-    free = halves.deconvolve_half(blur(), silent)
-    return Background(highest_level(free, run)), free.steps
+    joint = halves.deconvolve_half(blur(), silent)
+    return Background(highest_level(joint, continue_iteration)), joint.steps
 
 
 def background_of(argument: float | str) -> Background:

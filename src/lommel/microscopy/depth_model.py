@@ -25,17 +25,17 @@ SPREADING = ("widefield", "light sheet")
 """Modalities that record light out of focus."""
 _ISOTROPIC = emitter_of("isotropic")
 _TOL = 1e-4  # tolerance of PSFs, relative to their peaks
-# Differences between PSFs as fractions of their light: below _EQUAL between both ends of a stack, one PSF is enough;
-# _INTERPOLATED is the largest accepted difference of a PSF from the mean of its neighbours.
-_EQUAL, _INTERPOLATED = 0.003, 0.03
+# Differences between PSFs as fractions of their light: _MAX_EQUAL, between both ends of a stack, below which
+# one PSF is enough; _MAX_DEVIATION, the largest accepted one of a PSF from the mean of its neighbours.
+_MAX_EQUAL, _MAX_DEVIATION = 0.003, 0.03
 _MAX_PSFS = 9
 _FAR_DEPTHS = 9  # number of depths at which the tails of PSFs are computed
-_RADIAL = 0.01  # largest rms deviation of a transfer function from rotational symmetry, relative to its rms
+_MAX_MISFIT = 0.01  # largest rms deviation of a transfer function from rotational symmetry, relative to its rms
 _MIN_HALF, _MAX_HALF_PLANES, _MAX_HALF_PIXELS = 8, 64, 48  # half widths of PSF windows, planes and pixels
-_SAMPLES_PER_NODE, _MAX_HALF_NODES = 3, 48  # of the coarse grid, along an axis: samples averaged, largest half width
+_SAMPLES_PER_NODE, _MAX_HALF_NODES = 3, 48  # coarse grid, along an axis: samples per node, largest half width
 _SHEET_END = 4.0  # distance from a light sheet, in thicknesses, beyond which its intensity is treated as constant
 _FOCUS_TABLE = 33  # number of depths at which the best focus is computed
-_SPLINE_DEGREES = (3, 2)  # in the order tried
+_SPLINE_DEGREES = (3, 2)  # degrees of B-splines, in the order tried
 _MAX_NEGATIVE = 0.015  # largest sum of the negative values of a narrowed PSF, as a fraction of its light
 
 
@@ -115,11 +115,11 @@ class DepthModel:
         """Whether light out of focus is recorded, so that PSFs have tails beyond their window."""
         return self.modality in SPREADING
 
-    def near(self, depth: float) -> Array:
-        """Return the light of an emitter in each voxel of the PSF window, as a fraction of its light in all planes.
+    def window_part(self, depth: float) -> Array:
+        """Return the fraction of an emitter's light in each voxel of the PSF window.
 
         For modalities that record light out of focus, the window is tapered towards its edge, and values are
-        fractions of the light that the objective collects in all planes of the window. For others the sum is 1.
+        fractions of the light that the objective collects in all planes of the window. Otherwise the sum is 1.
         """
         values = self.psf(depth).values.astype(np.float64)
         if not self.spreads:
@@ -128,45 +128,45 @@ class DepthModel:
         return np.asarray(values * taper(self.window[1], pitch_of(self.window[1])) / self._collected_light.sum())
 
     def kernel(self, depth: float) -> Array:
-        """Return :meth:`near` for B-splines instead of points at the voxels of the specimen: a narrower kernel.
+        """Return :meth:`window_part` for B-splines instead of points at the specimen's voxels: a narrower kernel.
 
         B-splines with positive light have the same image as a point between the voxels. Points at the voxels could
         only form a wider image (Magain et al. 1998, doi:10.1086/305187).
         """
-        return narrowed(self.near(depth), *self.splines)
+        return narrowed(self.window_part(depth), *self.splines)
 
     @cached_property
     def splines(self) -> tuple[int, int]:
         """Degrees of the B-splines along z and across; 0 (points) where planes or pixels are too coarse."""
         if self.degrees is not None:
             return self.degrees
-        return spline_degrees(self.near(self.depth))
+        return spline_degrees(self.window_part(self.depth))
 
-    def far(self, depth: float, reach: int) -> Array:
-        """Return the tail of the PSF, all light but :meth:`near`, at the nodes of the coarse grid.
+    def tail_part(self, depth: float, half_width: int) -> Array:
+        """Return the tail of the PSF (all light but :meth:`window_part`) at the nodes of the coarse grid.
 
-        The shape is (planes, side, side) with ``side = 2 reach + 1`` nodes, `pitch_of` pixels apart. Values are
+        The shape is (planes, side, side) with ``side = 2 half_width + 1`` nodes, `pitch_of` pixels apart. Values are
         fractions of the light per pixel. Light beyond the outermost nodes is added to the nodes near the edge.
         """
-        pitch, side = pitch_of(self.window[1]), 2 * reach + 1
+        pitch, side = pitch_of(self.window[1]), 2 * half_width + 1
         plane_light = self._collected_light / self._collected_light.sum()
         samples = _SAMPLES_PER_NODE * side
         spacing = pitch / _SAMPLES_PER_NODE  # pixels
         sample_pixel = self.pixel * pitch / _SAMPLES_PER_NODE
         sampled = psf(self._emission(depth), samples, sample_pixel, integrate=False, tol=_TOL)
-        at = np.asarray((np.arange(samples) - samples // 2) * spacing, np.float64)
-        values = sampled.values * (1.0 - taper(self.window[1], pitch, at)) * (_SAMPLES_PER_NODE / pitch) ** 2
+        positions = np.asarray((np.arange(samples) - samples // 2) * spacing, np.float64)
+        values = sampled.values * (1.0 - taper(self.window[1], pitch, positions)) * (_SAMPLES_PER_NODE / pitch) ** 2
         means = values.reshape(-1, side, _SAMPLES_PER_NODE, side, _SAMPLES_PER_NODE).mean(axis=(2, 4))
         means *= plane_light[:, np.newaxis, np.newaxis]
-        rim = np.maximum(*np.abs(np.indices((side, side)) - reach)) >= 0.8 * reach
-        # In each plane, window and tail together must contain the collected light: the rim gets the difference.
-        expected = np.maximum(plane_light - self.near(depth).sum(axis=(1, 2)), 0.0) / pitch**2
+        is_rim = np.maximum(*np.abs(np.indices((side, side)) - half_width)) >= 0.8 * half_width
+        # In each plane, window and tail must contain the collected light: the difference is added to the rim.
+        expected = np.maximum(plane_light - self.window_part(depth).sum(axis=(1, 2)), 0.0) / pitch**2
         sums = np.maximum(means.sum(axis=(1, 2)), 1e-30)
         means *= np.minimum(expected / sums, 1.0)[:, np.newaxis, np.newaxis]
-        return np.asarray(means + np.maximum(expected - sums, 0.0)[:, np.newaxis, np.newaxis] * rim / rim.sum())
+        return np.asarray(means + np.maximum(expected - sums, 0.0)[:, np.newaxis, np.newaxis] * is_rim / is_rim.sum())
 
-    def reach(self, shape: tuple[int, int], margin: int) -> int:
-        """Return the half width of tails in nodes: enough for the cone of light, or for the whole field of view."""
+    def tail_half_width(self, shape: tuple[int, int], margin: int) -> int:
+        """Return the half width of tails in nodes: the cone of light, or the field of view."""
         pitch = pitch_of(self.window[1])
         field = (max(shape) + margin) / pitch
         cone = _cone(self.objective, self.wavelength, self.pixel, float(np.abs(self._z).max())) / pitch
@@ -174,7 +174,7 @@ class DepthModel:
 
     @property
     def _z(self) -> Array:
-        """Stage positions of the planes of the window, metres from the middle one."""
+        """Stage positions of the planes of the window, metres from the middle plane."""
         return np.asarray((np.arange(self.window[0]) - self.window[0] // 2) * self.step)
 
     @property
@@ -213,7 +213,7 @@ class DepthModel:
         The depth is 0 where the focus is in the cover glass.
         """
         offset = self.step * (np.arange(-margin, self.planes + margin) - self.planes // 2)
-        # Without a mismatch of refractive indices the focus moves as the stage does.
+        # Without a mismatch of refractive indices the focus and the stage move by equal distances.
         if self.objective.coverslip is None and self.objective.sample == self.objective.immersion:
             return np.asarray(np.clip(self.depth + offset, 0.0, DEPTH_MOST))
         wave = self.wavelength if self.modality != "two-photon" else float(self.excitation or self.wavelength)
@@ -224,28 +224,28 @@ class DepthModel:
         table = np.unique(np.append(table, self.depth))
         focus = self.objective.pupil(depth=table, wavelength=wave).focus
         # np.interp needs ascending positions; at the glass the focus may jump back by nanometres.
-        best = np.maximum.accumulate(focus)
-        middle = float(np.interp(self.depth, table, best))
-        return np.asarray(np.interp(middle + offset, best + 1e-15 * np.arange(len(best)), table))
+        best_focus = np.maximum.accumulate(focus)
+        middle = float(np.interp(self.depth, table, best_focus))
+        return np.asarray(np.interp(middle + offset, best_focus + 1e-15 * np.arange(len(best_focus)), table))
 
     def psfs(self, margin: int, slabs: int | None = None) -> PSFs:
         """Return the depths of the PSFs for a stack with `margin` more planes on each side.
 
         One PSF is used if PSFs hardly differ over the stack. If they are rotationally symmetric, each plane has its
-        own. Otherwise their number is `slabs`, or as large as linear interpolation requires.
+        own PSF. Otherwise their number is `slabs`, or as large as linear interpolation requires.
         """
         depths = self.depths(margin)
         low, high = float(depths[0]), float(depths[-1])
-        single = PSFs(depths, np.array([self.depth]), np.array([self.depth]), None)
+        single_psf = PSFs(depths, np.array([self.depth]), np.array([self.depth]), None)
         if slabs is not None:
             validation.integer("slabs", slabs, least=1, most=64)
         if slabs == 1 or high - low < 1e-9:
-            return single
+            return single_psf
         if slabs is not None:
             nodes = _nodes(low, high, slabs)
             return PSFs(depths, nodes, nodes, None)
-        if _relative_difference(self.near(low), self.near(high)) < _EQUAL:
-            return single
+        if _relative_difference(self.window_part(low), self.window_part(high)) < _MAX_EQUAL:
+            return single_psf
         radial = self._radial(low, high)
         if radial is not None:
             return PSFs(depths, depths, _nodes(low, high, _FAR_DEPTHS), radial)
@@ -256,26 +256,26 @@ class DepthModel:
         self, shape: tuple[int, int, int], margin: tuple[int, int], psfs: PSFs | None = None, *, threads: int = 0
     ) -> TiledBlur | WideBlur:
         """Return the blur of a stack of this shape, with a margin of planes and of pixels on each side."""
-        used = psfs or self.psfs(margin[0])
-        weights = _weights(used.planes, used.nodes) if len(used.nodes) > 1 else None
-        kernels = (self.kernel(float(each)) for each in used.depths)
-        near: TiledBlur
-        if used.radial is None:
-            near = TiledBlur(kernels, shape, margin, weights=weights, threads=threads)
+        depths = psfs or self.psfs(margin[0])
+        weights = _weights(depths.planes, depths.nodes) if len(depths.nodes) > 1 else None
+        kernels = (self.kernel(float(depth)) for depth in depths.depths)
+        windows: TiledBlur
+        if depths.radial is None:
+            windows = TiledBlur(kernels, shape, margin, weights=weights, threads=threads)
         else:
-            near = PlaneBlur(kernels, shape, margin, used.radial, threads=threads)
+            windows = PlaneBlur(kernels, shape, margin, depths.radial, threads=threads)
         if not self.spreads:
-            return near
-        reach = self.reach((shape[1], shape[2]), margin[1])
-        far = (self.far(float(each), reach) for each in used.nodes)
-        return WideBlur(near, far, pitch_of(self.window[1]), weights=weights, threads=threads)
+            return windows
+        half_width = self.tail_half_width((shape[1], shape[2]), margin[1])
+        tails = (self.tail_part(float(node), half_width) for node in depths.nodes)
+        return WideBlur(windows, tails, pitch_of(self.window[1]), weights=weights, threads=threads)
 
     def _radial(self, *depths: float) -> RadialTransfer | None:
         """Return the table of transfer functions if PSFs at these depths are rotationally symmetric, else None."""
         if self.aberrations is not None and any(order for _, order in self.aberrations.to_zernike(unit="waves")):
             return None
         transfer = RadialTransfer(self.window[1], pixels=self.spreads)
-        if not all(transfer.misfit(self.near(depth)) < _RADIAL for depth in depths):
+        if not all(transfer.misfit(self.window_part(depth)) < _MAX_MISFIT for depth in depths):
             return None
         return RadialTransfer(self.window[1], pixels=self.spreads, spline=self.splines[1])
 
@@ -283,16 +283,18 @@ class DepthModel:
         """Return the number of PSFs between two depths for which linear interpolation is accurate enough."""
         computed: dict[float, Array] = {}
 
-        def at(position: float) -> Array:
+        def psf_at(position: float) -> Array:
             """Return the PSF at a position from 0 (depth `low`) to 1 (`high`)."""
             if position not in computed:
-                computed[position] = self.near(((1.0 - position) * math.sqrt(low) + position * math.sqrt(high)) ** 2)
+                computed[position] = self.window_part(
+                    ((1.0 - position) * math.sqrt(low) + position * math.sqrt(high)) ** 2
+                )
             return computed[position]
 
         intervals = 1
         while intervals < _MAX_PSFS - 1 and any(
-            _relative_difference(at((k + 0.5) / intervals), at(k / intervals), at((k + 1) / intervals))
-            > _INTERPOLATED
+            _relative_difference(psf_at((k + 0.5) / intervals), psf_at(k / intervals), psf_at((k + 1) / intervals))
+            > _MAX_DEVIATION
             for k in range(intervals)
         ):
             # Doubling reuses the PSFs that are already computed.
@@ -310,18 +312,18 @@ def spline_degrees(kernel: Array) -> tuple[int, int]:
     """Return the highest degrees of B-splines, along z and across, whose narrowed kernel is nearly positive, or 0."""
 
     def nearly_positive(*degrees: int) -> bool:
-        narrow = narrowed(kernel, *degrees)
-        return -float(np.minimum(narrow, 0.0).sum()) < _MAX_NEGATIVE * float(narrow.sum())
+        narrow_kernel = narrowed(kernel, *degrees)
+        return -float(np.minimum(narrow_kernel, 0.0).sum()) < _MAX_NEGATIVE * float(narrow_kernel.sum())
 
-    along = next((degree for degree in _SPLINE_DEGREES if nearly_positive(degree, 0)), 0)
-    return along, next((degree for degree in _SPLINE_DEGREES if nearly_positive(0, degree)), 0)
+    z_degree = next((degree for degree in _SPLINE_DEGREES if nearly_positive(degree, 0)), 0)
+    return z_degree, next((degree for degree in _SPLINE_DEGREES if nearly_positive(0, degree)), 0)
 
 
-def narrowed(kernel: Array, along: int, across: int) -> Array:
+def narrowed(kernel: Array, z_degree: int, lateral_degree: int) -> Array:
     """Return the kernel whose convolution with B-splines of these degrees, along z and across, is `kernel`."""
     from scipy.ndimage import spline_filter1d
 
-    for axis, degree in enumerate((along, across, across)):
+    for axis, degree in enumerate((z_degree, lateral_degree, lateral_degree)):
         if degree:
             kernel = spline_filter1d(kernel, degree, axis, mode="reflect")  # keeps the sum
     return kernel
@@ -335,8 +337,8 @@ def _weights(depths: Array, nodes: Array) -> Array:
 
 
 def _relative_difference(kernel: Array, *others: Array) -> float:
-    """Return half of the sum of absolute differences of a PSF from the mean of others, divided by its light."""
-    # Half, because displaced light is counted twice: where it is missing and where it is in excess.
+    """Return half of the sum of absolute differences of a PSF from the mean of other PSFs, divided by its light."""
+    # Half, because displaced light counts twice: as missing at one place and as excess at the other.
     return float(np.abs(kernel - sum(others) / len(others)).sum() / kernel.sum()) / 2.0
 
 

@@ -1,7 +1,7 @@
 """Cross-validation with held-out photons: stopping rule, background level and comparison of PSFs for a stack.
 
 Counts are split into two halves. Counts plus the read-noise variance are close to ``Poisson(mu + read^2)`` (Snyder et
-al. 1993, doi:10.1364/JOSAA.10.001014): each half gets a binomial share of the nearest integer, and half of the
+al. 1993, doi:10.1364/JOSAA.10.001014): each half receives a binomial share of the nearest integer, and half of the
 rounding remainder. The halves are uncorrelated if gain, offset and read noise are correct. One half is deconvolved;
 the iteration stops at the minimum of the Poisson deviance of the other half.
 """
@@ -26,7 +26,7 @@ from lommel.recorded.noise import Noise
 
 SIDE = 40
 """Side, in pixels, of the region in which PSFs are compared."""
-WHOLE = 500_000
+MAX_VOXELS = 500_000
 """Largest number of voxels of a stack whose background is estimated from held-out photons of the whole stack."""
 _STEPS, _PATIENCE = 150, 6  # largest number of iterations, and of iterations after the best one
 _USUAL_STEPS = 55  # typical number of iterations
@@ -64,15 +64,15 @@ class _Half(PoissonCounts):
     def _deviance_sums(self, plane: int, rows: slice, columns: slice, light: Values, misfit: Values | None) -> Array:
         sums = super()._deviance_sums(plane, rows, columns, light, misfit)
         if self._validation is not None:
-            at = plane, rows, columns
-            _, weight = self.part(*at)
-            counts = np.maximum(self._validation[at] + self._added_at(rows, columns), np.float32(0.0))
-            known = np.isfinite(counts) & (weight > 0.0)
-            counts = np.where(known, counts, light)  # `light` now holds the model
+            position = plane, rows, columns
+            _, weight = self.part(*position)
+            counts = np.maximum(self._validation[position] + self._added_at(rows, columns), np.float32(0.0))
+            valid = np.isfinite(counts) & (weight > 0.0)
+            counts = np.where(valid, counts, light)  # `light` now holds the model
             # The Poisson deviance m - y + y ln(y / m) of the held-out counts y.
             loss = light - counts + counts * np.log(np.maximum(counts, TINY) / light)
-            self._losses[at] = np.where(known, self.white * weight * loss, 0.0)
-            self._electrons[at] = self.white * weight * light
+            self._losses[position] = np.where(valid, self.white * weight * loss, 0.0)
+            self._electrons[position] = self.white * weight * light
         return sums
 
     def is_past_best(self, step: int, iteration: Iteration) -> bool:
@@ -96,18 +96,18 @@ class Halves:
 
     def __init__(self, values: Values, camera: Noise, limit: float = math.inf) -> None:
         gain = np.asarray(1.0 if camera.white is None else camera.white)
-        spread = np.asarray(camera.read) ** 2
+        variance = np.asarray(camera.read) ** 2
         recorded = values.astype(np.float64)
         with np.errstate(invalid="ignore"):
-            known = np.isfinite(recorded) & (recorded < limit)
-        electrons = np.where(known, gain * (recorded - camera.offset) + spread, 0.0)
-        whole = np.maximum(np.rint(electrons), 0.0)
+            valid = np.isfinite(recorded) & (recorded < limit)
+        electrons = np.where(valid, gain * (recorded - camera.offset) + variance, 0.0)
+        integers = np.maximum(np.rint(electrons), 0.0)
         # Each photon goes to either half with probability 1/2: the two parts of a Poisson variable are independent.
-        draw = np.random.default_rng(0).binomial(whole.astype(np.int64), 0.5)
+        draw = np.random.default_rng(0).binomial(integers.astype(np.int64), 0.5)
         self.parts = [
             # Subtract half of the read-noise variance, which was added to the counts.
-            np.where(known, (each + 0.5 * (electrons - whole) - 0.5 * spread) / gain, np.nan).astype(np.float32)
-            for each in (draw, whole - draw)
+            np.where(valid, (share + 0.5 * (electrons - integers) - 0.5 * variance) / gain, np.nan).astype(np.float32)
+            for share in (draw, integers - draw)
         ]
         # Each half has half of the read-noise variance.
         self.noise = Noise(white=camera.white, read=np.asarray(camera.read) / math.sqrt(2.0))
@@ -135,29 +135,29 @@ def enough(
     """
     if not (isinstance(method, RichardsonLucy) and method.target >= 1.0 and steps):
         return None
-    most = max(method.target, 1.0 + counted.slack)
-    return lambda step, discrepancy: step >= steps and discrepancy <= most
+    max_discrepancy = max(method.target, 1.0 + counted.slack)
+    return lambda step, discrepancy: step >= steps and discrepancy <= max_discrepancy
 
 
-def highest_level(free: Best, run: Callable[[Background, State, int], Best]) -> float:
+def highest_level(joint: Best, continue_iteration: Callable[[Background, State, int], Best]) -> float:
     """Return the background of the counts: the highest level that agrees with the held-out photons.
 
     Background and a uniform specimen have the same image, and the iteration does not redistribute light between them.
     Too low a background adds a pedestal to the specimen and reduces the likelihood only slightly; too high a
-    background contradicts dark voxels. Starting from `free`, which estimated background and specimen together, the
+    background contradicts dark voxels. From `joint`, the result with background and specimen estimated together, the
     background is raised in steps, and the increase is subtracted from the specimen. After each increase
-    ``run(background, state, steps)`` continues the iteration.
+    ``continue_iteration(background, state, steps)`` continues the iteration.
     """
     levels: list[float] = []
     losses: list[float] = []
-    for raised in range(_LEVELS + 1):
-        levels.append(free.level * (1.0 + _RISE) ** raised)
-        start = free.state.subtract(levels[-1] - free.level)
-        losses.append(run(Background(levels[-1]), start, _SETTLE).loss)
-        most = min(losses) + _MAX_LOSS
-        if losses[-1] > most:
+    for increases in range(_LEVELS + 1):
+        levels.append(joint.level * (1.0 + _RISE) ** increases)
+        start = joint.state.subtract(levels[-1] - joint.level)
+        losses.append(continue_iteration(Background(levels[-1]), start, _SETTLE).loss)
+        max_loss = min(losses) + _MAX_LOSS
+        if losses[-1] > max_loss:
             # The levels refer to half of the counts. Interpolate linearly between the last two, and double.
-            fraction = (most - losses[-2]) / (losses[-1] - losses[-2])
+            fraction = (max_loss - losses[-2]) / (losses[-1] - losses[-2])
             return 2.0 * (levels[-2] + fraction * (levels[-1] - levels[-2]))
     return 2.0 * levels[-1]
 
@@ -175,78 +175,80 @@ class HeldOut(TrialDeconvolution):
         """Whether a uniform specimen agrees with the counts of the region within their noise."""
         return self._counted.flat() <= 1.0 + self._counted.slack
 
-    def best(self, words: str, model: DepthModel, fold: int = 0, course: list[StepSettings] | None = None) -> Best:
+    def best(self, label: str, model: DepthModel, fold: int = 0, course: list[StepSettings] | None = None) -> Best:
         """Deconvolve a half, and return the iteration that agrees best with the other half.
 
         The `course` of another PSF fixes the extrapolation of steps: lnL is then a smooth function of the index.
         """
-        progress = self._work(f"held-out photons, {words}", _USUAL_STEPS)
+        progress = self._work(f"held-out photons, {label}", _USUAL_STEPS)
         return self._halves.deconvolve_half(self.blur(model, len(self._values)), progress, fold=fold, course=course)
 
-    def level(self, free: Best) -> float:
-        """Return the background of the stack; `free` is the deconvolution that estimated it with the specimen."""
+    def level(self, joint: Best) -> float:
+        """Return the background of the stack; `joint` is the deconvolution that also estimated it."""
 
-        def run(background: Background, start: State, steps: int) -> Best:
+        def continue_iteration(background: Background, start: State, steps: int) -> Best:
             blur, progress = (
                 self.blur(self._model, len(self._values)),
                 self._work("held-out photons, background", steps),
             )
             return self._halves.deconvolve_half(blur, progress, background=background, start=start, steps=steps)
 
-        return highest_level(free, run)
+        return highest_level(joint, continue_iteration)
 
-    def finding(self, own: Best) -> Finding | None:
-        """Compare PSFs for other refractive indices of the sample with `own`, the result for the given index.
+    def finding(self, reference: Best) -> Finding | None:
+        """Compare PSFs for other refractive indices of the sample with `reference`, the result for the given index.
 
-        Return None if no other index is possible.
+        Return None if no other index is valid.
         """
         start = self._model.objective.sample
-        tried: dict[float, Best] = {start: own}
+        results: dict[float, Best] = {start: reference}
 
-        def index(change: float, like: Best, fold: int = 0) -> Best | None:
+        def result_for(change: float, similar: Best, fold: int = 0) -> Best | None:
             value = start + change
             try:
                 model = self._model.changed("sample", value)
             except ValueError:
                 return None
-            return self.best(f"index of the sample {value:.4g}", model, fold, like.course)
+            return self.best(f"index of the sample {value:.4g}", model, fold, similar.course)
 
         for change in (-_INDEX_STEP, _INDEX_STEP):
-            if result := index(change, own):
-                tried[start + change] = result
-        gains = {value: _gain(own, each) for value, each in tried.items() if value != start}
+            if result := result_for(change, reference):
+                results[start + change] = result
+        gains = {value: _gain(reference, result) for value, result in results.items() if value != start}
         if not gains:
             return None
-        value = max(gains, key=lambda each: gains[each][0] / gains[each][1])
+        value = max(gains, key=lambda value: gains[value][0] / gains[value][1])
         gain, error = gains[value]
         if _UNCERTAIN[0] < gain / error < _UNCERTAIN[1]:
-            original = self.best("the PSF as given", self._model, 1)
-            other = index(value - start, original, 1)
-            assert other is not None
-            more_gain, more_error = _gain(original, other)
+            second = self.best("the PSF as given", self._model, 1)
+            second_other = result_for(value - start, second, 1)
+            assert second_other is not None
+            more_gain, more_error = _gain(second, second_other)
             gains[value] = gain, error = gain + more_gain, math.hypot(error, more_error)
         numbers: dict[str, float] = {"sample": start, "lnL": gain, "lnL_error": error}
         if gain <= _SIGNIFICANT * error:
-            words = " and ".join(f"{by:+.0f} +- {off:.0f} with {each:.4g}" for each, (by, off) in gains.items())
+            changes = " and ".join(
+                f"{dL:+.0f} +- {sigma:.0f} with {index:.4g}" for index, (dL, sigma) in gains.items()
+            )
             text = (
-                f"held-out photons prefer no other index of the sample to {start:.4g}: their lnL changes by {words}"
+                f"held-out photons prefer no other index of the sample to {start:.4g}: their lnL changes by {changes}"
             )
             return Finding("psf_compared", "note", text, numbers)
-        change, best = value - start, tried[value]
+        change, best = value - start, results[value]
         for farther in range(2, 2 + _MORE_CHANGES):
-            following = index(farther * change, own)
-            if following is None:
+            farther_result = result_for(farther * change, reference)
+            if farther_result is None:
                 break
-            tried[start + farther * change] = following
-            if following.loss > best.loss:
+            results[start + farther * change] = farther_result
+            if farther_result.loss > best.loss:
                 break
-            best = following
-        preferred, off = _least({each: one.loss for each, one in tried.items()})
-        numbers |= {"preferred": preferred, "preferred_error": off}
-        about = f"about {preferred:.4f} +- {off:.4f}" if math.isfinite(off) else f"{preferred:.4g} or beyond"
+            best = farther_result
+        preferred, width = _least({index: result.loss for index, result in results.items()})
+        numbers |= {"preferred": preferred, "preferred_error": width}
+        estimate = f"about {preferred:.4f} +- {width:.4f}" if math.isfinite(width) else f"{preferred:.4g} or beyond"
         text = (
             f"held-out photons agree better with an index of the sample of {value:.4g} than of {start:.4g} (lnL by "
-            f"{gain:.0f} +- {error:.0f}), and best with {about}: the PSF may be wrong; an error of the depth, or "
+            f"{gain:.0f} +- {error:.0f}), and best with {estimate}: the PSF may be wrong; an error of the depth, or "
             "spherical aberration, has a similar effect"
         )
         return Finding("psf_doubtful", "doubt", text, numbers)
@@ -257,15 +259,15 @@ def estimated_held_out_steps(shape: tuple[int, ...]) -> float:
     return _USUAL_RUNS * _USUAL_STEPS * math.prod(min(side, SIDE) for side in shape[1:]) / math.prod(shape[1:])
 
 
-def _gain(own: Best, other: Best) -> tuple[float, float]:
+def _gain(reference: Best, other: Best) -> tuple[float, float]:
     """Return the increase of lnL of the held-out photons with another PSF, and its standard error.
 
-    For counts y and expectations m and m' the increase is ``sum y ln(m'/m)``, with variance ``sum m ln(m'/m)^2``.
+    For counts y and expected counts m and m' the increase is ``sum y ln(m'/m)``, with variance ``sum m ln(m'/m)^2``.
     """
-    gain = float((own.losses.astype(np.float64) - other.losses).sum())
-    known = (own.electrons > 0.0) & (other.electrons > 0.0)
-    one, two = own.electrons[known].astype(np.float64), other.electrons[known].astype(np.float64)
-    return gain, max(math.sqrt(float((0.5 * (one + two) * np.log(one / two) ** 2).sum())), 1e-9)
+    gain = float((reference.losses.astype(np.float64) - other.losses).sum())
+    valid = (reference.electrons > 0.0) & (other.electrons > 0.0)
+    a, b = reference.electrons[valid].astype(np.float64), other.electrons[valid].astype(np.float64)
+    return gain, max(math.sqrt(float((0.5 * (a + b) * np.log(a / b) ** 2).sum())), 1e-9)
 
 
 def _least(losses: dict[float, float]) -> tuple[float, float]:
@@ -274,10 +276,10 @@ def _least(losses: dict[float, float]) -> tuple[float, float]:
     In simulated stacks twice the standard error was the actual error. It is inf if the smallest loss is at an end.
     """
     values = sorted(losses)
-    at = min(range(len(values)), key=lambda k: losses[values[k]])
-    if not 0 < at < len(values) - 1:
-        return values[at], math.inf
-    near = values[at - 1 : at + 2]
-    bend, slope, _ = np.polyfit(np.array(near) - values[at], [losses[each] for each in near], 2)
+    k = min(range(len(values)), key=lambda index: losses[values[index]])
+    if not 0 < k < len(values) - 1:
+        return values[k], math.inf
+    nearest = values[k - 1 : k + 2]
+    curvature, slope, _ = np.polyfit(np.array(nearest) - values[k], [losses[each] for each in nearest], 2)
     # The minimum of b x^2 + s x is at -s / (2 b), and lnL falls by 1/2 at 1 / sqrt(2 b) from it.
-    return float(values[at] - 0.5 * slope / bend), float(2.0 / math.sqrt(2.0 * bend))
+    return float(values[k] - 0.5 * slope / curvature), float(2.0 / math.sqrt(2.0 * curvature))

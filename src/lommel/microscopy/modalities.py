@@ -16,7 +16,7 @@ from lommel.methods.question import output_type
 from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.psf import PSF, psf
 
-_DARK = 5.0  # distance from a sheet, in thicknesses, where its intensity is 1e-30 of the maximum
+_MAX_DISTANCE = 5.0  # distance from a sheet, in thicknesses, where its intensity is 1e-30 of the maximum
 _CLOSE = 1e-12  # metres: largest difference between planes of two wavelengths that count as equal
 
 
@@ -220,9 +220,9 @@ def light_sheet(
     distance = validation.broadcast("offset and the stack", distance, pupil.z)[0]
     if distance.shape != pupil.shape:
         raise ValueError(f"offset must broadcast to the stack of shape {pupil.shape}, got shape {distance.shape}")
-    if (farthest := float(np.abs(distance).max(initial=0.0))) > _DARK * width:
+    if (farthest := float(np.abs(distance).max(initial=0.0))) > _MAX_DISTANCE * width:
         raise ValueError(
-            f"offset must be within {_DARK:g} times the thickness, beyond which the sheet is dark, got {farthest:g}"
+            f"offset must be within {_MAX_DISTANCE:g} times the thickness (dark beyond it), got {farthest:g}"
         )
     # A Gaussian of full width `width` at half maximum: exp(-4 ln 2 x^2).
     sheet = np.exp(-4.0 * math.log(2.0) * (distance / width) ** 2)
@@ -237,17 +237,17 @@ def light_sheet(
     return replace(base, values=values, scale=base.scale * sheet, error_bound=base.error_bound + 1.01 * rounding)
 
 
-def _same_planes(what: str, beam: ObjectivePupil, emission: ObjectivePupil) -> None:
+def _same_planes(name: str, beam: ObjectivePupil, emission: ObjectivePupil) -> None:
     """Raise TypeError or ValueError unless both are pupils in the same planes."""
-    validation.instance(what, beam, ObjectivePupil)
+    validation.instance(name, beam, ObjectivePupil)
     validation.instance("emission", emission, ObjectivePupil)
     if beam.shape != emission.shape:
-        raise ValueError(f"{what} must have the planes of the emission, of shape {emission.shape}, got {beam.shape}")
-    for name in ("depth", "focus"):
-        difference = float(np.abs(getattr(beam, name) - getattr(emission, name)).max(initial=0.0))
+        raise ValueError(f"{name} must have the planes of the emission, of shape {emission.shape}, got {beam.shape}")
+    for attribute in ("depth", "focus"):
+        difference = float(np.abs(getattr(beam, attribute) - getattr(emission, attribute)).max(initial=0.0))
         if difference > _CLOSE:
             raise ValueError(
-                f"{what} must have the planes of the emission, got a {name} up to {difference:.3g} metres off; "
+                f"{name} must have the planes of the emission, got a {attribute} up to {difference:.3g} metres off; "
                 'objective.pupil(depth=..., z=emission.focus, origin="coverslip", ...) computes the same planes'
             )
 

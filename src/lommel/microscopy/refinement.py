@@ -28,7 +28,7 @@ PARAMETERS = {"depth": "depth", "sample": "index of the sample", "spherical": "s
 Progress = Callable[[float, str], object]
 """Callback for the progress: fraction of the work that is done, 0 to 1, and its description."""
 
-_STEPS = 40  # steps of trials in a search: with fewer, too sharp PSFs have the lower discrepancy
+_STEPS = 40  # steps of trials in a search: with fewer, PSFs that are too sharp have the lowest discrepancy
 _FINE_STEPS = 100  # steps of trials near the minimum: 40 would not restore dim points, 160 would fit noise
 _SIDES = 48, 64  # pixels: smallest and largest side of the part of the stack that is used
 _NARROWEST, _WIDEST = 33, 49  # pixels: smallest and largest side of PSFs
@@ -39,7 +39,7 @@ _RANGE = {"depth": 3e-6, "sample": 0.03, "spherical": 0.3}  # half width of the 
 _SPACING = 1 / 6  # distance of trials near the minimum, as a fraction of _RANGE; doubled in the first search
 _ROUNDS = 3  # largest number of rounds of trials; a round is moved if the minimum is not between its trials
 # Alternatives after a misfit: first change of each parameter, doubled while the fit improves, and name in words.
-_OTHERS = {
+_ALTERNATIVES = {
     "sample": (6e-3, "index of the sample"),
     "NA": (0.02, "NA"),
     "depth": (6e-7, "depth"),
@@ -66,13 +66,13 @@ def brightest(stack: Stack, size: int, saturation: float) -> tuple[slice, slice]
     detail = np.zeros((height, width))  # maximum over planes
     for plane in np.unique(np.linspace(0, planes - 1, min(planes, 16)).astype(int)):
         values = np.asarray(plane_of(stack, int(plane)), np.float64)
-        known = np.isfinite(values) & (values < saturation)
-        values = np.where(known, values, np.median(values[known]) if known.any() else 0.0)
-        # A difference of two means is detail of a few pixels, without the background.
+        valid = np.isfinite(values) & (values < saturation)
+        values = np.where(valid, values, np.median(values[valid]) if valid.any() else 0.0)
+        # The difference of two local means keeps details of a few pixels, and removes the background.
         np.maximum(detail, uniform_filter(values, 3) - uniform_filter(values, 15), out=detail)
-    # The root keeps one bright spot from outweighing many dim ones.
-    bright = uniform_filter(np.maximum(detail, 0.0) ** 0.5, min(size, height, width))
-    row, column = np.unravel_index(int(bright.argmax()), bright.shape)
+    # The root keeps a single bright spot from outweighing many dim spots.
+    detail_sum = uniform_filter(np.maximum(detail, 0.0) ** 0.5, min(size, height, width))
+    row, column = np.unravel_index(int(detail_sum.argmax()), detail_sum.shape)
     return _window_around(int(row), size, height), _window_around(int(column), size, width)
 
 
@@ -89,7 +89,7 @@ def estimated_steps(direction: bool, names: int) -> tuple[float, float]:
 
 def _trials(parameters: int) -> int:
     """Return the number of trials that determine a quadratic function of n parameters."""
-    # Its constant, n slopes, n curvatures and n (n - 1) / 2 mixed terms.
+    # The constant, n slopes, n curvatures and n (n - 1) / 2 mixed terms.
     return 1 + 2 * parameters + parameters * (parameters - 1) // 2
 
 
@@ -109,13 +109,13 @@ class Work:
     def __init__(self, progress: Progress, steps: float) -> None:
         self._progress, self._steps, self._done = progress, steps, 0.0
 
-    def __call__(self, words: str, steps: int) -> Callable[[int, float, float], None]:
+    def __call__(self, label: str, steps: int) -> Callable[[int, float, float], None]:
         """Begin a trial of about `steps` steps, and return the function to be called after each step."""
-        before, self._done = self._done, self._done + steps
+        steps_before, self._done = self._done, self._done + steps
 
         def report(step: int, *_: float) -> None:
-            fraction = (before + step) / max(self._steps, self._done)
-            self._progress(min(fraction, 1.0), words)
+            fraction = (steps_before + step) / max(self._steps, self._done)
+            self._progress(min(fraction, 1.0), label)
 
         report(0)
         return report
@@ -149,15 +149,15 @@ class TrialDeconvolution:
         """Number of voxels that are not ignored."""
         return int(self._counted.known.sum())
 
-    def course(
-        self, model: DepthModel, steps: int, report: Callable[[int, float, float], object], *, turned: bool = False
+    def discrepancies(
+        self, model: DepthModel, steps: int, report: Callable[[int, float, float], object], *, reverse: bool = False
     ) -> list[float]:
-        """Return the discrepancy after each step with the PSFs of a model; `turned`: with the planes reversed.
+        """Return the discrepancy after each step with the PSFs of a model; `reverse`: with the planes reversed.
 
-        All trials use the extrapolation factors of the first, so that differences are due to the PSFs alone.
+        All trials use the extrapolation factors of the first trial, so that differences are due to the PSFs alone.
         """
         counted = self._counted
-        if turned:
+        if reverse:
             counted = counted.reversed()
         blur = self.blur(model, len(self._values))
         iteration = Iteration(blur, counted, self._courses.get(steps), background=Background(None))
@@ -175,86 +175,89 @@ class TrialDeconvolution:
         """Return the blur of the part by narrower PSFs of a model, with the B-splines of the first model."""
         side = min(max(model.window[1], _NARROWEST), self._widest)
         window_planes = model.window[0]
-        small = replace(model, window=(window_planes, side), planes=planes, degrees=self._degrees)
+        narrow_model = replace(model, window=(window_planes, side), planes=planes, degrees=self._degrees)
         # All models have the same splines, since others would change the discrepancy.
-        self._degrees = small.splines
+        self._degrees = narrow_model.splines
         margin = min(window_planes // 2, max(_MIN_MARGIN, planes // 4)), side // 2
-        psfs = small.psfs(margin[0])
+        psfs = narrow_model.psfs(margin[0])
         if psfs.radial is not None:
-            far = np.linspace(0, len(psfs.nodes) - 1, min(_FAR_DEPTHS, len(psfs.nodes))).astype(int)
-            psfs = psfs._replace(nodes=psfs.nodes[far])
+            tail_nodes = np.linspace(0, len(psfs.nodes) - 1, min(_FAR_DEPTHS, len(psfs.nodes))).astype(int)
+            psfs = psfs._replace(nodes=psfs.nodes[tail_nodes])
         shape = self._values.shape
-        return small.blur((shape[0], shape[1], shape[2]), margin, psfs, threads=self._threads)
+        return narrow_model.blur((shape[0], shape[1], shape[2]), margin, psfs, threads=self._threads)
 
 
 def estimate_z_direction(context: StackContext, crop: tuple[slice, slice], progress: Progress) -> tuple[str, str]:
-    """Return "up" or "down", the direction of z with the lower discrepancy, and a sentence on the result."""
-    trial, work = TrialDeconvolution(context, crop), Work(progress, 2.0 * _STEPS)
-    up, down = (
-        trial.course(context.model, _STEPS, work(f"direction of z, {words}", _STEPS), turned=turned)[-1]
-        for turned, words in ((False, "planes as they are"), (True, "planes in reverse order"))
+    """Return "up" or "down", the direction with the lower discrepancy, and a sentence on the result."""
+    trial, track = TrialDeconvolution(context, crop), Work(progress, 2.0 * _STEPS)
+    up_discrepancy, down_discrepancy = (
+        trial.discrepancies(context.model, _STEPS, track(f"direction of z, {label}", _STEPS), reverse=reverse)[-1]
+        for reverse, label in ((False, "planes in the order of the file"), (True, "planes in reverse order"))
     )
-    better, worse = min(up, down), max(up, down)
-    figures = (
-        f"after {_STEPS} steps a part of the stack has the discrepancy {better:.3g}, and {worse:.3g} for the "
+    lower, higher = min(up_discrepancy, down_discrepancy), max(up_discrepancy, down_discrepancy)
+    comparison = (
+        f"after {_STEPS} steps a part of the stack has the discrepancy {lower:.3g}, and {higher:.3g} for the "
         "opposite direction"
     )
-    if worse - better < max(0.5 * trial.slack, 0.005 * better):
+    if higher - lower < max(0.5 * trial.slack, 0.005 * lower):
         return "up", (
-            f"The direction of z cannot be determined from the stack ({figures}): the first "
+            f"The direction of z cannot be determined from the stack ({comparison}): the first "
             "plane was assumed to be the nearest to the cover glass."
         )
-    if up < down:
-        return "up", f"The planes run from the cover glass into the sample ({figures})."
-    return "down", (f"The planes run towards the cover glass ({figures}): the last plane is the nearest to it.")
+    if up_discrepancy < down_discrepancy:
+        return "up", f"The planes run from the cover glass into the sample ({comparison})."
+    return "down", (f"The planes run towards the cover glass ({comparison}): the last plane is the nearest to it.")
 
 
-def rank_alternatives(context: StackContext, progress: Progress, *, turned: bool) -> list[str]:
+def rank_alternatives(context: StackContext, progress: Progress, *, try_reversed: bool) -> list[str]:
     """Return descriptions of PSFs with one changed parameter that fit the stack better, the best first.
 
-    Points between voxels leave a misfit with any PSF, but hardly change which PSF is the best. Reversed planes are
-    tried if `turned`. Spherical aberration is not tried, as its effect is similar to another sample index. Errors
-    of index, depth and step have similar effects: all PSFs are returned that lower the discrepancy by at least half
-    as much as the best one.
+    Points between voxels cause a misfit with any PSF, but hardly change which PSF is the best. Reversed planes are
+    tried if `try_reversed`. Spherical aberration is not tried: its effect is similar to another index. Errors of
+    index, depth and step have similar effects: all PSFs are returned that lower the discrepancy by at least half
+    as much as the best PSF.
     """
     model, steps = context.model, _STEPS
     crop = brightest(context.stack, _FIRST_SIDE, context.saturation)
     trial = TrialDeconvolution(context, crop, widest=_NARROWEST)
-    work = Work(progress, steps * (1.0 + turned + _USUAL_CHANGES * len(_OTHERS)))
+    track = Work(progress, steps * (1.0 + try_reversed + _USUAL_CHANGES * len(_ALTERNATIVES)))
 
-    def cost(changed: DepthModel, words: str, *, turned: bool = False) -> float:
-        discrepancies = trial.course(changed, steps, work(words, steps), turned=turned)
+    def cost(changed: DepthModel, label: str, *, reverse: bool = False) -> float:
+        discrepancies = trial.discrepancies(changed, steps, track(label, steps), reverse=reverse)
         # A mean over steps, since the discrepancy of a single step depends on its extrapolation.
         return float(np.mean(discrepancies[steps // 2 :]))
 
     start_cost = cost(model, "the PSF as given")
-    explained: dict[str, float] = {}  # decrease of the cost
-    if turned:
-        words = "planes in reverse order"
-        explained[words] = start_cost - cost(model, words, turned=True)
-    for name, (first_change, words) in _OTHERS.items():
+    decreases: dict[str, float] = {}  # decrease of the cost by each change
+    if try_reversed:
+        label = "planes in reverse order"
+        decreases[label] = start_cost - cost(model, label, reverse=True)
+    for name, (first_change, title) in _ALTERNATIVES.items():
 
-        def changed(value: float, name: str = name, words: str = words) -> float:
+        def cost_of_change(value: float, name: str = name, title: str = title) -> float:
             try:
-                other = model.changed(name, value)
+                alternative = model.changed(name, value)
             except ValueError:
                 return math.inf
-            return cost(other, f"another {words}: {_value_in_words(model, name, value)}")
+            return cost(alternative, f"another {title}: {_value_in_words(model, name, value)}")
 
         start = _start(model, name)
-        value, lowest = _line_search(changed, start, first_change, start_cost)
+        value, lowest_cost = _line_search(cost_of_change, start, first_change, start_cost)
         if value != start:
             change = "smaller" if value < start else "larger"
-            explained[f"a {change} {words} (about {_value_in_words(model, name, value)})"] = start_cost - lowest
-    best = max(explained.values(), default=0.0)
-    least = max(_SIGNIFICANT * start_cost / trial.known, _MIN_EXPLAINED * (start_cost - 1.0), _COMPARABLE * best)
-    return sorted((words for words in explained if explained[words] > least), key=lambda words: -explained[words])
+            label = f"a {change} {title} (about {_value_in_words(model, name, value)})"
+            decreases[label] = start_cost - lowest_cost
+    largest = max(decreases.values(), default=0.0)
+    threshold = max(
+        _SIGNIFICANT * start_cost / trial.known, _MIN_EXPLAINED * (start_cost - 1.0), _COMPARABLE * largest
+    )
+    return sorted((label for label in decreases if decreases[label] > threshold), key=lambda label: -decreases[label])
 
 
 def _line_search(
     cost: Callable[[float], float], start: float, first_change: float, start_cost: float
 ) -> tuple[float, float]:
-    """Return the value with the lowest cost, and that cost, with few evaluations.
+    """Return the value with the lowest cost, and that cost, after few evaluations.
 
     From `start` the change is doubled while the cost falls, in the first of two directions in which it falls. An
     infinite cost marks a value out of range and ends the search in a direction.
@@ -270,13 +273,13 @@ def _line_search(
             if value_cost >= costs[-2]:
                 break
         if len(costs) > 1 and costs[1] < start_cost:
-            at = int(np.argmin(costs))
-            if at == len(costs) - 1:
-                return values[at], costs[at]
-            # Minimum of the parabola through the lowest three.
-            near = slice(at - 1, at + 2)
-            curvature, slope, height = np.polyfit(np.array(values[near]) - values[at], costs[near], 2)
-            return float(values[at] - 0.5 * slope / curvature), float(height - 0.25 * slope**2 / curvature)
+            k = int(np.argmin(costs))
+            if k == len(costs) - 1:
+                return values[k], costs[k]
+            # Minimum of the parabola through the lowest point and its neighbours.
+            neighbours = slice(k - 1, k + 2)
+            curvature, slope, height = np.polyfit(np.array(values[neighbours]) - values[k], costs[neighbours], 2)
+            return float(values[k] - 0.5 * slope / curvature), float(height - 0.25 * slope**2 / curvature)
     return start, start_cost
 
 
@@ -297,32 +300,38 @@ def refined(
     start = np.array([_start(model, name) for name in names])
     spacing = np.array([_RANGE[name] * _SPACING for name in names])
     lower, upper = np.array([_limits(name, value) for name, value in zip(names, start, strict=True)]).T
-    rough_crop = brightest(context.stack, _FIRST_SIDE, context.saturation)
-    rough = TrialDeconvolution(context, rough_crop, widest=_NARROWEST)
+    coarse_crop = brightest(context.stack, _FIRST_SIDE, context.saturation)
+    coarse = TrialDeconvolution(context, coarse_crop, widest=_NARROWEST)
     fine = TrialDeconvolution(context, crop)
-    rough_cost = rough.known / fine.known  # computing time of a step, relative to a step of a fine trial
-    work = Work(progress, _trials(len(names)) * (_STEPS * rough_cost + _FINE_STEPS))
+    coarse_cost = coarse.known / fine.known  # computing time of a step, relative to a step of a fine trial
+    track = Work(progress, _trials(len(names)) * (_STEPS * coarse_cost + _FINE_STEPS))
 
-    def course(trial: TrialDeconvolution, steps: int, cost: float) -> Callable[[Array], list[float]]:
+    def function(trial: TrialDeconvolution, steps: int, cost: float) -> Callable[[Array], list[float]]:
         """Return a function from values of the parameters to the discrepancy after each step."""
 
         def discrepancies(values: Array) -> list[float]:
             pairs = zip(names, values.tolist(), strict=True)
-            words = ", ".join(f"{PARAMETERS[name]} {_value_in_words(model, name, value)}" for name, value in pairs)
-            report = work(words, int(steps * cost))
-            return trial.course(
+            label = ", ".join(f"{PARAMETERS[name]} {_value_in_words(model, name, value)}" for name, value in pairs)
+            report = track(label, int(steps * cost))
+            return trial.discrepancies(
                 _with(model, names, values), steps, lambda step, *rest: report(int(step * cost), *rest)
             )
 
         return discrepancies
 
-    wide = 2.0 * spacing
-    best, _ = _minimum(course(rough, _STEPS, rough_cost), start, wide, (lower + wide, upper - wide), rough.known)
+    doubled = 2.0 * spacing
+    estimate, _ = _minimum(
+        function(coarse, _STEPS, coarse_cost),
+        start,
+        doubled,
+        (lower + doubled, upper - doubled),
+        coarse.known,
+    )
     limits = lower + spacing, upper - spacing
-    best, errors = _minimum(course(fine, _FINE_STEPS, 1.0), best, spacing, limits, fine.known)
-    best = np.clip(best, lower, upper)
-    values, standard_errors = (dict(zip(names, array.tolist(), strict=True)) for array in (best, errors))
-    return _with(model, names, best), values, standard_errors
+    estimate, errors = _minimum(function(fine, _FINE_STEPS, 1.0), estimate, spacing, limits, fine.known)
+    estimate = np.clip(estimate, lower, upper)
+    values, standard_errors = (dict(zip(names, array.tolist(), strict=True)) for array in (estimate, errors))
+    return _with(model, names, estimate), values, standard_errors
 
 
 def _start(model: DepthModel, name: str) -> float:
@@ -339,45 +348,49 @@ def _with(model: DepthModel, names: Sequence[str], values: Sequence[float] | Arr
 
 
 def _minimum(
-    course: Callable[[Array], list[float]], start: Array, spacing: Array, limits: tuple[Array, Array], known: int
+    discrepancies: Callable[[Array], list[float]],
+    start: Array,
+    spacing: Array,
+    limits: tuple[Array, Array],
+    known: int,
 ) -> tuple[Array, Array]:
     """Return the parameters with the lowest discrepancy after all steps, and their standard errors.
 
     A quadratic function is fitted to trials at distances `spacing`. At one standard error the deviance, `known` times
     the discrepancy, rises by 1. This error by photon noise is combined with the change of the minimum over the second
-    half of the steps, because the change by further steps is unknown.
+    half of the steps, because the change by further steps is not known.
     """
     count, centre = len(start), np.clip(start, *limits)
     unit = np.eye(count)
     pairs = [(i, k) for i in range(count) for k in range(i)]
-    # Trials, in units of the spacing: the centre, one forward and one back along each axis, one per pair of axes.
+    # Trials, in units of the spacing: the centre, a step forward and back along each axis, (1, 1) for each pair.
     offsets = np.array([np.zeros(count), *unit, *-unit, *(unit[i] + unit[k] for i, k in pairs)])
-    best, errors = centre, np.full(count, np.inf)
+    estimate, errors = centre, np.full(count, np.inf)
     for _ in range(_ROUNDS):
-        courses = np.array([course(centre + offset * spacing) for offset in offsets])
+        courses = np.array([discrepancies(centre + offset * spacing) for offset in offsets])
         fits = [_quadratic(values, pairs) for values in (courses[:, courses.shape[1] // 2], courses[:, -1])]
         hessian, slope = fits[-1]
         # A quadratic function has a minimum if its matrix is positive definite.
-        early, late = (bool(np.linalg.eigvalsh(matrix)[0] > 0.0) for matrix, _ in fits)
+        minimum_halfway, minimum_at_end = (bool(np.linalg.eigvalsh(matrix)[0] > 0.0) for matrix, _ in fits)
         errors = np.full(count, np.inf)
-        if not late:
+        if not minimum_at_end:
             minimum = offsets[int(courses[:, -1].argmin())]
-            best = centre + minimum * spacing
+            estimate = centre + minimum * spacing
             if not minimum.any():
                 break
-            centre = np.clip(best + minimum * spacing, *limits)
+            centre = np.clip(estimate + minimum * spacing, *limits)
             continue
         minimum = -np.linalg.solve(hessian, slope)
-        best = centre + minimum * spacing
-        if early:
-            lowest = max(float(courses[0, -1] + 0.5 * slope @ minimum), 1.0)
-            variance = 2.0 * lowest * np.diag(np.linalg.inv(hessian)) / known
+        estimate = centre + minimum * spacing
+        if minimum_halfway:
+            lowest_discrepancy = max(float(courses[0, -1] + 0.5 * slope @ minimum), 1.0)
+            variance = 2.0 * lowest_discrepancy * np.diag(np.linalg.inv(hessian)) / known
             errors = np.sqrt(variance + (minimum + np.linalg.solve(*fits[0])) ** 2) * spacing
         # Farther than 1.5 spacings the minimum is an extrapolation.
         if np.abs(minimum).max() <= 1.5:
             break
         centre = np.clip(centre + np.clip(minimum, -3.0, 3.0) * spacing, *limits)
-    return best, errors
+    return estimate, errors
 
 
 def _quadratic(values: Array, pairs: Sequence[tuple[int, int]]) -> tuple[Array, Array]:
@@ -386,12 +399,12 @@ def _quadratic(values: Array, pairs: Sequence[tuple[int, int]]) -> tuple[Array, 
     The values are at the origin, at 1 along each axis, at -1 along each axis, and at (1, 1) for each pair of axes.
     """
     count = (len(values) - 1 - len(pairs)) // 2
-    up, down = values[1 : count + 1] - values[0], values[count + 1 : 2 * count + 1] - values[0]
-    hessian = np.diag(up + down)
+    forward, backward = values[1 : count + 1] - values[0], values[count + 1 : 2 * count + 1] - values[0]
+    hessian = np.diag(forward + backward)
     # f(x + y) - f(x) - f(y) + f(0) is the mixed derivative.
     for (i, k), value in zip(pairs, values[2 * count + 1 :] - values[0], strict=True):
-        hessian[i, k] = hessian[k, i] = value - up[i] - up[k]
-    return hessian, (up - down) / 2.0
+        hessian[i, k] = hessian[k, i] = value - forward[i] - forward[k]
+    return hessian, (forward - backward) / 2.0
 
 
 def _limits(name: str, start: float) -> tuple[float, float]:

@@ -30,7 +30,7 @@ from lommel.fit.findings import Finding, Findings, FitReport
 from lommel.microscopy import depth_model
 from lommel.microscopy.deconvolution import FLAT, Floor, background_of
 from lommel.microscopy.depth_model import MODALITIES, SPREADING, DepthModel, PSFs
-from lommel.microscopy.held_out import SIDE, WHOLE, HeldOut, enough, estimated_held_out_steps
+from lommel.microscopy.held_out import MAX_VOXELS, SIDE, HeldOut, enough, estimated_held_out_steps
 from lommel.microscopy.refinement import (
     PARAMETERS,
     StackContext,
@@ -148,7 +148,7 @@ class RestoredStack(FitReport):
     findings : Findings
         Results of the checks of all channels. Errors: "misfit" and "too_quiet". Doubts: "psf_doubtful", where
         held-out photons agree better with another PSF; "misfit" where no other PSF fits better; "hot_pixels",
-        "not_settled" and "interrupted". All others are notes. Findings set ``converged``, ``reliable`` and
+        "not_settled" and "interrupted". All other findings are notes. Findings set ``converged``, ``reliable`` and
         ``status``.
     summary : str
         Discrepancy and number of steps of each channel.
@@ -183,10 +183,10 @@ class RestoredStack(FitReport):
         """
         result = super().to_dict()
         channels = zip(result["channels"], self.channels, self.recording.names, self.recording.emission, strict=False)
-        for channel, each, name, wave in channels:
-            channel |= {"name": name, "wavelength": wave, "psfs": len(each.psf_depths)}
-            channel["depths"] = [float(each.depths.min()), float(each.depths.max())]
-            channel["background"] = float(np.mean(each.background))
+        for entry, channel, name, wave in channels:
+            entry |= {"name": name, "wavelength": wave, "psfs": len(channel.psf_depths)}
+            entry["depths"] = [float(channel.depths.min()), float(channel.depths.max())]
+            entry["background"] = float(np.mean(channel.background))
         sizes = {"pixel_in_sample": self.recording.pixel, "step": self.recording.step}
         return {"shape": list(self.values.shape[-3:])} | sizes | result
 
@@ -206,16 +206,16 @@ class RestoredStack(FitReport):
         ImportError
             If matplotlib is not installed.
         """
-        several = len(self.channels) > 1
+        show_names = len(self.channels) > 1
         labelled = [
-            (f"{name}: " if several else "", each.projections)
-            for name, each in zip(self.recording.names, self.channels, strict=False)
+            (f"{name}: " if show_names else "", channel.projections)
+            for name, channel in zip(self.recording.names, self.channels, strict=False)
         ]
         assert self.recording.pixel is not None
         assert self.recording.step is not None
         caption = "; ".join(
-            f"{name}discrepancy {each.before:#.3g} before, {each.discrepancy:#.3g} after {each.steps} steps"
-            for (name, _), each in zip(labelled, self.channels, strict=True)
+            f"{name}discrepancy {channel.before:#.3g} before, {channel.discrepancy:#.3g} after {channel.steps} steps"
+            for (name, _), channel in zip(labelled, self.channels, strict=True)
         )
         return pictures.projections(labelled, (self.recording.step, self.recording.pixel), caption)
 
@@ -291,10 +291,10 @@ def restore(
         Depth below the cover glass that is in focus in plane ``planes // 2``, metres. By default the depth of the
         Microscope; for an Objective ``planes // 2 * step``, as if the stack began at the glass.
     wavelength : float or sequence of float, optional
-        Emission wavelength, metres; one for all channels or one for each. By default the wavelength in the file.
+        Emission wavelength, metres; one value, or one for each channel. By default the wavelength in the file.
     pixel, step : float, optional
         Pixel pitch on the camera, and stage displacement between planes, metres. By default the values in the file;
-        its pixel size in the sample is multiplied by the magnification.
+        the file's pixel size in the sample is multiplied by the magnification.
     channel, time : int, optional
         Channel and time point to restore; by default all channels, and the only time point.
     axes : str, optional
@@ -334,7 +334,7 @@ def restore(
         photons. An "uneven" background is estimated in each chunk separately, and is best used without chunks.
     psf_shape : (int, int), optional
         Planes and pixels of the PSFs, odd. By default ``2 planes - 1`` planes, between 17 and 129, and the width of
-        the light cone in the outermost one, between 17 and 97 pixels.
+        the light cone in the outermost plane, between 17 and 97 pixels.
     margin : (int, int), optional
         Planes and pixels restored beyond the stack, as in :func:`lommel.microscopy.deconvolve`.
     tile : int, optional
@@ -415,7 +415,7 @@ def restore(
                 f"{format_length(models[0].depth, digits=3)}, as if the stack began at the cover glass; set depth= "
                 "if not."
             )
-        described = replace(
+        used_recording = replace(
             recording,
             pixel=sizes.pixel / lens.magnification,
             step=sizes.step,
@@ -425,16 +425,16 @@ def restore(
             path=recording.path,
         )
         ignored = _mask_of(mask, array_mask, recording.shape)
-        target = cleanup.enter_context(_destination(out, (len(numbers), *recording.shape[1:]), described))
-        results = _by_channel(recording, numbers, models, options, ignored, target, notes, progress or silent)
+        target = cleanup.enter_context(_destination(out, (len(numbers), *recording.shape[1:]), used_recording))
+        results = _restore_channels(recording, numbers, models, options, ignored, target, notes, progress or silent)
         values = target.finish(" ".join(notes), len(results))
     findings = Findings(
-        each if len(numbers) == 1 else replace(each, text=f"{name}: {each.text}")
-        for name, result in zip(described.names, results, strict=False)
-        for each in result.findings
+        finding if len(numbers) == 1 else replace(finding, text=f"{name}: {finding.text}")
+        for name, result in zip(used_recording.names, results, strict=False)
+        for finding in result.findings
     )
-    summary = ", ".join(f"discrepancy {each.discrepancy:.4g} after {each.steps} steps" for each in results)
-    return RestoredStack(values, tuple(results), described, tuple(notes), findings=findings, summary=summary)
+    summary = ", ".join(f"discrepancy {result.discrepancy:.4g} after {result.steps} steps" for result in results)
+    return RestoredStack(values, tuple(results), used_recording, tuple(notes), findings=findings, summary=summary)
 
 
 @dataclass(frozen=True)
@@ -470,7 +470,7 @@ class _Options:
         background_of(self.background)
 
 
-def _by_channel(
+def _restore_channels(
     recording: Recording,
     numbers: range,
     models: Sequence[DepthModel],
@@ -500,16 +500,16 @@ def _mask_of(
     mask: ArrayLike | None, array_mask: NDArray[np.bool_] | bool | None, shape: tuple[int, int, int, int]
 ) -> NDArray[np.bool_] | None:
     """Return the voxels to ignore (True), in the given `shape` of four axes; None if there are none."""
-    out = np.asarray(False if array_mask is None else array_mask)
+    ignored = np.asarray(False if array_mask is None else array_mask)
     if mask is not None:
-        added = validation.array("mask", mask)
-        if added.dtype != bool or added.shape not in (shape[2:], shape[1:], shape):
+        user_mask = validation.array("mask", mask)
+        if user_mask.dtype != bool or user_mask.shape not in (shape[2:], shape[1:], shape):
             raise ValueError(
-                f"mask must be True or False for each pixel {shape[2:]} or voxel {shape[1:]}, got {added.dtype} "
-                f"of shape {added.shape}"
+                f"mask must be True or False for each pixel {shape[2:]} or voxel {shape[1:]}, got {user_mask.dtype} "
+                f"of shape {user_mask.shape}"
             )
-        out = out | added
-    return np.broadcast_to(out, shape) if np.any(out) else None
+        ignored = ignored | user_mask
+    return np.broadcast_to(ignored, shape) if np.any(ignored) else None
 
 
 def _list_of_names(name: str, names: object) -> list[str]:
@@ -560,15 +560,15 @@ class _Sizes:
         if pixel is not None:
             validation.pixel(self.pixel, metric=True)
             if self.pixel < _FINEST / lens.NA * lens.magnification:
-                # Most often the size of a voxel, given in place of the camera's.
-                given, camera = format_length(self.pixel), format_length(self.pixel * lens.magnification)
+                # The usual cause is a pixel size in the sample, instead of the pitch on the camera.
+                value, camera = format_length(self.pixel), format_length(self.pixel * lens.magnification)
                 raise ValueError(
-                    f"pixel must be the pitch on the camera, got {given}, which is"
-                    f" {format_length(self.pixel / lens.magnification)} in the sample; for {given} in the sample give"
+                    f"pixel must be the pitch on the camera, got {value}, which is"
+                    f" {format_length(self.pixel / lens.magnification)} in the sample; for {value} in the sample give"
                     f" pixel={camera}"
                 )
         if not 0.0 < self.step < 1e-4:
-            raise ValueError(f"step must be of the stage, in metres, above 0 and below 1e-4, got {self.step:g}")
+            raise ValueError(f"step must be a stage displacement, above 0 and below 1e-4 metres, got {self.step:g}")
         if recording.NA is not None and abs(recording.NA - lens.NA) > _TOLERANCE * lens.NA:
             notes.append(f"NA {lens.NA:g} of the objective was used; the file states NA {recording.NA:g}.")
 
@@ -587,22 +587,22 @@ class _Sizes:
             if of_file is not None and abs(value - of_file) > _TOLERANCE * of_file:
                 notes.append(f"The argument {name}={format_length(value)} was used, not the value of the file.")
             return value
-        what = "an array" if recording.path is None else line(recording.path)
+        source = "an array" if recording.path is None else line(recording.path)
         if name in recording.unusable:
-            where = "in the sample" if name == "pixel" else "between planes"
+            place = "in the sample" if name == "pixel" else "between planes"
             raise ValueError(
-                f"{what} states {recording.unusable[name]} {where}, which cannot be used: give {name}=, in metres"
+                f"{source} states {recording.unusable[name]} {place}, which cannot be used: give {name}=, in metres"
                 + (" on the camera" if name == "pixel" else "")
             )
         if of_file is None and of_microscope is None:
             raise ValueError(
-                f"{what} states no voxel size: give pixel= (on the camera) and step= (of the stage), in metres"
+                f"{source} states no voxel size: give pixel= (on the camera) and step= (of the stage), in metres"
             )
         if of_file is None:
-            where = "on the camera" if name == "pixel" else "of the stage"
+            place = "on the camera" if name == "pixel" else "of the stage"
             notes.append(
                 f"The stack does not state its {name}: the value of the objective file was used, "
-                f"{format_length(float(of_microscope or 0.0))} {where}; set {name}= if it differs."
+                f"{format_length(float(of_microscope or 0.0))} {place}; set {name}= if it differs."
             )
             return float(of_microscope or 0.0)
         if of_microscope is not None and abs(of_microscope - of_file) > _TOLERANCE * of_file:
@@ -622,17 +622,19 @@ def _wavelengths(
 ) -> list[float]:
     """Return the emission wavelength of each channel, from the argument, else the file, else the microscope."""
     if argument is not None:
-        each = np.atleast_1d(validation.real_array("wavelength", argument)).tolist()
-        if len(each) not in (1, len(numbers)):
-            raise ValueError(f"wavelength must be one, or one for each of {len(numbers)} channels, got {len(each)}")
-        return [validation.wavelength(float(wave)) for wave in (each * len(numbers) if len(each) == 1 else each)]
+        given = np.atleast_1d(validation.real_array("wavelength", argument)).tolist()
+        if len(given) not in (1, len(numbers)):
+            raise ValueError(
+                f"wavelength must be one, or one for each of {len(numbers)} channels, got {len(given)} values"
+            )
+        return [validation.wavelength(float(wave)) for wave in (given * len(numbers) if len(given) == 1 else given)]
     waves = []
     for number in numbers:
         wave = recording.emission[number]
         if wave is None:
-            if words := recording.unusable.get(f"emission {number}"):
+            if text := recording.unusable.get(f"emission {number}"):
                 raise ValueError(
-                    f"the stack states that the emission wavelength of {recording.names[number]!r} is {words}, which "
+                    f"the stack states that the emission wavelength of {recording.names[number]!r} is {text}, which "
                     "cannot be used: give wavelength=, in metres, such as 520e-9"
                 )
             if microscope is None or len(numbers) > 1:
@@ -685,10 +687,10 @@ def _model(
             raise ValueError(f"psf_shape must be (planes, pixels), both odd, got {shown(psf_shape)}")
         size = validation.integer("psf_shape", psf_shape[0], least=3, most=513), int(psf_shape[1])
         validation.integer("psf_shape", psf_shape[1], least=3, most=513)
-        usual = depth_model.usual_window(lens, wave, sizes.pixel, sizes.step, (planes, height, width))
-        enough = max(usual[0], 2 * planes + 1), max(usual[1], 2 * max(height, width) + 1)
-        if size[0] > enough[0] or size[1] > enough[1]:
-            raise ValueError(f"psf_shape must be at most {enough}, which is enough for this stack, got {size}")
+        default_size = depth_model.usual_window(lens, wave, sizes.pixel, sizes.step, (planes, height, width))
+        max_size = max(default_size[0], 2 * planes + 1), max(default_size[1], 2 * max(height, width) + 1)
+        if size[0] > max_size[0] or size[1] > max_size[1]:
+            raise ValueError(f"psf_shape must be at most {max_size}, which is enough for this stack, got {size}")
     middle = depth
     if middle is None:
         middle = planes // 2 * sizes.step if microscope is None else microscope.depth
@@ -719,9 +721,9 @@ class _ReversedStack:
     def __len__(self) -> int:
         return int(self.shape[0])
 
-    def __getitem__(self, at: PlanePart) -> Values:
-        plane, *rest = at if isinstance(at, tuple) else (at,)
-        values: Values = self._stack[(len(self) - 1 - plane, *rest)]
+    def __getitem__(self, index: PlanePart) -> Values:
+        plane, *rows_columns = index if isinstance(index, tuple) else (index,)
+        values: Values = self._stack[(len(self) - 1 - plane, *rows_columns)]
         return values
 
 
@@ -742,28 +744,28 @@ class _Target:
                     raise ValueError("its array is missing or has another shape")
         self._complete_chunks: list[tuple[str, Chunk]] = []
 
-    def has(self, request: str, at: Chunk) -> bool:
+    def has(self, request: str, chunk: Chunk) -> bool:
         """Return whether a chunk is unchanged since it was written for `request`, a checksum of its inputs."""
-        if self.unfinished is None or not self._is_unchanged(request, at):
+        if self.unfinished is None or not self._is_unchanged(request, chunk):
             return False
-        self._complete_chunks.append((request, at))
+        self._complete_chunks.append((request, chunk))
         return True
 
-    def _is_unchanged(self, request: str, at: Chunk) -> bool:
+    def _is_unchanged(self, request: str, chunk: Chunk) -> bool:
         assert self.unfinished is not None
         with _zarr_errors(self.unfinished):
-            return self.unfinished.is_complete(_chunk_name(at), request, np.asarray(self._array[at]))
+            return self.unfinished.is_complete(_chunk_name(chunk), request, np.asarray(self._array[chunk]))
 
-    def put(self, request: str, at: Chunk, values: Values) -> None:
+    def put(self, request: str, chunk: Chunk, values: Values) -> None:
         """Write a chunk, and record its request."""
         if self.unfinished is None:
-            self._array[at] = values
+            self._array[chunk] = values
             return
         self.unfinished.require_there()
         with _zarr_errors(self.unfinished):
-            self._array[at] = values
-        self.unfinished.record(_chunk_name(at), request, values)
-        self._complete_chunks.append((request, at))
+            self._array[chunk] = values
+        self.unfinished.record(_chunk_name(chunk), request, values)
+        self._complete_chunks.append((request, chunk))
 
     def finish(self, description: str, channels: int) -> Any:
         """Return the values of the restored channels; a folder is renamed to its final name before."""
@@ -771,7 +773,7 @@ class _Target:
             values = self._array[:channels]
             return values[0] if self.shape[0] == 1 else values
         # Check again: another process may have replaced chunks since this call checked or wrote them.
-        if not all(self._is_unchanged(*each) for each in self._complete_chunks):
+        if not all(self._is_unchanged(*entry) for entry in self._complete_chunks):
             raise ValueError(f"chunks in {line(self.unfinished.scratch)} were changed by another process; call again")
         recordings.require_own(self.unfinished.place)
         with _zarr_errors(self.unfinished):
@@ -792,8 +794,8 @@ def _zarr_errors(unfinished: Unfinished) -> Iterator[None]:
         raise ValueError(f"{line(unfinished.scratch)} is damaged ({reading.reason(error)}); remove it") from None
 
 
-def _chunk_name(at: Chunk) -> str:
-    return f"{at[0]}.{at[2].start}.{at[3].start}"
+def _chunk_name(chunk: Chunk) -> str:
+    return f"{chunk[0]}.{chunk[2].start}.{chunk[3].start}"
 
 
 @contextmanager
@@ -807,8 +809,8 @@ def _destination(out: str | PathLike[str] | None, shape: tuple[int, ...], record
         raise ValueError(f"out must end in .zarr, which is written chunk by chunk, got {shown(place.name)}")
     if not place.parent.is_dir():
         raise FileNotFoundError(2, "No such file or directory", str(place.parent))
-    described = {name: getattr(recording, name) for name in ("pixel", "step", "names", "emission")}
-    request = {"software": f"lommel {version()}", "shape": shape} | described
+    metadata = {name: getattr(recording, name) for name in ("pixel", "step", "names", "emission")}
+    request = {"software": f"lommel {version()}", "shape": shape} | metadata
     with atomic.unfinished_folder(
         place, request, lambda folder: recordings.new_zarr(folder, shape, recording, place.stem)
     ) as unfinished:
@@ -837,15 +839,15 @@ class _Source:
     stack: Stack  # from `_orient` on, the plane nearest to the cover glass is first
     camera: Noise
     limit: float
-    turned: bool = False  # whether the planes are in the reverse order of the recording
+    is_reversed: bool = False  # whether the planes are in the reverse order of the recording
 
 
 @dataclass
 class _Outcome:
     """Sums of Poisson deviances over the voxels of all chunks, background, and results of the central chunk."""
 
-    after: float = 0.0
-    before: float = 0.0
+    deviance_after: float = 0.0
+    deviance_before: float = 0.0
     voxels: float = 0.0  # number of voxels that are not ignored
     steps: int = 0
     stopped: str = STEPS
@@ -891,12 +893,12 @@ class _ChannelRestoration:
         if options.margin is None and len(self._stack) < self._model.window[0] // 2:
             notes.append("The stack is thinner than its PSF: light from planes beyond it is not restored.")
         request = "" if self._target.unfinished is None else self._request(source, psfs, margin, side, background)
-        reached = parts[-1]
+        last_fraction = parts[-1]
 
         def report_chunks(fraction: float, message: str) -> None:
-            nonlocal reached
-            reached = parts[-1] + (1.0 - parts[-1]) * fraction
-            report(reached, message)
+            nonlocal last_fraction
+            last_fraction = parts[-1] + (1.0 - parts[-1]) * fraction
+            report(last_fraction, message)
 
         outcome = self._restore_chunks(source, psfs, margin, side, background, request, report_chunks)
         if estimates_background or background.level is None:
@@ -906,12 +908,13 @@ class _ChannelRestoration:
                 f"{text} counts per voxel was estimated, which the restored values exclude; set background= "
                 "for another level, 0 for none."
             )
-        self._conclude(outcome, context, _within(report, min(reached, 0.5), 1.0))
-        turned = source.turned
+        self._conclude(outcome, context, _within(report, min(last_fraction, 0.5), 1.0))
+        is_reversed = source.is_reversed
         return RestoredChannel(
-            outcome.after / outcome.voxels, outcome.before / outcome.voxels, outcome.steps, outcome.stopped,
-            source.camera, "down" if turned else "up", depths[::-1] if turned else depths, psfs.depths, estimated,
-            errors, self._projections.result(turned=turned), outcome.background, outcome.strength,
+            outcome.deviance_after / outcome.voxels, outcome.deviance_before / outcome.voxels, outcome.steps,
+            outcome.stopped, source.camera, "down" if is_reversed else "up", depths[::-1] if is_reversed else depths,
+            psfs.depths, estimated, errors, self._projections.result(reverse=is_reversed), outcome.background,
+            outcome.strength,
             Findings(self._findings),
         )  # fmt: skip
 
@@ -943,8 +946,8 @@ class _ChannelRestoration:
         if direction == "auto":
             direction, note = estimate_z_direction(context, crop, report)
             self._notes.append(note)
-        source.turned = direction == "down"
-        if source.turned:
+        source.is_reversed = direction == "down"
+        if source.is_reversed:
             # Results are reversed again at the end.
             source.stack = _ReversedStack(source.stack)
         return context._replace(stack=source.stack)
@@ -963,27 +966,27 @@ class _ChannelRestoration:
         return context._replace(model=self._model), estimated, errors
 
     def _margin(self) -> tuple[int, int]:
-        """Return how far beyond the stack is restored, in planes and in pixels."""
+        """Return the margin restored beyond the stack on each side, in planes and in pixels."""
         if self._options.margin is not None:
             planes, pixels = self._options.margin
             return int(planes), int(pixels)
-        deep, side = self._model.window
-        return min(deep // 2, max(_MIN_MARGIN, len(self._stack) // 4)), side // 2
+        window_planes, side = self._model.window
+        return min(window_planes // 2, max(_MIN_MARGIN, len(self._stack) // 4)), side // 2
 
     def _note_psfs(self, psfs: PSFs, depths: Array) -> None:
         """Note the depths of the PSFs, and the unit of a restored value."""
         notes, model, psf_depths = self._notes, self._model, psfs.depths
-        above = int((depths <= 0.0).sum())
-        if above > 1:
+        planes_above = int((depths <= 0.0).sum())
+        if planes_above > 1:
             notes.append(
-                f"{above} of {len(depths)} planes are focused above the sample, in the cover glass or at its "
+                f"{planes_above} of {len(depths)} planes are focused above the sample, in the cover glass or at its "
                 f"surface, if the middle plane is focused at a depth of {format_length(model.depth, digits=3)}; set "
                 "depth= if not."
             )
         if len(psf_depths) > 1:
-            each = "one for each plane and its margin" if psfs.radial is not None else "interpolated in depth"
+            placement = "one for each plane and its margin" if psfs.radial is not None else "interpolated in depth"
             depth_range = between(psf_depths[0], psf_depths[-1])
-            notes.append(f"{len(psf_depths)} PSFs were used, {each}, at depths from {depth_range}.")
+            notes.append(f"{len(psf_depths)} PSFs were used, {placement}, at depths from {depth_range}.")
         if model.spreads and self._options.per_plane:
             notes.append(
                 "Restored values are light per plane: a point with F counts in each plane has the value F, or with F "
@@ -1001,11 +1004,11 @@ class _ChannelRestoration:
         """Return the checksum of all inputs of the restored values."""
         model, options, stack = self._model, self._options, source.stack
         # The first and last PSF represent the optical model: a change of the optics changes them.
-        ends = [hashlib.sha256(model.psf(psfs.depths[at]).values.tobytes()).hexdigest() for at in (0, -1)]
+        ends = [hashlib.sha256(model.psf(psfs.depths[k]).values.tobytes()).hexdigest() for k in (0, -1)]
         content = (
             _checksum(stack), stack.shape, str(stack.dtype), ends, model.pixel, model.step, model.depth,
-            psfs.depths.tolist(), margin, side, source.turned, source.camera.to_dict(), options.method, source.limit,
-            background, options.per_plane, options.background == FLAT, options.diagnosis,
+            psfs.depths.tolist(), margin, side, source.is_reversed, source.camera.to_dict(), options.method,
+            source.limit, background, options.per_plane, options.background == FLAT, options.diagnosis,
         )  # fmt: skip
         return hashlib.sha256(repr(content).encode()).hexdigest()
 
@@ -1015,7 +1018,7 @@ class _ChannelRestoration:
         if finding is not None:
             if finding.code == "misfit" and options.diagnosis and "hot_pixels" not in self._doubt_codes():
                 finding = _explain_misfit(
-                    finding, rank_alternatives(context, report, turned=options.direction != "auto")
+                    finding, rank_alternatives(context, report, try_reversed=options.direction != "auto")
                 )
             self._findings.append(finding)
         if uneven := self._floor.finding(*self._stack.shape[1:], background_of(options.background)):
@@ -1032,45 +1035,45 @@ class _ChannelRestoration:
             text = "a flat scene explains the brightest part of the stack: other PSFs were not compared"
             self._findings.append(Finding("untested", "note", text))
             return None
-        own = comparison.best("the PSF as given", context.model)
-        self._best_steps = own.steps
-        if finding := comparison.finding(own):
+        reference = comparison.best("the PSF as given", context.model)
+        self._best_steps = reference.steps
+        if finding := comparison.finding(reference):
             self._findings.append(finding)
         # Estimate the background from the whole stack: a part also contains light blurred into it from outside.
-        if not estimates_background or math.prod(context.stack.shape) > WHOLE:
+        if not estimates_background or math.prod(context.stack.shape) > MAX_VOXELS:
             return None
         side = max(context.stack.shape[1:])
         if side > SIDE:
             comparison = HeldOut(context, report, side=side)
-            own = comparison.best("background", context.model)
-            self._best_steps = own.steps
-        return comparison.level(own)
+            reference = comparison.best("background", context.model)
+            self._best_steps = reference.steps
+        return comparison.level(reference)
 
     def _doubt_codes(self) -> tuple[str, ...]:
         """Return the codes of the findings of severity "doubt"."""
-        return tuple(each.code for each in self._findings if each.severity == "doubt")
+        return tuple(finding.code for finding in self._findings if finding.severity == "doubt")
 
     def _exclude_hot(self, camera: Noise, limit: float) -> tuple[Stack, Noise, float]:
         """Return the stack without hot pixels and voxels, its noise, and the smallest value of ignored voxels."""
         sharpest, stack = sharpness(self._model.psf(0.0).values), self._stack
         pixels = hot_pixels(stack, camera, sharpest, limit)
         if count := int(pixels.sum()):
-            share = count / pixels.size
+            fraction = count / pixels.size
             text = (
-                f"{count} pixels ({100.0 * share:.2g} %) exceed their neighbours in most planes, whatever is "
+                f"{count} pixels ({100.0 * fraction:.2g} %) exceed their neighbours in most planes, whatever is "
                 "in focus: they were classified as hot pixels, and left out"
             )
-            self._findings.append(Finding("hot_pixels", "note", text, {"pixels": count, "share": share}))
+            self._findings.append(Finding("hot_pixels", "note", text, {"pixels": count, "share": fraction}))
             stack = MaskedStack(stack, limit, mask=pixels)
             limit = stack.limit
         hot = hot_voxels(stack, camera, sharpest, limit)
-        share = len(hot) / math.prod(stack.shape)
-        subject = f"{len(hot)} voxels ({100.0 * share:.2g} %) exceed their neighbours by more than the PSF allows"
-        numbers = {"voxels": len(hot), "share": share}
-        if share > MOST:
+        fraction = len(hot) / math.prod(stack.shape)
+        subject = f"{len(hot)} voxels ({100.0 * fraction:.2g} %) exceed their neighbours by more than the PSF allows"
+        numbers = {"voxels": len(hot), "share": fraction}
+        if fraction > MOST:
             text = f"{subject}, in single planes: they were not left out; check pixel, wavelength and NA"
             self._findings.append(Finding("hot_pixels", "doubt", text, numbers))
-        if not 0.0 < share <= MOST:
+        if not 0.0 < fraction <= MOST:
             return stack, camera, limit
         text = f"{subject}, in single planes: they were classified as cosmic rays or blinking pixels, and left out"
         self._findings.append(Finding("hot_pixels", "note", text, numbers))
@@ -1079,19 +1082,19 @@ class _ChannelRestoration:
 
     def _check_noise(self, camera: Noise) -> None:
         """Add a note if the stack contradicts `camera`, the noise that the user stated."""
-        planes, lowest = len(self._stack), math.inf
+        planes, darkest_value = len(self._stack), math.inf
         # Three standard deviations of the read noise and of rounding to integers (about 0.3 counts).
-        dark = camera.offset - 3.0 * np.hypot(camera.read / (1.0 if camera.white is None else camera.white), 0.3)
-        below = 0
+        floor = camera.offset - 3.0 * np.hypot(camera.read / (1.0 if camera.white is None else camera.white), 0.3)
+        dark_count = 0
         for plane in range(planes):
             values = plane_of(self._stack, plane)
-            below += int((values < dark).sum())
-            lowest = min(lowest, float(np.nanpercentile(values, 1.0)))
-        share = below / math.prod(self._stack.shape)
+            dark_count += int((values < floor).sum())
+            darkest_value = min(darkest_value, float(np.nanpercentile(values, 1.0)))
+        share = dark_count / math.prod(self._stack.shape)
         if share > _DARK_FRACTION:
             self._notes.append(
                 f"{100.0 * share:.2g} % of the voxels are below the offset by more than the read noise explains, and "
-                f"count as dark. Check the offset of noise=: the darkest voxels have {lowest:.4g} counts."
+                f"count as dark. Check the offset of noise=: the darkest voxels have {darkest_value:.4g} counts."
             )
         elif note := contradiction(self._stack, camera):
             self._notes.append(note)
@@ -1128,8 +1131,8 @@ class _ChannelRestoration:
     def _chunk_memory(self, side: int, overlap: int, margin: tuple[int, int], psfs: PSFs, specimens: float) -> float:
         """Return the approximate memory of a chunk, bytes, with `specimens` arrays as large as the specimen."""
         planes, height, width = self._stack.shape
-        recorded_pixels = math.prod(min(side + 2 * overlap, each) for each in (height, width))
-        restored_pixels = math.prod(min(side + 2 * overlap, each) + 2 * margin[1] for each in (height, width))
+        recorded_pixels = math.prod(min(side + 2 * overlap, length) for length in (height, width))
+        restored_pixels = math.prod(min(side + 2 * overlap, length) + 2 * margin[1] for length in (height, width))
         restored_planes = planes + 2 * margin[0]
         transfers = 2.0 * len(psfs.depths) * (planes + self._model.window[0]) * restored_pixels / 4.0
         if psfs.radial is not None:
@@ -1147,26 +1150,26 @@ class _ChannelRestoration:
         request: str,
         report: Report,
     ) -> _Outcome:
-        """Restore all chunks, the central one first; the others repeat its step settings, its `course`."""
+        """Restore all chunks: the central chunk, then the others, which repeat its step settings (`course`)."""
         planes, height, width = source.stack.shape
         method, blurs = self._options.method, dict[tuple[int, int, int], PlaneOperator]()
-        sides = [math.ceil(each / math.ceil(each / side)) for each in (height, width)]
+        sides = [math.ceil(pixels / math.ceil(pixels / side)) for pixels in (height, width)]
         tiles = sorted(
             tiles_of((height, width), sides, self._model.window[1]),
             key=lambda tile: _distance_from_middle(tile[0], height, width),
         )
         # With several chunks, all start from the mean light of the whole stack.
-        level = None if len(tiles) == 1 else _mean_light(source)
+        mean_light = None if len(tiles) == 1 else _mean_light(source)
         course: list[StepSettings] | None = None
         factor = np.float32(1.0 / self._model.window[0] if self._options.per_plane else 1.0)
         outcome = _Outcome(background=np.zeros((height, width)) if background.points > 1 else 0.0)
-        for number, (place, around, within) in enumerate(tiles):
-            at = np.s_[self._place, :, *place]
-            if number and self._target.has(request, at):
+        for number, (place, padded, inner) in enumerate(tiles):
+            chunk = np.s_[self._place, :, *place]
+            if number and self._target.has(request, chunk):
                 continue
-            counted = PoissonCounts(_load(source.stack, *around), source.camera.part(*around), source.limit)
-            counted.level = counted.level if level is None else level
-            size = (planes, *(part.stop - part.start for part in around))
+            counted = PoissonCounts(_load(source.stack, *padded), source.camera.part(*padded), source.limit)
+            counted.level = counted.level if mean_light is None else mean_light
+            size = (planes, *(part.stop - part.start for part in padded))
             if size not in blurs:
                 blurs.clear()  # keep a single operator in memory
                 blurs[size] = self._model.blur(size, margin, psfs, threads=self._threads)
@@ -1178,7 +1181,7 @@ class _ChannelRestoration:
             progress = _ChunkProgress(
                 report, number, len(tiles), method.steps if course is None else len(course), method.target > 0.0
             )
-            count, stopped, discrepancies = self._solve(iteration, progress, alone=level is None)
+            count, stopped, discrepancies = self._solve(iteration, progress, is_only_chunk=mean_light is None)
             after = counted.mean(discrepancies)
             if course is None:
                 course, outcome.steps, outcome.strength = iteration.course, count, iteration.strength
@@ -1186,20 +1189,20 @@ class _ChannelRestoration:
                 is_misfit = outcome.finding is not None and outcome.finding.code == "misfit"
                 outcome.stopped = MISFIT if is_misfit else stopped
             if isinstance(outcome.background, np.ndarray):
-                outcome.background[place] = np.asarray(counted.background)[within]
+                outcome.background[place] = np.asarray(counted.background)[inner]
             elif number == 0:
                 outcome.background = counted.background
             voxels = float(counted.known.sum())
-            outcome.after += after * voxels
-            outcome.before += before * voxels
+            outcome.deviance_after += after * voxels
+            outcome.deviance_before += before * voxels
             outcome.voxels += voxels
-            restored = np.ascontiguousarray(iteration.inside(*margin)[:, *within])
+            restored = np.ascontiguousarray(iteration.inside(*margin)[:, *inner])
             restored *= factor
-            corner = around[0].start, around[1].start
+            corner = padded[0].start, padded[1].start
             self._floor.add(restored, *place)
             self._projections.add(*place, corner, blur, counted, iteration.guess, restored)
             # The target has the planes in the order of the recording.
-            self._target.put(request, at, restored[::-1] if source.turned else restored)
+            self._target.put(request, chunk, restored[::-1] if source.is_reversed else restored)
         return outcome
 
     def _iteration(
@@ -1214,19 +1217,23 @@ class _ChannelRestoration:
         iteration.enough = enough(method, self._best_steps, counted)
         return iteration
 
-    def _solve(self, iteration: Iteration, report: ProgressCallback, *, alone: bool) -> tuple[int, str, Array]:
-        """Iterate; return the number of steps, why they ended, and discrepancies. Ctrl-C keeps a single chunk."""
+    def _solve(
+        self, iteration: Iteration, report: ProgressCallback, *, is_only_chunk: bool
+    ) -> tuple[int, str, Array]:
+        """Iterate; return (1) number of steps, (2) why they ended, (3) discrepancies. Ctrl-C keeps a single chunk."""
         try:
             return iteration.solve(self._options.method, report)
         except KeyboardInterrupt:
-            if not alone or self._target.unfinished is not None or not iteration.course:
+            if not is_only_chunk or self._target.unfinished is not None or not iteration.course:
                 raise
             return len(iteration.course) - 1, INTERRUPTED, iteration.discrepancies
 
-    def _central_finding(self, counted: PoissonCounts, why: str, steps: int, discrepancy: float) -> Finding | None:
+    def _central_finding(
+        self, counted: PoissonCounts, stop_reason: str, steps: int, discrepancy: float
+    ) -> Finding | None:
         """Return the finding on the convergence of the central chunk, None if there is none."""
-        finding = counted.finding(why, steps, discrepancy)
-        is_settled = why != STEPS or self._options.method.target <= 0.0 or discrepancy <= 1.0 + counted.slack
+        finding = counted.finding(stop_reason, steps, discrepancy)
+        is_settled = stop_reason != STEPS or self._options.method.target <= 0.0 or discrepancy <= 1.0 + counted.slack
         if finding is not None or is_settled:
             return finding
         text = f"the residual exceeds the noise after the {steps} steps of the method; allow more steps"
@@ -1241,12 +1248,12 @@ class _ChunkProgress:
         self._may_misfit = may_misfit  # whether the chunk may end as a misfit, after which other PSFs are tried
         self._begun = clock.monotonic()
 
-    def __call__(self, step: int, discrepancy: float, left: float) -> None:
+    def __call__(self, step: int, discrepancy: float, remaining: float) -> None:
         message = f"step {step}, discrepancy {discrepancy:.3g}"
         fraction = min(step / max(self._steps, 1), 1.0)
         if self._count == 1:
-            spent = clock.monotonic() - self._begun
-            fraction = spent / (spent + left) if spent + left > 0.0 else 0.0
+            elapsed = clock.monotonic() - self._begun
+            fraction = elapsed / (elapsed + remaining) if elapsed + remaining > 0.0 else 0.0
             if self._may_misfit and step <= EARLIEST:
                 fraction = min(fraction, _MISFIT_PROGRESS * step / EARLIEST)
         else:
@@ -1259,19 +1266,19 @@ def _within(report: Report, begin: float, end: float) -> Report:
     return lambda fraction, message: report(begin + (end - begin) * fraction, message)
 
 
-def _explain_misfit(misfit: Finding, others: list[str]) -> Finding:
+def _explain_misfit(misfit: Finding, alternatives: list[str]) -> Finding:
     """Return the misfit with the PSFs that fit the stack better; if there are none, with the severity "doubt"."""
-    if not others:
+    if not alternatives:
         text = (
             "the residual exceeds the noise, but no other PSF fits better: the cause may be points between voxels or "
             "a wrong gain; check noise="
         )
         return replace(misfit, severity="doubt", text=text)
-    text = f"PSFs with {others[0]} fit the stack better"
-    if len(others) > 1:
-        likeliest = ", ".join(others)
+    text = f"PSFs with {alternatives[0]} fit the stack better"
+    if len(alternatives) > 1:
+        likeliest = ", ".join(alternatives)
         text = f"other PSFs fit the stack better; one of these values may be wrong, the likeliest first: {likeliest}"
-    return replace(misfit, text=text, numbers={**misfit.numbers, "others": others})
+    return replace(misfit, text=text, numbers={**misfit.numbers, "others": alternatives})
 
 
 def _progress_parts(
@@ -1279,15 +1286,15 @@ def _progress_parts(
 ) -> tuple[float, float, float]:
     """Return the progress, 0 to 1, after each of the estimates: direction of z, `refine`, held-out photons."""
     height, width = context.stack.shape[1:]
-    part = math.prod(at.stop - at.start for at in crop) / (height * width)
-    first, second = (part * steps for steps in estimated_steps(direction, refine))
-    third = estimated_held_out_steps(context.stack.shape) if held_out else 0.0
-    whole = first + second + third + _USUAL_STEPS
-    return first / whole, (first + second) / whole, (first + second + third) / whole
+    part = math.prod(pixels.stop - pixels.start for pixels in crop) / (height * width)
+    oriented, refined = (part * steps for steps in estimated_steps(direction, refine))
+    compared = estimated_held_out_steps(context.stack.shape) if held_out else 0.0
+    total = oriented + refined + compared + _USUAL_STEPS
+    return oriented / total, (oriented + refined) / total, (oriented + refined + compared) / total
 
 
 def _format_estimate(name: str, value: float, error: float) -> str:
-    """Return a value and its standard error in words."""
+    """Return a value and its standard error as text."""
     if not math.isfinite(error):
         return "is not determined"
     factor, unit = {"depth": (1e6, " um"), "spherical": (1.0, " waves rms")}.get(name, (1.0, ""))
@@ -1324,10 +1331,10 @@ def _distance_from_middle(part: tuple[slice, slice], height: int, width: int) ->
 
 def _load(source: Stack, rows: slice, columns: slice) -> Values:
     """Read some rows and columns of all planes, in one thread, as files require."""
-    out = np.empty((source.shape[0], rows.stop - rows.start, columns.stop - columns.start), source.dtype)
-    for plane in range(len(out)):
-        out[plane] = source[plane, rows, columns]
-    return out
+    values = np.empty((source.shape[0], rows.stop - rows.start, columns.stop - columns.start), source.dtype)
+    for plane in range(len(values)):
+        values[plane] = source[plane, rows, columns]
+    return values
 
 
 class Projections(NamedTuple):
@@ -1373,8 +1380,8 @@ class ProjectionBuilder:
         light: Part,
         restored: Values,
     ) -> None:
-        """Add a chunk, `restored` at `rows` and `columns`; `corner` is where its blurred part begins."""
-        down, across = (at.start - first for at, first in zip((rows, columns), corner, strict=True))
+        """Add a chunk, `restored` at `rows` and `columns`; `corner`: first row and column of its blurred part."""
+        y_offset, x_offset = (pixels.start - start for pixels, start in zip((rows, columns), corner, strict=True))
         height, width = rows.stop - rows.start, columns.stop - columns.start
         sums, voxels, maxima = (np.zeros((height, width), np.float32) for _ in range(3))
         along_y = np.zeros((3, len(restored), width), np.float32)  # sums, numbers of voxels, maxima
@@ -1382,16 +1389,16 @@ class ProjectionBuilder:
 
         def compare(plane: int, y: slice, x: slice, model: Values) -> None:
             counts, residuals, weights = counted.residuals(plane, y, x, model)
-            top, left = y.start - down, x.start - across
+            top, left = y.start - y_offset, x.start - x_offset
             inner = np.s_[max(-top, 0) : max(height - top, 0), max(-left, 0) : max(width - left, 0)]
             counts, residuals, weights = counts[inner], residuals[inner], weights[inner]
             rows_at = slice(max(top, 0), max(top, 0) + len(residuals))
-            at = rows_at, slice(max(left, 0), max(left, 0) + residuals.shape[1])
+            target = rows_at, slice(max(left, 0), max(left, 0) + residuals.shape[1])
             with lock:
-                sums[at] += residuals
-                voxels[at] += weights
-                np.maximum(maxima[at], counts, out=maxima[at])
-                part = along_y[:, plane, at[1]]
+                sums[target] += residuals
+                voxels[target] += weights
+                np.maximum(maxima[target], counts, out=maxima[target])
+                part = along_y[:, plane, target[1]]
                 part[0] += residuals.sum(axis=0)
                 part[1] += weights.sum(axis=0)
                 np.maximum(part[2], counts.max(axis=0, initial=0.0), out=part[2])
@@ -1407,14 +1414,14 @@ class ProjectionBuilder:
         self._voxels[:, columns] = before + along_y[1]
         residual[1][:, columns] = _divide_by_root(total, self._voxels[:, columns])
         highest = np.where(along_y[1] > 0.0, along_y[2], np.float32(np.nan))
-        for whole, part in ((recorded, highest), (after, restored.max(axis=1))):
-            whole[1][:, columns] = np.fmax(whole[1][:, columns], part)
+        for projection, maximum in ((recorded, highest), (after, restored.max(axis=1))):
+            projection[1][:, columns] = np.fmax(projection[1][:, columns], maximum)
 
-    def result(self, *, turned: bool) -> Projections:
-        """Return the projections, with the planes reversed if `turned`."""
-        if not turned:
+    def result(self, *, reverse: bool) -> Projections:
+        """Return the projections, with the planes in reverse order if `reverse`."""
+        if not reverse:
             return self._projections
-        return Projections(*((each[0], each[1][::-1]) for each in self._projections))
+        return Projections(*((along_z, along_y[::-1]) for along_z, along_y in self._projections))
 
 
 def _divide_by_root(sums: Values, voxels: Values) -> Values:

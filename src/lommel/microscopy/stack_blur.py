@@ -49,10 +49,10 @@ class StackBlur(LinearBlur):
         sides = [validation.integer("shape", side, least=1, most=validation.MAX_SIDE) for side in shape]
         self.dtype = validation.kind("dtype", dtype, np.float32, np.float64)
         self.channels, self.shape = sides[0], (sides[1], sides[2])
-        size = [next_fast_len(n + k - 1, real=True) for n, k in zip(sides, values.shape, strict=True)]
-        kernel = np.zeros(size, self.dtype)
+        fft_shape = [next_fast_len(n + k - 1, real=True) for n, k in zip(sides, values.shape, strict=True)]
+        kernel = np.zeros(fft_shape, self.dtype)
         kernel[tuple(slice(k) for k in values.shape)] = values
-        self._size, self._transfer = size, rfftn(np.roll(kernel, [-m for m in middle], axis=(0, 1, 2)))
+        self._size, self._transfer = fft_shape, rfftn(np.roll(kernel, [-m for m in middle], axis=(0, 1, 2)))
 
     def forward(self, image: Values) -> Values:
         """Return the recording of a specimen `image`: see :meth:`lommel.imaging.LinearBlur.forward`."""
@@ -145,41 +145,41 @@ class TiledBlur(PlaneOperator):
         from scipy.fft import next_fast_len
 
         kernels = iter([psf] if isinstance(psf, PSF) else psf)
-        first, middle = _kernel(next(kernels))
+        first_kernel, middle = _kernel(next(kernels))
         self.shape, self._margin, self._threads = shape, (margin[0], margin[1], margin[1]), threads
         self.whole = shape[0] + 2 * margin[0], shape[1] + 2 * margin[1], shape[2] + 2 * margin[1]
-        sides = self._sides = first.shape
+        sides = self._sides = first_kernel.shape
         # Voxels by which the PSF extends from its point towards lower and higher indices, along z, y and x.
         self._lower = middle
-        self._upper = tuple(side - 1 - at for side, at in zip(sides, middle, strict=True))
-        # The outermost planes also represent planes beyond the margin whose PSFs reach the recording. These are the
-        # numbers of such planes at either end.
-        self._before, self._after = (max(0, reach[0] - margin[0]) for reach in (self._upper, self._lower))
+        self._upper = tuple(side - 1 - index for side, index in zip(sides, middle, strict=True))
+        # The outermost planes also represent planes beyond the margin whose PSFs reach the recording. These two
+        # attributes are the numbers of such planes at either end.
+        self._before, self._after = (max(0, extent[0] - margin[0]) for extent in (self._upper, self._lower))
         self._depth: int = engine.fft_length(self.whole[0] + self._before + self._after)
         self._weights = np.ones((1, self.whole[0]), np.float32) if weights is None else weights.astype(np.float32)
-        max_values = max(_MAX_MEMORY_RATIO * math.prod(shape), _MIN_VALUES) / self.whole[0]  # of a tile
+        max_values = max(_MAX_MEMORY_RATIO * math.prod(shape), _MIN_VALUES) / self.whole[0]  # per plane of a tile
         # A single tile may be shorter than plane + PSF - 1: light that wraps around falls beyond the recording.
-        sufficient = [
-            max(whole, side + more + max(low, high))
-            for whole, side, more, low, high in zip(
+        sufficient_sides = [
+            max(whole, side + pixels + max(lower, upper))
+            for whole, side, pixels, lower, upper in zip(
                 self.whole[1:], shape[1:], self._margin[1:], self._lower[1:], self._upper[1:], strict=True
             )
         ]
-        single = [int(next_fast_len(side, real=True)) for side in sufficient]
-        self._single = math.prod(single) <= max_values
-        self._tile = (single[0], single[1])
-        if not self._single:
-            down, across = (
+        single_sides = [int(next_fast_len(side, real=True)) for side in sufficient_sides]
+        self._is_single_tile = math.prod(single_sides) <= max_values
+        self._tile = (single_sides[0], single_sides[1])
+        if not self._is_single_tile:
+            tile_height, tile_width = (
                 _tile_side(side, kernel_side, int(math.sqrt(max_values)))
                 for side, kernel_side in zip(self.whole[1:], sides[1:], strict=True)
             )
-            self._tile = down, across
+            self._tile = tile_height, tile_width
         self._limits, self._indices = self._recorded_ranges()
         # Recorded fraction of a point's light, (planes, ranges along y, ranges along x): see `_recorded_ranges`.
         self._seen = np.zeros((self.whole[0], *(limits.shape[1] for limits in self._limits)), np.float32)
         self._transfers: list[object] = []
         # Only one kernel is in memory at a time, as there may be many.
-        for number, values in enumerate(chain([first], (_kernel(each)[0] for each in kernels))):
+        for number, values in enumerate(chain([first_kernel], (_kernel(entry)[0] for entry in kernels))):
             self._add_transfer(number, values)
             self._add_recorded_share(number, values)
         self.weigh(1.0)
@@ -189,53 +189,53 @@ class TiledBlur(PlaneOperator):
         """Store the transform of the kernel with this number."""
         self._transfers.append(self._transfer(kernel, _mirror_symmetric(kernel)))
 
-    def _transfer(self, kernel: Array, even: bool) -> Values:
+    def _transfer(self, kernel: Array, is_even: bool) -> Values:
         """Return the transform of a kernel with the point in the first voxel, ordered for `engine.filter_planes`.
 
-        The lateral transform of an `even` kernel (mirror-symmetric along x and y) is real and even: half of the rows
+        The lateral transform of an even kernel (mirror-symmetric along x and y) is real and even: half of the rows
         and half of the frequencies along z suffice. The shape is (rows, groups of eight columns, frequencies along z,
-        values): the real parts of a group, then the imaginary ones.
+        values): the real parts of a group, then the imaginary parts.
         """
         from scipy.fft import fft, rfft, rfft2
 
         middle = self._lower
-        rows = self._tile[0] // 2 + 1 if even else self._tile[0]
-        planes = self._depth // 2 + 1 if even else self._depth
-        lateral = np.zeros((len(kernel), rows, self._tile[1] // 2 + 1), np.float32 if even else np.complex64)
+        rows = self._tile[0] // 2 + 1 if is_even else self._tile[0]
+        planes = self._depth // 2 + 1 if is_even else self._depth
+        lateral = np.zeros((len(kernel), rows, self._tile[1] // 2 + 1), np.float32 if is_even else np.complex64)
         tile = np.zeros(self._tile, dtype=np.float32)
         for plane, values in enumerate(kernel):
             tile[: values.shape[0], : values.shape[1]] = values
-            spectrum = rfft2(np.roll(tile, [-at for at in middle[1:]], axis=(0, 1)))[:rows]
-            lateral[plane] = spectrum.real if even else spectrum
+            spectrum = rfft2(np.roll(tile, [-index for index in middle[1:]], axis=(0, 1)))[:rows]
+            lateral[plane] = spectrum.real if is_even else spectrum
         groups = -(-lateral.shape[2] // len(_COLUMNS))
-        out = np.empty((rows, groups, planes, 2, len(_COLUMNS)), np.float32)
+        ordered = np.empty((rows, groups, planes, 2, len(_COLUMNS)), np.float32)
         along_z = np.zeros((self._depth, groups * len(_COLUMNS)), lateral.dtype)
         order = np.arange(len(kernel)) - middle[0]
         for row in range(rows):
             along_z[order, : lateral.shape[2]] = lateral[:, row]
             # Divided by the length here, because the core does not scale its inverse transform along z.
-            spectrum = (rfft(along_z, axis=0) if even else fft(along_z, axis=0)) / np.float32(self._depth)
+            spectrum = (rfft(along_z, axis=0) if is_even else fft(along_z, axis=0)) / np.float32(self._depth)
             parts = spectrum.reshape(planes, groups, -1)[:, :, _COLUMNS].transpose(1, 0, 2)
-            out[row, :, :, 0], out[row, :, :, 1] = parts.real, parts.imag
-        return out.reshape(rows, groups, planes, -1)
+            ordered[row, :, :, 0], ordered[row, :, :, 1] = parts.real, parts.imag
+        return ordered.reshape(rows, groups, planes, -1)
 
     def _recorded_ranges(self) -> tuple[list[NDArray[np.intp]], list[_TableIndices]]:
-        """Return the distinct ranges of recorded kernel pixels, along y and x, and the range number of each row.
+        """Return the distinct ranges of recorded kernel pixels along y and x, and the range number of each row.
 
         Ranges of kernel pixels, shape (first and stop, ranges), depend on the position of the point: they differ near
-        the edges and are equal in the middle. For either axis the range number of each row or column of the specimen
-        is returned, with the run of rows that all have the most frequent range.
+        the edges and are equal in the middle. For either axis the second result has the range number of each row (or
+        column) of the specimen, and the run of rows that all have the most frequent range.
         """
         limits, indices = [], []
         for axis in (1, 2):
-            first = self._margin[axis] + self._lower[axis] - np.arange(self.whole[axis])
-            ranges = np.clip(np.stack([first, first + self.shape[axis]]), 0, self._sides[axis])
-            distinct, index = np.unique(ranges, axis=1, return_inverse=True)
+            first_pixel = self._margin[axis] + self._lower[axis] - np.arange(self.whole[axis])
+            ranges = np.clip(np.stack([first_pixel, first_pixel + self.shape[axis]]), 0, self._sides[axis])
+            distinct_ranges, index = np.unique(ranges, axis=1, return_inverse=True)
             index = index.ravel()
             counts = np.bincount(index)
             start = int(np.argmax(index == counts.argmax()))
             stop = start + int(np.argmin(np.append(index[start:], -1) == index[start]))
-            limits.append(distinct)
+            limits.append(distinct_ranges)
             indices.append((index, start, stop))
         return limits, indices
 
@@ -244,12 +244,12 @@ class TiledBlur(PlaneOperator):
         (top, bottom), (left, right) = self._limits
         # Cumulative sums of the kernel over the recorded planes, for each plane of the specimen.
         cumulative = np.pad(kernel, ((1, 0), (1, 0), (1, 0))).cumsum(axis=0)
-        for at in range(-self._before, self.whole[0] + self._after):
-            plane = min(max(at, 0), self.whole[0] - 1)
+        for place in range(-self._before, self.whole[0] + self._after):
+            plane = min(max(place, 0), self.whole[0] - 1)
             weight = self._weights[number, plane]
             if weight == 0.0:
                 continue
-            begin = self._margin[0] + self._lower[0] - at
+            begin = self._margin[0] + self._lower[0] - place
             low, high = np.clip((begin, begin + self.shape[0]), 0, len(kernel))
             # Sums over rectangles from cumulative sums, at four corners.
             sums = (cumulative[high] - cumulative[low]).cumsum(axis=0).cumsum(axis=1)
@@ -293,34 +293,35 @@ class TiledBlur(PlaneOperator):
 
     def _look_up(self, table: Values, rows: slice, columns: slice) -> Values:
         """Return the values of a table (ranges along y, ranges along x) at the pixels of a part of a plane."""
-        down, across = (
+        row_indices, column_indices = (
             _indices_of_part(part, *indices) for part, indices in zip((rows, columns), self._indices, strict=True)
         )
-        return _expand(table, down, across)
+        return _expand(table, row_indices, column_indices)
 
     def _tile_jobs(
-        self, shape: tuple[int, ...], source_shape: tuple[int, ...], reach: tuple[int, ...], shift: int
+        self, shape: tuple[int, ...], source_shape: tuple[int, ...], lower: tuple[int, ...], shift: int
     ) -> Iterator[_TileJob]:
         """Yield the tiles of output planes of this shape.
 
-        An output pixel at q depends on the source from ``q - reach`` to ``q + side - 1 - reach``, `side` of the
-        kernel. The first pixel of the output lies at pixel `shift` of the source.
+        An output pixel at q depends on the source from ``q - lower`` to ``q + side - 1 - lower``, with the `side` of
+        the kernel. The first pixel of the output lies at pixel `shift` of the source.
         """
-        if self._single:
+        if self._is_single_tile:
             output, source = (_window((0, 0), sides[1:]) for sides in (shape, source_shape))
-            put, out = (shift, 0) if shift < 0 else (0, shift)
-            yield _TileJob(output, source, _window((-put, -put), source_shape[1:]), _window((out, out), shape[1:]))
+            begin, out_begin = max(-shift, 0), max(shift, 0)
+            source_in_tile = _window((begin, begin), source_shape[1:])
+            yield _TileJob(output, source, source_in_tile, _window((out_begin, out_begin), shape[1:]))
             return
         kernel = self._sides[1:]
-        down, across = (tile - more + 1 for tile, more in zip(self._tile, kernel, strict=True))
-        for row in range(0, shape[1], down):
-            for column in range(0, shape[2], across):
-                output = slice(row, min(row + down, shape[1])), slice(column, min(column + across, shape[2]))
+        height, width = (tile - side + 1 for tile, side in zip(self._tile, kernel, strict=True))
+        for row in range(0, shape[1], height):
+            for column in range(0, shape[2], width):
+                output = slice(row, min(row + height, shape[1])), slice(column, min(column + width, shape[2]))
                 (rows, rows_in_tile), (columns, columns_in_tile) = (
-                    overlap(part.start + shift - low, part.stop + shift - low + more - 1, side)
-                    for part, side, low, more in zip(output, source_shape[1:], reach[1:], kernel, strict=True)
+                    overlap(part.start + shift - low, part.stop + shift - low + kernel_side - 1, side)
+                    for part, side, low, kernel_side in zip(output, source_shape[1:], lower[1:], kernel, strict=True)
                 )
-                output_in_tile = _window(reach[1:], tuple(part.stop - part.start for part in output))
+                output_in_tile = _window(lower[1:], tuple(part.stop - part.start for part in output))
                 yield _TileJob(output, (rows, columns), (rows_in_tile, columns_in_tile), output_in_tile)
 
     def _transform_planes(self, values: Part, planes: int, job: _TileJob) -> None:
@@ -329,10 +330,10 @@ class TiledBlur(PlaneOperator):
 
         if self._spectra is None:
             self._spectra = np.empty((self.whole[0], self._tile[0], self._tile[1] // 2 + 1), np.complex64)
-        spectra, spare = self._spectra, _SpareTiles(self._tile)
+        spectra, spare_tiles = self._spectra, _SpareTiles(self._tile)
 
         def transform(plane: int) -> None:
-            with spare.borrow() as tile:
+            with spare_tiles.borrow() as tile:
                 # Other pixels of the tile stay 0, because all planes of a job are written to the same part of it.
                 tile[job.source_in_tile] = values(plane, *job.source)
                 spectra[plane] = rfft2(tile)
@@ -407,35 +408,35 @@ def _mirror_symmetric(kernel: Array) -> bool:
 
 def _indices_of_part(part: slice, index: NDArray[np.intp], start: int, stop: int) -> _TableIndices:
     """Return the table indices of part of an axis."""
-    low, high = (min(max(at, part.start), part.stop) - part.start for at in (start, stop))
+    low, high = (min(max(limit, part.start), part.stop) - part.start for limit in (start, stop))
     return index[part], low, max(low, high)
 
 
-def _expand(table: Values, down: _TableIndices, across: _TableIndices) -> Values:
-    """Return the plane ``table[down, across]``; the run of columns with equal index is copied from one of them."""
-    rows = table[down[0]]
-    index, start, stop = across
-    out = np.empty((len(rows), len(index)), np.float32)
-    out[:, :start] = rows[:, index[:start]]
+def _expand(table: Values, row_indices: _TableIndices, column_indices: _TableIndices) -> Values:
+    """Return the plane ``table[row_indices, column_indices]``; a run of equal columns is copied from its first."""
+    rows = table[row_indices[0]]
+    index, start, stop = column_indices
+    plane = np.empty((len(rows), len(index)), np.float32)
+    plane[:, :start] = rows[:, index[:start]]
     if stop > start:
-        out[:, start:stop] = rows[:, index[start], np.newaxis]
-    out[:, stop:] = rows[:, index[stop:]]
-    return out
+        plane[:, start:stop] = rows[:, index[start], np.newaxis]
+    plane[:, stop:] = rows[:, index[stop:]]
+    return plane
 
 
-def _tile_side(side: int, kernel: int, most: int) -> int:
-    """Return the side (about `most` pixels) of tiles, so that as few tiles as possible cover `side` pixels."""
+def _tile_side(side: int, kernel: int, target: int) -> int:
+    """Return the side (about `target` pixels) of tiles, so that as few tiles as possible cover `side` pixels."""
     from scipy.fft import next_fast_len
 
-    # Tiles of less than twice the kernel would consist of overlap for the most part.
-    core = max(most, 2 * kernel) - kernel + 1
+    # Tiles of less than twice the kernel would mostly consist of overlap.
+    core = max(target, 2 * kernel) - kernel + 1
     pieces = math.ceil(side / core)
     return int(next_fast_len(math.ceil(side / pieces) + kernel - 1, real=True))
 
 
 def _window(start: tuple[int, ...], sides: tuple[int, ...]) -> Plane:
     """Return the slices of rows and columns with this start and these sides."""
-    rows, columns = (slice(at, at + side) for at, side in zip(start, sides, strict=True))
+    rows, columns = (slice(first, first + side) for first, side in zip(start, sides, strict=True))
     return rows, columns
 
 
@@ -452,26 +453,26 @@ class RadialTransfer:
 
     `side` is the side of the PSFs in pixels. With `pixels`, PSF values are averages over square pixels. The transfer
     function of a pixel is not rotationally symmetric, and is divided out of the table. `spline` is the degree of
-    B-splines along rows and columns: the PSFs were divided by their transfer functions, and the table is multiplied
-    by these.
+    B-splines along rows and columns: the PSFs were divided by the transfer functions of the B-splines, and the table
+    is multiplied by these.
     """
 
     def __init__(self, side: int, *, pixels: bool, spline: int = 0) -> None:
-        half = side // 2
-        self.spacing = _PHASE_STEP / (2.0 * math.pi * half)  # cycles per pixel
+        half_side = side // 2
+        self.spacing = _PHASE_STEP / (2.0 * math.pi * half_side)  # cycles per pixel
         self.frequencies = self.spacing * np.arange(math.ceil(math.sqrt(0.5) / self.spacing) + 2)
-        at = np.arange(side) - half
+        pixel = np.arange(side) - half_side
         on_axis = int(np.searchsorted(self.frequencies, _MAX_ON_AXIS))
         axis, diagonal = self.frequencies[:on_axis], self.frequencies[on_axis:] * math.sqrt(0.5)
-        self._axis = np.cos(2.0 * math.pi * np.outer(at, axis)).astype(np.float32)
-        self._diagonal = np.cos(2.0 * math.pi * np.outer(at, diagonal)).astype(np.float32)
+        self._axis = np.cos(2.0 * math.pi * np.outer(pixel, axis)).astype(np.float32)
+        self._diagonal = np.cos(2.0 * math.pi * np.outer(pixel, diagonal)).astype(np.float32)
         self._sampling = pixels, spline
         self._sampling_transfers = np.concatenate(
             [self._sampling_transfer(axis), self._sampling_transfer(diagonal) ** 2]
         )
 
     def _sampling_transfer(self, frequency: Values) -> Array:
-        """Return the transfer function of pixels along one axis, divided by that of the B-spline."""
+        """Return the transfer function of pixels along one axis, divided by the transfer function of the B-spline."""
         pixels, spline = self._sampling
         transfer = np.sinc(frequency) if pixels else np.ones(frequency.shape)
         b = _NEIGHBOUR_VALUE[spline]
@@ -489,14 +490,14 @@ class RadialTransfer:
         return np.ascontiguousarray(transfer.T, np.float32)
 
     def misfit(self, kernel: Array) -> float:
-        """Return the rms difference between the transfer function of a kernel and its table, relative to its rms."""
+        """Return the rms difference between a kernel's transfer function and its table, relative to the function."""
         from scipy.fft import rfft2
 
         sides = 2 * kernel.shape[1], 2 * kernel.shape[2]
-        half = kernel.shape[1] // 2
-        # The phase shifts the middle pixel to the first.
+        half_side = kernel.shape[1] // 2
+        # The phase factor shifts the middle pixel to the first position.
         exact = rfft2(kernel, sides) * np.exp(
-            2j * math.pi * half * (np.fft.fftfreq(sides[0])[:, np.newaxis] + np.fft.rfftfreq(sides[1]))
+            2j * math.pi * half_side * (np.fft.fftfreq(sides[0])[:, np.newaxis] + np.fft.rfftfreq(sides[1]))
         )
         index, weight, sampling = self.interpolation(sides)
         table = self(kernel).T
@@ -507,22 +508,22 @@ class RadialTransfer:
     def interpolation(self, tile: tuple[int, int]) -> tuple[Array, Array, Array]:
         """Return the interpolation in the table for each frequency of the transform of a tile.
 
-        The arrays are the index of the tabulated frequency below, the weight of the one above, and the transfer
-        function of pixel and spline, by which the interpolated value is multiplied.
+        The arrays are (1) the index of the tabulated frequency below, (2) the weight of the frequency above, (3) the
+        transfer function of pixel and spline, by which the interpolated value is multiplied.
         """
-        down, across = np.fft.fftfreq(tile[0])[:, np.newaxis], np.fft.rfftfreq(tile[1])
-        position = np.hypot(down, across).ravel() / self.spacing
-        sampling = (self._sampling_transfer(down) * self._sampling_transfer(across)).ravel()
+        row_frequency, column_frequency = np.fft.fftfreq(tile[0])[:, np.newaxis], np.fft.rfftfreq(tile[1])
+        position = np.hypot(row_frequency, column_frequency).ravel() / self.spacing
+        sampling = (self._sampling_transfer(row_frequency) * self._sampling_transfer(column_frequency)).ravel()
         return position.astype(np.intp), (position % 1.0).astype(np.float32), sampling.astype(np.float32)
 
 
 class PlaneBlur(TiledBlur):
-    """Convolution of each plane of the specimen with a PSF of its own, and its transpose.
+    """Convolution of each plane of the specimen with its own PSF, and the transpose.
 
     For each lateral spatial frequency, the planes of the recording are a matrix times the planes of the specimen.
     With rotationally symmetric PSFs the matrix depends on the magnitude of the frequency alone: matrices are computed
-    at the tabulated frequencies of `transfer`, and interpolated linearly between them. There is one kernel, shape
-    (planes, side, side), for each plane of the specimen with its margin.
+    at the tabulated frequencies of `transfer`, and interpolated linearly between them. `kernels` has one kernel,
+    shape (planes, side, side), for each plane of the specimen with its margin.
     """
 
     def __init__(
@@ -541,18 +542,18 @@ class PlaneBlur(TiledBlur):
         index, weight, sampling = transfer.interpolation(self._tile)
         # Frequencies of a tile are grouped by the two tabulated frequencies between which they lie.
         order = np.argsort(index, kind="stable")
-        cuts = np.flatnonzero(np.diff(index[order])) + 1
-        self._groups = [group.astype(np.int32) for group in np.split(order, cuts)]
+        boundaries = np.flatnonzero(np.diff(index[order])) + 1
+        self._groups = [group.astype(np.int32) for group in np.split(order, boundaries)]
         self._tabulated_below = [int(index[group[0]]) for group in self._groups]
         self._weight_above, self._weight_below = weight * sampling, (1.0 - weight) * sampling
 
     def _add_transfer(self, number: int, kernel: Array) -> None:
         """Add the kernel of a plane to the matrices; an outermost plane also represents the planes beyond it."""
         transfer = self._radial(kernel)
-        first, last = (number == 0) * self._before, (number == self.whole[0] - 1) * self._after
-        for at in range(number - first, number + last + 1):
+        before, after = (number == 0) * self._before, (number == self.whole[0] - 1) * self._after
+        for plane in range(number - before, number + after + 1):
             # Plane p of the recording receives plane p - start of the kernel.
-            start = at - self._margin[0] - self._lower[0]
+            start = plane - self._margin[0] - self._lower[0]
             low, high = max(start, 0), min(start + len(kernel), self.shape[0])
             if low < high:
                 self._matrices[:, low:high, number] += transfer[:, low - start : high - start]
@@ -560,7 +561,7 @@ class PlaneBlur(TiledBlur):
     def _filter_along_z(self, *, transposed: bool) -> None:
         """Multiply the planes at each lateral frequency by its matrix or the transpose, in place."""
         assert self._spectra is not None
-        flat = self._spectra.reshape(self.whole[0], -1)
+        spectra = self._spectra.reshape(self.whole[0], -1)
         planes_in, planes_out = self.whole[0], self.shape[0]
         if transposed:
             planes_in, planes_out = planes_out, planes_in
@@ -571,32 +572,32 @@ class PlaneBlur(TiledBlur):
 
         def multiply_group(number: int) -> None:
             group, below = self._groups[number], self._tabulated_below[number]
-            values = np.take(flat[:planes_in], group, axis=1)
-            first, second = self._matrices[below], self._matrices[below + 1]
+            values = np.take(spectra[:planes_in], group, axis=1)
+            matrix_below, matrix_above = self._matrices[below], self._matrices[below + 1]
             if transposed:
-                first, second = first.T, second.T
-            # The matrices are real: complex values are multiplied as pairs of real ones.
-            result = product(first, (values * self._weight_below[group]).view(np.float32))
+                matrix_below, matrix_above = matrix_below.T, matrix_above.T
+            # The matrices are real: complex values are multiplied as pairs of real values.
+            result = product(matrix_below, (values * self._weight_below[group]).view(np.float32))
             values *= self._weight_above[group]
-            result += product(second, values.view(np.float32))
-            flat[:planes_out, group] = result.view(np.complex64)
+            result += product(matrix_above, values.view(np.float32))
+            spectra[:planes_out, group] = result.view(np.complex64)
 
         side_by_side(multiply_groups, range(0, len(self._groups), _FREQUENCIES_TOGETHER), self._threads)
 
 
 class WideBlur(PlaneOperator):
-    """Blur by wide PSFs: their windows, `near`, at every pixel, and their tails, `far`, at every `pitch`-th pixel.
+    """Blur by wide PSFs: by their windows at every pixel, and by their tails at every `pitch`-th pixel.
 
     The tails are smooth: light is binned to the nodes of a coarse grid with linear weights, and the result is
     interpolated linearly between the nodes, so that the transpose is exact. Beyond the margin each plane of the
-    specimen has the uniform brightness `outside`, which a deconvolution estimates as well. With this light, the
+    specimen has the uniform brightness `outside`, which a deconvolution estimates, too. With this light, the
     recording of a uniform specimen is uniform.
 
     Parameters
     ----------
-    near : TiledBlur
+    windows : TiledBlur
         Blur by the windows of the PSFs.
-    far : iterable of ndarray
+    tails : iterable of ndarray
         Tails of the PSFs at the nodes, shape (planes, side, side).
     pitch : int
         Pixels between nodes of the coarse grid.
@@ -608,40 +609,40 @@ class WideBlur(PlaneOperator):
 
     def __init__(
         self,
-        near: TiledBlur,
-        far: Iterable[Array],
+        windows: TiledBlur,
+        tails: Iterable[Array],
         pitch: int,
         *,
         weights: Array | None = None,
         threads: int = 0,
     ) -> None:
-        self._near, self._threads = near, threads
-        self.shape, self.whole = near.shape, near.whole
-        kernels: Sequence[Array] = list(far)
-        margin = (near.whole[0] - near.shape[0]) // 2, (near.whole[1] - near.shape[1]) // 2
-        reach = kernels[0].shape[1] // 2
-        if reach * pitch < margin[1]:
-            raise ValueError(f"far must cover the margin of {margin[1]} pixels, got {reach} nodes of {pitch} pixels")
-        nodes = [(side - 1) // pitch + 2 for side in near.shape[1:]]
-        self._far = TiledBlur(
-            kernels, (near.shape[0], nodes[0], nodes[1]), (margin[0], reach), weights=weights, threads=threads
+        self._windows, self._threads = windows, threads
+        self.shape, self.whole = windows.shape, windows.whole
+        kernels: Sequence[Array] = list(tails)
+        margin = (windows.whole[0] - windows.shape[0]) // 2, (windows.whole[1] - windows.shape[1]) // 2
+        half = kernels[0].shape[1] // 2
+        if half * pitch < margin[1]:
+            raise ValueError(f"tails must cover the margin of {margin[1]} pixels, got {half} nodes of {pitch} pixels")
+        nodes = [(side - 1) // pitch + 2 for side in windows.shape[1:]]
+        self._tails = TiledBlur(
+            kernels, (windows.shape[0], nodes[0], nodes[1]), (margin[0], half), weights=weights, threads=threads
         )
         self._recording_weights = [
-            _LinearWeights(side, 0, pitch, 0, count) for side, count in zip(near.shape[1:], nodes, strict=True)
+            _LinearWeights(side, 0, pitch, 0, count) for side, count in zip(windows.shape[1:], nodes, strict=True)
         ]
         self._specimen_weights = [
-            _LinearWeights(side, margin[1], pitch, reach, count + 2 * reach)
-            for side, count in zip(near.whole[1:], nodes, strict=True)
+            _LinearWeights(side, margin[1], pitch, half, count + 2 * half)
+            for side, count in zip(windows.whole[1:], nodes, strict=True)
         ]
-        down, across = (axis.weights.sum(axis=0) for axis in self._specimen_weights)
+        by_row, by_column = (axis.weights.sum(axis=0) for axis in self._specimen_weights)
         # A node represents pitch^2 pixels. Pixels beyond the specimen have the brightness `outside`.
-        self._pixels_outside = np.maximum(float(pitch) ** 2 - np.outer(down, across), 0.0).astype(np.float32)
-        self.outside = np.ones(near.whole[0], np.float32)
-        ones = np.outer(*(axis.weights.sum(axis=0) for axis in self._recording_weights)).astype(np.float32)
+        self._pixels_outside = np.maximum(float(pitch) ** 2 - np.outer(by_row, by_column), 0.0).astype(np.float32)
+        self.outside = np.ones(windows.whole[0], np.float32)
+        recorded = np.outer(*(axis.weights.sum(axis=0) for axis in self._recording_weights)).astype(np.float32)
         # Recorded fraction of the light of tails, by node.
-        self._seen = self._coarse_adjoint(np.broadcast_to(ones, (near.shape[0], *ones.shape)))
+        self._seen = self._coarse_adjoint(np.broadcast_to(recorded, (windows.shape[0], *recorded.shape)))
         self.outside_seen = np.einsum("pyx,yx->p", self._seen, self._pixels_outside)
-        self.outside_back = np.zeros(near.whole[0], np.float32)
+        self.outside_back = np.zeros(windows.whole[0], np.float32)
         self.weigh(1.0)
 
     def forward(self, specimen: Part, consume: PartConsumer[Result]) -> list[Result]:
@@ -653,24 +654,24 @@ class WideBlur(PlaneOperator):
         def store(plane: int, rows: slice, columns: slice, values: Values) -> None:
             light[plane, rows, columns] = values
 
-        self._far.forward(lambda plane, *part: coarse[(plane, *part)], store)
-        return self._near.forward(specimen, self._with_coarse(light, self._recording_weights, consume))
+        self._tails.forward(lambda plane, *part: coarse[(plane, *part)], store)
+        return self._windows.forward(specimen, self._with_coarse(light, self._recording_weights, consume))
 
     def adjoint(self, recording: Part, consume: PartConsumer[Result]) -> list[Result]:
         """Call `consume` with the transpose of :meth:`forward`; set `outside_back`, the transpose for `outside`."""
         light = self._coarse_adjoint(self._bin(recording, self.shape, self._recording_weights))
         self.outside_back = np.einsum("pyx,yx->p", light, self._pixels_outside)
-        return self._near.adjoint(recording, self._with_coarse(light, self._specimen_weights, consume))
+        return self._windows.adjoint(recording, self._with_coarse(light, self._specimen_weights, consume))
 
     def release(self) -> None:
         """Free the memory of transforms until the next :meth:`forward` or :meth:`adjoint`."""
-        self._near.release()
-        self._far.release()
+        self._windows.release()
+        self._tails.release()
 
     def seen(self, plane: int, rows: slice, columns: slice) -> Values:
         """Return the fraction of the light of each point in a part of the specimen that falls on the recording."""
         fraction = _interpolate(self._seen[plane], self._specimen_weights, rows, columns)
-        fraction += self._near.seen(plane, rows, columns)
+        fraction += self._windows.seen(plane, rows, columns)
         return fraction
 
     def weigh(self, weight: float) -> None:
@@ -683,33 +684,33 @@ class WideBlur(PlaneOperator):
 
     @property
     def per_outside(self) -> Values:  # type: ignore[override]
-        """``1 / (weight * outside_seen)`` for each plane; `outside_seen` is recorded light for an `outside` of 1."""
+        """``1 / (weight * outside_seen)`` for each plane; `outside_seen` is the recorded light if `outside` is 1."""
         return reciprocal(self.outside_seen * np.float32(self._weight))
 
     def _coarse_adjoint(self, light: Values) -> Values:
         """Return the transpose of the coarse blur by the tails, applied to light at the nodes of the recording."""
-        back = np.empty((self.whole[0], *(axis.nodes for axis in self._specimen_weights)), np.float32)
+        result = np.empty((self.whole[0], *(axis.nodes for axis in self._specimen_weights)), np.float32)
 
         def store(plane: int, rows: slice, columns: slice, values: Values) -> None:
-            back[plane, rows, columns] = values
+            result[plane, rows, columns] = values
 
-        self._far.adjoint(lambda plane, *part: light[(plane, *part)], store)
-        return back
+        self._tails.adjoint(lambda plane, *part: light[(plane, *part)], store)
+        return result
 
     def _bin(self, values: Part, shape: tuple[int, ...], axes: list[_LinearWeights]) -> Values:
         """Return planes (of `shape`) binned to the nodes of the coarse grid with linear weights."""
         rows, columns = slice(0, shape[1]), slice(0, shape[2])
-        down, across = axes
-        binned = np.empty((shape[0], down.nodes, across.nodes), np.float32)
+        by_row, by_column = axes
+        binned = np.empty((shape[0], by_row.nodes, by_column.nodes), np.float32)
 
         def bin_plane(plane: int) -> None:
             pixels = values(plane, rows, columns)
-            binned_rows = np.zeros((down.nodes, shape[2]), np.float32)
-            for part, nodes in down.parts(rows):
-                binned_rows[nodes] += product(down.weights[part, nodes].T, pixels[part])
+            binned_rows = np.zeros((by_row.nodes, shape[2]), np.float32)
+            for part, nodes in by_row.parts(rows):
+                binned_rows[nodes] += product(by_row.weights[part, nodes].T, pixels[part])
             binned[plane] = 0.0
-            for part, nodes in across.parts(columns):
-                binned[plane, :, nodes] += product(binned_rows[:, part], across.weights[part, nodes])
+            for part, nodes in by_column.parts(columns):
+                binned[plane, :, nodes] += product(binned_rows[:, part], by_column.weights[part, nodes])
 
         side_by_side(bin_plane, range(shape[0]), self._threads)
         return binned
@@ -737,8 +738,8 @@ class _LinearWeights:
         self._first = np.floor(position).astype(int)
         self.nodes, self.weights = nodes, np.zeros((side, nodes), np.float32)
         self.weights[np.arange(side), self._first] = 1.0 - (position - self._first)
-        inside = self._first + 1 < nodes
-        self.weights[np.arange(side)[inside], self._first[inside] + 1] = (position - self._first)[inside]
+        has_next = self._first + 1 < nodes
+        self.weights[np.arange(side)[has_next], self._first[has_next] + 1] = (position - self._first)[has_next]
 
     def parts(self, pixels: slice) -> Iterator[tuple[slice, slice]]:
         """Yield parts of the pixels, each with the nodes that have nonzero weights there."""
@@ -749,15 +750,17 @@ class _LinearWeights:
 
 def _interpolate(light: Values, axes: list[_LinearWeights], rows: slice, columns: slice) -> Values:
     """Return a part of a plane, interpolated linearly from light at nodes (rows, columns)."""
-    down, across = axes
+    by_row, by_column = axes
     fine_rows = np.empty((rows.stop - rows.start, light.shape[1]), np.float32)
-    for part, nodes in down.parts(rows):
-        fine_rows[part.start - rows.start : part.stop - rows.start] = product(down.weights[part, nodes], light[nodes])
-    fine = np.empty((len(fine_rows), columns.stop - columns.start), np.float32)
-    for part, nodes in across.parts(columns):
+    for part, nodes in by_row.parts(rows):
+        fine_rows[part.start - rows.start : part.stop - rows.start] = product(
+            by_row.weights[part, nodes], light[nodes]
+        )
+    pixels = np.empty((len(fine_rows), columns.stop - columns.start), np.float32)
+    for part, nodes in by_column.parts(columns):
         target = slice(part.start - columns.start, part.stop - columns.start)
-        fine[:, target] = product(fine_rows[:, nodes], across.weights[part, nodes].T)
-    return fine
+        pixels[:, target] = product(fine_rows[:, nodes], by_column.weights[part, nodes].T)
+    return pixels
 
 
 def reciprocal(seen: Values) -> Values:
@@ -774,16 +777,16 @@ def pitch_of(side: int) -> int:
     return 5 if side > 33 else 3
 
 
-def taper(side: int, pitch: int, at: Array | None = None) -> Array:
-    """Return the fraction of a PSF that belongs to its window (`near`), 1 in the middle and 0 at the edge.
+def taper(side: int, pitch: int, positions: Array | None = None) -> Array:
+    """Return the fraction of a PSF that belongs to its window, not to its tail: 1 in the middle and 0 at the edge.
 
-    It is computed at the pixels of a window of `side` pixels, or at the coordinates `at` along both axes, in pixels
-    from the middle.
+    It is computed at the pixels of a window of `side` pixels, or at `positions` along both axes, in pixels from the
+    middle.
     """
-    along = np.arange(side) - side // 2 if at is None else at
+    positions = np.arange(side) - side // 2 if positions is None else positions
     half = side // 2 + 0.5
     width = min(2.0 * pitch, 0.7 * half)
-    radius = np.hypot(along[:, np.newaxis], along)
-    inside = np.clip((half - radius) / width, 0.0, 1.0)
-    # A raised cosine: its slope is 0 at either end.
-    return np.asarray(0.5 - 0.5 * np.cos(math.pi * inside))
+    radius = np.hypot(positions[:, np.newaxis], positions)
+    fraction = np.clip((half - radius) / width, 0.0, 1.0)
+    # A raised cosine, with slope 0 at either end.
+    return np.asarray(0.5 - 0.5 * np.cos(math.pi * fraction))

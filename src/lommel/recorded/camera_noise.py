@@ -21,24 +21,24 @@ MOST = 1e-3
 
 _PERSISTENT = 8.0  # least mean excess of a hot pixel over the median of its neighbours, standard errors
 _MOSTLY = 0.75  # least fraction of the planes in which a hot pixel exceeds the median of its neighbours
-_ABOVE = 0.6  # least fraction of the planes in which a hot pixel exceeds all neighbours, unless _BUT_ONE applies
+_MIN_ABOVE = 0.6  # least fraction of the planes in which a hot pixel exceeds all neighbours, unless _BUT_ONE applies
 _BUT_ONE = 0.5  # least mean excess over all neighbours but one, relative to the mean excess over their median
 _PLANES_COMPARED = 32  # largest number of planes that are compared, evenly spaced
 _MIN_PLANES = 5  # smallest number of planes in which hot pixels are detected
 _PASSES = 3  # largest number of passes, each without the hot pixels found before
-# The eight neighbours, the four of them that share a side, and eight pixels at twice the distance.
-_NEAR = [(y, x) for y, x in product((-1, 0, 1), (-1, 0, 1)) if y or x]
-_SIDES = [(y, x) for y, x in _NEAR if 0 in (y, x)]
-_NEXT = [(2 * y, 2 * x) for y, x in _NEAR]
+# Offsets of the eight neighbours, of the four that share a side, and of eight pixels at twice the distance.
+_NEIGHBOURS = [(y, x) for y, x in product((-1, 0, 1), (-1, 0, 1)) if y or x]
+_SIDES = [(y, x) for y, x in _NEIGHBOURS if 0 in (y, x)]
+_FARTHER = [(2 * y, 2 * x) for y, x in _NEIGHBOURS]
 
 
 def sharpness(psf: Array) -> float:
     """Return the ratio of the brightest voxel of a PSF to the brightest of its neighbours in the same plane."""
     plane, row, column = np.unravel_index(int(psf.argmax()), psf.shape)
-    around = psf[plane, max(row - 1, 0) : row + 2, max(column - 1, 0) : column + 2].copy()
-    top = float(around.max())
-    around[around == top] = 0.0
-    return top / max(float(around.max()), 1e-12 * top)
+    neighbours = psf[plane, max(row - 1, 0) : row + 2, max(column - 1, 0) : column + 2].copy()
+    top = float(neighbours.max())
+    neighbours[neighbours == top] = 0.0
+    return top / max(float(neighbours.max()), 1e-12 * top)
 
 
 def hot_pixels(stack: Stack, noise: Noise, sharpest: float, limit: float = math.inf) -> NDArray[np.bool_]:
@@ -46,9 +46,9 @@ def hot_pixels(stack: Stack, noise: Noise, sharpest: float, limit: float = math.
 
     A hot pixel exceeds the median of its eight neighbours by more than eight standard errors in the mean over the
     planes, and in three quarters of the planes. It also exceeds all neighbours in 60 % of the planes; or, since two
-    hot pixels may be adjacent, its mean excess over all neighbours but one is more than half of the one over the
-    median. A point of light exceeds its neighbours only in the planes near its focus. A line of light along the
-    optical axis exceeds them in all planes, but also lights them: the excess of a hot pixel is more than twice what
+    hot pixels may be adjacent, its mean excess over all neighbours but one is more than half of its mean excess over
+    the median. A point of light exceeds its neighbours only in the planes near its focus. A line of light along the
+    axis exceeds them in all planes, but also lights them: the excess of a hot pixel is more than twice what
     the PSF allows for a point. Values from `limit` on, and NaN, are unknown.
     """
     planes = np.unique(np.linspace(0, len(stack) - 1, min(len(stack), _PLANES_COMPARED)).astype(int))
@@ -56,43 +56,46 @@ def hot_pixels(stack: Stack, noise: Noise, sharpest: float, limit: float = math.
     if len(planes) < _MIN_PLANES:
         return hot
     for _ in range(_PASSES):
-        more = _further_hot_pixels(stack, planes, noise, limit, hot, _MIN_SHARPNESS * (sharpest - 1.0))
-        if not more.any():
+        new_hot = _further_hot_pixels(stack, planes, noise, limit, hot, _MIN_SHARPNESS * (sharpest - 1.0))
+        if not new_hot.any():
             break
-        hot |= more
+        hot |= new_hot
     return hot
 
 
 def _further_hot_pixels(
-    stack: Stack, planes: Array, noise: Noise, limit: float, hot: NDArray[np.bool_], steepest: float
+    stack: Stack, planes: Array, noise: Noise, limit: float, hot: NDArray[np.bool_], max_step_ratio: float
 ) -> NDArray[np.bool_]:
     """Return a mask of hot pixels that are not in the mask `hot` yet."""
     gain = np.asarray(1.0 if noise.white is None else noise.white)
-    total, steps, slopes, counts, positive, above, but_one = (np.zeros(hot.shape) for _ in range(7))
+    total, steps, farther_steps, counts, positive, above, but_one = (np.zeros(hot.shape) for _ in range(7))
     for plane in planes:
         recorded = np.asarray(stack[int(plane)], np.float64)
         known = np.isfinite(recorded) & (recorded < limit) & ~hot
-        light = gain * (recorded - noise.offset)
-        light = np.where(known, light, np.median(light[known]) if known.any() else 0.0)
-        height, width = light.shape
+        electrons = gain * (recorded - noise.offset)
+        electrons = np.where(known, electrons, np.median(electrons[known]) if known.any() else 0.0)
+        height, width = electrons.shape
         # Two pixels, for the neighbours at twice the distance.
-        padded = np.pad(light, 2, mode="reflect")
-        shifted = {(y, x): padded[2 + y : 2 + y + height, 2 + x : 2 + x + width] for y, x in _NEAR + _NEXT}
-        near = np.sort([shifted[place] for place in _NEAR], axis=0)
+        padded = np.pad(electrons, 2, mode="reflect")
+        shifted = {(y, x): padded[2 + y : 2 + y + height, 2 + x : 2 + x + width] for y, x in _NEIGHBOURS + _FARTHER}
+        near = np.sort([shifted[place] for place in _NEIGHBOURS], axis=0)
         median = 0.5 * (near[3] + near[4])
         # The variance of the median of eight values is about a fifth of the variance of one value.
         sigma = np.sqrt(1.2 * (np.maximum(median, 1.0) + np.asarray(noise.read) ** 2))
         # Medians, because one of the neighbours may be hot, too.
-        sides, farther = (np.median([shifted[place] for place in places], axis=0) for places in (_SIDES, _NEXT))
+        sides, farther = (np.median([shifted[place] for place in places], axis=0) for places in (_SIDES, _FARTHER))
         for values, sums in (
-            ((light - median) / sigma, total), (light - sides, steps), (sides - farther, slopes), (1.0, counts),
-            (light > median, positive), (light > near[-1], above), ((light - near[-2]) / sigma, but_one),
+            ((electrons - median) / sigma, total), (electrons - sides, steps), (sides - farther, farther_steps),
+            (1.0, counts), (electrons > median, positive), (electrons > near[-1], above),
+            ((electrons - near[-2]) / sigma, but_one),
         ):  # fmt: skip
             sums += np.where(known, values, 0.0)
     # A sum of n unit deviates has the standard deviation sqrt(n).
     is_significant = total > _PERSISTENT * np.sqrt(counts)
-    is_frequent = (positive >= _MOSTLY * counts) & ((above > _ABOVE * counts) | (but_one > _BUT_ONE * total))
-    return np.asarray(is_significant & is_frequent & (steps > steepest * slopes) & (counts >= _MIN_PLANES))
+    is_frequent = (positive >= _MOSTLY * counts) & ((above > _MIN_ABOVE * counts) | (but_one > _BUT_ONE * total))
+    return np.asarray(
+        is_significant & is_frequent & (steps > max_step_ratio * farther_steps) & (counts >= _MIN_PLANES)
+    )
 
 
 def hot_voxels(stack: Stack, noise: Noise, sharpest: float, limit: float = math.inf) -> Array:
@@ -111,16 +114,17 @@ def hot_voxels(stack: Stack, noise: Noise, sharpest: float, limit: float = math.
         values = np.where(known, recorded, -np.inf)
         height, width = values.shape
         padded = np.pad(values, 1, constant_values=-np.inf)
-        near = np.full_like(values, -np.inf)
+        brightest_neighbour = np.full_like(values, -np.inf)
         for y, x in product(range(3), range(3)):
             if (y, x) != (1, 1):
-                np.maximum(near, padded[y : y + height, x : x + width], out=near)
-        base = float(np.median(recorded[known])) if known.any() else 0.0
+                np.maximum(brightest_neighbour, padded[y : y + height, x : x + width], out=brightest_neighbour)
+        plane_median = float(np.median(recorded[known])) if known.any() else 0.0
         # Photon noise of the voxel itself, but at least the noise of the background.
-        electrons = np.maximum(gain * (np.maximum(values, base) - noise.offset), 0.0)
+        electrons = np.maximum(gain * (np.maximum(values, plane_median) - noise.offset), 0.0)
         threshold = _MIN_SIGMA * np.sqrt(electrons + np.asarray(noise.read) ** 2) / gain
         hot = (values < limit) & (
-            values - base > _MIN_SHARPNESS * sharpest * np.maximum(near - base, 0.0) + threshold
+            values - plane_median
+            > _MIN_SHARPNESS * sharpest * np.maximum(brightest_neighbour - plane_median, 0.0) + threshold
         )
         positions.append(np.column_stack([np.full(np.count_nonzero(hot), plane), *np.nonzero(hot)]))
     return np.concatenate(positions)
@@ -129,7 +133,7 @@ def hot_voxels(stack: Stack, noise: Noise, sharpest: float, limit: float = math.
 class MaskedStack:
     """A stack whose unknown voxels are NaN or, in a stack of integers, have the value `limit`.
 
-    Unknown are the `voxels`, an array of planes, rows and columns, and the True voxels of a `mask`.
+    Unknown voxels are listed in `voxels` (planes, rows and columns), or are True in a `mask`.
     """
 
     def __init__(
@@ -146,16 +150,16 @@ class MaskedStack:
     def __len__(self) -> int:
         return int(self.shape[0])
 
-    def __getitem__(self, at: PlanePart) -> Values:
-        plane, *rest = at if isinstance(at, tuple) else (at,)
-        part: Values = np.array(self._stack[at])
-        part[self._mask[at]] = self._unknown
-        inside = self._voxels[self._voxels[:, 0] == plane][:, 1:]
-        for axis, each in enumerate(rest):
-            first, end, _ = each.indices(self.shape[1 + axis])
-            inside = inside[(inside[:, axis] >= first) & (inside[:, axis] < end)]
-            inside[:, axis] -= first
-        part[inside[:, 0], inside[:, 1]] = self._unknown
+    def __getitem__(self, index: PlanePart) -> Values:
+        plane, *slices = index if isinstance(index, tuple) else (index,)
+        part: Values = np.array(self._stack[index])
+        part[self._mask[index]] = self._unknown
+        unknown = self._voxels[self._voxels[:, 0] == plane][:, 1:]
+        for axis, part_slice in enumerate(slices):
+            first, end, _ = part_slice.indices(self.shape[1 + axis])
+            unknown = unknown[(unknown[:, axis] >= first) & (unknown[:, axis] < end)]
+            unknown[:, axis] -= first
+        part[unknown[:, 0], unknown[:, 1]] = self._unknown
         return part
 
 
@@ -167,8 +171,8 @@ _WINDOW = 5  # side of the window of a local mean, pixels
 _STRUCTURE = 16.0  # squares that exceed this multiple of the variance are details, not noise
 _SATURATED = 8  # least number of voxels with the largest value of a plane for which it counts as saturated
 _MEDIAN = 0.4549  # median of the square of a normal deviate
-_DIFFERENT = 0.3  # difference of the logarithms of variances that details and rounding may cause
-_UNSURE = 0.3  # largest accepted relative standard error of the gain
+_MAX_LOG_RATIO = 0.3  # difference of the logarithms of variances that details and rounding may cause
+_MAX_ERROR = 0.3  # largest accepted relative standard error of the gain
 
 
 def estimate_noise(stack: Stack, *, read: float = _READ, excess: float = 1.0) -> Noise:
@@ -220,7 +224,7 @@ def _fit_noise(mean: Array, squares: Array, independent: float, sigma: float) ->
     lowest = float(np.quantile(mean, 1e-3))
     constant, slope, error = _fit_line(mean - lowest, squares)
     error /= math.sqrt(independent)
-    if not slope > 0.0 or error > _UNSURE * slope:
+    if not slope > 0.0 or error > _MAX_ERROR * slope:
         raise ValueError(
             "the noise cannot be estimated: its variance does not clearly grow with the light, as photon "
             "noise does; give a stack that was not filtered and has brighter and darker regions, or noise=, such as "
@@ -239,7 +243,7 @@ def contradiction(stack: Stack, noise: Noise) -> str | None:
         return None
     poisson = noise.poisson
     parameters = poisson.white, poisson.read, poisson.offset
-    white, read, offset = (float(np.mean(1.0 if each is None else each)) for each in parameters)
+    white, read, offset = (float(np.mean(1.0 if value is None else value)) for value in parameters)
     # Variance of rounding to integers: 1 / 12.
     rounding = 1.0 / 12.0 if np.dtype(stack.dtype).kind in "iu" else 0.0
     expected = np.maximum(mean - offset, 0.0) / white + (read / white) ** 2 + rounding
@@ -247,18 +251,18 @@ def contradiction(stack: Stack, noise: Noise) -> str | None:
     ratio = float(np.median(squares / expected)) / _MEDIAN
     # The relative standard error of the median of squared normal deviates is about 2.3 / sqrt(n).
     error = ratio * 2.3 / math.sqrt(mean.size * independent)
-    if abs(math.log(ratio)) < max(_DIFFERENT, 4.0 * error):
+    if abs(math.log(ratio)) < max(_MAX_LOG_RATIO, 4.0 * error):
         return None
     text = (
         f"The noise of the stack has {ratio:.2g} times the variance that gain, read noise and offset imply: check "
         "these values."
     )
     try:
-        fitted_noise, relative = _fit_noise(mean, squares, independent, read)
+        fitted_noise, relative_error = _fit_noise(mean, squares, independent, read)
     except ValueError:
         return text
     gain = noise.excess * float(1.0 if fitted_noise.white is None else fitted_noise.white)
-    gain_text = " +- ".join(with_error(gain, gain * relative))
+    gain_text = " +- ".join(with_error(gain, gain * relative_error))
     offset_text = f"an offset of {float(fitted_noise.offset):.4g}"
     return f"{text} The estimate from the stack alone is {gain_text} electrons per count and {offset_text}."
 
@@ -314,11 +318,11 @@ def _fit_line(light: Array, squares: Array) -> tuple[float, float, float]:
             covariance = 2.0 * np.linalg.inv(normal)
         except np.linalg.LinAlgError:  # light is the same everywhere
             return constant, 0.0, math.inf
-        before, error = slope, math.sqrt(covariance[1, 1])
+        previous_slope, error = slope, math.sqrt(covariance[1, 1])
         constant, slope = 0.5 * covariance @ [weight @ squares, weight @ (light * squares)]
         # Positive, so that the variance of the darkest points is positive.
         constant = max(constant, 1e-3 * float(squares.mean()))
         slope = max(slope, 0.0)
-        if abs(slope - before) <= 1e-6 * abs(slope):
+        if abs(slope - previous_slope) <= 1e-6 * abs(slope):
             break
     return constant, float(slope), error

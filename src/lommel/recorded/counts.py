@@ -18,7 +18,7 @@ from lommel.recorded.noise import Noise
 _BITS = (8, 10, 12, 14, 16)  # bits of analogue-to-digital converters, whose largest values mean saturation
 _LEAST = 3  # smallest number of pixels with the largest value that counts as saturation
 _COUNTS = 3.0  # standard deviation of the noise, counts, from which equal values are rare
-_OFTEN = (
+_MAX_RATIO = (
     2.0  # ratio of pixels with the largest value to pixels just below it, above which the value counts as saturated
 )
 
@@ -27,27 +27,27 @@ def full_value(planes: Sequence[Values], stated: float | None, *, name: str = "p
     """Return the smallest saturated value (infinity for none), and a note if this value was assumed, else "".
 
     The value is `stated`, if given. Otherwise it is the full scale of a camera of 8, 10, 12, 14 or 16 bits if that is
-    the largest value of all `planes` and more pixels have it than noise explains; else the largest of the type.
+    the largest value of all `planes` and more pixels have it than noise explains; else the largest of the dtype.
     """
     if stated is not None:
         return validation.real("saturation", stated, infinite=True), ""
-    kind = planes[0].dtype
-    most = float(np.iinfo(kind).max) if kind.kind in "iu" else math.inf
+    dtype = planes[0].dtype
+    type_limit = float(np.iinfo(dtype).max) if dtype.kind in "iu" else math.inf
     with np.errstate(invalid="ignore"):
         top = max((float(np.fmax.reduce(plane, axis=None)) for plane in planes if plane.size), default=math.nan)
-        if top + 1.0 not in [2.0**bits for bits in _BITS] or top >= most:
-            return most, ""
+        if top + 1.0 not in [2.0**bits for bits in _BITS] or top >= type_limit:
+            return type_limit, ""
         # Upper bound on the noise at the largest value: sqrt(top) counts for one electron or more per count.
-        spread = max(math.sqrt(top), _COUNTS)
-        least = min(float(np.fmin.reduce(plane, axis=None)) for plane in planes if plane.size)
+        noise_width = max(math.sqrt(top), _COUNTS)
+        bottom = min(float(np.fmin.reduce(plane, axis=None)) for plane in planes if plane.size)
         count = sum(int((plane == top).sum()) for plane in planes)
-        near = sum(int(((plane < top) & (plane >= top - spread)).sum()) for plane in planes)
+        near = sum(int(((plane < top) & (plane >= top - noise_width)).sum()) for plane in planes)
     # An image whose values are all equal within the noise is uniform, not saturated.
-    if count < _LEAST or count <= _OFTEN * near or top - least <= spread:
-        return most, ""
+    if count < _LEAST or count <= _MAX_RATIO * near or top - bottom <= noise_width:
+        return type_limit, ""
     return top, (
-        f"{count} {name} have exactly the largest value, {top:.10g}, that of {math.log2(top + 1.0):.0f} bits: they "
-        "were taken as saturated; saturation= sets another limit"
+        f"{count} {name} have exactly the largest value, {top:.10g}, that of {math.log2(top + 1.0):.0f} bits: "
+        "they were taken as saturated; saturation= sets another limit"
     )
 
 
@@ -67,12 +67,12 @@ def flat_top(values: Values, valid: NDArray[np.bool_], noise: Noise) -> tuple[fl
     noise = noise.poisson
     gain = 1.0 if noise.white is None else noise.white
     white, read, offset = (float(np.median(part)) for part in (gain, noise.read, noise.offset))
-    spread = float(np.sqrt(max((top - offset) * white, 0.0) + read**2)) / white
+    sigma = float(np.sqrt(max((top - offset) * white, 0.0) + read**2)) / white
     # Integers with a noise of a few counts are often equal without saturation.
-    if spread < _COUNTS and bool((valid_values == np.rint(valid_values)).all()):
+    if sigma < _COUNTS and bool((valid_values == np.rint(valid_values)).all()):
         return np.nan, 0
-    near = int(((valid_values < top) & (valid_values >= top - spread)).sum())
-    return (top, count) if count > _OFTEN * near else (np.nan, 0)
+    near_count = int(((valid_values < top) & (valid_values >= top - sigma)).sum())
+    return (top, count) if count > _MAX_RATIO * near_count else (np.nan, 0)
 
 
 _LARGEST = 1e15  # largest accepted value, counts: far above any camera's, and its square fits in float32
@@ -174,14 +174,14 @@ class Counts:
         return np.where(self.known, self.values, 0.0).astype(np.float64, copy=False)
 
     def require_known(self, name: str, least: float = 0.0) -> Self:
-        """Return self; ValueError if an image has no known pixels, or a fraction of them below `least`."""
+        """Return self; ValueError if the fraction of known pixels of an image is 0 or below `least`."""
         fractions = self.known.mean(axis=(-2, -1))
         too_few = np.argwhere((fractions == 0.0) | (fractions < least))
         if len(too_few):
-            at = too_few[0].tolist()
-            count = int(self.known[*at].sum())
+            k = too_few[0].tolist()
+            count = int(self.known[*k].sum())
             raise ValueError(
-                f"{name}{at or ''} must have pixels that are neither masked, saturated nor NaN, got {count or 'none'}"
+                f"{name}{k or ''} must have pixels that are neither masked, saturated nor NaN, got {count or 'none'}"
             )
         return self
 
@@ -193,28 +193,28 @@ class Counts:
         kind = np.float32 if self.values.dtype.itemsize <= 2 or self.values.dtype == np.float32 else np.float64
         return np.where(self.known, self.values, kind(np.nan)).astype(kind, copy=False)
 
-    def require_light(self, name: str, what: str) -> None:
-        """Raise ValueError if the known pixels of an image are all equal; `what` names the expected content."""
+    def require_light(self, name: str, content: str) -> None:
+        """Raise ValueError if the known pixels of an image are all equal; `content` names what is expected."""
         values, known = (part.reshape(-1, *self.values.shape[-2:]) for part in (self.values, self.known))
         for index, image, is_known in zip(np.ndindex(*self.values.shape[:-2]), values, known, strict=True):
             if np.ptp(image[is_known]) == 0:
-                where = f"{name}{list(index) or ''}"
-                raise ValueError(f"{where} must show {what}, got the value {image[is_known][0]:g} everywhere")
+                label = f"{name}{list(index) or ''}"
+                raise ValueError(f"{label} must show {content}, got the value {image[is_known][0]:g} everywhere")
 
-    def __getitem__(self, at: Index) -> Counts:
+    def __getitem__(self, index: Index) -> Counts:
         """Return some of the images, by indices along the axes before the last two."""
-        return Counts(self.values[at], self.hidden[at], self.full[at], self.saturation, self.assumed)
+        return Counts(self.values[index], self.hidden[index], self.full[index], self.saturation, self.assumed)
 
 
 def recording_findings(images: Sequence[Counts], noise: Noise, name: str) -> list[Finding]:
     """Return findings on pixels that are ignored, and on pixels that may be saturated."""
-    total = sum(each.values.size for each in images)
-    count = total - sum(int(each.known.sum()) for each in images)
+    total = sum(image.values.size for image in images)
+    count = total - sum(int(image.known.sum()) for image in images)
     findings = []
     if count:
         text = f"{count} of {total} pixels left out (masked, saturated or NaN)"
         findings.append(Finding("left_out", "note", text, {"pixels": count, "of": total}))
-    assumed = dict.fromkeys(each.assumed for each in images if each.assumed)
+    assumed = dict.fromkeys(image.assumed for image in images if image.assumed)
     findings += [Finding("saturation_assumed", "note", text) for text in assumed]
     if remark := flat_tops(images, noise, name):
         findings.append(Finding("flat_top", "note", remark))
@@ -223,12 +223,12 @@ def recording_findings(images: Sequence[Counts], noise: Noise, name: str) -> lis
 
 def flat_tops(images: Sequence[Counts], noise: Noise, name: str) -> str:
     """Return a remark on the first image that may be saturated (see :func:`flat_top`), or ""."""
-    for k, each in enumerate(images):
-        top, equal = flat_top(each.values, each.known, noise)
-        if equal:
-            where = f" of {name} {k}" if len(images) > 1 else ""
+    for k, image in enumerate(images):
+        top, count = flat_top(image.values, image.known, noise)
+        if count:
+            place = f" of {name} {k}" if len(images) > 1 else ""
             return (
-                f"{equal} pixels{where} have exactly the largest value, {top:.10g}: if they are saturated, state it "
+                f"{count} pixels{place} have exactly the largest value, {top:.10g}: if they are saturated, state it "
                 f"(saturation={top:.10g}, --saturation {top:.10g})"
             )
     return ""
@@ -251,7 +251,7 @@ class Stack(Protocol):
 
     def __len__(self) -> int: ...
 
-    def __getitem__(self, at: PlanePart, /) -> Values: ...
+    def __getitem__(self, index: PlanePart, /) -> Values: ...
 
 
 def plane_of(stack: Stack, number: int) -> Values:

@@ -51,8 +51,8 @@ _UNITS = _OTHER_UNITS | {
     for name in (f"{letter}m", *(f"{prefix}{metre}{s}" for metre in ("meter", "metre") for s in ("", "s")))
 }
 # Names of FITS header cards in common use.
-_GAIN, _READ, _FULL = ("EGAIN",), ("RDNOISE", "READNOIS", "RON"), ("SATURATE", "SATLEVEL")
-_MULTIPLIED = ("EMGAIN", "EMREALGN", "EMREALGAIN")
+_GAIN, _READ, _SATURATION = ("EGAIN",), ("RDNOISE", "READNOIS", "RON"), ("SATURATE", "SATLEVEL")
+_EM_GAIN = ("EMGAIN", "EMREALGN", "EMREALGAIN")
 EXCESS = 2.0  # variance of an electron-multiplying register, divided by that of a Poisson variable of the same mean
 _IGNORED_CARDS = {
     "BAYERPAT": "a mosaic of colours, whose pixels are of several wavelengths: pass the pixels of one",
@@ -68,7 +68,7 @@ class Unusable:
     words: str
 
 
-Found = Json
+Metadata = Json
 """Metadata of a file by name: numbers, :class:`Unusable`, or None."""
 
 
@@ -102,15 +102,15 @@ def number(value: str | float | None, *, least: float = 0.0) -> float | Unusable
     return parsed if math.isfinite(parsed) and parsed > least else Unusable(validation.brief(str(value), 60))
 
 
-def of_ome(file: TiffFile, place: int) -> Found:
+def ome_metadata(file: TiffFile, place: int) -> Metadata:
     """Return the metadata of an image in the OME-XML of a TIFF file."""
     try:
         root = reading.xml(file.ome_metadata or "")
     except ValueError:
         return {}
-    images = [(one, pixels) for one in root.findall("{*}Image") if (pixels := one.find("{*}Pixels")) is not None]
+    images = [(node, pixels) for node in root.findall("{*}Image") if (pixels := node.find("{*}Pixels")) is not None]
     if len(images) != len(file.series):  # tifffile leaves out images without pixels: find the image by its name
-        images = [one for one in images if one[0].get("Name") == file.series[place].name][:1] * (place + 1)
+        images = [entry for entry in images if entry[0].get("Name") == file.series[place].name][:1] * (place + 1)
     if not images:
         return {}
     image, pixels = images[place]
@@ -119,71 +119,73 @@ def of_ome(file: TiffFile, place: int) -> Found:
         name = f"PhysicalSize{letter}"
         return length(pixels.get(name), pixels.get(f"{name}Unit"), "µm")
 
-    found: Found = {"pixel": side("X"), "down": side("Y"), "step": side("Z")}
+    metadata: Metadata = {"pixel": side("X"), "down": side("Y"), "step": side("Z")}
     channels = pixels.findall("{*}Channel")
-    found["names"] = [each.get("Name") for each in channels]
+    metadata["names"] = [channel.get("Name") for channel in channels]
     for key, name in (("emission", "EmissionWavelength"), ("excitation", "ExcitationWavelength")):
-        found[key] = [length(each.get(name), each.get(f"{name}Unit"), "nm") for each in channels]
-    detectors = {each.get("ID"): each.get("Type") for each in root.findall(".//{*}Instrument/{*}Detector")}
-    used_by = [each.get("ID") for each in image.findall(".//{*}DetectorSettings")]
+        metadata[key] = [length(channel.get(name), channel.get(f"{name}Unit"), "nm") for channel in channels]
+    detectors = {item.get("ID"): item.get("Type") for item in root.findall(".//{*}Instrument/{*}Detector")}
+    used_by = [settings.get("ID") for settings in image.findall(".//{*}DetectorSettings")]
     if any(detectors.get(name) == "EMCCD" for name in used_by or (list(detectors) if len(detectors) == 1 else [])):
-        found["excess"] = EXCESS
+        metadata["excess"] = EXCESS
     lenses = root.findall(".//{*}Instrument/{*}Objective")
     if (used := image.find("{*}ObjectiveSettings")) is not None:
-        found["immersion"] = number(used.get("RefractiveIndex"))
+        metadata["immersion"] = number(used.get("RefractiveIndex"))
         lenses = [lens for lens in lenses if lens.get("ID") == used.get("ID")]
     if len(lenses) == 1:
-        found["NA"] = number(lenses[0].get("LensNA"))
-        found["magnification"] = number(
+        metadata["NA"] = number(lenses[0].get("LensNA"))
+        metadata["magnification"] = number(
             lenses[0].get("CalibratedMagnification") or lenses[0].get("NominalMagnification")
         )
-    return found
+    return metadata
 
 
-def of_imagej(file: TiffFile) -> Found:
+def imagej_metadata(file: TiffFile) -> Metadata:
     """Return the ImageJ metadata of a TIFF file."""
-    metadata, page = file.imagej_metadata or {}, file.pages.first
-    unit = metadata.get("unit")  # unit of x, and of y and z unless these have their own
-    found: Found = {"step": length(metadata.get("spacing"), metadata.get("zunit", unit))}
-    for key, tag, axis_unit in (("pixel", "XResolution", unit), ("down", "YResolution", metadata.get("yunit", unit))):
+    stated, page = file.imagej_metadata or {}, file.pages.first
+    unit = stated.get("unit")  # unit of x, and of y and z unless these have their own
+    metadata: Metadata = {"step": length(stated.get("spacing"), stated.get("zunit", unit))}
+    for key, tag, axis_unit in (("pixel", "XResolution", unit), ("down", "YResolution", stated.get("yunit", unit))):
         value = page.tags.get(tag)
-        if value is not None and axis_unit:  # without a unit the tag is the resolution in print
+        if value is not None and axis_unit:  # without a unit the tag is the resolution of a print
             # TIFF states pixels per unit of length as a fraction.
             pixels, units = value.value
-            found[key] = length(units / pixels if pixels else 0.0, axis_unit)
-    return found
+            metadata[key] = length(units / pixels if pixels else 0.0, axis_unit)
+    return metadata
 
 
-def of_zarr(attributes: Mapping[str, Any], scale: Mapping[str, float], units: Mapping[str, str | None]) -> Found:
+def zarr_metadata(
+    attributes: Mapping[str, Any], scale: Mapping[str, float], units: Mapping[str, str | None]
+) -> Metadata:
     """Return the metadata of an OME-Zarr from its `attributes`, and `scale` and `units` by axis letter."""
     sides = {letter: length(value, units.get(letter)) for letter, value in scale.items()}
-    found: Found = {"pixel": sides.get("X"), "down": sides.get("Y"), "step": sides.get("Z")}
+    metadata: Metadata = {"pixel": sides.get("X"), "down": sides.get("Y"), "step": sides.get("Z")}
     listed = attributes.get("omero") or {}
     channels = listed.get("channels", []) if isinstance(listed, dict) else []
-    channels = [each for each in channels if isinstance(each, dict)]
-    found["names"] = [each.get("label") for each in channels]
-    found["emission"] = [length(each.get("emission_wavelength"), "nm") for each in channels]
-    return found
+    channels = [channel for channel in channels if isinstance(channel, dict)]
+    metadata["names"] = [channel.get("label") for channel in channels]
+    metadata["emission"] = [length(channel.get("emission_wavelength"), "nm") for channel in channels]
+    return metadata
 
 
-def of_fits(header: fits_images.Cards) -> Found:
+def fits_metadata(header: fits_images.Cards) -> Metadata:
     """Return the metadata of the camera in a FITS header: electrons per count, read noise, saturation."""
 
     def first(names: tuple[str, ...], least: float = 0.0) -> float | Unusable | None:
         return next((number(header[name], least=least) for name in names if name in header), None)
 
     # A read noise of 0 is a valid value, unlike a gain of 0.
-    found: Found = {"gain": first(_GAIN), "read": first(_READ, -1e-300), "saturation": first(_FULL)}
-    if isinstance(times := first(_MULTIPLIED), float) and times > 1.0:
-        found |= {"excess": EXCESS, "em_gain": times}
+    metadata: Metadata = {"gain": first(_GAIN), "read": first(_READ, -1e-300), "saturation": first(_SATURATION)}
+    if isinstance(times := first(_EM_GAIN), float) and times > 1.0:
+        metadata |= {"excess": EXCESS, "em_gain": times}
     unit = str(header.get("BUNIT", "")).strip()
     if unit.lower().rstrip("s") in ("electron", "e", "e-"):
-        found["gain"] = 1.0
+        metadata["gain"] = 1.0
     elif "electron" in unit.lower():
-        found["gain"] = Unusable(f"in {validation.brief(unit, 60)}, not in electrons")
-    elif found["gain"] is None and header.get(_AMBIGUOUS_GAIN) not in (None, ""):
-        found["unsure"] = f"{_AMBIGUOUS_GAIN} = {validation.brief(str(header[_AMBIGUOUS_GAIN]), 60)}"
-    return found
+        metadata["gain"] = Unusable(f"in {validation.brief(unit, 60)}, not in electrons")
+    elif metadata["gain"] is None and header.get(_AMBIGUOUS_GAIN) not in (None, ""):
+        metadata["unsure"] = f"{_AMBIGUOUS_GAIN} = {validation.brief(str(header[_AMBIGUOUS_GAIN]), 60)}"
+    return metadata
 
 
 def fits_notes(header: Mapping[str, object]) -> list[str]:
@@ -195,18 +197,18 @@ def fits_notes(header: Mapping[str, object]) -> list[str]:
     ]
 
 
-def of_all(metadata: Sequence[Found]) -> Found:
+def combined_metadata(files: Sequence[Metadata]) -> Metadata:
     """Return the camera metadata of several files; values that differ between files are :class:`Unusable`."""
-    found = dict(metadata[0])
+    combined = dict(files[0])
     for key in ("gain", "read", "saturation", "excess"):
-        values = [each.get(key) for each in metadata]
+        values = [metadata.get(key) for metadata in files]
         if any(value != values[0] for value in values):
             words = [
                 value.words if isinstance(value, Unusable) else "none" if value is None else f"{value:g}"
                 for value in values
             ]
-            found[key] = Unusable(f"of {', '.join(dict.fromkeys(words))} in different files")
-    return found
+            combined[key] = Unusable(f"of {', '.join(dict.fromkeys(words))} in different files")
+    return combined
 
 
 __all__ = ["Frames", "RecordingError", "open_frames"]
@@ -257,22 +259,22 @@ class Frames:
     shape : tuple of int
     dtype : dtype
         Type of the stored values, in the byte order of this machine.
-    said : dict
+    metadata : dict
         Metadata by name: "pixel", "step", "emission", "gain" and others, in metres and electrons.
-    by : str
+    metadata_format : str
         Source of the metadata: "OME", "ImageJ", "OME-Zarr", "FITS", or "".
     path : Path or None
     notes : tuple of str
         Sentences on the image that was chosen and on data that were left out.
     left_out : str
-        Pages that the description of the file does not count, in words, or "".
+        Message on pages that the description of the file does not count, or "".
     """
 
     planes: Planes
     numbers: NDArray[np.intp]
     axes: str
-    said: Found = field(default_factory=dict)
-    by: str = ""
+    metadata: Metadata = field(default_factory=dict)
+    metadata_format: str = ""
     path: Path | None = None
     notes: tuple[str, ...] = ()
     left_out: str = ""
@@ -294,27 +296,27 @@ class Frames:
     def __len__(self) -> int:
         return self.shape[0]
 
-    def __getitem__(self, at: Index) -> Values:
-        index = at if isinstance(at, tuple) else (at,)
-        if any(one is Ellipsis for one in index):
-            k = next(k for k, one in enumerate(index) if one is Ellipsis)
+    def __getitem__(self, key: Index) -> Values:
+        index = key if isinstance(key, tuple) else (key,)
+        if any(entry is Ellipsis for entry in index):
+            k = next(k for k, entry in enumerate(index) if entry is Ellipsis)
             index = index[:k] + (slice(None),) * (self.ndim - len(index) + 1) + index[k + 1 :]
-        lead = self.numbers.ndim
-        numbers, part = self.numbers[index[:lead]], index[lead:]
-        if not all(isinstance(one, slice | int | np.integer) for one in part):
+        stack_ndim = self.numbers.ndim
+        numbers, part = self.numbers[index[:stack_ndim]], index[stack_ndim:]
+        if not all(isinstance(entry, slice | int | np.integer) for entry in part):
             raise TypeError(f"rows and columns must be integers or slices, got {shown(part)}")
         if np.ndim(numbers) == 0:
             plane = self.planes.plane(int(numbers))
             return plane[part] if part else plane
         sides = np.broadcast_to(np.int8(0), self.planes.sides)[part].shape
-        whole = np.empty((*numbers.shape, *sides), self.dtype)
-        for place, one in np.ndenumerate(numbers):
-            whole[place] = self.planes.plane(int(one))[part]
-        return whole
+        values = np.empty((*numbers.shape, *sides), self.dtype)
+        for position, number in np.ndenumerate(numbers):
+            values[position] = self.planes.plane(int(number))[part]
+        return values
 
     def __array__(self, dtype: DTypeLike | None = None, copy: bool | None = None) -> Values:
-        out = self[...]
-        return out if dtype is None else out.astype(dtype)
+        values = self[...]
+        return values if dtype is None else values.astype(dtype)
 
     def __enter__(self) -> Self:
         return self
@@ -381,8 +383,8 @@ class Frames:
                 f"{self.name}: it holds {sizes} values along {self.axes}: save one stack of images, of one channel "
                 "and time point"
             )
-        lead = [letter for letter, side in zip(self.axes, self.numbers.shape, strict=False) if side > 1]
-        return replace(self, numbers=self.numbers.reshape(-1), axes=f"{lead[0] if lead else UNKNOWN}YX")
+        long_axes = [letter for letter, side in zip(self.axes, self.numbers.shape, strict=False) if side > 1]
+        return replace(self, numbers=self.numbers.reshape(-1), axes=f"{long_axes[0] if long_axes else UNKNOWN}YX")
 
     @property
     def files(self) -> set[str]:
@@ -406,7 +408,7 @@ class ArrayLikeImages(Protocol):
     def dtype(self) -> DTypeLike:
         """Type of the values."""
 
-    def __getitem__(self, at: Any, /) -> ArrayLike:
+    def __getitem__(self, index: Any, /) -> ArrayLike:
         """Return a part."""
 
 
@@ -417,14 +419,14 @@ class _ArrayPlanes:
 
     def __init__(self, values: ArrayLikeImages, name: str) -> None:
         self._values, self._name = values, name
-        self._lead = tuple(values.shape[:-2])
+        self._stack_shape = tuple(values.shape[:-2])
         self.sides: tuple[int, int] = (int(values.shape[-2]), int(values.shape[-1]))
         self.dtype = np.dtype(values.dtype).newbyteorder("=")
 
     def plane(self, number: int) -> Values:
         """Return one image."""
-        at = tuple(int(k) for k in np.unravel_index(number, self._lead)) if self._lead else ...
-        values = validation.array(self._name, self._values[at])  # refuses masks, which dask shows only here
+        index = tuple(int(k) for k in np.unravel_index(number, self._stack_shape)) if self._stack_shape else ...
+        values = validation.array(self._name, self._values[index])  # refuses masks, which dask shows only here
         return values.astype(self.dtype, copy=not isinstance(self._values, np.ndarray))
 
 
@@ -432,7 +434,7 @@ class _TiffPlanes:
     """Images in the pages of a TIFF file."""
 
     def __init__(self, path: Path, series: TiffPageSeries) -> None:
-        self._path, self._pages, self._several = path, series.pages, series.is_multifile
+        self._path, self._pages, self._is_multifile = path, series.pages, series.is_multifile
         self.sides: tuple[int, int] = (series.shape[-2], series.shape[-1])
         self.dtype = np.dtype(series.dtype).newbyteorder("=")
         self._lock = threading.Lock()  # pages share one file handle
@@ -445,7 +447,7 @@ class _TiffPlanes:
     @property
     def files(self) -> set[str]:
         """Paths of the files if there are several, else empty."""
-        paths = {str(handle.path) for handle in self._handles()} if self._several else set()
+        paths = {str(handle.path) for handle in self._handles()} if self._is_multifile else set()
         return paths if len(paths) > 1 else set()
 
     def _handles(self) -> set[FileHandle]:
@@ -467,12 +469,14 @@ class _ZarrPlanes:
 
     def __init__(self, path: Path, array: Any) -> None:
         self._path, self._array = path, array
-        self._lead = tuple(array.shape[:-2])
+        self._stack_shape = tuple(array.shape[:-2])
         self.sides: tuple[int, int] = (int(array.shape[-2]), int(array.shape[-1]))
         self.dtype = np.dtype(array.dtype).newbyteorder("=")
         reading.pixels(*self.sides[::-1])
         self.chunks = zarr_folders.Chunks(path, array)
-        self._deep: int = array.chunks[-3] if self._lead else 1  # number of images per block that is read
+        self._block_images: int = (
+            array.chunks[-3] if self._stack_shape else 1
+        )  # number of images that are read together
         self._block: tuple[int, Values] | None = None
         self._lock = threading.Lock()
 
@@ -487,23 +491,23 @@ class _ZarrPlanes:
             return self._read(number)
 
     def _read(self, number: int) -> Values:
-        *at, last = np.unravel_index(number, self._lead) if self._lead else (0,)
-        first = int(last) - int(last) % self._deep
-        key = number - int(last) + first
+        *leading_indices, last_index = np.unravel_index(number, self._stack_shape) if self._stack_shape else (0,)
+        first = int(last_index) - int(last_index) % self._block_images
+        key = number - int(last_index) + first
         block = self._block
         if block is None or block[0] != key:
             self._block = None
-            ends = [range(int(one), int(one) + 1) for one in at]
-            if self._lead:
-                ends.append(range(first, min(first + self._deep, self._lead[-1])))
-            places = [*ends, *map(range, self.sides)]
-            memory, held = self.chunks.check(places)
+            ranges = [range(int(k), int(k) + 1) for k in leading_indices]
+            if self._stack_shape:
+                ranges.append(range(first, min(first + self._block_images, self._stack_shape[-1])))
+            ranges += map(range, self.sides)
+            memory, stored = self.chunks.check(ranges)
             # If a block does not fit into memory, read one image at a time, and its chunks again for each image.
-            if self._deep > 1 and not reading.affords(memory, held):
-                self._deep = 1
+            if self._block_images > 1 and not reading.affords(memory, stored):
+                self._block_images = 1
                 return self._read(number)
-            reading.afford(memory, held)
-            part = self._array[tuple(slice(one.start, one.stop) for one in places)]
+            reading.afford(memory, stored)
+            part = self._array[tuple(slice(part.start, part.stop) for part in ranges)]
             self._block = block = key, np.asarray(part, self.dtype).reshape(-1, *self.sides)
         return np.array(block[1][number - key])
 
@@ -542,25 +546,25 @@ def open_frames(path: str | PathLike[str] | ArrayLike, *, image: int | None = No
         is_array = hasattr(path, "shape") and hasattr(path, "dtype")
         values = cast(ArrayLikeImages, path) if is_array else validation.array(name, path)
         validation.refuse_masked(name, values)
-        return _of_array(values, name)
+        return _array_frames(values, name)
     file_path, part = part_of(path)
-    where = validation.path("path", file_path)
-    if where.is_dir():
-        with errors_of(where):
-            return _zarr(where)
-    start = reading.start(where, 16)
-    photos.require_developed(where, start)
+    source = validation.path("path", file_path)
+    if source.is_dir():
+        with errors_of(source):
+            return _zarr_frames(source)
+    start = reading.start(source, 16)
+    photos.require_developed(source, start)
     if start.startswith(_NUMPY):
-        with errors_of(where):
-            return replace(_of_array(_grey(reading.npy_mapped(where)), "it"), path=where)
+        with errors_of(source):
+            return replace(_array_frames(_grey(reading.npy_mapped(source)), "it"), path=source)
     if start.startswith(photos.TIFF):
         if part is not None:
             if not part.isdecimal():
-                raise ValueError(f"{line(where)} has images by number, as in {where.name}[0], got {shown(part)}")
+                raise ValueError(f"{line(source)} has images by number, as in {source.name}[0], got {shown(part)}")
             image = int(part)
-        return _tiff(where, image)
-    with errors_of(where):
-        return _whole(where, part)
+        return _open_tiff(source, image)
+    with errors_of(source):
+        return _fits_or_png_frames(source, part)
 
 
 def part_of(path: str | PathLike[str]) -> tuple[str | PathLike[str], str | None]:
@@ -583,15 +587,15 @@ def errors_of(path: Path, part: str = "") -> Iterator[None]:
         raise RecordingError(f"{line(path)}: {part}{reading.reason(error)}") from None
 
 
-def _of_array(values: ArrayLikeImages, name: str) -> Frames:
+def _array_frames(values: ArrayLikeImages, name: str) -> Frames:
     """Return the images of an array, whose axes are unknown."""
     sides = tuple(int(side) for side in values.shape)
     require_numbers(name, values.dtype)
     if len(sides) < 2 or 0 in sides:
         raise ValueError(f"{name} must have images of one pixel or more, (..., height, width), got the shape {sides}")
-    lead = sides[:-2]
-    numbers = np.arange(math.prod(lead)).reshape(lead)
-    return Frames(_ArrayPlanes(values, name), numbers, f"{UNKNOWN * len(lead)}YX")
+    stack_shape = sides[:-2]
+    numbers = np.arange(math.prod(stack_shape)).reshape(stack_shape)
+    return Frames(_ArrayPlanes(values, name), numbers, f"{UNKNOWN * len(stack_shape)}YX")
 
 
 def require_numbers(name: str, dtype: DTypeLike) -> None:
@@ -600,37 +604,39 @@ def require_numbers(name: str, dtype: DTypeLike) -> None:
         raise TypeError(f"{name} must hold real numbers, got {np.dtype(dtype)}")
 
 
-def _whole(path: Path, part: str | None) -> Frames:
+def _fits_or_png_frames(path: Path, part: str | None) -> Frames:
     """Return the images of a FITS or PNG file, which is read as a whole."""
     data = reading.contents(path)
     try:
-        form = registry.identify("images", data)
+        file_format = registry.identify("images", data)
     except ValueError:
-        what = (
+        problem = (
             "is not a TIFF, FITS, NPY or PNG file, nor a folder of OME-Zarr; save it as one of these"
             if data
             else "is empty"
         )
-        raise RecordingError(f"{line(path)} {what}") from None
-    values, header = form.read(data, part)
-    frames, notes = _of_array(_grey(values), "it"), tuple(fits_notes(header))
-    return replace(frames, said=of_fits(header), by="FITS" if header else "", path=path, notes=notes)
+        raise RecordingError(f"{line(path)} {problem}") from None
+    values, header = file_format.read(data, part)
+    frames, notes = _array_frames(_grey(values), "it"), tuple(fits_notes(header))
+    return replace(
+        frames, metadata=fits_metadata(header), metadata_format="FITS" if header else "", path=path, notes=notes
+    )
 
 
-def _tiff(path: Path, image: int | None) -> Frames:
+def _open_tiff(path: Path, image: int | None) -> Frames:
     optional.require("tifffile", "reading TIFF files needs", "images")
     with errors_of(path):
         file, errors = reading.tiff_on_disk(path)
         try:
             if errors:
                 raise ValueError(f"it is cut off or damaged: {validation.brief(re.sub('^<.*?> ', '', errors[0]))}")
-            return _of_tiff(path, file, image)
+            return _tiff_frames(path, file, image)
         except BaseException:
             file.close()
             raise
 
 
-def _of_tiff(path: Path, file: TiffFile, image: int | None) -> Frames:
+def _tiff_frames(path: Path, file: TiffFile, image: int | None) -> Frames:
     notes: list[str] = []
     series, place = _series_of(path, file, image, notes)
     letters: str = series.axes
@@ -645,18 +651,18 @@ def _of_tiff(path: Path, file: TiffFile, image: int | None) -> Frames:
         if side != 1
     ]
     require_numbers("it", series.dtype)
-    lead = tuple(side for _, side in sizes)
-    count = math.prod(lead)
+    stack_shape = tuple(side for _, side in sizes)
+    count = math.prod(stack_shape)
     mapped = (
         reading.tiff_values(page, tuple(series.shape), np.dtype(series.dtype))
         if "S" in letters
         else reading.tiff_mapped(file, series, path, count)
     )
-    by, found = "", {}
+    metadata_format, metadata = "", {}
     if file.is_ome:
-        by, found = "OME", of_ome(file, place)
+        metadata_format, metadata = "OME", ome_metadata(file, place)
     elif file.is_imagej:
-        by, found = "ImageJ", of_imagej(file)
+        metadata_format, metadata = "ImageJ", imagej_metadata(file)
     planes = _TiffPlanes(path, series) if mapped is None else _ArrayPlanes(mapped, "it")
     orientation = page.tags.get("Orientation")
     if orientation is not None and orientation.value != 1:
@@ -665,10 +671,10 @@ def _of_tiff(path: Path, file: TiffFile, image: int | None) -> Frames:
     if uncounted:
         notes.append(f"The file holds {uncounted}; the others were left out.")
     axes = "".join(letter for letter, _ in sizes) + "YX"
-    numbers = np.arange(count).reshape(lead)
+    numbers = np.arange(count).reshape(stack_shape)
     if mapped is not None:  # the mapping remains valid after the file is closed
         file.close()
-    return Frames(planes, numbers, axes, found, by, path, tuple(notes), uncounted, file.close)
+    return Frames(planes, numbers, axes, metadata, metadata_format, path, tuple(notes), uncounted, file.close)
 
 
 def _series_of(path: Path, file: TiffFile, image: int | None, notes: list[str]) -> tuple[Any, int]:
@@ -691,7 +697,7 @@ def _series_of(path: Path, file: TiffFile, image: int | None, notes: list[str]) 
 
 def _are_pages(file: TiffFile, every: Sequence[Any]) -> bool:
     """Return whether a file that is not OME-TIFF holds only single grey images, all of one size and type."""
-    kinds = {(one.axes, one.shape, one.dtype) for one in every}
+    kinds = {(series.axes, series.shape, series.dtype) for series in every}
     return not file.is_ome and len(kinds) == 1 and every[0].axes == "YX"
 
 
@@ -700,11 +706,11 @@ def _join(every: Sequence[Any]) -> SimpleNamespace:
     first = every[0]
     return SimpleNamespace(
         axes=f"{UNKNOWN}{first.axes}", shape=(len(every), *first.shape), dtype=first.dtype, kind=first.kind,
-        pages=[one.pages[0] for one in every], keyframe=first.keyframe, dataoffset=None, is_multifile=False,
+        pages=[series.pages[0] for series in every], keyframe=first.keyframe, dataoffset=None, is_multifile=False,
     )  # fmt: skip
 
 
-def _zarr(path: Path) -> Frames:
+def _zarr_frames(path: Path) -> Frames:
     zarr = optional.library("zarr", "reading OME-Zarr needs", "zarr")
     try:
         _check_descriptions(path, "")
@@ -714,15 +720,15 @@ def _zarr(path: Path) -> Frames:
     if not hasattr(group, "attrs") or hasattr(group, "dtype"):
         raise ValueError("it is an array without OME metadata; pass zarr.open(...) and pixel=")
     attributes = dict(group.attrs)
-    metadata = attributes.get("ome", attributes)
+    ome = attributes.get("ome", attributes)
     try:
-        scales = metadata["multiscales"][0]
+        scales = ome["multiscales"][0]
         names = [axis["name"] if isinstance(axis, dict) else str(axis) for axis in scales["axes"]]
         units = [axis.get("unit") if isinstance(axis, dict) else None for axis in scales["axes"]]
-        first = scales["datasets"][0]
-        _check_descriptions(path, f"{first['path']}/")
-        array = group[first["path"]]
-        transforms = [*first.get("coordinateTransformations", []), *scales.get("coordinateTransformations", [])]
+        dataset = scales["datasets"][0]
+        _check_descriptions(path, f"{dataset['path']}/")
+        array = group[dataset["path"]]
+        transforms = [*dataset.get("coordinateTransformations", []), *scales.get("coordinateTransformations", [])]
         scale = np.ones(len(names))
         for transform in transforms:
             if transform.get("type") == "scale":
@@ -735,8 +741,8 @@ def _zarr(path: Path) -> Frames:
     require_numbers("it", array.dtype)
     if "C" in order and (count := array.shape[order.index("C")]) > _MAX_CHANNELS:
         raise ValueError(f"it has {count} channels; the limit is {_MAX_CHANNELS}")
-    found = of_zarr(
-        {"omero": metadata.get("omero", attributes.get("omero"))},
+    metadata = zarr_metadata(
+        {"omero": ome.get("omero", attributes.get("omero"))},
         {letter: float(value) for letter, value in zip(order, scale, strict=True)},
         dict(zip(order, units, strict=True)),
     )
@@ -748,18 +754,26 @@ def _zarr(path: Path) -> Frames:
         f"{missing} of the {total} chunks of the folder are missing and count as {array.fill_value}: they were "
         "empty, or the copy is not complete."
     ] * (missing > 0)
-    lead = array.shape[:-2]
-    reading.afford(64 * math.prod(lead), reading.MEMORY)  # 64 bytes for the number of each image
-    return Frames(planes, np.arange(math.prod(lead)).reshape(lead), order, found, "OME-Zarr", path, tuple(notes))
+    stack_shape = array.shape[:-2]
+    reading.afford(64 * math.prod(stack_shape), reading.MEMORY)  # 64 bytes for the number of each image
+    return Frames(
+        planes,
+        np.arange(math.prod(stack_shape)).reshape(stack_shape),
+        order,
+        metadata,
+        "OME-Zarr",
+        path,
+        tuple(notes),
+    )
 
 
-def _check_descriptions(folder: Path, below: str) -> None:
+def _check_descriptions(folder: Path, prefix: str) -> None:
     """Parse the JSON files of a Zarr folder before zarr does; ValueError or OSError if one is damaged or large."""
     for name in _DESCRIPTIONS:
         # Zarr itself has no limit of size or nesting depth.
-        if zarr_folders.regular(folder, below + name) is not None:
+        if zarr_folders.regular(folder, prefix + name) is not None:
             try:
-                reading.json(reading.contents(folder / below / name, _MAX_JSON))
+                reading.json(reading.contents(folder / prefix / name, _MAX_JSON))
             except ValueError as error:
                 raise ValueError(f"{name}: {reading.reason(error)}") from None
 
@@ -773,14 +787,14 @@ def _grey(values: Values) -> Values:
     return values
 
 
-def _png(data: bytes, _part: str | None) -> tuple[Values, Found]:
+def _png(data: bytes, _part: str | None) -> tuple[Values, Metadata]:
     values: Values = photos.read_png(data)[0]
     if values.ndim != 2:
         raise ValueError(f"it has {values.shape[2]} channels: save the counts of the sensor in grey, of 16 bits")
     return values, {}
 
 
-def _fits(data: bytes, part: str | None) -> tuple[Values, Found]:
+def _fits(data: bytes, part: str | None) -> tuple[Values, Metadata]:
     image = fits_images.only(fits_images.read(data, reading.MAX_PIXELS), part)
     return image.values, {**image.primary, **image.header}  # an extension inherits the cards of the primary header
 
@@ -802,14 +816,14 @@ class Images:
     values : ndarray, shape (n, height, width)
     names : tuple of str
         Name of each image: its file, and its number in a stack.
-    said : dict
+    metadata : dict
         Metadata of the files; Unusable where they contradict each other.
     notes : tuple of str
     """
 
     values: Values
     names: tuple[str, ...]
-    said: Found
+    metadata: Metadata
     notes: tuple[str, ...]
 
 
@@ -819,13 +833,13 @@ def read_each(paths: Sequence[str | PathLike[str]]) -> Iterator[Images]:
     For a multi-file OME-TIFF, its first file yields all images, and its other files none. Raises RecordingError,
     OSError or ImportError as :func:`open_frames`.
     """
-    done: set[str] = set()
+    read_files: set[str] = set()
     for path in paths:
         with open_frames(path) as frames:
             files = frames.files
-            if files and files <= done:
+            if files and files <= read_files:
                 continue
-            done |= files
+            read_files |= files
             stack = frames.as_stack()
             if stack.left_out:
                 raise RecordingError(f"{stack.name}: it holds {stack.left_out}; save it again")
@@ -835,9 +849,9 @@ def read_each(paths: Sequence[str | PathLike[str]]) -> Iterator[Images]:
             values = stack[...]
         if values.dtype == bool:  # a mask
             values = values.astype(np.uint8)
-        own = Path(path).name
-        names = [own] if len(values) == 1 else [f"{own} [{k}]" for k in range(len(values))]
-        yield Images(values, tuple(names), stack.said, stack.notes)
+        file_name = Path(path).name
+        names = [file_name] if len(values) == 1 else [f"{file_name} [{k}]" for k in range(len(values))]
+        yield Images(values, tuple(names), stack.metadata, stack.notes)
 
 
 def read_images(paths: Sequence[str | PathLike[str]]) -> Images:
@@ -845,19 +859,19 @@ def read_images(paths: Sequence[str | PathLike[str]]) -> Images:
     images = list(read_each(paths))
     if not images:
         raise ValueError("paths must name a file or several, got none")
-    kinds = [(one.values.shape[1:], one.values.dtype) for one in images]
-    for one, ((height, width), dtype) in zip(images, kinds, strict=True):
+    kinds = [(file.values.shape[1:], file.values.dtype) for file in images]
+    for file, ((height, width), dtype) in zip(images, kinds, strict=True):
         if ((height, width), dtype) != kinds[0]:
-            (first, across), before = kinds[0]
+            (first_height, first_width), first_dtype = kinds[0]
             raise RecordingError(
-                f"{one.names[0]}: images of {height} x {width} {dtype}, but the first images are of {first} x "
-                f"{across} {before}"
+                f"{file.names[0]}: images of {height} x {width} {dtype}, but the first images are of "
+                f"{first_height} x {first_width} {first_dtype}"
             )
     return Images(
-        np.concatenate([one.values for one in images]),
-        tuple(name for one in images for name in one.names),
-        of_all([one.said for one in images]),
-        tuple(dict.fromkeys(note for one in images for note in one.notes)),
+        np.concatenate([file.values for file in images]),
+        tuple(name for file in images for name in file.names),
+        combined_metadata([file.metadata for file in images]),
+        tuple(dict.fromkeys(note for file in images for note in file.notes)),
     )
 
 
@@ -886,7 +900,7 @@ class Movie:
     dtype : dtype
         Integers or floats, as they are stored, in the byte order of this machine.
     path : Path
-    said : dict
+    metadata : dict
         Metadata of the camera.
     notes : tuple of str
         Sentences on the image that was chosen and on data that were left out.
@@ -894,12 +908,12 @@ class Movie:
     Raises
     ------
     MovieError
-        By all methods that read frames, if the file is damaged.
+        From all methods that read frames, if the file is damaged.
     """
 
     def __init__(self, frames: Frames, path: Path) -> None:
         self._frames = frames
-        self.path, self.dtype, self.said, self.notes = path, frames.dtype, frames.said, frames.notes
+        self.path, self.dtype, self.metadata, self.notes = path, frames.dtype, frames.metadata, frames.notes
         self.shape: tuple[int, int, int] = (len(frames), *frames.planes.sides)
 
     def __repr__(self) -> str:
@@ -937,7 +951,7 @@ class Movie:
         Raises
         ------
         TypeError, ValueError
-            If a number is out of range; MovieError if one is damaged or missing.
+            If a number is out of range; MovieError if a frame is damaged or missing.
         """
         begin = validation.integer("first", first, least=0, most=len(self))
         end = validation.integer("last", last, least=begin, most=len(self))

@@ -89,8 +89,8 @@ class Recording:
         sides = "without voxel sizes"
         if self.pixel is not None and self.step is not None:
             sides = f"pixels of {format_length(self.pixel)}, {format_length(self.step)} apart"
-        many = f"{channels} channels of " if channels > 1 else ""
-        return f"<Recording {name!r}: {many}{planes} planes of {height} x {width}, {self.dtype}, {sides}>"
+        channel_text = f"{channels} channels of " if channels > 1 else ""
+        return f"<Recording {name!r}: {channel_text}{planes} planes of {height} x {width}, {self.dtype}, {sides}>"
 
     def __enter__(self) -> Self:
         return self
@@ -146,11 +146,11 @@ def open_recording(
         0.5); or an array of NumPy, dask or Zarr, of shape (planes, height, width) or (channels, planes, height,
         width).
     time : int, optional
-        Number of the time point, from 0; required if the file holds several.
+        Number of the time point, from 0; required if the file holds several time points.
     axes : str, optional
         Letters of the axes, such as "ZYX" or "CZYX", if the file does not state them or states wrong ones.
     image : int, optional
-        Number, from 0, of the image in a TIFF file with several; by default the one with the most values.
+        Number, from 0, of the image in a TIFF file with several images; by default the one with the most values.
 
     Returns
     -------
@@ -186,22 +186,25 @@ def open_recording(
 
 def _with_axes(frames: Frames, axes: str | None, time: int | None) -> Frames:
     """Return images along C and Z, at a single time."""
-    name, leading = frames.name, frames.numbers.shape  # sizes of all axes before rows and columns
-    if axes is None and frames.path is None and not frames.by:
-        if len(leading) not in (1, 2):
+    name, leading_sizes = frames.name, frames.numbers.shape  # sizes of all axes before rows and columns
+    if axes is None and frames.path is None and not frames.metadata_format:
+        if len(leading_sizes) not in (1, 2):
             raise ValueError(
                 "stack must have the shape (planes, height, width) or (channels, planes, height, width), got "
                 f"{frames.shape}"
             )
         axes = "CZYX"[-frames.ndim :]
     if axes is not None:
-        longer = tuple(side for side in leading if side != 1)
-        sizes = leading if len(leading) == len(axes) - 2 else longer
+        sizes = (
+            leading_sizes
+            if len(leading_sizes) == len(axes) - 2
+            else tuple(side for side in leading_sizes if side != 1)
+        )
         if len(sizes) != len(axes) - 2:
             raise RecordingError(f"{name}: axes={axes!r} does not match its shape {frames.shape}")
         frames = replace(frames, numbers=frames.numbers.reshape(sizes), axes=axes)
-    order = [letter for letter, side in zip(frames.axes, frames.numbers.shape, strict=False) if side != 1]
-    if UNKNOWN in order:
+    long_axes = [letter for letter, side in zip(frames.axes, frames.numbers.shape, strict=False) if side != 1]
+    if UNKNOWN in long_axes:
         count = frames.numbers.shape[frames.axes.index(UNKNOWN)]
         raise RecordingError(
             f"{name}: the file does not state the meaning of its axis of {count} images; state it, such as "
@@ -209,7 +212,7 @@ def _with_axes(frames: Frames, axes: str | None, time: int | None) -> Frames:
         )
     if "T" in frames.axes:
         count = frames.numbers.shape[frames.axes.index("T")]
-        if "T" in order and "Z" not in order and time is None:
+        if "T" in long_axes and "Z" not in long_axes and time is None:
             raise RecordingError(
                 f"{name}: it is a time series of {count} images without planes along z; if these are planes, "
                 'state axes="ZYX"'
@@ -224,43 +227,44 @@ def _with_axes(frames: Frames, axes: str | None, time: int | None) -> Frames:
 
 
 def _recording(frames: Frames) -> Recording:
-    """Return a recording with the metadata of its file, of which unusable values are omitted."""
-    count, metadata, notes = frames.numbers.shape[0], frames.said, list(frames.notes)
+    """Return a recording with the metadata of its file, without values that cannot be used."""
+    count, metadata, notes = frames.numbers.shape[0], frames.metadata, list(frames.notes)
     unusable: dict[str, str] = {}
 
-    def checked(
-        key: str, words: str, value: float | Unusable | None, limits: tuple[float, float] | None
+    def usable_value(
+        key: str, subject: str, value: float | Unusable | None, limits: tuple[float, float] | None
     ) -> float | None:
         if isinstance(value, float) and limits is not None and not limits[0] < value < limits[1]:
             value = Unusable(f"{value:g} m")
         if not isinstance(value, Unusable):
             return None if value is None else float(value)
         unusable[key] = value.words
-        notes.append(f"The file states {words} {value.words}, which cannot be used.")
+        notes.append(f"The file states {subject} {value.words}, which cannot be used.")
         return None
 
     sides = {
-        key: checked("pixel" if key == "down" else key, words, metadata.get(key), _SIDES)
-        for key, words in _LENGTHS.items()
+        key: usable_value("pixel" if key == "down" else key, subject, metadata.get(key), _SIDES)
+        for key, subject in _LENGTHS.items()
     }
-    across, down = sides["pixel"], sides["down"]
-    if across and down and abs(across - down) > _TOLERANCE * across:
+    width, height = sides["pixel"], sides["down"]
+    if width and height and abs(width - height) > _TOLERANCE * width:
         raise RecordingError(
-            f"{frames.name}: its pixels are {format_length(down)} high and {format_length(across)} wide; resample it "
-            "to square pixels"
+            f"{frames.name}: its pixels are {format_length(height)} high and {format_length(width)} wide; resample "
+            "it to square pixels"
         )
-    lengths = {"pixel": None if "pixel" in unusable else across, "step": sides["step"]}
+    lengths = {"pixel": None if "pixel" in unusable else width, "step": sides["step"]}
     parts = (("pixel", "pixels"), ("step", "planes apart"))
-    used = [f"{format_length(length)} {of}" for key, of in parts if (length := lengths[key]) is not None]
-    if used:
-        notes.append(f"From the {frames.by} metadata of the file: {', '.join(used)}.")
+    used_values = [f"{format_length(length)} {noun}" for key, noun in parts if (length := lengths[key]) is not None]
+    if used_values:
+        notes.append(f"From the {frames.metadata_format} metadata of the file: {', '.join(used_values)}.")
     waves: dict[str, tuple[float | None, ...]] = {}
     for key in ("emission", "excitation"):
-        stated = (list(metadata.get(key, [])) + [None] * count)[:count]
+        wavelengths = (list(metadata.get(key, [])) + [None] * count)[:count]
         waves[key] = tuple(
-            checked(f"{key} {k}", f"that the {key} of channel {k} is", wave, _WAVES) for k, wave in enumerate(stated)
+            usable_value(f"{key} {k}", f"that the {key} of channel {k} is", wave, _WAVES)
+            for k, wave in enumerate(wavelengths)
         )
-    lens = {key: checked(key, f"{key}", metadata.get(key), None) for key in ("NA", "magnification", "immersion")}
+    lens = {key: usable_value(key, key, metadata.get(key), None) for key in ("NA", "magnification", "immersion")}
     stated_names = metadata.get("names", [])
     names = tuple((stated_names[k] if k < len(stated_names) else None) or f"channel {k}" for k in range(count))
     return Recording(
@@ -283,17 +287,17 @@ def save_stack(path: Path, values: Values, recording: Recording, description: st
 def kind_of(path: Path, recording: str | Path | None = None) -> str:
     """Return "zarr" or "tiff", by the ending of a path.
 
-    Raise ValueError for other endings, or if the path is that of the `recording` from which the stack was restored;
+    Raise ValueError for other endings, or if the path is the `recording` from which the stack was restored;
     FileExistsError for a folder that holds no restored stack; ImportError if the library is not installed.
     """
     if recording is not None and path.resolve() == Path(recording).resolve():
         raise ValueError(f"the restored stack must not replace the recording, got {line(path)} for both")
-    name = path.name.lower()
-    if name.endswith(".zarr"):
+    file_name = path.name.lower()
+    if file_name.endswith(".zarr"):
         optional.require("zarr", "writing OME-Zarr needs", "zarr")
         require_own(path)
         return "zarr"
-    if name.endswith((".tif", ".tiff")):
+    if file_name.endswith((".tif", ".tiff")):
         optional.require("tifffile", "writing OME-TIFF needs", "images")
         return "tiff"
     raise ValueError(f"a stack must end in .ome.tif or .ome.zarr, got {shown(path.name)}")
@@ -301,11 +305,11 @@ def kind_of(path: Path, recording: str | Path | None = None) -> str:
 
 def require_own(path: Path) -> None:
     """Raise FileExistsError unless a path is free or holds a stack written by this package, which may be replaced."""
-    own = not (path.exists() or path.is_symlink())
-    if not own:
+    replaceable = not (path.exists() or path.is_symlink())
+    if not replaceable:
         with suppress(OSError, ValueError):
-            own = "lommel" in reading.json(reading.contents(path / ".zattrs", _JSON))
-    if not own:
+            replaceable = "lommel" in reading.json(reading.contents(path / ".zattrs", _JSON))
+    if not replaceable:
         raise FileExistsError(errno.EEXIST, "holds no restored stack, and is not replaced", str(path))
 
 
@@ -325,9 +329,9 @@ def _fill_tiff(target: Path, values: Values, recording: Recording, description: 
         if waves and all(wave is not None for wave in waves):
             channel |= {name: [float(f"{1e9 * wave:.12g}") for wave in waves], f"{name}Unit": ["nm"] * len(waves)}
     fields["Channel"] = channel
-    # TIFF's offsets have 32 bits; some room is left for the metadata.
-    big = values.nbytes > 2**32 - 2**25
-    tifffile.imwrite(target, values, ome=True, metadata=fields, photometric="minisblack", bigtiff=big)
+    # Offsets in a TIFF file have 32 bits: 32 MB are left for the metadata.
+    is_big = values.nbytes > 2**32 - 2**25
+    tifffile.imwrite(target, values, ome=True, metadata=fields, photometric="minisblack", bigtiff=is_big)
 
 
 def new_zarr(folder: Path, shape: tuple[int, ...], recording: Recording, name: str, description: str = "") -> Any:
@@ -338,8 +342,8 @@ def new_zarr(folder: Path, shape: tuple[int, ...], recording: Recording, name: s
     sides = [1.0]
     known_sides = (recording.step, recording.pixel, recording.pixel)
     sides += [1.0 if value is None else float(f"{1e6 * value:.12g}") for value in known_sides]
-    known = recording.pixel is not None and recording.step is not None
-    space = [{"name": name, "type": "space"} | ({"unit": "micrometer"} if known else {}) for name in "zyx"]
+    has_sizes = recording.pixel is not None and recording.step is not None
+    space = [{"name": name, "type": "space"} | ({"unit": "micrometer"} if has_sizes else {}) for name in "zyx"]
     group.attrs["multiscales"] = [
         {
             "version": "0.4",
@@ -349,12 +353,12 @@ def new_zarr(folder: Path, shape: tuple[int, ...], recording: Recording, name: s
         }
     ]
     channels: list[Json] = [{"label": name, "active": True, "color": "FFFFFF"} for name in recording.names]
-    for each, wave in zip(channels, recording.emission, strict=False):
+    for channel, wave in zip(channels, recording.emission, strict=False):
         if wave is not None:
-            each["emission_wavelength"] = float(f"{1e9 * wave:.12g}")
+            channel["emission_wavelength"] = float(f"{1e9 * wave:.12g}")
     group.attrs["omero"] = {"channels": channels}
     group.attrs["lommel"] = {"description": description}
-    chunks = (1, *(min(most, side) for most, side in zip(_CHUNK, shape[1:], strict=True)))
+    chunks = (1, *(min(limit, side) for limit, side in zip(_CHUNK, shape[1:], strict=True)))
     return group.create_array(
         "0", shape=shape, dtype="float32", chunks=chunks, chunk_key_encoding={"name": "v2", "separator": "/"}
     )

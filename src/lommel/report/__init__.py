@@ -31,17 +31,17 @@ Facts: TypeAlias = Json
 class Report:
     """Result of a command: facts, which ``--json`` prints, and lines and tables with the same content.
 
-    `converged` is False if the result is unreliable or incomplete, such as a fit that did not converge or a data set
+    `succeeded` is False if the result is unreliable or incomplete, such as a fit that did not converge or a data set
     without some of its pictures. The exit code of the command is then 3.
     """
 
     facts: Facts
     parts: Sequence[RenderableType]
-    converged: bool = True
+    succeeded: bool = True
 
     def __add__(self, other: Report) -> Report:
-        both = self.converged and other.converged
-        return Report(self.facts | other.facts, [*self.parts, *other.parts], both)
+        succeeded = self.succeeded and other.succeeded
+        return Report(self.facts | other.facts, [*self.parts, *other.parts], succeeded)
 
     def print(self, *, as_json: bool = False) -> None:
         """Print the facts as JSON, or the parts, on standard output."""
@@ -52,7 +52,7 @@ class Report:
             return
         from rich.console import Console
 
-        # A pipe has no width, so that 160 columns leave room for all tables. Brackets in names are not markup.
+        # A pipe has no width: 160 columns are enough for all tables. Brackets in names are not markup.
         width = None if sys.stdout.isatty() or "COLUMNS" in os.environ else 160
         console = Console(width=width, markup=False, emoji=False, highlight=False)
         with console.capture() as captured:
@@ -85,15 +85,15 @@ class Wrapped:
 def table_of(
     names: Iterable[str],
     rows: Iterable[Sequence[str]],
-    left: int = 0,
+    left_column: int = 0,
     no_wrap: bool = False,
     title: str | None = None,
 ) -> Table:
-    """Return a table with a title and named columns, right-aligned except for the column with the index `left`."""
+    """Return a table with a title and named columns, right-aligned except for the column of index `left_column`."""
     from rich.table import Column, Table
 
     columns = [
-        Column(name, justify="left" if index == left else "right", no_wrap=no_wrap)
+        Column(name, justify="left" if index == left_column else "right", no_wrap=no_wrap)
         for index, name in enumerate(names)
     ]
     table = Table(*columns, box=None, pad_edge=False, title=title, title_justify="left")
@@ -116,10 +116,10 @@ def list_of(rows: Iterable[tuple[str, str | None]], title: str = "") -> Table:
 
 def paragraphs(*parts: Iterable[RenderableType]) -> Parts:
     """Join lists of lines and tables, with a blank line between the lists that are not empty."""
-    joined: Parts = []
+    lines: Parts = []
     for part in map(list, parts):
-        joined += ["", *part] if joined and part else part
-    return joined
+        lines += ["", *part] if lines and part else part
+    return lines
 
 
 def refused(facts: Facts) -> Parts:

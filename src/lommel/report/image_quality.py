@@ -75,12 +75,12 @@ class PointQuality:
             # An additional tilt moves the brightest point to the axis.
             x, y = spot.brightest_position(optics(pupil))
             return float(aperture_means.strehl(_with_tilt(pupil, -math.pi * x, -math.pi * y)))
-        method, far = of_profiles(), float(pupil.v(pupil.geometric_radius())) + 4.0
-        v = np.linspace(0.0, far, 64 + math.ceil(10.0 * far))
+        method, max_v = of_profiles(), float(pupil.v(pupil.geometric_radius())) + 4.0
+        v = np.linspace(0.0, max_v, 64 + math.ceil(10.0 * max_v))
         # Find the brightest radius by coarse samples, then by fine samples around the brightest coarse sample.
-        best = v[np.argmax(method.profile(pupil, v).values[0])]
-        near = np.abs(best + np.linspace(-v[1], v[1], 101))
-        top = method.profile(pupil, np.append(0.0, near)).values.max()
+        coarse_peak = v[np.argmax(method.profile(pupil, v).values[0])]
+        fine_v = np.abs(coarse_peak + np.linspace(-v[1], v[1], 101))
+        top = method.profile(pupil, np.append(0.0, fine_v)).values.max()
         return float(top / method.unaberrated_peak(pupil))
 
     @property
@@ -132,10 +132,10 @@ class ImageQuality(PointQuality):
         if not self._is_camera:
             return None
         lens = self.lens
-        # Largest |1/s - 1/s0|.
-        reach = IN_FOCUS * max(self.instrument.pitch) / (lens.aperture_diameter * lens.sensor_distance)
-        near, far = 1.0 / lens.focus_distance + reach, 1.0 / lens.focus_distance - reach
-        return 1.0 / near, 1.0 / far if far > 0.0 else math.inf
+        # Largest difference of 1/s and 1/s0.
+        difference = IN_FOCUS * max(self.instrument.pitch) / (lens.aperture_diameter * lens.sensor_distance)
+        middle = 1.0 / lens.focus_distance
+        return 1.0 / (middle + difference), 1.0 / (middle - difference) if middle > difference else math.inf
 
     @property
     def hyperfocal_distance(self) -> float | None:
@@ -176,20 +176,24 @@ class ImageQuality(PointQuality):
         shapes = (pupil.spider, pupil.vignetting, pupil.stop, pupil.mask)
         if not pupil.illumination.uniform or any(shape is not None for shape in shapes):
             return None
-        last, inner = float(jn_zeros(1, 1)[0]), pupil.obscuration
-        ring = float(brentq(lambda v: j1(v) - inner * j1(inner * v), 0.5, last)) if inner else last
-        return pupil.airy_radius * ring / last
+        airy_zero, obscuration = float(jn_zeros(1, 1)[0]), pupil.obscuration
+        zero = (
+            float(brentq(lambda v: j1(v) - obscuration * j1(obscuration * v), 0.5, airy_zero))
+            if obscuration
+            else airy_zero
+        )
+        return pupil.airy_radius * zero / airy_zero
 
     @property
     def circle_of_confusion(self) -> float:
         """Diameter of the geometric blur due to defocus alone."""
         lens = self.lens
-        plain = lens if lens.aberrations.flat else replace(lens, aberrations=Wavefront())
-        return 2.0 * float(plain.pupil(self.instrument.object_distance).geometric_radius())
+        unaberrated = lens if lens.aberrations.flat else replace(lens, aberrations=Wavefront())
+        return 2.0 * float(unaberrated.pupil(self.instrument.object_distance).geometric_radius())
 
     @cached_property
     def image(self) -> PSF:
-        """Pixel-integrated PSF of one pixel, which suffices because its measures refer to the continuous image."""
+        """Pixel-integrated PSF in a window of one pixel: its measures refer to the continuous image."""
         instrument = self.instrument
         return psf(self.pupil, 1, instrument.pixel, integrate=True, fill=instrument.fill)
 
@@ -270,10 +274,10 @@ class ImageQuality(PointQuality):
             )
         sensor: Any = {"pixel": self.instrument.pixel, "fill": self.instrument.fill}
         frequency = 0.25 / max(self.instrument.pitch)
-        here = min(self.mtf(frequency, angle, pixel=True) for angle in (0.0, 0.5 * math.pi))
-        if here < least:
+        mtf = min(self.mtf(frequency, angle, pixel=True) for angle in (0.0, 0.5 * math.pi))
+        if mtf < least:
             raise ValueError(
-                f"the focus tolerance needs an MTF of {least:g} or more at half the Nyquist frequency, got {here:.3g}"
+                f"the focus tolerance needs an MTF of {least:g} or more at half the Nyquist frequency, got {mtf:.3g}"
             )
         return transfer.focus_tolerance(self.pupil, frequency, least=least, **sensor)
 
@@ -325,10 +329,10 @@ class ImageQuality(PointQuality):
             Bound on the error of the fractions; None if it is not available.
         """
         pupil, radii = self.pupil.unaberrated() if unaberrated else self.pupil, self.radii.values()
-        most = math.inf if pupil.radial else MAX_RADIUS * pupil.scale
-        result = encircled(pupil, [r for r in radii if r <= most])
-        within = iter(result.fraction.tolist())
-        return [next(within) if r <= most else None for r in radii], result.error
+        max_radius = math.inf if pupil.radial else MAX_RADIUS * pupil.scale
+        result = encircled(pupil, [r for r in radii if r <= max_radius])
+        fractions = iter(result.fraction.tolist())
+        return [next(fractions) if r <= max_radius else None for r in radii], result.error
 
     def setup(self) -> Json:
         """Return the parameters of lens, object and sensor as plain data, without measures of image quality.
@@ -340,8 +344,8 @@ class ImageQuality(PointQuality):
         """
         lens, instrument, field = self.lens, self.instrument, self.depth_of_field
         height, width = instrument.pitch
-        telescope = math.isinf(lens.focus_distance) and math.isinf(instrument.object_distance)
-        sharp = field and {"near": field[0], "far": field[1], "blur": IN_FOCUS * max(height, width)}
+        is_telescope = math.isinf(lens.focus_distance) and math.isinf(instrument.object_distance)
+        in_focus = field and {"near": field[0], "far": field[1], "blur": IN_FOCUS * max(height, width)}
         result = {
             "name": instrument.name,
             "source": instrument.source,
@@ -351,9 +355,9 @@ class ImageQuality(PointQuality):
             "sensor_distance": lens.sensor_distance,
             "object_distance": instrument.object_distance,
             "pixel": instrument.pixel,
-            "arcsec_per_pixel": width / lens.focal_length / _ARCSEC if telescope else None,
+            "arcsec_per_pixel": width / lens.focal_length / _ARCSEC if is_telescope else None,
             "pixel_in_object": width * lens.focus_distance / lens.sensor_distance if magnifies(lens) else None,
-            "in_focus": sharp,
+            "in_focus": in_focus,
             "hyperfocal_distance": self.hyperfocal_distance,
             "aperture": {
                 "spider": lens.spider,
@@ -379,19 +383,20 @@ class ImageQuality(PointQuality):
         pupil, pitch, radii = self.pupil, self.instrument.pitch, self.radii
         reasons: dict[str, None] = {}
 
-        def attempt(work: Callable[[], Value]) -> Value | None:
+        def attempt(compute: Callable[[], Value]) -> Value | None:
             try:
-                return work()
+                return compute()
             except (ValueError, ArithmeticError) as reason:
                 reasons[str(reason)] = None
                 return None
 
-        def attributes(of: PointQuality, *names: str) -> Json:
-            return {name: attempt(partial(getattr, of, name)) for name in names}
+        def attributes(quality: PointQuality, *names: str) -> Json:
+            return {name: attempt(partial(getattr, quality, name)) for name in names}
 
-        nothing: tuple[list[float | None], None] = [None] * len(radii), None
+        no_fractions: tuple[list[float | None], None] = [None] * len(radii), None
         actual, ideal = (
-            attempt(partial(self.encircled_energy, unaberrated=flat)) or nothing for flat in (False, True)
+            attempt(partial(self.encircled_energy, unaberrated=is_ideal)) or no_fractions
+            for is_ideal in (False, True)
         )
         transfers: Json = {}
         for end, angle, side in (("", 0.0, pitch[1]), ("_y", 0.5 * math.pi, pitch[0])):
@@ -426,8 +431,8 @@ class ImageQuality(PointQuality):
         result["field"] = places and {
             **places,
             "places": [
-                place | attributes(one, "strehl", "rms_waves", "strehl_at_peak", "rms_waves_without_tilt")
-                for place, one in places["places"]
+                place | attributes(quality, "strehl", "rms_waves", "strehl_at_peak", "rms_waves_without_tilt")
+                for place, quality in places["places"]
             ],
         }
         result["encircled_energy"] = [
@@ -440,13 +445,13 @@ class ImageQuality(PointQuality):
     def _widths(self, attempt: Callable[[Callable[[], float]], float | None]) -> dict[str, float | None]:
         """Return FWHM and diameter of 80 % of the light, without the pixel and with it (None for a wide blur).
 
-        `attempt` returns the result of a function, or None if the function raises an error.
+        `attempt` returns the result of a function, None if the function raises an error.
         """
         measures: dict[str, Callable[..., float]] = {"fwhm": self.fwhm, "diameter_80": self.diameter_80}
         result = {name: attempt(measure) for name, measure in measures.items()}
-        wide = (result["diameter_80"] or math.inf) > _MAX_WIDTH * min(self.instrument.pitch)
+        is_wide = (result["diameter_80"] or math.inf) > _MAX_WIDTH * min(self.instrument.pitch)
         for name, measure in measures.items():
-            omitted = result[name] is None or wide
+            omitted = result[name] is None or is_wide
             result[f"{name}_with_pixel"] = None if omitted else attempt(partial(measure, pixel=True))
         return result
 
@@ -458,12 +463,12 @@ class ImageQuality(PointQuality):
         for part in (0.0, 0.5, 0.7, 1.0):
             x, y = 0.5 * part * width, 0.5 * part * height
             try:
-                one = PointQuality(field.pupil(x, y))
+                quality = PointQuality(field.pupil(x, y))
             except ValueError:  # the position is outside the field map
                 continue
-            terms = one.pupil.wavefront.to_zernike(unit="waves")
+            terms = quality.pupil.wavefront.to_zernike(unit="waves")
             listed = listed_terms({term: c for term, c in terms.items() if term[0] > 1})
-            places.append(({"part": part, "distance": math.hypot(x, y), "zernike": listed}, one))
+            places.append(({"part": part, "distance": math.hypot(x, y), "zernike": listed}, quality))
         seidel = {name: waves for name, waves in field.seidel.items() if waves}
         return {"sensor": [height, width], "reach": field.reach, "seidel": seidel, "places": places}
 
@@ -474,7 +479,7 @@ def magnifies(lens: Lens) -> bool:
 
 
 def other_model(instrument: Instrument) -> Json:
-    """Compare the PSF of the lens with that of its other model, paraxial or aplanatic, as plain data.
+    """Compare the PSFs of the lens by its own and the other model (paraxial, aplanatic); return plain data.
 
     "peak_error" is the largest difference of the two PSFs in the window divided by the peak of the aplanatic PSF. If
     the comparison fails, "peak_error" is None, and "reason" states why.
@@ -485,7 +490,7 @@ def other_model(instrument: Instrument) -> Json:
     side = "focus" if model == "aplanatic" and magnifies(lens) else lens.corrected_for
     result = {"model": model, "corrected_for": side, "geometric_radius": None, "peak_error": None, "reason": None}
     try:
-        # Keep the amplitude, also if it is defined by ray angles, which a paraxial lens lacks.
+        # Keep the amplitude also where it is a function of ray angles, which a paraxial lens lacks.
         changed = replace(lens, model=model, corrected_for=side, apodization=lens.illumination)
         other = changed.pupil(instrument.object_distance)
         pupils = {lens.model: instrument.pupil(), model: other}
@@ -507,12 +512,12 @@ def sensor_mtf(instrument: Instrument, places: Sequence[Place], channels: Channe
     "frequency" has the Nyquist frequencies along x and y, cycles per metre. "rows" has one row for each combination
     of `places` and `channels` (without channels, the wavelength of the file), with the MTF along x and y. Rows of
     places off the axis also have the "sagittal" MTF (frequency perpendicular to the radius) and the "tangential" MTF,
-    at the smaller Nyquist frequency and at half of it.
+    at the smaller Nyquist frequency and at half this frequency.
     """
     nyquist = [0.5 / side for side in instrument.pitch[::-1]]
-    lights: list[tuple[str | None, Polychromatic | None]] = [(None, None)]
+    spectra: list[tuple[str | None, Polychromatic | None]] = [(None, None)]
     if channels is not None:
-        lights = [(name, Polychromatic([w for w, _ in pairs], [s for _, s in pairs])) for name, pairs in channels]
+        spectra = [(name, Polychromatic([w for w, _ in pairs], [s for _, s in pairs])) for name, pairs in channels]
     sensor: Any = {"pixel": instrument.pixel, "fill": instrument.fill, "tol": 1e-6}
     rows = []
     for x, y, pupil in places:
@@ -520,10 +525,11 @@ def sensor_mtf(instrument: Instrument, places: Sequence[Place], channels: Channe
         if x is not None and y is not None and (x or y):
             radial = np.array([x, y]) / math.hypot(x, y)
             directions["radial"] = min(nyquist) * np.array([[-radial[1], radial[0]], radial])
-        for name, light in lights:
+        for name, spectrum in spectra:
             result = {
                 key: [
-                    transfer.mtf(pupil, *(factor * f.T), spectrum=light, **sensor).tolist() for factor in (1.0, 0.5)
+                    transfer.mtf(pupil, *(factor * f.T), spectrum=spectrum, **sensor).tolist()
+                    for factor in (1.0, 0.5)
                 ]
                 for key, f in directions.items()
             }
@@ -551,7 +557,7 @@ def listed_terms(terms: Mapping[tuple[int, int], Numbers]) -> list[Json]:
 def _stop(stop: Shape | Segments) -> Json:
     """Return the numbers of segments and shapes of a stop, and the rms piston of its segments."""
     shapes = stop.shapes if isinstance(stop, Segments) else (stop,)
-    parts = [part for one in shapes for part in one.parts if part != Disc()]  # without the rim itself
+    parts = [part for shape in shapes for part in shape.parts if part != Disc()]  # without the rim itself
     kinds = {"discs": (Disc, CatEye), "ellipses": (Ellipse,), "polygons": (Polygon,)}
     return {
         "segments": len(stop.shapes) if isinstance(stop, Segments) else 0,
@@ -570,7 +576,7 @@ def _tilt_y(rho: Array, theta: Array) -> Array:
 
 def _with_tilt(pupil: Pupil, x: float, y: float) -> Pupil:
     """Return a pupil with additional tilts along x and y, radians at the edge of the pupil."""
-    # A Zernike tilt with an rms of 1 over the disc is 2 at the edge.
+    # A Zernike tilt with an rms of 1 over the disc has the value 2 at the edge.
     tilt = Wavefront.zernike({(1, 1): 0.5 * x, (1, -1): 0.5 * y})
     return replace(pupil, wavefront=pupil.wavefront + tilt, geometry=None)
 
@@ -595,7 +601,7 @@ def microscope_quality(microscope: Microscope, *, foci: bool = True) -> Json:
     design, measured = objective.design, microscope.aberrations
     terms = [] if measured is None else listed_terms(measured.to_zernike(unit="waves"))
     as_designed = design.immersion == objective.immersion and design.coverslip == objective.coverslip
-    coarse = {"pixel": microscope.pixel > nyquist.pixel, "step": step is not None and step > nyquist.axial}
+    is_coarse = {"pixel": microscope.pixel > nyquist.pixel, "step": step is not None and step > nyquist.axial}
     rows, refused = _foci(microscope) if foci else ([], [])
     return {
         "name": microscope.name,
@@ -621,7 +627,7 @@ def microscope_quality(microscope: Microscope, *, foci: bool = True) -> Json:
         "camera": plain(microscope.camera),
         "pixel_in_sample": microscope.pixel / objective.magnification,
         "nyquist": plain(nyquist),
-        "too_coarse": [name for name, exceeds in coarse.items() if exceeds],
+        "too_coarse": [name for name, coarse in is_coarse.items() if coarse],
         "focus": rows,
         "refused": refused,
     }
@@ -631,30 +637,30 @@ def _foci(microscope: Microscope) -> tuple[list[dict[str, float | None]], list[s
     """Return one row of data for the focus at each depth, and the reasons why depths are missing."""
     objective, wavelength = microscope.objective, microscope.wavelength
     rows: list[dict[str, float | None]] = []
-    refused: dict[str, None] = {}
+    reasons: dict[str, None] = {}
     surface = float(objective.focus(0.0, wavelength=wavelength).peak)
     for depth in sorted({*DEPTHS, microscope.depth}):
         try:
             result = objective.focus(depth, wavelength=wavelength)
         except ValueError as reason:
-            refused[f"{1e6 * depth:.4g} um deep: {reason}"] = None
+            reasons[f"{1e6 * depth:.4g} um deep: {reason}"] = None
             continue
         row: dict[str, float | None] = {"depth": depth, "ratio": float(result.ratio) if depth > 0.0 else None}
         row |= {name: float(getattr(result, name)) for name in _FOCUS_ATTRIBUTES}
         row["peak_of_surface"] = float(result.peak) / surface
         row["collected"] = float(objective.collected(depth, wavelength=wavelength))
         rows.append(row)
-    return rows, list(refused)
+    return rows, list(reasons)
 
 
 def compare_methods(
-    instrument: Instrument, methods: Iterable[Method], started: Callable[[str], object] = str
+    instrument: Instrument, methods: Iterable[Method], on_start: Callable[[str], object] = str
 ) -> tuple[list[Json], dict[str, PSF]]:
     """Return errors and times of several methods, one row each, and the PSFs of the methods that apply.
 
-    Errors are relative to :func:`lommel.methods.choice.reference`, whose PSF comes first, under the name of its class
-    or its ``repr``. PSFs whose :attr:`lommel.PSF.sampling` differs from that of the reference are omitted. `started`
-    is called with the name of each method before it runs.
+    Errors are relative to :func:`lommel.methods.choice.reference`, whose PSF is first, under the name of its class
+    or its ``repr``. PSFs whose :attr:`lommel.PSF.sampling` differs from the reference are omitted. `on_start` is
+    called with the name of each method before it runs.
     """
     pupil = instrument.pupil()
     exact_method = reference(pupil)
@@ -665,9 +671,9 @@ def compare_methods(
         fill = 1.0 if integrate is False else instrument.fill
         return psf(pupil, window, pixel, method=method, dtype="float64", integrate=integrate, fill=fill)
 
-    def timed(method: Method, integrate: bool | None) -> tuple[PSF, float]:
-        """Return the PSF and the seconds of the second run, or of the first run if it takes more than a second."""
-        for _ in range(2):  # the first one loads libraries and fills caches
+    def run_timed(method: Method, integrate: bool | None) -> tuple[PSF, float]:
+        """Return the PSF and the time (s) of the second run, or of the first run if it takes more than a second."""
+        for _ in range(2):  # the first run loads libraries and fills caches
             start = time.perf_counter()
             result = compute(method, integrate)
             seconds = time.perf_counter() - start
@@ -675,9 +681,9 @@ def compare_methods(
                 break
         return result, seconds
 
-    started(exact_name)
-    truth, seconds = timed(exact_method, instrument.integrate)
-    answers, rows = {exact_name: truth}, []
+    on_start(exact_name)
+    exact, seconds = run_timed(exact_method, instrument.integrate)
+    answers, rows = {exact_name: exact}, []
     for method in methods:
         name = type(method).__name__
         row: Json = {"method": name, "options": method.to_dict(), "reason": None}
@@ -687,19 +693,19 @@ def compare_methods(
             row["reason"] = 'needs model = "aplanatic": its paraxial model is a flat lens, unlike an objective'
             continue
         if method != exact_method:
-            started(name)
+            on_start(name)
         # Pixel integration by Huygens-Fresnel sums would take minutes.
         integrate = False if isinstance(method, HuygensFresnel) else instrument.integrate
         try:
-            result, row["seconds"] = (truth, seconds) if method == exact_method else timed(method, integrate)
+            result, row["seconds"] = (exact, seconds) if method == exact_method else run_timed(method, integrate)
         except (ValueError, ArithmeticError, ImportError) as error:
             row["reason"] = str(error)
             continue
         row["sampling"], row["error_bound"] = result.sampling, result.error_bound
-        against = truth
-        if result.sampling == truth.sampling:
+        target = exact
+        if result.sampling == exact.sampling:
             answers[name] = result
         elif result.sampling == "center":
-            against = compute(exact_method, False)
-        row["mse"], row["peak_error"] = errors.mse(result, against), errors.peak_error(result, against)
+            target = compute(exact_method, False)
+        row["mse"], row["peak_error"] = errors.mse(result, target), errors.peak_error(result, target)
     return rows, answers

@@ -118,24 +118,24 @@ def _focus_tolerance(facts: Facts) -> str | None:
     """Return the focus tolerance as a text, None if it could not be computed."""
     if facts["focus_tolerance"] is None:
         return None
-    near, far = (f"{end / 1e-6:+.3g} um" for end in facts["focus_tolerance"])
+    towards, away = (f"{end / 1e-6:+.3g} um" for end in facts["focus_tolerance"])
     half = per_mm(0.5 * min(facts["nyquist"], facts["nyquist_y"]))
-    return f"sensor {near} to {far} for an MTF of 0.3 at {half}, with the pixel"
+    return f"sensor {towards} to {away} for an MTF of 0.3 at {half}, with the pixel"
 
 
 def _mtf_rows(facts: Facts) -> list[tuple[str, str | None]]:
     """Return the rows of the MTF, separately for x and y if they differ."""
 
-    def along(suffix: str) -> list[tuple[str, str | None]]:
+    def axis_rows(suffix: str) -> list[tuple[str, str | None]]:
         names = ("mtf_at_nyquist_with_pixel", "mtf_at_nyquist", "mtf50", "nyquist")
-        with_pixel, alone, frequency50, nyquist = (facts[name + suffix] for name in names)
+        with_pixel, optics_alone, frequency50, nyquist = (facts[name + suffix] for name in names)
         mtf = None
-        if alone is not None and nyquist < facts["cutoff"]:
-            mtf = f"{with_pixel:.4f} with the pixel, {alone:.4f} without, at {per_mm(nyquist)}"
+        if optics_alone is not None and nyquist < facts["cutoff"]:
+            mtf = f"{with_pixel:.4f} with the pixel, {optics_alone:.4f} without, at {per_mm(nyquist)}"
         mtf50 = frequency50 and f"{per_mm(frequency50)}, optics alone (cutoff {per_mm(facts['cutoff'])})"
         return [("MTF at Nyquist", mtf), ("MTF50", mtf50)]
 
-    x, y = along(""), along("_y")
+    x, y = axis_rows(""), axis_rows("_y")
     pairs = zip(x, y, strict=True)
     if x == y:
         return x
@@ -174,12 +174,12 @@ def _diameters(facts: Facts, pixel: float) -> RenderableType:
 
 def _wavefront_parts(facts: Facts) -> Parts:
     """Return the tables of the wavefront and of the model."""
-    rms, untilted, best = facts["rms_waves"], facts["rms_waves_without_tilt"], facts["balancing_W020"]
+    rms, untilted, best_defocus = facts["rms_waves"], facts["rms_waves_without_tilt"], facts["balancing_W020"]
     area = "over the clear aperture" if facts["clear_area"] < 1.0 - 1e-9 else "over the pupil"
     without_tilt = ""
     if untilted is not None and rms - untilted > 5e-5 * rms:
         without_tilt = f" ({number(untilted)} without tilt)"
-    higher, of_distances, note = facts["higher"], facts["defocus_of_distances"], ""
+    higher_terms, of_distances, note = facts["higher"], facts["defocus_of_distances"], ""
     if not math.isclose(of_distances, facts["defocus"], rel_tol=1e-6, abs_tol=1e-9):
         note = f"; by distances alone {of_distances:.4g} rad (W020 = {of_distances / math.pi:.4g})"
     terms = [f"{name} = {value:.4g}" for name, value in facts["waves"].items()]
@@ -189,9 +189,12 @@ def _wavefront_parts(facts: Facts) -> Parts:
         ("rms wavefront error", None if rms is None else f"{number(rms)} waves {area}{without_tilt}"),
         ("defocus C_d", f"{facts['defocus']:.4g} rad{note}"),
         ("spherical C_s", f"{facts['spherical']:.4g} rad"),
-        *[(f"rho^{6 + 2 * k}", f"{c:.4g} rad") for k, c in enumerate(higher if len(higher) < 4 else [])],
+        *[(f"rho^{6 + 2 * k}", f"{c:.4g} rad") for k, c in enumerate(higher_terms if len(higher_terms) < 4 else [])],
         ("in waves at the edge", ", ".join(terms)),
-        ("least rms would be at", None if best is None else f"W020 = {best:.4g}, which balances the other terms"),
+        (
+            "least rms would be at",
+            None if best_defocus is None else f"W020 = {best_defocus:.4g}, which balances the other terms",
+        ),
     ]
     zernike = [zernike_table(facts)] if any(term["m"] for term in facts["zernike"]) else []
     models = [
@@ -226,18 +229,19 @@ def _model(facts: Facts) -> str:
     return f"aplanatic, corrected for the {facts['corrected_for']}" if facts["model"] == "aplanatic" else "paraxial"
 
 
-def model_in_words(other: Facts) -> str:
+def model_in_words(comparison: Facts) -> str:
     """Return a text on the other model of the lens (paraxial or aplanatic) and the difference of the two PSFs."""
-    if other["reason"] is not None:
-        return f"{other['model']}: {other['reason']}"
-    if _identical(other):
-        return f"{_model(other)}: identical"
-    return f"{_model(other).replace(', corrected', '')}: PSF differs by {other['peak_error']:.2g} of the peak"
+    if comparison["reason"] is not None:
+        return f"{comparison['model']}: {comparison['reason']}"
+    if _identical(comparison):
+        return f"{_model(comparison)}: identical"
+    model, difference = _model(comparison).replace(", corrected", ""), comparison["peak_error"]
+    return f"{model}: PSF differs by {difference:.2g} of the peak"
 
 
-def _identical(other: Facts) -> bool:
+def _identical(comparison: Facts) -> bool:
     """Return True if the PSFs of both models differ by less than their tolerance, 1e-6 of the peak."""
-    return other["reason"] is None and bool(other["peak_error"] < 1e-6)
+    return comparison["reason"] is None and bool(comparison["peak_error"] < 1e-6)
 
 
 def _aperture(facts: Facts) -> list[tuple[str, str]]:
@@ -271,15 +275,15 @@ def _field_parts(field: Facts) -> Parts:
         seidel = f": {seidel} waves at an image height of {format_length(field['reach'])}"
     rows = []
     for place in field["places"]:
-        largest = sorted(place["zernike"], key=lambda term: -abs(term["waves_rms"]))[:2]
-        terms = ", ".join(f"{term['name']} {term['waves_rms']:+.2g}" for term in largest if term["waves_rms"])
+        largest_terms = sorted(place["zernike"], key=lambda term: -abs(term["waves_rms"]))[:2]
+        terms = ", ".join(f"{term['name']} {term['waves_rms']:+.2g}" for term in largest_terms if term["waves_rms"])
         quality = (known(place[name], ".4g") for name in ("strehl_at_peak", "rms_waves_without_tilt"))
         rows.append((format_length(place["distance"], like=field["reach"]), *quality, terms))
     names = ("image height", "Strehl ratio", "rms (waves)", "largest Zernike terms (waves rms)")
     note = (
         "along a diagonal of the sensor, without tilt, which only shifts the image; all other values are on the axis"
     )
-    return ["", table_of(names, rows, left=3, title=f"Field{seidel}"), Wrapped(note, "dim")]
+    return ["", table_of(names, rows, left_column=3, title=f"Field{seidel}"), Wrapped(note, "dim")]
 
 
 def zernike_table(facts: Facts) -> Table:
@@ -304,7 +308,7 @@ def _microscope_parts(facts: Facts) -> Parts:
     critical = "none, all light of the pupil passes through the sample"
     if facts["critical_angle"] is not None:
         critical = f"{math.degrees(facts['critical_angle']):.1f} deg"
-    several = (
+    planes_text = (
         "one, at" if facts["step"] is None else f"{facts['planes']}, {format_length(facts['step'])} apart, centred on"
     )
     lines = [
@@ -320,14 +324,14 @@ def _microscope_parts(facts: Facts) -> Parts:
         ("wavelength", format_length(facts["wavelength"])),
         ("emitter", facts["emitter"]),
         ("rms wavefront error", f"{number(facts['rms_waves'])} waves over the pupil" if facts["zernike"] else None),
-        ("planes", f"{several} {_ORIGINS[facts['origin']]}"),
+        ("planes", f"{planes_text} {_ORIGINS[facts['origin']]}"),
         ("pixel", f"{format_length(facts['pixel'])}, {format_length(facts['pixel_in_sample'])} in the sample"),
         ("camera", camera_in_words(facts)),
         ("Nyquist sampling", f"pixel of at most {format_length(nyquist['pixel'])}, "
          f"{format_length(nyquist['lateral'])} in the sample"),
         ("", f"planes at most {format_length(nyquist['axial'])} apart"),
     ]  # fmt: skip
-    coarse = [
+    warnings = [
         Text(
             f"The {name}, {format_length(facts[name])}, is coarser than Nyquist sampling, "
             f"{format_length(nyquist['axial' if name == 'step' else 'pixel'])}: images lose their finest detail. "
@@ -335,7 +339,7 @@ def _microscope_parts(facts: Facts) -> Parts:
         )
         for name in facts["too_coarse"]
     ]
-    return [Text(facts["name"], "bold"), list_of(lines), *coarse]
+    return [Text(facts["name"], "bold"), list_of(lines), *warnings]
 
 
 _ORIGINS = {
@@ -364,7 +368,7 @@ def _focus_parts(facts: Facts) -> Parts:
         for row in facts["focus"]
     ]
     names += ["peak", "peak /\nat 0 um", "collected\nlight"]
-    table = table_of(names, rows, left=-1, title="Focus of a freely rotating dipole")
+    table = table_of(names, rows, left_column=-1, title="Focus of a freely rotating dipole")
     for column in table.columns:
         column.overflow = "fold"  # other settings cut off digits
     note = (
@@ -389,11 +393,11 @@ def camera_in_words(facts: Facts) -> str | None:
 def lens_facts(lenses: list[Lens]) -> tuple[Facts, str]:
     """Return focus distances and f-numbers of several frames as facts and as a text."""
     facts = {
-        "focus_distances": [finite(one.focus_distance) for one in lenses],
-        "f_numbers": [one.f_number for one in lenses],
+        "focus_distances": [finite(lens.focus_distance) for lens in lenses],
+        "f_numbers": [lens.f_number for lens in lenses],
         "focal_length": lenses[0].focal_length,
     }
-    frames = (f"{format_length(one.focus_distance)} at f/{one.f_number:.3g}" for one in lenses)
+    frames = (f"{format_length(lens.focus_distance)} at f/{lens.f_number:.3g}" for lens in lenses)
     return facts, f"focus {', '.join(frames)}"
 
 
@@ -403,8 +407,8 @@ def describe_psf(answer: PSF, seconds: float) -> Report:
     If the window holds less than 95 % of the light, "wide_enough" is the side, in pixels, of a window for about 98 %.
     """
     energy, side = float(answer.energy), wide_enough(lens_pupil(answer.pupil), min(answer.grid.pitch))
-    enough = energy >= 0.95 or min(answer.shape) >= side
-    facts = how_made(answer, seconds) | {"wide_enough": None if enough else side, "energy": energy}
+    is_wide_enough = energy >= 0.95 or min(answer.shape) >= side
+    facts = how_made(answer, seconds) | {"wide_enough": None if is_wide_enough else side, "energy": energy}
     # Print only the significant digits of the peak, according to its error bound.
     digits = min(4, max(1, math.floor(-math.log10(answer.error_bound)))) if answer.error_bound else 4
     pixels = f"{HOW[answer.sampling]}, {facts['pixel_over_lambda_N']:.3g} lambda*N wide"
@@ -415,7 +419,7 @@ def describe_psf(answer: PSF, seconds: float) -> Report:
             f"The sum of the values, {facts['sum']:.4g}, is not the light in the window, because point samples are "
             "more than lambda*N apart. Use --integrate for pixel-integrated values."
         )
-    if not enough:
+    if not is_wide_enough:
         notes.append(f"The window holds {percent(energy)} of the light; --shape {side} would hold about 98 %.")
     return Report({"psf": facts}, [*parts, *map(Wrapped, notes)])
 
@@ -456,10 +460,10 @@ def describe_field(instrument: Instrument, grid: PSFGrid, seconds: float) -> Rep
         parts.append(
             Text(f"One window holds only {percent(energy.min())} of the light; a larger --shape holds more.")
         )
-    across, down = ([format_length(at, like=max(sensor)) for at in facts[axis]] for axis in ("x", "y"))
-    peaks = [(y, *(f"{value:.4g}" for value in row)) for y, row in zip(down, facts["peak"], strict=True)]
+    column_names, row_names = ([format_length(at, like=max(sensor)) for at in facts[axis]] for axis in ("x", "y"))
+    peaks = [(y, *(f"{value:.4g}" for value in row)) for y, row in zip(row_names, facts["peak"], strict=True)]
     title = "Largest value at y (down) and x (across)"
-    table = table_of(("", *across), peaks, left=-1, no_wrap=True, title=title)
+    table = table_of(("", *column_names), peaks, left_column=-1, no_wrap=True, title=title)
     table.columns[0].style = "cyan"
     return Report(facts, [*parts, "", table])
 
@@ -478,11 +482,11 @@ def describe_colour(instrument: Instrument, answer: ColourPSF, seconds: float) -
         }
         for (name, spectrum), light, psf in zip(answer.channels, answer.channels.light, answer, strict=True)
     ]
-    made = how_made(answer[0], seconds)
+    common = how_made(answer[0], seconds)
     facts = {
         "name": instrument.name,
         "source": instrument.source,
-        **{name: made[name] for name in ("sampling", "pixel", "dtype", "normalize", "seconds")},
+        **{name: common[name] for name in ("sampling", "pixel", "dtype", "normalize", "seconds")},
         "shape": list(answer.shape),
         "error_bound": answer.error_bound,
         "of_spectra": answer.channels.error,
@@ -500,10 +504,10 @@ def describe_colour(instrument: Instrument, answer: ColourPSF, seconds: float) -
     rows = []
     for channel in channels:
         waves = channel["wavelengths"]
-        ends = " to ".join(dict.fromkeys(format_length(end) for end in (min(waves), max(waves))))
-        ends = ends if len(waves) == 1 else f"{len(waves)} from {ends}"
+        range_text = " to ".join(dict.fromkeys(format_length(end) for end in (min(waves), max(waves))))
+        range_text = range_text if len(waves) == 1 else f"{len(waves)} from {range_text}"
         light, peak, energy = f"{channel['light']:.3g}", f"{channel['peak']:.4g}", percent(channel["energy"], 2)
-        rows.append((channel["name"], ends, light, peak, energy))
+        rows.append((channel["name"], range_text, light, peak, energy))
     table = table_of(("channel", "wavelengths", "light", "largest value", "sum of values"), rows)
     return Report(facts, [Text(instrument.name, "bold"), list_of(lines), "", table])
 
@@ -529,27 +533,29 @@ def describe_mtf(instrument: Instrument, places: Sequence[Place], channels: Chan
     """
     facts = sensor_mtf(instrument, places, channels)
     over_field = places[0][0] is not None
-    heads = [name for name, there in (("position x, y", over_field), ("channel", channels is not None)) if there]
+    heads = [
+        name for name, is_shown in (("position x, y", over_field), ("channel", channels is not None)) if is_shown
+    ]
     cells, frequencies = [], facts["frequency"]
     for row in facts["rows"]:
         place = ", ".join(format_length(row[axis] or 0.0, like=1e-3) for axis in ("x", "y"))
-        first = [place if head != "channel" else row["channel"] for head in heads]
+        labels = [place if head != "channel" else row["channel"] for head in heads]
         pairs = [row["nyquist"], row["half_nyquist"]]  # along x and y
         if "sagittal" in row:
             pairs = list(zip(row["sagittal"], row["tangential"], strict=True))
         # The MTF is exactly 0 from the cutoff of the lens on.
-        cells.append([*first, *(f"{value:.4f}" if value else "0" for pair in pairs for value in pair)])
-    one, other = ("S", "T") if over_field else ("x", "y")
-    names = (*heads, f"{one}, Nyquist", f"{other}, Nyquist", f"{one}, half", f"{other}, half")
-    table = table_of(names, cells, left=0 if heads else -1, title="MTF, pixel included")
-    across, down = map(per_mm, frequencies)
-    along = across if across == down else f"{across} along x and {down} along y"
-    lines = "S sagittal: radial lines; T: tangential ones" if over_field else "x: vertical lines"
-    notes = [f"Nyquist frequency: {along}; {lines}"]
+        cells.append([*labels, *(f"{value:.4f}" if value else "0" for pair in pairs for value in pair)])
+    first, second = ("S", "T") if over_field else ("x", "y")
+    names = (*heads, f"{first}, Nyquist", f"{second}, Nyquist", f"{first}, half", f"{second}, half")
+    table = table_of(names, cells, left_column=0 if heads else -1, title="MTF, pixel included")
+    x, y = map(per_mm, frequencies)
+    nyquist = x if x == y else f"{x} along x and {y} along y"
+    lines = "S sagittal: radial lines; T tangential: tangential lines" if over_field else "x: vertical lines"
+    notes = [f"Nyquist frequency: {nyquist}; {lines}"]
     if max(frequencies) > (cutoff := max(pupil.cutoff for _, _, pupil in places)):
-        light = format_length(instrument.lens.wavelength)
-        others = "" if channels is None else ", higher at shorter wavelengths"
-        notes.append(f"0: the lens passes nothing above its cutoff, {per_mm(cutoff)} at {light}{others}")
+        wavelength = format_length(instrument.lens.wavelength)
+        channel_note = "" if channels is None else ", higher at shorter wavelengths"
+        notes.append(f"0: the lens passes nothing above its cutoff, {per_mm(cutoff)} at {wavelength}{channel_note}")
     return Report({"mtf": facts}, ["", table, *(Text(note, "dim") for note in notes)])
 
 
@@ -578,20 +584,20 @@ def how_made(answer: PSFLike, seconds: float) -> Facts:
 def describe_stack(answer: PSF, seconds: float) -> Report:
     """Return the report of a stack of planes, or of a single plane; "brightest" is the brightest plane of a stack."""
     pupil: Any = answer.pupil
-    energy, best = np.asarray(answer.energy), None
+    energy, brightest = np.asarray(answer.energy), None
     facts = how_made(answer, seconds)
     peak, energies = f"{np.max(facts['peak']):.4g}", percent(energy.min(), 2)
     if pupil.shape:
-        best = int(np.argmax(facts["peak"]))
-        ends = (format_length(float(at[best]), like=1e-6) for at in (pupil.z, pupil.focus))
-        peak += " in plane {}, z = {}, stage at {}".format(best, *ends)
+        brightest = int(np.argmax(facts["peak"]))
+        ends = (format_length(float(positions[brightest]), like=1e-6) for positions in (pupil.z, pupil.focus))
+        peak += " in plane {}, z = {}, stage at {}".format(brightest, *ends)
         energies += f" to {percent(energy.max(), 2)}, by plane"
     facts |= {
         "pixel_in_sample": answer.pixel / pupil.magnification,
         "z": pupil.z.tolist(),
         "focus": pupil.focus.tolist(),
         "energy": energy.tolist(),
-        "brightest": best,
+        "brightest": brightest,
     }
     pixels = f"{format_length(facts['pixel_in_sample'])} in the sample, {HOW[answer.sampling]}"
     return Report({"psf": facts}, _psf_parts(answer, facts, pixels, peak, energies))

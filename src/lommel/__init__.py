@@ -17,8 +17,8 @@ def _modules() -> dict[str, str]:
     """Return the module of each public name, read from the type stub `__init__.pyi`."""
     # Without pathlib, whose import takes longer than reading the file.
     with open(f"{os.path.splitext(__file__)[0]}.pyi", encoding="utf-8") as stub:  # noqa: PTH122, PTH123
-        found = re.findall(r"^from (\S+) import (\([^)]*\)|.*)$", stub.read(), re.MULTILINE)
-    return {name: module for module, names in found for name in re.findall(r"(\w+) as \1", names)}
+        statements = re.findall(r"^from (\S+) import (\([^)]*\)|.*)$", stub.read(), re.MULTILINE)
+    return {name: module for module, names in statements for name in re.findall(r"(\w+) as \1", names)}
 
 
 def __getattr__(name: str) -> object:
@@ -41,9 +41,9 @@ def __dir__() -> list[str]:
     return sorted({*_modules(), "__all__", "__version__", *(name for name in globals() if name.startswith("__"))})
 
 
-def _register_displays(what: str) -> None:
-    """Import the modules that write files if `what` is "file", else the modules that draw plots and tables."""
-    if what == "file":
+def _register_displays(kind: str) -> None:
+    """Import the modules that write files if `kind` is "file", else the modules that draw plots and tables."""
+    if kind == "file":
         from lommel.io import psf_files, zernike_tables  # noqa: F401
     else:
         from lommel.show import curves, notebook, plot, pupils  # noqa: F401

@@ -232,8 +232,8 @@ def colour_psf(
     >>> answer.values.shape, answer["red"].values.shape
     ((3, 33, 33), (33, 33))
     """
-    if stray := [name for name in options if name not in Keywords.__annotations__]:
-        raise TypeError(f"colour_psf() has no option {stray[0]!r}; {near(stray[0], Keywords.__annotations__)}")
+    if unknown := [name for name in options if name not in Keywords.__annotations__]:
+        raise TypeError(f"colour_psf() has no option {unknown[0]!r}; {near(unknown[0], Keywords.__annotations__)}")
     light = Channels.rgb() if channels is None else checked(channels)
     if imaged(pupil).wavelength is None:
         raise ValueError(
@@ -244,17 +244,17 @@ def colour_psf(
     derivatives = plan_options.pop("derivatives", ())
     plan = Plan(shape, pixel, **plan_options)
     # A channel is an incoherent sum over its wavelengths.
-    sums = [Polychromatic([w for w, _ in each], [s for _, s in each], plan.method, plan.tol) for _, each in light]
+    sums = [Polychromatic([w for w, _ in pairs], [s for _, s in pairs], plan.method, plan.tol) for _, pairs in light]
     # Derivatives, blur, fill factors and pixels that are not square are computed channel by channel.
     if derivatives or not plan.plain:
         plan_options |= {"tol": None}
         psfs = [
-            Plan(shape, pixel, **plan_options | {"method": each})(pupil, derivatives=derivatives) for each in sums
+            Plan(shape, pixel, **plan_options | {"method": method})(pupil, derivatives=derivatives) for method in sums
         ]
-        return ColourPSF(light, tuple(_at_single_wavelength(one) for one in psfs))
+        return ColourPSF(light, tuple(_at_single_wavelength(psf) for psf in psfs))
     if center_shape := plan.grid(pupil).stack:
         pupil = question.for_axes(pupil, center_shape)
-    return ColourPSF(light, tuple(_at_single_wavelength(one) for one in _compute_channels(pupil, sums, plan)))
+    return ColourPSF(light, tuple(_at_single_wavelength(psf) for psf in _compute_channels(pupil, sums, plan)))
 
 
 def _at_single_wavelength(psf: PSF) -> PSF:
@@ -282,22 +282,25 @@ def _compute_channels(pupil: BasePupil, sums: list[Polychromatic], plan: Plan) -
     errors: list[list[NDArray[np.float64] | None]] = [[] for _ in sums]
     # Blocks limit memory, since intensities of all channels are in double precision before they are stored.
     step = max(1, _BLOCK_VALUES // math.prod(sides))
-    for first in range(0, count, step):
-        block = slice(first, min(first + step, count))
+    for start in range(0, count, step):
+        block = slice(start, min(start + step, count))
         part, grid = pupil, prepared.grid
         if step < count:
             index = np.unravel_index(np.arange(block.start, block.stop), pupil.shape)
             part, grid = pupil[index], grid[index] if grid.stack else grid
         normalized = prepared.wanted.scale is None
-        # Division by the largest value, which has an error too, about doubles the error divided by the peak.
+        # The largest value has an error, too: division by it about doubles the error divided by the peak.
         aim = (0.48 if normalized else 1.0) * (plan.tol - 1.1 * storing(plan.dtype))
-        found = sum_spectra(sums, part, grid, plan.threads, aim, window=normalized)
-        for c, (each, intensities) in enumerate(zip(sums, found, strict=True)):
-            out = values[c].reshape(count, *sides)[block]
+        channel_intensities = sum_spectra(sums, part, grid, plan.threads, aim, window=normalized)
+        for c, (method, intensities) in enumerate(zip(sums, channel_intensities, strict=True)):
+            target = values[c].reshape(count, *sides)[block]
             request = Wanted(
-                _channel_scale(each, part, plan, prepared.wanted.scale, block), plan.dtype, out, threads=plan.threads
+                _channel_scale(method, part, plan, prepared.wanted.scale, block),
+                plan.dtype,
+                target,
+                threads=plan.threads,
             )
-            images = with_model_error(to_images(intensities, grid, request), part, each, normalized=normalized)
+            images = with_model_error(to_images(intensities, grid, request), part, method, normalized=normalized)
             scales[c, block] = images.scale
             errors[c].append(images.error)
     return tuple(
@@ -305,21 +308,21 @@ def _compute_channels(pupil: BasePupil, sums: list[Polychromatic], plan: Plan) -
             values=values[c],
             grid=prepared.grid,
             pupil=pupil,
-            method=each,
+            method=method,
             normalize=plan.normalize,
             error_bound=None
             if any(e is None for e in errors[c])
             else max(largest(e) for e in errors[c] if e is not None),
             scale=scales[c].reshape(pupil.shape),
         )
-        for c, each in enumerate(sums)
+        for c, method in enumerate(sums)
     )
 
 
 def _channel_scale(
-    each: Polychromatic, pupil: BasePupil, plan: Plan, scale: float | Array | None, block: slice
+    method: Polychromatic, pupil: BasePupil, plan: Plan, scale: float | Array | None, block: slice
 ) -> float | Array | None:
-    """Return the factor by which intensities of a block of pupils are multiplied; for "strehl", that of a channel."""
+    """Return the scale factor of a block of pupils; for "strehl" it is 1 / (unaberrated peak of the channel)."""
     if plan.normalize == "strehl":
-        return 1.0 / each.unaberrated_peak(pupil)
+        return 1.0 / method.unaberrated_peak(pupil)
     return scale[block] if isinstance(scale, np.ndarray) and scale.ndim else scale

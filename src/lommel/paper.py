@@ -1,7 +1,7 @@
 """Reproduce figures and numbers of the paper on which this package is based, cited in `docs/paper.md`.
 
 The paper's closed form (CFIS) is :class:`lommel.methods.ClosedForm`. Its variant "printed" is Eq. (12) as printed;
-the variant "corrected" has the missing factor sqrt(2 / pi). Equation numbers in this file are those of the paper.
+the variant "corrected" has the missing factor sqrt(2 / pi). Equation numbers are those in the paper.
 C_d (defocus) and C_s (spherical aberration) are phase coefficients at the pupil edge in radians. The optical
 coordinate at the distance r from the axis is v = pi r / (lambda N). MSE is the mean squared error.
 """
@@ -122,16 +122,16 @@ def middle_row(image: NDArray[np.float64]) -> NDArray[np.float64]:
 
 def measures(images: Mapping[str, NDArray[np.float64]]) -> dict[str, Facts]:
     """Return errors of :meth:`Setting.images` against "exact"; for both variants also the MSE against "fft"."""
-    truth = images["exact"]
-    found: dict[str, Facts] = {
-        name: {"mse": mse(image, truth), "peak_error": peak_error(image, truth)}
+    exact = images["exact"]
+    errors: dict[str, Facts] = {
+        name: {"mse": mse(image, exact), "peak_error": peak_error(image, exact)}
         for name, image in images.items()
         if name != "exact"
     }
     for name in VARIANTS:
-        found[name]["mse_against_fft"] = mse(images[name], images["fft"])
-        found[name]["peak_error_of_slice"] = float(np.abs(middle_row(images[name]) - middle_row(truth)).max())
-    return found
+        errors[name]["mse_against_fft"] = mse(images[name], images["fft"])
+        errors[name]["peak_error_of_slice"] = float(np.abs(middle_row(images[name]) - middle_row(exact)).max())
+    return errors
 
 
 _V_AXIS = "v = πr/(λN)"
@@ -172,18 +172,18 @@ def _picture(axes: Axes, values: NDArray[np.float64], window: float, norm: Norma
     side = values.shape[0]
     step = window / (side // 2)
     low, high = -(side // 2 + 0.5) * step, (side - side // 2 - 0.5) * step
-    signed = norm.vmin is not None and norm.vmin < 0
-    drawn = axes.imshow(
+    is_signed = norm.vmin is not None and norm.vmin < 0
+    image = axes.imshow(
         values,
         extent=(low, high, high, low),
         norm=norm,
-        cmap="RdBu_r" if signed else "magma",
+        cmap="RdBu_r" if is_signed else "magma",
         interpolation="nearest" if side < 256 else "antialiased",
     )
     axes.set_title(title, fontsize=9)
     axes.tick_params(labelsize=7)
     axes.locator_params(nbins=5)
-    return drawn
+    return image
 
 
 _PITCH = 145.0 / 256.0  # pixel pitch in v, as in the other figures
@@ -223,8 +223,8 @@ def methods_cost(sizes: Sequence[int] = (32, 64, 128, 256, 512, 1024), budget: f
     fft_seconds = np.empty(len(sizes))
     last_seconds = dict.fromkeys(_STYLES, 0.0)
     for k, n in enumerate(sizes):
-        plain = np.random.default_rng(n).normal(size=(n, n)) + 0j
-        fft_seconds[k] = _time(partial(fft2, plain))[1]
+        random_image = np.random.default_rng(n).normal(size=(n, n)) + 0j
+        fft_seconds[k] = _time(partial(fft2, random_image))[1]
         for i, (name, (method, pupil)) in enumerate(_methods(n).items()):
             # If n doubles, there are 4 times as many pixels; "every pixel" also has 4 times as many sources.
             growth = 16.0 if name == "Huygens, every pixel" else 4.0
@@ -232,11 +232,11 @@ def methods_cost(sizes: Sequence[int] = (32, 64, 128, 256, 512, 1024), budget: f
                 last_seconds[name] = math.inf
                 continue
             pixel = _PITCH / math.pi * pupil.scale
-            work = partial(psf, pupil, n, pixel, method=method, normalize="strehl", dtype="float64", threads=1)
-            image, last_seconds[name] = _time(work)
+            compute = partial(psf, pupil, n, pixel, method=method, normalize="strehl", dtype="float64", threads=1)
+            image, last_seconds[name] = _time(compute)
             ratios[i, k] = last_seconds[name] / fft_seconds[k]
-            truth = psf(Pupil(Wavefront(_DEFOCUS)), n, _PITCH / math.pi, method=REFERENCE, normalize="strehl")
-            errors[i, k] = peak_error(image, truth)
+            exact = psf(Pupil(Wavefront(_DEFOCUS)), n, _PITCH / math.pi, method=REFERENCE, normalize="strehl")
+            errors[i, k] = peak_error(image, exact)
     side = np.asarray(sizes)
     columns = {"n": side, "FFT (s)": fft_seconds}
     columns |= {f"{name}: time / FFT": values for name, values in zip(_STYLES, ratios, strict=True)}
@@ -254,14 +254,14 @@ def _methods(n: int) -> dict[str, tuple[methods.Method, Pupil]]:
     # chosen so that the defocus is _DEFOCUS.
     wavelength, radius = 550e-9, 1.5e-3
     lens = Lens(focal_length=30e-3, aperture_diameter=2 * radius, focus_distance=math.inf, wavelength=wavelength)
-    near = lens.pupil(math.pi * radius**2 / (2.0 * _DEFOCUS * wavelength))
+    defocused = lens.pupil(math.pi * radius**2 / (2.0 * _DEFOCUS * wavelength))
     blur, window = float(pupil.v(pupil.geometric_radius())), (n / 2 + 0.5) * _PITCH
     # Use so many samples that the blur disc of the next period of the discrete transform is outside the window.
-    fewest = max(8, math.ceil((blur + window) / math.pi) + 1)
+    min_samples = max(8, math.ceil((blur + window) / math.pi) + 1)
     return {
-        "Huygens, every pixel": (methods.HuygensFresnel(symmetry=False), near),
-        "Huygens, every radius": (methods.HuygensFresnel(), near),
-        "FFT of the pupil": (methods.Fraunhofer(samples=fewest, padding=1.0), pupil),
+        "Huygens, every pixel": (methods.HuygensFresnel(symmetry=False), defocused),
+        "Huygens, every radius": (methods.HuygensFresnel(), defocused),
+        "FFT of the pupil": (methods.Fraunhofer(samples=min_samples, padding=1.0), pupil),
         "Hankel": (methods.Hankel(), pupil),
         "CFIS, Eq. (14), N = 30": (methods.ClosedForm(erf=AbramowitzErf(30), variant="printed"), pupil),
         "CFIS, Fresnel integrals": (methods.ClosedForm(erf=FresnelErf()), pupil),
@@ -269,12 +269,12 @@ def _methods(n: int) -> dict[str, tuple[methods.Method, Pupil]]:
     }
 
 
-def _time(work: Callable[[], _Result]) -> tuple[_Result, float]:
-    """Call `work` 2 to 8 times, since the first call fills caches; return its result and the shortest time (s)."""
+def _time(function: Callable[[], _Result]) -> tuple[_Result, float]:
+    """Call `function` 2 to 8 times, since the first call fills caches; return the result and shortest time (s)."""
     seconds = list[float]()
     while True:
         start = time.perf_counter()
-        result = work()
+        result = function()
         seconds.append(time.perf_counter() - start)
         if len(seconds) == 8 or (len(seconds) > 1 and sum(seconds) > _MIN_TOTAL_SECONDS):
             return result, min(seconds)
@@ -288,9 +288,9 @@ def draw_methods_cost(data: FigureData) -> Figure:
     for name, ratio, error in zip(names, data.arrays["ratio"], data.arrays["peak_error"], strict=True):
         color, marker = _STYLES[name]
         left.loglog(n, ratio, marker=marker, color=color, label=name)
-        timed = np.flatnonzero(np.isfinite(ratio) & (n <= 512))
-        if timed.size:
-            k = timed[-1]
+        timed_sizes = np.flatnonzero(np.isfinite(ratio) & (n <= 512))
+        if timed_sizes.size:
+            k = timed_sizes[-1]
             right.loglog(ratio[k], max(float(error[k]), 1e-17), marker=marker, color=color, markersize=9)
             if n[k] != 512:
                 right.annotate(
@@ -330,16 +330,16 @@ def bessel_forms(samples: int = 2001, far: float = 200.0, tangent: float = 100.0
     a = np.geomspace(0.05, far, samples)
     slope, level = tangent_line(tangent)
     series, asymptotic = j0_series(a, 3), j0_asymptotic(a)
-    outer = (slope * a + level + 1.0 / a) * np.cos(a - 0.25 * math.pi)
-    near = a <= 1.0
+    large_form = (slope * a + level + 1.0 / a) * np.cos(a - 0.25 * math.pi)
+    is_small = a <= 1.0
     columns = {
         "a": a,
         "J0": np.asarray(j0(a)),
         "series": series,
         "asymptotic": asymptotic,
-        "piecewise": np.where(near, series, asymptotic),
-        "printed": np.where(near, series, outer),
-        "corrected": np.where(near, series, math.sqrt(2.0 / math.pi) * outer),
+        "piecewise": np.where(is_small, series, asymptotic),
+        "printed": np.where(is_small, series, large_form),
+        "corrected": np.where(is_small, series, math.sqrt(2.0 / math.pi) * large_form),
     }
     columns |= {f"error of {name}": columns[name] - columns["J0"] for name in _BESSEL}
     facts = {
@@ -380,7 +380,7 @@ def compare_with_fft(setting: Setting = Setting()) -> FigureData:
 
 
 def draw_comparison(data: FigureData) -> Figure:
-    """Draw the four images on one colour scale; below, draw their slices from the centre and the errors of these."""
+    """Draw the four images on one colour scale and, below, slices from the centre and the errors of the slices."""
     figure = new_figure(11.0, 7.0)
     facts = data.facts
     figure.suptitle(
@@ -392,10 +392,10 @@ def draw_comparison(data: FigureData) -> Figure:
     norm = _intensity_norm(max(float(data.arrays[name].max()) for name in _LABELS))
     for axes, (name, label) in zip(pictures, _LABELS.items(), strict=True):
         title = label if name == "exact" else f"{label}\nMSE {facts[name]['mse']:.3g}"
-        drawn = _picture(axes, data.arrays[name], facts["window"], norm, title)
+        image = _picture(axes, data.arrays[name], facts["window"], norm, title)
         axes.set_xlabel("v along x", fontsize=8)
     pictures[0].set_ylabel("v along y", fontsize=8)
-    halves[0].colorbar(drawn, ax=pictures, shrink=0.8, label="intensity / peak")
+    halves[0].colorbar(image, ax=pictures, shrink=0.8, label="intensity / peak")
     slices, errors = panels(halves[1], 2, xlabel=_V_AXIS, xlim=(0.0, float(data.columns["v"][-1])))
     c = data.columns
     for name, label in _LABELS.items():
@@ -409,7 +409,7 @@ def draw_comparison(data: FigureData) -> Figure:
 
 
 class Variation(NamedTuple):
-    """A parameter that a figure varies: its label, its values, and the other parameters that are not the defaults."""
+    """A parameter that a figure varies: its label, its values, and other parameters that differ from the defaults."""
 
     label: str
     values: tuple[float, ...]
@@ -426,18 +426,18 @@ VARIED = {
 
 def vary(parameter: str, setting: Setting = Setting(), values: Sequence[float] = ()) -> FigureData:
     """Compute both variants of the closed form, the FFT and the exact PSF for each value of one parameter."""
-    label, usual, fixed = VARIED[parameter]
-    values, setting = values or usual, replace(setting, **fixed)  # type: ignore[arg-type]
+    label, default_values, other_parameters = VARIED[parameter]
+    values, setting = values or default_values, replace(setting, **other_parameters)  # type: ignore[arg-type]
     arrays: Arrays = {"v": setting.v, parameter: np.asarray(values)}
     columns = {"v": setting.v}
-    found: list[Facts] = []
+    measured: list[Facts] = []
     for value in values:
         images = Setting(**setting.facts() | {parameter: value}).images()
         for name, image in images.items():
             arrays[f"{name}_{value:g}"] = image.astype(np.float32)
             columns[f"{name}, {label} = {value:g}"] = middle_row(image)
-        found.append({parameter: value} | measures(images))
-    facts = setting.facts() | {"varies": parameter, "panels": found}
+        measured.append({parameter: value} | measures(images))
+    facts = setting.facts() | {"varies": parameter, "panels": measured}
     return FigureData(f"CFIS for varying {label}", arrays, columns, facts)
 
 
@@ -445,10 +445,10 @@ def draw_varied(data: FigureData, *, errors: bool = False) -> Figure:
     """Draw the images of both variants, or with `errors` the errors of these images, on one colour scale."""
     from matplotlib.colors import SymLogNorm
 
-    varies, cases = data.facts["varies"], data.facts["panels"]
+    varied, cases = data.facts["varies"], data.facts["panels"]
 
     def image(name: str, case: Facts) -> Values:
-        return data.arrays[f"{name}_{case[varies]:g}"]
+        return data.arrays[f"{name}_{case[varied]:g}"]
 
     images = {v: [image(v, case) - (image("exact", case) if errors else 0.0) for case in cases] for v in VARIANTS}
     top = max(float(np.abs(values).max()) for row in images.values() for values in row)
@@ -456,23 +456,25 @@ def draw_varied(data: FigureData, *, errors: bool = False) -> Figure:
     if errors:  # linear up to 0.01 of the peak, logarithmic above
         norm = SymLogNorm(0.01, vmin=-top, vmax=top, base=10)
     figure = new_figure(2.35 * len(cases) + 1.3, 2.5 * len(VARIANTS) + 0.6)
-    fixed = ", ".join(f"{one.label} = {data.facts[key]:g}" for key, one in VARIED.items() if key != varies)
-    figure.suptitle(f"{'CFIS minus exact PSF' if errors else 'CFIS'}, {fixed}; {_V_AXIS}", fontsize=10)
+    other_parameters = ", ".join(
+        f"{variation.label} = {data.facts[key]:g}" for key, variation in VARIED.items() if key != varied
+    )
+    figure.suptitle(f"{'CFIS minus exact PSF' if errors else 'CFIS'}, {other_parameters}; {_V_AXIS}", fontsize=10)
     grid = figure.subplots(len(VARIANTS), len(cases), squeeze=False, sharex=True, sharey=True)
     for variant, axes_row in zip(VARIANTS, grid, strict=True):
         for axes, values, case in zip(axes_row, images[variant], cases, strict=True):
-            title = f"{VARIED[varies].label} = {case[varies]:g}"
+            title = f"{VARIED[varied].label} = {case[varied]:g}"
             if errors:
                 title += f": MSE {case[variant]['mse']:.3g}\nlargest {case[variant]['peak_error']:.2f}"
-            drawn = _picture(axes, values, data.facts["window"], norm, title)
+            picture = _picture(axes, values, data.facts["window"], norm, title)
         axes_row[0].set_ylabel(f"{variant}\nv along y", fontsize=8)
     for axes in grid[-1]:
         axes.set_xlabel(f"{_V_AXIS} along x" if len(cases) < 3 else "v along x", fontsize=8)
     label = f"{'error' if errors else 'intensity'} / exact peak"
-    bar = figure.colorbar(drawn, ax=grid, shrink=0.8, label=label)
+    bar = figure.colorbar(picture, ax=grid, shrink=0.8, label=label)
     if errors:
-        shown = [m for m in (0.01, 0.03, 0.1, 0.3, 1.0, 3.0) if m <= top]
-        ticks = [*(-m for m in reversed(shown)), 0.0, *shown]
+        magnitudes = [m for m in (0.01, 0.03, 0.1, 0.3, 1.0, 3.0) if m <= top]
+        ticks = [*(-m for m in reversed(magnitudes)), 0.0, *magnitudes]
         bar.set_ticks(ticks, labels=[f"{m:g}".replace("-", "−") for m in ticks])
     bar.ax.tick_params(labelsize=7)
     return figure
@@ -485,9 +487,9 @@ _SPLIT_COLORS = {"linear": "tab:red", "sqrt": "tab:orange", "log": "tab:green", 
 
 def fit_quartic(variant: str, spherical: float, pieces: int = PIECES, split: str = "") -> PiecewiseQuadratic:
     """Return the least-squares fit of Eq. (17); "corrected" also fits the constants gamma_i that the paper omits."""
-    corrected = variant == "corrected"
-    split = split or ("optimal" if corrected else "linear")
-    return fit_quadratics((0.0, spherical), pieces, split=split, fit="least-squares", piston=corrected)
+    is_corrected = variant == "corrected"
+    split = split or ("optimal" if is_corrected else "linear")
+    return fit_quadratics((0.0, spherical), pieces, split=split, fit="least-squares", piston=is_corrected)
 
 
 def quartic_phase(samples: int = 1000, most: int = 12, spherical: float = SPHERICAL) -> FigureData:
@@ -524,17 +526,17 @@ def quartic_phase(samples: int = 1000, most: int = 12, spherical: float = SPHERI
 
 
 def draw_quartic_phase(data: FigureData) -> Figure:
-    """Draw the phase with the fitted quadratics, the errors of both fits, and the MSE against the piece count."""
+    """Draw the phase with the fitted quadratics, the errors of both fits, and the MSE against the count of pieces."""
     figure = new_figure(13.0, 4.2)
     left, middle, right = panels(figure, 3, xlabel="ρ = R / R_max")
     a, facts = data.arrays, data.facts
     left.plot(a["rho"], a["phase"], color="black", linewidth=4.0, alpha=0.3, label=f"{facts['spherical']:g} ρ⁴")
     edges = a["printed_edges"]
     for i in range(facts["pieces"]):
-        inside = (a["rho"] >= edges[i]) & (a["rho"] < edges[i + 1])
+        is_inside = (a["rho"] >= edges[i]) & (a["rho"] < edges[i + 1])
         # Subtract a multiple of 2 pi, which does not change exp(i phase), to draw the piece close to the phase.
-        turns = np.round(np.mean(a["printed fit"][inside] - a["phase"][inside]) / (2.0 * np.pi))
-        left.plot(a["rho"][inside], a["printed fit"][inside] - 2.0 * np.pi * turns, linewidth=1.6,
+        cycles = np.round(np.mean(a["printed fit"][is_inside] - a["phase"][is_inside]) / (2.0 * np.pi))
+        left.plot(a["rho"][is_inside], a["printed fit"][is_inside] - 2.0 * np.pi * cycles, linewidth=1.6,
                   label=f"{a['printed_alpha'][i]:.2f} ρ² {a['printed_beta'][i]:+.2f} ρ")  # fmt: skip
     left.set_ylabel("phase (rad), pieces modulo 2π")
     left.legend(fontsize=7, title="as printed, linear split", title_fontsize=7)
@@ -591,14 +593,14 @@ def draw_validity(data: FigureData) -> Figure:
     defocus, v = data.arrays["defocus"], data.arrays["v"]
     for axes, name in zip(grid, _FORMS, strict=True):
         error = np.maximum(data.arrays[name], 1e-9)
-        drawn = axes.pcolormesh(defocus, v, error.T, norm=LogNorm(1e-9, 1.0), cmap="viridis", shading="nearest")
+        mesh = axes.pcolormesh(defocus, v, error.T, norm=LogNorm(1e-9, 1.0), cmap="viridis", shading="nearest")
         axes.plot(defocus, 4.0 * defocus, "w--", linewidth=1.0)
         axes.set_title(f"{name}\nlargest {data.facts['largest'][name]:.2g}", fontsize=10)
         axes.set_xlabel("C_d (rad)")
         axes.set_ylim(0.0, float(v[-1]))
     grid[0].set_ylabel(_V_AXIS)
     grid[0].text(33.0, 112.0, "v = 4 C_d", color="white", fontsize=8)
-    figure.colorbar(drawn, ax=grid, label="|I − I exact| / peak of each PSF")
+    figure.colorbar(mesh, ax=grid, label="|I − I exact| / peak of each PSF")
     return figure
 
 
@@ -623,30 +625,30 @@ PAPER_PIECES = 0.000137
 def rows(first: Setting = FIRST, second: Setting = SECOND) -> list[Facts]:
     """Return the rows of the table: a number of the paper, the computed numbers, the settings, and a search result.
 
-    The search varies parameters that the paper does not state, and finds the number closest to the paper's.
+    The search varies parameters that the paper does not state, and returns the number closest to the paper's number.
     """
     return [*_first_rows(first), *_tangent_rows(second), _pieces_row()]
 
 
 def _first_rows(setting: Setting) -> list[Facts]:
     images = setting.images()
-    found = measures(images)
+    errors_of = measures(images)
     text = f"{_text(setting)}; window (not in the paper) v <= {setting.window:g}"
     errors = {variant: squared_errors(replace(setting, window=float(WINDOWS[-1])), variant) for variant in VARIANTS}
     means = {variant: [mean_over_window(errors[variant], float(w)) for w in WINDOWS] for variant in VARIANTS}
     slices = {v: [_slice_error(replace(setting, window=float(w)), v) for w in WINDOWS] for v in VARIANTS}
-    searched = f"window v from {WINDOWS[0]:g} to {WINDOWS[-1]:g}"
-    near = sum(abs(error / PAPER_PEAK - 1.0) < 0.01 for error in slices["printed"])
+    search = f"window v from {WINDOWS[0]:g} to {WINDOWS[-1]:g}"
+    near_count = sum(abs(error / PAPER_PEAK - 1.0) < 0.01 for error in slices["printed"])
     return [
         {
             "quantity": "MSE at C_d = 10, TLC = 100, N = 30",
             "paper": PAPER_MSE,
-            **{variant: found[variant]["mse"] for variant in VARIANTS},
-            "against_fft": found["printed"]["mse_against_fft"],
+            **{variant: errors_of[variant]["mse"] for variant in VARIANTS},
+            "against_fft": errors_of["printed"]["mse_against_fft"],
             "settings": text,
-            "searched": searched,
+            "searched": search,
             "closest": {v: _closest("window", WINDOWS, means[v], PAPER_MSE) for v in VARIANTS},
-            "remark": f"Reproduced by Eq. (12) as printed, {_deviation(found['printed']['mse'], PAPER_MSE)}.",
+            "remark": f"Reproduced by Eq. (12) as printed, {_deviation(errors_of['printed']['mse'], PAPER_MSE)}.",
         },
         {
             "quantity": "peak error of the slice",
@@ -654,21 +656,21 @@ def _first_rows(setting: Setting) -> list[Facts]:
             **{variant: own_peak_error(images[variant], images["exact"]) for variant in VARIANTS},
             "against_fft": own_peak_error(images["printed"], images["fft"]),
             "settings": f"{text}; each PSF divided by its own peak. Divided by the exact peak, the errors are "
-            + ", ".join(f"{found[variant]['peak_error_of_slice']:.3f} ({variant})" for variant in VARIANTS),
-            "searched": searched,
+            + ", ".join(f"{errors_of[variant]['peak_error_of_slice']:.3f} ({variant})" for variant in VARIANTS),
+            "searched": search,
             "closest": {v: _closest("window", WINDOWS, slices[v], PAPER_PEAK) for v in VARIANTS},
             "remark": "Not reproduced at the window of the first number. The printed form oscillates near the "
             "axis (v = 1 to 3), so that the error depends on the positions of the pixels. It is within 1 % of the "
-            f"paper's number at {near} of the {len(WINDOWS)} windows tried, and does not determine the window.",
+            f"paper's number at {near_count} of the {len(WINDOWS)} windows tried, and does not determine the window.",
         },
     ]
 
 
 def _tangent_rows(setting: Setting) -> list[Facts]:
-    found = {tangent: measures(replace(setting, tangent=tangent).images()) for tangent in TANGENTS}
-    searched = f"C_d from {DEFOCI[0]:g} to {DEFOCI[-1]:g}, window v from {WINDOWS[0]:g} to {WINDOWS[-1]:g}"
-    best = {variant: tangent_search(variant, setting.terms) for variant in VARIANTS}
-    deviations = [_deviation(a, b) for a, b in zip(best["printed"]["values"], PAPER_TANGENT, strict=True)]
+    errors = {tangent: measures(replace(setting, tangent=tangent).images()) for tangent in TANGENTS}
+    search = f"C_d from {DEFOCI[0]:g} to {DEFOCI[-1]:g}, window v from {WINDOWS[0]:g} to {WINDOWS[-1]:g}"
+    closest = {variant: tangent_search(variant, setting.terms) for variant in VARIANTS}
+    deviations = [_deviation(a, b) for a, b in zip(closest["printed"]["values"], PAPER_TANGENT, strict=True)]
     remark = (
         "No C_d and window of the searched range reproduces both numbers within 10 %. At the closest pair, the "
         f"MSE of the printed form is {deviations[0]} for TLC = {TANGENTS[0]:g} and {deviations[1]} for TLC = "
@@ -680,12 +682,12 @@ def _tangent_rows(setting: Setting) -> list[Facts]:
         {
             "quantity": f"MSE of strong defocus at TLC = {tangent:g}",
             "paper": paper,
-            **{variant: found[tangent][variant]["mse"] for variant in VARIANTS},
-            "against_fft": found[tangent]["printed"]["mse_against_fft"],
+            **{variant: errors[tangent][variant]["mse"] for variant in VARIANTS},
+            "against_fft": errors[tangent]["printed"]["mse_against_fft"],
             "settings": f"{_text(replace(setting, tangent=tangent))}; C_d and window (v <= {setting.window:g}) are "
             "not in the paper",
-            "searched": searched,
-            "closest": {v: {"value": best[v]["values"][k], "at": best[v]["at"]} for v in VARIANTS},
+            "searched": search,
+            "closest": {v: {"value": closest[v]["values"][k], "at": closest[v]["at"]} for v in VARIANTS},
             "remark": remark,
         }
         for k, (tangent, paper) in enumerate(zip(TANGENTS, PAPER_TANGENT, strict=True))
@@ -716,16 +718,16 @@ def _pieces_row() -> Facts:
 def squared_errors(setting: Setting, variant: str, step: float = 0.15) -> Errors:
     """Return v up to the corner of the window, and ((I - I_exact) / max I_exact)^2 of the closed form at these v."""
     v = np.arange(0.5, math.sqrt(2.0) * setting.window / step + 1.0) * step
-    truth, image = _intensities(setting, variant, v)
-    return v, ((image - truth) / truth.max()) ** 2
+    exact, image = _intensities(setting, variant, v)
+    return v, ((image - exact) / exact.max()) ** 2
 
 
 def mean_over_window(errors: Errors, window: float) -> float:
     """Return the mean over a square of half side `window` of a radial function, given at evenly spaced v."""
     v, values = errors
     # Fraction of the circle of radius v that is outside the square, at most 1.
-    outside = np.arccos(np.minimum(1.0, window / v)) * (4.0 / math.pi)
-    weight = v * np.maximum(0.0, 1.0 - outside)
+    outside_fraction = np.arccos(np.minimum(1.0, window / v)) * (4.0 / math.pi)
+    weight = v * np.maximum(0.0, 1.0 - outside_fraction)
     return float(weight @ values / weight.sum())
 
 
@@ -734,7 +736,7 @@ def tangent_search(variant: str, terms: int | None = 30) -> Facts:
 
     Closest means the smallest sum of abs(log(computed / paper)) for the two errors.
     """
-    tried = []
+    results = []
     for defocus in DEFOCI:
         errors = [
             squared_errors(
@@ -745,20 +747,20 @@ def tangent_search(variant: str, terms: int | None = 30) -> Facts:
         for window in WINDOWS[::5]:
             values = [mean_over_window(error, float(window)) for error in errors]
             distance = sum(abs(math.log(a / b)) for a, b in zip(values, PAPER_TANGENT, strict=True))
-            at = {"defocus": float(defocus), "window": float(window)}
-            tried.append((distance, {"values": values, "at": at}))
-    return min(tried, key=lambda pair: pair[0])[1]
+            parameters = {"defocus": float(defocus), "window": float(window)}
+            results.append((distance, {"values": values, "at": parameters}))
+    return min(results, key=lambda pair: pair[0])[1]
 
 
-def own_peak_error(image: NDArray[np.float64], truth: NDArray[np.float64]) -> float:
+def own_peak_error(image: NDArray[np.float64], exact: NDArray[np.float64]) -> float:
     """Return the largest difference between the middle rows of two images, each divided by its own peak."""
-    return float(np.abs(middle_row(image) / image.max() - middle_row(truth) / truth.max()).max())
+    return float(np.abs(middle_row(image) / image.max() - middle_row(exact) / exact.max()).max())
 
 
 def _slice_error(setting: Setting, variant: str) -> float:
     """Return :func:`own_peak_error` of a setting; only the middle rows are computed."""
-    truth, image = _intensities(setting, variant, setting.v)
-    return float(np.abs(image / image.max() - truth / truth.max()).max())
+    exact, image = _intensities(setting, variant, setting.v)
+    return float(np.abs(image / image.max() - exact / exact.max()).max())
 
 
 def _intensities(setting: Setting, variant: str, v: NDArray[np.float64]) -> list[NDArray[np.float64]]:
@@ -767,10 +769,12 @@ def _intensities(setting: Setting, variant: str, v: NDArray[np.float64]) -> list
     return [np.abs(method.field(pupil, v)) ** 2 for method in (REFERENCE, setting.closed_form(variant))]
 
 
-def _closest(name: str, tried: NDArray[np.float64], values: Sequence[float], target: float) -> Facts:
+def _closest(name: str, parameters: NDArray[np.float64], values: Sequence[float], target: float) -> Facts:
     """Return the value with the least abs(log(value / target)), and the parameter `name` that yields it."""
-    value, at = min(zip(values, tried.tolist(), strict=True), key=lambda pair: abs(math.log(pair[0] / target)))
-    return {"value": value, "at": {name: at}}
+    value, parameter = min(
+        zip(values, parameters.tolist(), strict=True), key=lambda pair: abs(math.log(pair[0] / target))
+    )
+    return {"value": value, "at": {name: parameter}}
 
 
 def _deviation(value: float, target: float) -> str:
@@ -810,7 +814,7 @@ def number(value: float | None) -> str:
 
 
 def closest_text(closest: Facts) -> str:
-    """Return in words the closest value and the parameters that yield it."""
+    """Return a text with the closest value and the parameters that yield it."""
     names = {"window": "v <=", "defocus": "C_d =", "spherical": "C_s ="}
     return f"{number(closest['value'])} at " + ", ".join(f"{names[key]} {x:g}" for key, x in closest["at"].items())
 
@@ -849,11 +853,11 @@ def names(figure: str) -> tuple[str, str, str]:
 
 
 def reproduce(
-    folder: Path, chosen: Iterable[str] | None = None, started: Callable[[str], object] = str, *, dpi: float = 130.0
+    folder: Path, chosen: Iterable[str] | None = None, on_start: Callable[[str], object] = str, *, dpi: float = 130.0
 ) -> Facts:
     """Write the `chosen` figures, or all figures and the table; return file names, facts of figures and the table.
 
-    `started` is called with a description before each computation.
+    `on_start` is called with a description before each computation.
     """
     figures = list(FIGURES) if chosen is None else list(dict.fromkeys(chosen))
     for figure in figures:
@@ -869,7 +873,7 @@ def reproduce(
 
     facts = {}
     for figure in figures:
-        started(f"figure {figure}: {FIGURES[figure].caption}")
+        on_start(f"figure {figure}: {FIGURES[figure].caption}")
         data = FIGURES[figure].compute()
         # All three files are encoded before the first file is written.
         contents = (picture(FIGURES[figure].draw(data), dpi), archive(data), spreadsheet(data))
@@ -878,7 +882,7 @@ def reproduce(
         facts[figure] = {"caption": FIGURES[figure].caption} | data.facts
     table = None
     if chosen is None:
-        started("the numbers")
+        on_start("the numbers")
         table = rows()
         write(TABLE[0], markdown(table).encode())
         write(TABLE[1], (json.dumps({"rows": table}, indent=2, allow_nan=False) + "\n").encode())

@@ -78,7 +78,7 @@ def psf(
         relative to the light that the objective would collect if the emitter were far from the glass. "strehl": the
         peak of the same aperture without aberration is 1. "peak": the largest value in the window is 1.
     dtype : float32 or float64, optional
-        Type of the values; by default that of `out`, or float64 for tolerances below 1e-6 and float32 otherwise.
+        Type of the values; by default the type of `out`, or float64 for tolerances below 1e-6 and float32 otherwise.
     center : (float, float) or (array_like, array_like), optional
         Row and column of the optical axis, in pixels from the centre of the first pixel; by default the centre of
         pixel ``(height // 2, width // 2)``. Arrays of rows and columns, broadcast with the stack of pupils, give each
@@ -160,7 +160,7 @@ def psf(
 class Plan:
     """A prepared computation of PSFs for many pupils, one after the other; the options are checked only once.
 
-    A call with a pupil returns the same as :func:`psf`. With `out`, calls after the first allocate no image, and
+    A call with a pupil returns the same PSF as :func:`psf`. With `out`, calls after the first allocate no image, and
     build no table that is still in the caches.
 
     Parameters
@@ -234,7 +234,7 @@ class Plan:
             pupil = question.for_axes(pupil, self._center_shape)
         if not self.plain:
             return self._blurred(pupil, derivatives, out)
-        # Checks, methods and tables depend on these properties only. Successive pupils often differ only in phase.
+        # Checks, methods and tables depend only on these properties; successive pupils often differ only in phase.
         light = pupil.aperture, pupil.radial, pupil.shape, pupil.wavelength, pupil.f_number
         prepared = self._prepared
         if prepared is None or prepared.light != light:
@@ -345,7 +345,7 @@ class Plan:
             A stack whose coefficients define the valid range of coefficients. For radially symmetric pupils the range
             is the smallest box that contains the coefficients of the stack; for other pupils it contains coefficients
             that are no larger than those of one pupil of the stack. Aperture, amplitude, wavelength and f-number of
-            the function are those of the stack.
+            the function are the same as of the stack.
         xp : module or str, optional
             ``jax.numpy``, ``torch``, ``cupy``, ``numpy`` or another array API module, or its name; NumPy by default.
         device : optional
@@ -447,7 +447,7 @@ class Measured:
         `about` is "axis" or "centroid", `of` is "image" or "optics" (without the pixel); see
         :func:`lommel.measures.energy.encircled_energy`.
         """
-        return self.measured(lambda one: measures.energy.encircled_energy(one, radius, about=about, of=of))
+        return self.measured(lambda psf: measures.energy.encircled_energy(psf, radius, about=about, of=of))
 
     def ensquared_energy(self, half_width: ArrayLike, *, about: str = "axis", of: str = "image") -> Numbers:
         """Return the fraction of all light within a square of side ``2 * half_width``.
@@ -455,7 +455,7 @@ class Measured:
         `about` is "axis" or "centroid", `of` is "image" or "optics"; see
         :func:`lommel.measures.energy.ensquared_energy`.
         """
-        return self.measured(lambda one: measures.energy.ensquared_energy(one, half_width, about=about, of=of))
+        return self.measured(lambda psf: measures.energy.ensquared_energy(psf, half_width, about=about, of=of))
 
     def energy_diameter(self, fraction: float, *, about: str = "axis", of: str = "image") -> Numbers:
         """Return the diameter of the circle that contains `fraction` of all light: 0.5 for D50, 0.8 for D80.
@@ -463,14 +463,14 @@ class Measured:
         `about` is "axis" or "centroid", `of` is "image" or "optics"; see
         :func:`lommel.measures.spot.energy_diameter`.
         """
-        return self.measured(lambda one: measures.spot.energy_diameter(one, fraction, about=about, of=of))
+        return self.measured(lambda psf: measures.spot.energy_diameter(psf, fraction, about=about, of=of))
 
     def fwhm(self, along: str = "mean", *, of: str = "image") -> Numbers:
         """Return the full width at half maximum `along` "x", along "y", or the "mean" of both.
 
         `of` is "image" or "optics"; see :func:`lommel.measures.spot.fwhm`.
         """
-        return self.measured(lambda one: measures.spot.fwhm(one, along, of=of))
+        return self.measured(lambda psf: measures.spot.fwhm(psf, along, of=of))
 
     def otf(self, fx: ArrayLike, fy: ArrayLike = 0.0, *, of: str = "image") -> NDArray[np.complex128] | np.complex128:
         """Return the optical transfer function of the image, or `of` the "optics", at frequencies `fx`, `fy`.
@@ -478,7 +478,7 @@ class Measured:
         For lenses it is computed from the wavefront, also beyond the Nyquist frequency of the pixels; see
         :func:`lommel.otf`. :func:`lommel.measures.transfer.sampled_otf` transforms the values instead.
         """
-        return self.measured(lambda one: measures.transfer.image_otf(one, fx, fy, of=of))
+        return self.measured(lambda psf: measures.transfer.image_otf(psf, fx, fy, of=of))
 
     def mtf(self, fx: ArrayLike, fy: ArrayLike = 0.0, *, of: str = "image") -> Numbers:
         """Return the modulation transfer function, the modulus of :meth:`otf`, for the same arguments."""
@@ -560,15 +560,17 @@ class PSF(Measured, PSFLike, display.Shown):
     def __repr__(self) -> str:
         bound = "none" if self.error_bound is None else f"{self.error_bound:.2g}"
         pixel = pitch_in_words(self.grid.pixel) if self.unit == "m" else f"{self.grid.named} {self.unit}"
-        how = "averaged over pixels" if self.grid.integrate else "sampled at pixel centres"
-        how += "".join(f", {type(blur).__name__}" for blur in self.blur)
+        sampling = "averaged over pixels" if self.grid.integrate else "sampled at pixel centres"
+        sampling += "".join(f", {type(blur).__name__}" for blur in self.blur)
         # Point samples more than lambda*N apart do not sum to the total light, so that their sum is shown.
         if not self.sum_is_light:
             sums = self.values.sum(axis=(-2, -1), dtype=np.float64)
-            how += f", which sum to {' to '.join(f'{s:.3g}' for s in sorted({float(sums.min()), float(sums.max())}))}"
+            sampling += (
+                f", which sum to {' to '.join(f'{s:.3g}' for s in sorted({float(sums.min()), float(sums.max())}))}"
+            )
         return (
             f"<{type(self).__name__} {'x'.join(map(str, self.shape))} {self.values.dtype}, "
-            f"pixel {pixel}, {how}, {type(self.method).__name__}, "
+            f"pixel {pixel}, {sampling}, {type(self.method).__name__}, "
             f"normalize {self.normalize!r}, error bound {bound}>"
         )
 

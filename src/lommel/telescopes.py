@@ -88,7 +88,7 @@ def hst(*, vanes: bool = True, pads: bool = True) -> Shape:
     if validation.truth("vanes", vanes):
         blocked += [Polygon.strip((-2.0, 0.0), (2.0, 0.0), 0.022), Polygon.strip((0.0, -2.0), (0.0, 2.0), 0.022)]
     if validation.truth("pads", pads):
-        blocked += [Disc(0.065, at) for at in ((0.8921, 0.0), (-0.4615, 0.7555), (-0.4564, -0.7606))]
+        blocked += [Disc(0.065, center) for center in ((0.8921, 0.0), (-0.4615, 0.7555), (-0.4564, -0.7606))]
     return Disc() - reduce(or_, blocked)
 
 
@@ -257,9 +257,9 @@ def _vaned(
     return Disc() - reduce(or_, blocked)
 
 
-def _spokes(count: int, width: float, first: float = 0.0) -> Shape:
-    """Return `count` vanes from the axis to outside the aperture, at equal angles beginning with `first` (rad)."""
-    angles = (first + 2.0 * math.pi * k / count for k in range(count))
+def _spokes(count: int, width: float, start: float = 0.0) -> Shape:
+    """Return `count` vanes from the axis to outside the aperture, at equal angles beginning with `start` (rad)."""
+    angles = (start + 2.0 * math.pi * k / count for k in range(count))
     return reduce(or_, (Polygon.strip((0.0, 0.0), (2.0 * math.cos(t), 2.0 * math.sin(t)), width) for t in angles))
 
 

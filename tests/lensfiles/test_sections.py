@@ -442,7 +442,7 @@ def test_a_fault_of_a_shape_names_its_entry(load_of_aperture_section, tmp_path, 
 def test_complex_numbers_are_no_intensity(load_of_aperture_section, tmp_path):
     np.save(tmp_path / "phase.npy", np.full((8, 8), 1j))
     load_of_aperture_section('[aperture.mask]\nfile = "phase.npy"\n')
-    with pytest.raises(ValueError, match=r'must hold real numbers with holds = "intensity", got complex ones'):
+    with pytest.raises(ValueError, match=r'must hold real numbers with holds = "intensity", got complex numbers'):
         load_of_aperture_section('[aperture.mask]\nfile = "phase.npy"\nholds = "intensity"\n')
 
 

@@ -117,7 +117,7 @@ def test_changes_are_differences_of_tables(table):
     assert made.names[len(checks._TERMS) :] == list(checks._CONSTANTS)
     sizes = np.linspace(-0.5, 0.7, len(made.names)) * made.scales
     together = np.einsum("k,nkyx->nyx", sizes, images)
-    np.testing.assert_allclose(made.together(sizes)(*places)[:, 0], together, atol=1e-6 * np.abs(together).max())
+    np.testing.assert_allclose(made.combined(sizes)(*places)[:, 0], together, atol=1e-6 * np.abs(together).max())
 
 
 def test_a_depth_that_molecules_do_not_tell_is_named(table, mean):

@@ -54,8 +54,8 @@ def test_rates_are_those_of_the_phase_across_the_pupil():
     assert Waves(pupil, "z").rate == pytest.approx(np.ptp(by_focus))
     depth = Waves(pupil, "depth")
     assert depth.rate == pytest.approx(np.ptp(by_depth.real))
-    assert depth.fading == pytest.approx(2.0 * by_depth.imag.max())
-    assert Waves(pupil, "z").fading == 0.0
+    assert depth.decay_rate == pytest.approx(2.0 * by_depth.imag.max())
+    assert Waves(pupil, "z").decay_rate == 0.0
 
 
 @pytest.mark.parametrize("low", [0.0, 0.15e-6])
@@ -79,7 +79,7 @@ def test_light_that_fades_with_the_depth_is_within_the_error(low, error):
         step = 1e-11
         exact = (share(z[1:-1] + step) - share(z[1:-1] - step)) / (2.0 * step)
         assert np.abs(slopes[1:-1] - exact).max() <= made.error.slope + 1e-4 * np.abs(exact).max()
-        assert np.abs(exact).max() <= waves.steepest * 1.001
+        assert np.abs(exact).max() <= waves.max_slope * 1.001
 
 
 def test_light_falls_to_that_far_from_the_glass():

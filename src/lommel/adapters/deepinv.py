@@ -82,7 +82,7 @@ def _linear_function() -> Callable[[Tensor, _ImageFunction, _ImageFunction], Ten
     import torch
 
     def apply_to_batch(images: Tensor, f: _ImageFunction) -> Tensor:
-        results = [np.moveaxis(f(np.moveaxis(one, 0, -1)), -1, 0) for one in images.detach().cpu().numpy()]
+        results = [np.moveaxis(f(np.moveaxis(image, 0, -1)), -1, 0) for image in images.detach().cpu().numpy()]
         return torch.from_numpy(np.ascontiguousarray(np.stack(results))).to(images)
 
     class Linear(torch.autograd.Function):  # type: ignore[misc]

@@ -105,17 +105,17 @@ def tilt_off_rays(traced: TracedField, wavelength: float) -> float:
     residual = float(np.std(traced.phase - matrix @ (to_coefficients @ traced.phase)))
     # The derivatives of the polynomials are central differences.
     step = 1e-4
-    largest, mean = 0.0, []
+    largest_slope, mean = 0.0, []
     for dx, dy in ((step, 0.0), (0.0, step)):
         shifted = (_zernike_matrix(traced.x + k * dx, traced.y + k * dy, degree)[1] for k in (1, -1))
         derivative = (next(shifted) - next(shifted)) / (2.0 * step) @ to_coefficients
         rate_x, rate_y = derivative @ traced.direction_x, derivative @ traced.direction_y
         by_rays = -2.0 * math.pi / wavelength * (traced.missed_x * rate_x + traced.missed_y * rate_y)
-        largest = max(largest, float(np.abs(by_rays).max()))
+        largest_slope = max(largest_slope, float(np.abs(by_rays).max()))
         # The mean over the pupil of the difference between the slopes is the tilt.
         mean.append(float((derivative @ traced.phase - by_rays).mean()))
     tilt = math.hypot(*mean)
-    return tilt if tilt > _TILT + _TILT_OF_SLOPES * largest + _TILT_OF_RESIDUAL * residual else 0.0
+    return tilt if tilt > _TILT + _TILT_OF_SLOPES * largest_slope + _TILT_OF_RESIDUAL * residual else 0.0
 
 
 def _check_phases(trace: Trace, wavelength: float) -> Trace:
@@ -175,30 +175,31 @@ def _pupil_from_image(
 ) -> tuple[Pupil, Array]:
     """Return the pupil seen from the image, an ellipse off the axis, and the matrix from entrance pupil to pupil."""
     transform = _fit_transform(traced)
-    axes, (major, minor), _ = np.linalg.svd(transform)  # n sin at the ends of the axes of the ellipse
+    # The semi-axes are n sin(angle) at the ends of the axes of the ellipse.
+    axes, (semi_major, semi_minor), _ = np.linalg.svd(transform)
     ellipse = None
-    if minor > (1.0 - _MIN_ELLIPTICITY) * major:
-        major = math.sqrt(major * minor)
+    if semi_minor > (1.0 - _MIN_ELLIPTICITY) * semi_major:
+        semi_major = math.sqrt(semi_major * semi_minor)
     else:
-        ellipse = Ellipse(1.0, float(minor / major), math.atan2(axes[1, 0], axes[0, 0]))
-    x, y = transform @ np.stack([traced.x, traced.y]) / major
+        ellipse = Ellipse(1.0, float(semi_minor / semi_major), math.atan2(axes[1, 0], axes[0, 0]))
+    x, y = transform @ np.stack([traced.x, traced.y]) / semi_major
     wavefront = Wavefront.zernike(_fit_terms(traced.phase, x, y, degree, tol), normalization="edge")
     pupil = Pupil(
         wavefront,
         obscuration=obscuration,
         wavelength=wavelength,
-        f_number=0.5 / float(major),
+        f_number=0.5 / float(semi_major),
         colour=TracedColour((wavelength,)),
     )
-    return pupil if ellipse is None else foreshortened(pupil, ellipse), transform / major
+    return pupil if ellipse is None else foreshortened(pupil, ellipse), transform / semi_major
 
 
 def _fit_transform(traced: TracedField) -> Array:
     """Return the matrix from entrance pupil coordinates to direction cosines seen from the image."""
     _fit_slopes(traced)
     # A pupil point is seen opposite to the direction of its ray; the view from behind the sensor mirrors x again.
-    seen = np.stack([-traced.direction_x, traced.direction_y], axis=1)
-    return np.linalg.lstsq(np.stack([traced.x, traced.y], axis=1), seen, rcond=None)[0].T
+    directions = np.stack([-traced.direction_x, traced.direction_y], axis=1)
+    return np.linalg.lstsq(np.stack([traced.x, traced.y], axis=1), directions, rcond=None)[0].T
 
 
 def single_pupil(
@@ -312,12 +313,12 @@ def polarized_pupils(
     axis = (2.0 * np.arange(side) + 1.0 - side) / side
     cells = np.stack([part.ravel() for part in np.meshgrid(axis, axis)])
     # Cells up to one cell outside the circle are included, since the edge may cross them.
-    inside = np.hypot(*cells) <= 1.0 + 2.0 / side
-    x, y = np.linalg.solve(transform, cells[:, inside])
+    is_inside = np.hypot(*cells) <= 1.0 + 2.0 / side
+    x, y = np.linalg.solve(transform, cells[:, is_inside])
     # Cells outside the entrance pupil get the field at its edge, since Zernike terms are defined for rho <= 1.
-    outside = np.maximum(np.hypot(x, y), 1.0)
+    edge_factor = np.maximum(np.hypot(x, y), 1.0)
     values = np.zeros((coefficients.shape[1], side * side), dtype=np.complex128)
-    values[:, inside] = (_zernike_matrix(x / outside, y / outside, degree)[1] @ coefficients).T
+    values[:, is_inside] = (_zernike_matrix(x / edge_factor, y / edge_factor, degree)[1] @ coefficients).T
     values /= max(1.0, np.abs(values).max())
     masks = [Mask(part.reshape(side, side)) for part in values if np.abs(part).max() > _MIN_AMPLITUDE]
     return [replace(pupil, mask=mask) for mask in masks]
@@ -341,10 +342,10 @@ def field_map(
     the f-number of the longest axis of all ellipses.
 
     `ideal` is a function that returns the image height without distortion (metres, upwards) for a fraction of the
-    largest field. With it, these heights are the positions of the map, and tilts shift the light to the actual ones.
+    largest field. With it, these heights are the positions of the map, and tilts shift the light to actual positions.
 
     The lens is also traced between the positions of the map. ValueError if the interpolated pupils there differ from
-    the traced ones by more than `tol` (radians rms); if `heights` is None, it is increased until they do not.
+    the traced pupils by more than `tol` (radians rms); if `heights` is None, it is increased until they agree.
     """
     as_circle = validation.truth("circular", circular)
     points, trace = sample_points(degree, tol), _check_phases(trace, wavelength)
@@ -380,7 +381,7 @@ def _check_between_fields(
     degree: int,
     tol: float,
 ) -> None:
-    """Raise ValueError if wavefronts of the map differ from traced ones at the centres of triangles of fields."""
+    """Raise ValueError if the map differs from traced wavefronts at the centres of triangles of field points."""
     triangulation = Delaunay(positions / np.ptp(positions, axis=0).max())
     for hx, hy in fields[triangulation.simplices].mean(axis=1):
         traced = trace(float(hx), float(hy), *points)
@@ -396,7 +397,7 @@ def _check_between_fields(
 
 
 def _difference(pupil: Pupil, terms: dict[tuple[int, int], float]) -> float:
-    """Return the rms difference in radians between the phase of a pupil and that of Zernike coefficients."""
+    """Return the rms difference in radians between the phase of a pupil and the phase of Zernike coefficients."""
     return float(rms(pupil.wavefront - Wavefront.zernike(terms, normalization="edge")))
 
 
@@ -436,14 +437,14 @@ def _radial_map(
         distances = [distance(h) for h in fractions]
         # n sin(angle) at the edge of each pupil, perpendicular (x) and parallel (y) to the direction of the field.
         axes = np.array([_semi_axes(trace_height(h)) for h in fractions])
-        half = 0.5 / f_number if circular else float(axes.max())
+        longest = 0.5 / f_number if circular else float(axes.max())
         colour = TracedColour((wavelength,))
-        aperture = Pupil(obscuration=obscuration, wavelength=wavelength, f_number=0.5 / half, colour=colour)
+        aperture = Pupil(obscuration=obscuration, wavelength=wavelength, f_number=0.5 / longest, colour=colour)
 
         def terms(traced: TracedField) -> dict[tuple[int, int], float]:
             if circular:
                 return fit(traced, degree, tol)[0]
-            x, y = _fit_transform(traced) @ np.stack([traced.x, traced.y]) / half
+            x, y = _fit_transform(traced) @ np.stack([traced.x, traced.y]) / longest
             return _fit_terms(traced.phase, x, y, degree, tol)
 
         def shifted_terms(fraction: float) -> dict[tuple[int, int], float]:
@@ -462,7 +463,7 @@ def _radial_map(
             distances = [upwards * ideal(h) for h in fractions]
             wavefront = _stack_fits([shifted_terms(h) for h in fractions])
             radial_map = FieldMap.radial(distances, wavefront, azimuth=azimuth, aperture=aperture)
-        foreshortening = None if circular else Foreshortening(distances, *(axes.T / half)[::-1])
+        foreshortening = None if circular else Foreshortening(distances, *(axes.T / longest)[::-1])
         differences = []
         for fraction in np.mean([fractions[1:], fractions[:-1]], axis=0).tolist():
             height = distance(fraction) if ideal is None else upwards * ideal(fraction)
@@ -470,8 +471,8 @@ def _radial_map(
             if foreshortening is not None:
                 # An error e of a semi-axis changes amplitudes by up to 2 e, as a phase error of 2 e rad rms does.
                 ellipse = foreshortening.at(height, 0.0) or Ellipse(1.0, 1.0)
-                across, along = _semi_axes(trace_height(fraction)) / half
-                differences.append(2.0 * max(abs(ellipse.a - along), abs(ellipse.b - across)))
+                semi_x, semi_y = _semi_axes(trace_height(fraction)) / longest
+                differences.append(2.0 * max(abs(ellipse.a - semi_y), abs(ellipse.b - semi_x)))
         return radial_map if foreshortening is None else radial_map.seen_through(foreshortening), max(differences)
 
     counts = _COUNTS if heights is None else (validation.integer("heights", heights, least=2, most=1000),)
@@ -495,20 +496,20 @@ def _require_symmetry(
 ) -> None:
     """Raise ValueError if the terms at the edge of the field along x disagree with the map of fields along y."""
     x, y = position
-    asymmetric = abs(math.hypot(x, y) - edge) > 1e-6 * edge
-    if not asymmetric:
+    is_asymmetric = abs(math.hypot(x, y) - edge) > 1e-6 * edge
+    if not is_asymmetric:
         factor = edge / math.hypot(x, y)
         expected = replace(radial_map, vignetting=None).pupil(x * factor, -y * factor).wavefront
         difference = expected - Wavefront.zernike(along_x, normalization="edge")
-        asymmetric = any(abs(float(c)) > 10.0 * tol for c in difference.edge_terms().values())
-    if asymmetric:
+        is_asymmetric = any(abs(float(c)) > 10.0 * tol for c in difference.edge_terms().values())
+    if is_asymmetric:
         raise ValueError("the lens is not rotationally symmetric; give fields, the points of the field to trace")
 
 
 def _stack_fits(fits: Sequence[dict[tuple[int, int], float]]) -> Wavefront:
     """Return the stack of wavefronts from their Zernike coefficients (radians at the edge)."""
-    terms = {t: np.array([one[t] for one in fits]) for t in fits[0]}
-    return Wavefront.zernike(terms, normalization="edge")
+    stacked = {t: np.array([terms[t] for terms in fits]) for t in fits[0]}
+    return Wavefront.zernike(stacked, normalization="edge")
 
 
 def _check_point(name: str, value: object) -> tuple[float, float]:

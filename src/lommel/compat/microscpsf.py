@@ -143,12 +143,12 @@ def _compute_images(
     side = validation.integer("xy_size", xy_size, least=1, most=10_000)
     # Coordinates in half pixels are integers, for even and odd sides.
     half_pixels = 2 * np.arange(side) - (side - 1)
-    squares, which = np.unique(half_pixels**2 + half_pixels[:, None] ** 2, return_inverse=True)
+    squares, inverse = np.unique(half_pixels**2 + half_pixels[:, None] ** 2, return_inverse=True)
     pitch = validation.real("dxy", dxy, above=0.0)
     # The second array adds radii at steps of half a pixel, at which the largest value is searched as well.
     radii = np.concatenate([0.5 * pitch * np.sqrt(squares), 0.5 * pitch * np.arange(1.5 * side + 2)])
     profiles = _compute_profiles(mp, radii, zv, pz, wvl, normalize)
-    return profiles[:, : squares.size][:, which.reshape(side, side)]
+    return profiles[:, : squares.size][:, inverse.reshape(side, side)]
 
 
 def _compute_profiles(
@@ -158,7 +158,7 @@ def _compute_profiles(
     params = _relevant_params(mp)
     depth = np.atleast_1d(validation.real_array("pz", pz, least=0.0))
     radii = 1e-6 * np.atleast_1d(validation.real_array("rv", rv, least=0.0))
-    found = psfmodels.objective(params).scalar(
+    result = psfmodels.objective(params).scalar(
         radii,
         depth=1e-6 * depth,
         focus=_stage_positions(params, zv),
@@ -166,5 +166,5 @@ def _compute_profiles(
         supercritical=False,
     )
     # MicroscPSF-Py squares an integral over rho drho, which is at most 1/2; the intensity here is at most 1.
-    values = 0.25 * found.intensity
+    values = 0.25 * result.intensity
     return np.asarray(values / values.max() if validation.truth("normalize", normalize) else values)

@@ -40,8 +40,8 @@ def effective_psf(pupil: Pupil, shape: int, pixel: float, *, oversampling: int =
     Returns
     -------
     ndarray, shape pupil.shape + (n, n), ``n = oversampling * (shape - 1) + 1``
-        The sum of the values of an ePSF is ``oversampling**2`` times the light in the window. The error bound is that
-        of :func:`lommel.psf`.
+        The sum of the values of an ePSF is ``oversampling**2`` times the light in the window. The error bound is the
+        bound of :func:`lommel.psf`.
 
     Raises
     ------
@@ -53,7 +53,7 @@ def effective_psf(pupil: Pupil, shape: int, pixel: float, *, oversampling: int =
     J. Anderson and I. R. King, PASP 112, 1360 (2000), doi:10.1086/316632.
     """
     side = validation.integer("shape", shape, least=3, most=10_000)
-    times = validation.integer("oversampling", oversampling, least=1, most=32)
+    factor = validation.integer("oversampling", oversampling, least=1, most=32)
     if side % 2 == 0:
         raise ValueError(f"shape must be odd, so that the star is in the middle of a pixel, got {side}")
     for name in ("center", "integrate"):
@@ -61,14 +61,14 @@ def effective_psf(pupil: Pupil, shape: int, pixel: float, *, oversampling: int =
             raise ValueError(
                 f"{name} must be left out: effective PSFs are pixel-integrated and centred on the middle pixel"
             )
-    # Compute a PSF for each of times^2 subpixel shifts of the axis. Interleaved, they are the oversampled values.
-    row, column = side // 2 - np.mgrid[:times, :times] / times
+    # Compute a PSF for each of factor^2 subpixel shifts of the axis. Interleaved, they are the oversampled values.
+    row, column = side // 2 - np.mgrid[:factor, :factor] / factor
     stack = pupil[..., None, None] if pupil.shape else pupil
     shifted = psf(stack, side, pixel, center=(row, column), integrate=True, **options).values
-    last = shifted.ndim
-    order = (*range(last - 4), last - 2, last - 4, last - 1, last - 3)
-    interleaved = shifted.transpose(order).reshape(*pupil.shape, side * times, side * times)
-    n = times * (side - 1) + 1
+    axes = shifted.ndim
+    order = (*range(axes - 4), axes - 2, axes - 4, axes - 1, axes - 3)
+    interleaved = shifted.transpose(order).reshape(*pupil.shape, side * factor, side * factor)
+    n = factor * (side - 1) + 1
     return np.ascontiguousarray(interleaved[..., :n, :n])
 
 

@@ -65,11 +65,11 @@ def pupil_arrays(pupil: Pupil, samples: int, *, diameter: float) -> PupilArrays:
     axis = (np.arange(n) - n // 2) * (2.0 / n)
     x, y = np.meshgrid(axis, axis)
     rho, theta = np.hypot(x, y), np.arctan2(y, x)
-    inside = (rho <= 1.0) & (rho >= pupil.obscuration)
+    is_clear = (rho <= 1.0) & (rho >= pupil.obscuration)
     # Outside the pupil, where the amplitude is 0, use the edge, since Zernike terms are defined for rho <= 1.
     clipped = np.minimum(rho, 1.0)
-    amplitude = np.where(inside, pupil.illumination.value(clipped), 0.0)
-    phase = np.where(inside, pupil.wavefront.phase(clipped, theta), 0.0)
+    amplitude = np.where(is_clear, pupil.illumination.value(clipped), 0.0)
+    phase = np.where(is_clear, pupil.wavefront.phase(clipped, theta), 0.0)
     opd = phase * (1e9 * pupil.wavelength / (2.0 * np.pi))
     return PupilArrays(amplitude, opd, 1e6 * pupil.wavelength, 1e3 * width / n)
 

@@ -178,8 +178,10 @@ def objective(params: Mapping[str, float]) -> Objective:
 
 
 def _centered_planes(count: int, step: float, middle: float) -> Array:
-    half = 0.5 * (validation.integer("z", count, least=1, most=100_000) - 1) * validation.real("dz", step, above=0.0)
-    return np.linspace(middle - half, middle + half, count)
+    half_range = (
+        0.5 * (validation.integer("z", count, least=1, most=100_000) - 1) * validation.real("dz", step, above=0.0)
+    )
+    return np.linspace(middle - half_range, middle + half_range, count)
 
 
 def _compute_stack(
@@ -201,14 +203,14 @@ def _compute_stack(
     side = validation.integer("nx", nx, least=1, most=10_000)
     depth = validation.real("pz", pz, least=0.0)
     planes = np.atleast_1d(validation.real_array("zv", zv))
-    scalar = validation.choice("model", model, _MODELS) == "scalar"
+    is_scalar = validation.choice("model", model, _MODELS) == "scalar"
     # psfmodels: z = 0 is paraxial focus on the cover glass; Objective.pupil: z = 0 is paraxial focus on the point.
     pupil = objective(options).pupil(
         depth=1e-6 * depth,
         z=1e-6 * (planes - depth),
         wavelength=1e-6 * validation.real("wvl", wvl, above=0.0),
         origin="paraxial",
-        emitter=Scalar() if scalar else "isotropic",
+        emitter=Scalar() if is_scalar else "isotropic",
     )
     pitch = 1e-6 * validation.real("dxy", dxy, above=0.0)
     middle = (side - 1) // 2

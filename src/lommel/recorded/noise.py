@@ -76,13 +76,13 @@ class Noise(EqualByContent):
     excess: float = 1.0
 
     def __post_init__(self) -> None:
-        checked = {"read": _number("read", self.read, least=0.0), "offset": _number("offset", self.offset)}
-        checked["excess"] = validation.real("excess", self.excess, least=1.0, most=100.0)
+        values = {"read": _number("read", self.read, least=0.0), "offset": _number("offset", self.offset)}
+        values["excess"] = validation.real("excess", self.excess, least=1.0, most=100.0)
         if self.white is not None:
-            checked["white"] = white = _number("white", self.white)
+            values["white"] = white = _number("white", self.white)
             if not np.all(white > 0.0):
                 raise ValueError(f"white must be > 0 electrons, got {np.min(white):g}")
-        vars(self).update(checked)
+        vars(self).update(values)
 
     def electrons(self, image: ArrayLike) -> Array:
         """Return the electrons of a recorded `image` (..., height, width), ``(image - offset) * white``.
@@ -93,7 +93,7 @@ class Noise(EqualByContent):
         return np.asarray((values - self._for("offset", values.shape)) * self._for("white", values.shape))
 
     def image(self, electrons: ArrayLike) -> Array:
-        """Return the image of `electrons`, the inverse of :meth:`electrons`; ValueError if one is not finite."""
+        """Return the image of `electrons`, the inverse of :meth:`electrons`; ValueError if a value is not finite."""
         values = validation.real_array("electrons", electrons)
         return np.asarray(values / self._for("white", values.shape) + self._for("offset", values.shape))
 
@@ -116,19 +116,19 @@ class Noise(EqualByContent):
         """Return a simulated image with random photon and read noise, in the unit of images, not rounded.
 
         `electrons` is the mean of each pixel, shape ``(..., height, width)``; an integer `seed` always returns the
-        same image. TypeError or ValueError if a mean is negative or not finite, or `seed` is not one. With `excess`
+        same image. TypeError or ValueError if a mean is negative or not finite, or `seed` is no seed. With `excess`
         each electron is multiplied by a random number of mean 1: exponentially distributed for an excess of 2, else
         gamma.
         """
         mean = validation.real_array("electrons", electrons, least=0.0)
-        draw = random_numbers(seed)
-        photons: Array = draw.poisson(mean).astype(float)
-        image = np.asarray(draw.standard_normal(mean.shape))
+        random = random_numbers(seed)
+        photons: Array = random.poisson(mean).astype(float)
+        image = np.asarray(random.standard_normal(mean.shape))
         if self.excess > 1.0:
             # A sum of n gamma variates of shape k and scale 1/k; by Wald's identity the variance is mean (1 + 1/k),
             # and the excess is 1 + 1/k.
             shape = 1.0 / (self.excess - 1.0)
-            photons = np.asarray(draw.gamma(shape * photons)) / shape
+            photons = np.asarray(random.gamma(shape * photons)) / shape
         image *= self._for("read", mean.shape)
         image += photons
         image /= self._for("white", mean.shape)

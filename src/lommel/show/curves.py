@@ -94,16 +94,16 @@ def moved(
         )
     low, high = _foci(pupil)
     if lens is not None:
-        at = _shift_range(lens, low, high) if reach is None else _even_shifts(reach, lens.sensor_distance, n)
-        at = np.linspace(at[0], at[-1], n)
-        lenses = (replace(lens, sensor_distance=lens.sensor_distance + float(z)) for z in at)
+        shifts = _shift_range(lens, low, high) if reach is None else _even_shifts(reach, lens.sensor_distance, n)
+        shifts = np.linspace(shifts[0], shifts[-1], n)
+        lenses = (replace(lens, sensor_distance=lens.sensor_distance + float(z)) for z in shifts)
         distance = pupil.geometry.object_distance[0] if pupil.geometry else object_distance
-        return Moved(at, True, tuple(each.pupil(distance) for each in lenses))
+        return Moved(shifts, True, tuple(shifted.pupil(distance) for shifted in lenses))
     step = 1.0 if pupil.wavelength is None else -8.0 * pupil.scale**2 / (math.pi * pupil.wavelength)
-    first, last = sorted((step * low, step * high))
-    at = np.linspace(first, last, n) if reach is None else _even_shifts(reach, math.inf, n)
-    stack = replace(pupil, wavefront=pupil.wavefront + Wavefront(at / step), geometry=None)
-    return Moved(at, pupil.wavelength is not None, (stack,))
+    smallest, largest = sorted((step * low, step * high))
+    shifts = np.linspace(smallest, largest, n) if reach is None else _even_shifts(reach, math.inf, n)
+    stack = replace(pupil, wavefront=pupil.wavefront + Wavefront(shifts / step), geometry=None)
+    return Moved(shifts, pupil.wavelength is not None, (stack,))
 
 
 def section(through: Moved, x: Array) -> Array:
@@ -126,11 +126,11 @@ def section(through: Moved, x: Array) -> Array:
     rows = []
     for pupil in through.pupils:
         # Irradiance is inversely proportional to the square of the scale lambda*N.
-        spread = (middle.scale / pupil.scale) ** 2
+        irradiance_ratio = (middle.scale / pupil.scale) ** 2
         if pupil.radial:
             method: Method = of_profiles()
-            v, back = np.unique(pupil.v(np.abs(x)), return_inverse=True)
-            values = of_profiles().profile(pupil, v).values[:, back.ravel()]
+            v, inverse = np.unique(pupil.v(np.abs(x)), return_inverse=True)
+            values = of_profiles().profile(pupil, v).values[:, inverse.ravel()]
         else:
             grid = Grid((1, x.size), step, center=(0.0, float(x.size // 2)))
 
@@ -139,12 +139,12 @@ def section(through: Moved, x: Array) -> Array:
 
             method, images = first_within_tolerance(candidates(pupil, grid), compute)
             values = images.values[:, 0]
-        rows.append(values * (spread / method.unaberrated_peak(pupil)))
+        rows.append(values * (irradiance_ratio / method.unaberrated_peak(pupil)))
     return np.concatenate(rows).astype(np.float64)
 
 
 def _foci(pupil: Pupil) -> tuple[float, float]:
-    """Return the lowest and the highest added defocus C_d, radians, which enclose 0 and the foci of all zones."""
+    """Return the range of added defocus C_d, radians, that contains 0 and the foci of all zones, with a margin."""
     t = np.linspace(pupil.obscuration**2, 1.0, 129)
     # Defocus adds the phase C_d (2 t - 1), t = rho^2. A zone is in focus if its slope 2 C_d cancels the slope of the
     # pupil's phase.
@@ -168,13 +168,13 @@ def _shift_range(lens: Lens, low: float, high: float) -> Array:
 
 def _even_shifts(reach: float, sensor_distance: float, count: int) -> Array:
     """Return `count` equally spaced shifts from -reach to reach; ValueError unless reach < sensor_distance."""
-    far = validation.real("reach", reach, above=0.0)
-    if far >= sensor_distance:
-        raise ValueError(f"reach must be below the distance of the sensor, {sensor_distance:g} m, got {far:g}")
-    return np.linspace(-far, far, count)
+    limit = validation.real("reach", reach, above=0.0)
+    if limit >= sensor_distance:
+        raise ValueError(f"reach must be below the distance of the sensor, {sensor_distance:g} m, got {limit:g}")
+    return np.linspace(-limit, limit, count)
 
 
-_ACROSS = 241  # number of points along x in a section
+_X_POINTS = 241  # number of points along x in a section
 _CUTOFF_FRACTIONS = (0.1, 0.25, 0.5)  # default frequencies of focus_curves(), as fractions of the cutoff
 _TOL = 1e-6  # tolerance of drawn MTFs
 
@@ -226,18 +226,18 @@ def through_focus(
     validation.axes("ax", ax)
     validation.choice("stretch", stretch, drawing.STRETCHES)
     through = moved(thing, object_distance, reach=reach, count=planes)
-    here = through.pupils[len(through.pupils) // 2]
+    unshifted = through.pupils[len(through.pupils) // 2]
     if half_width is None:
         blur = max(float(pupil.geometric_radius().max()) for pupil in (through.pupils[0], through.pupils[-1]))
-        half_width = 1.1 * blur + here.airy_radius
-    half = validation.real("half_width", half_width, above=0.0)
-    x = np.linspace(-half, half, _ACROSS)
+        half_width = 1.1 * blur + unshifted.airy_radius
+    half_x = validation.real("half_width", half_width, above=0.0)
+    x = np.linspace(-half_x, half_x, _X_POINTS)
     values = np.maximum(section(through, x), 0.0)
-    factor, unit = drawing.lengths(here.unit)
+    factor, unit = drawing.lengths(unshifted.unit)
     shift, label = _shift(through)
     step = x[1] - x[0], shift[1] - shift[0]
     axes = drawing.new_axes(ax, figsize=(7.2, 4.2))
-    top = (half + 0.5 * step[0]) * factor
+    top = (half_x + 0.5 * step[0]) * factor
     axes.imshow(
         values.T,
         extent=(shift[0] - 0.5 * step[1], shift[-1] + 0.5 * step[1], -top, top),
@@ -251,7 +251,7 @@ def through_focus(
     axes.set(xlabel=label, ylabel=f"x ({unit})")
     if ax is None:
         label = drawing.bar_label("irradiance (1 = unaberrated peak)", stretch)
-        drawing.caption(axes, _through_focus_title(thing, here, object_distance), label)
+        drawing.caption(axes, _through_focus_title(thing, unshifted, object_distance), label)
     return axes
 
 
@@ -293,23 +293,23 @@ def focus_curves(
     """
     validation.axes("ax", ax)
     through = moved(thing, object_distance, reach=reach, count=planes)
-    here = through.pupils[len(through.pupils) // 2]
-    values = np.array(_CUTOFF_FRACTIONS) * here.cutoff if frequency is None else frequency
+    unshifted = through.pupils[len(through.pupils) // 2]
+    values = np.array(_CUTOFF_FRACTIONS) * unshifted.cutoff if frequency is None else frequency
     f = np.atleast_1d(validation.real_array("frequency", values, least=0.0))
     axes = drawing.new_axes(ax, figsize=(6.4, 4.2))
     shift, label = _shift(through)
     ratios = np.concatenate([np.atleast_1d(strehl(pupil)) for pupil in through.pupils])
     axes.plot(shift, ratios, color=axes.xaxis.label.get_color(), label="Strehl ratio")  # white in dark styles
-    if here.mask is None:
-        factor, unit = drawing.frequencies(here.unit)
-        along = {"-": (f, np.zeros(f.size))} | ({} if here.radial else {"--": (np.zeros(f.size), f)})
-        for style, (fx, fy) in along.items():
+    if unshifted.mask is None:
+        factor, unit = drawing.frequencies(unshifted.unit)
+        directions = {"-": (f, np.zeros(f.size))} | ({} if unshifted.radial else {"--": (np.zeros(f.size), f)})
+        for style, (fx, fy) in directions.items():
             curves = np.concatenate([np.atleast_2d(transfer.mtf(p, fx, fy, tol=_TOL)) for p in through.pupils])
             for k, value in enumerate(f):
                 name = f"MTF at {value * factor:.3g} {unit}" + (", along y" if style == "--" else "")
                 axes.plot(shift, curves[:, k], style, color=f"C{k}", label=name)
     axes.axvline(0.0, color="0.5", linewidth=0.8, linestyle="--")
-    title = _through_focus_title(thing, here, object_distance) if ax is None else None
+    title = _through_focus_title(thing, unshifted, object_distance) if ax is None else None
     drawing.complete_curves(axes, title, (shift[0], shift[-1]), xlabel=label, ylabel="Strehl ratio, MTF")
     return axes
 
@@ -379,30 +379,32 @@ def mtf(thing: Pupil | PSFLike, ax: Axes | None = None, *, pixel: float | None =
     titles = drawing.of_pupils(pupil)
     axes = drawing.new_axes(ax)
     factor, unit = drawing.frequencies(pupil.unit)
-    most = pupil.cutoff * (thing.method.stretch(pupil) if is_psf(thing) else 1.0)
-    f, zero = np.linspace(0.0, most, _POINTS), np.zeros(_POINTS)
+    max_frequency = pupil.cutoff * (thing.method.stretch(pupil) if is_psf(thing) else 1.0)
+    f, zero = np.linspace(0.0, max_frequency, _POINTS), np.zeros(_POINTS)
     for k, (place, index) in enumerate(members.items()):
-        one = thing[index] if pupil.shape else thing
+        member = thing[index] if pupil.shape else thing
         name = f"{titles[place]}, " if pupil.shape else ""
-        if _equal_along_axes(one, sides):
-            axes.plot(factor * f, _curve(one, f, zero, sides), color=f"C{k}", label=name.rstrip(", ") or "MTF")
+        if _equal_along_axes(member, sides):
+            axes.plot(factor * f, _curve(member, f, zero, sides), color=f"C{k}", label=name.rstrip(", ") or "MTF")
             continue
-        axes.plot(factor * f, _curve(one, f, zero, sides), color=f"C{k}", label=f"{name}along x")
-        axes.plot(factor * f, _curve(one, zero, f, sides), "--", color=f"C{k}", label=f"{name}along y")
+        axes.plot(factor * f, _curve(member, f, zero, sides), color=f"C{k}", label=f"{name}along x")
+        axes.plot(factor * f, _curve(member, zero, f, sides), "--", color=f"C{k}", label=f"{name}along y")
     if isinstance(pupil, Pupil):
-        first: Any = thing[(0,) * len(pupil.shape)] if pupil.shape else thing
-        if is_psf(first):
-            ideal: Any = replace(first, pupil=first.pupil.unaberrated(), derivatives={})  # type: ignore[attr-defined]
+        single: Any = thing[(0,) * len(pupil.shape)] if pupil.shape else thing
+        if is_psf(single):
+            ideal: Any = replace(single, pupil=single.pupil.unaberrated(), derivatives={})  # type: ignore[attr-defined]
         else:
-            ideal = first.unaberrated()
+            ideal = single.unaberrated()
         axes.plot(factor * f, _curve(ideal, f, zero, sides), color="0.5", linewidth=1.0, label="without aberration")
     if sides[1]:
         axes.plot(factor * f, _pixel_mtf(f, sides[1]), ":", color="0.5", label="pixel alone")
         nyquist = 0.5 / (thing.grid.pitch[1] if is_psf(thing) else sides[1])
-        if nyquist <= most:
+        if nyquist <= max_frequency:
             axes.axvline(factor * nyquist, color="0.5", linewidth=0.8, linestyle="-.", label="Nyquist of pixels")
     title = _title(pupil, thing.pixel if is_psf(thing) and sides[1] else pixel) if ax is None else None
-    drawing.complete_curves(axes, title, (0.0, factor * most), xlabel=f"spatial frequency ({unit})", ylabel="MTF")
+    drawing.complete_curves(
+        axes, title, (0.0, factor * max_frequency), xlabel=f"spatial frequency ({unit})", ylabel="MTF"
+    )
     return axes
 
 
@@ -415,12 +417,14 @@ def _equal_along_axes(thing: Any, sides: tuple[float, float]) -> bool:
     """Return True if the MTFs along x and y are equal."""
     if not is_psf(thing):
         return bool(thing.radial)
-    directional = any(one.streak != (0.0, 0.0) or one.covariance[0, 0] != one.covariance[1, 1] for one in thing.blur)
+    directional = any(
+        part.streak != (0.0, 0.0) or part.covariance[0, 0] != part.covariance[1, 1] for part in thing.blur
+    )
     return thing.pupil.radial and sides[0] == sides[1] and not directional
 
 
 def _curve(thing: Any, fx: Array, fy: Array, sides: tuple[float, float]) -> Array:
-    """Return the MTF of a single pupil times that of pixels with `sides` (y, x), or the MTF of a single PSF."""
+    """Return the MTF of a single pupil times the MTF of pixels with `sides` (y, x), or the MTF of a single PSF."""
     if not is_psf(thing):
         return np.asarray(transfer.mtf(thing, fx, fy, tol=_TOL)) * _pixel_mtf(fx, sides[1]) * _pixel_mtf(fy, sides[0])
     return np.asarray(np.abs(transfer.image_otf(thing, fx, fy, tol=_TOL)))
@@ -470,27 +474,29 @@ def encircled_energy(psf: PSFLike, ax: Axes | None = None, *, radius: float | No
     """
     pupil = checked(psf, "psf").pupil
     validation.axes("ax", ax)
-    far = _window_radius(psf) if radius is None else validation.real("radius", radius, above=0.0)
-    at = np.linspace(0.0, far, _RADII)
+    max_radius = _window_radius(psf) if radius is None else validation.real("radius", radius, above=0.0)
+    radii = np.linspace(0.0, max_radius, _RADII)
     factor, unit = drawing.lengths(psf.unit)
     title = "encircled energy"
     axes = drawing.new_axes(ax)
     if pupil.shape:
         titles = drawing.of_pupils(pupil)
         for place, index in drawing.evenly_spaced_members(pupil.shape, _MAX_MEMBERS).items():
-            axes.plot(factor * at, within(psf[index], at), label=titles[place])
+            axes.plot(factor * radii, within(psf[index], radii), label=titles[place])
     else:
-        curve = np.asarray(within(psf, at))
-        axes.plot(factor * at, curve, label="PSF")
+        curve = np.asarray(within(psf, radii))
+        axes.plot(factor * radii, curve, label="PSF")
         if isinstance(pupil, Pupil):
-            ideal = within(replace(psf, pupil=pupil.unaberrated(), derivatives={}), at)
-            axes.plot(factor * at, ideal, "--", color="0.5", label="without aberration")
-        radii = {part: factor * float(np.interp(part, curve, at)) for part in _FRACTIONS if curve[-1] > part}
-        notes = [f"{percent(part)} within {marked:.3g} {unit}" for part, marked in radii.items()]
+            ideal = within(replace(psf, pupil=pupil.unaberrated(), derivatives={}), radii)
+            axes.plot(factor * radii, ideal, "--", color="0.5", label="without aberration")
+        marked_radii = {
+            part: factor * float(np.interp(part, curve, radii)) for part in _FRACTIONS if curve[-1] > part
+        }
+        notes = [f"{percent(part)} within {marked_radius:.3g} {unit}" for part, marked_radius in marked_radii.items()]
         title = ", ".join([title, *notes])
-        for part, marked in radii.items():
-            axes.plot([0.0, marked, marked], [part, part, 0.0], ":", color="0.5", linewidth=0.8)
-    figure_title, limits = title if ax is None else None, (0.0, far * factor)
+        for part, marked_radius in marked_radii.items():
+            axes.plot([0.0, marked_radius, marked_radius], [part, part, 0.0], ":", color="0.5", linewidth=0.8)
+    figure_title, limits = title if ax is None else None, (0.0, max_radius * factor)
     ylabel = "fraction of all light"
     drawing.complete_curves(axes, figure_title, limits, "lower right", xlabel=f"radius ({unit})", ylabel=ylabel)
     return axes
@@ -498,7 +504,7 @@ def encircled_energy(psf: PSFLike, ax: Axes | None = None, *, radius: float | No
 
 def _window_radius(psf: PSFLike) -> float:
     """Return the radius of the largest circle about the axis in the window; half a side if the axis is outside."""
-    ends = [part for at in (psf.grid.x, psf.grid.y) for part in (-at[..., 0], at[..., -1])]
-    inside = float(np.min(ends)) + 0.5 * min(psf.grid.pitch)
+    limits = [part for positions in (psf.grid.x, psf.grid.y) for part in (-positions[..., 0], positions[..., -1])]
+    radius = float(np.min(limits)) + 0.5 * min(psf.grid.pitch)
     sides = (count * pitch for count, pitch in zip(psf.grid.shape, psf.grid.pitch, strict=True))
-    return inside if inside > 0.0 else 0.5 * max(sides)
+    return radius if radius > 0.0 else 0.5 * max(sides)

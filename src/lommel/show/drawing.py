@@ -35,9 +35,9 @@ def of_pupils(pupil: BasePupil) -> list[str]:
     """Return a label for each pupil of the flattened stack: the object distance, depth and z, or a coefficient."""
     if isinstance(pupil, ObjectivePupil):
         places = {"depth": pupil.depth, "z": pupil.z}
-        varied = [_lengths(f"{name} ", at.ravel()) for name, at in places.items() if np.ptp(at)]
-        if varied:
-            return [", ".join(parts) for parts in zip(*varied, strict=True)]
+        varying_labels = [_lengths(f"{name} ", values.ravel()) for name, values in places.items() if np.ptp(values)]
+        if varying_labels:
+            return [", ".join(parts) for parts in zip(*varying_labels, strict=True)]
     if isinstance(pupil, Pupil):
         distances = () if pupil.geometry is None else pupil.geometry.object_distance
         if len(set(distances)) > 1:
@@ -48,33 +48,33 @@ def of_pupils(pupil: BasePupil) -> list[str]:
 
 def of_wavefronts(wavefront: Wavefront) -> list[str]:
     """Return a label for each wavefront of the flattened stack: a coefficient if only one varies, else an index."""
-    flat = wavefront.flattened()
-    powers = flat.coefficients
-    others = flat.edge[:, flat.symmetric :]
-    radial, nonradial = (np.flatnonzero(np.ptp(part, axis=0)) for part in (powers, others))
+    flattened = wavefront.flattened()
+    powers = flattened.coefficients
+    nonradial_edge = flattened.edge[:, flattened.symmetric :]
+    radial, nonradial = (np.flatnonzero(np.ptp(part, axis=0)) for part in (powers, nonradial_edge))
     if radial.size == 1 and not nonradial.size and radial[0] < 2:
-        name, values = (("defocus", flat.defocus), ("spherical", flat.spherical))[radial[0]]
+        name, values = (("defocus", flattened.defocus), ("spherical", flattened.spherical))[radial[0]]
     elif nonradial.size == 1 and not radial.size:
-        return _term_labels(flat, flat.symmetric + int(nonradial[0]))
+        return _term_labels(flattened, flattened.symmetric + int(nonradial[0]))
     else:
-        varied = np.flatnonzero(np.ptp(flat.edge, axis=0))
-        if varied.size != 1:
+        varying = np.flatnonzero(np.ptp(flattened.edge, axis=0))
+        if varying.size != 1:
             return _indices(wavefront.shape)
-        return _term_labels(flat, int(varied[0]))
+        return _term_labels(flattened, int(varying[0]))
     return [f"{name} {true_minus(f'{value + 0.0:.3g}')} rad" for value in values]
 
 
-def _term_labels(flat: Wavefront, column: int) -> list[str]:
-    n, m = flat.terms[column]
-    waves = flat.edge[:, column] / (2.0 * math.pi * zernike.rms_factor(n, m)) + 0.0
+def _term_labels(wavefront: Wavefront, column: int) -> list[str]:
+    n, m = wavefront.terms[column]
+    waves = wavefront.edge[:, column] / (2.0 * math.pi * zernike.rms_factor(n, m)) + 0.0
     return [f"{zernike.name(n, m)} {true_minus(f'{value:.3g}')} waves rms" for value in waves]
 
 
-def _lengths(what: str, at: Array) -> list[str]:
-    """Return lengths as texts in one unit, which suits the largest finite length; each begins with `what`."""
-    finite = np.abs(at[np.isfinite(at)])
+def _lengths(prefix: str, values: Array) -> list[str]:
+    """Return lengths as texts in one unit, which suits the largest finite length; each begins with `prefix`."""
+    finite = np.abs(values[np.isfinite(values)])
     like = float(finite.max()) if finite.size else None
-    return [f"{what}{length_in_words(length + 0.0, like=like)}" for length in at.tolist()]
+    return [f"{prefix}{length_in_words(length + 0.0, like=like)}" for length in values.tolist()]
 
 
 def length_in_words(metres: float, like: float | None = None) -> str:
@@ -101,7 +101,7 @@ def true_minus(text: str) -> str:
 
 
 def name_in_words(name: str) -> str:
-    """Return the name of a lens for figures, with µm in place of um."""
+    """Return the name of a lens for figures, with um replaced by µm."""
     return re.sub(r"(?<=\d )um\b", "µm", name)
 
 
@@ -223,12 +223,12 @@ def picture_axes(ax: Axes | None, height: float, width: float) -> Axes:
 
 
 def lengths(unit: str) -> tuple[float, str]:
-    """Return the unit of drawn lengths, after the factor that converts lengths in the `unit` of a pupil to it."""
+    """Return (1) the factor from lengths in the `unit` of a pupil to drawn lengths, and (2) their unit."""
     return (1e6, "µm") if unit == "m" else (1.0, "λN")
 
 
 def frequencies(unit: str) -> tuple[float, str]:
-    """Return the unit of drawn frequencies, after the factor that converts cycles per `unit` to it."""
+    """Return (1) the factor from cycles per `unit` to drawn frequencies, and (2) their unit."""
     return (1e-3, "cycles/mm") if unit == "m" else (1.0, "cycles/λN")
 
 
@@ -246,10 +246,10 @@ def at_most(shape: tuple[int, ...]) -> None:
         )
 
 
-def round_length(most: float) -> float:
-    """Return the largest number of the form 1, 2 or 5 times a power of ten that is at most `most`."""
-    decade = 10.0 ** np.floor(np.log10(most))
-    return float(max(k * decade for k in (1.0, 2.0, 5.0) if k * decade <= most * (1.0 + 1e-12)))
+def round_length(limit: float) -> float:
+    """Return the largest number of the form 1, 2 or 5 times a power of ten that is at most `limit`."""
+    decade = 10.0 ** np.floor(np.log10(limit))
+    return float(max(k * decade for k in (1.0, 2.0, 5.0) if k * decade <= limit * (1.0 + 1e-12)))
 
 
 def columns_of(count: int) -> int:
@@ -259,26 +259,26 @@ def columns_of(count: int) -> int:
     return min(range(3, 9), key=lambda columns: (-count % columns, abs(columns - math.sqrt(1.5 * count))))
 
 
-def figure_of(drawn: Figure | Axes) -> Figure:
+def figure_of(artist: Figure | Axes) -> Figure:
     """Return the figure that contains axes or a subfigure."""
-    figure = drawn.get_figure(root=True)
+    figure = artist.get_figure(root=True)
     assert figure is not None
     return figure
 
 
-def fit_to_width(text: str, drawn: Figure | Axes, size: float = 9.0) -> str:
+def fit_to_width(text: str, artist: Figure | Axes, size: float = 9.0) -> str:
     """Return a title broken between words into lines that fit the figure's width, for a font size in points."""
-    figure = figure_of(drawn)
+    figure = figure_of(artist)
     letters = int(72.0 * figure.get_figwidth() / (0.56 * size))
     return "\n".join(part for line in text.split("\n") for part in _wrapped(line, letters))
 
 
-def _wrapped(line: str, most: int) -> list[str]:
-    """Break a text into the smallest number of lines of at most `most` letters, of about equal length."""
-    lines = textwrap.wrap(line, most) or [""]
-    for width in range(-(-len(line) // len(lines)), most if len(lines) > 1 else 0):
-        if len(even := textwrap.wrap(line, width)) == len(lines):
-            return even
+def _wrapped(line: str, max_letters: int) -> list[str]:
+    """Break a text into the smallest number of lines of at most `max_letters` letters, of about equal length."""
+    lines = textwrap.wrap(line, max_letters) or [""]
+    for width in range(-(-len(line) // len(lines)), max_letters if len(lines) > 1 else 0):
+        if len(equal_lines := textwrap.wrap(line, width)) == len(lines):
+            return equal_lines
     return lines
 
 
@@ -338,16 +338,16 @@ def tiles(
         figsize=(max(min(2.0 * columns, 14.0) + 1.2, 4.4), 2.0 * rows + 0.8), layout="constrained"
     )
     with_margins(figure)
-    drawn = np.empty(shape, dtype=object)
-    shown: AxesImage | None = None
+    all_axes = np.empty(shape, dtype=object)
+    image: AxesImage | None = None
     for k, index in enumerate(np.ndindex(shape)):
-        axes = drawn[index] = figure.add_subplot(rows, columns, k + 1)
-        shown = draw(index, axes)
+        axes = all_axes[index] = figure.add_subplot(rows, columns, k + 1)
+        image = draw(index, axes)
         axes.set_title(titles[k], fontsize=8)
         axes.tick_params(labelsize=7)
         only_outer(axes, k, count, columns)
     entitle(figure, title)
-    bar = figure.colorbar(shown, ax=drawn.ravel().tolist())
+    bar = figure.colorbar(image, ax=all_axes.ravel().tolist())
     bar.set_label(label, fontsize=8)
     bar.ax.tick_params(labelsize=7)
-    return drawn
+    return all_axes

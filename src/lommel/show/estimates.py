@@ -66,14 +66,16 @@ class DepthColours:
         font = library("PIL.ImageFont", "the bar of colours needs", "images").load_default(_TEXT)
         ends = [format_length(distance) if math.isfinite(distance) else "infinity" for distance in between]
         labels = [*ends, "not known"]
-        left, right, unknown = (math.ceil(draw.textlength(text, font=font)) for text in labels)
-        start = left + 10
-        stop = width - right - 10
-        show_grey = stop - start - unknown - _BAR - 12 >= _MIN_GRADIENT
+        left_width, right_width, unknown_width = (math.ceil(draw.textlength(text, font=font)) for text in labels)
+        start = left_width + 10
+        stop = width - right_width - 10
+        show_grey = stop - start - unknown_width - _BAR - 12 >= _MIN_GRADIENT
         if show_grey:
-            stop -= unknown + _BAR + 12
-            draw.rectangle((stop + right + 18, 6, stop + right + 18 + _BAR - 8, _BAR - 7), fill=(_GREY,) * 3)
-            draw.text((width - unknown - 4, _BAR // 2), labels[2], fill=(_INK,) * 3, font=font, anchor="lm")
+            stop -= unknown_width + _BAR + 12
+            draw.rectangle(
+                (stop + right_width + 18, 6, stop + right_width + 18 + _BAR - 8, _BAR - 7), fill=(_GREY,) * 3
+            )
+            draw.text((width - unknown_width - 4, _BAR // 2), labels[2], fill=(_INK,) * 3, font=font, anchor="lm")
         draw.text((4, _BAR // 2), labels[0], fill=(_INK,) * 3, font=font, anchor="lm")
         draw.text((stop + 6, _BAR // 2), labels[1], fill=(_INK,) * 3, font=font, anchor="lm")
         bar = np.array(canvas)
@@ -91,15 +93,15 @@ class DepthColours:
             fraction = (self._near - 1.0 / depth) / (self._near - self._far)
             level = np.where(np.isfinite(depth), 1.0 + 254.0 * np.clip(fraction, 0.0, 1.0), 0.0).astype(np.uint8)
         blocks = self._table[level]
-        spread = np.repeat(np.repeat(blocks, self._block, axis=0), self._block, axis=1)
-        height, width = spread.shape[:2]
-        self._picture[:height, :width] = spread
+        picture = np.repeat(np.repeat(blocks, self._block, axis=0), self._block, axis=1)
+        height, width = picture.shape[:2]
+        self._picture[:height, :width] = picture
         rows, columns = self._shape
         self._picture[:rows, columns:] = _GREY if image is None else image[..., None]
         return self._picture
 
 
-_ACROSS = 5  # largest number of panels in a row
+_MAX_COLUMNS = 5  # largest number of panels in a row
 _SIGMAS = 4.0  # colour scale of residuals: from -4 to 4 standard deviations
 
 
@@ -117,82 +119,92 @@ def field(
     chi^2 of each star, and a mask that is True for the stars of the fit. `images` are measured images and models.
     """
     x, y, length = axes
-    across, down, chi2, used = stars
+    star_x, star_y, chi2, fitted = stars
     factor, name = (1e3, "mm") if length == "m" else (1.0, "λN")
-    rows = math.ceil((len(maps) + 1) / _ACROSS)
+    rows = math.ceil((len(maps) + 1) / _MAX_COLUMNS)
     columns = math.ceil((len(maps) + 1) / rows)
-    figure: Figure = drawing.pyplot().figure(figsize=(2.6 * _ACROSS + 1.0, 2.7 * rows + 4.6), layout="constrained")
+    figure: Figure = drawing.pyplot().figure(
+        figsize=(2.6 * _MAX_COLUMNS + 1.0, 2.7 * rows + 4.6), layout="constrained"
+    )
     drawing.with_margins(figure)
     upper, lower = figure.subfigures(2, 1, height_ratios=(2.7 * rows, 4.2))  # type: ignore[misc]
     panels = upper.subplots(rows, columns, squeeze=False)
     extent = [factor * x[0], factor * x[-1], factor * y[-1], factor * y[0]]
     for panel, (term, values, errors) in zip(panels.flat, maps, strict=False):
-        most = max(float(np.abs(values).max()), 1e-12)
-        drawn = panel.imshow(values, cmap="RdBu_r", vmin=-most, vmax=most, extent=extent, aspect="equal")
-        bar = upper.colorbar(drawn, ax=panel, shrink=0.75)
+        limit = max(float(np.abs(values).max()), 1e-12)
+        image = panel.imshow(values, cmap="RdBu_r", vmin=-limit, vmax=limit, extent=extent, aspect="equal")
+        bar = upper.colorbar(image, ax=panel, shrink=0.75)
         bar.ax.tick_params(labelsize=7)
         panel.set_title("\n".join([*textwrap.wrap(term, 22), f"± {np.median(errors):.2g}"]), fontsize=8)
         panel.set(xticks=[], yticks=[])
     panel = panels.flat[len(maps)]
-    shown = panel.scatter(
-        factor * across[used], factor * down[used], c=chi2[used], s=14, cmap=drawing.COLOURS, vmin=0.8, vmax=1.4
+    dots = panel.scatter(
+        factor * star_x[fitted],
+        factor * star_y[fitted],
+        c=chi2[fitted],
+        s=14,
+        cmap=drawing.COLOURS,
+        vmin=0.8,
+        vmax=1.4,
     )
-    if not used.all():
-        panel.plot(factor * across[~used], factor * down[~used], "x", color="C3", markersize=6)
+    if not fitted.all():
+        panel.plot(factor * star_x[~fitted], factor * star_y[~fitted], "x", color="C3", markersize=6)
     panel.set(xlim=extent[:2], ylim=extent[2:], aspect="equal")
     panel.set_xlabel(f"x ({name})", fontsize=8)
     panel.set_ylabel(f"y ({name})", fontsize=8)
     panel.tick_params(labelsize=7)
-    panel.set_title("stars, chi2" + ("" if used.all() else "\ncrosses: rejected"), fontsize=8)
-    upper.colorbar(shown, ax=panel, shrink=0.75).ax.tick_params(labelsize=7)
+    panel.set_title("stars, chi2" + ("" if fitted.all() else "\ncrosses: rejected"), fontsize=8)
+    upper.colorbar(dots, ax=panel, shrink=0.75).ax.tick_params(labelsize=7)
     for empty in panels.flat[len(maps) + 1 :]:
         empty.remove()
     upper.suptitle(f"Zernike terms over the sensor ({unit} rms), ± median standard error", fontsize=10)
-    _stars(lower, images, (across, down, used))
+    _stars(lower, images, (star_x, star_y, fitted))
     figure.suptitle(textwrap.fill(title, 130), fontsize=9)
     return figure
 
 
-def _stars(part: SubFigure, images: tuple[Array, Array], stars: tuple[Array, Array, NDArray[np.bool_]]) -> None:
+def _stars(figure: SubFigure, images: tuple[Array, Array], stars: tuple[Array, Array, NDArray[np.bool_]]) -> None:
     """Draw images, models and residuals of the stars nearest to the middle and to the corners of the field."""
     measured, model = images
-    across, down, used = stars
-    at = np.flatnonzero(used)
-    wide, high = max(float(np.ptp(across)), 1e-300), max(float(np.ptp(down)), 1e-300)
-    spots = {
-        "top left": (across.min(), down.min()),
-        "top right": (across.max(), down.min()),
-        "middle": (np.median(across), np.median(down)),
-        "bottom left": (across.min(), down.max()),
-        "bottom right": (across.max(), down.max()),
+    star_x, star_y, is_fitted = stars
+    fitted = np.flatnonzero(is_fitted)
+    width, height = max(float(np.ptp(star_x)), 1e-300), max(float(np.ptp(star_y)), 1e-300)
+    places = {
+        "top left": (star_x.min(), star_y.min()),
+        "top right": (star_x.max(), star_y.min()),
+        "middle": (np.median(star_x), np.median(star_y)),
+        "bottom left": (star_x.min(), star_y.max()),
+        "bottom right": (star_x.max(), star_y.max()),
     }
     columns = []
-    for name, (u, v) in spots.items():
-        k = at[np.argmin(((across[at] - u) / wide) ** 2 + ((down[at] - v) / high) ** 2)]
+    for name, (u, v) in places.items():
+        k = fitted[np.argmin(((star_x[fitted] - u) / width) ** 2 + ((star_y[fitted] - v) / height) ** 2)]
         image, fit = measured[k, 0], model[k, 0]
         columns.append((name, image, fit, (image - fit) / np.sqrt(np.maximum(fit, 1.0))))
-    panels, residual = _residual_rows(part, columns, letters=8)
-    part.colorbar(residual, ax=panels.ravel().tolist(), label="residual / photon noise", shrink=0.6)
+    panels, residual = _residual_rows(figure, columns, font_size=8)
+    figure.colorbar(residual, ax=panels.ravel().tolist(), label="residual / photon noise", shrink=0.6)
 
 
 def _residual_rows(
-    part: FigureBase, columns: Sequence[tuple[str, Array, Array, Array]], letters: float
+    figure: FigureBase, columns: Sequence[tuple[str, Array, Array, Array]], font_size: float
 ) -> tuple[NDArray[np.object_], AxesImage]:
     """Draw image, model and residual below the title of each column; return the panels and the last residual."""
-    panels = part.subplots(3, len(columns), squeeze=False)
+    panels = figure.subplots(3, len(columns), squeeze=False)
     norm = library("matplotlib.colors", *drawing.USER).PowerNorm
     for column, (title, image, model, residual) in zip(panels.T, columns, strict=True):
         scale = norm(0.5, np.nanmin(image), np.nanmax(image))
         for panel, values in zip(column[:2], (image, model), strict=True):
             panel.imshow(values, cmap=drawing.COLOURS, norm=scale, interpolation="nearest")
-        drawn = column[2].imshow(residual, cmap="RdBu_r", vmin=-_SIGMAS, vmax=_SIGMAS, interpolation="nearest")
+        residual_image = column[2].imshow(
+            residual, cmap="RdBu_r", vmin=-_SIGMAS, vmax=_SIGMAS, interpolation="nearest"
+        )
         column[0].set_title(title, fontsize=8)
     rows = "measured\n(square root)", "model\n(square root)", "residual"
     for row, text in zip(panels, rows, strict=True):
-        row[0].set_ylabel(text, fontsize=letters)
+        row[0].set_ylabel(text, fontsize=font_size)
     for panel in panels.flat:
         panel.set(xticks=[], yticks=[], facecolor="0.5")  # colour of NaN pixels
-    return panels, drawn
+    return panels, residual_image
 
 
 _COLOURS = "turbo"  # colour map of z or depth
@@ -211,16 +223,16 @@ def picture(
     """
     axes = drawing.new_axes(ax, figsize=(6.4, 5.6))
     side = max(_MIN_PIXEL, max(size) / _DEFAULT_PIXELS) if pixel is None else max(pixel, max(size) / _MAX_PIXELS)
-    flat = along == "none"
-    heights = np.zeros(rows.size) if flat else 1e6 * rows["z"]
-    low, high = np.percentile(heights, [1.0, 99.0]) if rows.size else (0.0, 1.0)
+    one_colour = along == "none"
+    colour_values = np.zeros(rows.size) if one_colour else 1e6 * rows["z"]
+    low, high = np.percentile(colour_values, [1.0, 99.0]) if rows.size else (0.0, 1.0)
     map_ = library("matplotlib.cm", *drawing.USER).ScalarMappable(cmap=_COLOURS)
     map_.set_clim(low, max(high, low + 1e-3))
     extent = (0.0, 1e6 * size[1], 1e6 * size[0], 0.0)
-    colours = np.ones((rows.size, 3)) if flat or not rows.size else map_.to_rgba(heights)[:, :3]
+    colours = np.ones((rows.size, 3)) if one_colour or not rows.size else map_.to_rgba(colour_values)[:, :3]
     axes.imshow(rendered(rows, size, side, colours), extent=extent, interpolation="antialiased")
     figure = drawing.figure_of(axes)
-    if not flat:
+    if not one_colour:
         figure.colorbar(map_, ax=axes, label=_AXES[along], extend="both", shrink=0.85)
     axes.set(xlabel="x (µm)", ylabel="y (µm)", title=f"{rows.size} localisations, pixels of {1e9 * side:.3g} nm")
     return axes
@@ -228,23 +240,23 @@ def picture(
 
 def rendered(rows: NDArray[np.void], size: tuple[float, float], side: float, colours: Array) -> Array:
     """Return an RGB image, 0 to 1, of molecules as Gaussians as wide as their localisation errors, on black."""
-    height, width = (max(1, math.ceil(one / side - 1e-9)) for one in size)
+    height, width = (max(1, math.ceil(length / side - 1e-9)) for length in size)
     light = np.zeros((4, height, width))
-    down, across = (np.floor(rows[name] / side).astype(int) for name in ("y", "x"))
-    inside = (down >= 0) & (down < height) & (across >= 0) & (across < width)
-    spread = np.sqrt(0.5 * (rows["x_error"] ** 2 + rows["y_error"] ** 2)) / side
-    nearest = np.abs(np.log(_WIDTHS) - np.log(np.maximum(spread, 1e-6))[:, None]).argmin(axis=1)
+    row, column = (np.floor(rows[name] / side).astype(int) for name in ("y", "x"))
+    inside = (row >= 0) & (row < height) & (column >= 0) & (column < width)
+    sigma = np.sqrt(0.5 * (rows["x_error"] ** 2 + rows["y_error"] ** 2)) / side
+    nearest = np.abs(np.log(_WIDTHS) - np.log(np.maximum(sigma, 1e-6))[:, None]).argmin(axis=1)
     for k in np.unique(nearest[inside]):
         group = inside & (nearest == k)
-        place = down[group] * width + across[group]
+        place = row[group] * width + column[group]
         for channel, weights in enumerate((None, *colours[group].T)):
             sums = np.bincount(place, weights, height * width).astype(float).reshape(height, width)
             light[channel] += ndimage.gaussian_filter(sums, _WIDTHS[k], mode="constant")
-    amount = light[0]
-    bright = amount[amount > 1e-3 * amount.max(initial=0.0)]
-    top = float(np.percentile(bright, 99.0)) if bright.size else 1.0
-    brightness = np.clip(amount / top, 0.0, 1.0) ** 0.5
-    colour = np.divide(light[1:], amount, out=np.zeros_like(light[1:]), where=amount > 0.0)
+    density = light[0]
+    bright_values = density[density > 1e-3 * density.max(initial=0.0)]
+    white = float(np.percentile(bright_values, 99.0)) if bright_values.size else 1.0
+    brightness = np.clip(density / white, 0.0, 1.0) ** 0.5
+    colour = np.divide(light[1:], density, out=np.zeros_like(light[1:]), where=density > 0.0)
     return np.ascontiguousarray(np.moveaxis(np.clip(colour * brightness, 0.0, 1.0), 0, -1))
 
 
@@ -266,35 +278,35 @@ def projections(
     height, width = channels[0][1][0][0].shape
     planes = len(channels[0][1][0][1])
     step, pixel = voxel
-    wide, high, deep = width * pixel, height * pixel, planes * step
-    inch = _SIDE / max(wide, high)
-    below = max(deep, _MIN_XZ_HEIGHT * high)
-    size = 3 * (inch * wide + 0.25) + 1.1, len(channels) * (inch * (high + below) + 0.75) + 0.5
+    width_m, height_m, depth = width * pixel, height * pixel, planes * step
+    inch = _SIDE / max(width_m, height_m)
+    xz_height = max(depth, _MIN_XZ_HEIGHT * height_m)
+    size = 3 * (inch * width_m + 0.25) + 1.1, len(channels) * (inch * (height_m + xz_height) + 0.75) + 0.5
     figure: Figure = drawing.pyplot().figure(figsize=size, layout="compressed")
     drawing.with_margins(figure)
-    axes = figure.subplots(2 * len(channels), 3, height_ratios=[high, below] * len(channels), squeeze=False)
+    axes = figure.subplots(2 * len(channels), 3, height_ratios=[height_m, xz_height] * len(channels), squeeze=False)
     for rows, (name, pictures) in zip(axes.reshape(len(channels), 2, 3), channels, strict=True):
-        for column, (words, pair) in enumerate(zip(("recorded", "restored", "residual"), pictures, strict=True)):
+        for column, (label, pair) in enumerate(zip(("recorded", "restored", "residual"), pictures, strict=True)):
             for panel, values, extent in zip(
-                rows[:, column], pair, ((0.0, wide, high, 0.0), (0.0, wide, deep, 0.0)), strict=True
+                rows[:, column], pair, ((0.0, width_m, height_m, 0.0), (0.0, width_m, depth, 0.0)), strict=True
             ):
                 style: dict[str, Any] = {"cmap": "RdBu_r", "vmin": -_STACK_SIGMAS, "vmax": _STACK_SIGMAS}
-                if words != "residual":
+                if label != "residual":
                     style = {
                         "cmap": drawing.COLOURS,
                         "vmin": 0.0,
                         "vmax": math.sqrt(float(np.nanmax(pair[0], initial=1e-30))),
                     }
                     values = np.sqrt(np.maximum(values, 0.0))
-                drawn = panel.imshow(values, extent=extent, interpolation="nearest", **style)
+                image = panel.imshow(values, extent=extent, interpolation="nearest", **style)
                 panel.set(xticks=[], yticks=[], facecolor=_UNKNOWN)
-                panel.set_aspect("equal" if below == deep or extent[2] == high else "auto")
-            scale = "" if words == "residual" else " (square root)"
-            rows[0, column].set_title(f"{name}{words}{scale}", fontsize=9)
+                panel.set_aspect("equal" if xz_height == depth or extent[2] == height_m else "auto")
+            scale = "" if label == "residual" else " (square root)"
+            rows[0, column].set_title(f"{name}{label}{scale}", fontsize=9)
         rows[0, 0].set_ylabel("xy", fontsize=9)
         rows[1, 0].set_ylabel("xz", fontsize=9)
-        figure.colorbar(drawn, ax=rows[:, 2].tolist(), label="residual / noise", shrink=0.9, extend="both")
-        _scale_bar(rows[1, 0], wide)
+        figure.colorbar(image, ax=rows[:, 2].tolist(), label="residual / noise", shrink=0.9, extend="both")
+        _scale_bar(rows[1, 0], width_m)
     drawing.entitle(figure, title)
     return figure
 
@@ -305,40 +317,40 @@ def _scale_bar(axes: Axes, width: float) -> None:
     color = axes.yaxis.label.get_color()  # white in dark styles
     place = axes.get_xaxis_transform()
     axes.plot([0.0, length], [-0.09, -0.09], color=color, linewidth=2.5, transform=place, clip_on=False)
-    words = f" {1e6 * length:g} µm; z is that of the stage"
-    axes.text(length, -0.09, words, transform=place, fontsize=8, va="center")
+    label = f" {1e6 * length:g} µm; z is that of the stage"
+    axes.text(length, -0.09, label, transform=place, fontsize=8, va="center")
 
 
 def maps(depth: Array, errors: Array, light: Values | None) -> Figure:
     """Draw maps of depth and its standard error (metres; NaN is grey) and the all-in-focus image `light`, if any."""
     height, width = depth.shape
     count = 2 if light is None else 3
-    high = _MAP * min(max(height / width, 0.4), 2.0)
-    wide = min(_MAP, high * width / height)
-    size = count * wide + 2 * _BAR_WIDTH + 0.8, high + 1.0
+    tall = _MAP * min(max(height / width, 0.4), 2.0)
+    wide = min(_MAP, tall * width / height)
+    size = count * wide + 2 * _BAR_WIDTH + 0.8, tall + 1.0
     figure: Figure = drawing.pyplot().figure(figsize=size, layout="compressed")
     drawing.with_margins(figure)
     axes = figure.subplots(1, count, squeeze=False)[0]
-    known = np.isfinite(errors)
-    low, high = np.percentile(depth[known], [0.5, 99.5]) if known.any() else (0.0, 1.0)
-    shown = axes[0].imshow(depth, cmap="viridis_r", vmin=low, vmax=high, interpolation="nearest")
-    _bar(figure, shown, axes[0], "depth (m)")
-    axes[0].set_title(f"depth, known at {100.0 * known.mean():.3g} %", fontsize=9)
+    is_known = np.isfinite(errors)
+    low, high = np.percentile(depth[is_known], [0.5, 99.5]) if is_known.any() else (0.0, 1.0)
+    image = axes[0].imshow(depth, cmap="viridis_r", vmin=low, vmax=high, interpolation="nearest")
+    _bar(figure, image, axes[0], "depth (m)")
+    axes[0].set_title(f"depth, known at {100.0 * is_known.mean():.3g} %", fontsize=9)
     norm, label = None, "standard error of depth (mm)"
-    millimetres = np.where(known, 1e3 * errors, np.nan)
-    if known.any():
-        ends = np.percentile(millimetres[known], [0.5, 99.5]) * [0.99, 1.01]
+    millimetres = np.where(is_known, 1e3 * errors, np.nan)
+    if is_known.any():
+        ends = np.percentile(millimetres[is_known], [0.5, 99.5]) * [0.99, 1.01]
         norm = library("matplotlib.colors", *drawing.USER).LogNorm(*ends)
         label = drawing.bar_label(label, "log")
-    shown = axes[1].imshow(millimetres, cmap=drawing.COLOURS, norm=norm, interpolation="nearest")
-    bar = _bar(figure, shown, axes[1], label)
-    if known.any():
+    image = axes[1].imshow(millimetres, cmap=drawing.COLOURS, norm=norm, interpolation="nearest")
+    bar = _bar(figure, image, axes[1], label)
+    if is_known.any():
         _plain_log_ticks(bar.ax.yaxis, *ends)
     axes[1].set_title("standard error", fontsize=9)
     if light is not None:
         top = float(np.percentile(light, 99.5))
-        within = np.clip(light / top if top > 0.0 else light, 0.0, 1.0) ** (1.0 / 2.2)
-        axes[2].imshow(within, cmap="gray" if light.ndim == 2 else None, interpolation="nearest")
+        brightness = np.clip(light / top if top > 0.0 else light, 0.0, 1.0) ** (1.0 / 2.2)
+        axes[2].imshow(brightness, cmap="gray" if light.ndim == 2 else None, interpolation="nearest")
         axes[2].set_title("all-in-focus image", fontsize=9)
     for panel in axes:
         panel.set(facecolor=_UNKNOWN)
@@ -351,9 +363,9 @@ def maps(depth: Array, errors: Array, light: Values | None) -> Figure:
 _MAP, _BAR_WIDTH = 3.6, 0.9  # width of a depth map, and of a colour bar with numbers and label, inches
 
 
-def _bar(figure: Figure, shown: AxesImage, axes: Axes, label: str) -> Any:
+def _bar(figure: Figure, image: AxesImage, axes: Axes, label: str) -> Any:
     """Add a colour bar beside axes, with arrows for values beyond its ends."""
-    bar = figure.colorbar(shown, ax=axes, extend="both", aspect=25)
+    bar = figure.colorbar(image, ax=axes, extend="both", aspect=25)
     bar.set_label(label, fontsize=8)
     bar.ax.tick_params(labelsize=7, which="both")
     return bar
@@ -362,11 +374,11 @@ def _bar(figure: Figure, shown: AxesImage, axes: Axes, label: str) -> Any:
 def _plain_log_ticks(axis: Any, low: float, high: float) -> None:
     """Label a logarithmic axis with plain numbers at powers of ten, and also between them below 1.5 decades."""
     ticker = library("matplotlib.ticker", *drawing.USER)
-    plain = ticker.FuncFormatter(lambda value, _: f"{value:g}")
-    axis.set_major_formatter(plain)
+    formatter = ticker.FuncFormatter(lambda value, _: f"{value:g}")
+    axis.set_major_formatter(formatter)
     if math.log10(high / low) < 1.5:
         axis.set_minor_locator(ticker.LogLocator(subs=(2.0, 3.0, 5.0)))
-        axis.set_minor_formatter(plain)
+        axis.set_minor_formatter(formatter)
     else:
         axis.set_minor_formatter(ticker.NullFormatter())
 
@@ -390,16 +402,16 @@ def precision(distance: Array, curves: Mapping[str, Array], title: str, foci: Se
     for focus in foci:
         if distance[0] <= focus <= distance[-1]:
             axes.axvline(focus, color="0.4", linewidth=1.0, linestyle=":")
-            words = f" focus {drawing.length_in_words(focus)}"
+            label = f" focus {drawing.length_in_words(focus)}"
             place = axes.get_xaxis_transform()
-            axes.text(focus, 0.98, words, transform=place, fontsize=8, rotation=90, va="top", ha="right")
+            axes.text(focus, 0.98, label, transform=place, fontsize=8, rotation=90, va="top", ha="right")
     if len(curves) > 1:
         axes.legend(fontsize=9)
     _plain_log_ticks(axes.yaxis, *axes.get_ylim())
     return axes
 
 
-_MOST = 8  # largest number of images in one figure
+_MAX_IMAGES = 8  # largest number of images in one figure
 
 
 def fit(
@@ -412,35 +424,37 @@ def fit(
 ) -> Figure:
     """Draw images (n, height, width), models, residual / noise, and fitted coefficients with standard errors.
 
-    `terms` are names, coefficients, standard errors and their common unit; `titles` are those of the images.
+    `terms` are names, coefficients, standard errors and their common unit; `titles` are the titles of the images.
     """
     names, values, errors, unit = terms
-    count = min(len(images), _MOST)
-    high = max(6.2, 0.2 * len(names) + 1.4)
-    figure: Figure = drawing.pyplot().figure(figsize=(1.9 * count + 1.2 + _TERMS, high), layout="constrained")
+    count = min(len(images), _MAX_IMAGES)
+    height = max(6.2, 0.2 * len(names) + 1.4)
+    figure: Figure = drawing.pyplot().figure(figsize=(1.9 * count + 1.2 + _TERMS, height), layout="constrained")
     drawing.with_margins(figure)
     pictures, graph = figure.subfigures(1, 2, squeeze=False, width_ratios=(1.9 * count + 1.2, _TERMS))[0]
-    short = [title if len(title) < 22 else f"…{title[-20:]}" for title in titles[:count]]
-    columns = list(zip(short, images[:count], model[:count], residual[:count], strict=True))
-    panels, last = _residual_rows(pictures, columns, letters=9)
-    pictures.colorbar(last, ax=panels[2].tolist(), label="residual / noise", shrink=0.9)
-    drawn = graph.subplots()
+    short_titles = [title if len(title) < 22 else f"…{title[-20:]}" for title in titles[:count]]
+    columns = list(zip(short_titles, images[:count], model[:count], residual[:count], strict=True))
+    panels, residual_image = _residual_rows(pictures, columns, font_size=9)
+    pictures.colorbar(residual_image, ax=panels[2].tolist(), label="residual / noise", shrink=0.9)
+    axes = graph.subplots()
     unit = "µm" if unit == "um" else unit
-    at = np.arange(len(names))
+    positions = np.arange(len(names))
     finite = [d if np.isfinite(d) else 0.0 for d in errors]
-    drawn.barh(at, values, color="C0", alpha=0.6)
-    drawn.errorbar(
-        values, at, xerr=finite, fmt="none", ecolor=drawn.xaxis.label.get_color(), capsize=2, linewidth=1.0
+    axes.barh(positions, values, color="C0", alpha=0.6)
+    axes.errorbar(
+        values, positions, xerr=finite, fmt="none", ecolor=axes.xaxis.label.get_color(), capsize=2, linewidth=1.0
     )
-    drawn.axvline(0.0, color="0.5", linewidth=0.8)
-    drawn.set_yticks(at, names, fontsize=8)
-    drawn.set(xlabel=f"coefficient ({unit})", ylim=(len(names) - 0.4, -0.6))  # the first on top
+    axes.axvline(0.0, color="0.5", linewidth=0.8)
+    axes.set_yticks(positions, names, fontsize=8)
+    axes.set(xlabel=f"coefficient ({unit})", ylim=(len(names) - 0.4, -0.6))  # the first on top
     # Error bars may be too short to be visible: write their numbers beside the graph.
-    beside = drawn.get_yaxis_transform()
+    right_of_axes = axes.get_yaxis_transform()
     for k, pair in enumerate(map(with_error, values, errors)):
         number, error = map(drawing.true_minus, pair)
-        drawn.text(1.02, k, f"{number} ± {error.replace('inf', '∞')}", transform=beside, fontsize=8, va="center")
-    drawn.set_title(f"{title}\nfitted coefficients ± standard errors", fontsize=9)
+        axes.text(
+            1.02, k, f"{number} ± {error.replace('inf', '∞')}", transform=right_of_axes, fontsize=8, va="center"
+        )
+    axes.set_title(f"{title}\nfitted coefficients ± standard errors", fontsize=9)
     return figure
 
 
@@ -479,9 +493,9 @@ def spots(
         label = "window" if k == 0 else None
         axes.add_patch(rectangle(corner, box[1], box[0], fill=False, edgecolor="C0", linewidth=1.0, label=label))
     for reason, (marker, colour) in _REASONS.items():
-        at = np.array([(column, row) for row, column, why in refused if why == reason])
-        if at.size:
-            axes.plot(*at.T, marker, markersize=6, color=colour, fillstyle="none", label=f"refused: {reason}")
+        points = np.array([(column, row) for row, column, code in refused if code == reason])
+        if points.size:
+            axes.plot(*points.T, marker, markersize=6, color=colour, fillstyle="none", label=f"refused: {reason}")
     if len(places) or refused:
         axes.legend(fontsize=8, loc="upper left", bbox_to_anchor=(0.0, -0.13), ncols=3, frameon=False)
     axes.set(xlabel="column", ylabel="row", xlim=(-0.5, image.shape[1] - 0.5), ylim=(image.shape[0] - 0.5, -0.5))

@@ -47,11 +47,11 @@ def psf(psf: PSFLike) -> str:
     """Return a picture of a PSF, or of up to four PSFs of a stack, and a table of its properties."""
     stack, count = psf.pupil.shape, math.prod(psf.pupil.shape)
     windows = [_window(psf, index) for index in drawing.evenly_spaced_members(stack, _TILES).values()]
-    whole = psf.values.size <= _MAX_VALUES
-    values = psf.values if whole else np.stack(windows)
-    of = "" if whole else " of some PSFs"
+    is_complete = psf.values.size <= _MAX_VALUES
+    values = psf.values if is_complete else np.stack(windows)
+    note = "" if is_complete else " of some PSFs"
     labels = drawing.of_pupils(psf.pupil) if 1 < count <= 64 else []
-    wide = "pixels are wider than λN: the sum of the values is not the light"
+    undersampled = "pixels are wider than λN: the sum of the values is not the light"
 
     def light() -> str:
         return _span(energy_per_pixel(psf).sum(axis=(-2, -1)), ".4g")
@@ -60,12 +60,12 @@ def psf(psf: PSFLike) -> str:
         ("stack", f"{labels[0]} to {labels[-1]}" if labels else None),
         ("pixels", _pixels(psf)),
         ("values", f"{psf.values.dtype}, {drawing.MEANING[psf.normalize]}"),
-        (f"largest value{of}", lambda: f"{float(values.max()):.4g}"),
-        ("light in the window", light if whole else None),
+        (f"largest value{note}", lambda: f"{float(values.max()):.4g}"),
+        ("light in the window", light if is_complete else None),
         ("method", type(psf.method).__name__),
         ("error bound", "none" if psf.error_bound is None else f"{psf.error_bound:.2g} of the peak"),
         ("pupil", _light(psf.pupil)),
-        ("note", None if psf.sum_is_light else wide),
+        ("note", None if psf.sum_is_light else undersampled),
     ]
 
     def picture() -> str:
@@ -93,32 +93,32 @@ def device(title: str, rows: Sequence[Row], image: Callable[[], PSFLike]) -> str
 def grid(thing: PSFGridLike) -> str:
     """Return a picture of a grid of PSFs, each divided by its largest value, and a table of its properties."""
     rows, columns = thing.values.shape[:2]
-    one: PSFLike = thing.psf.psfs[len(thing.psf.psfs) // 2] if isinstance(thing.psf, ColourPSFLike) else thing.psf
-    first = () if thing.depths is None else (0,)
+    psf: PSFLike = thing.psf.psfs[len(thing.psf.psfs) // 2] if isinstance(thing.psf, ColourPSFLike) else thing.psf
+    first_depth = () if thing.depths is None else (0,)
 
     def picture() -> str:
         at_rows, at_columns = (
             drawing.evenly_spaced(list(range(rows)), 5),
             drawing.evenly_spaced(list(range(columns)), 7),
         )
-        windows = [[_window(one, (i, j, *first)) for j in at_columns] for i in at_rows]
+        windows = [[_window(psf, (i, j, *first_depth)) for j in at_columns] for i in at_rows]
         parts = [[_brightness(_smaller(part, 48)) for part in line] for line in windows]
         values = np.concatenate([np.concatenate(line, axis=1) for line in parts])
-        pitch = _pitch(one, windows[0][0], parts[0][0])
-        words = "square roots of the values, each PSF divided by its largest value"
-        return _image(values, drawing.COLOURS, words, 280) + _bar(
-            pitch, parts[0][0].shape[1], 280 / max(values.shape), one.unit
+        pitch = _pitch(psf, windows[0][0], parts[0][0])
+        description = "square roots of the values, each PSF divided by its largest value"
+        return _image(values, drawing.COLOURS, description, 280) + _bar(
+            pitch, parts[0][0].shape[1], 280 / max(values.shape), psf.unit
         )
 
-    high, wide = (_length(side, thing.unit) for side in thing.sensor)
+    height, width = (_length(side, thing.unit) for side in thing.sensor)
     channels = ", ".join(thing.psf.channels.names) if isinstance(thing.psf, ColourPSFLike) else None
     table: list[Row] = [
-        ("sensor", f"{high} × {wide}"),
+        ("sensor", f"{height} × {width}"),
         ("distances", None if thing.depths is None else _places(thing.depths)),
         ("channels", channels),
-        ("pixels of each", _pixels(one)),
+        ("pixels of each", _pixels(psf)),
         ("values", f"{thing.values.dtype}, {drawing.MEANING[thing.psf.normalize]}"),
-        ("method", type(one.method).__name__),
+        ("method", type(psf.method).__name__),
         ("pupil", _light(thing.psf.pupil)),
     ]
     return _html(f"PSFGrid, {rows} × {columns}", table, picture, "square root, each / its largest value")
@@ -139,8 +139,11 @@ def pupil(thing: Pupil | ObjectivePupil) -> str:
         rows += [("depth", _places(thing.depth)), ("stage", _places(thing.z)), ("emitter", emitter(thing.emitter))]
     else:
         rows += [("aperture", _aperture(thing)), ("Airy radius", _length(thing.airy_radius, thing.unit))]
-        whole = thing.circular and not thing.obscuration
-        rows += [*_rms(thing), *_terms(thing.wavefront, "waves rms" if whole else "waves rms over the full disc")]
+        is_full_disc = thing.circular and not thing.obscuration
+        rows += [
+            *_rms(thing),
+            *_terms(thing.wavefront, "waves rms" if is_full_disc else "waves rms over the full disc"),
+        ]
     return _html(_count(type(thing).__name__, thing.shape), rows, lambda: _phase(thing), _PHASE)
 
 
@@ -165,9 +168,11 @@ def retrieval(images: Array, model: Array, rows: Sequence[Row]) -> str:
 
     def picture() -> str:
         low, high = np.nanmin(images[0]), np.nanmax(images[0])
-        both = [np.sqrt(np.clip((part - low) / ((high - low) or 1.0), 0.0, 1.0)) for part in (images[0], model[0])]
+        pictures = [
+            np.sqrt(np.clip((part - low) / ((high - low) or 1.0), 0.0, 1.0)) for part in (images[0], model[0])
+        ]
         return _joined_pictures(
-            [_smaller(part) for part in both], drawing.COLOURS, "the first image as measured, and its model"
+            [_smaller(part) for part in pictures], drawing.COLOURS, "the first image as measured, and its model"
         )
 
     return _html("Retrieval", rows, picture, "measured, and the model")
@@ -189,23 +194,23 @@ def _phase(pupil: BasePupil) -> str:
 def _html(title: str, rows: Sequence[Row], picture: Callable[[], str], caption: str) -> str:
     """Return HTML of a table and a picture with a caption; an error in either is shown as its message."""
     cells = "".join(
-        f'<tr><th style="text-align:left">{escape(name)}</th><td style="text-align:left">{_cell(work)}</td></tr>'
-        for name, work in rows
-        if work is not None
+        f'<tr><th style="text-align:left">{escape(name)}</th><td style="text-align:left">{_cell(content)}</td></tr>'
+        for name, content in rows
+        if content is not None
     )
-    drawn = ""
+    picture_html = ""
     if find_spec("matplotlib") is not None:
-        drawn = f"<br>{_cell(picture, markup=True)}<br><small>{escape(caption)}</small>"
+        picture_html = f"<br>{_cell(picture, markup=True)}<br><small>{escape(caption)}</small>"
     return (
         '<div style="display:flex;gap:1em;align-items:flex-start;background:transparent;color:currentColor">'
-        f'<div style="text-align:center"><b>{escape(title)}</b>{drawn}</div>'
+        f'<div style="text-align:center"><b>{escape(title)}</b>{picture_html}</div>'
         f'<table style="background:transparent;color:currentColor">{cells}</table></div>'
     )
 
 
-def _cell(work: str | Callable[[], str], *, markup: bool = False) -> str:
+def _cell(content: str | Callable[[], str], *, markup: bool = False) -> str:
     try:
-        text = work if isinstance(work, str) else work()
+        text = content if isinstance(content, str) else content()
     except Exception as error:  # any error: show its message, and the other cells
         return f"<i>{escape(brief(' '.join(str(error).split()) or type(error).__name__))}</i>"
     return text if markup else escape(brief(text, 160))
@@ -217,8 +222,8 @@ def _window(psf: PSFLike, index: tuple[int, ...]) -> Array:
     center = psf.grid[index].axis if psf.grid.stack else psf.grid.axis
     parts = []
     for side, middle in zip(values.shape, center, strict=True):
-        first = min(max(round(middle) - _WINDOW // 2, 0), max(side - _WINDOW, 0))
-        parts.append(slice(first, first + _WINDOW))
+        start = min(max(round(middle) - _WINDOW // 2, 0), max(side - _WINDOW, 0))
+        parts.append(slice(start, start + _WINDOW))
     return np.asarray(values[tuple(parts)], dtype=np.float64)
 
 
@@ -242,14 +247,14 @@ def _pitch(psf: PSFLike, values: Array, smaller: Array) -> float:
     return float(psf.grid.pitch[1] * _sample_scale(psf)) * int(values.shape[1] // smaller.shape[1])
 
 
-def _bar(pitch: float, columns: int, enlarged: float, unit: str) -> str:
-    """Return a scale bar below a picture, at most half as wide; a column is drawn `enlarged` screen pixels wide."""
+def _bar(pitch: float, columns: int, column_width: float, unit: str) -> str:
+    """Return a scale bar below a picture, at most half as wide; a column is `column_width` screen pixels wide."""
     length = drawing.round_length(0.5 * columns * pitch)
-    style = f"width:{length / pitch * enlarged:.1f}px;border-top:3px solid currentColor;margin:4px auto 0"
+    style = f"width:{length / pitch * column_width:.1f}px;border-top:3px solid currentColor;margin:4px auto 0"
     return f'<div style="{style}"></div><small>{escape(_length(length, unit))}</small>'
 
 
-def _joined_pictures(parts: Sequence[Array], cmap: str, words: str, pitch: float = 0.0, unit: str = "m") -> str:
+def _joined_pictures(parts: Sequence[Array], cmap: str, description: str, pitch: float = 0.0, unit: str = "m") -> str:
     """Return pictures side by side (four pictures in two rows), separated by transparent pixels.
 
     A scale bar is added if `pitch`, the pitch of their columns, is not 0.
@@ -257,7 +262,7 @@ def _joined_pictures(parts: Sequence[Array], cmap: str, words: str, pitch: float
 
     def with_scale_bar(values: Array, side: int) -> str:
         bar = _bar(pitch, parts[0].shape[1], side / max(values.shape), unit) if pitch else ""
-        return _image(values, cmap, words, side) + bar
+        return _image(values, cmap, description, side) + bar
 
     if len(parts) == 1:
         return with_scale_bar(parts[0], _SIDE)
@@ -268,19 +273,19 @@ def _joined_pictures(parts: Sequence[Array], cmap: str, words: str, pitch: float
     return with_scale_bar(np.concatenate(rows), 110 * len(lines[0]))
 
 
-def _smaller(values: Array, most: int = _SIDE) -> Array:
-    """Return means over squares of pixels, the smallest squares for which no side of the result exceeds `most`."""
-    times = -(-max(values.shape) // most)
-    height, width = (max(side // times, 1) for side in values.shape)
-    parts = values[: height * times, : width * times]
-    tall, wide = (min(times, side) for side in parts.shape)
-    return np.asarray(parts.reshape(height, tall, width, wide).mean(axis=(1, 3)))
+def _smaller(values: Array, max_side: int = _SIDE) -> Array:
+    """Return means over the smallest squares of pixels for which no side of the result exceeds `max_side`."""
+    tile_side = -(-max(values.shape) // max_side)
+    height, width = (max(side // tile_side, 1) for side in values.shape)
+    parts = values[: height * tile_side, : width * tile_side]
+    tile_height, tile_width = (min(tile_side, side) for side in parts.shape)
+    return np.asarray(parts.reshape(height, tile_height, width, tile_width).mean(axis=(1, 3)))
 
 
-def _image(values: Array, cmap: str, words: str, side: int) -> str:
+def _image(values: Array, cmap: str, description: str, side: int) -> str:
     """Return an HTML picture of values from 0 to 1 with a longer side of `side` pixels.
 
-    NaN is grey, infinity transparent, and `words` describe the picture for screen readers.
+    NaN is grey, infinity transparent, and `description` is the text for screen readers.
     """
     import matplotlib as mpl
     from matplotlib.image import imsave
@@ -292,20 +297,20 @@ def _image(values: Array, cmap: str, words: str, side: int) -> str:
     height, width = (max(round(side * size / max(values.shape)), 1) for size in values.shape)
     encoded = base64.b64encode(data.getvalue()).decode()
     style = f"width:{width}px;height:{height}px;image-rendering:pixelated"
-    return f'<img alt="{words}" style="{style}" src="data:image/png;base64,{encoded}">'
+    return f'<img alt="{description}" style="{style}" src="data:image/png;base64,{encoded}">'
 
 
 def _terms(wavefront: Wavefront, unit: str = "waves rms") -> list[Row]:
     """Return rows of the eight largest Zernike terms, waves rms, for a stack as the range of its values."""
     edge = wavefront.edge_terms()
     sizes = {t: float(np.abs(c).max()) for t, c in edge.items() if np.any(c)}
-    largest = sorted(sizes, key=lambda t: sizes[t] / zernike.rms_factor(*t), reverse=True)
+    sorted_terms = sorted(sizes, key=lambda t: sizes[t] / zernike.rms_factor(*t), reverse=True)
     rows: list[Row] = []
-    for n, m in largest[:_TERMS]:
+    for n, m in sorted_terms[:_TERMS]:
         size = _span(edge[n, m] / (2.0 * math.pi * zernike.rms_factor(n, m)), ".3g")
         rows.append((zernike.name(n, m), f"{size} {unit}"))
-    if len(largest) > _TERMS:
-        rows.append(("and", f"{len(largest) - _TERMS} smaller terms"))
+    if len(sorted_terms) > _TERMS:
+        rows.append(("and", f"{len(sorted_terms) - _TERMS} smaller terms"))
     return rows
 
 
@@ -325,8 +330,8 @@ def _pixels(psf: PSFLike) -> str:
     height, width = psf.shape[-2:]
     size = " × ".join(dict.fromkeys(_length(side * _sample_scale(psf), psf.unit) for side in psf.grid.pitch))
     size += " in the sample" if isinstance(psf.pupil, ObjectivePupil) else ""
-    spread = "".join(f", {type(blur).__name__}" for blur in psf.blur)
-    return f"{height} × {width} of {size}, {drawing.HOW[psf.sampling]}{spread}"
+    blurs = "".join(f", {type(blur).__name__}" for blur in psf.blur)
+    return f"{height} × {width} of {size}, {drawing.HOW[psf.sampling]}{blurs}"
 
 
 def _aperture(pupil: Pupil) -> str:
@@ -339,16 +344,16 @@ def _aperture(pupil: Pupil) -> str:
 def _light(pupil: BasePupil) -> str:
     if pupil.wavelength is None:
         return "lengths in λN"
-    sharp = f"NA {pupil.layers.NA:.4g}" if isinstance(pupil, ObjectivePupil) else f"f/{pupil.f_number:.4g}"
-    return f"{_length(pupil.wavelength, 'm')}, {sharp}"
+    aperture = f"NA {pupil.layers.NA:.4g}" if isinstance(pupil, ObjectivePupil) else f"f/{pupil.f_number:.4g}"
+    return f"{_length(pupil.wavelength, 'm')}, {aperture}"
 
 
 def _length(value: float, unit: str) -> str:
     return drawing.length_in_words(float(value)) if unit == "m" else f"{value:.4g} λN"
 
 
-def _places(at: Array) -> str:
-    low, high = float(at.min()), float(at.max())
+def _places(positions: Array) -> str:
+    low, high = float(positions.min()), float(positions.max())
     return _length(low, "m") if low == high else f"{_length(low, 'm')} to {_length(high, 'm')}"
 
 

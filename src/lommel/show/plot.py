@@ -88,28 +88,30 @@ def sections(psf: PSFLike, *, stretch: str = "sqrt") -> NDArray[np.object_]:
     plane, row, column = (int(k) for k in np.unravel_index(int(values.argmax()), values.shape))
     levels = values[plane], values[:, row], values[:, :, column].T  # of xy, xz and yz
     limits = _limits((x, y, z), levels, stretch)
-    lengths = [far - near for near, far in limits]
-    cut = any(length < np.ptp(_edges(at)) for length, at in zip(lengths, (x, y, z), strict=True))
+    lengths = [last - first for first, last in limits]
+    is_cropped = any(length < np.ptp(_edges(positions)) for length, positions in zip(lengths, (x, y, z), strict=True))
     longest = max(lengths)
-    wide, high, deep = (max(length, longest / _MAX_RATIO) for length in lengths)
+    width, height, depth = (max(length, longest / _MAX_RATIO) for length in lengths)
     inch = _SIDE / longest
     figure = drawing.pyplot().figure(
-        figsize=(inch * (wide + deep) + 1.9, inch * (high + deep) + 1.3), layout="compressed"
+        figsize=(inch * (width + depth) + 1.9, inch * (height + depth) + 1.3), layout="compressed"
     )
     drawing.with_margins(figure)
-    grid = figure.subplots(2, 2, width_ratios=(wide, deep), height_ratios=(high, deep))
+    grid = figure.subplots(2, 2, width_ratios=(width, depth), height_ratios=(height, depth))
     xy, yz, xz, profiles = grid.flat
     norm = drawing.norm_of(stretch, values)
-    aside = drawing.true_minus(f"{x[column] + 0.0:.3g}")
-    scales = [inch * side / length for side, length in zip((wide, high, deep), lengths, strict=True)]
+    x_text = drawing.true_minus(f"{x[column] + 0.0:.3g}")
+    scales = [inch * side / length for side, length in zip((width, height, depth), lengths, strict=True)]
     places = f"z = {drawing.true_minus(f'{z[plane]:.4g}')}", f"y = {drawing.true_minus(f'{y[row] + 0.0:.3g}')}"
     for axes, level, (i, j), name, place in (
         (xy, levels[0], (0, 1), "xy", places[0]),
         (xz, levels[1], (0, 2), "xz", places[1]),
-        (yz, levels[2], (2, 1), "yz", f"x = {aside}"),
+        (yz, levels[2], (2, 1), "yz", f"x = {x_text}"),
     ):
-        across, up = ((x, y, z)[k] for k in (i, j))
-        mesh = axes.pcolormesh(_edges(across), _edges(up), level, norm=norm, cmap=drawing.COLOURS, rasterized=True)
+        horizontal, vertical = ((x, y, z)[k] for k in (i, j))
+        mesh = axes.pcolormesh(
+            _edges(horizontal), _edges(vertical), level, norm=norm, cmap=drawing.COLOURS, rasterized=True
+        )
         axes.set_title(f"{name} at {place} µm", fontsize=9)
         axes.set(aspect=scales[j] / scales[i], facecolor="black", xlim=limits[i], ylim=limits[j])
     for axes in (xy, yz):
@@ -120,8 +122,8 @@ def sections(psf: PSFLike, *, stretch: str = "sqrt") -> NDArray[np.object_]:
     _draw_profiles(profiles, (x - x[column], y - y[row], z - z[plane]), levels, (row, column), lengths)
     locator = library("matplotlib.ticker", *drawing.USER).MaxNLocator
     xz.yaxis.set_major_locator(locator(4))
-    yz.xaxis.set_major_locator(locator(3 if deep > 0.6 * wide else 2, symmetric=True))
-    lines = _title_lines(psf, z, cut, scales[0] == scales[1] == scales[2])
+    yz.xaxis.set_major_locator(locator(3 if depth > 0.6 * width else 2, symmetric=True))
+    lines = _title_lines(psf, z, is_cropped, scales[0] == scales[1] == scales[2])
     drawing.entitle(figure, "\n".join([", ".join(lines[:3]), "; ".join(lines[3:])]).rstrip("\n"))
     label = drawing.bar_label(drawing.MEANING[psf.normalize], stretch)
     figure.colorbar(mesh, ax=grid).set_label(label, fontsize=9)
@@ -142,10 +144,12 @@ def _draw_profiles(
     """
     xy, xz, _ = levels
     row, column = peak
-    for name, style, at, line in zip(
+    for name, style, distance, line in zip(
         "xyz", ("-", "--", "-"), distances, (xy[row], xy[:, column], xz[:, column]), strict=True
     ):
-        axes.plot(at, line / (float(xy.max()) or 1.0), style, marker=".", markersize=3, linewidth=0.9, label=name)
+        axes.plot(
+            distance, line / (float(xy.max()) or 1.0), style, marker=".", markersize=3, linewidth=0.9, label=name
+        )
     half = 0.5 * max(lengths)
     axes.set(xlim=(-half, half), ylim=(0.0, 1.05), xlabel="from the peak (µm)")
     axes.legend(
@@ -162,44 +166,44 @@ def _draw_profiles(
     )
 
 
-_DARK = 0.05  # largest brightness (0 to 1) of surroundings that are cropped
+_MAX_DARK = 0.05  # largest brightness (0 to 1) of surroundings that are cropped
 _RIM = 0.15  # width of the dark rim drawn around the bright region, as a fraction of the region's size
 
 
 def _limits(places: Sequence[Array], levels: Sequence[Values], stretch: str) -> list[tuple[float, float]]:
     """Return the limits of x, y and z of the bright region in the sections xy, xz, yz, extended by a rim."""
     top = max(float(level.max()) for level in levels) or 1.0
-    xy, xz, yz = (drawing.stretched(level / top, stretch) > _DARK for level in levels)
+    xy, xz, yz = (drawing.stretched(level / top, stretch) > _MAX_DARK for level in levels)
     bright_along = xy.any(axis=0) | xz.any(axis=0), xy.any(axis=1) | yz.any(axis=1), xz.any(axis=1) | yz.any(axis=0)
     limits = []
-    for at, bright in zip(places, bright_along, strict=True):
-        edges, k = _edges(at), np.flatnonzero(bright)
+    for positions, bright in zip(places, bright_along, strict=True):
+        edges, k = _edges(positions), np.flatnonzero(bright)
         first, last = (float(edges[k[0]]), float(edges[k[-1] + 1])) if k.size else (edges[0], edges[-1])
         rim = _RIM * (last - first)
         limits.append((max(float(edges[0]), first - rim), min(float(edges[-1]), last + rim)))
     return limits
 
 
-def _title_lines(psf: PSFLike, z: Array, cut: bool, to_scale: bool) -> list[str]:
+def _title_lines(psf: PSFLike, z: Array, is_cropped: bool, to_scale: bool) -> list[str]:
     """Return notes on planes, pixels, cropping and scales for the title of a z stack."""
     steps = np.diff(z)
-    even = np.ptp(steps) <= 1e-6 * steps.mean()
+    is_even = np.ptp(steps) <= 1e-6 * steps.mean()
     size = 1e6 * psf.grid.side / psf.pupil.magnification  # type: ignore[attr-defined]
     return [
-        f"{z.size} planes, {steps.mean():.4g} µm apart" if even else f"{z.size} planes, not evenly spaced",
+        f"{z.size} planes, {steps.mean():.4g} µm apart" if is_even else f"{z.size} planes, not evenly spaced",
         f"{psf.shape[-2]} × {psf.shape[-1]} pixels of {size:.4g} µm in the sample",
         drawing.HOW[psf.sampling],
-        *(["dark surroundings are cropped"] if cut else []),
+        *(["dark surroundings are cropped"] if is_cropped else []),
         *([] if to_scale else ["x, y and z have different scales"]),
     ]
 
 
-def _edges(at: Array) -> Array:
-    """Return the edges of pixels centred at these positions; outer pixels are symmetric about their centres."""
-    if at.size == 1:
-        return np.array([at[0] - 0.5, at[0] + 0.5])
-    middles = 0.5 * (at[1:] + at[:-1])
-    return np.concatenate([[2.0 * at[0] - middles[0]], middles, [2.0 * at[-1] - middles[-1]]])
+def _edges(centres: Array) -> Array:
+    """Return the edges of pixels with these `centres`; outer pixels are symmetric about their centres."""
+    if centres.size == 1:
+        return np.array([centres[0] - 0.5, centres[0] + 0.5])
+    middles = 0.5 * (centres[1:] + centres[:-1])
+    return np.concatenate([[2.0 * centres[0] - middles[0]], middles, [2.0 * centres[-1] - middles[-1]]])
 
 
 @display.plot.register(PSFLike)
@@ -254,8 +258,8 @@ def _title(psf: PSFLike) -> str:
     height, width = psf.shape[-2:]
     sides = psf.grid.pitch[: 1 if isinstance(psf.pixel, float) else 2]
     size = " × ".join(f"{side * factor:.4g}" for side in sides)
-    spread = "".join(f", {type(blur).__name__}" for blur in psf.blur)
-    return f"{height} × {width} pixels of {size} {unit}, {drawing.HOW[psf.sampling]}{spread}"
+    blurs = "".join(f", {type(blur).__name__}" for blur in psf.blur)
+    return f"{height} × {width} pixels of {size} {unit}, {drawing.HOW[psf.sampling]}{blurs}"
 
 
 def _draw(psf: PSFLike, axes: Axes, norm: Normalize) -> Axes:
@@ -267,11 +271,13 @@ def _draw(psf: PSFLike, axes: Axes, norm: Normalize) -> Axes:
 def _show(picture: Values, psf: PSFLike, axes: Axes, **style: Any) -> Axes:
     """Draw values or colours of the pixels of a PSF on axes with positions on the sensor."""
     factor, unit = drawing.lengths(psf.unit)
-    high, half = (0.5 * side * factor for side in psf.grid.pitch)
+    half_height, half_width = (0.5 * side * factor for side in psf.grid.pitch)
     x, y = psf.grid.x * factor, psf.grid.y * factor
-    axes.imshow(picture, extent=(x[0] - half, x[-1] + half, y[-1] + high, y[0] - high), **style)
-    where = " on the camera" if isinstance(psf.pupil, ObjectivePupil) else ""  # not in the sample
-    axes.set(xlabel=f"x{where} ({unit})", ylabel=f"y{where} ({unit})")
+    axes.imshow(
+        picture, extent=(x[0] - half_width, x[-1] + half_width, y[-1] + half_height, y[0] - half_height), **style
+    )
+    place = " on the camera" if isinstance(psf.pupil, ObjectivePupil) else ""  # not in the sample
+    axes.set(xlabel=f"x{place} ({unit})", ylabel=f"y{place} ({unit})")
     return axes
 
 
@@ -313,29 +319,31 @@ def colour(psf: ColourPSFLike, ax: Axes | None = None, *, stretch: str = "sqrt")
     else:
         raise ValueError(f"a stack must have three channels, got {len(psf.psfs)}; plot a channel: psf[0].plot()")
     if len(pictures) > drawing.MOST or (ax is not None and len(pictures) > 1):
-        most = 1 if ax is not None else drawing.MOST
-        raise ValueError(f"at most {most} PSFs can be drawn here, got {len(pictures)}; use part(index) of a stack")
-    first = psf.psfs[0] if not stack else psf.psfs[0][(0,) * len(stack)]
+        max_pictures = 1 if ax is not None else drawing.MOST
+        raise ValueError(
+            f"at most {max_pictures} PSFs can be drawn here, got {len(pictures)}; use part(index) of a stack"
+        )
+    single = psf.psfs[0] if not stack else psf.psfs[0][(0,) * len(stack)]
     columns = drawing.columns_of(len(pictures))
     rows = -(-len(pictures) // columns)
-    drawn = np.array([ax], dtype=object)
+    all_axes = np.array([ax], dtype=object)
     if ax is None:
         size = (max(2.4 * columns + 1.0, 4.4), 2.3 * max(rows, 1.5 - 0.5 * (columns > 1)) + 0.7)
         figure, grid = drawing.pyplot().subplots(rows, columns, squeeze=False, layout="constrained", figsize=size)
         drawing.with_margins(figure)
-        drawn = grid.ravel()
+        all_axes = grid.ravel()
         scale = "each channel / its largest value" if len(psf.psfs) == 3 else "all channels / the largest value"
         drawing.entitle(figure, f"brightness: {' '.join(drawing.STRETCHES[stretch].split())}, {scale}")
-    grey = {} if pictures.ndim == 4 else {"cmap": "gray", "vmin": 0.0, "vmax": 1.0}
+    style = {} if pictures.ndim == 4 else {"cmap": "gray", "vmin": 0.0, "vmax": 1.0}
     for k, (picture, title) in enumerate(zip(pictures, titles, strict=True)):
-        _show(picture, first, drawn[k], interpolation="nearest", **grey)
-        drawing.only_outer(drawn[k], k, len(pictures), columns)
+        _show(picture, single, all_axes[k], interpolation="nearest", **style)
+        drawing.only_outer(all_axes[k], k, len(pictures), columns)
         if title:
-            drawn[k].set_title(title, fontsize=9)
-    for spare in drawn[len(pictures) :]:
-        spare.set_axis_off()
-    used = drawn[: len(pictures)]
-    return used[0] if not titles[0] else used.reshape(stack or -1)
+            all_axes[k].set_title(title, fontsize=9)
+    for empty in all_axes[len(pictures) :]:
+        empty.set_axis_off()
+    used_axes = all_axes[: len(pictures)]
+    return used_axes[0] if not titles[0] else used_axes.reshape(stack or -1)
 
 
 def compare(
@@ -365,9 +373,9 @@ def compare(
     """
     if reference not in answers:
         raise ValueError(f"reference must be one of {', '.join(answers)}, got {validation.shown(reference)}")
-    truth = answers[reference]
-    others = {name: psf for name, psf in answers.items() if name != reference}
-    count = 1 + len(others)
+    reference_psf = answers[reference]
+    other_psfs = {name: psf for name, psf in answers.items() if name != reference}
+    count = 1 + len(other_psfs)
     rows = -(-count // _MAX_COLUMNS)
     columns = -(-count // rows)
     width = 2.0 * max(columns, 3) + 1.6
@@ -379,19 +387,20 @@ def compare(
     )
     drawing.with_margins(figure)
     pictures, graphs = figure.subfigures(2, 1, squeeze=False, height_ratios=(above, 4.6))[:, 0]
-    peak = float(truth.values.max())
+    peak = float(reference_psf.values.max())
     scale = library("matplotlib.colors", *drawing.USER).LogNorm(*_ERRORS, clip=True)
-    drawn = []
-    for k, name in enumerate([reference, *others]):
+    error_axes = []
+    for k, name in enumerate([reference, *other_psfs]):
         axes = pictures.add_subplot(rows, columns, k + 1)
         if name == reference:
-            plot(truth, axes)
+            plot(reference_psf, axes)
         else:
-            away = np.maximum(
-                np.abs(np.asarray(others[name].values, dtype=np.float64) - truth.values) / peak, _ERRORS[0]
+            error = np.maximum(
+                np.abs(np.asarray(other_psfs[name].values, dtype=np.float64) - reference_psf.values) / peak,
+                _ERRORS[0],
             )
-            _show(away, truth, axes, cmap="viridis", norm=scale, interpolation="nearest")
-            drawn.append(axes)
+            _show(error, reference_psf, axes, cmap="viridis", norm=scale, interpolation="nearest")
+            error_axes.append(axes)
         title = f"{name}, the reference (square root)" if name == reference else name
         axes.set_title("\n".join(textwrap.wrap(title, _MAX_LETTERS)), fontsize=8)
         axes.tick_params(labelsize=7)
@@ -400,31 +409,31 @@ def compare(
         drawing.only_outer(axes, k, columns * rows, columns)
     if lines:
         pictures.supxlabel("\n".join(lines), fontsize=8)
-    if drawn:
-        bar = pictures.colorbar(drawn[0].images[0], ax=pictures.axes, extend="min", pad=0.01)
+    if error_axes:
+        bar = pictures.colorbar(error_axes[0].images[0], ax=pictures.axes, extend="min", pad=0.01)
         bar.set_label("error / peak of the reference", fontsize=8)
         bar.ax.tick_params(labelsize=7)
-    factor, unit = drawing.lengths(truth.unit)
+    factor, unit = drawing.lengths(reference_psf.unit)
     slices, errors = graphs.subplots(1, 2, width_ratios=(1.0, 1.35))
-    radius, expected = truth.profile()
-    far = max(float(radius[-1]), 0.5 * truth.grid.pitch[1]) * factor
-    ends: list[tuple[float, str, str]] = []
+    radius, expected = reference_psf.profile()
+    max_radius = max(float(radius[-1]), 0.5 * reference_psf.grid.pitch[1]) * factor
+    curve_ends: list[tuple[float, str, str]] = []
     # Pixel averages are drawn as steps, point samples as markers.
     style: dict[str, Any] = (
-        {"drawstyle": "steps-mid"} if truth.sampling == "pixel" else {"marker": ".", "markersize": 4}
+        {"drawstyle": "steps-mid"} if reference_psf.sampling == "pixel" else {"marker": ".", "markersize": 4}
     )
     slices.plot(radius * factor, expected / peak, color=slices.xaxis.label.get_color(), linewidth=1.4, **style)
     slices.set_title("the reference along x, pixel by pixel", fontsize=9)
-    slices.set(ylabel="intensity / peak", xlabel=f"distance from the centre ({unit})", xlim=(0.0, far))
-    for k, (name, psf) in enumerate(others.items()):
+    slices.set(ylabel="intensity / peak", xlabel=f"distance from the centre ({unit})", xlim=(0.0, max_radius))
+    for k, (name, psf) in enumerate(other_psfs.items()):
         difference = np.maximum(np.abs(psf.profile()[1] - expected) / peak, 1e-17)
         errors.semilogy(radius * factor, difference, ".-", color=f"C{k}", linewidth=0.9, markersize=4)
-        ends.append((float(np.median(difference[-max(1, difference.size // 8) :])), name, f"C{k}"))
+        curve_ends.append((float(np.median(difference[-max(1, difference.size // 8) :])), name, f"C{k}"))
     errors.set_title("errors along the same line", fontsize=9)
-    errors.set(ylabel="error / peak of the reference", ylim=(1e-17, 3.0), xlim=(0.0, far))
+    errors.set(ylabel="error / peak of the reference", ylim=(1e-17, 3.0), xlim=(0.0, max_radius))
     errors.set(xlabel=f"distance from the centre ({unit})")
     errors.grid(alpha=0.3)
-    _label_ends(errors, ends)
+    _label_ends(errors, curve_ends)
     return figure
 
 
@@ -433,22 +442,22 @@ _MAX_LETTERS = 27  # largest number of letters in a line of the title above a pi
 _ERRORS = (1e-12, 1.0)  # range of the colour scale of errors, relative to the peak
 
 
-def _label_ends(axes: Axes, ends: list[tuple[float, str, str]]) -> None:
+def _label_ends(axes: Axes, curve_ends: list[tuple[float, str, str]]) -> None:
     """Write names beside the right ends of curves (value, name, colour) on a logarithmic axis without overlap."""
     low, high = np.log10(axes.get_ylim())
-    at = [float((np.log10(value) - low) / (high - low)) for value, _, _ in ends]
-    order = np.argsort(at)
-    gap, last = 0.055, -1.0
+    heights = [float((np.log10(value) - low) / (high - low)) for value, _, _ in curve_ends]
+    order = np.argsort(heights)
+    gap, height = 0.055, -1.0
     places = {}
     for k in order:
-        last = max(at[k], last + gap)
-        places[int(k)] = last
+        height = max(heights[k], height + gap)
+        places[int(k)] = height
     # Move names above the top of the axes down, and also the names below them where they would overlap.
     top = 1.0
     for k in order[::-1]:
         places[int(k)] = min(places[int(k)], top)
         top = places[int(k)] - gap
-    for k, (_, name, colour) in enumerate(ends):
+    for k, (_, name, colour) in enumerate(curve_ends):
         # The line starts at the left end of the name, so that it crosses no letters.
         line = {
             "arrowstyle": "-",
@@ -459,7 +468,7 @@ def _label_ends(axes: Axes, ends: list[tuple[float, str, str]]) -> None:
             "shrinkB": 0,
         }
         axes.annotate(
-            name, (1.0, at[k]), (1.04, places[k]), "axes fraction", "axes fraction", fontsize=8, color=colour,
+            name, (1.0, heights[k]), (1.04, places[k]), "axes fraction", "axes fraction", fontsize=8, color=colour,
             va="center", arrowprops=line,
         )  # fmt: skip
 
@@ -493,49 +502,49 @@ def field(grid: PSFGridLike, ax: Axes | None = None, *, stretch: str = "sqrt") -
     validation.choice("stretch", stretch, drawing.STRETCHES)
     if grid.depths is not None:
         raise ValueError("grid must have a single distance, got several: draw one of them, grid.at_depth(0).plot()")
-    coloured = isinstance(grid.psf, ColourPSFLike)
+    is_coloured = isinstance(grid.psf, ColourPSFLike)
     pictures = drawing.stretched(colours(grid.psf), stretch) if isinstance(grid.psf, ColourPSFLike) else grid.values
     (rows, columns), (height, width) = grid.values.shape[:2], grid.values.shape[-2:]
     axes = _field_axes(grid) if ax is None else ax
     factor, unit = (1e3, "mm") if grid.unit == "m" else (1.0, "λN")
     sensor = (grid.sensor[0] * factor, grid.sensor[1] * factor)
-    high, wide = (side * pitch for side, pitch in zip((height, width), grid.psf.grid.pitch, strict=True))
-    larger = min(sensor[0] / rows / high, sensor[1] / columns / wide)
-    half_height, half_width = 0.5 * high * larger, 0.5 * wide * larger
+    psf_height, psf_width = (side * pitch for side, pitch in zip((height, width), grid.psf.grid.pitch, strict=True))
+    magnification = min(sensor[0] / rows / psf_height, sensor[1] / columns / psf_width)
+    half_height, half_width = 0.5 * psf_height * magnification, 0.5 * psf_width * magnification
     colors = mpl.colormaps[drawing.COLOURS]
-    axes.set_facecolor("black" if coloured else colors(0.0))
+    axes.set_facecolor("black" if is_coloured else colors(0.0))
     interpolation = "nearest" if max(height, width) < 24 else "bilinear"
     for i, j in np.ndindex(rows, columns):
         x, y = grid.x[j] * factor, grid.y[i] * factor
         values = pictures[i, j]
-        norm = {} if coloured else {"cmap": colors, "norm": drawing.norm_of(stretch, values)}
+        norm = {} if is_coloured else {"cmap": colors, "norm": drawing.norm_of(stretch, values)}
         extent = (x - half_width, x + half_width, y + half_height, y - half_height)
         axes.imshow(values, extent=extent, interpolation=interpolation, **norm)
-    half = 0.5 * sensor[0], 0.5 * sensor[1]
-    axes.set(xlim=(-half[1], half[1]), ylim=(half[0], -half[0]), aspect="equal")
+    half_sensor = 0.5 * sensor[0], 0.5 * sensor[1]
+    axes.set(xlim=(-half_sensor[1], half_sensor[1]), ylim=(half_sensor[0], -half_sensor[0]), aspect="equal")
     axes.set_xticks(grid.x * factor, [drawing.true_minus(f"{value:.3g}") for value in grid.x * factor + 0.0])
     axes.set_yticks(grid.y * factor, [drawing.true_minus(f"{value:.3g}") for value in grid.y * factor + 0.0])
     if ax is None:
         title = f"{rows} × {columns} PSFs, each divided by its largest value"
         # Pictures in colour have no colour bar, so that the title states their brightness scale.
-        title += f"\nbrightness: {' '.join(drawing.STRETCHES[stretch].split())}" if coloured else ""
+        title += f"\nbrightness: {' '.join(drawing.STRETCHES[stretch].split())}" if is_coloured else ""
         axes.set_title(title, fontsize=9, loc="left", pad=22)
-    if ax is None and not coloured:
+    if ax is None and not is_coloured:
         scale = library("matplotlib.cm", *drawing.USER).ScalarMappable(drawing.norm_of(stretch, np.ones(1)), colors)
         label = drawing.bar_label("value / largest value of each PSF", stretch)
         axes.figure.colorbar(scale, ax=axes, shrink=0.75, label=label)
     axes.set(xlabel=f"x on the sensor ({unit})", ylabel=f"y on the sensor ({unit})")
-    # Lengths within the PSFs are enlarged by `larger`.
-    inner, inner_unit = drawing.lengths(grid.unit)
-    length = drawing.round_length(0.8 * wide * inner)
-    _scale_bar(axes, length / inner * larger / sensor[1], f"{length:g} {inner_unit} in the PSFs")
+    # Lengths within the PSFs are enlarged by `magnification`.
+    inner_factor, inner_unit = drawing.lengths(grid.unit)
+    length = drawing.round_length(0.8 * psf_width * inner_factor)
+    _scale_bar(axes, length / inner_factor * magnification / sensor[1], f"{length:g} {inner_unit} in the PSFs")
     return axes
 
 
 def _scale_bar(axes: Axes, length: float, label: str) -> None:
     """Draw a labelled scale bar above the right end of the axes; `length` is a fraction of the axes' width."""
-    shifted = library("matplotlib.transforms", *drawing.USER).offset_copy
-    place = shifted(axes.transAxes, fig=axes.figure, y=9.0, units="points")
+    offset_copy = library("matplotlib.transforms", *drawing.USER).offset_copy
+    place = offset_copy(axes.transAxes, fig=axes.figure, y=9.0, units="points")
     color = axes.xaxis.label.get_color()  # white in dark styles
     axes.plot([1.0 - length, 1.0], [1.0, 1.0], color=color, linewidth=2.5, transform=place, clip_on=False)
     axes.text(0.99 - length, 1.0, label, transform=place, ha="right", va="center", fontsize=8)
@@ -593,9 +602,9 @@ def difference(a: PSFLike | ArrayLike, b: PSFLike, ax: Axes | None = None) -> Ax
     if values.shape != b.shape:
         raise ValueError(f"a must have the shape of b, {b.shape}, got {values.shape}")
     largest, mean = peak_error(values, b.values), math.sqrt(mse(values, b.values))
-    away = (values - b.values) / float(b.values.max())
-    norm = drawing.even_norm(float(np.abs(away).max()))
-    axes = _show(away, b, drawing.new_axes(ax), cmap="RdBu_r", norm=norm, interpolation="nearest")
+    difference = (values - b.values) / float(b.values.max())
+    norm = drawing.even_norm(float(np.abs(difference).max()))
+    axes = _show(difference, b, drawing.new_axes(ax), cmap="RdBu_r", norm=norm, interpolation="nearest")
     if ax is None:
         drawing.caption(axes, f"largest difference {largest:.2g} of the peak, rms {mean:.2g}", "difference / peak")
     return axes
@@ -689,7 +698,7 @@ def spots(psf: PSFLike, ax: Axes | None = None, *, rings: int = 12, stretch: str
     if ax is None:
         low, high = sorted(limits[1])
         outside = int(np.sum((np.abs(x - np.mean(limits[0])) > 0.5 * np.ptp(limits[0])) | (y < low) | (y > high)))
-        beyond = f", {outside} of them beyond the window" if outside else ""
+        note = f", {outside} of them beyond the window" if outside else ""
         radius = float(spot_radius(pupil)) * factor
-        axes.set_title(f"rays: rms radius {radius:.3g} {unit}{beyond}; Airy radius {airy:.3g} {unit}", fontsize=9)
+        axes.set_title(f"rays: rms radius {radius:.3g} {unit}{note}; Airy radius {airy:.3g} {unit}", fontsize=9)
     return axes

@@ -456,10 +456,8 @@ def draw_varied(data: FigureData, *, errors: bool = False) -> Figure:
     if errors:  # linear up to 0.01 of the peak, logarithmic above
         norm = SymLogNorm(0.01, vmin=-top, vmax=top, base=10)
     figure = new_figure(2.35 * len(cases) + 1.3, 2.5 * len(VARIANTS) + 0.6)
-    other_parameters = ", ".join(
-        f"{variation.label} = {data.facts[key]:g}" for key, variation in VARIED.items() if key != varied
-    )
-    figure.suptitle(f"{'CFIS minus exact PSF' if errors else 'CFIS'}, {other_parameters}; {_V_AXIS}", fontsize=10)
+    constants = ", ".join(f"{item.label} = {data.facts[key]:g}" for key, item in VARIED.items() if key != varied)
+    figure.suptitle(f"{'CFIS minus exact PSF' if errors else 'CFIS'}, {constants}; {_V_AXIS}", fontsize=10)
     grid = figure.subplots(len(VARIANTS), len(cases), squeeze=False, sharex=True, sharey=True)
     for variant, axes_row in zip(VARIANTS, grid, strict=True):
         for axes, values, case in zip(axes_row, images[variant], cases, strict=True):
@@ -771,10 +769,8 @@ def _intensities(setting: Setting, variant: str, v: NDArray[np.float64]) -> list
 
 def _closest(name: str, parameters: NDArray[np.float64], values: Sequence[float], target: float) -> Facts:
     """Return the value with the least abs(log(value / target)), and the parameter `name` that yields it."""
-    value, parameter = min(
-        zip(values, parameters.tolist(), strict=True), key=lambda pair: abs(math.log(pair[0] / target))
-    )
-    return {"value": value, "at": {name: parameter}}
+    value, best = min(zip(values, parameters.tolist(), strict=True), key=lambda pair: abs(math.log(pair[0] / target)))
+    return {"value": value, "at": {name: best}}
 
 
 def _deviation(value: float, target: float) -> str:

@@ -560,17 +560,17 @@ class PSF(Measured, PSFLike, display.Shown):
     def __repr__(self) -> str:
         bound = "none" if self.error_bound is None else f"{self.error_bound:.2g}"
         pixel = pitch_in_words(self.grid.pixel) if self.unit == "m" else f"{self.grid.named} {self.unit}"
-        sampling = "averaged over pixels" if self.grid.integrate else "sampled at pixel centres"
-        sampling += "".join(f", {type(blur).__name__}" for blur in self.blur)
+        values = "averaged over pixels" if self.grid.integrate else "sampled at pixel centres"
+        values += "".join(f", {type(blur).__name__}" for blur in self.blur)
         # Point samples more than lambda*N apart do not sum to the total light, so that their sum is shown.
         if not self.sum_is_light:
             sums = self.values.sum(axis=(-2, -1), dtype=np.float64)
-            sampling += (
+            values += (
                 f", which sum to {' to '.join(f'{s:.3g}' for s in sorted({float(sums.min()), float(sums.max())}))}"
             )
         return (
             f"<{type(self).__name__} {'x'.join(map(str, self.shape))} {self.values.dtype}, "
-            f"pixel {pixel}, {sampling}, {type(self.method).__name__}, "
+            f"pixel {pixel}, {values}, {type(self.method).__name__}, "
             f"normalize {self.normalize!r}, error bound {bound}>"
         )
 

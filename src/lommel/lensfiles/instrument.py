@@ -256,7 +256,5 @@ def wide_enough(pupil: Pupil, pixel: float) -> int:
     """Return the side, in pixels (odd), of a square around the axis that contains about 98 % of the light."""
     # Diffraction spreads about the fraction 2 / (pi^2 x (1 - obscuration)) of the light farther than x lambda*N
     # beyond the geometric blur.
-    diffraction = 10.0 * pupil.scale / (1.0 - pupil.obscuration)
-    return (
-        2 * min(math.ceil((float(pupil.geometric_radius()) + diffraction) / pixel), validation.MAX_SIDE // 2 - 1) + 1
-    )
+    margin = 10.0 * pupil.scale / (1.0 - pupil.obscuration)
+    return 2 * min(math.ceil((float(pupil.geometric_radius()) + margin) / pixel), validation.MAX_SIDE // 2 - 1) + 1

@@ -249,10 +249,8 @@ class _Segments(Section):
         """Return the error message for keys that exclude each other."""
         if "file" in entries and set(_PHASES) & set(entries):
             return "takes file or the lists piston, tip and tilt, got both"
-        extra_keys = sorted({"gap", "middle", "angle"} & set(entries))
-        return (
-            f"{', '.join(extra_keys)} has no meaning without rings" if extra_keys and "rings" not in entries else None
-        )
+        extra = sorted({"gap", "middle", "angle"} & set(entries))
+        return f"{', '.join(extra)} has no meaning without rings" if extra and "rings" not in entries else None
 
     def phased(self, segments: Segments) -> Segments:
         """Return segments with the phases that the section states in waves."""

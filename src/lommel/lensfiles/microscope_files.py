@@ -125,9 +125,9 @@ class Microscope:
         return f"<Microscope {self.name!r}: {lens}, {emission}, pixels of {format_length(self.pixel)}{planes}>"
 
     def _repr_html_(self) -> str:
-        objective, text = self.objective, length_in_words
-        nyquist = objective.nyquist(wavelength=self.wavelength)
-        layer = objective.coverslip
+        lens, text = self.objective, length_in_words
+        nyquist = lens.nyquist(wavelength=self.wavelength)
+        layer = lens.coverslip
         glass = "none" if layer is None else f"{text(layer.thickness)} of index {layer.index:.4g}"
         planes = f"{self.planes}, {text(abs(self.step))} apart" if self.planes > 1 else "1"
         terms = {} if self.aberrations is None else self.aberrations.to_zernike(unit="waves")
@@ -135,16 +135,16 @@ class Microscope:
         rows: list[notebook.Row] = [
             (
                 "objective",
-                f"NA {objective.NA:.4g}, {objective.magnification:.4g}x, immersion {objective.immersion:.4g}",
+                f"NA {lens.NA:.4g}, {lens.magnification:.4g}x, immersion {lens.immersion:.4g}",
             ),
             ("cover glass", glass),
-            ("sample", f"index {objective.sample:.4g}"),
+            ("sample", f"index {lens.sample:.4g}"),
             ("emitter", f"{notebook.emitter(self.emitter)}, {text(self.depth)} deep"),
             ("wavelength", text(self.wavelength)),
             ("aberrations", f"{rms:.4g} waves rms" if rms else None),
             (
                 "pixels",
-                f"{text(self.pixel / objective.magnification)} in the sample ({text(self.pixel)} on the camera)",
+                f"{text(self.pixel / lens.magnification)} in the sample ({text(self.pixel)} on the camera)",
             ),
             ("planes", planes),
             ("Nyquist sampling", f"{text(nyquist.lateral)} in the sample, {text(nyquist.axial)} of the stage"),

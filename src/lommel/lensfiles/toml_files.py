@@ -143,10 +143,8 @@ class Section(BaseModel):
                 raise
             details = error.errors(include_url=False)
             faults = [
-                InitErrorDetails(
-                    type=detail["type"], loc=detail["loc"], input=detail["input"], ctx=detail.get("ctx", {})
-                )
-                for detail in details
+                InitErrorDetails(type=entry["type"], loc=entry["loc"], input=entry["input"], ctx=entry.get("ctx", {}))
+                for entry in details
             ] + faults
         if faults:
             raise ValidationError.from_exception_data(cls.__name__, faults)

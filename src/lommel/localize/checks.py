@@ -56,10 +56,8 @@ _TERMS = (*((n, m) for n in (2, 3, 4) for m in range(-n, n + 1, 2) if (n, m) != 
 _TERM, _TEST_MOLECULES = 0.1, 300
 _CONSTANTS = {"depth": 0.2e-6, "sample": 0.02, "immersion": 2e-3, "NA": 0.02, "wavelength": 0.02}
 _UNITS = {"depth": " m", "wavelength": " of it"}
-_STEP, _MAX_STATED = (
-    0.05,
-    0.5,
-)  # fractions of these sizes: step of differences; largest error of a constant in a message
+_STEP = 0.05  # step of differences, as a fraction of these sizes
+_MAX_STATED = 0.5  # largest error of a constant in a message, as a fraction of these sizes
 _BIASES, _MICRON = ("row", "column", "z", "photons"), 1e-6
 _PHASE_STEP = 1.0  # phase difference between neighbouring planes of the changes, radians
 _SUBPIXELS = 3  # samples along each side of a pixel
@@ -326,11 +324,9 @@ def _change_constant(pupil: ObjectivePupil, along: str, name: str, change: float
     if name == "wavelength":
         return pupil.in_light(pupil.wavelength * (1.0 + change))
     if name == "depth":
-        return (
-            replace(pupil, focus=pupil.focus + change)
-            if along == "depth"
-            else replace(pupil, depth=pupil.depth + change)
-        )
+        if along == "depth":
+            return replace(pupil, focus=pupil.focus + change)
+        return replace(pupil, depth=pupil.depth + change)
     return replace(pupil, layers=replace(pupil.layers, **{name: getattr(pupil.layers, name) + change}))
 
 
@@ -423,10 +419,8 @@ class Score(NamedTuple):
         tests = []
         for parts in (np.zeros_like(cell), cell):
             group = (parts == np.unique(parts)[:, None]).astype(float)
-            slopes, information = (
-                group @ self.slope[:, :2],
-                np.tensordot(group, self.information[:, :2, :2], 1),
-            )
+            slopes = group @ self.slope[:, :2]
+            information = np.tensordot(group, self.information[:, :2, :2], 1)
             sizes = np.linalg.solve(information, slopes[..., None])[..., 0]
             errors = np.sqrt(np.diagonal(np.linalg.inv(information), axis1=1, axis2=2))
             largest = np.unravel_index(np.abs(sizes / errors).argmax(), sizes.shape)
@@ -460,9 +454,8 @@ def scored(
     if not usable.any():
         return None
     # Molecules with neighbours are left out, because a neighbour resembles a slope of the background.
-    chosen = np.flatnonzero(usable & (molecules.discrepancy < np.median(molecules.discrepancy[usable]) + DOUBTFUL))[
-        :_MOLECULES
-    ]
+    limit = np.median(molecules.discrepancy[usable]) + DOUBTFUL
+    chosen = np.flatnonzero(usable & (molecules.discrepancy < limit))[:_MOLECULES]
     counts, read = in_electrons(spots.images[chosen], camera, spots.corners[chosen].astype(float))
     places = positions[chosen, 0], positions[chosen, 1], molecules.z[chosen]
     values, derivatives = table(*places, derivatives=True)
@@ -578,10 +571,8 @@ class TableTest:
             for test in significant
         ]
         cause = other_explanation(significant, [f"{labels[0]} beside what the table states", *labels[1:]])
-        estimate = _BIASES[int(biases.argmax())]
-        text = (
-            f"{cause.text}: this moves {estimate} by {biases.max():.2g} standard errors rms; fit the pupil to beads"
-        )
+        name = _BIASES[int(biases.argmax())]
+        text = f"{cause.text}: this moves {name} by {biases.max():.2g} standard errors rms; fit the pupil to beads"
         numbers = {**cause.numbers, "bias": dict(zip(_BIASES, biases.tolist(), strict=True))}
         severity: Severity = "doubt" if max(biases.max(), total_biases.max()) >= _BIASED else "note"
         return [Finding(cause.code, severity, text, numbers)]

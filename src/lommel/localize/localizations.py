@@ -323,10 +323,8 @@ def thunderstorm(path: Path) -> Iterator[Write]:
             if not columns:
                 write_header(recording.along)
             line = ",".join(["%d", *(number_format for number_format, _ in columns.values())]) + "\n"
-            numbers = [
-                np.arange(row_count + 1, row_count + 1 + rows.size),
-                *(values(rows) for _, values in columns.values()),
-            ]
+            indices = np.arange(row_count + 1, row_count + 1 + rows.size)
+            numbers = [indices, *(values(rows) for _, values in columns.values())]
             row_count += rows.size
             with atomic.as_path_error(path):
                 file.writelines(line % row for row in zip(*(column.tolist() for column in numbers), strict=True))
@@ -353,11 +351,8 @@ def picasso(path: Path, yaml_path: Path) -> Iterator[Write]:
     J. Schnitzbauer et al., doi:10.1038/nprot.2017.024. Rows are collected in a temporary file, since their number is
     needed at the beginning of the HDF5 file.
     """
-    h5py, movie, count = (
-        library("h5py", "files of Picasso need", "hdf5"),
-        Recording(1, 1, 1, 1.0, (1, 1), "z"),
-        0,
-    )
+    h5py, movie = library("h5py", "files of Picasso need", "hdf5"), Recording(1, 1, 1, 1.0, (1, 1), "z")
+    row_count = 0
     with ExitStack() as stack:
         target = stack.enter_context(atomic.opened(path))
         with atomic.as_path_error(path):
@@ -365,8 +360,8 @@ def picasso(path: Path, yaml_path: Path) -> Iterator[Write]:
         metadata = stack.enter_context(atomic.opened(yaml_path, "w", **_TEXT))
 
         def write(rows: Rows, recording: Recording) -> None:
-            nonlocal movie, count
-            movie, count = recording, count + rows.size
+            nonlocal movie, row_count
+            movie, row_count = recording, row_count + rows.size
             locs = np.empty(rows.size, _locs(recording))
             locs["frame"], locs["photons"], locs["bg"] = rows["frame"], rows["photons"], rows["background"]
             locs["log_likelihood"] = rows["log_likelihood"]
@@ -386,12 +381,12 @@ def picasso(path: Path, yaml_path: Path) -> Iterator[Write]:
         # which reserves the space of all rows in the file.
         header = io.BytesIO()
         with h5py.File(header, "w") as file:
-            table = file.create_dataset("locs", (count,), _locs(movie))
-            table[:1] = np.zeros(min(count, 1), _locs(movie))
+            table = file.create_dataset("locs", (row_count,), _locs(movie))
+            table[:1] = np.zeros(min(row_count, 1), _locs(movie))
             offset = table.id.get_offset()
         with atomic.as_path_error(path):
             target.write(header.getvalue())
-            if count:
+            if row_count:
                 row_file.seek(0)
                 target.seek(offset)
                 shutil.copyfileobj(row_file, target)

@@ -286,9 +286,8 @@ class DepthModel:
         def psf_at(position: float) -> Array:
             """Return the PSF at a position from 0 (depth `low`) to 1 (`high`)."""
             if position not in computed:
-                computed[position] = self.window_part(
-                    ((1.0 - position) * math.sqrt(low) + position * math.sqrt(high)) ** 2
-                )
+                root = (1.0 - position) * math.sqrt(low) + position * math.sqrt(high)
+                computed[position] = self.window_part(root**2)
             return computed[position]
 
         intervals = 1

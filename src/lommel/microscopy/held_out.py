@@ -227,9 +227,7 @@ class HeldOut(TrialDeconvolution):
             gains[value] = gain, error = gain + more_gain, math.hypot(error, more_error)
         numbers: dict[str, float] = {"sample": start, "lnL": gain, "lnL_error": error}
         if gain <= _SIGNIFICANT * error:
-            changes = " and ".join(
-                f"{dL:+.0f} +- {sigma:.0f} with {index:.4g}" for index, (dL, sigma) in gains.items()
-            )
+            changes = " and ".join(f"{x:+.0f} +- {sigma:.0f} with {index:.4g}" for index, (x, sigma) in gains.items())
             text = (
                 f"held-out photons prefer no other index of the sample to {start:.4g}: their lnL changes by {changes}"
             )

@@ -248,10 +248,8 @@ def rank_alternatives(context: StackContext, progress: Progress, *, try_reversed
             label = f"a {change} {title} (about {_value_in_words(model, name, value)})"
             decreases[label] = start_cost - lowest_cost
     largest = max(decreases.values(), default=0.0)
-    threshold = max(
-        _SIGNIFICANT * start_cost / trial.known, _MIN_EXPLAINED * (start_cost - 1.0), _COMPARABLE * largest
-    )
-    return sorted((label for label in decreases if decreases[label] > threshold), key=lambda label: -decreases[label])
+    least = max(_SIGNIFICANT * start_cost / trial.known, _MIN_EXPLAINED * (start_cost - 1.0), _COMPARABLE * largest)
+    return sorted((label for label in decreases if decreases[label] > least), key=lambda label: -decreases[label])
 
 
 def _line_search(
@@ -320,13 +318,8 @@ def refined(
         return discrepancies
 
     doubled = 2.0 * spacing
-    estimate, _ = _minimum(
-        function(coarse, _STEPS, coarse_cost),
-        start,
-        doubled,
-        (lower + doubled, upper - doubled),
-        coarse.known,
-    )
+    limits = lower + doubled, upper - doubled
+    estimate, _ = _minimum(function(coarse, _STEPS, coarse_cost), start, doubled, limits, coarse.known)
     limits = lower + spacing, upper - spacing
     estimate, errors = _minimum(function(fine, _FINE_STEPS, 1.0), estimate, spacing, limits, fine.known)
     estimate = np.clip(estimate, lower, upper)
@@ -348,7 +341,7 @@ def _with(model: DepthModel, names: Sequence[str], values: Sequence[float] | Arr
 
 
 def _minimum(
-    discrepancies: Callable[[Array], list[float]],
+    course: Callable[[Array], list[float]],
     start: Array,
     spacing: Array,
     limits: tuple[Array, Array],
@@ -367,7 +360,7 @@ def _minimum(
     offsets = np.array([np.zeros(count), *unit, *-unit, *(unit[i] + unit[k] for i, k in pairs)])
     estimate, errors = centre, np.full(count, np.inf)
     for _ in range(_ROUNDS):
-        courses = np.array([discrepancies(centre + offset * spacing) for offset in offsets])
+        courses = np.array([course(centre + offset * spacing) for offset in offsets])
         fits = [_quadratic(values, pairs) for values in (courses[:, courses.shape[1] // 2], courses[:, -1])]
         hessian, slope = fits[-1]
         # A quadratic function has a minimum if its matrix is positive definite.

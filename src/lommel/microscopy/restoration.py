@@ -622,12 +622,12 @@ def _wavelengths(
 ) -> list[float]:
     """Return the emission wavelength of each channel, from the argument, else the file, else the microscope."""
     if argument is not None:
-        given = np.atleast_1d(validation.real_array("wavelength", argument)).tolist()
-        if len(given) not in (1, len(numbers)):
-            raise ValueError(
-                f"wavelength must be one, or one for each of {len(numbers)} channels, got {len(given)} values"
-            )
-        return [validation.wavelength(float(wave)) for wave in (given * len(numbers) if len(given) == 1 else given)]
+        stated = np.atleast_1d(validation.real_array("wavelength", argument)).tolist()
+        if len(stated) not in (1, len(numbers)):
+            raise ValueError(f"wavelength must be one, or one for each of {len(numbers)} channels, got {len(stated)}")
+        return [
+            validation.wavelength(float(wave)) for wave in (stated * len(numbers) if len(stated) == 1 else stated)
+        ]
     waves = []
     for number in numbers:
         wave = recording.emission[number]
@@ -1181,7 +1181,7 @@ class _ChannelRestoration:
             progress = _ChunkProgress(
                 report, number, len(tiles), method.steps if course is None else len(course), method.target > 0.0
             )
-            count, stopped, discrepancies = self._solve(iteration, progress, is_only_chunk=mean_light is None)
+            count, stopped, discrepancies = self._solve(iteration, progress, single=mean_light is None)
             after = counted.mean(discrepancies)
             if course is None:
                 course, outcome.steps, outcome.strength = iteration.course, count, iteration.strength
@@ -1217,23 +1217,19 @@ class _ChannelRestoration:
         iteration.enough = enough(method, self._best_steps, counted)
         return iteration
 
-    def _solve(
-        self, iteration: Iteration, report: ProgressCallback, *, is_only_chunk: bool
-    ) -> tuple[int, str, Array]:
+    def _solve(self, iteration: Iteration, report: ProgressCallback, *, single: bool) -> tuple[int, str, Array]:
         """Iterate; return (1) number of steps, (2) why they ended, (3) discrepancies. Ctrl-C keeps a single chunk."""
         try:
             return iteration.solve(self._options.method, report)
         except KeyboardInterrupt:
-            if not is_only_chunk or self._target.unfinished is not None or not iteration.course:
+            if not single or self._target.unfinished is not None or not iteration.course:
                 raise
             return len(iteration.course) - 1, INTERRUPTED, iteration.discrepancies
 
-    def _central_finding(
-        self, counted: PoissonCounts, stop_reason: str, steps: int, discrepancy: float
-    ) -> Finding | None:
+    def _central_finding(self, counted: PoissonCounts, reason: str, steps: int, discrepancy: float) -> Finding | None:
         """Return the finding on the convergence of the central chunk, None if there is none."""
-        finding = counted.finding(stop_reason, steps, discrepancy)
-        is_settled = stop_reason != STEPS or self._options.method.target <= 0.0 or discrepancy <= 1.0 + counted.slack
+        finding = counted.finding(reason, steps, discrepancy)
+        is_settled = reason != STEPS or self._options.method.target <= 0.0 or discrepancy <= 1.0 + counted.slack
         if finding is not None or is_settled:
             return finding
         text = f"the residual exceeds the noise after the {steps} steps of the method; allow more steps"

@@ -751,15 +751,13 @@ class _LinearWeights:
 def _interpolate(light: Values, axes: list[_LinearWeights], rows: slice, columns: slice) -> Values:
     """Return a part of a plane, interpolated linearly from light at nodes (rows, columns)."""
     by_row, by_column = axes
-    fine_rows = np.empty((rows.stop - rows.start, light.shape[1]), np.float32)
+    lines = np.empty((rows.stop - rows.start, light.shape[1]), np.float32)
     for part, nodes in by_row.parts(rows):
-        fine_rows[part.start - rows.start : part.stop - rows.start] = product(
-            by_row.weights[part, nodes], light[nodes]
-        )
-    pixels = np.empty((len(fine_rows), columns.stop - columns.start), np.float32)
+        lines[part.start - rows.start : part.stop - rows.start] = product(by_row.weights[part, nodes], light[nodes])
+    pixels = np.empty((len(lines), columns.stop - columns.start), np.float32)
     for part, nodes in by_column.parts(columns):
         target = slice(part.start - columns.start, part.stop - columns.start)
-        pixels[:, target] = product(fine_rows[:, nodes], by_column.weights[part, nodes].T)
+        pixels[:, target] = product(lines[:, nodes], by_column.weights[part, nodes].T)
     return pixels
 
 
@@ -783,10 +781,10 @@ def taper(side: int, pitch: int, positions: Array | None = None) -> Array:
     It is computed at the pixels of a window of `side` pixels, or at `positions` along both axes, in pixels from the
     middle.
     """
-    positions = np.arange(side) - side // 2 if positions is None else positions
+    x = np.arange(side) - side // 2 if positions is None else positions
     half = side // 2 + 0.5
     width = min(2.0 * pitch, 0.7 * half)
-    radius = np.hypot(positions[:, np.newaxis], positions)
+    radius = np.hypot(x[:, np.newaxis], x)
     fraction = np.clip((half - radius) / width, 0.0, 1.0)
     # A raised cosine, with slope 0 at either end.
     return np.asarray(0.5 - 0.5 * np.cos(math.pi * fraction))

@@ -64,11 +64,11 @@ def hot_pixels(stack: Stack, noise: Noise, sharpest: float, limit: float = math.
 
 
 def _further_hot_pixels(
-    stack: Stack, planes: Array, noise: Noise, limit: float, hot: NDArray[np.bool_], max_step_ratio: float
+    stack: Stack, planes: Array, noise: Noise, limit: float, hot: NDArray[np.bool_], max_ratio: float
 ) -> NDArray[np.bool_]:
     """Return a mask of hot pixels that are not in the mask `hot` yet."""
     gain = np.asarray(1.0 if noise.white is None else noise.white)
-    total, steps, farther_steps, counts, positive, above, but_one = (np.zeros(hot.shape) for _ in range(7))
+    total, steps, far_steps, counts, positive, above, but_one = (np.zeros(hot.shape) for _ in range(7))
     for plane in planes:
         recorded = np.asarray(stack[int(plane)], np.float64)
         known = np.isfinite(recorded) & (recorded < limit) & ~hot
@@ -85,7 +85,7 @@ def _further_hot_pixels(
         # Medians, because one of the neighbours may be hot, too.
         sides, farther = (np.median([shifted[place] for place in places], axis=0) for places in (_SIDES, _FARTHER))
         for values, sums in (
-            ((electrons - median) / sigma, total), (electrons - sides, steps), (sides - farther, farther_steps),
+            ((electrons - median) / sigma, total), (electrons - sides, steps), (sides - farther, far_steps),
             (1.0, counts), (electrons > median, positive), (electrons > near[-1], above),
             ((electrons - near[-2]) / sigma, but_one),
         ):  # fmt: skip
@@ -93,9 +93,7 @@ def _further_hot_pixels(
     # A sum of n unit deviates has the standard deviation sqrt(n).
     is_significant = total > _PERSISTENT * np.sqrt(counts)
     is_frequent = (positive >= _MOSTLY * counts) & ((above > _MIN_ABOVE * counts) | (but_one > _BUT_ONE * total))
-    return np.asarray(
-        is_significant & is_frequent & (steps > max_step_ratio * farther_steps) & (counts >= _MIN_PLANES)
-    )
+    return np.asarray(is_significant & is_frequent & (steps > max_ratio * far_steps) & (counts >= _MIN_PLANES))
 
 
 def hot_voxels(stack: Stack, noise: Noise, sharpest: float, limit: float = math.inf) -> Array:
@@ -114,17 +112,16 @@ def hot_voxels(stack: Stack, noise: Noise, sharpest: float, limit: float = math.
         values = np.where(known, recorded, -np.inf)
         height, width = values.shape
         padded = np.pad(values, 1, constant_values=-np.inf)
-        brightest_neighbour = np.full_like(values, -np.inf)
+        neighbour = np.full_like(values, -np.inf)
         for y, x in product(range(3), range(3)):
             if (y, x) != (1, 1):
-                np.maximum(brightest_neighbour, padded[y : y + height, x : x + width], out=brightest_neighbour)
-        plane_median = float(np.median(recorded[known])) if known.any() else 0.0
+                np.maximum(neighbour, padded[y : y + height, x : x + width], out=neighbour)
+        median = float(np.median(recorded[known])) if known.any() else 0.0
         # Photon noise of the voxel itself, but at least the noise of the background.
-        electrons = np.maximum(gain * (np.maximum(values, plane_median) - noise.offset), 0.0)
+        electrons = np.maximum(gain * (np.maximum(values, median) - noise.offset), 0.0)
         threshold = _MIN_SIGMA * np.sqrt(electrons + np.asarray(noise.read) ** 2) / gain
         hot = (values < limit) & (
-            values - plane_median
-            > _MIN_SHARPNESS * sharpest * np.maximum(brightest_neighbour - plane_median, 0.0) + threshold
+            values - median > _MIN_SHARPNESS * sharpest * np.maximum(neighbour - median, 0.0) + threshold
         )
         positions.append(np.column_stack([np.full(np.count_nonzero(hot), plane), *np.nonzero(hot)]))
     return np.concatenate(positions)

@@ -474,9 +474,8 @@ class _ZarrPlanes:
         self.dtype = np.dtype(array.dtype).newbyteorder("=")
         reading.pixels(*self.sides[::-1])
         self.chunks = zarr_folders.Chunks(path, array)
-        self._block_images: int = (
-            array.chunks[-3] if self._stack_shape else 1
-        )  # number of images that are read together
+        # Number of images that are read together.
+        self._block_images: int = array.chunks[-3] if self._stack_shape else 1
         self._block: tuple[int, Values] | None = None
         self._lock = threading.Lock()
 
@@ -618,9 +617,8 @@ def _fits_or_png_frames(path: Path, part: str | None) -> Frames:
         raise RecordingError(f"{line(path)} {problem}") from None
     values, header = file_format.read(data, part)
     frames, notes = _array_frames(_grey(values), "it"), tuple(fits_notes(header))
-    return replace(
-        frames, metadata=fits_metadata(header), metadata_format="FITS" if header else "", path=path, notes=notes
-    )
+    metadata, kind = fits_metadata(header), "FITS" if header else ""
+    return replace(frames, metadata=metadata, metadata_format=kind, path=path, notes=notes)
 
 
 def _open_tiff(path: Path, image: int | None) -> Frames:
@@ -756,15 +754,8 @@ def _zarr_frames(path: Path) -> Frames:
     ] * (missing > 0)
     stack_shape = array.shape[:-2]
     reading.afford(64 * math.prod(stack_shape), reading.MEMORY)  # 64 bytes for the number of each image
-    return Frames(
-        planes,
-        np.arange(math.prod(stack_shape)).reshape(stack_shape),
-        order,
-        metadata,
-        "OME-Zarr",
-        path,
-        tuple(notes),
-    )
+    numbers = np.arange(math.prod(stack_shape)).reshape(stack_shape)
+    return Frames(planes, numbers, order, metadata, "OME-Zarr", path, tuple(notes))
 
 
 def _check_descriptions(folder: Path, prefix: str) -> None:

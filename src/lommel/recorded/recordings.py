@@ -186,20 +186,16 @@ def open_recording(
 
 def _with_axes(frames: Frames, axes: str | None, time: int | None) -> Frames:
     """Return images along C and Z, at a single time."""
-    name, leading_sizes = frames.name, frames.numbers.shape  # sizes of all axes before rows and columns
+    name, lengths = frames.name, frames.numbers.shape  # sizes of all axes before rows and columns
     if axes is None and frames.path is None and not frames.metadata_format:
-        if len(leading_sizes) not in (1, 2):
+        if len(lengths) not in (1, 2):
             raise ValueError(
                 "stack must have the shape (planes, height, width) or (channels, planes, height, width), got "
                 f"{frames.shape}"
             )
         axes = "CZYX"[-frames.ndim :]
     if axes is not None:
-        sizes = (
-            leading_sizes
-            if len(leading_sizes) == len(axes) - 2
-            else tuple(side for side in leading_sizes if side != 1)
-        )
+        sizes = lengths if len(lengths) == len(axes) - 2 else tuple(side for side in lengths if side != 1)
         if len(sizes) != len(axes) - 2:
             raise RecordingError(f"{name}: axes={axes!r} does not match its shape {frames.shape}")
         frames = replace(frames, numbers=frames.numbers.reshape(sizes), axes=axes)

@@ -176,13 +176,9 @@ class ImageQuality(PointQuality):
         shapes = (pupil.spider, pupil.vignetting, pupil.stop, pupil.mask)
         if not pupil.illumination.uniform or any(shape is not None for shape in shapes):
             return None
-        airy_zero, obscuration = float(jn_zeros(1, 1)[0]), pupil.obscuration
-        zero = (
-            float(brentq(lambda v: j1(v) - obscuration * j1(obscuration * v), 0.5, airy_zero))
-            if obscuration
-            else airy_zero
-        )
-        return pupil.airy_radius * zero / airy_zero
+        airy, eps = float(jn_zeros(1, 1)[0]), pupil.obscuration
+        ring = float(brentq(lambda v: j1(v) - eps * j1(eps * v), 0.5, airy)) if eps else airy
+        return pupil.airy_radius * ring / airy
 
     @property
     def circle_of_confusion(self) -> float:
@@ -525,11 +521,10 @@ def sensor_mtf(instrument: Instrument, places: Sequence[Place], channels: Channe
         if x is not None and y is not None and (x or y):
             radial = np.array([x, y]) / math.hypot(x, y)
             directions["radial"] = min(nyquist) * np.array([[-radial[1], radial[0]], radial])
-        for name, spectrum in spectra:
+        for name, light in spectra:
             result = {
                 key: [
-                    transfer.mtf(pupil, *(factor * f.T), spectrum=spectrum, **sensor).tolist()
-                    for factor in (1.0, 0.5)
+                    transfer.mtf(pupil, *(factor * f.T), spectrum=light, **sensor).tolist() for factor in (1.0, 0.5)
                 ]
                 for key, f in directions.items()
             }

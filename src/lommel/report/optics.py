@@ -174,7 +174,7 @@ def _diameters(facts: Facts, pixel: float) -> RenderableType:
 
 def _wavefront_parts(facts: Facts) -> Parts:
     """Return the tables of the wavefront and of the model."""
-    rms, untilted, best_defocus = facts["rms_waves"], facts["rms_waves_without_tilt"], facts["balancing_W020"]
+    rms, untilted, best = facts["rms_waves"], facts["rms_waves_without_tilt"], facts["balancing_W020"]
     area = "over the clear aperture" if facts["clear_area"] < 1.0 - 1e-9 else "over the pupil"
     without_tilt = ""
     if untilted is not None and rms - untilted > 5e-5 * rms:
@@ -193,7 +193,7 @@ def _wavefront_parts(facts: Facts) -> Parts:
         ("in waves at the edge", ", ".join(terms)),
         (
             "least rms would be at",
-            None if best_defocus is None else f"W020 = {best_defocus:.4g}, which balances the other terms",
+            None if best is None else f"W020 = {best:.4g}, which balances the other terms",
         ),
     ]
     zernike = [zernike_table(facts)] if any(term["m"] for term in facts["zernike"]) else []
@@ -533,9 +533,7 @@ def describe_mtf(instrument: Instrument, places: Sequence[Place], channels: Chan
     """
     facts = sensor_mtf(instrument, places, channels)
     over_field = places[0][0] is not None
-    heads = [
-        name for name, is_shown in (("position x, y", over_field), ("channel", channels is not None)) if is_shown
-    ]
+    heads = [name for name, shown in (("position x, y", over_field), ("channel", channels is not None)) if shown]
     cells, frequencies = [], facts["frequency"]
     for row in facts["rows"]:
         place = ", ".join(format_length(row[axis] or 0.0, like=1e-3) for axis in ("x", "y"))

@@ -379,8 +379,8 @@ def mtf(thing: Pupil | PSFLike, ax: Axes | None = None, *, pixel: float | None =
     titles = drawing.of_pupils(pupil)
     axes = drawing.new_axes(ax)
     factor, unit = drawing.frequencies(pupil.unit)
-    max_frequency = pupil.cutoff * (thing.method.stretch(pupil) if is_psf(thing) else 1.0)
-    f, zero = np.linspace(0.0, max_frequency, _POINTS), np.zeros(_POINTS)
+    limit = pupil.cutoff * (thing.method.stretch(pupil) if is_psf(thing) else 1.0)
+    f, zero = np.linspace(0.0, limit, _POINTS), np.zeros(_POINTS)
     for k, (place, index) in enumerate(members.items()):
         member = thing[index] if pupil.shape else thing
         name = f"{titles[place]}, " if pupil.shape else ""
@@ -399,12 +399,10 @@ def mtf(thing: Pupil | PSFLike, ax: Axes | None = None, *, pixel: float | None =
     if sides[1]:
         axes.plot(factor * f, _pixel_mtf(f, sides[1]), ":", color="0.5", label="pixel alone")
         nyquist = 0.5 / (thing.grid.pitch[1] if is_psf(thing) else sides[1])
-        if nyquist <= max_frequency:
+        if nyquist <= limit:
             axes.axvline(factor * nyquist, color="0.5", linewidth=0.8, linestyle="-.", label="Nyquist of pixels")
     title = _title(pupil, thing.pixel if is_psf(thing) and sides[1] else pixel) if ax is None else None
-    drawing.complete_curves(
-        axes, title, (0.0, factor * max_frequency), xlabel=f"spatial frequency ({unit})", ylabel="MTF"
-    )
+    drawing.complete_curves(axes, title, (0.0, factor * limit), xlabel=f"spatial frequency ({unit})", ylabel="MTF")
     return axes
 
 
@@ -417,9 +415,7 @@ def _equal_along_axes(thing: Any, sides: tuple[float, float]) -> bool:
     """Return True if the MTFs along x and y are equal."""
     if not is_psf(thing):
         return bool(thing.radial)
-    directional = any(
-        part.streak != (0.0, 0.0) or part.covariance[0, 0] != part.covariance[1, 1] for part in thing.blur
-    )
+    directional = any(b.streak != (0.0, 0.0) or b.covariance[0, 0] != b.covariance[1, 1] for b in thing.blur)
     return thing.pupil.radial and sides[0] == sides[1] and not directional
 
 
@@ -489,13 +485,11 @@ def encircled_energy(psf: PSFLike, ax: Axes | None = None, *, radius: float | No
         if isinstance(pupil, Pupil):
             ideal = within(replace(psf, pupil=pupil.unaberrated(), derivatives={}), radii)
             axes.plot(factor * radii, ideal, "--", color="0.5", label="without aberration")
-        marked_radii = {
-            part: factor * float(np.interp(part, curve, radii)) for part in _FRACTIONS if curve[-1] > part
-        }
-        notes = [f"{percent(part)} within {marked_radius:.3g} {unit}" for part, marked_radius in marked_radii.items()]
+        marks = {part: factor * float(np.interp(part, curve, radii)) for part in _FRACTIONS if curve[-1] > part}
+        notes = [f"{percent(part)} within {mark:.3g} {unit}" for part, mark in marks.items()]
         title = ", ".join([title, *notes])
-        for part, marked_radius in marked_radii.items():
-            axes.plot([0.0, marked_radius, marked_radius], [part, part, 0.0], ":", color="0.5", linewidth=0.8)
+        for part, mark in marks.items():
+            axes.plot([0.0, mark, mark], [part, part, 0.0], ":", color="0.5", linewidth=0.8)
     figure_title, limits = title if ax is None else None, (0.0, max_radius * factor)
     ylabel = "fraction of all light"
     drawing.complete_curves(axes, figure_title, limits, "lower right", xlabel=f"radius ({unit})", ylabel=ylabel)

@@ -66,16 +66,14 @@ class DepthColours:
         font = library("PIL.ImageFont", "the bar of colours needs", "images").load_default(_TEXT)
         ends = [format_length(distance) if math.isfinite(distance) else "infinity" for distance in between]
         labels = [*ends, "not known"]
-        left_width, right_width, unknown_width = (math.ceil(draw.textlength(text, font=font)) for text in labels)
-        start = left_width + 10
-        stop = width - right_width - 10
-        show_grey = stop - start - unknown_width - _BAR - 12 >= _MIN_GRADIENT
+        left, right, unknown = (math.ceil(draw.textlength(text, font=font)) for text in labels)
+        start = left + 10
+        stop = width - right - 10
+        show_grey = stop - start - unknown - _BAR - 12 >= _MIN_GRADIENT
         if show_grey:
-            stop -= unknown_width + _BAR + 12
-            draw.rectangle(
-                (stop + right_width + 18, 6, stop + right_width + 18 + _BAR - 8, _BAR - 7), fill=(_GREY,) * 3
-            )
-            draw.text((width - unknown_width - 4, _BAR // 2), labels[2], fill=(_INK,) * 3, font=font, anchor="lm")
+            stop -= unknown + _BAR + 12
+            draw.rectangle((stop + right + 18, 6, stop + right + 18 + _BAR - 8, _BAR - 7), fill=(_GREY,) * 3)
+            draw.text((width - unknown - 4, _BAR // 2), labels[2], fill=(_INK,) * 3, font=font, anchor="lm")
         draw.text((4, _BAR // 2), labels[0], fill=(_INK,) * 3, font=font, anchor="lm")
         draw.text((stop + 6, _BAR // 2), labels[1], fill=(_INK,) * 3, font=font, anchor="lm")
         bar = np.array(canvas)
@@ -119,7 +117,7 @@ def field(
     chi^2 of each star, and a mask that is True for the stars of the fit. `images` are measured images and models.
     """
     x, y, length = axes
-    star_x, star_y, chi2, fitted = stars
+    star_x, star_y, chi2, used = stars
     factor, name = (1e3, "mm") if length == "m" else (1.0, "λN")
     rows = math.ceil((len(maps) + 1) / _MAX_COLUMNS)
     columns = math.ceil((len(maps) + 1) / rows)
@@ -139,26 +137,26 @@ def field(
         panel.set(xticks=[], yticks=[])
     panel = panels.flat[len(maps)]
     dots = panel.scatter(
-        factor * star_x[fitted],
-        factor * star_y[fitted],
-        c=chi2[fitted],
+        factor * star_x[used],
+        factor * star_y[used],
+        c=chi2[used],
         s=14,
         cmap=drawing.COLOURS,
         vmin=0.8,
         vmax=1.4,
     )
-    if not fitted.all():
-        panel.plot(factor * star_x[~fitted], factor * star_y[~fitted], "x", color="C3", markersize=6)
+    if not used.all():
+        panel.plot(factor * star_x[~used], factor * star_y[~used], "x", color="C3", markersize=6)
     panel.set(xlim=extent[:2], ylim=extent[2:], aspect="equal")
     panel.set_xlabel(f"x ({name})", fontsize=8)
     panel.set_ylabel(f"y ({name})", fontsize=8)
     panel.tick_params(labelsize=7)
-    panel.set_title("stars, chi2" + ("" if fitted.all() else "\ncrosses: rejected"), fontsize=8)
+    panel.set_title("stars, chi2" + ("" if used.all() else "\ncrosses: rejected"), fontsize=8)
     upper.colorbar(dots, ax=panel, shrink=0.75).ax.tick_params(labelsize=7)
     for empty in panels.flat[len(maps) + 1 :]:
         empty.remove()
     upper.suptitle(f"Zernike terms over the sensor ({unit} rms), ± median standard error", fontsize=10)
-    _stars(lower, images, (star_x, star_y, fitted))
+    _stars(lower, images, (star_x, star_y, used))
     figure.suptitle(textwrap.fill(title, 130), fontsize=9)
     return figure
 
@@ -195,16 +193,14 @@ def _residual_rows(
         scale = norm(0.5, np.nanmin(image), np.nanmax(image))
         for panel, values in zip(column[:2], (image, model), strict=True):
             panel.imshow(values, cmap=drawing.COLOURS, norm=scale, interpolation="nearest")
-        residual_image = column[2].imshow(
-            residual, cmap="RdBu_r", vmin=-_SIGMAS, vmax=_SIGMAS, interpolation="nearest"
-        )
+        shown = column[2].imshow(residual, cmap="RdBu_r", vmin=-_SIGMAS, vmax=_SIGMAS, interpolation="nearest")
         column[0].set_title(title, fontsize=8)
     rows = "measured\n(square root)", "model\n(square root)", "residual"
     for row, text in zip(panels, rows, strict=True):
         row[0].set_ylabel(text, fontsize=font_size)
     for panel in panels.flat:
         panel.set(xticks=[], yticks=[], facecolor="0.5")  # colour of NaN pixels
-    return panels, residual_image
+    return panels, shown
 
 
 _COLOURS = "turbo"  # colour map of z or depth
@@ -448,12 +444,10 @@ def fit(
     axes.set_yticks(positions, names, fontsize=8)
     axes.set(xlabel=f"coefficient ({unit})", ylim=(len(names) - 0.4, -0.6))  # the first on top
     # Error bars may be too short to be visible: write their numbers beside the graph.
-    right_of_axes = axes.get_yaxis_transform()
+    margin = axes.get_yaxis_transform()
     for k, pair in enumerate(map(with_error, values, errors)):
         number, error = map(drawing.true_minus, pair)
-        axes.text(
-            1.02, k, f"{number} ± {error.replace('inf', '∞')}", transform=right_of_axes, fontsize=8, va="center"
-        )
+        axes.text(1.02, k, f"{number} ± {error.replace('inf', '∞')}", transform=margin, fontsize=8, va="center")
     axes.set_title(f"{title}\nfitted coefficients ± standard errors", fontsize=9)
     return figure
 

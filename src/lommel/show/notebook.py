@@ -139,10 +139,10 @@ def pupil(thing: Pupil | ObjectivePupil) -> str:
         rows += [("depth", _places(thing.depth)), ("stage", _places(thing.z)), ("emitter", emitter(thing.emitter))]
     else:
         rows += [("aperture", _aperture(thing)), ("Airy radius", _length(thing.airy_radius, thing.unit))]
-        is_full_disc = thing.circular and not thing.obscuration
+        full = thing.circular and not thing.obscuration
         rows += [
             *_rms(thing),
-            *_terms(thing.wavefront, "waves rms" if is_full_disc else "waves rms over the full disc"),
+            *_terms(thing.wavefront, "waves rms" if full else "waves rms over the full disc"),
         ]
     return _html(_count(type(thing).__name__, thing.shape), rows, lambda: _phase(thing), _PHASE)
 
@@ -168,11 +168,9 @@ def retrieval(images: Array, model: Array, rows: Sequence[Row]) -> str:
 
     def picture() -> str:
         low, high = np.nanmin(images[0]), np.nanmax(images[0])
-        pictures = [
-            np.sqrt(np.clip((part - low) / ((high - low) or 1.0), 0.0, 1.0)) for part in (images[0], model[0])
-        ]
+        pair = [np.sqrt(np.clip((part - low) / ((high - low) or 1.0), 0.0, 1.0)) for part in (images[0], model[0])]
         return _joined_pictures(
-            [_smaller(part) for part in pictures], drawing.COLOURS, "the first image as measured, and its model"
+            [_smaller(part) for part in pair], drawing.COLOURS, "the first image as measured, and its model"
         )
 
     return _html("Retrieval", rows, picture, "measured, and the model")

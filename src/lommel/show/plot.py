@@ -108,10 +108,8 @@ def sections(psf: PSFLike, *, stretch: str = "sqrt") -> NDArray[np.object_]:
         (xz, levels[1], (0, 2), "xz", places[1]),
         (yz, levels[2], (2, 1), "yz", f"x = {x_text}"),
     ):
-        horizontal, vertical = ((x, y, z)[k] for k in (i, j))
-        mesh = axes.pcolormesh(
-            _edges(horizontal), _edges(vertical), level, norm=norm, cmap=drawing.COLOURS, rasterized=True
-        )
+        u, v = ((x, y, z)[k] for k in (i, j))
+        mesh = axes.pcolormesh(_edges(u), _edges(v), level, norm=norm, cmap=drawing.COLOURS, rasterized=True)
         axes.set_title(f"{name} at {place} µm", fontsize=9)
         axes.set(aspect=scales[j] / scales[i], facecolor="black", xlim=limits[i], ylim=limits[j])
     for axes in (xy, yz):
@@ -144,12 +142,10 @@ def _draw_profiles(
     """
     xy, xz, _ = levels
     row, column = peak
-    for name, style, distance, line in zip(
+    for name, style, d, line in zip(
         "xyz", ("-", "--", "-"), distances, (xy[row], xy[:, column], xz[:, column]), strict=True
     ):
-        axes.plot(
-            distance, line / (float(xy.max()) or 1.0), style, marker=".", markersize=3, linewidth=0.9, label=name
-        )
+        axes.plot(d, line / (float(xy.max()) or 1.0), style, marker=".", markersize=3, linewidth=0.9, label=name)
     half = 0.5 * max(lengths)
     axes.set(xlim=(-half, half), ylim=(0.0, 1.05), xlabel="from the peak (µm)")
     axes.legend(
@@ -271,11 +267,9 @@ def _draw(psf: PSFLike, axes: Axes, norm: Normalize) -> Axes:
 def _show(picture: Values, psf: PSFLike, axes: Axes, **style: Any) -> Axes:
     """Draw values or colours of the pixels of a PSF on axes with positions on the sensor."""
     factor, unit = drawing.lengths(psf.unit)
-    half_height, half_width = (0.5 * side * factor for side in psf.grid.pitch)
+    half_high, half = (0.5 * side * factor for side in psf.grid.pitch)
     x, y = psf.grid.x * factor, psf.grid.y * factor
-    axes.imshow(
-        picture, extent=(x[0] - half_width, x[-1] + half_width, y[-1] + half_height, y[0] - half_height), **style
-    )
+    axes.imshow(picture, extent=(x[0] - half, x[-1] + half, y[-1] + half_high, y[0] - half_high), **style)
     place = " on the camera" if isinstance(psf.pupil, ObjectivePupil) else ""  # not in the sample
     axes.set(xlabel=f"x{place} ({unit})", ylabel=f"y{place} ({unit})")
     return axes
@@ -319,10 +313,8 @@ def colour(psf: ColourPSFLike, ax: Axes | None = None, *, stretch: str = "sqrt")
     else:
         raise ValueError(f"a stack must have three channels, got {len(psf.psfs)}; plot a channel: psf[0].plot()")
     if len(pictures) > drawing.MOST or (ax is not None and len(pictures) > 1):
-        max_pictures = 1 if ax is not None else drawing.MOST
-        raise ValueError(
-            f"at most {max_pictures} PSFs can be drawn here, got {len(pictures)}; use part(index) of a stack"
-        )
+        limit = 1 if ax is not None else drawing.MOST
+        raise ValueError(f"at most {limit} PSFs can be drawn here, got {len(pictures)}; use part(index) of a stack")
     single = psf.psfs[0] if not stack else psf.psfs[0][(0,) * len(stack)]
     columns = drawing.columns_of(len(pictures))
     rows = -(-len(pictures) // columns)
@@ -373,9 +365,9 @@ def compare(
     """
     if reference not in answers:
         raise ValueError(f"reference must be one of {', '.join(answers)}, got {validation.shown(reference)}")
-    reference_psf = answers[reference]
-    other_psfs = {name: psf for name, psf in answers.items() if name != reference}
-    count = 1 + len(other_psfs)
+    exact = answers[reference]
+    others = {name: psf for name, psf in answers.items() if name != reference}
+    count = 1 + len(others)
     rows = -(-count // _MAX_COLUMNS)
     columns = -(-count // rows)
     width = 2.0 * max(columns, 3) + 1.6
@@ -387,19 +379,19 @@ def compare(
     )
     drawing.with_margins(figure)
     pictures, graphs = figure.subfigures(2, 1, squeeze=False, height_ratios=(above, 4.6))[:, 0]
-    peak = float(reference_psf.values.max())
+    peak = float(exact.values.max())
     scale = library("matplotlib.colors", *drawing.USER).LogNorm(*_ERRORS, clip=True)
     error_axes = []
-    for k, name in enumerate([reference, *other_psfs]):
+    for k, name in enumerate([reference, *others]):
         axes = pictures.add_subplot(rows, columns, k + 1)
         if name == reference:
-            plot(reference_psf, axes)
+            plot(exact, axes)
         else:
             error = np.maximum(
-                np.abs(np.asarray(other_psfs[name].values, dtype=np.float64) - reference_psf.values) / peak,
+                np.abs(np.asarray(others[name].values, dtype=np.float64) - exact.values) / peak,
                 _ERRORS[0],
             )
-            _show(error, reference_psf, axes, cmap="viridis", norm=scale, interpolation="nearest")
+            _show(error, exact, axes, cmap="viridis", norm=scale, interpolation="nearest")
             error_axes.append(axes)
         title = f"{name}, the reference (square root)" if name == reference else name
         axes.set_title("\n".join(textwrap.wrap(title, _MAX_LETTERS)), fontsize=8)
@@ -413,19 +405,19 @@ def compare(
         bar = pictures.colorbar(error_axes[0].images[0], ax=pictures.axes, extend="min", pad=0.01)
         bar.set_label("error / peak of the reference", fontsize=8)
         bar.ax.tick_params(labelsize=7)
-    factor, unit = drawing.lengths(reference_psf.unit)
+    factor, unit = drawing.lengths(exact.unit)
     slices, errors = graphs.subplots(1, 2, width_ratios=(1.0, 1.35))
-    radius, expected = reference_psf.profile()
-    max_radius = max(float(radius[-1]), 0.5 * reference_psf.grid.pitch[1]) * factor
+    radius, expected = exact.profile()
+    max_radius = max(float(radius[-1]), 0.5 * exact.grid.pitch[1]) * factor
     curve_ends: list[tuple[float, str, str]] = []
     # Pixel averages are drawn as steps, point samples as markers.
     style: dict[str, Any] = (
-        {"drawstyle": "steps-mid"} if reference_psf.sampling == "pixel" else {"marker": ".", "markersize": 4}
+        {"drawstyle": "steps-mid"} if exact.sampling == "pixel" else {"marker": ".", "markersize": 4}
     )
     slices.plot(radius * factor, expected / peak, color=slices.xaxis.label.get_color(), linewidth=1.4, **style)
     slices.set_title("the reference along x, pixel by pixel", fontsize=9)
     slices.set(ylabel="intensity / peak", xlabel=f"distance from the centre ({unit})", xlim=(0.0, max_radius))
-    for k, (name, psf) in enumerate(other_psfs.items()):
+    for k, (name, psf) in enumerate(others.items()):
         difference = np.maximum(np.abs(psf.profile()[1] - expected) / peak, 1e-17)
         errors.semilogy(radius * factor, difference, ".-", color=f"C{k}", linewidth=0.9, markersize=4)
         curve_ends.append((float(np.median(difference[-max(1, difference.size // 8) :])), name, f"C{k}"))

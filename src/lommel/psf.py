@@ -1,4 +1,4 @@
-"""Point spread functions: `psf` computes one, `Plan` computes many with the same options; both return a `PSF`."""
+"""Point spread functions: `psf` computes one PSF, `Plan` many PSFs with the same options; both return a `PSF`."""
 
 from __future__ import annotations
 
@@ -301,7 +301,7 @@ class Plan:
         """Return the stack of PSFs of pupils whose apertures differ, such as vignetted pupils over the field."""
         if question.names(derivatives):
             raise ValueError(
-                "derivatives need pupils with one aperture, got different ones (vignetting); compute each pupil alone"
+                "derivatives need pupils of one aperture, got several (vignetting); compute each pupil alone"
             )
         if self._center_shape:
             raise ValueError(
@@ -310,11 +310,12 @@ class Plan:
         shape = (*pupil.shape, *self._sampled_grid.shape)
         target = np.empty(shape, self.dtype) if out is None else question.place(out, shape, self.dtype)
         windows = target.reshape(-1, *self._sampled_grid.shape)
-        psfs = [self(one, out=window) for one, window in zip(pupil.pupils, windows, strict=True)]
-        # The stack has an error bound only if every PSF has one.
-        bounds = [one.error_bound for one in psfs if one.error_bound is not None]
+        psfs = [self(single, out=window) for single, window in zip(pupil.pupils, windows, strict=True)]
+        # The stack has an error bound only if every PSF has an error bound.
+        bounds = [psf.error_bound for psf in psfs if psf.error_bound is not None]
+        # The stack has the method of its first pupil that is not circular.
         return replace(
-            next((one for one in psfs if not one.pupil.circular), psfs[0]),  # its method becomes that of the stack
+            next((psf for psf in psfs if not psf.pupil.circular), psfs[0]),
             values=target,
             pupil=pupil,
             error_bound=max(bounds) if len(bounds) == len(psfs) else None,
@@ -657,7 +658,7 @@ class PSF(Measured, PSFLike, display.Shown):
         return axes
 
     def plot_mtf(self, ax: Axes | None = None) -> Axes:
-        """Draw the modulation transfer functions along x and y, with that of the aperture without aberration.
+        """Draw the modulation transfer functions along x and y, and of the aperture without aberration.
 
         See :func:`lommel.show.curves.mtf`.
         """

@@ -745,7 +745,7 @@ def _check_stacks(pupils: BasePupil | Sequence[BasePupil], plan: Plan) -> tuple[
 
 
 def _split_stacks(stacks: tuple[BasePupil, ...], listed: bool) -> tuple[list[Description], dict[str, Array]]:
-    """Return the shared parameters of each stack of pupils (only once if equal), and arrays of the varying ones."""
+    """Return the shared parameters of each stack of pupils (once if equal), and arrays of the other parameters."""
     parts = [split_pupils(pupil) for pupil in stacks]
     shared = [description for description, _ in parts]
     if not listed:
@@ -814,7 +814,7 @@ def psf_to(
     """Compute a stack of PSFs that may exceed memory, chunk by chunk, into a Zarr store.
 
     If the computation ends early (error, Ctrl-C, killed process), a further call with the same arguments computes the
-    missing chunks. The values of a chunk equal those of ``lommel.psf(pupils[chunk], ..., threads=1)`` bit for bit,
+    missing chunks. The values of a chunk equal ``lommel.psf(pupils[chunk], ..., threads=1).values`` bit for bit,
     independent of the order of computation.
 
     Parameters
@@ -833,7 +833,7 @@ def psf_to(
         axis only, else ``axis_0`` and so on. Default units: metres for ``object_distance``, ``depth``, ``z`` and
         ``wavelength``, the unit of the pupils for names that begin with ``field``, else 1.
     chunk : int, optional
-        Maximum number of PSFs in a chunk. By default an existing store keeps its chunks, and a new one has as many
+        Maximum number of PSFs in a chunk. By default an existing store keeps its chunks, and a new store has as many
         PSFs in a chunk as fit in 16 MiB. Another `chunk` may change the values within their error bounds.
     progress : callable, optional
         Called as ``progress(done, chunks)`` after each computed chunk.

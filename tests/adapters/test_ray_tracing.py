@@ -278,5 +278,5 @@ def test_a_tilt_that_rays_do_not_have_is_found(tilt):
 )
 def test_phases_that_do_not_agree_with_the_rays_are_refused(call):
     call(lens())
-    with pytest.raises(ValueError, match=r"agree with its rays; those of the field .* differ by a tilt"):
+    with pytest.raises(ValueError, match=r"agree with its rays; at the field .* differ by a tilt"):
         call(lens(tilt=2.0))

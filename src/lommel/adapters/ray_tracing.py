@@ -57,7 +57,7 @@ class TracedField:
     x: Array  # fractions of the entrance pupil
     y: Array
     phase: Array  # radians, NaN for a blocked ray
-    direction_x: Array  # direction cosines towards the image times its refractive index, minus those of the chief ray
+    direction_x: Array  # direction cosines towards the image times its refractive index, relative to the chief ray
     direction_y: Array
     missed_x: Array  # intersections with the sensor relative to the chief ray, metres
     missed_y: Array
@@ -125,7 +125,7 @@ def _check_phases(trace: Trace, wavelength: float) -> Trace:
         traced = trace(hx, hy, x, y)
         if tilt := tilt_off_rays(traced, wavelength):
             raise ValueError(
-                f"the lens must have phases that agree with its rays; those of the field ({hx:g}, {hy:g}) differ by "
+                f"the lens must have phases that agree with its rays; at the field ({hx:g}, {hy:g}) they differ by "
                 f"a tilt of {tilt:.3g} radians over the radius of the pupil"
             )
         return traced
@@ -482,7 +482,7 @@ def _radial_map(
             return radial_map
     raise ValueError(
         f"heights must be more: between {count} heights of the field, interpolated pupils differ by up to "
-        f"{difference:.3g} rad rms from traced ones, more than tol={tol:g}"
+        f"{difference:.3g} rad rms from traced pupils, more than tol={tol:g}"
         + ("" if heights is None else "; leave heights out to have as many as tol requires")
     )
 

@@ -58,7 +58,7 @@ def load_camera(path: str | PathLike[str]) -> Camera:
     rms), ``full_well`` (electrons), ``gain`` (electrons per count), ``offset`` (counts) and ``excess`` (1 to 100),
     the excess noise factor of electron multiplication.
 
-    If there is ``em_gain``, the multiplication gain, ``gain`` and ``read`` in the file are those of the output
+    If there is ``em_gain``, the multiplication gain, ``gain`` and ``read`` in the file refer to the output
     amplifier. They are divided by ``em_gain``: in the :class:`lommel.Camera`, gain and read noise refer to electrons
     before multiplication. The default of ``excess`` is then 2 (for ``em_gain`` above 1), otherwise 1.
 

@@ -183,7 +183,7 @@ class Checks:
 
     @property
     def median(self) -> float:
-        """Median of the discrepancies, without large ones such as those of crowded molecules."""
+        """Median of the discrepancies, without large discrepancies such as of crowded molecules."""
         sums = np.cumsum(self._discrepancies)
         # The median of the discrepancies below the median of all plus DOUBTFUL.
         middle = int(np.searchsorted(sums, 0.5 * self.molecules)) + int(DOUBTFUL * _PER_UNIT)
@@ -215,7 +215,7 @@ class Checks:
         """
         likelier: dict[str, tuple[float, int, float]] = {}
         for name, gains in self._gains.items():
-            # The standard deviation of a sum of n independent gains is sqrt(n) times that of one gain.
+            # The standard deviation of a sum of n independent gains is sqrt(n) times the deviation of one gain.
             gain, error = math.fsum(gains), float(np.std(gains or 0.0)) * math.sqrt(len(gains))
             if len(gains) >= _MIN_COMPARED and gain > max(_MIN_GAIN, 4.0 * error):
                 likelier[name] = gain, len(gains), error
@@ -412,7 +412,7 @@ class Score(NamedTuple):
         """Return the significance of background slopes (standard deviations), the largest slope, and its error.
 
         There are two tests: a single slope for all molecules, and one slope for each of 4 x 4 parts of the frame. The
-        result is that of the more significant test.
+        more significant result is returned.
         """
         cell = np.clip((4 * self.row / shape[0]).astype(int), 0, 3) * 4
         cell += np.clip((4 * self.column / shape[1]).astype(int), 0, 3)
@@ -435,7 +435,7 @@ class Score(NamedTuple):
 def _eliminate(information: Array, slope: Array, count: int) -> tuple[Array, Array, Array]:
     """Eliminate the first `count` columns of each molecule; return information, slope and regression coefficients.
 
-    The information is the Schur complement. The coefficients (n, count, columns) are those of the regression of the
+    The information is the Schur complement. The coefficients (n, count, columns) result from the regression of the
     remaining columns on the eliminated columns.
     """
     regression = np.asarray(np.linalg.solve(information[:, :count, :count], information[:, :count, count:]), float)

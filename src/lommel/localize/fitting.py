@@ -60,7 +60,7 @@ class Molecules:
     errors : MoleculeErrors
         Standard errors of the above estimates by the Cramer-Rao bound.
     log_likelihood : ndarray, shape (n,)
-        Log-likelihood minus that of a model whose mean equals the counts in every pixel.
+        Log-likelihood minus the log-likelihood of a model whose mean equals the counts in every pixel.
     discrepancy : ndarray, shape (n,)
         (Pearson's chi2 - its expectation) / (its standard deviation): 0 +- 1 if PSF and noise are correct; large for
         a second molecule in the box, a wrong PSF or a wrong gain.

@@ -115,7 +115,7 @@ class Waves:
     @property
     def max_slope(self) -> float:
         """Bound on the sum of moduli of the derivatives of waves, per metre, relative to the collected light."""
-        # The derivatives are those of waves exp((i a - b) d), and of 1 / light, which depends on decaying light only.
+        # Derivatives of waves exp((i a - b) d), and of 1 / light, which depends on decaying light only.
         return (self.rate + self.decay_rate) + self.decay_rate
 
 
@@ -387,7 +387,7 @@ class Table:
         filtered = ndimage.correlate1d(ndimage.correlate1d(samples, kernel, axis=1), kernel, axis=2)
         filtered = filtered[:, margin : margin + rows, margin : margin + columns]
         series = np.einsum("pkz,zyx->pkyx", planes.matrix, filtered, optimize=True)
-        # A value is the fraction of the collected light in a pixel, like those of lommel.psf.
+        # A value is the fraction of the collected light in a pixel, as in lommel.psf.
         light = Grid(self.shape, self.pixel).cell(self.pupil) / (4.0 * math.pi)
         # Sample k of a row belongs to phase k % per; the samples of each phase are stored in separate rows.
         padded = np.zeros((*series.shape[:2], rows, phase_columns * per), np.float32)

@@ -37,7 +37,7 @@ def confocal(
     ----------
     excitation, emission : ObjectivePupil
         Excitation, whose emitter is a :class:`lommel.Beam`, and emission, in the same planes. Both may have
-        aberrations; those of the excitation must be the same in all planes. A :class:`lommel.Dipole` absorbs the
+        aberrations; aberrations of the excitation must be equal in all planes. A :class:`lommel.Dipole` absorbs the
         component of the field along it; a wobbling dipole reorients between absorption and emission. The foci of two
         wavelengths differ: ``z=emission.focus, origin="coverslip"`` puts the excitation in the planes of emission.
     shape : int or (int, int)

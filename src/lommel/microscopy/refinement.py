@@ -176,7 +176,7 @@ class TrialDeconvolution:
         side = min(max(model.window[1], _NARROWEST), self._widest)
         window_planes = model.window[0]
         narrow_model = replace(model, window=(window_planes, side), planes=planes, degrees=self._degrees)
-        # All models have the same splines, since others would change the discrepancy.
+        # All models have the same splines, since other splines would change the discrepancy.
         self._degrees = narrow_model.splines
         margin = min(window_planes // 2, max(_MIN_MARGIN, planes // 4)), side // 2
         psfs = narrow_model.psfs(margin[0])

@@ -54,8 +54,8 @@ def full_value(planes: Sequence[Values], stated: float | None, *, name: str = "p
 def flat_top(values: Values, valid: NDArray[np.bool_], noise: Noise) -> tuple[float, int]:
     """Return the largest valid value and its number of pixels, if noise does not explain that number; else (nan, 0).
 
-    Without saturation at least as many pixels are within one standard deviation below the largest value as have this
-    value.
+    Without saturation, the pixels within one standard deviation below the largest value are at least as many as the
+    pixels with this value.
     """
     valid_values = values[valid]
     if valid_values.size == 0:

@@ -53,7 +53,9 @@ _UNITS = _OTHER_UNITS | {
 # Names of FITS header cards in common use.
 _GAIN, _READ, _SATURATION = ("EGAIN",), ("RDNOISE", "READNOIS", "RON"), ("SATURATE", "SATLEVEL")
 _EM_GAIN = ("EMGAIN", "EMREALGN", "EMREALGAIN")
-EXCESS = 2.0  # variance of an electron-multiplying register, divided by that of a Poisson variable of the same mean
+EXCESS = (
+    2.0  # variance of an electron-multiplying register, divided by the variance of a Poisson variable of equal mean
+)
 _IGNORED_CARDS = {
     "BAYERPAT": "a mosaic of colours, whose pixels are of several wavelengths: pass the pixels of one",
     "PEDESTAL": "which was not subtracted: state it by the offset",
@@ -567,7 +569,7 @@ def open_frames(path: str | PathLike[str] | ArrayLike, *, image: int | None = No
 
 
 def part_of(path: str | PathLike[str]) -> tuple[str | PathLike[str], str | None]:
-    """Split file.fits[SCI] into the path of the file and the name or number of an image; None without one."""
+    """Split file.fits[SCI] into the path of the file and the name or number of an image, or None."""
     match = _PART.fullmatch(str(path)) if not Path(path).exists() else None
     return (match["file"], match["part"]) if match else (path, None)
 

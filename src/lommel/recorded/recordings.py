@@ -148,7 +148,7 @@ def open_recording(
     time : int, optional
         Number of the time point, from 0; required if the file holds several time points.
     axes : str, optional
-        Letters of the axes, such as "ZYX" or "CZYX", if the file does not state them or states wrong ones.
+        Letters of the axes, such as "ZYX" or "CZYX", if the file does not state them or states wrong letters.
     image : int, optional
         Number, from 0, of the image in a TIFF file with several images; by default the one with the most values.
 

@@ -313,7 +313,7 @@ def _scale_bar(axes: Axes, width: float) -> None:
     color = axes.yaxis.label.get_color()  # white in dark styles
     place = axes.get_xaxis_transform()
     axes.plot([0.0, length], [-0.09, -0.09], color=color, linewidth=2.5, transform=place, clip_on=False)
-    label = f" {1e6 * length:g} µm; z is that of the stage"
+    label = f" {1e6 * length:g} µm; z is the position of the stage"
     axes.text(length, -0.09, label, transform=place, fontsize=8, va="center")
 
 

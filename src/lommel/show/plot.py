@@ -346,7 +346,7 @@ def compare(
     Parameters
     ----------
     answers : mapping of str to PSF
-        PSFs on the same grid by the name of their method. The reference is drawn first, the others in this order.
+        PSFs on the same grid by the name of their method. The reference is drawn first, the other PSFs in this order.
     reference : str
         Name of the reference PSF.
     left_out : mapping of str to sequence of str, optional

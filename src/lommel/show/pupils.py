@@ -185,7 +185,7 @@ def _draw(
 ) -> drawing.Drawn:
     """Draw values across pupils, shape (n, side, side).
 
-    `labels` are the title of the figure and the label of the colour bar; `titles` are those of the pupils in a stack.
+    `labels` are the title of the figure and the label of the colour bar; `titles` belong to the pupils in a stack.
     Other options are passed to `Axes.imshow`.
     """
 

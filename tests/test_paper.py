@@ -129,7 +129,7 @@ def test_costs_are_ratios_to_one_fft_and_a_method_over_its_budget_is_left_out():
 
 
 def test_pieces_of_the_quartic_phase_are_worse_by_their_mse_only():
-    data = paper.quartic_phase(samples=4000, most=5)
+    data = paper.quartic_phase(samples=4000, max_pieces=5)
     for kind in ("printed", "corrected"):
         mean = np.mean(data.columns[f"{kind} error"] ** 2)
         assert data.facts[kind]["mse"] == pytest.approx(mean, rel=1e-2)
@@ -145,7 +145,7 @@ def test_pieces_of_the_quartic_phase_are_worse_by_their_mse_only():
         (lambda: paper.compare_with_fft(SMALL), paper.draw_comparison, 7),
         (lambda: paper.vary("terms", SMALL, (10, 30)), paper.draw_varied, 5),
         (lambda: paper.vary("defocus", SMALL, (5.0, 20.0)), paper._draw_errors, 5),
-        (lambda: paper.quartic_phase(samples=50, most=5), paper.draw_quartic_phase, 3),
+        (lambda: paper.quartic_phase(samples=50, max_pieces=5), paper.draw_quartic_phase, 3),
     ],
     ids=["cost", "bessel", "comparison", "intensity", "error", "spherical"],
 )

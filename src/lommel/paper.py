@@ -319,15 +319,15 @@ _BESSEL = {
 }
 
 
-def bessel_forms(samples: int = 2001, far: float = 200.0, tangent: float = 100.0) -> FigureData:
-    """Evaluate J0 and its approximations at arguments a from 0.05 to `far`, evenly spaced in log a.
+def bessel_forms(samples: int = 2001, max_a: float = 200.0, tangent: float = 100.0) -> FigureData:
+    """Evaluate J0 and its approximations at arguments a from 0.05 to `max_a`, evenly spaced in log a.
 
     The columns "printed" and "corrected" are the approximation of J0 in Eq. (12): three terms of Eq. (6) if a <= 1,
     and Eq. (7) with Eq. (9) in place of the square root if a > 1. Only "corrected" has the factor sqrt(2 / pi).
     """
     from scipy.special import j0
 
-    a = np.geomspace(0.05, far, samples)
+    a = np.geomspace(0.05, max_a, samples)
     slope, level = tangent_line(tangent)
     series, asymptotic = j0_series(a, 3), j0_asymptotic(a)
     large_form = (slope * a + level + 1.0 / a) * np.cos(a - 0.25 * math.pi)
@@ -490,11 +490,11 @@ def fit_quartic(variant: str, spherical: float, pieces: int = PIECES, split: str
     return fit_quadratics((0.0, spherical), pieces, split=split, fit="least-squares", piston=is_corrected)
 
 
-def quartic_phase(samples: int = 1000, most: int = 12, spherical: float = SPHERICAL) -> FigureData:
+def quartic_phase(samples: int = 1000, max_pieces: int = 12, spherical: float = SPHERICAL) -> FigureData:
     """Fit exp(i C_s rho^4) by exponentials of quadratics in rho, one for each of several intervals (pieces).
 
-    The fits that are drawn have :data:`PIECES` intervals. The MSE is computed for 1 to `most` intervals, for each
-    method of :data:`SPLITS` to split 0 <= rho <= 1, with and without constants gamma_i.
+    The fits that are drawn have :data:`PIECES` intervals. The MSE is computed for 1 to `max_pieces` intervals, for
+    each method of :data:`SPLITS` to split 0 <= rho <= 1, with and without constants gamma_i.
     """
     rho = (np.arange(samples) + 0.5) / samples
     phase = spherical * rho**4
@@ -503,7 +503,7 @@ def quartic_phase(samples: int = 1000, most: int = 12, spherical: float = SPHERI
     for name, fit in fits.items():
         columns[f"{name} fit"] = fit.phase(rho)
         columns[f"{name} error"] = np.abs(np.exp(1j * fit.phase(rho)) - np.exp(1j * phase))
-    counts = np.arange(1, most + 1)
+    counts = np.arange(1, max_pieces + 1)
     mse = {
         (split, kind): np.array([fit_quartic(kind, spherical, int(n), split).mse((0.0, spherical)) for n in counts])
         for split in SPLITS
@@ -769,8 +769,8 @@ def _intensities(setting: Setting, variant: str, v: NDArray[np.float64]) -> list
 
 def _closest(name: str, parameters: NDArray[np.float64], values: Sequence[float], target: float) -> Facts:
     """Return the value with the least abs(log(value / target)), and the parameter `name` that yields it."""
-    value, best = min(zip(values, parameters.tolist(), strict=True), key=lambda pair: abs(math.log(pair[0] / target)))
-    return {"value": value, "at": {name: best}}
+    value, x = min(zip(values, parameters.tolist(), strict=True), key=lambda pair: abs(math.log(pair[0] / target)))
+    return {"value": value, "at": {name: x}}
 
 
 def _deviation(value: float, target: float) -> str:

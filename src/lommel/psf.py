@@ -319,7 +319,7 @@ class Plan:
             values=target,
             pupil=pupil,
             error_bound=max(bounds) if len(bounds) == len(psfs) else None,
-            scale=np.reshape([float(one.scale) for one in psfs], pupil.shape),
+            scale=np.reshape([float(psf.scale) for psf in psfs], pupil.shape),
         )
 
     def __getstate__(self) -> dict[str, object]:

@@ -19,7 +19,7 @@ import lommel as lm
 from lommel.base.units import format_length
 from lommel.cli.main import main
 from lommel.methods import METHODS
-from lommel.show.drawing import HOW
+from lommel.show.drawing import SAMPLING
 
 LINE = re.compile(r"^(\S.*?)\s{2,}(\S.*?)\s*$", re.MULTILINE)
 SUFFIXES = (".tif", ".npy", ".npz", ".png", ".fits", ".h5", ".mat", ".raw")
@@ -303,7 +303,7 @@ def test_compare_judges_vanes_by_the_finest_method_that_takes_them(call_lommel, 
     arguments = ("compare", lenses["newtonian-off-axis"], "--shape", "24")
     shown = call_lommel(*arguments, "--figure", "a.png", folder=tmp_path)
     assert (shown.returncode, shown.stderr) == (0, "")
-    assert f"24 x 24 pixels of 1.1 um, {HOW['pixel']}; reference nonuniform-fft (tol=1e-09)" in shown.stdout
+    assert f"24 x 24 pixels of 1.1 um, {SAMPLING['pixel']}; reference nonuniform-fft (tol=1e-09)" in shown.stdout
     data = json.loads(call_lommel(*arguments, "--json", folder=tmp_path).stdout)
     assert data["reference"] == "NonuniformFFT(tol=1e-09)"
     rows = {row["method"]: row for row in data["rows"]}

@@ -14,7 +14,7 @@ from lommel.lensfiles.instrument import wide_enough
 from lommel.lensfiles.microscope_files import Microscope
 from lommel.report.image_quality import compare_methods
 from lommel.report.optics import describe_lens, describe_stack
-from lommel.show.drawing import HOW
+from lommel.show.drawing import SAMPLING
 from objectives import MATCHED
 
 LINE = re.compile(r"^(\S.*?)\s{2,}(\S.*?)\s*$", re.MULTILINE)
@@ -26,7 +26,7 @@ LINE = re.compile(r"^(\S.*?)\s{2,}(\S.*?)\s*$", re.MULTILINE)
 def test_pixels_of_a_sensor_average_unless_told_otherwise(call_lommel, lenses, tmp_path, flag, sampling):
     arguments = ("psf", lenses["nifty-fifty"], "--object-distance", "1.2 m", "--shape", "21", *flag)
     shown = call_lommel(*arguments, "-o", "a.npz", folder=tmp_path)
-    assert dict(LINE.findall(shown.stdout))["pixels"] == f"{HOW[sampling]}, 3.4 lambda*N wide"
+    assert dict(LINE.findall(shown.stdout))["pixels"] == f"{SAMPLING[sampling]}, 3.4 lambda*N wide"
     made = lm.PSF.load(tmp_path / "a.npz")
     lens = lm.load_instrument(lenses["nifty-fifty"]).lens
     expected = lm.psf(lens.pupil(1.2), 21, 3.45e-6, integrate=sampling == "pixel")
@@ -62,7 +62,7 @@ def test_a_grid_over_the_field_averages_or_samples_likewise(call_lommel, lenses,
     shown = call_lommel(*arguments, "-o", "a.npz", folder=tmp_path)
     assert shown.returncode == 0, shown.stderr
     rows = dict(LINE.findall(shown.stdout))
-    assert rows["pixel"] == f"2 um, {HOW[sampling]}"
+    assert rows["pixel"] == f"2 um, {SAMPLING[sampling]}"
     assert lm.PSFGrid.load(tmp_path / "a.npz").psf.sampling == sampling
     assert ("sums of the values" in rows) == (sampling == "center")
 

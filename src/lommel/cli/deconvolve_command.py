@@ -31,7 +31,7 @@ from lommel.microscopy import restore
 from lommel.microscopy.deconvolution import FLAT
 from lommel.microscopy.depth_model import MODALITIES
 from lommel.microscopy.refinement import PARAMETERS
-from lommel.microscopy.restoration import INTERRUPTED, MISFIT, between
+from lommel.microscopy.restoration import INTERRUPTED, MISFIT, format_depth_range
 from lommel.recorded import recordings
 from lommel.report import Facts, Report, list_of
 
@@ -224,6 +224,9 @@ def _table(facts: Facts) -> Table:
         lines += [
             (f"discrepancy{name}", f"{before:#.3g} before, {after:#.3g} after {channel['steps']} steps"),
             ("stopped", _STOP_TEXTS.get(channel["stopped"], channel["stopped"])),
-            ("depth in focus", f"{between(*channel['depths'])}, {channel['psfs']} PSF{'s' * (channel['psfs'] > 1)}"),
+            (
+                "depth in focus",
+                f"{format_depth_range(*channel['depths'])}, {channel['psfs']} PSF{'s' * (channel['psfs'] > 1)}",
+            ),
         ]
     return list_of([*lines, ("time", f"{facts['seconds']:.3g} s")])

@@ -22,7 +22,7 @@ from lommel.cli.output import progress, save_figure, written
 from lommel.lensfiles import KINDS, example_files
 from lommel.methods import ERFS, METHODS, ClosedForm
 from lommel.report import Parts, Report, Wrapped, table_of
-from lommel.show.drawing import HOW
+from lommel.show.drawing import SAMPLING
 
 
 @command(JSON)
@@ -240,7 +240,7 @@ def compare(
             left_out: dict[str, list[str]] = {}
             for row in rows:
                 if row["method"] not in answers and row["method"] != reference:
-                    reason = _reason(row) or f"{HOW[row['sampling']]}, unlike the reference"
+                    reason = _reason(row) or f"{SAMPLING[row['sampling']]}, unlike the reference"
                     left_out.setdefault(reason, []).append(_command_line_name(row["method"]))
             save_figure(plot.compare(answers_by_name, _command_line_name(reference), left_out), figure)
     other_model_facts = other_model(instrument)
@@ -252,14 +252,14 @@ def compare(
         if row["method"] == "HuygensFresnel" and instrument.lens.model == "aplanatic":
             note = "aplanatic model without expansion in powers of the pupil radius"
         if row["sampling"] not in (None, sampling):
-            note = f"{HOW[row['sampling']]}; {note}"
+            note = f"{SAMPLING[row['sampling']]}; {note}"
         if note:
             notes.append(Wrapped(f"{name}: {note}", "dim"))
         time_text = "-" if row["seconds"] is None else f"{1e3 * row['seconds']:.1f} ms"
         errors = ("-" if row[key] is None else f"{row[key]:.2g}" for key in ("mse", "peak_error", "error_bound"))
         table.add_row(name, time_text, *errors)
     height, width = instrument.window
-    size = f"{height} x {width} pixels of {pitch_in_words(instrument.pixel)}, {HOW[sampling]}"
+    size = f"{height} x {width} pixels of {pitch_in_words(instrument.pixel)}, {SAMPLING[sampling]}"
     if all(row["method"] != reference for row in rows):  # the reference is then not marked in the table
         size += f"; reference {_command_line_name(reference)}"
     facts = {

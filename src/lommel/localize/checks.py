@@ -113,8 +113,8 @@ class Checks:
         if dark_fraction > _MAX_DARK:
             text = f"{percent(dark_fraction)} of the counts of the first frames are below the offset: check `offset`"
             self._add_once("below_offset", "doubt", text, share=dark_fraction)
-        if words := flat_tops([counts], self._noise, "movie"):
-            self._add_once("flat_top", "note", words)
+        if remark := flat_tops([counts], self._noise, "movie"):
+            self._add_once("flat_top", "note", remark)
         if counts.assumed:
             self._add_once("saturation_assumed", "note", counts.assumed)
 

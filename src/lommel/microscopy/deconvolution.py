@@ -17,7 +17,7 @@ from lommel.deconvolve.poisson_counts import PoissonCounts
 from lommel.fit.findings import Finding, Findings
 from lommel.measures.spot import stage
 from lommel.microscopy.depth_model import narrowed, spline_degrees
-from lommel.microscopy.held_out import MAX_VOXELS, Best, Halves, enough, highest_level
+from lommel.microscopy.held_out import MAX_VOXELS, Best, Halves, highest_level, stopping_rule
 from lommel.microscopy.stack_blur import TiledBlur, kernel_of
 from lommel.psf import PSF
 from lommel.recorded.counts import Counts
@@ -146,7 +146,7 @@ def deconvolve(
     if diagnosis and is_contained and is_testable and level == Background(None):
         level, held_out = _held_out(recorded, noise, blur_of)
     iteration = iteration_of(algorithm, blur, counted, background=level, aspect=aspect)
-    iteration.enough = enough(algorithm, held_out, counted)
+    iteration.enough = stopping_rule(algorithm, held_out, counted)
     with shown(progress) as report:
         steps, stopped, by_plane = iteration.solve(algorithm, report)
     values, discrepancy = iteration.inside(planes, pixels), counted.mean(by_plane)

@@ -26,7 +26,7 @@ SPREADING = ("widefield", "light sheet")
 _ISOTROPIC = emitter_of("isotropic")
 _TOL = 1e-4  # tolerance of PSFs, relative to their peaks
 # Differences between PSFs as fractions of their light: _MAX_EQUAL, between both ends of a stack, below which
-# one PSF is enough; _MAX_DEVIATION, the largest accepted one of a PSF from the mean of its neighbours.
+# one PSF is enough; _MAX_DEVIATION, of a PSF from the mean of its neighbours, for linear interpolation.
 _MAX_EQUAL, _MAX_DEVIATION = 0.003, 0.03
 _MAX_PSFS = 9
 _FAR_DEPTHS = 9  # number of depths at which the tails of PSFs are computed

@@ -126,7 +126,7 @@ class Halves:
         return half.best
 
 
-def enough(
+def stopping_rule(
     method: RichardsonLucy | TotalVariation, steps: int, counted: PoissonCounts
 ) -> Callable[[int, float], bool] | None:
     """Return a stopping rule: at least `steps` iterations (best for held-out photons), and a residual within noise.
@@ -278,6 +278,6 @@ def _least(losses: dict[float, float]) -> tuple[float, float]:
     if not 0 < k < len(values) - 1:
         return values[k], math.inf
     nearest = values[k - 1 : k + 2]
-    curvature, slope, _ = np.polyfit(np.array(nearest) - values[k], [losses[each] for each in nearest], 2)
+    curvature, slope, _ = np.polyfit(np.array(nearest) - values[k], [losses[value] for value in nearest], 2)
     # The minimum of b x^2 + s x is at -s / (2 b), and lnL falls by 1/2 at 1 / sqrt(2 b) from it.
     return float(values[k] - 0.5 * slope / curvature), float(2.0 / math.sqrt(2.0 * curvature))

@@ -241,7 +241,7 @@ def rank_alternatives(context: StackContext, progress: Progress, *, try_reversed
                 return math.inf
             return cost(alternative, f"another {title}: {_value_in_words(model, name, value)}")
 
-        start = _start(model, name)
+        start = _start_value(model, name)
         value, lowest_cost = _line_search(cost_of_change, start, first_change, start_cost)
         if value != start:
             change = "smaller" if value < start else "larger"
@@ -295,7 +295,7 @@ def refined(
 ) -> tuple[DepthModel, dict[str, float], dict[str, float]]:
     """Estimate parameters of a stack; return the model with the estimates, their values and standard errors."""
     model = context.model
-    start = np.array([_start(model, name) for name in names])
+    start = np.array([_start_value(model, name) for name in names])
     spacing = np.array([_RANGE[name] * _SPACING for name in names])
     lower, upper = np.array([_limits(name, value) for name, value in zip(names, start, strict=True)]).T
     coarse_crop = brightest(context.stack, _FIRST_SIDE, context.saturation)
@@ -312,7 +312,7 @@ def refined(
             label = ", ".join(f"{PARAMETERS[name]} {_value_in_words(model, name, value)}" for name, value in pairs)
             report = track(label, int(steps * cost))
             return trial.discrepancies(
-                _with(model, names, values), steps, lambda step, *rest: report(int(step * cost), *rest)
+                _with_values(model, names, values), steps, lambda step, *others: report(int(step * cost), *others)
             )
 
         return discrepancies
@@ -324,16 +324,16 @@ def refined(
     estimate, errors = _minimum(function(fine, _FINE_STEPS, 1.0), estimate, spacing, limits, fine.known)
     estimate = np.clip(estimate, lower, upper)
     values, standard_errors = (dict(zip(names, array.tolist(), strict=True)) for array in (estimate, errors))
-    return _with(model, names, estimate), values, standard_errors
+    return _with_values(model, names, estimate), values, standard_errors
 
 
-def _start(model: DepthModel, name: str) -> float:
+def _start_value(model: DepthModel, name: str) -> float:
     """Return the start of the search of a parameter: 0 for a change, 1 for a factor, else the value of the model."""
     values = {"depth": model.depth, "sample": model.objective.sample, "spherical": 0.0}
     return values.get(name, 1.0)
 
 
-def _with(model: DepthModel, names: Sequence[str], values: Sequence[float] | Array) -> DepthModel:
+def _with_values(model: DepthModel, names: Sequence[str], values: Sequence[float] | Array) -> DepthModel:
     """Return the model with changed values of some parameters."""
     for name, value in zip(names, values, strict=True):
         model = model.changed(name, float(value))

@@ -30,7 +30,7 @@ from lommel.fit.findings import Finding, Findings, FitReport
 from lommel.microscopy import depth_model
 from lommel.microscopy.deconvolution import FLAT, Floor, background_of
 from lommel.microscopy.depth_model import MODALITIES, SPREADING, DepthModel, PSFs
-from lommel.microscopy.held_out import MAX_VOXELS, SIDE, HeldOut, enough, estimated_held_out_steps
+from lommel.microscopy.held_out import MAX_VOXELS, SIDE, HeldOut, estimated_held_out_steps, stopping_rule
 from lommel.microscopy.refinement import (
     PARAMETERS,
     StackContext,
@@ -45,7 +45,7 @@ from lommel.optics.layers.objective import Objective
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.recorded import recordings
 from lommel.recorded.camera_noise import (
-    MOST,
+    MAX_HOT_FRACTION,
     MaskedStack,
     contradiction,
     hot_pixels,
@@ -985,7 +985,7 @@ class _ChannelRestoration:
             )
         if len(psf_depths) > 1:
             placement = "one for each plane and its margin" if psfs.radial is not None else "interpolated in depth"
-            depth_range = between(psf_depths[0], psf_depths[-1])
+            depth_range = format_depth_range(psf_depths[0], psf_depths[-1])
             notes.append(f"{len(psf_depths)} PSFs were used, {placement}, at depths from {depth_range}.")
         if model.spreads and self._options.per_plane:
             notes.append(
@@ -1070,10 +1070,10 @@ class _ChannelRestoration:
         fraction = len(hot) / math.prod(stack.shape)
         subject = f"{len(hot)} voxels ({100.0 * fraction:.2g} %) exceed their neighbours by more than the PSF allows"
         numbers = {"voxels": len(hot), "share": fraction}
-        if fraction > MOST:
+        if fraction > MAX_HOT_FRACTION:
             text = f"{subject}, in single planes: they were not left out; check pixel, wavelength and NA"
             self._findings.append(Finding("hot_pixels", "doubt", text, numbers))
-        if not 0.0 < fraction <= MOST:
+        if not 0.0 < fraction <= MAX_HOT_FRACTION:
             return stack, camera, limit
         text = f"{subject}, in single planes: they were classified as cosmic rays or blinking pixels, and left out"
         self._findings.append(Finding("hot_pixels", "note", text, numbers))
@@ -1214,7 +1214,7 @@ class _ChannelRestoration:
         iteration = iteration_of(
             method, blur, counted, course, background=background, aspect=aspect, threads=self._threads
         )
-        iteration.enough = enough(method, self._best_steps, counted)
+        iteration.enough = stopping_rule(method, self._best_steps, counted)
         return iteration
 
     def _solve(self, iteration: Iteration, report: ProgressCallback, *, single: bool) -> tuple[int, str, Array]:
@@ -1303,7 +1303,7 @@ def _format_gain(camera: Noise, error: float) -> str:
     return " +- ".join(with_error(gain, gain * error)) + " electrons per count"
 
 
-def between(low: float, high: float) -> str:
+def format_depth_range(low: float, high: float) -> str:
     """Return a range of depths in one unit, in words."""
     return f"{format_length(low, like=high, digits=3).split()[0]} to {format_length(high, digits=3)}"
 

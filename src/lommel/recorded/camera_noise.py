@@ -16,7 +16,7 @@ from lommel.recorded.noise import Noise
 
 _MIN_SIGMA = 10.0  # least excess of a hot voxel, standard deviations of the noise
 _MIN_SHARPNESS = 2.0  # least excess of a hot voxel over its neighbours, relative to the image of a point
-MOST = 1e-3
+MAX_HOT_FRACTION = 1e-3
 """Largest fraction of hot voxels: more are points of light, sharper than a PSF that is too wide."""
 
 _PERSISTENT = 8.0  # least mean excess of a hot pixel over the median of its neighbours, standard errors

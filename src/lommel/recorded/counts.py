@@ -41,9 +41,9 @@ def full_value(planes: Sequence[Values], stated: float | None, *, name: str = "p
         noise_width = max(math.sqrt(top), _COUNTS)
         bottom = min(float(np.fmin.reduce(plane, axis=None)) for plane in planes if plane.size)
         count = sum(int((plane == top).sum()) for plane in planes)
-        near = sum(int(((plane < top) & (plane >= top - noise_width)).sum()) for plane in planes)
+        near_count = sum(int(((plane < top) & (plane >= top - noise_width)).sum()) for plane in planes)
     # An image whose values are all equal within the noise is uniform, not saturated.
-    if count < _LEAST or count <= _MAX_RATIO * near or top - bottom <= noise_width:
+    if count < _LEAST or count <= _MAX_RATIO * near_count or top - bottom <= noise_width:
         return type_limit, ""
     return top, (
         f"{count} {name} have exactly the largest value, {top:.10g}, that of {math.log2(top + 1.0):.0f} bits: "

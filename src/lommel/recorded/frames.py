@@ -127,13 +127,15 @@ def ome_metadata(file: TiffFile, place: int) -> Metadata:
     for key, name in (("emission", "EmissionWavelength"), ("excitation", "ExcitationWavelength")):
         metadata[key] = [length(channel.get(name), channel.get(f"{name}Unit"), "nm") for channel in channels]
     detectors = {item.get("ID"): item.get("Type") for item in root.findall(".//{*}Instrument/{*}Detector")}
-    used_by = [settings.get("ID") for settings in image.findall(".//{*}DetectorSettings")]
-    if any(detectors.get(name) == "EMCCD" for name in used_by or (list(detectors) if len(detectors) == 1 else [])):
+    detector_ids = [settings.get("ID") for settings in image.findall(".//{*}DetectorSettings")]
+    if any(
+        detectors.get(name) == "EMCCD" for name in detector_ids or (list(detectors) if len(detectors) == 1 else [])
+    ):
         metadata["excess"] = EXCESS
     lenses = root.findall(".//{*}Instrument/{*}Objective")
-    if (used := image.find("{*}ObjectiveSettings")) is not None:
-        metadata["immersion"] = number(used.get("RefractiveIndex"))
-        lenses = [lens for lens in lenses if lens.get("ID") == used.get("ID")]
+    if (objective := image.find("{*}ObjectiveSettings")) is not None:
+        metadata["immersion"] = number(objective.get("RefractiveIndex"))
+        lenses = [lens for lens in lenses if lens.get("ID") == objective.get("ID")]
     if len(lenses) == 1:
         metadata["NA"] = number(lenses[0].get("LensNA"))
         metadata["magnification"] = number(
@@ -144,10 +146,10 @@ def ome_metadata(file: TiffFile, place: int) -> Metadata:
 
 def imagej_metadata(file: TiffFile) -> Metadata:
     """Return the ImageJ metadata of a TIFF file."""
-    stated, page = file.imagej_metadata or {}, file.pages.first
-    unit = stated.get("unit")  # unit of x, and of y and z unless these have their own
-    metadata: Metadata = {"step": length(stated.get("spacing"), stated.get("zunit", unit))}
-    for key, tag, axis_unit in (("pixel", "XResolution", unit), ("down", "YResolution", stated.get("yunit", unit))):
+    entries, page = file.imagej_metadata or {}, file.pages.first
+    unit = entries.get("unit")  # unit of x, and of y and z unless these have their own
+    metadata: Metadata = {"step": length(entries.get("spacing"), entries.get("zunit", unit))}
+    for key, tag, axis_unit in (("pixel", "XResolution", unit), ("down", "YResolution", entries.get("yunit", unit))):
         value = page.tags.get(tag)
         if value is not None and axis_unit:  # without a unit the tag is the resolution of a print
             # TIFF states pixels per unit of length as a fraction.
@@ -685,7 +687,7 @@ def _series_of(path: Path, file: TiffFile, image: int | None, notes: list[str]) 
     place = max(range(len(every)), key=lambda k: math.prod(every[k].shape)) if image is None else image
     series = every[validation.integer("image", place, least=0, most=len(every) - 1)]
     if len(every) > 1 and image is None:
-        sides = ", ".join(" x ".join(map(str, one.shape)) for one in every[:4]) + ", ..." * (len(every) > 4)
+        sides = ", ".join(" x ".join(map(str, item.shape)) for item in every[:4]) + ", ..." * (len(every) > 4)
         if not file.is_ome:
             raise ValueError(f"it holds {len(every)} images ({sides}): name one, as in {path.name}[0]")
         notes.append(

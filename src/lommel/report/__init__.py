@@ -122,7 +122,7 @@ def paragraphs(*parts: Iterable[RenderableType]) -> Parts:
     return lines
 
 
-def refused(facts: Facts) -> Parts:
+def refusal_lines(facts: Facts) -> Parts:
     """Return lines with the reasons why results are missing, from ``facts["refused"]``."""
     return [Wrapped(f"not computed: {reason}", "dim") for reason in facts["refused"]]
 

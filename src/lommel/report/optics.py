@@ -18,9 +18,9 @@ from lommel.measures.psf_like import PSFLike, checked
 from lommel.optics.colour.spectrum import Channels
 from lommel.optics.pupil import checked as lens_pupil
 from lommel.psf import PSF
-from lommel.report import Facts, Parts, Report, Wrapped, finite, list_of, paragraphs, refused, table_of
+from lommel.report import Facts, Parts, Report, Wrapped, finite, list_of, paragraphs, refusal_lines, table_of
 from lommel.report.image_quality import IN_FOCUS, ImageQuality, microscope_quality, sensor_mtf
-from lommel.show.drawing import HOW, MEANING
+from lommel.show.drawing import MEANING, SAMPLING
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -203,7 +203,7 @@ def _wavefront_parts(facts: Facts) -> Parts:
         ("lambda*N", format_length(facts["wavelength"] * facts["working_f_number"])),
         ("other model", None if _identical(facts["other_model"]) else model_in_words(facts["other_model"])),
     ]
-    model = [list_of(models, title="Model"), *refused(facts)]
+    model = [list_of(models, title="Model"), *refusal_lines(facts)]
     return ["", *paragraphs([list_of(lines, title="Wavefront")], zernike, model)]
 
 
@@ -377,7 +377,7 @@ def _focus_parts(facts: Facts) -> Parts:
         "best focus relative to an ideal lens of scalar theory; collected light: relative to an emitter far from the "
         "glass, above 1 where supercritical light is collected"
     )
-    return ["", table, Wrapped(note, "dim"), *refused(facts)]
+    return ["", table, Wrapped(note, "dim"), *refusal_lines(facts)]
 
 
 def camera_in_words(facts: Facts) -> str | None:
@@ -411,7 +411,7 @@ def describe_psf(answer: PSF, seconds: float) -> Report:
     facts = how_made(answer, seconds) | {"wide_enough": None if is_wide_enough else side, "energy": energy}
     # Print only the significant digits of the peak, according to its error bound.
     digits = min(4, max(1, math.floor(-math.log10(answer.error_bound)))) if answer.error_bound else 4
-    pixels = f"{HOW[answer.sampling]}, {facts['pixel_over_lambda_N']:.3g} lambda*N wide"
+    pixels = f"{SAMPLING[answer.sampling]}, {facts['pixel_over_lambda_N']:.3g} lambda*N wide"
     parts = _psf_parts(answer, facts, pixels, f"{facts['peak']:.{digits}g}", percent(energy, 2))
     notes = []
     if facts["sum"] is not None:
@@ -450,7 +450,7 @@ def describe_field(instrument: Instrument, grid: PSFGrid, seconds: float) -> Rep
         ("sensor", f"{format_length(sensor[0])} x {format_length(sensor[1])} (height x width)"),
         ("method", repr(answer.method)),
         ("values", f"{rows} x {columns} PSFs of {height} x {width} {facts['dtype']}, {MEANING[answer.normalize]}"),
-        ("pixel", f"{pitch_in_words(answer.pixel)}, {HOW[answer.sampling]}"),
+        ("pixel", f"{pitch_in_words(answer.pixel)}, {SAMPLING[answer.sampling]}"),
         ("sums of the values", f"{ends}: point samples this far apart miss some of the light" if ends else None),
         ("energy in the window", f"{percent(energy.min(), 2)} to {percent(energy.max(), 2)}"),
         *_error_and_time(facts),
@@ -460,7 +460,9 @@ def describe_field(instrument: Instrument, grid: PSFGrid, seconds: float) -> Rep
         parts.append(
             Text(f"One window holds only {percent(energy.min())} of the light; a larger --shape holds more.")
         )
-    column_names, row_names = ([format_length(at, like=max(sensor)) for at in facts[axis]] for axis in ("x", "y"))
+    column_names, row_names = (
+        [format_length(position, like=max(sensor)) for position in facts[axis]] for axis in ("x", "y")
+    )
     peaks = [(y, *(f"{value:.4g}" for value in row)) for y, row in zip(row_names, facts["peak"], strict=True)]
     title = "Largest value at y (down) and x (across)"
     table = table_of(("", *column_names), peaks, left_column=-1, no_wrap=True, title=title)
@@ -496,7 +498,7 @@ def describe_colour(instrument: Instrument, answer: ColourPSF, seconds: float) -
     bound_row, time_row = _error_and_time(facts, " of a channel")
     lines = [
         ("values", _values(facts)),
-        ("pixel", f"{format_length(facts['pixel'])}, {HOW[facts['sampling']]}"),
+        ("pixel", f"{format_length(facts['pixel'])}, {SAMPLING[facts['sampling']]}"),
         bound_row,
         ("spectral sampling", spectra),
         time_row,
@@ -533,7 +535,9 @@ def describe_mtf(instrument: Instrument, places: Sequence[Place], channels: Chan
     """
     facts = sensor_mtf(instrument, places, channels)
     over_field = places[0][0] is not None
-    heads = [name for name, shown in (("position x, y", over_field), ("channel", channels is not None)) if shown]
+    heads = [
+        name for name, is_shown in (("position x, y", over_field), ("channel", channels is not None)) if is_shown
+    ]
     cells, frequencies = [], facts["frequency"]
     for row in facts["rows"]:
         place = ", ".join(format_length(row[axis] or 0.0, like=1e-3) for axis in ("x", "y"))
@@ -597,5 +601,5 @@ def describe_stack(answer: PSF, seconds: float) -> Report:
         "energy": energy.tolist(),
         "brightest": brightest,
     }
-    pixels = f"{format_length(facts['pixel_in_sample'])} in the sample, {HOW[answer.sampling]}"
+    pixels = f"{format_length(facts['pixel_in_sample'])} in the sample, {SAMPLING[answer.sampling]}"
     return Report({"psf": facts}, _psf_parts(answer, facts, pixels, peak, energies))

@@ -106,7 +106,7 @@ def moved(
     return Moved(shifts, pupil.wavelength is not None, (stack,))
 
 
-def section(through: Moved, x: Array) -> Array:
+def section(sweep: Moved, x: Array) -> Array:
     """Return the intensity along x, on a line through the axis, for each sensor position.
 
     Parameters
@@ -121,10 +121,10 @@ def section(through: Moved, x: Array) -> Array:
         Intensity relative to the peak of the same aperture without aberrations, in focus at the initial sensor
         position. For each sensor position the error is below 1e-6 of the largest value at this position.
     """
-    middle = through.pupils[len(through.pupils) // 2]
+    middle = sweep.pupils[len(sweep.pupils) // 2]
     step = float(x[-1] - x[0]) / max(x.size - 1, 1)
     rows = []
-    for pupil in through.pupils:
+    for pupil in sweep.pupils:
         # Irradiance is inversely proportional to the square of the scale lambda*N.
         irradiance_ratio = (middle.scale / pupil.scale) ** 2
         if pupil.radial:
@@ -225,16 +225,16 @@ def through_focus(
     """
     validation.axes("ax", ax)
     validation.choice("stretch", stretch, drawing.STRETCHES)
-    through = moved(thing, object_distance, reach=reach, count=planes)
-    unshifted = through.pupils[len(through.pupils) // 2]
+    sweep = moved(thing, object_distance, reach=reach, count=planes)
+    unshifted = sweep.pupils[len(sweep.pupils) // 2]
     if half_width is None:
-        blur = max(float(pupil.geometric_radius().max()) for pupil in (through.pupils[0], through.pupils[-1]))
+        blur = max(float(pupil.geometric_radius().max()) for pupil in (sweep.pupils[0], sweep.pupils[-1]))
         half_width = 1.1 * blur + unshifted.airy_radius
     half_x = validation.real("half_width", half_width, above=0.0)
     x = np.linspace(-half_x, half_x, _X_POINTS)
-    values = np.maximum(section(through, x), 0.0)
+    values = np.maximum(section(sweep, x), 0.0)
     factor, unit = drawing.lengths(unshifted.unit)
-    shift, label = _shift(through)
+    shift, label = _shift(sweep)
     step = x[1] - x[0], shift[1] - shift[0]
     axes = drawing.new_axes(ax, figsize=(7.2, 4.2))
     top = (half_x + 0.5 * step[0]) * factor
@@ -292,19 +292,19 @@ def focus_curves(
         If matplotlib is not installed.
     """
     validation.axes("ax", ax)
-    through = moved(thing, object_distance, reach=reach, count=planes)
-    unshifted = through.pupils[len(through.pupils) // 2]
+    sweep = moved(thing, object_distance, reach=reach, count=planes)
+    unshifted = sweep.pupils[len(sweep.pupils) // 2]
     values = np.array(_CUTOFF_FRACTIONS) * unshifted.cutoff if frequency is None else frequency
     f = np.atleast_1d(validation.real_array("frequency", values, least=0.0))
     axes = drawing.new_axes(ax, figsize=(6.4, 4.2))
-    shift, label = _shift(through)
-    ratios = np.concatenate([np.atleast_1d(strehl(pupil)) for pupil in through.pupils])
+    shift, label = _shift(sweep)
+    ratios = np.concatenate([np.atleast_1d(strehl(pupil)) for pupil in sweep.pupils])
     axes.plot(shift, ratios, color=axes.xaxis.label.get_color(), label="Strehl ratio")  # white in dark styles
     if unshifted.mask is None:
         factor, unit = drawing.frequencies(unshifted.unit)
         directions = {"-": (f, np.zeros(f.size))} | ({} if unshifted.radial else {"--": (np.zeros(f.size), f)})
         for style, (fx, fy) in directions.items():
-            curves = np.concatenate([np.atleast_2d(transfer.mtf(p, fx, fy, tol=_TOL)) for p in through.pupils])
+            curves = np.concatenate([np.atleast_2d(transfer.mtf(p, fx, fy, tol=_TOL)) for p in sweep.pupils])
             for k, value in enumerate(f):
                 name = f"MTF at {value * factor:.3g} {unit}" + (", along y" if style == "--" else "")
                 axes.plot(shift, curves[:, k], style, color=f"C{k}", label=name)
@@ -314,13 +314,13 @@ def focus_curves(
     return axes
 
 
-def _shift(through: Moved) -> tuple[Array, str]:
+def _shift(sweep: Moved) -> tuple[Array, str]:
     """Return the sensor shifts, or the added defocus, in the unit of the horizontal axis, and the axis label."""
-    if not through.metric:
-        return through.at, "added defocus C_d (rad)"
-    millimetres = float(np.abs(through.at).max()) >= 1e-3
+    if not sweep.metric:
+        return sweep.at, "added defocus C_d (rad)"
+    millimetres = float(np.abs(sweep.at).max()) >= 1e-3
     unit, factor = ("mm", 1e3) if millimetres else ("µm", 1e6)
-    return through.at * factor, f"sensor moved away from the lens ({unit})"
+    return sweep.at * factor, f"sensor moved away from the lens ({unit})"
 
 
 def _through_focus_title(thing: Lens | Pupil, pupil: Pupil, object_distance: float | None) -> str:

@@ -130,7 +130,7 @@ MEANING = {
 }
 """Meaning of a value, by :attr:`lommel.PSF.normalize`."""
 
-HOW = {"pixel": "averaged over each pixel", "center": "sampled at pixel centres"}
+SAMPLING = {"pixel": "averaged over each pixel", "center": "sampled at pixel centres"}
 """Relation of values to their pixels, by :attr:`lommel.PSF.sampling`."""
 
 USER = ("plots need", "plot")
@@ -154,7 +154,7 @@ def bar_label(meaning: str, stretch: str) -> str:
 COLOURS = "inferno"
 """Colour map of light, also used by the live page."""
 
-MOST = 64
+MAX_PICTURES = 64
 """Largest number of pictures in one figure."""
 
 Drawn: TypeAlias = "Axes | NDArray[np.object_]"
@@ -240,9 +240,9 @@ def only_single(ax: Axes | None, shape: tuple[int, ...]) -> None:
 
 def at_most(shape: tuple[int, ...]) -> None:
     """Raise ValueError for a stack that is too large for one figure."""
-    if int(np.prod(shape)) > MOST:
+    if int(np.prod(shape)) > MAX_PICTURES:
         raise ValueError(
-            f"at most {MOST} pictures can be drawn, got a stack of shape {shape}; index it, for example stack[:8]"
+            f"at most {MAX_PICTURES} pictures can be drawn, got a stack of shape {shape}; index it, as in stack[:8]"
         )
 
 

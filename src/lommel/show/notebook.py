@@ -329,7 +329,7 @@ def _pixels(psf: PSFLike) -> str:
     size = " × ".join(dict.fromkeys(_length(side * _sample_scale(psf), psf.unit) for side in psf.grid.pitch))
     size += " in the sample" if isinstance(psf.pupil, ObjectivePupil) else ""
     blurs = "".join(f", {type(blur).__name__}" for blur in psf.blur)
-    return f"{height} × {width} of {size}, {drawing.HOW[psf.sampling]}{blurs}"
+    return f"{height} × {width} of {size}, {drawing.SAMPLING[psf.sampling]}{blurs}"
 
 
 def _aperture(pupil: Pupil) -> str:

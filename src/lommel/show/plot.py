@@ -188,7 +188,7 @@ def _title_lines(psf: PSFLike, z: Array, is_cropped: bool, to_scale: bool) -> li
     return [
         f"{z.size} planes, {steps.mean():.4g} µm apart" if is_even else f"{z.size} planes, not evenly spaced",
         f"{psf.shape[-2]} × {psf.shape[-1]} pixels of {size:.4g} µm in the sample",
-        drawing.HOW[psf.sampling],
+        drawing.SAMPLING[psf.sampling],
         *(["dark surroundings are cropped"] if is_cropped else []),
         *([] if to_scale else ["x, y and z have different scales"]),
     ]
@@ -255,7 +255,7 @@ def _title(psf: PSFLike) -> str:
     sides = psf.grid.pitch[: 1 if isinstance(psf.pixel, float) else 2]
     size = " × ".join(f"{side * factor:.4g}" for side in sides)
     blurs = "".join(f", {type(blur).__name__}" for blur in psf.blur)
-    return f"{height} × {width} pixels of {size} {unit}, {drawing.HOW[psf.sampling]}{blurs}"
+    return f"{height} × {width} pixels of {size} {unit}, {drawing.SAMPLING[psf.sampling]}{blurs}"
 
 
 def _draw(psf: PSFLike, axes: Axes, norm: Normalize) -> Axes:
@@ -312,8 +312,8 @@ def colour(psf: ColourPSFLike, ax: Axes | None = None, *, stretch: str = "sqrt")
         pictures, titles = drawing.stretched(np.maximum(psf.values, 0.0) / top, stretch), list(psf.channels.names)
     else:
         raise ValueError(f"a stack must have three channels, got {len(psf.psfs)}; plot a channel: psf[0].plot()")
-    if len(pictures) > drawing.MOST or (ax is not None and len(pictures) > 1):
-        limit = 1 if ax is not None else drawing.MOST
+    if len(pictures) > drawing.MAX_PICTURES or (ax is not None and len(pictures) > 1):
+        limit = 1 if ax is not None else drawing.MAX_PICTURES
         raise ValueError(f"at most {limit} PSFs can be drawn here, got {len(pictures)}; use part(index) of a stack")
     single = psf.psfs[0] if not stack else psf.psfs[0][(0,) * len(stack)]
     columns = drawing.columns_of(len(pictures))

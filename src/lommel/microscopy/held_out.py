@@ -184,7 +184,7 @@ class HeldOut(TrialDeconvolution):
         return self._halves.deconvolve_half(self.blur(model, len(self._values)), progress, fold=fold, course=course)
 
     def level(self, joint: Best) -> float:
-        """Return the background of the stack; `joint` is the deconvolution that also estimated it."""
+        """Return the background of the stack from `joint`, its estimate together with the specimen."""
 
         def continue_iteration(background: Background, start: State, steps: int) -> Best:
             blur, progress = (

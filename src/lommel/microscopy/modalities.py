@@ -38,8 +38,9 @@ def confocal(
     excitation, emission : ObjectivePupil
         Excitation, whose emitter is a :class:`lommel.Beam`, and emission, in the same planes. Both may have
         aberrations; aberrations of the excitation must be equal in all planes. A :class:`lommel.Dipole` absorbs the
-        component of the field along it; a wobbling dipole reorients between absorption and emission. The foci of two
-        wavelengths differ: ``z=emission.focus, origin="coverslip"`` puts the excitation in the planes of emission.
+        component of the field along its axis; a wobbling dipole reorients between absorption and emission. The foci
+        of two wavelengths differ: ``z=emission.focus, origin="coverslip"`` puts the excitation in the planes of
+        emission.
     shape : int or (int, int)
     pixel : float
         Shape and pixel pitch as in :func:`lommel.psf`: metres on the camera, the pitch in the sample times the
@@ -60,7 +61,7 @@ def confocal(
     Returns
     -------
     PSF
-        Its pupil is the emission. Its `energy` and `encircled_energy` refer to a thin uniform layer in each
+        `pupil` is the emission. `energy` and `encircled_energy` refer to a thin uniform layer in each
         plane, and show the optical sectioning.
 
     Raises
@@ -116,7 +117,7 @@ def two_photon(
     Returns
     -------
     PSF
-        Its pupil is the excitation; its `energy` refers to a thin uniform layer in each plane.
+        `pupil` is the excitation; `energy` refers to a thin uniform layer in each plane.
 
     Raises
     ------

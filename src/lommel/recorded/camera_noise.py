@@ -33,7 +33,7 @@ _FARTHER = [(2 * y, 2 * x) for y, x in _NEIGHBOURS]
 
 
 def sharpness(psf: Array) -> float:
-    """Return the ratio of the brightest voxel of a PSF to the brightest of its neighbours in the same plane."""
+    """Return the ratio of the brightest voxel of a PSF to its brightest neighbour in the same plane."""
     plane, row, column = np.unravel_index(int(psf.argmax()), psf.shape)
     neighbours = psf[plane, max(row - 1, 0) : row + 2, max(column - 1, 0) : column + 2].copy()
     top = float(neighbours.max())

@@ -38,7 +38,7 @@ class Noise(EqualByContent):
         ``white / sqrt(12)``, added in quadrature.
     offset : float or array_like, default 0
         Value of a pixel without electrons, in the image's own unit: black level, bias or pedestal (100 ADU). Sky and
-        dark current have noise of their own: they are a background, not an offset.
+        dark current have their own photon noise: they are a background, not an offset.
     excess : float, default 1.0
         Excess noise factor F^2 of multiplication before the read noise, 1 to 100: about 2 for an electron-multiplying
         CCD (EMCCD) at a high gain. `white` and `read` then refer to electrons before multiplication: the gain
@@ -58,7 +58,7 @@ class Noise(EqualByContent):
     The variance of a pixel is ``excess * mu + read**2`` (Robbins and Hadwen 2003, doi:10.1109/TED.2003.813462).
     Electrons divided by `excess` have the mean ``mu / excess`` and, without read noise, the same variance: fits
     assume a Poisson distribution for them, and multiply the estimated light by `excess`. At 0.2 to 10 electrons per
-    pixel, images of an EMCCD contain 1.3 to 1.03 times the information of this model: its standard errors are not too
+    pixel, images of an EMCCD contain 1.3 to 1.03 times the information of this model: standard errors are not too
     small.
 
     Examples

@@ -156,7 +156,7 @@ def deconvolve(
     findings = [] if finding is None else [finding]
     floor = Floor()
     floor.add(values, slice(0, shape[1]), slice(0, shape[2]))
-    if uneven := floor.finding(*shape[1:], background_of(background)):
+    if uneven := floor.finding(shape, background_of(background)):
         findings.append(uneven)
     if not is_contained:
         text = (
@@ -192,13 +192,9 @@ class Floor:
         )
         self._means.append((down, across, sums / np.outer(np.diff(edges[0]), np.diff(edges[1]))))
 
-    def finding(self, height: int, width: int, background: Background) -> Finding | None:
+    def finding(self, shape: tuple[int, ...], background: Background) -> Finding | None:
         """Return the finding if an estimated `background` left a floor of more than _MAX_FLOOR of the light."""
-        if (
-            background.level is not None
-            or not self._light > 0.0
-            or (share := self._share(height, width)) <= _MAX_FLOOR
-        ):
+        if background.level is not None or not self._light > 0.0 or (share := self._share(*shape[-2:])) <= _MAX_FLOOR:
             return None
         advice = 'background="uneven" estimates' if background.points == 1 else "a background in the offset removes"
         text = (
@@ -224,7 +220,7 @@ class Floor:
 
 def _region(centres: Array, side: int, number: int) -> NDArray[np.bool_]:
     """Return which block centres are in a region, one of _FLOOR_REGIONS equal parts of a side of the field."""
-    return np.minimum((centres * _FLOOR_REGIONS / side).astype(int), _FLOOR_REGIONS - 1) == number
+    return np.asarray(np.minimum((centres * _FLOOR_REGIONS / side).astype(int), _FLOOR_REGIONS - 1) == number)
 
 
 def _held_out(recorded: Values, noise: Noise, blur: Callable[[], TiledBlur]) -> tuple[Background, int]:

@@ -1021,7 +1021,7 @@ class _ChannelRestoration:
                     finding, rank_alternatives(context, report, try_reversed=options.direction != "auto")
                 )
             self._findings.append(finding)
-        if uneven := self._floor.finding(*self._stack.shape[1:], background_of(options.background)):
+        if uneven := self._floor.finding(self._stack.shape, background_of(options.background)):
             self._findings.append(uneven)
         if outcome.stopped == INTERRUPTED:
             self._findings.append(Finding("interrupted", "doubt", "it was interrupted: the completed steps are kept"))

@@ -31,17 +31,17 @@ def test_light_beyond_a_lattice_that_is_too_small_is_counted(ratio, margin):
     asked = Request(None, 0, 1e-11, 1e-12, margin)
     made = summed(asked, lm.Pupil(), Grid(1, 0.5), (lm.Seeing(1.0 / ratio),))
     off = abs(float(made.values[0, 0, 0]) - on_axis(ratio))
-    assert made.given is not None
-    assert off > 10.0 * float(made.given[0] + made.response[0])
+    assert made.sample_error is not None
+    assert off > 10.0 * float(made.sample_error[0] + made.response[0])
     assert off <= float(made.missing[0])
 
 
 def test_errors_of_samples_and_of_responses_are_as_asked():
     for error in (1e-5, 1e-8):
         made = summed(Request(None, 0, error, error, 0.0), lm.Pupil(), Grid(3, 0.5), (lm.Jitter(0.4),))
-        assert made.given is not None
+        assert made.sample_error is not None
         assert 0.0 < float(made.response[0]) < 60.0 * error
-        assert 0.0 < float(made.given[0]) < 8.0 * error
+        assert 0.0 < float(made.sample_error[0]) < 8.0 * error
         assert float(made.missing[0]) == 0.0
 
 
@@ -51,7 +51,7 @@ def test_light_beyond_a_lattice_that_is_gathered_is_counted(ratio, margin):
     asked = Request(None, 0, 1e-11, 1e-13, margin)
     made = summed(asked, lm.Pupil(), Grid(1, 0.5), (lm.Seeing(1.0 / ratio),))
     off = on_axis(ratio) - float(made.values[0, 0, 0])
-    assert off > 10.0 * float(made.given[0] + made.response[0])
+    assert off > 10.0 * float(made.sample_error[0] + made.response[0])
     assert off <= float(made.missing[0]) < 2000.0 * off
 
 
@@ -119,7 +119,7 @@ def test_samples_of_an_aperture_serve_other_seeing(sampled, wavefront):
         made = lm.psf(pupil, shape, 4.0, center=center, blur=lm.Seeing(1.0 / ratio), tol=tol, dtype=np.float64)
         count = len(sampled)
         with pytest.MonkeyPatch.context() as patch:
-            patch.setattr(recorded, "_known", lambda *_: {})
+            patch.setattr(recorded, "_cached_lattices", lambda *_: {})
             plain = lm.psf(pupil, shape, 4.0, center=center, blur=lm.Seeing(1.0 / ratio), tol=3e-8, dtype=np.float64)
         del sampled[count:]
         assert np.abs(made.values - plain.values).max() <= (made.error_bound + 3e-8) * plain.values.max()
@@ -157,12 +157,12 @@ def test_only_samples_of_the_tolerance_serve_again(sampled):
     np.testing.assert_allclose(values[0], exact.values * pupil.amplitude**2, atol=2e-7)
     assert len(sampled) == 3
     for first in [(-7, 0), (0, -8), (4, 0), (0, 4)]:
-        known, count = recorded._known(pupil.aperture, pupil.wavefront)[1.0], len(sampled)
+        known, count = recorded._cached_lattices(pupil.aperture, pupil.wavefront)[1.0], len(sampled)
         assert known.part(first, (4, 5)) is None
         beyond = SimpleNamespace(step=1.0, first=first, counts=(4, 5))
         assert recorded._on_lattice(Request(None, 1, 1e-6, 1e-9, 0.0), pupil, beyond)[1].shape == (1, 4, 5)
         assert len(sampled) == count + 1
-        recorded._known(pupil.aperture, pupil.wavefront)[1.0] = known
+        recorded._cached_lattices(pupil.aperture, pupil.wavefront)[1.0] = known
 
 
 @pytest.mark.parametrize("ratio", [4.0, 9.0, 15.0, 33.0, 80.0])
@@ -193,8 +193,8 @@ def test_few_lattices_are_kept(sampled):
     pupil = lm.Pupil(spider=VANES)
     for ratio in (60.0, 20.0, 12.0, 8.0, 7.0, 6.0, 60.0):
         lm.psf(pupil, 5, 4.0, blur=lm.Seeing(1.0 / ratio), tol=1e-3)
-        assert 1 <= len(recorded._known(pupil.aperture, pupil.wavefront)) <= recorded._STEPS
-    assert len({grid.pixel for grid in sampled}) > recorded._STEPS
+        assert 1 <= len(recorded._cached_lattices(pupil.aperture, pupil.wavefront)) <= recorded._MAX_LATTICES
+    assert len({grid.pixel for grid in sampled}) > recorded._MAX_LATTICES
     assert sampled[-1].pixel == sampled[0].pixel
 
 

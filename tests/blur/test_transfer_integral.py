@@ -181,7 +181,7 @@ def test_a_rule_leaves_out_no_more_than_it_says(name, blur):
         made = rule(fading, tuple(parts(pupil)), slopes, 1e-3 * allowed, 60.0, allowed)
         summed = transfer_integral.Summed.of(made, pupil, 60.0, allowed)
         found = summed.at(v)[0]
-        left = 8.0 * pupil.transmission * made.left
+        left = 8.0 * pupil.transmission * made.tail
         off = np.abs(found - peak * j0(2.0 * np.multiply.outer(v, f)) @ weight).max()
         assert off <= made.error + left + summed.size * summed.rounding(60.0) + 1e-14
         assert made.error <= allowed

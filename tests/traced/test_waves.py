@@ -68,7 +68,7 @@ def test_turns_are_off_by_no_more_than_is_said(largest, precision, pupils_last):
     assert total.dtype == precision
     off = (total.T if pupils_last else total) - (c @ basis) / math.tau
     off = math.tau * np.abs(off - np.round(off)).max(axis=1)
-    said = rule.each * size + rule.fixed
+    said = rule.relative * size + rule.absolute
     assert np.all(off <= said)
     # Of 900 rad that float32 rounds as a whole, 5e-5 would be lost.
     assert np.all(said <= (1e-11 if precision == "float64" else 2e-6))

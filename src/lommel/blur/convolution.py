@@ -65,21 +65,22 @@ def readout(places: tuple[float, ...], active: float, gate: Gate) -> Readout:
     """Return the weights for averages over `active` (v) around ascending `places` (v); for point values if 0."""
     from scipy import sparse
 
-    at = np.array(places)
-    h, (beyond, cut) = gate.h, ends(gate)
+    centers = np.array(places)
+    h, (truncation, cut_sum) = gate.h, ends(gate)
     # An odd number of taps, symmetric about the sample nearest to the centre of the pixel.
-    taps = 2 * math.ceil((beyond + 0.5 * active) / h) + 1
-    start = np.rint(at / h).astype(np.int64) - taps // 2
+    taps = 2 * math.ceil((truncation + 0.5 * active) / h) + 1
+    start = np.rint(centers / h).astype(np.int64) - taps // 2
     k = start[:, None] + np.arange(taps)
-    weights = h * _averaged(at[:, None] - h * k, active, gate)
+    weights = h * _averaged(centers[:, None] - h * k, active, gate)
     first = int(start.min())
-    rows = np.repeat(np.arange(at.size), taps)
-    shape = at.size, int(start.max()) + taps - first
+    rows = np.repeat(np.arange(centers.size), taps)
+    shape = centers.size, int(start.max()) + taps - first
     matrix = sparse.csr_array((weights.ravel(), (rows, (k - first).ravel())), shape=shape)
-    low, high = float(at.min()) - 0.5 * active, float(at.max()) + 0.5 * active
+    low, high = float(centers.min()) - 0.5 * active, float(centers.max()) + 0.5 * active
     # Rounding of the weights and of sums of `taps` products: errors of random sign grow like sqrt(taps).
     rounding = 2.0**-50 * math.sqrt(taps)
-    return Readout(matrix, first, gate.error + cut + rounding, float(np.abs(weights).sum(axis=1).max()), low, high)
+    gain = float(np.abs(weights).sum(axis=1).max())
+    return Readout(matrix, first, gate.error + cut_sum + rounding, gain, low, high)
 
 
 @lru_cache(maxsize=16)
@@ -88,11 +89,11 @@ def ends(gate: Gate) -> tuple[float, float]:
     from scipy.special import exp1
 
     # The sum of exp(-(s x)^2 / 2) / (pi x) outside this distance is about the error of the gate: E1(y) ~ exp(-y) / y.
-    large = -math.log(gate.error)
+    log_inverse_error = -math.log(gate.error)
     s = _gaussian_rate(gate)
-    beyond = math.sqrt(2.0 * (large - math.log(large + 1.0))) / s
+    distance = math.sqrt(2.0 * (log_inverse_error - math.log(log_inverse_error + 1.0))) / s
     # The sum on each side is at most the integral that starts one step earlier; abs(g) <= exp(-(s x)^2 / 2) / (pi x).
-    return beyond + gate.h, float(exp1(0.5 * (s * beyond) ** 2)) / math.pi
+    return distance + gate.h, float(exp1(0.5 * (s * distance) ** 2)) / math.pi
 
 
 @lru_cache(maxsize=16)
@@ -117,9 +118,9 @@ def _averaged(x: Array, active: float, gate: Gate) -> Array:
 def _integral(x: Array, gate: Gate) -> Array:
     """Return the integral of g from 0 to x."""
     # One Gauss node for every 2 radians of sin(m x), and 40 nodes for the Gaussian factor.
-    far = 9.0 / _gaussian_rate(gate)  # the Gaussian factor is below 1e-17 outside
-    nodes, weights = gauss_legendre(math.ceil(0.5 * far * gate.middle) + 40)
-    flat = np.clip(x, -far, far).ravel()
+    limit = 9.0 / _gaussian_rate(gate)  # the Gaussian factor is below 1e-17 outside
+    nodes, weights = gauss_legendre(math.ceil(0.5 * limit * gate.middle) + 40)
+    flat = np.clip(x, -limit, limit).ravel()
     integral = np.empty(flat.size)
     # Blocks limit the memory of the outer product of positions and nodes.
     for start in range(0, flat.size, 2**14):
@@ -144,11 +145,11 @@ class Short(NamedTuple):
     streaks: Array
 
     @classmethod
-    def of(cls, several: tuple[Blur, ...], scale: float) -> Short:
+    def of(cls, blurs: tuple[Blur, ...], scale: float) -> Short:
         """Return the total covariance and the streaks of several blurs; `scale` is one lambda*N in their unit."""
         to_v = math.pi / scale
-        covariance = sum((blur.covariance for blur in several), np.zeros((2, 2)))
-        streaks = [blur.streak for blur in several if blur.streak != (0.0, 0.0)]
+        covariance = sum((blur.covariance for blur in blurs), np.zeros((2, 2)))
+        streaks = [blur.streak for blur in blurs if blur.streak != (0.0, 0.0)]
         return cls(to_v**2 * covariance, to_v * np.array(streaks).reshape(-1, 2))
 
     @property
@@ -160,18 +161,18 @@ class Short(NamedTuple):
         """Return the distances along x and y that at most the fraction `left` of the light exceeds."""
         deviations = np.sqrt(np.diag(self.covariance))
         # Half of `left` for the tails of the Gaussian; a streak extends by half of its length to either side.
-        far = math.sqrt(2.0) * float(scipy.special.erfcinv(min(0.5 * left, 1.0)))
-        x, y = far * deviations + 0.5 * np.abs(self.streaks).sum(axis=0)
+        quantile = math.sqrt(2.0) * float(scipy.special.erfcinv(min(0.5 * left, 1.0)))
+        x, y = quantile * deviations + 0.5 * np.abs(self.streaks).sum(axis=0)
         return float(x), float(y)
 
     def response(self, x: Array, y: Array) -> Array:
         """Return the transfer function at w = (x, y)."""
         (xx, xy), (_, yy) = self.covariance
-        found = np.exp(-0.5 * (xx * x * x + 2.0 * xy * x * y + yy * y * y))
+        transfer = np.exp(-0.5 * (xx * x * x + 2.0 * xy * x * y + yy * y * y))
         for dx, dy in self.streaks:
             # np.sinc(t) is sin(pi t) / (pi t), and w = 2 pi f.
-            found *= np.sinc((dx * x + dy * y) / (2.0 * math.pi))
-        return np.asarray(found)
+            transfer *= np.sinc((dx * x + dy * y) / (2.0 * math.pi))
+        return np.asarray(transfer)
 
 
 class Spread(NamedTuple):
@@ -185,17 +186,17 @@ class Spread(NamedTuple):
     missing: float  # bound on the kernel density, in v^-2, for light from outside the lattice
     off: float  # bound on the error of the kernel density, in v^-2
     core: float  # largest kernel density of a halo, in v^-2; 0 without halo
-    blind: float  # bound on the sum of the absolute values of the short kernel outside its reach
+    outside_sum: float  # bound on the sum of the absolute values of the short kernel outside its reach
 
     def on(self, samples: Array, threads: int) -> Array:
         """Return the blurred samples, shape (n, rows, columns)."""
         workers = threads or -1
-        out = np.empty(samples.shape)
-        for one, place in zip(samples, out, strict=True):
-            turned = scipy.fft.rfft2(one, self.size, workers=workers)
-            turned *= self.response
-            place[:] = scipy.fft.irfft2(turned, self.size, workers=workers)[: one.shape[0], : one.shape[1]]
-        return out
+        blurred = np.empty(samples.shape)
+        for image, target in zip(samples, blurred, strict=True):
+            transform = scipy.fft.rfft2(image, self.size, workers=workers)
+            transform *= self.response
+            target[:] = scipy.fft.irfft2(transform, self.size, workers=workers)[: image.shape[0], : image.shape[1]]
+        return blurred
 
     def rounding(self, samples: Array) -> float:
         """Return a bound on the rounding error of the transforms for any value of the blurred `samples`."""
@@ -209,45 +210,45 @@ def spread(short: Short, halo: Halo, least: tuple[int, int], margin: float, *, e
     `ended`: T is negligible for ``abs(w) > 2``. The lattice extends by `margin` (v) beyond the pixels if `ended`,
     otherwise beyond the samples that the pixels are interpolated from.
     """
-    gate, seen = halo.gate, bool(halo.several)
+    gate, has_seeing = halo.gate, bool(halo.several)
     # Lengths with small prime factors: transforms of other lengths take several times as long.
     size = tuple(scipy.fft.next_fast_len(side, real=True) for side in least)
     y = 2.0 * math.pi / gate.h * scipy.fft.fftfreq(size[0])[:, None]
     x = 2.0 * math.pi / gate.h * scipy.fft.rfftfreq(size[1])
     response: NDArray[np.generic] = np.ones((size[0], x.size))
-    error = blind = missing = off = core = 0.0
+    error = outside_sum = outside_density = density_error = core = 0.0
     gain = norm = 1.0
     if not short.nothing:
         response, error = _periodic(short, gate, x, y), 3.0 * gate.error
         # Twice: absolute sum of the short kernel outside its reach plus the truncation distance of the gate.
-        blind = 2.0 * gained(gate) * (gate.error * gained(gate) + 2.0 * ends(gate)[1])
+        outside_sum = 2.0 * gained(gate) * (gate.error * gained(gate) + 2.0 * ends(gate)[1])
         kernel = scipy.fft.irfft2(response, size)
         gain, norm = float(np.abs(kernel).sum()), float(np.sqrt((kernel**2).sum()))
-    if seen:
+    if has_seeing:
         # The table holds weights per sample, h^2 times the density in v^-2.
         tabulated, table_error = _kernel(halo, size)
         core = float(tabulated.max()) / gate.h**2
         # The short blur moves at most the fraction gate.error of the light farther than the reach of the blur.
-        far = halo.bound(margin) + (0.0 if short.nothing else gate.error * core)
-        missing = far if ended else gain * halo.gated_bound(margin) + blind * core
-        off = gain * table_error * core
+        halo_density = halo.bound(margin) + (0.0 if short.nothing else gate.error * core)
+        outside_density = halo_density if ended else gain * halo.gated_bound(margin) + outside_sum * core
+        density_error = gain * table_error * core
         response = scipy.fft.rfft2(tabulated) * response
         kernel = scipy.fft.irfft2(response, size)
         error += gate.error
         gain, norm = float(np.abs(kernel).sum()), float(np.sqrt((kernel**2).sum()))
-    return Spread(response, size, gain, norm, error, missing, off, core, blind)
+    return Spread(response, size, gain, norm, error, outside_density, density_error, core, outside_sum)
 
 
 def _periodic(short: Short, gate: Gate, x: Array, y: Array) -> Array:
     """Return the response on the lattice: T G of the plane, G being a gate along each axis, with its copies."""
     # Sampling adds copies at multiples of 2 pi / h (Poisson). Only the nearest copies overlap nonzero gates.
     period = 2.0 * math.pi / gate.h
-    found = np.zeros((y.size, x.size))
+    response = np.zeros((y.size, x.size))
     for i in (-1.0, 0.0, 1.0):
         for j in (-1.0, 0.0, 1.0):
-            across, down = x + i * period, y + j * period
-            found += short.response(across, down) * _gated(across, gate) * _gated(down, gate)
-    return found
+            wx, wy = x + i * period, y + j * period
+            response += short.response(wx, wy) * _gated(wx, gate) * _gated(wy, gate)
+    return response
 
 
 def _gated(w: Array, gate: Gate) -> Array:
@@ -260,19 +261,19 @@ def _kernel(halo: Halo, size: tuple[int, ...]) -> tuple[Array, float]:
     h, half = halo.gate.h, (size[0] // 2 + 1, size[1] // 2 + 1)
     # The error of the table is a tenth of the error of the gate, which is relative to 1, not to the peak of c.
     error = max(0.1 * halo.gate.error / float(halo.at(np.zeros(1))[0]), 1e-12)
-    filtered, step, off = table(halo, h * math.hypot(*half), error)
+    filtered, step, table_error = table(halo, h * math.hypot(*half), error)
     # By symmetry one octant contains all distances: it is computed once and mirrored to the whole lattice.
     squares, index = distinct_radii(half[0] - 1, half[1] - 1)
     quadrant = h * h * between(filtered, step, error, h * np.sqrt(squares))[index]
     # The kernel wraps around: index n - k is the distance k on the other side.
     rows, columns = (np.minimum(k := np.arange(n), n - k) for n in size)
-    return quadrant[rows[:, None], columns], off
+    return quadrant[rows[:, None], columns], table_error
 
 
 _BAND = 1.2  # step of a table in r times the largest w: phase of J0 between two entries, radians
 _NODES, _PHASE = 40, 40.0  # Gauss nodes in a panel (an interval of u), and largest phase w r of J0 across it, radians
-_DARK = 1e-22  # transfer function that counts as 0
-_KEPT = 2**20  # largest number of cached values of J0
+_NEGLIGIBLE = 1e-22  # value below which a transfer function counts as 0
+_MAX_CACHED = 2**20  # largest number of cached values of J0
 
 
 class Gate(NamedTuple):
@@ -286,8 +287,8 @@ class Gate(NamedTuple):
     @classmethod
     def of(cls, h: float, error: float) -> Gate:
         """Return the gate for samples with the step `h`, with the given `error`."""
-        far = 2.0 * math.pi / h - 2.0
-        return cls(h, 0.5 * (2.0 + far), 0.5 * (far - 2.0) / float(scipy.special.erfcinv(0.5 * error)), error)
+        cutoff = 2.0 * math.pi / h - 2.0
+        return cls(h, 0.5 * (2.0 + cutoff), 0.5 * (cutoff - 2.0) / float(scipy.special.erfcinv(0.5 * error)), error)
 
     def round(self, w: Array) -> Array:
         """Return a rotationally symmetric gate, a smooth function of w^2, at the modulus w of the frequency."""
@@ -303,8 +304,8 @@ class Gate(NamedTuple):
     @property
     def _squared(self) -> tuple[float, float, float]:
         # Centre and half width of the transition in w^2, and its half width in w.
-        far = 2.0 * math.pi / self.h - 2.0
-        return 0.5 * (4.0 + far * far), 0.5 * (far * far - 4.0), 0.5 * (far - 2.0)
+        cutoff = 2.0 * math.pi / self.h - 2.0
+        return 0.5 * (4.0 + cutoff * cutoff), 0.5 * (cutoff * cutoff - 4.0), 0.5 * (cutoff - 2.0)
 
 
 class Halo(NamedTuple):
@@ -316,64 +317,64 @@ class Halo(NamedTuple):
     gate: Gate
 
     @classmethod
-    def of(cls, several: tuple[Blur, ...], scale: float, wavelength: float | None, gate: Gate) -> Halo:
+    def of(cls, blurs: tuple[Blur, ...], scale: float, wavelength: float | None, gate: Gate) -> Halo:
         """Return the kernel of all Seeing among several blurs, at one wavelength; `scale` is one lambda*N."""
-        return cls(tuple(blur for blur in several if isinstance(blur, Seeing)), scale, wavelength, gate)
+        return cls(tuple(blur for blur in blurs if isinstance(blur, Seeing)), scale, wavelength, gate)
 
     def response(self, w: Array) -> Array:
         """Return the transfer function at w, without the gate."""
-        found = np.ones(w.shape)
+        transfer = np.ones(w.shape)
         for blur in self.several:
-            found *= blur.transfer(w / (2.0 * self.scale), wavelength=self.wavelength)
-        return found
+            transfer *= blur.transfer(w / (2.0 * self.scale), wavelength=self.wavelength)
+        return transfer
 
     @property
     def finest(self) -> float:
         """Smallest interval of w over which the response varies."""
-        found = 0.5
+        smallest = 0.5
         for blur in self.several:
             outer = math.inf if blur.outer_scale is None else blur.outer_scale / (2.0 * math.pi * blur.r0)
-            found = min(found, self.scale * blur.coherence(self.wavelength) * min(1.0, outer))
-        return found
+            smallest = min(smallest, self.scale * blur.coherence(self.wavelength) * min(1.0, outer))
+        return smallest
 
     def at(self, r: Array) -> Array:
         """Return the kernel at radii in v by quadrature, without a table."""
         w, weight = _rule(self, float(np.max(r, initial=1.0)))
         return _transformed(weight, w, r)
 
-    def bound(self, far: float) -> float:
-        """Return a bound on the density b of image shifts (the kernel without gate) at radii above `far`."""
+    def bound(self, radius: float) -> float:
+        """Return a bound on the density b of image shifts (the kernel without gate) at radii above `radius`."""
         # b is a mixture of Gaussians and decreases with r. At the radius R, a Gaussian of variance t is at most
         # 1 / (1 - 2 s / R^2) times a Gaussian of variance t + s. The transform of T exp(-s w^2 / 2), times this
         # factor, therefore bounds b(R); the integrand is negligible above a small w.
-        s = min(2.0, 0.02 * far * far)
-        w, weight = _rule(self, far, gated=False)
+        s = min(2.0, 0.02 * radius * radius)
+        w, weight = _rule(self, radius, gated=False)
         soft = weight * np.exp(-0.5 * s * w * w)
         rounding = 2.0**-46 * float(np.abs(soft).sum())
-        return (max(float(scipy.special.j0(far * w) @ soft), 0.0) + rounding) / (1.0 - 2.0 * s / far**2)
+        return (max(float(scipy.special.j0(radius * w) @ soft), 0.0) + rounding) / (1.0 - 2.0 * s / radius**2)
 
-    def gated_bound(self, far: float) -> float:
-        """Return a bound on the absolute value of the kernel, b convolved with the gate's transform, above `far`."""
-        near = far - min(0.25 * far, 45.0)
-        smear, left = _gate_norm(self.gate, far - near)
-        return smear * self.bound(near) + left
+    def gated_bound(self, radius: float) -> float:
+        """Return a bound on the absolute kernel, b convolved with the gate's transform, above `radius`."""
+        inner_radius = radius - min(0.25 * radius, 45.0)
+        gate_norm, gate_tail = _gate_norm(self.gate, radius - inner_radius)
+        return gate_norm * self.bound(inner_radius) + gate_tail
 
 
 @lru_cache(maxsize=8)
-def _rule(halo: Halo, far: float, *, gated: bool = True) -> tuple[Array, Array]:
-    """Return nodes in w, and weights of ``(1 / 2 pi) T G w dw`` for waves up to the radius `far`."""
-    w, weight = _nodes(*_panels(halo, far, gated=gated))
-    found = weight * halo.response(w)
-    return w, found * halo.gate.round(w) if gated else found
+def _rule(halo: Halo, radius: float, *, gated: bool = True) -> tuple[Array, Array]:
+    """Return nodes in w, and weights of ``(1 / 2 pi) T G w dw`` for waves up to this `radius`."""
+    w, weight = _nodes(*_panels(halo, radius, gated=gated))
+    weights = weight * halo.response(w)
+    return w, weights * halo.gate.round(w) if gated else weights
 
 
-def _panels(halo: Halo, far: float, *, gated: bool = True) -> tuple[float, int]:
+def _panels(halo: Halo, radius: float, *, gated: bool = True) -> tuple[float, int]:
     """Return the upper limit of the rule in w and its number of panels, rounded to be the same for similar seeing."""
     end = halo.gate.end if gated else 11.0
     probe = np.linspace(0.0, end, 4097)
-    dark = np.flatnonzero(halo.response(probe) < _DARK)
-    end = min(end, 0.25 * math.ceil(4.0 * float(probe[dark[0]]))) if dark.size else end
-    return end, 4 * math.ceil(0.25 * end / min(_PHASE / max(far, 1.0), halo.finest))
+    negligible = np.flatnonzero(halo.response(probe) < _NEGLIGIBLE)
+    end = min(end, 0.25 * math.ceil(4.0 * float(probe[negligible[0]]))) if negligible.size else end
+    return end, 4 * math.ceil(0.25 * end / min(_PHASE / max(radius, 1.0), halo.finest))
 
 
 @lru_cache(maxsize=8)
@@ -383,9 +384,9 @@ def _nodes(end: float, panels: int) -> tuple[Array, Array]:
     # The first panel is subdivided: the relative variation of w is largest in it.
     edges = np.concatenate([edges[:1], edges[1] * np.array([0.5, 0.75]), edges[1:]])
     x, weight = gauss_legendre(_NODES)
-    wide = np.diff(edges)[:, None]
-    u = (edges[:-1, None] + wide * x).ravel()
-    return u**3, (wide * weight).ravel() * 3.0 * u**5 / (2.0 * math.pi)
+    widths = np.diff(edges)[:, None]
+    u = (edges[:-1, None] + widths * x).ravel()
+    return u**3, (widths * weight).ravel() * 3.0 * u**5 / (2.0 * math.pi)
 
 
 @lru_cache(maxsize=4)
@@ -396,55 +397,55 @@ def _waves(end: float, panels: int, step: float, count: int) -> Array:
 
 
 def _transformed(weight: Array, w: Array, r: Array) -> Array:
-    out = np.empty(r.shape)
-    many = max(1, 2**21 // w.size)
-    for start in range(0, r.size, many):
-        part = slice(start, start + many)
-        out[part] = _summed(scipy.special.j0(np.multiply.outer(r[part], w)), weight)
-    return out
+    values = np.empty(r.shape)
+    block = max(1, 2**21 // w.size)
+    for start in range(0, r.size, block):
+        part = slice(start, start + block)
+        values[part] = _weighted_sums(scipy.special.j0(np.multiply.outer(r[part], w)), weight)
+    return values
 
 
-def _summed(waves: Array, weight: Array) -> Array:
+def _weighted_sums(waves: Array, weight: Array) -> Array:
     # By the compiled core: for sums this short, the threads of BLAS spend most of the time waiting.
     return product(waves, weight[:, None], 1)[:, 0]
 
 
 @lru_cache(maxsize=4)
-def table(halo: Halo, far: float, error: float) -> tuple[Array, float, float]:
-    """Return the kernel at equally spaced r up to `far`, filtered for interpolation, the step, and error / c(0)."""
-    w, weight = _rule(halo, far)
+def table(halo: Halo, radius: float, error: float) -> tuple[Array, float, float]:
+    """Return (1) the kernel at equally spaced r, filtered for interpolation, (2) its step, (3) error / c(0)."""
+    w, weight = _rule(halo, radius)
     step = _BAND / float(w.max())
     rule = filtered_taps(_BAND, error)
-    beyond = rule.filter.size - 1
-    count = math.ceil(far / step) + rule.taps.size + 1 + beyond
-    if count * w.size <= _KEPT:
-        found = _summed(_waves(*_panels(halo, far), step, count), weight)
+    padding = rule.filter.size - 1
+    count = math.ceil(radius / step) + rule.taps.size + 1 + padding
+    if count * w.size <= _MAX_CACHED:
+        values = _weighted_sums(_waves(*_panels(halo, radius), step, count), weight)
     else:
-        found = _transformed(weight, w, step * np.arange(float(count)))
-    mirrored = np.concatenate([found[beyond:0:-1], found])
+        values = _transformed(weight, w, step * np.arange(float(count)))
+    mirrored = np.concatenate([values[padding:0:-1], values])
     filtered = np.convolve(mirrored, np.concatenate([rule.filter[:0:-1], rule.filter]), "valid")
     return filtered, step, rule.error
 
 
-def between(known: Array, step: float, error: float, r: Array) -> Array:
+def between(entries: Array, step: float, error: float, r: Array) -> Array:
     """Return the kernel at the radii `r`, interpolated in a :func:`table`."""
     taps = filtered_taps(_BAND, error).taps
     half = taps.size // 2
-    mirrored = np.concatenate([known[half:0:-1], known])
-    cell = np.minimum((r / step).astype(np.int64), known.size - half - 1)
-    found = np.zeros(r.shape)
+    mirrored = np.concatenate([entries[half:0:-1], entries])
+    cell = np.minimum((r / step).astype(np.int64), entries.size - half - 1)
+    values = np.zeros(r.shape)
     weights = taps.at((r / step - cell).ravel()).reshape(*r.shape, taps.size)
     for k in range(taps.size):
-        found += weights[..., k] * mirrored[cell + k + 1]
-    return found
+        values += weights[..., k] * mirrored[cell + k + 1]
+    return values
 
 
 @lru_cache(maxsize=16)
-def _gate_norm(gate: Gate, far: float) -> tuple[float, float]:
-    """Return the integral of the absolute transform of a gate over the plane, and its maximum beyond `far`."""
+def _gate_norm(gate: Gate, radius: float) -> tuple[float, float]:
+    """Return the integral of the absolute transform of a gate over the plane, and its maximum beyond a `radius`."""
     x, weight = gauss_legendre(400)
     w, weight = gate.end * x, gate.end * weight
     r: Array = np.linspace(0.0, 60.0, 4001)
     g = np.abs(_transformed(weight * w * gate.round(w) / (2.0 * math.pi), w, r))
     # The transform decreases faster than exponentially: the part beyond r = 60 is negligible.
-    return 1.01 * float(2.0 * math.pi * np.trapezoid(g * r, r)), float(g[r >= min(far, 45.0)].max())
+    return 1.01 * float(2.0 * math.pi * np.trapezoid(g * r, r)), float(g[r >= min(radius, 45.0)].max())

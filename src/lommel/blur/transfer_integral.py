@@ -51,34 +51,34 @@ class Karman(NamedTuple):
     size: float
     rate: float
 
-    def least(self, z: NDArray[np.complex128], power: NDArray[np.complex128], wide: Array) -> Array:
+    def least(self, z: NDArray[np.complex128], power: NDArray[np.complex128], largest: Array) -> Array:
         """Return a lower bound on the real part over discs of x: `power` = ``z^(5/3)`` and z at the centres.
 
-        `wide` is the largest abs(z) of each disc.
+        `largest` is the largest abs(z) of each disc.
         """
         # Certificate, section 17, "Over frequencies": the series for abs(z) <= 4, otherwise the real part of z.
-        far = self.size * math.gamma(_NU) * 2.0 ** (_NU - 1.0)
-        inside = np.minimum(wide, _NEAR)
+        limit = self.size * math.gamma(_NU) * 2.0 ** (_NU - 1.0)
+        clipped = np.minimum(largest, _NEAR)
         with np.errstate(over="ignore", invalid="ignore"):
             # From centre to rim the series changes by at most the difference of its sums of absolute terms.
-            at = self._series(z, power, -1.0).real
-            grown = self._series(inside, inside ** (5.0 / 3.0), 1.0) - self._series(
+            center = self._series(z, power, -1.0).real
+            change = self._series(clipped, clipped ** (5.0 / 3.0), 1.0) - self._series(
                 np.abs(z), np.abs(z) ** (5.0 / 3.0), 1.0
             )
-            near = np.where(wide <= _NEAR, at - grown.real, -np.inf)
+            series = np.where(largest <= _NEAR, center - change.real, -np.inf)
             # abs(K_nu(z)) <= K_nu(Re z), and y^nu K_nu(y) decreases.
-            right = z.real - (wide - np.abs(z))
-            ratio = np.divide(wide, right, out=np.full(wide.shape, np.inf), where=right > 0.0)
-            return np.asarray(np.maximum(near, far * (1.0 - ratio**_NU)))
+            real = z.real - (largest - np.abs(z))
+            ratio = np.divide(largest, real, out=np.full(largest.shape, np.inf), where=real > 0.0)
+            return np.asarray(np.maximum(series, limit * (1.0 - ratio**_NU)))
 
     def _series(self, z: NDArray[np.generic], power: NDArray[np.generic], sign: float) -> NDArray[np.complex128]:
         square = 0.25 * np.where(np.abs(z) <= _NEAR, z, 0.0) ** 2
-        rising, even = _coefficients()
+        fractional, even = _coefficients()
         # Horner's rule in z^2 / 4, for the two series together.
-        first, second = np.zeros(square.shape, complex), np.zeros(square.shape, complex)
-        for a, b in zip(rising[::-1], even[::-1], strict=True):
-            first, second = first * square + a, second * square + b
-        return np.asarray(self.size * (2.0**-_NU * power * first + sign * 2.0**_NU * second))
+        fractional_sum, even_sum = np.zeros(square.shape, complex), np.zeros(square.shape, complex)
+        for a, b in zip(fractional[::-1], even[::-1], strict=True):
+            fractional_sum, even_sum = fractional_sum * square + a, even_sum * square + b
+        return np.asarray(self.size * (2.0**-_NU * power * fractional_sum + sign * 2.0**_NU * even_sum))
 
 
 @lru_cache(maxsize=1)
@@ -94,7 +94,7 @@ def _coefficients() -> tuple[Array, Array]:
 class Fading(NamedTuple):
     """Transfer function of isotropic blur, ``exp(-kolmogorov f^(5/3) - gauss f^2 - sum of Karman)``."""
 
-    several: tuple[Blur, ...]
+    blurs: tuple[Blur, ...]
     scale: float
     wavelength: float | None
     kolmogorov: float
@@ -102,71 +102,71 @@ class Fading(NamedTuple):
     karman: tuple[Karman, ...]
 
     @classmethod
-    def of(cls, several: tuple[Blur, ...], scale: float, wavelength: float | None) -> Fading | None:
+    def of(cls, blurs: tuple[Blur, ...], scale: float, wavelength: float | None) -> Fading | None:
         """Return the Fading of several blurs; None if one depends on the direction; `scale` is one lambda*N."""
         kolmogorov = gauss = 0.0
         outer = []
-        for blur in several:
+        for blur in blurs:
             if not blur.isotropic:
                 return None
             gauss += 2.0 * math.pi**2 * float(blur.covariance[0, 0]) / scale**2
             if not isinstance(blur, Seeing):
                 continue
-            at = blur.coherence(wavelength) * scale
+            coherence = blur.coherence(wavelength) * scale
             if blur.outer_scale is None:
-                kolmogorov += KOLMOGOROV * at ** (-5.0 / 3.0)
+                kolmogorov += KOLMOGOROV * coherence ** (-5.0 / 3.0)
             else:
                 size, rate = karman(blur, wavelength)
-                outer.append(Karman(size, rate / at))
-        return cls(several, scale, wavelength, kolmogorov, gauss, tuple(outer))
+                outer.append(Karman(size, rate / coherence))
+        return cls(blurs, scale, wavelength, kolmogorov, gauss, tuple(outer))
 
     @classmethod
-    def above(cls, several: tuple[Blur, ...], scale: float, wavelength: float | None) -> Fading:
+    def above(cls, blurs: tuple[Blur, ...], scale: float, wavelength: float | None) -> Fading:
         """Return isotropic blur whose transfer function bounds the absolute transfer function of several blurs."""
-        covariance = sum((blur.covariance for blur in several), np.zeros((2, 2)))
+        covariance = sum((blur.covariance for blur in blurs), np.zeros((2, 2)))
         # exp(-w.C w / 2) is bounded by the smallest eigenvalue of C; streaks are omitted, as abs(sinc) <= 1.
         least = max(float(np.linalg.eigvalsh(covariance)[0]) - 1e-12 * float(np.trace(covariance)), 0.0)
-        air = (blur for blur in several if isinstance(blur, Seeing))
-        found = cls.of((*air, Jitter(math.sqrt(least))), scale, wavelength)
-        assert found is not None
-        return found
+        seeings = (blur for blur in blurs if isinstance(blur, Seeing))
+        isotropic = cls.of((*seeings, Jitter(math.sqrt(least))), scale, wavelength)
+        assert isotropic is not None
+        return isotropic
 
     def at(self, f: Array) -> Array:
         """Return the transfer function."""
-        found = np.ones(f.shape)
-        for blur in self.several:
-            found *= blur.transfer(f / self.scale, wavelength=self.wavelength)
-        return found
+        transfer = np.ones(f.shape)
+        for blur in self.blurs:
+            transfer *= blur.transfer(f / self.scale, wavelength=self.wavelength)
+        return transfer
 
     def log_bound(self, x: NDArray[np.complex128], radius: Array, end: float) -> Array:
         """Return an upper bound on log(abs(T)) over discs of x, with ``f = end x^3``."""
         size = np.abs(x)
-        # On a disc, Re x^5 is at least its value at the centre minus w^5 - s^5, the largest change to the rim.
-        wide = size + radius
+        # On a disc, Re x^5 is at least Re x^5 at the centre minus largest^5 - size^5, the maximum change to the rim.
+        largest = size + radius
         fifth = x**5
-        found = -self.kolmogorov * end ** (5.0 / 3.0) * (fifth.real - (wide**5 - size**5))
-        found -= self.gauss * end**2 * ((x**6).real - (wide**6 - size**6))
-        for one in self.karman:
-            z = one.rate * end
-            found -= one.least(z * x**3, z ** (5.0 / 3.0) * fifth, z * wide**3)
-        return np.asarray(found)
+        log_bound = -self.kolmogorov * end ** (5.0 / 3.0) * (fifth.real - (largest**5 - size**5))
+        log_bound -= self.gauss * end**2 * ((x**6).real - (largest**6 - size**6))
+        for term in self.karman:
+            z = term.rate * end
+            log_bound -= term.least(z * x**3, z ** (5.0 / 3.0) * fifth, z * largest**3)
+        return np.asarray(log_bound)
 
     def remaining(self, steps: Array = _STEPS) -> Array:
         """Return bounds on ``int T f df`` from each of the increasing frequencies `steps` to the last one."""
         # T decreases: sums with the values at the left ends of the steps are upper bounds.
-        pieces = 0.5 * self.at(steps[:-1]) * (steps[1:] ** 2 - steps[:-1] ** 2)
-        return np.append(np.cumsum(pieces[::-1])[::-1], 0.0)
+        integrals = 0.5 * self.at(steps[:-1]) * (steps[1:] ** 2 - steps[:-1] ** 2)
+        return np.append(np.cumsum(integrals[::-1])[::-1], 0.0)
 
     @property
     def light(self) -> float:
         """Bound on ``int T f df`` from 0 to 1, with T <= 1 below the first step."""
         return float(self.remaining()[0] + 0.5 * _STEPS[0] ** 2)
 
-    def end(self, left: float, steps: Array = _STEPS) -> tuple[float, float]:
-        """Return the first step above which ``int T f df`` is at most `left`, and the bound on this integral."""
+    def end(self, allowed: float, steps: Array = _STEPS) -> tuple[float, float]:
+        """Return the first step above which ``int T f df`` is at most `allowed`, and the bound on this integral."""
         remaining = self.remaining(steps)
-        first = int(np.argmax(remaining <= left))
-        return float(steps[first]), float(remaining[first])
+        index = int(np.argmax(remaining <= allowed))
+        return float(steps[index]), float(remaining[index])
 
 
 ETAS = np.geomspace(0.02, 6.0, 40)
@@ -186,17 +186,17 @@ class Slopes(NamedTuple):
         """Return the bounds for a stack."""
         return cls((0.0, *np.abs(pupil.radial_terms()).max(axis=0).tolist()), pupil.illumination)
 
-    def at(self, far: Array) -> tuple[Array, Array, Array]:
-        """Return bounds on gradient, second derivatives and log amplitude up to the distance `far` from the disc."""
+    def at(self, distance: Array) -> tuple[Array, Array, Array]:
+        """Return bounds on gradient, second derivatives and log amplitude up to a `distance` from the disc."""
         legval, legder = np.polynomial.legendre.legval, np.polynomial.legendre.legder
-        # t = r.r is within 2 far + far^2 of [0, 1]; P_n and its derivatives are largest at the end of an ellipse.
-        t = far * (2.0 + far)
+        # t = r.r is within 2 d + d^2 of [0, 1], d: distance; P_n and its derivatives are largest at an ellipse's end.
+        t = distance * (2.0 + distance)
         first, second = (legval(1.0 + 2.0 * t, legder(self.terms, k)) for k in (1, 2))
         # Derivatives with respect to t, for the argument 2 t - 1 of P_n; then with respect to r, dt = 2 r dr.
         first, second = 2.0 * first, 4.0 * second
-        gradient = 2.0 * (1.0 + far) * first
-        growth = np.zeros(np.shape(far)) if self.light.uniform else self.light.growth(1.0 + 2.0 * t)
-        return gradient, 2.0 * first + 4.0 * (1.0 + far) ** 2 * second, growth
+        gradient = 2.0 * (1.0 + distance) * first
+        growth = np.zeros(np.shape(distance)) if self.light.uniform else self.light.growth(1.0 + 2.0 * t)
+        return gradient, 2.0 * first + 4.0 * (1.0 + distance) ** 2 * second, growth
 
 
 def gauss_nodes(log_size: Array, allowed: Array, etas: Array = ETAS) -> Array:
@@ -204,8 +204,8 @@ def gauss_nodes(log_size: Array, allowed: Array, etas: Array = ETAS) -> Array:
     # M bounds the absolute integrand. The rule is exact up to the degree 2 n - 1, with positive weights: its error is
     # at most 4 M rho^(1 - 2 n) / (rho - 1).
     log = np.where(np.isfinite(log_size), log_size, np.inf)
-    needed = 0.5 + 0.5 * (math.log(4.0) + log - np.log(np.expm1(etas)) - np.log(allowed)[..., None]) / etas
-    return np.asarray(np.maximum(np.ceil(needed.min(axis=-1)), 2.0))
+    counts = 0.5 + 0.5 * (math.log(4.0) + log - np.log(np.expm1(etas)) - np.log(allowed)[..., None]) / etas
+    return np.asarray(np.maximum(np.ceil(counts.min(axis=-1)), 2.0))
 
 
 class Part(NamedTuple):
@@ -215,24 +215,24 @@ class Part(NamedTuple):
     radius: float
     end: float
 
-    def log_bound(self, slopes: Slopes, far: Array, off: Array) -> Array:
-        """Return a bound on log(abs(part)) at complex f within the distance `off` of the real interval [0, far]."""
+    def log_bound(self, slopes: Slopes, last: Array, distance: Array) -> Array:
+        """Return a bound on log(abs(part)) at complex f within a `distance` of the real interval [0, last]."""
         # Only the position r + 2 f in the second pupil depends on f: q' = 2 in the table of section 17.
         if self.kind == "disc":
-            gradient, _, growth = slopes.at(2.0 * off)
-            return np.asarray(math.log(2.0 * math.pi * self.radius**2) + off * 2.0 * gradient + growth)
-        ratio = (far + off) / self.radius
+            gradient, _, growth = slopes.at(2.0 * distance)
+            return np.asarray(math.log(2.0 * math.pi * self.radius**2) + distance * 2.0 * gradient + growth)
+        ratio = (last + distance) / self.radius
         with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
             root = 1.0 / np.sqrt(np.maximum(1.0 - ratio**2, 0.0))
             # A = (1 - (f / a + delta)^2)^(-1/2) and d = A delta of the table's third row.
-            turn = root * off / self.radius
-            cosh = np.cosh(np.minimum(turn, 300.0))
-            moved = np.hypot(cosh * root + 1.0, cosh * root)
-            gradient, second, growth = slopes.at((moved + 1.0) * off)
-            swing = off * (2.0 * (far + off) * second * moved + 2.0 * gradient)
-            size = 4.0 * self.radius**2 * (0.5 * math.pi + turn) * cosh * (cosh + ratio)
-            found = np.log(size) + swing + 2.0 * growth
-        return np.where((ratio < 1.0) & np.isfinite(found), found, np.inf)
+            d = root * distance / self.radius
+            cosh = np.cosh(np.minimum(d, 300.0))
+            shift = np.hypot(cosh * root + 1.0, cosh * root)
+            gradient, second, growth = slopes.at((shift + 1.0) * distance)
+            phase_growth = distance * (2.0 * (last + distance) * second * shift + 2.0 * gradient)
+            size = 4.0 * self.radius**2 * (0.5 * math.pi + d) * cosh * (cosh + ratio)
+            bound = np.log(size) + phase_growth + 2.0 * growth
+        return np.where((ratio < 1.0) & np.isfinite(bound), bound, np.inf)
 
     def counts(self, slopes: Slopes, low: float, high: float, allowed: float) -> tuple[int, int]:
         """Return the numbers of nodes along the two coordinates for an error of `allowed`, f from `low` to `high`."""
@@ -245,18 +245,18 @@ class Part(NamedTuple):
         with np.errstate(over="ignore", invalid="ignore"):
             _, second, growth = slopes.at((a - low) * sinh)
             # Half of `allowed` for each coordinate, divided by the area that multiplies the mean.
-            along = gauss_nodes(
+            line_count = gauss_nodes(
                 sinh * 2.0 * product * second + 2.0 * growth,
                 np.array(0.5 * allowed / (2 * math.pi * a * a)),
             )
             opening = math.acos(min(low / a, 1.0))
             # theta = tau arccos(f / a): an ellipse in theta is an ellipse in tau times half of the opening angle.
             turn = 0.5 * opening * sinh
-            cosh, long = np.cosh(turn), np.sqrt(np.cosh(2.0 * turn))
-            _, second, growth = slopes.at(a * turn * long)
-            log = np.log(cosh * (cosh + 1.0)) + turn * 2.0 * high * second * a * long + 2.0 * growth
-            around = gauss_nodes(log, np.array(0.5 * allowed / (4.0 * a * a * max(opening, 1e-9))))
-        return int(along), int(around)
+            cosh, stretch = np.cosh(turn), np.sqrt(np.cosh(2.0 * turn))
+            _, second, growth = slopes.at(a * turn * stretch)
+            log = np.log(cosh * (cosh + 1.0)) + turn * 2.0 * high * second * a * stretch + 2.0 * growth
+            angle_count = gauss_nodes(log, np.array(0.5 * allowed / (4.0 * a * a * max(opening, 1e-9))))
+        return int(line_count), int(angle_count)
 
     def _disc_counts(self, slopes: Slopes, high: float, allowed: float) -> tuple[int, int]:
         eps, sinh = self.radius, np.sinh(ETAS)
@@ -264,67 +264,67 @@ class Part(NamedTuple):
             d = 0.5 * sinh
             _, second, growth = slopes.at(eps * d)
             log = d * 2.0 * high * second * eps + 2.0 * growth + np.log1p(d)
-            along = gauss_nodes(log, np.array(allowed))
-            long = np.sqrt(np.cosh(2.0 * ETAS))
-            _, second, growth = slopes.at(eps * ETAS * long)
-            log = ETAS * 2.0 * high * second * eps * long + 2.0 * growth
+            radial_count = gauss_nodes(log, np.array(allowed))
+            stretch = np.sqrt(np.cosh(2.0 * ETAS))
+            _, second, growth = slopes.at(eps * ETAS * stretch)
+            log = ETAS * 2.0 * high * second * eps * stretch + 2.0 * growth
             # Error of a rule with n equal steps: 2 M / (e^(n b) - 1).
             log = np.where(np.isfinite(log), log, np.inf)
-            around = (np.log(2.0) + log - math.log(2.0 * min(allowed, 0.05)) + 0.1) / ETAS
-        return int(along), 2 * max(1, math.ceil(0.5 * float(around.min())))
+            angle_count = (np.log(2.0) + log - math.log(2.0 * min(allowed, 0.05)) + 0.1) / ETAS
+        return int(radial_count), 2 * max(1, math.ceil(0.5 * float(angle_count.min())))
 
     def at(self, pupil: Pupil, f: Array, counts: tuple[int, int]) -> Array:
         """Return the integral at frequencies `f` for the flattened stack, shape ``(n, len(f))``."""
-        along, across, weight = self._nodes(counts)
-        out = np.empty((math.prod(pupil.shape), f.size))
-        many = max(1, _VALUES_AT_ONCE // (len(out) * weight.size))
-        for start in range(0, f.size, many):
-            some = f[start : start + many, None]
-            s, t, share = self._places(some, along, across, weight)
-            out[:, start : start + many] = np.einsum("nfk,fk->nf", _product(pupil, s, t), share)
-        return out
+        linear, angular, weight = self._nodes(counts)
+        values = np.empty((math.prod(pupil.shape), f.size))
+        block = max(1, _VALUES_AT_ONCE // (len(values) * weight.size))
+        for start in range(0, f.size, block):
+            block_f = f[start : start + block, None]
+            s, t, node_weights = self._places(block_f, linear, angular, weight)
+            values[:, start : start + block] = np.einsum("nfk,fk->nf", _product(pupil, s, t), node_weights)
+        return values
 
     def _nodes(self, counts: tuple[int, int]) -> tuple[Array, Array, Array]:
-        """Return the two coordinates of all nodes, and their weights, as flat arrays."""
+        """Return flat arrays of all nodes: coordinates along a line and in angle, relative to the range; weights."""
         x, w = gauss_legendre(counts[0], -1.0, 1.0) if self.kind == "lens" else gauss_legendre(counts[0])
         if self.kind == "lens":
             y, v = gauss_legendre(counts[1])
         else:
-            half = counts[1] // 2  # the integrand is even in the azimuth
-            y, v = math.pi / half * (np.arange(float(half)) + 0.5), np.full(half, 1.0 / half)
-        grid = np.broadcast_arrays(x[:, None], y)
-        return grid[0].ravel(), grid[1].ravel(), np.multiply.outer(w, v).ravel()
+            half_count = counts[1] // 2  # the integrand is even in the azimuth
+            y, v = math.pi / half_count * (np.arange(float(half_count)) + 0.5), np.full(half_count, 1.0 / half_count)
+        nodes = np.broadcast_arrays(x[:, None], y)
+        return nodes[0].ravel(), nodes[1].ravel(), np.multiply.outer(w, v).ravel()
 
-    def _places(self, f: Array, along: Array, across: Array, weight: Array) -> tuple[Array, Array, Array]:
+    def _places(self, f: Array, linear: Array, angular: Array, weight: Array) -> tuple[Array, Array, Array]:
         """Return rho^2 in the first and in the second pupil, and weights, each (frequencies, nodes)."""
         a = self.radius
         if self.kind == "disc":
-            x, y2 = a * along * np.cos(across), (a * along * np.sin(across)) ** 2
+            x, y2 = a * linear * np.cos(angular), (a * linear * np.sin(angular)) ** 2
             # -2 for the obscurations of the two pupils; 2 pi a^2 converts the mean to an integral over a disc.
-            share = -4.0 * math.pi * a * a * along * weight
+            weights = -4.0 * math.pi * a * a * linear * weight
             first = np.broadcast_to(x * x + y2, (f.size, x.size))
-            return first, (x + 2.0 * f) ** 2 + y2, np.broadcast_to(share, first.shape)
+            return first, (x + 2.0 * f) ** 2 + y2, np.broadcast_to(weights, first.shape)
         ratio = f / a
         # arccos(ratio) by the half angle, without loss of digits near ratio = 1.
         opening = 2.0 * np.arcsin(np.sqrt(np.maximum(0.5 * (1.0 - ratio), 0.0)))
-        angle = opening * across
+        angle = opening * angular
         cos = np.cos(angle)
         # cos(angle) - cos(opening), without loss of digits near angle = opening.
         half = 2.0 * np.sin(0.5 * (opening + angle)) * np.sin(0.5 * (opening - angle))
-        x, y2 = along * half, np.sin(angle) ** 2
-        share = 2.0 * a * a * opening * cos * half * weight
-        return a * a * ((x - ratio) ** 2 + y2), a * a * ((x + ratio) ** 2 + y2), share
+        x, y2 = linear * half, np.sin(angle) ** 2
+        weights = 2.0 * a * a * opening * cos * half * weight
+        return a * a * ((x - ratio) ** 2 + y2), a * a * ((x + ratio) ** 2 + y2), weights
 
 
 def _product(pupil: Pupil, s: Array, t: Array) -> Array:
     """Return Re ``P(s) conj(P(t))``, s and t being rho^2; the imaginary part is odd, and its integral is 0."""
-    terms, light = pupil.radial_terms(), pupil.illumination
+    terms, illumination = pupil.radial_terms(), pupil.illumination
     if not terms.any():
         product = np.ones((len(terms), *s.shape))
     else:
         product = np.cos(zernike.legendre_sum(terms, 2.0 * s - 1.0) - zernike.legendre_sum(terms, 2.0 * t - 1.0))
-    if not light.uniform:
-        product *= np.exp(-(light.exponent_at(s) + light.exponent_at(t)))
+    if not illumination.uniform:
+        product *= np.exp(-(illumination.exponent_at(s) + illumination.exponent_at(t)))
     return np.asarray(product)
 
 
@@ -366,43 +366,43 @@ class Rule(NamedTuple):
     panels: tuple[Panel, ...]
     error: float  # bound on the error below `end`
     end: float  # largest f
-    left: float  # bound on the integral of T f df above `end`
+    tail: float  # bound on the integral of T f df above `end`
 
 
 @lru_cache(maxsize=16)
-def rule(fading: Fading, of: tuple[Part, ...], slopes: Slopes, left: float, v: float, allowed: float) -> Rule:
-    """Return the rule for radii up to `v` with the error `allowed`; `left` bounds ``int T f df`` above its end."""
-    end, left = fading.end(left)
-    if any(part.kind == "disc" and part.end < end for part in of):
+def rule(fading: Fading, pieces: tuple[Part, ...], slopes: Slopes, tail: float, v: float, allowed: float) -> Rule:
+    """Return the rule for radii up to `v` with the error `allowed`; `tail` bounds ``int T f df`` above its end."""
+    end, tail = fading.end(tail)
+    if any(part.kind == "disc" and part.end < end for part in pieces):
         # Above `part.end` the disc of the obscuration crosses the edge of the other pupil.
         raise Declined("an obscuration has no proven rule if blur ends above (1 - obscuration) / 2 of the cutoff")
     # Of `allowed`, 0.25 is for nodes inside the parts, 0.65 for nodes over f, 0.1 for the truncated end of a lens.
-    share, panels, error = allowed / len(of), [], 0.0
-    own = 0.25 * share * math.pi / (8.0 * fading.light)
-    turning = v + 2.0 * float(slopes.at(np.zeros(1))[0][0])
-    for part in of:
-        edges, missing = _edges(part, min(end, part.end), turning, 0.1 * share)
-        error += missing
-        for f, weight, low, high in _panels(fading, part, slopes, edges, v, 0.65 * share):
-            panels.append(Panel(part, f, weight, part.counts(slopes, low, high, own)))
-    return Rule(tuple(panels), error + 0.9 * allowed, end, left)
+    piece_error, panels, error = allowed / len(pieces), [], 0.0
+    node_error = 0.25 * piece_error * math.pi / (8.0 * fading.light)
+    phase_rate = v + 2.0 * float(slopes.at(np.zeros(1))[0][0])
+    for part in pieces:
+        edges, truncation = _edges(part, min(end, part.end), phase_rate, 0.1 * piece_error)
+        error += truncation
+        for f, weight, low, high in _panels(fading, part, slopes, edges, v, 0.65 * piece_error):
+            panels.append(Panel(part, f, weight, part.counts(slopes, low, high, node_error)))
+    return Rule(tuple(panels), error + 0.9 * allowed, end, tail)
 
 
-def _edges(part: Part, end: float, turning: float, allowed: float) -> tuple[Array, float]:
+def _edges(part: Part, end: float, phase_rate: float, allowed: float) -> tuple[Array, float]:
     """Return the edges of panels in f, and a bound on the integral above the last edge."""
-    missing = 0.0
-    close = end > 0.7 * part.end and part.kind == "lens"
-    if close and end > part.end * (
+    truncation = 0.0
+    near_branch = end > 0.7 * part.end and part.kind == "lens"
+    if near_branch and end > part.end * (
         1.0 - (least := 2.0 ** math.floor(0.4 * math.log2(allowed / 15.0 / part.radius**4)))
     ):
         # Near f = a, the area of a lens is below 4 sqrt(2) a^2 (1 - f / a)^(3/2): certificate, section 17.
-        end, missing = part.end * (1.0 - least), 32.0 * math.sqrt(2.0) / math.pi * part.radius**4 * least**2.5
-    edges = np.linspace(0.0, end, max(2, math.ceil(end * 2.0 * turning / _PHASE)) + 1)
-    if close:
+        end, truncation = part.end * (1.0 - least), 32.0 * math.sqrt(2.0) / math.pi * part.radius**4 * least**2.5
+    edges = np.linspace(0.0, end, max(2, math.ceil(end * 2.0 * phase_rate / _PHASE)) + 1)
+    if near_branch:
         # Panels halve towards the branch point f = a: no panel is longer than its distance from this point.
-        finer = part.end * (1.0 - 0.5 ** np.arange(0.0, 60.0))
-        edges = np.unique(np.concatenate([edges, finer[(finer > 0.0) & (finer < end)]]))
-    return edges, missing
+        graded = part.end * (1.0 - 0.5 ** np.arange(0.0, 60.0))
+        edges = np.unique(np.concatenate([edges, graded[(graded > 0.0) & (graded < end)]]))
+    return edges, truncation
 
 
 def _panels(
@@ -412,47 +412,52 @@ def _panels(
     end = float(edges[-1])
     # The variable is x = (f / F)^(1/3), in which Kolmogorov's f^(5/3) is entire.
     ends = np.cbrt(edges / end)
-    wide = np.diff(ends)
+    lengths = np.diff(ends)
     # Discs around 64 points cover half of each ellipse; the other half is the mirror image.
     angle = math.pi / _ARCS * (np.arange(_ARCS) + 0.5)
-    half, eta = 0.5 * wide[:, None, None], _ETAS[:, None]
-    middle: NDArray[np.complex128] = (ends[:-1, None, None] + half).astype(np.complex128)
-    x = middle + half * np.cosh(eta + 1j * angle)
-    radius = np.broadcast_to(half * np.cosh(eta) * (0.5 * math.pi / _ARCS), x.shape)
+    half_length, eta = 0.5 * lengths[:, None, None], _ETAS[:, None]
+    middle: NDArray[np.complex128] = (ends[:-1, None, None] + half_length).astype(np.complex128)
+    x = middle + half_length * np.cosh(eta + 1j * angle)
+    radius = np.broadcast_to(half_length * np.cosh(eta) * (0.5 * math.pi / _ARCS), x.shape)
     size = np.abs(x)
-    f, around = end * x**3, end * ((size + radius) ** 3 - size**3)
-    far = edges[1:, None, None]
-    off = np.abs(f - np.clip(f.real, 0.0, far)) + around
+    f, change = end * x**3, end * ((size + radius) ** 3 - size**3)
+    upper = edges[1:, None, None]
+    distance = np.abs(f - np.clip(f.real, 0.0, upper)) + change
     with np.errstate(over="ignore", invalid="ignore"):
-        log = fading.log_bound(x, radius, end) + part.log_bound(slopes, far, off)
+        log = fading.log_bound(x, radius, end) + part.log_bound(slopes, upper, distance)
         # abs(J0(2 f v)) <= exp(2 v abs(Im f)), and 24 / pi end^2 x^5 is (8 / pi) f df/dx.
-        log += 2.0 * v * (np.abs(f.imag) + around) + np.log(24.0 / math.pi * end**2 * (size + radius) ** 5)
+        log += 2.0 * v * (np.abs(f.imag) + change) + np.log(24.0 / math.pi * end**2 * (size + radius) ** 5)
     log = np.where(np.isnan(log), np.inf, log).max(axis=-1)
-    counts = gauss_nodes(log, allowed / len(wide) / wide, _ETAS)
+    counts = gauss_nodes(log, allowed / len(lengths) / lengths, _ETAS)
     for k, count in enumerate(counts.astype(int)):
-        at, weight = gauss_legendre(int(count), float(ends[k]), float(ends[k + 1]))
-        f_at = end * at**3
-        yield f_at, 24.0 / math.pi * end**2 * at**5 * weight * fading.at(f_at), float(edges[k]), float(edges[k + 1])
+        nodes, weight = gauss_legendre(int(count), float(ends[k]), float(ends[k + 1]))
+        f_at = end * nodes**3
+        yield (
+            f_at,
+            24.0 / math.pi * end**2 * nodes**5 * weight * fading.at(f_at),
+            float(edges[k]),
+            float(edges[k + 1]),
+        )
 
 
 class Summed(NamedTuple):
-    """Sum of ``terms J0(2 f v)`` for a flattened stack, valid for radii v up to `far`."""
+    """Sum of ``terms J0(2 f v)`` for a flattened stack, valid for radii v up to `v_max`."""
 
     f: Array
     terms: Array  # (n, len(f))
-    far: float
+    v_max: float
     allowed: float
     error: float  # bound on the error of the rule below its end
-    left: float  # bound on int T f df beyond its end
+    tail: float  # bound on the integral of T f df above the end of the rule
     rounded: float  # bound on the relative rounding errors of the terms
 
     @classmethod
-    def of(cls, made: Rule, pupil: Pupil, far: float, allowed: float) -> Summed:
-        """Return the sum for a stack of pupils by the rule `made`."""
-        f = np.concatenate([panel.f for panel in made.panels])
-        terms = [panel.part.at(pupil, panel.f, panel.counts) * panel.weight for panel in made.panels]
-        own = max(rounding(pupil, math.prod(panel.counts)) for panel in made.panels)
-        return cls(f, np.concatenate(terms, axis=1), far, allowed, made.error, made.left, own)
+    def of(cls, rule: Rule, pupil: Pupil, v_max: float, allowed: float) -> Summed:
+        """Return the sum for a stack of pupils by a `rule`."""
+        f = np.concatenate([panel.f for panel in rule.panels])
+        terms = [panel.part.at(pupil, panel.f, panel.counts) * panel.weight for panel in rule.panels]
+        rounded = max(rounding(pupil, math.prod(panel.counts)) for panel in rule.panels)
+        return cls(f, np.concatenate(terms, axis=1), v_max, allowed, rule.error, rule.tail, rounded)
 
     @property
     def size(self) -> float:
@@ -466,10 +471,10 @@ class Summed(NamedTuple):
     def at(self, v: Array) -> Array:
         """Return the sums at radii v, shape ``(n, len(v))``."""
         values = np.empty((len(self.terms), v.size))
-        many = max(1, _AT_ONCE // self.f.size)
-        for start in range(0, v.size, many):
-            some = slice(start, start + many)
-            values[:, some] = self.terms @ scipy.special.j0(np.multiply.outer(2.0 * self.f, v[some]))
+        block = max(1, _AT_ONCE // self.f.size)
+        for start in range(0, v.size, block):
+            part = slice(start, start + block)
+            values[:, part] = self.terms @ scipy.special.j0(np.multiply.outer(2.0 * self.f, v[part]))
         return values
 
 
@@ -480,16 +485,16 @@ class TransferIntegral(RadialMethod[Pupil]):
     tol: float = 1e-6
     blur: tuple[Blur, ...] = ()
     # The last sum of each pupil, from which other radii of its image are computed.
-    kept: dict[int, tuple[Pupil, Summed]] = field(default_factory=dict, init=True, repr=False, compare=False)
+    sums: dict[int, tuple[Pupil, Summed]] = field(default_factory=dict, init=True, repr=False, compare=False)
 
     apodized = True
 
     def fading(self, pupil: Pupil) -> Fading:
         """Return the blur at the wavelength of a pupil; raise Declined if it depends on the direction."""
-        found = Fading.of(self.blur, pupil.scale, pupil.wavelength)
-        if found is None:
+        fading = Fading.of(self.blur, pupil.scale, pupil.wavelength)
+        if fading is None:
             raise Declined("blur depends on the direction")
-        return found
+        return fading
 
     def _ceiling(self, pupil: Pupil) -> float:
         """Return an upper bound on the image."""
@@ -503,7 +508,7 @@ class TransferIntegral(RadialMethod[Pupil]):
 
     def stretch(self, pupil: Pupil) -> float:
         """Return (bandwidth of the image) / (bandwidth of the optics)."""
-        end, _ = self.fading(pupil).end(self._left(pupil))
+        end, _ = self.fading(pupil).end(self._allowed_tail(pupil))
         return end
 
     def seconds(self, pupil: Pupil, grid: Grid) -> float:
@@ -515,35 +520,35 @@ class TransferIntegral(RadialMethod[Pupil]):
         sums = 6e-8 * float(nodes) * math.prod(pupil.shape) + 3e-8 * radii
         return 2e-3 + panels * (4e-4 + 25.0 * sums)
 
-    def _left(self, pupil: Pupil) -> float:
+    def _allowed_tail(self, pupil: Pupil) -> float:
         return 0.02 * self.tol * self._likely_peak(pupil) / (8.0 * pupil.transmission)
 
     def intensity(self, pupil: Pupil, grid: Grid, threads: int = 0) -> Intensities:
         """Return the image at the distinct radii of `grid`, or on its pixels if there are too many or no radii."""
         if not grid.symmetric or grid.radii.size > _MANY_RADII:
             return self.on_pixels(pupil, grid, threads)
-        made = self.profile(pupil, grid.v(pupil))
+        profile = self.profile(pupil, grid.v(pupil))
         # Clamp to 0: an intensity is not negative, and clamping does not increase the error.
-        return made._replace(values=np.maximum(made.values, 0.0))
+        return profile._replace(values=np.maximum(profile.values, 0.0))
 
     def profile(self, pupil: Pupil, v: Array) -> Intensities:
         """Return the image at increasing `v` for the flattened stack, with an error bound relative to the peak."""
         fading = self.fading(pupil)
         allowed = 0.12 * self.tol * self._likely_peak(pupil)
         # The peak may lie anywhere between the axis and the last geometric ray: sample this range as well.
-        near = np.linspace(0.0, float(pupil.v(pupil.geometric_radius()).max()) + 4.0, 9)
-        places = np.concatenate([v, near])
-        far = float(places.max())
+        near_axis = np.linspace(0.0, float(pupil.v(pupil.geometric_radius()).max()) + 4.0, 9)
+        radii = np.concatenate([v, near_axis])
+        v_max = float(radii.max())
         # Each try divides `allowed` by twice the excess; rounded to powers of two, similar tolerances share a rule.
         for _ in range(_TRIES):
-            summed = self._summed(pupil, fading, far, 2.0 ** math.floor(math.log2(allowed)))
-            values, size = summed.at(places), summed.size
+            summed = self._summed(pupil, fading, v_max, 2.0 ** math.floor(math.log2(allowed)))
+            values, size = summed.at(radii), summed.size
             left_out = pupil.left_out[0] + 2.0 * pupil.left_out[1]
             # abs(O(f)) <= O(0) = pi tau: above the end the integral is at most 8 tau int T f df.
-            off = summed.error + 8.0 * pupil.transmission * summed.left
-            off += size * (left_out * (2.0 + left_out) + summed.rounding(far))
-            peak = values.max(axis=1) - off
-            relative = np.divide(off, peak, out=np.full(peak.shape, np.inf), where=peak > 0.0)
+            error = summed.error + 8.0 * pupil.transmission * summed.tail
+            error += size * (left_out * (2.0 + left_out) + summed.rounding(v_max))
+            peak = values.max(axis=1) - error
+            relative = np.divide(error, peak, out=np.full(peak.shape, np.inf), where=peak > 0.0)
             if relative.max() <= self.tol:
                 break
             allowed *= 0.5 * max(self.tol / float(relative.max()), 1e-4)
@@ -551,13 +556,14 @@ class TransferIntegral(RadialMethod[Pupil]):
             raise not_met(self.tol, float(relative.max()), "the peak")
         return Intensities(values[:, : v.size], relative, peak)
 
-    def _summed(self, pupil: Pupil, fading: Fading, far: float, allowed: float) -> Summed:
-        """Return the sum over frequencies for radii up to `far` with an error of at most `allowed`."""
-        of, kept = self.kept.get(id(pupil), (None, None))
-        left = fading.end(self._left(pupil))[1]
-        if kept is not None and of is pupil and kept.far >= far and kept.allowed <= allowed and kept.left == left:
-            return kept
-        made = rule(fading, tuple(parts(pupil)), Slopes.of(pupil), self._left(pupil), far, allowed)
-        found = Summed.of(made, pupil, far, allowed)
-        self.kept[id(pupil)] = pupil, found
-        return found
+    def _summed(self, pupil: Pupil, fading: Fading, v_max: float, allowed: float) -> Summed:
+        """Return the sum over frequencies for radii up to `v_max` with an error of at most `allowed`."""
+        owner, cached = self.sums.get(id(pupil), (None, None))
+        tail = fading.end(self._allowed_tail(pupil))[1]
+        usable = cached is not None and cached.v_max >= v_max and cached.allowed <= allowed and cached.tail == tail
+        if cached is not None and owner is pupil and usable:
+            return cached
+        quadrature = rule(fading, tuple(parts(pupil)), Slopes.of(pupil), self._allowed_tail(pupil), v_max, allowed)
+        summed = Summed.of(quadrature, pupil, v_max, allowed)
+        self.sums[id(pupil)] = pupil, summed
+        return summed

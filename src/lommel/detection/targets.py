@@ -27,8 +27,8 @@ from lommel.recorded.noise import Noise
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-# A pixel of the window is saturated; the window extends beyond the image; too much of it is masked or NaN; another
-# target is too near; one pixel has nearly all the light.
+# In order: a pixel of the window is saturated; the window extends beyond the image; too many of its pixels are
+# masked or NaN; another target is too near; one pixel has nearly all the light.
 _REASONS = ("saturated", "edge", "masked", "neighbor", "defect")
 _STRUCTURE = 0.25  # windows: maxima closer than this belong to one image
 _INSIDE = 0.55  # windows: a target farther than this from the middle of a window is outside it
@@ -79,13 +79,13 @@ class Targets:
         """Number of targets found, and number refused for each reason."""
         raise NotImplementedError
 
-    def _summary(self, noun: str, apart: str = "") -> str:
+    def _summary(self, noun: str, distance: str = "") -> str:
         """Return the number of targets found and the numbers refused for each reason, as text."""
-        counts = Counter(each.reason for each in self.refused)
+        counts = Counter(target.reason for target in self.refused)
         refused = ", ".join(f"{counts[reason]} {reason}" for reason in _REASONS if counts[reason]) or "none"
-        text = f"{len(self)} {noun}{'s' * (len(self) != 1)} found{apart}; refused: {refused}"
-        lost = self.left_out
-        return text + f"; {lost} pixel{'s' * (lost != 1)} left out (masked or NaN)" * (lost > 0)
+        text = f"{len(self)} {noun}{'s' * (len(self) != 1)} found{distance}; refused: {refused}"
+        excluded = self.left_out
+        return text + f"; {excluded} pixel{'s' * (excluded != 1)} left out (masked or NaN)" * (excluded > 0)
 
     def plot(self, ax: Axes | None = None) -> Axes:
         """Return matplotlib axes with the image, the windows, and the refused targets marked by reason.
@@ -105,7 +105,7 @@ class Targets:
             If matplotlib is not installed.
         """
         rows, columns = self.windows.shape[-2:]
-        refused = [(each.row, each.column, each.reason) for each in self.refused]
+        refused = [(target.row, target.column, target.reason) for target in self.refused]
         return show.estimates.spots(self._image, self.places, (rows, columns), refused, self.message, ax)
 
     def __len__(self) -> int:
@@ -151,9 +151,9 @@ class PointSources(Targets):
     def message(self) -> str:
         """Number of spots found, and number refused for each reason."""
         text = self._summary("spot")
-        if (best := self.candidate) is not None:
-            where = f"at row {best.row}, column {best.column}"
-            text += f"; the highest maximum, {where}, is {best.score:.3g} standard deviations high"
+        if (candidate := self.candidate) is not None:
+            place = f"at row {candidate.row}, column {candidate.column}"
+            text += f"; the highest maximum, {place}, is {candidate.score:.3g} standard deviations high"
         return text
 
 
@@ -231,33 +231,33 @@ def find_spots(
     rows, columns = box = checked_window(window)
     validation.instance("noise", noise, Noise)
     level = validation.real("threshold", threshold, least=3.0, most=1e3)
-    narrow = validation.real("width", width, least=0.5, most=min(rows, columns) / 4.0)
+    sigma = validation.real("width", width, least=0.5, most=min(rows, columns) / 4.0)
     distance = validation.real("apart", apart, least=0.0, most=100.0)
     faint = validation.real("faintest", faintest, least=0.0, most=1.0)
     count = None if most is None else validation.integer("most", most, least=1, most=10**9)
     shape = f"(height, width) or (planes, height, width), at least the window of {rows} x {columns}"
     counts, single = image_counts("images", images, shape, box, mask=mask, saturation=saturation)
     camera = noise.poisson
-    electrons = camera.electrons(filled(counts.values, counts.hidden, narrow))
+    electrons = camera.electrons(filled(counts.values, counts.hidden, sigma))
     variance = camera.variance(np.zeros_like(electrons)).sum(axis=0)
-    light = electrons.sum(axis=0)
-    kernel = Kernel(light.shape, narrow, min(rows, columns) / 3.0)
+    signal = electrons.sum(axis=0)
+    kernel = Kernel(signal.shape, sigma, min(rows, columns) / 3.0)
     kernel_variance = kernel.squared(variance)
-    row, column, score = kernel.maxima(light, kernel_variance, level)
+    row, column, score = kernel.maxima(signal, kernel_variance, level)
     candidate = None
     if not row.size:
-        lower = zip(*(each.tolist() for each in kernel.maxima(light, kernel_variance, _CANDIDATE)), strict=True)
-        below = [Refused(row, column, height, "below the threshold") for row, column, height in lower]
-        candidate = max(below, key=lambda maximum: maximum.score, default=None)
+        maxima = zip(*(column.tolist() for column in kernel.maxima(signal, kernel_variance, _CANDIDATE)), strict=True)
+        below_threshold = [Refused(row, column, height, "below the threshold") for row, column, height in maxima]
+        candidate = max(below_threshold, key=lambda maximum: maximum.score, default=None)
     separate = brightest(np.column_stack([row, column]), score, _STRUCTURE * min(box))
     row, column, score = row[separate], column[separate], score[separate]
-    background = _background(light, box)
-    bright = (smoothed(light, narrow) - background)[row, column]
+    background = _background(signal, box)
+    brightness = (smoothed(signal, sigma) - background)[row, column]
     center, flux, peak = np.zeros((row.size, 2)), np.zeros(row.size), np.zeros(row.size)
-    for k, at in enumerate(zip(row.tolist(), column.tolist(), strict=True)):
-        center[k], flux[k], peak[k] = _centroid(light, background, variance, at, box)
+    for k, pixel in enumerate(zip(row.tolist(), column.tolist(), strict=True)):
+        center[k], flux[k], peak[k] = _centroid(signal, background, variance, pixel, box)
     middle = np.rint(center).astype(np.int64)
-    neighbor = _neighbors(middle / box, bright, peak > _ONE_PIXEL, distance, faint)
+    neighbor = _neighbors(middle / box, brightness, peak > _ONE_PIXEL, distance, faint)
     reasons = unusable(middle, counts, box)
     for k, fraction in enumerate(peak.tolist()):
         reasons[k] = reasons[k] or ("defect" if fraction > _ONE_PIXEL else "neighbor" if neighbor[k] else "")
@@ -266,7 +266,7 @@ def find_spots(
         score=score[order],
         flux=noise.excess * flux[order],
         candidate=candidate,
-        _image=np.where(counts.hidden.any(axis=0), np.nan, noise.excess * light),
+        _image=np.where(counts.hidden.any(axis=0), np.nan, noise.excess * signal),
         **target_windows(counts, single, center, order, box, score, reasons),
     )
 
@@ -286,76 +286,76 @@ def target_windows(
 
     Windows are masked arrays if any pixel of the images is left out.
     """
-    (rows, columns), left, middle = box, counts.hidden, np.rint(center).astype(np.int64)
-    at = np.s_[:, *box_pixels(middle[order] - np.array([rows // 2, columns // 2]), box)]
-    values, out = (np.ascontiguousarray(np.moveaxis(part[at], 0, 1)) for part in (counts.values, left))
-    cut = np.ma.MaskedArray(values, mask=out) if left.any() else values
-    each = zip(middle.tolist(), score.tolist(), reasons, strict=True)
-    refused = [Refused(row, column, height, reason) for (row, column), height, reason in each if reason]
+    (rows, columns), hidden, middle = box, counts.hidden, np.rint(center).astype(np.int64)
+    pixels = np.s_[:, *box_pixels(middle[order] - np.array([rows // 2, columns // 2]), box)]
+    values, masks = (np.ascontiguousarray(np.moveaxis(part[pixels], 0, 1)) for part in (counts.values, hidden))
+    windows = np.ma.MaskedArray(values, mask=masks) if hidden.any() else values
+    targets = zip(middle.tolist(), score.tolist(), reasons, strict=True)
+    refused = [Refused(row, column, height, reason) for (row, column), height, reason in targets if reason]
     return {
         "places": middle[order],
         "centers": center[order],
-        "windows": cut[:, 0] if single else cut,
+        "windows": windows[:, 0] if single else windows,
         "refused": tuple(sorted(refused, key=lambda target: -target.score)),
-        "shape": left.shape[1:],
-        "left_out": int(left.sum()),
+        "shape": hidden.shape[1:],
+        "left_out": int(hidden.sum()),
     }
 
 
 def unusable(middle: NDArray[np.int64], counts: Counts, box: tuple[int, int]) -> list[str]:
     """Return for each place the reason to refuse its window ("saturated", "edge" or "masked"), or "" if usable."""
-    (rows, columns), full, reasons = box, np.asarray(counts.full.any(axis=0)), list[str]()
-    for top, first in (middle - [rows // 2, columns // 2]).tolist():
-        window = full[max(top, 0) : max(top + rows, 0), max(first, 0) : max(first + columns, 0)]
-        part = counts.hidden[:, max(top, 0) : top + rows, max(first, 0) : first + columns]
+    (rows, columns), saturated, reasons = box, np.asarray(counts.full.any(axis=0)), list[str]()
+    for top, left in (middle - [rows // 2, columns // 2]).tolist():
+        window = saturated[max(top, 0) : max(top + rows, 0), max(left, 0) : max(left + columns, 0)]
+        part = counts.hidden[:, max(top, 0) : top + rows, max(left, 0) : left + columns]
         # The middle half is tested separately because masked pixels near the target matter most.
         inner = part[:, rows // 4 : rows - rows // 4, columns // 4 : columns - columns // 4]
         if window.any():
             reasons.append("saturated")
-        elif window.shape != box or min(top, first) < 0:
+        elif window.shape != box or min(top, left) < 0:
             reasons.append("edge")
         else:
             reasons.append("masked" if max(part.mean(), inner.mean()) >= _MAX_MASKED else "")
     return reasons
 
 
-def _background(light: Array, box: tuple[int, int]) -> Array:
+def _background(signal: Array, box: tuple[int, int]) -> Array:
     """Return the background: medians over cells of about the size of a window, interpolated linearly."""
-    cells = tuple(max(1, round(side / size)) for side, size in zip(light.shape, box, strict=True))
-    edges = [np.linspace(0, side, n + 1).astype(int) for side, n in zip(light.shape, cells, strict=True)]
+    cells = tuple(max(1, round(side / size)) for side, size in zip(signal.shape, box, strict=True))
+    edges = [np.linspace(0, side, n + 1).astype(int) for side, n in zip(signal.shape, cells, strict=True)]
     medians = np.array(
-        [[np.median(light[a:b, c:d]) for c, d in zip(edges[1], edges[1][1:], strict=False)]
+        [[np.median(signal[a:b, c:d]) for c, d in zip(edges[1], edges[1][1:], strict=False)]
          for a, b in zip(edges[0], edges[0][1:], strict=False)]
     )  # fmt: skip
     # A cell that a spot fills has the background of its neighbours.
     smooth = ndimage.median_filter(medians, size=3, mode="nearest")
-    at = [(np.arange(side) + 0.5) * n / side - 0.5 for side, n in zip(light.shape, cells, strict=True)]
-    return np.asarray(ndimage.map_coordinates(smooth, np.meshgrid(*at, indexing="ij"), order=1, mode="nearest"))
+    cells_at = [(np.arange(side) + 0.5) * n / side - 0.5 for side, n in zip(signal.shape, cells, strict=True)]
+    return np.asarray(ndimage.map_coordinates(smooth, np.meshgrid(*cells_at, indexing="ij"), order=1, mode="nearest"))
 
 
 def _centroid(
-    light: Array, background: Array, variance: Array, at: tuple[int, int], box: tuple[int, int]
+    signal: Array, background: Array, variance: Array, pixel: tuple[int, int], box: tuple[int, int]
 ) -> tuple[Array, float, float]:
     """Return the centroid of a spot, its electrons in a window, and the fraction of its light in one pixel."""
-    middle = np.array(at, dtype=np.float64)
-    for turn in range(3):  # two iterations of the centroid near the maximum, then the electrons of the whole window
-        half_window = 0.5 if turn == 2 else _STRUCTURE
+    middle = np.array(pixel, dtype=np.float64)
+    for step in range(3):  # two iterations of the centroid near the maximum, then the electrons of the whole window
+        half_window = 0.5 if step == 2 else _STRUCTURE
         radius = [max(1, int(half_window * side)) for side in box]
-        low = np.clip(np.rint(middle).astype(int) - radius, 0, np.array(light.shape) - 1)
-        high = np.minimum(np.rint(middle).astype(int) + radius + 1, light.shape)
+        low = np.clip(np.rint(middle).astype(int) - radius, 0, np.array(signal.shape) - 1)
+        high = np.minimum(np.rint(middle).astype(int) + radius + 1, signal.shape)
         part = np.s_[low[0] : high[0], low[1] : high[1]]
-        above = light[part] - background[part]
+        excess = signal[part] - background[part]
         noise = np.sqrt(np.maximum(background[part], 0.0) + variance[part] + 1e-12)
         # Only pixels above the noise: pixels of the background would move the centroid to the middle of the window.
-        bright = np.where(above > 3.0 * noise, above, 0.0)
-        total = float(bright.sum())
-        if turn < 2 and total > 0.0:
+        significant = np.where(excess > 3.0 * noise, excess, 0.0)
+        total = float(significant.sum())
+        if step < 2 and total > 0.0:
             rows, columns = np.mgrid[low[0] : high[0], low[1] : high[1]]
-            middle = np.array([(bright * rows).sum() / total, (bright * columns).sum() / total])
-    return middle, float(above.sum()), float(bright.max()) / total if total > 0.0 else 0.0
+            middle = np.array([(significant * rows).sum() / total, (significant * columns).sum() / total])
+    return middle, float(excess.sum()), float(significant.max()) / total if total > 0.0 else 0.0
 
 
-def _neighbors(places: Array, bright: Array, defect: NDArray[np.bool_], distance: float, faint: float) -> list[bool]:
+def _neighbors(places: Array, light: Array, defect: NDArray[np.bool_], distance: float, faint: float) -> list[bool]:
     """Return for each place whether another one is nearer than `distance` and not dimmer than the fraction `faint`.
 
     Places and distance are in windows. A `defect` counts only inside a window because it has no light around it.
@@ -364,8 +364,8 @@ def _neighbors(places: Array, bright: Array, defect: NDArray[np.bool_], distance
     if len(places) > 1 and distance > 0.0:
         for pair in cKDTree(places).query_pairs(distance * (1.0 - 1e-9), p=math.inf):
             outside = np.abs(places[pair[0]] - places[pair[1]]).max() > _INSIDE
-            for one, other in (pair, pair[::-1]):
-                has_neighbor[one] |= bool(bright[other] >= faint * bright[one]) and not (defect[other] and outside)
+            for k, other in (pair, pair[::-1]):
+                has_neighbor[k] |= bool(light[other] >= faint * light[k]) and not (defect[other] and outside)
     return has_neighbor
 
 
@@ -404,8 +404,8 @@ class Crossings(Targets):
     @property
     def message(self) -> str:
         """Number of crossings found, their distance, and number refused for each reason."""
-        apart = f", {self.square:.3g} pixels apart" if math.isfinite(self.square) else ""
-        return self._summary("crossing", apart)
+        distance = f", {self.square:.3g} pixels apart" if math.isfinite(self.square) else ""
+        return self._summary("crossing", distance)
 
 
 def find_crossings(
@@ -475,26 +475,26 @@ def find_crossings(
     level = validation.real("threshold", threshold, least=3.0, most=1e3)
     sigma = validation.real("width", width, least=1.0, most=50.0)
     count = None if most is None else validation.integer("most", most, least=1, most=10**9)
-    rows, columns = least = box or (_MIN_WINDOW, _MIN_WINDOW)
+    rows, columns = smallest = box or (_MIN_WINDOW, _MIN_WINDOW)
     shape = f"(height, width) or (exposures, height, width), at least the window of {rows} x {columns}"
-    counts, single = image_counts("images", images, shape, least, mask=mask, saturation=saturation)
+    counts, single = image_counts("images", images, shape, smallest, mask=mask, saturation=saturation)
     electrons = noise.electrons(filled(counts.values, counts.hidden, sigma))
-    light, variance = electrons.sum(axis=0), noise.variance(np.maximum(electrons, 0.0)).sum(axis=0)
-    center, score, contrast = _saddles(light, variance, sigma, level)
+    signal, variance = electrons.sum(axis=0), noise.variance(np.maximum(electrons, 0.0)).sum(axis=0)
+    center, score, contrast = _saddles(signal, variance, sigma, level)
     offset = _nearest_offsets(center)
     square = float(np.median(np.sqrt((offset**2).sum(axis=1)))) if len(center) > 1 else math.nan
     if box is None:
         spacings = np.abs(offset).max(axis=1)
         spacing = float(np.percentile(spacings, _OVERLAPPING)) if len(center) > 1 else float(_MAX_WINDOW)
-        side = int(min(max(spacing, _MIN_WINDOW), _MAX_WINDOW, *light.shape))
+        side = int(min(max(spacing, _MIN_WINDOW), _MAX_WINDOW, *signal.shape))
         box = (side - 1 + side % 2,) * 2  # an odd number of pixels
     middle = np.rint(center).astype(np.int64)
     reasons = unusable(middle, counts, box)
     usable = np.flatnonzero([not reason for reason in reasons])
-    kept = brightest(middle[usable] / box, contrast[usable], APART)
-    for k in usable[~kept]:
+    separate = brightest(middle[usable] / box, contrast[usable], APART)
+    for k in usable[~separate]:
         reasons[k] = "neighbor"
-    order = _spread(center, usable[kept], count)
+    order = _evenly_chosen(center, usable[separate], count)
     order = order[np.lexsort((middle[order, 1], middle[order, 0]))]
     indices = np.full_like(center, np.nan)
     with suppress(ValueError):
@@ -503,24 +503,24 @@ def find_crossings(
         indices=indices[order],
         contrast=contrast[order],
         square=square,
-        _image=np.where(counts.hidden.any(axis=0), np.nan, light),
+        _image=np.where(counts.hidden.any(axis=0), np.nan, signal),
         **target_windows(counts, single, center, order, box, score, reasons),
     )
 
 
-def _saddles(light: Array, variance: Array, sigma: float, level: float) -> tuple[Array, Array, Array]:
+def _saddles(signal: Array, variance: Array, sigma: float, level: float) -> tuple[Array, Array, Array]:
     """Return places (n, 2) of crossings, heights in standard deviations of the noise, and contrasts in electrons."""
 
     def derivative(rows: int, columns: int) -> Array:
-        return np.asarray(ndimage.gaussian_filter(light, sigma, order=(rows, columns), mode="nearest"))
+        return np.asarray(ndimage.gaussian_filter(signal, sigma, order=(rows, columns), mode="nearest"))
 
-    across, along, mixed = derivative(0, 2), derivative(2, 0), derivative(1, 1)
+    xx, yy, xy = derivative(0, 2), derivative(2, 0), derivative(1, 1)
     # White noise of variance v gives the mixed derivative a variance of v / (16 pi sigma^6).
     noise = ndimage.gaussian_filter(variance, sigma / math.sqrt(2.0), mode="nearest") / (16.0 * math.pi * sigma**6)
-    saddle = np.maximum(mixed * mixed - across * along, 0.0)
+    saddle = np.maximum(xy * xy - xx * yy, 0.0)
     height = np.sqrt(saddle / np.maximum(noise, 1e-12))
-    near = 2 * math.ceil(sigma) + 1
-    peak = (saddle == ndimage.maximum_filter(saddle, size=near, mode="nearest")) & (height >= level)
+    size = 2 * math.ceil(sigma) + 1
+    peak = (saddle == ndimage.maximum_filter(saddle, size=size, mode="nearest")) & (height >= level)
     peak[[0, -1]] = peak[:, [0, -1]] = False
     row, column = np.nonzero(peak)
     center = np.column_stack([row, column]).astype(np.float64)
@@ -529,39 +529,39 @@ def _saddles(light: Array, variance: Array, sigma: float, level: float) -> tuple
         curvature = 2.0 * saddle[row, column] - low - high
         center[:, axis] += np.clip(0.5 * (high - low) / np.maximum(curvature, 1e-300), -0.5, 0.5)
     angle = 2.0 * math.pi * np.arange(_POINTS) / _POINTS
-    at = center[:, :, None] + _CIRCLE * sigma * np.stack([np.sin(angle), np.cos(angle)])
+    points = center[:, :, None] + _CIRCLE * sigma * np.stack([np.sin(angle), np.cos(angle)])
     # Points outside the image have the brightness of the nearest pixel at its border.
     circle = ndimage.map_coordinates(
-        ndimage.gaussian_filter(light, 0.5 * sigma, mode="nearest"), at.swapaxes(0, 1), order=1, mode="nearest"
+        ndimage.gaussian_filter(signal, 0.5 * sigma, mode="nearest"), points.swapaxes(0, 1), order=1, mode="nearest"
     )
     power = np.abs(np.fft.rfft(circle, axis=1)[:, 1:]) ** 2 if len(circle) else np.zeros((0, _POINTS // 2))
     power[:, -1:] *= 0.5  # the highest frequency has no negative counterpart
     contrast = np.pi * np.sqrt(power[:, 1]) / _POINTS  # peak to peak of a square wave with this second harmonic
-    good = power[:, 1] > _SECOND_HARMONIC * np.maximum(power.sum(axis=1), 1e-300)
-    if good.any():
-        good &= contrast > _CONTRAST * np.percentile(contrast[good], 75.0)
-    return center[good], height[row, column][good], contrast[good]
+    accepted = power[:, 1] > _SECOND_HARMONIC * np.maximum(power.sum(axis=1), 1e-300)
+    if accepted.any():
+        accepted &= contrast > _CONTRAST * np.percentile(contrast[accepted], 75.0)
+    return center[accepted], height[row, column][accepted], contrast[accepted]
 
 
-def _spread(center: Array, kept: NDArray[np.intp], most: int | None) -> NDArray[np.intp]:
-    """Return at most `most` of the places `kept`; each is the one farthest from all places chosen before."""
-    if most is None or most >= len(kept):
-        return kept
-    places = center[kept]
+def _evenly_chosen(center: Array, candidates: NDArray[np.intp], most: int | None) -> NDArray[np.intp]:
+    """Return at most `most` of the places `candidates`; each is the one farthest from all places chosen before."""
+    if most is None or most >= len(candidates):
+        return candidates
+    places = center[candidates]
     chosen = [int(np.argmax(((places - places.mean(axis=0)) ** 2).sum(axis=1)))]
-    squared_distance = np.full(len(kept), math.inf)
+    squared_distance = np.full(len(candidates), math.inf)
     while len(chosen) < most:
         squared_distance = np.minimum(squared_distance, ((places - places[chosen[-1]]) ** 2).sum(axis=1))
         chosen.append(int(np.argmax(squared_distance)))
-    return kept[chosen]
+    return candidates[chosen]
 
 
 def _nearest_offsets(center: Array) -> Array:
     """Return the offset (row, column) from each place to its nearest neighbour, shape (n, 2)."""
     if len(center) < 2:
         return np.zeros_like(center)
-    _, at = cKDTree(center).query(center, k=2)
-    return np.asarray(center[at[:, 1]] - center)
+    _, nearest = cKDTree(center).query(center, k=2)
+    return np.asarray(center[nearest[:, 1]] - center)
 
 
 def grid_indices(places: ArrayLike) -> Array:
@@ -595,23 +595,23 @@ def grid_indices(places: ArrayLike) -> Array:
     >>> lm.grid_indices([[11.0, 20.0], [10.0, 10.2], [20.1, 9.8], [20.3, 20.0]]).tolist()
     [[0.0, 1.0], [0.0, 0.0], [1.0, 0.0], [1.0, 1.0]]
     """
-    at = validation.real_array("places", places)
-    if at.ndim != 2 or at.shape[1] != 2 or len(at) < 4:
-        raise ValueError(f"places must be the rows and columns of at least 4 points, got shape {at.shape}")
-    tree = cKDTree(at)
-    best: dict[int, tuple[int, int]] = {}
-    for seed in np.argsort(((at - np.median(at, axis=0)) ** 2).sum(axis=1))[:_SEEDS].tolist():
-        if seed in best or (steps := _steps(at, tree, seed)) is None:
+    points = validation.real_array("places", places)
+    if points.ndim != 2 or points.shape[1] != 2 or len(points) < 4:
+        raise ValueError(f"places must be the rows and columns of at least 4 points, got shape {points.shape}")
+    tree = cKDTree(points)
+    largest: dict[int, tuple[int, int]] = {}
+    for seed in np.argsort(((points - np.median(points, axis=0)) ** 2).sum(axis=1))[:_SEEDS].tolist():
+        if seed in largest or (steps := _steps(points, tree, seed)) is None:
             continue
-        grid = _grow_grid(at, tree, seed, steps)
-        if len(grid) > len(best):
-            best = grid
-        if len(best) > len(at) // 2:
+        grid = _grow_grid(points, tree, seed, steps)
+        if len(grid) > len(largest):
+            largest = grid
+        if len(largest) > len(points) // 2:
             break
-    if len(best) < 4:
-        raise ValueError(f"places must be on a square grid, got {len(at)} points, fewer than 4 of which form a grid")
-    indices = np.full(at.shape, np.nan)
-    indices[list(best)] = list(best.values())
+    if len(largest) < 4:
+        raise ValueError(f"places must be on a square grid, got {len(points)} points; fewer than 4 form a grid")
+    indices = np.full(points.shape, np.nan)
+    indices[list(largest)] = list(largest.values())
     return np.asarray(indices - np.nanmin(indices, axis=0))
 
 
@@ -620,8 +620,8 @@ def _steps(places: Array, tree: cKDTree, seed: int) -> Array | None:
 
     Return None if no two of the nearest points are at about right angles.
     """
-    distance, near = tree.query(places[seed], k=min(5, len(places)))
-    offsets = (places[near] - places[seed])[distance > 0.0]
+    distance, nearest = tree.query(places[seed], k=min(5, len(places)))
+    offsets = (places[nearest] - places[seed])[distance > 0.0]
     unit = offsets / np.linalg.norm(offsets, axis=1)[:, None]
     down = int(np.argmax(np.abs(unit[:, 0])))
     across = int(np.argmin(np.abs(unit @ unit[down])))
@@ -636,18 +636,18 @@ def _steps(places: Array, tree: cKDTree, seed: int) -> Array | None:
 def _grow_grid(places: Array, tree: cKDTree, seed: int, steps: Array) -> dict[int, tuple[int, int]]:
     """Return the grid indices of all points that are connected to the point `seed` by steps of the grid."""
     indices, occupied = {seed: (0, 0)}, {(0, 0)}
-    waiting = deque([(seed, steps)])
-    while waiting:
-        point, own_steps = waiting.popleft()
+    queue = deque([(seed, steps)])
+    while queue:
+        point, point_steps = queue.popleft()
         for step in _STEPS:
             index = (indices[point][0] + step[0], indices[point][1] + step[1])
-            offset = np.asarray(step) @ own_steps
-            distance, other = tree.query(places[point] + offset)
-            if index in occupied or other in indices or distance > _MAX_OFFSET * np.linalg.norm(offset):
+            offset = np.asarray(step) @ point_steps
+            distance, neighbor = tree.query(places[point] + offset)
+            if index in occupied or neighbor in indices or distance > _MAX_OFFSET * np.linalg.norm(offset):
                 continue
-            indices[int(other)] = index
+            indices[int(neighbor)] = index
             occupied.add(index)
-            new_steps = own_steps.copy()
-            new_steps[0 if step[0] else 1] = sum(step) * (places[other] - places[point])
-            waiting.append((int(other), new_steps))
+            new_steps = point_steps.copy()
+            new_steps[0 if step[0] else 1] = sum(step) * (places[neighbor] - places[point])
+            queue.append((int(neighbor), new_steps))
     return indices

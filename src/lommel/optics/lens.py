@@ -60,9 +60,9 @@ def sensor(focal_length: float, focus_distance: float | None, sensor_distance: f
 
 MODELS = ("paraxial", "aplanatic")
 CORRECTED_FOR = ("object", "focus")
-_LONG = 1.0  # metres; longer photographic lenses are mirrors with an obscuration
+_MAX_FOCAL_LENGTH = 1.0  # metres, without a warning; longer photographic lenses are mirrors with an obscuration
 _VISIBLE = (380e-9, 780e-9)  # metres
-_OF_PUPIL = ("obscuration", "wavelength", "spider", "vignetting", "mask", "stop")
+_PUPIL_FIELDS = ("obscuration", "wavelength", "spider", "vignetting", "mask", "stop")
 _Numbers = float | NDArray[np.float64]
 
 
@@ -94,15 +94,15 @@ class Lens(display.Shown):
         working f-number).
     corrected_for : {"object", "focus"}, default "object"
         Conjugate at which an aplanatic lens is free of aberration; the conditions of Abbe and Herschel cannot both
-        hold. "object": objects at any distance are imaged without aberration. The reference spheres are centred on
-        the image and on the axial point of the sensor: the sensor is displaced. "focus": the point in focus is imaged
-        without aberration. The spheres are centred on the object and on the point in focus, where the sine of the
-        angle is rho times ``aperture radius / focus distance``: the object is displaced, as in microscopes.
+        hold. "object": images of objects at all distances are free of aberration; the reference spheres are centred
+        on the image and on the axial point of the sensor. "focus": the image of the point in focus is free of
+        aberration, as in microscopes; the reference spheres are centred on the object and on the point in focus, from
+        which rays leave at an angle whose sine is rho times ``aperture radius / focus distance``.
     apodization : float, Apodization or "aplanatic", default 0
         Amplitude across the pupil, as for :class:`lommel.Pupil`. "aplanatic", for an aplanatic lens only, is
         ``cos(theta)^(-1/2)``: the amplitude ``cos(theta)^(1/2)`` of a uniformly illuminated entrance pupil on the
         reference sphere, divided by the factor ``cos(theta)`` of the solid angle (Richards and Wolf 1959,
-        scalar part, doi:10.1098/rspa.1959.0200). Isotropic emission has the same amplitude.
+        scalar part, doi:10.1098/rspa.1959.0200). Light of an isotropic emitter has the same amplitude.
     colour : Colour, optional
         Axial and lateral colour: how focal length and size of the image change with the wavelength.
 
@@ -200,8 +200,8 @@ class Lens(display.Shown):
         validation.optional("colour", colour, Colour)
         # Shapes that leave nothing clear raise ValueError here, not at the first pupil.
         Pupil(obscuration=self.obscuration, spider=spider, vignetting=vignetting, mask=mask, stop=stop)
-        visible = _VISIBLE[0] <= self.wavelength <= _VISIBLE[1]
-        if f > _LONG and f_number is not None and visible and not self.obscuration:
+        in_visible = _VISIBLE[0] <= self.wavelength <= _VISIBLE[1]
+        if f > _MAX_FOCAL_LENGTH and f_number is not None and in_visible and not self.obscuration:
             warnings.warn(
                 f"focal_length={f:g} is {f:g} metres; for {f:g} mm give focal_length={f:g}e-3. For a telescope give "
                 "aperture_diameter instead of f_number",
@@ -213,8 +213,8 @@ class Lens(display.Shown):
 
     def __repr__(self) -> str:
         focus = self.focus_distance
-        inside = f"sensor at {format_length(self.sensor_distance)}"
-        parts = [f"focused at {format_length(focus)}" if focus > 0.0 else inside, format_length(self.wavelength)]
+        sensor_text = f"sensor at {format_length(self.sensor_distance)}"
+        parts = [f"focused at {format_length(focus)}" if focus > 0.0 else sensor_text, format_length(self.wavelength)]
         parts += [f"obscuration {self.obscuration:.4g}"] if self.obscuration else []
         parts += [f"aplanatic, corrected for the {self.corrected_for}"] if self.model == "aplanatic" else []
         parts += ["apodized"] if not self.illumination.uniform else []
@@ -268,33 +268,33 @@ class Lens(display.Shown):
             aberrations or an Apodization would be opened wider, or if the lens has vignetting, a mask or a stop of
             another shape.
         """
-        stop = validation.real("f_number", f_number, least=1e-6, below=1e12)
-        ratio = stop / self.f_number
+        new_f_number = validation.real("f_number", f_number, least=1e-6, below=1e12)
+        ratio = new_f_number / self.f_number
         if self.vignetting or self.mask or self.stop:
             raise ValueError(
                 "f_number of a lens with vignetting, a mask or a stop of another shape cannot change, since these "
                 "are relative to the radius of the aperture; make a lens with the parts for the other f-number"
             )
-        light, flat = self.apodization, not self.aberrations.edge.any()
-        shaped = isinstance(light, Apodization) and not light.uniform
-        for present, what in ((not flat, "aberrations are"), (shaped, "apodization is")):
-            if present and ratio < 1.0 - 1e-9:
+        apodization, unaberrated = self.apodization, not self.aberrations.edge.any()
+        has_profile = isinstance(apodization, Apodization) and not apodization.uniform
+        for has_data, part in ((not unaberrated, "aberrations are"), (has_profile, "apodization is")):
+            if has_data and ratio < 1.0 - 1e-9:
                 raise ValueError(
-                    f"f_number must be at least that of the lens, f/{self.f_number:g}, up to which its {what} known, "
-                    f"got f/{stop:g}"
+                    f"f_number must be at least that of the lens, f/{self.f_number:g}, up to which its {part} known, "
+                    f"got f/{new_f_number:g}"
                 )
-        if isinstance(light, Apodization):
-            light = light.scaled(min(1.0, 1.0 / ratio)) if shaped else light
-        elif isinstance(light, float):
+        if isinstance(apodization, Apodization):
+            apodization = apodization.scaled(min(1.0, 1.0 / ratio)) if has_profile else apodization
+        elif isinstance(apodization, float):
             # exp(-g rho^2) stays the same in metres: if the radius is divided by `ratio`, g is divided by its square.
-            light = light / ratio**2
+            apodization = apodization / ratio**2
         return replace(
             self,
-            aperture_diameter=aperture(self.focal_length, stop, None),
-            apodization=light,
+            aperture_diameter=aperture(self.focal_length, new_f_number, None),
+            apodization=apodization,
             # The same size in metres, relative to a smaller radius.
             obscuration=self.obscuration * ratio,
-            aberrations=self.aberrations if flat else self.aberrations.scaled(min(1.0, 1.0 / ratio)),
+            aberrations=self.aberrations if unaberrated else self.aberrations.scaled(min(1.0, 1.0 / ratio)),
             spider=self.spider and replace(self.spider, width=self.spider.width * ratio),
         )
 
@@ -331,7 +331,7 @@ class Lens(display.Shown):
         Returns
         -------
         ndarray
-            Of the shape of `object_distance`.
+            C_d, with the shape of `object_distance`.
 
         Raises
         ------
@@ -342,11 +342,11 @@ class Lens(display.Shown):
 
     # Python floats for a single object: half the time of NumPy scalars.
     def _defocus(self, s: _Numbers) -> _Numbers:
-        vergence, waves, area = self._of_defocus
+        vergence, waves, area = self._defocus_parts
         return waves * (vergence + 1.0 / s) * area
 
     @cached_property
-    def _of_defocus(self) -> tuple[float, float, float]:
+    def _defocus_parts(self) -> tuple[float, float, float]:
         """Terms of C_d without the object distance: vergence, pi / (2 lambda) and the squared radius."""
         # Eq. 3 of the paper.
         vergence = 1.0 / self.sensor_distance - 1.0 / self.focal_length
@@ -371,9 +371,9 @@ class Lens(display.Shown):
         return wavefront.wavefront(radius, self._geometry.sphere, vergence, self.wavelength)
 
     def phase_rate(self, reach: float) -> float:
-        """Return a bound on (range of Im phase across the pupil) / Im C_d, for complex C_d up to `reach` radians.
+        """Return a bound on (range of Im(phase) across the pupil) / Im(C_d), for abs(C_d) up to `reach` radians.
 
-        2 for a paraxial lens, slightly more for an aplanatic lens, infinite if no bound is known.
+        The bound is 2 for a paraxial lens, slightly more for an aplanatic lens, infinite if none is known.
         """
         if self.model == "paraxial":
             return 2.0
@@ -405,8 +405,8 @@ class Lens(display.Shown):
         Raises
         ------
         TypeError, ValueError
-            If a distance is not above 0 or does not broadcast with the aberrations, or if none is given and none is
-            in focus.
+            If a distance is not above 0 or does not broadcast with the aberrations, or if no distance is given and no
+            object is in focus.
         """
         s = self._object_distance(object_distance)
         wavefront = self._phase(self._defocus(s))
@@ -419,20 +419,20 @@ class Lens(display.Shown):
                     f"object_distance must broadcast with the aberrations, got shapes {shapes}"
                 ) from None
         # A single pupil, the most frequent case, needs no arrays.
-        one = isinstance(s, float) and not wavefront.shape
-        distances = (s,) if one else tuple(np.broadcast_to(s, wavefront.shape).ravel().tolist())
+        single = isinstance(s, float) and not wavefront.shape
+        distances = (s,) if single else tuple(np.broadcast_to(s, wavefront.shape).ravel().tolist())
         return self._in_focus.carrying(wavefront, changed(self._geometry, object_distance=distances))
 
     @cached_property
     def _in_focus(self) -> Pupil:
         """Unaberrated pupil, copied with another wavefront for each object."""
-        shared = {name: getattr(self, name) for name in _OF_PUPIL}
+        settings = {name: getattr(self, name) for name in _PUPIL_FIELDS}
         return Pupil(
             f_number=self.working_f_number,
             apodization=self.illumination if isinstance(self.apodization, str) else self.apodization,
             geometry=self._geometry,
             colour=self.pupil_colour,
-            **shared,
+            **settings,
         )
 
     @cached_property
@@ -461,9 +461,9 @@ def require_round(name: str, lens: Lens) -> None:
     if not lens.aberrations.radial:
         terms = lens.aberrations.to_zernike()
         kinds = list(dict.fromkeys(zernike.name(n, m) for (n, m), c in terms.items() if m and c))
-        others = f" and {len(kinds) - 4} more" if len(kinds) > 4 else ""
+        more = f" and {len(kinds) - 4} more" if len(kinds) > 4 else ""
         raise ValueError(
-            f"{name} must have radially symmetric aberrations, got {', '.join(kinds[:4])}{others}: leave these terms "
+            f"{name} must have radially symmetric aberrations, got {', '.join(kinds[:4])}{more}: leave these terms "
             "out of the lens (its section [aberrations]), or blur by lommel.imaging.FieldBlur, which supports any PSF"
         )
     if lens.spider or lens.vignetting or lens.mask or lens.stop:

@@ -50,13 +50,13 @@ _MAX_ADDED = 4  # up to this number of terms, products are added one by one (com
 class PhaseRule(NamedTuple):
     """Scale s of split coefficients (0 in float64), and the error bound of phases.
 
-    The error of a phase is at most ``each * S + fixed`` with ``S = sum abs(c_j) max abs(B_j)``, for S up to `limit`.
+    The error of a phase is at most ``relative * S + absolute``; ``S = sum abs(c_j) max abs(B_j)`` is up to `limit`.
     Phases of n pupils have the shape ``(nodes, n)`` if `pupils_last`, else ``(n, nodes)``.
     """
 
     scale: float
-    each: float
-    fixed: float
+    relative: float
+    absolute: float
     limit: float
     pupils_last: bool
 
@@ -80,11 +80,11 @@ def phase_tables(
     `basis` has the shape (terms, nodes). `largest` is the largest ``sum abs(c_j) max abs(B_j)`` in the valid range.
     """
     count, size = len(basis), np.abs(basis).max(axis=1)
-    each = UNIT["float64"] * (count + 2.0 * degree + 9.0)
+    relative = UNIT["float64"] * (count + 2.0 * degree + 9.0)
     if precision == "float64":
         table = basis / math.tau
         tables = {"size": size, "basis": np.ascontiguousarray(table.T) if pupils_last else table}
-        return PhaseRule(0.0, each, 0.0, math.inf, pupils_last), tables
+        return PhaseRule(0.0, relative, 0.0, math.inf, pupils_last), tables
     # The rule remains valid for phases slightly above the largest phase.
     limit = 1.25 * largest + 1.0
     # float32 has 24 bits: sums below 2^(23 - q) of multiples of 2^-q are exact.
@@ -93,13 +93,13 @@ def phase_tables(
     scale = 2.0 ** max(0, round(0.5 * (q - math.log2(limit / least))))
     turns = basis / (math.tau * scale)
     coarse = np.round(turns * 2.0**q) * 2.0**-q
-    small = scale * (limit / least) * 2.0 ** (-q - 1) + float(size.sum()) / (2.0 * math.tau * scale)
+    delta = scale * (limit / least) * 2.0 ** (-q - 1) + float(size.sum()) / (2.0 * math.tau * scale)
     unit = UNIT["float32"]
-    fixed = unit * (math.tau * (2.0 * count + 4.0) * small + 3.0 * math.tau * (0.5 + small))
-    rule = PhaseRule(scale, each, fixed, limit, pupils_last)
+    absolute = unit * (math.tau * (2.0 * count + 4.0) * delta + 3.0 * math.tau * (0.5 + delta))
+    rule = PhaseRule(scale, relative, absolute, limit, pupils_last)
     if pupils_last:
-        rest = np.concatenate([turns - coarse, basis / math.tau]).T
-        return rule, {"size": size, "coarse": np.ascontiguousarray(coarse.T), "rest": np.ascontiguousarray(rest)}
+        low_parts = np.concatenate([turns - coarse, basis / math.tau]).T
+        return rule, {"size": size, "coarse": np.ascontiguousarray(coarse.T), "rest": np.ascontiguousarray(low_parts)}
     return rule, {"size": size, "coarse": coarse, "fine": turns - coarse, "basis": basis / math.tau}
 
 
@@ -108,13 +108,13 @@ def phase_turns(ns: Namespace, rule: PhaseRule, tables: Tables, c: Tensor) -> tu
     xp, dtype = ns.xp, tables[rule.tables[0]].dtype
     if not rule.scale:
         return (_phase_sum(ns, rule, xp.astype(c, dtype), tables["basis"]),)
-    whole = xp.round(ns.stop(c) * rule.scale)
-    rest = xp.astype(c - whole * (1.0 / rule.scale), dtype)
-    whole = xp.astype(whole, dtype)
-    exact = _phase_sum(ns, rule, whole, tables["coarse"])
+    integers = xp.round(ns.stop(c) * rule.scale)
+    remainder = xp.astype(c - integers * (1.0 / rule.scale), dtype)
+    integers = xp.astype(integers, dtype)
+    exact = _phase_sum(ns, rule, integers, tables["coarse"])
     if rule.pupils_last:
-        return exact, _phase_sum(ns, rule, xp.concat([whole, rest], axis=-1), tables["rest"])
-    return exact, _phase_sum(ns, rule, whole, tables["fine"]) + _phase_sum(ns, rule, rest, tables["basis"])
+        return exact, _phase_sum(ns, rule, xp.concat([integers, remainder], axis=-1), tables["rest"])
+    return exact, _phase_sum(ns, rule, integers, tables["fine"]) + _phase_sum(ns, rule, remainder, tables["basis"])
 
 
 def _phase_sum(ns: Namespace, rule: PhaseRule, c: Tensor, table: Tensor) -> Tensor:
@@ -163,32 +163,32 @@ def _waves_of_jax() -> Callable[..., tuple[Tensor, Tensor]]:
     import jax
     from jax import lax
 
-    def without_whole(turns: Operand) -> Operand:
+    def remove_whole_turns(turns: Operand) -> Operand:
         return turns - lax.round(turns, lax.RoundingMethod.TO_NEAREST_EVEN)
 
     def cosine(turns: Operand) -> Operand:
-        z = 0.25 - lax.abs(without_whole(turns))
+        z = 0.25 - lax.abs(remove_whole_turns(turns))
         square = z * z
         total: Operand
-        *rest, total = sine_coefficients(str(turns.dtype))
-        for coefficient in reversed(rest):
+        *lower, total = sine_coefficients(str(turns.dtype))
+        for coefficient in reversed(lower):
             total = total * square + coefficient
         return z * total
 
     @jax.custom_jvp
-    def both(turns: Operand) -> tuple[Tensor, Tensor]:
+    def cosine_sine(turns: Operand) -> tuple[Tensor, Tensor]:
         return cosine(turns), cosine(turns - 0.25)
 
-    @both.defjvp
-    def slopes(given: Operand, tangents: Operand) -> tuple[tuple[Tensor, Tensor], tuple[Tensor, Tensor]]:
-        cos, sin = both(*given)
-        turned = tangents[0] * math.tau
-        return (cos, sin), (-sin * turned, cos * turned)
+    @cosine_sine.defjvp
+    def derivative(primals: Operand, tangents: Operand) -> tuple[tuple[Tensor, Tensor], tuple[Tensor, Tensor]]:
+        cos, sin = cosine_sine(*primals)
+        angle_tangent = tangents[0] * math.tau
+        return (cos, sin), (-sin * angle_tangent, cos * angle_tangent)
 
-    def of_parts(exact: Operand, *rest: Operand) -> tuple[Tensor, Tensor]:
-        return both(without_whole(exact) + rest[0] if rest else exact)
+    def of_sum(exact: Operand, *remainder: Operand) -> tuple[Tensor, Tensor]:
+        return cosine_sine(remove_whole_turns(exact) + remainder[0] if remainder else exact)
 
-    return of_parts
+    return of_sum
 
 
 class FieldError(NamedTuple):
@@ -220,8 +220,8 @@ class FieldError(NamedTuple):
         # The factor 1 + 1e-5 covers the rounding of this sum.
         size = xp.sum(xp.abs(c) * tables["size"], axis=-1) * (1.0 + 1e-5)
         # TF32 rounds each of the two operands of a product by 2^-11.
-        each = rule.each + (2.5 * coarse if rule.multiplied(c.shape[-1]) else 0.0)
-        error = quadrature_error + self.sums * (each * size + rule.fixed + self.products * coarse)
+        relative = rule.relative + (2.5 * coarse if rule.multiplied(c.shape[-1]) else 0.0)
+        error = quadrature_error + self.sums * (relative * size + rule.absolute + self.products * coarse)
         return xp.where(size <= rule.limit, error + self.added, infinite(ns, error))
 
 
@@ -255,8 +255,8 @@ class Radial(NamedTuple):
         """Return I at the radii of the table, shape ``(n, radii)``, and a bound on the error of the field."""
         cos, sin = waves(ns, phase_turns(ns, self.phase, tables, c))
         real, imaginary = ns.matmul(cos, tables["table"]), ns.matmul(sin, tables["table"])
-        still = ns.stop(ns.xp.astype(c, tables["table"].dtype))
-        error = self.error.total(ns, self.phase, tables, still, self._quadrature_error(ns, tables, still))
+        fixed_c = ns.stop(ns.xp.astype(c, tables["table"].dtype))
+        error = self.error.total(ns, self.phase, tables, fixed_c, self._quadrature_error(ns, tables, fixed_c))
         return real * real + imaginary * imaginary, error
 
     def _quadrature_error(self, ns: Namespace, tables: Tables, c: Tensor) -> Tensor:
@@ -270,8 +270,8 @@ class Radial(NamedTuple):
         else:
             largest = xp.max(phase + tables["kernel"], axis=-1) * self.widening
         # Error due to rounding of the product for `phase`, and of the sums of logarithms.
-        lost = (c.shape[-1] + 8) * (unit + ns.coarseness(unit)) * ns.matmul(xp.abs(c), tables["most"])
-        return exponential(ns, xp.min(largest + lost + tables["constant"], axis=-1))
+        rounding = (c.shape[-1] + 8) * (unit + ns.coarseness(unit)) * ns.matmul(xp.abs(c), tables["most"])
+        return exponential(ns, xp.min(largest + rounding + tables["constant"], axis=-1))
 
 
 def columns(pupil: Pupil) -> tuple[tuple[Name, ...], Array]:
@@ -288,11 +288,11 @@ def _basis(powers: bool, count: int, t: Values) -> Values:
     """Return powers of t plus constants, or Legendre polynomials, at real or complex t, ``(count,) + t.shape``."""
     if powers:
         return np.stack([2.0 * t - 1.0, *(t ** (k + 1) - 0.5 for k in range(1, count))])
-    terms, x, before, here = [], 2.0 * t - 1.0, np.zeros_like(t), np.ones_like(t)
+    terms, x, previous, current = [], 2.0 * t - 1.0, np.zeros_like(t), np.ones_like(t)
     for j in range(1, count + 1):
         # Three-term recurrence of the Legendre polynomials.
-        before, here = here, ((2 * j - 1) * x * here - (j - 1) * before) / j
-        terms.append(here)
+        previous, current = current, ((2 * j - 1) * x * current - (j - 1) * previous) / j
+        terms.append(current)
     return np.stack(terms)
 
 
@@ -309,20 +309,20 @@ def make_radial(
     low, light = pupil.obscuration**2, pupil.illumination
     terms, c = columns(pupil)
     c = c[:, [j for j, term in enumerate(terms) if isinstance(term, str) or term[1] == 0]]
-    middle, spread = 0.5 * (c.max(axis=0) + c.min(axis=0)), 0.5 * (c.max(axis=0) - c.min(axis=0))
-    powers, degree, far = isinstance(terms[0], str), c.shape[1], float(v.max(initial=0.0))
+    middle, half_range = 0.5 * (c.max(axis=0) + c.min(axis=0)), 0.5 * (c.max(axis=0) - c.min(axis=0))
+    powers, degree, v_max = isinstance(terms[0], str), c.shape[1], float(v.max(initial=0.0))
     steps = max(32, 16 * degree) if low == 0.0 else max(64, 24 * degree)
     imaginary = stretch * _basis(powers, degree, hankel.ellipses(_ETA, low, steps)).imag
-    kernel = far * hankel.rise(_ETA, low, steps)
+    kernel = v_max * hankel.rise(_ETA, low, steps)
     # Largest absolute imaginary phase in the box of the stack; phases are linear in the coefficients.
-    size = np.abs(np.tensordot(middle, imaginary, 1)) + np.tensordot(spread, np.abs(imaginary), 1)
+    size = np.abs(np.tensordot(middle, imaginary, 1)) + np.tensordot(half_range, np.abs(imaginary), 1)
     constant = light.growth(np.cosh(_ETA), low) + math.log(32.0 / 15.0 * (1.0 - low)) - np.log(-np.expm1(-2.0 * _ETA))
-    needed = (hankel.between(size, kernel, degree, low) + constant - math.log(error)) / (2.0 * _ETA)
-    best, nodes = int(needed.argmin()), max(1, math.ceil(float(needed.min())))
+    node_counts = (hankel.between(size, kernel, degree, low) + constant - math.log(error)) / (2.0 * _ETA)
+    best_ellipse, nodes = int(node_counts.argmin()), max(1, math.ceil(float(node_counts.min())))
     if nodes > _MAX_RADIAL_NODES:
         raise ToleranceError(f"phases and windows this large take {nodes} nodes, more than {_MAX_RADIAL_NODES}")
     # The best ellipse of a single pupil may be smaller or larger than the best ellipse of the stack.
-    chosen = np.unique([best, *np.clip(best + np.arange(_CHOSEN) * 5 - 10, 0, len(_ETA) - 1)])
+    chosen = np.unique([best_ellipse, *np.clip(best_ellipse + np.arange(_CHOSEN) * 5 - 10, 0, len(_ETA) - 1)])
     # Bound by Ehlich and Zeller on maximum / (largest sample), as in lommel.methods.hankel.
     widening = 1.0 / math.cos(0.5 * degree * math.pi / steps)
     curved = 0.0 if low == 0.0 else (degree * math.pi / steps) ** 2 / 8.0 * widening
@@ -335,9 +335,9 @@ def make_radial(
     # Rounding of sums, cosines, sines and products: (K + 16) u (certificate, "Differentiable PSFs", "Rounding"). Then
     # weights, amplitude and J0(x), whose argument has a relative error of 3.5 u: x abs(J1(x)) < 0.83 sqrt(x).
     added = sums * (nodes + 16.0) * unit
-    added += UNIT["float64"] * (12.0 + 3.0 * math.sqrt(far) + (3.0 * light.slope)) * float(weights @ light.at(t))
-    phase_left, light_left = pupil.left_out
-    added += (stretch * phase_left + 2.0 * light_left) * float(weights @ light.at(t))
+    added += UNIT["float64"] * (12.0 + 3.0 * math.sqrt(v_max) + (3.0 * light.slope)) * float(weights @ light.at(t))
+    omitted_phase, omitted_light = pupil.left_out
+    added += (stretch * omitted_phase + 2.0 * omitted_light) * float(weights @ light.at(t))
     tables |= {
         "table": table,
         "imaginary": imaginary[:, chosen].reshape(degree, -1),
@@ -345,8 +345,8 @@ def make_radial(
         "kernel": kernel[chosen],
         "constant": constant[chosen] - 2.0 * nodes * _ETA[chosen],
     }
-    left = FieldError(unit, sums, added, 4.0)
-    return Radial(phase, left, len(chosen), steps + 1, widening, curved), tables
+    field_error = FieldError(unit, sums, added, 4.0)
+    return Radial(phase, field_error, len(chosen), steps + 1, widening, curved), tables
 
 
 # The values exp(i Phi) at the mirror images (+-x, +-y) of a node are split into parts that are even or odd in x and
@@ -373,36 +373,36 @@ class Axis(NamedTuple):
     negative: int
     positive: int
 
-    def whole(self, ns: Namespace, below: Tensor, above: Tensor, axis: int) -> Tensor:
-        """Return values at all positions along `axis`, from values at mirrored (`below`) and stored positions."""
-        here = [slice(None)] * 3
-        here[axis] = slice(0, self.positive)
-        above = above[tuple(here)]
+    def unfold(self, ns: Namespace, mirrored: Tensor, stored: Tensor, axis: int) -> Tensor:
+        """Return values at all positions along `axis`, from values at `mirrored` and at `stored` positions."""
+        index = [slice(None)] * 3
+        index[axis] = slice(0, self.positive)
+        stored = stored[tuple(index)]
         if not self.negative:
-            return above
-        here[axis] = slice(self.first, self.first + self.negative)
-        return ns.xp.concat([ns.flip(below[tuple(here)], axis), above], axis=axis)
+            return stored
+        index[axis] = slice(self.first, self.first + self.negative)
+        return ns.xp.concat([ns.flip(mirrored[tuple(index)], axis), stored], axis=axis)
 
 
 def axis_of(v: Array) -> tuple[Axis, Array]:
     """Return the Axis for the increasing positions `v`, and the stored positions."""
     # For a window that is symmetric about the optical axis, only positions >= 0 are stored.
-    half = np.unique(np.abs(v))
-    first, negative = int(half[0] == 0.0), int(np.sum(v < 0.0))
+    distances = np.unique(np.abs(v))
+    first, negative = int(distances[0] == 0.0), int(np.sum(v < 0.0))
     positive = len(v) - negative
-    if np.array_equal(v, np.concatenate([-half[first : first + negative][::-1], half[:positive]])):
-        return Axis(first, negative, positive), half
+    if np.array_equal(v, np.concatenate([-distances[first : first + negative][::-1], distances[:positive]])):
+        return Axis(first, negative, positive), distances
     return Axis(0, 0, len(v)), v
 
 
 def folded_tables(x: Array, y: Array, weights: Array, columns: Array, rows: Array) -> dict[str, Array]:
     """Return the real kernels for chords at x and nodes at y ``(chords, nodes)``, multiplied by `weights`."""
-    down, over = rows[:, None] * y[:, None, :], columns[:, None] * x
+    row_phase, column_phase = rows[:, None] * y[:, None, :], columns[:, None] * x
     return {
-        "along even": np.cos(down) * weights[:, None, :],
-        "along odd": np.sin(down) * weights[:, None, :],
-        "across even": np.cos(over),
-        "across odd": np.sin(over),
+        "along even": np.cos(row_phase) * weights[:, None, :],
+        "along odd": np.sin(row_phase) * weights[:, None, :],
+        "across even": np.cos(column_phase),
+        "across odd": np.sin(column_phase),
     }
 
 
@@ -414,16 +414,16 @@ def folded_intensity(
     `waves` are cosine and sine of the phase at each of :data:`IMAGES`, ``(nodes, n)``; `axes` are the Axis of the
     columns and the Axis of the rows.
     """
-    sides = [(along, across) for across in ("across even", "across odd") for along in ("along even", "along odd")]
+    part_keys = [(along, across) for across in ("across even", "across odd") for along in ("along even", "along odd")]
     # Parts are summed one after the other: intermediate results remain in the CPU cache.
     parts = [
-        ns.call_unfused(_part(ns, *side), *(kernels[name] for name in side), *images)
+        ns.call_unfused(_part(ns, *keys), *(kernels[name] for name in keys), *images)
         for images in zip(*waves, strict=True)
-        for side in sides
+        for keys in part_keys
     ]
     image = ns.call_unfused(_assembled(ns, axes), *ns.call_unfused(_quadrants(axes), *parts))
-    across, down, count = image.shape
-    return ns.xp.permute_dims(ns.xp.reshape(image, (across * down, count)), (1, 0))
+    columns, rows, count = image.shape
+    return ns.xp.permute_dims(ns.xp.reshape(image, (columns * rows, count)), (1, 0))
 
 
 @cache
@@ -431,13 +431,13 @@ def _part(ns: Namespace, along: str, across: str) -> Callable[..., Tensor]:
     """Return a function that computes a part, even or odd in y (`along`) and x (`across`), from the four IMAGES."""
 
     def sum_part(rows: Tensor, columns: Tensor, a: Tensor, b: Tensor, c: Tensor, d: Tensor) -> Tensor:
-        one, other = (a + b, c + d) if along == "along even" else (a - b, c - d)
-        part = one + other if across == "across even" else one - other
-        chords, places, nodes = rows.shape
+        first_pair, second_pair = (a + b, c + d) if along == "along even" else (a - b, c - d)
+        part = first_pair + second_pair if across == "across even" else first_pair - second_pair
+        chords, row_count, nodes = rows.shape
         count = part.shape[-1]
-        of_chords = ns.matmul(rows, ns.xp.reshape(part, (chords, nodes, count)))
-        total = ns.matmul(columns, ns.xp.reshape(of_chords, (chords, places * count)))
-        return ns.xp.reshape(total, (columns.shape[0], places, count))
+        chord_sums = ns.matmul(rows, ns.xp.reshape(part, (chords, nodes, count)))
+        total = ns.matmul(columns, ns.xp.reshape(chord_sums, (chords, row_count * count)))
+        return ns.xp.reshape(total, (columns.shape[0], row_count, count))
 
     return sum_part
 
@@ -448,13 +448,13 @@ def _quadrants(axes: tuple[Axis, Axis]) -> Callable[..., tuple[Tensor, ...]]:
 
     def quadrants(*parts: Tensor) -> tuple[Tensor, ...]:
         real, imaginary = parts[:4], parts[4:]
-        alike = real[0] - real[3], imaginary[1] + imaginary[2], imaginary[0] - imaginary[3], real[1] + real[2]
-        other = real[0] + real[3], imaginary[2] - imaginary[1], imaginary[0] + imaginary[3], real[2] - real[1]
+        same_signs = real[0] - real[3], imaginary[1] + imaginary[2], imaginary[0] - imaginary[3], real[1] + real[2]
+        other_signs = real[0] + real[3], imaginary[2] - imaginary[1], imaginary[0] + imaginary[3], real[2] - real[1]
         # In the order of IMAGES: x and y have equal signs in the first and the last image.
-        there = [(alike, True), *([(other, True)] * down), *([(other, False)] * across)]
-        there += [(alike, False)] * (across and down)
-        fields = [(a + b, c - d) if add else (a - b, c + d) for (a, b, c, d), add in there]
-        return tuple(one * one + two * two for one, two in fields)
+        images = [(same_signs, True), *([(other_signs, True)] * down), *([(other_signs, False)] * across)]
+        images += [(same_signs, False)] * (across and down)
+        fields = [(a + b, c - d) if add else (a - b, c + d) for (a, b, c, d), add in images]
+        return tuple(real * real + imaginary * imaginary for real, imaginary in fields)
 
     across, down = (axis.negative > 0 for axis in axes)
     return quadrants
@@ -466,9 +466,9 @@ def _assembled(ns: Namespace, axes: tuple[Axis, Axis]) -> Callable[..., Tensor]:
 
     def assemble(*quadrants: Tensor) -> Tensor:
         across, down = axes
-        each = 2 if down.negative else 1
-        sides = [down.whole(ns, quadrants[k + each - 1], quadrants[k], 1) for k in range(0, len(quadrants), each)]
-        return across.whole(ns, sides[-1], sides[0], 0)
+        step = 2 if down.negative else 1
+        sides = [down.unfold(ns, quadrants[k + step - 1], quadrants[k], 1) for k in range(0, len(quadrants), step)]
+        return across.unfold(ns, sides[-1], sides[0], 0)
 
     return assemble
 
@@ -516,17 +516,17 @@ def compiled_sums(
     """Return the compiled sums, with `counts` = (chords, nodes); None if the core does not support them."""
     if grid.integrate or not isinstance(grid.pixel, float) or not all(0 < n <= _MAX_CORE_DEGREE for n, _ in terms):
         return None
-    light = tuple(pupil.illumination.exponent.tolist())
-    return Sums(terms, stretch, pupil.obscuration, light, grid.shape, grid.axis, grid.step(pupil), *counts)
+    exponent = tuple(pupil.illumination.exponent.tolist())
+    return Sums(terms, stretch, pupil.obscuration, exponent, grid.shape, grid.axis, grid.step(pupil), *counts)
 
 
 @cache
-def _of_torch() -> Any:
+def _torch_function() -> Any:
     import torch
 
     ns = Namespace.of("torch")
 
-    class Compiled(torch.autograd.Function):  # type: ignore[misc]
+    class CompiledSums(torch.autograd.Function):  # type: ignore[misc]
         """Sums and first gradient by the compiled core; higher derivatives by PyTorch."""
 
         @staticmethod
@@ -547,7 +547,7 @@ def _of_torch() -> Any:
                 intensity = ctx.in_torch(c)
             return *torch.autograd.grad(intensity, c, weights, create_graph=torch.is_grad_enabled()), None, None
 
-    return Compiled
+    return CompiledSums
 
 
 _B = np.geomspace(4e-3, 4.0, 64)  # parameters b of the candidate curves
@@ -569,7 +569,7 @@ class Chordal(NamedTuple):
 
         def in_framework(c: Tensor) -> Tensor:
             image_tables = [{name: tables[name][k, ...] for name in self.phase.tables} for k in range(len(IMAGES))]
-            cos_sin = [waves(ns, phase_turns(ns, self.phase, one, c)) for one in image_tables]
+            cos_sin = [waves(ns, phase_turns(ns, self.phase, nodes, c)) for nodes in image_tables]
             return folded_intensity(ns, tables, cos_sin, self.axes)
 
         error = self._field_error(ns, tables, c)  # computed first: its memory is released before images are computed
@@ -578,27 +578,27 @@ class Chordal(NamedTuple):
             return in_framework(c), error
         if ns.name == "numpy":
             return self.sums.intensity(values, 0), error
-        return _of_torch().apply(c, self.sums, in_framework), error
+        return _torch_function().apply(c, self.sums, in_framework), error
 
     def _field_error(self, ns: Namespace, tables: Tables, c: Tensor) -> Tensor:
         xp = ns.xp
-        still = ns.stop(xp.astype(c, tables["size"].dtype))
+        fixed_c = ns.stop(xp.astype(c, tables["size"].dtype))
         if self.mean is not None:
-            parts = [exponential(ns, self.mean.logarithm(ns, tables, name, still)) for name in ("chords", "nodes")]
+            parts = [exponential(ns, self.mean.logarithm(ns, tables, name, fixed_c)) for name in ("chords", "nodes")]
         else:
-            rounded = 1.0 + 64.0 * (self.error.unit + ns.coarseness(self.error.unit))
-            size = ns.matmul(xp.sqrt(ns.matmul(still * still, tables["pairs"])), tables["growth"]) * rounded
+            rounding = 1.0 + 64.0 * (self.error.unit + ns.coarseness(self.error.unit))
+            size = ns.matmul(xp.sqrt(ns.matmul(fixed_c * fixed_c, tables["pairs"])), tables["growth"]) * rounding
             parts = [exponential(ns, xp.min(size + tables[name], axis=-1)) for name in ("chords", "nodes")]
         total = parts[0] + parts[1]
-        return self.error.total(ns, self.phase, tables, still, total)
+        return self.error.total(ns, self.phase, tables, fixed_c, total)
 
 
-def _constants(light: Apodization, b: Array) -> tuple[Array, Array]:
+def _constants(illumination: Apodization, b: Array) -> tuple[Array, Array]:
     """Return the logarithms of the constant factors of the bounds for chords and for nodes, without ``-2 N b``."""
-    grown = light.growth(np.cosh(2.0 * b)) if not light.uniform else 0.0
+    growth = illumination.growth(np.cosh(2.0 * b)) if not illumination.uniform else 0.0
     # With N >= 4 chords, 1 - exp(-2 (N + 1) b) is at least 1 - exp(-10 b).
-    chords = np.log1p(np.exp(-4.0 * b)) - np.log(-np.expm1(-10.0 * b)) + grown
-    return chords, math.log(32.0 / 15.0) - np.log(-np.expm1(-2.0 * b)) + grown
+    chords = np.log1p(np.exp(-4.0 * b)) - np.log(-np.expm1(-10.0 * b)) + growth
+    return chords, math.log(32.0 / 15.0) - np.log(-np.expm1(-2.0 * b)) + growth
 
 
 def make_chordal(
@@ -612,21 +612,21 @@ def make_chordal(
     y, x = window
     names, c = columns(pupil)
     terms = cast("tuple[Term, ...]", names)
-    low, light = pupil.obscuration, pupil.illumination
-    reach = math.hypot(np.abs(x).max(), np.abs(y).max()), float(np.abs(y).max())
-    disks = [(1.0, light)] + ([(low, light.scaled(low))] if low else [])
+    obscuration, illumination = pupil.obscuration, pupil.illumination
+    v_max = math.hypot(np.abs(x).max(), np.abs(y).max()), float(np.abs(y).max())
+    disks = [(1.0, illumination)] + ([(obscuration, illumination.scaled(obscuration))] if obscuration else [])
     degrees, by_means = [n for n, _ in terms], None
     if max(degrees) <= _MAX_MEAN_DEGREE:
         # Pupils with the largest sum of n abs(c): a term of degree n is of order exp(n b) on a curve.
         members = c[np.argsort(-np.abs(c) @ degrees, kind="stable")[:_MAX_MEMBERS]]
-        # The weight of the inner disk is the ratio of its area to that of the aperture, radius^2.
-        log_factors = [(radius, np.stack(_constants(one, CURVES)) + 2.0 * math.log(radius)) for radius, one in disks]
+        # The weight of the inner disk is (area of the disk) / (area of the aperture), r^2.
+        log_factors = [(r, np.stack(_constants(amplitude, CURVES)) + 2.0 * math.log(r)) for r, amplitude in disks]
         # Half of `error` is allowed for the sum over chords, half for the sum over nodes.
         by_means = fewest((terms, stretch, window), members, log_factors, 0.5 * error, UNIT[precision])
-    chords, nodes, mean, bounds = by_means or counts_by_largest(terms, c, stretch, disks, reach, error)
+    chords, nodes, mean, bounds = by_means or counts_by_largest(terms, c, stretch, disks, v_max, error)
     if max(chords, nodes) > _MAX_COUNT:
         raise ToleranceError(f"phases and windows this large take {max(chords, nodes)} chords, above {_MAX_COUNT}")
-    px, py, weights = _rule(chords, nodes, disks, light)
+    px, py, weights = _rule(chords, nodes, disks, illumination)
     at_x, at_y = (np.stack([sign[k] * p for sign in IMAGES]) for k, p in ((0, px[:, None] + 0.0 * py), (1, py)))
     rho, theta = np.hypot(at_x, at_y), np.arctan2(at_y, at_x)
     basis = stretch * np.stack([zernike.polynomial(n, m, rho, theta).ravel() for n, m in terms])
@@ -635,15 +635,15 @@ def make_chordal(
     unit, sums = UNIT[precision], 4.0 * float(np.abs(weights).sum())
     # Rounding is (K + N + 32) u for K nodes and N chords; the tables contain K / 2 nodes and N / 2 chords.
     rounding = unit * sums * (2.0 * py.shape[1] + 2.0 * len(px) + 32.0)
-    rounding += UNIT["float64"] * sums * (40.0 + 4.0 * sum(reach) + 3.0 * light.slope)
-    phase_left, light_left = pupil.left_out
+    rounding += UNIT["float64"] * sums * (40.0 + 4.0 * sum(v_max) + 3.0 * illumination.slope)
+    omitted_phase, omitted_light = pupil.left_out
     tables: Tables = {**arrays}
     tables |= {name: arrays[name].reshape(len(IMAGES), py.size, -1) for name in phase.tables}
-    (across, right), (down, below) = axis_of(x), axis_of(y)
-    tables |= folded_tables(px, py, weights, right, below) | bounds
-    left = FieldError(unit, sums, rounding + (stretch * phase_left + 2.0 * light_left) * sums, 8.0)
+    (column_axis, stored_columns), (row_axis, stored_rows) = axis_of(x), axis_of(y)
+    tables |= folded_tables(px, py, weights, stored_columns, stored_rows) | bounds
+    field_error = FieldError(unit, sums, rounding + (stretch * omitted_phase + 2.0 * omitted_light) * sums, 8.0)
     core = compiled_sums(pupil, grid, stretch, terms, (chords, nodes)) if precision == "float32" else None
-    return Chordal(phase, left, (across, down), mean, core), tables
+    return Chordal(phase, field_error, (column_axis, row_axis), mean, core), tables
 
 
 def counts_by_largest(
@@ -651,7 +651,7 @@ def counts_by_largest(
     c: Array,
     stretch: float,
     disks: list[tuple[float, Apodization]],
-    reach: tuple[float, float],
+    v_max: tuple[float, float],
     error: float,
 ) -> tuple[int, int, Mean | None, Tables]:
     """Return the numbers of chords and nodes, and tables of the bounds by the maximum of the integrand."""
@@ -662,13 +662,13 @@ def counts_by_largest(
     growth = stretch * np.sinh(np.minimum(np.outer([n for n, _ in kinds], _B), 300.0))
     size = (np.sqrt(c**2 @ matrix) @ growth).max(axis=0)
     # The integrand of the inner disk, whose weight is radius^2, is not larger, except for the amplitude.
-    log_factors = [_constants(one, _B) for _, one in disks]
-    added = sum(math.log1p(radius**2) for radius, _ in disks[1:])
-    parts = [np.max([one[k] for one in log_factors], axis=0) + added + reach[k] * np.sinh(_B) for k in (0, 1)]
-    needed = [(part + size - math.log(0.5 * error)) / (2.0 * _B) for part in parts]
-    chords, nodes = (even(float(each.min())) for each in needed)
+    log_factors = [_constants(amplitude, _B) for _, amplitude in disks]
+    inner_disks = sum(math.log1p(radius**2) for radius, _ in disks[1:])
+    parts = [np.max([pair[k] for pair in log_factors], axis=0) + inner_disks + v_max[k] * np.sinh(_B) for k in (0, 1)]
+    counts = [(part + size - math.log(0.5 * error)) / (2.0 * _B) for part in parts]
+    chords, nodes = (even(float(at_b.min())) for at_b in counts)
     # Curves on both sides of the best curve of the stack: the best curve of a single pupil may differ.
-    chosen = np.unique([np.clip(int(each.argmin()) + k, 0, 63) for each in needed for k in (-6, -3, 0, 3, 6)])
+    chosen = np.unique([np.clip(int(at_b.argmin()) + k, 0, 63) for at_b in counts for k in (-6, -3, 0, 3, 6)])
     bounds: Tables = {
         "pairs": matrix,
         "growth": growth[:, chosen],

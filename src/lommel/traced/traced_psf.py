@@ -27,12 +27,12 @@ from lommel.traced.chordal import UNIT, Chordal, Radial
 from lommel.traced.namespaces import Namespace, Operand, Tables, Tensor
 
 _NUMPY_TYPES = (np.ndarray, np.generic)
-_ERROR_REDUCTION = 0.1  # allowed quadrature error of a trial, divided by that of the trial before
+_ERROR_REDUCTION = 0.1  # factor from the allowed quadrature error of a trial to that of the next trial
 _MIN_ERROR = 2.0**-52  # smallest allowed quadrature error of a trial; rounding errors are larger
 # Trials choose the numbers of nodes. They test only some pupils, because each evaluation checks its own error bound.
 _TESTED_MEMBERS, _TESTED_BETWEEN = 128, 48  # numbers of tested pupils: members of the stack, and pupils between them
 _BLOCK_VALUES = 2**21  # largest number of values in memory during trials
-_RULE_ERROR = 1e-11  # assumed error of PixelRule, relative to the largest intensity: ten times the largest measured
+_RULE_ERROR = 1e-11  # assumed error of PixelRule / largest intensity: ten times the largest measured error
 _MAX_SAMPLES = 24  # largest number of samples along a side of a pixel
 _X64 = '; call jax.config.update("jax_enable_x64", True) first, or choose a tolerance that float32 can prove'
 
@@ -94,10 +94,10 @@ class Pixels(NamedTuple):
         down, across = self.height // 2, self.width // 2
         quarter = xp.reshape(values, (values.shape[0], down + 1, across + 1))
         # The central row and column are not repeated; for even sides the first row and column have no mirror image.
-        right = quarter[..., : across + 1 - (self.width + 1) % 2]
-        half = xp.concat([xp.flip(quarter[..., 1:], axis=-1), right], axis=-1) if across else right
-        lower = half[..., : down + 1 - (self.height + 1) % 2, :]
-        return xp.concat([xp.flip(half[..., 1:, :], axis=-2), lower], axis=-2) if down else lower
+        right_half = quarter[..., : across + 1 - (self.width + 1) % 2]
+        full_rows = xp.concat([xp.flip(quarter[..., 1:], axis=-1), right_half], axis=-1) if across else right_half
+        lower_half = full_rows[..., : down + 1 - (self.height + 1) % 2, :]
+        return xp.concat([xp.flip(full_rows[..., 1:, :], axis=-2), lower_half], axis=-2) if down else lower_half
 
 
 class Distances(NamedTuple):
@@ -116,7 +116,7 @@ class Static(NamedTuple):
         Array namespace of the plan.
     terms : tuple
         Names of the columns of coefficients.
-    kept : tuple of int
+    columns : tuple of int
         Indices of the columns of coefficients on which the field depends.
     ranges : tuple of (float, float)
         Smallest and largest coefficient of each column in the stack of pupils.
@@ -135,7 +135,7 @@ class Static(NamedTuple):
 
     namespace: Namespace
     terms: tuple[Name, ...]
-    kept: tuple[int, ...]
+    columns: tuple[int, ...]
     ranges: tuple[tuple[float, float], ...]
     lights: tuple[tuple[float, Radial | Chordal], ...]
     pixels: Pixels
@@ -290,7 +290,7 @@ class TracedPSF:
                 return TracedPSF(
                     traced._static,
                     tuple(
-                        {name: getattr(self, f"{name}_{k}") for name in one} for k, one in enumerate(traced.tables)
+                        {name: getattr(self, f"{name}_{k}") for name in part} for k, part in enumerate(traced.tables)
                     ),
                 )
 
@@ -304,17 +304,17 @@ class TracedPSF:
 
     def _array(self, values: Operand) -> Tensor:
         """Return values as a floating-point array of the framework; arrays of the framework stay on their device."""
-        ns, like = self._static.namespace, cast("Operand", self.tables[0]["size"])
+        ns, table = self._static.namespace, cast("Operand", self.tables[0]["size"])
         xp = ns.xp
         if not hasattr(values, "dtype") or (isinstance(values, _NUMPY_TYPES) and ns.name != "numpy"):
-            device = getattr(like, "device", None)
-            kind = None if ns.has_double(device) else like.dtype
+            device = getattr(table, "device", None)
+            kind = None if ns.has_double(device) else table.dtype
             values = ns.put(np.asarray(values, dtype=np.float64), device, kind)
-        if ns.name not in ("jax", "numpy") and not isinstance(values, type(like)):
+        if ns.name not in ("jax", "numpy") and not isinstance(values, type(table)):
             raise TypeError(f"coefficients must be arrays of {ns.name}, like the traced plan, got {type(values)}")
-        if ns.name not in ("jax", "numpy") and values.device != like.device:
-            raise ValueError(f"coefficients must be on the device of the tables, {like.device}, got {values.device}")
-        return values if xp.isdtype(values.dtype, "real floating") else xp.astype(values, like.dtype)
+        if ns.name not in ("jax", "numpy") and values.device != table.device:
+            raise ValueError(f"coefficients must be on the device of the tables, {table.device}, got {values.device}")
+        return values if xp.isdtype(values.dtype, "real floating") else xp.astype(values, table.dtype)
 
     def _evaluate(self, c: Operand) -> tuple[Tensor, Tensor]:
         """Return images and bounds; compiled in JAX, because separate operations would take seconds."""
@@ -338,8 +338,8 @@ class TracedPSF:
             )
         stack = tuple(c.shape[:-1])
         flat = xp.reshape(c, (math.prod(stack), len(static.terms)))
-        if len(static.kept) < len(static.terms):
-            flat = xp.stack([flat[..., j] for j in static.kept], axis=-1)
+        if len(static.columns) < len(static.terms):
+            flat = xp.stack([flat[..., j] for j in static.columns], axis=-1)
         values, bound = self.evaluated(flat)
         zero = xp.zeros_like(bound)
         # NaN is added, not selected by `where`, such that gradients of other images remain finite.
@@ -353,12 +353,12 @@ class TracedPSF:
         return xp.reshape(images, stack + static.pixels[:2]), xp.reshape(bound, stack)
 
     def evaluated(self, c: Operand) -> tuple[Tensor, Tensor]:
-        """Return pixel values and error bounds for validated coefficients `c`, with the columns `kept` only."""
+        """Return pixel values and error bounds for validated coefficients `c`, with the static `columns` only."""
         static = self._static
         ns = static.namespace
         unit, parts = UNIT[static.precision], []
-        for (weight, light), tables in zip(static.lights, self.tables, strict=True):
-            intensity, field_error = light.intensity(ns, tables, c)
+        for (weight, field), tables in zip(static.lights, self.tables, strict=True):
+            intensity, field_error = field.intensity(ns, tables, c)
             # Wavelengths are incoherent: intensities are added, and so are their error bounds.
             intensity_error = weight * certificate.of_intensity(ns, ns.stop(intensity), field_error, unit)
             parts.append((intensity if weight == 1.0 else weight * intensity, intensity_error))
@@ -366,10 +366,10 @@ class TracedPSF:
         for intensity, intensity_error in parts[1:]:
             values, error = values + intensity, error + intensity_error
         values, error = static.pixels.means(ns, self.tables[0], values, error, unit)
-        still = ns.stop(values)
+        fixed_values = ns.stop(values)
         # Relative rounding error of squares, sums and scaling, and of the conversion of float64 to float32.
-        stored = 8.0 * unit + (2.0**-24 if static.dtype == "float32" and unit < 1e-10 else 0.0)
-        bound = certificate.over_peak(ns, still, ns.stop(error), stored, divided=static.scale is None)
+        rounding = 8.0 * unit + (2.0**-24 if static.dtype == "float32" and unit < 1e-10 else 0.0)
+        bound = certificate.over_peak(ns, fixed_values, ns.stop(error), rounding, divided=static.scale is None)
         if static.scale is None:
             return values / ns.xp.max(values, axis=-1, keepdims=True), bound
         if ns.in_place(values):
@@ -383,9 +383,9 @@ class TracedPSF:
         if not static.namespace.concrete(bound):
             return
         bounds = static.namespace.to_numpy(bound)
-        if not np.any(bad := ~(bounds <= static.tol)):
+        if not np.any(unproven := ~(bounds <= static.tol)):
             return
-        index = tuple(int(k) for k in np.argwhere(bad)[0])
+        index = tuple(int(k) for k in np.argwhere(unproven)[0])
         row = np.asarray(static.namespace.to_numpy(self._array(c)))[index]
         parts = zip(static.terms, row.tolist(), static.ranges, strict=True)
         listed = ", ".join(f"{term} = {value:.5g} (traced for {a:.5g} to {b:.5g})" for term, value, (a, b) in parts)
@@ -403,7 +403,7 @@ class TracedPSF:
 
     def __reduce__(self) -> tuple[object, ...]:
         ns = self._static.namespace
-        tables = tuple({name: ns.to_numpy(table) for name, table in one.items()} for one in self.tables)
+        tables = tuple({name: ns.to_numpy(table) for name, table in arrays.items()} for arrays in self.tables)
         return move_to_device, (self._static, tables)
 
 
@@ -412,12 +412,12 @@ def move_to_device(static: Static, tables: tuple[Tables, ...], device: object = 
     ns = static.namespace
     kind = getattr(ns.xp, static.precision)
 
-    def put(values: Operand) -> Tensor:
+    def moved(values: Operand) -> Tensor:
         return ns.put(values, device, kind if values.dtype.kind == "f" else None)
 
     if ns.name == "jax":
         _jitted_evaluation()
-    return TracedPSF(static, tuple({name: put(values) for name, values in one.items()} for one in tables))
+    return TracedPSF(static, tuple({name: moved(values) for name, values in arrays.items()} for arrays in tables))
 
 
 @cache
@@ -438,33 +438,33 @@ def traced(
     grid: Grid,
     method: Method | None,
     values: tuple[float, str, str],
-    where: tuple[object, object, str],
+    target: tuple[object, object, str],
 ) -> TracedPSF:
-    """Return a traced plan; `values` are (tol, normalize, dtype), `where` is (framework, device, precision)."""
+    """Return a traced plan; `values` are (tol, normalize, dtype), `target` is (framework, device, precision)."""
     tol, normalize, dtype = values
-    ns, device = Namespace.of(where[0]), where[1]
-    precision = _precision(ns, device, where[2], dtype)
+    ns, device = Namespace.of(target[0]), target[1]
+    precision = _precision(ns, device, target[2], dtype)
     if not pupil.circular:
         raise ValueError("traced plans need a pupil with a round aperture, without spider, vignetting, mask or stop")
     if normalize == "emitted":
         raise ValueError('normalize must be "energy", "strehl" or "peak" for a traced plan, got "emitted"')
-    lights = _spectral_components(pupil, method)
+    components = _spectral_components(pupil, method)
     validation.pixel_on(grid.side, pupil.scale, metric=pupil.wavelength is not None)
     grid.require_reach(pupil)
     terms, c = chordal.columns(pupil)
-    kept = tuple(j for j, t in enumerate(terms) if not pupil.radial or isinstance(t, str) or t[1] == 0)
+    columns = tuple(j for j, t in enumerate(terms) if not pupil.radial or isinstance(t, str) or t[1] == 0)
     ranges = tuple(zip(c.min(axis=0).tolist(), c.max(axis=0).tolist(), strict=True))
     scale = {
         "energy": grid.step(pupil) ** 2 / (4.0 * math.pi * pupil.transmission),
-        "strehl": 1.0 / (pupil.amplitude**2 * sum(part.weight for part in lights)),
+        "strehl": 1.0 / (pupil.amplitude**2 * sum(part.weight for part in components)),
     }.get(normalize)
     # The peak of a defocused radial pupil is about proportional to 1 / phase: its allowed error is smaller.
     largest_phase = float(np.abs(c).sum(axis=1).max())
     error = tol * pupil.amplitude * (0.04 / (2.0 * largest_phase + 1.0) if pupil.radial else 0.15)
     distances = _defocus_by_distance(pupil)
     while True:
-        parts, image, tables = _fields(pupil, grid, lights, error, precision)
-        static = Static(ns, terms, kept, ranges, parts, image, scale, tol, precision, dtype, distances)
+        parts, image, tables = _fields(pupil, grid, components, error, precision)
+        static = Static(ns, terms, columns, ranges, parts, image, scale, tol, precision, dtype, distances)
         # Add nodes until all bounds, for members of the stack and for pupils between them, are at most 0.6 tol.
         member_bound, largest_bound = _largest_bounds(static, tables, c)
         if largest_bound <= 0.6 * tol or error <= _MIN_ERROR:
@@ -508,39 +508,39 @@ def _defocus_by_distance(pupil: Pupil) -> Distances | None:
 def _spectral_components(pupil: Pupil, method: Method | None) -> list[Component]:
     if isinstance(method, Polychromatic):
         method.require(pupil)
-        parts, method = method.components(pupil), method.method
+        components, method = method.components(pupil), method.method
     else:
-        parts = [Component(1.0, 1.0, pupil)]
+        components = [Component(1.0, 1.0, pupil)]
     if method is not None and not (method.keeps_tol and method.sampling == "center" and not method.any_aperture):
         raise ValueError(
             "method must be None, NijboerZernike, ChordalGauss or a Polychromatic of these for a traced plan, got "
             f"{type(method).__name__}"
         )
-    return parts
+    return components
 
 
 def _fields(
-    pupil: Pupil, grid: Grid, lights: list[Component], error: float, precision: str
+    pupil: Pupil, grid: Grid, components: list[Component], error: float, precision: str
 ) -> tuple[tuple[tuple[float, Radial | Chordal], ...], Pixels, tuple[Tables, ...]]:
     """Return the weight and field of each wavelength, the pixels, and the tables of each wavelength."""
-    step, stretch = grid.step(pupil), max(part.stretch for part in lights)
+    step, stretch = grid.step(pupil), max(part.stretch for part in components)
     fields: list[tuple[float, Radial | Chordal]] = []
     tables: list[Tables] = []
     # Images of radial pupils are sampled at distinct radii, which are fewer than the points of a lattice.
     if pupil.radial:
-        image, v, shared = at_radii(grid, step, stretch, error * pupil.amplitude)
-        for part in lights:
+        image, v, common_tables = at_radii(grid, step, stretch, error * pupil.amplitude)
+        for part in components:
             field, table = chordal.make_radial(pupil, part.stretch, part.stretch * v, error, precision)
             fields.append((part.weight, field))
             tables.append({**table})
     else:
-        image, lattice, shared = on_lattice(grid, step, stretch, error * pupil.amplitude)
-        for part in lights:
+        image, lattice, common_tables = on_lattice(grid, step, stretch, error * pupil.amplitude)
+        for part in components:
             window = (part.stretch * lattice[0], part.stretch * lattice[1])
             chords, arrays = chordal.make_chordal(pupil, grid, part.stretch, window, error, precision)
             fields.append((part.weight, chords))
             tables.append(arrays)
-    tables[0].update(shared)
+    tables[0].update(common_tables)
     return tuple(fields), image, tuple(tables)
 
 
@@ -552,15 +552,15 @@ def _largest_bounds(static: Static, tables: tuple[Tables, ...], c: Array) -> tup
     points = max(table.shape[-1] for table in tables[0].values())
     rows = max(1, _BLOCK_VALUES // points)
 
-    def largest(many: Array) -> float:
-        parts = (many[k : k + rows, static.kept] for k in range(0, len(many), rows))
+    def largest(coefficients: Array) -> float:
+        parts = (coefficients[k : k + rows, static.columns] for k in range(0, len(coefficients), rows))
         return float(np.max([np.max(numpy.to_numpy(plan.evaluated(part)[1])) for part in parts]))
 
     # Test the pupils with the largest phases, which have the largest bounds, and regularly spaced others.
     order = np.argsort(-np.abs(c).sum(axis=1), kind="stable")
-    tested = np.concatenate([order[:_TESTED_MEMBERS], order[_TESTED_MEMBERS :: max(1, len(c) // _TESTED_MEMBERS)]])
-    worst = largest(c[tested])
-    return worst, max(worst, largest(_pupils_between(c, boxed=boxed)))
+    indices = np.concatenate([order[:_TESTED_MEMBERS], order[_TESTED_MEMBERS :: max(1, len(c) // _TESTED_MEMBERS)]])
+    member_bound = largest(c[indices])
+    return member_bound, max(member_bound, largest(_pupils_between(c, boxed=boxed)))
 
 
 def _pupils_between(c: Array, *, boxed: bool) -> Array:
@@ -568,34 +568,34 @@ def _pupils_between(c: Array, *, boxed: bool) -> Array:
     # The seed is fixed, such that plans are reproducible.
     draw = np.random.default_rng(0)
     if not boxed:
-        one, other = c[draw.integers(len(c), size=(2, _TESTED_BETWEEN // 2))]
-        weight = draw.random((len(one), 1))
-        return np.asarray(weight * one + (1.0 - weight) * other)
+        first, second = c[draw.integers(len(c), size=(2, _TESTED_BETWEEN // 2))]
+        weight = draw.random((len(first), 1))
+        return np.asarray(weight * first + (1.0 - weight) * second)
     low, high = c.min(axis=0), c.max(axis=0)
-    inside = draw.random((_TESTED_BETWEEN, c.shape[1]))
+    fractions = draw.random((_TESTED_BETWEEN, c.shape[1]))
     # Half of the pupils are at corners of the box, where bounds are largest.
-    inside[: _TESTED_BETWEEN // 2] = np.round(inside[: _TESTED_BETWEEN // 2])
-    return np.asarray(low + inside * (high - low))
+    fractions[: _TESTED_BETWEEN // 2] = np.round(fractions[: _TESTED_BETWEEN // 2])
+    return np.asarray(low + fractions * (high - low))
 
 
 def at_radii(grid: Grid, step: float, stretch: float, allowed: float) -> tuple[Pixels, Array, dict[str, Values]]:
-    """Return the Pixels for a radial pupil, the radii in v of the samples, and tables.
+    """Return (1) the Pixels for a radial pupil, (2) the radii in v of the samples, and (3) tables.
 
     `step` is the pixel pitch in v, ``stretch * step`` at the shortest wavelength; `allowed` is the error of averages.
     """
     height, width = grid.shape
     if grid.integrate and not grid.centered:
-        pixels, (rows, cols), shared = on_lattice(grid, step, stretch, allowed)
+        pixels, (rows, cols), tables = on_lattice(grid, step, stretch, allowed)
         radii, index = np.unique(np.hypot(cols[:, None], rows), return_inverse=True)
-        return pixels, radii, shared | {"index": _flat_indices(index)}
+        return pixels, radii, tables | {"index": _flat_indices(index)}
     if grid.integrate:
-        half = max(1, height // 2, width // 2)
-        rule = pixel_rule(half, step * stretch)
+        half_side = max(1, height // 2, width // 2)
+        rule = pixel_rule(half_side, step * stretch)
         # A window that is not square requires only some cells of the octant.
-        used, index = np.unique(
-            cells_of_quarter(half)[: height // 2 + 1, : width // 2 + 1].ravel(), return_inverse=True
+        cells, index = np.unique(
+            cells_of_quarter(half_side)[: height // 2 + 1, : width // 2 + 1].ravel(), return_inverse=True
         )
-        matrix = np.ascontiguousarray(rule.matrix[:, used])
+        matrix = np.ascontiguousarray(rule.matrix[:, cells])
         pixels = Pixels(height, width, True, float(np.abs(matrix).sum(axis=0).max()), _RULE_ERROR)
         return pixels, step * rule.radii, {"matrix": matrix, "index": _flat_indices(index)}
     middle = grid.axis
@@ -615,7 +615,7 @@ def _flat_indices(index: Values) -> NDArray[np.int32]:
 def on_lattice(
     grid: Grid, step: float, stretch: float, allowed: float
 ) -> tuple[Pixels, tuple[Array, Array], dict[str, Values]]:
-    """Return the Pixels for any pupil, the rows and columns of samples in v, and tables; see `at_radii`."""
+    """Return (1) the Pixels for any pupil, (2) rows and columns of samples in v, and (3) tables; see `at_radii`."""
     grid.require_one_axis()
     rows, cols = step / grid.side * grid.y, step / grid.side * grid.x
     if not grid.integrate:

@@ -62,7 +62,7 @@ def test_cells_are_means_of_their_points():
 
 def test_many_points_are_taken_in_bands(monkeypatch):
     whole = lm.Mask.sample(lambda x, y: np.hypot(x, y) < 0.7, side=32, oversample=8)
-    monkeypatch.setattr(lm.optics.aperture.mask, "_BAND", 5000)
+    monkeypatch.setattr(lm.optics.aperture.mask, "_MAX_EVALUATED", 5000)
     assert lm.Mask.sample(lambda x, y: np.hypot(x, y) < 0.7, side=32, oversample=8) == whole
 
 

@@ -19,9 +19,9 @@ from lommel.base.cached import EqualByContent
 
 # 8192^2 complex cells take 1 GiB.
 MAX_SIDE = 8192
-_MOST_POINTS = 64  # largest number of sample points along each side of a cell
-_BAND = 2**24  # largest number of points evaluated at a time
-_OF_PHASES = "for a map of phases in radians give np.exp(1j * phase)"
+_MAX_POINTS = 64  # largest number of sample points along each side of a cell
+_MAX_EVALUATED = 2**24  # largest number of points evaluated at a time
+_PHASE_ADVICE = "for a map of phases in radians give np.exp(1j * phase)"
 
 
 @dataclass(frozen=True, eq=False)
@@ -32,8 +32,8 @@ class Mask(EqualByContent):
     samples of a function, and images are sums over the samples. These images repeat every `side` lambda*N along x and
     y, and one period around the axis contains all light: windows, circles and halos of seeing beyond this
     period raise ValueError. With `squares` the pupil function is constant on each cell, with the phase of the
-    wavefront at its centre: the field is the same sum times ``sinc(v_x / side) sinc(v_y / side)``, in every window.
-    Both images are exact, with an error bound.
+    wavefront at its centre: the field is the sum over the samples times ``sinc(v_x / side) sinc(v_y / side)``.
+    The images with and without `squares` have an error bound.
 
     Parameters
     ----------
@@ -47,8 +47,8 @@ class Mask(EqualByContent):
     Raises
     ------
     TypeError, ValueError
-        If the array is not square, has values other than numbers of modulus at most 1, or has zeros only. Negative
-        values must be complex.
+        If the array is not square, has values other than numbers of modulus at most 1, or has zeros only. An array
+        with negative values must have a complex data type.
 
     Examples
     --------
@@ -77,18 +77,18 @@ class Mask(EqualByContent):
                 raise ValueError("values must be finite, got NaN or infinity; put 0 where no light passes")
             self._store(np.ascontiguousarray(array, dtype=np.complex128))
         else:
-            real = validation.real_array("values", array)
-            if real.min() < 0.0:
-                raise ValueError(f"values must be amplitudes from 0 to 1, got {real.min():.6g}; {_OF_PHASES}")
+            array = validation.real_array("values", array)
+            if array.min() < 0.0:
+                raise ValueError(f"values must be amplitudes from 0 to 1, got {array.min():.6g}; {_PHASE_ADVICE}")
             # + 0.0 turns -0 into 0, so that equal masks have equal digests.
-            self._store(np.ascontiguousarray(real) + 0.0)
+            self._store(np.ascontiguousarray(array) + 0.0)
 
     def _store(self, values: Values) -> None:
         """Store values of the right shape, finite and not negative, without a copy."""
-        most = float(np.abs(values).max())
-        if most > 1.0 + (1e-12 if values.dtype.kind == "c" else 0.0):  # moduli of rounded cosine and sine exceed 1
-            raise ValueError(f"values must have a modulus from 0 to 1, got {most:.15g}; {_OF_PHASES}")
-        if most == 0.0:
+        largest = float(np.abs(values).max())
+        if largest > 1.0 + (1e-12 if values.dtype.kind == "c" else 0.0):  # moduli of rounded cosine and sine exceed 1
+            raise ValueError(f"values must have a modulus from 0 to 1, got {largest:.15g}; {_PHASE_ADVICE}")
+        if largest == 0.0:
             raise ValueError("values must not be 0 throughout: no light would pass")
         values.flags.writeable = False
         # Masks are keys of caches: digests are compared instead of gigabytes of values.
@@ -113,7 +113,7 @@ class Mask(EqualByContent):
         oversample : int, default 1
             Number of points along each side of a cell, 1 to 64, over which the function is averaged; by default the
             centre only. Cells that an edge crosses are then partly clear, which brings the PSF closer to the exact
-            PSF of the shape. Fractions of the light (``normalize="energy"``) do not improve: the light of a cell is
+            PSF of the shape. The total light, for ``normalize="energy"``, does not improve: the light of a cell is
             the square of its mean amplitude, also if the rim of the aperture crosses the cell.
 
         Raises
@@ -122,15 +122,15 @@ class Mask(EqualByContent):
             If an argument is out of range, or if the function returns other values.
         """
         n = validation.integer("side", side, least=2, most=MAX_SIDE)
-        points = validation.integer("oversample", oversample, least=1, most=_MOST_POINTS)
+        points = validation.integer("oversample", oversample, least=1, most=_MAX_POINTS)
         validation.function("function", function)
-        at = cell_centers(n * points)
+        centers = cell_centers(n * points)
         # One band of rows at a time: all points together would need gigabytes.
-        band = max(1, _BAND // (n * points * points))
+        band = max(1, _MAX_EVALUATED // (n * points * points))
         rows = []
         for start in range(0, n, band):
-            part = at[start * points : (start + band) * points]
-            returned = validation.array("function", function(at[None, :], part[:, None]))
+            part = centers[start * points : (start + band) * points]
+            returned = validation.array("function", function(centers[None, :], part[:, None]))
             try:
                 band_values = np.broadcast_to(returned, (len(part), n * points))
             except ValueError:
@@ -159,8 +159,8 @@ class Mask(EqualByContent):
         # The far edge belongs to the last cell.
         row, column = np.where(y == 1.0, self.side - 1, row), np.where(x == 1.0, self.side - 1, column)
         inside = (row >= 0) & (row < self.side) & (column >= 0) & (column < self.side)
-        places = (np.where(inside, part, 0).astype(np.int64) for part in (row, column))
-        return np.asarray(np.where(inside, self.values[tuple(places)], 0.0))
+        index = (np.where(inside, part, 0).astype(np.int64) for part in (row, column))
+        return np.asarray(np.where(inside, self.values[tuple(index)], 0.0))
 
     def _content(self) -> bytes:
         """Return a digest of the values."""
@@ -184,15 +184,15 @@ class Mask(EqualByContent):
         packed = base64.b64decode(description["values"], validate=True)
         # Decompressed in place: a second copy might need another gigabyte.
         kind = np.complex128 if validation.truth("complex", description.get("complex", False)) else np.float64
-        values, unpack, at = np.empty((side, side), kind), zlib.decompressobj(), 0
-        place = values.data.cast("B")
+        values, unpack, end = np.empty((side, side), kind), zlib.decompressobj(), 0
+        buffer = values.data.cast("B")
         while part := unpack.decompress(packed, 2**20):
-            if at + len(part) > len(place):
+            if end + len(part) > len(buffer):
                 raise ValueError(f"values must be {side} x {side}, got more")
-            place[at : at + len(part)] = part
-            at, packed = at + len(part), unpack.unconsumed_tail
-        if at != len(place):
-            raise ValueError(f"values must be {side} x {side}, got {at} bytes")
+            buffer[end : end + len(part)] = part
+            end, packed = end + len(part), unpack.unconsumed_tail
+        if end != len(buffer):
+            raise ValueError(f"values must be {side} x {side}, got {end} bytes")
         if sys.byteorder == "big":
             values = values.byteswap()
         if not np.isfinite(values).all() or (kind is np.float64 and not values.min() >= 0.0):

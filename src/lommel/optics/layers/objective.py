@@ -246,21 +246,21 @@ class Objective:
         validation.optional("design", design, Design)
         n = refractive_index("immersion", immersion)
         aperture = validation.real("NA", NA, least=1e-3)
-        used = design or Design(n, coverslip)
-        media = {"immersion": n, "design.immersion": used.immersion}
-        glasses = {"coverslip": coverslip, "design.coverslip": used.coverslip}
+        design_media = design or Design(n, coverslip)
+        media = {"immersion": n, "design.immersion": design_media.immersion}
+        glasses = {"coverslip": coverslip, "design.coverslip": design_media.coverslip}
         media |= {name: glass.index for name, glass in glasses.items() if glass}
         for name, index in media.items():
             if not aperture < index:
                 raise ValueError(f"NA must be below the index of {name}, {index:g}, got {aperture:g}")
         if sample is None and coverslip:
             raise ValueError("sample must be given with a coverslip: the refractive index around the emitter")
-        if working_distance is None and (coverslip or used != Design(n, coverslip)):
+        if working_distance is None and (coverslip or design_media != Design(n, coverslip)):
             raise ValueError("working_distance must be given, in metres, with a coverslip or a design")
         if working_distance is not None:
             working_distance = length("working_distance", working_distance, _DISTANCE_MOST, positive=True)
-        light = illumination(apodization)
-        if light.error:
+        transmission = illumination(apodization)
+        if transmission.error:
             raise ValueError("apodization must be exact, a sum of powers of rho^2, got a truncated series")
         values = {
             "NA": aperture,
@@ -270,8 +270,8 @@ class Objective:
             "coverslip": coverslip,
             "sample": n if sample is None else refractive_index("sample", sample),
             "films": film_stack(films),
-            "design": used,
-            "apodization": light if isinstance(apodization, Apodization) else light.slope,
+            "design": design_media,
+            "apodization": transmission if isinstance(apodization, Apodization) else transmission.slope,
         }
         vars(self).update(values)
         if not self._clearance > 0.0:
@@ -294,16 +294,16 @@ class Objective:
     def _layers(self, wavelength: float) -> Layers:
         """Return the layers at a wavelength, with paths of the layers in use minus paths of the design."""
         metres = validation.wavelength(wavelength)
-        used, design = Design(self.immersion, self.coverslip), self.design
+        actual, design = Design(self.immersion, self.coverslip), self.design
         paths = []
-        for media, thickness, sign in ((used, self._clearance, 1.0), (design, self.working_distance, -1.0)):
-            if used != design and thickness is not None:
+        for media, thickness, sign in ((actual, self._clearance, 1.0), (design, self.working_distance, -1.0)):
+            if actual != design and thickness is not None:
                 paths.append((media.immersion, sign * thickness))
                 paths += [(media.coverslip.index, sign * media.coverslip.thickness)] if media.coverslip else []
         glass = self.coverslip.index if self.coverslip else self.immersion
         films = tuple((film.index, film.thickness) for film in self.films)
-        light = illumination(self.apodization)
-        exponent = () if light.uniform else tuple(light.exponent.tolist())
+        transmission = illumination(self.apodization)
+        exponent = () if transmission.uniform else tuple(transmission.exponent.tolist())
         return Layers(self.NA, self.immersion, glass, self.sample, films, tuple(paths), metres, exponent)
 
     def _paraxial(self, depth: Array) -> Array:
@@ -318,10 +318,10 @@ class Objective:
         # The caller passed either `focus`, or `depth` and `z`, from which the stage position follows.
         name = "the stage position, set by focus or by depth and z,"
         if f.size and f.max() > self._clearance:
-            touches = self.working_distance is not None
-            where = ", where the objective touches the cover glass," if touches else " without a working_distance,"
-            most, largest = format_length(self._clearance), format_length(float(f.max()))
-            raise ValueError(f"{name} must be at most {most}{where} got {largest}")
+            by_glass = self.working_distance is not None
+            reason = ", where the objective touches the cover glass," if by_glass else " without a working_distance,"
+            limit, largest = format_length(self._clearance), format_length(float(f.max()))
+            raise ValueError(f"{name} must be at most {limit}{reason} got {largest}")
         if f.size and f.min() < -DEPTH_MOST:
             raise ValueError(
                 f"{name} must be at least {format_length(-DEPTH_MOST)}, got {format_length(float(f.min()))}"
@@ -372,13 +372,13 @@ class Objective:
             If an argument is out of range, or if a stage position is beyond the working distance.
         """
         # The origin is computed for a freely rotating dipole, so that all emitters have the same stage positions.
-        layers, light = self._layers(wavelength), emitter_of(emitter)
-        measured = projection.checked(aberrations)
-        stack = np.empty(measured.shape if measured else ())
+        layers, source = self._layers(wavelength), emitter_of(emitter)
+        wavefront = projection.checked(aberrations)
+        stack = np.empty(wavefront.shape if wavefront else ())
         arrays = depths(depth), validation.real_array("z", z), stack
         d, offset, _ = validation.broadcast("depth, z and aberrations", *arrays)
-        if measured and measured.shape:
-            measured = measured.broadcast(d.shape)
+        if wavefront and wavefront.shape:
+            wavefront = wavefront.broadcast(d.shape)
         if not d.size:
             raise ValueError(f"z must not be empty, got shape {offset.shape}")
         start = np.zeros(())
@@ -387,11 +387,11 @@ class Objective:
         elif origin == "brightest":
             distinct, index = np.unique(d, return_inverse=True)
             # One search for each distinct depth; brightest() caches the results.
-            best = np.array([brightest(layers, float(one)).brightest for one in distinct])
-            start = best[index].reshape(d.shape)
+            foci = np.array([brightest(layers, float(value)).brightest for value in distinct])
+            start = foci[index].reshape(d.shape)
         focus = start + offset
         self._planes(d, focus)
-        return ObjectivePupil(layers, self.magnification, d, focus, offset, light, measured)
+        return ObjectivePupil(layers, self.magnification, d, focus, offset, source, wavefront)
 
     @property
     def critical_angle(self) -> float | None:
@@ -427,8 +427,8 @@ class Objective:
         d, f, _ = self._planes(depth, focus)
         if d.size != 1:
             raise ValueError(f"depth and focus must be one number each, got {d.size} planes")
-        fixed, by_depth, by_focus = self._rates(rho, wavelength)
-        return np.asarray(fixed + d[0] * by_depth + f[0] * by_focus)
+        constant, by_depth, by_focus = self._rates(rho, wavelength)
+        return np.asarray(constant + d[0] * by_depth + f[0] * by_focus)
 
     def phase_derivatives(self, rho: ArrayLike, *, wavelength: float) -> tuple[NDArray[np.complex128], Array]:
         """Return the derivatives of :meth:`phase` at `rho` by depth and by focus, radians per metre.
@@ -463,8 +463,8 @@ class Objective:
         TypeError, ValueError
             If an argument is out of range.
         """
-        at, layers = validation.real_array("rho", rho, least=0.0, most=1.0), self._layers(wavelength)
-        result: Amplitudes = layers.amplitudes(layers.cosine(at), ((self.NA * at) ** 2).astype(np.complex128))
+        radii, layers = validation.real_array("rho", rho, least=0.0, most=1.0), self._layers(wavelength)
+        result: Amplitudes = layers.amplitudes(layers.cosine(radii), ((self.NA * radii) ** 2).astype(np.complex128))
         return np.asarray(result.s), np.asarray(result.p)
 
     def fields(
@@ -568,10 +568,10 @@ class Objective:
         d = depths(depth)
         paraxial = self._paraxial(d)
         self._planes(d, paraxial)
-        maxima = [brightest(layers, float(one)) for one in d.flat]
+        maxima = [brightest(layers, float(value)) for value in d.flat]
         self._planes(d, np.array([maximum.brightest for maximum in maxima]).reshape(d.shape))
         pairs = zip(d.flat, maxima, strict=True)
-        widths = [_lateral_width(layers, float(one), maximum.brightest) for one, maximum in pairs]
+        widths = [_lateral_width(layers, float(value), maximum.brightest) for value, maximum in pairs]
         return Focus(*(numbers(column, d.shape) for column in (d, paraxial, *zip(*maxima, strict=True), widths)))
 
     def collected(self, depth: ArrayLike, *, wavelength: float) -> Numbers:
@@ -582,8 +582,8 @@ class Objective:
         """
         d = depths(depth)
         layers = self._layers(wavelength)
-        near, far = debye.power(layers, d.ravel())
-        return numbers(near @ _ISOTROPIC_WEIGHTS / (far @ _ISOTROPIC_WEIGHTS), d.shape)
+        power, power_far = debye.power(layers, d.ravel())
+        return numbers(power @ _ISOTROPIC_WEIGHTS / (power_far @ _ISOTROPIC_WEIGHTS), d.shape)
 
     def nyquist(self, *, wavelength: float) -> Nyquist:
         """Return the Nyquist sampling intervals at a `wavelength` (metres, in vacuum).
@@ -634,10 +634,10 @@ class _Axis:
 
     def derivatives(self, focus: Array) -> tuple[Array, Array, Array]:
         """Return the intensity and its first two derivatives by the focus."""
-        fixed, by_depth, by_focus = self.rule.rates
-        light = self.rule.parts[0] * np.exp(1j * (fixed + self.depth * by_depth))
+        constant, by_depth, by_focus = self.rule.rates
+        amplitudes = self.rule.parts[0] * np.exp(1j * (constant + self.depth * by_depth))
         rate = 1j * by_focus
-        terms = np.stack([light, light * rate, light * rate**2], axis=1)
+        terms = np.stack([amplitudes, amplitudes * rate, amplitudes * rate**2], axis=1)
         values = np.concatenate(
             [np.exp(np.outer(part, rate)) @ terms for part in np.array_split(focus, -(-focus.size // _PLANES))]
         )
@@ -680,34 +680,34 @@ def brightest(layers: Layers, depth: float) -> _Axial:
         axis = _Axis(layers, depth, low, high)
         focus = np.linspace(low, high, math.ceil((high - low) / scale * _STEPS) + 1)
         values = axis.derivatives(focus)[0]
-        best = int(values.argmax())
-        dark = np.flatnonzero(values < 0.5 * values[best])
-        before, after = dark[dark < best], dark[dark > best]
+        brightest_index = int(values.argmax())
+        below_half = np.flatnonzero(values < 0.5 * values[brightest_index])
+        before, after = below_half[below_half < brightest_index], below_half[below_half > brightest_index]
         if before.size and after.size:
             break
     else:
         raise ValueError(
             f"depth must be small enough for a focus that falls to half of its maximum on the axis, got {depth:g} m"
         )
-    top = _maximum(axis, focus[best], focus[1] - focus[0])
-    peak = axis.at(top)
+    position = _maximum(axis, focus[brightest_index], focus[1] - focus[0])
+    peak = axis.at(position)
     low, high = (
-        brentq(lambda f: axis.at(f) - 0.5 * peak, focus[k], focus[best], xtol=1e-16, rtol=1e-12)
+        brentq(lambda f: axis.at(f) - 0.5 * peak, focus[k], focus[brightest_index], xtol=1e-16, rtol=1e-12)
         for k in (before[-1], after[0])
     )
-    return _Axial(top, peak, float(high) - float(low))
+    return _Axial(position, peak, float(high) - float(low))
 
 
 def _maximum(axis: _Axis, start: float, step: float) -> float:
     """Return the position of the maximum within a step of `start`, by Newton's method for negative curvature."""
-    at = start
+    position = start
     for _ in range(20):
-        _, slope, bend = (float(part[0]) for part in axis.derivatives(np.array([at])))
-        move = -slope / bend if bend < 0.0 else math.copysign(0.1 * step, slope)
-        before, at = at, min(max(at + move, start - step), start + step)
-        if abs(at - before) <= 1e-9 * step:
+        _, slope, curvature = (float(part[0]) for part in axis.derivatives(np.array([position])))
+        correction = -slope / curvature if curvature < 0.0 else math.copysign(0.1 * step, slope)
+        previous, position = position, min(max(position + correction, start - step), start + step)
+        if abs(position - previous) <= 1e-9 * step:
             break
-    return at
+    return position
 
 
 @lru_cache(maxsize=4096)
@@ -715,22 +715,22 @@ def _lateral_width(layers: Layers, depth: float, focus: float) -> float:
     """Return the lateral full width at the first half maximum of a freely rotating dipole, metres in the sample."""
     from scipy.optimize import brentq
 
-    model, one = Model(), np.ones(1)
+    model, single = Model(), np.ones(1)
     unit = 2.0 * math.pi / _STEPS  # step of v = k NA r
-    for reach in (32, 256, 2048):
-        v = np.asarray(np.arange(reach + 1) * unit)
-        rule = debye.rule(layers, model, one * depth, one * focus, float(v[-1]), _TOL)
+    for count in (32, 256, 2048):
+        v = np.asarray(np.arange(count + 1) * unit)
+        rule = debye.rule(layers, model, single * depth, single * focus, float(v[-1]), _TOL)
 
-        def excess(at: Array, rule: debye.Rule = rule) -> Array:
+        def excess(points: Array, rule: debye.Rule = rule) -> Array:
             """Return the intensity minus half of the intensity on the axis."""
-            parts = debye.fields(rule, model, one * depth, one * focus, np.append(0.0, at))
+            parts = debye.fields(rule, model, single * depth, single * focus, np.append(0.0, points))
             first, second, third = (np.abs(part[0]) ** 2 for part in parts)
             values = first + 2.0 * second + third
             return np.asarray(values[1:] - 0.5 * values[0])
 
-        dark = np.flatnonzero(excess(v) < 0.0)
-        if dark.size:
-            end = brentq(lambda x: float(excess(one * x)[0]), v[dark[0] - 1], v[dark[0]], xtol=1e-13)
+        below_half = np.flatnonzero(excess(v) < 0.0)
+        if below_half.size:
+            end = brentq(lambda x: float(excess(single * x)[0]), v[below_half[0] - 1], v[below_half[0]], xtol=1e-13)
             return float(2.0 * end / (layers.wavenumber * layers.NA))
     raise ValueError(
         f"depth must be small enough for a focus that falls to half of its maximum laterally, got {depth:g} m"

@@ -29,7 +29,7 @@ MAX_GROWTH = 1e4
 MAX_ROUNDING = 1e7
 """Largest condition number at which the terms are still orthogonalised on the samples."""
 
-# Absolute values below this fraction of the largest one count as 0: a change of units can leave rounding errors.
+# Absolute values below this fraction of the largest one count as 0: changes of unit can leave rounding errors.
 _RESIDUE = 1e-9
 # Count, for each value, the pixels with an equal neighbour. A value is taken as a marker of missing pixels if its
 # count is at least this number, this fraction of the pupil's pixels, and this multiple of every other count.
@@ -79,10 +79,10 @@ class OPDMap:
     wavelength: float | None = None
 
     def __post_init__(self) -> None:
-        data, hidden = validation.parted("values", self.values)
+        data, masked = validation.parted("values", self.values)
         values = _real_maps("values", data)
-        if hidden is not None:
-            values[hidden] = np.nan
+        if masked is not None:
+            values[masked] = np.nan
         if np.isinf(values).any() or np.isnan(values).all():
             raise ValueError(
                 "values must be finite, or NaN at pixels without a measurement, and not NaN at every pixel"
@@ -205,17 +205,17 @@ def fit_radial(
             raise TypeError("rho must be omitted if phase is a function")
         # Pupil area is proportional to rho^2, so that Gauss-Legendre weights in rho^2 are weights by area.
         x, w = np.polynomial.legendre.leggauss(_RADIAL_NODES)
-        at, weights = np.sqrt(0.5 + 0.5 * x), 0.5 * w
-        values = validation.real_array("phase", phase(at))
+        radii, weights = np.sqrt(0.5 + 0.5 * x), 0.5 * w
+        values = validation.real_array("phase", phase(radii))
     else:
         if rho is None:
             raise TypeError("rho, the pupil radii of the values, must be given if phase is an array")
-        at, values = validation.real_array("rho", rho, least=0.0, most=1.0), validation.real_array("phase", phase)
-    if values.shape != at.shape or at.ndim != 1:
-        raise ValueError(f"phase must have one value for each rho, got shapes {values.shape} and {at.shape}")
+        radii, values = validation.real_array("rho", rho, least=0.0, most=1.0), validation.real_array("phase", phase)
+    if values.shape != radii.shape or radii.ndim != 1:
+        raise ValueError(f"phase must have one value for each rho, got shapes {values.shape} and {radii.shape}")
     terms = [(n, 0) for n in range(0, highest + 1, 2)]
-    coefficients, residual, condition = _least_squares(at, np.zeros(at.size), values[None], terms, weights)
-    return _finish(terms, coefficients, residual, condition, (), unit, scale, limit, weights)
+    coefficients, residual, condition = _least_squares(radii, np.zeros(radii.size), values[None], terms, weights)
+    return _fit_result(terms, coefficients, residual, condition, (), unit, scale, limit, weights)
 
 
 def fit_opd(
@@ -243,7 +243,7 @@ def fit_opd(
         be positive, as in the phase: otherwise pass ``-opd``.
     wavelength : float, optional
         Wavelength, metres. Default: the wavelength of the OPDMap, if it has one.
-    mask : array_like of bool, shape (height, width) or that of `opd`, optional
+    mask : array_like of bool, shape (height, width) or the shape of `opd`, optional
         True at valid pixels, False at an obscuration or a vane. Masked values of a masked array are always ignored.
         Without a `mask` the function rejects a map with one value, such as 0, over a whole area, since many files
         mark missing pixels in this way.
@@ -296,37 +296,37 @@ def fit_opd(
     x, y = _pupil_coordinates((height, width), center, radius)
     # A pixel belongs to the pupil if its centre lies in the pupil.
     square = x * x + y * y
-    used = valid & (square <= 1.0) & (square >= eps * eps)
-    bad = np.argwhere(used & ~np.isfinite(maps))
-    if len(bad):
-        listed = ", ".join(str(tuple(place.tolist())) for place in bad[:3]) + (", ..." if len(bad) > 3 else "")
-        raise ValueError(f"opd must be finite inside the mask, got NaN or infinity at {len(bad)} pixels: {listed}")
-    if not used.any(axis=(-2, -1)).all():
-        of = "opd" if mask is None else "mask"
-        raise ValueError(f"{of} must leave samples inside the pupil of every map, got none")
+    in_pupil = valid & (square <= 1.0) & (square >= eps * eps)
+    wrong = np.argwhere(in_pupil & ~np.isfinite(maps))
+    if len(wrong):
+        listed = ", ".join(str(tuple(place.tolist())) for place in wrong[:3]) + (", ..." if len(wrong) > 3 else "")
+        raise ValueError(f"opd must be finite inside the mask, got NaN or infinity at {len(wrong)} pixels: {listed}")
+    if not in_pupil.any(axis=(-2, -1)).all():
+        argument = "opd" if mask is None else "mask"
+        raise ValueError(f"{argument} must leave samples inside the pupil of every map, got none")
     if mask is None:
-        _require_measured(maps.reshape(-1, height, width), used.reshape(-1, height, width))
+        _require_measured(maps.reshape(-1, height, width), in_pupil.reshape(-1, height, width))
     if radius is None:
         _require_filled(np.asarray(valid.any(axis=tuple(range(valid.ndim - 2)))))
     terms = [(n, m) for n in range(highest + 1) for m in range(-n, n + 1, 2)]
-    flat = maps.reshape(-1, height, width)
-    coefficients = np.empty((len(flat), len(terms)))
-    residual = np.full(flat.shape, np.nan)
+    flat_maps = maps.reshape(-1, height, width)
+    coefficients = np.empty((len(flat_maps), len(terms)))
+    residual = np.full(flat_maps.shape, np.nan)
     condition = 1.0
     # Maps with the same valid pixels share their normal equations.
     groups: dict[bytes, list[int]] = {}
-    for i, pattern in enumerate(used.reshape(flat.shape)):
+    for i, pattern in enumerate(in_pupil.reshape(flat_maps.shape)):
         groups.setdefault(np.packbits(pattern).tobytes(), []).append(i)
     for members in groups.values():
-        where = used.reshape(flat.shape)[members[0]]
-        rho, theta = np.hypot(x[where], y[where]), np.arctan2(y[where], x[where])
-        test_points = _test_points(x, y, where if within == "samples" else (square <= 1.0) & (square >= eps * eps))
-        group_fit = _least_squares(rho, theta, flat[members][:, where], terms, None, eps, test_points)
+        pixels = in_pupil.reshape(flat_maps.shape)[members[0]]
+        rho, theta = np.hypot(x[pixels], y[pixels]), np.arctan2(y[pixels], x[pixels])
+        test_points = _test_points(x, y, pixels if within == "samples" else (square <= 1.0) & (square >= eps * eps))
+        group_fit = _least_squares(rho, theta, flat_maps[members][:, pixels], terms, None, eps, test_points)
         coefficients[members], group_residuals, group_condition = group_fit
         for member, map_residual in zip(members, group_residuals, strict=True):
-            residual[member][where] = map_residual
+            residual[member][pixels] = map_residual
         condition = max(condition, group_condition)
-    return _finish(terms, coefficients, residual, condition, maps.shape[:-2], unit, scale, limit)
+    return _fit_result(terms, coefficients, residual, condition, maps.shape[:-2], unit, scale, limit)
 
 
 def opd_map(
@@ -363,10 +363,10 @@ def opd_map(
     size = validation.image_shape(shape)
     x, y = _pupil_coordinates(size, center, radius)
     rho = np.hypot(x, y)
-    inside = rho <= 1.0
-    out = np.full((*wavefront.shape, *size), np.nan)
-    out[..., inside] = wavefront.phase(rho[inside], np.arctan2(y, x)[inside]) / scale
-    return out
+    in_pupil = rho <= 1.0
+    values = np.full((*wavefront.shape, *size), np.nan)
+    values[..., in_pupil] = wavefront.phase(rho[in_pupil], np.arctan2(y, x)[in_pupil]) / scale
+    return values
 
 
 def _least_squares(
@@ -382,8 +382,8 @@ def _least_squares(
 
     `test_points` holds rho and theta of the points at which the samples must determine the phase.
     """
-    # Up to a condition number of MAX_GROWTH, normal equations with one refinement are exact to rounding. For larger
-    # ones the terms are first made orthonormal on the samples (by a Cholesky factor). This requires that the samples
+    # Up to a condition number of MAX_GROWTH, normal equations with one refinement are exact to rounding. Above it,
+    # the terms are first made orthonormal on the samples (by a Cholesky factor). This requires that the samples
     # determine the phase at `test_points`.
     over_disc = _over_disc(terms, obscuration)
     if rho.size < len(terms):
@@ -442,9 +442,9 @@ def _largest_norm(test_points: tuple[Array, Array], terms: list[tuple[int, int]]
     return math.sqrt(max(squares, default=0.0))
 
 
-def _undetermined(samples: int, terms: list[tuple[int, int]], condition: float, where: str, hints: str) -> ValueError:
+def _undetermined(samples: int, terms: list[tuple[int, int]], condition: float, area: str, hints: str) -> ValueError:
     return ValueError(
-        f"the {samples} samples do not determine {len(terms)} terms{where} (condition {condition:.2g}); lower "
+        f"the {samples} samples do not determine {len(terms)} terms{area} (condition {condition:.2g}); lower "
         f"degree{hints}"
     )
 
@@ -473,7 +473,7 @@ def _basis(
         yield block, basis if over_disc is None else over_disc.T @ basis
 
 
-def _finish(
+def _fit_result(
     terms: list[tuple[int, int]],
     coefficients: Array,
     residual: Array,
@@ -485,20 +485,20 @@ def _finish(
     weights: Array | None = None,
 ) -> WavefrontFit:
     """Return the fit from residuals of maps (axis 0; NaN: unused); ValueError if an rms residual exceeds `tol`."""
-    flat = residual.reshape(len(residual), -1)
-    count = np.isfinite(flat).sum(axis=1)
+    flat_residual = residual.reshape(len(residual), -1)
+    count = np.isfinite(flat_residual).sum(axis=1)
     # The constant is among the terms, so that the mean of the residual is 0.
-    rms = np.sqrt(np.nanmean(flat**2, axis=1) if weights is None else flat**2 @ weights)
-    worst = int(rms.argmax())
-    if not rms[worst] <= tol:
-        which = f" of map {worst}" if len(rms) > 1 else ""
-        raise ValueError(f"the residual{which} has an rms of {rms[worst]:.3g} {unit}, above tol={tol:g}")
+    rms = np.sqrt(np.nanmean(flat_residual**2, axis=1) if weights is None else flat_residual**2 @ weights)
+    k = int(rms.argmax())
+    if not rms[k] <= tol:
+        map_name = f" of map {k}" if len(rms) > 1 else ""
+        raise ValueError(f"the residual{map_name} has an rms of {rms[k]:.3g} {unit}, above tol={tol:g}")
     radians = {t: scale * c.reshape(stack) for t, c in zip(terms, coefficients.T, strict=True)}
     return WavefrontFit(
         wavefront=Wavefront.zernike(radians),
         piston=coefficients[:, terms.index((0, 0))].reshape(stack),
         rms=rms.reshape(stack),
-        peak_to_valley=(np.nanmax(flat, axis=1) - np.nanmin(flat, axis=1)).reshape(stack),
+        peak_to_valley=(np.nanmax(flat_residual, axis=1) - np.nanmin(flat_residual, axis=1)).reshape(stack),
         residual=residual.reshape(*stack, *residual.shape[1:]),
         samples=count.reshape(stack),
         condition=condition,
@@ -511,16 +511,16 @@ def _maps(opd: ArrayLike, mask: ArrayLike | None) -> tuple[Array, NDArray[np.boo
 
     They are True in `mask` (if any) and not hidden in a masked array; without either, they are not NaN.
     """
-    data, hidden = validation.parted("opd", opd)
+    data, masked = validation.parted("opd", opd)
     maps = _real_maps("opd", data)
     if mask is None:
-        return maps, ~np.isnan(maps) if hidden is None else ~hidden
+        return maps, ~np.isnan(maps) if masked is None else ~masked
     flags = validation.array("mask", mask)
     if flags.dtype != np.bool_:
         raise TypeError(f"mask must hold booleans, got an array of {flags.dtype}")
     if flags.shape not in (maps.shape[-2:], maps.shape):
         raise ValueError(f"mask must have the shape {maps.shape[-2:]} or that of opd, got {flags.shape}")
-    return maps, np.broadcast_to(flags, maps.shape) & (True if hidden is None else ~hidden)
+    return maps, np.broadcast_to(flags, maps.shape) & (True if masked is None else ~masked)
 
 
 def _require_filled(valid: NDArray[np.bool_]) -> None:
@@ -537,27 +537,27 @@ def _require_filled(valid: NDArray[np.bool_]) -> None:
         )
 
 
-def _require_measured(maps: Array, used: NDArray[np.bool_]) -> None:
+def _require_measured(maps: Array, pupils: NDArray[np.bool_]) -> None:
     """Raise ValueError if one value fills an area of a map, probably a file's marker for missing pixels."""
-    # Neighbouring pixels are rarely equal in real measurements, and in quantised ones about equally often at each
-    # level. A single value that has far more equal neighbours than any other is therefore a marker.
-    for raw, inside in zip(maps, used, strict=True):
-        tiny = _RESIDUE * float(np.abs(raw[inside]).max(initial=0.0))
-        opd = np.where(np.abs(raw) <= tiny, 0.0, raw)
-        alike = np.zeros_like(inside)
-        for one, next_ in ((np.s_[1:], np.s_[:-1]), (np.s_[:, 1:], np.s_[:, :-1])):
-            pairs = (opd[one] == opd[next_]) & inside[one] & inside[next_]
-            alike[one] |= pairs
-            alike[next_] |= pairs
-        values, counts = np.unique(opd[alike], return_counts=True)
+    # Neighbouring pixels are rarely equal in real measurements. In quantised maps they are equal about equally
+    # often at each level. A single value that has far more equal neighbours than any other is therefore a marker.
+    for raw_map, in_pupil in zip(maps, pupils, strict=True):
+        residue = _RESIDUE * float(np.abs(raw_map[in_pupil]).max(initial=0.0))
+        opd = np.where(np.abs(raw_map) <= residue, 0.0, raw_map)
+        equal_pixels = np.zeros_like(in_pupil)
+        for pixels, neighbors in ((np.s_[1:], np.s_[:-1]), (np.s_[:, 1:], np.s_[:, :-1])):
+            pairs = (opd[pixels] == opd[neighbors]) & in_pupil[pixels] & in_pupil[neighbors]
+            equal_pixels[pixels] |= pairs
+            equal_pixels[neighbors] |= pairs
+        values, counts = np.unique(opd[equal_pixels], return_counts=True)
         if not values.size:
             continue
-        k, total = int(counts.argmax()), int(inside.sum())
-        others = int(np.delete(counts, k).max(initial=0))
-        least = max(_MIN_BLANK_PIXELS, _MIN_BLANK_FRACTION * total, _MIN_BLANK_RATIO * others)
-        if least <= counts[k] and np.ptp(opd[inside]) > 0.0:
-            exact = 2 * np.count_nonzero(alike & (raw == 0.0)) > counts[k]
-            condition = "opd != 0" if exact else f"abs(opd) > {tiny:.1g}"
+        k, total = int(counts.argmax()), int(in_pupil.sum())
+        largest_other = int(np.delete(counts, k).max(initial=0))
+        least = max(_MIN_BLANK_PIXELS, _MIN_BLANK_FRACTION * total, _MIN_BLANK_RATIO * largest_other)
+        if least <= counts[k] and np.ptp(opd[in_pupil]) > 0.0:
+            exact = 2 * np.count_nonzero(equal_pixels & (raw_map == 0.0)) > counts[k]
+            condition = "opd != 0" if exact else f"abs(opd) > {residue:.1g}"
             example = f"such as {condition}, or " if values[k] == 0.0 else ""
             raise ValueError(
                 f"opd is {values[k]:g} at {counts[k]} neighbouring pixels of the pupil "
@@ -576,12 +576,12 @@ def _enclosing_circle(points: Array) -> tuple[Array, float]:
         farthest = int(distances.argmax())
         if distances[farthest] <= circle[1] * (1.0 + 1e-9):
             return circle
-        # Replace the circle by the smallest one around its boundary points and the farthest point, which is larger.
-        few = np.vstack([boundary, points[farthest]])
-        subsets = [few[list(rows)] for k in (2, 3) for rows in combinations(range(len(few)), k)]
+        # Replace the circle by the smallest circle around its boundary points and the farthest point; it is larger.
+        candidates = np.vstack([boundary, points[farthest]])
+        subsets = [candidates[list(rows)] for k in (2, 3) for rows in combinations(range(len(candidates)), k)]
         circles = [(_circle_through(subset), subset) for subset in subsets]
-        enclosing = [one for one in circles if np.hypot(*(few - one[0][0]).T).max() <= one[0][1] * (1.0 + 1e-9)]
-        circle, boundary = min(enclosing, key=lambda one: one[0][1])
+        enclosing = [c for c in circles if np.hypot(*(candidates - c[0][0]).T).max() <= c[0][1] * (1.0 + 1e-9)]
+        circle, boundary = min(enclosing, key=lambda c: c[0][1])
 
 
 def _circle_through(points: Array) -> tuple[Array, float]:

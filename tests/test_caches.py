@@ -174,7 +174,7 @@ def test_clearing_frees_what_is_kept_and_changes_no_bit():
     before = asked()
     held, limit = engine.table_bytes()
     assert 2**20 < held < limit < 2**31
-    assert {"lommel.psf._cached_plan", "lommel.optics.layers.debye._collected"} <= {
+    assert {"lommel.psf._cached_plan", "lommel.optics.layers.debye._powers"} <= {
         name for name, count in kept().items() if count
     }
     lm.clear_caches()

@@ -93,16 +93,16 @@ class Iteration:
     ) -> None:
         self._blur, self._counted = blur, counted
         self._prescribed = None if course is None else list(course)
-        dim = _DIM_START * counted.level
+        dim_level = _DIM_START * counted.level
         level, self._background_unknown = background.level, background.level is None
-        start = np.maximum(counted.start - level, dim) if level is not None else np.asarray(dim)
+        start = np.maximum(counted.start - level, dim_level) if level is not None else np.asarray(dim_level)
         self._background_prescribed = self._prescribed is not None and background.points == 1
         if level is None:
             # If a uniform scene agrees with the recording within the noise, all light is background.
             # Otherwise the background starts from the light of the darkest parts, which contain little specimen.
             counted.background = 0.0
-            dark = counted.level if counted.flat() <= 1.0 + counted.slack else counted.darkest()
-            level = max(min(dark, counted.level - dim), counted.smallest)
+            darkest = counted.level if counted.flat() <= 1.0 + counted.slack else counted.darkest()
+            level = max(min(darkest, counted.level - dim_level), counted.smallest)
         self._background = np.full((background.points, background.points), level)
         if self._prescribed and self._background_prescribed:
             self._background = self._prescribed[0].background
@@ -149,7 +149,7 @@ class Iteration:
         if self._prescribed is not None:
             method = replace(method, steps=max(len(self._prescribed), 1), target=0.0)
         rule = StoppingRule(method, self._counted.slack, report)
-        last = np.inf
+        previous = np.inf
         while True:
             discrepancy = self._evaluate(rule.extrapolation)
             stopped = rule.judge(discrepancy)
@@ -164,9 +164,9 @@ class Iteration:
             overlap = self._step()
             if method.accelerate and rule.steps > 0:
                 rule.update_extrapolation(square, overlap)
-                if discrepancy > last:  # extrapolated too far: continue without extrapolation
+                if discrepancy > previous:  # extrapolated too far: continue without extrapolation
                     rule.extrapolation = 0.0
-            last = discrepancy
+            previous = discrepancy
 
     def _evaluate(self, extrapolation: float) -> float:
         """Extrapolate the last step, compute its image and misfit, and return the discrepancy."""
@@ -215,7 +215,7 @@ class Iteration:
 
     def _step(self) -> float:
         """Take a step, and return the scalar product of its sampled change and the change before."""
-        following = np.empty_like(self._light) if self._before is None else self._before
+        next_light = np.empty_like(self._light) if self._before is None else self._before
         smallest = self._counted.smallest
 
         def step_part(plane: int, rows: slice, columns: slice, correction: Values) -> float:
@@ -226,11 +226,11 @@ class Iteration:
             stepped *= guess
             at_least(stepped, smallest)
             overlap = self._update_change(plane, rows, columns, stepped, guess)
-            following[plane, rows, columns] = stepped
+            next_light[plane, rows, columns] = stepped
             return overlap
 
         overlap = sum(self._back_projected(step_part))
-        self._before, self._light = self._light, following
+        self._before, self._light = self._light, next_light
         return overlap
 
     def _back_projected(self, consume: PartConsumer[Result]) -> list[Result]:
@@ -251,11 +251,11 @@ class Iteration:
         """Replace the sampled change of a part by the change of this step, and return the scalar product of both."""
         if plane % _STRIDE:
             return 0.0
-        first = -rows.start % _STRIDE, -columns.start % _STRIDE
-        sampled = np.s_[first[0] :: _STRIDE, first[1] :: _STRIDE]
+        offset = -rows.start % _STRIDE, -columns.start % _STRIDE
+        sampled = np.s_[offset[0] :: _STRIDE, offset[1] :: _STRIDE]
         change = stepped[sampled] - guess[sampled]
-        at = (rows.start + first[0]) // _STRIDE, (columns.start + first[1]) // _STRIDE
-        stored = self._last_change[plane // _STRIDE, at[0] :, at[1] :][: change.shape[0], : change.shape[1]]
+        start = (rows.start + offset[0]) // _STRIDE, (columns.start + offset[1]) // _STRIDE
+        stored = self._last_change[plane // _STRIDE, start[0] :, start[1] :][: change.shape[0], : change.shape[1]]
         overlap = float(np.vdot(change, stored))
         stored[...] = change
         return overlap
@@ -265,10 +265,10 @@ class Iteration:
         self._misfit = np.empty((0, 0, 0), self._counted.dtype)
         self._blur.release()
         rows, columns = (slice(pixels, side - pixels) for side in self._blur.whole[1:])
-        out = np.empty(self._blur.shape, self._counted.dtype)
-        for plane, values in enumerate(out):
+        specimen = np.empty(self._blur.shape, self._counted.dtype)
+        for plane, values in enumerate(specimen):
             values[...] = self.guess(planes + plane, rows, columns)
-        return out
+        return specimen
 
 
 def _extrapolate(light: Values, before: Values, factor: float, out: Values | None = None) -> Values:
@@ -338,7 +338,7 @@ class VariationIteration(Iteration):
         counted = self._counted
         largest_fitting = 1.0 + counted.slack
         electrons = counted.white * counted.level
-        first = 0.15 / math.sqrt(max(electrons, 1e-6))
+        first_strength = 0.15 / math.sqrt(max(electrons, 1e-6))
         # If a uniform scene agrees with the recording within the noise, there is no detail to restore.
         if self._prescribed:
             is_flat = len(self._prescribed) == 1
@@ -359,11 +359,11 @@ class VariationIteration(Iteration):
         if method.strength is not None:
             discrepancy, self.strength = discrepancy_at(method.strength), method.strength
         else:
-            weakest = first * counted.weakest
-            discrepancy, self.strength = search(discrepancy_at, first, method.target, weakest)
+            weakest = first_strength * counted.weakest
+            discrepancy, self.strength = search(discrepancy_at, first_strength, method.target, weakest)
         stopped = NOISE if discrepancy <= largest_fitting else STEPS
         # A discrepancy that stays above 1 even at the weakest strength is not due to smoothing.
-        at_weakest = method.strength is None and self.strength <= 1.001 * first * counted.weakest
+        at_weakest = method.strength is None and self.strength <= 1.001 * first_strength * counted.weakest
         if discrepancy > largest_fitting and at_weakest:
             stopped = MISFIT
         return len(self.course) - 1, stopped, self.discrepancies
@@ -381,20 +381,20 @@ class VariationIteration(Iteration):
                     self._strength = self._prescribed[len(self.course)].strength
                 square = float(np.vdot(self._last_change, self._last_change))
                 overlap = self._step()
-                done = len(self.objectives)
-                extrapolation = min(max(overlap / square, 0.0), 0.999) if square > 0.0 and done > 1 else 0.0
-                if done > 1 and self.objectives[-1] > self.objectives[-2]:
+                count = len(self.objectives)
+                extrapolation = min(max(overlap / square, 0.0), 0.999) if square > 0.0 and count > 1 else 0.0
+                if count > 1 and self.objectives[-1] > self.objectives[-2]:
                     extrapolation = 0.0
-                if self._prescribed is None and done > _CONVERGENCE_STEPS and (self._counted.settles or not final):
+                if self._prescribed is None and count > _CONVERGENCE_STEPS and (self._counted.settles or not final):
                     fall = self.objectives[-1 - _CONVERGENCE_STEPS] - self.objectives[-1]
-                    steps = done if fall < _CONVERGED * self._likelihood else steps
+                    steps = count if fall < _CONVERGED * self._likelihood else steps
             discrepancy = self._evaluate(extrapolation)
             seconds_per_step = (time.perf_counter() - self._start_time) / len(self.course)
-            done = len(self.objectives)
+            count = len(self.objectives)
             # Another strength starts near its result, and takes about twice the steps of a test of convergence.
-            remaining = max(steps - done, 0) + (0 if final else 2 * _CONVERGENCE_STEPS)
-            report(len(self.course) - 1, discrepancy, seconds_per_step * remaining)
-            if done >= steps or (self._prescribed and len(self.course) >= len(self._prescribed)):
+            steps_left = max(steps - count, 0) + (0 if final else 2 * _CONVERGENCE_STEPS)
+            report(len(self.course) - 1, discrepancy, seconds_per_step * steps_left)
+            if count >= steps or (self._prescribed and len(self.course) >= len(self._prescribed)):
                 return discrepancy
 
     def _evaluate(self, extrapolation: float) -> float:
@@ -407,7 +407,7 @@ class VariationIteration(Iteration):
     def _step(self) -> float:
         """Take a step, record the objective at its start, and return the scalar product of the last two changes."""
         guess = self._extrapolated
-        following = np.empty_like(guess) if self._spare is None else self._spare
+        next_light = np.empty_like(guess) if self._spare is None else self._spare
         smallest = self._counted.smallest
 
         def step_part(plane: int, rows: slice, columns: slice, correction: Values) -> None:
@@ -415,7 +415,7 @@ class VariationIteration(Iteration):
             stepped = np.multiply(correction, self._blur.per_seen(plane, rows, columns), out=correction)
             stepped += 1.0
             stepped *= guess[plane, rows, columns]
-            following[plane, rows, columns] = at_least(stepped, smallest)
+            next_light[plane, rows, columns] = at_least(stepped, smallest)
 
         self._back_projected(step_part)
         plane_slices = slice(0, guess.shape[1]), slice(0, guess.shape[2])
@@ -424,12 +424,12 @@ class VariationIteration(Iteration):
         def smooth(plane: int) -> tuple[float, float]:
             weights, weighted_sums, variation = self._neighbours(guess, plane)
             scale = strength * self._blur.per_seen(plane, *plane_slices)
-            following[plane] = at_least(_root(following[plane], scale * weights, scale * weighted_sums), smallest)
-            return variation, self._update_change(plane, *plane_slices, following[plane], guess[plane])
+            next_light[plane] = at_least(_root(next_light[plane], scale * weights, scale * weighted_sums), smallest)
+            return variation, self._update_change(plane, *plane_slices, next_light[plane], guess[plane])
 
         pairs = side_by_side(smooth, range(len(guess)), self._threads)
         self.objectives.append(self._likelihood + self._strength * sum(variation for variation, _ in pairs))
-        self._spare, self._before, self._light = self._before, self._light, following
+        self._spare, self._before, self._light = self._before, self._light, next_light
         return sum(overlap for _, overlap in pairs)
 
     def _gradient_norms(self, light: Values, plane: int) -> Values:

@@ -136,13 +136,13 @@ class LinearBlur(ABC):
     def by_channel(self, image: Values, make: Callable[[int, Values], Values]) -> Values:
         """Return the image of the planes ``make(channel, plane)``; ValueError if one has another shape."""
         validation.function("make", make)
-        out = np.empty((*self.shape, self.channels), dtype=self.dtype)
+        image_planes = np.empty((*self.shape, self.channels), dtype=self.dtype)
         for channel, plane in enumerate(self.planes(image)):
             result = np.asarray(make(channel, plane))
             if result.shape != self.shape:
                 raise ValueError(f"make must return planes of the shape {self.shape}, got {result.shape}")
-            out[..., channel] = result
-        return out.reshape(np.shape(image))
+            image_planes[..., channel] = result
+        return image_planes.reshape(np.shape(image))
 
 
 Plane = tuple[slice, slice]
@@ -193,7 +193,7 @@ class PlaneOperator(ABC):
 
     @abstractmethod
     def per_seen(self, plane: int, rows: slice, columns: slice, /) -> Values:
-        """Return the reciprocal of A^T w, the weighted recorded fraction of the light of each point; 0 if it is 0."""
+        """Return 1 / (A^T w), with the blur A and the weights w of pixels; 0 for points that are not recorded."""
 
     def weigh(self, weight: float) -> None:  # noqa: B027 (nothing to do where pixels have weights of their own)
         """Set the largest weight of a pixel, by which :meth:`per_seen` is divided."""
@@ -220,9 +220,9 @@ class ImagePlanes(PlaneOperator):
         self._blur, self._image = blur, weight.shape
         self.shape = self.whole = (blur.channels, *blur.shape)
         # Richardson-Lucy divides by this: points that are hardly recorded would diverge.
-        seen = np.maximum(blur.adjoint(weight), 0.0)
-        per = np.where(seen > UNSEEN, 1.0 / np.maximum(seen, UNSEEN), 0.0)
-        self._per = np.moveaxis(per.astype(blur.dtype, copy=False).reshape(*blur.shape, -1), 2, 0)
+        recorded = np.maximum(blur.adjoint(weight), 0.0)
+        reciprocal = np.where(recorded > UNSEEN, 1.0 / np.maximum(recorded, UNSEEN), 0.0)
+        self._per = np.moveaxis(reciprocal.astype(blur.dtype, copy=False).reshape(*blur.shape, -1), 2, 0)
 
     def forward(self, specimen: Part, consume: PartConsumer[Result]) -> list[Result]:
         """Call `consume` with the blurred planes; see :meth:`PlaneOperator.forward`."""
@@ -294,12 +294,12 @@ def linear_operator(
 def folded(padded: Values, margin: int, count: int) -> Values:
     """Return `count` rows of `padded` from row `margin` on; the rows outside are mirrored at the edges and added."""
     image = padded[margin : margin + count]
-    for first in range(margin % count - count, len(padded), count):  # periods of mirror images
-        if first != margin:
-            part = padded[max(0, first) : first + count]
+    for start in range(margin % count - count, len(padded), count):  # periods of mirror images
+        if start != margin:
+            part = padded[max(0, start) : start + count]
             # Every other image is reversed.
-            onto = image[::-1] if (first - margin) // count % 2 else image
-            onto[max(0, -first) :][: len(part)] += part
+            target = image[::-1] if (start - margin) // count % 2 else image
+            target[max(0, -start) :][: len(part)] += part
     return image
 
 
@@ -310,16 +310,16 @@ def without_copies(
 
     `rows` and `columns` are the indices of the original pixels, as returned by :func:`copies`.
     """
-    return _gathered(_gathered(image, rows, shape[0]).T, columns, shape[1]).T
+    return _summed_rows(_summed_rows(image, rows, shape[0]).T, columns, shape[1]).T
 
 
-def _gathered(rows: Values, indices: NDArray[np.int64], count: int) -> Values:
+def _summed_rows(rows: Values, indices: NDArray[np.int64], count: int) -> Values:
     """Return the sums of rows with equal index, shape (count, columns)."""
     if len(indices) == count:
         return rows
     total = np.zeros((count, rows.shape[1]), dtype=rows.dtype)
-    for place, row in zip(indices, np.ascontiguousarray(rows), strict=True):
-        total[place] += row
+    for index, row in zip(indices, np.ascontiguousarray(rows), strict=True):
+        total[index] += row
     return total
 
 
@@ -395,22 +395,22 @@ class WindowBlur:
         allowed: float,
     ) -> None:
         kind, side = windows.dtype, windows.shape[-1]
-        down, above = _used(axes[0].weights(y))
-        across, left = _used(axes[1].weights(x))
-        along, breaks, powers = _pieces(axes[2], defocus)
-        used, front = _used_pieces(along, breaks)
+        row_weights, rows = _nonzero_columns(axes[0].weights(y))
+        column_weights, columns = _nonzero_columns(axes[1].weights(x))
+        positions, breaks, powers = _pieces(axes[2], defocus)
+        used_breaks, first_piece = _used_pieces(positions, breaks)
         order = powers.shape[1]
-        part = windows[above, left, front : front + len(used) - 2 + order]
-        count = len(used) - 2 + order
+        part = windows[rows, columns, first_piece : first_piece + len(used_breaks) - 2 + order]
+        count = len(used_breaks) - 2 + order
         padded = np.zeros((*part.shape[:2], count, -(-side * side // _STEP) * _STEP), dtype=kind)
         padded[:, :, : part.shape[2], : side * side] = part.reshape(*part.shape[:3], -1)
-        tiles, places, shares, self.error = _parabolas(across, axes[1], x, left, part, allowed)
-        powers = powers[front : front + len(used) - 1]
-        down, places, shares, powers = (
-            np.ascontiguousarray(values, dtype=kind) for values in (down, places, shares, powers)
+        tiles, point_nodes, point_weights, self.error = _parabolas(column_weights, axes[1], x, columns, part, allowed)
+        powers = powers[first_piece : first_piece + len(used_breaks) - 1]
+        row_weights, point_nodes, point_weights, powers = (
+            np.ascontiguousarray(values, dtype=kind) for values in (row_weights, point_nodes, point_weights, powers)
         )
-        self._splines = padded, side, down, places, shares
-        self._defocus, self._threads = (tiles, along, used, powers), threads
+        self._splines = padded, side, row_weights, point_nodes, point_weights
+        self._defocus, self._threads = (tiles, positions, used_breaks, powers), threads
         self._side, self._margin, self._border = side, 0 if border == "zero" else side // 2, border
         self._shape = defocus.shape
 
@@ -422,21 +422,21 @@ class WindowBlur:
     @property
     def _inside(self) -> tuple[slice, slice]:
         """Position of the image in the padded result."""
-        first = self._margin + self._side // 2
-        rows, columns = (slice(first, first + count) for count in self._shape)
+        start = self._margin + self._side // 2
+        rows, columns = (slice(start, start + count) for count in self._shape)
         return rows, columns
 
     def _empty_padded(self, kind: DType) -> Values:
         rows, columns = self._places
-        beyond = self._side - 1
-        return np.zeros((len(rows) + beyond, len(columns) + beyond + _STEP), dtype=kind)
+        extent = self._side - 1
+        return np.zeros((len(rows) + extent, len(columns) + extent + _STEP), dtype=kind)
 
     def forward(self, plane: Values) -> Values:
         """Return the blurred image of a plane of light."""
         rows, columns = self._places
-        light, out = plane[rows[:, None], columns], self._empty_padded(plane.dtype)
-        engine.field_spread(self._splines, self._defocus, self._places, light, self._threads, out)
-        return out[self._inside]
+        source, padded = plane[rows[:, None], columns], self._empty_padded(plane.dtype)
+        engine.field_spread(self._splines, self._defocus, self._places, source, self._threads, padded)
+        return padded[self._inside]
 
     def adjoint(self, plane: Values) -> Values:
         """Return the transpose of :meth:`forward` applied to an image."""
@@ -455,10 +455,10 @@ def copies(count: int, margin: int, border: str) -> NDArray[np.int64]:
     return np.pad(np.arange(count, dtype=np.int64), margin, mode=mode)
 
 
-def _used(weights: Array) -> tuple[Array, slice]:
+def _nonzero_columns(weights: Array) -> tuple[Array, slice]:
     """Return the columns from the first to the last nonzero one, and their slice."""
-    used = np.flatnonzero(weights.any(axis=0))
-    part = slice(int(used[0]), int(used[-1]) + 1)
+    columns = np.flatnonzero(weights.any(axis=0))
+    part = slice(int(columns[0]), int(columns[-1]) + 1)
     return weights[:, part], part
 
 
@@ -480,45 +480,45 @@ def _pieces(nodes: Nodes, places: Array) -> tuple[Array, Array, Array]:
     powers = np.zeros((count - degree, order, order))
     for power in range(degree + 1):
         # Taylor coefficients of each spline at the start of a piece, for positions in units of its length.
-        known = splines(breaks[:-1], power) * np.diff(breaks)[:, None] ** power / math.factorial(power)
-        for piece, weights in enumerate(known):
+        derivatives = splines(breaks[:-1], power) * np.diff(breaks)[:, None] ** power / math.factorial(power)
+        for piece, weights in enumerate(derivatives):
             powers[piece, power, : degree + 1] = weights[piece : piece + degree + 1]
     return np.clip((places - nodes.first) / (nodes.last - nodes.first), 0.0, 1.0), breaks, powers
 
 
-def _used_pieces(along: Array, breaks: Array) -> tuple[Array, int]:
+def _used_pieces(positions: Array, breaks: Array) -> tuple[Array, int]:
     """Return the breaks of the pieces that contain positions `along`, and the index of the first piece."""
     pieces = len(breaks) - 1
     first, last = (
         int(np.clip(np.searchsorted(breaks, end, side="right") - 1, 0, pieces - 1))
-        for end in (along.min(), along.max())
+        for end in (positions.min(), positions.max())
     )
     return np.ascontiguousarray(breaks[first : last + 2]), first
 
 
 def _parabolas(
-    across: Array, nodes: Nodes, x: Array, left: slice, windows: Values, allowed: float
+    weights: Array, nodes: Nodes, x: Array, used_nodes: slice, windows: Values, allowed: float
 ) -> tuple[NDArray[np.int64], Array, Array, float]:
-    """Return the tile of each column, node weights at the points of parabolas, weights of points, and the error.
+    """Return (1) each column's tile, (2) node weights at points of parabolas, (3) weights of points, (4) the error.
 
     Interpolation along y and defocus has weights of sum 1. The error of any window is therefore at most the largest
     error at the nodes of y and defocus.
     """
     count, tiles = len(x), 1
-    at = np.arange(count) / max(1, count - 1)
+    fractions = np.arange(count) / max(1, count - 1)
     while tiles <= _MAX_TILES:
-        places = nodes.weights(x[0] + (x[-1] - x[0]) * np.linspace(0.0, 1.0, 2 * tiles + 1))[:, left]
-        tile = np.minimum((at * tiles).astype(np.int64), tiles - 1)
-        u = 2.0 * (at * tiles - tile) - 1.0
-        shares = np.stack([0.5 * u * (u - 1.0), 1.0 - u * u, 0.5 * u * (u + 1.0)], axis=1)
-        off = across - sum(shares[:, k, None] * places[2 * tile + k] for k in range(3))
-        size = np.abs(off).sum(axis=1)
+        node_weights = nodes.weights(x[0] + (x[-1] - x[0]) * np.linspace(0.0, 1.0, 2 * tiles + 1))[:, used_nodes]
+        tile = np.minimum((fractions * tiles).astype(np.int64), tiles - 1)
+        u = 2.0 * (fractions * tiles - tile) - 1.0
+        point_weights = np.stack([0.5 * u * (u - 1.0), 1.0 - u * u, 0.5 * u * (u + 1.0)], axis=1)
+        difference = weights - sum(point_weights[:, k, None] * node_weights[2 * tile + k] for k in range(3))
+        size = np.abs(difference).sum(axis=1)
         # The error is computed for one column of each tile, the one with the largest error of the weights.
-        worst = [int(np.flatnonzero(tile == k)[size[tile == k].argmax()]) for k in np.unique(tile)]
-        made = np.tensordot(off[worst], windows.astype(np.float64, copy=False), axes=(1, 1))
-        error = float(np.abs(made).sum(axis=(-2, -1)).max())
+        columns = [int(np.flatnonzero(tile == k)[size[tile == k].argmax()]) for k in np.unique(tile)]
+        window_errors = np.tensordot(difference[columns], windows.astype(np.float64, copy=False), axes=(1, 1))
+        error = float(np.abs(window_errors).sum(axis=(-2, -1)).max())
         if error <= allowed:
-            return tile, places, shares, error
+            return tile, node_weights, point_weights, error
         # The error of parabolas is proportional to the cube of the tile width.
         tiles = max(tiles + 1, math.ceil(tiles * (error / allowed) ** (1.0 / 3.0)))
     raise ArithmeticError(f"parabolas in {_MAX_TILES} tiles are not close enough to the windows across the image")
@@ -532,8 +532,8 @@ def tiles_of(
     for top in range(0, shape[0], down):
         for left in range(0, shape[1], across):
             inside, around, within = [], [], []
-            for start, size, own in ((top, shape[0], down), (left, shape[1], across)):
-                stop = min(size, start + own)
+            for start, size, tile_side in ((top, shape[0], down), (left, shape[1], across)):
+                stop = min(size, start + tile_side)
                 first, last = max(0, start - overlap), min(size, stop + overlap)
                 inside.append(slice(start, stop))
                 around.append(slice(first, last))

@@ -1,7 +1,7 @@
 """Shapes of apertures: ellipses, convex polygons, and their unions, intersections and differences.
 
 Lengths are divided by the radius of the aperture. x increases with the columns of the image and y with the rows;
-angles are measured from x to y. The `margin` of a shape is positive inside, and its slope is at most 1.
+angles are measured from x to y. The `margin` of a shape is positive inside, and its gradient is at most 1.
 """
 
 from __future__ import annotations
@@ -22,16 +22,16 @@ from lommel.base.cached import cached_property
 from lommel.core import engine
 
 MAX_VANES = 64
-_FAR = 1000.0  # largest radius, semi-axis or coordinate of a shape
-_FARTHEST = _FAR + 1.0  # largest coordinate of a centre: a disc of the largest radius may still reach the aperture
-_MOST_CORNERS = 256
-_MOST_SEGMENTS = 4096
+_MAX_SIZE = 1000.0  # largest radius, semi-axis or coordinate of a shape
+_MAX_SHIFT = _MAX_SIZE + 1.0  # largest coordinate of a centre: a disc of the largest radius may reach the aperture
+_MAX_CORNERS = 256
+_MAX_SEGMENTS = 4096
 _MAX_CELL_PARTS = 2**24  # largest number of cells times number of parts in memory at a time
 _AREA_ERROR = 1e-10  # error of areas / pi
-_BOTH, _EITHER, _WITHOUT = -1, -2, -3  # codes of the compiled core for intersection, union and difference
+_INTERSECTION, _UNION, _DIFFERENCE = -1, -2, -3  # codes of the compiled core for intersection, union and difference
 _PLANE = np.array([[-2.0, -2.0], [2.0, -2.0], [2.0, 2.0], [-2.0, 2.0]])  # square that contains every aperture
 _Part = TypeVar("_Part")
-_STEPS = {"&": _BOTH, "|": _EITHER, "-": _WITHOUT}
+_STEPS = {"&": _INTERSECTION, "|": _UNION, "-": _DIFFERENCE}
 
 
 class Shape:
@@ -112,29 +112,29 @@ class Listed(NamedTuple):
         # The image of the unit circle under a matrix has the singular values as semi-axes, and the left singular
         # vectors as axes.
         axes, sizes, _ = np.linalg.svd(matrix @ turn * np.stack([a, b], axis=-1)[:, None, :])
-        places = np.stack([x, y], axis=-1) @ matrix.T + shift
-        ellipses = np.column_stack([places, sizes, np.arctan2(axes[:, 1, 0], axes[:, 0, 0])])
+        centers = np.stack([x, y], axis=-1) @ matrix.T + shift
+        ellipses = np.column_stack([centers, sizes, np.arctan2(axes[:, 1, 0], axes[:, 0, 0])])
         return self._replace(
             ellipses=ellipses,
-            polygons=tuple(at @ matrix.T + shift if len(at) else at for at in self.polygons),
+            polygons=tuple(corners @ matrix.T + shift if len(corners) else corners for corners in self.polygons),
         )
 
     def combined(
         self,
         parts: Sequence[_Part],
-        both: Callable[[_Part, _Part], _Part],
-        either: Callable[[_Part, _Part], _Part],
-        without: Callable[[_Part, _Part], _Part],
+        intersect: Callable[[_Part, _Part], _Part],
+        unite: Callable[[_Part, _Part], _Part],
+        subtract: Callable[[_Part, _Part], _Part],
     ) -> _Part:
         """Combine values of the parts by the given operations, as the region combines the parts."""
         # Postfix order: operands first, then the operation on the last two operands.
-        by, stack = {_BOTH: both, _EITHER: either, _WITHOUT: without}, []
+        operations, stack = {_INTERSECTION: intersect, _UNION: unite, _DIFFERENCE: subtract}, []
         for step in self.steps:
             if step >= 0:
                 stack.append(parts[step])
             else:
                 second = stack.pop()
-                stack.append(by[step](stack.pop(), second))
+                stack.append(operations[step](stack.pop(), second))
         return stack.pop()
 
     def reduced(self, pattern: Sequence[int]) -> Listed:
@@ -145,37 +145,37 @@ class Listed(NamedTuple):
                 stack.append([step] if pattern[step] == _CUT else pattern[step])
                 continue
             second, first = stack.pop(), stack.pop()
-            if step == _WITHOUT and isinstance(second, int):
+            if step == _DIFFERENCE and isinstance(second, int):
                 # a - b = a and not b: a constant b is replaced by its complement.
-                second, step = _FULL - second, _BOTH
+                second, step = _FULL - second, _INTERSECTION
             # A constant operand may determine the result: a union with everything, an intersection with nothing.
-            decides = _FULL if step == _EITHER else _NONE
-            if decides in (first, second):
-                stack.append(decides)
+            decisive = _FULL if step == _UNION else _NONE
+            if decisive in (first, second):
+                stack.append(decisive)
             elif isinstance(second, int):
                 stack.append(first)
-            elif isinstance(first, int) and step != _WITHOUT:
+            elif isinstance(first, int) and step != _DIFFERENCE:
                 stack.append(second)
             else:
                 # "Everything minus a cut part" requires a first operand: the plane, as an additional polygon.
                 stack.append([*([len(pattern)] if isinstance(first, int) else first), *second, step])
         steps = cast("list[int]", stack.pop())
-        used = sorted({step for step in steps if step >= 0})
+        used_parts = sorted({step for step in steps if step >= 0})
         polygons = (*self.polygons, _PLANE)
-        round_parts = np.cumsum([len(at) == 0 for at in polygons]) - 1
+        ellipse_indices = np.cumsum([len(corners) == 0 for corners in polygons]) - 1
         return Listed(
-            self.ellipses[[round_parts[part] for part in used if len(polygons[part]) == 0]],
-            tuple(polygons[part] for part in used),
-            tuple(used.index(step) if step >= 0 else step for step in steps),
+            self.ellipses[[ellipse_indices[part] for part in used_parts if len(polygons[part]) == 0]],
+            tuple(polygons[part] for part in used_parts),
+            tuple(used_parts.index(step) if step >= 0 else step for step in steps),
         )
 
     def __and__(self, other: Listed) -> Listed:
         """Return the intersection of two regions."""
-        further = tuple(step + len(self.polygons) if step >= 0 else step for step in other.steps)
+        other_steps = tuple(step + len(self.polygons) if step >= 0 else step for step in other.steps)
         return Listed(
             np.concatenate([self.ellipses, other.ellipses]),
             self.polygons + other.polygons,
-            (*self.steps, *further, _BOTH),
+            (*self.steps, *other_steps, _INTERSECTION),
         )
 
 
@@ -201,11 +201,11 @@ def covered(region: Shape, x: Array, y: Array, half: float) -> Array:
         pieces = -(-x.size * len(parts) // _MAX_CELL_PARTS)
         bands = zip(np.array_split(x, pieces), np.array_split(y, pieces), strict=True)
         return np.concatenate([covered(region, *band, half) for band in bands])
-    whole, reach = listed(region), math.sqrt(2.0) * half * (1.0 + 1e-9)
+    layout, reach = listed(region), math.sqrt(2.0) * half * (1.0 + 1e-9)
     # An edge that is farther from the centre of a cell than the corners of the cell does not cross the cell.
     margins = (part.margin(x, y) for part in parts)
     coverage = np.array([np.where(m > reach, _FULL, np.where(m < -reach, _NONE, _CUT)) for m in margins], np.int8)
-    state = whole.combined(list(coverage), np.minimum, np.maximum, lambda a, b: np.minimum(a, _FULL - b))
+    state = layout.combined(list(coverage), np.minimum, np.maximum, lambda a, b: np.minimum(a, _FULL - b))
     fraction: Array = np.where(state == _FULL, 1.0, 0.0)
     cut = np.flatnonzero(state == _CUT)
     if not cut.size:
@@ -214,10 +214,10 @@ def covered(region: Shape, x: Array, y: Array, half: float) -> Array:
     patterns, index = np.unique(coverage[:, cut], axis=1, return_inverse=True)
     square = half * np.array([[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]])
     for k, pattern in enumerate(patterns.T):
-        left = whole.reduced(pattern.tolist())
+        remainder = layout.reduced(pattern.tolist())
         for i in cut[index == k]:
             cell = Listed(np.zeros((0, 5)), (np.add(square, (x[i], y[i])),), (0,))
-            fraction[i] = (cell & left).rule(0, 1e-17).weight * math.pi / (4.0 * half * half)
+            fraction[i] = (cell & remainder).rule(0, 1e-17).weight * math.pi / (4.0 * half * half)
     return np.asarray(np.clip(fraction, 0.0, 1.0))
 
 
@@ -240,7 +240,7 @@ def listed(region: Shape) -> Listed:
 def _point(name: str, value: ArrayLike) -> tuple[float, float]:
     if not isinstance(value, tuple | list | np.ndarray) or validation.array(name, value).shape != (2,):
         raise TypeError(f"{name} must be a pair (x, y), got {validation.shown(value)}")
-    x, y = (validation.real(f"{name}[{i}]", part, least=-_FARTHEST, most=_FARTHEST) for i, part in enumerate(value))
+    x, y = (validation.real(f"{name}[{i}]", part, least=-_MAX_SHIFT, most=_MAX_SHIFT) for i, part in enumerate(value))
     return x, y
 
 
@@ -308,7 +308,7 @@ class Ellipse(Shape):
 
     def __post_init__(self) -> None:
         for name in ("a", "b"):
-            size = validation.real(name, getattr(self, name), above=0.0, most=_FAR, unit="radii of the aperture")
+            size = validation.real(name, getattr(self, name), above=0.0, most=_MAX_SIZE, unit="radii of the aperture")
             object.__setattr__(self, name, size)
         angle, center = validation.real("angle", self.angle), _point("center", self.center)
         vars(self).update(angle=angle, center=center)
@@ -359,7 +359,7 @@ class Disc(Shape):
     center: tuple[float, float] = (0.0, 0.0)
 
     def __post_init__(self) -> None:
-        radius = validation.real("radius", self.radius, above=0.0, most=_FAR)
+        radius = validation.real("radius", self.radius, above=0.0, most=_MAX_SIZE)
         vars(self).update(radius=radius, center=_point("center", self.center))
 
     def margin(self, x: Array, y: Array) -> Array:
@@ -406,30 +406,30 @@ class Polygon(Shape):
 
     def __post_init__(self) -> None:
         array = validation.real_array("corners", self.corners)
-        if array.ndim != 2 or array.shape[1] != 2 or not 3 <= len(array) <= _MOST_CORNERS:
+        if array.ndim != 2 or array.shape[1] != 2 or not 3 <= len(array) <= _MAX_CORNERS:
             raise ValueError(
-                f"corners must be 3 to {_MOST_CORNERS} pairs (x, y), got {validation.shown(self.corners)} "
+                f"corners must be 3 to {_MAX_CORNERS} pairs (x, y), got {validation.shown(self.corners)} "
                 f"of shape {array.shape}"
             )
-        if np.abs(array).max() > _FAR:
-            raise ValueError(f"corners must be within {_FAR:g} radii of the axis, got {np.abs(array).max():g}")
+        if np.abs(array).max() > _MAX_SIZE:
+            raise ValueError(f"corners must be within {_MAX_SIZE:g} radii of the axis, got {np.abs(array).max():g}")
         edge = np.roll(array, -1, axis=0) - array
-        after = np.roll(edge, -1, axis=0)
-        turn = edge[:, 0] * after[:, 1] - edge[:, 1] * after[:, 0]
+        next_edge = np.roll(edge, -1, axis=0)
+        turn = edge[:, 0] * next_edge[:, 1] - edge[:, 1] * next_edge[:, 0]
         length = np.hypot(*edge.T)
         # At corners on a straight side, `turn` is a rounding error.
-        flat = 1e-12 * length * np.roll(length, -1)
-        sense = math.copysign(1.0, turn.sum())
+        tolerance = 1e-12 * length * np.roll(length, -1)
+        sign = math.copysign(1.0, turn.sum())
         # A convex polygon turns in one direction, and once around.
-        total = np.arctan2(turn, (edge * after).sum(axis=1)).sum()
-        line = np.all(np.abs(turn) <= flat)
-        if length.min() < 1e-12 or line or np.any(sense * turn < -flat) or abs(abs(total) - 2.0 * math.pi) > 1e-6:
+        total = np.arctan2(turn, (edge * next_edge).sum(axis=1)).sum()
+        line = np.all(np.abs(turn) <= tolerance)
+        if length.min() < 1e-12 or line or np.any(sign * turn < -tolerance) or abs(abs(total) - 2.0 * math.pi) > 1e-6:
             raise ValueError(
                 "corners must be the corners of a convex polygon, not on a line, in order and without repetition; "
                 f"join convex polygons by |, got {validation.shown(self.corners)}"
             )
         # Stored counter-clockwise, as margin() requires.
-        object.__setattr__(self, "corners", tuple((float(x), float(y)) for x, y in array[:: int(sense)]))
+        object.__setattr__(self, "corners", tuple((float(x), float(y)) for x, y in array[:: int(sign)]))
 
     @classmethod
     def regular(
@@ -439,10 +439,10 @@ class Polygon(Shape):
 
         TypeError or ValueError if an argument is out of range.
         """
-        count = validation.integer("sides", sides, least=3, most=_MOST_CORNERS)
-        size, first = validation.real("radius", radius, above=0.0, most=_FAR), validation.real("angle", angle)
+        count = validation.integer("sides", sides, least=3, most=_MAX_CORNERS)
+        size, start = validation.real("radius", radius, above=0.0, most=_MAX_SIZE), validation.real("angle", angle)
         x, y = _point("center", center)
-        t = [first + 2.0 * math.pi * k / count for k in range(count)]
+        t = [start + 2.0 * math.pi * k / count for k in range(count)]
         return cls(tuple((x + size * math.cos(a), y + size * math.sin(a)) for a in t))
 
     @classmethod
@@ -452,7 +452,7 @@ class Polygon(Shape):
         TypeError or ValueError if the points are invalid or too close, or the width is not above 0.
         """
         (x, y), (u, v) = _point("start", start), _point("end", end)
-        length, size = math.hypot(u - x, v - y), validation.real("width", width, above=0.0, most=_FAR)
+        length, size = math.hypot(u - x, v - y), validation.real("width", width, above=0.0, most=_MAX_SIZE)
         if length < 1e-9:
             raise ValueError(f"end must differ from start, got {start} and {end}")
         p, q = 0.5 * size * (y - v) / length, 0.5 * size * (u - x) / length
@@ -465,10 +465,10 @@ class Polygon(Shape):
         ``half_plane(0.0, 0.2)`` as a `stop` transmits x <= 0.2: a knife edge that enters from large x. TypeError or
         ValueError if `offset` is not from -2 to 2.
         """
-        turn, at = validation.real("angle", angle), validation.real("offset", offset, least=-2.0, most=2.0)
+        turn, limit = validation.real("angle", angle), validation.real("offset", offset, least=-2.0, most=2.0)
         # A square of half-width 4 extends beyond the aperture for every offset: only one side of the square crosses
         # the aperture.
-        corners = ((at, -4.0), (at, 4.0), (-4.0, 4.0), (-4.0, -4.0))
+        corners = ((limit, -4.0), (limit, 4.0), (-4.0, 4.0), (-4.0, -4.0))
         return cls(tuple(_rotate_point(corner, turn) for corner in corners))
 
     @property
@@ -489,9 +489,9 @@ class Polygon(Shape):
 
     def outline(self, points: int) -> list[Array]:
         """Return points along the edge, including the corners."""
-        at = np.array(self.corners)
-        t = np.linspace(0.0, 1.0, max(2, points // len(at)), endpoint=False)[:, None, None]
-        return [(at + t * (np.roll(at, -1, axis=0) - at)).reshape(-1, 2)]
+        corners = np.array(self.corners)
+        t = np.linspace(0.0, 1.0, max(2, points // len(corners)), endpoint=False)[:, None, None]
+        return [(corners + t * (np.roll(corners, -1, axis=0) - corners)).reshape(-1, 2)]
 
     def _translate(self, x: float, y: float) -> Shape:
         return Polygon(tuple((u + x, v + y) for u, v in self.corners))
@@ -559,11 +559,11 @@ class Spider(Shape):
 
     def margin(self, x: Array, y: Array) -> Array:
         """Return a lower bound on the distance of points (`x`, `y`) from the edges; negative outside of the vanes."""
-        most = np.full(np.broadcast_shapes(np.shape(x), np.shape(y)), -np.inf)
+        largest = np.full(np.broadcast_shapes(np.shape(x), np.shape(y)), -np.inf)
         for angle in self.angles:
             c, s = math.cos(angle), math.sin(angle)
-            np.maximum(most, np.minimum(0.5 * self.width - np.abs(y * c - x * s), x * c + y * s), out=most)
-        return most
+            np.maximum(largest, np.minimum(0.5 * self.width - np.abs(y * c - x * s), x * c + y * s), out=largest)
+        return largest
 
     def outline(self, points: int) -> list[Array]:
         """Return points along the edges."""
@@ -573,7 +573,7 @@ class Spider(Shape):
         return reduce(or_, self.vanes())._translate(x, y)
 
     def _rotate(self, angle: float) -> Shape:
-        return Spider(self.width, tuple(each + angle for each in self.angles))
+        return Spider(self.width, tuple(direction + angle for direction in self.angles))
 
     def to_dict(self) -> Json:
         """Return the vanes in plain types, with their name."""
@@ -587,7 +587,7 @@ class Spider(Shape):
     def _append_to(self, parts: list[Shape], steps: list[int]) -> None:
         for i, vane in enumerate(self.vanes()):
             vane._append_to(parts, steps)
-            steps += [_EITHER] if i else []
+            steps += [_UNION] if i else []
 
 
 @dataclass(frozen=True)
@@ -683,8 +683,8 @@ class Segments:
     tilt: tuple[float, ...] = ()
 
     def __post_init__(self) -> None:
-        if not isinstance(self.shapes, Sequence) or not 1 <= len(self.shapes) <= _MOST_SEGMENTS:
-            raise ValueError(f"shapes must be 1 to {_MOST_SEGMENTS} shapes, got {validation.shown(self.shapes)}")
+        if not isinstance(self.shapes, Sequence) or not 1 <= len(self.shapes) <= _MAX_SEGMENTS:
+            raise ValueError(f"shapes must be 1 to {_MAX_SEGMENTS} shapes, got {validation.shown(self.shapes)}")
         shapes = tuple(shape(f"shapes[{i}]", part) for i, part in enumerate(self.shapes))
         vars(self).update(shapes=shapes)
         for name in ("piston", "tip", "tilt"):
@@ -720,41 +720,41 @@ class Segments:
         TypeError, ValueError
             If an argument is out of range, or if the gap leaves no segment.
         """
-        count, between = validation.integer("rings", rings, least=1, most=32), validation.real("gap", gap, least=0.0)
-        inner, turn = validation.truth("middle", middle), validation.real("angle", angle)
+        count, spacing = validation.integer("rings", rings, least=1, most=32), validation.real("gap", gap, least=0.0)
+        has_center, rotation = validation.truth("middle", middle), validation.real("angle", angle)
         # Centres a e_1 + b e_2 of a lattice of spacing 1, with hexagons of the inner radius (1 - gap) / 2.
         places = [
             (a * math.sqrt(0.75), b + 0.5 * a)
             for a in range(-count, count + 1)
             for b in range(-count, count + 1)
-            if abs(a + b) <= count and (inner or a or b)
+            if abs(a + b) <= count and (has_center or a or b)
         ]
 
         def scaled(pitch: float) -> list[Polygon]:
-            size = (pitch - between) / math.sqrt(3.0)
+            size = (pitch - spacing) / math.sqrt(3.0)
             return [Polygon.regular(6, size, (pitch * x, pitch * y)) for x, y in places]
 
         # The farthest corner belongs to a hexagon at a corner of the outer ring; bisection determines the pitch.
-        far = max(places, key=lambda place: math.hypot(*place))
-        low, high = between, 2.0
-        most = 1.0 / math.hypot(*far)
-        if between > (1.0 - 1e-9) * most:
+        farthest = max(places, key=lambda place: math.hypot(*place))
+        low, high = spacing, 2.0
+        max_gap = 1.0 / math.hypot(*farthest)
+        if spacing > (1.0 - 1e-9) * max_gap:
             raise ValueError(
-                f"gap must leave some area of the segments: with rings={count} it must be below {most:.4g}, "
-                f"got {between:g}"
+                f"gap must leave some area of the segments: with rings={count} it must be below {max_gap:.4g}, "
+                f"got {spacing:g}"
             )
         for _ in range(80):
             pitch = 0.5 * (low + high)
-            size = (pitch - between) / math.sqrt(3.0)
+            size = (pitch - spacing) / math.sqrt(3.0)
             corners = (
                 math.hypot(
-                    pitch * far[0] + size * math.cos(k * math.pi / 3),
-                    pitch * far[1] + size * math.sin(k * math.pi / 3),
+                    pitch * farthest[0] + size * math.cos(k * math.pi / 3),
+                    pitch * farthest[1] + size * math.sin(k * math.pi / 3),
                 )
                 for k in range(6)
             )
             low, high = (pitch, high) if max(corners) < 1.0 else (low, pitch)
-        return cls(tuple(part.turned(turn) for part in scaled(low)))
+        return cls(tuple(part.turned(rotation) for part in scaled(low)))
 
     @cached_property
     def centers(self) -> Array:
@@ -762,14 +762,14 @@ class Segments:
 
         Subtraction of another shape, for example a vane, does not move the centre of a segment.
         """
-        return np.array([np.concatenate(_whole(part).outline(48)).mean(axis=0) for part in self.shapes])
+        return np.array([np.concatenate(_uncut(part).outline(48)).mean(axis=0) for part in self.shapes])
 
     @cached_property
     def phases(self) -> Array:
         """Phase of each segment extrapolated to the axis, and its slopes along x and y, radians, shape (n, 3)."""
-        tip, tilt, at = np.array(self.tip), np.array(self.tilt), self.centers
+        tip, tilt, centers = np.array(self.tip), np.array(self.tilt), self.centers
         # Slopes refer to the centre of each segment; phases are stored as linear functions about the axis.
-        return np.stack([np.array(self.piston) - tip * at[:, 0] - tilt * at[:, 1], tip, tilt], axis=-1)
+        return np.stack([np.array(self.piston) - tip * centers[:, 0] - tilt * centers[:, 1], tip, tilt], axis=-1)
 
     def phased(
         self, piston: ArrayLike = 0.0, tip: ArrayLike = 0.0, tilt: ArrayLike = 0.0, *, unit: str = "radians"
@@ -778,7 +778,7 @@ class Segments:
 
         The `unit` is "radians" or "waves". TypeError or ValueError if they are not finite or do not match.
         """
-        turn = 1.0 if validation.choice("unit", unit, ("radians", "waves")) == "radians" else 2.0 * math.pi
+        factor = 1.0 if validation.choice("unit", unit, ("radians", "waves")) == "radians" else 2.0 * math.pi
         phases = {"piston": piston, "tip": tip, "tilt": tilt}
         array = [validation.real_array(name, value) for name, value in phases.items()]
         for name, part in zip(phases, array, strict=True):
@@ -787,39 +787,39 @@ class Segments:
                     f"{name} must be a number, or one for each of {len(self.shapes)} segments, got shape {part.shape}"
                 )
         return Segments(
-            self.shapes, *(tuple(np.broadcast_to(turn * part, len(self.shapes)).tolist()) for part in array)
+            self.shapes, *(tuple(np.broadcast_to(factor * part, len(self.shapes)).tolist()) for part in array)
         )
 
     def scaled(self, factor: float) -> Segments:
         """Return the same segments with phases times a `factor`; TypeError or ValueError if it is not finite."""
-        by = validation.real("factor", factor)
-        return Segments(self.shapes, *(tuple(by * x for x in part) for part in (self.piston, self.tip, self.tilt)))
+        value = validation.real("factor", factor)
+        return Segments(self.shapes, *(tuple(value * x for x in part) for part in (self.piston, self.tip, self.tilt)))
 
     def __sub__(self, other: Shape) -> Segments:
-        return self._cut(shape("other", other), _without)
+        return self._cut(shape("other", other), _difference)
 
     def __and__(self, other: Shape) -> Segments:
-        return self._cut(shape("other", other), _within)
+        return self._cut(shape("other", other), _intersection)
 
-    def _cut(self, other: Shape, by: Callable[[Shape, Shape], Shape | None]) -> Segments:
+    def _cut(self, other: Shape, operation: Callable[[Shape, Shape], Shape | None]) -> Segments:
         """Return the remaining parts of the segments, without segments that vanish."""
         require_reach("other", other)
-        left = [by(part, other) for part in self.shapes]
+        rest = [operation(part, other) for part in self.shapes]
         # Margins identify some of the vanished segments, and areas identify the others.
-        whole = zip(left, self.shapes, strict=True)
-        left = [None if part is not one and part is not None and not _clear(part) else part for part, one in whole]
-        indices = [i for i, part in enumerate(left) if part is not None]
+        pairs = zip(rest, self.shapes, strict=True)
+        rest = [None if part is not old and part is not None and not _in_rim(part) else part for part, old in pairs]
+        indices = [i for i, part in enumerate(rest) if part is not None]
         if not indices:
             raise ValueError(f"other must leave some area of the segments, got {validation.shown(other)}")
         phases = ([part[i] for i in indices] for part in (self.piston, self.tip, self.tilt))
-        return Segments(tuple(part for part in left if part is not None), *map(tuple, phases))
+        return Segments(tuple(part for part in rest if part is not None), *map(tuple, phases))
 
     def margin(self, x: Array, y: Array) -> Array:
         """Return a lower bound on the distance of points (`x`, `y`) from the edges; negative outside."""
-        most = np.full(np.broadcast_shapes(np.shape(x), np.shape(y)), -np.inf)
+        largest = np.full(np.broadcast_shapes(np.shape(x), np.shape(y)), -np.inf)
         for part in self.shapes:
-            np.maximum(most, part.margin(x, y), out=most)
-        return most
+            np.maximum(largest, part.margin(x, y), out=largest)
+        return largest
 
     def to_dict(self) -> Json:
         """Return the segments in plain types, with the name."""
@@ -827,39 +827,39 @@ class Segments:
         return {"name": "Segments", "shapes": [part.to_dict() for part in self.shapes], **numbers}
 
 
-def _clear(part: Shape) -> bool:
+def _in_rim(part: Shape) -> bool:
     """Return whether a part has points inside the rim of the aperture."""
     return listed(Disc() & part).rule(0, _AREA_ERROR).weight > 0.0
 
 
-_AROUND = 1.5  # largest margin of a part at the axis; with a larger margin its edge is far beyond the rim
+_MAX_MARGIN = 1.5  # largest margin of a part at the axis; with a larger margin its edge is far beyond the rim
 
 
 def require_reach(name: str, region: Shape) -> None:
     """Raise ValueError if the edge of a part, or the part itself, lies far beyond the rim of the aperture."""
     middle = np.zeros(1)
     for part in region.parts:
-        if part.margin(middle, middle)[0] > _AROUND:
+        if part.margin(middle, middle)[0] > _MAX_MARGIN:
             raise ValueError(
                 f"{name} must be made of parts with edges across the aperture or near its rim, got "
                 f"{validation.shown(part)} far around all of it; lengths are divided by the radius of the aperture"
             )
         edge = np.concatenate(part.outline(48))
-        if not (edge**2).sum(axis=1).min() < 1.0 and not _clear(part):
+        if not (edge**2).sum(axis=1).min() < 1.0 and not _in_rim(part):
             raise ValueError(
                 f"{name} must be made of parts that reach the aperture, got {validation.shown(part)} wholly beyond "
                 "its rim; lengths are divided by the radius of the aperture"
             )
 
 
-def _whole(part: Shape) -> Shape:
+def _uncut(part: Shape) -> Shape:
     """Return a shape before intersections with, and subtractions of, other shapes."""
-    return _whole(part.first) if isinstance(part, Combined) and part.kind != "|" else part
+    return _uncut(part.first) if isinstance(part, Combined) and part.kind != "|" else part
 
 
 def _margin_bounds(part: Shape, other: Shape) -> tuple[float, float]:
     """Return a lower and an upper bound on the margin of `other` at all points of a `part`."""
-    edge = np.concatenate(_whole(part).outline(48))
+    edge = np.concatenate(_uncut(part).outline(48))
     x, y = edge.mean(axis=0)
     # The circle contains the whole part, with 2 % for arcs between points of its edge.
     radius = float(np.hypot(edge[:, 0] - x, edge[:, 1] - y).max()) * 1.02
@@ -867,16 +867,16 @@ def _margin_bounds(part: Shape, other: Shape) -> tuple[float, float]:
     return margin - radius, margin + radius
 
 
-def _without(part: Shape, other: Shape) -> Shape | None:
+def _difference(part: Shape, other: Shape) -> Shape | None:
     """Return a part minus another shape: the same object if they do not overlap, None if no area is left."""
     if isinstance(other, Combined) and other.kind == "|":
-        left = _without(part, other.first)
-        return None if left is None else _without(left, other.second)
+        remaining = _difference(part, other.first)
+        return None if remaining is None else _difference(remaining, other.second)
     least, most = _margin_bounds(part, other)
     return part if most < 0.0 else None if least > 0.0 else part - other
 
 
-def _within(part: Shape, other: Shape) -> Shape | None:
+def _intersection(part: Shape, other: Shape) -> Shape | None:
     """Return a part within another shape: the same object if it is entirely inside, None if it is outside."""
     least, most = _margin_bounds(part, other)
     return None if most < 0.0 else part if least > 0.0 else part & other

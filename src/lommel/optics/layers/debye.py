@@ -1,7 +1,7 @@
 r"""Debye-Wolf integrals over the pupil of a microscope, by Gauss-Legendre quadrature with proven error bounds.
 
-The range [0, 1] of the pupil radius rho is divided at the critical angle of the sample, ``rho = n_s / NA``. The
-variable of the section below the critical angle is x = 1 - c, where c is the cosine in the layer of the lowest index
+The range [0, 1] of the pupil radius rho is divided into sections (class `Piece`) at ``rho = n_s / NA``, the critical
+angle of the sample. The variable of the section below it is x = 1 - c, with the cosine c in the layer of lowest index
 n and ``rho d rho = -(n / NA)^2 c dc``. The variable of the section above is ``abs(c_s)``, with the cosine c_s in the
 sample. An integrand odd in rho (radial, azimuthal and vortex beams) also has a central section with the variable rho.
 
@@ -38,7 +38,7 @@ ETA = np.geomspace(4e-3, 2.5, 28)
 _ARCS = 1024  # number of discs that cover an ellipse
 _ESTIMATE_POINTS = 24  # points of an ellipse for an estimate of the growth
 _ORDERS = {"vectorial": (0, 1, 2), "scalar": (0,), "radial": (0, 1), "azimuthal": (0, 1), "vortex": (1, 2, 3)}
-_ODD = ("radial", "azimuthal", "vortex")
+_ODD_KINDS = ("radial", "azimuthal", "vortex")
 # End of the central section, as a value of 1 - c and as a value of rho / (n / NA). It is equally far from the
 # singularities of the integrands in the central section and in the next section.
 _CENTRE = 0.3
@@ -108,8 +108,8 @@ class At:
         # The smaller of two bounds on abs(Im sqrt(z)), z in a disc: docs/certificate.md, section 14, "Discs".
         square = self.square * self.piece.layers.NA**-2
         root = np.sqrt(square.centre)
-        near = np.abs(root.imag) + square.radius / np.maximum(np.abs(root), 1e-300)
-        return np.asarray(np.minimum(np.hypot(root.imag, np.sqrt(square.radius)), near))
+        linear_bound = np.abs(root.imag) + square.radius / np.maximum(np.abs(root), 1e-300)
+        return np.asarray(np.minimum(np.hypot(root.imag, np.sqrt(square.radius)), linear_bound))
 
     @cached_property
     def analytic(self) -> NDArray[np.bool_]:
@@ -180,22 +180,22 @@ class Piece:
     def _factors(self, at: At, model: Model, t_s: Values, t_p: Values) -> tuple[Complex, ...]:
         # Radial, azimuthal and vortex beams: docs/certificate.md, section 14, "What is odd in rho".
         c_i, c_s = at(self.layers.immersion), at(self.layers.sample)
-        light = self.jacobian(at.x) * (c_i**-0.5 if model.aplanatic else 1.0 + 0.0j)
+        factor = self.jacobian(at.x) * (c_i**-0.5 if model.aplanatic else 1.0 + 0.0j)
         if self.layers.exponent:
-            light = light * np.exp(-self.layers.apodization(at.square))
+            factor = factor * np.exp(-self.layers.apodization(at.square))
         if model.kind == "scalar":
-            return (2.0 * light,)
+            return (2.0 * factor,)
         sine = np.sqrt(at.square) / self.layers.sample
         if model.kind == "azimuthal":
-            return 0.0 * light, 2.0 * light * t_s
+            return 0.0 * factor, 2.0 * factor * t_s
         if model.kind == "radial":
-            return 2.0j * light * t_p * sine, 2.0 * light * t_p * c_s
-        return light * (t_s + t_p * c_s), light * t_p * sine, light * (t_s - t_p * c_s)
+            return 2.0j * factor * t_p * sine, 2.0 * factor * t_p * c_s
+        return factor * (t_s + t_p * c_s), factor * t_p * sine, factor * (t_s - t_p * c_s)
 
     def _ellipses(self, eta: Array, theta: Array) -> Complex:
         """Return points on the ellipses around the section, shape ``(eta, theta)``."""
-        half = 0.5 * (self.high - self.low)
-        return np.asarray(self.low + half * (1.0 + np.cos(theta + 1j * eta[:, None])))
+        half_length = 0.5 * (self.high - self.low)
+        return np.asarray(self.low + half_length * (1.0 + np.cos(theta + 1j * eta[:, None])))
 
     @cached_property
     def covered(self) -> At:
@@ -225,16 +225,16 @@ class Piece:
         `factor` is, for each disc, the log of a bound on an additional factor of the integrands.
         """
         covered, amplitude = enclosed(self, model, rows)
-        fixed, by_depth, by_focus = covered.rates
-        worst = np.full(covered.height.shape, -np.inf)
+        phase0, by_depth, by_focus = covered.rates
+        wave = np.full(covered.height.shape, -np.inf)
         with np.errstate(all="ignore"):
             for d, f in extremes(depth, focus):
                 # The largest abs(exp(i psi)) = exp(-Im psi) on each disc.
-                phase = fixed.centre.imag + d * by_depth.centre.imag + f * by_focus.centre.imag
-                worst = np.maximum(worst, fixed.radius + d * by_depth.radius + abs(f) * by_focus.radius - phase)
-            grown = (amplitude + worst + v * covered.height + factor).max(axis=-1)
+                phase = phase0.centre.imag + d * by_depth.centre.imag + f * by_focus.centre.imag
+                wave = np.maximum(wave, phase0.radius + d * by_depth.radius + abs(f) * by_focus.radius - phase)
+            bound = (amplitude + wave + v * covered.height + factor).max(axis=-1)
         logs = np.full(ETA.shape, np.inf)
-        logs[list(rows or range(ETA.size))] = np.where(covered.analytic & np.isfinite(grown), grown + 1e-9, np.inf)
+        logs[list(rows or range(ETA.size))] = np.where(covered.analytic & np.isfinite(bound), bound + 1e-9, np.inf)
         return logs
 
     def _estimated_growth(self, model: Model, depth: Array, focus: Array, v: float) -> Array:
@@ -242,11 +242,11 @@ class Piece:
         at = At(
             self, self._ellipses(ETA, (np.arange(float(_ESTIMATE_POINTS)) + 0.5) * (2.0 * math.pi / _ESTIMATE_POINTS))
         )
-        fixed, by_depth, by_focus = at.rates
+        phase0, by_depth, by_focus = at.rates
         with np.errstate(all="ignore"):
-            light = np.log(np.max([np.abs(part) for part in self.parts(at, model)], axis=0))
-            decay = np.min([(fixed + d * by_depth + f * by_focus).imag for d, f in extremes(depth, focus)], axis=0)
-            growth = (light - decay + v / self.layers.NA * np.abs(np.sqrt(at.square).imag)).max(axis=-1)
+            log_size = np.log(np.max([np.abs(part) for part in self.parts(at, model)], axis=0))
+            decay = np.min([(phase0 + d * by_depth + f * by_focus).imag for d, f in extremes(depth, focus)], axis=0)
+            growth = (log_size - decay + v / self.layers.NA * np.abs(np.sqrt(at.square).imag)).max(axis=-1)
         return np.where(at.analytic & np.isfinite(growth), growth, np.inf)
 
     def proven_count(
@@ -260,9 +260,9 @@ class Piece:
     def growth_on_best(self, model: Model, depth: Array, focus: Array, v: float, error: float) -> Array:
         """Return :meth:`growth` on one or two ellipses that need the fewest nodes according to an estimate."""
         estimate = self._node_counts(self._estimated_growth(model, depth, focus, v), error)
-        best = int(estimate.argmin())
+        best_row = int(estimate.argmin())
         # The best ellipse nearly always suffices; if its bound is infinite, try its neighbours, then all ellipses.
-        for rows in ((best,), tuple(row for row in (best - 1, best + 1) if 0 <= row < ETA.size)):
+        for rows in ((best_row,), tuple(row for row in (best_row - 1, best_row + 1) if 0 <= row < ETA.size)):
             growth = self.growth(model, depth, focus, v, rows)
             if np.isfinite(growth).any():
                 return growth
@@ -279,14 +279,14 @@ class Piece:
 
     def nodes(self, growth: Array, error: float) -> int:
         """Return the smallest number of nodes with a proven error of at most `error`; ValueError if there is none."""
-        needed = float(self._node_counts(growth, error).min())
-        if not math.isfinite(needed):
-            thinner = "films must be thinner, or " if self.layers.films else ""
+        count = float(self._node_counts(growth, error).min())
+        if not math.isfinite(count):
+            advice = "films must be thinner, or " if self.layers.films else ""
             raise ValueError(
-                f"{thinner}NA must be farther below the indices of immersion and cover glass: at {self.layers.NA:g} "
+                f"{advice}NA must be farther below the indices of immersion and cover glass: at {self.layers.NA:g} "
                 "no number of quadrature nodes is proven to suffice"
             )
-        return max(2, math.ceil(needed))
+        return max(2, math.ceil(count))
 
 
 class Centre(Piece):
@@ -320,21 +320,21 @@ def enclosed(piece: Piece, model: Model, rows: Rows) -> tuple[At, Array]:
     at = piece.covered if rows is None else piece._cover(ETA[list(rows)])
     t_s, t_p, _ = at.amplitudes
     with np.errstate(all="ignore"):
-        light = np.log(piece.jacobian(at.x).largest)
+        log_bound = np.log(piece.jacobian(at.x).largest)
         if model.aplanatic:
-            light -= 0.5 * np.log(at(piece.layers.immersion).least)
+            log_bound -= 0.5 * np.log(at(piece.layers.immersion).least)
         if piece.layers.exponent:
             g = piece.layers.apodization(at.square)
-            light += g.radius - g.centre.real
+            log_bound += g.radius - g.centre.real
         if model.kind == "scalar":
-            return at, np.asarray(light + math.log(2.0))
+            return at, np.asarray(log_bound + math.log(2.0))
         c_s = at(piece.layers.sample)
         sine = np.sqrt(at.square.largest) / piece.layers.sample
         if model.kind == "azimuthal":
-            return at, np.asarray(light + np.log(2.0 * t_s.largest))
+            return at, np.asarray(log_bound + np.log(2.0 * t_s.largest))
         if model.kind == "radial":
-            return at, np.asarray(light + np.log(2.0 * np.maximum((t_p * c_s).largest, t_p.largest * sine)))
-        return at, np.asarray(light + np.log(np.maximum(t_s.largest + (t_p * c_s).largest, t_p.largest * sine)))
+            return at, np.asarray(log_bound + np.log(2.0 * np.maximum((t_p * c_s).largest, t_p.largest * sine)))
+        return at, np.asarray(log_bound + np.log(np.maximum(t_s.largest + (t_p * c_s).largest, t_p.largest * sine)))
 
 
 def extremes(depth: Array, focus: Array) -> list[tuple[float, float]]:
@@ -350,7 +350,7 @@ def extremes(depth: Array, focus: Array) -> list[tuple[float, float]]:
 @lru_cache(maxsize=8)
 def pieces(layers: Layers, model: Model) -> tuple[Piece, ...]:
     """Return the sections of the pupil; a section beyond the critical angle, if included, is the last."""
-    odd = model.kind in _ODD
+    odd = model.kind in _ODD_KINDS
     lowest = min(layers.immersion, layers.glass, layers.sample)
     # 1 - cos of the largest angle, as sin^2 / (1 + cos) without cancellation.
     sine = min(1.0, layers.NA / lowest)
@@ -388,10 +388,10 @@ class Rule(NamedTuple):
 
     def waves(self, depth: Array, focus: Array) -> Complex:
         """Return ``exp(i psi)`` for each plane and node, shape ``(planes, nodes)``."""
-        fixed, by_depth, by_focus = self.rates
+        phase0, by_depth, by_focus = self.rates
         phases = depth[:, None] * by_depth
         phases += focus[:, None] * by_focus
-        phases += fixed
+        phases += phase0
         phases *= 1j
         return np.asarray(np.exp(phases, out=phases))
 
@@ -406,13 +406,13 @@ def rule(
     """
     sections = pieces(layers, model)
     counts = tuple(piece.proven_count(model, depth, focus, v, tol / len(sections), factor) for piece in sections)
-    rho, joined, rates = tabulated(sections, model, counts)
+    rho, parts, rates = tabulated(sections, model, counts)
     # The rounding error of phases is proportional to the sum of optical paths: certificate, section 14, "Rounding".
     paths = sum(index * abs(thickness) for index, thickness in layers.paths)
     reach = layers.sample * depth.max(initial=0.0) + layers.immersion * np.abs(focus).max(initial=0.0) + paths
-    size = max(float(np.abs(part).sum()) for part in joined)
+    size = max(float(np.abs(part).sum()) for part in parts)
     rounding = (4.0 * layers.wavenumber * reach + 4.0 * v + 2.0 * math.sqrt(rho.size) + 64.0) * _ROUNDOFF * size
-    return Rule(rho, joined, rates, float(tol + rounding), rounding, counts)
+    return Rule(rho, parts, rates, float(tol + rounding), rounding, counts)
 
 
 def tabulated(
@@ -426,9 +426,9 @@ def tabulated(
         rhos.append(np.sqrt(at.square) / piece.layers.NA)
         parts.append([w * part for part in piece.parts(at, model)])
         rates.append(at.rates)
-    fixed, by_depth, by_focus = (np.concatenate(rate) for rate in zip(*rates, strict=True))
-    joined = tuple(np.concatenate(part) for part in zip(*parts, strict=True))
-    return np.concatenate(rhos), joined, (fixed, by_depth, by_focus)
+    phase0, by_depth, by_focus = (np.concatenate(rate) for rate in zip(*rates, strict=True))
+    all_parts = tuple(np.concatenate(part) for part in zip(*parts, strict=True))
+    return np.concatenate(rhos), all_parts, (phase0, by_depth, by_focus)
 
 
 def fields(rule: Rule, model: Model, depth: Array, focus: Array, v: Array) -> tuple[Complex, ...]:
@@ -451,51 +451,51 @@ def power(layers: Layers, depth: Array, model: Model | None = None, *, by: str |
     """
     model = model or Model()
     # Double the number of nodes until two results agree to 1e-13; convergence is geometric.
-    before = np.full((1, 1), -1.0)
+    previous = np.full((1, 1), -1.0)
     for n in (32 * 2**k for k in range(9)):
-        propagating, decay_rates, evanescent, propagating_change, evanescent_change = _collected(layers, model, n)
+        propagating, decay_rates, evanescent, propagating_change, evanescent_change = _powers(layers, model, n)
         decay = np.exp(np.outer(depth, decay_rates))
         total = decay @ evanescent + propagating
-        near, far = total, propagating
+        powers, far_powers = total, propagating
         if by is not None:
             # Propagating light does not depend on depth.
-            near, far = decay @ (evanescent * decay_rates[:, None]), 0.0 * far
+            powers, far_powers = decay @ (evanescent * decay_rates[:, None]), 0.0 * far_powers
         if by == "wavenumber":
             # Decay rates are proportional to k, which adds depth times the derivative by depth.
-            near = depth[:, None] * near + decay @ evanescent_change + propagating_change
-            far = propagating_change
+            powers = depth[:, None] * powers + decay @ evanescent_change + propagating_change
+            far_powers = propagating_change
         # The error of a derivative is relative to the sum of the power and the derivative.
-        size = total if by is None else total + np.abs(near)
-        if (np.abs(near - before) <= 1e-13 * size.sum(axis=1, keepdims=True)).all():
+        size = total if by is None else total + np.abs(powers)
+        if (np.abs(powers - previous) <= 1e-13 * size.sum(axis=1, keepdims=True)).all():
             break
-        before = near
-    return near, far
+        previous = powers
+    return powers, far_powers
 
 
 @lru_cache(maxsize=64)
-def _collected(layers: Layers, model: Model, n: int) -> tuple[Array, Array, Array, Array, Array]:
-    """Return the power of each part by n nodes per section.
+def _powers(layers: Layers, model: Model, n: int) -> tuple[Array, Array, Array, Array, Array]:
+    """Return the powers of each part, by n nodes per section.
 
     The result is the propagating power, the decay rates and the powers at depth 0 of evanescent waves at each node,
     and the derivatives of both powers by ln k.
     """
-    parts = len(model.orders)
-    propagating, propagating_change = np.zeros(parts), np.zeros(parts)
-    decay_rates, evanescent, evanescent_change = np.zeros(0), np.zeros((0, parts)), np.zeros((0, parts))
+    part_count = len(model.orders)
+    propagating, propagating_change = np.zeros(part_count), np.zeros(part_count)
+    decay_rates, evanescent, evanescent_change = np.zeros(0), np.zeros((0, part_count)), np.zeros((0, part_count))
     for piece in pieces(layers, model):
         x, w = gauss_legendre(n, piece.low, piece.high)
         at = At(piece, x)
         # The squared parts include the square of the Jacobian: divide by it once.
         measure = (w / (2.0 * piece.jacobian(x)))[:, None]
-        of = np.stack(piece.parts(at, model), axis=1)
-        light: Array = measure * np.abs(of) ** 2
-        change: Array = np.zeros(of.shape)
+        node_parts = np.stack(piece.parts(at, model), axis=1)
+        node_power: Array = measure * np.abs(node_parts) ** 2
+        change: Array = np.zeros(node_parts.shape)
         if films(layers, model):
-            change = measure * 2.0 * (of.conj() * np.stack(piece.changes(at, model), axis=1)).real
+            change = measure * 2.0 * (node_parts.conj() * np.stack(piece.changes(at, model), axis=1)).real
         if piece.above:
-            decay_rates, evanescent, evanescent_change = -2.0 * at.rates[1].imag, light, change
+            decay_rates, evanescent, evanescent_change = -2.0 * at.rates[1].imag, node_power, change
         else:
-            propagating += light.sum(axis=0)
+            propagating += node_power.sum(axis=0)
             propagating_change += change.sum(axis=0)
     return propagating, decay_rates, evanescent, propagating_change, evanescent_change
 
@@ -534,7 +534,7 @@ def slope_errors(
     quadrature: Rule, layers: Layers, model: Model, depth: Array, focus: Array, v: float, tol: float
 ) -> tuple[float, float, float, float]:
     """Return bounds on the errors of a rule for derivatives by depth, by focus, by v, and by ln k at fixed v."""
-    each = []
+    errors = []
     for piece, n in zip(pieces(layers, model), quadrature.counts, strict=True):
         growth = piece.growth_on_best(model, depth, focus, v, tol / len(quadrature.counts))
         rows = tuple(int(row) for row in np.flatnonzero(np.isfinite(growth)))
@@ -543,8 +543,8 @@ def slope_errors(
         # abs(dJ_m(v rho)/dv) <= abs(rho) exp(v abs(Im rho)); the other factors are derivatives of the phase.
         rho = np.sqrt(covered.square.largest) / layers.NA
         factors = by_depth.largest, by_focus.largest, rho, phases(covered, model, depth, focus)
-        proven = (piece.constant() - 2.0 * n * ETA + growth)[list(rows)]
-        each.append([float(np.exp((proven + np.log(factor.max(axis=-1))).min())) for factor in factors])
+        log_error = (piece.constant() - 2.0 * n * ETA + growth)[list(rows)]
+        errors.append([float(np.exp((log_error + np.log(factor.max(axis=-1))).min())) for factor in factors])
     # Largest factor of derivatives by ln k, for rounding errors: docs/certificate.md, section 15, "The wavelength".
     by_k = turning(quadrature, layers, model)
     phase = max(float(np.abs(by_k.rates.T @ (1.0, d, f)).max()) for d, f in extremes(depth, focus))
@@ -554,7 +554,7 @@ def slope_errors(
         )
     largest = *(float(np.abs(rate).max()) for rate in quadrature.rates[1:]), 1.0, 1.0 + phase
     sums = [
-        sum(part) + quadrature.rounding * size for part, size in zip(zip(*each, strict=True), largest, strict=True)
+        sum(part) + quadrature.rounding * size for part, size in zip(zip(*errors, strict=True), largest, strict=True)
     ]
     return sums[0], sums[1], sums[2], sums[3]
 
@@ -567,8 +567,8 @@ def steepest(layers: Layers, model: Model, depth: Array, focus: Array) -> tuple[
         # By the maximum principle a bound on the narrowest ellipse without singularity holds on the section inside.
         row = next(row for row in range(ETA.size) if enclosed(piece, model, (row,))[0].analytic[0])
         covered, _ = enclosed(piece, model, (row,))
-        rates = [(rate - least).largest for rate, least in zip(covered.rates[1:], middle[1:], strict=True)]
-        bounds = np.maximum(bounds, [*(each.max() for each in rates), phases(covered, model, depth, focus).max()])
+        rates = [(rate - offset).largest for rate, offset in zip(covered.rates[1:], middle[1:], strict=True)]
+        bounds = np.maximum(bounds, [*(rate.max() for rate in rates), phases(covered, model, depth, focus).max()])
     return float(bounds[0]), float(bounds[1]), float(bounds[2])
 
 
@@ -577,9 +577,9 @@ def phases(covered: At, model: Model, depth: Array, focus: Array) -> Array:
     layers, psi = covered.piece.layers, np.zeros(covered.square.radius.shape)
     for d, f in extremes(depth, focus):
         centre, radius = np.zeros(psi.shape, np.complex128), np.zeros(psi.shape)
-        for by, rate, least in zip((1.0, d, f), covered.rates, layers.middle_rates(), strict=True):
-            centre = centre + by * (rate.centre - least)
-            radius = radius + abs(by) * rate.radius
+        for coordinate, rate, middle_rate in zip((1.0, d, f), covered.rates, layers.middle_rates(), strict=True):
+            centre = centre + coordinate * (rate.centre - middle_rate)
+            radius = radius + abs(coordinate) * rate.radius
         psi = np.maximum(psi, (np.abs(centre) + radius) * (1.0 + 1e-12))
     if films(layers, model):
         of_s, of_p = layers.log_slopes(covered, covered.square)

@@ -39,7 +39,7 @@ from lommel.special import zernike
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-_FAR = 1e3  # largest rho for which the phase is evaluated; powers of rho overflow beyond
+_MAX_RHO = 1e3  # largest rho for which the phase is evaluated; powers of rho overflow beyond
 MAX_HIGHER = 8
 """Largest number of coefficients of powers above rho^4."""
 UNITS = ("radians", "waves", "metres")
@@ -75,21 +75,21 @@ def radians_per(unit: str, wavelength: float | None) -> float:
 _Key = TypeVar("_Key")
 
 
-def common_shape(what: str, parts: Mapping[_Key, Array | Wavefront]) -> tuple[int, ...]:
+def common_shape(label: str, parts: Mapping[_Key, Array | Wavefront]) -> tuple[int, ...]:
     """Return the shape to which arrays and stacks broadcast; else raise ValueError with each name and shape."""
     try:
         return np.broadcast_shapes(*[part.shape for part in parts.values()])
     except ValueError:
         shapes = {name: part.shape for name, part in parts.items() if part.shape}
-        raise ValueError(f"{what} must broadcast, got shapes {shapes}") from None
+        raise ValueError(f"{label} must broadcast, got shapes {shapes}") from None
 
 
 def _columns(parts: Collection[ArrayLike], shape: tuple[int, ...]) -> Array:
     """Return arrays broadcast to a shape and stacked along a new last axis."""
-    out = np.empty((*shape, len(parts)))
+    columns = np.empty((*shape, len(parts)))
     for k, part in enumerate(parts):
-        out[..., k] = part
-    return out
+        columns[..., k] = part
+    return columns
 
 
 @lru_cache(maxsize=64)
@@ -140,7 +140,7 @@ class Wavefront(EqualByContent, display.Shown):
     shape : tuple of int
         Shape of the stack; ``()`` for a single wavefront.
     terms : tuple of (n, m)
-        Zernike terms: first (2, 0), (4, 0), ... without gaps, then those that depend on theta, sorted.
+        Zernike terms: first (2, 0), (4, 0), ... without gaps, then the terms that depend on theta, sorted.
     edge : ndarray, shape ``shape + (len(terms),)``
         Coefficients of `terms`, radians at the edge; read-only.
 
@@ -198,16 +198,16 @@ class Wavefront(EqualByContent, display.Shown):
         columns["spherical"] = _coefficients("spherical", spherical)
         for i, c in enumerate(higher):
             columns[f"higher[{i}]"] = _coefficients(f"higher[{i}]", c)
-        others: dict[Term, Array] = {}
+        angular_terms: dict[Term, Array] = {}
         for key, c in (nonradial or {}).items():
             n, m = zernike.term(key, "nm")
             if m == 0:
                 raise ValueError(f"nonradial must hold terms with m != 0, got {(n, m)}; use Wavefront.zernike")
-            others[n, m] = _coefficients(f"nonradial[{n}, {m}]", c)
-        parts = columns | dict(sorted(others.items()))
+            angular_terms[n, m] = _coefficients(f"nonradial[{n}, {m}]", c)
+        parts = columns | dict(sorted(angular_terms.items()))
         edge = _columns(parts.values(), common_shape("defocus, spherical, higher and nonradial", parts))
         powers, error = edge[..., : len(columns)].copy(), validation.real("error", error, least=0.0)
-        self._set((*symmetric_terms(len(columns)), *sorted(others)), edge, error, powers)
+        self._set((*symmetric_terms(len(columns)), *sorted(angular_terms)), edge, error, powers)
 
     def _set(self, terms: tuple[Term, ...], edge: Array, error: float, powers: Array | None) -> None:
         """Set the attributes from checked arrays.
@@ -219,8 +219,8 @@ class Wavefront(EqualByContent, display.Shown):
                 # Methods use Zernike terms, which do not cancel; the powers are kept for exact output.
                 edge[..., : powers.shape[-1]] = zernike.edge_of_powers(powers)
         if edge.size == 0:
-            what = "the coefficients of a wavefront (defocus, spherical and others)"
-            raise ValueError(f"{what} must not be empty, got shape {edge.shape[:-1]}")
+            subject = "the coefficients of a wavefront (defocus, spherical and others)"
+            raise ValueError(f"{subject} must not be empty, got shape {edge.shape[:-1]}")
         if not np.isfinite(edge).all():
             raise ValueError("the coefficients of a wavefront must be finite, also after scaling and addition")
         edge.flags.writeable = False
@@ -441,7 +441,7 @@ class Wavefront(EqualByContent, display.Shown):
         defocus = w["W020"] + (w["W220"] + 0.5 * w["W222"]) * square
         # rho^3 cos = (R_3^1 cos + 2 rho cos) / 3, and H^2 rho^2 cos^2 = H^2 rho^2 (1 + cos 2 phi) / 2.
         tilt = 2.0 / 3.0 * w["W131"] + w["W311"] * square
-        others = {
+        angular_terms = {
             (1, 1): tilt * x,
             (1, -1): tilt * y,
             (3, 1): w["W131"] / 3.0 * x,
@@ -449,7 +449,7 @@ class Wavefront(EqualByContent, display.Shown):
             (2, 2): 0.5 * w["W222"] * (x * x - y * y),
             (2, -2): w["W222"] * x * y,
         }
-        nonradial = {term: c for term, c in others.items() if np.any(c)}
+        nonradial = {term: c for term, c in angular_terms.items() if np.any(c)}
         return cls(np.broadcast_to(0.5 * defocus, shape), w["W040"], higher, nonradial)
 
     @classmethod
@@ -486,9 +486,9 @@ class Wavefront(EqualByContent, display.Shown):
     @cached_property
     def defocus(self) -> Array:
         """Defocus coefficient C_d, radians."""
-        half = np.asarray(0.5 * self.coefficients[..., 0])
-        half.flags.writeable = False
-        return half
+        value = np.asarray(0.5 * self.coefficients[..., 0])
+        value.flags.writeable = False
+        return value
 
     @property
     def spherical(self) -> Array:
@@ -503,8 +503,8 @@ class Wavefront(EqualByContent, display.Shown):
     @cached_property
     def nonradial(self) -> Mapping[Term, Array]:
         """Coefficients of the terms that depend on theta, radians at the edge, by (n, m)."""
-        others = enumerate(self.terms[self.symmetric :], self.symmetric)
-        return MappingProxyType({term: np.asarray(self.edge[..., j]) for j, term in others})
+        indexed_terms = enumerate(self.terms[self.symmetric :], self.symmetric)
+        return MappingProxyType({term: np.asarray(self.edge[..., j]) for j, term in indexed_terms})
 
     @cached_property
     def symmetric(self) -> int:
@@ -615,20 +615,20 @@ class Wavefront(EqualByContent, display.Shown):
         terms = self.terms
         if other.terms != terms:
             # A canonical order of the terms: radial terms without gaps, then the others, sorted.
-            others = {*terms[self.symmetric :], *other.terms[other.symmetric :]}
-            terms = (*symmetric_terms(max(self.symmetric, other.symmetric)), *sorted(others))
+            angular_terms = {*terms[self.symmetric :], *other.terms[other.symmetric :]}
+            terms = (*symmetric_terms(max(self.symmetric, other.symmetric)), *sorted(angular_terms))
         edge = np.zeros((*shape, len(terms)))
         powers = None
         if self._powers is not None and other._powers is not None:
             powers = np.zeros((*shape, max(self.symmetric, other.symmetric)))
         with np.errstate(over="ignore", invalid="ignore"):
-            for each in (self, other):
-                if each.terms == terms:
-                    edge += each.edge
+            for summand in (self, other):
+                if summand.terms == terms:
+                    edge += summand.edge
                 else:
-                    edge[..., [terms.index(term) for term in each.terms]] += each.edge
-                if powers is not None and each._powers is not None:
-                    powers[..., : each.symmetric] += each._powers
+                    edge[..., [terms.index(term) for term in summand.terms]] += summand.edge
+                if powers is not None and summand._powers is not None:
+                    powers[..., : summand.symmetric] += summand._powers
         return self.trusted(terms, edge, self.error + other.error, powers)
 
     def __mul__(self, factor: float) -> Self:
@@ -692,12 +692,12 @@ class Wavefront(EqualByContent, display.Shown):
             If `rho` or `theta` is not real and finite, if they do not broadcast, or if a radius is negative or above
             1000.
         """
-        points = validation.real_array("rho", rho, least=0.0, most=_FAR), validation.real_array("theta", theta)
+        points = validation.real_array("rho", rho, least=0.0, most=_MAX_RHO), validation.real_array("theta", theta)
         r, angle = validation.broadcast("rho and theta", *points)
-        at = (1,) * r.ndim
+        point_axes = (1,) * r.ndim
         total = zernike.legendre_sum(self.radial_terms, 2.0 * r * r - 1.0)
         for (n, m), c in self.nonradial.items():
-            total += c.reshape(self.shape + at) * zernike.polynomial(n, m, r, angle)
+            total += c.reshape(self.shape + point_axes) * zernike.polynomial(n, m, r, angle)
         return total
 
     def rotated(self, angle: ArrayLike) -> Self:
@@ -735,8 +735,8 @@ class Wavefront(EqualByContent, display.Shown):
         """
         eps = validation.real_array("radius", radius)
         if not np.all((eps > 0.0) & (eps <= 1.0)):
-            bad = eps[~((eps > 0.0) & (eps <= 1.0))].flat[0]
-            raise ValueError(f"radius must be > 0 and <= 1, got {bad:g}")
+            invalid = eps[~((eps > 0.0) & (eps <= 1.0))].flat[0]
+            raise ValueError(f"radius must be > 0 and <= 1, got {invalid:g}")
         shape = common_shape("radius and the stack", {"radius": eps, "the stack": self})
         scaled = zernike.scaled(self.edge_terms(), np.broadcast_to(eps, shape))
         terms = (*symmetric_terms(self.symmetric), *sorted(term for term in scaled if term[1]))
@@ -752,14 +752,14 @@ class Wavefront(EqualByContent, display.Shown):
             terms = {t: c for t, c in self.edge_terms().items() if np.any(c)}
             error = f", error={self.error:.3g}" if self.error else ""
             return f'Wavefront.zernike({_terms_text(terms)}, normalization="edge"{error})'
-        shown = [f"defocus={_number_text(self.defocus, shape=True)}", f"spherical={_number_text(self.spherical)}"]
+        arguments = [f"defocus={_number_text(self.defocus, shape=True)}", f"spherical={_number_text(self.spherical)}"]
         if self.higher:
-            shown.append(f"higher=({', '.join(_number_text(c) for c in self.higher)},)")
+            arguments.append(f"higher=({', '.join(_number_text(c) for c in self.higher)},)")
         if self.nonradial:
-            shown.append(f"nonradial={_terms_text(self.nonradial)}")
+            arguments.append(f"nonradial={_terms_text(self.nonradial)}")
         if self.error:
-            shown.append(f"error={self.error:.3g}")
-        return f"Wavefront({', '.join(shown)})"
+            arguments.append(f"error={self.error:.3g}")
+        return f"Wavefront({', '.join(arguments)})"
 
     def in_words(self) -> str:
         """Describe the three largest terms, radians at the edge of the pupil, and the number of other terms."""
@@ -767,27 +767,27 @@ class Wavefront(EqualByContent, display.Shown):
         if sizes.keys() <= {(2, 0)}:
             ends = dict.fromkeys(f"{c:.4g}" for c in (self.defocus.min(), self.defocus.max()))
             return f"C_d {' to '.join(ends)} rad" if sizes else "no aberration"
-        first = sorted(sizes, key=lambda term: -sizes[term])[:3]
-        listed = ", ".join(f"({n}, {'+-' * bool(m)}{m}) {sizes[n, m]:.3g}" for n, m in first)
-        more = f" and {len(sizes) - 3} more" if len(sizes) > 3 else ""
-        return f"Zernike terms {listed}{more}, rad at the edge"
+        largest = sorted(sizes, key=lambda term: -sizes[term])[:3]
+        listed = ", ".join(f"({n}, {'+-' * bool(m)}{m}) {sizes[n, m]:.3g}" for n, m in largest)
+        others = f" and {len(sizes) - 3} more" if len(sizes) > 3 else ""
+        return f"Zernike terms {listed}{others}, rad at the edge"
 
     def to_dict(self) -> Json:
         """Return the coefficients as plain lists and numbers; :meth:`from_dict` is the inverse."""
         if self._powers is None:
-            plain: Json = {"terms": [[n, m, c.tolist()] for (n, m), c in self.edge_terms().items()]}
+            description: Json = {"terms": [[n, m, c.tolist()] for (n, m), c in self.edge_terms().items()]}
         else:
             # A coefficient that is constant over the stack becomes one number; the defocus keeps the stack's shape.
-            plain = {
+            description = {
                 "defocus": self.defocus.tolist(),
                 "spherical": _constant_or_list(self.spherical),
                 "higher": [_constant_or_list(c) for c in self.higher],
             }
             if self.nonradial:
-                plain["nonradial"] = [[n, m, _constant_or_list(c)] for (n, m), c in self.nonradial.items()]
+                description["nonradial"] = [[n, m, _constant_or_list(c)] for (n, m), c in self.nonradial.items()]
         if self.error:
-            plain["error"] = self.error
-        return plain
+            description["error"] = self.error
+        return description
 
     @classmethod
     def from_dict(cls, description: Json) -> Self:
@@ -797,10 +797,10 @@ class Wavefront(EqualByContent, display.Shown):
             pairs = [((n, m), c) for n, m, c in parts.pop("terms")]
             return cls.zernike(pairs, normalization="edge", **parts)
         listed = parts.pop("nonradial", [])
-        others = {(n, m): c for n, m, c in listed}
-        if len(others) < len(listed):
+        nonradial = {(n, m): c for n, m, c in listed}
+        if len(nonradial) < len(listed):
             raise ValueError(f"nonradial must hold each term (n, m) once, got {[(n, m) for n, m, _ in listed]}")
-        return cls(**parts, nonradial=others)
+        return cls(**parts, nonradial=nonradial)
 
 
 def _constant_or_list(value: Array) -> object:

@@ -34,8 +34,8 @@ _NU = 5.0 / 6.0  # order of the Bessel function of von Karman's structure functi
 
 def frequencies(fx: ArrayLike, fy: ArrayLike) -> tuple[Array, Array]:
     """Return validated spatial frequencies along x (columns) and y (rows), broadcast to the same shape."""
-    across, down = validation.broadcast("fx and fy", validation.real_array("fx", fx), validation.real_array("fy", fy))
-    return across, down
+    x, y = validation.broadcast("fx and fy", validation.real_array("fx", fx), validation.real_array("fy", fy))
+    return x, y
 
 
 class Blur:
@@ -223,11 +223,11 @@ class Seeing(Blur):
         Raise TypeError or ValueError if numbers are not finite, or the shapes of `fx` and `fy` are not broadcastable.
         """
         x, y = frequencies(fx, fy)
-        given = None if wavelength is None else validation.wavelength(wavelength)
-        q = np.hypot(x, y) / self.coherence(given)
+        metres = None if wavelength is None else validation.wavelength(wavelength)
+        q = np.hypot(x, y) / self.coherence(metres)
         if self.outer_scale is None:
             return numbers(np.exp(-KOLMOGOROV * q ** (5.0 / 3.0)), x.shape)
-        factor, rate = karman(self, given)
+        factor, rate = karman(self, metres)
         return numbers(np.exp(-_von_karman(rate * q, factor)), x.shape)
 
 
@@ -245,24 +245,24 @@ def karman(air: Seeing, wavelength: float | None) -> tuple[float, float]:
     return factor * math.gamma(11.0 / 6.0) / math.pi ** (8 / 3), 2.0 * math.pi / ratio
 
 
-def _von_karman(at: Array, factor: float) -> Array:
+def _von_karman(argument: Array, factor: float) -> Array:
     """Return ``factor (limit - z^nu K_nu(z))`` at z, half of the structure function; see :func:`karman`."""
     from scipy.special import gamma, kv
 
-    z = np.atleast_1d(at)
+    z = np.atleast_1d(argument)
     # lim z^nu K_nu(z) = 2^(nu - 1) Gamma(nu) for z -> 0, nu - 1 = -1/6.
     limit = math.gamma(_NU) / 2.0 ** (1.0 / 6.0)
     # z is limited to 700, where K_nu has not underflowed, and the structure function equals its limit to all digits.
-    far = np.minimum(np.maximum(z, 1.0), 700.0)
-    large = np.where(z > 1.0, limit - far**_NU * kv(_NU, far), 0.0)
+    large_z = np.minimum(np.maximum(z, 1.0), 700.0)
+    bessel = np.where(z > 1.0, limit - large_z**_NU * kv(_NU, large_z), 0.0)
     # For small z the difference would lose digits: K_nu is replaced by two series in z^2 / 4 (DLMF 10.27.4, 10.25.2),
     # without the first term of the even series, which cancels the limit. 14 terms yield all digits for z <= 1.
-    k, near = np.arange(14)[:, None], np.minimum(z, 1.0).ravel()
-    powers = (0.25 * near * near) ** k / gamma(k + 1.0)
-    rising = (powers / gamma(k + 1.0 + _NU)).sum(axis=0) * near ** (2.0 * _NU) * 2.0**-_NU
+    k, small_z = np.arange(14)[:, None], np.minimum(z, 1.0).ravel()
+    powers = (0.25 * small_z * small_z) ** k / gamma(k + 1.0)
+    fractional = (powers / gamma(k + 1.0 + _NU)).sum(axis=0) * small_z ** (2.0 * _NU) * 2.0**-_NU
     even = (powers[1:] / gamma(k[1:] + 1.0 - _NU)).sum(axis=0) * 2.0**_NU
-    series = 0.5 * math.pi / math.sin(math.pi * _NU) * (rising - even)
-    return np.asarray(factor * np.where(z > 1.0, large, series.reshape(z.shape))).reshape(at.shape)
+    series = 0.5 * math.pi / math.sin(math.pi * _NU) * (fractional - even)
+    return np.asarray(factor * np.where(z > 1.0, bessel, series.reshape(z.shape))).reshape(argument.shape)
 
 
 @dataclass(frozen=True)
@@ -374,14 +374,14 @@ def blurs(value: object) -> tuple[Blur, ...]:
     """Return one or several blurs as a tuple, empty for None; TypeError for other values."""
     if value is None:
         return ()
-    several = (value,) if isinstance(value, Blur) else value
+    items = (value,) if isinstance(value, Blur) else value
     # A string is iterable, but the message must show the whole string, not its first letter.
-    if not isinstance(several, Iterable) or isinstance(several, str | bytes):
+    if not isinstance(items, Iterable) or isinstance(items, str | bytes):
         raise TypeError(f"blur must be one or several of {', '.join(KINDS)}, got {validation.shown(value)}")
-    checked = tuple(several)
-    for one in checked:
-        if type(one) not in KINDS.values():
-            raise TypeError(f"blur must be made of {', '.join(KINDS)}, got {validation.shown(one)}")
+    checked = tuple(items)
+    for blur in checked:
+        if type(blur) not in KINDS.values():
+            raise TypeError(f"blur must be made of {', '.join(KINDS)}, got {validation.shown(blur)}")
     return checked
 
 
@@ -394,17 +394,17 @@ def blurs_from_dicts(descriptions: Iterable[Json]) -> tuple[Blur, ...]:
     return tuple(rebuilt)
 
 
-def require_unit(several: tuple[Blur, ...], pupil: BasePupil) -> None:
+def require_unit(blurs: tuple[Blur, ...], pupil: BasePupil) -> None:
     """Raise ValueError if a blur is in metres and a pupil in units of lambda*N, or the other way round."""
     metric = pupil.wavelength is not None
-    for blur in several:
+    for blur in blurs:
         if blur.metric is not None and blur.metric != metric:
-            how = (
+            advice = (
                 "focal_length and wavelength"
                 if metric
                 else "only r0 divided by the diameter, as the pupil has no wavelength"
             )
-            raise ValueError(f"blur must fit the unit of the pupil, {pupil.unit}: give Seeing {how}, got {blur!r}")
+            raise ValueError(f"blur must fit the unit of the pupil, {pupil.unit}: give Seeing {advice}, got {blur!r}")
         for length in blur.lengths:
             # Ratios beyond these limits indicate a wrong unit, such as metres for lambda*N or millimetres.
             ratio = length / pupil.scale

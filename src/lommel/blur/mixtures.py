@@ -23,7 +23,7 @@ _MIN_RATE, _MAX_RATE, _RATES = 0.3, 3e4, 120  # smallest and largest rate of the
 _MIN_WEIGHT = 1e-7  # smallest weight of a term
 
 #: Results of `turbulence` (weights, rates, error) for (outer scale / r0, number of terms), stored to save time.
-_STATED: dict[tuple[float | None, int], tuple[tuple[float, ...], tuple[float, ...], float]] = {
+_STORED: dict[tuple[float | None, int], tuple[tuple[float, ...], tuple[float, ...], float]] = {
     (None, 3): ((0.662778, 0.296069, 0.041153), (3.05998, 9.35535, 101.599), 2.3e-3),
     (None, 6): (
         (0.370949, 0.44304, 0.135663, 0.037594, 0.010529, 0.002225),
@@ -61,8 +61,8 @@ class Mixture(NamedTuple):
 @lru_cache(maxsize=32)
 def turbulence(outer: float | None = None, terms: int = TERMS) -> Mixture:
     """Return seeing as a mixture of at most `terms` Gaussians; `outer` is outer scale / r0, None for infinity."""
-    if (stated := _STATED.get((outer, terms))) is not None:
-        return Mixture(np.array(stated[0]), np.array(stated[1]), stated[2])
+    if (stored := _STORED.get((outer, terms))) is not None:
+        return Mixture(np.array(stored[0]), np.array(stored[1]), stored[2])
     from scipy import optimize
 
     # Above q = 2.6 Kolmogorov's T is below 1e-7, and von Karman's T is nearly at its limit.
@@ -78,9 +78,9 @@ def turbulence(outer: float | None = None, terms: int = TERMS) -> Mixture:
     design = np.vstack([gaussians(rates), np.full(len(rates), sum_weight)])
     # Non-negative least squares: negative weights could make images negative.
     weights, _ = optimize.nnls(design, np.append(goal, sum_weight))
-    used = np.flatnonzero(weights > _MIN_WEIGHT)
-    used = used[np.argsort(rates[used])]
-    w, r = _merge_terms(weights[used], rates[used], terms)
+    indices = np.flatnonzero(weights > _MIN_WEIGHT)
+    indices = indices[np.argsort(rates[indices])]
+    w, r = _merge_terms(weights[indices], rates[indices], terms)
     w, r = _reduce_error(goal, q * q, w, r)
     return Mixture(w, r, float(np.abs(gaussians(r) @ w - goal).max()))
 
@@ -120,17 +120,17 @@ def _reduce_error(goal: Array, square: Array, w: Array, r: Array) -> tuple[Array
         by_weight = (gaussians - (gaussians @ w)[:, None]) * w
         return np.asarray(weight[:, None] * np.hstack([by_weight, -gaussians * w * rates * square[:, None]]))
 
-    best = np.concatenate([np.log(w), np.log(np.maximum(r, 1e-6))])
+    best_x = np.concatenate([np.log(w), np.log(np.maximum(r, 1e-6))])
     weight, least = np.ones(len(goal)), np.inf
     for _ in range(30):
         # Lawson's method: with weights that increase with the error, least squares approach the minimax fit.
-        x = optimize.least_squares(weighted_error, best, jacobian, args=(weight,), method="lm", max_nfev=200).x
+        x = optimize.least_squares(weighted_error, best_x, jacobian, args=(weight,), method="lm", max_nfev=200).x
         error = np.abs(weighted_error(x, np.ones(1)))
         if not error.max() < least:
             break
-        best, least = x, float(error.max())
+        best_x, least = x, float(error.max())
         weight = np.sqrt(error / least + 0.1)
-    w, rates, _ = parts(best)
+    w, rates, _ = parts(best_x)
     order = np.argsort(rates)
     return w[order], rates[order]
 
@@ -174,11 +174,11 @@ class Shape:
         return cls(mixture.weights, np.stack(columns, axis=1), np.zeros(len(rates)), names, outer)
 
     @classmethod
-    def known(cls, several: tuple[Blur, ...], pixel: float, wavelength: float | None) -> Shape:
+    def known(cls, blurs: tuple[Blur, ...], pixel: float, wavelength: float | None) -> Shape:
         """Return the Shape of known isotropic blurs, at most one of which is Seeing, for pixels of pitch `pixel`."""
-        squares = sum(float(each.covariance[0, 0]) for each in several) / pixel**2
+        squares = sum(float(blur.covariance[0, 0]) for blur in blurs) / pixel**2
         weights, rates = np.ones(1), np.zeros(1)
-        for seeing in (each for each in several if isinstance(each, Seeing)):
+        for seeing in (blur for blur in blurs if isinstance(blur, Seeing)):
             q = seeing.coherence(wavelength) * pixel
             outer = None if seeing.outer_scale is None else seeing.outer_scale / seeing.r0
             if outer is not None and wavelength is not None and seeing.wavelength is not None:

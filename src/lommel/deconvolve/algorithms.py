@@ -186,10 +186,10 @@ def search(
         trials.append((math.log(strength), math.log(discrepancy / target)))
         if len(trials) == _MAX_TRIALS or _CLOSE_ENOUGH[0] <= trials[-1][1] <= _CLOSE_ENOUGH[1]:
             return discrepancy, strength
-        following = min(max(_next_strength(trials), smallest), 64.0 * first)
-        if math.isclose(following, strength, rel_tol=1e-6):
+        next_strength = min(max(_next_strength(trials), smallest), 64.0 * first)
+        if math.isclose(next_strength, strength, rel_tol=1e-6):
             return discrepancy, strength
-        strength = following
+        strength = next_strength
 
 
 def _next_strength(trials: list[tuple[float, float]]) -> float:
@@ -204,12 +204,12 @@ def _next_strength(trials: list[tuple[float, float]]) -> float:
         # Secant in the bracket [a, b], kept away from its ends so that the bracket shrinks by at least 30 %.
         fraction = min(max(-u / (v - u), 0.3), 0.7) if b > a else 0.5
         return math.exp(a + fraction * (b - a))
-    last, excess = trials[-1]
+    log_strength, excess = trials[-1]
     slope = 0.3  # typical d ln(discrepancy) / d ln(strength)
-    if len(trials) > 1 and last != trials[-2][0]:
-        slope = max((excess - trials[-2][1]) / (last - trials[-2][0]), 1e-3)
+    if len(trials) > 1 and log_strength != trials[-2][0]:
+        slope = max((excess - trials[-2][1]) / (log_strength - trials[-2][0]), 1e-3)
     # Without a bracket the strength changes by a factor of 4 at most: the slope is a local estimate.
-    return math.exp(last - min(max(excess / slope, -math.log(4.0)), math.log(4.0)))
+    return math.exp(log_strength - min(max(excess / slope, -math.log(4.0)), math.log(4.0)))
 
 
 Pixels = NDArray[np.generic]  # stored values, unsigned integers or floats
@@ -286,7 +286,7 @@ class Restoration(Judged):
             Status, converged, reliable, and all attributes except arrays; numbers that are not finite are None.
         """
         verdict = {name: getattr(self, name) for name in ("status", "converged", "reliable")}
-        numbers = {name: each for name, each in fields_of(self).items() if not isinstance(each, np.ndarray)}
+        numbers = {name: value for name, value in fields_of(self).items() if not isinstance(value, np.ndarray)}
         numbers.pop("light", None)  # None of tiles
         data: Json = plain(verdict | numbers)
         return data
@@ -311,19 +311,19 @@ def shown(progress: ProgressCallback | None) -> Iterator[ProgressCallback]:
     if progress is not None or sys.stderr is None or not sys.stderr.isatty():
         yield progress or silent
         return
-    stream, due = sys.stderr, time.monotonic() + _QUIET
+    stream, next_line = sys.stderr, time.monotonic() + _QUIET
 
-    def write(step: int, discrepancy: float, left: float) -> None:
-        nonlocal due
-        if (now := time.monotonic()) >= due:
-            stream.write(f"\rstep {step}, discrepancy {discrepancy:.3g}, about {left:.0f} s left\x1b[K")
+    def write(step: int, discrepancy: float, seconds_left: float) -> None:
+        nonlocal next_line
+        if (now := time.monotonic()) >= next_line:
+            stream.write(f"\rstep {step}, discrepancy {discrepancy:.3g}, about {seconds_left:.0f} s left\x1b[K")
             stream.flush()
-            due = now + _PAUSE
+            next_line = now + _PAUSE
 
-    start = due
+    start = next_line
     try:
         yield write
     finally:
-        if due > start:
+        if next_line > start:
             stream.write("\r\x1b[K")
             stream.flush()

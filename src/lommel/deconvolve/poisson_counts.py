@@ -1,4 +1,4 @@
-"""Recorded planes as Poisson counts, and the discrepancy between these and the blurred image of a scene."""
+"""Recorded planes as Poisson counts, and the discrepancy between counts and the blurred image of a scene."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from lommel.recorded.noise import Noise
 
 SINGLE: np.dtype[np.floating] = np.dtype(np.float32)
 TINY = 1e-30  # smallest denominator: the ratio of a count of 0 to a model of 0 is then 0
-_MANY = 3.0  # mean electrons above which the expected deviance of the true scene is set to 1 + 1 / (6 m)
+_MIN_ELECTRONS = 3.0  # mean electrons above which the expected deviance of the true scene is set to 1 + 1 / (6 m)
 _MAX_RATIO = 1e3  # largest ratio of counts to model
 _BLOCK, _DARKEST = 8, 10.0  # side of blocks in pixels, and percentile of their means from which a background starts
 
@@ -44,7 +44,7 @@ class PoissonCounts:
         Saturated pixels, whose values are lower limits of the light.
     """
 
-    weakest = 1.0 / 512.0  # smallest strength of the total variation in a search, relative to the usual one
+    weakest = 1.0 / 512.0  # smallest strength of the total variation in a search, relative to the usual strength
     settles = True  # whether steps with a prescribed strength end at convergence, even before their largest number
 
     def __init__(
@@ -90,7 +90,7 @@ class PoissonCounts:
         self.white = weights / known_count  # mean gain, electrons per unit of light
         # Scalars, or maps over the pixels of a plane.
         self._added, self._shift, self._weight = (
-            np.asarray(each, dtype=self.dtype) for each in (added, added - offset, gain / self.white)
+            np.asarray(values, dtype=self.dtype) for values in (added, added - offset, gain / self.white)
         )
         self.most_weight = float(self._weight.max())
         self.level = sum(self._light) / weights  # mean light
@@ -100,7 +100,7 @@ class PoissonCounts:
         self.smallest = 1e-6 * max(counts / weights, TINY)
         # The expected deviance of the true scene is 1 + 1/(6 m) for m electrons; 1/m is estimated by the mean of
         # 1 / (1 + counted electrons).
-        self.expected = 1.0 + excess / float(self.known.sum()) if self.electrons > _MANY else 1.0
+        self.expected = 1.0 + excess / float(self.known.sum()) if self.electrons > _MIN_ELECTRONS else 1.0
 
     @property
     def start(self) -> Array:
@@ -191,30 +191,30 @@ class PoissonCounts:
         """
 
         def part(plane: int, rows: slice, columns: slice) -> Values:
-            out = np.full((rows.stop - rows.start, columns.stop - columns.start), self.level, dtype=np.float32)
+            scene_part = np.full((rows.stop - rows.start, columns.stop - columns.start), self.level, dtype=np.float32)
             if 0 <= plane - planes < len(self._recorded):
                 sides = zip((rows, columns), self._recorded.shape[1:], strict=True)
                 (y, down), (x, across) = (overlap(at.start - pixels, at.stop - pixels, side) for at, side in sides)
                 counts, weight = self.part(plane - planes, y, x)
                 light = np.maximum(counts - _map_part(self._added, y, x), 0.0)
-                out[down, across] = np.where(weight > 0.0, light, self.level)
-            return out
+                scene_part[down, across] = np.where(weight > 0.0, light, self.level)
+            return scene_part
 
         return part
 
     def set_background(self, levels: Array) -> None:
         """Set the background from its levels (points, points) on a grid over the field, interpolated linearly."""
-        down, across = (_interpolation_weights(side, len(levels)) for side in self._recorded.shape[1:])
-        self.background = float(levels[0, 0]) if levels.size == 1 else (down @ levels @ across.T).astype(np.float32)
+        rows, columns = (_interpolation_weights(side, len(levels)) for side in self._recorded.shape[1:])
+        self.background = float(levels[0, 0]) if levels.size == 1 else (rows @ levels @ columns.T).astype(np.float32)
 
     def means(self, misfit: Values, count: int) -> Array:
         """Return the weighted mean of a misfit around each point of a grid of `count` by `count` points.
 
         `misfit` (planes, height, width) is the weighted ratio of counts to model less 1.
         """
-        down, across = (_interpolation_weights(side, count) for side in self._recorded.shape[1:])
-        sums = down.T @ misfit.sum(axis=0, dtype=np.float64) @ across
-        return np.asarray(sums / np.maximum(down.T @ self._pixel_weights @ across, TINY))
+        rows, columns = (_interpolation_weights(side, count) for side in self._recorded.shape[1:])
+        sums = rows.T @ misfit.sum(axis=0, dtype=np.float64) @ columns
+        return np.asarray(sums / np.maximum(rows.T @ self._pixel_weights @ columns, TINY))
 
     @cached_property
     def _pixel_weights(self) -> Array:
@@ -228,13 +228,13 @@ class PoissonCounts:
     def darkest(self) -> float:
         """Return the light of the darkest blocks, which contain background and little else."""
         means = [self.level]
-        down, across = (max(side // _BLOCK, 1) for side in self._recorded.shape[1:])
+        n_rows, n_columns = (max(side // _BLOCK, 1) for side in self._recorded.shape[1:])
         for plane in range(len(self.known)):
             counts, weight = self.part(plane, slice(None), slice(None))
             known = np.broadcast_to(weight > 0.0, counts.shape)
             light = np.where(known, counts - self._added, 0.0)
-            for rows in zip(np.array_split(light, down), np.array_split(known, down), strict=True):
-                blocks = (np.array_split(values, across, axis=1) for values in rows)
+            for rows in zip(np.array_split(light, n_rows), np.array_split(known, n_rows), strict=True):
+                blocks = (np.array_split(values, n_columns, axis=1) for values in rows)
                 # Blocks with unknown pixels are ignored.
                 means += [
                     float(block.sum() / count.sum()) for block, count in zip(*blocks, strict=True) if count.all()
@@ -284,7 +284,7 @@ class PoissonCounts:
         offset = _map_part(self._added, rows, columns) + background
         # All in place, because allocating memory would take longer than the operations.
         at_least(light, TINY)  # narrowed kernels have negative values, which may prevail beside very bright voxels
-        share = light.copy() if np.any(background) else None
+        squares = light.copy() if np.any(background) else None
         model = np.add(light, offset, out=light)
         ratio = np.divide(counts, model, out=counts)
         np.minimum(ratio, np.full(ratio.shape[-1:], _MAX_RATIO, ratio.dtype), out=ratio)
@@ -303,14 +303,14 @@ class PoissonCounts:
             misfit[plane, rows, columns] = ratio
         # Rows are summed in the type of the values, and their sums in float64.
         row_sums = [np.einsum("yx,yx->y", terms, model)]
-        if share is not None:
-            share /= model
-            share *= share
+        if squares is not None:
+            squares /= model
+            squares *= squares
             terms *= model
             if weight.ndim:
-                share *= weight > 0.0
-            row_sums += [np.einsum("yx,yx->y", values, share) for values in (terms, np.ones_like(share), share)]
-        sums = [float(part.sum(dtype=np.float64)) for part in row_sums]
+                squares *= weight > 0.0
+            row_sums += [np.einsum("yx,yx->y", values, squares) for values in (terms, np.ones_like(squares), squares)]
+        sums = [float(row.sum(dtype=np.float64)) for row in row_sums]
         return np.array(sums + [0.0] * (4 - len(sums)))
 
 
@@ -352,7 +352,7 @@ class PhotographCounts(PoissonCounts):
         If no pixel is known.
     """
 
-    weakest = 1.0 / 8.0  # with correct depths the strength is 0.5 to 2 times the usual one
+    weakest = 1.0 / 8.0  # with correct depths the strength is 0.5 to 2 times the usual strength
     settles = False
 
     def __init__(
@@ -368,7 +368,7 @@ class PhotographCounts(PoissonCounts):
         if not (np.isfinite(light) & ~self._saturated).any():
             raise ValueError("no pixel of the photograph is known: all are NaN or saturated")
         self.full = self._saturated if self._saturated.any() else None
-        planes = [np.moveaxis(each.reshape(*blur.shape, -1), 2, 0) for each in (self.light, self._saturated)]
+        planes = [np.moveaxis(values.reshape(*blur.shape, -1), 2, 0) for values in (self.light, self._saturated)]
         super().__init__(planes[0], noise, dtype=blur.dtype, full=None if self.full is None else planes[1])
         self.added = self._added[..., None] if self._added.ndim and light.ndim == 3 else self._added
 
@@ -436,10 +436,10 @@ class PhotographCounts(PoissonCounts):
         planes = np.broadcast_to(self.start, (self.blur.channels, *self.blur.shape))
         return self.operator.image(planes)
 
-    def _image(self, which: int) -> Values:
+    def _image(self, index: int) -> Values:
         """Return counts or weights of all parts as an image."""
         shape = self.light.shape
-        out = np.empty((*self.blur.shape, self.blur.channels), self.dtype)
+        values = np.empty((*self.blur.shape, self.blur.channels), self.dtype)
         for plane in range(self.blur.channels):
-            out[..., plane] = self.part(plane, slice(None), slice(None))[which]
-        return out.reshape(shape)
+            values[..., plane] = self.part(plane, slice(None), slice(None))[index]
+        return values.reshape(shape)

@@ -34,9 +34,9 @@ from lommel.base.threads import side_by_side
 from lommel.recorded.counts import Counts
 from lommel.recorded.noise import Noise
 
-_LEAST = 1e-3  # smallest mean of a pixel, electrons
-_REACH = 4.0  # half-width of kernels, standard deviations
-_FAR = 1e-3  # fraction of the kernel's weight on known pixels, below which a pixel has no known neighbours
+_MIN_MEAN = 1e-3  # smallest mean of a pixel, electrons
+_TRUNCATION = 4.0  # half-width of kernels, standard deviations
+_MIN_KNOWN = 1e-3  # fraction of the kernel's weight on known pixels, below which a pixel has no known neighbours
 APART = 1.0 - 1e-9  # smallest distance of boxes that do not overlap, in sides of a box
 DEFECT = 1e3  # smallest read noise of a defective pixel, electrons
 
@@ -85,8 +85,8 @@ class Spots:
         return self.frame.size
 
     def __repr__(self) -> str:
-        left = f"{self.borders} at borders and {self.overlapping} overlapping left out"
-        return f"<Spots: {len(self)} in boxes of {' x '.join(map(str, self.images.shape[1:]))}; {left}>"
+        omitted = f"{self.borders} at borders and {self.overlapping} overlapping left out"
+        return f"<Spots: {len(self)} in boxes of {' x '.join(map(str, self.images.shape[1:]))}; {omitted}>"
 
 
 def find(
@@ -163,8 +163,8 @@ def find(
     camera_noise = (noise or Noise(read=0.0)).require_shape(counts.values.shape)
     # With a third of the box, a molecule hardly increases its own background.
     camera, wide = camera_noise.poisson, min(rows, columns) / 3.0
-    light, read = camera.electrons(filled(counts.values, counts.hidden, narrow)), camera.read
-    defects = np.zeros(light.shape[1:], bool)
+    electrons, read = camera.electrons(filled(counts.values, counts.hidden, narrow)), camera.read
+    defects = np.zeros(electrons.shape[1:], bool)
     if not isinstance(read, float):
         defects = np.asarray(camera_noise.read) >= DEFECT
         if defects.all():
@@ -172,30 +172,30 @@ def find(
                 f"read must be below {DEFECT:g} electrons for pixels that are not defects, got no such pixel"
             )
         read = np.where(defects, np.median(read[~defects]), read)
-    kernel = Kernel(light.shape[1:], narrow, wide)
-    variance = np.full(light.shape[1:], read**2) if isinstance(read, float) else kernel.squared(read**2)
+    kernel = Kernel(electrons.shape[1:], narrow, wide)
+    variance = np.full(electrons.shape[1:], read**2) if isinstance(read, float) else kernel.squared(read**2)
 
     known_fraction = smoothed(1.0 - defects, narrow)
 
     def maxima(frame: Array) -> tuple[Values, Values, Array]:
         return kernel.maxima(filled(frame[None], defects[None], narrow, known_fraction)[0], variance, level)
 
-    spots = side_by_side(maxima, list(light), count)
-    frame = np.repeat(np.arange(len(light)), [part[0].size for part in spots])
+    spots = side_by_side(maxima, list(electrons), count)
+    frame = np.repeat(np.arange(len(electrons)), [part[0].size for part in spots])
     row, column, score = (np.concatenate([part[k] for part in spots] or [np.empty(0, int)]) for k in range(3))
     # With twice the frame number as a coordinate, spots of different frames are at least 2 boxes apart.
     kept = brightest(np.column_stack([row / rows, column / columns, 2.0 * frame]), score, APART)
     overlapping = int(score.size - kept.sum())
     corners = np.column_stack([row - rows // 2, column - columns // 2])
-    inside = ((corners >= 0) & (corners + box <= light.shape[1:])).all(axis=1)
-    borders = int((kept & ~inside).sum())
-    kept &= inside
+    in_frame = ((corners >= 0) & (corners + box <= electrons.shape[1:])).all(axis=1)
+    borders = int((kept & ~in_frame).sum())
+    kept &= in_frame
     frame, corners = frame[kept], corners[kept]
     boxes = frame[:, None, None], *box_pixels(corners, box)
     saturated, left_out = (int(pixels[boxes].sum()) for pixels in (counts.full, counts.hidden))
-    false_spots = _density(level, narrow, wide) * light.shape[1] * light.shape[2]
-    (row, column), left = corners.T, (borders, overlapping, saturated, left_out)
-    return Spots(frame + start, row, column, score[kept], counts.marked()[boxes], *left, false_spots)
+    false_spots = _density(level, narrow, wide) * electrons.shape[1] * electrons.shape[2]
+    (row, column), omitted = corners.T, (borders, overlapping, saturated, left_out)
+    return Spots(frame + start, row, column, score[kept], counts.marked()[boxes], *omitted, false_spots)
 
 
 def frame_counts(frames: ArrayLike, box: tuple[int, int], **options: Any) -> Counts:
@@ -229,13 +229,13 @@ def filled(planes: Values, left_out: NDArray[np.bool_], width: float, known_frac
     if not left_out.any():
         return planes
     images = np.where(left_out, 0.0, planes).astype(np.float64)
-    for image, out in zip(images, left_out, strict=True):
-        if out.any():
-            fraction = smoothed(1.0 - out, width) if known_fraction is None else known_fraction
+    for image, hidden in zip(images, left_out, strict=True):
+        if hidden.any():
+            fraction = smoothed(1.0 - hidden, width) if known_fraction is None else known_fraction
             # Left-out pixels are 0: smoothed light / smoothed fraction is the mean over the other pixels.
-            image[out] = (smoothed(image, width) / np.maximum(fraction, 1e-300))[out]
-            if (isolated := out & (fraction <= _FAR)).any():
-                image[isolated] = np.median(image[~out])
+            image[hidden] = (smoothed(image, width) / np.maximum(fraction, 1e-300))[hidden]
+            if (isolated := hidden & (fraction <= _MIN_KNOWN)).any():
+                image[isolated] = np.median(image[~hidden])
     return images
 
 
@@ -253,21 +253,21 @@ class Kernel:
         """
         background = smoothed(light, self.wide)
         excess = smoothed(light, self.narrow) - background
-        mean = np.maximum(np.maximum(background, 0.0) + variance, _LEAST)
+        mean = np.maximum(np.maximum(background, 0.0) + variance, _MIN_MEAN)
         # The score is less than (excess / standard deviation): it is computed only for pixels where that is at least
         # `level`. The product x abs(x) has the sign of x, which rejects pixels below the background.
-        bright = np.nonzero(excess * np.abs(excess) >= level**2 * self.squares * mean)
-        near = math.ceil(self.narrow)
-        heights = np.zeros((light.shape[0] + 2 * near, light.shape[1] + 2 * near))
-        own = _heights(excess[bright], mean[bright], self.squares[bright], self.cubes[bright])
-        row, column = bright[0] + near, bright[1] + near
-        heights[row, column] = own
-        peak = own >= level
-        for down in range(-near, near + 1):
+        candidates = np.nonzero(excess * np.abs(excess) >= level**2 * self.squares * mean)
+        radius = math.ceil(self.narrow)
+        heights = np.zeros((light.shape[0] + 2 * radius, light.shape[1] + 2 * radius))
+        scores = _heights(excess[candidates], mean[candidates], self.squares[candidates], self.cubes[candidates])
+        row, column = candidates[0] + radius, candidates[1] + radius
+        heights[row, column] = scores
+        peak = scores >= level
+        for dy in range(-radius, radius + 1):
             # A maximum is not below any pixel within one standard deviation of the narrow Gaussian.
-            for across in range(-near, near + 1):
-                peak &= own >= heights[row + down, column + across]
-        return bright[0][peak], bright[1][peak], own[peak]
+            for dx in range(-radius, radius + 1):
+                peak &= scores >= heights[row + dy, column + dx]
+        return candidates[0][peak], candidates[1][peak], scores[peak]
 
     def squared(self, variance: Array) -> Array:
         """Return the mean variance of pixels, weighted by the square of the narrow Gaussian."""
@@ -286,7 +286,7 @@ def _heights(excess: Array, mean: Array, squares: Array, cubes: Array) -> Array:
 
 def smoothed(light: Array, sigma: float) -> Array:
     """Return an image convolved with a Gaussian of this standard deviation, with reflection at the edges."""
-    return np.asarray(ndimage.gaussian_filter(light, sigma, mode="reflect", truncate=_REACH))
+    return np.asarray(ndimage.gaussian_filter(light, sigma, mode="reflect", truncate=_TRUNCATION))
 
 
 @lru_cache(maxsize=16)
@@ -304,16 +304,16 @@ def _moments(rows: int, columns: int, narrow: float, wide: float) -> tuple[Array
 
 def _sums(side: int, narrow: float, wide: float) -> dict[tuple[int, int], Array]:
     """Return, for powers (i, j), the sums of narrow^i wide^j along one axis at each pixel."""
-    reach = math.ceil(_REACH * wide) + 1
+    reach = math.ceil(_TRUNCATION * wide) + 1
     count = min(side, 2 * reach + 1)
-    one, other = (
-        ndimage.gaussian_filter1d(np.eye(count), sigma, axis=0, mode="reflect", truncate=_REACH)
+    narrow_weights, wide_weights = (
+        ndimage.gaussian_filter1d(np.eye(count), sigma, axis=0, mode="reflect", truncate=_TRUNCATION)
         for sigma in (narrow, wide)
     )
     # Pixels farther than `reach` from both edges have equal sums.
-    place = np.minimum(np.arange(side), np.maximum(reach, np.arange(side) + count - side))
+    index = np.minimum(np.arange(side), np.maximum(reach, np.arange(side) + count - side))
     powers = [(i, power - i) for power in (2, 3) for i in range(power + 1)]
-    return {(i, j): (one**i * other**j).sum(axis=1)[place] for i, j in powers}
+    return {(i, j): (narrow_weights**i * wide_weights**j).sum(axis=1)[index] for i, j in powers}
 
 
 def _density(threshold: float, narrow: float, wide: float) -> float:
@@ -321,8 +321,8 @@ def _density(threshold: float, narrow: float, wide: float) -> float:
     pairs = ((1.0, 2.0 * narrow**2), (-2.0, narrow**2 + wide**2), (1.0, 2.0 * wide**2))
     # Integrals of (dk/dx)^2 and k^2, up to common factors: a product of two Gaussians depends on the sum of
     # variances.
-    slopes, squares = (math.fsum(factor / total**power for factor, total in pairs) for power in (2.0, 1.0))
-    return slopes / squares * threshold * math.exp(-0.5 * threshold**2) / math.sqrt(2.0 * math.pi) ** 3
+    gradients, squares = (math.fsum(factor / total**power for factor, total in pairs) for power in (2.0, 1.0))
+    return gradients / squares * threshold * math.exp(-0.5 * threshold**2) / math.sqrt(2.0 * math.pi) ** 3
 
 
 def brightest(places: Array, score: Array, near: float) -> NDArray[np.bool_]:
@@ -342,5 +342,5 @@ def brightest(places: Array, score: Array, near: float) -> NDArray[np.bool_]:
 
 def box_pixels(corners: NDArray[np.int64], box: tuple[int, ...]) -> tuple[Values, Values]:
     """Return the rows (n, height, 1) and columns (n, 1, width) of boxes from their first pixels (n, 2)."""
-    at = corners[:, :, None, None]
-    return at[:, 0] + np.arange(box[0])[:, None], at[:, 1] + np.arange(box[1])
+    first_pixel = corners[:, :, None, None]
+    return first_pixel[:, 0] + np.arange(box[0])[:, None], first_pixel[:, 1] + np.arange(box[1])

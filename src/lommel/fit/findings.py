@@ -85,9 +85,9 @@ class Finding:
     numbers: Mapping[str, Any] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        for name, value, known in (("code", self.code, CODES), ("severity", self.severity, _SEVERITIES)):
-            if value not in known:
-                raise ValueError(f"{name} must be one of {', '.join(known)}, got {value!r}")
+        for name, value, choices in (("code", self.code, CODES), ("severity", self.severity, _SEVERITIES)):
+            if value not in choices:
+                raise ValueError(f"{name} must be one of {', '.join(choices)}, got {value!r}")
 
     def __str__(self) -> str:
         return self.text
@@ -115,17 +115,17 @@ class Findings(tuple[Finding, ...]):
 
     def __new__(cls, findings: Iterable[Finding] = ()) -> Findings:
         """Sort findings by severity; findings of the same severity keep their order."""
-        return super().__new__(cls, sorted(findings, key=lambda each: _SEVERITIES.index(each.severity)))
+        return super().__new__(cls, sorted(findings, key=lambda finding: _SEVERITIES.index(finding.severity)))
 
     @property
     def converged(self) -> bool:
         """Whether no finding is an error."""
-        return not any(each.severity == "error" for each in self)
+        return not any(finding.severity == "error" for finding in self)
 
     @property
     def reliable(self) -> bool:
         """Whether no finding is an error or a doubt."""
-        return all(each.severity == "note" for each in self)
+        return all(finding.severity == "note" for finding in self)
 
     @property
     def status(self) -> str:
@@ -137,12 +137,12 @@ class Findings(tuple[Finding, ...]):
     @property
     def codes(self) -> tuple[str, ...]:
         """The codes, in order of decreasing severity."""
-        return tuple(each.code for each in self)
+        return tuple(finding.code for finding in self)
 
     @property
     def text(self) -> str:
         """The texts of all findings, separated by semicolons."""
-        return "; ".join(each.text for each in self)
+        return "; ".join(finding.text for finding in self)
 
     def get(self, code: str) -> Finding | None:
         """Return the first finding with a code.
@@ -155,7 +155,7 @@ class Findings(tuple[Finding, ...]):
         -------
         Finding or None
         """
-        return next((each for each in self if each.code == code), None)
+        return next((finding for finding in self if finding.code == code), None)
 
 
 class Judged:

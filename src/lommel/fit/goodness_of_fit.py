@@ -35,14 +35,14 @@ BY_CHANCE = 1e-4
 """Probability that a correct fit is reported as a misfit."""
 SURE = 1e-3
 """Probability that a search continues although its fit is correct."""
-_RARE = 1e-2  # probability below which a chi2 is reported
-_EXCEEDS = 5.0  # smallest significance of excess noise that is reported, standard deviations
+_RARE_CHANCE = 1e-2  # probability below which a chi2 is reported
+_MIN_SIGMAS = 5.0  # smallest significance of excess noise that is reported, standard deviations
 _RANGE = 0.8, 1.4  # range of f (`share`) for electron multiplication: 1 at high gain, more if there is also a misfit
 _CELLS = 8  # number of groups of pixels of similar light
 # Largest difference between f of a group and f of all pixels, in addition to five standard errors.
-_FLAT = 0.3
+_MAX_VARIATION = 0.3
 _MIN_PHOTON_PART = 0.1  # smallest m / v of pixels in the test of excess noise
-_REAL = 1e-6  # 1 - (abs(W(2 k)) / W(0))^2 below which F counts as real
+_MAX_DEFECT = 1e-6  # 1 - (abs(W(2 k)) / W(0))^2 below which F counts as real
 _LEAST_SIDE = 6  # smallest side of windows for the test of stripes, pixels
 
 
@@ -70,17 +70,17 @@ def chi2_findings(chi2: float, spread: float, causes: str) -> list[Finding]:
 
     `causes` is a text on possible causes of a misfit, or "" if another finding has them.
     """
-    limit, floor, rare = float(most(spread)), float(least(spread)), chance(chi2, spread)
-    numbers = {"chi2": chi2, "limit": limit, "least": floor, "chance": rare}
+    limit, floor, probability = float(most(spread)), float(least(spread)), chance(chi2, spread)
+    numbers = {"chi2": chi2, "limit": limit, "least": floor, "chance": probability}
     if chi2 >= limit:
         text = "; ".join(filter(None, (f"noise alone stays below {limit:.3g}", causes)))
         return [Finding("misfit", "error", text, numbers)]
     if chi2 < floor:
         text = "the images are less noisy than gain, read noise and offset imply: standard errors are not valid"
         return [Finding("too_quiet", "doubt", text, numbers)]
-    if rare < _RARE:
-        percent = f"{100.0 * max(rare, 1e-6):.1g}"
-        severity: Severity = "doubt" if rare < SURE else "note"
+    if probability < _RARE_CHANCE:
+        percent = f"{100.0 * max(probability, 1e-6):.1g}"
+        severity: Severity = "doubt" if probability < SURE else "note"
         return [Finding("rare_chi2", severity, f"noise alone exceeds this chi2 in {percent} % of fits", numbers)]
     return []
 
@@ -111,7 +111,7 @@ class ExcessTest:
     @property
     def found(self) -> bool:
         """Whether there is noise of electron multiplication: `share` is significant, near 1, and `flat`."""
-        return self.flat and self.sigmas > _EXCEEDS and _RANGE[0] <= self.share <= _RANGE[1]
+        return self.flat and self.sigmas > _MIN_SIGMAS and _RANGE[0] <= self.share <= _RANGE[1]
 
     def findings(self, excess: float) -> list[Finding]:
         """Return the finding on electron multiplication; none if an `excess` above 1 was stated."""
@@ -143,20 +143,20 @@ def excess_test(residual: ArrayLike, light: ArrayLike, read: ArrayLike) -> Exces
     r, mean, read_variance = (np.asarray(part, float).ravel() for part in np.broadcast_arrays(residual, light, read))
     variance = np.maximum(mean + read_variance, 1e-9)
     photon_part = np.maximum(mean, 0.0) / variance
-    used = np.flatnonzero(np.isfinite(r) & (photon_part > _MIN_PHOTON_PART))
-    if not used.size:
+    indices = np.flatnonzero(np.isfinite(r) & (photon_part > _MIN_PHOTON_PART))
+    if not indices.size:
         return ExcessTest(0.0, np.inf, flat=False)
-    used = used[np.argsort(mean[used], kind="stable")]
-    r, mean, variance, photon_part = r[used], mean[used], variance[used], photon_part[used]
+    indices = indices[np.argsort(mean[indices], kind="stable")]
+    r, mean, variance, photon_part = r[indices], mean[indices], variance[indices], photon_part[indices]
     squared = photon_part * photon_part
     terms = np.stack([photon_part * (r**2 / variance - 1.0), squared, squared * (2.0 + 1.0 / variance)])
     # Sums over all pixels, and over groups of pixels of similar light, each with an equal part of the total light.
     starts = np.unique(np.searchsorted(np.cumsum(mean), mean.sum() * np.arange(_CELLS) / _CELLS))
-    statistic, information, spread = np.column_stack([terms.sum(axis=1), np.add.reduceat(terms, starts, axis=1)])
-    shares, errors = statistic / information, np.sqrt(spread) / information
+    statistic, information, variances = np.column_stack([terms.sum(axis=1), np.add.reduceat(terms, starts, axis=1)])
+    shares, errors = statistic / information, np.sqrt(variances) / information
     # Excess noise increases the standard errors by about the factor 1 + share.
     share = float(shares[0])
-    slack = _FLAT * max(share, 1.0) + 5.0 * (1.0 + max(share, 0.0)) * errors[1:]
+    slack = _MAX_VARIATION * max(share, 1.0) + 5.0 * (1.0 + max(share, 0.0)) * errors[1:]
     return ExcessTest(share, float(errors[0]), bool((np.abs(shares[1:] - share) <= slack).all()))
 
 
@@ -171,8 +171,8 @@ def stripe_findings(residual: Array, variance: Array, excess: float = 1.0) -> li
         Excess noise factor: the factor by which electron multiplication increases the variance of the light.
     """
     weight = np.where(np.isfinite(residual) & (variance > 0.0), 1.0 / np.maximum(variance, 1e-9), 0.0)
-    enough = (weight > 0.0).sum(axis=(1, 2)) > _LEAST_SIDE**2 // 2
-    weight, residual = weight[enough], residual[enough]
+    usable = (weight > 0.0).sum(axis=(1, 2)) > _LEAST_SIDE**2 // 2
+    weight, residual = weight[usable], residual[usable]
     height, width = residual.shape[1:]
     if not len(weight) or min(height, width) < _LEAST_SIDE:
         return []
@@ -181,16 +181,16 @@ def stripe_findings(residual: Array, variance: Array, excess: float = 1.0) -> li
     normal = np.einsum("iyx,nyx,jyx->nij", plane, weight, plane)
     pull = np.einsum("iyx,nyx->ni", plane, weight * np.nan_to_num(residual))
     residual = residual - np.tensordot(np.linalg.solve(normal, pull[..., None])[..., 0], plane, 1)
-    half = width // 2 + 1  # one of each pair of opposite wave vectors is sufficient
+    n_cols = width // 2 + 1  # one of each pair of opposite wave vectors is sufficient
     f, w = np.fft.rfft2(np.nan_to_num(residual) * weight), np.fft.fft2(weight)
     total = w[:, :1, :1].real
-    twice = w[:, (2 * np.arange(height) % height)[:, None], 2 * np.arange(half) % width]
-    determinant = total**2 - np.abs(twice) ** 2
-    real = determinant < _REAL * total**2
+    w_2k = w[:, (2 * np.arange(height) % height)[:, None], 2 * np.arange(n_cols) % width]
+    determinant = total**2 - np.abs(w_2k) ** 2
+    is_real = determinant < _MAX_DEFECT * total**2
     # The squared length in the metric of the inverse covariance, written with complex F.
-    complex_squares = 2.0 * (total * np.abs(f) ** 2 - (f**2 * twice.conj()).real) / np.where(real, 1.0, determinant)
-    squares = np.where(real, np.abs(f) ** 2 / total, complex_squares).sum(axis=0)
-    freedom = np.where(real, 1.0, 2.0).sum(axis=0)
+    complex_squares = 2.0 * (total * np.abs(f) ** 2 - (f**2 * w_2k.conj()).real) / np.where(is_real, 1.0, determinant)
+    squares = np.where(is_real, np.abs(f) ** 2 / total, complex_squares).sum(axis=0)
+    freedom = np.where(is_real, 1.0, 2.0).sum(axis=0)
     # If the noise is larger than stated, the power of all wave vectors is increased: normalize by the median.
     squares /= max(1.0, float(np.median(squares / (2.0 * special.gammaincinv(0.5 * freedom, 0.5)))))
     probability = special.gammaincc(0.5 * freedom, 0.5 * squares)
@@ -198,11 +198,11 @@ def stripe_findings(residual: Array, variance: Array, excess: float = 1.0) -> li
     i, j = np.unravel_index(int(probability.argmin()), probability.shape)
     power = {"stripes": (squares[i, j] - freedom[i, j], len(weight) / freedom[i, j])}
     # The smallest of n independent probabilities is multiplied by n (Bonferroni).
-    chances = {"stripes": float(probability[i, j]) * height * half}
-    for name, at, side in (("rows", np.s_[2 : height // 2 + 1, 0], height), ("columns", np.s_[0, 2:half], width)):
-        square_sum, degrees = float(squares[at].sum()), float(freedom[at].sum())
+    chances = {"stripes": float(probability[i, j]) * height * n_cols}
+    for name, line, side in (("rows", np.s_[2 : height // 2 + 1, 0], height), ("columns", np.s_[0, 2:n_cols], width)):
+        square_sum, degrees = float(squares[line].sum()), float(freedom[line].sum())
         chances[name] = float(special.gammaincc(0.5 * degrees, 0.5 * square_sum))
-        power[name] = square_sum - degrees, 2.0 * len(squares[at]) / side
+        power[name] = square_sum - degrees, 2.0 * len(squares[line]) / side
     kind = min(chances, key=chances.__getitem__)
     if (chance := len(chances) * chances[kind]) >= SURE:
         return []
@@ -212,10 +212,10 @@ def stripe_findings(residual: Array, variance: Array, excess: float = 1.0) -> li
     numbers: dict[str, float] = {"size": size, "chance": chance}
     text = f"{kind} of pixels have offsets of {size:.2g} electrons rms"
     if kind == "stripes":
-        up, across = float(np.fft.fftfreq(height)[i]), j / width
-        period, angle = 1.0 / math.hypot(up, across), math.degrees(math.atan2(up, across))
+        fy, fx = float(np.fft.fftfreq(height)[i]), j / width
+        period, angle = 1.0 / math.hypot(fy, fx), math.degrees(math.atan2(fy, fx))
         numbers |= {"period": period, "angle": angle}
-        way = {0: "along x", 90: "along y"}.get(round(abs(angle)), f"{angle:.0f} deg from x to y")
-        text = f"stripes of +-{size:.2g} electrons, every {period:.3g} pixels {way}"
+        direction = {0: "along x", 90: "along y"}.get(round(abs(angle)), f"{angle:.0f} deg from x to y")
+        text = f"stripes of +-{size:.2g} electrons, every {period:.3g} pixels {direction}"
     text = f"the residuals have a pattern: {text}; causes may be pick-up, readout, fringes, or light not in the model"
     return [Finding("pattern", "doubt", text, numbers)]

@@ -50,11 +50,11 @@ class Candidate:
 
     def widened(self, information: Array, slope: Array) -> tuple[Array, Array]:
         """Return information and slope after the prior's standard deviation changes from `known` to `scale`."""
-        at, difference = list(self.columns), self.known**-2 - self.scale**-2
+        columns, difference = list(self.columns), self.known**-2 - self.scale**-2
         information, slope = information.copy(), slope.copy()
         # The information on a parameter with a prior includes 1 / known^2.
-        information[at, at] -= difference
-        slope[at] += difference * np.asarray(self.offset)
+        information[columns, columns] -= difference
+        slope[columns] += difference * np.asarray(self.offset)
         return information, slope
 
 
@@ -84,8 +84,8 @@ class ScoreTest:
 
     def __str__(self) -> str:
         """Return the result as text, for example "sample: 0.057 +- 0.004 (14 sigma, ln B 95)"."""
-        each = ", ".join(" +- ".join(pair) for pair in map(with_error, self.size, self.errors))
-        return f"{self.name}: {each} ({abs(self.sigmas):.2g} sigma, ln B {self.log_bayes:.3g})"
+        estimates = ", ".join(" +- ".join(pair) for pair in map(with_error, self.size, self.errors))
+        return f"{self.name}: {estimates} ({abs(self.sigmas):.2g} sigma, ln B {self.log_bayes:.3g})"
 
 
 def score_tests(
@@ -98,33 +98,33 @@ def score_tests(
     that the fit estimates.
     """
     tests = []
-    not_estimated = [one for one in candidates if not {*one.columns} & {*unknowns}]
-    their_columns = [j for one in not_estimated for j in one.columns]
+    not_estimated = [candidate for candidate in candidates if not {*candidate.columns} & {*unknowns}]
+    eliminated_columns = [j for candidate in not_estimated for j in candidate.columns]
     # All candidates that are not estimated share one elimination.
-    squares, slopes = _eliminated(information, slope, unknowns, their_columns)
-    first = 0
-    for one in candidates:
-        at, diagonal = list(one.columns), np.maximum(np.diag(information)[list(one.columns)], 1e-300)
-        if one in not_estimated:
-            own = slice(first, first + len(at))
-            square, pull = squares[own, own], slopes[own]
-            first += len(at)
+    squares, gradients = _eliminated(information, slope, unknowns, eliminated_columns)
+    start = 0
+    for candidate in candidates:
+        index, diagonal = list(candidate.columns), np.maximum(np.diag(information)[list(candidate.columns)], 1e-300)
+        if candidate in not_estimated:
+            part = slice(start, start + len(index))
+            square, gradient = squares[part, part], gradients[part]
+            start += len(index)
         else:
-            square, pull = _eliminated(information, slope, [j for j in unknowns if j not in at], at)
-        if one.known:  # subtract the prior: the test is of the data alone
-            square = square - np.eye(len(at)) / one.known**2
-            pull = pull + one.offset / one.known**2
+            square, gradient = _eliminated(information, slope, [j for j in unknowns if j not in index], index)
+        if candidate.known:  # subtract the prior: the test is of the data alone
+            square = square - np.eye(len(index)) / candidate.known**2
+            gradient = gradient + candidate.offset / candidate.known**2
         # S is rounding error if the data do not determine c, such as blur that varies over the field, for one star.
         if np.linalg.eigvalsh(square / np.sqrt(np.outer(diagonal, diagonal)))[0] <= _MIN_INFORMATION:
             continue
         variance = np.asarray(np.linalg.inv(square))
-        size = variance @ pull + one.offset
+        size = variance @ gradient + candidate.offset
         # Prior and data are independent: their variances add.
-        total_variance = variance + np.eye(len(at)) * one.known**2
+        total_variance = variance + np.eye(len(index)) * candidate.known**2
         distance2 = float(size @ np.linalg.solve(total_variance, size))
-        sigmas = math.copysign(math.sqrt(distance2), size[0]) if len(at) == 1 else sigmas_of(distance2, len(at))
-        log_bayes = log_bayes_factor(size, variance, one.known, one.scale)
-        tests.append(ScoreTest(one.name, size, np.sqrt(np.diag(variance)), sigmas, log_bayes))
+        sigmas = math.copysign(math.sqrt(distance2), size[0]) if len(index) == 1 else sigmas_of(distance2, len(index))
+        log_bayes = log_bayes_factor(size, variance, candidate.known, candidate.scale)
+        tests.append(ScoreTest(candidate.name, size, np.sqrt(np.diag(variance)), sigmas, log_bayes))
     return tuple(sorted(tests, key=lambda test: -test.log_bayes))
 
 
@@ -142,8 +142,8 @@ def marginalized(
 
     Each of these effects has a normal prior of mean 0 and standard deviation `scale`.
     """
-    columns = [*unknowns, *(column for one in lacking for column in one.columns)]
-    prior_information = [0.0] * len(unknowns) + [one.scale**-2 for one in lacking for _ in one.columns]
+    columns = [*unknowns, *(column for effect in lacking for column in effect.columns)]
+    prior_information = [0.0] * len(unknowns) + [effect.scale**-2 for effect in lacking for _ in effect.columns]
     matrix = covariance(information[np.ix_(columns, columns)] + np.diag(prior_information))[:count]
     determined = np.isfinite(np.diag(matrix))
     shift = np.where(determined, np.where(determined[:, None], matrix, 0.0) @ slope[columns], 0.0)
@@ -163,18 +163,18 @@ def untested(
     Numbers are left out if no bias exceeds the standard error. `shown` maps the names of estimates that may be
     reported to their indices in `unknowns`.
     """
-    estimated, found = list(unknowns), {}
+    estimated, biases = list(unknowns), {}
     square = information[np.ix_(estimated, estimated)]
     errors = np.sqrt(np.diag(covariance(square)))
-    for one in stated:
-        error = next((float(test.errors[0]) for test in tests if test.name == one.name), math.inf)
-        if error <= one.scale or not shown:
+    for number in stated:
+        error = next((float(test.errors[0]) for test in tests if test.name == number.name), math.inf)
+        if error <= number.scale or not shown:
             continue
-        bias = np.abs(one.scale * _solved(square, information[np.ix_(estimated, one.columns)])[:, 0])
+        bias = np.abs(number.scale * _solved(square, information[np.ix_(estimated, number.columns)])[:, 0])
         name = max(shown, key=lambda name: bias[shown[name]] / errors[shown[name]])
         if bias[shown[name]] > errors[shown[name]]:
-            found[one.name] = name, float(bias[shown[name]])
-    return found
+            biases[number.name] = name, float(bias[shown[name]])
+    return biases
 
 
 def untested_findings(
@@ -188,12 +188,12 @@ def untested_findings(
     `changes` is the result of :func:`untested`, and `sizes` describes the error of each number in words. `priors` are
     parameters that their priors determine better than the data do; `never` are numbers that no data can test.
     """
-    each = [f"{name} ({sizes[name]} changes {term} by {by:.2g} rad)" for name, (term, by) in changes.items()]
+    items = [f"{name} ({sizes[name]} changes {term} by {by:.2g} rad)" for name, (term, by) in changes.items()]
     if priors:
-        each.append(f"{', '.join(priors)} ({'known by their priors' if len(priors) > 1 else 'known by its prior'})")
+        items.append(f"{', '.join(priors)} ({'known by their priors' if len(priors) > 1 else 'known by its prior'})")
     numbers: dict[str, dict[str, float]] = {name: {term: by} for name, (term, by) in changes.items()}
     numbers |= {name: {} for name in (*priors, *never)}
-    text = f"not tested: {', '.join((*each, *never))}"
+    text = f"not tested: {', '.join((*items, *never))}"
     return [Finding("untested", "note", text, numbers)] if numbers else []
 
 
@@ -237,20 +237,20 @@ def causes_of_misfit(causes: str, chi2: float, spread: float, tests: Sequence[Sc
 
 def other_explanation(rivals: Sequence[ScoreTest], words: Sequence[str]) -> Finding:
     """Return the finding on significant candidates (`rivals`); `words` describes each of them."""
-    first, *others = words
+    first, *alternatives = words
     text = f"the data favour {first}"
-    if others:
-        text += f", or as well {' or '.join(others[:3])}, which they cannot tell apart"
+    if alternatives:
+        text += f", or as well {' or '.join(alternatives[:3])}, which they cannot tell apart"
     keys = ("size", "errors", "sigmas", "log_bayes")
-    numbers = {one.name: {key: getattr(one, key) for key in keys} for one in rivals}
+    numbers = {rival.name: {key: getattr(rival, key) for key in keys} for rival in rivals}
     return Finding("other_explanation", "doubt", text, numbers)
 
 
-def _solved(square: Array, right: Array) -> Array:
+def _solved(square: Array, right_side: Array) -> Array:
     """Return the solution of linear equations, which are scaled to a diagonal of 1 to reduce rounding."""
     scale = 1.0 / np.sqrt(np.maximum(np.diag(square), 1e-300))
     scaled = square * np.outer(scale, scale) + 1e-12 * np.eye(len(scale))
-    return np.asarray(scale[:, None] * np.linalg.solve(scaled, scale[:, None] * right))
+    return np.asarray(scale[:, None] * np.linalg.solve(scaled, scale[:, None] * right_side))
 
 
 def sigmas_of(square: float, count: int) -> float:

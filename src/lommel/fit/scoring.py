@@ -152,8 +152,8 @@ def fisher_scoring(
     damping, stretch = np.full(count, _FIRST_DAMPING), np.ones(count)
     settled, moving = np.zeros(count, dtype=bool), np.ones(count, dtype=bool)
     tried_steps, slow_steps = 0, np.zeros(count, dtype=int)
-    for turn in range(max_steps + 1):
-        report(turn, float(scores.chi2.min()))
+    for step_number in range(max_steps + 1):
+        report(step_number, float(scores.chi2.min()))
         rows = np.flatnonzero(moving)
         step, predicted = problem.step(x, scores, rows, damping[rows])
         # A strongly damped step is short at any point: a small predicted gain is then no sign of convergence.
@@ -161,7 +161,7 @@ def fisher_scoring(
         settled[rows] = converged
         moving[rows] = ~converged & (damping[rows] <= policy.max_damping) & (slow_steps[rows] < policy.patience)
         fits = converged & (scores.chi2[rows] < goodness_of_fit.most(scores.spread[rows], goodness_of_fit.SURE))
-        if turn == max_steps or not moving.any() or (problem.alternatives and fits.any()):
+        if step_number == max_steps or not moving.any() or (problem.alternatives and fits.any()):
             if last is not None and converged.any():
                 last(x, step, rows, converged)
             break
@@ -170,35 +170,35 @@ def fisher_scoring(
         factor = np.ones(rows.size)
         if problem.rms is not None:
             factor = np.minimum(stretch[rows], _MAX_PHASE_STEP / np.maximum(problem.rms(step), 1e-300))
-        new_x, new = problem.attempt(x, scores, rows, step, factor)
+        new_x, new_scores = problem.attempt(x, scores, rows, step, factor)
         tried_steps += rows.size
-        gain = np.full(rows.size, -np.inf) if new is None else scores.deviance[rows] - new.deviance
+        gain = np.full(rows.size, -np.inf) if new_scores is None else scores.deviance[rows] - new_scores.deviance
         predicted = predicted * factor
-        better, stretched = gain > 0.0, stretch[rows] > 1.0
+        gained, stretched = gain > 0.0, stretch[rows] > 1.0
         # After a lengthened step that failed, the factor is reset first, and the damping stays.
-        damping[rows] *= np.where(better, 0.1, np.where(stretched, 1.0, 6.0))
+        damping[rows] *= np.where(gained, 0.1, np.where(stretched, 1.0, 6.0))
         if problem.rms is not None:
             # Steps are lengthened if the last step gained nearly the predicted amount: far from the maximum, the
             # information is larger than the curvature of the likelihood.
             linear, curved = gain > 0.65 * predicted, gain < 0.3 * predicted
-            longer = np.minimum(2.0 * np.maximum(factor, 1.0), _MAX_STRETCH)
-            stretch[rows] = np.where(linear, longer, np.where(curved, 1.0, stretch[rows]))
+            lengthened = np.minimum(2.0 * np.maximum(factor, 1.0), _MAX_STRETCH)
+            stretch[rows] = np.where(linear, lengthened, np.where(curved, 1.0, stretch[rows]))
             # Near the maximum, a step that gains much less than predicted overshoots: without damping, steps would
             # oscillate.
-            overshoots = better & (predicted < 1.0) & (gain < 0.25 * predicted)
+            overshoots = gained & (predicted < 1.0) & (gain < 0.25 * predicted)
             damping[rows[overshoots]] = np.maximum(damping[rows[overshoots]], _OSCILLATION_DAMPING)
         np.maximum(damping, _MIN_DAMPING, out=damping)
         excess = scores.chi2[rows] - goodness_of_fit.most(scores.spread[rows])
-        slow = better & (gain < _STALLED * problem.tested * excess)
-        slow_steps[rows] = np.where(slow, slow_steps[rows] + 1, np.where(better, 0, slow_steps[rows]))
-        if new is None or not better.any():
+        slow = gained & (gain < _STALLED * problem.tested * excess)
+        slow_steps[rows] = np.where(slow, slow_steps[rows] + 1, np.where(gained, 0, slow_steps[rows]))
+        if new_scores is None or not gained.any():
             continue
-        if better.all() and rows.size == count:
-            x, scores = new_x, new
+        if gained.all() and rows.size == count:
+            x, scores = new_x, new_scores
             continue
-        x[rows[better]] = new_x[better]
-        for values, new_values in zip(scores, new, strict=True):
-            values[rows[better]] = new_values[better]
+        x[rows[gained]] = new_x[gained]
+        for values, new_values in zip(scores, new_scores, strict=True):
+            values[rows[gained]] = new_values[gained]
     return Ascent(x, scores, settled, tried_steps)
 
 
@@ -210,11 +210,11 @@ class _RowProblem:
         self.tested, self.alternatives = model.tested, model.alternatives
 
     def step(self, x: Array, scores: Scores, rows: Rows, damping: Array) -> tuple[Array, Array]:
-        own = scores if rows.size == len(x) else Scores(*(values[rows] for values in scores))
-        step, predicted = self.model.steps(own, damping)
+        row_scores = scores if rows.size == len(x) else Scores(*(values[rows] for values in scores))
+        step, predicted = self.model.steps(row_scores, damping)
         # At a limit the slope is not 0: the predicted gain includes only the part of the step within the limits.
         allowed = self.model.within(x[rows] + step, x[rows]) - x[rows]
-        return step, np.minimum(predicted, np.maximum((allowed * own.slope).sum(axis=1), 0.0))
+        return step, np.minimum(predicted, np.maximum((allowed * row_scores.slope).sum(axis=1), 0.0))
 
     def attempt(
         self, x: Array, scores: Scores, rows: Rows, step: Array, factor: Array
@@ -238,11 +238,11 @@ def search_rows(
     search starts with the least-squares flux and background; its scores are those before the last step.
     """
     problem = _RowProblem(model, fast)
-    values, slopes = model.images(x, fast=fast)
+    values, derivatives = model.images(x, fast=fast)
     if fast:
         x = model.with_flux_background(x, values)
     policy = Policy(settled=_CONVERGED_FAST if fast else _CONVERGED)
-    scores = model.scores_of(x, values, slopes)
+    scores = model.scores_of(x, values, derivatives)
     return fisher_scoring(problem, x, scores, max_steps, report, policy, problem.take if fast else None)
 
 

@@ -236,16 +236,16 @@ class BasePupil(display.Shown):
 
         TypeError or ValueError if `radius` is not real and finite.
         """
-        at = validation.real_array("radius", radius)
+        radii = validation.real_array("radius", radius)
         with np.errstate(over="ignore"):
-            return validation.real_array("radius / (lambda*N)", math.pi / self.scale * at)
+            return validation.real_array("radius / (lambda*N)", math.pi / self.scale * radii)
 
 
-def not_a_pupil(thing: object) -> TypeError:
+def not_a_pupil(value: object) -> TypeError:
     """Return the exception for an argument that is not a pupil, with a hint of how to get a pupil from it."""
     # Lens, Objective and PSF have the text `pupil_hint`.
-    hint = getattr(type(thing), "pupil_hint", None) or validation.shown(thing)
-    if isinstance(thing, list | tuple) and thing and isinstance(thing[0], BasePupil):
+    hint = getattr(type(value), "pupil_hint", None) or validation.shown(value)
+    if isinstance(value, list | tuple) and value and isinstance(value[0], BasePupil):
         hint += ": a stack is one Pupil of a Wavefront whose coefficients are arrays"
     return TypeError(f"pupil must be a Pupil, got {hint}")
 

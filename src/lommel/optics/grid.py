@@ -69,11 +69,11 @@ class Grid(EqualByContent):
         fill: float | tuple[float, float] = 1.0,
     ) -> None:
         height, width = validation.image_shape(shape)
-        middle = (float(height // 2), float(width // 2))
+        default_center = (float(height // 2), float(width // 2))
         pitch = validation.pitch("pixel", pixel)
         # The default needs no check: a grid is made for every PSF without a plan.
         fill = (1.0, 1.0) if isinstance(fill, float) and fill == 1.0 else validation.fill("fill", fill)
-        center = middle if center is None else validation.positions("center", center)
+        center = default_center if center is None else validation.positions("center", center)
         integrate = validation.truth("integrate", integrate)
         if fill != (1.0, 1.0) and not integrate:
             raise ValueError(f"fill must be 1 for pixels that sample their centres, got {fill}; use integrate=True")
@@ -91,15 +91,15 @@ class Grid(EqualByContent):
         """Return the grid with a part of the axes, indexed as an array of the shape `stack`."""
         if not self.stack:
             raise TypeError("a grid around one axis cannot be indexed")
-        return self._around(*(np.asarray(part)[index] for part in self.center))
+        return self._with_center(*(np.asarray(part)[index] for part in self.center))
 
     def broadcast(self, shape: tuple[int, ...]) -> Grid:
         """Return the grid around the axes broadcast to `shape`."""
         if self.stack == shape:
             return self
-        return self._around(*(np.broadcast_to(part, shape) for part in self.center))
+        return self._with_center(*(np.broadcast_to(part, shape) for part in self.center))
 
-    def _around(self, row: ArrayLike, column: ArrayLike) -> Grid:
+    def _with_center(self, row: ArrayLike, column: ArrayLike) -> Grid:
         return Grid(self.shape, self.pixel, center=(row, column), integrate=self.integrate, fill=self.fill)
 
     @property
@@ -156,8 +156,8 @@ class Grid(EqualByContent):
     @property
     def active(self) -> tuple[float, float]:
         """Height and width of the active area; 0 and 0 for point-sampled pixels."""
-        (down, across), (rows, columns) = self.pitch, self.fill
-        return (down * rows, across * columns) if self.integrate else (0.0, 0.0)
+        (height, width), (height_fill, width_fill) = self.pitch, self.fill
+        return (height * height_fill, width * width_fill) if self.integrate else (0.0, 0.0)
 
     @property
     def symmetric(self) -> bool:
@@ -220,8 +220,8 @@ class Grid(EqualByContent):
         """Return the area of a pixel in v^2 of a `pupil`, including the inactive part."""
         if isinstance(self.pixel, float):
             return self.step(pupil) ** 2
-        down, across = self.pixel
-        return math.pi * down / pupil.scale * (math.pi * across / pupil.scale)
+        row_pitch, column_pitch = self.pixel
+        return math.pi * row_pitch / pupil.scale * (math.pi * column_pitch / pupil.scale)
 
     @property
     def side(self) -> float:
@@ -241,26 +241,26 @@ class Grid(EqualByContent):
             center = (
                 "" if self.centered else f" around {'the farthest ' if self.stack else ''}center={self._far_center}"
             )
-            what = f"pixel={self.named} with shape={self.shape}{center}"
-            validation.reach(what, v, pupil.scale, pupil.unit)
+            label = f"pixel={self.named} with shape={self.shape}{center}"
+            validation.reach(label, v, pupil.scale, pupil.unit)
 
     @cached_property
     def _farthest(self) -> float:
         """Largest distance of a point of a pixel from the axis, in pixels."""
         # Averages extend to the corners of pixels.
-        half = 0.5 if self.integrate else 0.0
+        half_pixel = 0.5 if self.integrate else 0.0
         sides = zip(self._far_center, self.shape, strict=True)
-        return math.hypot(*(max(abs(c), abs(side - 1 - c)) + half for c, side in sides))
+        return math.hypot(*(max(abs(c), abs(side - 1 - c)) + half_pixel for c, side in sides))
 
     @cached_property
     def _far_center(self) -> tuple[float, float]:
         """The axis with the largest distance to a corner of the window."""
         if not self.stack:
             return self.axis
-        (row, column), (far_row, far_column) = self.center, (0.5 * (side - 1) for side in self.shape)
+        (row, column), (half_height, half_width) = self.center, (0.5 * (side - 1) for side in self.shape)
         # Distance of the farthest corner of the window from each axis.
-        away = np.hypot(np.abs(row - far_row) + far_row, np.abs(column - far_column) + far_column)
-        return self[np.unravel_index(int(away.argmax()), self.stack)].axis
+        distances = np.hypot(np.abs(row - half_height) + half_height, np.abs(column - half_width) + half_width)
+        return self[np.unravel_index(int(distances.argmax()), self.stack)].axis
 
     def v(self, pupil: BasePupil) -> Array:
         """Return the optical coordinate v, for a `pupil`, of the distinct :attr:`radii`."""

@@ -36,9 +36,9 @@ _ROUND_UP = 1.001  # factor that multiplies bounds, to cover rounding in float32
 def exponential(ns: Namespace, logarithm: Tensor) -> Tensor:
     """Return an upper bound on ``exp(logarithm)``; inf above `_MAX_LOGARITHM`."""
     xp = ns.xp
-    large = logarithm > _MAX_LOGARITHM
-    bound = xp.exp(xp.where(large, xp.zeros_like(logarithm), logarithm)) * _ROUND_UP
-    return xp.where(large, infinite(ns, bound), bound)
+    overflows = logarithm > _MAX_LOGARITHM
+    bound = xp.exp(xp.where(overflows, xp.zeros_like(logarithm), logarithm)) * _ROUND_UP
+    return xp.where(overflows, infinite(ns, bound), bound)
 
 
 def of_intensity(ns: Namespace, intensity: Tensor, error: Tensor, unit: float) -> Tensor:
@@ -60,9 +60,9 @@ def over_peak(ns: Namespace, values: Tensor, error: Tensor, stored: float, *, di
     ratio = xp.where(least_peak > 0.0, ratio, infinite(ns, ratio))
     if divided:
         # Values divided by their own computed peak: 2 r / (1 - r) (docs/certificate.md, section 6).
-        small = ratio < 0.5
-        ratio = xp.where(small, ratio, xp.zeros_like(ratio))
-        ratio = xp.where(small, 2.0 * ratio / (1.0 - ratio), infinite(ns, ratio))
+        bounded = ratio < 0.5
+        ratio = xp.where(bounded, ratio, xp.zeros_like(ratio))
+        ratio = xp.where(bounded, 2.0 * ratio / (1.0 - ratio), infinite(ns, ratio))
     bound = (ratio + (1.0 + ratio) * stored) * _ROUND_UP
     # NaN is replaced by infinity, because comparisons with NaN are False.
     return xp.where(bound >= 0.0, bound, infinite(ns, bound))
@@ -195,17 +195,17 @@ def mean_on_curve(
     samples = stretch * polynomials(terms, *points).imag
     # For a corner at the distance R, the absolute kernel on the curve is exp(R sinh b cos a) with an angle a. Its
     # Fourier coefficients decrease like exp(-k^2 / (2 R sinh b)).
-    reach = radius * math.hypot(np.abs(x).max(), np.abs(y).max()) * math.sinh(b)
-    count = int(degrees.max()) + 9 + math.ceil(3.75 * math.sqrt(reach))
-    half = (np.arange(float(count)) + 0.5) * (math.pi / count)
+    exponent = radius * math.hypot(np.abs(x).max(), np.abs(y).max()) * math.sinh(b)
+    count = int(degrees.max()) + 9 + math.ceil(3.75 * math.sqrt(exponent))
+    angles = (np.arange(float(count)) + 0.5) * (math.pi / count)
     if name == "chords":
         eta, gauss = gauss_legendre(count, -1.0, 1.0)
-        curve = _curve(name, b, half, eta, half)
-        weights = ((np.sin(half) ** 2 + math.sinh(b) ** 2) / (count * math.cosh(2.0 * b)))[:, None] * gauss
+        curve = _curve(name, b, angles, eta, angles)
+        weights = ((np.sin(angles) ** 2 + math.sinh(b) ** 2) / (count * math.cosh(2.0 * b)))[:, None] * gauss
     else:
         phi = np.arange(1.0, chords + 1.0) * (math.pi / (chords + 1))
-        curve = _curve(name, b, phi, half, half)
-        weights = (2.0 * np.sin(phi) ** 2 / (chords + 1))[:, None] / count + 0.0 * half
+        curve = _curve(name, b, phi, angles, angles)
+        weights = (2.0 * np.sin(phi) ** 2 / (chords + 1))[:, None] / count + 0.0 * angles
     points = [radius * coordinate for coordinate in curve]
     h = stretch * polynomials(terms, *points).imag
     # The second half of the curve follows from the first: h changes its sign at conjugate points.

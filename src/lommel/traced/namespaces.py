@@ -70,9 +70,9 @@ class Namespace:
     xp: ArrayFunctions = field(compare=False, repr=False)
 
     @classmethod
-    def of(cls, given: object) -> Namespace:
+    def of(cls, value: object) -> Namespace:
         """Return the namespace of a module or module name, NumPy for None; TypeError if functions are missing."""
-        module = "numpy" if given is None else given
+        module = "numpy" if value is None else value
         name = module if isinstance(module, str) else str(getattr(module, "__name__", ""))
         name = name.removeprefix("array_api_compat.")
         top = name.partition(".")[0]
@@ -87,7 +87,7 @@ class Namespace:
         if namespace is None or not all(hasattr(namespace, function) for function in _REQUIRED):
             raise TypeError(
                 "xp must be a module of the array API such as numpy, jax.numpy, torch or cupy, or its name, got "
-                f"{validation.shown(given)}"
+                f"{validation.shown(value)}"
             )
         return cls(name, cast("ArrayFunctions", namespace))
 

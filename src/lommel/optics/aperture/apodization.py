@@ -27,8 +27,8 @@ from lommel.base import validation
 from lommel.base.arrays import Array, Json
 from lommel.special.legendre import gauss_legendre
 
-_MAX_POWERS = 10  # of t: the limit of the compiled core and of radial terms of a wavefront
-_MAX_EXPONENT = 100.0  # sum of absolute Chebyshev coefficients of the exponent
+_MAX_POWERS = 10  # largest power of t: the limit of the compiled core and of radial terms of a wavefront
+_MAX_EXPONENT = 100.0  # largest sum of absolute Chebyshev coefficients of the exponent
 _ROUNDING = 2.0**-47  # relative rounding error of sums of the coefficients, with a margin
 
 
@@ -107,7 +107,7 @@ class Apodization:
         # Series of log(1 - 2 q x + q^2) and its tail: certificate, section 5, "An amplitude".
         series = p * q**k / k
         tails = np.abs(p) * q ** (k + 1) / ((k + 1) * (1.0 - q))
-        # The fewest terms with a truncation error below rounding errors, ten at most.
+        # Number of terms: the fewest with a truncation error below rounding errors, ten at most.
         degree = 1 + next((i for i in range(_MAX_POWERS) if tails[i] <= _ROUNDING * abs(series[0])), _MAX_POWERS - 1)
         # Coefficients of t^j in T_k(2t - 1): integers, exact.
         rows = [Chebyshev.basis(i, domain=[0.0, 1.0]).convert(kind=Polynomial).coef for i in range(degree + 1)]
@@ -164,8 +164,8 @@ class Apodization:
 
     def value(self, rho: ArrayLike) -> Array:
         """Return the amplitude at `rho`, radii divided by the aperture radius; ValueError unless from 0 to 1."""
-        at = validation.real_array("rho", rho, least=0.0, most=1.0)
-        return self.at(at * at)
+        radii = validation.real_array("rho", rho, least=0.0, most=1.0)
+        return self.at(radii * radii)
 
     def at(self, t: Array, power: float = 1.0) -> Array:
         """Return the amplitude to a `power` at `t`, rho^2."""
@@ -239,8 +239,8 @@ def _chebyshev(powers: Array, low: float) -> Array:
     from numpy.polynomial import Polynomial  # the slowest part of NumPy to import
     from numpy.polynomial.chebyshev import poly2cheb
 
-    inside = Polynomial(powers)(Polynomial([0.5 * (1.0 + low), 0.5 * (1.0 - low)]))
-    return np.asarray(poly2cheb(inside.coef))
+    shifted = Polynomial(powers)(Polynomial([0.5 * (1.0 + low), 0.5 * (1.0 - low)]))
+    return np.asarray(poly2cheb(shifted.coef))
 
 
 @lru_cache(maxsize=64)

@@ -173,9 +173,9 @@ class Opening:
     def regions(self) -> tuple[Shape, ...]:
         """Regions of the aperture; several only for segments."""
         stops = self.stop.shapes if isinstance(self.stop, Segments) else (self.stop,)
-        return tuple(self._within(stop) for stop in stops)
+        return tuple(self._clear_region(stop) for stop in stops)
 
-    def _within(self, stop: Shape | None) -> Shape:
+    def _clear_region(self, stop: Shape | None) -> Shape:
         # The unit disc limits every aperture.
         clear: Shape = Disc() if stop is None else Disc() & stop
         if self.vignetting is not None:
@@ -236,9 +236,9 @@ class Opening:
             cell = (x - half, x + half, y - half, y + half)
             inner = disk_overlap(self.obscuration, *cell) if self.obscuration > 0.0 else 0.0
             return np.asarray((disk_overlap(1.0, *cell) - inner) / (4.0 * half * half))
-        across, down = np.broadcast_arrays(x, y)
-        parts = (covered(region, across.ravel(), down.ravel(), half) for region in self.regions)
-        return np.asarray(sum(parts)).reshape(across.shape)
+        x_cells, y_cells = np.broadcast_arrays(x, y)
+        parts = (covered(region, x_cells.ravel(), y_cells.ravel(), half) for region in self.regions)
+        return np.asarray(sum(parts)).reshape(x_cells.shape)
 
     def rule(self, degree: int) -> Rule:
         """Return nodes and weights for polynomials in x and y of a total `degree`; ValueError if it is too large.
@@ -306,12 +306,12 @@ def _require_apart(shapes: tuple[Shape, ...]) -> None:
             )
     # Outlines are points on edges: an arc extends beyond the box of 48 points by less than a hundredth of its size.
     boxes = np.array([[f(np.concatenate(part.outline(48)), axis=0) for f in (np.min, np.max)] for part in shapes])
-    wide = 0.01 * (boxes[:, 1] - boxes[:, 0])
-    low, high = boxes[:, 0] - wide, boxes[:, 1] + wide
+    enlargement = 0.01 * (boxes[:, 1] - boxes[:, 0])
+    low, high = boxes[:, 0] - enlargement, boxes[:, 1] + enlargement
     # Only pairs with overlapping boxes: each pair needs a quadrature over its intersection.
     for i, part in enumerate(shapes):
-        near = np.all((low[i] <= high[:i]) & (low[:i] <= high[i]), axis=-1)
-        for j in np.flatnonzero(near):
+        overlapping = np.all((low[i] <= high[:i]) & (low[:i] <= high[i]), axis=-1)
+        for j in np.flatnonzero(overlapping):
             common = listed(Disc() & part & shapes[j]).rule(0, _OVERLAP).weight
             if common > _OVERLAP:
                 raise ValueError(

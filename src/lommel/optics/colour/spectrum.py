@@ -124,14 +124,14 @@ def fit_wavelengths(wavelengths: Array, curves: Array, paths: float, tol: float)
     count = max(1, int(0.5 * phase / math.pi))
     if 0.5 * count > _MAX_WAVELENGTHS:
         raise _too_many(paths, tol)
-    dense, light = _quadrature(wavelengths, curves, paths)
+    dense, responses = _quadrature(wavelengths, curves, paths)
     path = np.linspace(0.0, paths, math.ceil(phase / (2.0 * math.sqrt(_SLACK * tol))) + 2)
     # E is a mean of waves of modulus at most 2 + tol, whose phases change by at most phase / (path.size - 1) = Bh
     # between two neighbouring samples of L. By Bernstein's inequality for the second derivative, E exceeds the larger
     # of the two samples by at most (Bh)^2 / 8 times 2 + tol.
     slack = (1.0 + tol) * (0.5 * phase / (path.size - 1)) ** 2
     middle = 0.5 * (low + high)
-    spectrum = light / dense**2  # q, times the weights of the quadrature
+    spectrum = responses / dense**2  # q, times the weights of the quadrature
     spectrum /= spectrum.sum(axis=1, keepdims=True)
     blocks = np.array_split(path, math.ceil(path.size * dense.size / _MAX_BLOCK))
     exact = np.concatenate([spectrum @ _waves(dense, block, middle).T for block in blocks], axis=1)
@@ -145,8 +145,8 @@ def fit_wavelengths(wavelengths: Array, curves: Array, paths: float, tol: float)
         u = weights / nodes**2 * mean_squares[:, None]
         error = float(np.abs(u @ waves.T - exact).max()) + slack
         if error <= tol:
-            used = np.flatnonzero(weights.any(axis=0))
-            return nodes[used], weights[:, used], error
+            selected = np.flatnonzero(weights.any(axis=0))
+            return nodes[selected], weights[:, selected], error
         count += max(1, count // 8)
     raise _too_many(paths, tol)
 
@@ -171,8 +171,8 @@ def _quadrature(wavelengths: Array, curves: Array, paths: float) -> tuple[Array,
     edges = np.concatenate(ends)
     step = np.diff(edges)
     dense = (edges[:-1, None] + step[:, None] * nodes).ravel()
-    light = np.stack([np.interp(dense, wavelengths, curve) for curve in curves])
-    return dense, light * (step[:, None] * weights).ravel()
+    responses = np.stack([np.interp(dense, wavelengths, curve) for curve in curves])
+    return dense, responses * (step[:, None] * weights).ravel()
 
 
 def _waves(wavelengths: Array, path: Array, middle: float) -> Array:
@@ -279,12 +279,12 @@ class Channels:
             raise TypeError(f"names must be texts, one for each channel, got {validation.shown(names)}")
         if len(set(names)) != len(rows) or len(names) != len(rows):
             raise ValueError(f"names must be {len(rows)} different names, got {validation.shown(names)}")
-        light = rows.sum(axis=1)
+        totals = rows.sum(axis=1)
         vars(self).update(
             names=tuple(names),
             wavelengths=waves,
-            weights=tuple(tuple(row) for row in (rows / light[:, None]).tolist()),
-            light=tuple((light / light.max()).tolist()),
+            weights=tuple(tuple(row) for row in (rows / totals[:, None]).tolist()),
+            light=tuple((totals / totals.max()).tolist()),
             error=0.0,
             paths=None,
         )
@@ -334,9 +334,9 @@ class Channels:
         middle = [validation.wavelength(w, "centers") for w in validation.real_array("centers", centers).ravel()]
         if not middle:
             raise ValueError("centers must not be empty")
-        half = 0.5 * validation.real("width", width, above=0.0, below=2.0 * min(middle), unit="metres")
+        half_width = 0.5 * validation.real("width", width, above=0.0, below=2.0 * min(middle), unit="metres")
         nodes, weights = gauss_legendre(validation.integer("count", count, least=1, most=256), -1.0, 1.0)
-        bands = [(center + half * nodes).tolist() for center in middle]
+        bands = [(center + half_width * nodes).tolist() for center in middle]
         waves = list(dict.fromkeys(wave for band in bands for wave in band))
         rows = np.zeros((len(bands), len(waves)))
         for row, band in zip(rows, bands, strict=True):
@@ -392,14 +392,14 @@ class Channels:
         waves = validation.rising("wavelengths", wavelengths, count=2)
         for wave in (waves[0], waves[-1]):
             validation.wavelength(float(wave))
-        light = validation.real_array("curves", curves, least=0.0)
-        if light.ndim != 2 or light.shape[1] != waves.size or not light.size or not light.max(axis=1).all():
+        values = validation.real_array("curves", curves, least=0.0)
+        if values.ndim != 2 or values.shape[1] != waves.size or not values.size or not values.max(axis=1).all():
             raise ValueError(
                 f"curves must be of shape (channels, {waves.size}), with light in every channel, "
                 f"got {validation.shown(curves)}"
             )
-        nodes, weights, error = fit_wavelengths(waves, light / light.max(), *checked_paths(paths, tol))
-        channels = cls(tuple(nodes.tolist()), weights * np.trapezoid(light, waves, axis=1).reshape(-1, 1), names)
+        nodes, weights, error = fit_wavelengths(waves, values / values.max(), *checked_paths(paths, tol))
+        channels = cls(tuple(nodes.tolist()), weights * np.trapezoid(values, waves, axis=1).reshape(-1, 1), names)
         vars(channels).update(error=error, paths=float(paths))
         return channels
 
@@ -411,7 +411,7 @@ class Channels:
     def spectra(self) -> tuple[tuple[tuple[float, float], ...], ...]:
         """Pairs (wavelength, nonzero weight) of each channel, as in the option `wavelengths` of photographs."""
         return tuple(
-            tuple((w, share) for w, share in zip(self.wavelengths, row, strict=True) if share > 0.0)
+            tuple((w, weight) for w, weight in zip(self.wavelengths, row, strict=True) if weight > 0.0)
             for row in self.weights
         )
 
@@ -427,13 +427,13 @@ class Channels:
     def from_dict(cls, description: Json) -> Channels:
         """Rebuild channels from a `description` by :meth:`to_dict`; TypeError, ValueError or KeyError."""
         parts = dict(description)
-        light = validation.real_array("light", parts["light"], least=0.0)
-        rows = validation.real_array("weights", parts["weights"]) * light[:, None]
+        total = validation.real_array("light", parts["light"], least=0.0)
+        rows = validation.real_array("weights", parts["weights"]) * total[:, None]
         channels = cls(parts["wavelengths"], rows, parts["names"])
         paths, error = parts["paths"], validation.real("error", parts["error"], least=0.0)
         # Stored weights are used, since a second normalisation would change their last digits.
         weights = tuple(tuple(float(w) for w in row) for row in parts["weights"])
-        vars(channels).update(weights=weights, light=tuple(light.tolist()), error=error, paths=paths and float(paths))
+        vars(channels).update(weights=weights, light=tuple(total.tolist()), error=error, paths=paths and float(paths))
         return channels
 
 

@@ -141,9 +141,9 @@ class Dipole:
     @property
     def moments(self) -> Array:
         """Three times the mean of ``p p^T`` over its directions: the unit matrix for a freely rotating dipole."""
-        flat, azimuth = math.sin(self.polar), self.azimuth
+        lateral, azimuth = math.sin(self.polar), self.azimuth
         # p is the unit vector of the dipole moment.
-        p = np.array([flat * math.cos(azimuth), flat * math.sin(azimuth), math.cos(self.polar)])
+        p = np.array([lateral * math.cos(azimuth), lateral * math.sin(azimuth), math.cos(self.polar)])
         return np.asarray(3.0 * (1.0 - self.wobble) * np.outer(p, p) + self.wobble * np.eye(3))
 
     @property
@@ -200,9 +200,9 @@ class Beam:
         power = abs(a) ** 2 + abs(b) ** 2
         # Linear polarisation has a term of order 2, which cancels for circular polarisation.
         form_2 = _form(3, {(0, 2): 1.0, (1, 1): 2.0})
-        across, along = (abs(a) ** 2 - abs(b) ** 2) / power, 2.0 * (a * np.conj(b)).real / power
+        cosine, sine = (abs(a) ** 2 - abs(b) ** 2) / power, 2.0 * (a * np.conj(b)).real / power
         order_0 = Harmonic(0, np.diag([1.0, 2.0, 1.0]).astype(np.complex128), 1.0, 0.0)
-        return _vectorial(waves.form, order_0, Harmonic(2, form_2, across, along))
+        return _vectorial(waves.form, order_0, Harmonic(2, form_2, cosine, sine))
 
     @property
     def _vector_beam(self) -> str | None:
@@ -253,8 +253,8 @@ def _light(kind: str, waves: Waves) -> Light:
     """Return all azimuthal orders of the intensity of waves, for ``U_q = (-i)^abs(q) exp(i q phi) K_abs(q)``."""
     model, orders = Model(kind), np.array(waves.orders)
     # The factor (-i)^abs(q) is from the Bessel expansion of a plane wave.
-    turns = (-1j) ** np.abs(orders)
-    form = waves.form * np.multiply.outer(turns, turns.conj())
+    phases = (-1j) ** np.abs(orders)
+    form = waves.form * np.multiply.outer(phases, phases.conj())
     harmonics = []
     # The product of two waves has the difference of their orders.
     for m in range(2 * int(orders.max()) + 1):
@@ -262,7 +262,7 @@ def _light(kind: str, waves: Waves) -> Light:
         for a, b in np.argwhere(np.subtract.outer(orders, orders) == m):
             F[waves.parts[a], waves.parts[b]] += form[a, b]
         pair = ((F + F.conj().T, 1.0, 0.0), (1j * (F - F.conj().T), 0.0, 1.0)) if m else ((F, 1.0, 0.0),)
-        harmonics += [Harmonic(m, *one) for one in pair if not m or np.abs(one[0]).max() > 1e-15]
+        harmonics += [Harmonic(m, *term) for term in pair if not m or np.abs(term[0]).max() > 1e-15]
     return Light(model, tuple(harmonics), waves)
 
 
@@ -294,8 +294,8 @@ class Scalar:
     def light(self) -> Light:
         """Model of the field integrals, and forms of the intensity."""
         model = Model("scalar", aplanatic=self.apodization == "aplanatic", supercritical=self.supercritical)
-        one = np.eye(1, dtype=np.complex128)
-        return Light(model, (Harmonic(0, one, 1.0, 0.0),), Waves((0,), (0,), one))
+        identity = np.eye(1, dtype=np.complex128)
+        return Light(model, (Harmonic(0, identity, 1.0, 0.0),), Waves((0,), (0,), identity))
 
 
 Emitter = Dipole | Beam | Scalar
@@ -307,15 +307,15 @@ def light_of(emitter: Emitter) -> Light:
     return emitter.light
 
 
-_NAMED: dict[str, Emitter] = {"isotropic": Dipole(0.0, 0.0, wobble=1.0), "scalar": Scalar()}
+_EMITTERS: dict[str, Emitter] = {"isotropic": Dipole(0.0, 0.0, wobble=1.0), "scalar": Scalar()}
 
 
 def emitter_of(value: object) -> Emitter:
     """Return the emitter of this name, or `value` itself if it is an emitter; else TypeError or ValueError."""
     if isinstance(value, Emitter):
         return value
-    if isinstance(value, str) and value in _NAMED:
-        return _NAMED[value]
+    if isinstance(value, str) and value in _EMITTERS:
+        return _EMITTERS[value]
     raise (ValueError if isinstance(value, str) else TypeError)(
         f'emitter must be "isotropic", "scalar", a Dipole, a Beam or a Scalar, got {validation.shown(value)}'
     )

@@ -103,24 +103,24 @@ class ObjectivePupil(BasePupil):
         if self.depth.size == 1:
             return _power_at(self.layers, self.emitter, self.depth.item()).copy()
         depth, index = np.unique(self.depth.ravel(), return_inverse=True)
-        near, _ = debye.power(self.layers, depth, self.light.model)
-        return np.asarray((near @ self.light.shares)[index.ravel()])
+        powers, _ = debye.power(self.layers, depth, self.light.model)
+        return np.asarray((powers @ self.light.shares)[index.ravel()])
 
     @property
     def collected(self) -> Array:
         """Ratio of :attr:`power` to the power of the same emitter far from the glass, shape `shape`."""
         # The power far from the glass does not depend on depth, so that no depths are passed.
-        _, far = debye.power(self.layers, np.zeros(0), self.light.model)
-        return np.asarray(self.power / (far @ self.light.shares)).reshape(self.shape)
+        _, far_power = debye.power(self.layers, np.zeros(0), self.light.model)
+        return np.asarray(self.power / (far_power @ self.light.shares)).reshape(self.shape)
 
     def geometric_radius(self) -> Array:
         """Return the largest distance from the axis, metres on the camera, of rays within 0.98 of the pupil."""
         # The usable radius extends to the pupil's edge or to the critical angle, where the phase slope diverges.
         rho = np.linspace(0.0, 0.98, 65) * min(1.0, self.layers.sample / self.layers.NA)
         rates = self.layers.rates(self.layers.cosine(rho))
-        fixed, by_depth, by_focus = (np.gradient(rate.real, rho) for rate in rates)
+        phase0, by_depth, by_focus = (np.gradient(rate.real, rho) for rate in rates)
         # The distance of a ray from the axis is proportional to the slope of the phase.
-        height = fixed + self.depth[..., None] * by_depth + self.focus[..., None] * by_focus
+        height = phase0 + self.depth[..., None] * by_depth + self.focus[..., None] * by_focus
         return np.asarray(np.abs(height).max(axis=-1) * (self.scale / math.pi))
 
     def _each(self, of: OfEach) -> ObjectivePupil:
@@ -150,10 +150,10 @@ class ObjectivePupil(BasePupil):
     @classmethod
     def from_dict(cls, description: Json) -> ObjectivePupil:
         """Rebuild a pupil from the result of :meth:`to_dict`; TypeError or ValueError for invalid data."""
-        plain = dict(description["emitter"])
-        kind = {each.__name__: each for each in (Dipole, Beam, Scalar)}[plain.pop("kind")]
-        if isinstance(jones := plain.get("polarization"), list):
-            plain["polarization"] = tuple(complex(*part) for part in jones)
+        parameters = dict(description["emitter"])
+        kind = {option.__name__: option for option in (Dipole, Beam, Scalar)}[parameters.pop("kind")]
+        if isinstance(jones := parameters.get("polarization"), list):
+            parameters["polarization"] = tuple(complex(*part) for part in jones)
         layers = description["layers"]
         numbers: Json = {name: validation.real(name, layers[name]) for name in _NUMBERS}
         films, paths = (tuple((float(n), float(t)) for n, t in layers[name]) for name in ("films", "paths"))
@@ -163,7 +163,7 @@ class ObjectivePupil(BasePupil):
         wavefront = description.get("aberrations")
         aberrations = wavefront and Wavefront.from_dict(wavefront)
         stack = Layers(**numbers, films=films, paths=paths, exponent=exponent)
-        return cls(stack, magnification, depth, focus, z, kind(**plain), aberrations)
+        return cls(stack, magnification, depth, focus, z, kind(**parameters), aberrations)
 
     def __eq__(self, other: object) -> bool:
         """Return True if all parameters are equal."""
@@ -174,8 +174,8 @@ class ObjectivePupil(BasePupil):
     def __repr__(self) -> str:
         planes = "one plane" if not self.shape else f"{'x'.join(map(str, self.shape))} planes"
         ends = {
-            name: (1e6 * float(at.min()), 1e6 * float(at.max()))
-            for name, at in (("depth", self.depth), ("z", self.z))
+            name: (1e6 * float(positions.min()), 1e6 * float(positions.max()))
+            for name, positions in (("depth", self.depth), ("z", self.z))
         }
         spans = ", ".join(
             f"{name} {low:.4g} um" if low == high else f"{name} {low:.4g} to {high:.4g} um"
@@ -188,8 +188,8 @@ class ObjectivePupil(BasePupil):
 
 @lru_cache(maxsize=256)
 def _power_at(layers: Layers, emitter: Emitter, depth: float) -> Array:
-    light = light_of(emitter)
-    return np.asarray(debye.power(layers, np.array([depth]), light.model)[0] @ light.shares)
+    model_light = light_of(emitter)
+    return np.asarray(debye.power(layers, np.array([depth]), model_light.model)[0] @ model_light.shares)
 
 
 PLANES = ("depth", "focus", "z")

@@ -69,7 +69,7 @@ def orders(terms: Sizes, error: float) -> Orders:
     # S(b) of docs/certificate.md, section 16, "Angles of the pupil".
     strip = sum((w * np.sinh(m * _HEIGHTS) for (_, m), w in terms), np.zeros(_HEIGHTS.shape))
 
-    def beyond(m: int) -> float:
+    def omitted(m: int) -> float:
         """Return a bound on the sum of abs(P_k) over all orders with abs(k) > m."""
         if not strip.any():
             return 0.0
@@ -77,9 +77,9 @@ def orders(terms: Sizes, error: float) -> Orders:
         return 2.0 * math.exp(min(float(exponent.min()), 700.0))
 
     for most in range(_ORDERS_MOST + 1):
-        if beyond(most) <= 0.5 * error:
+        if omitted(most) <= 0.5 * error:
             # Order m is aliased with the orders m + k angles, of which the lowest is angles - most = most + 2.
-            return Orders(most, 2 * most + 2, beyond(most) + beyond(most + 1))
+            return Orders(most, 2 * most + 2, omitted(most) + omitted(most + 1))
     largest = max(terms, key=lambda term: term[0][1] * term[1])
     raise ValueError(
         f"aberrations must be smaller: they have more than {_ORDERS_MOST} orders of the azimuth; the largest term, "
@@ -92,8 +92,8 @@ def samples(wavefront: Wavefront, rho: Array, fourier: Orders) -> NDArray[np.com
     # A discrete Fourier transform over the azimuth at each rho.
     theta = 2.0 * np.pi / fourier.angles * np.arange(fourier.angles)
     phases = wavefront.flattened().phase(np.minimum(rho[:, None], 1.0), theta)
-    found = np.fft.fft(np.exp(1j * phases), axis=-1) / fourier.angles
-    return np.moveaxis(found[..., np.arange(-fourier.most, fourier.most + 1)], -1, 1)
+    coefficients = np.fft.fft(np.exp(1j * phases), axis=-1) / fourier.angles
+    return np.moveaxis(coefficients[..., np.arange(-fourier.most, fourier.most + 1)], -1, 1)
 
 
 def components(wavefront: Wavefront, terms: Sizes, rule: Rule, error: float) -> tuple[NDArray[np.complex128], float]:
@@ -103,15 +103,15 @@ def components(wavefront: Wavefront, terms: Sizes, rule: Rule, error: float) -> 
     """
     size = max(float(np.abs(part).sum()) for part in rule.parts)
     fourier = orders(terms, 0.01 * error / size)
-    found = samples(wavefront, rule.rho, fourier)
+    coefficients = samples(wavefront, rule.rho, fourier)
     # orders() is valid for all radii; at the nodes of the rule fewer orders may suffice (certificate, section 16).
-    # `pair_bounds` bounds the contribution of orders m and -m, `beyond` that of all orders above m.
+    # `pair_bounds` bounds the contribution of orders m and -m, `omitted` that of all orders above m.
     weights = np.abs(np.stack(rule.parts))
-    pair_bounds = (np.abs(found) @ weights.T).max(axis=-1)
+    pair_bounds = (np.abs(coefficients) @ weights.T).max(axis=-1)
     pair_bounds = (pair_bounds + pair_bounds[:, ::-1])[:, fourier.most :].max(axis=0)
-    beyond = np.append(np.cumsum(pair_bounds[::-1])[::-1], 0.0)[1:]
-    most = int(np.flatnonzero(beyond <= error)[0])
-    return found[:, fourier.most - most : fourier.most + most + 1], float(beyond[most] + fourier.error * size)
+    omitted = np.append(np.cumsum(pair_bounds[::-1])[::-1], 0.0)[1:]
+    most = int(np.flatnonzero(omitted <= error)[0])
+    return coefficients[:, fourier.most - most : fourier.most + most + 1], float(omitted[most] + fourier.error * size)
 
 
 @lru_cache(maxsize=16)
@@ -122,31 +122,31 @@ def growth(piece: Piece, terms: Sizes) -> Array:
     root = np.sqrt(square.largest)
     total = np.zeros(height.shape)
     for (n, m), w in terms:
-        middle, spread = _taylor(n, m, square.centre, square.radius)
-        imaginary = np.abs(middle.imag) + spread
-        total += w * (root * imaginary + height * (np.abs(middle) + spread) if m % 2 else imaginary)
+        middle, change = _taylor(n, m, square.centre, square.radius)
+        imaginary = np.abs(middle.imag) + change
+        total += w * (root * imaginary + height * (np.abs(middle) + change) if m % 2 else imaginary)
     return total
 
 
 def _taylor(n: int, m: int, centre: NDArray[np.complex128], radius: Array) -> tuple[NDArray[np.complex128], Array]:
     """Return ``R_n^m`` (``R_n^m / rho`` for odd m) at centres of discs of rho^2, and its largest change in a disc."""
     # Coefficients of the radial polynomial in rho^2, exact up to n = 30.
-    half, low = (n + m) // 2, m // 2
+    half_sum, low = (n + m) // 2, m // 2
     f = math.factorial
     powers = np.zeros(n // 2 + 1)
     for s in range((n - m) // 2 + 1):
-        powers[(n - m) // 2 - s + low] = (-1) ** s * f(n - s) // (f(s) * f(half - s) * f((n - m) // 2 - s))
+        powers[(n - m) // 2 - s + low] = (-1) ** s * f(n - s) // (f(s) * f(half_sum - s) * f((n - m) // 2 - s))
     poly = np.polynomial.Polynomial(powers)
     size = np.polynomial.Polynomial(np.abs(powers))
     # Rounding errors plus the Taylor series, which bounds the change on a disc: certificate, section 16, "Nodes".
-    spread = 2.0**-50 * size(np.abs(centre) + radius)
+    change = 2.0**-50 * size(np.abs(centre) + radius)
     step = np.ones(radius.shape)
     slope = poly
     for k in range(1, powers.size):
         slope = slope.deriv()
         step = step * radius / k
-        spread = spread + np.abs(slope(centre)) * step
-    return np.asarray(poly(centre)), np.asarray(spread)
+        change = change + np.abs(slope(centre)) * step
+    return np.asarray(poly(centre)), np.asarray(change)
 
 
 _LEAST_DEPTH, _LEAST_FOCUS = 1e-6, 1e-6  # values of `least` in _widened() for depth and focus, metres
@@ -191,19 +191,19 @@ def amplitudes(pupil: ObjectivePupil, degree: int, error: float, rates: tuple[in
     integrals = _integrals(layers, model, *_box(layers, depth, focus), degree, error, by_k=by_k)
     waves = integrals.rule.waves(depth, focus)
     # For such small matrices einsum is faster than BLAS, which would start threads.
-    found = np.empty((1 + len(rates), len(waves), integrals.weights.shape[2]), np.complex128)
+    series = np.empty((1 + len(rates), len(waves), integrals.weights.shape[2]), np.complex128)
     for k, rate in enumerate((-1, *rates)):
-        np.einsum("pq,qt->pt", waves, integrals.weights[1 + rate if rate < 2 else 0], out=found[k])
+        np.einsum("pq,qt->pt", waves, integrals.weights[1 + rate if rate < 2 else 0], out=series[k])
     if by_k:
-        fixed, by_depth, by_focus = debye.turning(integrals.rule, layers, model).rates
+        phase0, by_depth, by_focus = debye.turning(integrals.rule, layers, model).rates
         # Multiply by i psi at each node: docs/certificate.md, section 15, "The wavelength".
-        turned = 1j * waves * (fixed + np.outer(depth, by_depth) + np.outer(focus, by_focus))
-        total = np.einsum("pq,qt->pt", turned, integrals.weights[0])
+        derivatives = 1j * waves * (phase0 + np.outer(depth, by_depth) + np.outer(focus, by_focus))
+        total = np.einsum("pq,qt->pt", derivatives, integrals.weights[0])
         if integrals.changes is not None:
             total += np.einsum("pq,qt->pt", waves, integrals.changes)
-        found[1 + rates.index(WAVENUMBER)] = total / integrals.steepest
+        series[1 + rates.index(WAVENUMBER)] = total / integrals.steepest
     return Amplitudes(
-        found, (degree + 2.0) * _integral_tol(error, degree) + 4.0 * integrals.rule.rounding, integrals.steepest
+        series, (degree + 2.0) * _integral_tol(error, degree) + 4.0 * integrals.rule.rounding, integrals.steepest
     )
 
 
@@ -240,26 +240,26 @@ def _integrals(
     The weights convert ``exp(i psi)`` at the nodes to the coefficients of all parts and of their derivatives.
     """
     middle, steep = layers.middle_rates()[1:], steepest(layers, model)
-    # The phase is linear in depth and focus, so that the corners of the parallelogram bound all planes.
+    # The phase is linear in depth and focus, so that the corners of the range (a parallelogram) bound all planes.
     corners = [(d, f + layers.immersion / layers.sample * d) for d in depth for f in focus]
     d, f = np.array(corners).T
-    turns = max(1.0, debye.steepest(layers, model, d, f)[2]) if by_k else 1.0
+    scale_k = max(1.0, debye.steepest(layers, model, d, f)[2]) if by_k else 1.0
 
     def growth(piece: Piece) -> Array:
         # R_n^m(rho) is a mean of Chebyshev polynomials U_n(rho cos(alpha)). Their moduli are at most
         # (n + 1) exp(n b) if rho lies within the Bernstein ellipse of parameter b.
         square = piece.covered.square * layers.NA**-2
         size = np.abs(square.centre) + np.abs(square.centre - 1.0) + 2.0 * square.radius
-        turned = [
+        factors_on_discs = [
             (rate - least).largest / most
             for rate, least, most in zip(piece.covered.rates[1:], middle, steep, strict=True)
         ]
         if by_k:
             with np.errstate(invalid="ignore"):  # some ellipses are not covered by finite discs
-                phases = debye.phases(piece.covered, model, d, f) / turns
-            turned.append(np.where(np.isnan(phases), np.inf, phases))
-        grown = math.log(degree + 4.0) + 0.5 * (degree + 3.0) * np.arccosh(np.maximum(size, 1.0))
-        return np.asarray(grown + np.log(np.maximum(1.0, np.max(turned, axis=0))))
+                phases = debye.phases(piece.covered, model, d, f) / scale_k
+            factors_on_discs.append(np.where(np.isnan(phases), np.inf, phases))
+        log_bound = math.log(degree + 4.0) + 0.5 * (degree + 3.0) * np.arccosh(np.maximum(size, 1.0))
+        return np.asarray(log_bound + np.log(np.maximum(1.0, np.max(factors_on_discs, axis=0))))
 
     rule = debye.rule(layers, model, d, f, 0.0, _integral_tol(error, degree), growth)
     factors = [1j * (rate - least) / most for rate, least, most in zip(rule.rates[1:], middle, steep, strict=True)]
@@ -274,15 +274,15 @@ def _integrals(
         ]
         return np.stack(weights, axis=1)
 
-    plain, changes = weighted(rule.parts), debye.turning(rule, layers, model).changes if by_k else None
-    weights = np.ascontiguousarray([plain, *(factor[:, None] * plain for factor in factors)])
-    return _Integrals(rule, weights, None if changes is None else weighted(tuple(changes)), turns)
+    amplitude_weights, changes = weighted(rule.parts), debye.turning(rule, layers, model).changes if by_k else None
+    weights = np.ascontiguousarray([amplitude_weights, *(factor[:, None] * amplitude_weights for factor in factors)])
+    return _Integrals(rule, weights, None if changes is None else weighted(tuple(changes)), scale_k)
 
 
 def _box(layers: Layers, depth: Array, focus: Array) -> tuple[tuple[float, float], tuple[float, float]]:
     """Return ranges of depth and (focus - paraxial focus), rounded outwards so that similar planes share a rule."""
-    off = focus - layers.immersion / layers.sample * depth
-    return _widened(depth, _LEAST_DEPTH), _widened(off, _LEAST_FOCUS)
+    offset = focus - layers.immersion / layers.sample * depth
+    return _widened(depth, _LEAST_DEPTH), _widened(offset, _LEAST_FOCUS)
 
 
 def _widened(values: Array, least: float) -> tuple[float, float]:

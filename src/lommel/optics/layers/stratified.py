@@ -71,18 +71,18 @@ class Layers:
         """Return the phase at depth 0 and focus 0, and its derivatives by depth and focus, 1/metres."""
         k = self.wavenumber
         by_focus = cosine(self.immersion) * (-k * self.immersion)
-        fixed = by_focus * 0.0
+        phase0 = by_focus * 0.0
         for index, thickness in self.paths:
-            fixed = fixed + cosine(index) * (k * index * thickness)
-        return fixed, cosine(self.sample) * (k * self.sample), by_focus
+            phase0 = phase0 + cosine(index) * (k * index * thickness)
+        return phase0, cosine(self.sample) * (k * self.sample), by_focus
 
     def middle_rates(self) -> tuple[float, float, float]:
         """Return the means of the real :meth:`rates` at rho = 0 and rho = 1, constants that change no intensity."""
-        of = self.rates(self.cosine(np.array([0.0, 1.0])))
-        fixed, by_depth, by_focus = (0.5 * float(each.real.sum()) for each in of)
+        rates = self.rates(self.cosine(np.array([0.0, 1.0])))
+        phase0, by_depth, by_focus = (0.5 * float(rate.real.sum()) for rate in rates)
         # Subtracting the middle of the range makes bounds smaller (docs/certificate.md, section 15, "The
         # wavelength").
-        return fixed, by_depth, by_focus
+        return phase0, by_depth, by_focus
 
     def amplitudes(self, cosine: Callable[[float], Values], square: Values) -> Amplitudes:
         """Return the amplitudes at `square` = ``(NA rho)^2``; waves interfere in films, not in the thick glass."""
@@ -92,15 +92,15 @@ class Layers:
         n_i, n_g, n_s = indices
         if n_g == n_i:
             t_s, t_p = 1.0, 1.0
-            below: tuple[Values, ...] = ()
+            surface: tuple[Values, ...] = ()
         else:
-            below = (c_i * n_i + c_g * n_g, c_i * n_g + c_g * n_i)
-            t_s, t_p = (c_i * (2.0 * n_i) / denominator for denominator in below)
+            surface = (c_i * n_i + c_g * n_g, c_i * n_g + c_g * n_i)
+            t_s, t_p = (c_i * (2.0 * n_i) / denominator for denominator in surface)
         at_s = self._denominator(square, c_g * n_g, c_s * n_s, "s")
         at_p = self._denominator(square, c_g / n_g, c_s / n_s, "p")
-        entering = c_g * (2.0 * n_g)
+        incident = c_g * (2.0 * n_g)
         # The matrices of p waves apply to the magnetic field H; the electric field E is H divided by the index.
-        return Amplitudes(t_s * entering / at_s, t_p * entering / (at_p * (n_g * n_s)), (*below, at_s, at_p))
+        return Amplitudes(t_s * incident / at_s, t_p * incident / (at_p * (n_g * n_s)), (*surface, at_s, at_p))
 
     def apodization(self, square: Values) -> Values:
         """Return minus the logarithm of the amplitude of the objective at `square`; 0 without `exponent`."""
@@ -114,24 +114,24 @@ class Layers:
         """Return ``d ln(t) / d ln(k)`` of the amplitudes t of s and p waves; it is 0 without films."""
         n_g, n_s = self.glass, self.sample
         c_g, c_s = cosine(n_g), cosine(n_s)
-        slopes = []
-        for polarisation, first, last in (("s", c_g * n_g, c_s * n_s), ("p", c_g / n_g, c_s / n_s)):
+        log_derivatives = []
+        for polarisation, p_1, p_l in (("s", c_g * n_g, c_s * n_s), ("p", c_g / n_g, c_s / n_s)):
             # Product rule for the product of matrices, from the sample to the glass.
-            of, slope = (last * 0.0 + 1.0, last), (last * 0.0, last * 0.0)
+            fields, slope = (p_l * 0.0 + 1.0, p_l), (p_l * 0.0, p_l * 0.0)
             for matrix, by_k in self._matrices(square, polarisation):
-                from_matrix, from_slope = _apply(by_k, of), _apply(matrix, slope)
+                from_matrix, from_slope = _apply(by_k, fields), _apply(matrix, slope)
                 slope = from_matrix[0] + from_slope[0], from_matrix[1] + from_slope[1]
-                of = _apply(matrix, of)
-            slopes.append((slope[0] * first + slope[1]) * -1.0 / (of[0] * first + of[1]))
-        return slopes[0], slopes[1]
+                fields = _apply(matrix, fields)
+            log_derivatives.append((slope[0] * p_1 + slope[1]) * -1.0 / (fields[0] * p_1 + fields[1]))
+        return log_derivatives[0], log_derivatives[1]
 
-    def _denominator(self, square: Values, first: Values, last: Values, polarisation: str) -> Values:
-        """Return ``(m11 + m12 p_l) p_1 + m21 + m22 p_l``, where M is the product of the matrices of the films."""
+    def _denominator(self, square: Values, p_1: Values, p_l: Values, polarisation: str) -> Values:
+        """Return ``(m11 + m12 p_l) p_1 + m21 + m22 p_l``: M is the product of the films' matrices, l the sample."""
         # M (1, p_l), multiplied from the sample to the glass (Born and Wolf, section 1.6).
-        of = (last * 0.0 + 1.0, last)
+        fields = (p_l * 0.0 + 1.0, p_l)
         for matrix, _ in self._matrices(square, polarisation):
-            of = _apply(matrix, of)
-        return of[0] * first + of[1]
+            fields = _apply(matrix, fields)
+        return fields[0] * p_1 + fields[1]
 
     def _matrices(self, square: Values, polarisation: str) -> Iterator[tuple[_Matrix, _Matrix]]:
         """Yield the matrix of each film and its derivative by ln k, from the sample to the glass."""
@@ -139,15 +139,15 @@ class Layers:
         for index, thickness in reversed(self.films):
             # c^2 in the film. cos and sinc are even functions, so that films cause no branch points (certificate,
             # section 14, "Variables").
-            within = 1.0 - square * index**-2
-            turned = within * (k * index * thickness) ** 2
-            cosine, sinc = cosine_and_sinc(turned)
+            square_cosine = 1.0 - square * index**-2
+            square_phase = square_cosine * (k * index * thickness) ** 2
+            cosine, sinc = cosine_and_sinc(square_phase)
             weight = 1.0 if polarisation == "s" else index**2
             along, back = -1j * k * thickness * weight, -1j * k * thickness * (index**2 / weight)
             # The derivatives of cos(z) and k sinc(z) by ln k are -z^2 sinc(z) and k cos(z).
             yield (
-                _Matrix(cosine, sinc * along, sinc * within * back),
-                _Matrix(turned * sinc * -1.0, cosine * along, cosine * within * back),
+                _Matrix(cosine, sinc * along, sinc * square_cosine * back),
+                _Matrix(square_phase * sinc * -1.0, cosine * along, cosine * square_cosine * back),
             )
 
 
@@ -159,9 +159,9 @@ class _Matrix(NamedTuple):
     back: Values
 
 
-def _apply(matrix: _Matrix, to: tuple[Values, Values]) -> tuple[Values, Values]:
+def _apply(matrix: _Matrix, fields: tuple[Values, Values]) -> tuple[Values, Values]:
     """Return the fields on one side of a film from the fields on the other side (Born and Wolf, section 1.6)."""
-    top, bottom = to
+    top, bottom = fields
     return matrix.same * top + matrix.along * bottom, matrix.back * top + matrix.same * bottom
 
 

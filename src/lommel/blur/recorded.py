@@ -27,9 +27,9 @@ from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront.wavefront import Wavefront
 
-# The spectrum of the intensity ends at ``abs(w) = 2`` (the band), and ``int abs(OTF) dw`` is at most the unaberrated
-# peak: a response with the error e in the band causes errors of at most e times this peak (as in
-# methods/averaging.py). An error of the samples is multiplied by at most the sum of the absolute weights.
+# v and w are as in lommel.blur.convolution. The spectrum of the intensity ends at ``abs(w) = 2`` (the band), and
+# ``int abs(OTF) dw`` is at most the unaberrated peak: an error e of a response in the band causes errors of at most e
+# times this peak (as in methods/averaging.py). Weights multiply errors of samples by at most their absolute sum.
 #
 # The share s of the band: blur is negligible for ``abs(w) > 2 s``. Blur is then computed in the unit v / s, in which
 # it ends at 2, on a coarse lattice. Samples of the intensity are finer, because their frequencies above 2 s must not
@@ -98,14 +98,14 @@ class Band(NamedTuple):
     @classmethod
     def of(cls, pupil: BasePupil, blurs: tuple[Blur, ...], error: float, *, shared: bool = True) -> Band:
         """Return the share outside which the spectrum sums to `error` of the peak or less; rounded if `shared`."""
-        fading, light = Fading.above(blurs, pupil.scale, pupil.wavelength), pupil.transmission
+        transfer, light = Fading.above(blurs, pupil.scale, pupil.wavelength), pupil.transmission
         # abs(O) <= pi tau bounds the tail by 8 tau int T f df: certificate, section 17, "Blur that ends early".
-        share, tail = fading.end(error * pupil.amplitude**2 / (8.0 * light), FURTHER)
+        share, tail = transfer.end(error * pupil.amplitude**2 / (8.0 * light), FURTHER)
         if shared:  # rounded to eighths of octaves: blurs of similar width have equal lattices
             share = 2.0 ** (math.ceil(8.0 * math.log2(share)) / 8.0)
         if share > _WORTH:
             share, tail = 1.0, 0.0
-        return cls(share, 8.0 * light * tail, 4.0 * light * share**2, 8.0 * light * fading.light)
+        return cls(share, 8.0 * light * tail, 4.0 * light * share**2, 8.0 * light * transfer.light)
 
 
 def _stack_images(request: Request, part: Component, grid: Grid, blurs: tuple[Blur, ...]) -> BlurredStack:

@@ -180,8 +180,8 @@ class Judged:
 
     def _message(self, summary: str) -> str:
         """Return status, summary and the texts of all findings."""
-        words = {"doubtful": "converged, but in doubt"}.get(self.status, self.status.replace("_", " "))
-        return "; ".join(filter(None, (f"{words}: {summary}", self.findings.text)))
+        status_text = {"doubtful": "converged, but in doubt"}.get(self.status, self.status.replace("_", " "))
+        return "; ".join(filter(None, (f"{status_text}: {summary}", self.findings.text)))
 
 
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)

@@ -136,14 +136,14 @@ class Marginal(NamedTuple):
 
 
 def marginalized(
-    information: Array, slope: Array, unknowns: Sequence[int], lacking: Sequence[Candidate], count: int
+    information: Array, slope: Array, unknowns: Sequence[int], effects: Sequence[Candidate], count: int
 ) -> Marginal:
-    """Return changes and covariance of the first `count` unknowns, marginalized over the `lacking` effects.
+    """Return changes and covariance of the first `count` unknowns, marginalized over `effects` that the model lacks.
 
-    Each of these effects has a normal prior of mean 0 and standard deviation `scale`.
+    Each effect has a normal prior of mean 0 and standard deviation `scale`.
     """
-    columns = [*unknowns, *(column for effect in lacking for column in effect.columns)]
-    prior_information = [0.0] * len(unknowns) + [effect.scale**-2 for effect in lacking for _ in effect.columns]
+    columns = [*unknowns, *(column for effect in effects for column in effect.columns)]
+    prior_information = [0.0] * len(unknowns) + [effect.scale**-2 for effect in effects for _ in effect.columns]
     matrix = covariance(information[np.ix_(columns, columns)] + np.diag(prior_information))[:count]
     determined = np.isfinite(np.diag(matrix))
     shift = np.where(determined, np.where(determined[:, None], matrix, 0.0) @ slope[columns], 0.0)
@@ -153,14 +153,14 @@ def marginalized(
 def untested(
     information: Array,
     unknowns: Sequence[int],
-    shown: Mapping[str, int],
+    reported: Mapping[str, int],
     stated: Sequence[Candidate],
     tests: Sequence[ScoreTest],
 ) -> dict[str, tuple[str, float]]:
     """Return the `stated` numbers that the data do not test: an error of `scale` biases a fit but cannot be detected.
 
     The value for each number is the estimate with the largest bias relative to its standard error, and this bias.
-    Numbers are left out if no bias exceeds the standard error. `shown` maps the names of estimates that may be
+    Numbers are left out if no bias exceeds the standard error. `reported` maps the names of estimates that may be
     reported to their indices in `unknowns`.
     """
     estimated, biases = list(unknowns), {}
@@ -168,12 +168,12 @@ def untested(
     errors = np.sqrt(np.diag(covariance(square)))
     for number in stated:
         error = next((float(test.errors[0]) for test in tests if test.name == number.name), math.inf)
-        if error <= number.scale or not shown:
+        if error <= number.scale or not reported:
             continue
         bias = np.abs(number.scale * _solved(square, information[np.ix_(estimated, number.columns)])[:, 0])
-        name = max(shown, key=lambda name: bias[shown[name]] / errors[shown[name]])
-        if bias[shown[name]] > errors[shown[name]]:
-            biases[number.name] = name, float(bias[shown[name]])
+        name = max(reported, key=lambda name: bias[reported[name]] / errors[reported[name]])
+        if bias[reported[name]] > errors[reported[name]]:
+            biases[number.name] = name, float(bias[reported[name]])
     return biases
 
 
@@ -197,12 +197,12 @@ def untested_findings(
     return [Finding("untested", "note", text, numbers)] if numbers else []
 
 
-def _eliminated(information: Array, slope: Array, unknowns: Sequence[int], at: Sequence[int]) -> tuple[Array, Array]:
-    """Return S and V of the columns `at` after elimination of the `unknowns` (Schur complement)."""
+def _eliminated(information: Array, slope: Array, unknowns: Sequence[int], c: Sequence[int]) -> tuple[Array, Array]:
+    """Return S and V of the columns `c` after elimination of the `unknowns` (Schur complement)."""
     t = list(unknowns)
-    mixed = information[np.ix_(t, at)]
-    solution = _solved(information[np.ix_(t, t)], mixed)
-    return information[np.ix_(at, at)] - mixed.T @ solution, slope[list(at)] - solution.T @ slope[t]
+    cross = information[np.ix_(t, c)]
+    solution = _solved(information[np.ix_(t, t)], cross)
+    return information[np.ix_(c, c)] - cross.T @ solution, slope[list(c)] - solution.T @ slope[t]
 
 
 def log_bayes_factor(size: Array, covariance: Array, known: float, scale: float) -> float:

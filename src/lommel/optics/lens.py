@@ -132,7 +132,7 @@ class Lens(display.Shown):
     91.82
     """
 
-    pupil_hint = "a Lens; lens.pupil(object_distance) is its pupil"
+    pupil_hint = "a Lens; lens.pupil(object_distance) is its pupil"  # in errors where a Pupil is expected
 
     focal_length: float
     aperture_diameter: float

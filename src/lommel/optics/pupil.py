@@ -100,9 +100,9 @@ class Pupil(BasePupil):
         validation.instance("wavefront", self.wavefront, Wavefront)
         validation.optional("geometry", self.geometry, Geometry)
         eps = validation.real("obscuration", self.obscuration, least=0.0, below=1.0)
-        light = illumination(self.apodization)
-        parameters = light if isinstance(self.apodization, Apodization) else light.slope
-        vars(self).update(obscuration=eps, illumination=light, apodization=parameters)
+        amplitude = illumination(self.apodization)
+        parameters = amplitude if isinstance(self.apodization, Apodization) else amplitude.slope
+        vars(self).update(obscuration=eps, illumination=amplitude, apodization=parameters)
         if (self.wavelength is None) != (self.f_number is None):
             raise ValueError(
                 "wavelength and f_number must be given together (sensor in metres) or not at all "
@@ -112,7 +112,7 @@ class Pupil(BasePupil):
             wavelength = validation.wavelength(self.wavelength)
             vars(self).update(wavelength=wavelength, f_number=validation.real("f_number", self.f_number, above=0.0))
         circular = all(part is None for part in (self.spider, self.vignetting, self.mask, self.stop))
-        aperture = eps, light, self.spider, self.vignetting, self.mask, self.stop
+        aperture = eps, amplitude, self.spider, self.vignetting, self.mask, self.stop
         vars(self).update(circular=circular, radial=circular and self.wavefront.radial, aperture=aperture)
         if circular:
             return
@@ -147,7 +147,7 @@ class Pupil(BasePupil):
 
     @property
     def within_disc(self) -> bool:
-        """True without a mask: the modulus of the pupil function is then at most 1 on the unit disc, and 0 beyond."""
+        """True without a mask: the modulus of the pupil function is then at most 1 on the unit disc and 0 outside."""
         return self.mask is None
 
     @cached_property
@@ -280,18 +280,18 @@ class Pupil(BasePupil):
         TypeError, ValueError
             If coordinates are not real and finite.
         """
-        across, down = np.broadcast_arrays(validation.real_array("x", x), validation.real_array("y", y))
-        rho = np.hypot(across, down)
-        clear = self.opening.margin(across, down) >= 0.0
-        out = np.zeros((math.prod(self.shape), *rho.shape), dtype=np.complex128)
-        inside = rho[clear]
-        phase = self.wavefront.phase(inside, np.arctan2(down[clear], across[clear])).reshape(len(out), -1)
+        px, py = np.broadcast_arrays(validation.real_array("x", x), validation.real_array("y", y))
+        rho = np.hypot(px, py)
+        in_aperture = self.opening.margin(px, py) >= 0.0
+        function = np.zeros((math.prod(self.shape), *rho.shape), dtype=np.complex128)
+        radii = rho[in_aperture]
+        phase = self.wavefront.phase(radii, np.arctan2(py[in_aperture], px[in_aperture])).reshape(len(function), -1)
         if self.segmented:
-            phase = phase + self.opening.phase(across[clear], down[clear])
-        out[:, clear] = self.illumination.at(inside**2) * np.exp(1j * phase)
+            phase = phase + self.opening.phase(px[in_aperture], py[in_aperture])
+        function[:, in_aperture] = self.illumination.at(radii**2) * np.exp(1j * phase)
         if self.mask is not None:
-            out *= self.mask.at(across, down)
-        return out
+            function *= self.mask.at(px, py)
+        return function
 
     def geometric_radius(self) -> NDArray[np.float64]:
         """Return the largest distance of a ray from the axis on the sensor, from ``max abs(grad phase)``."""
@@ -314,9 +314,9 @@ class Pupil(BasePupil):
         raster = self.opening.raster()
         if self.mask is None:
             return raster
-        clear = np.abs(self.mask.at(*raster[:2])) > 0.0
-        if clear.any():
-            return raster[:, clear]
+        open_points = np.abs(self.mask.at(*raster[:2])) > 0.0
+        if open_points.any():
+            return raster[:, open_points]
         # Narrow openings may lie between the points of the raster; nodes of a quadrature rule are always inside.
         x, y = self.rule(0)[:2]
         return np.stack([x, y, *self.opening.tilted(x, y)[1:]])
@@ -401,12 +401,12 @@ def _samples(opening: Opening, mask: Mask) -> Rule:
     from lommel.optics.aperture.mask import cell_centers
     from lommel.optics.aperture.opening import Rule
 
-    at = cell_centers(mask.side)
-    part = opening.coverage(at[None, :], at[:, None], 1.0 / mask.side)
+    centers = cell_centers(mask.side)
+    covered = opening.coverage(centers[None, :], centers[:, None], 1.0 / mask.side)
     # Amplitude times covered area: certificate, section 18, "The light of a mask".
-    weight = np.abs(mask.values) * np.where(part > 1e-9, part, 0.0)  # smaller fractions are rounding errors
+    weight = np.abs(mask.values) * np.where(covered > 1e-9, covered, 0.0)  # smaller fractions are rounding errors
     rows, columns = np.nonzero(weight)
-    return Rule(at[columns], at[rows], weight[rows, columns] * (4.0 / (math.pi * mask.side**2)))
+    return Rule(centers[columns], centers[rows], weight[rows, columns] * (4.0 / (math.pi * mask.side**2)))
 
 
 @lru_cache(maxsize=8)
@@ -419,18 +419,18 @@ def _sampled_rows(opening: Opening, mask: Mask) -> RowRule:
 
 
 @lru_cache(maxsize=64)
-def _moment(opening: Opening, mask: Mask | None, light: Apodization, power: float) -> float:
-    """Return ``(1/pi) int (T A)^power dx dy`` for amplitudes T of the mask and A of the light; power 0: ``int T``."""
+def _moment(opening: Opening, mask: Mask | None, apodization: Apodization, power: float) -> float:
+    """Return ``(1/pi) int (T A)^power dx dy`` for amplitudes T (mask) and A (apodization); power 0: ``int T``."""
     if mask is None:
         from lommel.optics.aperture.opening import degree_needed
 
         # The rule is exact for a polynomial that approximates the amplitude to 1e-14.
-        x, y, weight = opening.rule(degree_needed([], 0.0, light, 1e-14, power=power))
+        x, y, weight = opening.rule(degree_needed([], 0.0, apodization, 1e-14, power=power))
     else:
         x, y, weight = _samples(opening, mask)
-        # The amplitude of a cell is the one of the mask times the covered fraction; power applies to the product.
+        # The amplitude of a cell is that of the mask times the covered fraction; `power` applies to the product.
         weight = weight * (0.25 * math.pi * mask.side**2 * weight) ** (max(power, 1.0) - 1.0)
-    return float(weight @ light.at(x * x + y * y, power))
+    return float(weight @ apodization.at(x * x + y * y, power))
 
 
 def ray_height(terms: NDArray[np.float64], rho: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -510,10 +510,10 @@ class FieldPupil(BasePupil):
         return np.reshape([float(pupil.geometric_radius()) for pupil in self.pupils], self.shape)
 
     def _each(self, of: OfEach) -> Any:
-        which = of(np.arange(len(self.pupils)).reshape(self.shape))
-        if which.ndim == 0:
-            return self.pupils[int(which)]
-        return FieldPupil(tuple(self.pupils[k] for k in which.ravel()), which.shape)
+        indices = of(np.arange(len(self.pupils)).reshape(self.shape))
+        if indices.ndim == 0:
+            return self.pupils[int(indices)]
+        return FieldPupil(tuple(self.pupils[k] for k in indices.ravel()), indices.shape)
 
     def in_light(self, wavelength: float) -> FieldPupil:
         """Return the pupils at another `wavelength`, metres."""

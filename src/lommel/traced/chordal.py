@@ -216,12 +216,12 @@ class FieldError(NamedTuple):
     ) -> Tensor:
         """Return a bound on the error of the field; inf if a phase may exceed the limit of the phase rule."""
         xp = ns.xp
-        coarse = ns.coarseness(self.unit)
+        operand_unit = ns.coarseness(self.unit)
         # The factor 1 + 1e-5 covers the rounding of this sum.
         size = xp.sum(xp.abs(c) * tables["size"], axis=-1) * (1.0 + 1e-5)
         # TF32 rounds each of the two operands of a product by 2^-11.
-        relative = rule.relative + (2.5 * coarse if rule.multiplied(c.shape[-1]) else 0.0)
-        error = quadrature_error + self.sums * (relative * size + rule.absolute + self.products * coarse)
+        relative = rule.relative + (2.5 * operand_unit if rule.multiplied(c.shape[-1]) else 0.0)
+        error = quadrature_error + self.sums * (relative * size + rule.absolute + self.products * operand_unit)
         return xp.where(size <= rule.limit, error + self.added, infinite(ns, error))
 
 

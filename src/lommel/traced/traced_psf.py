@@ -91,13 +91,13 @@ class Pixels(NamedTuple):
         values = xp.take(values, tables["index"], axis=-1)
         if not self.mirrored:
             return xp.reshape(values, (values.shape[0], self.height, self.width))
-        down, across = self.height // 2, self.width // 2
-        quarter = xp.reshape(values, (values.shape[0], down + 1, across + 1))
+        half_height, half_width = self.height // 2, self.width // 2
+        quarter = xp.reshape(values, (values.shape[0], half_height + 1, half_width + 1))
         # The central row and column are not repeated; for even sides the first row and column have no mirror image.
-        right_half = quarter[..., : across + 1 - (self.width + 1) % 2]
-        full_rows = xp.concat([xp.flip(quarter[..., 1:], axis=-1), right_half], axis=-1) if across else right_half
-        lower_half = full_rows[..., : down + 1 - (self.height + 1) % 2, :]
-        return xp.concat([xp.flip(full_rows[..., 1:, :], axis=-2), lower_half], axis=-2) if down else lower_half
+        right_half = quarter[..., : half_width + 1 - (self.width + 1) % 2]
+        full_rows = xp.concat([xp.flip(quarter[..., 1:], axis=-1), right_half], axis=-1) if half_width else right_half
+        bottom = full_rows[..., : half_height + 1 - (self.height + 1) % 2, :]
+        return xp.concat([xp.flip(full_rows[..., 1:, :], axis=-2), bottom], axis=-2) if half_height else bottom
 
 
 class Distances(NamedTuple):
@@ -337,10 +337,10 @@ class TracedPSF:
                 f"coefficients must have one column for each of {static.terms}, got the shape {tuple(c.shape)}"
             )
         stack = tuple(c.shape[:-1])
-        flat = xp.reshape(c, (math.prod(stack), len(static.terms)))
+        rows = xp.reshape(c, (math.prod(stack), len(static.terms)))
         if len(static.columns) < len(static.terms):
-            flat = xp.stack([flat[..., j] for j in static.columns], axis=-1)
-        values, bound = self.evaluated(flat)
+            rows = xp.stack([rows[..., j] for j in static.columns], axis=-1)
+        values, bound = self.evaluated(rows)
         zero = xp.zeros_like(bound)
         # NaN is added, not selected by `where`, such that gradients of other images remain finite.
         zero_or_nan = xp.reshape(xp.where(bound <= static.tol, zero, xp.full_like(bound, float("nan"))), (-1, 1))
@@ -480,14 +480,14 @@ def traced(
 
 def _precision(ns: Namespace, device: object, precision: str, dtype: str) -> str:
     """Return the precision of the computation, "float64" or "float32"; ValueError if unavailable on the device."""
-    double = ns.has_double(device)
-    if precision == "float64" and not double:
+    has_double = ns.has_double(device)
+    if precision == "float64" and not has_double:
         raise ValueError(
             f'precision must be "float32" or "auto" on this device: {ns.name} has no float64'
             + (_X64 if ns.name == "jax" else "")
         )
     if precision == "auto":
-        precision = "float64" if double else "float32"
+        precision = "float64" if has_double else "float32"
     if precision == "float32" and dtype == "float64":
         raise ValueError(
             'dtype must be float32 where precision is "float32", got float64'
@@ -599,12 +599,12 @@ def at_radii(grid: Grid, step: float, stretch: float, allowed: float) -> tuple[P
         pixels = Pixels(height, width, True, float(np.abs(matrix).sum(axis=0).max()), _RULE_ERROR)
         return pixels, step * rule.radii, {"matrix": matrix, "index": _flat_indices(index)}
     middle = grid.axis
-    down, across = np.arange(height) - middle[0], np.arange(width) - middle[1]
+    row_offsets, column_offsets = np.arange(height) - middle[0], np.arange(width) - middle[1]
     if grid.centered:
         # A centred window is symmetric: one quadrant contains all distinct radii.
-        down, across = down[height // 2 :: -1], across[width // 2 :: -1]
+        row_offsets, column_offsets = row_offsets[height // 2 :: -1], column_offsets[width // 2 :: -1]
     # For a centred window the squares are exact in floating point: equal radii have equal squares.
-    squares, index = np.unique(down[:, None] ** 2 + across**2, return_inverse=True)
+    squares, index = np.unique(row_offsets[:, None] ** 2 + column_offsets**2, return_inverse=True)
     return Pixels(height, width, grid.centered, 0.0, 0.0), step * np.sqrt(squares), {"index": _flat_indices(index)}
 
 

@@ -132,7 +132,7 @@ def by_halves(of, model, depth, focus, v):
                 (0.5 * (piece.low + piece.high), piece.high),
             ):
                 x, w = gauss_legendre(n, low, high)
-                at = debye.At(piece, x)
+                at = debye.Points(piece, x)
                 fixed, by_depth, by_focus = at.rates
                 wave = np.exp(1j * (fixed + np.outer(depth, by_depth) + np.outer(focus, by_focus))) * w
                 rho = np.sqrt(at.square) / of.NA
@@ -166,7 +166,7 @@ def test_the_growth_is_above_every_sample_on_its_ellipse_and_not_far_above(of, m
         for row in fit[:: max(1, fit.size // 5)]:
             half = 0.5 * (piece.high - piece.low)
             x = piece.low + half * (1 + np.cos(theta + 1j * debye.ETA[row]))
-            at = debye.At(piece, x)
+            at = debye.Points(piece, x)
             fixed, by_depth, by_focus = at.rates
             rho = np.sqrt(at.square) / of.NA
             wave = np.exp(1j * (fixed + depth * by_depth + focus * by_focus))

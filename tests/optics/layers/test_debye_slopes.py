@@ -10,7 +10,7 @@ import pytest
 
 import lommel as lm
 from lommel.optics.layers import debye
-from lommel.optics.layers.debye import At, Model, pieces
+from lommel.optics.layers.debye import Model, Points, pieces
 from lommel.special.disc_arithmetic import Disc
 from objectives import oil
 
@@ -114,7 +114,7 @@ def test_films_change_the_transmission_by_as_much_on_discs_as_at_points():
     of = layers(FILMS)
     for piece in pieces(of, Model()):
         x = np.linspace(piece.low, piece.high, 9)[1:-1] + 0.02j
-        at = At(piece, x)
+        at = Points(piece, x)
         made = of.log_slopes(at, at.square)
         for which, log_slope in enumerate(made):
             expected = difference(
@@ -124,9 +124,9 @@ def test_films_change_the_transmission_by_as_much_on_discs_as_at_points():
                 2e-3,
             )
             assert log_slope == pytest.approx(expected, rel=1e-7)
-        around = At(piece, Disc(x, np.full(x.shape, 1e-3)))
+        around = Points(piece, Disc(x, np.full(x.shape, 1e-3)))
         discs = of.log_slopes(around, around.square)
         for turn in np.exp(0.25j * np.pi * np.arange(8)):
-            inside = At(piece, x + 0.999e-3 * turn)
+            inside = Points(piece, x + 0.999e-3 * turn)
             for disc, value in zip(discs, of.log_slopes(inside, inside.square), strict=True):
                 assert (np.abs(value - disc.centre) <= disc.radius).all()

@@ -56,9 +56,9 @@ class Mask(EqualByContent):
     array([0., 0., 1., 1.])
     """
 
-    made_of: ClassVar = {
-        "ndarray": "Mask(amplitude) and Mask(np.exp(1j * phase)) are",
-        "OPDMap": "Mask(np.exp(2j * np.pi * waves)) is one",
+    made_of: ClassVar = {  # hints of error messages: type of the value -> how a mask is made of it
+        "ndarray": "use Mask(amplitude), or Mask(np.exp(1j * phase)) for phases in radians",
+        "OPDMap": "use Mask(np.exp(2j * np.pi * waves))",
     }
 
     values: Values

@@ -73,20 +73,20 @@ class Colour:
             raise ValueError(f"focus_shift must be one for each of {waves.size} wavelengths, got shape {shift.shape}")
         if (lateral is None) != (heights is None):
             raise ValueError("lateral and heights must be given together or not at all")
-        across = np.zeros((0, waves.size)) if lateral is None else validation.real_array("lateral", lateral)
-        places = np.zeros(0) if heights is None else validation.rising("heights", heights)
-        if places.size and not places[0] > 0.0:
-            raise ValueError(f"heights must be above 0, where there is no lateral colour, got {places[0]:g}")
-        across = np.atleast_2d(across)
-        if across.shape != (places.size, waves.size):
+        shifts = np.zeros((0, waves.size)) if lateral is None else validation.real_array("lateral", lateral)
+        radii = np.zeros(0) if heights is None else validation.rising("heights", heights)
+        if radii.size and not radii[0] > 0.0:
+            raise ValueError(f"heights must be above 0, where there is no lateral colour, got {radii[0]:g}")
+        shifts = np.atleast_2d(shifts)
+        if shifts.shape != (radii.size, waves.size):
             raise ValueError(
-                f"lateral must be of shape (heights, wavelengths), {(places.size, waves.size)}, got {across.shape}"
+                f"lateral must be of shape (heights, wavelengths), {(radii.size, waves.size)}, got {shifts.shape}"
             )
         vars(self).update(
             wavelengths=tuple(waves.tolist()),
             focus_shift=tuple(shift.tolist()),
-            lateral=tuple(tuple(row) for row in across.tolist()),
-            heights=tuple(places.tolist()),
+            lateral=tuple(tuple(row) for row in shifts.tolist()),
+            heights=tuple(radii.tolist()),
         )
 
     @classmethod
@@ -131,10 +131,10 @@ class Colour:
                 "larger heights"
             )
         shifts = [float(_interpolate(wave, self.wavelengths, row)) for row in self.lateral]
-        places = np.array(self.heights)
+        radii = np.array(self.heights)
         # The shift is odd in the height: an odd spline has no kink on the axis.
-        both = np.concatenate([-places[::-1], [0.0], places])
-        return np.asarray(_interpolate(h, both, [-d for d in reversed(shifts)] + [0.0, *shifts]))
+        positions = np.concatenate([-radii[::-1], [0.0], radii])
+        return np.asarray(_interpolate(h, positions, [-d for d in reversed(shifts)] + [0.0, *shifts]))
 
     def _check_wavelength(self, wavelength: float) -> float:
         wave, (first, *_, last) = validation.wavelength(wavelength), self.wavelengths
@@ -209,8 +209,8 @@ class PupilColour:
                 )
             else:
                 spheres = [(g.sphere, np.reshape(g.vergence, shape)) for g in (geometry, new_geometry)]
-                old, new = (wavefront.wavefront(self.radius, a, v, wavelength) for a, v in spheres)
-                chromatic = new - old
+                phase_before, phase_after = (wavefront.wavefront(self.radius, a, v, wavelength) for a, v in spheres)
+                chromatic = phase_after - phase_before
         if self.x:
             x, y = (np.reshape(p, shape) for p in (self.x, self.y))
             h = np.hypot(x, y)
@@ -293,10 +293,10 @@ def colour_from_dict(description: Json) -> PupilColour | TracedColour:
     return (PupilColour if "table" in description else TracedColour).from_dict(description)
 
 
-def _interpolate(at: float | Array, points: Sequence[float] | Array, values: Sequence[float]) -> Array:
+def _interpolate(x: float | Array, points: Sequence[float] | Array, values: Sequence[float]) -> Array:
     """Return a spline through `values` at `points`: cubic, or a line or parabola through two or three values."""
     from scipy.interpolate import CubicSpline
 
     size = points[-1] - points[0]
-    spline: Array = CubicSpline((np.asarray(points) - points[0]) / size, values)((np.asarray(at) - points[0]) / size)
+    spline: Array = CubicSpline((np.asarray(points) - points[0]) / size, values)((np.asarray(x) - points[0]) / size)
     return spline

@@ -71,7 +71,7 @@ class Model:
         return self.kind != "scalar"
 
 
-class At:
+class Points:
     """Cached factors of the integrands, at points x of a section or on discs that cover ellipses around it."""
 
     def __init__(self, piece: Piece, x: Values) -> None:
@@ -167,25 +167,25 @@ class Piece:
         """Return ``rho d rho / dx``."""
         return (x if self.above else 1.0 - x) * (self.lowest / self.layers.NA) ** 2
 
-    def parts(self, at: At, model: Model) -> tuple[Complex, ...]:
+    def parts(self, points: Points, model: Model) -> tuple[Complex, ...]:
         """Return the factor of ``exp(i psi) J_m`` in each integrand, with the Jacobian, one for each order m."""
-        return self._factors(at, model, *(at.amplitudes[:2] if model.transmits else (1.0, 1.0)))
+        return self._factors(points, model, *(points.amplitudes[:2] if model.transmits else (1.0, 1.0)))
 
-    def changes(self, at: At, model: Model) -> tuple[Complex, ...]:
+    def changes(self, points: Points, model: Model) -> tuple[Complex, ...]:
         """Return the derivatives of :meth:`parts` by ln k, with the wavenumber k; only films contribute."""
-        of_s, of_p = self.layers.log_slopes(at, at.square)
-        t_s, t_p, _ = at.amplitudes
-        return self._factors(at, model, t_s * of_s, t_p * of_p)
+        of_s, of_p = self.layers.log_slopes(points, points.square)
+        t_s, t_p, _ = points.amplitudes
+        return self._factors(points, model, t_s * of_s, t_p * of_p)
 
-    def _factors(self, at: At, model: Model, t_s: Values, t_p: Values) -> tuple[Complex, ...]:
+    def _factors(self, points: Points, model: Model, t_s: Values, t_p: Values) -> tuple[Complex, ...]:
         # Radial, azimuthal and vortex beams: docs/certificate.md, section 14, "What is odd in rho".
-        c_i, c_s = at(self.layers.immersion), at(self.layers.sample)
-        factor = self.jacobian(at.x) * (c_i**-0.5 if model.aplanatic else 1.0 + 0.0j)
+        c_i, c_s = points(self.layers.immersion), points(self.layers.sample)
+        factor = self.jacobian(points.x) * (c_i**-0.5 if model.aplanatic else 1.0 + 0.0j)
         if self.layers.exponent:
-            factor = factor * np.exp(-self.layers.apodization(at.square))
+            factor = factor * np.exp(-self.layers.apodization(points.square))
         if model.kind == "scalar":
             return (2.0 * factor,)
-        sine = np.sqrt(at.square) / self.layers.sample
+        sine = np.sqrt(points.square) / self.layers.sample
         if model.kind == "azimuthal":
             return 0.0 * factor, 2.0 * factor * t_s
         if model.kind == "radial":
@@ -198,18 +198,18 @@ class Piece:
         return np.asarray(self.low + half_length * (1.0 + np.cos(theta + 1j * eta[:, None])))
 
     @cached_property
-    def covered(self) -> At:
+    def covered(self) -> Points:
         """Discs that cover all ellipses."""
         return self._cover(ETA)
 
-    def _cover(self, eta: Array) -> At:
+    def _cover(self, eta: Array) -> Points:
         step = 2.0 * math.pi / _ARCS
         theta = (np.arange(float(_ARCS)) + 0.5) * step
         # abs(dx/dtheta)^2 / half^2 = sin^2 theta + sinh^2 eta; its maximum along an arc is the radius of its disc.
         slope = np.hypot(np.minimum(np.abs(np.sin(theta)) + 0.5 * step, 1.0), np.sinh(eta)[:, None])
         # Slightly enlarged to cover the rounding errors of centres and radii.
         radius = 0.25 * step * (self.high - self.low) * slope * (1.0 + 1e-12) + 1e-15
-        return At(self, Disc(self._ellipses(eta, theta), radius))
+        return Points(self, Disc(self._ellipses(eta, theta), radius))
 
     @property
     def rooted(self) -> tuple[float, ...]:
@@ -239,15 +239,15 @@ class Piece:
 
     def _estimated_growth(self, model: Model, depth: Array, focus: Array, v: float) -> Array:
         """Estimate :meth:`growth` from a few points of each ellipse, without proof, at a tenth of the cost."""
-        at = At(
+        points = Points(
             self, self._ellipses(ETA, (np.arange(float(_ESTIMATE_POINTS)) + 0.5) * (2.0 * math.pi / _ESTIMATE_POINTS))
         )
-        phase0, by_depth, by_focus = at.rates
+        phase0, by_depth, by_focus = points.rates
         with np.errstate(all="ignore"):
-            log_size = np.log(np.max([np.abs(part) for part in self.parts(at, model)], axis=0))
+            log_size = np.log(np.max([np.abs(part) for part in self.parts(points, model)], axis=0))
             decay = np.min([(phase0 + d * by_depth + f * by_focus).imag for d, f in extremes(depth, focus)], axis=0)
-            growth = (log_size - decay + v / self.layers.NA * np.abs(np.sqrt(at.square).imag)).max(axis=-1)
-        return np.where(at.analytic & np.isfinite(growth), growth, np.inf)
+            growth = (log_size - decay + v / self.layers.NA * np.abs(np.sqrt(points.square).imag)).max(axis=-1)
+        return np.where(points.analytic & np.isfinite(growth), growth, np.inf)
 
     def proven_count(
         self, model: Model, depth: Array, focus: Array, v: float, error: float, factor: Factor | None = None
@@ -315,26 +315,26 @@ Factor = Callable[[Piece], Array]
 
 
 @lru_cache(maxsize=32)
-def enclosed(piece: Piece, model: Model, rows: Rows) -> tuple[At, Array]:
+def enclosed(piece: Piece, model: Model, rows: Rows) -> tuple[Points, Array]:
     """Return the discs of ellipses, and on each disc the log of a bound on the moduli of :meth:`Piece.parts`."""
-    at = piece.covered if rows is None else piece._cover(ETA[list(rows)])
-    t_s, t_p, _ = at.amplitudes
+    points = piece.covered if rows is None else piece._cover(ETA[list(rows)])
+    t_s, t_p, _ = points.amplitudes
     with np.errstate(all="ignore"):
-        log_bound = np.log(piece.jacobian(at.x).largest)
+        bound = np.log(piece.jacobian(points.x).largest)
         if model.aplanatic:
-            log_bound -= 0.5 * np.log(at(piece.layers.immersion).least)
+            bound -= 0.5 * np.log(points(piece.layers.immersion).least)
         if piece.layers.exponent:
-            g = piece.layers.apodization(at.square)
-            log_bound += g.radius - g.centre.real
+            g = piece.layers.apodization(points.square)
+            bound += g.radius - g.centre.real
         if model.kind == "scalar":
-            return at, np.asarray(log_bound + math.log(2.0))
-        c_s = at(piece.layers.sample)
-        sine = np.sqrt(at.square.largest) / piece.layers.sample
+            return points, np.asarray(bound + math.log(2.0))
+        c_s = points(piece.layers.sample)
+        sine = np.sqrt(points.square.largest) / piece.layers.sample
         if model.kind == "azimuthal":
-            return at, np.asarray(log_bound + np.log(2.0 * t_s.largest))
+            return points, np.asarray(bound + np.log(2.0 * t_s.largest))
         if model.kind == "radial":
-            return at, np.asarray(log_bound + np.log(2.0 * np.maximum((t_p * c_s).largest, t_p.largest * sine)))
-        return at, np.asarray(log_bound + np.log(np.maximum(t_s.largest + (t_p * c_s).largest, t_p.largest * sine)))
+            return points, np.asarray(bound + np.log(2.0 * np.maximum((t_p * c_s).largest, t_p.largest * sine)))
+        return points, np.asarray(bound + np.log(np.maximum(t_s.largest + (t_p * c_s).largest, t_p.largest * sine)))
 
 
 def extremes(depth: Array, focus: Array) -> list[tuple[float, float]]:
@@ -422,10 +422,10 @@ def tabulated(
     rhos, parts, rates = [], [], []
     for piece, n in zip(sections, counts, strict=True):
         x, w = gauss_legendre(n, piece.low, piece.high)
-        at = At(piece, x)
-        rhos.append(np.sqrt(at.square) / piece.layers.NA)
-        parts.append([w * part for part in piece.parts(at, model)])
-        rates.append(at.rates)
+        points = Points(piece, x)
+        rhos.append(np.sqrt(points.square) / piece.layers.NA)
+        parts.append([w * part for part in piece.parts(points, model)])
+        rates.append(points.rates)
     phase0, by_depth, by_focus = (np.concatenate(rate) for rate in zip(*rates, strict=True))
     all_parts = tuple(np.concatenate(part) for part in zip(*parts, strict=True))
     return np.concatenate(rhos), all_parts, (phase0, by_depth, by_focus)
@@ -484,16 +484,16 @@ def _powers(layers: Layers, model: Model, n: int) -> tuple[Array, Array, Array, 
     decay_rates, evanescent, evanescent_change = np.zeros(0), np.zeros((0, part_count)), np.zeros((0, part_count))
     for piece in pieces(layers, model):
         x, w = gauss_legendre(n, piece.low, piece.high)
-        at = At(piece, x)
+        points = Points(piece, x)
         # The squared parts include the square of the Jacobian: divide by it once.
         measure = (w / (2.0 * piece.jacobian(x)))[:, None]
-        node_parts = np.stack(piece.parts(at, model), axis=1)
+        node_parts = np.stack(piece.parts(points, model), axis=1)
         node_power: Array = measure * np.abs(node_parts) ** 2
         change: Array = np.zeros(node_parts.shape)
         if films(layers, model):
-            change = measure * 2.0 * (node_parts.conj() * np.stack(piece.changes(at, model), axis=1)).real
+            change = measure * 2.0 * (node_parts.conj() * np.stack(piece.changes(points, model), axis=1)).real
         if piece.above:
-            decay_rates, evanescent, evanescent_change = -2.0 * at.rates[1].imag, node_power, change
+            decay_rates, evanescent, evanescent_change = -2.0 * points.rates[1].imag, node_power, change
         else:
             propagating += node_power.sum(axis=0)
             propagating_change += change.sum(axis=0)
@@ -526,7 +526,7 @@ def turning(quadrature: Rule, layers: Layers, model: Model) -> Turning:
     changes = []
     for piece, n in zip(pieces(layers, model), quadrature.counts, strict=True):
         x, w = gauss_legendre(n, piece.low, piece.high)
-        changes.append(w * np.stack(piece.changes(At(piece, x), model)))
+        changes.append(w * np.stack(piece.changes(Points(piece, x), model)))
     return Turning(rates, np.concatenate(changes, axis=1))
 
 
@@ -572,7 +572,7 @@ def steepest(layers: Layers, model: Model, depth: Array, focus: Array) -> tuple[
     return float(bounds[0]), float(bounds[1]), float(bounds[2])
 
 
-def phases(covered: At, model: Model, depth: Array, focus: Array) -> Array:
+def phases(covered: Points, model: Model, depth: Array, focus: Array) -> Array:
     """Return bounds on ``abs(d(integrand)/d(ln k) / integrand)`` on each disc."""
     layers, psi = covered.piece.layers, np.zeros(covered.square.radius.shape)
     for d, f in extremes(depth, focus):

@@ -157,12 +157,12 @@ class Wavefront(EqualByContent, display.Shown):
     Wavefront(defocus=1.0, spherical=0.0, nonradial={(3, 1): 2.0})
     """
 
-    made_of: ClassVar = {
-        "OPDMap": "fit_opd(...).wavefront is one",
-        "ndarray": "fit_opd(OPDMap(...)).wavefront, or mask=Mask(np.exp(1j * phase)) takes a map of phases",
+    made_of: ClassVar = {  # hints of error messages: type of the value -> how a wavefront is made of it
+        "OPDMap": "use fit_opd(...).wavefront",
+        "ndarray": "use fit_opd(OPDMap(...)).wavefront, or mask=Mask(np.exp(1j * phase)) for a map of phases",
     }
 
-    pupil_hint = "a Wavefront; Pupil(wavefront) has a circular aperture"
+    pupil_hint = "a Wavefront; Pupil(wavefront) has a circular aperture"  # in errors where a Pupil is expected
 
     terms: tuple[Term, ...]
     edge: Array

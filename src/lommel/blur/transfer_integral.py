@@ -430,14 +430,9 @@ def _panels(
     log = np.where(np.isnan(log), np.inf, log).max(axis=-1)
     counts = gauss_nodes(log, allowed / len(lengths) / lengths, _ETAS)
     for k, count in enumerate(counts.astype(int)):
-        nodes, weight = gauss_legendre(int(count), float(ends[k]), float(ends[k + 1]))
-        f_at = end * nodes**3
-        yield (
-            f_at,
-            24.0 / math.pi * end**2 * nodes**5 * weight * fading.at(f_at),
-            float(edges[k]),
-            float(edges[k + 1]),
-        )
+        x_at, weight = gauss_legendre(int(count), float(ends[k]), float(ends[k + 1]))
+        f_at = end * x_at**3
+        yield f_at, 24.0 / math.pi * end**2 * x_at**5 * weight * fading.at(f_at), float(edges[k]), float(edges[k + 1])
 
 
 class Summed(NamedTuple):

@@ -154,7 +154,7 @@ def test_each_image_of_a_batch_has_its_own_lens(framework):
             assert np.abs(found[k] - one).max() < 2e-6
         with pytest.raises(ValueError, match=r"or, one for each image, \(3, 2\) or, over the field.* got \(2, 2\)"):
             call(image, DEPTH[None], zernike=values[:2])
-        with pytest.raises(ValueError, match=r"made for focus_distance within .*, got 1\.9 to 2\.3; clamp"):
+        with pytest.raises(ValueError, match=r"valid for focus_distance within .*, got 1\.9 to 2\.3; clamp"):
             call(image, np.full((1, 12, 15), 2.5), focus_distance=np.array([1.9, 2.3, 2.0]))
         with pytest.raises(ValueError, match="must be at most 1 rad"):
             call(image, DEPTH[None], zernike=np.where(values > 0.4, 1.5, values))

@@ -1,31 +1,31 @@
-r"""Depth from defocus: filters whose residual has no signal at the true depth, as polynomials of one small filter.
+r"""Depth from defocus: filters by which two frames cancel at the true depth, as polynomials of one small filter.
 
 The symbols are those of :mod:`lommel.estimation.focal_model`: h_i, N_i and Y_i are transfer function, noise and
-spectrum of frame i, S is the power of the texture and u the vergence (1 / distance). Let ``q = sum of h_i^2 / N_i``
-and W = S q / (1 + S q), times a high pass. At the vergence u the residual of the frames i < j is
+spectrum of frame i, S is the power of the texture and u the vergence (1 / distance). Let ``q = sum of h_i^2 / N_i``,
+and let W be S q / (1 + S q) times a high-pass filter. At the vergence u the residual of the frames i < j is
 
     e_ij = sqrt(W) (h_j Y_i - h_i Y_j) / sqrt(N_i N_j q) .
 
 At the true u the scene cancels, whatever its texture, and the residual is noise. The energy, the mean of e_ij^2 over
 a window, is lowest at this u. By Lagrange's identity the sum of the energies of all pairs is the energy of the
-component of (Y_i) orthogonal to (h_i). The transfer function of the pixel is a common factor of all h_i, and does not
-change their direction: except for W, filters depend on \|f\| alone. They are approximated by
+component of the vector of all Y_i orthogonal to the vector of all h_i. The transfer function of the pixel is a common
+factor of all h_i and cancels: except for W, filters depend on \|f\| alone. They are approximated by
 
     e = sum over i, m of c_im T_m(2 B - 1) Y_i ,    B(f) = b(fx) b(fy) ,
 
-with Chebyshev polynomials T_m of a small filter b. The recursion of T_m, M steps for each frame, is computed once for
-all vergences, pairs and sharp images (compare McClellan, 7th Princeton Conference on Information Sciences, 1973).
-The coefficients c_im are a least-squares fit weighted by the power of scene and noise, because a filter that does not
-vanish exactly lets the scene through in proportion to its power. The matrix of coefficients is reduced to a few
-singular vectors, so that energies at all vergences are quadratic forms of few images.
+with Chebyshev polynomials T_m, m = 0 to M, of a small filter b. Their recursion, M steps for each frame, is computed
+once for all vergences, pairs and sharp images (compare McClellan, 7th Princeton Conference on Information Sciences,
+1973). The coefficients c_im are a least-squares fit weighted by the power of scene and noise, because a filter that
+does not vanish exactly lets the scene through in proportion to its power. The matrix of coefficients is reduced to a
+few singular vectors, so that energies at all vergences are quadratic forms of few images.
 
-The standard error is computed for the fitted filters. With S_ee, S_dd and S_ed the spectra of e, of its derivative
-with respect to u, and their cross-spectrum, and N the pixels of a window, half of the energy's derivative has the
-variance ``mean of (S_ee S_dd + S_ed^2) / N``, or less if the images are correlated over the size of a window. One
-part of the variance is proportional to kappa, half of the energy's second derivative; the other part is due to noise
-alone: ``sigma_u^2 = (texture_variance kappa + noise_variance) / (kappa^2 N)``. With little texture, noise dominates
-the measured curvature; kappa is then estimated as ``curvature_ratio`` times (mean energy - minimum energy), where
-``curvature_ratio`` is computed for the texture of the model.
+The standard error sigma_u of the vergence is computed for the fitted filters. Let kappa be half of the second
+derivative of the energy with respect to u, and n the number of pixels of a window. Half of the first derivative has
+the variance ``mean of (S_ee S_dd + S_ed^2) / n``, or less if images are correlated over the size of a window. S_ee,
+S_dd and S_ed are the spectrum of e, the spectrum of its derivative de/du, and their cross-spectrum. One part of the
+variance is proportional to kappa, the other part is due to noise alone: ``sigma_u^2 = (texture_ratio kappa +
+noise_variance) / (kappa^2 n)``. With little texture, noise dominates the measured curvature; kappa is then estimated
+as ``curvature_ratio`` times (mean energy - minimum energy), where the ratio is computed for the model's texture.
 """
 
 from __future__ import annotations
@@ -45,11 +45,11 @@ from lommel.estimation.focal_model import Band, FocalLight, FocalModel
 from lommel.optics.lens import Lens
 
 _HIGH_PASS = 0.012  # cycles per pixel: slower variations are due to exposure, shading and offsets
-_MEAN_REJECTION = 1e4  # power / noise at frequency 0, assumed for each frame: residuals then ignore its mean
-_SHARED_ALIASES = 0.4  # fraction of the model's alias power that is assumed: many spectra decrease faster
+_MEAN_REJECTION = 1e4  # power / noise at frequency 0, assumed for each frame: residuals then ignore the mean
+_SHARED_ALIASES = 0.4  # fraction of the model's alias power that is assumed: many scenes have less
 _SHARP_LOSS = 0.01  # relative increase of the squared error of the Wiener filter by discarded singular vectors
 _MARGIN = 0.08  # extension of the candidates at each end of the vergence range, as a fraction of this range
-_MAX_VALLEY = 61  # largest number of candidates in a mean energy; the minimum energy is compared with this mean
+_MAX_AVERAGED = 61  # largest number of candidates over which energies are averaged; `curvature_ratio` uses this mean
 _MAX_BINNING_LOSS = 1.25  # largest factor by which binning may increase standard errors
 # Designs in the order tried: taps, degree, discarded fraction of the norm of all filters, and the largest accepted
 # median and maximum of standard error / Cramér-Rao bound. Short filters come first, because their residual at a pixel
@@ -59,7 +59,7 @@ _MEAN_POWER = 1e7  # power / noise at frequency 0, assumed for sharp images: the
 
 
 class Taps(NamedTuple):
-    """The symmetric filter b along one axis: its values at 0, 1, ... pixels from the middle."""
+    """The symmetric filter b along one axis: tap values at 0, 1, ... pixels from the middle."""
 
     values: tuple[float, ...]
 
@@ -82,8 +82,8 @@ class Taps(NamedTuple):
 
     def padded(self) -> tuple[float, float, float]:
         """Return three values; the third is 0 for a filter of three taps."""
-        first, second, *rest = self.values
-        return first, second, rest[0] if rest else 0.0
+        centre, neighbour, *outer = self.values
+        return centre, neighbour, outer[0] if outer else 0.0
 
     def chebyshev(self, fx: Array, fy: Array, degree: int) -> Array:
         """Return T_0 to T_degree of 2 B - 1, shape (degree + 1, frequencies)."""
@@ -101,7 +101,7 @@ class FocalTables:
     Attributes
     ----------
     vergence : ndarray, shape (c,)
-        Candidate vergences, 1 / m, equally spaced. They extend beyond the range.
+        Candidate vergences, 1 / m, equally spaced. They extend beyond the range of distances to be measured.
     binning : int
         Side in pixels of the squares that are summed before filtering.
     taps : Taps
@@ -109,18 +109,19 @@ class FocalTables:
     basis : ndarray, shape (rank, frames, degree + 1)
         Basis images e_k: coefficients of T_m Y_i.
     mixes : ndarray, shape (c, pairs, rank)
-        Residuals: coefficients of e_k.
+        Coefficients of the basis images e_k in each residual.
     noise : ndarray, shape (c,)
         Energy of the residuals of white noise of variance 1.
-    texture_variance, noise_variance : ndarray, shape (c,)
-        Parts of N times the variance of half of the energy's derivative, for N pixels in a window: (part due to
-        texture) / kappa, and the part due to noise alone.
+    texture_ratio, noise_variance : ndarray, shape (c,)
+        Parts of n times the variance of half of the energy's derivative, for n pixels in a window: first (part due to
+        texture) / kappa, second the part due to noise alone.
     curvature_ratio : ndarray, shape (c,)
         kappa / (mean energy of all candidates - energy at the true candidate), for the texture of the model.
     curvature_variance : ndarray, shape (c,)
         Variance of kappa due to noise alone, times the pixels of a window.
     bias, errors, bound : ndarray, shape (c,)
-        Bias, standard error and Cramér-Rao bound of the vergence from the texture of a single pixel, in candidates.
+        Bias, standard error and Cramér-Rao bound of the vergence from the texture of a single pixel, in units of
+        `step`, the difference between neighbouring candidates.
     light : FocalLight
         Light per pixel for which the tables were computed.
     white : ndarray, shape (frames,)
@@ -137,7 +138,7 @@ class FocalTables:
     basis: Array
     mixes: Array
     noise: Array
-    texture_variance: Array
+    texture_ratio: Array
     noise_variance: Array
     curvature_ratio: Array
     curvature_variance: Array
@@ -168,7 +169,7 @@ class FocalTables:
         return np.stack(
             [
                 self.noise,
-                self.texture_variance,
+                self.texture_ratio,
                 self.noise_variance,
                 self.curvature_ratio,
                 self.curvature_variance,
@@ -193,10 +194,10 @@ def candidates(between: tuple[float, float], count: int, lenses: Sequence[Lens])
     The extension ends at 0 (infinite distance), and at 0.9 / (focal length): an object at the focal length would have
     its image at infinity.
     """
-    far, near = 1.0 / between[1], 1.0 / between[0]
-    margin = _MARGIN * (near - far)
-    nearest = 0.9 / max(lens.focal_length for lens in lenses)
-    return np.linspace(max(far - margin, 0.0), max(near, min(near + margin, nearest)), count)
+    min_vergence, max_vergence = 1.0 / between[1], 1.0 / between[0]
+    margin = _MARGIN * (max_vergence - min_vergence)
+    limit = 0.9 / max(lens.focal_length for lens in lenses)
+    return np.linspace(max(min_vergence - margin, 0.0), max(max_vergence, min(max_vergence + margin, limit)), count)
 
 
 def focal_tables(
@@ -221,14 +222,14 @@ def focal_tables(
         return design(model_of(like.binning), like.taps, like.degree, like.discarded, like.binning)
     binnings = [side for side in (1, 2, 4) if side <= block]
     models = [model_of(side) for side in binnings]
-    # Without a tenth of the candidates at each end, most of which are outside the range.
+    # Exclude a tenth of the candidates at each end: most of them are outside the range of distances.
     tenth = len(models[0].vergence) // 10
     inner = slice(tenth, -tenth or None)
-    # A window has fewer binned pixels by binning^2: errors per window compare as bound * binning.
+    # Binning divides the number of pixels in a window by side^2: errors per window are proportional to bound * side.
     bounds = [_bound(model)[inner] * side for model, side in zip(models, binnings, strict=True)]
-    best = max(k for k, bound in enumerate(bounds) if (bound / bounds[0]).max() <= _MAX_BINNING_LOSS)
+    choice = max(k for k, bound in enumerate(bounds) if (bound / bounds[0]).max() <= _MAX_BINNING_LOSS)
     for taps, degree, discarded, largest_median, largest in _DESIGNS:
-        tables = design(models[best], Taps.of(taps), degree, discarded, binnings[best])
+        tables = design(models[choice], Taps.of(taps), degree, discarded, binnings[choice])
         ratios = (tables.errors / tables.bound)[inner]
         if np.median(ratios) <= largest_median and ratios.max() <= largest:
             break
@@ -236,7 +237,7 @@ def focal_tables(
 
 
 def _bound(model: FocalModel) -> Array:
-    """Return the Cramér-Rao bound of the vergence from a single pixel, in candidates, shape (c,)."""
+    """Return the Cramér-Rao bound of the vergence from a single pixel, in steps between candidates, shape (c,)."""
     step = model.vergence[1] - model.vergence[0]
     slope = np.gradient(model.transfer, float(step), axis=0)
     return np.asarray(1.0 / (step * np.sqrt(np.maximum(model.information(slope), 1e-300))))
@@ -256,17 +257,17 @@ def residual_filters(model: FocalModel) -> Array:
 
 
 def shifts(model: FocalModel, other: FocalModel) -> Array:
-    """Return the error of the vergence, in candidates to first order, if frames of `model` are filtered for `other`.
+    """Return the first-order error of the vergence, in steps between candidates, by filters computed for `other`.
 
-    `model` has three vergences for each candidate: of the previous candidate, of this candidate and of the next
-    candidate; `other` has one. At the minimum of the energy ``<e' (e + de)> = 0``: it is shifted by
-    ``-<e' de> / <e' e'>``. Here e' is the derivative of the residual with respect to the candidate, de the residual
-    of the scene in the filters of `other`, and <> the mean over the texture of the model.
+    The frames are those of `model`, which has three vergences for each candidate: of the previous candidate, of this
+    candidate and of the next candidate; `other` has one. Let e' be the derivative of the residual with respect to the
+    index of the candidate, de the residual of the scene in the filters of `other`, and <> the mean over the texture
+    of the model. At the minimum of the energy ``<e' (e + de)> = 0``: it is shifted by ``-<e' de> / <e' e'>``.
     """
     h, power, filters = model.transfer[1::3], model.texture * model.band.share, residual_filters(model)
-    slopes = 0.5 * np.einsum("cpif,cif->cpf", filters[2::3] - filters[::3], h)
+    derivatives = 0.5 * np.einsum("cpif,cif->cpf", filters[2::3] - filters[::3], h)
     residual = np.einsum("cpif,cif->cpf", residual_filters(other), h)
-    return np.asarray(-((slopes * residual) @ power).sum(axis=1) / ((slopes**2) @ power).sum(axis=1))
+    return np.asarray(-((derivatives * residual) @ power).sum(axis=1) / ((derivatives**2) @ power).sum(axis=1))
 
 
 class _Fit:
@@ -302,8 +303,8 @@ class _Fit:
             spectra = self._cross_spectra(c) * self._share
             normal = np.einsum("mf,ijf,nf->imjn", terms, spectra, terms, optimize=True).reshape(mean_normal.shape)
             normal[np.diag_indices(len(normal))] += self._ridge * np.trace(normal) / len(normal)
-            right = np.einsum("mf,ijf,pjf->imp", terms, spectra, filters[c], optimize=True)
-            coefficients[c] = np.linalg.solve(normal, right.reshape(len(normal), pairs)).T
+            right_sides = np.einsum("mf,ijf,pjf->imp", terms, spectra, filters[c], optimize=True)
+            coefficients[c] = np.linalg.solve(normal, right_sides.reshape(len(normal), pairs)).T
             mean_normal += normal / count
         return coefficients, mean_normal
 
@@ -352,7 +353,7 @@ def _tables(
         basis,
         mixes,
         statistics.noise,
-        statistics.texture_variance,
+        statistics.texture_ratio,
         statistics.noise_variance,
         statistics.curvature_ratio,
         statistics.curvature_variance,
@@ -365,16 +366,16 @@ def _tables(
     )
 
 
-def _low_rank(rows: Array, metric: Array, weights: Array, share: float, per_row: float) -> tuple[Array, Array]:
+def _low_rank(rows: Array, metric: Array, weights: Array, fraction: float, per_row: float) -> tuple[Array, Array]:
     """Return factors (rows, rank) and (rank, columns) whose product approximates rows of coefficients.
 
-    The norm of the error, with the `metric` over columns and `weights` of rows, is below a `share` of the norm of the
-    rows, or below `per_row` in the root mean square over rows, whichever allows the lower rank.
+    The norm of the approximation error, with the `metric` over columns and `weights` of rows, is below `fraction` of
+    the rows' norm, or below `per_row` in the root mean square over rows, whichever allows the lower rank.
     """
     root = np.linalg.cholesky(metric)
     left, values, right = np.linalg.svd((rows @ root) * weights[:, None], full_matrices=False)
-    errors = np.sqrt(np.append(np.cumsum((values**2)[::-1])[::-1], 0.0))  # by rank
-    rank = int(np.argmax(errors < max(share * errors[0], per_row * math.sqrt(len(rows)), 1e-300)))
+    errors = np.sqrt(np.append(np.cumsum((values**2)[::-1])[::-1], 0.0))  # norm of the error of each rank
+    rank = int(np.argmax(errors < max(fraction * errors[0], per_row * math.sqrt(len(rows)), 1e-300)))
     return left[:, :rank] * values[:rank] / weights[:, None], np.linalg.solve(root.T, right[:rank].T).T
 
 
@@ -382,7 +383,7 @@ class _Statistics(NamedTuple):
     """Statistics of fitted filters at each candidate, shape (c,): see the attributes of :class:`FocalTables`."""
 
     noise: Array
-    texture_variance: Array
+    texture_ratio: Array
     noise_variance: Array
     curvature_ratio: Array
     curvature_variance: Array
@@ -394,30 +395,30 @@ class _Statistics(NamedTuple):
         """Return the statistics of filters (c, pairs, frames, frequencies) for windows with this `overlap`."""
         correlated = _WindowVariance(model.band, overlap)
         share, texture, count = model.band.share, model.texture, len(filters)
-        slopes = np.gradient(filters, axis=0)
+        derivatives = np.gradient(filters, axis=0)
         noise_energy = np.einsum("cpif,i,f->c", filters**2, model.white, share)
-        bias, errors, texture_variance, noise_variance, curvature_ratio, curvature_variance = np.zeros((6, count))
-        valley = np.unique(np.linspace(0, count - 1, _MAX_VALLEY).astype(int))
-        half_second = np.array([0.5, -1.0, 0.5])  # half of a second difference
+        bias, errors, texture_ratio, noise_variance, curvature_ratio, curvature_variance = np.zeros((6, count))
+        averaged = np.unique(np.linspace(0, count - 1, _MAX_AVERAGED).astype(int))
+        half_second_difference = np.array([0.5, -1.0, 0.5])
 
-        def mean_energies(which: slice | Array, c: int) -> Array:
-            """Return the mean energies, minus noise, of texture at depth c, by the filters of candidates `which`."""
-            h, g = model.transfer[c], filters[which]
+        def mean_energies(candidates: slice | Array, c: int) -> Array:
+            """Return the mean energies, minus noise, of texture at depth c, by the filters of these `candidates`."""
+            h, g = model.transfer[c], filters[candidates]
             scene = (np.einsum("cpif,if->cpf", g, h, optimize=True) ** 2).sum(axis=1) @ (share * texture)
             noise = np.einsum("cpif,if->c", g**2, model.noise[c] * share, optimize=True)
-            return np.asarray(scene + noise - noise_energy[which])
+            return np.asarray(scene + noise - noise_energy[candidates])
 
         for c in range(count):
             h, n = model.transfer[c], model.noise[c]
-            g, d = filters[c], slopes[c]
-            # Bias: position of the minimum of a parabola through the three lowest energies.
+            g, d = filters[c], derivatives[c]
+            # Bias: position of the minimum of a parabola through the lowest energy and its two neighbours.
             start = max(0, c - 6)
             energy = mean_energies(slice(start, c + 7), c)
             k = min(max(int(np.argmin(energy)), 1), len(energy) - 2)
-            before, lowest, after = energy[k - 1 : k + 2]
-            bias[c] = start + k + 0.5 * (before - after) / (before - 2.0 * lowest + after) - c
-            own = min(max(c, 1), count - 2) - start  # index of c in `energy`, not the first or last candidate
-            curvature = float(half_second @ energy[own - 1 : own + 2])
+            before, middle, after = energy[k - 1 : k + 2]
+            bias[c] = start + k + 0.5 * (before - after) / (before - 2.0 * middle + after) - c
+            index = min(max(c, 1), count - 2) - start  # index of c in `energy`, not the first or last candidate
+            curvature = float(half_second_difference @ energy[index - 1 : index + 2])
             # Cross-spectra S_ee, S_dd and S_ed of the residuals p and q, for scene plus noise.
             e, slope = np.einsum("pif,if->pf", g, h), np.einsum("pif,if->pf", d, h)
             ee = texture * e[:, None] * e[None] + np.einsum("pif,qif,if->pqf", g, g, n)
@@ -426,19 +427,19 @@ class _Statistics(NamedTuple):
             pixel_variance = float((ee * dd + ed * ed.swapaxes(0, 1)).sum(axis=(0, 1)) @ share)
             variance = correlated(ee, dd) + correlated(ed, ed.swapaxes(0, 1))
             # S_ee, S_dd and S_ed for white noise alone.
-            white = [np.einsum("pif,qif,i->pqf", a, b, model.white) for a, b in ((g, g), (d, d), (g, d))]
-            noise_alone = correlated(white[0], white[1]) + correlated(white[2], white[2].swapaxes(0, 1))
+            n_ee, n_dd, n_ed = (np.einsum("pif,qif,i->pqf", a, b, model.white) for a, b in ((g, g), (d, d), (g, d)))
+            noise_alone = correlated(n_ee, n_dd) + correlated(n_ed, n_ed.swapaxes(0, 1))
             kappa = float((slope**2).sum(axis=0) @ (share * texture))
-            texture_variance[c] = (variance - noise_alone) / max(kappa, 1e-300)
+            texture_ratio[c] = (variance - noise_alone) / max(kappa, 1e-300)
             noise_variance[c] = noise_alone
             errors[c] = math.sqrt(pixel_variance) / max(curvature, 1e-300)
-            depth_of_minimum = float(mean_energies(valley, c).mean() - energy[c - start])
-            curvature_ratio[c] = curvature / max(depth_of_minimum, 1e-300)
-            three = filters[start + own - 1 : start + own + 2]
-            spectra = np.einsum("apif,bqif,i->abpqf", three, three, model.white, optimize=True)
-            weighted = np.einsum("abpqf,a,b->abpqf", spectra, half_second, half_second)
+            energy_drop = float(mean_energies(averaged, c).mean() - energy[c - start])
+            curvature_ratio[c] = curvature / max(energy_drop, 1e-300)
+            neighbours = filters[start + index - 1 : start + index + 2]
+            spectra = np.einsum("apif,bqif,i->abpqf", neighbours, neighbours, model.white, optimize=True)
+            weighted = np.einsum("abpqf,a,b->abpqf", spectra, half_second_difference, half_second_difference)
             curvature_variance[c] = 2.0 * correlated(weighted, spectra)
-        return cls(noise_energy, texture_variance, noise_variance, curvature_ratio, curvature_variance, bias, errors)
+        return cls(noise_energy, texture_ratio, noise_variance, curvature_ratio, curvature_variance, bias, errors)
 
 
 class _WindowVariance:
@@ -453,13 +454,15 @@ class _WindowVariance:
         count = len(self._places)
         lags = np.arange(min(count, len(overlap)))
         self._cosines = np.cos(2.0 * math.pi * lags[:, None] * band.fx[self._places[:, -1]]) / count
-        both_signs = np.where(lags == 0, 1.0, 2.0) * overlap[: len(lags)]  # lags of either sign
+        both_signs = np.where(lags == 0, 1.0, 2.0) * overlap[: len(lags)]  # positive and negative lags together
         self._weights = both_signs[:, None] * both_signs
 
     def __call__(self, a: Array, b: Array) -> float:
         """Return the variance for two spectra (..., frequencies), summed over all axes but the last."""
-        first, second = (self._cosines @ spectra[..., self._places] @ self._cosines.T for spectra in (a, b))
-        return float((first * second * self._weights).sum())
+        covariance_a, covariance_b = (
+            self._cosines @ spectra[..., self._places] @ self._cosines.T for spectra in (a, b)
+        )
+        return float((covariance_a * covariance_b * self._weights).sum())
 
 
 class SharpTables:
@@ -525,8 +528,8 @@ class SharpTables:
     def _errors(self, target: Array, filters: Array) -> Array:
         """Return (mean squared error of filtered images) / (variance of a pixel), (c,)."""
         model = self.model
-        missing = target - np.einsum("cif,cif->cf", filters, model.transfer)
-        power = model.texture * missing**2 + (filters**2 * model.noise).sum(axis=1)
+        unresolved = target - np.einsum("cif,cif->cf", filters, model.transfer)
+        power = model.texture * unresolved**2 + (filters**2 * model.noise).sum(axis=1)
         if target is self.pixel:
             power += model.folded[:, -1] - 2.0 * (filters * model.folded[:, :-1]).sum(axis=1)
         return np.asarray(power @ model.band.share)
@@ -534,8 +537,8 @@ class SharpTables:
     def mixes(self, target: Array) -> Array:
         """Return the image of a target transfer function as coefficients of the basis images, (c, rank)."""
         rows = self._fit.coefficients(self._filters(target)[:, None])[0][:, 0]
-        flat = self.basis.reshape(len(self.basis), -1)
-        return np.asarray(np.linalg.solve(flat @ self._normal @ flat.T, flat @ self._normal @ rows.T).T)
+        vectors = self.basis.reshape(len(self.basis), -1)
+        return np.asarray(np.linalg.solve(vectors @ self._normal @ vectors.T, vectors @ self._normal @ rows.T).T)
 
     def errors(self, target: Array) -> Array:
         """Return the mean squared errors of the Wiener filters and of their fits by polynomials, (2, c)."""
@@ -545,11 +548,11 @@ class SharpTables:
     def stream(self, size: tuple[int, int], threads: int) -> FocalStream:
         """Return the stream that computes the basis images of single frames of the height and width `size`."""
 
-        def single(values: ArrayLike) -> NDArray[np.float32]:
+        def float32(values: ArrayLike) -> NDArray[np.float32]:
             return np.ascontiguousarray(values, dtype=np.float32)
 
-        none = single(np.zeros((1, 0, *self.basis.shape[1:])))
-        forms, statistics = single(np.zeros((0, 0))), single(np.zeros((5, 0)))
-        taps, basis, window = single(self.taps.values), single(self.basis), single([1.0])
+        no_mixes = float32(np.zeros((1, 0, *self.basis.shape[1:])))
+        forms, statistics = float32(np.zeros((0, 0))), float32(np.zeros((5, 0)))
+        taps, basis, window = float32(self.taps.values), float32(self.basis), float32([1.0])
         numbers = (0.0, 1.0, 0.0, 1.0, 0.0, 0.0, 0.0)
-        return FocalStream((*size, 1, 4, 1, 0, threads), taps, none, basis, window, forms, statistics, numbers)
+        return FocalStream((*size, 1, 4, 1, 0, threads), taps, no_mixes, basis, window, forms, statistics, numbers)

@@ -31,15 +31,15 @@ from lommel.optics.colour.spectrum import Channels
 from lommel.optics.lens import Lens, require_round
 from lommel.traced.namespaces import ArrayFunctions, Namespace, Operand, Tables, Tensor
 
-_WINDOW_SETS = (4, 6, 8, 12, 16, 24, 32)  # numbers of PSF sizes with a set of windows each, in the order tried
+_WINDOW_SETS = (4, 6, 8, 12, 16, 24, 32)  # numbers of PSF sizes, in the order tried; each size has a set of windows
 _MAX_SCREENS = 16  # largest number of occlusion layers
 _MIN_COVERAGE = 1e-6  # coverage added to denominators to avoid division by 0
 _SLACK = 1e-5  # margin of a valid range / its width, for rounding to float32
 _LAYER_WIDTH = 36.0  # width of a defocus layer: C_d in radians at the shortest wavelength
 _BLOCK_POINTS = 2**14  # largest number of points whose polynomials are computed together
-_MAX_VALUES = 2**25  # largest number of values of windows computed together
-_CACHED_VALUES = 2**19  # largest number of values convolved together outside JAX; they fit into the CPU cache
-_OF_NUMPY = (np.ndarray, np.generic)
+_MAX_VALUES = 2**25  # largest number of window pixels computed together
+_CACHED_VALUES = 2**19  # largest number of image pixels convolved together outside JAX; they fit into the CPU cache
+_NUMPY_TYPES = (np.ndarray, np.generic)
 _OPTICS = ("focus_distance", "f_number", "defocus", "zernike")
 
 
@@ -56,7 +56,7 @@ class Optics(NamedTuple):
     zernike: tuple[tuple[Term, float], ...]  # terms, each with the largest magnitude of its coefficient (rad)
 
     def at(self, focus_distance: Operand, f_number: Operand) -> tuple[Operand, Operand, Operand]:
-        """Return the vergence (1/m), `rad_per_dioptre`, and the ratio of PSF sizes to the given lens (None: 1)."""
+        """Return the vergence (1/m), `rad_per_dioptre`, and the ratio to PSF sizes of the given lens (None: 1)."""
         inverse = 1.0 / self.sensor_distance
         vergence: Operand = inverse - 1.0 / self.focal_length
         size_ratio: Operand = None
@@ -94,7 +94,7 @@ class Blur(NamedTuple):
     aberrated : AberratedWindows or None
         Computation of windows for Zernike coefficients; None if there are no terms.
     error : float
-        Largest measured error of windows; see :class:`TracedBlur`.
+        Largest measured error of windows relative to their peaks; see :class:`TracedBlur`.
     precision : str
         Data type of the computation.
     """
@@ -198,11 +198,12 @@ class TracedBlur:
             Zernike coefficients added to the wavefront, radians at the edge of the pupil and the wavelength of the
             lens, in the order of the terms given to ``traced_blur``; n is the batch size. With axes of rows and
             columns, aberrations vary over the field: coefficients are given at nodes with equal spacing from the
-            first pixel to the last. PSFs are interpolated linearly between nodes; each node takes the time of a blur.
+            first pixel to the last. PSFs are interpolated linearly between nodes; each node takes as long as a blur.
         occlusion : bool, default False
             Whether near objects occlude far ones, in at most 16 layers. Layers are composited as by
             :class:`lommel.imaging.Occlusion`, except for hidden points; the blur is corrected by the difference
-            between composited and added layers. Differentiable almost everywhere. Takes about five times as long.
+            between composited and added layers. The result is differentiable almost everywhere. Occlusion takes about
+            five times as long.
         check : bool, default True
             Whether to check values; the check waits for the device. Values are never checked during tracing.
 
@@ -227,8 +228,8 @@ class TracedBlur:
         if tuple(distance.shape[-2:]) == (1, 1) and len(shape) >= 2:
             distance = xp.broadcast_to(distance, (*distance.shape[:-2], *shape[-2:]))
         self._require_shapes(shape, tuple(image.shape), tuple(distance.shape))
-        given = dict(zip(_OPTICS, (focus_distance, f_number, defocus, zernike), strict=True))
-        lens = {name: None if value is None else self._array(name, value) for name, value in given.items()}
+        operands = dict(zip(_OPTICS, (focus_distance, f_number, defocus, zernike), strict=True))
+        lens = {name: None if value is None else self._array(name, value) for name, value in operands.items()}
         self._require_optics(lens, tuple(image.shape))
         if occlusion and lens["zernike"] is not None and len(lens["zernike"].shape) > 2:
             raise ValueError(
@@ -242,28 +243,28 @@ class TracedBlur:
 
     def _by_lens(self, image: Operand, distance: Operand, lens: Mapping[str, Operand], *, occlusion: bool) -> Tensor:
         """Return the blurred images; the images of a batch may have different lenses."""
-        along = {"image", "distance", *_batched_operands(lens)}
-        if len(along) == 2:
+        batched = {"image", "distance", *_batched_operands(lens)}
+        if len(batched) == 2:
             return self._over_field(image, distance, lens, occlusion=occlusion)
-        given: dict[str, Operand] = {"image": image, "distance": distance, **lens}
+        values: dict[str, Operand] = {"image": image, "distance": distance, **lens}
         if lens["defocus"] is not None and len(lens["defocus"].shape) == len(distance.shape):
-            along.add("defocus")
+            batched.add("defocus")
         # Operands with batch length 1 apply to all images, and are not mapped over the batch.
-        axes = {name: 0 if name in along and given[name].shape[0] > 1 else None for name in given}
-        given |= {name: given[name][0, ...] for name in along if axes[name] is None}
+        axes = {name: 0 if name in batched and values[name].shape[0] > 1 else None for name in values}
+        values |= {name: values[name][0, ...] for name in batched if axes[name] is None}
 
-        def one(of: Mapping[str, Operand]) -> Tensor:
-            optics = {name: of[name] for name in _OPTICS}
-            return self._over_field(of["image"], of["distance"], optics, occlusion=occlusion)
+        def blur_image(values: Mapping[str, Operand]) -> Tensor:
+            optics = {name: values[name] for name in _OPTICS}
+            return self._over_field(values["image"], values["distance"], optics, occlusion=occlusion)
 
         xp, count = self._static.namespace.xp, image.shape[0]
         if self._static.namespace.name == "jax" and count > 1:
             import jax
 
-            mapped: Tensor = jax.vmap(one, in_axes=(axes,))(given)
+            mapped: Tensor = jax.vmap(blur_image, in_axes=(axes,))(values)
             return mapped
-        parts = [{n: value if axes[n] is None else value[k, ...] for n, value in given.items()} for k in range(count)]
-        images: Tensor = xp.stack([one(part) for part in parts], axis=0)
+        parts = [{n: x if axes[n] is None else x[k, ...] for n, x in values.items()} for k in range(count)]
+        images: Tensor = xp.stack([blur_image(part) for part in parts], axis=0)
         return images
 
     def _over_field(
@@ -274,11 +275,11 @@ class TracedBlur:
         xp, nodes = static.namespace.xp, lens["zernike"]
         if nodes is None or len(nodes.shape) < 3:
             return self._blurred(image, distance, lens, occlusion=occlusion)
-        count, across = math.prod(nodes.shape[:2]), nodes.shape[1]
-        down, along = (self._node_weights(image, axis, nodes.shape[axis]) for axis in (0, 1))
+        count, columns = math.prod(nodes.shape[:2]), nodes.shape[1]
+        down, across = (self._node_weights(image, axis, nodes.shape[axis]) for axis in (0, 1))
         nodes = xp.reshape(nodes, (count, nodes.shape[-1]))
 
-        def one(row: Operand, column: Operand, coefficients: Operand) -> Tensor:
+        def blur_node(row: Operand, column: Operand, coefficients: Operand) -> Tensor:
             weight = xp.expand_dims(row, axis=-1) * column
             # The PSF of a point is a weighted sum over nodes: each node blurs the image times its weights.
             return self._blurred(image * weight, distance, dict(lens) | {"zernike": coefficients}, occlusion=False)
@@ -286,24 +287,24 @@ class TracedBlur:
         if static.namespace.name == "jax":
             import jax
 
-            given = xp.repeat(down, across, axis=0), xp.tile(along, (count // across, 1)), nodes
+            weights_and_nodes = xp.repeat(down, columns, axis=0), xp.tile(across, (count // columns, 1)), nodes
             start = xp.zeros(image.shape, dtype=image.dtype)
             # A scan stores the intermediate images of one node only.
-            total: Tensor = jax.lax.scan(lambda before, of: (before + one(*of), None), start, given)[0]
+            total: Tensor = jax.lax.scan(lambda x, node: (x + blur_node(*node), None), start, weights_and_nodes)[0]
             return total
-        summed: Operand = 0.0
+        partial_sum: Operand = 0.0
         for k in range(count):
-            summed = summed + one(down[k // across, ...], along[k % across, ...], nodes[k, ...])
-        whole: Tensor = summed
-        return whole
+            partial_sum = partial_sum + blur_node(down[k // columns, ...], across[k % columns, ...], nodes[k, ...])
+        blurred: Tensor = partial_sum
+        return blurred
 
     def _node_weights(self, image: Operand, axis: int, count: int) -> Tensor:
         """Return linear interpolation weights of `count` nodes along an axis of the image, shape (count, points)."""
         xp, side = self._static.namespace.xp, image.shape[axis - 2]
-        where = {} if self._static.namespace.name in ("jax", "numpy") else {"device": image.device}
-        at = xp.astype(xp.arange(side, **where), image.dtype) * ((count - 1) / max(1, side - 1))
-        node = xp.reshape(xp.astype(xp.arange(count, **where), image.dtype), (-1, 1))
-        hats: Tensor = xp.clip(1.0 - xp.abs(at - node), 0.0, 1.0)
+        placement = {} if self._static.namespace.name in ("jax", "numpy") else {"device": image.device}
+        position = xp.astype(xp.arange(side, **placement), image.dtype) * ((count - 1) / max(1, side - 1))
+        node = xp.reshape(xp.astype(xp.arange(count, **placement), image.dtype), (-1, 1))
+        hats: Tensor = xp.clip(1.0 - xp.abs(position - node), 0.0, 1.0)
         return hats
 
     def _blurred(self, image: Operand, distance: Operand, lens: Mapping[str, Operand], *, occlusion: bool) -> Tensor:
@@ -314,8 +315,8 @@ class TracedBlur:
         # NaN is added, not selected by `where`: gradients of other pixels then remain finite.
         low, high = static.edges[0], static.edges[-1]
         slack = _SLACK * (high - low)
-        bad = (c < low - slack) | (c > high + slack) | xp.isnan(c)
-        image = image + xp.expand_dims(xp.where(bad, float("nan"), xp.zeros_like(c)), axis=-3)
+        invalid = (c < low - slack) | (c > high + slack) | xp.isnan(c)
+        image = image + xp.expand_dims(xp.where(invalid, float("nan"), xp.zeros_like(c)), axis=-3)
         rows, columns = (self._padding(c, axis) for axis in (-2, -1))
         c = xp.take(xp.take(c, rows[0], axis=-2), columns[0], axis=-1)
         image = xp.take(xp.take(image, rows[0], axis=-2), columns[0], axis=-1)
@@ -327,7 +328,7 @@ class TracedBlur:
         return blurred + self._occlusion(image, c, fft_shape, kernels, shape) if occlusion else blurred
 
     def _focus(self, distance: Operand, lens: Mapping[str, Operand]) -> tuple[Operand, Operand]:
-        """Return C_d (rad), and the ratio of PSF sizes to the given lens (None: 1)."""
+        """Return C_d (rad), and the ratio of PSF sizes to those of the given lens (None: 1)."""
         vergence, rad_per_dioptre, size_ratio = self._static.optics.at(lens["focus_distance"], lens["f_number"])
         c = rad_per_dioptre * (vergence + 1.0 / distance)
         return (c if lens["defocus"] is None else c + lens["defocus"]), size_ratio
@@ -356,35 +357,38 @@ class TracedBlur:
 
     def _array(self, name: str, values: Operand) -> Operand:
         """Return values as an array of the framework, with the data type of the tables."""
-        static, like = self._static, self.tables["middles"]
+        static, table = self._static, self.tables["middles"]
         ns, xp = static.namespace, static.namespace.xp
-        if ns.name == "numpy" or isinstance(values, _OF_NUMPY):
+        if ns.name == "numpy" or isinstance(values, _NUMPY_TYPES):
             validation.refuse_masked(name, values)
-        if not hasattr(values, "dtype") or (isinstance(values, _OF_NUMPY) and ns.name != "numpy"):
-            values = ns.put(_real_values(name, values), getattr(like, "device", None) if ns.name != "jax" else None)
+        if not hasattr(values, "dtype") or (isinstance(values, _NUMPY_TYPES) and ns.name != "numpy"):
+            values = ns.put(_real_values(name, values), getattr(table, "device", None) if ns.name != "jax" else None)
             if name in _OPTICS or (name == "distance" and not values.shape):
-                return xp.astype(values, like.dtype)
+                return xp.astype(values, table.dtype)
         if not hasattr(values, "shape") or not xp.isdtype(values.dtype, "real floating"):
             hint = "; scale it to linear light first" if name == "image" else ""
             raise TypeError(f"{name} must hold real floats, got {getattr(values, 'dtype', type(values))}{hint}")
-        return xp.astype(values, like.dtype, copy=False)
+        return xp.astype(values, table.dtype, copy=False)
 
-    def _require_shapes(self, given: tuple[int, ...], image: tuple[int, ...], distance: tuple[int, ...]) -> None:
-        """Raise ValueError unless image and depth have matching shapes and the image has all channels."""
+    def _require_shapes(self, original: tuple[int, ...], image: tuple[int, ...], distance: tuple[int, ...]) -> None:
+        """Raise ValueError unless image and depth have matching shapes and the image has all channels.
+
+        `original` is the shape of the image as the caller passed it; `image` includes an axis of channels.
+        """
         channels = self._static.channels
-        good = len(distance) >= 2 and len(image) == len(distance) + 1 and image[-2:] == distance[-2:]
-        if good and image[-3] == channels and 0 not in image:
-            lead = zip(image[:-3], distance[:-2], strict=True)
-            if all(depths in (1, images) for images, depths in lead):
+        matching = len(distance) >= 2 and len(image) == len(distance) + 1 and image[-2:] == distance[-2:]
+        if matching and image[-3] == channels and 0 not in image:
+            batch_axes = zip(image[:-3], distance[:-2], strict=True)
+            if all(depths in (1, images) for images, depths in batch_axes):
                 return
-        wanted = (
+        expected = (
             "(..., height, width) or (..., 1, height, width)"
             if channels == 1
             else f"(..., {channels}, height, width)"
         )
         raise ValueError(
-            f"image must have the shape {wanted} and distance (..., height, width) with equal sides, got {given} "
-            f"and {distance}"
+            f"image must have the shape {expected} and distance (..., height, width) with equal sides, got "
+            f"{original} and {distance}"
         )
 
     def _require_optics(self, lens: Mapping[str, Operand], image: tuple[int, ...]) -> None:
@@ -401,17 +405,17 @@ class TracedBlur:
                 raise ValueError(f"{name} is fixed in this blur; pass its range as {option}= to traced_blur")
         count, batch = len(optics.zernike), image[:-3][:1]
         for name, shape in (("focus_distance", ()), ("f_number", ()), ("zernike", (count,))):
-            found = shape if lens[name] is None else tuple(lens[name].shape)
-            over_field = (*found[-3:-1], *shape) if name == "zernike" and len(found) > 2 and 0 not in found else shape
-            if found not in (shape, (*batch, *shape), over_field, (*batch, *over_field)):
-                each = f" or, one for each image, {(*batch, *shape)}" if batch else ""
+            given = shape if lens[name] is None else tuple(lens[name].shape)
+            over_field = (*given[-3:-1], *shape) if name == "zernike" and len(given) > 2 and 0 not in given else shape
+            if given not in (shape, (*batch, *shape), over_field, (*batch, *over_field)):
+                per_image = f" or, one for each image, {(*batch, *shape)}" if batch else ""
                 nodes = f" or, over the field, (rows, columns, {count})" if name == "zernike" else ""
-                raise ValueError(f"{name} must have the shape {shape}{each}{nodes}, got {found}")
+                raise ValueError(f"{name} must have the shape {shape}{per_image}{nodes}, got {given}")
         if lens["zernike"] is not None and self._static.namespace.concrete(lens["zernike"]):
             largest = np.abs(self._static.namespace.to_numpy(lens["zernike"])).reshape(-1, count).max(axis=0)
-            for value, (term, most) in zip(largest, optics.zernike, strict=True):
-                if not value <= most * (1.0 + _SLACK):
-                    raise ValueError(f"zernike of the term {term} must be at most {most:g} rad, got {value:.4g}")
+            for value, (term, limit) in zip(largest, optics.zernike, strict=True):
+                if not value <= limit * (1.0 + _SLACK):
+                    raise ValueError(f"zernike of the term {term} must be at most {limit:g} rad, got {value:.4g}")
 
     def _require_values(self, image: Operand, distance: Operand, lens: Mapping[str, Operand]) -> None:
         """Raise ValueError if concrete values are NaN or out of range; traced values are not checked."""
@@ -431,36 +435,36 @@ class TracedBlur:
         least, most = (float(ns.to_numpy(ns.stop(end(c)))) for end in (xp.min, xp.max))
         if not (low - slack <= least and most <= high + slack):
             metres = ns.to_numpy(ns.stop(distance))
-            if unknown := int(np.isnan(metres).sum()):
-                raise ValueError(f"distance must not be NaN, got NaN at {unknown} of {metres.size} points")
+            if nan_count := int(np.isnan(metres).sum()):
+                raise ValueError(f"distance must not be NaN, got NaN at {nan_count} of {metres.size} points")
             optics = static.optics
             vergence = 1.0 / optics.sensor_distance - 1.0 / optics.focal_length
-            near, far = (1.0 / max(c / optics.rad_per_dioptre - vergence, 1e-12) for c in (high, low))
+            min_m, max_m = (1.0 / max(end / optics.rad_per_dioptre - vergence, 1e-12) for end in (high, low))
             raise ValueError(
                 f"distance must be within the range given to traced_blur, C_d from {low:.4g} to {high:.4g} rad "
-                f"({near:.4g} to {far:.4g} m with the given lens), got C_d from {least:.4g} to {most:.4g} rad "
+                f"({min_m:.4g} to {max_m:.4g} m with the given lens), got C_d from {least:.4g} to {most:.4g} rad "
                 f"({metres.min():.4g} to {metres.max():.4g} m)"
             )
         if size_ratio is not None and ns.concrete(size_ratio):
             logs = np.log(ns.to_numpy(ns.stop(size_ratio)).astype(np.float64))
             if not (static.log_ratios[0] - _SLACK <= logs.min() and logs.max() <= static.log_ratios[1] + _SLACK):
                 valid = {"focus_distance": static.optics.focus, "f_number": static.optics.stops}
-                given = {n: ns.to_numpy(ns.stop(lens[n])) for n in valid if lens[n] is not None}
-                listed = (f"{n} within {valid[n]}, got {v.min():.6g} to {v.max():.6g}" for n, v in given.items())
-                raise ValueError(f"the blur was made for {' and '.join(listed)}; clamp parameters to these ranges")
+                values = {n: ns.to_numpy(ns.stop(lens[n])) for n in valid if lens[n] is not None}
+                listed = (f"{n} within {valid[n]}, got {v.min():.6g} to {v.max():.6g}" for n, v in values.items())
+                raise ValueError(f"the blur is valid for {' and '.join(listed)}; clamp parameters to these ranges")
 
     def _padding(self, c: Operand, axis: int) -> tuple[Tensor, Tensor]:
         """Return source indices of an axis padded by half a window on both sides, and a mask: 1 inside the image."""
         static = self._static
         xp, count, half = static.namespace.xp, c.shape[axis], static.half
-        where = {} if static.namespace.name in ("jax", "numpy") else {"device": c.device}
-        at = xp.arange(-half, count + half, **where)
-        inside = xp.astype((at >= 0) & (at < count), c.dtype)
+        placement = {} if static.namespace.name in ("jax", "numpy") else {"device": c.device}
+        position = xp.arange(-half, count + half, **placement)
+        inside = xp.astype((position >= 0) & (position < count), c.dtype)
         if static.border != "reflect":
-            return xp.clip(at, 0, count - 1), inside
+            return xp.clip(position, 0, count - 1), inside
         # Mirrored at the edges, with the edge pixel repeated: period 2 count.
-        turned = at % (2 * count)
-        return xp.where(turned < count, turned, 2 * count - 1 - turned), inside
+        reflected = position % (2 * count)
+        return xp.where(reflected < count, reflected, 2 * count - 1 - reflected), inside
 
     def _weights(self, c: Operand) -> list[Tensor]:
         """Return the weights of the windows of each layer, shape (rank, points), for C_d (points,)."""
@@ -472,7 +476,7 @@ class TracedBlur:
         layer: Operand = None
         middle, reach = self.tables["middles"][0], self.tables["reaches"][0]
         if len(static.ranks) > 1:
-            # The index of the layer has no derivative.
+            # The index of the layer is constant within a layer: its derivative is 0.
             layer = xp.searchsorted(self.tables["edges"], ns.stop(c))
             middle, reach = (xp.take(self.tables[name], layer, axis=0) for name in ("middles", "reaches"))
         x = xp.clip((c - middle) / reach, -1.0, 1.0)
@@ -492,11 +496,11 @@ class TracedBlur:
         parts = [slice(end - rank, end) for end, rank in zip(ends, static.ranks, strict=True)]
         if coefficients is not None:
             assert static.aberrated is not None
-            one = xp.ones_like(tables["nodes"][0]) if size_ratio is None else size_ratio
+            ratio = xp.ones_like(tables["nodes"][0]) if size_ratio is None else size_ratio
             kernels = []
             for part in parts:
-                whole = static.aberrated(ns, tables, tables["nodes"][part], coefficients, one)
-                kernels.append(xp.fft.rfftn(_with_centre_first(xp, whole, static.half, fft_shape), axes=(-2, -1)))
+                windows = static.aberrated(ns, tables, tables["nodes"][part], coefficients, ratio)
+                kernels.append(xp.fft.rfftn(_with_centre_first(xp, windows, static.half, fft_shape), axes=(-2, -1)))
             return kernels
         if size_ratio is None:
             windows = xp.sum(tables["windows"] * tables["given lens"], axis=0)
@@ -522,13 +526,13 @@ class TracedBlur:
         """Return the spectrum of the blurred image (..., channels, rows, columns)."""
         ns, xp, shape = self._static.namespace, self._static.namespace.xp, tuple(c.shape)
         total: Operand = 0.0
-        lead = (1,) * (len(image.shape) - 3)
+        batch_axes = (1,) * (len(image.shape) - 3)
         batch = max(1, _CACHED_VALUES // math.prod(image.shape))
         for weights, kernel in zip(self._weights(xp.reshape(c, (-1,))), kernels, strict=True):
             weights = xp.reshape(weights, (-1, *shape[:-2], 1, *shape[-2:]))
-            kernel = xp.reshape(kernel, (kernel.shape[0], *lead, *kernel.shape[1:]))
-            each = weights.shape[0] if ns.name == "jax" else batch
-            pieces = (_pieces(ns, part, each) for part in (weights, kernel))
+            kernel = xp.reshape(kernel, (kernel.shape[0], *batch_axes, *kernel.shape[1:]))
+            piece_length = weights.shape[0] if ns.name == "jax" else batch
+            pieces = (_pieces(ns, part, piece_length) for part in (weights, kernel))
             for part, spectrum in zip(*pieces, strict=True):
                 products = xp.fft.rfftn(part * image, s=fft_shape, axes=(-2, -1)) * spectrum
                 total = total + (xp.sum(products, axis=0) if products.shape[0] > 1 else products[0, ...])
@@ -538,8 +542,8 @@ class TracedBlur:
     def _cropped(self, spectrum: Operand, shape: tuple[int, ...], fft_shape: tuple[int, ...]) -> Tensor:
         """Return the image of a spectrum, cropped to `shape`."""
         half, (height, width) = self._static.half, shape[-2:]
-        whole = self._static.namespace.xp.fft.irfftn(spectrum, s=fft_shape, axes=(-2, -1))
-        image: Tensor = whole[..., half : half + height, half : half + width]
+        padded = self._static.namespace.xp.fft.irfftn(spectrum, s=fft_shape, axes=(-2, -1))
+        image: Tensor = padded[..., half : half + height, half : half + width]
         return image if len(image.shape) == len(shape) else self._static.namespace.xp.reshape(image, shape)
 
     def _occlusion(
@@ -551,7 +555,7 @@ class TracedBlur:
         opaque = xp.ones_like(image)
         covered: Operand = 0.0
         composited: Operand = 0.0
-        added: Operand = 0.0
+        summed: Operand = 0.0
         for k, middle in enumerate(screens):
             # Each point belongs to two adjacent layers, with weights linear in C_d; the nearest layer is first.
             weight: Operand = 1.0
@@ -565,16 +569,16 @@ class TracedBlur:
                 mixture = self.tables[f"screens_{layer}"][k, ...]
                 kernel = kernel + xp.sum(spectrum * xp.reshape(mixture, (-1, 1, 1, 1)), axis=0)
             light, coverage = (
-                self._cropped(xp.fft.rfftn(weight * each, s=fft_shape, axes=(-2, -1)) * kernel, shape, fft_shape)
-                for each in (image, opaque)
+                self._cropped(xp.fft.rfftn(weight * source, s=fft_shape, axes=(-2, -1)) * kernel, shape, fft_shape)
+                for source in (image, opaque)
             )
             coverage = xp.clip(coverage, 0.0, 1.0)
             # Nearer layers occlude: the visible coverages of all layers add up to at most 1.
-            visible = coverage if k == 0 else xp.minimum(coverage, 1.0 - covered)
-            composited, added = composited + light * (visible / (coverage + _MIN_COVERAGE)), added + light
-            covered = covered + visible
+            visible_coverage = coverage if k == 0 else xp.minimum(coverage, 1.0 - covered)
+            composited, summed = composited + light * (visible_coverage / (coverage + _MIN_COVERAGE)), summed + light
+            covered = covered + visible_coverage
         # Division by the total coverage preserves the brightness of surfaces that are not occluded.
-        return composited / (covered + _MIN_COVERAGE) - added
+        return composited / (covered + _MIN_COVERAGE) - summed
 
     def __repr__(self) -> str:
         static = self._static
@@ -605,7 +609,7 @@ def _batched_operands(lens: Mapping[str, Operand]) -> list[str]:
 
 
 def _pieces(ns: Namespace, x: Operand, length: int) -> list[Operand]:
-    """Return pieces of at most `length` along the first axis."""
+    """Return parts of `x` of at most `length` along the first axis."""
     if ns.name == "torch":  # each derivative of a slice would be as large as x
         return list(x.split(length, dim=0))
     count = x.shape[0]
@@ -619,45 +623,45 @@ def _polynomials(ns: Namespace, x: Operand, count: int) -> Operand:
     polynomials: Operand = xp.stack([xp.ones_like(x), x], axis=0)
     while polynomials.shape[0] < count:
         m = polynomials.shape[0] - 1
-        more = 2.0 * polynomials[m : m + 1, ...] * polynomials[1:, ...] - xp.flip(polynomials[:m, ...], axis=0)
-        polynomials = xp.concat([polynomials, more], axis=0)
+        higher = 2.0 * polynomials[m : m + 1, ...] * polynomials[1:, ...] - xp.flip(polynomials[:m, ...], axis=0)
+        polynomials = xp.concat([polynomials, higher], axis=0)
     return polynomials[:count, ...]
 
 
 def _fft_length(side: int) -> int:
     """Return the smallest number >= `side` without prime factors above 5, for fast Fourier transforms."""
     while True:
-        rest = side
+        cofactor = side
         for prime in (2, 3, 5):
-            while rest % prime == 0:
-                rest //= prime
-        if rest == 1:
+            while cofactor % prime == 0:
+                cofactor //= prime
+        if cofactor == 1:
             return side
         side += 1
 
 
 def _cosines(ns: Namespace, side: int, tables: Tables, every: bool) -> Operand:
-    """Return the matrix from half a symmetric row to its spectrum at `every` frequency, or at those of rfft."""
+    """Return the matrix from half a symmetric row to its spectrum, at `every` frequency or at those of rfft only."""
     xp, at = ns.xp, tables["at"]
-    where = {} if ns.name in ("jax", "numpy") else {"device": at.device}  # type: ignore[attr-defined]
-    frequency = xp.arange(side if every else side // 2 + 1, **where)
+    placement = {} if ns.name in ("jax", "numpy") else {"device": at.device}  # type: ignore[attr-defined]
+    frequency = xp.arange(side if every else side // 2 + 1, **placement)
     # Integer arithmetic reduces the phase by whole turns without the rounding of float32.
-    turns = (xp.reshape(frequency, (-1, 1)) * at) % side  # type: ignore[operator]
-    return xp.cos(xp.astype(turns, tables["once"].dtype) * (math.tau / side)) * tables["once"]
+    phase = (xp.reshape(frequency, (-1, 1)) * at) % side  # type: ignore[operator]
+    return xp.cos(xp.astype(phase, tables["once"].dtype) * (math.tau / side)) * tables["once"]
 
 
 def _with_centre_first(xp: ArrayFunctions, windows: Operand, half: int, fft_shape: tuple[int, ...]) -> Operand:
     """Return windows (..., side, side) padded to `fft_shape`, with the centre moved to the first element."""
     for axis, length in ((-2, fft_shape[0]), (-1, fft_shape[1])):
-        first = (Ellipsis, slice(half, None), slice(None)) if axis == -2 else (Ellipsis, slice(half, None))
-        last = (Ellipsis, slice(0, half), slice(None)) if axis == -2 else (Ellipsis, slice(0, half))
+        right = (Ellipsis, slice(half, None), slice(None)) if axis == -2 else (Ellipsis, slice(half, None))
+        left = (Ellipsis, slice(0, half), slice(None)) if axis == -2 else (Ellipsis, slice(0, half))
         shape = list(windows.shape)
         shape[axis] = length - (2 * half + 1)
-        where = (
+        placement = (
             {} if not hasattr(windows, "device") or "jax" in type(windows).__module__ else {"device": windows.device}
         )
-        zeros = xp.zeros(tuple(shape), dtype=windows.dtype, **where)
-        windows = xp.concat([windows[first], zeros, windows[last]], axis=axis)
+        zeros = xp.zeros(tuple(shape), dtype=windows.dtype, **placement)
+        windows = xp.concat([windows[right], zeros, windows[left]], axis=axis)
     return windows
 
 
@@ -703,7 +707,7 @@ def traced_blur(
         Valid ranges of the arguments `focus_distance` (metres) and `f_number` of the blur; without a range the
         argument is fixed. `f_numbers` needs a lens without aberrations, obscuration and apodization.
     defocus : float, default 0
-        Largest magnitude of the argument `defocus`, radians.
+        Largest magnitude of the argument `defocus` of the blur, radians.
     zernike : mapping of (n, m) to float, optional
         Terms of the argument `zernike` of the blur, each with the largest magnitude of its coefficient: radians at
         the edge of the pupil and the wavelength of the lens. Each call with `zernike` recomputes the windows.
@@ -738,7 +742,7 @@ def traced_blur(
         raise ValueError(f'lens must be paraxial, with model="paraxial", got {lens.model!r}')
     pitch = validation.pixel(pixel, metric=True)
     fraction = validation.real("energy", energy, above=0.0, below=1.0)
-    allowed = validation.real("tol", tol, least=1e-9, below=1e-1)
+    psf_tol = validation.real("tol", tol, least=1e-9, below=1e-1)
     ns = _namespace(xp, device, precision)
     validation.choice("border", border, BORDERS)
     colours = spectra("wavelengths", [lens.wavelength] if wavelengths is None else wavelengths)
@@ -747,44 +751,46 @@ def traced_blur(
     # The largest PSF determines the half width of all windows.
     lights = [SensorLight.of(lens, colour, pitch) for colour in colours]
     widest = [replace(light, pixel=pitch / math.exp(log_ratios[1])) for light in lights]
-    most = validation.integer("largest", largest, least=1, most=4096)
-    half = max(light.enough((low, high), fraction, most)[0] for light in widest)
+    max_half = validation.integer("largest", largest, least=1, most=4096)
+    half = max(light.enough((low, high), fraction, max_half)[0] for light in widest)
     exact = _ExactWindows(lights, half)
     logs = chebyshev_nodes(3)[0] if log_ratios[1] > log_ratios[0] else np.zeros(1)
     logs = 0.5 * (log_ratios[0] + log_ratios[1]) + 0.5 * (log_ratios[1] - log_ratios[0]) * logs
     step = math.pi * pitch / (lens.wavelength * lens.working_f_number)
     aberrated: AberratedWindows | None = None
-    of_zernike: dict[str, Operand] = {}
+    zernike_tables: dict[str, Operand] = {}
     if optics.zernike:
         window = half, step / math.exp(log_ratios[0])
-        aberrated, of_zernike = traced_windows.make(lens, dict(optics.zernike), (low, high), colours, window, allowed)
-        of_zernike["lattice"] = of_zernike["lattice"] * math.exp(log_ratios[0])
+        aberrated, zernike_tables = traced_windows.make(
+            lens, dict(optics.zernike), (low, high), colours, window, psf_tol
+        )
+        zernike_tables["lattice"] = zernike_tables["lattice"] * math.exp(log_ratios[0])
     numpy, draw = Namespace.of(None), np.random.default_rng(0)
 
-    def with_terms(c: Array, coefficients: Array) -> Array:
+    def aberrated_windows(c: Array, coefficients: Array) -> Array:
         assert aberrated is not None
         size_ratio = np.float64(1.0)
-        exact_windows = numpy.to_numpy(aberrated(numpy, of_zernike, c, coefficients, size_ratio))
+        exact_windows = numpy.to_numpy(aberrated(numpy, zernike_tables, c, coefficients, size_ratio))
         return np.reshape(exact_windows, (len(c), len(colours), -1))
 
-    limits = np.array([most for _, most in optics.zernike])
-    # Layers are fitted at one random corner of the range of coefficients, and at one point inside the range.
+    limits = np.array([limit for _, limit in optics.zernike])
+    # Layers are fitted for two random sets of coefficients: a corner of their range, and 0.6 of another corner.
     samples = [limits * draw.choice([-1.0, 1.0], limits.size) * part for part in (1.0, 0.6)] if limits.size else []
 
-    def windows(c: Array) -> Array:
+    def all_windows(c: Array) -> Array:
         unaberrated = np.concatenate([exact(c, float(log)) for log in logs], axis=1)
-        return _side_by_side(unaberrated, [with_terms(c, each) for each in samples])
+        return _side_by_side(unaberrated, [aberrated_windows(c, sample) for sample in samples])
 
     values = exact.cells * len(colours) * len(logs)
     rate = lens.wavelength / min(wavelength for colour in colours for wavelength, _ in colour)
-    layers = defocus_layers(windows, low, high, allowed, _LAYER_WIDTH, rate, max(1, _MAX_VALUES // values))
+    layers = defocus_layers(all_windows, low, high, psf_tol, _LAYER_WIDTH, rate, max(1, _MAX_VALUES // values))
     nodes = np.concatenate([layer.nodes for layer in layers])
     given_windows = np.concatenate([layer.windows[:, : len(colours), : exact.cells] for layer in layers])
-    table, transform = _windows_by_size(exact, nodes, given_windows, log_ratios, allowed)
-    # The marginal ray moves by 4 in v per radian of C_d: by one pixel, `step` in v, per step / 4 radians.
+    windows_by_size, transform = _windows_by_size(exact, nodes, given_windows, log_ratios, psf_tol)
+    # Per radian of C_d the marginal ray moves by 4 in the optical coordinate v; a pixel is `step` wide in v.
     screens = np.linspace(high, low, int(np.clip(math.ceil((high - low) * 4.0 / step), 2, _MAX_SCREENS)))
     tables: dict[str, Values] = {
-        "windows": table,
+        "windows": windows_by_size,
         "transform": transform,
         "given lens": _given_lens_weights(log_ratios, transform).reshape(-1, 1, 1, 1),
         "nodes": nodes,
@@ -792,7 +798,7 @@ def traced_blur(
         "once": np.where(np.arange(half + 1) == 0, 1.0, 2.0),
         "cell": cells_of_quarter(half).astype(np.int32).ravel(),
         **_layer_tables(layers, screens),
-        **of_zernike,
+        **zernike_tables,
     }
     edges = (layers[0].low, *(layer.high for layer in layers))
     ranks, degrees = (tuple(layer.weights.shape[axis] for layer in layers) for axis in (0, 1))
@@ -820,10 +826,10 @@ def _side_by_side(windows: Array, others: list[Array]) -> Array:
     """Concatenate windows (n, parts, cells) and `others` along axis 1, with `windows` padded by zeros."""
     if not others:
         return windows
-    other = np.concatenate(others, axis=1)
-    padded = np.zeros((*windows.shape[:2], other.shape[2]))
+    combined = np.concatenate(others, axis=1)
+    padded = np.zeros((*windows.shape[:2], combined.shape[2]))
     padded[..., : windows.shape[2]] = windows
-    return np.concatenate([padded, other], axis=1)
+    return np.concatenate([padded, combined], axis=1)
 
 
 def _layer_tables(layers: Sequence[DefocusLayer], screens: Array) -> dict[str, Values]:
@@ -878,19 +884,19 @@ def _optics(
     limits: list[tuple[Term, float]] = []
     if not isinstance(terms, Mapping | None):
         raise TypeError(f"zernike must map terms (n, m) to maximum coefficients, got {validation.shown(terms)}")
-    for term, most in (terms or {}).items():
+    for term, limit in (terms or {}).items():
         try:
             n, m = int(term[0]), int(term[1])
         except (TypeError, ValueError, IndexError):
             raise TypeError(f"a Zernike term must be a pair (n, m), got {validation.shown(term)}") from None
         if not (0 < n <= 20 and abs(m) <= n and (n - m) % 2 == 0):
             raise ValueError(f"a Zernike term must have 0 < n <= 20, |m| <= n and n - m even, got {(n, m)}")
-        limits.append(((n, m), validation.real(f"zernike of {(n, m)}", most, above=0.0, most=100.0)))
+        limits.append(((n, m), validation.real(f"zernike of {(n, m)}", limit, above=0.0, most=100.0)))
     # Chromatic aberrations do not scale as 1 / wavelength, unlike the `zernike` terms.
     if limits and lens.colour is not None:
         raise ValueError("zernike needs a lens without chromatic aberration; leave out `colour` of the lens")
-    most = validation.real("defocus", defocus, least=0.0)
-    ranges = focus, stops, most, tuple(limits)
+    limit = validation.real("defocus", defocus, least=0.0)
+    ranges = focus, stops, limit, tuple(limits)
     return Optics(lens.focal_length, lens.sensor_distance, lens.f_number, rad_per_dioptre, *ranges)
 
 
@@ -912,16 +918,16 @@ def _pair(name: str, values: ArrayLike, least: float) -> tuple[float, float]:
 
 
 def _ranges(lens: Lens, optics: Optics, distances: ArrayLike) -> tuple[float, float, tuple[float, float]]:
-    """Return the ranges of C_d (rad), and of the logarithm of the ratio of PSF sizes to the given lens."""
+    """Return the limits of C_d (rad), and the range of log((PSF size) / (PSF size of the given lens))."""
     lens.defocus(distances)  # raises if distances are invalid
-    given = np.asarray(distances, dtype=np.float64)
+    metres = np.asarray(distances, dtype=np.float64)
     c, logs = [], [0.0]
     for focus in optics.focus or (None,):
         for stop in optics.stops or (None,):
             vergence, rad_per_dioptre, size_ratio = optics.at(focus, stop)
-            c += [rad_per_dioptre * (vergence + 1.0 / given.min()), rad_per_dioptre * (vergence + 1.0 / given.max())]
+            c += [rad_per_dioptre * (vergence + 1.0 / distance) for distance in (metres.min(), metres.max())]
             logs.append(0.0 if size_ratio is None else math.log(size_ratio))
-    c += [float(value) for value in lens.defocus([given.min(), given.max()])]
+    c += [float(value) for value in lens.defocus([metres.min(), metres.max()])]
     low, high = min(c) - optics.defocus, max(c) + optics.defocus
     # A narrow range is widened to avoid division by a number near 0.
     low, high = (low, high) if high - low > 0.2 else (low - 0.1, high + 0.1)
@@ -931,21 +937,24 @@ def _ranges(lens: Lens, optics: Optics, distances: ArrayLike) -> tuple[float, fl
 def _windows_by_size(
     exact: _ExactWindows, nodes: Array, given_windows: Array, log_ratios: tuple[float, float], tol: float
 ) -> tuple[Array, Array]:
-    """Return windows at several PSF sizes, and the matrix from windows to Chebyshev coefficients; or ValueError."""
+    """Return windows at several PSF sizes, and the matrix from windows to Chebyshev coefficients.
+
+    Raise ValueError if the largest number of PSF sizes is not enough for `tol`.
+    """
     low, high = log_ratios
     if high == low:
         return given_windows[None], np.ones((1, 1))
-    # Tested at the two ends of the defocus range, where PSFs are largest, and at the node nearest to focus.
-    tested = np.unique([nodes.min(), nodes.max(), nodes[np.abs(nodes).argmin()]])
+    # Interpolation is tested at both ends of the defocus range, where PSFs are largest, and at the sharpest node.
+    test_nodes = np.unique([nodes.min(), nodes.max(), nodes[np.abs(nodes).argmin()]])
     for count in _WINDOW_SETS:
         x, transform = chebyshev_nodes(count)
         logs = 0.5 * (low + high) + 0.5 * (high - low) * x
-        at_nodes = np.stack([exact(tested, float(log)) for log in logs])
+        at_nodes = np.stack([exact(test_nodes, float(log)) for log in logs])
         # Half-way between adjacent nodes, where interpolation errors are largest.
         between = np.array([-0.97, 0.5 * (x[0] + x[1]), 0.5 * (x[count // 2] + x[count // 2 - 1])])
-        truth = np.stack([exact(tested, 0.5 * (low + high) + 0.5 * (high - low) * float(b)) for b in between])
+        computed = np.stack([exact(test_nodes, 0.5 * (low + high) + 0.5 * (high - low) * float(b)) for b in between])
         interpolated = np.tensordot(chebyshev(between, count) @ transform, at_nodes, 1)
-        if (np.abs(interpolated - truth).max(axis=-1) / truth.max(axis=-1)).max() <= 0.3 * tol:
+        if (np.abs(interpolated - computed).max(axis=-1) / computed.max(axis=-1)).max() <= 0.3 * tol:
             return np.stack([exact(nodes, float(log)) for log in logs]), transform
     raise ValueError(
         f"focus_distances and f_numbers change the size of PSFs by a factor of {math.exp(high - low):.4g}, which "
@@ -966,20 +975,20 @@ def _measured_error(blur: TracedBlur, exact: _ExactWindows, draw: np.random.Gene
     c = np.sort(draw.uniform(edges[0], edges[-1], 12))
     windows = np.asarray(tables["windows"] * tables["given lens"]).sum(axis=0)
     weights = np.concatenate([np.asarray(part) for part in blur._weights(c)])
-    truth = exact(c, 0.0)
-    error = np.tensordot(weights.T, windows, 1) - truth
-    return float((np.abs(error).max(axis=-1) / truth.max(axis=-1)).max())
+    exact_windows = exact(c, 0.0)
+    error = np.tensordot(weights.T, windows, 1) - exact_windows
+    return float((np.abs(error).max(axis=-1) / exact_windows.max(axis=-1)).max())
 
 
 def _blur_on_device(static: Blur, tables: Mapping[str, Values], device: object = None) -> TracedBlur:
     """Return a blur with its tables moved from NumPy to a device, in the precision of the blur."""
     ns = static.namespace
-    kind = getattr(ns.xp, static.precision)
+    dtype = getattr(ns.xp, static.precision)
     if ns.name == "jax":
         _jitted_blur()
     return TracedBlur(
         static,
-        {name: ns.put(table, device, kind if table.dtype.kind == "f" else None) for name, table in tables.items()},
+        {name: ns.put(table, device, dtype if table.dtype.kind == "f" else None) for name, table in tables.items()},
     )
 
 
@@ -1013,9 +1022,9 @@ def _module_class() -> Any:
             self._names = tuple(blur.tables)
             for k, name in enumerate(self._names):
                 self.register_buffer(f"table_{k}", blur.tables[name], persistent=False)
-            like: Any = blur.tables["middles"]
+            table: Any = blur.tables["middles"]
             for name, value in learned.items():
-                start = torch.as_tensor(value, dtype=like.dtype, device=like.device)
+                start = torch.as_tensor(value, dtype=table.dtype, device=table.device)
                 self.register_parameter(name, torch.nn.Parameter(start))
 
         def blur(self) -> TracedBlur:

@@ -308,7 +308,7 @@ def test_beyond_the_valid_range_is_an_error_or_nan_and_far_away_is_within():
         ({"distance": np.nan}, ValueError, "not be NaN"),
         ({"distance": np.where(DEPTH > 3.0, np.nan, DEPTH)}, ValueError, "not be NaN, got NaN at 76 of 180 points"),
         ({"zernike": np.zeros(2)}, ValueError, "zernike is fixed"),
-        ({"focus_distance": 3.0}, ValueError, "distance must be within|made for focus_distance within"),
+        ({"focus_distance": 3.0}, ValueError, "distance must be within|valid for focus_distance within"),
         ({"f_number": np.ones(3)}, ValueError, r"f_number must have the shape \(\), got \(3,\)"),
         ({"f_number": "x"}, TypeError, "f_number must hold real numbers, got 'x'"),
         ({"focus_distance": 0.0}, ValueError, "focus_distance must be above 0, got 0"),

@@ -123,12 +123,12 @@ class LensRanges:
 
 
 def _range(name: str, value: object) -> Range:
-    """Return a valid number, or a valid pair (smallest, largest)."""
+    """Return `value` as a number or a pair (smallest, largest); TypeError or ValueError unless it is in range."""
     values = value if isinstance(value, tuple | list) else (value,)
     if len(values) not in (1, 2):
         raise TypeError(f"{name} must be a number or a pair (smallest, largest), got {validation.shown(value)}")
     above, infinite = -math.inf if name == "spherical" else 0.0, name == "focus_distance"
-    ends = tuple(validation.real(name, each, above=above, infinite=infinite) for each in values)
+    ends = tuple(validation.real(name, number, above=above, infinite=infinite) for number in values)
     if ends[0] > ends[-1]:
         raise ValueError(f"{name} must be a pair (smallest, largest), got {validation.shown(value)}")
     return ends[0] if len(ends) == 1 else (ends[0], ends[1])
@@ -156,8 +156,8 @@ class Rendered:
     files : tuple of path
         The files of the picture, or with `shard` the tar file that contains them; empty for a skipped picture.
     facts : dict
-        Content of ``NUMBER.json``: names of the photo and the depth map, lens (metres, radians), noise, errors. For a
-        skipped picture, the names of the photo and the depth map only.
+        Content of ``NUMBER.json``: names of the photo and the depth map, lens (metres, radians), noise, errors of the
+        PSFs. For a skipped picture, the names of the photo and the depth map only.
     failure : str or None
         Reason why the picture was skipped (with ``on_error="skip"``); None for a complete picture.
     """
@@ -176,9 +176,9 @@ def pair_files(photos: PathOf | Sequence[PathOf], depths: PathOf | Sequence[Path
     Names are compared without suffix. Raise ValueError if a file has no partner, or two files have the same name.
     """
     listed = []
-    for name, given in (("photos", photos), ("depths", depths)):
-        if isinstance(given, str | PathLike):
-            folder = validation.path(name, given)
+    for name, source in (("photos", photos), ("depths", depths)):
+        if isinstance(source, str | PathLike):
+            folder = validation.path(name, source)
             if not folder.is_dir():
                 raise ValueError(f"{name} must be a folder or a list of files, got {validation.shown(str(folder))}")
             by_name: dict[str, Path] = {}
@@ -194,13 +194,13 @@ def pair_files(photos: PathOf | Sequence[PathOf], depths: PathOf | Sequence[Path
                 raise ValueError(f"{name} must have files, got the empty folder {validation.shown(str(folder))}")
             listed.append(by_name)
         else:
-            listed.append({str(k): validation.path(name, file) for k, file in enumerate(given)})
-    first, second = listed
-    for one, other, what in ((first, second, "depth map"), (second, first, "photo")):
-        if missing := [file for key, file in one.items() if key not in other]:
-            more = f"; nor have {len(missing) - 1} other files" if len(missing) > 1 else ""
-            raise ValueError(f"{validation.line(missing[0])} has no {what} of the same name{more}")
-    return [(first[key], second[key]) for key in first]
+            listed.append({str(k): validation.path(name, file) for k, file in enumerate(source)})
+    photo_of, depth_of = listed
+    for files, partners, partner_kind in ((photo_of, depth_of, "depth map"), (depth_of, photo_of, "photo")):
+        if missing := [file for key, file in files.items() if key not in partners]:
+            others = f"; nor have {len(missing) - 1} other files" if len(missing) > 1 else ""
+            raise ValueError(f"{validation.line(missing[0])} has no {partner_kind} of the same name{others}")
+    return [(photo_of[key], depth_of[key]) for key in photo_of]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -220,12 +220,12 @@ class _Job:
     def record(self, pairs: Sequence[tuple[Path, Path]], shard: int | None) -> Json:
         """Return the arguments that determine the pictures, in JSON types."""
         nested = ("lenses", "noise", "settings", "values")
-        given = {name: value for name, value in vars(self).items() if name not in nested}
-        given |= {_ARGUMENT_NAMES.get(name, name): value for name, value in vars(self.values).items()}
+        arguments = {name: value for name, value in vars(self).items() if name not in nested}
+        arguments |= {_ARGUMENT_NAMES.get(name, name): value for name, value in vars(self.values).items()}
         # The pictures do not depend on the number of threads.
         settings = {name: value for name, value in vars(self.settings).items() if name != "threads"}
         settings["dtype"] = np.dtype(self.settings.dtype).name
-        given |= {
+        arguments |= {
             "format": _FORMAT,
             "lenses": asdict(self.lenses),
             "noise": None if self.noise is None else self.noise.to_dict(),
@@ -233,7 +233,7 @@ class _Job:
             "shard": shard,
             "pairs": [[photo.name, depth.name] for photo, depth in pairs],
         }
-        return plain(given)
+        return plain(arguments)
 
 
 @shares(Keywords, Settings)
@@ -263,8 +263,8 @@ def render_dataset(
     """Render photos with depth maps through random lenses into a folder, with ground truth; yield each picture.
 
     Complete pictures are not rendered again: after an interruption, repeat the call to continue. The random lens and
-    noise of a picture depend on `seed` and the picture's number only. The number of `workers` changes only rounding
-    in the last bit. The files of a picture appear in the folder together, when all are complete.
+    noise of a picture depend on `seed` and the picture's number only. The number of `workers` changes the results by
+    rounding in the last bit only. All files of a picture appear in the folder together, when they are complete.
 
     For picture 12 the folder contains ``000012.image.png`` (blurred, with noise), ``000012.sharp.png``,
     ``000012.depth.npy`` (metres, float32) and ``000012.json`` (lens, noise, names of the files). ``000012.psfs.npz``
@@ -291,8 +291,9 @@ def render_dataset(
     noise : Noise, optional
         Photon and read noise of the blurred image; ``noise.white`` is the number of electrons at the value 1.0.
     form : {"png", "tif", "exr", "zarr"}, default "png"
-        Format of the images. "png": 16 bits in the encoding of the photo. The others: linear light in float32; "exr"
-        requires the package OpenEXR, "zarr" is a group of arrays for each picture, in chunks of 512 by 512 pixels.
+        Format of the images. "png": 16 bits in the encoding of the photo. The other formats: linear light in float32;
+        "exr" requires the package OpenEXR, "zarr" is a group of arrays for each picture, in chunks of 512 by 512
+        pixels.
     shard : int, optional
         Number of pictures in each tar file ``shard-000000.tar`` for WebDataset; by default no tar files are written.
     encoding : {"srgb", "linear"}, optional
@@ -308,8 +309,8 @@ def render_dataset(
         `failure` and continue. The next call tries a skipped picture again; until then the other pictures of the same
         shard stay in the folder ``parts``, one tar file each.
     workers : int, default 1
-        Number of processes, among which the processors are divided; 1 renders in this process. With several, which
-        are spawned, a script must call this function below ``if __name__ == "__main__":``.
+        Number of processes, among which the processors are divided; 1 renders in this process. More processes are
+        spawned: a script must then call this function below ``if __name__ == "__main__":``.
     {options}
 
     Yields
@@ -416,7 +417,7 @@ def _read(file: Path) -> Any:
 
 
 def _complete_pictures(folder: Path, shard: int | None, total: int) -> Iterator[tuple[int, Json]]:
-    """Yield the numbers and facts of the complete pictures, whose files all exist with unchanged checksums."""
+    """Yield the numbers and facts of the complete pictures: all their files exist with unchanged checksums."""
     if shard is None:
         for number in range(total):
             facts = _read(folder / f"{number:06d}.json")
@@ -468,8 +469,8 @@ def _render_missing(
     # Without the lock, two processes in one folder would render the same pictures.
     with atomic.locked(folder / _RECORD, folder):
         total = len(pairs) * job.copies
-        where = folder if shard is None else folder / _PARTS
-        where.mkdir(exist_ok=True)
+        target = folder if shard is None else folder / _PARTS
+        target.mkdir(exist_ok=True)
         # Several pictures may have the same photo: its checksum is computed once.
         complete, checksum_of = set(), cache(size_and_checksum_of_file)
         for number, facts in _complete_pictures(folder, shard, total):
@@ -485,7 +486,7 @@ def _render_missing(
         if shard is not None:
             for index in range(-(-total // shard)):
                 _pack(folder, index, shard, total)
-        make = partial(_write, job, where, shard is not None, skip)
+        render = partial(_write, job, target, shard is not None, skip)
 
         def finish(number: int, files: list[str], facts: Json, failure: str | None, notes: list[str]) -> Rendered:
             nonlocal done
@@ -502,21 +503,21 @@ def _render_missing(
 
         if workers == 1:
             for number in missing:
-                yield finish(number, *make(number, *pairs[number // job.copies]))
+                yield finish(number, *render(number, *pairs[number // job.copies]))
             return
         # Number of threads per process: the processors are divided among the processes.
         threads = job.settings.threads or max(1, (os.cpu_count() or 1) // workers)
-        shared = replace(job, settings=replace(job.settings, threads=threads))
-        make = partial(_write, shared, where, shard is not None, skip)
-        results = _run_processes(make, missing, pairs, job.copies, workers)
+        worker_job = replace(job, settings=replace(job.settings, threads=threads))
+        render = partial(_write, worker_job, target, shard is not None, skip)
+        results = _run_processes(render, missing, pairs, job.copies, workers)
         yield from (finish(number, *written) for number, written in results)
 
 
-_Output = tuple[list[str], Json, str | None, list[str]]  # names of the files, facts, failure, notes
+_Output = tuple[list[str], Json, str | None, list[str]]  # names of the files, facts, reason of a failure, warnings
 
 
 def _run_processes(
-    make: Callable[[int, Path, Path], _Output],
+    render: Callable[[int, Path, Path], _Output],
     missing: list[int],
     pairs: list[tuple[Path, Path]],
     copies: int,
@@ -527,16 +528,16 @@ def _run_processes(
 
     # Processes are spawned, not forked: a fork would copy locks that other threads hold.
     pool = ProcessPoolExecutor(min(workers, max(len(missing), 1)), get_context("spawn"), initializer=_set_up_worker)
-    numbers, running = iter(missing), dict[Future[_Output], int]()
+    numbers, tasks = iter(missing), dict[Future[_Output], int]()
     try:
         while True:
             # With two tasks per worker, no worker waits for the next task, and few results are in memory.
-            while len(running) < 2 * workers and (number := next(numbers, None)) is not None:
-                running[pool.submit(make, number, *pairs[number // copies])] = number
-            if not running:
+            while len(tasks) < 2 * workers and (number := next(numbers, None)) is not None:
+                tasks[pool.submit(render, number, *pairs[number // copies])] = number
+            if not tasks:
                 return
-            for finished in wait(running, return_when=FIRST_COMPLETED).done:
-                number = running.pop(finished)
+            for finished in wait(tasks, return_when=FIRST_COMPLETED).done:
+                number = tasks.pop(finished)
                 yield number, finished.result()
     finally:
         pool.shutdown(cancel_futures=True)
@@ -588,35 +589,35 @@ def _pack(folder: Path, index: int, shard: int, total: int) -> None:
 
 
 def _write(job: _Job, folder: Path, packed: bool, skip: bool, number: int, photo: Path, depth: Path) -> _Output:
-    """Render a picture and write its files; return their names, the facts, the reason for a failure, and warnings."""
+    """Render a picture and write its files; return file names, facts, failure and warnings (see `_Output`)."""
     notes: list[str] = []
     try:
-        with warnings.catch_warnings(record=True) as seen:
+        with warnings.catch_warnings(record=True) as caught:
             # Collect warnings, which the parent process issues: warnings of a worker process would be lost.
             warnings.simplefilter("always", UserWarning)
             try:
                 files, facts = _render(job, number, photo, depth)
             finally:
-                notes += [f"{validation.line(photo)}: {each.message}" for each in seen]
+                notes += [f"{validation.line(photo)}: {each.message}" for each in caught]
     except (ValueError, OSError) as error:
-        named = isinstance(error, PhotoError | OSError) or str(depth) in str(error)
+        names_file = isinstance(error, PhotoError | OSError) or str(depth) in str(error)
         if skip:
-            reason = str(error) if named else f"{validation.line(photo)}: {error}"
+            reason = str(error) if names_file else f"{validation.line(photo)}: {error}"
             if isinstance(error, OSError) and error.filename:
                 reason = f"{validation.line(error.filename)}: {error.strerror}"
             return [], {"photo": photo.name, "depth": depth.name}, reason, notes
-        if named:
+        if names_file:
             raise
         raise ValueError(f"{validation.line(photo)}: {error}") from None
     key = f"{number:06d}"
     if packed:
         atomic.write(folder / f"{key}.tar", _tar({f"{key}.{name}": data for name, data in files.items()}))
     else:
-        with atomic.whole_files() as put:
+        with atomic.whole_files() as write:
             for name, data in files.items():
                 target = folder / f"{key}.{name}"
                 target.parent.mkdir(parents=True, exist_ok=True)  # Zarr arrays are folders
-                put(target, data)
+                write(target, data)
     return list(dict.fromkeys(f"{key}.{name.partition('/')[0]}" for name in files)), facts, None, notes
 
 
@@ -639,8 +640,8 @@ def _render(job: _Job, number: int, photo: Path, depth: Path) -> tuple[dict[str,
     picture = read_photo(photo, job.encoding)
     light = picture.light(job.settings.dtype)
     metres = read_depth(depth, shape=light.shape, **vars(job.values))
-    known = metres[~np.isnan(metres)]
-    ends = [float(end(known)) for end in (np.min, np.max)] if known.size else []
+    known_depths = metres[~np.isnan(metres)]
+    ends = [float(end(known_depths)) for end in (np.min, np.max)] if known_depths.size else []
     metres = np.asarray(fill_missing(metres, job.settings.missing), dtype=np.float64)
     channels = job.settings.channels(light.shape, lens.wavelength)
     blur = DepthBlur(metres, lens, pixel, channels=channels, **job.settings.of_blur)
@@ -661,7 +662,7 @@ def _render(job: _Job, number: int, photo: Path, depth: Path) -> tuple[dict[str,
         "spherical": float(np.asarray(lens.aberrations.spherical)),
         "pixel": pixel,
         "depth_range": [end if math.isfinite(end) else "infinity" for end in ends],
-        "depth_unknown": 1.0 - known.size / metres.size,
+        "depth_unknown": 1.0 - known_depths.size / metres.size,
         "wavelength": lens.wavelength,
         "channels": [[list(line) for line in channel] for channel in spectra("channels", channels)],
         "encoding": picture.encoding if job.form == "png" else "linear",
@@ -711,17 +712,17 @@ def _zarr(arrays: dict[str, Values], facts: Json) -> dict[str, bytes]:
 
 
 def _psfs(blur: DepthBlur, count: int) -> tuple[Array, Values, Values]:
-    """Return equally spaced values of C_d, for each pixel the index of the nearest value, and the PSFs."""
+    """Return (1) equally spaced values of C_d, (2) for each pixel the index of the nearest value, (3) the PSFs."""
     low, high = float(blur.defocus.min()), float(blur.defocus.max())
     defocus = np.linspace(low, high, count)
     step = (high - low) / (count - 1)
     index = np.rint((blur.defocus - low) / step if step > 0.0 else np.zeros(blur.shape)).astype(np.uint16)
-    half = max(bank.half for bank in blur.banks)
-    table = np.zeros((count, blur.channels, 2 * half + 1, 2 * half + 1), dtype=np.float32)
+    max_half = max(bank.half for bank in blur.banks)
+    table = np.zeros((count, blur.channels, 2 * max_half + 1, 2 * max_half + 1), dtype=np.float32)
     for channel, bank in enumerate(blur.banks):
-        inside = slice(half - bank.half, half + bank.half + 1)
+        centre = slice(max_half - bank.half, max_half + bank.half + 1)
         for number, radians in enumerate(defocus):
-            table[number, channel, inside, inside] = bank.window(float(radians))
+            table[number, channel, centre, centre] = bank.window(float(radians))
     return defocus, index, table
 
 
@@ -742,7 +743,7 @@ def _encode_photo(form: str, picture: Picture, light: Values) -> bytes:
 
 
 def _encode(form: str, light: Values, encoding: str) -> bytes:
-    """Return light as the content of an image file."""
+    """Return linear light as the content of an image file, for the formats "png", "tif" and "exr"."""
     if form == "png":
         # Compression level 1: a higher level takes longer than the blur.
         return png_of_16_bits(from_light(light, encoding, np.uint16), None, 1)

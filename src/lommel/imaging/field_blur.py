@@ -124,11 +124,11 @@ class FieldBlur(LinearBlur):
     ) -> None:
         validation.instance("field_map", field_map, FieldMap)
         require_one_aperture(field_map)
-        light = field_map.pupil_without_wavefront
-        metric = light.wavelength is not None
+        pupil = field_map.pupil_without_wavefront
+        metric = pupil.wavelength is not None
         self.field_map, self.shape = field_map, validation.image_shape(shape)
         self.pixel = validation.pixel(pixel, metric=metric)
-        validation.pixel_on(self.pixel, light.scale, metric=metric)
+        validation.pixel_on(self.pixel, pupil.scale, metric=metric)
         self.tol = validation.real("tol", tol, least=1e-6, below=0.1 + 1e-12)
         settings = Settings.of(FieldBlur, options, FieldKeywords)
         self.border, self.dtype = settings.border, cast("np.dtype[np.floating]", settings.dtype)
@@ -148,10 +148,10 @@ class FieldBlur(LinearBlur):
         def bank_and_operators(
             spectrum: tuple[tuple[float, float], ...] | None,
         ) -> tuple[FieldBank, tuple[WindowBlur | MixedBlur, ...]]:
-            # PSFs are computed to 1e-3 of the tolerance of the blur, but no better than double precision allows.
+            # The tolerance of PSFs is 1e-3 of the tolerance of the blur, but no less than double precision allows.
             phase, psf_tol = None if lens is None else lens.phase, min(1e-6, max(1e-10, 1e-3 * tol))
-            light = self._point_light(field_map, phase, spectrum, self.pixel, psf_tol, settings.threads)
-            bank = build_field_bank(light, spans, self.shape, settings, tol)
+            source = self._point_light(field_map, phase, spectrum, self.pixel, psf_tol, settings.threads)
+            bank = build_field_bank(source, spans, self.shape, settings, tol)
             return bank, self._operators(bank)
 
         self.banks: tuple[FieldBank, ...] = tuple(bank_and_operators(spectrum)[0] for spectrum in self.spectra)
@@ -270,8 +270,8 @@ class FieldBlur(LinearBlur):
         if sensor is not None:
             pitch = [length / side for length, side in zip(sides(sensor, unit), self.shape, strict=True)]
         y, x = (
-            np.asarray(step * (np.arange(n) - at), dtype=np.float64)
-            for step, n, at in zip(pitch, self.shape, axis, strict=True)
+            np.asarray(step * (np.arange(n) - centre), dtype=np.float64)
+            for step, n, centre in zip(pitch, self.shape, axis, strict=True)
         )
         try:
             self._require_within_map(x[[0, -1]], y[[0, -1], None])
@@ -291,8 +291,8 @@ class FieldBlur(LinearBlur):
     def _defocus_map(self, depth: ArrayLike | None, lens: Lens | None) -> Array:
         """Return the defocus C_d (rad) of each point, shape (height, width); 0 without a depth."""
         if (depth is None) != (lens is None):
-            missing = "lens" if lens is None else "depth"
-            raise ValueError(f"{missing} is missing: depth= and lens= must be given together")
+            absent = "lens" if lens is None else "depth"
+            raise ValueError(f"{absent} is missing: depth= and lens= must be given together")
         if lens is None or depth is None:
             # A read-only view of one number: without a depth map, defocus is 0 everywhere.
             return np.broadcast_to(0.0, self.shape)
@@ -310,40 +310,40 @@ class FieldBlur(LinearBlur):
         """Return the operators of a channel: for its windows and, with ``energy=1``, for the light outside them."""
         mixed_blur = partial(MixedBlur, border=self.border, threads=self.threads)
         focus, down, across = bank.axes[2], bank.axes[0].weights(self.y), bank.axes[1].weights(self.x)
-        near: WindowBlur | MixedBlur | None = None
+        blur: WindowBlur | MixedBlur | None = None
         # Small windows are interpolated for each point directly; for large windows Fourier transforms are faster.
         if bank.coefficients.shape[-1] <= LARGEST[min(2, focus.count)]:
             # ArithmeticError: WindowBlur replaces the splines by parabolas, and would need too many pieces.
             with suppress(ArithmeticError):
-                near = WindowBlur(
+                blur = WindowBlur(
                     bank.coefficients, bank.axes, self.y, self.x, self.defocus,
                     border=self.border, threads=self.threads, allowed=self.tol - bank.error,
                 )  # fmt: skip
-        near = near or mixed_blur(bank.coefficients, (down, across), focus, self.defocus)
+        blur = blur or mixed_blur(bank.coefficients, (down, across), focus, self.defocus)
         if bank.far is None:
-            return (near,)
-        # Light outside the window of each point, which the common kernel spreads: 1 - (sum of the window). The sums
-        # are splines over the nodes of the windows.
+            return (blur,)
+        # The common kernel spreads the light outside the window of each point: 1 - (sum of the window). The sum is a
+        # spline through the sums at the nodes.
         sums = np.asarray(bank.coefficients, dtype=np.float64).sum(axis=(-2, -1))
-        inside = [down @ plane @ across.T for plane in np.moveaxis(sums, 2, 0)]
-        beyond = 1.0 - sum(weight * inside[node] for node, weight in focus.nonzero_weights(self.defocus))
+        sums_at_points = [down @ plane @ across.T for plane in np.moveaxis(sums, 2, 0)]
+        outside = 1.0 - sum(weight * sums_at_points[node] for node, weight in focus.nonzero_weights(self.defocus))
         kernel, uniform = bank.far.kernel.astype(self.dtype), (np.ones((len(self.y), 1)), np.ones((len(self.x), 1)))
-        scale = np.asarray(beyond, dtype=self.dtype)
-        return near, mixed_blur(kernel[None, None, None], uniform, Nodes(0.0, 0.0, 1), self.defocus, scale=scale)
+        scale = np.asarray(outside, dtype=self.dtype)
+        return blur, mixed_blur(kernel[None, None, None], uniform, Nodes(0.0, 0.0, 1), self.defocus, scale=scale)
 
 
 _MAX_KEPT_BYTES = 2**29  # transforms of all windows are cached up to this size, 512 MiB
 _LONGEST = 512  # longest transform; windows above 1/4 of this length have transforms up to 4 times their own length
-_OVERHEAD = 20_000  # time of a block without its transforms, in units of the time per sample of a transform
+_OVERHEAD = 20_000  # time of a block without its transforms / time of a transform per sample
 
 
 class Block(NamedTuple):
-    """A block of points (rows and columns), and its nodes with nonzero weights, down and across the image."""
+    """A block of points, and the nodes down and across the image that have nonzero weights in it."""
 
     rows: slice
     columns: slice
-    down: slice
-    across: slice
+    row_nodes: slice
+    column_nodes: slice
 
 
 class MixedBlur:
@@ -383,16 +383,16 @@ class MixedBlur:
         scale: Values | float = 1.0,
     ) -> None:
         self.windows, self.focus, self.defocus, self.threads, self.scale = windows, focus, defocus, threads, scale
-        self.beyond = windows.shape[-1] - 1  # rows and columns by which the result of a block exceeds the block
-        margin = 0 if border == "zero" else self.beyond // 2
-        self.before = margin + self.beyond // 2  # index of the image's first pixel in the padded result
+        self.excess = windows.shape[-1] - 1  # rows and columns by which the result of a block exceeds the block
+        margin = 0 if border == "zero" else self.excess // 2
+        self.image_start = margin + self.excess // 2  # index of the image's first pixel in the padded result
         self.rows, self.columns = (copies(len(part), margin, border) for part in weights)
         self.down, self.across = weights[0][self.rows], weights[1][self.columns]
         self.down, self.across = (part.astype(windows.dtype) for part in (self.down, self.across))
-        self.sides = _sides(self.down.shape, self.across.shape, self.beyond + 1)
+        self.sides = _sides(self.down.shape, self.across.shape, self.excess + 1)
         self._parts = (
-            _parts(self.down, self.sides[0] - self.beyond),
-            _parts(self.across, self.sides[1] - self.beyond),
+            _parts(self.down, self.sides[0] - self.excess),
+            _parts(self.across, self.sides[1] - self.excess),
         )
         self._spectra: Values | None = None
 
@@ -400,23 +400,23 @@ class MixedBlur:
         """Return the blurred image of a plane of light."""
         light = (self.scale * plane)[self.rows[:, None], self.columns]
         # The results of neighbouring blocks overlap by the size of a window, and are added (overlap-add).
-        padded = np.zeros([side + self.beyond for side in light.shape], dtype=light.dtype)
+        padded = np.zeros([side + self.excess for side in light.shape], dtype=light.dtype)
 
         def blurred(block: Block) -> Values:
             points = light[block.rows, block.columns]
             spectra = (
                 self._blurred_spectrum(block, weight * points, node) for node, weight in self._focus_weights(block)
             )
-            return self._inverse_transform(reduce(np.add, spectra), [side + self.beyond for side in points.shape])
+            return self._inverse_transform(reduce(np.add, spectra), [side + self.excess for side in points.shape])
 
         for block, part in self._results(blurred):
             padded[self._reached_area(block)] += part
-        return padded[self.before :, self.before :][: plane.shape[0], : plane.shape[1]]
+        return padded[self.image_start :, self.image_start :][: plane.shape[0], : plane.shape[1]]
 
     def adjoint(self, plane: Values) -> Values:
         """Return the transpose of :meth:`forward` applied to an image."""
         # Overlap-save: a block of the result depends on the pixels that the light of the block reaches in `forward`.
-        padded = np.pad(plane, self.before)
+        padded = np.pad(plane, self.image_start)
         result = np.empty((len(self.rows), len(self.columns)), dtype=plane.dtype)
 
         def correlated(block: Block) -> Values:
@@ -430,13 +430,13 @@ class MixedBlur:
 
     def _results(self, function: Callable[[Block], Values]) -> Iterator[tuple[Block, Values]]:
         """Yield pairs (block, function(block)); the blocks of one row of blocks are computed in parallel."""
-        for rows, down in self._parts[0]:
-            blocks = [Block(rows, columns, down, across) for columns, across in self._parts[1]]
+        for rows, row_nodes in self._parts[0]:
+            blocks = [Block(rows, columns, row_nodes, column_nodes) for columns, column_nodes in self._parts[1]]
             yield from zip(blocks, side_by_side(function, blocks, self.threads), strict=True)
 
     def _reached_area(self, block: Block) -> tuple[slice, slice]:
         """Return the rows and columns of the padded image that the light of a block reaches."""
-        rows, columns = (slice(part.start, part.stop + self.beyond) for part in (block.rows, block.columns))
+        rows, columns = (slice(part.start, part.stop + self.excess) for part in (block.rows, block.columns))
         return rows, columns
 
     def _focus_weights(self, block: Block) -> list[tuple[int, Values]]:
@@ -448,7 +448,7 @@ class MixedBlur:
         """Return the transform of the image of points (rows, columns), with the windows at one node over defocus."""
         from scipy.fft import fft, rfft
 
-        down, across = self.down[block.rows, block.down], self.across[block.columns, block.across]
+        down, across = self.down[block.rows, block.row_nodes], self.across[block.columns, block.column_nodes]
         # Rows are transformed once for each node across; weights down the image multiply the result.
         lines = rfft(across.T[:, None, :] * points, n=self.sides[1], axis=-1)
         planes = down.T[:, None, :, None] * lines
@@ -468,7 +468,7 @@ class MixedBlur:
         """Return the transpose of :meth:`_blurred_spectrum` and :meth:`_inverse_transform`."""
         from scipy.fft import ifft, irfft
 
-        down, across = self.down[block.rows, block.down], self.across[block.columns, block.across]
+        down, across = self.down[block.rows, block.row_nodes], self.across[block.columns, block.column_nodes]
         spectra = np.conj(self._window_spectra(block, node))
         spectra *= spectrum
         planes = ifft(spectra, axis=-2, overwrite_x=True)[..., : len(down), :]
@@ -481,9 +481,9 @@ class MixedBlur:
         if self._spectra is None:
             count, size = math.prod(self.windows.shape[:3]), self.sides[0] * (self.sides[1] // 2 + 1)
             if count * size * 2 * self.windows.itemsize > _MAX_KEPT_BYTES:
-                return self._transform(self.windows[block.down, block.across, node])
+                return self._transform(self.windows[block.row_nodes, block.column_nodes, node])
             self._spectra = self._transform(self.windows)
-        return self._spectra[block.down, block.across, node]
+        return self._spectra[block.row_nodes, block.column_nodes, node]
 
     def _transform(self, images: Values) -> Values:
         """Return the Fourier transforms over the last two axes, zero-padded to the sides of a block."""
@@ -498,9 +498,9 @@ def _sides(down: tuple[int, ...], across: tuple[int, ...], window: int) -> tuple
 
     `down` and `across` are (number of points, number of nodes) along the axes; `window` is the side of a window.
     """
-    # f: length of the transform, b: points of a block, n: number of blocks along an axis.
+    # Along each axis f is the length of the transform, b the number of points of a block, n the number of blocks.
     rows, columns = (_candidates(points, window) for points, _ in (down, across))
-    best = (math.inf, (0, 0))
+    best = (math.inf, (0, 0))  # computing time, lengths of the transforms
     for fy, by, ny in ((f, b, math.ceil(down[0] / b)) for f, b in rows):
         for fx, bx, nx in ((f, b, math.ceil(across[0] / b)) for f, b in columns):
             # Number of transforms of a block: one for each node with nonzero weights. A cubic spline has at least
@@ -517,9 +517,9 @@ def _candidates(points: int, window: int) -> list[tuple[int, int]]:
     """Return pairs: a length for which the transform is fast, and the number of points of a block of this length."""
     from scipy.fft import next_fast_len
 
-    most = next_fast_len(min(points + window - 1, max(_LONGEST, 4 * window)), real=True)
+    longest = next_fast_len(min(points + window - 1, max(_LONGEST, 4 * window)), real=True)
     sides, side = [], window
-    while side <= most:
+    while side <= longest:
         side = next_fast_len(side, real=True)
         sides.append((side, side - window + 1))
         side += 1
@@ -535,13 +535,13 @@ def _parts(weights: Values, length: int) -> list[tuple[slice, slice]]:
     count = math.ceil(len(weights) / length)
     edges = [round(k * len(weights) / count) for k in range(count + 1)]
     for first, last in pairwise(edges):
-        used = np.flatnonzero(weights[first:last].any(axis=0))
-        parts.append((slice(first, last), slice(int(used[0]), int(used[-1]) + 1)))
+        nonzero = np.flatnonzero(weights[first:last].any(axis=0))
+        parts.append((slice(first, last), slice(int(nonzero[0]), int(nonzero[-1]) + 1)))
     return parts
 
 
-_TABLE_SIDE = 2.5  # side of the table of computed far light / side of the windows
-_MARGIN = 1.2  # safety factor on errors at the checked positions, for positions between them
+_TABLE_SIDE = 2.5  # side of the table of light computed outside the windows / side of the windows
+_MARGIN = 1.2  # safety factor on errors at the checked positions: errors between these positions may be larger
 
 
 @dataclass(frozen=True)
@@ -559,7 +559,7 @@ class FarLight:
     lost: float
 
 
-def far_light(light: PointLight, spans: Sequence[Span], tol: float, largest: int, farthest: int) -> FarLight:
+def far_light(source: PointLight, spans: Sequence[Span], tol: float, largest: int, farthest: int) -> FarLight:
     """Return the far light for the smallest windows outside which the light of all points agrees within `tol`.
 
     `spans` are the ranges of y, x and C_d. `largest` and `farthest` are the largest half widths of windows and of the
@@ -569,8 +569,8 @@ def far_light(light: PointLight, spans: Sequence[Span], tol: float, largest: int
     half = 8
     while True:
         half = min(half, largest)
-        reach = int(np.ceil(_TABLE_SIDE * half))
-        windows = light.windows(places, reach)
+        table_half = int(np.ceil(_TABLE_SIDE * half))
+        windows = source.windows(places, table_half)
         if _tail_error(windows, half) <= tol:
             break
         if half == largest:
@@ -582,35 +582,36 @@ def far_light(light: PointLight, spans: Sequence[Span], tol: float, largest: int
     # Bisection for the smallest window: the error decreases with the size of windows.
     half = 1 + bisect_left(range(1, half), True, key=lambda smaller: _tail_error(windows, smaller) <= tol)
     error, tails = _tail_error(windows, half), windows.copy()
-    tails[:, reach - half : reach + half + 1, reach - half : reach + half + 1] = 0.0
-    beyond = 1.0 - windows.sum(axis=(1, 2))
+    tails[:, table_half - half : table_half + half + 1, table_half - half : table_half + half + 1] = 0.0
+    outside = 1.0 - windows.sum(axis=(1, 2))
     # Light diffracted at edges falls like r^-3, and the light outside a square like 1 / side. Outside the computed
     # table the kernel is continued by r^-3, until the light outside the kernel is a quarter of the tolerance.
-    sufficient = int(np.ceil(4.0 * float(beyond.max()) / tol * (reach + 0.5)))
-    kernel_half = max(reach, min(farthest, sufficient))
-    kernel = np.pad(tails.sum(axis=0), kernel_half - reach)
-    if kernel_half > reach:
-        away = np.arange(-kernel_half, kernel_half + 1.0)
-        ring = np.hypot(away[:, None], away)
-        table = slice(kernel_half - reach, kernel_half + reach + 1)
-        ring[table, table] = np.inf
-        ring = ring**-3.0
-        kernel += ring * (float(beyond.sum()) * (1.0 - (reach + 0.5) / (kernel_half + 0.5)) / ring.sum())
-    # The light outside the kernel, by the law 1 / side.
-    lost = float(beyond.max()) * (reach + 0.5) / (kernel_half + 0.5)
+    sufficient_half = int(np.ceil(4.0 * float(outside.max()) / tol * (table_half + 0.5)))
+    kernel_half = max(table_half, min(farthest, sufficient_half))
+    kernel = np.pad(tails.sum(axis=0), kernel_half - table_half)
+    if kernel_half > table_half:
+        offsets = np.arange(-kernel_half, kernel_half + 1.0)
+        radius = np.hypot(offsets[:, None], offsets)
+        table = slice(kernel_half - table_half, kernel_half + table_half + 1)
+        radius[table, table] = np.inf
+        tail = radius**-3.0
+        kernel += tail * (float(outside.sum()) * (1.0 - (table_half + 0.5) / (kernel_half + 0.5)) / tail.sum())
+    # The light outside the kernel is proportional to 1 / side.
+    lost = float(outside.max()) * (table_half + 0.5) / (kernel_half + 0.5)
     return FarLight(kernel / kernel.sum(), half, error, lost)
 
 
 def _tail_error(windows: Array, half: int) -> float:
     """Return the largest sum of absolute differences between tails and their scaled mean, times a safety factor.
 
-    `windows` (points, side, side) contain the light of points; their tails are the pixels outside the half width.
+    `windows` (points, side, side) contain the light of points; their tails are the pixels farther than `half` pixels
+    from the centre in rows or columns.
     """
-    reach = windows.shape[-1] // 2
-    inner = slice(reach - half, reach + half + 1)
-    outside = np.ones(windows.shape[1:], dtype=np.bool_)
-    outside[inner, inner] = False
-    tails: Values = windows[:, outside]
+    table_half = windows.shape[-1] // 2
+    inner = slice(table_half - half, table_half + half + 1)
+    tail_mask = np.ones(windows.shape[1:], dtype=np.bool_)
+    tail_mask[inner, inner] = False
+    tails: Values = windows[:, tail_mask]
     sums = tails.sum(axis=1)
     mean = tails.sum(axis=0) / sums.sum()
     return _MARGIN * float(np.abs(tails - sums[:, None] * mean).sum(axis=1).max())
@@ -619,8 +620,8 @@ def _tail_error(windows: Array, half: int) -> float:
 _MAX_VALUES = 2**27  # numbers in a bank: 1 GiB in double precision
 _MAX_CHECKED = 1500  # largest number of positions half-way between nodes at which windows are checked
 _QUINTIC_BELOW = 3e-4  # tolerance below which splines of degree 5 are faster than cubic ones
-# Fractions of the tolerance: for splines along 1, 2 or 3 axes in total (above 1, since the errors of different axes
-# peak at different positions), for replacing splines by parabolas, and for light outside the windows (energy=1).
+# Fractions of the tolerance. First, for splines along 1, 2 or 3 axes in total: above 1, since the errors of different
+# axes peak at different positions. Second, for splines replaced by parabolas; third, for light outside the windows.
 _SPLINE_SHARES = (0.9, 1.2, 1.4)
 _PARABOLA_SHARE = 0.03
 _FAR_SHARE = 0.4
@@ -666,14 +667,14 @@ class FieldBank:
         window = next(_interpolated_windows(self.axes, self.coefficients, np.array([[y, x, defocus]])))
         if self.far is None:
             return window
-        first = len(self.far.kernel) // 2 - self.half
-        whole = np.asarray((1.0 - window.sum()) * self.far.kernel)
-        whole[first : first + len(window), first : first + len(window)] += window
-        return whole
+        start = len(self.far.kernel) // 2 - self.half
+        light = np.asarray((1.0 - window.sum()) * self.far.kernel)
+        light[start : start + len(window), start : start + len(window)] += window
+        return light
 
 
 def build_field_bank(
-    light: PointLight,
+    source: PointLight,
     spans: Sequence[Span],
     shape: tuple[int, int],
     settings: Settings,
@@ -684,23 +685,23 @@ def build_field_bank(
     `spans` are the ranges of y, x and C_d. `tol` is divided among splines, parabolas and light outside the windows.
     """
     energy, largest = settings.energy, settings.largest or max(1, min(shape) // 2)
-    half, core_half = light.half_widths(spans, CORE if energy == 1.0 else energy, largest)
-    far = far_light(light, spans, _FAR_SHARE * tol, largest, max(shape)) if energy == 1.0 else None
+    half, core_half = source.half_widths(spans, CORE if energy == 1.0 else energy, largest)
+    far = far_light(source, spans, _FAR_SHARE * tol, largest, max(shape)) if energy == 1.0 else None
     far_error = 0.0
     if far is not None:
         half, far_error = far.half, far.error
     spline_tol = (1.0 - _PARABOLA_SHARE) * tol - far_error
-    axes = _axes(light, spans, min(core_half, half), spline_tol)
+    axes = _axes(source, spans, min(core_half, half), spline_tol)
     previous_error = 0.0 if all(nodes.count == 1 for nodes in axes) else math.inf
     while True:
         side = 2 * half + 1
         _require_few(axes, side, tol)
-        windows = light.windows(lattice([nodes.places for nodes in axes]), half)
+        windows = source.windows(lattice([nodes.places for nodes in axes]), half)
         energies = windows.sum(axis=(1, 2))
         # The half width was estimated at a few positions, and PSFs between these positions may be wider.
         if far is None and energies.min() < energy:
             if half == largest:
-                raise light.too_large(lattice([nodes.places for nodes in axes]), energy, largest, energies)
+                raise source.too_large(lattice([nodes.places for nodes in axes]), energy, largest, energies)
             half = min(largest, math.ceil(1.05 * half) + 1)
             continue
         if far is None:
@@ -708,22 +709,23 @@ def build_field_bank(
         coefficients: Values = windows.reshape(*(nodes.count for nodes in axes), side, side)
         for axis, nodes in enumerate(axes):
             coefficients = nodes.coefficients(coefficients, axis)
-        error, least_energy = _error_between(light, axes, coefficients, normalise=far is None)
+        error, least_energy = _error_between(source, axes, coefficients, normalise=far is None)
         if error <= spline_tol:
             lost = 1.0 - min(float(energies.min()), least_energy) if far is None else far.lost
             return FieldBank(axes, coefficients.astype(settings.dtype), far, lost, error + far_error)
         degree = axes[0].degree
         # The error of a spline of degree d is proportional to spacing^(d + 1); the aim is 0.9 spline_tol.
         factor = max(1.02, (error / (0.9 * spline_tol)) ** (1.0 / (degree + 1)))
-        # If denser nodes do not help, axes with a single node may need more.
-        single, previous_error = error > 0.9 * previous_error, error
-        axes = _finer(axes, factor, single=single)
+        # If denser nodes do not reduce the error, axes with a single node may need more nodes.
+        change_single, previous_error = error > 0.9 * previous_error, error
+        axes = _finer(axes, factor, change_single=change_single)
 
 
-def _finer(axes: Sequence[Nodes], times: float, *, single: bool) -> tuple[Nodes, ...]:
-    """Return axes with `times` as many nodes; axes with one node are not changed unless `single`."""
+def _finer(axes: Sequence[Nodes], factor: float, *, change_single: bool) -> tuple[Nodes, ...]:
+    """Return axes with the number of gaps multiplied by `factor`; a single node changes only if `change_single`."""
     return tuple(
-        nodes.finer(times) if nodes.first < nodes.last and (single or nodes.count > 1) else nodes for nodes in axes
+        nodes.finer(factor) if nodes.first < nodes.last and (change_single or nodes.count > 1) else nodes
+        for nodes in axes
     )
 
 
@@ -739,7 +741,7 @@ def _require_few(axes: Sequence[Nodes], side: int, tol: float) -> None:
 
 
 def _error_between(
-    light: PointLight, axes: Sequence[Nodes], coefficients: Values, *, normalise: bool
+    source: PointLight, axes: Sequence[Nodes], coefficients: Values, *, normalise: bool
 ) -> tuple[float, float]:
     """Return the largest error of interpolated windows half-way between nodes, and the smallest sum of exact windows.
 
@@ -749,38 +751,38 @@ def _error_between(
     # A fixed seed: equal arguments yield equal errors.
     if len(places) > _MAX_CHECKED:
         places = places[np.random.default_rng(0).choice(len(places), _MAX_CHECKED, replace=False)]
-    exact = light.windows(places, coefficients.shape[-1] // 2)
+    exact = source.windows(places, coefficients.shape[-1] // 2)
     energies = exact.sum(axis=(1, 2))
     if normalise:
         exact /= energies[:, None, None]
-    # An error of the sum of a window changes the far light by as much, and therefore counts twice.
+    # An error of the sum of a window causes an equal error of the light outside, and therefore counts twice.
     error = ERROR_RATIO * max(
-        window_difference(window, true) + abs(float((window - true).sum()))
-        for window, true in zip(_interpolated_windows(axes, coefficients, places), exact, strict=True)
+        window_difference(window, exact_window) + abs(float((window - exact_window).sum()))
+        for window, exact_window in zip(_interpolated_windows(axes, coefficients, places), exact, strict=True)
     )
     return error, float(energies.min())
 
 
-def _axes(light: PointLight, spans: Sequence[Span], half: int, tol: float) -> tuple[Nodes, ...]:
+def _axes(source: PointLight, spans: Sequence[Span], half: int, tol: float) -> tuple[Nodes, ...]:
     """Return nodes along y, x and C_d that are dense enough for windows of this half width.
 
     Each axis is sampled along lines through the start, middle and end of the other two spans.
     """
     # Splines of degree 5 need fewer nodes, but more nonzero weights at each point: faster if there are many nodes.
     degree = 5 if tol < _QUINTIC_BELOW or spans[2][0] < spans[2][1] else 3
-    varying = max(1, sum(first != last for first, last in spans))
-    axis_tol = _SPLINE_SHARES[varying - 1] * tol / varying
+    varying_count = max(1, sum(first != last for first, last in spans))
+    axis_tol = _SPLINE_SHARES[varying_count - 1] * tol / varying_count
     axes = []
     for axis, span in enumerate(spans):
-        others = [np.unique(np.linspace(*other, 3)) for other in spans]
+        other_ticks = [np.unique(np.linspace(*other, 3)) for other in spans]
 
-        def sample(along: Array, axis: int = axis, others: list[Array] = others) -> Array:
-            """Return windows (lines, len(along), side, side) at positions along the axis."""
-            ticks = [along if k == axis else other for k, other in enumerate(others)]
-            windows = light.windows(lattice(ticks), half)
+        def sample(positions: Array, axis: int = axis, other_ticks: list[Array] = other_ticks) -> Array:
+            """Return windows (lines, len(positions), side, side) at positions along the axis."""
+            ticks = [positions if k == axis else other for k, other in enumerate(other_ticks)]
+            windows = source.windows(lattice(ticks), half)
             windows /= windows.sum(axis=(1, 2), keepdims=True)
             shaped = windows.reshape(*(len(tick) for tick in ticks), *windows.shape[1:])
-            return np.moveaxis(shaped, axis, 2).reshape(-1, len(along), *windows.shape[1:])
+            return np.moveaxis(shaped, axis, 2).reshape(-1, len(positions), *windows.shape[1:])
 
         nodes = sufficient_nodes(sample, *span, axis_tol, degree)
         if nodes is None:
@@ -795,12 +797,12 @@ def _axes(light: PointLight, spans: Sequence[Span], half: int, tol: float) -> tu
 
 def _interpolated_windows(axes: Sequence[Nodes], coefficients: Values, places: Array) -> Iterator[Array]:
     """Yield the window (side, side) of the splines at each place; places (n, 3) are y, x and C_d."""
-    weights = [nodes.weights(along) for nodes, along in zip(axes, places.T, strict=True)]
+    weights = [nodes.weights(coordinates) for nodes, coordinates in zip(axes, places.T, strict=True)]
     for place_weights in zip(*weights, strict=True):
-        used = [np.flatnonzero(along) for along in place_weights]
-        window: Values = coefficients[np.ix_(*used)]
-        for along, nodes in zip(place_weights, used, strict=True):
-            window = np.tensordot(along[nodes], window, axes=(0, 0))
+        indices = [np.flatnonzero(axis_weights) for axis_weights in place_weights]
+        window: Values = coefficients[np.ix_(*indices)]
+        for axis_weights, nonzero in zip(place_weights, indices, strict=True):
+            window = np.tensordot(axis_weights[nonzero], window, axes=(0, 0))
         yield window.astype(np.float64, copy=False)
 
 
@@ -830,16 +832,16 @@ class PointLight:
     def windows(self, places: Array, half: int) -> Array:
         """Return the windows (n, side, side) of points at y, x and C_d (n, 3): fractions of light on each pixel."""
         side = 2 * half + 1
-        out = np.zeros((len(places), side, side))
+        result = np.zeros((len(places), side, side))
         step = max(1, _MAX_BATCH_VALUES // side**2)
-        for first in range(0, len(places), step):
-            batch = slice(first, first + step)
+        for start in range(0, len(places), step):
+            batch = slice(start, start + step)
             pupil = self.pupil(*places[batch].T)
             for wavelength, weight in self.spectrum or ((None, 1.0),):
                 coloured = pupil if wavelength is None else pupil.in_light(wavelength)
                 options: dict[str, Any] = {"integrate": True, "dtype": np.float64, "threads": self.threads}
-                out[batch] += weight * psf(coloured, side, self.pixel, tol=self.tol, **options).values
-        return out
+                result[batch] += weight * psf(coloured, side, self.pixel, tol=self.tol, **options).values
+        return result
 
     def half_widths(self, spans: Sequence[Span], energy: float, largest: int) -> tuple[int, int]:
         """Return the half widths (pixels) of windows that hold `energy`, and that hold min(`energy`, `CORE`).
@@ -917,10 +919,10 @@ class Nodes:
     @cached_property
     def _along(self) -> Array:
         """Positions of the nodes on [0, 1]."""
-        spacings, closer = np.ones(max(0, self.count - 1)), _END_SPACINGS[self.degree]
-        if len(spacings) > 2 * len(closer):
-            spacings[: len(closer)] = closer
-            spacings[-len(closer) :] = closer[::-1]
+        spacings, end_spacings = np.ones(max(0, self.count - 1)), _END_SPACINGS[self.degree]
+        if len(spacings) > 2 * len(end_spacings):
+            spacings[: len(end_spacings)] = end_spacings
+            spacings[-len(end_spacings) :] = end_spacings[::-1]
         positions = np.concatenate([[0.0], np.cumsum(spacings)])
         return np.asarray(positions / max(1.0, positions[-1]))
 
@@ -953,7 +955,7 @@ class Nodes:
         """
         if self.count == 1:
             return [(0, np.ones(()))]
-        # By columns of the sparse matrix: few nodes have nonzero weights.
+        # Only columns of the sparse matrix with entries are returned: few nodes have nonzero weights.
         matrix, weights = self._matrix(places.ravel()).tocsc(), []
         for node in range(self.count):
             part = slice(matrix.indptr[node], matrix.indptr[node + 1])
@@ -967,32 +969,32 @@ class Nodes:
         """Return the sparse matrix of weights, shape (places, nodes)."""
         from scipy.interpolate import BSpline
 
-        along = np.clip((places - self.first) / (self.last - self.first), 0.0, 1.0)
-        return BSpline.design_matrix(along, self._spline.t, self._spline.k)
+        positions = np.clip((places - self.first) / (self.last - self.first), 0.0, 1.0)
+        return BSpline.design_matrix(positions, self._spline.t, self._spline.k)
 
-    def finer(self, times: float) -> Nodes:
-        """Return nodes with `times` as many gaps, and at least one more node."""
+    def finer(self, factor: float) -> Nodes:
+        """Return nodes with the number of gaps multiplied by `factor`, and at least one more node."""
         gaps = max(1, self.count - 1)
-        return replace(self, count=max(self.count, math.ceil(gaps * times)) + 1)
+        return replace(self, count=max(self.count, math.ceil(gaps * factor)) + 1)
 
 
-def window_difference(windows: Values, others: Values) -> float:
+def window_difference(windows: Values, reference: Values) -> float:
     """Return the largest sum over pixels of absolute differences between two windows (..., side, side)."""
-    return float(np.abs(windows - others).sum(axis=(-2, -1)).max(initial=0.0))
+    return float(np.abs(windows - reference).sum(axis=(-2, -1)).max(initial=0.0))
 
 
 def sufficient_nodes(
     sample: Callable[[Array], Array], first: float, last: float, tol: float, degree: int = 3
 ) -> Nodes | None:
-    """Return nodes whose splines differ from ``sample(places)`` by at most `tol`, or None above `MAX_NODES`.
+    """Return nodes whose splines differ from ``sample(places)`` by at most `tol`; None if `MAX_NODES` is not enough.
 
     `sample` returns windows at places along the axis, shape (lines, places, side, side); see `window_difference`.
     """
     if first == last:
         return Nodes(first, first, 1, degree)
     nodes = Nodes(first, last, 3, degree)
-    coarse = sample(nodes.places)
-    if window_difference(coarse, coarse[:, :1]) <= tol:
+    coarse_windows = sample(nodes.places)
+    if window_difference(coarse_windows, coarse_windows[:, :1]) <= tol:
         return replace(nodes, count=1)
 
     def spacing_ratio(nodes: Nodes) -> float:
@@ -1007,10 +1009,10 @@ def sufficient_nodes(
         if nodes.count > MAX_NODES:
             return None
     # Doubling may exceed the required number of nodes: reduce the number as far as `tol` allows.
-    fewer = replace(nodes, count=math.ceil((nodes.count - 1) * max(0.5, ratio)) + 1)
-    while fewer.count < nodes.count and (ratio := spacing_ratio(fewer)) > 1.0:
-        fewer = replace(fewer, count=max(fewer.count + 1, math.ceil((fewer.count - 1) * ratio) + 1))
-    return fewer if fewer.count < nodes.count else nodes
+    reduced = replace(nodes, count=math.ceil((nodes.count - 1) * max(0.5, ratio)) + 1)
+    while reduced.count < nodes.count and (ratio := spacing_ratio(reduced)) > 1.0:
+        reduced = replace(reduced, count=max(reduced.count + 1, math.ceil((reduced.count - 1) * ratio) + 1))
+    return reduced if reduced.count < nodes.count else nodes
 
 
 def interpolated(nodes: Nodes, values: Values, places: Array) -> Array:

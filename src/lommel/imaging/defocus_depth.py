@@ -28,8 +28,8 @@ from lommel.imaging.focal_engine import (
     FocalEngine,
     FocalTask,
     Registration,
+    checked_range,
     processors,
-    ranged,
     relative_exposures,
 )
 from lommel.imaging.photograph import fill_missing, require_image
@@ -43,11 +43,11 @@ from lommel.show import estimates
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-_MOST = 2001  # largest number of candidates
-_LEAST_OF_BLOCK = 2.0  # rms width of windows, pixels, from which blocks are 4 pixels wide; for smaller windows, 2
+_MAX_CANDIDATES = 2001  # largest number of candidates
+_WIDE_WINDOW = 2.0  # rms width of windows, pixels, from which blocks are 4 pixels wide; below it, 2 pixels
 _ROWS = 1024  # number of rows computed together
-_MULTIPLE = 16  # pixels; a multiple of the sides of all blocks and of all squares that are binned
-_LEAST_SIDE = 160  # smallest height and width computed; smaller photographs are padded with mirrored pixels
+_MULTIPLE = 16  # pixels: a common multiple of the sides of all blocks and of all squares that are binned
+_MIN_SIDE = 160  # pixels, smallest height and width; smaller photographs are padded with mirrored pixels
 _ADDED_VARIANCE = 1e-3  # variance added to the read-noise variance, as a fraction of the mean electrons per pixel
 
 
@@ -110,7 +110,7 @@ class DefocusDepth:
         """
         facts, inner = self.verdict.to_dict(), np.isfinite(self.errors)
         ends = np.percentile(self.depth[inner], [5.0, 50.0, 95.0]).tolist() if inner.any() else None
-        mine: Json = plain(
+        depth_facts: Json = plain(
             {
                 "shape": self.depth.shape,
                 "candidates": len(self.candidates),
@@ -120,7 +120,7 @@ class DefocusDepth:
                 "error": float(np.median(self.errors[inner])) if inner.any() else None,
             }
         )
-        return facts | mine
+        return facts | depth_facts
 
     def save(self, path: str | PathLike[str]) -> None:
         """Write the depth map to `path`: .tif, .npy or .pfm; ValueError for another suffix."""
@@ -157,7 +157,7 @@ def depth_from_defocus(
     focus_error: float = 0.0,
     transfer: Transfer = transfer_curve,
     progress: Callable[[int, int], object] | None = None,
-    **given: Unpack[DefocusKeywords],
+    **keywords: Unpack[DefocusKeywords],
 ) -> DefocusDepth:
     """Estimate a depth map from photographs of a scene that differ in focus or aperture (depth from defocus).
 
@@ -181,12 +181,12 @@ def depth_from_defocus(
     candidates : int, optional
         Number of candidate distances, equally spaced in 1 / distance; rounded up to a multiple of four plus one. By
         default 61, or more if defocus would change by more than 0.75 rad between neighbouring candidates. The
-        candidates extend slightly beyond the range; depth is interpolated between them.
+        candidates extend slightly beyond the range; depth is interpolated between candidates.
     wavelengths : sequence, optional
         See :func:`lommel.imaging.depth_of_field`. Channels have separate textures and one depth.
     f_number_error : float, default 0.0
         Common relative standard error of all f-numbers, below 0.5; for example 0.05 for a lens that was not measured.
-        A relative error of the pixel pitch has the same effect, of the focal length twice the effect.
+        A relative error of the pixel pitch has the same effect, an error of the focal length twice this effect.
     focus_error : float, default 0.0
         Standard error of each focus distance, independent of the other distances, dioptres (1 / m).
     transfer : callable, optional
@@ -194,7 +194,7 @@ def depth_from_defocus(
         that maps `frequency` (cycles per pixel) to the transfer function of the optics, without the pixel, of shape
         ``(len(vergence), *frequency.shape)``. `spectrum` is a sequence of pairs (wavelength in metres, weight).
     progress : callable, optional
-        Called as ``progress(done, bands)`` after each band of rows.
+        Called as ``progress(done, bands)`` after each band of rows, with the numbers of complete and of all bands.
     {options}
 
     Returns
@@ -236,8 +236,8 @@ def depth_from_defocus(
     >>> round(float(np.median(found.depth)), 2)
     1.5
     """
-    options.require_known(depth_from_defocus, given, DefocusKeywords)
-    chosen = DefocusOptions(**given)
+    options.require_known(depth_from_defocus, keywords, DefocusKeywords)
+    chosen = DefocusOptions(**keywords)
     exposures, saturation = chosen.exposures, chosen.saturation
     if isinstance(exposures, str):
         text = validation.shown(exposures)
@@ -247,17 +247,17 @@ def depth_from_defocus(
     noise = validation.instance("noise", noise, Noise).poisson
     width = validation.real("window", chosen.window, least=1.0, below=64.0 + 1e-9, unit="pixels")
     validation.function("progress", progress, required=False)
-    ends, vergence = ranged(between, lenses, pitch, candidates, _MOST)
+    ends, vergence = checked_range(between, lenses, pitch, candidates, _MAX_CANDIDATES)
     if saturation is not None:
         validation.real("saturation", saturation, above=0.0)
     validation.real("f_number_error", f_number_error, least=0.0, below=0.5)
     validation.real("focus_error", focus_error, least=0.0, unit="dioptres")
     counts = _counts(photos, saturation)
-    first = counts[0].values
-    if wavelengths is None and all(_is_grey(one.values) for one in counts):  # three copies of one measurement
-        counts = [one[..., 0] for one in counts]
+    scene = counts[0].values
+    if wavelengths is None and all(_is_grey(photo.values) for photo in counts):  # three copies of one channel
+        counts = [photo[..., 0] for photo in counts]
     electrons, known = zip(
-        *(_electrons(f"photographs[{k}]", one, encoding, noise) for k, one in enumerate(counts)), strict=True
+        *(_electrons(f"photographs[{k}]", photo, encoding, noise) for k, photo in enumerate(counts)), strict=True
     )
     images, valid = (
         np.stack(electrons, axis=1).astype(np.float32, order="C"),
@@ -272,42 +272,42 @@ def depth_from_defocus(
     valid = np.isfinite(images).all(axis=(0, 1)) & valid
     means = images[..., valid].mean(axis=(0, 2), dtype=np.float64)
     if not np.all(means > 0.0):
-        text = ", ".join(f"{each:.4g}" for each in means)
+        text = ", ".join(f"{value:.4g}" for value in means)
         raise ValueError(f"photographs must have a mean above 0, got {text} electrons per pixel")
     mean, ratios = float(means[0]), tuple((means / means[0]).tolist())
     ratios = ratios if exposures is None else relative_exposures(exposures, len(lenses))
     # Scale all frames to the exposure of the first: the tables assume one light level.
     images /= np.asarray(ratios, dtype=np.float32)[:, None, None]
     channels = Settings(wavelengths=wavelengths).channels(counts[0].values.shape, lenses[0].wavelength)
-    spectra = [((each, 1.0),) if isinstance(each, float) else tuple(each) for each in channels]
-    block = BLOCK if width >= _LEAST_OF_BLOCK else BLOCK // 2
+    spectra = [((value, 1.0),) if isinstance(value, float) else tuple(value) for value in channels]
+    block = BLOCK if width >= _WIDE_WINDOW else BLOCK // 2
     sizes = width, block, block, processors()
     task = FocalTask(lenses, vergence, spectra, pitch, ends, *sizes, transfer, registered.scales)
     read = math.sqrt(float(np.mean(np.square(noise.read))) + _ADDED_VARIANCE * mean)
     engine = FocalEngine(task, FocalLight(mean, read, ratios, CONTRAST))
-    position, spread, misfit = _search(engine, images, valid, progress)
+    position, index_errors, misfit = _search(engine, images, valid, progress)
     # Blur is linear in 1 / distance: the candidates are equally spaced in it.
     step = float(vergence[1] - vergence[0])
-    estimate, errors = vergence[0] + step * position.astype(np.float64), step * spread
-    stated = f_number_error
+    estimate, errors = vergence[0] + step * position.astype(np.float64), step * index_errors
+    scale_error = f_number_error
     if f_number_error or focus_error:
-        stated = _add_lens_errors(engine, lenses, (f_number_error, focus_error), estimate, errors, spread)
+        scale_error = _add_lens_errors(engine, lenses, (f_number_error, focus_error), estimate, errors, index_errors)
     with np.errstate(invalid="ignore", divide="ignore"):
         depth, distances = 1.0 / estimate, 1.0 / vergence
         # Depth is 1 / v at the vergence v: d(1 / v) = -dv / v^2.
         sigma = np.where(np.isfinite(errors), errors * depth**2, np.inf)
 
-    def sharpen(filled: Array) -> Values:
-        place = np.asarray((1.0 / filled - vergence[0]) / step, dtype=np.float32)
-        light = np.moveaxis(noise.image(_compute_sharp(engine, images, valid, place)), 0, 2)
-        light = np.broadcast_to(light, (*valid.shape, *first.shape[2:])) if first.ndim == 3 else light[..., 0]
-        if first.dtype.kind != "f":
+    def sharpen(metres: Array) -> Values:
+        positions = np.asarray((1.0 / metres - vergence[0]) / step, dtype=np.float32)
+        light = np.moveaxis(noise.image(_compute_sharp(engine, images, valid, positions)), 0, 2)
+        light = np.broadcast_to(light, (*valid.shape, *scene.shape[2:])) if scene.ndim == 3 else light[..., 0]
+        if scene.dtype.kind != "f":
             light = np.clip(light, 0.0, 1.0)
         elif encoding == "srgb":
             light = np.maximum(light, 0.0)
-        return from_light(light, encoding, first.dtype)
+        return from_light(light, encoding, scene.dtype)
 
-    judge = partial(judge_frames, engine, images, valid, spread, misfit, estimate, stated)
+    judge = partial(judge_frames, engine, images, valid, index_errors, misfit, estimate, scale_error)
     return DefocusDepth(depth, sigma, misfit.astype(np.float64), distances, ratios, encoding, sharpen, judge)
 
 
@@ -328,11 +328,11 @@ def _counts(photographs: list[object], saturation: float | None) -> list[Counts]
     """Return photographs as counts; ValueError unless they are images of one shape."""
     shape = "(height, width) or (height, width, channels)"
     counts = []
-    for k, one in enumerate(photographs):
-        counts.append(Counts.of(f"photographs[{k}]", one, sides=(2, 3), shape=shape, saturation=saturation))
+    for k, photograph in enumerate(photographs):
+        counts.append(Counts.of(f"photographs[{k}]", photograph, sides=(2, 3), shape=shape, saturation=saturation))
         require_image(f"photographs[{k}]", counts[k].values.shape)
-    if len({one.values.shape for one in counts}) > 1:
-        shapes = ", ".join(str(one.values.shape) for one in counts)
+    if len({photograph.values.shape for photograph in counts}) > 1:
+        shapes = ", ".join(str(photograph.values.shape) for photograph in counts)
         raise ValueError(f"photographs must be of one shape, got {shapes}")
     return counts
 
@@ -340,47 +340,48 @@ def _counts(photographs: list[object], saturation: float | None) -> list[Counts]
 def _add_lens_errors(
     engine: FocalEngine,
     lenses: Sequence[Lens],
-    stated: tuple[float, float],
+    lens_errors: tuple[float, float],
     estimate: Array,
     errors: Array,
-    spread: Values,
+    index_errors: Values,
 ) -> float:
     """Add the errors of f-numbers and foci to `errors`, the standard errors of 1 / distance, in place.
 
-    Sets depth to unknown where the sum is too large. Returns the relative standard error of the scale of blur.
+    `index_errors` are standard errors in steps between candidates. Where the combined standard error is too large,
+    depth becomes unknown in all three arrays. Return the relative standard error of the scale of blur.
     """
-    f_number_error, focus_error = stated
+    f_number_error, focus_error = lens_errors
     foci = [1.0 / lens.focus_distance for lens in lenses]
     inner = np.isfinite(errors)
-    of_f_number, *of_foci = engine.by_lenses(estimate[inner])
+    of_f_number, *of_foci = engine.lens_derivatives(estimate[inner])
     # Frames with equal focus distances share one focus error.
-    shared = [np.sum([by for by, each in zip(of_foci, foci, strict=True) if each == one], 0) for one in set(foci)]
+    by_focus = [np.sum([of_foci[k] for k, other in enumerate(foci) if other == focus], 0) for focus in set(foci)]
     errors[inner] = np.sqrt(
-        errors[inner] ** 2 + (f_number_error * of_f_number) ** 2 + focus_error**2 * np.square(shared).sum(axis=0)
+        errors[inner] ** 2 + (f_number_error * of_f_number) ** 2 + focus_error**2 * np.square(by_focus).sum(axis=0)
     )
     unknown = inner & (errors > engine.known)
-    estimate[unknown], errors[unknown], spread[unknown] = math.nan, math.inf, math.inf
-    if len(shared) == 1:
+    estimate[unknown], errors[unknown], index_errors[unknown] = math.nan, math.inf, math.inf
+    if len(by_focus) == 1:
         return f_number_error
     # The blurs of two frames differ in proportion to the difference of their foci; its error is sqrt(2) focus_error.
     return math.hypot(f_number_error, math.sqrt(2.0) * focus_error / (max(foci) - min(foci)))
 
 
 def _bands(shape: tuple[int, int], reach: int) -> Iterator[tuple[slice, slice]]:
-    """Yield the rows that are computed together, and the rows that they depend on, in whole blocks."""
+    """Yield pairs: the rows of a band, and the rows on which their depths depend, which start at a whole block."""
     for top in range(0, shape[0], _ROWS):
         bottom = min(top + _ROWS, shape[0])
-        # The first row is a multiple of 16: blocks are at the same pixels as in the whole photograph.
-        above = max(0, top - reach) // _MULTIPLE * _MULTIPLE
-        yield slice(top, bottom), slice(above, min(shape[0], bottom + reach))
+        # The start is a multiple of 16: blocks are at the same pixels as in the whole photograph.
+        start = max(0, top - reach) // _MULTIPLE * _MULTIPLE
+        yield slice(top, bottom), slice(start, min(shape[0], bottom + reach))
 
 
 def _pad_images(images: Values, valid: NDArray[np.bool_]) -> tuple[list[Values], NDArray[np.uint8]]:
-    """Return planes padded by mirroring to multiples of 16, and a map: 1 known, 0 unknown, 2 mirrored pixels."""
-    sides = [max(_LEAST_SIDE, math.ceil(side / _MULTIPLE) * _MULTIPLE) for side in valid.shape]
-    more = [(0, side - own) for side, own in zip(sides, valid.shape, strict=True)]
-    planes = [np.pad(one, more, mode="symmetric") for one in images.reshape(-1, *valid.shape)]
-    return planes, np.pad(valid.astype(np.uint8), more, constant_values=2)
+    """Return images padded by mirroring to multiples of 16, and a map: 1 known, 0 unknown, 2 mirrored pixels."""
+    sides = [max(_MIN_SIDE, math.ceil(side / _MULTIPLE) * _MULTIPLE) for side in valid.shape]
+    margins = [(0, side - length) for side, length in zip(sides, valid.shape, strict=True)]
+    planes = [np.pad(plane, margins, mode="symmetric") for plane in images.reshape(-1, *valid.shape)]
+    return planes, np.pad(valid.astype(np.uint8), margins, constant_values=2)
 
 
 def _load_planes(stream: FocalStream, planes: list[Values], known: NDArray[np.uint8]) -> None:
@@ -394,46 +395,46 @@ def _load_planes(stream: FocalStream, planes: list[Values], known: NDArray[np.ui
 def _search(
     engine: FocalEngine, images: Values, valid: NDArray[np.bool_], progress: Callable[[int, int], object] | None
 ) -> NDArray[np.float32]:
-    """Return the depth of each pixel and its standard error, in candidates, and the misfit, (3, height, width)."""
+    """Return an array (3, height, width): depth as the index of a candidate, its standard error, and the misfit."""
     result = np.empty((3, *valid.shape), dtype=np.float32)
     bands = list(_bands(valid.shape, engine.reach))
-    for done, (inside, around) in enumerate(bands, 1):
-        planes, known = _pad_images(images[:, :, around], valid[around])
+    for done, (band, reached) in enumerate(bands, 1):
+        planes, known = _pad_images(images[:, :, reached], valid[reached])
         stream = engine.stream(known.shape)
         _load_planes(stream, planes, known)
         padded = np.empty((3, *known.shape), dtype=np.float32)
         stream.places(*padded)
-        first = inside.start - around.start
-        result[:, inside] = padded[:, first : first + inside.stop - inside.start, : valid.shape[1]]
+        offset = band.start - reached.start
+        result[:, band] = padded[:, offset : offset + band.stop - band.start, : valid.shape[1]]
         if progress is not None:
             progress(done, len(bands))
     return result
 
 
-def _compute_sharp(engine: FocalEngine, images: Values, valid: NDArray[np.bool_], place: Values) -> Array:
-    """Return the all-in-focus image in electrons, (channels, height, width); `place` is the depth in candidates."""
+def _compute_sharp(engine: FocalEngine, images: Values, valid: NDArray[np.bool_], positions: Values) -> Array:
+    """Return the all-in-focus image in electrons, (channels, height, width), for depths as candidate indices."""
     if not engine.images:
         engine.sharpen()
-    out = np.empty((len(images), *valid.shape))
-    for inside, around in _bands(valid.shape, engine.reach):
-        first = inside.start - around.start
-        for channel, several in enumerate(images[:, :, around]):
-            planes, known = _pad_images(several, valid[around])
+    result = np.empty((len(images), *valid.shape))
+    for band, reached in _bands(valid.shape, engine.reach):
+        offset = band.start - reached.start
+        for channel, frames in enumerate(images[:, :, reached]):
+            planes, known = _pad_images(frames, valid[reached])
             stream = engine.image_stream(known.shape, channel)
             _load_planes(stream, planes, known)
-            more = [(0, side - own) for side, own in zip(known.shape, place[around].shape, strict=True)]
+            margins = [(0, side - length) for side, length in zip(known.shape, positions[reached].shape, strict=True)]
             padded = np.empty(known.shape, dtype=np.float32)
-            stream.mix(np.pad(place[around], more, mode="edge"), 1, engine.factors(channel, None), padded)
-            out[channel, inside] = padded[first : first + inside.stop - inside.start, : valid.shape[1]]
-    return out
+            stream.mix(np.pad(positions[reached], margins, mode="edge"), 1, engine.factors(channel, None), padded)
+            result[channel, band] = padded[offset : offset + band.stop - band.start, : valid.shape[1]]
+    return result
 
 
 def _separate_photographs(photographs: object) -> list[object]:
     """Return the photographs in one array, with their masks; an empty list if the array has fewer than three axes."""
-    values, hidden = validation.parted("photographs", photographs)
+    values, mask = validation.parted("photographs", photographs)
     if values.ndim < 3:
         return []
-    return list(values if hidden is None else np.ma.masked_array(values, mask=hidden))
+    return list(values if mask is None else np.ma.masked_array(values, mask=mask))
 
 
 def _is_grey(values: Values) -> bool:

@@ -3,8 +3,10 @@
 Each frame has one blur radius at a point, but the point has only one distance. The difference between the radii of
 two frames is therefore redundant: focus distances, f-number, focal length and pixel pitch predict it. The scale is
 (true difference) / (predicted difference), one unknown for the whole image. Lenses with other apertures change the
-prediction; the scale minimises the misfit of their residual filters (:mod:`lommel.imaging.focal_tables`, without
-polynomials). A tile is a square of the frames; a cell is a square of blocks, independent of the other cells.
+prediction: the scale is estimated by a search for the apertures with the smallest misfit, which is (difference of the
+frames) / (difference expected of noise). The difference is computed by the residual filters of
+:mod:`lommel.imaging.focal_tables`, without polynomials. A tile is a square of the frames; a cell is a square of
+blocks, independent of other cells.
 """
 
 from __future__ import annotations
@@ -24,30 +26,31 @@ from lommel.fit.findings import Finding, Findings, FitReport
 from lommel.imaging.focal_engine import FocalEngine
 from lommel.imaging.focal_tables import residual_filters
 
-_LEAST_MISFIT, _GOOD_MISFIT, _MISFIT = 0.7, 1.4, 2.0  # smallest and largest good misfit, largest doubtful misfit
-_LIKELY, _SURE = 1.5, 2.5  # limits of abs(scale - 1) / standard error: doubtful above _LIKELY, wrong above _SURE
-_DEVIATION = 0.1  # largest standard error of a reported scale, unless the scale is wrong
-_LEAST_DEVIATION = 0.02  # systematic standard error of a scale, measured in rendered scenes with much texture
+# Misfit below which noise is overstated, above which agreement is doubtful, and above which the images disagree.
+_MIN_MISFIT, _DOUBTFUL_MISFIT, _WRONG_MISFIT = 0.7, 1.4, 2.0
+_DOUBTFUL_DEVIATION, _WRONG_DEVIATION = 1.5, 2.5  # limits of abs(scale - 1) / standard error
+_MAX_SCALE_ERROR = 0.1  # largest standard error of a reported scale, unless the scale is wrong
+_MIN_SCALE_ERROR = 0.02  # systematic standard error of a scale, measured in rendered scenes with much texture
 # Systematic error of the difference between two mean misfits: a constant, and a multiple of abs(misfit - 1).
-_SYSTEMATIC, _SYSTEMATIC_MISFIT = 0.0005, 0.1
-_SYSTEMATIC_SLOPE = 1.0  # systematic error of d misfit / d log(scale), as a multiple of abs(misfit - 1)
+_MISFIT_ERROR, _MISFIT_ERROR_RATIO = 0.0005, 0.1
+_SLOPE_ERROR_RATIO = 1.0  # systematic error of d misfit / d log(scale), as a multiple of abs(misfit - 1)
 _EDGE_RATIO = 1.15  # misfit of a cell / lower quartile of all cells, above which the cell is ignored
-_STEP, _MOST, _COARSE = 0.04, 16, 2  # search over log(scale): step, steps on either side of 0, steps per coarse step
-_NEAR, _NEAR_MISFIT = 0.02, 0.5  # excess over the least misfit up to which minima are refined: terms as above
-_WALL = 2.5  # misfit / least misfit above which larger scales are not tried
-_SIDE, _TILES = 256, 4  # side of a tile in pixels, number of tiles
+_LOG_STEP, _MAX_STEP, _COARSE_STEP = 0.04, 16, 2  # search of log(scale): step, steps on each side of 0, coarse step
+_EXCESS, _EXCESS_RATIO = 0.02, 0.5  # largest (misfit - smallest misfit) of refined minima: terms as above
+_MAX_MISFIT_RATIO = 2.5  # misfit / smallest misfit above which larger scales are not tried
+_TILE_SIDE, _MAX_TILES = 256, 4  # side of a tile in pixels, number of tiles
 _MARGIN = 16  # pixels: least distance of a used block from unknown pixels, in addition to the blur radius
 _CELL = 8  # number of blocks along a side of a cell
-_LEAST_CELLS = 8  # least number of cells from which a scale is estimated
-_NEWTON = 5  # number of Newton steps to the minimum of an energy
+_MIN_CELLS = 8  # least number of cells from which a scale is estimated
+_NEWTON_STEPS = 5  # number of Newton steps to the minimum of an energy
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class DefocusVerdict(FitReport):
     """Test of frames that differ in focus against their stated lenses and noise.
 
-    The findings have the codes "no_depth", "misfit", "too_quiet", "lens_scale" and "untested". The last one lists
-    errors that these frames, or any frames, cannot reveal.
+    The findings have the codes "no_depth", "misfit", "too_quiet", "lens_scale" and "untested". The finding
+    "untested" lists errors that these frames, or any frames, cannot reveal.
 
     Attributes
     ----------
@@ -64,8 +67,8 @@ class DefocusVerdict(FitReport):
     scale_error : float
         Standard error of the scale, 0.02 or more; inf if the scale is not tested.
     others : tuple of float
-        Other scales that fit as well. If one of several such scales agrees with the lenses, `scale` is NaN, and
-        `others` holds all of them.
+        Other scales that fit equally well. If one of several scales agrees with the lenses, `scale` is NaN, and
+        `others` holds all scales.
     changes : (float, float)
         Median changes of depth, metres, if all f-numbers increase by 1 %, and if all foci increase by 0.01 dioptre;
         NaN if no depth is known.
@@ -101,13 +104,13 @@ class DefocusVerdict(FitReport):
         -------
         DefocusVerdict
         """
-        findings, agree = [], []
-        numbers = {"misfit": misfit, "least": _LEAST_MISFIT, "limit": _GOOD_MISFIT}
+        findings, agreements = [], []
+        numbers = {"misfit": misfit, "least": _MIN_MISFIT, "limit": _DOUBTFUL_MISFIT}
         if math.isnan(misfit):
             findings.append(
                 Finding("no_depth", "error", "no depth is known: there is no texture, or every depth is out of range")
             )
-        elif misfit > _MISFIT:
+        elif misfit > _WRONG_MISFIT:
             findings.append(
                 Finding(
                     "misfit",
@@ -119,7 +122,7 @@ class DefocusVerdict(FitReport):
                     numbers,
                 )
             )
-        elif misfit > _GOOD_MISFIT:
+        elif misfit > _DOUBTFUL_MISFIT:
             findings.append(
                 Finding(
                     "misfit",
@@ -128,7 +131,7 @@ class DefocusVerdict(FitReport):
                     numbers,
                 )
             )
-        elif misfit < _LEAST_MISFIT:
+        elif misfit < _MIN_MISFIT:
             findings.append(
                 Finding(
                     "too_quiet",
@@ -141,25 +144,25 @@ class DefocusVerdict(FitReport):
                 )
             )
         else:
-            agree.append(f"registration and noise agree (misfit {misfit:.3g}; 1 if only noise is left)")
+            agreements.append(f"registration and noise agree (misfit {misfit:.3g}; 1 if only noise is left)")
         untested = [
-            "which image is focused nearer (exchanged, all agrees as well)",
+            "which image is focused nearer (exchanged images agree as well)",
             "a shift of all foci or of one focus",
             "motion blur or other additional blur of one image",
             "chromatic differences of focus",
             "aberrations that the lenses do not state, such as spherical aberration",
             "additional light in one image, such as glare, or vignetting",
         ]
-        deviation = min(abs(each - 1.0) / math.hypot(scale_error, stated) for each in (scale, *others))
+        deviation = min(abs(s - 1.0) / math.hypot(scale_error, stated) for s in (scale, *others))
         ratio = f"{scale:.2f} +- {scale_error:.2f}"
         numbers_of_scale = {"scale": scale, "error": scale_error}
-        if math.isnan(scale) or (bool(others) and deviation <= _SURE):
+        if math.isnan(scale) or (bool(others) and deviation <= _WRONG_DEVIATION):
             if not math.isnan(scale):
                 scale, scale_error, others = math.nan, math.inf, (scale, *others)
-            scales = ", ".join(f"{each:.2f}" for each in others)
+            scales = ", ".join(f"{s:.2f}" for s in others)
             hint = f" ({scales} times the stated blur difference fit equally well)" if others else ""
             untested.insert(0, "the size of blur" + hint)
-        elif deviation > _SURE:
+        elif deviation > _WRONG_DEVIATION:
             findings.append(
                 Finding(
                     "lens_scale",
@@ -171,7 +174,7 @@ class DefocusVerdict(FitReport):
                     numbers_of_scale,
                 )
             )
-        elif deviation > _LIKELY:
+        elif deviation > _DOUBTFUL_DEVIATION:
             findings.append(
                 Finding(
                     "lens_scale",
@@ -181,7 +184,7 @@ class DefocusVerdict(FitReport):
                 )
             )
         else:
-            agree.append(f"blurs differ as the lenses state ({ratio} of it)")
+            agreements.append(f"blurs differ as the lenses state ({ratio} of it)")
         details: dict[str, object] = {"what": untested}
         text = "not tested: " + ", ".join(untested)
         if all(map(math.isfinite, changes)):
@@ -189,7 +192,7 @@ class DefocusVerdict(FitReport):
             by_f_number, by_foci = (format_length(abs(change), digits=2) for change in changes)
             text += f"; 1 % of the f-number changes depth by {by_f_number}, 0.01 dioptre of all foci by {by_foci}"
         findings.append(Finding("untested", "note", text, details))
-        summary = "; ".join(agree) or "nothing that was tested agrees"
+        summary = "; ".join(agreements) or "nothing that was tested agrees"
         return cls(
             findings=Findings(findings),
             summary=summary,
@@ -202,7 +205,7 @@ class DefocusVerdict(FitReport):
 
     @property
     def agrees(self) -> bool:
-        """Whether every tested property agrees, without doubt."""
+        """True if every tested property agrees, without doubt."""
         return self.reliable
 
 
@@ -213,32 +216,32 @@ def judge_frames(
     errors: Values,
     misfit: Values,
     vergence: Array,
-    stated: float = 0.0,
+    stated_error: float = 0.0,
 ) -> DefocusVerdict:
     """Return the verdict on images (channels, frames, height, width), in electrons at the exposure of frame 0.
 
-    Maps of shape (height, width): `valid`, the known pixels; `errors`, standard errors of depth in any unit, inf if
-    depth is unknown; `misfit`; `vergence`, the estimated 1 / distance in 1 / m. `stated` is the standard error of
-    the scale that follows from the stated errors of the lenses.
+    The other arrays are maps of shape (height, width): `valid` is True for known pixels, `errors` are standard errors
+    of depth in any unit, inf if depth is unknown, `vergence` is 1 / distance in 1 / m. `stated_error` is the
+    standard error of the scale that follows from the stated errors of the lenses.
     """
     known = np.isfinite(errors)
     if not known.any():
         return DefocusVerdict.of(math.nan)
     median = float(np.median(misfit[known]))
-    at = vergence[known].astype(np.float64)
+    known_vergence = vergence[known].astype(np.float64)
     # Depth is 1 / v at the vergence v: d(1 / v) = -dv / v^2.
-    by_f_number, *by_foci = np.median(-engine.by_lenses(at) / at**2, axis=1).tolist()
+    by_f_number, *by_foci = np.median(-engine.lens_derivatives(known_vergence) / known_vergence**2, axis=1).tolist()
     changes = 0.01 * by_f_number, 0.01 * sum(by_foci)
-    verdict = partial(DefocusVerdict.of, median, changes=changes, stated=stated)
+    make_verdict = partial(DefocusVerdict.of, median, changes=changes, stated=stated_error)
     # Inverse variances of depth.
     weight = np.where(known, 1.0 / np.maximum(errors, 1e-6) ** 2, 0.0)
     minima = _scale_minima(engine, images, valid, weight)
     if not minima:
-        return verdict()
+        return make_verdict()
     best, *others = minima
-    if best.error >= max(_DEVIATION, abs(best.scale - 1.0) / _SURE):
-        return verdict()
-    return verdict(best.scale, best.error, tuple(each.scale for each in others))
+    if best.error >= max(_MAX_SCALE_ERROR, abs(best.scale - 1.0) / _WRONG_DEVIATION):
+        return make_verdict()
+    return make_verdict(best.scale, best.error, tuple(minimum.scale for minimum in others))
 
 
 class _Minimum(NamedTuple):
@@ -247,7 +250,7 @@ class _Minimum(NamedTuple):
     scale: float
     error: float  # standard error of the scale
     misfit: float
-    step: int  # log(scale) / _STEP, rounded
+    step: int  # log(scale) / _LOG_STEP, rounded
     below: float  # misfit at this step minus the minimum
 
 
@@ -255,64 +258,64 @@ def _scale_minima(engine: FocalEngine, images: Values, valid: NDArray[np.bool_],
     """Return the scales that fit equally well in the brightest channel, beginning with the best one."""
     brightest = int(np.argmax(images[:, 0].mean(axis=(1, 2))))
     tiles = list(_tiles(images[brightest], valid, weight, engine))
-    if not tiles or len(_cells(np.stack([tile.variance for tile in tiles])[None])[1]) < _LEAST_CELLS:
+    if not tiles or len(_cells(np.stack([tile.variance for tile in tiles])[None])[1]) < _MIN_CELLS:
         return []
 
     @cache
     def filters(k: int) -> _Filters:
-        return _Filters(engine, brightest, math.exp(_STEP * k))
+        return _Filters(engine, brightest, math.exp(_LOG_STEP * k))
 
     @cache
     def misfits(k: int) -> Array:
         return np.stack([filters(k)(tile) for tile in tiles])
 
     # The misfit may have several minima: other scales can fit with other signs of defocus, or with other depths.
-    coarse = list[float]()
-    for k in range(-_MOST, _MOST + 1, _COARSE):
+    medians = list[float]()
+    for k in range(-_MAX_STEP, _MAX_STEP + 1, _COARSE_STEP):
         # Once the misfit is this large, it increases with the scale: larger scales need not be tried.
-        beyond = bool(coarse) and coarse[-1] > _WALL * min(coarse)
-        coarse.append(math.inf if beyond else _median(filters(k)(tiles[0])))
-    limit = min(coarse) + _NEAR + _NEAR_MISFIT * abs(min(coarse) - 1.0)
+        stop = bool(medians) and medians[-1] > _MAX_MISFIT_RATIO * min(medians)
+        medians.append(math.inf if stop else _median(filters(k)(tiles[0])))
+    limit = min(medians) + _EXCESS + _EXCESS_RATIO * abs(min(medians) - 1.0)
     minima = list[_Minimum]()
-    for place in range(1, len(coarse) - 1):
-        here = coarse[place]
-        if here <= min(coarse[place - 1], coarse[place + 1], limit):
-            one = _refine_minimum(misfits, _COARSE * place - _MOST)
-            if one is not None and all(abs(one.scale - each.scale) > _STEP for each in minima):
-                minima.append(one)
-    minima.sort(key=lambda one: one.misfit)
-    return [one for one in minima if one is minima[0] or _fits_equally(one, minima[0], misfits)]
+    for index in range(1, len(medians) - 1):
+        median = medians[index]
+        if median <= min(medians[index - 1], medians[index + 1], limit):
+            minimum = _refine_minimum(misfits, _COARSE_STEP * index - _MAX_STEP)
+            if minimum is not None and all(abs(minimum.scale - other.scale) > _LOG_STEP for other in minima):
+                minima.append(minimum)
+    minima.sort(key=lambda minimum: minimum.misfit)
+    return [minimum for minimum in minima if minimum is minima[0] or _fits_equally(minimum, minima[0], misfits)]
 
 
-def _fits_equally(one: _Minimum, best: _Minimum, misfits: Callable[[int], Array]) -> bool:
-    """Return whether the misfits of two scales are equal within noise and model error."""
-    cells, shares = _cells(np.stack([misfits(one.step), misfits(best.step)]))
-    if len(shares) < _LEAST_CELLS:
+def _fits_equally(minimum: _Minimum, best: _Minimum, misfits: Callable[[int], Array]) -> bool:
+    """Return True if the misfits of two scales are equal within noise and model error."""
+    cells, shares = _cells(np.stack([misfits(minimum.step), misfits(best.step)]))
+    if len(shares) < _MIN_CELLS:
         return True
     weights = _weights(cells, shares)
-    # Difference between the minima, not between the misfits at the nearest steps.
-    more = cells[0] - cells[1] - one.below + best.below
-    mean = float(more @ weights)
-    error = float(np.sqrt((weights**2) @ (more - mean) ** 2))
-    return mean <= max(_SURE * error, _SYSTEMATIC + _SYSTEMATIC_MISFIT * abs(best.misfit - 1.0))
+    # Differences between the minima: the misfits at the nearest steps are corrected by `below`.
+    differences = cells[0] - cells[1] - minimum.below + best.below
+    mean = float(differences @ weights)
+    error = float(np.sqrt((weights**2) @ (differences - mean) ** 2))
+    return mean <= max(_WRONG_DEVIATION * error, _MISFIT_ERROR + _MISFIT_ERROR_RATIO * abs(best.misfit - 1.0))
 
 
 def _refine_minimum(misfits: Callable[[int], Array], k: int) -> _Minimum | None:
     """Return the local minimum of the misfit near step `k`; None if there is no minimum."""
-    seen = set[int]()
-    around = np.arange(-2, 3)
-    powers = np.vander(around, 4, increasing=True)
-    while abs(k) < _MOST and k not in seen:
-        seen.add(k)
+    visited = set[int]()
+    offsets = np.arange(-2, 3)
+    powers = np.vander(offsets, 4, increasing=True)
+    while abs(k) < _MAX_STEP and k not in visited:
+        visited.add(k)
         cells, shares = _cells(np.stack([misfits(k - 2), misfits(k), misfits(k + 2)]))
-        if len(shares) < _LEAST_CELLS:
+        if len(shares) < _MIN_CELLS:
             break
-        before, here, after = cells @ _weights(cells, shares)
-        if not here <= min(before, after):
+        before, middle, after = cells @ _weights(cells, shares)
+        if not middle <= min(before, after):
             k += 2 if after < before else -2
             continue
-        # A cubic fit for each cell. The mean cubic has the minimum; the scatter of the slopes determines its error.
-        cells, shares = _cells(np.stack([misfits(k + step) for step in around.tolist()]))
+        # A cubic is fitted to each cell. The mean cubic determines the minimum, the scatter of the slopes its error.
+        cells, shares = _cells(np.stack([misfits(k + step) for step in offsets.tolist()]))
         weights = _weights(cells, shares)
         cubics = np.linalg.lstsq(powers, cells, rcond=None)[0]
         start, slope, bend, skew = (cubics @ weights).tolist()
@@ -322,26 +325,26 @@ def _refine_minimum(misfits: Callable[[int], Array], k: int) -> _Minimum | None:
         root = bend**2 - 3.0 * slope * skew
         if not (bend > 0.0 and root > 0.0):
             break
-        place = -slope / (bend + math.sqrt(root))
-        if not abs(place) <= 2.0:
+        minimum = -slope / (bend + math.sqrt(root))
+        if not abs(minimum) <= 2.0:
             break
         curvature = 2.0 * math.sqrt(root)
-        least = float(np.array([place**n for n in range(4)]) @ cubics @ weights)
-        # Error of the position of the minimum = error of the slope / curvature.
-        slopes = weights * (cubics[1] + place * (2.0 * cubics[2] + 3.0 * place * cubics[3]))
-        systematic = _STEP * _SYSTEMATIC_SLOPE * abs(least - 1.0)
-        scale = math.exp(_STEP * (k + place))
-        scatter = math.hypot(float(np.sqrt((slopes**2).sum())), systematic)
+        min_misfit = float(np.array([minimum**n for n in range(4)]) @ cubics @ weights)
+        # The standard error of the position of the minimum is (standard error of the slope) / curvature.
+        cell_slopes = weights * (cubics[1] + minimum * (2.0 * cubics[2] + 3.0 * minimum * cubics[3]))
+        systematic = _LOG_STEP * _SLOPE_ERROR_RATIO * abs(min_misfit - 1.0)
+        scale = math.exp(_LOG_STEP * (k + minimum))
+        scatter = math.hypot(float(np.sqrt((cell_slopes**2).sum())), systematic)
         # d(scale) = scale d(log scale).
-        error = scale * math.hypot(_STEP * scatter / curvature, _LEAST_DEVIATION)
-        return _Minimum(scale, error, least, k, start - least)
+        error = scale * math.hypot(_LOG_STEP * scatter / curvature, _MIN_SCALE_ERROR)
+        return _Minimum(scale, error, min_misfit, k, start - min_misfit)
     return None
 
 
 def _weights(cells: Array, shares: Array) -> Array:
     """Return the weights of cells: 0 for cells with a depth edge, where the misfit is large at every depth."""
-    least = np.maximum(cells.min(axis=0), 1.0)
-    weights = np.where(least <= _EDGE_RATIO * np.quantile(least, 0.25), shares / least**2, 0.0)
+    min_misfits = np.maximum(cells.min(axis=0), 1.0)
+    weights = np.where(min_misfits <= _EDGE_RATIO * np.quantile(min_misfits, 0.25), shares / min_misfits**2, 0.0)
     return np.asarray(weights / weights.sum())
 
 
@@ -352,18 +355,18 @@ def _median(misfits: Array) -> float:
 
 
 def _cells(misfits: Array) -> tuple[Array, Array]:
-    """Return the mean misfit of each cell at each scale, (scales, cells), and the fraction of its blocks in use."""
-    whole = np.isfinite(misfits).all(axis=0)
+    """Return the mean misfit of each cell at each scale, (scales, cells), and the fraction of used blocks."""
+    in_use = np.isfinite(misfits).all(axis=0)
     scales, tiles, blocks = misfits.shape[:3]
     parts = tiles, blocks // _CELL, _CELL, blocks // _CELL, _CELL
-    counts = whole.reshape(parts).sum(axis=(2, 4)).ravel()
-    sums = np.where(whole, misfits, 0.0).reshape(scales, *parts).sum(axis=(3, 5)).reshape(scales, -1)
-    enough = counts >= 0.25 * _CELL**2
-    return sums[:, enough] / counts[enough], counts[enough] / _CELL**2
+    counts = in_use.reshape(parts).sum(axis=(2, 4)).ravel()
+    sums = np.where(in_use, misfits, 0.0).reshape(scales, *parts).sum(axis=(3, 5)).reshape(scales, -1)
+    valid_cells = counts >= 0.25 * _CELL**2
+    return sums[:, valid_cells] / counts[valid_cells], counts[valid_cells] / _CELL**2
 
 
 class _Tile(NamedTuple):
-    """Cosine transforms of a square of the frames, and the noise variance of each block; NaN for unused blocks."""
+    """A square of the frames: cosine transforms, and the noise variance of each block (NaN for unused blocks)."""
 
     spectra: Array  # (frames, side, side), for binned pixels
     variance: Array  # (blocks, blocks)
@@ -375,21 +378,21 @@ def _tiles(images: Values, valid: NDArray[np.bool_], weight: Array, engine: Foca
     from scipy.ndimage import maximum_filter
 
     block, binning = engine.task.block, engine.binning
-    side = min(_SIDE, *(each // (_CELL * block) * (_CELL * block) for each in valid.shape))
+    side = min(_TILE_SIDE, *(length // (_CELL * block) * (_CELL * block) for length in valid.shape))
     blocks, reach = side // block, 2 * (math.ceil(engine.blur) + _MARGIN) + 1
-    corners = [range(0, each - side + 1, side) if side else () for each in valid.shape]
+    corners = [range(0, length - side + 1, side) if side else () for length in valid.shape]
     squares = [(slice(top, top + side), slice(left, left + side)) for top in corners[0] for left in corners[1]]
     squares.sort(key=lambda inside: -float(weight[inside].sum()))
-    for inside in squares[:_TILES]:
+    for inside in squares[:_MAX_TILES]:
         affected = maximum_filter(np.pad(~valid[inside], 1, constant_values=True), reach, mode="nearest")
         usable = ~affected[1:-1, 1:-1] & (weight[inside] > 0.0)
-        used = usable.reshape(blocks, block, blocks, block).mean(axis=(1, 3)) > 0.5
-        if used.any():
+        used_blocks = usable.reshape(blocks, block, blocks, block).mean(axis=(1, 3)) > 0.5
+        if used_blocks.any():
             shape = len(images), side // binning, binning, side // binning, binning
             planes = images[(slice(None), *inside)].reshape(shape).sum(axis=(2, 4), dtype=np.float64)
             light = planes.mean(axis=0).reshape(blocks, block // binning, blocks, -1).mean(axis=(1, 3))
-            variance = np.maximum(engine.averaged(light), 0.0) + (engine.light.read * binning) ** 2
-            yield _Tile(dctn(planes, axes=(1, 2), norm="ortho"), np.where(used, variance, np.nan))
+            variance = np.maximum(engine.window_means(light), 0.0) + (engine.light.read * binning) ** 2
+            yield _Tile(dctn(planes, axes=(1, 2), norm="ortho"), np.where(used_blocks, variance, np.nan))
 
 
 class _Filters:
@@ -407,32 +410,33 @@ class _Filters:
         from scipy.fft import idctn
 
         blocks, side, count = len(tile.variance), tile.spectra.shape[1], self._filters.shape[-1]
-        # A tile has more frequencies than the filters: linear interpolation.
-        at = np.clip(np.arange(side) * (count / side) - 0.5, 0.0, count - 1.0)
-        between = np.maximum(0.0, 1.0 - np.abs(at[:, None] - np.arange(count)))
+        # A tile has more frequencies than the filters, which are therefore interpolated linearly.
+        positions = np.clip(np.arange(side) * (count / side) - 0.5, 0.0, count - 1.0)
+        interpolation = np.maximum(0.0, 1.0 - np.abs(positions[:, None] - np.arange(count)))
         energies, noise = np.empty((len(self._filters), blocks, blocks)), np.empty(len(self._filters))
         for c, pairs in enumerate(self._filters):
-            filters = between @ pairs @ between.T
+            filters = interpolation @ pairs @ interpolation.T
             residuals = idctn((filters * tile.spectra).sum(axis=1), axes=(1, 2), norm="ortho")
             energy = (residuals**2).sum(axis=0).reshape(blocks, side // blocks, blocks, -1).mean(axis=(1, 3))
             noise[c] = (filters**2).mean(axis=(2, 3)).sum(axis=0) @ self._white
-            # Expected energy of noise: the mean square of the filters times the variance of each frame.
-            energies[c] = self._engine.averaged(energy) / tile.variance - noise[c]
+            # The energy expected of noise is the mean square of the filters times the variance of each frame.
+            energies[c] = self._engine.window_means(energy) / tile.variance - noise[c]
         # If the lowest energy is at an end of the range, the minimum may lie outside the range.
-        best = np.argmin(np.nan_to_num(energies, nan=math.inf), axis=0)
-        inner = np.clip(best, 2, len(energies) - 3)
-        near = np.stack([np.take_along_axis(energies, inner[None] + k, axis=0)[0] for k in range(-2, 3)])
-        return np.where(best == inner, 1.0 + (_minimise_quartic(near) + self._engine.of_least) / noise[inner], np.nan)
+        lowest = np.argmin(np.nan_to_num(energies, nan=math.inf), axis=0)
+        inner = np.clip(lowest, 2, len(energies) - 3)
+        neighbours = np.stack([np.take_along_axis(energies, inner[None] + k, axis=0)[0] for k in range(-2, 3)])
+        minimum = _minimise_quartic(neighbours) + self._engine.mean_excess
+        return np.where(lowest == inner, 1.0 + minimum / noise[inner], np.nan)
 
 
-def _minimise_quartic(near: Array) -> Array:
-    """Return the minimum of the quartic through five energies, within one candidate of the third."""
+def _minimise_quartic(energies: Array) -> Array:
+    """Return the minimum of the quartic through five energies, at most one candidate away from the third."""
     # Filters are nearly quadratic in the vergence over five candidates; energies, their squares, are quartic.
-    a = np.tensordot(np.linalg.inv(np.vander(np.arange(-2.0, 3.0), increasing=True)), near, axes=1)
-    place = np.zeros(near.shape[1:])
-    for _ in range(_NEWTON):
-        slope = a[1] + place * (2.0 * a[2] + place * (3.0 * a[3] + place * 4.0 * a[4]))
-        bend = 2.0 * a[2] + place * (6.0 * a[3] + place * 12.0 * a[4])
+    a = np.tensordot(np.linalg.inv(np.vander(np.arange(-2.0, 3.0), increasing=True)), energies, axes=1)
+    position = np.zeros(energies.shape[1:])
+    for _ in range(_NEWTON_STEPS):
+        slope = a[1] + position * (2.0 * a[2] + position * (3.0 * a[3] + position * 4.0 * a[4]))
+        bend = 2.0 * a[2] + position * (6.0 * a[3] + position * 12.0 * a[4])
         # The clip keeps Newton steps within the interpolation.
-        place = np.clip(place - slope / np.maximum(bend, 1e-30), -1.0, 1.0)
-    return np.asarray(a[0] + place * (a[1] + place * (a[2] + place * (a[3] + place * a[4]))))
+        position = np.clip(position - slope / np.maximum(bend, 1e-30), -1.0, 1.0)
+    return np.asarray(a[0] + position * (a[1] + position * (a[2] + position * (a[3] + position * a[4]))))

@@ -63,11 +63,11 @@ class DefocusOptions:
     saturation: float | None = None
 
 
-def relative_exposures(given: Sequence[float], count: int) -> tuple[float, ...]:
+def relative_exposures(exposures: Sequence[float], count: int) -> tuple[float, ...]:
     """Return exposures relative to the first; TypeError or ValueError unless they are `count` positive numbers."""
-    values = validation.real_array("exposures", given, least=1e-6, most=1e6)
+    values = validation.real_array("exposures", exposures, least=1e-6, most=1e6)
     if values.shape != (count,):
-        raise ValueError(f"exposures must be {count} numbers > 0, one for each lens, got {validation.shown(given)}")
+        raise ValueError(f"exposures must be {count} numbers > 0, one per lens, got {validation.shown(exposures)}")
     return tuple((values / values[0]).tolist())
 
 
@@ -86,7 +86,7 @@ class Registration:
     Attributes
     ----------
     scales : tuple of float
-        Original pixel pitch of each resampled frame, in its new pixels.
+        Pixel pitch of each frame before resampling / pixel pitch after resampling.
     """
 
     def __init__(self, magnification: str, lenses: Sequence[Lens], size: tuple[int, int], threads: int) -> None:
@@ -98,15 +98,15 @@ class Registration:
         self._buffers = [None if one is None else np.empty(size, dtype=np.float32) for one in self._scales]
 
     def __bool__(self) -> bool:
-        """Whether any frame is resampled."""
+        """Return True if a frame is resampled."""
         return any(self._scales)
 
-    def __call__(self, frames: list[Frame], full: float, known: NDArray[np.uint8] | None) -> list[Frame]:
+    def __call__(self, frames: list[Frame], saturation: float, known: NDArray[np.uint8] | None) -> list[Frame]:
         """Return resampled frames, in arrays that the next call overwrites; NaN where unknown pixels contribute."""
         resampled = list(frames)
         for k, (scale, out) in enumerate(zip(self._scales, self._buffers, strict=True)):
             if scale is not None and out is not None:
-                scale(frames[k], full, known, out)
+                scale(frames[k], saturation, known, out)
                 resampled[k] = out
         return resampled
 
@@ -123,7 +123,7 @@ class FrameForm:
     saturation : float or None
         Pixel value at and above which pixels are saturated. The largest unsigned integer is always saturated.
     known : array_like of bool, or None
-        True for working pixels of the sensor, False for defective ones.
+        True for working pixels of the sensor, False for defective pixels.
     """
 
     def __init__(
@@ -174,26 +174,26 @@ class FrameForm:
             return np.asarray(frame, dtype=np.float32)
         raise TypeError(f"{name} must be of uint8, uint16 or floats, got {frame.dtype}")
 
-    def full(self, dtype: DType) -> float:
+    def saturation(self, dtype: DType) -> float:
         """Return the value at which pixels are saturated."""
         return min(self._saturation, float(np.iinfo(dtype).max) if dtype.kind == "u" else math.inf)
 
-    def known(self, frames: Sequence[Frame], full: float, given: ArrayLike | None) -> NDArray[np.uint8] | None:
-        """Return a mask: pixels that work, are True in `given`, and are unsaturated in all channels; None if all."""
+    def known(self, frames: Sequence[Frame], saturation: float, valid: ArrayLike | None) -> NDArray[np.uint8] | None:
+        """Return a mask of pixels that work, are True in `valid`, and are not saturated; None if all are valid."""
         masks = [] if self._known is None else [self._known]
-        if given is not None:
-            masks.append(self._mask(given))
+        if valid is not None:
+            masks.append(self._mask(valid))
         # If one channel of a pixel is saturated, the pixel is invalid in all channels.
         if self.channels > 1:
             for frame in frames:
                 with np.errstate(invalid="ignore"):
-                    masks.append(np.asarray((frame < full).all(axis=2), dtype=np.bool_).view(np.uint8))
+                    masks.append(np.asarray((frame < saturation).all(axis=2), dtype=np.bool_).view(np.uint8))
         if len(masks) <= 1:
             return masks[0] if masks else None
         return np.asarray(np.logical_and.reduce(masks)).view(np.uint8)
 
-    def _mask(self, given: ArrayLike) -> NDArray[np.uint8]:
-        mask = validation.array("known", given)
+    def _mask(self, known: ArrayLike) -> NDArray[np.uint8]:
+        mask = validation.array("known", known)
         if mask.shape != self.size or mask.dtype != np.bool_:
             raise ValueError(f"known must be of bool and of shape {self.size}, got {mask.dtype} of {mask.shape}")
         return np.ascontiguousarray(mask).view(np.uint8)
@@ -215,11 +215,11 @@ CONTRAST = 0.2
 
 _MIN_CANDIDATES = 61  # smallest default number of candidate depths
 _STEP, _LARGEST_STEP = 0.75, 2.0  # defocus between neighbouring candidates, radians at the pupil edge
-_EDGE = 0.3  # pixels; a change of the blur radius by this much counts as 1 rad of defocus, if that is a larger change
+_EDGE = 0.3  # pixels: if the blur radius changes by less per radian, a change by this much counts as 1 rad of defocus
 _MAX_RANK = 48  # largest number of filtered images per channel
-_KNOWN = 0.17  # largest standard error of a known depth / vergence range
-_MARGIN = 0.02  # margin for estimated depths outside the range / vergence range of the candidates
-_CHANGE = 0.01  # finite difference of derivatives by lenses: relative change of f-numbers, or fraction of a candidate
+_MAX_KNOWN_ERROR = 0.17  # largest standard error of a known depth / vergence range
+_MARGIN = 0.02  # distance outside the range at which depths are accepted / vergence range of the candidates
+_CHANGE = 0.01  # finite difference for derivatives by lenses: relative change of f-numbers, or fraction of a step
 _DERIVATIVE_CANDIDATES = 15  # number of candidates at which derivatives by lenses are computed
 _FOCI = 5  # number of foci from which the basis of refocused images is computed
 _MAX_WEIGHTS = 30  # largest number of block weights on each side of a window
@@ -229,13 +229,13 @@ class FocalTask(NamedTuple):
     """Lenses of the frames, and parameters of the depth map."""
 
     lenses: Sequence[Lens]
-    vergence: Array  # of the candidates, 1 / m
-    spectra: Sequence[Spectrum]  # of each channel
+    vergence: Array  # 1 / distance of each candidate, 1 / m
+    spectra: Sequence[Spectrum]  # spectrum of each channel
     pixel: float  # pixel pitch, metres
     between: tuple[float, float]  # nearest and farthest distance, metres
     window: float  # rms width of windows, pixels
     block: int  # side of blocks, pixels
-    fine: int  # number of depths along each side of a block
+    subdivision: int  # number of depths along each side of a block
     threads: int
     transfer: Transfer = transfer_curve
     scales: tuple[float, ...] = ()  # pixel pitches of resampled frames, in pixels
@@ -256,31 +256,31 @@ class FocalTask(NamedTuple):
         )
 
 
-def ranged(
-    between: tuple[float, float], lenses: Sequence[Lens], pixel: float, count: int | None, most: int
+def checked_range(
+    between: tuple[float, float], lenses: Sequence[Lens], pixel: float, count: int | None, limit: int
 ) -> tuple[tuple[float, float], Array]:
-    """Return the checked range of distances, and the vergences (1/m) of the candidate depths in it."""
+    """Return `between` after checks, and the vergences (1/m) of the candidate depths, at most `limit`."""
     if not isinstance(between, Sequence | np.ndarray) or len(between) != 2:
         raise TypeError(f"between must be the nearest and the farthest distance, got {validation.shown(between)}")
-    near = validation.real("between[0]", between[0], above=0.0, unit="metres")
-    far = validation.real("between[1]", between[1], above=0.0, infinite=True, unit="metres")
-    if not near < far:
-        raise ValueError(f"between must be the nearest and the farthest distance, got {near:g} and {far:g} m")
+    nearest = validation.real("between[0]", between[0], above=0.0, unit="metres")
+    farthest = validation.real("between[1]", between[1], above=0.0, infinite=True, unit="metres")
+    if not nearest < farthest:
+        raise ValueError(f"between must be the nearest and the farthest distance, got {nearest:g} and {farthest:g} m")
     span = 0.0
     for lens in lenses:
         # The blur radius changes by 4 lambda N / pi per radian of defocus.
-        wide = 4.0 * lens.wavelength * lens.working_f_number / (math.pi * pixel)
-        span = max(span, float(abs(np.diff(lens.defocus([near, far]))[0])) * min(1.0, wide / _EDGE))
+        radius_rate = 4.0 * lens.wavelength * lens.working_f_number / (math.pi * pixel)
+        span = max(span, float(abs(np.diff(lens.defocus([nearest, farthest]))[0])) * min(1.0, radius_rate / _EDGE))
     if count is None:
         count = max(_MIN_CANDIDATES, math.ceil(span / _STEP) + 1)
-        if count > most:
+        if count > limit:
             raise ValueError(
-                f"between spans so much defocus that {count} candidates are needed, more than {most}: choose a "
+                f"between spans so much defocus that {count} candidates are needed, more than {limit}: choose a "
                 "smaller range, stop down, or bin pixels"
             )
     else:
-        count = validation.integer("candidates", count, least=max(9, math.ceil(span / _LARGEST_STEP) + 1), most=most)
-    return (near, far), candidates((near, far), count + -(count - 1) % 4, lenses)
+        count = validation.integer("candidates", count, least=max(9, math.ceil(span / _LARGEST_STEP) + 1), most=limit)
+    return (nearest, farthest), candidates((nearest, farthest), count + -(count - 1) % 4, lenses)
 
 
 class FocalEngine:
@@ -298,18 +298,18 @@ class FocalEngine:
         self._weights, self._pixels = block_weights(task.window, task.block)
         blocks = self._weights, task.block
         first = focal_tables(partial(task.model, light, 0), light, blocks)
-        rest = [
+        other_channels = [
             focal_tables(partial(task.model, light, channel), light, blocks, like=first)
             for channel in range(1, len(task.spectra))
         ]
-        self.channels = [first, *rest]
+        self.channels = [first, *other_channels]
         if self.rank > _MAX_RANK:
             near, far = task.between
             raise ValueError(
                 f"between must span less defocus: depths from {near:g} to {far:g} m need {self.rank} filters, more "
                 f"than {_MAX_RANK}; choose a smaller range, stop down, or bin pixels"
             )
-        self._low, self._high = ((1.0 / each - first.vergence[0]) / first.step for each in task.between[::-1])
+        self._low, self._high = ((1.0 / distance - first.vergence[0]) / first.step for distance in task.between[::-1])
         self._factors = lru_cache(maxsize=16)(self._factors_of)
         self.images: list[SharpTables] = []
 
@@ -321,7 +321,7 @@ class FocalEngine:
     @property
     def rank(self) -> int:
         """Number of filtered images, from whose products all energies of a channel are computed."""
-        return max(one.rank for one in self.channels)
+        return max(tables.rank for tables in self.channels)
 
     @property
     def blur(self) -> float:
@@ -338,68 +338,71 @@ class FocalEngine:
 
     @property
     def design_error(self) -> float:
-        """Largest bias of the filter design within the range, in standard errors of a window."""
+        """Largest bias of depth due to the filter approximation, in standard errors of a window."""
         inner = slice(max(0, math.floor(self._low)), math.ceil(self._high) + 1)
-        ratios = [np.abs(one.bias / one.errors)[inner].max() for one in self.channels]
-        # `errors` hold for one pixel; a window of n independent pixels divides them by sqrt(n).
+        ratios = [np.abs(tables.bias / tables.errors)[inner].max() for tables in self.channels]
+        # `errors` are those of one pixel; a window of n independent pixels divides them by sqrt(n).
         return float(max(ratios)) * math.sqrt(self._pixels) / self.binning
 
-    def by_lenses(self, vergence: Array) -> Array:
+    def lens_derivatives(self, vergence: Array) -> Array:
         """Return derivatives of the estimated vergence by lens parameters, (1 + frames, *vergence.shape).
 
-        The first derivative is by the logarithm of all f-numbers (1 / m), the others by the focus vergence of each
-        frame.
+        The first derivative is by the logarithm of all f-numbers (1 / m), the other derivatives are by the focus
+        vergence (1 / focus distance) of each frame.
         """
-        at, changes = self._by_lenses
-        return np.stack([np.interp(vergence, at, each) for each in changes])
+        vergences, changes = self._lens_derivatives
+        return np.stack([np.interp(vergence, vergences, derivatives) for derivatives in changes])
 
     @cached_property
-    def _by_lenses(self) -> tuple[Array, Array]:
+    def _lens_derivatives(self) -> tuple[Array, Array]:
         """Vergences of a few candidates, and the derivatives at these vergences, (1 + frames, candidates)."""
         step, vergence = self.channels[0].step, self.task.vergence
-        at = vergence[np.linspace(1, len(vergence) - 2, _DERIVATIVE_CANDIDATES).round().astype(int)]
-        triples = self.task._replace(vergence=(at[:, None] + step * np.arange(-1.0, 2.0)).ravel())
+        vergences = vergence[np.linspace(1, len(vergence) - 2, _DERIVATIVE_CANDIDATES).round().astype(int)]
+        triples = self.task._replace(vergence=(vergences[:, None] + step * np.arange(-1.0, 2.0)).ravel())
         model = triples.model(self.light, 0, self.binning)
-        stopped = [lens.stopped(lens.f_number * (1.0 + _CHANGE)) for lens in self.task.lenses]
-        other = self.task._replace(vergence=at).model(self.light, 0, self.binning, stopped)
-        changes = [step / _CHANGE * shifts(model, other)]
+        stopped_lenses = [lens.stopped(lens.f_number * (1.0 + _CHANGE)) for lens in self.task.lenses]
+        stopped_model = self.task._replace(vergence=vergences).model(self.light, 0, self.binning, stopped_lenses)
+        changes = [step / _CHANGE * shifts(model, stopped_model)]
         # Central differences within triples of vergences, one step apart.
-        slope, own = 0.5 * (model.transfer[2::3] - model.transfer[::3]), model.at(slice(1, None, 3))
-        for frame in range(len(stopped)):
+        slope, middle_model = 0.5 * (model.transfer[2::3] - model.transfer[::3]), model.at(slice(1, None, 3))
+        for frame in range(len(stopped_lenses)):
             # Approximately, the transfer function depends only on the difference (vergence) - (focus vergence).
-            transfer = own.transfer.copy()
+            transfer = middle_model.transfer.copy()
             transfer[:, frame] -= _CHANGE * slope[:, frame]
-            changes.append(shifts(model, replace(own, transfer=transfer)) / _CHANGE)
-        return at, np.array(changes)
+            changes.append(shifts(model, replace(middle_model, transfer=transfer)) / _CHANGE)
+        return vergences, np.array(changes)
 
     @property
     def known(self) -> float:
         """Largest standard error of a known vergence, 1 / m."""
-        near, far = self.task.between
-        return _KNOWN * (1.0 / near - 1.0 / far)
+        nearest, farthest = self.task.between
+        return _MAX_KNOWN_ERROR * (1.0 / nearest - 1.0 / farthest)
 
     @property
-    def of_least(self) -> float:
-        """Mean of (energy at the true depth) - (minimum energy)."""
+    def mean_excess(self) -> float:
+        """Mean of (energy at the true depth) - (minimum energy), in units of the noise variance."""
         return self.binning**2 / self._pixels
 
-    def averaged(self, blocks: Array) -> Array:
+    def window_means(self, blocks: Array) -> Array:
         """Return weighted means of blocks, (rows, columns), over the window of each block."""
         from scipy.ndimage import correlate1d
 
-        along = np.append(self._weights[:0:-1], self._weights)
-        return np.asarray(correlate1d(correlate1d(blocks, along, 0), along, 1))
+        weights = np.append(self._weights[:0:-1], self._weights)
+        return np.asarray(correlate1d(correlate1d(blocks, weights, 0), weights, 1))
 
-    def sharpen(self, *, refocus: bool = False, shared: bool = False) -> None:
-        """Compute tables of sharp and, if `refocus`, refocused images; if `shared`, with the filter of the stream."""
+    def sharpen(self, *, refocus: bool = False, stream_filter: bool = False) -> None:
+        """Compute tables of sharp and, if `refocus`, of refocused images.
+
+        With `stream_filter` the tables use the small filter and the degree of the tables for depth.
+        """
         task, tables = self.task, self.channels[0]
-        taps, degree = (tables.taps, tables.degree) if shared else (Taps.of(5), 12)
-        near, far = (1.0 / each for each in task.between)
+        taps, degree = (tables.taps, tables.degree) if stream_filter else (Taps.of(5), 12)
+        max_vergence, min_vergence = (1.0 / distance for distance in task.between)
         with np.errstate(divide="ignore"):
-            foci = (1.0 / np.linspace(far, near, _FOCI if refocus else 0)).tolist()
+            foci = (1.0 / np.linspace(min_vergence, max_vergence, _FOCI if refocus else 0)).tolist()
         for channel, spectrum in enumerate(task.spectra):
             model = task.model(self.light, channel)
-            targets = [self._target(task.lenses[0].focused(each), spectrum, model) for each in foci]
+            targets = [self._target(task.lenses[0].focused(distance), spectrum, model) for distance in foci]
             model = model.uncertain(tables.errors * self.binning / math.sqrt(self._pixels))
             self.images.append(SharpTables(model, taps, degree, targets))
 
@@ -409,48 +412,50 @@ class FocalEngine:
         residuals = np.zeros((len(self.channels), rank, *tables.basis.shape[1:]))
         forms = []
         # Channels of lower rank are padded with zeros.
-        for one, basis in zip(self.channels, residuals, strict=True):
-            basis[: one.rank] = one.basis
-            forms.append(one.forms(rank))
-        kept = self.images[0].basis if images else np.zeros((0, *tables.basis.shape[1:]))
-        statistics = np.sum([one.statistics() for one in self.channels], axis=0)
+        for channel, basis in zip(self.channels, residuals, strict=True):
+            basis[: channel.rank] = channel.basis
+            forms.append(channel.forms(rank))
+        image_basis = self.images[0].basis if images else np.zeros((0, *tables.basis.shape[1:]))
+        statistics = np.sum([channel.statistics() for channel in self.channels], axis=0)
         statistics[[1, 3]] /= len(self.channels)
         return self._stream(
-            shape, self.binning, tables.taps, residuals, kept, np.concatenate(forms, axis=1), statistics
+            shape, self.binning, tables.taps, residuals, image_basis, np.concatenate(forms, axis=1), statistics
         )
 
     def image_stream(self, shape: tuple[int, int], channel: int = 0) -> FocalStream:
         """Return the stream that computes sharp images of a channel from frames of a shape."""
         tables = self.images[channel]
-        none = np.zeros((1, 0, *tables.basis.shape[1:]))
-        return self._stream(shape, 1, tables.taps, none, tables.basis, np.zeros((0, 0)), np.zeros((5, 0)))
+        no_residuals = np.zeros((1, 0, *tables.basis.shape[1:]))
+        return self._stream(shape, 1, tables.taps, no_residuals, tables.basis, np.zeros((0, 0)), np.zeros((5, 0)))
 
-    def tables(self, white: float, offset: float, full: float) -> bytes:
+    def tables(self, white: float, offset: float, saturation: float) -> bytes:
         """Return tables of one channel and of sharp images in the format of cpp/include/lommel/focal/file.hpp."""
-        one, count = self.channels[0], len(self.task.vergence)
+        channel, count = self.channels[0], len(self.task.vergence)
         images = self.images[0] if self.images else None
-        taps, degree = (one.taps, one.degree) if images is None else (images.taps, images.degree)
-        kept = np.zeros((0, *one.basis.shape[1:])) if images is None else images.basis
+        taps, degree = (channel.taps, channel.degree) if images is None else (images.taps, images.degree)
+        basis = np.zeros((0, *channel.basis.shape[1:])) if images is None else images.basis
         mixes = np.zeros((count, 0)) if images is None else self.factors(0, None)
-        whole = [
+        header = [
             0x464D4C4C,  # the letters LLMF, little-endian
             1,
-            one.binning,
-            self.task.block // one.binning,
-            math.ceil(self.blur / one.binning),
-            one.basis.shape[1],
-            one.degree,
-            len(one.taps.values) - 1,
-            one.rank,
+            channel.binning,
+            self.task.block // channel.binning,
+            math.ceil(self.blur / channel.binning),
+            channel.basis.shape[1],
+            channel.degree,
+            len(channel.taps.values) - 1,
+            channel.rank,
             count,
             len(self._weights),
             degree,
             len(taps.values) - 1,
-            len(kept),
+            len(basis),
         ]
-        numbers = [*one.taps.padded(), *taps.padded(), white, offset, min(full, 3e38), *self._numbers(one.binning)]
-        arrays = (numbers, one.basis, self._weights, one.forms(one.rank), one.statistics(), kept, mixes)
-        return np.asarray(whole, "<i4").tobytes() + b"".join(np.asarray(each, "<f4").tobytes() for each in arrays)
+        numbers = [*channel.taps.padded(), *taps.padded(), white, offset, min(saturation, 3e38)]
+        numbers += self._numbers(channel.binning)
+        statistics = channel.statistics()
+        arrays = numbers, channel.basis, self._weights, channel.forms(channel.rank), statistics, basis, mixes
+        return np.asarray(header, "<i4").tobytes() + b"".join(np.asarray(array, "<f4").tobytes() for array in arrays)
 
     def _numbers(self, binning: int) -> tuple[float, ...]:
         """Return the scalar parameters of a stream."""
@@ -478,15 +483,16 @@ class FocalEngine:
     ) -> FocalStream:
         task = self.task
         height, width = (side // binning for side in shape)
-        sizes = height, width, binning, task.block // binning, task.fine, math.ceil(self.blur / binning), task.threads
+        block, blur = task.block // binning, math.ceil(self.blur / binning)
+        sizes = height, width, binning, block, task.subdivision, blur, task.threads
         return FocalStream(
             sizes,
-            _single(taps.values),
-            _single(residuals),
-            _single(images),
-            _single(self._weights),
-            _single(forms),
-            _single(statistics),
+            _float32(taps.values),
+            _float32(residuals),
+            _float32(images),
+            _float32(self._weights),
+            _float32(forms),
+            _float32(statistics),
             self._numbers(binning),
         )
 
@@ -509,17 +515,17 @@ class FocalEngine:
 
 def block_weights(window: float, block: int) -> tuple[Array, float]:
     """Return block weights for an rms width `window`, and the number of independent pixels."""
-    # The variance of the window includes that of a block, side^2 / 12.
+    # The variance of the window includes the variance of a block, side^2 / 12.
     rms = math.sqrt(max(window**2 - block**2 / 12.0, 0.04)) / block
-    away = np.arange(min(math.ceil(2.0 * rms), _MAX_WEIGHTS) + 1)
-    weights = np.exp(-0.5 * (away / rms) ** 2)
+    distances = np.arange(min(math.ceil(2.0 * rms), _MAX_WEIGHTS) + 1)
+    weights = np.exp(-0.5 * (distances / rms) ** 2)
     weights /= weights[0] + 2.0 * weights[1:].sum()
-    along = float(weights[0] ** 2 + 2.0 * (weights[1:] ** 2).sum()) / block
+    squares = float(weights[0] ** 2 + 2.0 * (weights[1:] ** 2).sum()) / block
     # Along each axis, weights w have (sum w)^2 / sum w^2 independent pixels.
-    return weights, 1.0 / along**2
+    return weights, 1.0 / squares**2
 
 
-def _single(values: ArrayLike) -> NDArray[np.float32]:
+def _float32(values: ArrayLike) -> NDArray[np.float32]:
     return np.ascontiguousarray(values, dtype=np.float32)
 
 

@@ -24,8 +24,8 @@ from lommel.imaging.focal_engine import (
     FocalTask,
     FrameForm,
     Registration,
+    checked_range,
     processors,
-    ranged,
     relative_exposures,
 )
 from lommel.imaging.focal_tables import SharpTables, Taps
@@ -34,11 +34,11 @@ from lommel.optics.lens import Lens, pixel_of
 from lommel.recorded.noise import Noise
 
 _MAX_CANDIDATES_SHARPEN = 961  # largest number of candidate depths of LiveSharpen
-_LIGHT = 5000.0  # default mean number of electrons per pixel
+_DEFAULT_ELECTRONS = 5000.0  # default mean number of electrons per pixel
 
 
 class LiveSharpen:
-    """Sharp images of single frames whose depth is known, in one pass.
+    """Sharp images of single frames whose depth is known, by one filter pass.
 
     Parameters
     ----------
@@ -61,7 +61,7 @@ class LiveSharpen:
         Value at and above which pixels are saturated; by default the largest value of unsigned integers. Saturated
         pixels are filled from their neighbours.
     threads : int, optional
-        Number of threads; by default the number of processors. The result does not depend on it.
+        Number of threads; by default the number of processors. It does not change the result.
 
     Raises
     ------
@@ -71,8 +71,8 @@ class LiveSharpen:
     Notes
     -----
     Each distance has a Wiener filter, for textures whose power spectrum falls as 1 / frequency^2, computed as a
-    polynomial of one small filter (see :class:`lommel.imaging.LiveDepth`). Filters keep the mean. Blur that is wider
-    than the filters is removed only in part.
+    polynomial of one small filter (see :class:`lommel.imaging.LiveDepth`). Filters keep the mean of the image. Blur
+    that is wider than the filters is removed only in part.
 
     Examples
     --------
@@ -97,20 +97,20 @@ class LiveSharpen:
     ) -> None:
         pitch = pixel_of([lens], pixel)
         self._form = form = FrameForm(shape, noise, saturation, None)
-        mean = _LIGHT if light is None else validation.real("light", light, least=1.0, below=1e9)
+        mean = _DEFAULT_ELECTRONS if light is None else validation.real("light", light, least=1.0, below=1e9)
         count = validation.integer("threads", threads, least=1, most=1024) if threads is not None else processors()
         spectrum = spectra("wavelengths", [tuple(wavelengths)])[0] if wavelengths else ((lens.wavelength, 1.0),)
-        self._between, self._vergence = ranged(between, [lens], pitch, None, _MAX_CANDIDATES_SHARPEN)
+        self._between, self._vergence = checked_range(between, [lens], pitch, None, _MAX_CANDIDATES_SHARPEN)
         model = FocalModel.of([lens], self._vergence, spectrum, pitch, FocalLight(mean, form.read, (1.0,), CONTRAST))
         self._tables = tables = SharpTables(model, Taps.of(5), 12)
-        self._factors = _single(tables.mixes(tables.pixel))
+        self._factors = _float32(tables.mixes(tables.pixel))
         self._stream = tables.stream(form.size, count)
-        self._gains = _single([[form.white, 0.0, 0.0, 0.0, 0.0, 0.0]])
+        self._gains = _float32([[form.white, 0.0, 0.0, 0.0, 0.0, 0.0]])
 
     def __repr__(self) -> str:
-        near, far = self._between
+        nearest, farthest = self._between
         size = " x ".join(map(str, self._form.shape))
-        return f"<LiveSharpen of frames of {size}, {near:g} to {far:g} m: {len(self._tables.basis)} images>"
+        return f"<LiveSharpen of frames of {size}, {nearest:g} to {farthest:g} m: {len(self._tables.basis)} images>"
 
     def __call__(
         self, frame: Values, depth: float | ArrayLike, out: NDArray[np.float32] | None = None
@@ -134,16 +134,16 @@ class LiveSharpen:
         """
         stored = self._form.checked("frame", frame)
         places, side = self._places(depth)
-        full = self._form.full(stored.dtype)
+        limit = self._form.saturation(stored.dtype)
         image = self._form.image(out)
         if self._form.channels == 1:
-            self._stream.take([stored], self._gains, self._form.offset, full, None)
+            self._stream.take([stored], self._gains, self._form.offset, limit, None)
             self._stream.mix(places, side, self._factors, image)
             return image
         channel = np.empty(self._form.size, dtype=np.float32)
         for c in range(self._form.channels):
             plane = np.ascontiguousarray(stored[..., c])
-            self._stream.take([plane], self._gains, self._form.offset, full, None)
+            self._stream.take([plane], self._gains, self._form.offset, limit, None)
             self._stream.mix(places, side, self._factors, channel)
             image[..., c] = channel
         return image
@@ -154,7 +154,7 @@ class LiveSharpen:
             metres = np.asarray(depth, dtype=np.float32)
         height, width = self._form.size
         sides = {(): min(height, width), (height, width): 1, (height // BLOCK, width // BLOCK): BLOCK}
-        # Side of a block by shape: one depth for the frame, for each pixel, or for each block of 4 x 4 pixels.
+        # `sides` maps the shape of a depth map to the side of its blocks, in pixels.
         if metres.shape not in sides:
             raise ValueError(
                 f"depth must be a number, or have the shape {(height, width)} or "
@@ -162,20 +162,20 @@ class LiveSharpen:
             )
         if not metres.min() > 0.0:  # also if the minimum is NaN
             raise ValueError(f"depth must be > 0 metres everywhere, got {metres[~(metres > 0.0)].flat[0]}")
-        first, step = (np.float32(each) for each in (self._vergence[0], self._vergence[1] - self._vergence[0]))
+        start, step = np.float32(self._vergence[0]), np.float32(self._vergence[1] - self._vergence[0])
         # In place: for a map of pixels a temporary array would take as long as the filters.
         places = np.divide(np.float32(1.0) / step, np.atleast_2d(metres), order="C")
-        places -= first / step
+        places -= start / step
         return places, sides[metres.shape]
 
 
-def _single(values: ArrayLike) -> NDArray[np.float32]:
+def _float32(values: ArrayLike) -> NDArray[np.float32]:
     return np.ascontiguousarray(values, dtype=np.float32)
 
 
 _LEVELS = (500.0, 5000.0, 50_000.0)  # mean electrons per pixel for which tables are computed by default
 _MAX_CANDIDATES = 241  # largest number of candidate depths of LiveDepth
-_CELLS = 8  # number of parts, along each side of a frame, in which light is summed
+_CELLS = 8  # number of parts of a frame along each side; light is summed in each part
 _MIN_MEAN = 0.05  # mean of a frame / mean of the brightest frame, below which the frame counts as black
 _MAX_RATIO = 2.0  # largest ratio of exposures that is measured; larger ratios must be stated
 
@@ -191,8 +191,8 @@ class LiveDepthMap:
     errors : ndarray of float32
         Standard error of `depth`, metres; inf where depth is unknown.
     misfit : ndarray of float32
-        Residual difference of the frames at the best depth, relative to noise: 1 if registration and noise are as
-        stated. Larger values indicate motion, misregistration or depth edges. Values below 0.7 indicate overstated
+        Residual difference of the frames at the estimated depth, relative to noise: 1 if registration and noise are
+        as stated. Larger values indicate motion, misregistration or depth edges. Values below 0.7 indicate overstated
         noise or denoised frames.
     exposures : tuple of float
         Exposure of each frame relative to the first, as stated or as measured.
@@ -249,9 +249,9 @@ class LiveDepth:
     known : array_like of bool, shape (height, width), optional
         True for working pixels of the sensor, False for defective pixels.
     sharp, refocus : bool, default False
-        Prepare for :meth:`sharp`, and for both :meth:`sharp` and :meth:`refocus`.
+        `sharp` prepares tables for :meth:`sharp`; `refocus` prepares tables for :meth:`sharp` and :meth:`refocus`.
     threads : int, optional
-        Number of threads; by default the number of processors. The result does not depend on it.
+        Number of threads; by default the number of processors. It does not change the result.
     {options}
 
     Attributes
@@ -261,7 +261,7 @@ class LiveDepth:
     rank : tuple of int
         Number of filtered images, from whose products the energies are computed, for each level of `light`.
     design_error : float
-        Largest bias of depth from the filter approximation, within the range, in standard errors of a window.
+        Largest bias of depth due to the filter approximation, within the range, in standard errors of a window.
 
     Raises
     ------
@@ -307,10 +307,10 @@ class LiveDepth:
         sharp: bool = False,
         refocus: bool = False,
         threads: int | None = None,
-        **given: Unpack[DefocusKeywords],
+        **keywords: Unpack[DefocusKeywords],
     ) -> None:
-        options.require_known(LiveDepth, given, DefocusKeywords)
-        chosen = DefocusOptions(**given)
+        options.require_known(LiveDepth, keywords, DefocusKeywords)
+        chosen = DefocusOptions(**keywords)
         exposures = chosen.exposures
         pitch = pixel_of(lenses, pixel)
         if len(lenses) < 2:
@@ -324,7 +324,7 @@ class LiveDepth:
         width = validation.real("window", chosen.window, least=2.0, below=16.0 + 1e-9, unit="pixels")
         count = validation.integer("threads", threads, least=1, most=1024) if threads is not None else processors()
         spectrum = spectra("wavelengths", [tuple(wavelengths)])[0] if wavelengths else ((lenses[0].wavelength, 1.0),)
-        self._between, vergence = ranged(between, lenses, pitch, None, _MAX_CANDIDATES)
+        self._between, vergence = checked_range(between, lenses, pitch, None, _MAX_CANDIDATES)
         sharp, refocus = validation.truth("sharp", sharp), validation.truth("refocus", refocus)
         self._registered = Registration(chosen.magnification, lenses, form.size, count)
         scales = self._registered.scales
@@ -361,17 +361,17 @@ class LiveDepth:
 
     @property
     def design_error(self) -> float:
-        """Largest bias of depth from the filter approximation, in standard errors of a window."""
+        """Largest bias of depth due to the filter approximation, in standard errors of a window."""
         return max(level.engine.design_error for level in self._levels)
 
     def __repr__(self) -> str:
         height, width = self._form.size
-        near, far = self._between
-        each = [f"{level.engine.light.mean:g}" for level in self._levels]
+        nearest, farthest = self._between
+        electrons = [f"{level.engine.light.mean:g}" for level in self._levels]
         return (
-            f"<LiveDepth of {len(self._lenses)} frames of {height} x {width}, {near:g} to {far:g} m: "
+            f"<LiveDepth of {len(self._lenses)} frames of {height} x {width}, {nearest:g} to {farthest:g} m: "
             f"pixels of {', '.join(map(str, self.binning))}, {', '.join(map(str, self.rank))} images, "
-            f"for {', '.join(each)} electrons>"
+            f"for {', '.join(electrons)} electrons>"
         )
 
     def __call__(self, *frames: Values, known: Values | None = None) -> LiveDepthMap:
@@ -387,25 +387,25 @@ class LiveDepth:
         Raises
         ------
         TypeError, ValueError
-            If frames are of another number, shape or type, if one is black, or if no pixel is known in all of them.
+            If frames are of another number, shape or type, if a frame is black, or if no pixel is known in all.
         """
         if len(frames) != len(self._lenses):
             raise ValueError(f"frames must be as many as lenses, {len(self._lenses)}, got {len(frames)}")
         stored = [self._form.checked(f"frames[{k}]", frame) for k, frame in enumerate(frames)]
-        full = self._form.full(frames[0].dtype)
-        mask = self._form.known(frames, full, known)
-        planes, limit = self._grey(stored, full, mask)
-        first = self._levels[0].stream
-        first.sums(planes, limit, mask, self._sums)
+        saturation = self._form.saturation(frames[0].dtype)
+        mask = self._form.known(frames, saturation, known)
+        planes, limit = self._grey(stored, saturation, mask)
+        first_stream = self._levels[0].stream
+        first_stream.sums(planes, limit, mask, self._sums)
         exposures, light = self._measure_exposures()
-        # The level whose ratio to `light` is nearest to 1.
-        level = min(self._levels, key=lambda one: abs(math.log(one.engine.light.mean / max(light, 1e-3))))
+        # Choose the level of light whose ratio to `light` is nearest to 1.
+        level = min(self._levels, key=lambda candidate: abs(math.log(candidate.engine.light.mean / max(light, 1e-3))))
         self._gains[:, 0] = [self._form.white / each for each in exposures]
         if self._smooth:
             self._gains[1:] = self._form.white * _smooth_ratios(self._sums, self._offset)
         level.stream.take(planes, self._gains, self._offset, limit, mask)
         level.stream.depths(self._depth, self._errors, self._misfit)
-        self._last = _Call(level, stored, full, mask)
+        self._last = _Call(level, stored, saturation, mask)
         return LiveDepthMap(self._depth, self._errors, self._misfit, exposures, light)
 
     def save(self, path: str | PathLike[str]) -> None:
@@ -424,19 +424,23 @@ class LiveDepth:
         TypeError, ValueError
             For colour frames, stated exposures, magnification, several levels of light, or defective pixels.
         """
-        more = self._stated_exposures is not None or self._smooth or self._form.masked or bool(self._registered)
-        if len(self._levels) != 1 or self._form.channels != 1 or more:
+        special = self._stated_exposures is not None or self._smooth or self._form.masked or bool(self._registered)
+        if len(self._levels) != 1 or self._form.channels != 1 or special:
             raise ValueError(
                 "tables are saved of grey frames for one level of light (light=), without exposures=, magnification= "
                 "and known=; the file format has no fields for other options"
             )
         form, name = self._form, validation.path("path", path)
-        atomic.write(name, self._levels[0].engine.tables(form.white, form.offset, form.full(np.dtype(np.float32))))
+        limit = form.saturation(np.dtype(np.float32))
+        atomic.write(name, self._levels[0].engine.tables(form.white, form.offset, limit))
 
-    def _grey(self, stored: list[Values], full: float, mask: NDArray[np.uint8] | None) -> tuple[list[Values], float]:
-        """Return registered frames, summed over channels, and the value at which they are saturated."""
+    def _grey(self, stored: list[Values], limit: float, mask: NDArray[np.uint8] | None) -> tuple[list[Values], float]:
+        """Return registered frames, summed over channels, and the value at which their pixels are saturated.
+
+        `limit` is the saturation value of the frames before the sum.
+        """
         if self._planes is None:
-            return self._registered(stored, full, mask), full
+            return self._registered(stored, limit, mask), limit
         for frame, plane in zip(stored, self._planes, strict=True):
             np.sum(frame, axis=2, dtype=np.float32, out=plane)
         # A sum of channels has no single saturation value: the mask excludes saturated pixels.
@@ -463,11 +467,11 @@ class LiveDepth:
         if self._stated_exposures is not None:
             return self._stated_exposures, float(means[0])
         ratios = tuple((means / means[0]).tolist())
-        dark = int(np.argmin(means))
-        if means[dark] < _MIN_MEAN * means.max():
+        darkest = int(np.argmin(means))
+        if means[darkest] < _MIN_MEAN * means.max():
             raise ValueError(
-                f"frames[{dark}] must hold light, got a mean of {means[dark]:.4g} electrons; the brightest frame has "
-                f"{means.max():.4g}"
+                f"frames[{darkest}] must hold light, got a mean of {means[darkest]:.4g} electrons; the brightest "
+                f"frame has {means.max():.4g}"
             )
         if not 1.0 / _MAX_RATIO <= min(ratios) <= max(ratios) <= _MAX_RATIO:
             raise ValueError(
@@ -482,14 +486,14 @@ class LiveDepth:
 
         The arrays of these frames must not have changed. ValueError if there was no call yet.
         """
-        level, stored, full, mask = self._last_call()
-        planes, limit = self._grey(stored, full, mask)
+        level, stored, saturation, mask = self._last_call()
+        planes, limit = self._grey(stored, saturation, mask)
         with np.errstate(invalid="ignore"):
             valid = np.all([np.isfinite(plane) & (plane < limit) for plane in planes], axis=0)
         if mask is not None:
             valid &= mask > 0
-        down, across = (2.0 * (np.arange(side) + 0.5) / side - 1.0 for side in self._form.size)
-        y, x = down[:, None], across[None, :]
+        rows, columns = (2.0 * (np.arange(side) + 0.5) / side - 1.0 for side in self._form.size)
+        y, x = rows[:, None], columns[None, :]
         light = [
             # The gain is a polynomial in x and y, evaluated by Horner's rule.
             (plane - self._offset) * (g[0] + x * (g[1] + x * g[2]) + y * (g[3] + x * g[4] + y * g[5]))
@@ -498,9 +502,9 @@ class LiveDepth:
         images = np.where(valid, light, 0.0)[None]
         # Expand blocks to pixels; rows and columns outside whole blocks repeat their neighbours.
         errors, misfit, vergence = (
-            np.pad(np.kron(each, np.ones((BLOCK, BLOCK))), [(0, side % BLOCK) for side in valid.shape], mode="edge")
+            np.pad(np.kron(blocks, np.ones((BLOCK, BLOCK))), [(0, side % BLOCK) for side in valid.shape], mode="edge")
             # Standard errors of the vergence 1 / depth: d(1 / z) = -dz / z^2.
-            for each in (self._errors / self._depth**2, self._misfit, 1.0 / self._depth)
+            for blocks in (self._errors / self._depth**2, self._misfit, 1.0 / self._depth)
         )
         errors = np.where(np.isnan(errors), np.inf, errors)
         return judge_frames(level.engine, images, valid, errors, misfit, vergence)
@@ -553,9 +557,9 @@ class LiveDepth:
     def _filter_images(self, distance: float | None, out: NDArray[np.float32] | None) -> NDArray[np.float32]:
         level, planes, limit, mask = self._last_call()
         if level.pictures is None:
-            raise ValueError("images must be asked for: LiveDepth(..., sharp=True), or refocus=True")
+            raise ValueError("sharp images need tables: use LiveDepth(..., sharp=True), or refocus=True")
         if distance is not None and not self._refocus:
-            raise ValueError("images of other foci must be asked for: LiveDepth(..., refocus=True)")
+            raise ValueError("refocused images need tables: use LiveDepth(..., refocus=True)")
         out = self._form.image(out)
         factors = level.engine.factors(0, None if distance is None else self._lenses[0].focused(distance))
         level.stream.positions(self._positions)
@@ -566,8 +570,8 @@ class LiveDepth:
             level.pictures.mix(self._positions, BLOCK, factors, out)
             return out
         for c in range(self._form.channels):
-            one = self._registered([np.ascontiguousarray(frame[..., c]) for frame in planes], limit, mask)
-            level.pictures.take(one, self._gains, self._form.offset, limit, mask)
+            channel_frames = self._registered([np.ascontiguousarray(frame[..., c]) for frame in planes], limit, mask)
+            level.pictures.take(channel_frames, self._gains, self._form.offset, limit, mask)
             image = np.empty(self._form.size, dtype=np.float32)
             level.pictures.mix(self._positions, BLOCK, factors, image)
             out[..., c] = image
@@ -577,36 +581,36 @@ class LiveDepth:
 def _smooth_ratios(sums: Array, offset: float) -> Array:
     """Return, for each frame but the first, the polynomial (brightness of the first frame) / (brightness of frame).
 
-    Coefficients are those of 1, x, x^2, y, x y, y^2 for x and y from -1 to 1, shape (frames - 1, 6). `sums` holds, in
-    parts of the field, the sum of each frame, and in its last row the number of pixels.
+    Coefficients are those of 1, x, x^2, y, x y, y^2 for x and y from -1 to 1, shape (frames - 1, 6). `sums` holds the
+    sum of each frame in each part of the field, and in its last row the number of pixels of each part.
     """
     count = sums[-1].ravel()
     # Least squares over the parts.
     light = sums[:-1].reshape(len(sums) - 1, -1) - offset * count
     centres = (np.arange(_CELLS) + 0.5) * (2.0 / _CELLS) - 1.0
-    y, x = (each.ravel() for each in np.meshgrid(centres, centres, indexing="ij"))
-    within = (1.0 / _CELLS) ** 2 / 3.0  # mean square of x - (x at the centre) in a part
-    terms = np.stack([np.ones_like(x), x, x * x + within, y, x * y, y * y + within], axis=1)
+    y, x = (coordinates.ravel() for coordinates in np.meshgrid(centres, centres, indexing="ij"))
+    offset_variance = (1.0 / _CELLS) ** 2 / 3.0  # mean square of x - (x at the centre) in a part
+    terms = np.stack([np.ones_like(x), x, x * x + offset_variance, y, x * y, y * y + offset_variance], axis=1)
     # The variance of a mean of n pixels is proportional to 1 / n: equations are weighted by sqrt(n).
     weight = np.sqrt(count)
     ratios = []
-    for other in light[1:]:
-        scaled = other / np.maximum(weight, 1.0)
+    for frame_light in light[1:]:
+        scaled = frame_light / np.maximum(weight, 1.0)
         ratios.append(np.linalg.lstsq(terms * scaled[:, None], light[0] / np.maximum(weight, 1.0), rcond=1e-6)[0])
     return np.asarray(ratios)
 
 
 class _Level:
-    """Tables for one level of light, and streams: the parts of the compiled core that filter frames."""
+    """Tables for one level of light, and streams (filters in the compiled core) for depth and for images."""
 
     def __init__(self, task: FocalTask, light: FocalLight, form: FrameForm, images: bool, refocus: bool) -> None:
         self.engine = FocalEngine(task, light)
         # Grey frames that are not binned have one stream for depth and sharp images.
-        shared = images and form.channels == 1 and self.engine.binning == 1
+        one_stream = images and form.channels == 1 and self.engine.binning == 1
         if images:
-            self.engine.sharpen(refocus=refocus, shared=shared)
-        self.stream = self.engine.stream(form.size, images=shared)
-        self.pictures = self.stream if shared else self.engine.image_stream(form.size) if images else None
+            self.engine.sharpen(refocus=refocus, stream_filter=one_stream)
+        self.stream = self.engine.stream(form.size, images=one_stream)
+        self.pictures = self.stream if one_stream else self.engine.image_stream(form.size) if images else None
 
 
 class _Call(NamedTuple):
@@ -614,13 +618,13 @@ class _Call(NamedTuple):
 
     level: _Level
     frames: list[Values]
-    full: float
+    saturation: float
     known: NDArray[np.uint8] | None
 
 
 def _levels(light: float | Sequence[float] | None, channels: int) -> list[float]:
     if light is None:
-        return [each * channels for each in _LEVELS]
+        return [electrons * channels for electrons in _LEVELS]
     values = validation.real_array("light", light, least=1.0, most=1e9)
     if values.ndim > 1 or not 1 <= values.size <= 16:
         raise ValueError(f"light must be one number or a sequence of 1 to 16 numbers, got shape {values.shape}")

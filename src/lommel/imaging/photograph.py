@@ -45,7 +45,7 @@ class LazyArray(Protocol):
     chunks: tuple[tuple[int, ...], ...]
 
     def compute(self, **options: object) -> Pixels:
-        """Return the values."""
+        """Return the values as a NumPy array."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -83,7 +83,7 @@ class Photograph:
 
 
 def _make_photograph(values: Pixels, blur: DepthBlur, clipped: float) -> Photograph:
-    """Return a photograph from stored values, their blur and the fraction of clipped values."""
+    """Return a photograph from stored values, the blur by which they were computed, and the fraction clipped."""
     return Photograph(values, blur.lost, blur.error, 2 * max(bank.half for bank in blur.banks) + 1, clipped)
 
 
@@ -100,8 +100,8 @@ def fill_missing(depth: ArrayLike, missing: str) -> Values:
         raise ValueError('depth is NaN everywhere; pass a map with depths, or missing="infinity"')
     from scipy.ndimage import distance_transform_edt
 
-    nearest = distance_transform_edt(unknown, return_distances=False, return_indices=True)
-    return np.asarray(distances[tuple(nearest)])
+    indices = distance_transform_edt(unknown, return_distances=False, return_indices=True)
+    return np.asarray(distances[tuple(indices)])
 
 
 def encode_light(light: Values, encoding: str, dtype: DTypeLike, threads: int = 0) -> tuple[Pixels, float]:
@@ -126,7 +126,10 @@ def _thresholds(encoding: str) -> NDArray[np.float32]:
 def output_array(
     out: Pixels | None, name: str, shape: tuple[int, ...], dtype: np.dtype[np.generic], *inputs: Pixels
 ) -> Pixels:
-    """Return a new array, or `out` if given; TypeError or ValueError if `out` does not fit or overlaps `inputs`."""
+    """Return `out`, or a new array if it is None; TypeError or ValueError if `out` does not fit or overlaps `inputs`.
+
+    `name` is the argument in the message whose `shape` and `dtype` the array must have.
+    """
     if out is None:
         return np.empty(shape, dtype=dtype)
     if not isinstance(out, np.ndarray):
@@ -135,7 +138,7 @@ def output_array(
         raise ValueError(f"out must have the shape of the {name}, {shape}, got {out.shape}")
     if out.dtype != dtype:
         raise TypeError(f"out must have the type of the {name}, {dtype}, got {out.dtype}")
-    if not out.flags.writeable or any(np.may_share_memory(out, each) for each in inputs):
+    if not out.flags.writeable or any(np.may_share_memory(out, source) for source in inputs):
         raise ValueError(f"out must be writeable, and must not share memory with {name} or depth")
     return out
 
@@ -159,7 +162,7 @@ class FocusPlan:
 
     The options are checked and the image is decoded once. For each frame, the PSF windows and the occlusion for the
     lens setting are computed, unless they are kept from an earlier frame; then the image is blurred and encoded. The
-    values equal the result of :func:`lommel.imaging.depth_of_field` with the same arguments, bit for bit.
+    stored values equal those of :func:`lommel.imaging.depth_of_field` with the same arguments, bit for bit.
 
     Parameters
     ----------
@@ -334,8 +337,8 @@ def depth_of_field(
     The PSFs are pixel-integrated, with diffraction, aberrations and colour (:class:`lommel.imaging.DepthBlur`), and
     near points occlude far points (:class:`lommel.imaging.Occlusion`). Arrays are rendered as a whole. Memory maps,
     and arrays with `tile`, are rendered in overlapping tiles, with little memory. Dask arrays are rendered lazily, by
-    chunks. Tiles and chunks use the PSF windows of the whole image; their result agrees with that of the whole image
-    except for rounding. Their overlap is half a window and, with `occlusion`, in addition twice the range of blur
+    chunks. Tiles and chunks use the PSF windows of the whole image; the result agrees with that of the whole image
+    except for rounding. Tiles overlap by half a window and, with `occlusion`, in addition by twice the range of blur
     radii: the largest distance of an occluded point from an edge.
 
     Parameters
@@ -433,23 +436,23 @@ def _render_tiles(
     blur = TileBlur(values.shape, depths, lens, pixel, encoding, settings)
     tiles = list(tiles_of(values.shape, tile or max(values.shape[:2]), blur.overlap))
     clipped = 0.0
-    for done, (own, overlapping, within) in enumerate(tiles, 1):
-        light = blur.light(values[overlapping], np.asarray(distances[overlapping]))[within]
-        out[own], fraction = encode_light(light, encoding, values.dtype, settings.threads or 0)
+    for count, (region, overlapping, inner) in enumerate(tiles, 1):
+        light = blur.light(values[overlapping], np.asarray(distances[overlapping]))[inner]
+        out[region], fraction = encode_light(light, encoding, values.dtype, settings.threads or 0)
         clipped += fraction * light.size / out.size
         if progress is not None:
-            progress(done, len(tiles))
+            progress(count, len(tiles))
     return _make_photograph(out, blur.whole, clipped)
 
 
 def _are_dask(image: object, depth: object) -> bool:
-    """Return whether image and depth are dask arrays; TypeError if only one of them is a dask array."""
+    """Return True if image and depth are dask arrays; TypeError if only one of them is a dask array."""
     da = sys.modules.get("dask.array")  # None if dask is not imported: then no dask array exists
     are_dask = [da is not None and isinstance(part, da.Array) for part in (image, depth)]
     if any(are_dask) and not all(are_dask):
         raise TypeError(
             "image and depth must both be dask arrays if one is, "
-            f"got {type(image).__name__} and {type(depth).__name__}; dask.array.from_array() makes one"
+            f"got {type(image).__name__} and {type(depth).__name__}; dask.array.from_array() makes a dask array"
         )
     return all(are_dask)
 
@@ -477,8 +480,8 @@ def _render_chunks(
         # The nearest depth may lie in any chunk.
         depth = depth.rechunk(-1).map_blocks(fill_missing, "nearest", dtype=depth.dtype, meta=depth._meta)
     if depths is None:
-        filled = da.where(da.isnan(depth), float("inf"), depth) if settings.missing == "infinity" else depth
-        low, high = dask.compute(filled.min(), filled.max())
+        without_nan = da.where(da.isnan(depth), float("inf"), depth) if settings.missing == "infinity" else depth
+        low, high = dask.compute(without_nan.min(), without_nan.max())
         depths = _require_range(float(low), float(high))
     blur = TileBlur(image.shape, depths, lens, pixel, encoding, settings)
     distances = depth.rechunk(image.chunks[:2])
@@ -533,7 +536,7 @@ class TileBlur:
         self.overlap = self.half + (reach_behind(self.whole, self._defocus_range) if self._occlusion else 0)
 
     def light(self, image: Pixels, depth: Pixels) -> Values:
-        """Return the light of a part of the scene, incomplete within `overlap` pixels of edges inside the scene."""
+        """Return the blurred light of a part of the scene; within `overlap` pixels of cut edges, light is missing."""
         image, depth = validation.array("image", image), validation.array("depth", depth)
         return self.operator(depth).forward(scene_light("image", image, self.encoding, self.whole.dtype))
 
@@ -567,7 +570,7 @@ def depth_range(depth: Pixels, missing: str = "raise") -> tuple[float, float]:
 
 
 def _require_range(low: float, high: float) -> tuple[float, float]:
-    """Return the range of depths; ValueError if a depth is NaN."""
+    """Return (low, high), the range of depths in metres; ValueError if a depth is NaN."""
     if np.isnan(low):
         raise ValueError('depth is NaN at some points; fill them with missing="nearest" or missing="infinity"')
     return low, high
@@ -718,12 +721,12 @@ def distort(plane: Values, blur: UntiltedBlur, spectrum: Spectrum | None) -> Val
 def undistorted_positions(
     field_map: FieldMap, y: Array, x: Array, spectrum: Spectrum | None, tol: float
 ) -> tuple[Array, Array]:
-    """Return undistorted y and x, with an error of at most `tol`, of light that arrives at rows y and columns x."""
+    """Return the undistorted coordinates (y, x) of light that arrives at rows y and columns x, accurate to `tol`."""
     from scipy.interpolate import RectBivariateSpline
 
     if len(y) * len(x) <= _MAX_UNINTERPOLATED or min(len(y), len(x)) < 16:
-        across, down = field_map.undistorted(x, y[:, None], spectrum)
-        return down, across
+        source_x, source_y = field_map.undistorted(x, y[:, None], spectrum)
+        return source_y, source_x
     count = 9
     while count <= _MAX_NODES:
         # Coordinates of interpolation nodes are 0 to 1 along both axes, because FITPACK has absolute tolerances.
@@ -735,8 +738,8 @@ def undistorted_positions(
         splines = [RectBivariateSpline(nodes, nodes, values, kx=5, ky=5, s=0) for values in at_nodes]
         error = max(float(np.abs(s(middles, middles) - e).max()) for s, e in zip(splines, at_middles, strict=True))
         if error <= tol:
-            down, across = (s(*(np.linspace(0.0, 1.0, len(axis)) for axis in (y, x))) for s in splines)
-            return down, across
+            source_y, source_x = (s(*(np.linspace(0.0, 1.0, len(axis)) for axis in (y, x))) for s in splines)
+            return source_y, source_x
         # Halve the spacing: the new nodes include the old nodes.
         count = 2 * count - 1
     raise ValueError("distortion of the map varies too fast to be interpolated; make a map with smoother tilts")

@@ -276,7 +276,7 @@ def test_shifted_frames_and_wrong_noise_show_in_the_misfit(mild):
         ({"shape": (32, 64)}, r"shape\[0\] must be from 64"),
         ({"shape": 64}, "shape must be height and width"),
         ({"noise": lm.Noise(read=np.ones((4, 4)))}, "noise.read must be a number"),
-        ({"exposures": (1.0,)}, "exposures must be 2 numbers > 0, one for each lens"),
+        ({"exposures": (1.0,)}, "exposures must be 2 numbers > 0, one per lens"),
         ({"light": 0.0}, "light must be finite and >= 1"),
         ({"window": 1.0}, "window must be >= 2"),
         ({"known": np.ones((4, 4), bool)}, r"known must be of bool and of shape \(128, 128\)"),
@@ -309,10 +309,10 @@ def test_frames_that_do_not_fit_are_refused_by_name(mild, fast):
     with pytest.raises(ValueError, match="there are no frames yet"):
         live.sharp()
     live(*pair)
-    with pytest.raises(ValueError, match="images must be asked for"):
+    with pytest.raises(ValueError, match="sharp images need tables"):
         live.sharp()
     fast(*frames(FAST, 1.5))
-    with pytest.raises(ValueError, match="images of other foci must be asked for"):
+    with pytest.raises(ValueError, match="refocused images need tables"):
         fast.refocus(1.5)
     with pytest.raises(ValueError, match="out must be a contiguous array of float32"):
         fast.sharp(np.empty((3, 3), np.float32))

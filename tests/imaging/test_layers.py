@@ -7,7 +7,7 @@ import pytest
 
 import lommel as lm
 from lommel.imaging import DepthBlur, Occlusion
-from lommel.imaging.occlusion import MOST_LAYERS, Layering, _layering, _radii
+from lommel.imaging.occlusion import MAX_LAYERS, Layering, _layering, _radii
 
 LENS = lm.Lens(focal_length=50e-3, f_number=2.8, focus_distance=2.0, wavelength=550e-9)
 DONUT = lm.Lens(focal_length=50e-3, f_number=2.8, focus_distance=2.0, wavelength=550e-9, obscuration=0.6)
@@ -169,9 +169,9 @@ def test_a_scene_without_edges_hides_nothing_and_layers_are_bounded():
     depth = np.r_[1.0 / np.linspace(1.0, 0.001, 400), np.inf]
     fine = DepthBlur(np.tile(depth, (4, 1)), LENS, 6e-6, largest=100, energy=0.6, tol=0.1)
     made, radius, _ = layered(fine)
-    assert np.ptp(radius) > 0.5 * MOST_LAYERS
-    assert made.number == MOST_LAYERS
-    assert list(made.layers[0, [0, -1]]) == [0, MOST_LAYERS - 1]
+    assert np.ptp(radius) > 0.5 * MAX_LAYERS
+    assert made.number == MAX_LAYERS
+    assert list(made.layers[0, [0, -1]]) == [0, MAX_LAYERS - 1]
 
 
 @pytest.mark.parametrize(

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 import lommel as lm
 from lommel.imaging import DepthBlur, Occlusion
-from lommel.imaging.occlusion import MOST_LAYERS, _layering, _radii
+from lommel.imaging.occlusion import MAX_LAYERS, _layering, _radii
 
 LENS = lm.Lens(focal_length=50e-3, f_number=2.8, focus_distance=2.0, wavelength=550e-9)
 PIXEL = 20e-6
@@ -29,8 +29,8 @@ def layers_of(blur: DepthBlur) -> tuple[np.ndarray, np.ndarray]:
     """Layers of half a pixel of blur radius, or more, from the largest on, and the radii."""
     defocus, radii = _radii(blur, (float(blur.defocus.min()), float(blur.defocus.max())))
     radius = np.interp(blur.defocus, defocus, radii)
-    thickness = max(0.5, np.ptp(radii) / MOST_LAYERS)
-    return np.minimum((radii.max() - radius) / thickness, MOST_LAYERS - 1).astype(np.int64), radius
+    thickness = max(0.5, np.ptp(radii) / MAX_LAYERS)
+    return np.minimum((radii.max() - radius) / thickness, MAX_LAYERS - 1).astype(np.int64), radius
 
 
 def behind_of(layer: np.ndarray, radius: np.ndarray) -> np.ndarray:

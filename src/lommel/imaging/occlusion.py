@@ -25,14 +25,14 @@ class Group(NamedTuple):
 
     sources: list[tuple[int, Points]]  # 0: visible points of the scene; 1: hidden points, behind its edges
     bank: Bank | None = None  # None: the bank of the channel
-    occluded: bool = True  # whether nearer layers occlude the light
-    negative: bool = False  # whether the result is subtracted
+    occluded: bool = True  # nearer layers occlude the light of the points
+    negative: bool = False  # the image of the group is subtracted
 
 
 def spread_groups(
     blur: DepthBlur, channel: int, planes: Sequence[Values], seen: Values, groups: list[Group]
 ) -> Values:
-    """Return the blurred image in one channel; `planes` are the light of visible points and of hidden points."""
+    """Return the blurred image of `groups` in one channel; `planes` are the light of visible and of hidden points."""
     total = np.zeros(blur.shape, dtype=blur.dtype)
     for group in groups:
         sources = [(planes[kind], points) for kind, points in group.sources]
@@ -44,7 +44,7 @@ def spread_groups(
     return total
 
 
-MOST_LAYERS = 64  # largest number of layers; a larger range of blur makes the layers thicker instead
+MAX_LAYERS = 64  # largest number of layers; for a larger range of blur, layers are thicker
 
 # Fraction of the sharp image that is added to the blurred image: it keeps divisors above 0.
 _SHARP_FRACTION = 1e-9
@@ -73,7 +73,7 @@ class Layering(NamedTuple):
 class Shares(NamedTuple):
     """Visibility of the layers in one channel; it depends on the depth alone."""
 
-    seen: Values  # number of layers, from the front, that each pixel sees; fractional if it sees the last one in part
+    seen: Values  # number of layers that each pixel sees, from the front; a fraction if the last is partly visible
     total: Values  # image of a white scene
 
 
@@ -83,7 +83,8 @@ class Occlusion(LinearBlur):
     Points are sorted into layers. Within a layer the diameter of the circle of confusion varies by one pixel, or by
     1/64 of its range over the scene if that is more. Each point is blurred by its own PSF: B is the blurred light of
     a layer, and A, the coverage, is B for a white scene. From the nearest layer to the farthest, light is added while
-    nearer layers leave part of the aperture open: ``out = sum w B / A``, ``w = min(A, 1 - sum of nearer w)``.
+    nearer layers leave part of the aperture open: ``out = sum w B / A``, where the weight of a layer is
+    ``w = min(A, 1 - sum of the weights of nearer layers)``.
 
     Coverages are added, up to the full aperture. For independent screens they would be multiplied (``T *= 1 - A``),
     but the points of one slanted surface lie in many layers and cover disjoint parts of the aperture. The product
@@ -149,26 +150,26 @@ class Occlusion(LinearBlur):
 
     def forward(self, image: Values) -> Values:
         """Return the blurred `image`: see :meth:`lommel.imaging.LinearBlur.forward`."""
-        whole_psf, again = self.blur.beyond is not None, self._cache is not None and self._current()
+        whole_psf, second_call = self.blur.beyond is not None, self._cache is not None and self._current()
         layering, shares_of, _ = self._cached_data()
 
         def render(channel: int, plane: Values) -> Values:
             if whole_psf:
                 shares, groups = self._shares(channel), self._groups(channel)
                 points, sources = layering.edges()
-                spread = spread_groups(
+                blurred = spread_groups(
                     self.blur, channel, (plane, _copy_values(plane, points, sources)), shares.seen, groups
                 )
             else:
                 bank = self.blur.banks[channel]
-                spread = np.zeros(self.shape, dtype=self.dtype)
-                shares = self._composite(channel, plane, spread, shares_of.get(bank))
-                if again:  # most depth maps are used once: `shares` are cached only from the second call on
+                blurred = np.zeros(self.shape, dtype=self.dtype)
+                shares = self._composite(channel, plane, blurred, shares_of.get(bank))
+                if second_call:  # most depth maps are used once: `shares` are cached only from the second call on
                     shares_of[bank] = shares
-            spread += _SHARP_FRACTION * plane
+            blurred += _SHARP_FRACTION * plane
             # Division by the image of a white scene: partly occluded neighbourhoods keep their brightness.
-            spread /= shares.total + _SHARP_FRACTION
-            return spread
+            blurred /= shares.total + _SHARP_FRACTION
+            return blurred
 
         return self.by_channel(image, render)
 
@@ -183,11 +184,11 @@ class Occlusion(LinearBlur):
             sums = np.zeros((2, *self.shape), dtype=self.dtype)
             for group in groups:
                 layers = shares.seen if group.occluded else None
-                collected = self.blur.collect(
+                transposes = self.blur.collect(
                     channel, normalised, [part for _, part in group.sources], layers, bank=group.bank
                 )
-                for (kind, _), more in zip(group.sources, collected, strict=True):
-                    sums[kind] += -more if group.negative else more
+                for (kind, _), part_sum in zip(group.sources, transposes, strict=True):
+                    sums[kind] += -part_sum if group.negative else part_sum
             scene: Values = sums[0]
             if self.blur.beyond is not None:
                 scene += self.blur.beyond.act(self.blur, [channel], [normalised], transposed=True)[0]
@@ -199,12 +200,12 @@ class Occlusion(LinearBlur):
         return self.by_channel(image, transpose)
 
     def _current(self) -> bool:
-        """Return whether the cached data belong to the current defocus map and banks."""
+        """Return True if the cached data belong to the current defocus map and banks."""
         cache = self._cache
         return cache is not None and cache[0] is self.blur.defocus and cache[1] is self.blur.banks
 
     def _cached_data(self) -> tuple[Layering, dict[Bank, Shares], dict[Bank, list[Group]]]:
-        """Return the layers, and the visibility and groups of each bank so far; cached for one depth map."""
+        """Return the layers, the visibility by bank, and the groups by bank; cached for one depth map."""
         if not self._current():
             self._cache = self.blur.defocus, self.blur.banks, _layering(self.blur, self._reach), {}, {}
         assert self._cache is not None
@@ -217,21 +218,24 @@ class Occlusion(LinearBlur):
             shares_of[bank] = self._composite(channel)
         elif bank not in shares_of:
             # Coverage follows from windows of the whole PSF, not of the PSF minus the remainder.
-            within, _ = bank.apart()
+            whole_psf, _ = bank.apart()
             seen, total = self._composite(
-                channel, bank=replace(within, energies=sums_of_quarters(within.windows[:-1]))
+                channel, bank=replace(whole_psf, energies=sums_of_quarters(whole_psf.windows[:-1]))
             )
             groups = self._groups(channel, seen)
-            behind, cover = np.zeros(blur.shape, dtype=blur.dtype), copy.copy(blur)
-            behind.reshape(-1)[self._cached_data()[0].edges()[0]] = 1.0
+            hidden_light, covered = np.zeros(blur.shape, dtype=blur.dtype), copy.copy(blur)
+            hidden_light.reshape(-1)[self._cached_data()[0].edges()[0]] = 1.0
             # A dark border counts as covered: it has the depth of the outermost points of the image.
-            cover.border = "extend" if blur.border == "zero" else blur.border
-            total = spread_groups(cover, channel, (np.ones_like(behind), behind), seen, groups)
+            covered.border = "extend" if blur.border == "zero" else blur.border
+            total = spread_groups(covered, channel, (np.ones_like(hidden_light), hidden_light), seen, groups)
             shares_of[bank] = Shares(seen, total)
         return shares_of[bank]
 
     def _groups(self, channel: int, seen: Values | None = None) -> list[Group]:
-        """Return the groups of points of a channel; cached. With ``energy=1`` the first call requires `seen`."""
+        """Return the groups of points of a channel; cached.
+
+        With ``energy=1`` the first call requires `seen`, the number of layers that each pixel sees.
+        """
         blur, (layering, _, groups_of) = self.blur, self._cached_data()
         bank = blur.banks[channel]
         if bank not in groups_of:
@@ -256,19 +260,19 @@ class Occlusion(LinearBlur):
         shares: Shares | None = None,
         bank: Bank | None = None,
     ) -> Shares:
-        """Return `shares`, computed if None, and add the blurred visible light of `plane` to `out`."""
+        """Add the blurred visible light of `plane` to `out`; return `shares`, which are computed if None."""
         blur, layering = self.blur, self._cached_data()[0]
-        used, has_shares = bank or blur.banks[channel], shares is not None
-        margin = 0 if blur.border == "reflect" else used.half
+        bank_used, has_shares = bank or blur.banks[channel], shares is not None
+        margin = 0 if blur.border == "reflect" else bank_used.half
         rows, columns = (np.pad(np.arange(side, dtype=np.int64), margin, mode="edge") for side in blur.shape)
         if shares is None:
-            nothing = np.full(blur.shape, layering.number + layering.level, dtype=blur.dtype)
-            shares = Shares(nothing, np.zeros_like(nothing))
+            all_visible = np.full(blur.shape, layering.number + layering.level, dtype=blur.dtype)
+            shares = Shares(all_visible, np.zeros_like(all_visible))
         # All layers in one call, or one layer per call if `watch` is set.
         ranges = [(0, layering.number)] if blur.watch is None else [(k, k + 1) for k in range(layering.number)]
         for first, last in ranges:
             engine.composite(
-                parts(used),
+                parts(bank_used),
                 (blur.positions(channel), rows, columns),
                 (layering.layers, layering.behind, layering.number),
                 blur.border,
@@ -299,17 +303,17 @@ def _split_by_visibility(blur: DepthBlur, channel: int, sources: list[Points], s
     """
     from scipy.ndimage import minimum_filter
 
-    within, filled = blur.banks[channel].apart()
-    scene, *behind = sources
+    whole, remainder = blur.banks[channel].apart()
+    scene, *hidden = sources
     assert scene.layers is not None
-    # `least`: minimum of `seen` over a window. A point in a layer before this one is visible in its whole window.
-    least = minimum_filter(seen, 2 * within.half + 1, mode="reflect" if blur.border == "reflect" else "nearest")
-    visible = least >= scene.layers + 1
+    # A point in a layer before the minimum of `seen` over its window is visible in the whole window.
+    min_seen = minimum_filter(seen, 2 * whole.half + 1, mode="reflect" if blur.border == "reflect" else "nearest")
+    visible = min_seen >= scene.layers + 1
     groups = [Group([(0, Points(np.where(visible, scene.positions, -1.0)))], occluded=False)]
-    if behind or not visible.all():
-        partial = np.where(visible, -1.0, scene.positions)
-        groups.append(Group([(0, Points(partial, scene.layers)), *((1, points) for points in behind)], within))
-        groups.append(Group([(0, Points(partial))], filled, occluded=False, negative=True))
+    if hidden or not visible.all():
+        positions = np.where(visible, -1.0, scene.positions)
+        groups.append(Group([(0, Points(positions, scene.layers)), *((1, points) for points in hidden)], whole))
+        groups.append(Group([(0, Points(positions))], remainder, occluded=False, negative=True))
     return groups
 
 
@@ -319,7 +323,7 @@ def reach_behind(blur: DepthBlur, reach: tuple[float, float]) -> int:
 
 
 def _radii(blur: DepthBlur, reach: tuple[float, float]) -> tuple[Array, Array]:
-    """Return defocus values over a range, and the signed radii of their circles of confusion in pixels."""
+    """Return values of C_d over a range, and the signed radii of the circles of confusion in pixels."""
     # The marginal ray meets the sensor at v = 4 C_d for a paraxial lens, and nearly in proportion to C_d for other
     # lenses. The nearest points have the largest signed radius.
     defocus = np.linspace(*reach, 129)
@@ -329,14 +333,14 @@ def _radii(blur: DepthBlur, reach: tuple[float, float]) -> tuple[Array, Array]:
 
 def _layering(blur: DepthBlur, reach: tuple[float, float] | None = None) -> Layering:
     """Return the layers of a scene and its hidden points; `reach` is the range of C_d, by default that of `blur`."""
-    # There is hidden light behind a point if a farther point is nearer to it in the image than the difference between
+    # There is hidden light behind a point if the image distance to a farther point is below the difference between
     # the radii of their circles of confusion: marginal rays then pass the edge. The nearest farther point marks the
     # edge. Diffraction spreads about 1 % of the light outside the geometric radius; division by `total` restores it.
     defocus, radii = _radii(blur, reach or (float(blur.defocus.min()), float(blur.defocus.max())))
-    thickness = max(0.5, float(np.ptp(radii)) / MOST_LAYERS)
+    thickness = max(0.5, float(np.ptp(radii)) / MAX_LAYERS)
     layers, behind = np.empty(blur.shape, dtype=np.uint8), np.empty(blur.shape, dtype=np.int32)
     low, high = float(defocus[0]), float(defocus[-1])
-    count, hiding = engine.depth_layers(
-        blur.defocus, low, high, radii, thickness, MOST_LAYERS, blur.threads, layers, behind
+    count, has_hidden = engine.depth_layers(
+        blur.defocus, low, high, radii, thickness, MAX_LAYERS, blur.threads, layers, behind
     )
-    return Layering(layers, behind if hiding else None, count)
+    return Layering(layers, behind if has_hidden else None, count)

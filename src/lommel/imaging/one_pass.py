@@ -3,11 +3,13 @@ r"""Deblurring in one pass: the Wiener filter of each depth, for the texture and
 Let h be the transfer function of optics and pixel at one depth, P the transfer function of the pixel alone, nu the
 variance of white noise / its stated variance, and ``S(f) = c f^-s`` the power spectrum of the texture. The filter
 ``P S h / (S h^2 + nu)`` estimates the pixel-averaged scene. It is approximated by polynomials of one small filter
-(:mod:`lommel.imaging.focal_tables`); the coefficients are computed at some depths (tables) and interpolated.
+(:mod:`lommel.imaging.focal_tables`). The coefficients of the polynomials are computed at a few depths, as one table
+for each depth, and interpolated between these depths.
 
-c, s and nu maximise the likelihood of the power in rings, which are annuli of spatial frequency: ``c f^-s <h^2> +
-nu``, with the mean of h^2 over all pixels (Whittle 1953, doi:10.1007/BF02590998). Noise above the stated noise is
-distinguishable from texture only at frequencies that no depth transmits; nu is at most 1 if there are none.
+The estimates of c, s and nu maximise the likelihood of the measured power in rings, which are annuli of spatial
+frequency. The model of this power is ``c f^-s <h^2> + nu``, where <h^2> is the mean of h^2 over all pixels (Whittle
+1953, doi:10.1007/BF02590998). Noise above the stated noise is distinguishable from texture only at frequencies that
+are transmitted at no depth; without such frequencies nu is at most 1.
 """
 
 from __future__ import annotations
@@ -33,24 +35,24 @@ from lommel.imaging.focal_tables import SharpTables, Taps
 from lommel.imaging.occlusion import Occlusion
 
 _STEP = 0.75  # radians of defocus between tables
-_MOST_TABLES = 961  # largest number of tables
-_DEGREES, _ENOUGH = (12, 24, 48), 0.1  # polynomial degrees in the order tried; loss (dB) at which the search stops
-_LEAST_ERROR = 0.01  # mean squared error / pixel variance; smaller errors hardly count in the loss
-_BLOCK, _BLOCKS = 256, 8  # side (pixels) and largest number along an axis of the blocks whose spectra are averaged
-_RINGS, _LOWEST = 14, 3.0  # number of rings; inner edge of the first one, in periods per block
-_BAND = 48  # number of frequencies along half an axis
-_SLOPES = (2.0, 1.0, 3.0, 0.0)  # candidate slopes s of the power spectrum, the most common one first
-_MORE_LIKELY = 5.0  # gain in log-likelihood required of a later slope in this list
-_OPAQUE, _MOST_NOISE = 1e-2, 8.0  # transmitted power below which nu may exceed 1; largest nu in this case
-_EDGES = 4.0  # power of texture at depth edges / power elsewhere
+_MAX_TABLES = 961  # largest number of tables
+_DEGREES, _GOOD_LOSS = (12, 24, 48), 0.1  # polynomial degrees in the order tried; loss (dB) at which the search stops
+_MIN_ERROR = 0.01  # mean squared error / pixel variance, added to errors before losses are computed
+_BLOCK, _MAX_BLOCKS = 256, 8  # blocks whose spectra are averaged: side (pixels), largest number along an axis
+_RINGS, _MIN_PERIODS = 14, 3.0  # number of rings; inner edge of the first ring, in periods per block
+_BAND = 48  # number of frequencies from 0 to 1/2 cycle per pixel along an axis
+_TEXTURE_SLOPES = (2.0, 1.0, 3.0, 0.0)  # candidate slopes s of the power spectrum, the most common one first
+_MIN_GAIN = 5.0  # increase of the log-likelihood required of a later slope in this list
+_OPAQUE_POWER, _MAX_NOISE = 1e-2, 8.0  # transmitted fraction of power below which nu may exceed 1; largest nu then
+_EDGE_POWER = 4.0  # power of texture at depth edges / power elsewhere
 _EDGE_STEP = 1.5  # depth difference, in units of the table spacing, that counts as a depth edge
-_LOCAL = 3.0  # rms width, in pixels, of the Gaussian that averages residuals locally
+_LOCAL_RMS = 3.0  # rms width, in pixels, of the Gaussian that averages residuals locally
 _DISTANCES = (2, 6, 16)  # distances in pixels from which a filter collects light
-_LEAST_SIDE, _MULTIPLE = 160, 16  # smallest side of a filtered image; every side is a multiple of _MULTIPLE (pixels)
+_MIN_SIDE, _MULTIPLE = 160, 16  # smallest side of a filtered image; every side is a multiple of _MULTIPLE (pixels)
 
 
 class Texture(NamedTuple):
-    """Texture with the power spectrum ``power f^-slope``, and variance of the noise; units: the stated variance."""
+    """Texture with the power spectrum ``power f^-slope``, and the noise variance, in units of the stated variance."""
 
     power: float  # power c at one cycle per pixel
     slope: float  # exponent s
@@ -68,7 +70,7 @@ class _Light(FocalLight):
     texture: Texture
 
     def binned(self, pixels: int) -> Self:
-        """Return this object unchanged: pixels are not binned."""
+        """Return this object unchanged: the method does not bin pixels."""
         return self
 
     def power(self, f: Array) -> Array:
@@ -118,7 +120,7 @@ class OnePass:
         for c, texture in enumerate(textures):
             tables = self._tables(scene.model(c, texture))
             light[..., c] = _filter_plane(tables, scene.planes[c], scene.places, blur.threads)
-        # Light is not negative, but the output of a linear filter can be.
+        # Light is not negative, but the output of a linear filter can be negative.
         sharp = np.maximum(light, 0.0).reshape(observed.counts.shape)
         # Filters assume one depth: near depth edges they include light with another blur.
         at_edges = _near_edges(scene.places)
@@ -133,15 +135,15 @@ class OnePass:
         for degree in _DEGREES:
             tables = SharpTables(model, Taps.of(5), degree)
             exact, approximate = tables.errors(tables.pixel)
-            losses = 10.0 * np.log10((approximate + _LEAST_ERROR) / (exact + _LEAST_ERROR))
-            if losses.max() <= _ENOUGH:
+            losses = 10.0 * np.log10((approximate + _MIN_ERROR) / (exact + _MIN_ERROR))
+            if losses.max() <= _GOOD_LOSS:
                 return tables
         if losses.max() > self.loss:
-            worst = int(np.argmax(losses))
+            k = int(np.argmax(losses))
             with np.errstate(divide="ignore"):
-                distance = 1.0 / model.vergence[worst]
+                distance = 1.0 / model.vergence[k]
             raise ValueError(
-                f"method=OnePass() loses {losses[worst]:.2g} dB at {distance:.4g} m, more than loss={self.loss:g}, "
+                f"method=OnePass() loses {losses[k]:.2g} dB at {distance:.4g} m, more than loss={self.loss:g}, "
                 "because the blur is too wide for its polynomial filters; use RichardsonLucy()"
             )
         return tables
@@ -155,13 +157,13 @@ class _Scene:
         self.vergence, self.places = _vergences(blur)
         shape = (*blur.shape, blur.channels)
         known = (observed.weight > 0.0).reshape(shape)
-        added = np.broadcast_to(observed.added, observed.counts.shape).reshape(shape)
-        # Not clipped at 0, which would bias the mean.
-        light = observed.counts.reshape(shape) - added
-        self.planes = [_filled(light[..., c], known[..., c]) for c in range(blur.channels)]
+        background = np.broadcast_to(observed.added, observed.counts.shape).reshape(shape)
+        # Clipping at 0 would bias the mean.
+        light = observed.counts.reshape(shape) - background
+        self.planes = [_fill_unknown(light[..., c], known[..., c]) for c in range(blur.channels)]
         self._variances = [
             # Noise variance in units of light: the mean count plus the read-noise variance, divided by white.
-            float(np.mean(plane) + np.mean(added[..., c])) / observed.white
+            float(np.mean(plane) + np.mean(background[..., c])) / observed.white
             for c, plane in enumerate(self.planes)
         ]
         self._neighbour_shares = _neighbour_shares(self.places, len(self.vergence))
@@ -171,7 +173,7 @@ class _Scene:
         self._curves = [curves[spectrum] for spectrum in blur.spectra]
 
     def texture(self, channel: int) -> Texture:
-        """Return the texture and the noise of a channel."""
+        """Return the estimated texture of a channel, which includes the noise."""
         return _estimate_texture(self.planes[channel], self._transmitted(channel), self._variances[channel])
 
     def _transmitted(self, channel: int) -> _Transmission:
@@ -184,8 +186,8 @@ class _Scene:
         model = FocalModel.of(
             [blur.lens], self.vergence, blur.spectra[channel], blur.pixel, light, transfer=lambda *_: curve
         )
-        stray = _stray_power(model.transfer[:, 0], model.texture, self._neighbour_shares)[:, None]
-        return replace(model, noise=model.noise + stray)
+        stray_power = _stray_power(model.transfer[:, 0], model.texture, self._neighbour_shares)[:, None]
+        return replace(model, noise=model.noise + stray_power)
 
     def target(self, channel: int) -> float:
         """Return the residual power of a channel expected of the Wiener filter, in units of the stated variance."""
@@ -195,9 +197,9 @@ class _Scene:
 
 
 def wiener_target(observed: PhotographCounts) -> tuple[float, float] | None:
-    """Return the residual power expected of the Wiener filter, and the noise, in units of the stated variance.
+    """Return the residual power expected of the Wiener filter, and the noise variance, both / the stated variance.
 
-    Returns None if the blur is too wide for the transfer functions, or is not the blur of a lens and a depth map.
+    Return None if the blur is too wide for the transfer functions, or is not the blur of a lens and a depth map.
     """
     blur = lens_blur(observed.blur)
     if blur is None:
@@ -211,17 +213,17 @@ def wiener_target(observed: PhotographCounts) -> tuple[float, float] | None:
 
 
 def lens_blur(blur: LinearBlur) -> DepthBlur | None:
-    """Return the DepthBlur of an operator with or without occlusion; None for other operators."""
+    """Return the DepthBlur of a DepthBlur or Occlusion; None for other operators."""
     return blur if isinstance(blur, DepthBlur) else blur.blur if isinstance(blur, Occlusion) else None
 
 
 def _vergences(blur: DepthBlur) -> tuple[Array, NDArray[np.float32]]:
-    """Return the vergence (1 / distance) of each table, and the position of each pixel in units of their spacing."""
+    """Return the vergence (1 / distance) of each table, and the position of each pixel as an index of a table."""
     # C_d is linear in 1 / distance (paper, Eq. 3): two distances determine the line.
     at_half_metre, at_metre = (float(defocus) for defocus in blur.lens.defocus([0.5, 1.0]))
     slope = at_half_metre - at_metre  # C_d per unit of vergence
     low, high = float(blur.defocus.min()), float(blur.defocus.max())
-    count = min(max(2, math.ceil((high - low) / _STEP) + 1), _MOST_TABLES)
+    count = min(max(2, math.ceil((high - low) / _STEP) + 1), _MAX_TABLES)
     defocus = np.linspace(low, max(high, low + 1e-3), count)
     # Rounding could make the vergence of an infinite distance negative.
     vergence = np.maximum(1.0 + (defocus - at_metre) / slope, 0.0)
@@ -229,24 +231,24 @@ def _vergences(blur: DepthBlur) -> tuple[Array, NDArray[np.float32]]:
 
 
 def _neighbour_shares(places: NDArray[np.float32], count: int) -> Array:
-    """Return the fractions [i, j] of the neighbours, at `_DISTANCES`, of pixels with table i that have table j."""
-    at = np.rint(places).astype(np.int64)
+    """Return a matrix: for pixels with table i, the fraction [i, j] of neighbours at `_DISTANCES` with table j."""
+    index = np.rint(places).astype(np.int64)
     pairs = np.zeros((count, count))
-    for away in _DISTANCES:
-        for one, other in ((at[away:], at[:-away]), (at[:, away:], at[:, :-away])):
-            flat = np.bincount((one * count + other).ravel(), minlength=count**2)
-            pairs += flat.reshape(count, count)
+    for distance in _DISTANCES:
+        for a, b in ((index[distance:], index[:-distance]), (index[:, distance:], index[:, :-distance])):
+            counts = np.bincount((a * count + b).ravel(), minlength=count**2)
+            pairs += counts.reshape(count, count)
     pairs += pairs.T
     # For tables without pixels, the fractions are those of all pixels of the photograph.
-    pairs[pairs.sum(axis=1) == 0.0] = np.bincount(at.ravel(), minlength=count)
+    pairs[pairs.sum(axis=1) == 0.0] = np.bincount(index.ravel(), minlength=count)
     return np.asarray(pairs / pairs.sum(axis=1, keepdims=True))
 
 
 def _stray_power(transfer: Array, power: Array, shares: Array) -> Array:
     """Return the power of light with the blur of other depths, in units of the noise, (tables, frequencies)."""
-    # Mean over neighbours of (h_neighbour - h)^2, expanded.
+    # Expansion of the mean over neighbours of (h_neighbour - h)^2.
     difference = shares @ transfer**2 - 2.0 * transfer * (shares @ transfer) + transfer**2
-    return np.asarray(_EDGES * power * np.maximum(difference, 0.0))
+    return np.asarray(_EDGE_POWER * power * np.maximum(difference, 0.0))
 
 
 def _near_edges(places: NDArray[np.float32]) -> NDArray[np.bool_]:
@@ -262,7 +264,7 @@ def _blend_at_edges(
 ) -> Values:
     """Return `light`, blended with the photograph near depth edges where the blend explains the counts better.
 
-    The fraction of the photograph is lower where noise explains part of the residual.
+    The fraction of the photograph is smaller where noise explains a part of the residual.
     """
     from scipy.ndimage import gaussian_filter
 
@@ -277,7 +279,7 @@ def _blend_at_edges(
     change = (observed.model(photo) - model) * scale
 
     def local(values: Values) -> Values:
-        return np.asarray(gaussian_filter(values.reshape(shape), (_LOCAL, _LOCAL, 0.0)))
+        return np.asarray(gaussian_filter(values.reshape(shape), (_LOCAL_RMS, _LOCAL_RMS, 0.0)))
 
     # Local least-squares fraction of the photograph: projection of the residual on the change.
     power, product, square = local(residual**2), local(residual * change), local(change**2)
@@ -287,7 +289,7 @@ def _blend_at_edges(
     return np.asarray(light + fraction * (photo - light), dtype=light.dtype)
 
 
-def _filled(plane: Values, known: NDArray[np.bool_]) -> Array:
+def _fill_unknown(plane: Values, known: NDArray[np.bool_]) -> Array:
     """Return a plane in which each unknown pixel has the value of the nearest known pixel."""
     if known.all():
         return np.asarray(plane, dtype=np.float64)
@@ -301,8 +303,8 @@ def _spectrum(plane: Array) -> tuple[Array, Array]:
     """Return the frequency in cycles per pixel and the power spectrum of a plane, averaged over windowed blocks."""
     sides = [min(side, _BLOCK) for side in plane.shape]
     starts = [
-        np.unique(np.linspace(0, whole - side, min(-(-whole // side), _BLOCKS)).astype(int))
-        for whole, side in zip(plane.shape, sides, strict=True)
+        np.unique(np.linspace(0, length - side, min(-(-length // side), _MAX_BLOCKS)).astype(int))
+        for length, side in zip(plane.shape, sides, strict=True)
     ]
     # Hann windows: without them the jump between opposite edges of a block would appear as a texture of slope 2.
     window = np.outer(*(np.hanning(side + 2)[1:-1] for side in sides))
@@ -330,9 +332,9 @@ class _Transmission(NamedTuple):
         weights = np.bincount(np.rint(places).astype(int).ravel(), minlength=count) / places.size
         fs, powers = [], []
         # Sampling at the pixels folds the eight nearest alias bands into the band.
-        for across in (0.0, -1.0, 1.0):
-            for down in (0.0, -1.0, 1.0):
-                x, y = band.fx - across, band.fy - down
+        for shift_x in (0.0, -1.0, 1.0):
+            for shift_y in (0.0, -1.0, 1.0):
+                x, y = band.fx - shift_x, band.fy - shift_y
                 fs.append(np.hypot(x, y))
                 powers.append(weights @ np.square(curve(fs[-1])) * np.square(np.sinc(x) * np.sinc(y)))
         return cls(band, np.array(fs), np.array(powers))
@@ -347,15 +349,15 @@ def _power_law(f: Array, slope: float) -> Array:
 
 
 def _estimate_texture(plane: Array, transmission: _Transmission, variance: float) -> Texture:
-    """Return the most likely texture and noise of a plane with the stated `variance`; power 0 for < 3 rings."""
+    """Return the most likely texture of a plane with the stated `variance`; its power is 0 for fewer than 3 rings."""
     f, power = _spectrum(plane)
-    edges = np.append(np.geomspace(_LOWEST / min(*plane.shape, _BLOCK), 0.5, _RINGS), 0.75)
+    edges = np.append(np.geomspace(_MIN_PERIODS / min(*plane.shape, _BLOCK), 0.5, _RINGS), 0.75)
     ring_of_f, ring_of_band = np.digitize(f, edges), np.digitize(transmission.f[0], edges)
     rings = [k for k in range(1, len(edges)) if (ring_of_f == k).sum() > 8 and (ring_of_band == k).any()]
     count = np.array([float((ring_of_f == k).sum()) for k in rings])
     measured = np.array([power[ring_of_f == k].mean() for k in rings]) / max(variance, 1e-300)
     if len(rings) < 3 or not measured.max() > 0.0:
-        return Texture(0.0, _SLOPES[0], 1.0)
+        return Texture(0.0, _TEXTURE_SLOPES[0], 1.0)
     share = transmission.band.share
 
     def ring_means(values: Array) -> Array:
@@ -363,30 +365,30 @@ def _estimate_texture(plane: Array, transmission: _Transmission, variance: float
 
     # Whittle's negative log-likelihood: sum over rings of n (log S + P / S), with n frequencies in the ring, the
     # model S and the measured power P.
-    least = min(1.0, float(measured.min()))
-    most = _MOST_NOISE if ring_means(transmission.power[0]).min() < _OPAQUE else 1.0
-    noise = np.geomspace(least, max(most, least * 1.0001), 40)[:, None, None]
-    best, texture = math.inf, Texture(0.0, _SLOPES[0], 1.0)
-    for slope in _SLOPES:
+    min_noise = min(1.0, float(measured.min()))
+    max_noise = _MAX_NOISE if ring_means(transmission.power[0]).min() < _OPAQUE_POWER else 1.0
+    noise = np.geomspace(min_noise, max(max_noise, min_noise * 1.0001), 40)[:, None, None]
+    min_cost, texture = math.inf, Texture(0.0, _TEXTURE_SLOPES[0], 1.0)
+    for slope in _TEXTURE_SLOPES:
         shape = ring_means(transmission.photograph_power(slope))
         factors = np.geomspace(1e-4, 1e6, 120)[:, None] / max(shape.max(), 1e-300)
         model = factors * shape + noise
         cost = (count * (np.log(model) + measured / model)).sum(axis=2)
         a, b = np.unravel_index(np.argmin(cost), cost.shape)
         # The most common slope is tried first; another slope must be clearly more likely.
-        if cost[a, b] < best - _MORE_LIKELY:
-            best, texture = float(cost[a, b]), Texture(float(factors[b, 0]), slope, float(noise[a, 0, 0]))
+        if cost[a, b] < min_cost - _MIN_GAIN:
+            min_cost, texture = float(cost[a, b]), Texture(float(factors[b, 0]), slope, float(noise[a, 0, 0]))
     return texture
 
 
 def _filter_plane(tables: SharpTables, plane: Array, places: NDArray[np.float32], threads: int) -> Values:
-    """Return `plane`, each pixel filtered for its depth, which `places` holds in units of the table spacing."""
-    sides = [max(_LEAST_SIDE, -(-side // _MULTIPLE) * _MULTIPLE) for side in plane.shape]
-    more = [(0, side - own) for side, own in zip(sides, plane.shape, strict=True)]
+    """Return `plane`, each pixel filtered for its depth; `places` are depths as indices of tables."""
+    sides = [max(_MIN_SIDE, -(-side // _MULTIPLE) * _MULTIPLE) for side in plane.shape]
+    margins = [(0, side - length) for side, length in zip(sides, plane.shape, strict=True)]
     stream = tables.stream((sides[0], sides[1]), threads or processors())
     gains = np.array([[1.0, 0.0, 0.0, 0.0, 0.0, 0.0]], dtype=np.float32)
-    stream.take([np.pad(plane.astype(np.float32), more, mode="symmetric")], gains, 0.0, math.inf, None)
-    made = np.empty(sides, dtype=np.float32)
+    stream.take([np.pad(plane.astype(np.float32), margins, mode="symmetric")], gains, 0.0, math.inf, None)
+    result = np.empty(sides, dtype=np.float32)
     factors = np.ascontiguousarray(tables.mixes(tables.pixel), dtype=np.float32)
-    stream.mix(np.pad(places, more, mode="edge"), 1, factors, made)
-    return made[: plane.shape[0], : plane.shape[1]]
+    stream.mix(np.pad(places, margins, mode="edge"), 1, factors, result)
+    return result[: plane.shape[0], : plane.shape[1]]

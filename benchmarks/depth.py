@@ -85,7 +85,7 @@ def _exact() -> NDArray[np.float64]:
         y, x = divmod(k, wide)
         at = rows.start + y, columns.start + x
         inside = window[SIDE // 2 - half : SIDE // 2 + half + 1, SIDE // 2 - half : SIDE // 2 + half + 1]
-        inside = bank.used(defocus[at]) * inside
+        inside = bank.pixel_weights(defocus[at]) * inside
         total[y : y + 2 * half + 1, x : x + 2 * half + 1] += image[at][1] * inside / inside.sum()
     return total[2 * half : 2 * half + _PATCH, 2 * half : 2 * half + _PATCH]
 

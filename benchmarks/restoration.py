@@ -91,7 +91,7 @@ def imitated(blur: DepthBlur, kind: str) -> DepthBlur:
         kernels = np.broadcast_to(average(blur), (bank.count, side, side))
         cuts = np.full_like(cuts, middle)
     other = copy.copy(blur)
-    other.banks = (bank.holding(kernels, cuts),)
+    other.banks = (bank.with_kernels(kernels, cuts),)
     return other
 
 

@@ -17,8 +17,8 @@ from lommel.imaging.sensor_light import (
     SensorLight,
     cut,
     find_cuts,
-    ring_shares,
-    shares_used,
+    ring_factors,
+    pixel_factors,
     sums_of_quarters,
 )
 from lommel.methods.nijboer_zernike import NijboerZernike
@@ -45,7 +45,7 @@ def exact(pupil: lm.Pupil, defocus: float, side: int, wavelength: float = 550e-9
 
 def off(windows: Bank, defocus: float, true: np.ndarray) -> float:
     """The largest error over the peak, of the pixels that are used whole; those in part are near what is left."""
-    used, made = windows.used(defocus), windows.window(defocus)
+    used, made = windows.pixel_weights(defocus), windows.window(defocus)
     inside, held = np.abs(used - 1.0) < 1e-9, (used * true).sum()
     made *= true[inside].sum() / made[inside].sum()
     assert made.sum() == pytest.approx(held, abs=1e-4)
@@ -78,7 +78,7 @@ def test_interpolated_windows_err_by_less_than_the_tolerance_anywhere(bank, defo
 @given(defocus=st.floats(-9.0, 14.0))
 def test_windows_hold_the_light_that_was_asked_for_and_spread_what_they_do_not(bank, defocus):
     pupil, windows = bank
-    held = (windows.used(defocus) * exact(pupil, defocus, 2 * windows.half + 1)).sum()
+    held = (windows.pixel_weights(defocus) * exact(pupil, defocus, 2 * windows.half + 1)).sum()
     assert held >= 0.95 - 1e-3
     assert held >= 1.0 - windows.lost - 1e-3
     assert windows.lost <= 0.05
@@ -109,12 +109,12 @@ def test_a_bank_of_other_psfs_spreads_these_cut_alike(bank):
     _, windows = bank
     rows, columns = np.abs(np.indices((2 * windows.half + 1,) * 2) - windows.half)
     kernels = np.exp(-np.arange(windows.count)[:, None, None] / 50.0 - 0.1 * rows**2 - 0.3 * columns**2)
-    other = windows.holding(kernels)
+    other = windows.with_kernels(kernels)
     for index in range(1, windows.count - 1, 7):
         at = windows.start + index * windows.spacing
-        kept = windows.used(at) * kernels[index]
+        kept = windows.pixel_weights(at) * kernels[index]
         np.testing.assert_allclose(other.window(at), kept / kept.sum(), rtol=1e-9, atol=1e-15)
-    whole = windows.holding(kernels, np.full(windows.count, float(windows.half)))
+    whole = windows.with_kernels(kernels, np.full(windows.count, float(windows.half)))
     np.testing.assert_allclose(whole.energies, kernels.sum(axis=(1, 2)), rtol=1e-12)
 
 
@@ -215,7 +215,7 @@ def test_windows_as_large_as_the_refusal_of_smaller_ones_says_hold_the_light(dis
     light = SensorLight.of(lens, white, 2.5e-6)
     low, high = sorted(lens.defocus(np.array(distances)))
     with pytest.raises(ValueError, match=r"allow larger windows \(largest=\d+ or more\)") as refused:
-        light.enough((low, high), energy, 2 if energy < 0.99 else 90)
+        light.sufficient_half((low, high), energy, 2 if energy < 0.99 else 90)
     enough = int(re.search(r"largest=(\d+)", str(refused.value))[1])
     side = (enough + 0.5) * light.pixel
     held = 0.0
@@ -224,7 +224,7 @@ def test_windows_as_large_as_the_refusal_of_smaller_ones_says_hold_the_light(dis
         held += weight * lm.psf(pupil, 1, 1e-6, integrate=False).ensquared_energy(side)
     assert held.min() >= energy
     if energy < 0.99 and distances[0] > 0.5:
-        assert light.enough((low, high), energy, enough)[0] <= enough + 1
+        assert light.sufficient_half((low, high), energy, enough)[0] <= enough + 1
 
 
 def test_windows_that_cannot_hold_the_light_are_refused_before_they_are_computed(monkeypatch):
@@ -237,7 +237,7 @@ def test_windows_that_cannot_hold_the_light_are_refused_before_they_are_computed
 
     monkeypatch.setattr(SensorLight, "shares", watched)
     with pytest.raises(ValueError, match=r"more than 161 pixels .* 0\.9999 of .* \(windows of this size hold 0\.9"):
-        light.enough((0.0, 10.0), 0.9999, 80)
+        light.sufficient_half((0.0, 10.0), 0.9999, 80)
     assert max(sides) < 40
 
 
@@ -295,11 +295,11 @@ def test_cuts_reach_as_far_as_those_of_the_neighbours():
 
 
 def test_rings_count_as_the_cuts_of_three_windows_say():
-    shares = ring_shares(np.array([2.0, 2.0, 3.5, 2.25]), 5)
+    shares = ring_factors(np.array([2.0, 2.0, 3.5, 2.25]), 5)
     np.testing.assert_allclose(shares[0], [1.0, 1.0, 1.0, 0.0, 0.0, 0.0])
     np.testing.assert_allclose(shares[1], [1.0, 1.0, 1.0, 1.0 / 6.0, 0.5 / 6.0, 0.0])
     np.testing.assert_allclose(shares[2], [1.0, 1.0, 1.0, (4.0 + 0.25) / 6.0, 2.0 / 6.0, 0.0])
-    np.testing.assert_array_equal(shares_used(np.array([1.5]), 2)[0], [[1, 1, 0.5], [1, 1, 0.5], [0.5, 0.5, 0.5]])
+    np.testing.assert_array_equal(pixel_factors(np.array([1.5]), 2)[0], [[1, 1, 0.5], [1, 1, 0.5], [0.5, 0.5, 0.5]])
 
 
 LENS = lm.Lens(focal_length=50e-3, f_number=1.4, focus_distance=1.0, wavelength=550e-9, model="aplanatic")

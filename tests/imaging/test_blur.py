@@ -25,7 +25,7 @@ def test_every_point_spreads_the_psf_of_its_own_depth():
     for y in range(20):
         for x in range(26):
             exact = lm.psf(LENS.pupil(depth[y, x]), 2 * half + 1, PIXEL, integrate=True, dtype=np.float64).values
-            window = blur.banks[0].used(LENS.defocus(depth[y, x])) * exact
+            window = blur.banks[0].pixel_weights(LENS.defocus(depth[y, x])) * exact
             total[y : y + 2 * half + 1, x : x + 2 * half + 1] += image[y, x] * window / window.sum()
     out = blur.forward(image)
     assert np.abs(out - total[half:-half, half:-half]).max() <= 1e-5 * out.max()

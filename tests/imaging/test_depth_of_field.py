@@ -36,7 +36,7 @@ def window(lens: lm.Lens, distance: float, blur: DepthBlur) -> np.ndarray:
         method=lm.NijboerZernike(1e-9),
         dtype=np.float64,
     )
-    used = bank.used(lens.defocus(distance)) * answer.values
+    used = bank.pixel_weights(lens.defocus(distance)) * answer.values
     return np.asarray(used / used.sum())
 
 

@@ -33,7 +33,7 @@ def edge(blur: DepthBlur, distance: float) -> np.ndarray:
     """Coverage of the bar by its distance from either edge, from exact windows: ``a[d]`` for d pixels inside."""
     half = blur.banks[0].half
     window = lm.psf(LENS.pupil(distance), 2 * half + 1, PIXEL, integrate=True, dtype=np.float64).values
-    window = blur.banks[0].used(LENS.defocus(distance)) * window
+    window = blur.banks[0].pixel_weights(LENS.defocus(distance)) * window
     rising = np.cumsum(window.sum(axis=0) / window.sum())
     left = np.arange(WIDTH) - BAR.start + half
     right = np.arange(WIDTH) - BAR.stop + half
@@ -65,7 +65,10 @@ def test_a_sharp_foreground_is_not_touched_by_the_highlights_behind_it():
     light[15, BAR.start - 2] = light[7, BAR.stop + 1] = 50.0
     light[:, BAR] = 0.4
     blur = DepthBlur(bar(2.0, 8.0), LENS, PIXEL, dtype=np.float64)
-    own = int(np.flatnonzero(blur.banks[0].used(LENS.defocus(2.0))[blur.banks[0].half])[-1]) - blur.banks[0].half
+    own = (
+        int(np.flatnonzero(blur.banks[0].pixel_weights(LENS.defocus(2.0))[blur.banks[0].half])[-1])
+        - blur.banks[0].half
+    )
     inside = slice(BAR.start + own, BAR.stop - own)
     assert own <= 2
     assert np.abs(Occlusion(blur).forward(light)[:, inside] - 0.4).max() < 1e-6

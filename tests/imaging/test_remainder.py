@@ -19,7 +19,7 @@ from lommel.imaging.bank import (
     reach_of,
     smooth_transforms,
 )
-from lommel.imaging.sensor_light import SensorLight, shares_used
+from lommel.imaging.sensor_light import SensorLight, pixel_factors
 
 PIXEL = 6e-6
 PUPIL = lm.Pupil(wavelength=540e-9, f_number=8.0)
@@ -128,10 +128,10 @@ def test_windows_hold_less_than_without_a_remainder_and_are_divided_by_nothing()
     assert np.all(made.energies == 1.0)
     assert made.lost == 0.0
     assert 0.0 < made.window(0.5).sum() < 0.98
-    within = made.windows + made.filled
+    within = made.windows + made.remainder_windows
     pupil = lm.Pupil(lm.Wavefront(made.start), wavelength=540e-9, f_number=8.0)
     true = lm.psf(pupil, 2 * made.half + 1, PIXEL, integrate=True, dtype=np.float64).values
-    kept = shares_used(made.cuts, made.half)[0] * true[made.half :, made.half :]
+    kept = pixel_factors(made.cuts, made.half)[0] * true[made.half :, made.half :]
     np.testing.assert_allclose(within[0, : made.half + 1, : made.half + 1], kept, atol=2e-6 * true.max())
 
 
@@ -145,7 +145,7 @@ def test_of_the_rings_an_image_has_what_falls_as_the_cube_within_its_sides(shape
     inside = (many / np.maximum(np.hypot(row, column), 1.0) ** 3).sum()
     everywhere = 4.0 * math.sqrt(2.0) / (reach + 0.5)  # the integral outside of the square that is known
     near = replace(remainder, rings=0.0).error(shape=shape)
-    assert remainder.error(shape=shape) - near == pytest.approx(remainder.rings * inside / everywhere, rel=0.05)
+    assert remainder.error(shape=shape) - near == pytest.approx(remainder.ring_error * inside / everywhere, rel=0.05)
     known = (reach + 1, reach + 1)
     assert remainder.error(shape=known) == replace(remainder, rings=1.0, held=1.0).error(shape=known)
 
@@ -189,7 +189,7 @@ def test_what_is_taken_is_the_transpose_of_what_is_spread(remainder, border):
     a, b = rng.standard_normal((2, 6, 9))
     for r in range(len(remainder.table)):
         spread = kernels.image(kernels.transformed(r, a.copy()))
-        taken = kernels.taken(r, kernels.known(b))
+        taken = kernels.transposed(r, kernels.padded_transform(b))
         assert np.vdot(spread, b) == pytest.approx(np.vdot(a, taken), rel=1e-12)
 
 

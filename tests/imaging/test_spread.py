@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from lommel import _core
 from lommel.imaging.bank import Bank
 from lommel.imaging.blur import parts
-from lommel.imaging.sensor_light import shares_used
+from lommel.imaging.sensor_light import pixel_factors
 
 LEVELS = ["portable", "avx2", "avx512"]
 SIZES = [(1, 1, 0), (1, 7, 1), (9, 1, 3), (5, 4, 8), (40, 3, 2), (33, 35, 5), (2, 70, 17), (137, 2, 70)]
@@ -38,7 +38,7 @@ def bank(
     if cuts is None:
         cuts = np.minimum(rng.integers(0, half + 1, count) + rng.choice([0.0, 0.3, 0.9], count), half)
     away = np.abs(np.arange(-half, half + 1))
-    values = rng.uniform(0.5, 1.5, (count, half + 1, half + 1)) * shares_used(cuts, half)
+    values = rng.uniform(0.5, 1.5, (count, half + 1, half + 1)) * pixel_factors(cuts, half)
     windows = np.zeros((count + 1, half + 1, margin(half)), dtype)
     windows[:-1, :, : half + 1] = values
     energies = values[:, away[:, None], away].sum(axis=(1, 2))

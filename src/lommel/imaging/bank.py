@@ -1,7 +1,8 @@
 """Banks: tables of PSF windows over defocus, between which the compiled core interpolates.
 
 A window is the pixel-integrated PSF on a square of pixels. A remainder is the light of the PSF outside its window. A
-ring is the set of pixels at one Chebyshev distance from the centre. The reach is the largest radius tabulated.
+ring is the set of pixels at one Chebyshev distance from the centre. The reach is the half width, in pixels, of the
+table of the remainder.
 
 References
 ----------
@@ -26,15 +27,15 @@ from lommel.imaging.sensor_light import (
     SensorLight,
     cut,
     find_cuts,
-    of_neighbours,
-    ring_shares,
-    shares_used,
+    neighbour_maxima,
+    pixel_factors,
+    ring_factors,
     sums_of_quarters,
 )
 from lommel.methods.pixel_rule import cells_alike, octant, quarters
 
 _MAX_WINDOWS = 20_000
-_MAX_VALUES = 2**27  # numbers in a bank: 1 GiB in double precision
+_MAX_VALUES = 2**27  # largest number of values in a bank: 1 GiB in double precision
 _GAPS = 12  # initial number of gaps between windows; doubled until a gap is at most 1 rad wide
 
 
@@ -63,7 +64,7 @@ class Bank:
         bound of the computed window; relative to the peak of the window.
     remainder : Remainder, optional
         Light outside the windows, for ``energy=1``; `windows` then hold the PSF minus the remainder.
-    filled : ndarray, optional
+    remainder_windows : ndarray, optional
         Values of the remainder on the pixels of the windows, in the layout of `windows`.
     """
 
@@ -75,7 +76,7 @@ class Bank:
     lost: float
     error: float
     remainder: Remainder | None = None
-    filled: Values | None = None
+    remainder_windows: Values | None = None
 
     @property
     def count(self) -> int:
@@ -90,7 +91,7 @@ class Bank:
     @property
     def halves(self) -> NDArray[np.int64]:
         """Half width of each window and its two neighbours, rounded up to whole pixels, shape (count,)."""
-        return of_neighbours(np.ceil(self.cuts)).astype(np.int64)
+        return neighbour_maxima(np.ceil(self.cuts)).astype(np.int64)
 
     @property
     def beyond(self) -> tuple[int, int]:
@@ -103,11 +104,11 @@ class Bank:
         positions /= self.spacing
         return positions
 
-    def used(self, defocus: float) -> Array:
-        """Return the weight of each pixel, about 0 to 1, at one `defocus` C_d (rad), shape (side, side)."""
+    def pixel_weights(self, defocus: float) -> Array:
+        """Return the truncation factor of each pixel, about 0 to 1, at one `defocus` C_d (rad), shape (side, side)."""
         # Cubic interpolation from four windows, as in the compiled core.
         first, weights = self._mixture(defocus)
-        return self._mirror(np.tensordot(weights, shares_used(self.cuts, self.half)[first : first + 4], axes=1))
+        return self._mirror(np.tensordot(weights, pixel_factors(self.cuts, self.half)[first : first + 4], axes=1))
 
     def window(self, defocus: float) -> Array:
         """Return the window that the compiled core interpolates at one `defocus` C_d (rad), shape (side, side)."""
@@ -115,17 +116,18 @@ class Bank:
         quarter = np.tensordot(weights, self.windows[first : first + 4].astype(np.float64), axes=1)
         return self._mirror(quarter) / (weights @ self.energies[first : first + 4])
 
-    def holding(self, kernels: Array, cuts: Array | None = None) -> Bank:
-        """Return a bank of other `kernels` (count, side, side), cut to the half widths `cuts` or ``self.cuts``."""
+    def with_kernels(self, kernels: Array, cuts: Array | None = None) -> Bank:
+        """Return a bank of other `kernels` (count, side, side), truncated to `cuts`, by default ``self.cuts``."""
         ends = self.cuts if cuts is None else cuts
-        quarter = kernels[:, self.half :, self.half :] * shares_used(ends, self.half)
+        quarter = kernels[:, self.half :, self.half :] * pixel_factors(ends, self.half)
         windows, energies = stored_windows(quarter, self.windows.dtype), sums_of_quarters(quarter)
         return replace(self, windows=windows, cuts=ends, energies=energies)
 
-    def apart(self) -> tuple[Bank, Bank]:
+    def split(self) -> tuple[Bank, Bank]:
         """Return two banks: the whole PSF on the pixels of its windows, and the remainder on these pixels."""
-        assert self.filled is not None
-        return replace(self, windows=self.windows + self.filled), replace(self, windows=self.filled)
+        assert self.remainder_windows is not None
+        remainder = self.remainder_windows
+        return replace(self, windows=self.windows + remainder), replace(self, windows=remainder)
 
     def _mixture(self, defocus: float) -> tuple[int, Array]:
         """Return the index of the first of four consecutive windows, and their weights in the interpolation."""
@@ -139,8 +141,8 @@ class Bank:
 
     def _mirror(self, quarter: Array) -> Array:
         """Return the whole window whose lower right quadrant is `quarter`."""
-        away = np.abs(np.arange(-self.half, self.half + 1))
-        return quarter[away[:, None], away]
+        distance = np.abs(np.arange(-self.half, self.half + 1))
+        return quarter[distance[:, None], distance]
 
 
 def build_bank(
@@ -157,15 +159,15 @@ def build_bank(
     assert light.pupil.wavelength is not None
     # The shortest wavelength has the largest defocus in radians: the windows must resolve it.
     per_radian = light.pupil.wavelength / min(wavelength for wavelength, _ in light.spectrum)
-    whole = energy == 1.0
+    with_remainder = energy == 1.0
     step = math.pi * per_radian * light.pixel / light.pupil.scale
-    inner = inner_energy(step) if whole else energy
-    half, parabola = light.enough(defocus, inner, largest)
-    reach = reach_of(half, step) if whole else half
-    # Windows outside the range on both sides: every point then lies between the inner two of its four windows.
+    inner = inner_energy(step) if with_remainder else energy
+    half, parabola = light.sufficient_half(defocus, inner, largest)
+    reach = reach_of(half, step) if with_remainder else half
+    # The bank extends beyond the range on both sides: every point then lies between the inner two of four windows.
     spacing = max((high - low) / _GAPS, 0.05)
     spacing *= 0.5 ** max(0, math.ceil(math.log2(spacing)))
-    at = DefocusNodes.of(
+    interpolation = DefocusNodes.of(
         lambda nodes: light.shares(light.defocused(nodes), reach),
         low - spacing,
         high + 2.0 * spacing,
@@ -174,7 +176,9 @@ def build_bank(
         bound=math.pi * (light.pixel * per_radian / light.pupil.scale) ** 2 / 4.0,
         threads=light.threads,
     )
-    everywhere, at = at, at.of_first((half + 1) * (half + 2) // 2) if whole else at
+    all_nodes = interpolation
+    if with_remainder:
+        interpolation = interpolation.first_cells((half + 1) * (half + 2) // 2)
     while True:
         count, side = max(1, math.ceil((high - low) / spacing)) + 3, 2 * half + 1
         if count > _MAX_WINDOWS or count * side * side > _MAX_VALUES:
@@ -184,27 +188,27 @@ def build_bank(
                 f"than {tol:g}"
             )
         start = low - spacing
-        together, truncated = at(start + 0.5 * spacing * np.arange(2.0 * count - 1.0))
-        exact = together[::2]
-        error = _interpolation_error(exact, together[1::2]) + truncated
+        all_windows, truncated = interpolation(start + 0.5 * spacing * np.arange(2.0 * count - 1.0))
+        exact = all_windows[::2]
+        error = _interpolation_error(exact, all_windows[1::2]) + truncated
         if error <= tol:
             break
         # Cubic interpolation: halving a small spacing divides the error by 16; halving a large one, by less.
         spacing *= 0.5 ** max(1, math.ceil(math.log(error / tol, 16.0)))
     cuts = find_cuts(exact, half, inner + 1e-12)  # despite rounding, windows hold at least the energy requested
-    if whole:
-        used = math.ceil(cuts.max())
-        cells = (used + 1) * (used + 2) // 2
-        exact, middle = exact[:, :cells], together[3:-3:2, :cells]
-        remainder, within = fit(everywhere, start, spacing, exact, middle, cuts, reach, tol)
-        windows, filled = (stored_windows(cut(part, cuts), np.dtype(dtype)) for part in (exact - within, within))
-        return Bank(start, spacing, windows, cuts, np.ones(count), 0.0, error, remainder, filled)
+    if with_remainder:
+        max_half = math.ceil(cuts.max())
+        cells = (max_half + 1) * (max_half + 2) // 2
+        exact, middle = exact[:, :cells], all_windows[3:-3:2, :cells]
+        remainder, inside = fit(all_nodes, start, spacing, exact, middle, cuts, reach, tol)
+        windows, stored = (stored_windows(cut(part, cuts), np.dtype(dtype)) for part in (exact - inside, inside))
+        return Bank(start, spacing, windows, cuts, np.ones(count), 0.0, error, remainder, stored)
     quarter = cut(exact, cuts)
     energies = sums_of_quarters(quarter)
     # The weights (-1, 9, 9, -1) / 16 interpolate the sums half-way between two windows by a cubic.
-    between = (9.0 * (energies[1:-2] + energies[2:-1]) - energies[:-3] - energies[3:]) / 16.0
-    held = min(float(energies.min()), float(between.min()))
-    return Bank(start, spacing, stored_windows(quarter, np.dtype(dtype)), cuts, energies, 1.0 - held, error)
+    middle_sums = (9.0 * (energies[1:-2] + energies[2:-1]) - energies[:-3] - energies[3:]) / 16.0
+    least_sum = min(float(energies.min()), float(middle_sums.min()))
+    return Bank(start, spacing, stored_windows(quarter, np.dtype(dtype)), cuts, energies, 1.0 - least_sum, error)
 
 
 def stored_windows(quarter: Array, dtype: np.dtype[np.floating]) -> Values:
@@ -214,8 +218,8 @@ def stored_windows(quarter: Array, dtype: np.dtype[np.floating]) -> Values:
     # Rows begin at cache lines where the stride allows it, for faster vector loads.
     size = math.prod(shape) * dtype.itemsize
     room = np.zeros(size + 64, dtype=np.uint8)
-    first = -room.ctypes.data % 64
-    windows = room[first : first + size].view(dtype).reshape(shape)
+    offset = -room.ctypes.data % 64
+    windows = room[offset : offset + size].view(dtype).reshape(shape)
     windows[:-1, :, :side] = quarter
     return windows
 
@@ -223,14 +227,14 @@ def stored_windows(quarter: Array, dtype: np.dtype[np.floating]) -> Values:
 def _interpolation_error(exact: Array, middle: Array) -> float:
     """Return the largest (interpolation error / peak), half-way in every gap except the first and the last one."""
     # Weights (-1, 9, 9, -1) / 16, applied in place: the arrays are as large as the bank.
-    off = exact[1:-2] + exact[2:-1]
-    off *= 9.0
-    off -= exact[:-3]
-    off -= exact[3:]
-    off /= 16.0
+    error = exact[1:-2] + exact[2:-1]
+    error *= 9.0
+    error -= exact[:-3]
+    error -= exact[3:]
+    error /= 16.0
     inner = middle[1:-1]
-    off -= inner
-    return float((np.abs(off, out=off).max(axis=1) / inner.max(axis=1)).max())
+    error -= inner
+    return float((np.abs(error, out=error).max(axis=1) / inner.max(axis=1)).max())
 
 
 _GAP = 3.0  # approximate distance, in pixels, from the geometric shadow of the aperture to the edge of a window
@@ -265,33 +269,33 @@ class Remainder:
     table: Array  # (rank, reach + 1, reach + 1): g_r minus its smooth part; one quadrant, from its centre on
     smooth: Array  # (rank, 3): coefficients of s^(2 j) (r^2 + s^2)^(-3/2 - j), r in pixels
     scale: float  # s, pixels
-    off: NDArray[np.float32]  # (count - 3, near): largest error of K in each gap, on pixels that windows can include
-    far: Array  # largest error of K, at any defocus, on each pixel between the largest window and the reach
-    rings: float  # estimated sum over pixels of the fine diffraction rings beyond the reach, which are omitted
-    held: float  # largest error of the total light beyond the reach
+    gap_errors: NDArray[np.float32]  # (count - 3, cells): largest error of K in each gap, on pixels inside windows
+    far_errors: Array  # largest error of K, at any defocus, on each pixel between the largest window and the reach
+    ring_error: float  # estimated sum over pixels of the fine diffraction rings beyond the reach, which are omitted
+    tail_error: float  # largest error of the total light beyond the reach
 
     def error(self, positions: ArrayLike | None = None, shape: tuple[int, int] | None = None) -> float:
         """Return the sum over pixels of the largest error of K at `positions`, within an image of `shape`."""
-        off = self.off
+        errors = self.gap_errors
         if positions is not None:
-            gaps = np.clip(np.asarray(positions).astype(np.int32).ravel() - 1, 0, len(off) - 1)
-            off = off[np.flatnonzero(np.bincount(gaps))]
+            gaps = np.clip(np.asarray(positions).astype(np.int32).ravel() - 1, 0, len(errors) - 1)
+            errors = errors[np.flatnonzero(np.bincount(gaps))]
         reach = self.table.shape[1] - 1
-        table = quarters(np.append(off.max(axis=0), self.far)[None], reach)[0]
+        table = quarters(np.append(errors.max(axis=0), self.far_errors)[None], reach)[0]
         # A row or column of the quadrant counts for its mirror image as well, unless it is the central one.
-        copies = np.where(np.arange(reach + 1) == 0, 1.0, 2.0)
+        multiplicity = np.where(np.arange(reach + 1) == 0, 1.0, 2.0)
         height, width = (reach + 1, reach + 1) if shape is None else shape
-        near = float(copies[:height] @ table[:height, :width] @ copies[:width])
+        tabulated_error = float(multiplicity[:height] @ table[:height, :width] @ multiplicity[:width])
         if shape is None:
-            return near + self.rings + self.held
+            return tabulated_error + self.ring_error + self.tail_error
         if max(shape) - 1 <= reach:
-            return near
+            return tabulated_error
         # The diffraction rings fall like r^-3, whose integral over the part of a quadrant outside an a by b rectangle
         # is hypot(a, b) / (a b).
         sides = height - 0.5, width - 0.5
         tabulated = min(sides[0], reach + 0.5), min(sides[1], reach + 0.5)
-        begin, end, whole = (math.hypot(a, b) / (a * b) for a, b in (tabulated, sides, (reach + 0.5,) * 2))
-        return near + self.rings * (begin - end) / whole + self.held
+        begin, end, full_tail = (math.hypot(a, b) / (a * b) for a, b in (tabulated, sides, (reach + 0.5,) * 2))
+        return tabulated_error + self.ring_error * (begin - end) / full_tail + self.tail_error
 
     def factors(
         self, positions: ArrayLike, dtype: DTypeLike = np.float64, *, slopes: bool = False, threads: int = 1
@@ -301,10 +305,10 @@ class Remainder:
         if slopes:
             cubics = np.concatenate([cubics[:, 1:] * np.arange(1.0, 4.0)[:, None], 0.0 * cubics[:, :1]], axis=1)
         padded = np.pad(cubics.astype(dtype), ((0, 0), (0, 0), (0, -rank % 16)))
-        at = np.asarray(positions, dtype=np.float64)
-        out = np.empty((rank, at.size), dtype=dtype)
-        engine.remainder_factors(padded, np.ascontiguousarray(at).reshape(-1), threads, out)
-        return out.reshape(rank, *at.shape)
+        points = np.asarray(positions, dtype=np.float64)
+        out = np.empty((rank, points.size), dtype=dtype)
+        engine.remainder_factors(padded, np.ascontiguousarray(points).reshape(-1), threads, out)
+        return out.reshape(rank, *points.shape)
 
     @cached_property
     def _cubics(self) -> Array:
@@ -315,8 +319,8 @@ class Remainder:
 
     def values(self, half: int) -> Array:
         """Return a quadrant of each g_r, (rank, half + 1, half + 1); `half` may exceed the reach."""
-        away = np.arange(half + 1.0)
-        quadrants = np.tensordot(self.smooth, _smooth(away[:, None] ** 2 + away**2, self.scale), axes=1)
+        distance = np.arange(half + 1.0)
+        quadrants = np.tensordot(self.smooth, _smooth(distance[:, None] ** 2 + distance**2, self.scale), axes=1)
         side = min(half + 1, self.table.shape[1])
         quadrants[:, :side, :side] += self.table[:, :side, :side]
         return np.asarray(quadrants)
@@ -333,138 +337,139 @@ def fit(
     tol: float,
 ) -> tuple[Remainder, Array]:
     """Return the remainder of a bank, and its values on the pixels of the windows, (count, cells)."""
-    # PSFs are arrays over one octant of pixels; `alike` is the number of pixels that each octant cell represents.
-    near, distance, alike = exact.shape[1], octant(reach)[0], cells_alike(reach)
-    at = start + spacing * np.arange(len(exact), dtype=np.float64)
+    # PSFs are arrays over one octant of pixels (cells); `multiplicity` is the number of pixels of each cell.
+    cells, distance, multiplicity = exact.shape[1], octant(reach)[0], cells_alike(reach)
+    defocus = start + spacing * np.arange(len(exact), dtype=np.float64)
     # Samples include the smallest and the largest window: some pixels lie outside the smallest window only.
-    some = np.linspace(0, len(exact) - 1, 32 + math.ceil(_SAMPLES * np.ptp(cuts))).astype(np.int64)
-    some = np.unique(np.append(some, [cuts.argmin(), cuts.argmax()]))
-    all_left = 1.0 - ring_shares(cuts, reach)
-    shown, left = nodes.values(at[some]), all_left[some][:, distance]
+    samples = np.linspace(0, len(exact) - 1, 32 + math.ceil(_SAMPLES * np.ptp(cuts))).astype(np.int64)
+    samples = np.unique(np.append(samples, [cuts.argmin(), cuts.argmax()]))
+    factors_outside = 1.0 - ring_factors(cuts, reach)
+    psfs, outside = nodes.values(defocus[samples]), factors_outside[samples][:, distance]
     # Errors are weighted by 1 / typical brightness of each pixel, which falls like r^-3.
-    typical = np.maximum((left * shown).sum(axis=0), 1e-300) / np.maximum(left.sum(axis=0), 1e-300)
-    weights: Array = alike / typical
-    kernels, factors = _fit_products(shown, left, weights, alike, _TOLERANCE_RATIO * tol)
+    typical = np.maximum((outside * psfs).sum(axis=0), 1e-300) / np.maximum(outside.sum(axis=0), 1e-300)
+    weights: Array = multiplicity / typical
+    kernels, factors = _fit_products(psfs, outside, weights, multiplicity, _TOLERANCE_RATIO * tol)
     # The total light beyond the reach is fitted like the light of one more pixel, outside all windows.
-    beyond = 1.0 - shown @ alike
-    held = np.asarray(np.linalg.lstsq(factors, beyond, rcond=None)[0], dtype=np.float64)
-    # Outside the largest window every pixel counts at every defocus: sums over these pixels replace the pixels.
-    first, last = kernels[:, :near], kernels[:, near:]
-    rest = nodes.sums(last * weights[near:]).values(at)
-    left = all_left[:, distance[:near]]
+    beyond = 1.0 - psfs @ multiplicity
+    far_light = np.asarray(np.linalg.lstsq(factors, beyond, rcond=None)[0], dtype=np.float64)
+    # Outside the largest window every pixel counts at every defocus: sums over these pixels suffice.
+    g_inner, g_outer = kernels[:, :cells], kernels[:, cells:]
+    outer_products = nodes.sums(g_outer * weights[cells:]).values(defocus)
+    outside = factors_outside[:, distance[:cells]]
     knots = _conserve_light(
-        _normal_matrices(left**2 * weights[:near], first) + (last * weights[near:]) @ last.T,
-        (left**2 * weights[:near] * exact) @ first.T + rest,
-        (left * alike[:near]) @ first.T + last @ alike[near:] + held,
-        1.0 - ((1.0 - left) * exact) @ alike[:near],
+        _normal_matrices(outside**2 * weights[:cells], g_inner) + (g_outer * weights[cells:]) @ g_outer.T,
+        (outside**2 * weights[:cells] * exact) @ g_inner.T + outer_products,
+        (outside * multiplicity[:cells]) @ g_inner.T + g_outer @ multiplicity[cells:] + far_light,
+        1.0 - ((1.0 - outside) * exact) @ multiplicity[:cells],
     )
     begin = (3 * reach) // 4
-    ring = distance > begin
-    smooth, scale = _fit_tail(kernels, held, ring, alike, reach)
+    outer_ring = distance > begin
+    smooth, scale = _fit_tail(kernels, far_light, outer_ring, multiplicity, reach)
     column, row = octant(reach)
     squared = (column**2 + row**2).astype(np.float64)
     table = quarters(kernels - smooth @ _smooth(squared, scale), reach)
     # Errors are evaluated at each window and half-way between windows; outside the largest window, at the samples.
-    within, halfway = knots @ first, _halfway(knots)
-    missed = left * (within - exact)
-    between = np.abs(_halfway(exact + missed) - middle)
-    np.abs(missed, out=missed)
-    off = of_neighbours(np.maximum(np.maximum(missed[1:-2], missed[2:-1]), between)).astype(np.float32)
-    inner = some[(some > 0) & (some < len(at) - 2)]
-    there = nodes.values(at[inner] + 0.5 * spacing)
-    wrong = np.vstack([knots[some] @ last - shown[:, near:], halfway[inner - 1] @ last - there[:, near:]])
-    # `ring`: pixels farther from the centre than `begin`. Beyond the reach the misfit falls like r^-3 or faster, and
-    # (sum beyond the reach) / (sum over `ring`) = (1 / reach) / (1 / begin - 1 / reach) (certificate, section 13).
-    misfit = knots[some] @ (smooth @ _smooth(squared[ring], scale)) - shown[:, ring]
+    within, halfway = knots @ g_inner, _halfway(knots)
+    errors = outside * (within - exact)
+    between = np.abs(_halfway(exact + errors) - middle)
+    np.abs(errors, out=errors)
+    gap_errors = neighbour_maxima(np.maximum(np.maximum(errors[1:-2], errors[2:-1]), between)).astype(np.float32)
+    inner = samples[(samples > 0) & (samples < len(defocus) - 2)]
+    far_midway = nodes.values(defocus[inner] + 0.5 * spacing)[:, cells:]
+    far_errors = np.vstack([knots[samples] @ g_outer - psfs[:, cells:], halfway[inner - 1] @ g_outer - far_midway])
+    # The outer ring begins at the radius `begin`. Beyond the reach the misfit falls like r^-3 or faster, and (sum
+    # beyond the reach) / (sum over the ring) = (1 / reach) / (1 / begin - 1 / reach) (certificate, section 13).
+    misfit = knots[samples] @ (smooth @ _smooth(squared[outer_ring], scale)) - psfs[:, outer_ring]
     # The largest of the sums over pixels, not the sum of the largest misfits: diffraction rings vary with defocus.
-    rings = float((np.abs(misfit) @ alike[ring]).max()) * begin / (reach - begin)
-    lacking = float(np.abs(knots[some] @ held - beyond).max())
-    return Remainder(knots, table, smooth, scale, off, np.abs(wrong).max(axis=0), rings, lacking), within
+    ring_error = float((np.abs(misfit) @ multiplicity[outer_ring]).max()) * begin / (reach - begin)
+    tail_error = float(np.abs(knots[samples] @ far_light - beyond).max())
+    far_error = np.abs(far_errors).max(axis=0)
+    return Remainder(knots, table, smooth, scale, gap_errors, far_error, ring_error, tail_error), within
 
 
-def _fit_products(shown: Array, left: Array, scales: Array, alike: Array, tol: float) -> tuple[Array, Array]:
+def _fit_products(psfs: Array, outside: Array, scales: Array, multiplicity: Array, tol: float) -> tuple[Array, Array]:
     """Return the g_r on the octant, (rank, cells), and the a_r at the sampled defocus values, (samples, rank)."""
-    seen, far = left.max(axis=0) > 0.0, left.min(axis=0) == 1.0
-    near = seen & ~far
-    values, parts, scale = shown[:, near], left[:, near], scales[near]
+    counted, everywhere = outside.max(axis=0) > 0.0, outside.min(axis=0) == 1.0
+    partly = counted & ~everywhere
+    values, parts, scale = psfs[:, partly], outside[:, partly], scales[partly]
     weights = parts**2 * scale
     # Pixels outside all windows have equal weights in all samples: their Gram matrix replaces them.
-    beyond = shown[:, far]
-    common = beyond * np.sqrt(scales[far])
+    far_psfs = psfs[:, everywhere]
+    common = far_psfs * np.sqrt(scales[everywhere])
     gram = common @ common.T
     # The alternation starts from the principal components of the far pixels; `eigh` sorts them in ascending order.
     sizes, basis = np.linalg.eigh(gram)
     basis = basis[:, ::-1]
-    most, factors = min(_MAX_RANK, len(shown)), basis[:, :0]
-    for rank in range(1, most + 1):
+    max_rank, factors = min(_MAX_RANK, len(psfs)), basis[:, :0]
+    for rank in range(1, max_rank + 1):
         # Ranks whose largest omitted component exceeds 10 tol cannot reach tol: they are skipped.
-        if rank < most and sizes[-rank - 1] > (10.0 * tol) ** 2:
+        if rank < max_rank and sizes[-rank - 1] > (10.0 * tol) ** 2:
             factors = basis[:, :rank]
             continue
         factors = np.column_stack([factors, basis[:, rank - 1]])
         for _ in range(_ITERATIONS):
             # Alternating least squares (Gabriel and Zamir): for fixed a_r, linear in the g_r, and conversely.
             found = _solve_rows(_normal_matrices(weights.T, factors.T, 1e-10), (weights * values).T @ factors).T
-            onto = np.linalg.solve(_normal_matrices(np.ones((1, len(shown))), factors.T, 1e-10)[0], factors.T)
+            dual = np.linalg.solve(_normal_matrices(np.ones((1, len(psfs))), factors.T, 1e-10)[0], factors.T)
             factors = _solve_rows(
-                _normal_matrices(weights, found, 1e-14, onto @ gram @ onto.T),
-                (weights * values) @ found.T + gram @ onto.T,
+                _normal_matrices(weights, found, 1e-14, dual @ gram @ dual.T),
+                (weights * values) @ found.T + gram @ dual.T,
             )
-            wrong = float(np.abs((factors @ found - values) * parts).max(axis=0) @ alike[near])
-            wrong += float(np.abs((factors @ onto) @ beyond - beyond).max(axis=0) @ alike[far])
-            if wrong <= tol:
+            error = float(np.abs((factors @ found - values) * parts).max(axis=0) @ multiplicity[partly])
+            error += float(np.abs((factors @ dual) @ far_psfs - far_psfs).max(axis=0) @ multiplicity[everywhere])
+            if error <= tol:
                 break
             factors = np.linalg.qr(factors)[0]
-        if wrong <= tol:
+        if error <= tol:
             break
-    kernels = np.zeros((rank, shown.shape[1]))
-    kernels[:, near], kernels[:, far] = found, onto @ beyond
+    kernels = np.zeros((rank, psfs.shape[1]))
+    kernels[:, partly], kernels[:, everywhere] = found, dual @ far_psfs
     return kernels, factors
 
 
-def _normal_matrices(weights: Array, basis: Array, ridge: float = 0.0, more: Array | float = 0.0) -> Array:
-    """Return ``basis @ diag(w) @ basis.T + more`` for each row w of `weights`, shape (rows, rank, rank)."""
+def _normal_matrices(weights: Array, basis: Array, ridge: float = 0.0, constant: Array | float = 0.0) -> Array:
+    """Return ``basis @ diag(w) @ basis.T + constant`` for each row w of `weights`, shape (rows, rank, rank)."""
     rank = len(basis)
-    normal = (weights @ (basis[:, None] * basis).reshape(rank * rank, -1).T).reshape(-1, rank, rank) + more
+    normal = (weights @ (basis[:, None] * basis).reshape(rank * rank, -1).T).reshape(-1, rank, rank) + constant
     # A tiny ridge keeps the matrix invertible where rows of the basis coincide.
     normal += (ridge / rank) * np.trace(normal, axis1=1, axis2=2)[:, None, None] * np.eye(rank)
     return np.asarray(normal)
 
 
-def _solve_rows(normal: Array, right: Array) -> Array:
-    return np.asarray(np.linalg.solve(normal, right[..., None])[..., 0])
+def _solve_rows(normal: Array, right_sides: Array) -> Array:
+    return np.asarray(np.linalg.solve(normal, right_sides[..., None])[..., 0])
 
 
-def _conserve_light(normal: Array, right: Array, sums: Array, light: Array) -> Array:
-    """Return for each row the least-squares solution x with ``x @ sums = light``, by a Lagrange multiplier."""
+def _conserve_light(normal: Array, right_sides: Array, sums: Array, totals: Array) -> Array:
+    """Return for each row the least-squares solution x with ``x @ sums = totals``, by a Lagrange multiplier."""
     rank = sums.shape[1]
     normal = normal + (1e-14 / rank) * np.trace(normal, axis1=1, axis2=2)[:, None, None] * np.eye(rank)
-    both = np.linalg.solve(normal, np.stack([right, sums], axis=-1))
-    free, along = both[..., 0], both[..., 1]
-    lacking = (light - (free * sums).sum(axis=1)) / (along * sums).sum(axis=1)
-    return np.asarray(free + lacking[:, None] * along)
+    solutions = np.linalg.solve(normal, np.stack([right_sides, sums], axis=-1))
+    unconstrained, correction = solutions[..., 0], solutions[..., 1]
+    multiplier = (totals - (unconstrained * sums).sum(axis=1)) / (correction * sums).sum(axis=1)
+    return np.asarray(unconstrained + multiplier[:, None] * correction)
 
 
-def _fit_tail(kernels: Array, held: Array, ring: NDArray[np.bool_], alike: Array, reach: int) -> tuple[Array, float]:
-    """Return the smooth coefficients with the light `held` beyond the reach and least error on `ring`; and s."""
+def _fit_tail(kernels: Array, total: Array, ring: NDArray[np.bool_], cells: Array, reach: int) -> tuple[Array, float]:
+    """Return the smooth coefficients with least error on `ring` and the light `total` beyond the reach; and s."""
     scale = max(8.0, reach / 8.0)  # so large that sums over pixels equal integrals (certificate, section 13)
-    first, second = octant(reach)
-    smooth = _smooth((first**2 + second**2).astype(np.float64), scale)
-    totals = smooth_transforms(np.zeros(1), scale)[:, 0] - smooth @ alike
+    column, row = octant(reach)
+    smooth = _smooth((column**2 + row**2).astype(np.float64), scale)
+    totals = smooth_transforms(np.zeros(1), scale)[:, 0] - smooth @ cells
     basis = smooth[:, ring]
-    weighted = basis * (alike[ring] / basis[0] ** 2)
+    weighted = basis * (cells[ring] / basis[0] ** 2)
     # Least squares with a Lagrange multiplier for the total light.
     system = np.block([[weighted @ basis.T, totals[:, None]], [totals, np.zeros(1)]])
-    found = np.linalg.solve(system, np.vstack([weighted @ kernels[:, ring].T, held]))
-    return np.ascontiguousarray(found[:-1].T), scale
+    solution = np.linalg.solve(system, np.vstack([weighted @ kernels[:, ring].T, total]))
+    return np.ascontiguousarray(solution[:-1].T), scale
 
 
 def _smooth(squared: Array, scale: float) -> Array:
     """Return ``s^(2 j) (r^2 + s^2)^(-3/2 - j)`` for j = 0, 1, 2, shape (3, ...)."""
     inverse = 1.0 / (squared + scale * scale)
-    near = inverse * np.sqrt(inverse)
+    base = inverse * np.sqrt(inverse)
     inverse *= scale * scale
-    return np.stack([near, near * inverse, near * inverse * inverse])
+    return np.stack([base, base * inverse, base * inverse * inverse])
 
 
 def smooth_transforms(frequency: Array, scale: float) -> Array:
@@ -473,8 +478,8 @@ def smooth_transforms(frequency: Array, scale: float) -> Array:
     Transforms of their samples differ by less than ``exp(-pi s)`` of the largest, except at frequencies near 1/2.
     """
     phase = (2.0 * math.pi * scale) * frequency
-    near = (2.0 * math.pi / scale) * np.exp(-phase)
-    return np.stack([near, near * (1.0 + phase) / 3.0, near * (3.0 + phase * (3.0 + phase)) / 15.0])
+    base = (2.0 * math.pi / scale) * np.exp(-phase)
+    return np.stack([base, base * (1.0 + phase) / 3.0, base * (3.0 + phase * (3.0 + phase)) / 15.0])
 
 
 def _halfway(knots: Array) -> Array:
@@ -502,22 +507,22 @@ class MirroredKernels:
         elif border == "zero":
             from scipy.fft import next_fast_len
 
-            tail = float(np.abs(remainder.knots @ remainder.smooth[:, 0]).max())
-            light = _LATTICE_SUM * math.prod(shape) * tail
-            # Solution m = `dark` of A n 9.04 / (2 m)^3 = tol / 2; certificate, section 13, "Between mirrors".
-            dark = max(math.ceil(0.5 * math.cbrt(light / (0.5 * tol))), remainder.table.shape[1])
-            self._around = [(dark, next_fast_len(side + 2 * dark, real=True) - side - dark) for side in shape]
-            self.error = light / (2.0 * dark) ** 3
+            amplitude = float(np.abs(remainder.knots @ remainder.smooth[:, 0]).max())
+            light = _LATTICE_SUM * math.prod(shape) * amplitude
+            # The margin m solves A n 9.04 / (2 m)^3 = tol / 2: certificate, section 13, "Between mirrors".
+            margin = max(math.ceil(0.5 * math.cbrt(light / (0.5 * tol))), remainder.table.shape[1])
+            self._around = [(margin, next_fast_len(side + 2 * margin, real=True) - side - margin) for side in shape]
+            self.error = light / (2.0 * margin) ** 3
         (top, _), (left, _) = self._around
         self._image = slice(top, top + shape[0]), slice(left, left + shape[1])
-        self._sides = [side + sum(more) for side, more in zip(shape, self._around, strict=True)]
+        self._sides = [side + sum(margins) for side, margins in zip(shape, self._around, strict=True)]
 
     @cached_property
     def eigenvalues(self) -> Values:
         """Transforms of the g_r, shape (rank, height, width) of the padded image; cached."""
         table, scale = self.remainder.table.astype(self.dtype), self.remainder.scale
-        down, across = (_cosines(side, table.shape[1] - 1, self.dtype.char) for side in self._sides)
-        eigenvalues = down @ table @ across.T
+        rows, columns = (_cosines(side, table.shape[1] - 1, self.dtype.char) for side in self._sides)
+        eigenvalues = rows @ table @ columns.T
         smooth_terms = _smooth_spectra(*self._sides, scale, self.dtype.char)
         for plane, coefficients in zip(eigenvalues, self.remainder.smooth.astype(self.dtype), strict=True):
             for coefficient, transform in zip(coefficients, smooth_terms, strict=True):
@@ -530,9 +535,9 @@ class MirroredKernels:
 
         if self.border != "reflect":
             plane = np.pad(plane, self._around, mode="edge" if self.border == "extend" else "constant")
-        made = dctn(plane, overwrite_x=True)
-        made *= self.eigenvalues[r]
-        return np.asarray(made)
+        transform = dctn(plane, overwrite_x=True)
+        transform *= self.eigenvalues[r]
+        return np.asarray(transform)
 
     def image(self, transform: Values, threads: int = 1) -> Values:
         """Return the inverse of `transform`, cropped to the image."""
@@ -540,38 +545,38 @@ class MirroredKernels:
 
         return np.asarray(idctn(transform, overwrite_x=True, workers=threads)[self._image])
 
-    def known(self, plane: Values, threads: int = 1) -> Values:
+    def padded_transform(self, plane: Values, threads: int = 1) -> Values:
         """Return the transform of a plane padded with zeros: the transpose of :meth:`image` up to a factor."""
         from scipy.fft import dctn
 
         return np.asarray(dctn(np.pad(plane, self._around), workers=threads))
 
-    def taken(self, r: int, known: Values) -> Values:
-        """Return the transpose of :meth:`transformed` applied to the transform `known`, up to the inverse factor."""
+    def transposed(self, r: int, transform: Values) -> Values:
+        """Return the transpose of :meth:`transformed` applied to a `transform`, up to the inverse factor."""
         from scipy.fft import idctn
 
-        taken = idctn(self.eigenvalues[r] * known, overwrite_x=True)
+        plane = idctn(self.eigenvalues[r] * transform, overwrite_x=True)
         if self.border == "extend":
             # The transpose of repeating the edges: values on the copies are added to the edges.
-            for lines, (before, after) in zip((taken, taken.T), self._around, strict=True):
+            for lines, (before, after) in zip((plane, plane.T), self._around, strict=True):
                 lines[before] += lines[:before].sum(axis=0)
                 lines[-after - 1] += lines[-after:].sum(axis=0)
-        return np.asarray(taken[self._image])
+        return np.asarray(plane[self._image])
 
 
 @lru_cache(maxsize=8)
-def _cosines(side: int, reach: int, kind: str) -> Values:
+def _cosines(side: int, reach: int, dtype: str) -> Values:
     """Return the matrix (side, reach + 1) that transforms the non-negative half of an even kernel."""
-    # Reduced modulo the period: the cosine of a large argument would lose digits.
-    turns = np.outer(np.arange(side), np.arange(reach + 1)) % (2 * side)
-    made = 2.0 * np.cos((math.pi / side) * turns)
-    made[:, 0] = 1.0
-    made.flags.writeable = False
-    return np.asarray(made.astype(kind))
+    # Multiples are reduced modulo the period: the cosine of a large argument would lose digits.
+    multiples = np.outer(np.arange(side), np.arange(reach + 1)) % (2 * side)
+    matrix = 2.0 * np.cos((math.pi / side) * multiples)
+    matrix[:, 0] = 1.0
+    matrix.flags.writeable = False
+    return np.asarray(matrix.astype(dtype))
 
 
 @lru_cache(maxsize=4)
-def _smooth_spectra(height: int, width: int, scale: float, kind: str) -> Values:
+def _smooth_spectra(height: int, width: int, scale: float, dtype: str) -> Values:
     """Return the transforms of the three smooth terms, shape (3, height, width)."""
-    down, across = ((np.arange(side) / (2.0 * side)).astype(kind) for side in (height, width))
-    return smooth_transforms(np.hypot(down[:, None], across), scale)
+    rows, columns = ((np.arange(side) / (2.0 * side)).astype(dtype) for side in (height, width))
+    return smooth_transforms(np.hypot(rows[:, None], columns), scale)

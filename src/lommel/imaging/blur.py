@@ -398,14 +398,14 @@ class Beyond:
         kernels = [self._kernels_of(blur, channel) for channel in channels]
         factors = [self._factors_of(blur, channel, slopes) for channel in channels]
         if transposed:
-            inputs = [kernel.known(plane, threads) for kernel, plane in zip(kernels, planes, strict=True)]
+            inputs = [kernel.padded_transform(plane, threads) for kernel, plane in zip(kernels, planes, strict=True)]
         else:
             inputs = [np.ascontiguousarray(plane) for plane in planes]
 
         def term(at: tuple[int, int]) -> Values:
             index, r = at
             if transposed:
-                return np.asarray(kernels[index].taken(r, inputs[index]) * factors[index][r])
+                return np.asarray(kernels[index].transposed(r, inputs[index]) * factors[index][r])
             return kernels[index].transformed(r, factors[index][r] * inputs[index])
 
         pairs = [(index, r) for index, rows in enumerate(factors) for r in range(len(rows))]

@@ -218,7 +218,7 @@ class Occlusion(LinearBlur):
             shares_of[bank] = self._composite(channel)
         elif bank not in shares_of:
             # Coverage follows from windows of the whole PSF, not of the PSF minus the remainder.
-            whole_psf, _ = bank.apart()
+            whole_psf, _ = bank.split()
             seen, total = self._composite(
                 channel, bank=replace(whole_psf, energies=sums_of_quarters(whole_psf.windows[:-1]))
             )
@@ -303,7 +303,7 @@ def _split_by_visibility(blur: DepthBlur, channel: int, sources: list[Points], s
     """
     from scipy.ndimage import minimum_filter
 
-    whole, remainder = blur.banks[channel].apart()
+    whole, remainder = blur.banks[channel].split()
     scene, *hidden = sources
     assert scene.layers is not None
     # A point in a layer before the minimum of `seen` over its window is visible in the whole window.

@@ -57,21 +57,21 @@ class SensorLight:
         """Return the share of the light in each pixel of the octant, shape (n, cells), up to `half` pixels."""
         total: Array | float = 0.0
         for wavelength, weight in self.spectrum:
-            there = pupil.in_light(wavelength)
-            step = math.pi * self.pixel / there.scale
+            coloured = pupil.in_light(wavelength)
+            step = math.pi * self.pixel / coloured.scale
             # I is relative to the peak without aberrations. The share of the light on a pixel is the integral of I
             # over the pixel's square in v, divided by 4 pi times the transmission.
-            share = weight * step**2 / (4.0 * math.pi * there.transmission)
+            share = weight * step**2 / (4.0 * math.pi * coloured.transmission)
             if half * step > _LOCAL:
                 local = local_rule(half, step)
-                total += share * (local.matrix @ _profiles(there, local.v).T).T
+                total += share * (local.matrix @ _profiles(coloured, local.v).T).T
                 continue
             rule = pixel_rule(half, step)
-            total += share * _METHOD.means(there, step * rule.radii, rule.matrix, self.threads)
+            total += share * _METHOD.means(coloured, step * rule.radii, rule.matrix, self.threads)
         return np.asarray(total)
 
-    def enough(self, defocus: tuple[float, float], energy: float, largest: int) -> tuple[int, Parabola]:
-        """Return the half width of windows that hold the share `energy`, and a parabola: an estimate of 1 / peak."""
+    def sufficient_half(self, defocus: tuple[float, float], energy: float, largest: int) -> tuple[int, Parabola]:
+        """Return the half width of windows that hold the share `energy`, and a parabola that estimates 1 / peak."""
         # Three values of defocus determine the parabola.
         ends = np.linspace(*defocus, 3)
         pupil = self.defocused(ends)
@@ -81,25 +81,25 @@ class SensorLight:
         while True:
             shares = self.shares(pupil, half)
             sums = sums_of_windows(shares, half)
-            held = float(sums[:, -1].min())
-            if held >= energy:
+            enclosed = float(sums[:, -1].min())
+            if enclosed >= energy:
                 half = int((sums >= energy).argmax(axis=1).max()) + 1
                 return half, Parabola.through(ends, shares.max(axis=1))
             # Outside the geometric shadow, the light farther than r from the centre falls like 1 / r or faster.
-            # The light in a square is computed much faster than the light on each pixel of the square.
-            likely = (half + 0.5) * (1.0 - held) / (1.0 - energy)
-            if half == largest or (likely > largest and (held := self._held(pupil, largest)) < energy):
-                raise too_large(largest, energy, pupil, self.spectrum, self.pixel, held)
+            # `_enclosed` computes the light in a square much faster than `shares` the light on each of its pixels.
+            likely_half = (half + 0.5) * (1.0 - enclosed) / (1.0 - energy)
+            if half == largest or (likely_half > largest and (enclosed := self._enclosed(pupil, largest)) < energy):
+                raise too_large(largest, energy, pupil, self.spectrum, self.pixel, enclosed)
             # Growth by 30 %: few iterations, and few pixels that are not needed.
             half = min(math.ceil(1.3 * half) + 1, largest)
 
-    def _held(self, pupil: Pupil, half: int) -> float:
-        """Return the share of light in a window of half width `half`: the smallest of the stack of pupils."""
+    def _enclosed(self, pupil: Pupil, half: int) -> float:
+        """Return the smallest share of light, over a stack of pupils, in a window of half width `half`."""
         from lommel.measures.energy import radial_square_energy  # imported here, since few scenes need it
 
         side = np.array((half + 0.5) * self.pixel)
-        each = ((weight, pupil.in_light(wavelength)) for wavelength, weight in self.spectrum)
-        return float(np.min(sum(weight * radial_square_energy(_METHOD, light, side) for weight, light in each)))
+        pupils = ((weight, pupil.in_light(wavelength)) for wavelength, weight in self.spectrum)
+        return float(np.min(sum(weight * radial_square_energy(_METHOD, light, side) for weight, light in pupils)))
 
 
 _BLOCKS = 18  # number of blocks of `_TAPS` values of U that are computed together
@@ -109,50 +109,51 @@ _BESSEL_COST = 8.0  # time for one value of J0 / time for one term of the series
 
 
 def _profiles(pupil: Pupil, v: Array) -> Array:
-    """Return I at the radii `v`, which start at 0 with a constant step of at most 0.4, for a stack of pupils."""
+    """Return the intensity I = abs(U)^2 for a stack of pupils at radii `v`, from 0 with a constant step <= 0.4."""
     terms = pupil.radial_terms()
     low, reach = pupil.obscuration**2, float(v[-1])
     nodes = quadrature_nodes(growth(terms, low, reach, pupil.illumination), _QUADRATURE.tol, low)
     if np.abs(terms).sum() < _BESSEL_COST * nodes:
         return _METHOD.profile(pupil, v).values
-    # For many pupils with large phases, the series takes many times as long as a quadrature with J0 (a matrix
-    # product) at every fourth radius, followed by interpolation.
+    # For many pupils with large phases, a quadrature with J0 (a matrix product) at every fourth radius, followed by
+    # interpolation of U, takes much less time than the series.
     before, after = _interpolation_weights(_STRIDE * float(v[1]))
-    made = np.empty((len(terms), v.size))
-    wide = _TAPS * _STRIDE  # number of values of I from each block
-    for start in range(0, v.size, _BLOCKS * wide):
-        blocks = min(_BLOCKS, -(-(v.size - start) // wide))
-        at = start // _STRIDE + np.arange(_TAPS * (blocks + 1)) - (_TAPS // 2 - 1)
-        rising, place = np.unique(np.abs(at), return_inverse=True)  # U is even
-        field = _QUADRATURE.evaluate(pupil, _STRIDE * v[1] * rising).values[:, place]
+    values = np.empty((len(terms), v.size))
+    width = _TAPS * _STRIDE  # number of values of I from each block
+    for start in range(0, v.size, _BLOCKS * width):
+        blocks = min(_BLOCKS, -(-(v.size - start) // width))
+        samples = start // _STRIDE + np.arange(_TAPS * (blocks + 1)) - (_TAPS // 2 - 1)
+        distinct, place = np.unique(np.abs(samples), return_inverse=True)  # U is even
+        field = _QUADRATURE.evaluate(pupil, _STRIDE * v[1] * distinct).values[:, place]
         squares = np.zeros(())
         for part in (field.real, field.imag):
-            each = np.ascontiguousarray(part).reshape(-1, _TAPS)
+            columns = np.ascontiguousarray(part).reshape(-1, _TAPS)
             left, right = (
-                engine.product(each, taps, 1).reshape(len(terms), blocks + 1, wide) for taps in (before, after)
+                engine.product(columns, taps, 1).reshape(len(terms), blocks + 1, width) for taps in (before, after)
             )
-            here = left[:, :-1]
-            here += right[:, 1:]
-            here *= here
-            squares = squares + here
-        made[:, start : start + blocks * wide] = squares.reshape(len(terms), -1)[:, : v.size - start]
-    return made
+            part_of_u = left[:, :-1]
+            part_of_u += right[:, 1:]
+            part_of_u *= part_of_u
+            squares = squares + part_of_u
+        values[:, start : start + blocks * width] = squares.reshape(len(terms), -1)[:, : v.size - start]
+    return values
 
 
-# U is of exponential type 1 in v. It is interpolated from m samples on each side, at the spacing h, by the cardinal
-# series times sinh(b sqrt(1 - (x / m)^2)) / sinh(b), b = m (pi - h). The error is about exp(-b) times the largest U.
+# The field U is of exponential type 1 in v. It is interpolated from m samples on each side, at the spacing h, by the
+# cardinal series times sinh(b sqrt(1 - (x / m)^2)) / sinh(b), where x is the distance from the sample / h and
+# b = m (pi - h). The error is about exp(-b) times the largest U.
 # M. Kircheis, D. Potts, M. Tasche, "On regularized Shannon sampling formulas with localized sampling", Sampl. Theory
 # Signal Process. Data Anal. 20, 20 (2022), doi:10.1007/s43670-022-00039-1.
 @lru_cache(maxsize=4)
 def _interpolation_weights(spacing: float) -> tuple[Array, Array]:
     """Return two matrices (taps, values) of weights: for the samples of U in a block, and in the next block."""
     half = _TAPS // 2
-    at = half - 1 + np.arange(_TAPS * _STRIDE) / _STRIDE
-    x = at - np.arange(2 * _TAPS)[:, None]
-    steep = half * (math.pi - spacing)
-    inside = np.sqrt(np.maximum(0.0, 1.0 - (x / half) ** 2))
-    made = np.sinc(x) * np.sinh(steep * inside) / math.sinh(steep)
-    return np.ascontiguousarray(made[:_TAPS]), np.ascontiguousarray(made[_TAPS:])
+    positions = half - 1 + np.arange(_TAPS * _STRIDE) / _STRIDE
+    x = positions - np.arange(2 * _TAPS)[:, None]
+    b = half * (math.pi - spacing)
+    root = np.sqrt(np.maximum(0.0, 1.0 - (x / half) ** 2))
+    weights = np.sinc(x) * np.sinh(b * root) / math.sinh(b)
+    return np.ascontiguousarray(weights[:_TAPS]), np.ascontiguousarray(weights[_TAPS:])
 
 
 MAX_HALF = 2048
@@ -165,7 +166,7 @@ def too_large(
     pupil: Pupil,
     spectrum: Sequence[tuple[float | None, float]],
     pixel: float,
-    held: float | None = None,
+    enclosed: float | None = None,
 ) -> ValueError:
     """Return the ValueError for windows larger than `largest`; the message suggests a half width that is enough."""
     # Outside the shadow, each edge of the pupil adds diffracted light that falls like r^-3 on average. The edge of a
@@ -177,17 +178,17 @@ def too_large(
         edges += float(np.hypot(*(line - np.roll(line, 1, axis=0)).T).sum()) / (2.0 * math.pi)
     diffracted = shadow = 0.0
     for wavelength, weight in spectrum:
-        light = pupil if wavelength is None else pupil.in_light(wavelength)
-        shadow = max(shadow, float(light.geometric_radius().max()))
-        diffracted += weight * light.scale * edges / float(np.min(light.transmission))
+        coloured = pupil if wavelength is None else pupil.in_light(wavelength)
+        shadow = max(shadow, float(coloured.geometric_radius().max()))
+        diffracted += weight * coloured.scale * edges / float(np.min(coloured.transmission))
     # Radius of the geometric shadow, plus the half width that the diffracted light requires.
-    far = shadow + 1.05 * 8.0 * math.sin(0.25 * math.pi) / math.pi**3 * diffracted / (1.0 - energy)
-    enough = max(math.ceil(far / pixel), largest) + 1
-    larger = f"allow larger windows (largest={enough} or more), " if enough <= MAX_HALF else ""
-    known = "" if held is None else f" (windows of this size hold {math.floor(1e6 * held) / 1e6:g})"
+    radius = shadow + 1.05 * 8.0 * math.sin(0.25 * math.pi) / math.pi**3 * diffracted / (1.0 - energy)
+    sufficient = max(math.ceil(radius / pixel), largest) + 1
+    hint = f"allow larger windows (largest={sufficient} or more), " if sufficient <= MAX_HALF else ""
+    share = "" if enclosed is None else f" (windows of this size hold {math.floor(1e6 * enclosed) / 1e6:g})"
     return ValueError(
-        f"the blur needs windows of more than {2 * largest + 1} pixels a side to hold {energy:g} of the light{known}"
-        f"; stop down, {larger}or reduce this fraction (energy=)"
+        f"the blur needs windows of more than {2 * largest + 1} pixels a side to hold {energy:g} of the light{share}"
+        f"; stop down, {hint}or reduce this fraction (energy=)"
     )
 
 
@@ -206,13 +207,13 @@ class Parabola:
     @classmethod
     def through(cls, defocus: Array, values: Array) -> Parabola:
         """Return the parabola through 1 / `values` (<= 1) at three equally spaced `defocus`, raised to at least 1."""
-        step, (before, here, after) = 0.5 * float(defocus[2] - defocus[0]), (1.0 / values).tolist()
-        bend = 0.5 * (before + after) - here
+        step, (before, middle, after) = 0.5 * float(defocus[2] - defocus[0]), (1.0 / values).tolist()
+        bend = 0.5 * (before + after) - middle
         # Almost equal peaks need no parabola, and the division by bend would amplify rounding.
-        if not bend > 1e-3 * here:
+        if not bend > 1e-3 * middle:
             return cls(0.0, 0.0, 1.0)
         shift = 0.25 * (after - before) / bend
-        return cls(bend / step**2, float(defocus[1]) - shift * step, max(1.0, here - bend * shift**2))
+        return cls(bend / step**2, float(defocus[1]) - shift * step, max(1.0, middle - bend * shift**2))
 
     def __call__(self, defocus: Array) -> Array:
         """Return the values of the parabola."""
@@ -222,8 +223,8 @@ class Parabola:
 # The field U at an image point is the integral of A exp(i Phi) over the pupil, A real. For a complex defocus C the
 # intensity is I(C) = U(C) conj(U(conj(C))). Im Phi varies over the pupil by at most rate |Im C|. By the
 # Cauchy-Schwarz inequality, I is at most exp(rate |Im C|) times the light that the pupil transmits, and the share of
-# the light on a pixel is at most `bound` exp(rate |Im C|). Let M be the maximum of this on the ellipse with the foci
-# -1 and 1 (the ends of the defocus range) and semi-axes of the sum rho. The error of the polynomial through n
+# the light on a pixel is at most `bound` exp(rate |Im C|). Let M be the maximum of this bound on the ellipse with the
+# foci -1 and 1 (the ends of the defocus range) and semi-axes of the sum rho. The error of the polynomial through n
 # Chebyshev nodes is at most 4 M rho^(1 - n) / (rho - 1) (Trefethen, Approximation Theory and Approximation Practice,
 # 2013, Theorem 8.2). A number n slightly above rate times half of the range is enough. Interpolation amplifies
 # errors of the windows at the nodes by at most 1 + 2 log(n) / pi. The peak of a defocused PSF is much lower than the
@@ -251,18 +252,18 @@ class DefocusNodes:
         bound: float,
         threads: int = 0,
     ) -> DefocusNodes:
-        """Return the interpolation of `windows`; `bound`, and ``rate(c)`` for abs(C) <= c, are in the bound above."""
-        middle, reach = 0.5 * (low + high), 0.5 * (high - low)
-        axis = np.geomspace(1e-3, max(1.0, 20.0 / reach), 200)  # major semi-axis - 1
+        """Return the interpolation of `windows`; `bound` and `rate` at abs(C) are those of the error bound above."""
+        middle, half_range = 0.5 * (low + high), 0.5 * (high - low)
+        axis = np.geomspace(1e-3, max(1.0, 20.0 / half_range), 200)  # major semi-axis - 1
         # rho = sum of the semi-axes of the ellipse with foci -1 and 1 whose major semi-axis is 1 + axis.
         rho = 1.0 + axis + np.sqrt(axis * (axis + 2.0))
-        beyond = reach * (1.0 + float(axis[-1]))
-        fastest = rate(abs(middle) + beyond)
+        extent = half_range * (1.0 + float(axis[-1]))
+        max_rate = rate(abs(middle) + extent)
         # |Im C| is at most the minor semi-axis, (rho - 1 / rho) / 2, times half of the range.
-        growth = fastest * reach * 0.5 * (rho - 1.0 / rho)
-        most = parabola.curvature * (abs(middle - parabola.middle) + beyond) ** 2 + parabola.least
+        growth = max_rate * half_range * 0.5 * (rho - 1.0 / rho)
+        factor = parabola.curvature * (abs(middle - parabola.middle) + extent) ** 2 + parabola.least
         # 4 M rho^(1 - n) / (rho - 1) = _ERROR, solved for n, at the rho for which n is smallest.
-        count = float((1.0 + (np.log(4.0 * bound * most / (_ERROR * (rho - 1.0))) + growth) / np.log(rho)).min())
+        count = float((1.0 + (np.log(4.0 * bound * factor / (_ERROR * (rho - 1.0))) + growth) / np.log(rho)).min())
         if not count <= _MAX_NODES:
             raise ValueError(
                 f"depth spans C_d from {low:.4g} to {high:.4g} rad, which needs {count:.4g} PSFs, more than "
@@ -274,10 +275,9 @@ class DefocusNodes:
         transform = cosines[np.outer(np.arange(odd.size), odd) % cosines.size] * (2.0 / odd.size)
         # The Chebyshev coefficient of order 0 is the mean: its factor is 1 / n, not 2 / n.
         transform[0] *= 0.5
-        at = middle + reach * cosines[odd]
-        return cls(
-            low, high, parabola, engine.product(transform, parabola(at)[:, None] * windows(at), threads), threads
-        )
+        nodes = middle + half_range * cosines[odd]
+        scaled = parabola(nodes)[:, None] * windows(nodes)
+        return cls(low, high, parabola, engine.product(transform, scaled, threads), threads)
 
     def __call__(self, defocus: Array) -> tuple[Array, float]:
         """Return the windows at values of the defocus, and a bound on their errors relative to their peaks."""
@@ -292,71 +292,71 @@ class DefocusNodes:
         basis /= self.parabola(defocus)
         return engine.product(np.ascontiguousarray(basis.T), self.coefficients, self.threads)
 
-    def of_first(self, cells: int) -> Self:
+    def first_cells(self, cells: int) -> Self:
         """Return the interpolation restricted to the first `cells` pixels."""
         return replace(self, coefficients=np.ascontiguousarray(self.coefficients[:, :cells]))
 
     def sums(self, weights: Array) -> Self:
         """Return the interpolation of ``windows[:, -pixels:] @ weights.T``, for `weights` of shape (sums, pixels)."""
-        last = self.coefficients[:, self.coefficients.shape[1] - weights.shape[1] :]
-        return replace(self, coefficients=np.ascontiguousarray(last @ weights.T))
+        coefficients = self.coefficients[:, self.coefficients.shape[1] - weights.shape[1] :]
+        return replace(self, coefficients=np.ascontiguousarray(coefficients @ weights.T))
 
 
 def _cosines(angle: Array, count: int) -> Array:
     """Return cos(k angle) for k < count, shape (count, n)."""
     # Powers of exp(i angle) by doubling: each power is the product of two lower ones, which costs one rounding.
     powers = np.empty((count, angle.size), dtype=np.complex128)
-    powers[0], known = 1.0, 1
+    powers[0], computed = 1.0, 1
     if count > 1:
-        powers[1], known = np.exp(1j * angle), 2
-    while known < count:
-        more = min(known - 1, count - known)
-        np.multiply(powers[1 : more + 1], powers[known - 1], out=powers[known : known + more])
-        known += more
+        powers[1], computed = np.exp(1j * angle), 2
+    while computed < count:
+        added = min(computed - 1, count - computed)
+        np.multiply(powers[1 : added + 1], powers[computed - 1], out=powers[computed : computed + added])
+        computed += added
     return np.ascontiguousarray(powers.real)
 
 
 # Let h be the half width of a window, a real number of pixels. The ring of pixels at the Chebyshev distance k is
 # multiplied by h + 1 - k, clipped to [0, 1] and averaged over adjacent windows: the blur is continuous in defocus.
 def find_cuts(octants: Array, half: int, energy: float) -> Array:
-    """Return the half width h of each window, such that windows hold the share `energy`, interpolated ones too."""
+    """Return the half width h of each window, so that windows, also if interpolated, hold the share `energy`."""
     sums = sums_of_windows(octants, half)
-    enough = sums >= np.clip(energy, sums[:, :1], sums[:, -1:])
-    rows, outer = np.arange(len(sums)), enough.argmax(axis=1)
+    sufficient = sums >= np.clip(energy, sums[:, :1], sums[:, -1:])
+    rows, outer = np.arange(len(sums)), sufficient.argmax(axis=1)
     ring = sums[rows, outer] - sums[rows, outer - 1]
-    over = np.maximum(0.0, sums[rows, outer] - energy)
-    own = outer - np.divide(over, ring, out=np.zeros(len(sums)), where=outer > 0)
+    surplus = np.maximum(0.0, sums[rows, outer] - energy)
+    half_widths = outer - np.divide(surplus, ring, out=np.zeros(len(sums)), where=outer > 0)
     # Maximum over neighbours: windows interpolated between them must hold enough light as well.
-    return of_neighbours(own)
+    return neighbour_maxima(half_widths)
 
 
-def of_neighbours(values: Array) -> Array:
-    """Return, for each value or row, the maximum of it and its two neighbours."""
+def neighbour_maxima(values: Array) -> Array:
+    """Return the maximum of each value (or row) and its two neighbours."""
     padded = np.concatenate([values[:1], values, values[-1:]])
     return np.asarray(np.maximum(np.maximum(padded[:-2], padded[2:]), values))
 
 
-def ring_shares(cuts: Array, half: int) -> Array:
+def ring_factors(cuts: Array, half: int) -> Array:
     """Return the factor of each ring of pixels, 0 to 1, averaged over adjacent windows by 1/6, 2/3, 1/6."""
-    padded, away = np.pad(cuts, 1, mode="edge"), np.arange(half + 1)
-    ring = np.clip(padded[:, None] + 1.0 - away, 0.0, 1.0)
+    padded, distance = np.pad(cuts, 1, mode="edge"), np.arange(half + 1)
+    ring = np.clip(padded[:, None] + 1.0 - distance, 0.0, 1.0)
     return np.asarray((ring[:-2] + 4.0 * ring[1:-1] + ring[2:]) / 6.0)
 
 
-def shares_used(cuts: Array, half: int) -> Array:
+def pixel_factors(cuts: Array, half: int) -> Array:
     """Return the factor of each pixel, 0 to 1, for one quadrant of each window, from the centre on."""
-    away = np.arange(half + 1)
-    return ring_shares(cuts, half)[:, np.maximum(away[:, None], away)]
+    distance = np.arange(half + 1)
+    return ring_factors(cuts, half)[:, np.maximum(distance[:, None], distance)]
 
 
 def cut(octants: Array, cuts: Array) -> Array:
     """Return one quadrant of each window, from the centre on, truncated to the half widths `cuts`."""
-    used = math.ceil(cuts.max())
-    return np.asarray(quarters(octants, used) * shares_used(cuts, used))
+    half = math.ceil(cuts.max())
+    return np.asarray(quarters(octants, half) * pixel_factors(cuts, half))
 
 
 def sums_of_quarters(quarter: Values) -> Array:
     """Return the sums of whole windows, each represented by one quadrant that begins at the centre."""
     # Rows and columns other than the central ones count twice, for their mirror images.
-    down, across = (np.where(np.arange(side) == 0, 1.0, 2.0) for side in quarter.shape[1:])
-    return np.asarray(quarter @ across @ down)
+    row_factors, column_factors = (np.where(np.arange(side) == 0, 1.0, 2.0) for side in quarter.shape[1:])
+    return np.asarray(quarter @ column_factors @ row_factors)

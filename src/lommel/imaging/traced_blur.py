@@ -752,7 +752,7 @@ def traced_blur(
     lights = [SensorLight.of(lens, colour, pitch) for colour in colours]
     widest = [replace(light, pixel=pitch / math.exp(log_ratios[1])) for light in lights]
     max_half = validation.integer("largest", largest, least=1, most=4096)
-    half = max(light.enough((low, high), fraction, max_half)[0] for light in widest)
+    half = max(light.sufficient_half((low, high), fraction, max_half)[0] for light in widest)
     exact = _ExactWindows(lights, half)
     logs = chebyshev_nodes(3)[0] if log_ratios[1] > log_ratios[0] else np.zeros(1)
     logs = 0.5 * (log_ratios[0] + log_ratios[1]) + 0.5 * (log_ratios[1] - log_ratios[0]) * logs

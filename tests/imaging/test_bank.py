@@ -17,8 +17,8 @@ from lommel.imaging.sensor_light import (
     SensorLight,
     cut,
     find_cuts,
-    ring_factors,
     pixel_factors,
+    ring_factors,
     sums_of_quarters,
 )
 from lommel.methods.nijboer_zernike import NijboerZernike

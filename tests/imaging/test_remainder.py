@@ -144,10 +144,10 @@ def test_of_the_rings_an_image_has_what_falls_as_the_cube_within_its_sides(shape
     many = np.where(row == 0, 1, 2) * np.where(column == 0, 1, 2) * (np.maximum(row, column) > reach)
     inside = (many / np.maximum(np.hypot(row, column), 1.0) ** 3).sum()
     everywhere = 4.0 * math.sqrt(2.0) / (reach + 0.5)  # the integral outside of the square that is known
-    near = replace(remainder, rings=0.0).error(shape=shape)
+    near = replace(remainder, ring_error=0.0).error(shape=shape)
     assert remainder.error(shape=shape) - near == pytest.approx(remainder.ring_error * inside / everywhere, rel=0.05)
     known = (reach + 1, reach + 1)
-    assert remainder.error(shape=known) == replace(remainder, rings=1.0, held=1.0).error(shape=known)
+    assert remainder.error(shape=known) == replace(remainder, ring_error=1.0, tail_error=1.0).error(shape=known)
 
 
 @pytest.fixture(scope="module")

@@ -105,7 +105,7 @@ class Bank:
         return positions
 
     def pixel_weights(self, defocus: float) -> Array:
-        """Return the truncation factor of each pixel, about 0 to 1, at one `defocus` C_d (rad), shape (side, side)."""
+        """Return the truncation factor of each pixel, about 0 to 1, at a `defocus` C_d (rad), shape (side, side)."""
         # Cubic interpolation from four windows, as in the compiled core.
         first, weights = self._mixture(defocus)
         return self._mirror(np.tensordot(weights, pixel_factors(self.cuts, self.half)[first : first + 4], axes=1))

@@ -34,7 +34,7 @@ _BAND = 2**17  # number of points that are spread together if `watch` is set
 
 
 class Points(NamedTuple):
-    """Points of one channel that spread light."""
+    """Points of one channel that spread light, by position in the bank."""
 
     positions: Array  # positions in the bank of windows; negative for points that spread no light
     layers: Values | None = None  # layer of each point, counted from the front
@@ -80,7 +80,7 @@ class DepthBlur(LinearBlur):
         If an argument is of the wrong type or out of range, or if a window would be wider than `largest` allows.
     """
 
-    # Optional progress callback: its argument is the number of points spread since the last call; see `_bands`.
+    # Optional progress callback; the argument is the number of points that were blurred since the last call.
     watch: Callable[[int], object] | None = None
 
     # Cache of `positions`: defocus map, banks, and the positions of the points of this map in each bank.
@@ -105,7 +105,7 @@ class DepthBlur(LinearBlur):
         self.dtype, self.threads = cast("np.dtype[np.floating]", settings.dtype), settings.threads or 0
         self.place(depth)
         warn_of_depths(lens, self.pixel, depth)
-        reach = (float(self.defocus.min()), float(self.defocus.max()))
+        defocus_range = (float(self.defocus.min()), float(self.defocus.max()))
         # By default at most half of the image: a larger window would spread most of its light outside the image.
         largest = settings.largest or max(1, min(self.shape) // 2)
         self.spectra = spectra("channels", [lens.wavelength] if channels is None else channels)
@@ -114,7 +114,7 @@ class DepthBlur(LinearBlur):
         def bank(spectrum: tuple[tuple[float, float], ...]) -> Bank:
             light = SensorLight.of(lens, spectrum, self.pixel, self.threads)
             return build_bank(
-                light, reach, tol=settings.tol, energy=settings.energy, largest=largest, dtype=self.dtype
+                light, defocus_range, tol=settings.tol, energy=settings.energy, largest=largest, dtype=self.dtype
             )
 
         # Channels with equal spectra share a bank; the banks of different spectra are computed in parallel.
@@ -136,7 +136,7 @@ class DepthBlur(LinearBlur):
             )
 
     def place(self, depth: ArrayLike) -> None:
-        """Replace the depth map by `depth` (metres), within the range of the first map; ValueError unless > 0."""
+        """Replace the depth map by `depth` (metres), within the range of the first map; ValueError unless all > 0."""
         distances = require_depth(depth)
         self.defocus = self.lens.defocus(distances)
         self.defocus.flags.writeable = False
@@ -149,7 +149,7 @@ class DepthBlur(LinearBlur):
 
     @property
     def error(self) -> float:
-        """Largest error of windows relative to their peaks; with ``energy=1`` sum over pixels of the errors of K."""
+        """Largest error of windows relative to their peaks; with ``energy=1``, sum of the errors of K over pixels."""
         return max(bank.error for bank in self.banks) if self.beyond is None else self.beyond.error(self)
 
     def forward(self, image: Values, weight: Values | None = None) -> Values:
@@ -182,11 +182,11 @@ class DepthBlur(LinearBlur):
             else:
                 images.append(self.spread(channel, [(plane, points)], slopes=slopes))
         if self.beyond is not None:
-            light = planes if weight is None or transposed else [plane * weight for plane in planes]
+            sources = planes if weight is None or transposed else [plane * weight for plane in planes]
             # Light outside the windows is computed for all points together and added to the whole image.
-            far = self.beyond.act(self, range(self.channels), light, slopes=slopes, transposed=transposed)
-            for image, more in zip(images, far, strict=True):
-                image += more if weight is None or not transposed else more * weight
+            outside = self.beyond.act(self, range(self.channels), sources, slopes=slopes, transposed=transposed)
+            for image, far_image in zip(images, outside, strict=True):
+                image += far_image if weight is None or not transposed else far_image * weight
         return images
 
     def spread(
@@ -205,24 +205,24 @@ class DepthBlur(LinearBlur):
         channel and replaces it. `slopes` replaces windows by their derivatives with respect to position. Raises
         TypeError or ValueError if the channel does not exist, or a plane is not of the dtype of the operator.
         """
-        rows, columns, around = self._padded_indices(channel)
+        rows, columns, margins = self._padded_indices(channel)
         if not isinstance(sources, Sequence):
             raise TypeError(f"sources must be a sequence of planes and points, got {validation.shown(sources)}")
         for plane, points in sources:
             self._require(plane, points)
-        padded = np.zeros([side + sum(more) for side, more in zip(self.shape, around, strict=True)], self.dtype)
-        shown = self._pad_layers(seen, around)
-        used = bank or self.banks[channel]
+        padded = np.zeros([side + sum(pair) for side, pair in zip(self.shape, margins, strict=True)], self.dtype)
+        seen_around = self._pad_layers(seen, margins)
+        bank_used = bank or self.banks[channel]
         for plane, points in sources:
-            for band, rim in self._bands(rows, used.half):
-                where = points.positions, rows[band], columns
-                limits = points.layers, None if shown is None else shown[rim]
-                engine.spread(parts(used), where, plane, self.threads, padded[rim], *limits, slopes)
+            for band, rim in self._bands(rows, bank_used.half):
+                indices = points.positions, rows[band], columns
+                limits = points.layers, None if seen_around is None else seen_around[rim]
+                engine.spread(parts(bank_used), indices, plane, self.threads, padded[rim], *limits, slopes)
                 if self.watch is not None:
                     self.watch(int(np.count_nonzero(points.positions[rows[band]] >= 0.0)))
         if self.border == "reflect":  # light that leaves the image is reflected into it
-            return folded(folded(padded, around[0][0], self.shape[0]).T, around[1][0], self.shape[1]).T
-        (top, _), (left, _) = around
+            return folded(folded(padded, margins[0][0], self.shape[0]).T, margins[1][0], self.shape[1]).T
+        (top, _), (left, _) = margins
         return padded[top:, left:][: self.shape[0], : self.shape[1]]
 
     def collect(
@@ -239,17 +239,15 @@ class DepthBlur(LinearBlur):
 
         `channel`, `seen`, `bank` and `slopes` are those of :meth:`spread`.
         """
-        rows, columns, around = self._padded_indices(channel)
+        rows, columns, margins = self._padded_indices(channel)
         for points in sources:
             self._require(plane, points)
-        padded = np.pad(plane, around, mode="symmetric" if self.border == "reflect" else "constant")
-        shown = self._pad_layers(seen, around)
+        padded = np.pad(plane, margins, mode="symmetric" if self.border == "reflect" else "constant")
+        seen_around = self._pad_layers(seen, margins)
         for points in sources:
             sums = np.empty((rows.size, columns.size), dtype=self.dtype)
-            where = points.positions, rows, columns
-            engine.collect(
-                parts(bank or self.banks[channel]), where, padded, self.threads, sums, points.layers, shown, slopes
-            )
+            indices, tables = (points.positions, rows, columns), parts(bank or self.banks[channel])
+            engine.collect(tables, indices, padded, self.threads, sums, points.layers, seen_around, slopes)
             yield without_copies(sums, rows, columns, self.shape)
 
     def _require(self, plane: object, points: object) -> None:
@@ -266,20 +264,20 @@ class DepthBlur(LinearBlur):
         # Other borders need no copies: a reflected border is folded back after blurring, and a dark border is empty.
         margin = bank.half if self.border == "extend" else 0
         rows, columns = (copies(side, margin, self.border) for side in self.shape)
-        return rows, columns, [(margin + more,) * 2 for more in bank.beyond]
+        return rows, columns, [(margin + width,) * 2 for width in bank.beyond]
 
     def _bands(self, rows: NDArray[np.int64], half: int) -> Iterator[tuple[slice, slice]]:
-        """Yield bands of rows, and the rows that receive their light; one band of all rows unless `watch` is set."""
-        # Bands have at least eight half widths of rows: rows that two bands reach are computed twice.
+        """Yield pairs: a band of rows, and the rows that receive its light; one band unless `watch` is set."""
+        # A band has at least eight half widths of rows: rows that receive light of two bands take twice the time.
         height = len(rows) if self.watch is None else max(_BAND // self.shape[1], 8 * half, 64)
         for first in range(0, len(rows), height):
             last = min(first + height, len(rows))
             yield slice(first, last), slice(first, last + 2 * half)
 
-    def _pad_layers(self, seen: Values | None, around: list[tuple[int, int]]) -> Values | None:
-        """Return the number of layers that each pixel sees, padded by the margins `around`."""
+    def _pad_layers(self, seen: Values | None, margins: list[tuple[int, int]]) -> Values | None:
+        """Return `seen`, the number of layers that each pixel sees, padded by `margins`; None for None."""
         return (
-            None if seen is None else np.pad(seen, around, mode="symmetric" if self.border == "reflect" else "edge")
+            None if seen is None else np.pad(seen, margins, mode="symmetric" if self.border == "reflect" else "edge")
         )
 
     def positions(self, channel: int) -> Array:
@@ -310,7 +308,7 @@ def parts(bank: Bank) -> tuple[Values, NDArray[np.int64], Array]:
 
 
 def require_lens(lens: object, order: str) -> None:
-    """Raise TypeError unless `lens` is a Lens; the message repeats the `order` of the arguments."""
+    """Raise TypeError unless `lens` is a Lens; the message states the `order` of the arguments."""
     if not isinstance(lens, Lens):
         raise TypeError(f"lens must be a Lens, got {type(lens).__name__}; the order of arguments is {order}")
 
@@ -338,27 +336,27 @@ def require_metres(kind: DType) -> None:
         )
 
 
-_IN_FOCUS = 2.0  # circle of confusion, pixels, up to which `lommel info` reports a point as sharp
+_IN_FOCUS = 2.0  # largest circle of confusion, pixels, of a point that `lommel info` reports as sharp
 
 
 def warn_of_depths(lens: Lens, pixel: float, depth: ArrayLike) -> None:
     """Warn if the whole depth map is implausible for this lens, such as millimetres instead of metres."""
     distances = np.asarray(depth, dtype=np.float64)
-    low, high = (float(end(distances, initial=other)) for end, other in ((np.min, math.inf), (np.max, 0.0)))
+    low, high = (float(end(distances, initial=initial)) for end, initial in ((np.min, math.inf), (np.max, 0.0)))
     # Hyperfocal distance f (1 + D / c), c the circle of confusion.
     hyperfocal = lens.focal_length * (1.0 + lens.aperture_diameter / (_IN_FOCUS * pixel))
     if hyperfocal < low < math.inf:
-        where = f"beyond the hyperfocal distance, {format_length(hyperfocal)}, where blur hardly depends on depth"
+        location = f"beyond the hyperfocal distance, {format_length(hyperfocal)}, where blur hardly depends on depth"
     elif high < lens.focal_length:
-        where = f"within the focal length, {format_length(lens.focal_length)}"
+        location = f"within the focal length, {format_length(lens.focal_length)}"
     else:
         return
     ends = " to ".join(format_length(end) for end in dict.fromkeys((low, high)))
-    validation.tell(f"all of the depth, {ends}, is {where}: is it in metres?")
+    validation.tell(f"all of the depth, {ends}, is {location}: is it in metres?")
 
 
 _ROUNDING = 32.0  # rounding error of a sum / machine epsilon; the largest measured, in single precision, was 9
-_LARGE = 2**16  # number of pixels above which threads are used: smaller images take less time than starting threads
+_MIN_THREADED = 2**16  # smallest number of pixels for threads: starting threads takes longer than smaller images
 
 
 class Beyond:
@@ -370,8 +368,8 @@ class Beyond:
         self._factors: dict[Remainder, tuple[Array, Values]] = {}
 
     def error(self, blur: DepthBlur) -> float:
-        """Return the sum over pixels of the largest error of K in this scene: the maximum over channels."""
-        # Within a dark border, light travels no farther than the size of the image.
+        """Return the sum over pixels of the largest error of K in this scene, the maximum over channels."""
+        # With a dark border, only light that stays inside the image counts.
         shape = blur.shape if blur.border == "zero" else None
         largest = max(
             remainder.error(blur.positions(channel), shape) + self._kernels_of(blur, channel).error
@@ -394,7 +392,7 @@ class Beyond:
         transposed: bool = False,
     ) -> list[Values]:
         """Return the light outside the windows for one plane of each of the `channels`; see :meth:`DepthBlur.act`."""
-        threads = (blur.threads or os.cpu_count() or 1) if math.prod(blur.shape) >= _LARGE else 1
+        threads = (blur.threads or os.cpu_count() or 1) if math.prod(blur.shape) >= _MIN_THREADED else 1
         kernels = [self._kernels_of(blur, channel) for channel in channels]
         factors = [self._factors_of(blur, channel, slopes) for channel in channels]
         if transposed:
@@ -402,8 +400,8 @@ class Beyond:
         else:
             inputs = [np.ascontiguousarray(plane) for plane in planes]
 
-        def term(at: tuple[int, int]) -> Values:
-            index, r = at
+        def term(pair: tuple[int, int]) -> Values:
+            index, r = pair
             if transposed:
                 return np.asarray(kernels[index].transposed(r, inputs[index]) * factors[index][r])
             return kernels[index].transformed(r, factors[index][r] * inputs[index])
@@ -415,7 +413,9 @@ class Beyond:
                 sums.append(summand)
             else:
                 sums[-1] += summand
-        return sums if transposed else [one.image(total, threads) for one, total in zip(kernels, sums, strict=True)]
+        if transposed:
+            return sums
+        return [kernel.image(total, threads) for kernel, total in zip(kernels, sums, strict=True)]
 
     def _kernels_of(self, blur: DepthBlur, channel: int) -> MirroredKernels:
         """Return the kernels of a channel for images of the shape and border of `blur`; cached."""
@@ -430,17 +430,17 @@ class Beyond:
         remainder, positions = self._remainders[channel], blur.positions(channel)
         if slopes:
             return remainder.factors(positions, blur.dtype, slopes=True, threads=blur.threads)
-        last = self._factors.get(remainder)
-        if last is None or last[0] is not positions:
-            last = self._factors[remainder] = (
+        cached = self._factors.get(remainder)
+        if cached is None or cached[0] is not positions:
+            cached = self._factors[remainder] = (
                 positions,
                 remainder.factors(positions, blur.dtype, threads=blur.threads),
             )
-        return last[1]
+        return cached[1]
 
 
-# Central differences of fourth order, as pairs (offset in steps, weight). A step of ln d, d the sensor distance, is
-# so small that it changes C_d by at most _STEP_OF_DEFOCUS (rad) and ln d by at most _STEP_OF_SCALE.
+# Central differences of fourth order with respect to ln d, d the sensor distance, as pairs (offset in steps, weight).
+# A step changes C_d by at most _STEP_OF_DEFOCUS (rad) and ln d by at most _STEP_OF_SCALE.
 _DIFFERENCES = ((-2.0, 1.0 / 12.0), (-1.0, -2.0 / 3.0), (1.0, 2.0 / 3.0), (2.0, -1.0 / 12.0))
 _STEP_OF_DEFOCUS, _STEP_OF_SCALE = 0.03, 1e-3
 
@@ -452,9 +452,9 @@ _STEP_OF_DEFOCUS, _STEP_OF_SCALE = 0.03, 1e-3
 class BlurSlopes:
     """Derivatives of ``blur.forward(image)`` with respect to the depth of every point and to the focus.
 
-    A linear operator from changes of depth to changes of the photograph, with its exact transpose. Applying either
-    takes about as long as the blur. The interpolated windows are differentiated: the error of dK/dC_d, relative to
-    the peak, is about `tol` per radian, and more where windows are far apart.
+    A linear operator from changes of depth to changes of the photograph, with its exact transpose. The operator and
+    the transpose each take about as long as the blur. The interpolated windows are differentiated: the error of
+    dK/dC_d, relative to the peak, is about `tol` per radian, and more where windows are far apart.
 
     Parameters
     ----------
@@ -518,8 +518,8 @@ class BlurSlopes:
             raise ValueError("energy must be below 1 for the derivative by focus, for example 0.9999, got 1")
         operator = copy.copy(blur)
         distinct = dict(zip(blur.banks, blur.spectra, strict=True))
-        slopes = {bank: _differentiate_by_focus(blur, bank, spectrum) for bank, spectrum in distinct.items()}
-        operator.banks = tuple(slopes[bank] for bank in blur.banks)
+        derivatives = {bank: _differentiate_by_focus(blur, bank, spectrum) for bank, spectrum in distinct.items()}
+        operator.banks = tuple(derivatives[bank] for bank in blur.banks)
         return np.stack(operator.act(self._planes), axis=-1).reshape(self._shape) / blur.lens.sensor_distance
 
     def as_linear_operator(self) -> LinearOperator:
@@ -534,7 +534,8 @@ class BlurSlopes:
 def _differentiate_by_focus(blur: DepthBlur, bank: Bank, spectrum: tuple[tuple[float, float], ...]) -> Bank:
     """Return a bank of the derivatives of windows with respect to ln d at fixed points, d the sensor distance.
 
-    Finite differences of truncated and normalised windows, which are smooth in d except for kinks of the half widths.
+    The derivatives are finite differences of truncated and normalised windows. These windows are smooth in d except
+    where half widths have kinks.
     """
     lens, infinite = blur.lens, float(blur.lens.defocus(math.inf))
     defocus = bank.start + bank.spacing * np.arange(bank.count, dtype=np.float64)
@@ -550,5 +551,5 @@ def _differentiate_by_focus(blur: DepthBlur, bank: Bank, spectrum: tuple[tuple[f
         terms.append(weight / step * quarter / sums_of_quarters(quarter)[:, None, None])
     widest = max(quarter.shape[1] for quarter in terms)
     sums = sum(np.pad(quarter, ((0, 0), *[(0, widest - quarter.shape[1])] * 2)) for quarter in terms)
-    whole, ones = np.full(bank.count, widest - 1.0), np.ones(bank.count)
-    return replace(bank, windows=stored_windows(np.asarray(sums), blur.dtype), cuts=whole, energies=ones)
+    half_widths, energies = np.full(bank.count, widest - 1.0), np.ones(bank.count)
+    return replace(bank, windows=stored_windows(np.asarray(sums), blur.dtype), cuts=half_widths, energies=energies)

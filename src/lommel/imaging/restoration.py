@@ -63,10 +63,12 @@ from lommel.optics.lens import Lens
 from lommel.recorded.counts import full_value
 from lommel.recorded.noise import Noise
 
-_MISFIT = 0.08  # largest accepted (discrepancy - 1) of a result / (discrepancy - 1) of the photograph
-_CHANGE = 4.5  # largest accepted abs(x - y) / abs(A y - y), means over pixels; up to 3.3 if the blur is as stated
-_LEAST_CHANGE = 0.8  # (change of a pixel by denoising alone, without deblurring) / noise
-_FEW_STEPS = 5  # a result after at most this number of steps may be smoother than the photograph
+_MAX_MISFIT = 0.08  # largest accepted (discrepancy - 1) of a result / (discrepancy - 1) of the photograph
+# Largest accepted mean of abs(x - y) / mean of abs(A y - y), for the result x, the photograph y and the blur A. In
+# tests with the stated blur it was at most 3.3.
+_MAX_CHANGE_RATIO = 4.5
+_MIN_CHANGE = 0.8  # (change of a pixel by denoising alone, without deblurring) / noise
+_FEW_STEPS = 5  # largest number of steps after which a result may be smoother than the photograph
 _DIFFERENCE_STEP = 0.1  # change of the photograph / noise, for the difference quotient of a result
 
 
@@ -91,49 +93,52 @@ def noise_aware(
 
 
 def check_result(observed: PhotographCounts, result: Solution, method: Method) -> tuple[float, str]:
-    """Return the share of the photograph to blend into a result (1 if rejected), and the reason why it stopped."""
-    after, before = (observed.mean(observed.discrepancies_of(each)) for each in (result.light, observed.image))
+    """Return the share of the photograph to blend into a result (1 if rejected), and the stopping reason."""
+    after, before = (observed.mean(observed.discrepancies_of(light)) for light in (result.light, observed.image))
     # Richardson-Lucy that stopped at its maximum number of steps may not fit yet.
     converged = result.stopped != STEPS or not isinstance(method, RichardsonLucy)
-    misfit = converged and after - 1.0 - observed.slack > max(_MISFIT * (before - 1.0), 0.0)
+    misfit = converged and after - 1.0 - observed.slack > max(_MAX_MISFIT * (before - 1.0), 0.0)
     if misfit or _is_overdone(observed, result.light):
         return 1.0, MISFIT
-    slight = before <= 1.0 or result.steps <= _FEW_STEPS
-    return _best_share(observed, result) if slight and result.steps else 0.0, result.stopped
+    small_change = before <= 1.0 or result.steps <= _FEW_STEPS
+    return _best_share(observed, result) if small_change and result.steps else 0.0, result.stopped
 
 
 def blend(observed: PhotographCounts, light: Values, share: float) -> Values:
-    """Return ``(1 - share) * light + share * photograph``; unknown pixels keep their light."""
+    """Return ``(1 - share) * light + share * photograph``, and `light` at unknown pixels of the photograph."""
     if share == 0.0:
         return light
     return np.asarray(light + light.dtype.type(share) * np.where(observed.weight > 0.0, observed.image - light, 0.0))
 
 
 def _is_overdone(observed: PhotographCounts, light: Values) -> bool:
-    """Return whether light differs from the photograph by more than the stated blur can explain."""
-    known, photo = observed.certain, observed.image
+    """Return True if light differs from the photograph by more than the stated blur can explain."""
+    certain, photo = observed.certain, observed.image
     # Standard deviation of the shot noise in units of light.
-    noise = np.sqrt(observed.counts[known] / (observed.weight[known] * observed.white))
-    by_blur = np.abs(observed.model(photo) - observed.counts)[known].mean(dtype=np.float64)
-    least = _LEAST_CHANGE * noise.mean(dtype=np.float64)
-    return bool(np.abs(light - photo)[known].mean(dtype=np.float64) > _CHANGE * max(by_blur, least))
+    noise = np.sqrt(observed.counts[certain] / (observed.weight[certain] * observed.white))
+    by_blur = np.abs(observed.model(photo) - observed.counts)[certain].mean(dtype=np.float64)
+    min_change = _MIN_CHANGE * noise.mean(dtype=np.float64)
+    return bool(np.abs(light - photo)[certain].mean(dtype=np.float64) > _MAX_CHANGE_RATIO * max(by_blur, min_change))
 
 
 def _best_share(observed: PhotographCounts, result: Solution) -> float:
-    """Return the share of the photograph, 1 - a, with the smallest expected squared error of the blend."""
-    known = observed.certain
+    """Return the share of the photograph with the smallest expected squared error of the blend.
+
+    In comments x is the result, y the photograph, n its noise, A the blur, 1 - a the share, and E[] an expectation.
+    """
+    certain = observed.certain
     expected = wiener_target(observed)
     noise = min(expected[1], 1.0) if expected is not None else 1.0
-    sigma = np.sqrt(noise * observed.counts / (np.where(known, observed.weight, 1.0) * observed.white))
+    sigma = np.sqrt(noise * observed.counts / (np.where(certain, observed.weight, 1.0) * observed.white))
     signs = np.random.default_rng(0).choice(np.array([-1.0, 1.0]), size=sigma.shape)
-    step = _DIFFERENCE_STEP * sigma * signs * known
-    # Stein's lemma: E[x.n] is the sum of sigma^2 dx/dy. It is the mean of b.(dx/dy b) over random b = +-sigma.
-    other = result.alike(observed.replaced(observed.light + step))
+    step = _DIFFERENCE_STEP * sigma * signs * certain
+    # Stein's lemma: E[x.n] is the sum of sigma^2 dx/dy, the mean of b.(dx/dy b) over random b = +-sigma.
+    perturbed = result.alike(observed.replaced(observed.light + step))
     # E[d.n], with d = x - y: the change of y is subtracted from the change of x.
-    covariance = (sigma * signs * (other - result.light - step))[known].sum(dtype=np.float64) / _DIFFERENCE_STEP
-    d = (result.light - observed.counts + observed.added)[known].astype(np.float64)
-    # (1 - A) x in place of (1 - A) scene.
-    sharpened = (result.light - (observed.model(result.light) - observed.added))[known]
+    covariance = (sigma * signs * (perturbed - result.light - step))[certain].sum(dtype=np.float64) / _DIFFERENCE_STEP
+    d = (result.light - observed.counts + observed.added)[certain].astype(np.float64)
+    # (1 - A) x replaces (1 - A) scene, because the scene is unknown.
+    sharpened = (result.light - (observed.model(result.light) - observed.added))[certain]
     # The limit avoids 0 / 0 if the result equals the photograph.
     square = max(float(d @ d), 1e-300)
     # a^2 d.d + 2 a E[d.n] - 2 a d.(1 - A) x is smallest at a = (d.(1 - A) x - E[d.n]) / d.d.
@@ -192,14 +197,14 @@ def restore_with(
     """
     validation.instance("blur", blur, LinearBlur)
     validation.instance("noise", noise, Noise)
-    way = _checked_method(method, progress)
+    solver = _checked_method(method, progress)
     recorded = blur.require(light, "light", missing=True)
     limit = validation.real("saturation", saturation, infinite=True)
     observed = PhotographCounts(blur, recorded, noise, limit)
     with shown(progress) as tell:
         before = observed.mean(observed.discrepancies_of(observed.image))
-        result = solve(way, observed, tell)
-    share, stopped = check_result(observed, result, way)
+        result = solve(solver, observed, tell)
+    share, stopped = check_result(observed, result, solver)
     restored = blend(observed, result.light, share)
     after = observed.discrepancies_of(restored)
     return Restoration(
@@ -227,8 +232,8 @@ def restore(
 ) -> Restoration:
     """Deblur a photograph with a known depth map and lens, as far as its noise allows.
 
-    The inverse of :func:`lommel.imaging.depth_of_field`, with the operator of that function (occlusion included) and
-    its exact transpose. Arrays are restored as a whole; memory maps, and arrays with `tile`, in tiles with little
+    Invert :func:`lommel.imaging.depth_of_field`, with the operator of that function (occlusion included) and its
+    exact transpose. Arrays are restored as a whole; memory maps, and arrays with `tile`, in tiles with little
     memory. The central tile determines the number of steps, or the strength; all other tiles use this value, which
     avoids seams. Tiles overlap by one window plus twice the overlap of :func:`lommel.imaging.depth_of_field`. In
     tests, tiles differed from the whole image, at equal steps or strength, by 3e-4 of white rms; with total variation
@@ -289,9 +294,9 @@ def restore(
     (dtype('uint16'), True)
     """
     settings = Settings.of(restore, options, Keywords)
-    way = _checked_method(method, progress)
+    solver = _checked_method(method, progress)
     validation.instance("noise", noise, Noise)
-    given, hidden = validation.parted("photo", photo)
+    image, mask = validation.parted("photo", photo)
     over_field = isinstance(lens, FieldMap)
     if tile is not None:
         validation.integer("tile", tile, least=16, most=validation.MAX_SIDE)
@@ -300,51 +305,51 @@ def restore(
                 "tile is for a Lens, got a FieldMap; leave it out, or restore crops with FieldBlur(center=)"
             )
     # Memory-mapped files may be larger than memory.
-    elif not over_field and any(isinstance(each, np.memmap) for each in (photo, depth, out)):
+    elif not over_field and any(isinstance(source, np.memmap) for source in (photo, depth, out)):
         tile = TILE
     if out is not None:
-        output_array(out, "photo", given.shape, given.dtype, given, np.asarray(depth))
-    limit = full_light(given, encoding, saturation)
+        output_array(out, "photo", image.shape, image.dtype, image, np.asarray(depth))
+    limit = full_light(image, encoding, saturation)
     if isinstance(lens, FieldMap):
-        light = recorded(given, encoding, limit, hidden)
+        light = recorded(image, encoding, limit, mask)
         if depth is not None:
             raise ValueError(
                 "depth must be None with a FieldMap, which has the defocus of one distance; for a depth map, pass "
                 "FieldBlur(field_map, shape, pixel, depth=, lens=) to lommel.imaging.restore_with"
             )
-        blur: LinearBlur = _field_blur(given.shape, lens, pixel, settings, options)
+        blur: LinearBlur = _field_blur(image.shape, lens, pixel, settings, options)
     else:
         require_lens(lens, "photo, depth, lens, pixel")
         if depth is None:
             raise ValueError("depth must be the distance of each point, metres, if lens is a Lens, got None")
         distances = validation.array("depth", depth)
         if tile is not None:
-            require_scene("photo", given.shape, distances.shape)
+            require_scene("photo", image.shape, distances.shape)
             if settings.missing == "nearest":
                 distances = fill_missing(distances, "nearest")
-            parts = TileBlur(given.shape, depth_range(distances, settings.missing), lens, pixel, encoding, settings)
-            out = output_array(out, "photo", given.shape, given.dtype)
-            return _by_tiles((given, hidden), distances, parts, tile, noise, limit, way, out, progress)
-        light = recorded(given, encoding, limit, hidden)
+            parts = TileBlur(image.shape, depth_range(distances, settings.missing), lens, pixel, encoding, settings)
+            out = output_array(out, "photo", image.shape, image.dtype)
+            return _by_tiles((image, mask), distances, parts, tile, noise, limit, solver, out, progress)
+        light = recorded(image, encoding, limit, mask)
         distances = fill_missing(distances, settings.missing)
-        require_scene("photo", given.shape, distances.shape)
-        channels = settings.channels(given.shape, lens.wavelength)
-        by_depth = DepthBlur(distances, lens, pixel, channels=channels, **settings.of_blur)
-        blur = Occlusion(by_depth) if settings.occlusion else by_depth
-    result = restore_with(light, blur, noise, method=way, saturation=limit, progress=progress)
+        require_scene("photo", image.shape, distances.shape)
+        channels = settings.channels(image.shape, lens.wavelength)
+        depth_blur = DepthBlur(distances, lens, pixel, channels=channels, **settings.of_blur)
+        blur = Occlusion(depth_blur) if settings.occlusion else depth_blur
+    result = restore_with(light, blur, noise, method=solver, saturation=limit, progress=progress)
     assert result.light is not None
-    values, clipped = encode_light(result.light, encoding, given.dtype, settings.threads or 0)
+    values, clipped = encode_light(result.light, encoding, image.dtype, settings.threads or 0)
     if out is not None:
         np.copyto(out, values)
     return replace(result, values=values if out is None else out, clipped=clipped)
 
 
-def recorded(photo: Pixels, encoding: str, limit: float, hidden: NDArray[np.bool_] | None = None) -> Array:
-    """Return the light of a photograph, NaN where it is unknown; ValueError if all of it is unknown or saturated."""
+def recorded(photo: Pixels, encoding: str, limit: float, mask: NDArray[np.bool_] | None = None) -> Array:
+    """Return the light of a photograph, NaN at unknown pixels; ValueError if all pixels are unknown or saturated."""
     require_image("photo", photo.shape)
     unknown = np.isnan(photo) if photo.dtype.kind == "f" else np.zeros(photo.shape, dtype=bool)
-    if hidden is not None:
-        unknown |= hidden
+    if mask is not None:
+        unknown |= mask
     light = to_light("photo", np.where(unknown, np.asarray(0, photo.dtype), photo), encoding, np.float64)
     if limit < math.inf:  # saturation=inf states that light beyond white is expected
         warn_if_bright(light)
@@ -360,9 +365,9 @@ def recorded(photo: Pixels, encoding: str, limit: float, hidden: NDArray[np.bool
 def full_light(photo: Pixels, encoding: str, saturation: float | None) -> float:
     """Return the light at and above which pixels of a photograph are saturated."""
     if saturation is not None:
-        stated = validation.real("saturation", saturation, above=0.0, infinite=True)
+        value = validation.real("saturation", saturation, above=0.0, infinite=True)
         # The stated value may be rounded down in the type of the photograph.
-        return min(stated, 1.0) if photo.dtype.kind == "u" else min(stated, float(photo.dtype.type(stated)))
+        return min(value, 1.0) if photo.dtype.kind == "u" else min(value, float(photo.dtype.type(value)))
     if photo.dtype.kind != "u":
         return 1.0
     full, _ = full_value([photo], None)
@@ -370,11 +375,11 @@ def full_light(photo: Pixels, encoding: str, saturation: float | None) -> float:
 
 
 def _field_blur(
-    shape: tuple[int, ...], field_map: FieldMap, pixel: float, settings: Settings, given: Keywords
+    shape: tuple[int, ...], field_map: FieldMap, pixel: float, settings: Settings, options_given: Keywords
 ) -> FieldBlur:
     """Return the blur by a field map whose optical axis is at the centre of a photograph of this shape."""
     for name in ("occlusion", "missing", "tol"):
-        if name in given:
+        if name in options_given:
             raise ValueError(
                 f"{name} is for photographs with a depth, got a FieldMap; leave it out, or pass a FieldBlur to "
                 "lommel.imaging.restore_with"
@@ -388,7 +393,7 @@ def _field_blur(
 
 
 def _by_tiles(
-    given: tuple[Pixels, NDArray[np.bool_] | None],
+    photo_and_mask: tuple[Pixels, NDArray[np.bool_] | None],
     depth: Pixels,
     blur: TileBlur,
     side: int,
@@ -398,58 +403,59 @@ def _by_tiles(
     out: Pixels,
     progress: Callable[..., object] | None,
 ) -> Restoration:
-    """Restore a photograph tile by tile into `out`; `given` is the photograph and the mask of unknown pixels."""
-    photo, hidden = given
+    """Restore a photograph tile by tile into `out`; `photo_and_mask` includes the mask of unknown pixels."""
+    photo, unknown = photo_and_mask
 
-    def observed(around: Window) -> PhotographCounts:
+    def observed(window: Window) -> PhotographCounts:
         """Return counts of a part of the photograph."""
         try:
-            unseen = None if hidden is None else hidden[around]
-            light = recorded(np.asarray(photo[around]), blur.encoding, limit, unseen)
+            window_mask = None if unknown is None else unknown[window]
+            light = recorded(np.asarray(photo[window]), blur.encoding, limit, window_mask)
         except ValueError as error:
-            rows, columns = around
+            rows, columns = window
             raise ValueError(
                 f"in rows {rows.start} to {rows.stop} and columns {columns.start} to {columns.stop}, {error}; or use "
                 "larger tiles (tile=)"
             ) from None
-        # `noise.part`: noise parameters that are maps are cut to the part as well.
-        return PhotographCounts(blur.operator(np.asarray(depth[around])), light, noise.part(*around), limit)
+        # `noise.part` crops noise parameters that are maps to the window as well.
+        return PhotographCounts(blur.operator(np.asarray(depth[window])), light, noise.part(*window), limit)
 
-    def from_middle(tile: tuple[Window, Window, Window]) -> float:
-        return math.hypot(*(at.start + at.stop - size for at, size in zip(tile[0], photo.shape, strict=False)))
+    def centre_distance(tile: tuple[Window, Window, Window]) -> float:
+        return math.hypot(*(part.start + part.stop - size for part, size in zip(tile[0], photo.shape, strict=False)))
 
     tiles = list(tiles_of(photo.shape, side, 2 * blur.overlap + 2 * blur.half))
-    # The central tile determines the steps and the share of the photograph; the other tiles repeat them.
-    middle = min(tiles, key=from_middle)
-    central = observed(middle[1])
-    first = solve(method, central, silent)
-    share, stopped = check_result(central, first, method)
+    # The central tile determines the steps and the share of the photograph for all tiles.
+    central_tile = min(tiles, key=centre_distance)
+    central_counts = observed(central_tile[1])
+    central = solve(method, central_counts, silent)
+    share, stopped = check_result(central_counts, central, method)
     known, clipped = np.zeros(photo.shape[2:] or 1, dtype=np.int64), 0.0
     after, before = np.zeros((2, *known.shape))
     for done, tile in enumerate(tiles, 1):
-        place, around, within = tile
+        region, around, inner = tile
         counts = observed(around)
-        light = blend(counts, first.light if tile is middle else first.alike(counts), share)
+        light = blend(counts, central.light if tile is central_tile else central.alike(counts), share)
         # Discrepancies of the result and of the photograph, in the tile without its overlap.
         mask = np.zeros((*counts.blur.shape, *(1,) * (photo.ndim - 2)), dtype=bool)
-        mask[within] = True
-        inside = counts.replaced(np.where(mask, counts.light, np.nan))
-        known += inside.known
+        mask[inner] = True
+        inner_counts = counts.replaced(np.where(mask, counts.light, np.nan))
+        known += inner_counts.known
         for total, scene in ((after, light), (before, counts.image)):
-            total += inside.discrepancies_of(scene) * np.maximum(inside.known, 1)
-        values = np.ascontiguousarray(light[within])
-        out[place], cut = encode_light(values, blur.encoding, out.dtype, blur.whole.threads)
-        clipped += cut * values.size / out.size
+            total += inner_counts.discrepancies_of(scene) * np.maximum(inner_counts.known, 1)
+        values = np.ascontiguousarray(light[inner])
+        out[region], clipped_fraction = encode_light(values, blur.encoding, out.dtype, blur.whole.threads)
+        clipped += clipped_fraction * values.size / out.size
         if progress is not None:
             progress(done, len(tiles))
-    count = float(known.sum())
-    # Discrepancies are means per known pixel: sums of tiles are weighted by their known pixels.
-    discrepancy, each = float(after.sum()) / count, tuple(map(float, after / np.maximum(known, 1)))
-    # The central tile may fit within its noise although other tiles do not.
+    known_pixels = float(known.sum())
+    # Discrepancies are means over known pixels: each tile is weighted by the number of its known pixels.
+    discrepancy, by_channel = float(after.sum()) / known_pixels, tuple(map(float, after / np.maximum(known, 1)))
+    # The central tile may fit within the noise although other tiles do not.
     stopped = stopped if stopped != NOISE or discrepancy <= 1.0 else STEPS
+    unknown_fraction, findings = 1.0 - known_pixels / out.size, _findings(stopped, discrepancy)
     return Restoration(
-        out, None, discrepancy, each, float(before.sum()) / count, first.steps, stopped,
-        first.strength, 1.0 - count / out.size, clipped, photograph=share, findings=_findings(stopped, discrepancy),
+        out, None, discrepancy, by_channel, float(before.sum()) / known_pixels, central.steps, stopped,
+        central.strength, unknown_fraction, clipped, photograph=share, findings=findings,
     )  # fmt: skip
 
 

@@ -63,7 +63,7 @@ class Settings:
         dark ("zero"). Depth is mirrored or extended in the same way. Light that the blur spreads beyond the image is
         lost.
     energy : float, default 0.98
-        Fraction of the PSF's light inside its window, 0.5 to 0.9999, or 1. Below 1 the light outside the window is
+        Fraction of the light of a PSF inside its window, 0.5 to 0.9999, or 1. Below 1 the light outside the window is
         spread over the window. With 1 the PSF is not truncated (a window plus a smooth remainder over the whole
         image), and rendering takes 1.7 times as long. Tiles and dask chunks require a value below 1.
     tol : float, default 1e-4
@@ -76,7 +76,7 @@ class Settings:
     dtype : float32 or float64, default float32
         Type of the blurred image and of the sums over source points.
     threads : int, optional
-        Maximum number of threads; by default the number of processors. The result does not depend on it.
+        Maximum number of threads; by default the number of processors. It does not change the result.
 
     Raises
     ------
@@ -108,16 +108,16 @@ class Settings:
             "tol": validation.real("tol", self.tol, least=1e-7, below=0.1 + 1e-12),
             "dtype": validation.kind("dtype", self.dtype, np.float32, np.float64),
         }
-        for name, most in (("largest", 2048), ("threads", 1024)):
+        for name, limit in (("largest", 2048), ("threads", 1024)):
             if (value := getattr(self, name)) is not None:
-                checked[name] = validation.integer(name, value, least=1, most=most)
+                checked[name] = validation.integer(name, value, least=1, most=limit)
         vars(self).update(checked)  # assignments to a frozen dataclass are not allowed
 
     @classmethod
-    def of(cls, function: Callable[..., object], given: Mapping[str, Any], keywords: type) -> Self:
-        """Return validated options from `given`; TypeError for a name that is not in the TypedDict `keywords`."""
-        options.require_known(function, given, keywords)
-        return cls(**given)
+    def of(cls, function: Callable[..., object], arguments: Mapping[str, Any], keywords: type) -> Self:
+        """Return validated options from `arguments`; TypeError for a name not in the TypedDict `keywords`."""
+        options.require_known(function, arguments, keywords)
+        return cls(**arguments)
 
     @property
     def of_blur(self) -> BlurKeywords:

@@ -761,7 +761,7 @@ def traced_blur(
     zernike_tables: dict[str, Operand] = {}
     if optics.zernike:
         window = half, step / math.exp(log_ratios[0])
-        aberrated, zernike_tables = traced_windows.make(
+        aberrated, zernike_tables = traced_windows.build_windows(
             lens, dict(optics.zernike), (low, high), colours, window, psf_tol
         )
         zernike_tables["lattice"] = zernike_tables["lattice"] * math.exp(log_ratios[0])

@@ -134,31 +134,31 @@ def _namespace(x: Operand) -> Operand:
     return Namespace.of(type(x).__module__.partition(".")[0]).xp
 
 
-def _sites(like: Operand, colours: tuple[int, ...], colour: int) -> Operand:
-    """Return a mask of the height, width and dtype of `like`: 1 where the pattern has the colour, else 0."""
-    xp, (height, width) = _namespace(like), like.shape[-2:]
-    where = (
-        {"device": like.device} if type(like).__module__.partition(".")[0] in ("torch", "array_api_strict") else {}
+def _sites(image: Operand, colours: tuple[int, ...], colour: int) -> Operand:
+    """Return a mask of the height, width and dtype of `image`: 1 where the pattern has the colour, else 0."""
+    xp, (height, width) = _namespace(image), image.shape[-2:]
+    placement = (
+        {"device": image.device} if type(image).__module__.partition(".")[0] in ("torch", "array_api_strict") else {}
     )
     row, column = (
-        xp.reshape(xp.arange(side, **where) % 2, shape) for side, shape in ((height, (-1, 1)), (width, (1, -1)))
+        xp.reshape(xp.arange(side, **placement) % 2, shape) for side, shape in ((height, (-1, 1)), (width, (1, -1)))
     )
     index = 2 * row + column
     mask: Operand = index < 0
-    for k, own in enumerate(colours):
-        if own == colour:
+    for k, pattern_colour in enumerate(colours):
+        if pattern_colour == colour:
             mask = mask | (index == k)
-    return xp.astype(mask, like.dtype)
+    return xp.astype(mask, image.dtype)
 
 
 def _neighbour_sum(xp: ArrayFunctions, x: Operand, axis: int) -> Operand:
     """Return the sum of both neighbours along an axis, mirrored about the edge pixels."""
     count = x.shape[axis]
 
-    def part(first: int, last: int) -> Operand:
-        here = [slice(None)] * len(x.shape)
-        here[axis] = slice(first, last)
-        return x[tuple(here)]
+    def part(start: int, stop: int) -> Operand:
+        index = [slice(None)] * len(x.shape)
+        index[axis] = slice(start, stop)
+        return x[tuple(index)]
 
     # The mirror image of a neighbour about the edge pixel has the colour of the continued pattern.
     before = xp.concat([part(1, 2), part(0, count - 1)], axis=axis)

@@ -1,4 +1,4 @@
-"""PSF windows (squares of pixels): differentiable in the lens, and, in layers of C_d, sums of a few windows."""
+"""PSF windows (squares of pixels): differentiable functions of the lens, and interpolation in layers of C_d."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from lommel.traced.chordal import counts_by_largest
 from lommel.traced.namespaces import Namespace, Operand, Tables, Tensor
 
 _NODES = 16, 1.1  # number of Chebyshev nodes of a layer: a constant, plus a number per radian of width
-_MOST = 512  # largest number of layers
+_MAX_LAYERS = 512  # largest number of layers
 
 
 class DefocusLayer(NamedTuple):
@@ -58,35 +58,36 @@ def chebyshev_nodes(count: int) -> tuple[Array, Array]:
 
 
 def defocus_layers(
-    windows: Callable[[Array], Array], low: float, high: float, tol: float, width: float, rate: float, most: int
+    windows: Callable[[Array], Array], low: float, high: float, tol: float, width: float, rate: float, max_values: int
 ) -> list[DefocusLayer]:
     """Return the layers of a range of C_d, each at most about `width` radians wide at the shortest wavelength.
 
-    ``windows(c)`` returns the windows at values of C_d, shape (n, parts, cells), for about `most` values in one call;
+    ``windows(c)`` returns the windows at values of C_d, shape (n, parts, cells), about `max_values` values in a call;
     all parts have the same weights. The error of a cell is at most about `tol` times the peak of the window. `rate`
     is (C_d at the shortest wavelength) / C_d. ValueError if too many layers are needed.
     """
     count = max(1, math.ceil(rate * (high - low) / width))
     edges = np.linspace(low, high, count + 1)
     ranges = list(zip(edges[-2::-1].tolist(), edges[:0:-1].tolist(), strict=True))
-    batch = max(1, most // len(_nodes(*ranges[-1], rate)))
+    batch = max(1, max_values // len(_nodes(*ranges[-1], rate)))
     layers: list[DefocusLayer] = []
     while ranges:
-        some = ranges[: -batch - 1 : -1]
-        nodes = [_nodes(*ends, rate) for ends in some]
-        values = np.split(windows(np.concatenate(nodes)), np.cumsum([len(at) for at in nodes])[:-1])
-        tried = [_layer(*ends, *each, tol) for ends, each in zip(some, zip(nodes, values, strict=True), strict=True)]
-        good = next((k for k, layer in enumerate(tried) if layer is None), len(tried))
-        layers += [layer for layer in tried[:good] if layer is not None]
-        del ranges[len(ranges) - good :]
-        if good < len(tried):
+        batch_ranges = ranges[: -batch - 1 : -1]
+        nodes = [_nodes(*ends, rate) for ends in batch_ranges]
+        values = np.split(windows(np.concatenate(nodes)), np.cumsum([len(c) for c in nodes])[:-1])
+        pairs = zip(nodes, values, strict=True)
+        candidates = [_layer(*ends, *pair, tol) for ends, pair in zip(batch_ranges, pairs, strict=True)]
+        converged = next((k for k, layer in enumerate(candidates) if layer is None), len(candidates))
+        layers += [layer for layer in candidates[:converged] if layer is not None]
+        del ranges[len(ranges) - converged :]
+        if converged < len(candidates):
             # Halve the range: each half needs about half of the nodes.
             begin, end = ranges.pop()
             middle = 0.5 * (begin + end)
             ranges += [(middle, end), (begin, middle)]
-            if len(layers) + len(ranges) > _MOST:
+            if len(layers) + len(ranges) > _MAX_LAYERS:
                 raise ValueError(
-                    f"distances span {high - low:.4g} rad of C_d and take more than {_MOST} layers; choose a "
+                    f"distances span {high - low:.4g} rad of C_d and take more than {_MAX_LAYERS} layers; choose a "
                     "smaller range, or a larger tol"
                 )
     return layers
@@ -106,27 +107,27 @@ def _layer(low: float, high: float, nodes: Array, windows: Array, tol: float) ->
     """Return one layer from its windows at nodes, or None if its polynomial does not converge."""
     count = len(nodes)
     _, transform = chebyshev_nodes(count)
-    at = (windows / windows.max(axis=2).min(axis=0)[:, None]).reshape(count, -1)  # relative to the lowest peak
-    coefficients = transform @ at
+    scaled = (windows / windows.max(axis=2).min(axis=0)[:, None]).reshape(count, -1)  # relative to the lowest peak
+    coefficients = transform @ scaled
     # Sum of the coefficients from each degree on: a bound on the truncation error.
     tail = np.cumsum(np.abs(coefficients).max(axis=1)[::-1])[::-1]
     if tail[-2] > 0.2 * tol:
         return None
     degrees = max(2, int((tail > 0.1 * tol).sum()))
-    # Test points: between the nodes, at the nodes and at the ends.
+    # The test points lie between the nodes, at the nodes and at the ends.
     polynomials = chebyshev(np.cos(np.linspace(0.0, math.pi, 2 * count + 1)), degrees)
-    truth = polynomials @ coefficients[:degrees]
-    flat = at
-    if at.shape[1] > 4 * count:
+    exact = polynomials @ coefficients[:degrees]
+    columns = scaled
+    if scaled.shape[1] > 4 * count:
         # Random linear combinations of the cells: to find pivots, a few times `rank` columns are enough.
-        flat = at @ np.random.default_rng(0).standard_normal((at.shape[1], 4 * count))
-    order, upper = _pivoted_qr(flat)
+        columns = scaled @ np.random.default_rng(0).standard_normal((scaled.shape[1], 4 * count))
+    order, upper = _pivoted_qr(columns)
     diagonal = np.abs(upper[np.arange(count), order])
     for rank in range(max(1, int((diagonal > tol * diagonal[0]).sum())), count + 1):
-        # Every window as a linear combination of the selected windows.
+        # Every window is approximated by a linear combination of the selected windows.
         combination = np.linalg.solve(upper[:rank, order[:rank]], upper[:rank]).T
         weights = transform[:degrees] @ combination
-        if np.abs(polynomials @ weights @ at[order[:rank]] - truth).max() <= 0.5 * tol:
+        if np.abs(polynomials @ weights @ scaled[order[:rank]] - exact).max() <= 0.5 * tol:
             break
     selected = order[:rank]
     return DefocusLayer(low, high, nodes[selected], np.ascontiguousarray(weights.T), windows[selected])
@@ -135,22 +136,22 @@ def _layer(low: float, high: float, nodes: Array, windows: Array, tol: float) ->
 def _pivoted_qr(rows: Array) -> tuple[NDArray[np.int64], Array]:
     """Return the pivots of the QR decomposition of ``rows.T``, and R with its columns in the order of `rows`."""
     # Without LAPACK: for so few rows, starting its threads takes longer than the decomposition.
-    rest, order, upper = rows.copy(), np.empty(len(rows), dtype=np.int64), np.empty((len(rows), len(rows)))
+    residual_rows, order, upper = rows.copy(), np.empty(len(rows), dtype=np.int64), np.empty((len(rows), len(rows)))
     for k in range(len(rows)):
-        squares = (rest * rest).sum(axis=1)
+        squares = (residual_rows * residual_rows).sum(axis=1)
         # Rows that were pivots contain rounding errors only: exclude them.
         squares[order[:k]] = -1.0
         order[k] = squares.argmax()
         size = math.sqrt(squares[order[k]])
-        direction = rest[order[k]] / size if size > 0.0 else rest[order[k]]
-        upper[k] = rest @ direction
-        rest -= upper[k][:, None] * direction
+        direction = residual_rows[order[k]] / size if size > 0.0 else residual_rows[order[k]]
+        upper[k] = residual_rows @ direction
+        residual_rows -= upper[k][:, None] * direction
     return order, upper
 
 
 Term = tuple[int, int]
-_MOST_SAMPLES = 32  # largest number of samples along a side of a pixel
-_MOST_CHORDS = 512  # largest number of chords of the pupil, and of nodes on a chord
+_MAX_SAMPLES = 32  # largest number of samples along a side of a pixel
+_MAX_CHORDS = 512  # largest number of chords of the pupil, and of nodes on a chord
 _SHARES = (0.3, 0.4, 0.5, 0.6, 0.7, 0.85)  # fractions of the proven numbers of nodes, in the order tried
 
 
@@ -179,7 +180,7 @@ class AberratedWindows(NamedTuple):
         Parameters
         ----------
         ns, tables
-            Namespace, and tables of :func:`make` in this namespace.
+            Namespace, and tables of :func:`build_windows` in this namespace.
         c : array, shape (n,)
             C_d, radians at the wavelength of the lens.
         coefficients : array, shape (k,)
@@ -188,7 +189,7 @@ class AberratedWindows(NamedTuple):
             (Size of the PSF) / (size of the PSF of the given lens).
         """
         xp = ns.xp
-        # Phases at the wavelength of the lens; all of them scale as 1 / wavelength.
+        # These are phases at the wavelength of the lens; all phases scale as 1 / wavelength.
         aberrations = ns.matmul(xp.reshape(coefficients, (1, -1)), tables["zernike"]) + tables["fixed"]
         phase = xp.reshape(c, (-1, 1)) * tables["focus"] + aberrations
         channels = []
@@ -204,83 +205,82 @@ class AberratedWindows(NamedTuple):
     def _light(self, ns: Namespace, tables: Tables, phase: Tensor, lattice: Tensor) -> Tensor:
         """Return the mean intensity of each pixel, (n, side, side), for phases (n, chords * nodes)."""
         xp = ns.xp
-        count, across = phase.shape[0], self.side * self.samples
+        count, points = phase.shape[0], self.side * self.samples
         shape = (count, self.chords, self.nodes)
         waves = [
             xp.permute_dims(xp.reshape(f(phase) * tables["weights"], shape), (1, 0, 2)) for f in (xp.cos, xp.sin)
         ]
         # The kernel is a product of a factor along the chords and a factor across them: two matrix products.
-        along = xp.reshape(tables["y"], (self.chords, self.nodes, 1)) * lattice
-        cos, sin = xp.cos(along), xp.sin(along)
+        phase_along = xp.reshape(tables["y"], (self.chords, self.nodes, 1)) * lattice
+        cos, sin = xp.cos(phase_along), xp.sin(phase_along)
         # Complex products as real matrices: [[cos, sin], [-sin, cos]] multiplies real and imaginary parts.
         kernel = xp.concat([xp.concat([cos, sin], axis=-1), xp.concat([-sin, cos], axis=-1)], axis=1)
         rows = ns.matmul(xp.concat(waves, axis=-1), kernel)
-        real, imaginary = (xp.reshape(rows[..., part], (self.chords, count * across)) for part in _halves(across))
-        over = xp.reshape(lattice, (-1, 1)) * xp.reshape(tables["x"], (1, -1))
-        cos, sin = xp.cos(over), xp.sin(over)
+        real, imaginary = (xp.reshape(rows[..., part], (self.chords, count * points)) for part in _halves(points))
+        phase_across = xp.reshape(lattice, (-1, 1)) * xp.reshape(tables["x"], (1, -1))
+        cos, sin = xp.cos(phase_across), xp.sin(phase_across)
         kernel = xp.concat([xp.concat([cos, -sin], axis=-1), xp.concat([sin, cos], axis=-1)], axis=0)
         field = ns.matmul(kernel, xp.concat([real, imaginary], axis=0))
-        real, imaginary = field[:across, ...], field[across:, ...]
-        light = real * real + imaginary * imaginary
-        light = xp.reshape(light, (self.side, self.samples, count, self.side, self.samples)) * tables["share"]
-        return xp.permute_dims(xp.sum(light, axis=(1, 4)), (1, 2, 0))
+        real, imaginary = field[:points, ...], field[points:, ...]
+        intensity = real * real + imaginary * imaginary
+        intensity = xp.reshape(intensity, (self.side, self.samples, count, self.side, self.samples)) * tables["share"]
+        return xp.permute_dims(xp.sum(intensity, axis=(1, 4)), (1, 2, 0))
 
 
 def _halves(count: int) -> tuple[slice, slice]:
     return slice(0, count), slice(count, 2 * count)
 
 
-def make(
+def build_windows(
     lens: Lens,
     terms: dict[Term, float],
-    reach: tuple[float, float],
+    defocus_range: tuple[float, float],
     spectra: tuple[tuple[tuple[float, float], ...], ...],
     window: tuple[int, float],
     tol: float,
 ) -> tuple[AberratedWindows, dict[str, Values]]:
-    """Return windows and their tables, for coefficients up to the values of `terms`, and C_d in the range `reach`.
+    """Return windows and their tables, for coefficients up to the values of `terms`, and C_d in `defocus_range`.
 
     `window` is (half width in pixels, pixel pitch in v for the smallest scale and the wavelength of the lens).
     ValueError if too many samples or chords are needed.
     """
     half, step = window
     lights = tuple(tuple((lens.wavelength / w, weight) for w, weight in channel) for channel in spectra)
-    most = max(stretch for channel in lights for stretch, _ in channel)
-    light, low = lens.illumination, lens.obscuration
+    max_stretch = max(stretch for channel in lights for stretch, _ in channel)
+    illumination, obscuration = lens.illumination, lens.obscuration
     fixed = dict(zip(lens.aberrations.terms, np.ravel(lens.aberrations.edge).tolist(), strict=True))
     names = tuple(dict.fromkeys([(2, 0), *terms, *fixed]))
-    largest = [
-        abs(fixed.get(t, 0.0)) + terms.get(t, 0.0) + (max(map(abs, reach)) if t == (2, 0) else 0.0) for t in names
-    ]
-    for samples in range(2, _MOST_SAMPLES + 1):
+    bounds = [abs(fixed.get(t, 0.0)) + terms.get(t, 0.0) for t in names]
+    bounds[0] += max(map(abs, defocus_range))  # the first term is (2, 0), defocus
+    for samples in range(2, _MAX_SAMPLES + 1):
         # Error of Gauss's rule for |U|^2 over a pixel (certificate, "Differentiable PSFs"): |U|^2 is of exponential
         # type 2 in v, and the bound is the smallest over ellipses with semi-axes cosh b and sinh b.
-        if averaging_error(most * step, samples) <= 0.1 * tol / (2.0 * sum(largest) + 1.0):
+        if averaging_error(max_stretch * step, samples) <= 0.1 * tol / (2.0 * sum(bounds) + 1.0):
             break
     else:
         raise ValueError(
-            f"pixel must be smaller with zernike=, got {most * step:.3g} in v at the shortest wavelength"
+            f"pixel must be smaller with zernike=, got {max_stretch * step:.3g} in v at the shortest wavelength"
         )
-    far = most * step * (half + 0.5)
-    disks = [(1.0, light)] + ([(low, light.scaled(low))] if low else [])
-    error = tol / (2.0 * sum(largest) + 1.0)
-    chords, each, _, _ = counts_by_largest(
-        names, np.array([largest]), most, disks, (math.sqrt(2.0) * far, far), error
+    extent = max_stretch * step * (half + 0.5)
+    disks = [(1.0, illumination)] + ([(obscuration, illumination.scaled(obscuration))] if obscuration else [])
+    error = tol / (2.0 * sum(bounds) + 1.0)
+    chords, chord_nodes, _, _ = counts_by_largest(
+        names, np.array([bounds]), max_stretch, disks, (math.sqrt(2.0) * extent, extent), error
     )
-    if max(chords, each) > _MOST_CHORDS:
+    if max(chords, chord_nodes) > _MAX_CHORDS:
         raise ValueError(
-            f"aberrations and windows this large take {max(chords, each)} chords, more than {_MOST_CHORDS}; choose "
-            "a smaller range of distances or coefficients"
+            f"aberrations and windows this large take {max(chords, chord_nodes)} chords, more than {_MAX_CHORDS}; "
+            "choose a smaller range of distances or coefficients"
         )
 
-    def build(share: float) -> tuple[AberratedWindows, dict[str, Values]]:
-        counts = [math.ceil(share * count) for count in (samples, chords, each)]
+    def build(fraction: float) -> tuple[AberratedWindows, dict[str, Values]]:
+        counts = [math.ceil(fraction * count) for count in (samples, chords, chord_nodes)]
         nodes, shares = gauss_legendre(counts[0], -0.5, 0.5)
         angle = np.arange(1, counts[1] + 1) * (math.pi / (counts[1] + 1))
         eta, gauss = gauss_legendre(counts[2], -1.0, 1.0)
         x = np.concatenate([radius * np.cos(angle) for radius, _ in disks])
         y = np.concatenate([radius * np.sin(angle)[:, None] * eta for radius, _ in disks])
-        # A central obscuration is a smaller disk with a negative sign and the area low^2.
+        # A central obscuration is a smaller disk with a negative sign and the area obscuration^2.
         signs = [1.0 if radius == 1.0 else -(radius**2) for radius, _ in disks]
         # Across the chords: Gauss's rule for the weight sqrt(1 - x^2), half of the length of a chord. The weights of
         # this rule are proportional to sin(angle)^2.
@@ -292,10 +292,10 @@ def make(
             "focus": (2.0 * rho * rho - 1.0)[None],
             "fixed": phase[None],
             # Rounding may place a node outside rho = 1, where illumination is not defined.
-            "weights": weights.ravel() * light.at(np.minimum(1.0, rho * rho)),
+            "weights": weights.ravel() * illumination.at(np.minimum(1.0, rho * rho)),
             "x": x,
             "y": y.ravel(),
-            # The minus sign is that of the kernel exp(-i v.rho).
+            # The minus sign is the sign in the kernel exp(-i v.rho).
             "lattice": -step * (np.arange(-half, half + 1.0)[:, None] + nodes).ravel(),
             "share": shares[:, None, None, None] * shares,
         }
@@ -304,15 +304,15 @@ def make(
     # The proven numbers hold for any phase of this size. Fewer nodes may be enough: this is tested at extreme
     # coefficients with alternating signs.
     numpy, signs = Namespace.of(None), np.where(np.arange(len(terms)) % 2, -1.0, 1.0)
-    extremes = np.array(reach), signs * np.array(list(terms.values()))
+    extremes = np.array(defocus_range), signs * np.array(list(terms.values()))
 
-    def windows(rule: tuple[AberratedWindows, dict[str, Operand]]) -> Array:
+    def compute(rule: tuple[AberratedWindows, dict[str, Operand]]) -> Array:
         return numpy.to_numpy(rule[0](numpy, rule[1], *extremes, np.float64(1.0)))
 
     proven = build(1.0)
-    exact = windows(proven)
+    exact = compute(proven)
     for share in _SHARES:
         reduced = build(share)
-        if (np.abs(windows(reduced) - exact).max(axis=(-2, -1)) / exact.max(axis=(-2, -1))).max() <= 0.1 * tol:
+        if (np.abs(compute(reduced) - exact).max(axis=(-2, -1)) / exact.max(axis=(-2, -1))).max() <= 0.1 * tol:
             return reduced
     return proven

@@ -124,7 +124,7 @@ def test_the_answer_is_that_of_the_best_search_not_of_the_last(monkeypatch):
 
     def ended_with_another_blur(search, *rest):
         outcome = run(search, *rest)
-        search.stars = search.first.shaped(Shape.turbulent())
+        search.stars = search.initial_stars.with_blur_shape(Shape.turbulent())
         return outcome
 
     monkeypatch.setattr(field_fit, "_run", ended_with_another_blur)

@@ -82,7 +82,7 @@ def test_one_focus_gives_the_field_up_to_the_twin():
     places, _, true = case()
     fit = one_focus()
     assert fit.converged, fit.message
-    assert "one focus leaves the common sign of the even terms of the whole field open" in fit.message
+    assert "images in one focus leave the common sign of all even terms of the field open" in fit.message
     sign = 1.0 if over_bound(fit, places, true) < 5.0 else -1.0
     assert 0.5 < over_bound(fit, places, true, sign) < 1.6
     assert abs(fit.chi2 - 1.0) < 0.03
@@ -148,12 +148,12 @@ def test_a_known_defocus_decides_the_sign(defocus):
     places, images, true = simulated.stars(draw, 8, lines, simulated.Telescope(3, side=96), **options)
     fit = fitted(images, places, defocus=defocus, terms=3, degree=1)
     assert fit.converged, fit.message
-    assert "the map nearer to the known defocus was chosen" in fit.message
+    assert "the map nearer to the wavefront of pupil was chosen" in fit.message
     assert 0.4 < over_bound(fit, places, true, even=3) < 1.8
 
 
 def test_a_field_with_much_spherical_aberration_is_found_from_two_foci_without_fits_of_single_stars(monkeypatch):
-    monkeypatch.setattr(Search, "from_singles", lambda _: pytest.fail("no shift of the start fits"))
+    monkeypatch.setattr(Search, "fit_from_single_stars", lambda _: pytest.fail("no shift of the start fits"))
     draw, known = np.random.default_rng(4), [-3.0, 3.0]
 
     def waves(u, v):
@@ -211,9 +211,11 @@ def test_doubles_are_rejected_and_defects_left_out(monkeypatch):
     places, images, true = case(seed=5, doubles=4)
     spoiled = images[:, 0].copy()
     spoiled[10, 2, 8:12] += 2000.0
-    singles, begun = Search.singles, []
+    singles, begun = Search.fit_single_stars, []
     monkeypatch.setattr(
-        Search, "singles", lambda search, chosen, *args: begun.append(len(chosen)) or singles(search, chosen, *args)
+        Search,
+        "fit_single_stars",
+        lambda search, chosen, *args: begun.append(len(chosen)) or singles(search, chosen, *args),
     )
     fit = fitted(spoiled, places)
     assert fit.converged, fit.message
@@ -243,16 +245,16 @@ def test_a_star_that_a_ray_crosses_is_rejected():
 def test_stars_that_fit_by_themselves_are_taken_back(monkeypatch):
     places, images, true = case(seed=5, doubles=4)
     corner = np.argsort(places.sum(axis=1))[:8]
-    regained = Search.regained
+    regained = Search.readmit_stars
 
     def without_a_corner(search, found):
         keep = ~np.isin(found.model.chosen, corner)
-        chosen, own = found.model.chosen[keep], found.of_stars()[keep]
+        chosen, own = found.model.chosen[keep], found.nuisance()[keep]
         astray = found.polynomials()
         astray[:, 3:] += 0.1
-        return regained(search, search.refined(chosen, astray, found.squares(), 10, (0.87, 0.0), own))
+        return regained(search, search.refine(chosen, astray, found.squared_widths(), 10, (0.87, 0.0), own))
 
-    monkeypatch.setattr(Search, "regained", without_a_corner)
+    monkeypatch.setattr(Search, "readmit_stars", without_a_corner)
     fit = fitted(images[:, 0], places)
     assert fit.converged, fit.message
     assert np.flatnonzero(~fit.stars.used).tolist() == [0, 1, 2, 3]
@@ -387,11 +389,11 @@ def test_pixels_read_from_samples_are_those_of_blurred_psfs(pixel, sigma, integr
     exact = lm.psf(pupil, 15, pixel, integrate=integrate, blur=lm.Jitter(sigma * pixel)).values
     reader = StarReadout((15, 15), pixel, sigma, Shape.gaussian(), integrate=integrate)
     samples = np.asarray(lm.psf(pupil, reader.shape, reader.step, integrate=False).values)
-    read, slope = reader.read([samples[None]], np.full((1, 1, 1), sigma**2), slopes=True)
+    read, slope = reader.read([samples[None]], np.full((1, 1, 1), sigma**2), derivatives=True)
     np.testing.assert_allclose(read[0], exact, atol=1e-5 * exact.max())
     step = 0.02
     one, other = (
-        reader.read([samples[None]], np.full((1, 1, 1), sigma**2 + s * step), slopes=False)[0] for s in (1, -1)
+        reader.read([samples[None]], np.full((1, 1, 1), sigma**2 + s * step), derivatives=False)[0] for s in (1, -1)
     )
     change = (one - other) / (2.0 * step)
     np.testing.assert_allclose(slope, change, atol=5e-3 * np.abs(change).max())
@@ -405,7 +407,7 @@ def test_samples_behind_wide_blur_may_be_far_apart(pixel, sigma):
     reader = StarReadout((11, 11), pixel, sigma, Shape.gaussian(), integrate=True, narrowest=narrowest)
     assert 0.5 < reader.step < 1.0
     samples = np.asarray(lm.psf(pupil, reader.shape, reader.step, integrate=False).values)
-    (read,) = reader.read([samples[None]], np.full((1, 1, 1), sigma**2), slopes=False)
+    (read,) = reader.read([samples[None]], np.full((1, 1, 1), sigma**2), derivatives=False)
     np.testing.assert_allclose(read[0], exact, atol=1e-5 * exact.max())
 
 
@@ -419,10 +421,12 @@ def test_images_that_are_read_together_are_those_read_one_by_one(blurs):
         squares[:] = squares[0]
     if blurs == "alike":
         squares[:, 1] = squares[:, 0]
-    found = reader.read(samples, squares, slopes=True)
+    found = reader.read(samples, squares, derivatives=True)
     assert [each.shape for each in found] == [(14, 6, 9)] * 4
     for k in range(14):
-        alone = reader.read([each[k : k + 1] for each in samples], squares[k // 2, k % 2][None, None], slopes=True)
+        alone = reader.read(
+            [each[k : k + 1] for each in samples], squares[k // 2, k % 2][None, None], derivatives=True
+        )
         for whole, one in zip(found, alone, strict=True):
             np.testing.assert_allclose(whole[k], one[0], atol=1e-5 * np.abs(one).max())
 

@@ -38,7 +38,7 @@ def test_corners_are_boards_convolved_with_psf_blur_and_pixel(pixel, pitch, sigm
     exact = simulated.extended(drawn, simulated.Telescope(5, side=96), WAVES, pixel, side, sigma)
     reader = TargetReadout((side, side), pixel, Target("crossing", pitch), Shape.gaussian(), integrate=True)
     light = samples(reader, pixel)
-    value, *slopes = reader.read([light[None]], np.array([[sigma**2]]), np.array([angles]), slopes=True)
+    value, *slopes = reader.read([light[None]], np.array([[sigma**2]]), np.array([angles]), derivatives=True)
     # Light far from the axis, of which both leave out some, sees a mean of many squares.
     np.testing.assert_allclose(2.0 * value[0], exact, atol=3e-3)
     assert np.abs(exact).max() > 0.8
@@ -50,7 +50,7 @@ def test_corners_are_boards_convolved_with_psf_blur_and_pixel(pixel, pitch, sigm
             square += step
         else:
             turned[:, k - 1] += step
-        up, down = reader.read([both], square[:, None], turned, slopes=True)[0]
+        up, down = reader.read([both], square[:, None], turned, derivatives=True)[0]
         change = (up - down) / 2e-3
         np.testing.assert_allclose(slope[0], change, atol=2e-3 * np.abs(change).max())
 
@@ -58,7 +58,7 @@ def test_corners_are_boards_convolved_with_psf_blur_and_pixel(pixel, pitch, sigm
 def test_pinholes_are_sums_of_psfs_over_their_discs():
     pixel, side, size = 0.5, 13, 3.0
     reader = TargetReadout((side, side), pixel, Target("pinhole", size), Shape.gaussian(), integrate=True)
-    found = reader.read([samples(reader, pixel)[None]], np.zeros((1, 1)), np.zeros((1, 0)), slopes=False)[0][0]
+    found = reader.read([samples(reader, pixel)[None]], np.zeros((1, 1)), np.zeros((1, 0)), derivatives=False)[0][0]
 
     def disc(y, x):
         return ((y - PLACE[0]) ** 2 + (x - PLACE[1]) ** 2 < (size / 2) ** 2) / (np.pi * (size / 2) ** 2)

@@ -16,7 +16,7 @@ from lommel.fit.scoring import (
 class Bounded:
     """A parabola whose lowest point is beyond the limit of its parameter."""
 
-    size, tested, alternatives = 1, 100, False
+    size, degrees_of_freedom, alternatives = 1, 100, False
 
     def images(self, x, *, fast=False):
         return None, None
@@ -65,7 +65,7 @@ def test_steps_that_swing_beside_the_answer_are_damped():
 class Curve:
     """One parameter of a quartic, whose steps are by the curvature, as a problem of its own."""
 
-    tested, alternatives = 100, False
+    degrees_of_freedom, alternatives = 100, False
 
     def worth(self, x):
         return Scores(*(np.array([part]) for part in (x**4, -4.0 * x**3, 12.0 * x**2 + 1e-9, 1.0, 0.1)))

@@ -271,7 +271,9 @@ def reversed_findings(joint: BeadModel, start: State, best: float, chi2: float) 
         return []
     (reversed_chi2, spread), gain = end.quality, end.log_posterior - best
     # If the model has another error as well, chi2 remains large: then a much smaller chi2 than before suffices.
-    good = reversed_chi2 < goodness_of_fit.most(spread) or reversed_chi2 - 1.0 < _REVERSED_CHI2 * (chi2 - 1.0)
+    good = reversed_chi2 < goodness_of_fit.largest_plausible_chi2(spread) or reversed_chi2 - 1.0 < _REVERSED_CHI2 * (
+        chi2 - 1.0
+    )
     if gain < _REVERSED_GAIN or not good:
         return []
     text = (
@@ -294,7 +296,7 @@ def held_out(joint: BeadModel, found: Evaluated) -> tuple[float, list[Finding]]:
         end = climb(fixed, State(rest.setup, np.zeros(0), state.places[-1:], state.light[-1:]), _STEPS)
     except (Declined, ValueError):
         return math.nan, []
-    chi2, limit = end.quality[0], float(goodness_of_fit.most(end.quality[1]))
+    chi2, limit = end.quality[0], float(goodness_of_fit.largest_plausible_chi2(end.quality[1]))
     text = f"chi2 of the held-out bead is above {limit:.4g}, the limit for noise alone: beads differ in size or depth"
     return chi2, [Finding("held_out", "doubt", text, {"chi2": chi2, "limit": limit})] if chi2 >= limit else []
 

@@ -109,7 +109,7 @@ class BeadModel:
     own: tuple[str, ...] = field(init=False)
     names: tuple[object, ...] = field(init=False)
     size: int = field(init=False)  # number of parameters
-    tested: int = field(init=False)  # degrees of freedom
+    degrees_of_freedom: int = field(init=False)
     alternatives, rms = False, None  # see `scoring.Problem`: a single set of parameters; steps are not lengthened
 
     def __post_init__(self) -> None:
@@ -118,7 +118,9 @@ class BeadModel:
         self.names = (*self.images.solved, *self.priors)
         self.size = len(self.names) + len(self.own) * len(self.stacks)
         # Flux and background of each plane are two more parameters, which `size` does not include.
-        self.tested = sum(int(stack.star[3].sum()) - 2 * len(stack.z) for stack in self.stacks) - self.size
+        self.degrees_of_freedom = (
+            sum(int(stack.star[3].sum()) - 2 * len(stack.z) for stack in self.stacks) - self.size
+        )
 
     def alone(self, k: int) -> BeadModel:
         """Return the model of a single bead, with constants and depth fixed."""
@@ -266,8 +268,8 @@ class BeadModel:
     def chi2_of(self, parts: Sequence[Part]) -> tuple[float, float]:
         """Return Pearson's chi2 per degree of freedom from the parts of all stacks, and its standard deviation."""
         total, expected, spread = np.sum([(part.chi2, part.expected, part.spread) for part in parts], axis=0).tolist()
-        pixels = self.tested + self.size + 2 * sum(len(s.z) for s in self.stacks)
-        chi2, width = reduced_chi2(total, expected, spread, max(self.tested, 1) / pixels)
+        pixels = self.degrees_of_freedom + self.size + 2 * sum(len(s.z) for s in self.stacks)
+        chi2, width = reduced_chi2(total, expected, spread, max(self.degrees_of_freedom, 1) / pixels)
         return float(chi2), float(width)
 
 
@@ -321,7 +323,10 @@ class Search:
         model, count = self.model, len(self.model.stacks)
         singles = [self.one(model.alone(k), 0.6 / count) for k in range(count)]
         median = float(np.median([single.quality[0] for single in singles]))
-        limits = [max(_MAX_CHI2_RATIO * median, float(goodness_of_fit.most(one.quality[1]))) for one in singles]
+        limits = [
+            max(_MAX_CHI2_RATIO * median, float(goodness_of_fit.largest_plausible_chi2(one.quality[1])))
+            for one in singles
+        ]
         used = [single.quality[0] < limit for single, limit in zip(singles, limits, strict=True)]
         kept = [k for k in range(count) if used[k]]
         if count == 1 and not model.priors and "depth" not in model.own:
@@ -340,7 +345,7 @@ class Search:
             same = best is not None and abs(end.log_posterior - best.log_posterior) < _SAME_MAXIMUM
             if best is None or end.log_posterior > best.log_posterior:
                 best = end
-            fits = best.quality[0] < goodness_of_fit.most(best.quality[1], goodness_of_fit.SURE)
+            fits = best.quality[0] < goodness_of_fit.largest_plausible_chi2(best.quality[1], goodness_of_fit.SURE)
             if best.settled and (same or fits):
                 break
             fraction = 0.0

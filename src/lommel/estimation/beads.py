@@ -470,7 +470,7 @@ def fit_beads(
     made = tuple(Stack.of(each, noise, places) for each in recorded)
     depths, moving = tuple(Prior(d, of_depth) for d in deep), validation.truth("drift", settings.drift)
     model = BeadModel(images, made, known, depths, moving)
-    if model.tested < 1:
+    if model.degrees_of_freedom < 1:
         raise ValueError(f"stacks must have more pixels than there are unknowns, {model.size}")
     search = Search(model, setup, waves, settings.starts, settings.steps, settings.progress)
     return _build_bead_fit(search, recorded, noise, notes)

@@ -40,12 +40,12 @@ class Distortion(FitReport):
         Coefficients of the displacement in row and in column, pixels. The basis functions are products of Legendre
         polynomials of the ideal position.
     covariance : ndarray, shape (2 * m, 2 * m)
-        Covariance of the coefficients, row by row; wavefront, light and blur are nuisance parameters.
+        Covariance of the flattened `coefficients`; wavefront, flux, background and blur are nuisance parameters.
     degree : int
         Degree of the polynomials.
     pose : ndarray, shape (2, 3)
-        Ideal places (row, column) on the sensor are ``pose[:, :2] @ place + pose[:, 2]``, where `place` is from the
-        argument `ideal` of the fit.
+        Map from a place (row, column) in the argument `ideal` of the fit to the ideal place on the sensor,
+        ``pose[:, :2] @ place + pose[:, 2]``.
     ideal : ndarray, shape (n, 2)
         Row and column on the sensor of each target without distortion; NaN if unknown.
     residuals : ndarray, shape (n, e, 2)
@@ -101,32 +101,35 @@ def checked_ideal(ideal: ArrayLike, places: Array, *, free: bool) -> Array:
     array = validation.number_array("ideal", ideal).astype(np.float64)
     if array.shape != places.shape:
         raise ValueError(f"ideal must be a row and a column for each of {len(places)} windows, got {array.shape}")
-    known = np.isfinite(array).all(axis=1)
-    if np.isinf(array).any() or known.sum() < 4:
-        raise ValueError(f"ideal must have at least 4 finite places, and NaN for unknown places, got {known.sum()}")
-    if free and np.linalg.matrix_rank(array[known] - array[known].mean(axis=0)) < 2:
-        raise ValueError("ideal must be places that are not all on one line")
-    predicted = _transformed(_similarity(array[known], places[known]) if free else np.eye(2, 3), array[known])
-    rms = float(np.sqrt(((predicted - places[known]) ** 2).sum(axis=1).mean()))
-    spread = float(np.sqrt(((places[known] - places[known].mean(axis=0)) ** 2).sum(axis=1).mean()))
-    if rms > _MAX_RELATIVE_RMS * spread:
-        how = ", up to a shift, rotation and magnification" if free else ""
+    is_known = np.isfinite(array).all(axis=1)
+    if np.isinf(array).any() or is_known.sum() < 4:
         raise ValueError(
-            f"ideal must be near the windows{how}, got an rms distance of {rms:.3g} pixels: places may be in another "
-            "order, mirrored, or have rows and columns exchanged"
+            f"ideal must have at least 4 finite places, and NaN elsewhere, got {is_known.sum()} finite places"
+        )
+    if free and np.linalg.matrix_rank(array[is_known] - array[is_known].mean(axis=0)) < 2:
+        raise ValueError("ideal must be places that are not all on one line")
+    known, known_places = array[is_known], places[is_known]
+    predicted = _transformed(_similarity(known, known_places) if free else np.eye(2, 3), known)
+    rms = float(np.sqrt(((predicted - known_places) ** 2).sum(axis=1).mean()))
+    place_rms = float(np.sqrt(((known_places - known_places.mean(axis=0)) ** 2).sum(axis=1).mean()))
+    if rms > _MAX_RELATIVE_RMS * place_rms:
+        up_to_pose = ", up to a shift, rotation and magnification" if free else ""
+        raise ValueError(
+            f"ideal must be near the windows{up_to_pose}, got an rms distance of {rms:.3g} pixels: places may be in "
+            "another order, mirrored, or have rows and columns exchanged"
         )
     return array
 
 
-def _similarity(one: Array, other: Array) -> Array:
-    """Return the pose (2, 3), a shift, rotation and magnification, that maps places (n, 2) closest to `other`."""
-    a, b = one - one.mean(axis=0), other - other.mean(axis=0)
+def _similarity(places: Array, targets: Array) -> Array:
+    """Return the shift, rotation and magnification that map `places` closest to `targets`, as a pose (2, 3)."""
+    a, b = places - places.mean(axis=0), targets - targets.mean(axis=0)
     # Least squares for c and s in [[c, -s], [s, c]]: projections on a, and on a rotated by 90 degrees.
     rotated = np.stack([-a[:, 1], a[:, 0]], axis=1)
-    square = (a * a).sum()
-    c, s = float((a * b).sum() / square), float((rotated * b).sum() / square)
+    norm = (a * a).sum()
+    c, s = float((a * b).sum() / norm), float((rotated * b).sum() / norm)
     matrix = np.array([[c, -s], [s, c]])
-    return np.column_stack([matrix, other.mean(axis=0) - matrix @ one.mean(axis=0)])
+    return np.column_stack([matrix, targets.mean(axis=0) - matrix @ places.mean(axis=0)])
 
 
 def _transformed(pose: Array, places: Array) -> Array:
@@ -136,7 +139,7 @@ def _transformed(pose: Array, places: Array) -> Array:
 def _pose_basis(m: int, shape: tuple[int, int]) -> Array:
     """Return an orthonormal basis (j, 2 * m) of the coefficients of shifts, rotation and magnification.
 
-    There are coefficients of m polynomials for rows, followed by those for columns.
+    The first m coefficients are those of the displacement in row, the last m those in column.
     """
     rows = [np.eye(1, 2 * m, 0)[0], np.eye(1, 2 * m, m)[0]]
     if m >= 3:  # the first three polynomials are 1, u and v
@@ -153,27 +156,28 @@ def _pose_basis(m: int, shape: tuple[int, int]) -> Array:
 class Places:
     """Fitted places of r targets in e exposures (r, e, 2), pixels, with their covariance.
 
-    `noise` (r, 2e, 2e) is the covariance for given shared parameters of the field, such as the wavefront; the rows of
-    all exposures precede the columns. `mixed` (r, 2e, s) are derivatives of the places by the s shared parameters,
-    and `shared` (s, s) is the information matrix of these parameters.
+    `noise` (r, 2e, 2e) is the covariance for given common parameters of the field (wavefront and blur); the rows of
+    all exposures precede the columns. `derivatives` (r, 2e, s) are derivatives of the places by the s common
+    parameters, and `common_information` (s, s) is the information matrix of these parameters.
     """
 
     fitted: Array
     noise: Array
-    mixed: Array
-    shared: Array
+    derivatives: Array
+    common_information: Array
 
 
 def places_of(blocks: Blocks, centers: Array, tilt_of_pixel: float) -> Places:
     """Return places from `centers` (r, e, 2) on the sensor, with covariances from the information of a field fit."""
-    shared, inverse = blocks.damped(0.0)
+    common, inverse = blocks.eliminate_nuisance(0.0)
     coordinates = 2 * centers.shape[1]
-    # The maximum-likelihood place changes with shared parameters by -inverse(own information) (mixed information).
-    slopes = (inverse @ blocks.mixed.swapaxes(-1, -2))[:, :coordinates] / tilt_of_pixel
-    k = blocks.waves
-    waves = (slopes[:, :, :k, None] * blocks.basis[:, None, None]).reshape(len(slopes), coordinates, -1)
+    # By the implicit function theorem, the derivative of the nuisance parameters by the common parameters is
+    # -inverse(information of nuisance parameters) (mixed information).
+    derivatives = (inverse @ blocks.mixed.swapaxes(-1, -2))[:, :coordinates] / tilt_of_pixel
+    k = blocks.wave_count
+    by_waves = (derivatives[:, :, :k, None] * blocks.basis[:, None, None]).reshape(len(derivatives), coordinates, -1)
     noise = inverse[:, :coordinates, :coordinates] / tilt_of_pixel**2
-    return Places(centers, noise, -np.concatenate([waves, slopes[:, :, k:]], axis=-1), shared)
+    return Places(centers, noise, -np.concatenate([by_waves, derivatives[:, :, k:]], axis=-1), common)
 
 
 def fit_distortion(
@@ -183,33 +187,33 @@ def fit_distortion(
 
     `used` (r,) are the indices of the fitted targets.
     """
-    at = np.flatnonzero(np.isfinite(ideal[used]).all(axis=1))
-    chart, fitted = ideal[used[at]], places.fitted[at]
-    first = fitted[:, 0]
-    degree = highest_degree(degree, len(at))
-    transform = _similarity(chart, first) if pose == "free" else np.eye(2, 3)
+    indices = np.flatnonzero(np.isfinite(ideal[used]).all(axis=1))
+    chart, fitted = ideal[used[indices]], places.fitted[indices]
+    first_places = fitted[:, 0]
+    degree = highest_degree(degree, len(indices))
+    transform = _similarity(chart, first_places) if pose == "free" else np.eye(2, 3)
     m = (degree + 1) * (degree + 2) // 2
     pose_basis = _pose_basis(m, sensor.shape) if pose == "free" else np.zeros((0, 2 * m))
     for turn in range(_TURNS):
         ideal_places = _transformed(transform, chart)
         basis = monomials(*sensor.relative(*sensor.positions(ideal_places)), degree)
-        polynomials, distance = robust(basis, first - ideal_places, np.ones(len(at)), np.eye(2))
+        polynomials, distance = robust(basis, first_places - ideal_places, np.ones(len(indices)), np.eye(2))
         # 1.4826 times the median estimates the standard deviation of a normal distribution.
-        good = distance <= _OUTLIER * max(1.4826 * float(np.median(distance)), _MIN_DEVIATION)
-        if (
-            good.mean() < 1.0 - _MAX_OUTLIERS
-        ):  # the degree is too low, or ideal places are far less accurate than images
-            good[:] = True
-            polynomials = np.asarray(np.linalg.lstsq(basis, first - ideal_places, rcond=None)[0].T, np.float64)
+        inliers = distance <= _OUTLIER * max(1.4826 * float(np.median(distance)), _MIN_DEVIATION)
+        # Many outliers: the degree is too low, or ideal places are far less accurate than images.
+        if inliers.mean() < 1.0 - _MAX_OUTLIERS:
+            inliers[:] = True
+            polynomials = np.asarray(np.linalg.lstsq(basis, first_places - ideal_places, rcond=None)[0].T, np.float64)
         if pose == "known" or turn == _TURNS - 1:
             break
         # The shift, rotation and magnification in the polynomials are moved to the pose.
         pose_part = (pose_basis.T @ (pose_basis @ polynomials.ravel())).reshape(2, m)
         transform = _similarity(chart, ideal_places + basis @ pose_part.T)
-    accepted = at[good]
-    accepted_places = Places(fitted[good], places.noise[accepted], places.mixed[accepted], places.shared)
-    displacement = accepted_places.fitted - ideal_places[good][:, None]
-    model = _PlaceModel(basis[good], displacement, accepted_places)
+    accepted = indices[inliers]
+    noise, derivatives = places.noise[accepted], places.derivatives[accepted]
+    accepted_places = Places(fitted[inliers], noise, derivatives, places.common_information)
+    displacement = accepted_places.fitted - ideal_places[inliers][:, None]
+    model = _PlaceModel(basis[inliers], displacement, accepted_places)
     solution, covariance, chi2 = model.fit(0.0)
     low, scatter, high = 0.0, 0.0, max(4.0 * float(np.sqrt((displacement**2).mean())), 1e-6)
     # Bisection for the scatter at which chi2 is 1: chi2 falls as the scatter rises.
@@ -222,13 +226,13 @@ def fit_distortion(
     coefficients = (projection @ solution[: 2 * m]).reshape(2, m)
     residuals = np.full((len(ideal), fitted.shape[1], 2), np.nan)
     residuals[used[accepted]] = model.residuals(solution)
-    limit, findings = float(goodness_of_fit.most(math.sqrt(2.0 / model.freedom))), []
+    limit, findings = float(goodness_of_fit.largest_plausible_chi2(math.sqrt(2.0 / model.degrees_of_freedom))), []
     if chi2 > limit:
         text = f"places scatter by {scatter:.2g} pixels in excess of noise, and standard errors include this scatter"
         findings.append(Finding("scatter", "note", text, {"scatter": scatter, "chi2": chi2, "limit": limit}))
-    if lost := len(at) - len(accepted):
-        text = f"rejected {lost} of {len(at)} places, which are far from the polynomials"
-        findings.append(Finding("rejected", "note", text, {"rejected": lost}))
+    if rejected_count := len(indices) - len(accepted):
+        text = f"rejected {rejected_count} of {len(indices)} places, which are far from the polynomials"
+        findings.append(Finding("rejected", "note", text, {"rejected": rejected_count}))
     return Distortion(
         coefficients=coefficients,
         covariance=projection @ covariance[: 2 * m, : 2 * m] @ projection.T,
@@ -247,27 +251,27 @@ def fit_distortion(
 class _PlaceModel:
     """Linear model of displacements (r, e, 2).
 
-    Its parameters are the coefficients of polynomials, an affine change for each exposure but the first, and changes
-    of the shared parameters of the field.
+    The parameters are the coefficients of polynomials, an affine change for each exposure but the first, and changes
+    of the common parameters of the field.
     """
 
     def __init__(self, basis: Array, displacement: Array, places: Places) -> None:
         self.basis, self.displacement, self.places = basis, displacement, places
         r, e, _ = displacement.shape
-        m, own = basis.shape[1], min(3, basis.shape[1])
+        m, affine = basis.shape[1], min(3, basis.shape[1])
         # Coordinates are in the order of `noise`: the rows of all exposures, then the columns.
-        design = np.zeros((r, 2, e, 2 * m + 2 * own * (e - 1)))
+        design = np.zeros((r, 2, e, 2 * m + 2 * affine * (e - 1)))
         for j in range(2):
             design[:, j, :, j * m : (j + 1) * m] = basis[:, None]
             for i in range(1, e):
-                start = 2 * m + own * (2 * (i - 1) + j)
-                design[:, j, i, start : start + own] = basis[:, :own]
+                start = 2 * m + affine * (2 * (i - 1) + j)
+                design[:, j, i, start : start + affine] = basis[:, :affine]
         self.design = design.reshape(r, 2 * e, -1)
-        self.freedom = max(2 * e * r - self.design.shape[2], 1)
-        # The prior of the shared parameters is their information in the images.
-        self.joined = np.concatenate([self.design, places.mixed], axis=-1)
-        self.prior = np.zeros((self.joined.shape[2],) * 2)
-        self.prior[self.design.shape[2] :, self.design.shape[2] :] = places.shared
+        self.degrees_of_freedom = max(2 * e * r - self.design.shape[2], 1)
+        # The prior of the common parameters is their information in the images.
+        self.full_design = np.concatenate([self.design, places.derivatives], axis=-1)
+        self.prior = np.zeros((self.full_design.shape[2],) * 2)
+        self.prior[self.design.shape[2] :, self.design.shape[2] :] = places.common_information
         self.data = displacement.swapaxes(1, 2).reshape(r, -1)
         # Covariance for a scatter of 1 pixel: a pinhole that is out of place is displaced equally in all exposures.
         self.scatter_covariance = np.kron(np.eye(2), np.ones((e, e)))
@@ -278,16 +282,16 @@ class _PlaceModel:
         Parameters that the places do not determine are set to 0.
         """
         weight = np.linalg.inv(self.places.noise + scatter**2 * self.scatter_covariance)
-        weighted = weight @ self.joined
-        normal = np.tensordot(self.joined, weighted, ([0, 1], [0, 1])) + self.prior
+        weighted = weight @ self.full_design
+        normal = np.tensordot(self.full_design, weighted, ([0, 1], [0, 1])) + self.prior
         # The matrix is scaled to a diagonal of 1 because parameters have different units.
         scale = 1.0 / np.sqrt(np.maximum(np.diag(normal), 1e-300))
         scales = np.outer(scale, scale)
         inverse = np.linalg.pinv(normal * scales, rcond=1e-13, hermitian=True) * scales
         values = inverse @ np.tensordot(weighted, self.data, ([0, 1], [0, 1]))
-        residual = self.joined @ values - self.data
-        total = float(np.einsum("ni,nij,nj->", residual, weight, residual) + values @ self.prior @ values)
-        return values, inverse, total / self.freedom
+        residual = self.full_design @ values - self.data
+        chi2_sum = float(np.einsum("ni,nij,nj->", residual, weight, residual) + values @ self.prior @ values)
+        return values, inverse, chi2_sum / self.degrees_of_freedom
 
     def residuals(self, solution: Array) -> Array:
         """Return displacements minus those of the polynomials and affine changes in a solution, (r, e, 2)."""
@@ -295,9 +299,9 @@ class _PlaceModel:
         return np.asarray(self.displacement - model.swapaxes(1, 2))
 
 
-def displaced(found: Distortion, u: Array, v: Array) -> Array:
+def displaced(distortion: Distortion, u: Array, v: Array) -> Array:
     """Return displacements (..., 2), pixels, at positions u (by columns) and v (by rows) from -1 to 1."""
-    return np.asarray(monomials(u, v, found.degree) @ found.coefficients.T)
+    return np.asarray(monomials(u, v, distortion.degree) @ distortion.coefficients.T)
 
 
 @dataclass(frozen=True)
@@ -314,14 +318,15 @@ class Sensor:
         return (rows - 1) / 2.0, (columns - 1) / 2.0
 
     def positions(self, places: Array) -> tuple[Array, Array]:
-        """Return x and y of rows and columns (n, 2)."""
+        """Return the positions x and y of `places`, rows and columns (n, 2)."""
         y, x = ((places[:, i] - self.axis[i]) * self.pixel for i in (0, 1))
         return np.asarray(x), np.asarray(y)
 
     def relative(self, x: Array, y: Array) -> tuple[Array, Array]:
         """Return positions u by columns and v by rows, which are -1 and 1 at the outer edges of the sensor."""
-        row, column = (part / self.pixel + middle for part, middle in zip((y, x), self.axis, strict=True))
-        v, u = (2.0 * (part + 0.5) / side - 1.0 for part, side in zip((row, column), self.shape, strict=True))
+        row, column = (coordinate / self.pixel + middle for coordinate, middle in zip((y, x), self.axis, strict=True))
+        pairs = zip((row, column), self.shape, strict=True)
+        v, u = (2.0 * (coordinate + 0.5) / side - 1.0 for coordinate, side in pairs)
         return np.asarray(u), np.asarray(v)
 
     def grid(self, count: int) -> tuple[Array, Array]:

@@ -59,7 +59,7 @@ _AXES = "rows", "columns"
 _MAX_SEARCHES = 3  # maximum number of searches, each with other random starts, until one converges
 _MAX_LISTED = 3  # maximum number of rejected stars whose places a message lists
 _MIN_GAIN = 2.0  # difference of log-likelihood (lnL) below which two shapes of blur are considered equally likely
-_SIGN = "one focus leaves the common sign of the even terms of the whole field open"
+_SIGN = "images in one focus leave the common sign of all even terms of the field open"
 
 
 class Coma(NamedTuple):
@@ -115,8 +115,8 @@ class FieldFit(FitReport):
         Wavefront at every position of the sensor: estimated terms, fixed terms of `pupil` or `start`, and tilts if
         `distortion` is estimated.
     twin : FieldMap or None
-        The field with the even part of all phases negated, which has the same images if all exposures have one
-        focus; None if the images determine the sign.
+        The field with the even part of all phases negated, if its images are the same (finding "sign_open");
+        None if the images determine the sign.
     names : tuple
         The k estimated terms.
     coefficients : ndarray, shape (k, m)
@@ -126,16 +126,18 @@ class FieldFit(FitReport):
         Covariance of the flattened `coefficients`. Places, flux, background and blur are nuisance parameters.
     blurs : tuple of tuples of blurs
         Blurs of each exposure, as arguments of :func:`lommel.psf`: the known blurs, or estimates
-        (:class:`lommel.Seeing`, :class:`lommel.Jitter`, or both), with r0 for the pupil's focal length or for 1 m.
+        (:class:`lommel.Seeing`, :class:`lommel.Jitter`, or both). Fried's parameter r0 of the seeing is for the focal
+        length of the pupil, or for 1 m if it has none.
     blur_errors : tuple of tuples of float
-        Standard error of r0 or sigma of each blur; 0 for a known blur.
+        Standard error of r0 (:class:`lommel.Seeing`) or sigma (:class:`lommel.Jitter`); 0 for a known blur.
     chi2 : float
         Pearson's chi2 per degree of freedom of all used stars, about 1 if the model is right.
     held_out : float
         Chi2 of a fifth of the stars, with wavefronts predicted by a fit of the other stars; NaN for too few stars.
     findings : Findings
-        Findings of the checks: misfits, rejected stars, an ambiguous sign, the shape of the blur; "too_dim" if
-        the standard error of the wavefront exceeds 0.22 radians rms (with one focus 0.22 / sqrt(m)).
+        Findings of the checks: misfits, rejected stars, an ambiguous sign, the shape of the blur. The doubt "too_dim"
+        means too little light: the standard error of the wavefront exceeds 0.22 radians rms (0.22 / sqrt(m) if all
+        exposures have one focus), so that other wavefronts may fit as well.
     summary : str
         Chi2, number of stars and degree.
     degree : int
@@ -211,8 +213,8 @@ class FieldFit(FitReport):
         down, across = values[i], values[j]
         size = math.hypot(down, across)
         # First-order error propagation; the correlation of the two terms is neglected.
-        spread = math.hypot(down * errors[i], across * errors[j]) / max(size, 1e-300)
-        return Coma(size, spread, math.degrees(math.atan2(down, across)))
+        error = math.hypot(down * errors[i], across * errors[j]) / max(size, 1e-300)
+        return Coma(size, error, math.degrees(math.atan2(down, across)))
 
     @property
     def focus(self) -> FocusShift | None:
@@ -223,9 +225,9 @@ class FieldFit(FitReport):
         values, errors = self.at(*self.middle)
         # A coefficient a of Noll 4, a sqrt(3) (2 rho^2 - 1), is a defocus C_d = sqrt(3) a.
         metres = 8.0 * pupil.wavelength * pupil.f_number**2 / math.pi
-        known = self._defocus[0]
-        shift, error = metres * (known + math.sqrt(3.0) * values[j]), metres * math.sqrt(3.0) * errors[j]
-        return FocusShift(float(shift), float(error), self.twin is not None and known == 0.0)
+        known_defocus = self._defocus[0]
+        shift, error = metres * (known_defocus + math.sqrt(3.0) * values[j]), metres * math.sqrt(3.0) * errors[j]
+        return FocusShift(float(shift), float(error), self.twin is not None and known_defocus == 0.0)
 
     def _index(self, term: Term) -> int | None:
         """Return the index of `term` in `names`; None if it was not estimated."""
@@ -273,22 +275,22 @@ class FieldFit(FitReport):
             )
         x, y = _positions(self._sensor, self.degree, self.distortion)
         across, down = (part.ravel() for part in np.meshgrid(x, y))
-        added = chosen.pupil(across, down).wavefront + self._pupil.wavefront * -1.0
-        waves = added.to_zernike(order="noll", unit="waves")
+        aberrations = chosen.pupil(across, down).wavefront + self._pupil.wavefront * -1.0
+        waves = aberrations.to_zernike(order="noll", unit="waves")
         columns = {f"Z{j}": waves.get(j, np.zeros(across.shape)) for j in sorted(map(_noll, self._terms))}
-        used = [name if isinstance(name, str) else f"noll {_noll(name)}" for name in self.names]
+        labels = [name if isinstance(name, str) else f"noll {_noll(name)}" for name in self.names]
         lines = [f"# {self.message}"]
         if any(self.blurs):
             lines.append(f"# not in this table: blur by {'; '.join(map(in_words, self.blurs))}")
-        for what, k in (("the middle", len(x) // 2), ("the bottom right corner", -1)):
-            spot = x[k], y[k]
-            errors = self.at(*spot)[1] / (2.0 * math.pi)
-            listed = ", ".join(f"{name} {error:.2g}" for name, error in zip(used, errors, strict=True))
-            lines.append(f"# standard errors in {what}, waves rms: {listed}")
+        for position, k in (("the middle", len(x) // 2), ("the bottom right corner", -1)):
+            place = x[k], y[k]
+            errors = self.at(*place)[1] / (2.0 * math.pi)
+            listed = ", ".join(f"{name} {error:.2g}" for name, error in zip(labels, errors, strict=True))
+            lines.append(f"# standard errors in {position}, waves rms: {listed}")
             if self.distortion is not None:
-                down_error, across_error = self.distortion.at(*spot)[1]
+                down_error, across_error = self.distortion.at(*place)[1]
                 errors_of = f"rows {down_error:.2g}, columns {across_error:.2g}"
-                lines.append(f"# standard errors of the distortion in {what}, pixels: {errors_of}")
+                lines.append(f"# standard errors of the distortion in {position}, pixels: {errors_of}")
         lines.append(",".join(["x", "y", *columns]))
         for a, b, *row in zip(across, down, *columns.values(), strict=True):
             lines.append(",".join([f"{a:.9g} m", f"{b:.9g} m", *(f"{value:.9g}" for value in row)]))
@@ -319,8 +321,9 @@ class FieldFit(FitReport):
         values, errors = self.at(x, y[:, None])
         maps = [(label(name), values[..., j] / factor, errors[..., j] / factor) for j, name in enumerate(self.names)]
         if self.distortion is not None:
-            moved, off = self.distortion.at(x, y[:, None])
-            maps += [(f"distortion of {name}, pixels", moved[..., j], off[..., j]) for j, name in enumerate(_AXES)]
+            displacement, displacement_errors = self.distortion.at(x, y[:, None])
+            pairs = zip(np.moveaxis(displacement, -1, 0), np.moveaxis(displacement_errors, -1, 0), strict=True)
+            maps += [(f"distortion of {name}, pixels", *pair) for name, pair in zip(_AXES, pairs, strict=True)]
         x_star, y_star = self._sensor.positions(self.stars.places)
         marks = x_star, y_star, self.stars.chi2, self.stars.used
         return show.estimates.field(
@@ -472,13 +475,12 @@ def fit_field(
     estimated if they are significant. Marginalized in addition, with these prior standard deviations: anisotropic
     blur (variance 0.1 pixels^2), wings (30 % of the light) and slopes of the background (1 electron per pixel).
 
-    With one focus, the search is repeated with other relative signs of even terms. The most likely map is returned.
-    Another map, more than three standard errors away and at most 8 less in lnL, is reported ("another_minimum").
-
-    With one focus, the images do not change if all even terms of the map are negated. If `start` is given, the map
-    nearer to `start` is returned. Otherwise, the map with the smaller wavefront is returned (a known defocus is not
-    part of it); of two equal wavefronts, the one whose first even term has a positive mean. The other map is `twin`.
-    A second exposure at another known defocus determines the sign.
+    If all exposures have one focus, the search is repeated with other relative signs of even terms, and the most
+    likely map is returned. Another map, more than three standard errors away and at most 8 less in lnL, is reported
+    ("another_minimum"). The images do not change if all even terms of the phase are negated, those of a known defocus
+    included ("sign_open"). The map nearer to `start` is returned, by default the map nearer to the wavefront of
+    `pupil`; the other map is `twin`. At equal distances, the map whose first even term has the larger mean is
+    returned. A second exposure at another known defocus determines the sign.
 
     Distortion requires `ideal` places. The displacement is a polynomial of the ideal position, fitted to the
     estimated places by generalised least squares, because errors of places and of coma are correlated. Tilts of the
@@ -506,25 +508,25 @@ def fit_field(
     counts = _windows(windows, settings.mask, settings.saturation)
     images, valid = counts.filled(), counts.known
     count, exposures, height, width = images.shape
-    given = single(pupil, "for the whole field")
+    lens = single(pupil, "for the whole field")
     if not (isinstance(sensor, Sequence | np.ndarray) and len(sensor) == 2):
         raise TypeError(f"sensor must be a pair (rows, columns), got {validation.shown(sensor)}")
     rows, columns = (validation.integer("sensor", side, least=1, most=_MAX_SIDE) for side in sensor)
-    at = _places(places, (rows, columns), (count, height, width))
-    known = known_defocus(defocus, exposures, "exposures")
+    star_places = _places(places, (rows, columns), (count, height, width))
+    defoci = known_defocus(defocus, exposures, "exposures")
     max_degree = validation.integer("degree", degree, least=0, most=_MAX_DEGREE)
     validation.optional("start", start, FieldMap)
     distortion_degree = validation.integer("distortion", settings.distortion, least=0, most=_MAX_DISTORTION)
-    free = validation.choice("pose", settings.pose, POSES) == "free"
-    ideal = None if settings.ideal is None else checked_ideal(settings.ideal, at, free=free)
+    free_pose = validation.choice("pose", settings.pose, POSES) == "free"
+    ideal = None if settings.ideal is None else checked_ideal(settings.ideal, star_places, free=free_pose)
     draw = random_numbers(settings.seed)
-    pitch = validation.pixel(pixel, metric=given.wavelength is not None)
+    pitch = validation.pixel(pixel, metric=lens.wavelength is not None)
     chip = Sensor((rows, columns), pitch)
     poisson = noise.poisson
     electrons, read = poisson.electrons(images), poisson.variance(np.zeros_like(images))
     plan = Plan((height, width), pitch, tol=settings.tol, integrate=settings.integrate, threads=settings.threads)
-    x, y = chip.positions(at)
-    start_pupils = given if start is None else _start_pupils(start, given, chip, x, y)
+    x, y = chip.positions(star_places)
+    start_pupils = lens if start is None else _start_pupils(start, lens, chip, x, y)
     target = settings.target(pitch)
     if not isinstance(blur, bool | Blur | Iterable):
         blur = Jitter(validation.real("blur", blur, least=0.0, below=0.25 * min(height, width)) * pitch)
@@ -534,14 +536,14 @@ def fit_field(
         down = chip.relative(x[:, None], y[:, None] + pitch * (np.arange(height) - height // 2))[1]
         illumination = relative_light(electrons, valid, across, down)
         electrons, read = electrons / illumination, read / illumination**2
-    blur_model = _shape(blur, given, pitch, min(height, width), target)
+    blur_model = _shape(blur, lens, pitch, min(height, width), target)
     if target is None:
-        sharpest = sharpness(given, pitch, integrate=bool(plan.grid(given).integrate))
+        sharpest = sharpness(lens, pitch, integrate=bool(plan.grid(lens).integrate))
         valid = valid & ~struck(electrons, read, valid, sharpest)
     stars = FieldStars(
-        electrons, read, valid, start_pupils, known, unknowns, pitch, plan, blur=blur_model, target=target
+        electrons, read, valid, start_pupils, defoci, unknowns, pitch, plan, blur=blur_model, target=target
     )
-    if stars.tested < 1:
+    if stars.degrees_of_freedom < 1:
         raise ValueError(
             f"windows must have more pixels than the {stars.size} unknowns of a star: use larger windows"
         )
@@ -552,9 +554,12 @@ def fit_field(
     pixel_size = np.array([2.0 / columns, 2.0 / rows])
     search = Search(stars, np.stack([u, v], axis=1), pixel_size, highest_degree(max_degree, count), draw, report)
     outcome = _run(search, start is not None)
-    grid = ideal, settings.pose, distortion_degree
+    distortion_settings = ideal, settings.pose, distortion_degree
     known_blurs = blur_model if isinstance(blur_model, tuple) else ()
-    return _build_field_fit(search, outcome, given, start, chip, at, counts, (noise, illumination), grid, known_blurs)
+    camera = noise, illumination
+    return _build_field_fit(
+        search, outcome, lens, start, chip, star_places, counts, camera, distortion_settings, known_blurs
+    )
 
 
 def _shape(
@@ -572,24 +577,24 @@ def _shape(
     return known
 
 
-def _run(search: Search, started: bool) -> Outcome:
+def _run(search: Search, has_start: bool) -> Outcome:
     """Repeat a search until it converges, at most `_MAX_SEARCHES` times; return the best outcome."""
-    places, best = search.places, None
+    places, best_outcome = search.places, None
     for attempt in range(_MAX_SEARCHES):
-        search.places, search.stars = places, search.first
+        search.places, search.stars = places, search.initial_stars
         # The known defocus alone is a good start, because it is usually larger than the unknown aberrations.
-        first = search.from_start() if attempt == 0 and (started or search.stars.defocused) else None
-        outcome = search.outcome(search.cleaned(first or search.from_singles(), (0.65, 0.05)))
+        first_fit = search.fit_from_start() if attempt == 0 and (has_start or search.stars.has_defocus) else None
+        outcome = search.outcome(search.reject_outliers(first_fit or search.fit_from_single_stars(), (0.65, 0.05)))
         if outcome.findings.converged:
             return outcome
-        best = outcome if best is None or outcome.cost < best.cost else best
-    assert best is not None
-    return best
+        best_outcome = outcome if best_outcome is None or outcome.cost < best_outcome.cost else best_outcome
+    assert best_outcome is not None
+    return best_outcome
 
 
-def in_words(several: tuple[Blur, ...]) -> str:
+def in_words(blurs_of_exposure: tuple[Blur, ...]) -> str:
     """Return the blurs as text, "nothing" if there are none."""
-    return " and ".join(map(repr, several)) or "nothing"
+    return " and ".join(map(repr, blurs_of_exposure)) or "nothing"
 
 
 def _noll(term: Term) -> int:
@@ -632,8 +637,8 @@ def _places(places: ArrayLike, sensor: tuple[int, int], windows: tuple[int, int,
             f"places must be on the sensor of {sensor[0]} x {sensor[1]} pixels, got row {values[k, 0]:g}, column "
             f"{values[k, 1]:g}"
         )
-    near = np.abs(values[:, None] - values[None]) < [height, width]
-    overlaps = np.triu(near.all(axis=-1), 1)
+    too_near = np.abs(values[:, None] - values[None]) < [height, width]
+    overlaps = np.triu(too_near.all(axis=-1), 1)
     if overlaps.any():
         i, j = np.argwhere(overlaps)[0]
         raise ValueError(
@@ -652,143 +657,145 @@ def _build_field_fit(
     places: Array,
     counts: Counts,
     camera: tuple[Noise, Array],
-    grid: tuple[Array | None, str, int],
-    known: tuple[Blur, ...],
+    distortion_settings: tuple[Array | None, str, int],
+    known_blurs: tuple[Blur, ...],
 ) -> FieldFit:
     """Return the result of a search as a FieldFit."""
-    found, rejected, held_out, tests = outcome.found, outcome.rejected, outcome.held_out[0], outcome.tests
+    fit, rejected, held_out, tests = outcome.fit, outcome.rejected, outcome.held_out[0], outcome.tests
     noise, illumination = camera
     # The best search may be an earlier one than the last, with another shape of blur: restore its places and stars.
-    search.places, stars = outcome.places, found.model.of
-    search.stars, one = stars, stars.one
-    polynomials, degree = found.polynomials(), search.degree
-    distortion = _distortion(found, chip, places, grid)
+    search.places, stars = outcome.places, fit.model.stars
+    search.stars, first_star = stars, stars.first_star
+    polynomials, degree = fit.polynomials(), search.degree
+    distortion = _distortion(fit, chip, places, distortion_settings)
     x, y = _positions(chip, degree, distortion)
     across, down = np.meshgrid(x, y)
     u, v = chip.relative(across, down)
     # The fixed wavefront, added to the polynomials, is that of the pupil, or of the map `start` at each position.
-    fixed = one.fixed
+    fixed_terms = first_star.fixed
     if start is not None:
-        fixed = one.split(start.pupil(across, down).wavefront.edge_terms(), across.shape)[1]
+        fixed_terms = first_star.split(start.pupil(across, down).wavefront.edge_terms(), across.shape)[1]
 
     def field_of(coefficients: Array) -> FieldMap:
-        edge = np.asarray(fixed + monomials(u, v, degree) @ coefficients.T @ one.directions)
+        edge = np.asarray(fixed_terms + monomials(u, v, degree) @ coefficients.T @ first_star.directions)
         if distortion is not None:
-            edge[..., one.tilts] += displaced(distortion, u, v) * one.tilt_of_pixel
-        return FieldMap.on_grid(x, y, Wavefront.trusted(one.terms, edge), aperture=pupil.unaberrated())
+            edge[..., first_star.tilts] += displaced(distortion, u, v) * first_star.tilt_of_pixel
+        return FieldMap.on_grid(x, y, Wavefront.trusted(first_star.terms, edge), aperture=pupil.unaberrated())
 
     k, m = polynomials.shape
-    fitted = found.model.covariance(found.scores)
-    errors = np.sqrt(np.diag(fitted))[k * m :]
+    fit_covariance = fit.model.covariance(fit.scores)
+    errors = np.sqrt(np.diag(fit_covariance))[k * m :]
     shift, covariance = outcome.marginal
     coefficients, twin = polynomials + shift.reshape(k, m), None
     findings = list[Finding]()
-    if one.sign_ambiguous:
-        other, signs = search.twin(coefficients)
-        if _twin_is_nearer(search, found, coefficients, other):
+    if first_star.sign_ambiguous:
+        twin_coefficients, signs = search.twin(coefficients)
+        if _twin_is_nearer(search, fit, coefficients, twin_coefficients):
             polynomials, _ = search.twin(polynomials)
-            coefficients, other = other, coefficients
-            turned = np.kron(signs, np.eye(m))
-            covariance = turned @ covariance @ turned.T
-            tests = negated(tests, one.unknowns)
-            found.x[0, : k * m] = polynomials.ravel()
-        twin = field_of(other)
-        findings = _sign_findings(start is not None, stars.defocused)
+            coefficients, twin_coefficients = twin_coefficients, coefficients
+            sign_matrix = np.kron(signs, np.eye(m))
+            covariance = sign_matrix @ covariance @ sign_matrix.T
+            tests = negated(tests, first_star.unknowns)
+            fit.x[0, : k * m] = polynomials.ravel()
+        twin = field_of(twin_coefficients)
+        findings = _sign_findings(start is not None, stars.has_defocus)
     findings = [*outcome.findings, *missing_findings(tests), *findings]
-    squares = found.squares()
-    blurred = _blurs(stars, known, squares, errors.reshape(squares.shape))
+    squared_widths = fit.squared_widths()
+    blurs_with_errors = _blurs(stars, known_blurs, squared_widths, errors.reshape(squared_widths.shape))
     findings += _blur_findings(stars, outcome.shapes)
-    table, model = _fitted_stars(search, found, rejected, polynomials, places, noise.excess)
+    table, model = _fitted_stars(search, fit, rejected, polynomials, places, noise.excess)
     findings += _stripe_findings(stars, model, table.used, noise.excess)
-    chi2 = float(found.scores.chi2[0])
+    chi2 = float(fit.scores.chi2[0])
     noun = "star" if stars.target is None else stars.target.kind
-    work = f"chi2 {chi2:.4g} per degree of freedom of {table.used.sum()} {noun}s, degree {degree}"
+    summary = f"chi2 {chi2:.4g} per degree of freedom of {table.used.sum()} {noun}s, degree {degree}"
     if math.isfinite(held_out):
-        work += f", held-out chi2 {held_out:.4g}"
+        summary += f", held-out chi2 {held_out:.4g}"
     findings += _rejected_finding(noun, places[rejected])
     if distortion is not None:
-        work += f"; {distortion.summary}"
+        summary += f"; {distortion.summary}"
         findings += distortion.findings
-    if not found.settled and Findings(findings).converged:
+    if not fit.settled and Findings(findings).converged:
         findings.append(Finding("not_settled", "error", "the steps have not settled"))
     if Findings(findings).converged:
-        findings += _unsure(one, found, fitted[: k * m, : k * m], one_focus=search.one_focus)
+        findings += _too_dim_findings(first_star, fit, fit_covariance[: k * m, : k * m], one_focus=search.one_focus)
     findings += recording_findings([counts[:, e] for e in range(counts.values.shape[1])], noise, "exposure")
     used_pixels = (stars.star[3] > 0.0).reshape(counts.known.shape)
     findings += _left_out_finding(counts.known & ~used_pixels)
-    estimated = (one.directions != 0.0).any(axis=0)
-    estimated[one.tilts] |= distortion is not None
-    kept = tuple(term for term, free in zip(one.terms, estimated, strict=True) if free or start is not None)
+    estimated = (first_star.directions != 0.0).any(axis=0)
+    estimated[first_star.tilts] |= distortion is not None
+    pairs = zip(first_star.terms, estimated, strict=True)
+    saved_terms = tuple(term for term, is_estimated in pairs if is_estimated or start is not None)
     return FieldFit(
         field=field_of(coefficients),
         twin=twin,
-        names=one.unknowns.terms,
+        names=first_star.unknowns.terms,
         coefficients=coefficients,
         covariance=covariance,
-        blurs=tuple(tuple(each for each, _ in several) for several in blurred),
-        blur_errors=tuple(tuple(error for _, error in several) for several in blurred),
+        blurs=tuple(tuple(blur for blur, _ in blurs_of_exposure) for blurs_of_exposure in blurs_with_errors),
+        blur_errors=tuple(tuple(error for _, error in blurs_of_exposure) for blurs_of_exposure in blurs_with_errors),
         chi2=chi2,
         held_out=held_out,
         findings=Findings(findings),
-        summary=work,
+        summary=summary,
         degree=degree,
         distortion=distortion,
         stars=table,
         images=np.where(used_pixels, noise.electrons(counts.filled()), np.nan),
         model=model.reshape(counts.values.shape) * illumination * noise.excess,
         _sensor=chip,
-        _terms=kept,
+        _terms=saved_terms,
         _pupil=pupil,
-        _defocus=tuple(float(each) for each in stars.known),
+        _defocus=tuple(float(c_d) for c_d in stars.defocus),
     )
 
 
 def _fitted_stars(
-    search: Search, found: Solution, rejected: NDArray[np.intp], polynomials: Array, places: Array, excess: float
+    search: Search, fit: Solution, rejected: NDArray[np.intp], polynomials: Array, places: Array, excess: float
 ) -> tuple[FittedStars, Array]:
     """Return the table of all stars, used and rejected, and the expected electrons of all pixels."""
-    stars, squares = search.stars, found.squares()
-    own = np.zeros((stars.count, stars.own, stars.exposures))
-    own[found.model.chosen] = found.of_stars()
+    stars, squared_widths = search.stars, fit.squared_widths()
+    nuisance = np.zeros((stars.count, stars.parameters_per_image, stars.exposures))
+    nuisance[fit.model.chosen] = fit.nuisance()
     if len(rejected):
         # For rejected stars, only position, flux and background are fitted; the wavefront is that of the field.
-        own[rejected] = search.placed(rejected, polynomials, squares)
-    every = np.arange(stars.count)
-    whole = search.model(every, held=True)
-    psf = stars.images(every, *whole.parts(whole.row(polynomials, squares, own)), fast=False, slopes="none")[0]
-    each = stars.quality(every, psf, own, float(stars.own * stars.exposures))
-    centers = own[:, :2].swapaxes(1, 2) / stars.one.tilt_of_pixel + [side // 2 for side in stars.shape]
-    used = np.isin(every, found.model.chosen)
-    table = FittedStars(places, centers, excess * own[:, 2], excess * own[:, 3], each.chi2, used)
-    return table, stars.expected(psf, own)
+        nuisance[rejected] = search.fit_nuisance(rejected, polynomials, squared_widths)
+    indices = np.arange(stars.count)
+    model = search.model(indices, held=True)
+    parameters = model.parts(model.row(polynomials, squared_widths, nuisance))
+    psf = stars.images(indices, *parameters, fast=False, derivatives="none")[0]
+    quality = stars.quality(indices, psf, nuisance, float(stars.parameters_per_image * stars.exposures))
+    centers = nuisance[:, :2].swapaxes(1, 2) / stars.first_star.tilt_of_pixel + [side // 2 for side in stars.shape]
+    used = np.isin(indices, fit.model.chosen)
+    table = FittedStars(places, centers, excess * nuisance[:, 2], excess * nuisance[:, 3], quality.chi2, used)
+    return table, stars.expected(psf, nuisance)
 
 
 def _stripe_findings(stars: FieldStars, model: Array, used: NDArray[np.bool_], excess: float) -> list[Finding]:
     """Return the finding on stripes in the windows of the used stars; `model` are the expected electrons."""
     counted, _, read, valid = stars.star.reshape(4, stars.count, -1, *stars.shape)[:, used]
     mean = model.reshape(stars.count, *counted.shape[1:])[used]
-    off = np.where(valid > 0.0, counted - mean, np.nan)
-    off, variance = (one.reshape(-1, *stars.shape) for one in (off, np.maximum(mean, 0.0) + read))
-    return stripe_findings(off, variance, excess)
+    residual = np.where(valid > 0.0, counted - mean, np.nan)
+    residual, variance = (part.reshape(-1, *stars.shape) for part in (residual, np.maximum(mean, 0.0) + read))
+    return stripe_findings(residual, variance, excess)
 
 
-def _sign_findings(started: bool, defocused: bool) -> list[Finding]:
+def _sign_findings(has_start: bool, has_defocus: bool) -> list[Finding]:
     """Return the finding that images in one focus do not determine the common sign of the even terms."""
-    how = f"the map nearer to {'start' if started else 'the known defocus'} was chosen"
+    choice = f"the map nearer to {'start' if has_start else 'the wavefront of pupil'} was chosen"
     severity: Severity = "note"
-    if not started and not defocused:
-        how, severity = "add a second defocus, or pass start", "doubt"
-    return [Finding("sign_open", severity, f"{_SIGN}: {how}, the other map is twin")]
+    if not has_start and not has_defocus:
+        choice, severity = "add a second defocus, or pass start", "doubt"
+    return [Finding("sign_open", severity, f"{_SIGN}: {choice}, the other map is twin")]
 
 
 def _rejected_finding(noun: str, places: Array) -> list[Finding]:
     """Return the finding on rejected stars, whose rows and columns are `places` (n, 2)."""
     if not len(places):
         return []
-    why = {"star": "doubles, defects", "crossing": "defects, print, curved lines"}.get(noun, "defects")
-    named = ", ".join(f"row {row:.0f} column {column:.0f}" for row, column in places[:_MAX_LISTED])
-    more = f" and {len(places) - _MAX_LISTED} more" if len(places) > _MAX_LISTED else ""
-    text = f"{len(places)} {noun}{'s' * (len(places) > 1)} rejected ({why}) at {named}{more}"
+    causes = {"star": "doubles, defects", "crossing": "defects, print, curved lines"}.get(noun, "defects")
+    positions = ", ".join(f"row {row:.0f} column {column:.0f}" for row, column in places[:_MAX_LISTED])
+    others = f" and {len(places) - _MAX_LISTED} more" if len(places) > _MAX_LISTED else ""
+    text = f"{len(places)} {noun}{'s' * (len(places) > 1)} rejected ({causes}) at {positions}{others}"
     return [Finding("rejected", "note", text, {"rejected": len(places)})]
 
 
@@ -800,29 +807,31 @@ def _left_out_finding(pixels: NDArray[np.bool_]) -> list[Finding]:
 
 
 def _blurs(
-    stars: FieldStars, known: tuple[Blur, ...], squares: Array, errors: Array
+    stars: FieldStars, known_blurs: tuple[Blur, ...], squared_widths: Array, errors: Array
 ) -> list[list[tuple[Blur, float]]]:
     """Return the blurs of each exposure, from squared widths (e, b) in pixels, with their standard errors."""
-    found: list[list[tuple[Blur, float]]] = [[(each, 0.0) for each in known] for _ in squares]
+    exposures: list[list[tuple[Blur, float]]] = [[(blur, 0.0) for blur in known_blurs] for _ in squared_widths]
     pupil, shape = stars.lens, stars.blur
     pitch = stars.pixel * float(pupil.scale)
-    for i, several in enumerate(found):
-        for name, square, error in zip(shape.names, squares[i], errors[i], strict=True):
+    for i, blurs_of_exposure in enumerate(exposures):
+        for name, square, error in zip(shape.names, squared_widths[i], errors[i], strict=True):
             width = math.sqrt(max(float(square), 0.0))
             # With s = square and ds = error, the error of sqrt(s) is ds / (2 sqrt(s)). At s = 0 it is sqrt(ds).
-            off = float(error) / max(2.0 * width, math.sqrt(float(error)), 1e-300)
+            width_error = float(error) / max(2.0 * width, math.sqrt(float(error)), 1e-300)
             if name == "Gaussian":
-                several.append((Jitter(width * pitch), off * pitch))
+                blurs_of_exposure.append((Jitter(width * pitch), width_error * pitch))
             elif width > 0.0:
-                light, far = pupil.wavelength, 1.0 if pupil.geometry is None else pupil.geometry.focal_length
-                r0 = FWHM / (SIGMAS * width * pitch) * (1.0 if light is None else light * far)
+                wavelength = pupil.wavelength
+                focal_length = 1.0 if pupil.geometry is None else pupil.geometry.focal_length
+                r0 = FWHM / (SIGMAS * width * pitch) * (1.0 if wavelength is None else wavelength * focal_length)
                 outer = None if shape.outer is None else shape.outer * r0
-                several.append((Seeing(r0, None if light is None else far, light, outer), r0 * off / width))
-    return found
+                seeing = Seeing(r0, None if wavelength is None else focal_length, wavelength, outer)
+                blurs_of_exposure.append((seeing, r0 * width_error / width))
+    return exposures
 
 
 def _blur_findings(stars: FieldStars, shapes: dict[str, float]) -> list[Finding]:
-    """Return the finding on the most likely shape of blur, and its lnL minus the lnL of another shape."""
+    """Return the finding on the most likely shape of blur; `shapes` are -lnL of the shapes that were compared."""
     if not shapes:
         return []
     outer = stars.blur.outer
@@ -832,22 +841,22 @@ def _blur_findings(stars: FieldStars, shapes: dict[str, float]) -> list[Finding]
     if abs(gain) < _MIN_GAIN:
         text = f"the images do not distinguish Kolmogorov from a Gaussian blur (lnL differs by {abs(gain):.1f})"
     elif gain > 0.0:
-        also = " and a Gaussian" if "Gaussian" in stars.blur.names else ""
-        text = f"blur by {seeing} turbulence{also}, more likely than a Gaussian by lnL {gain:.0f}"
+        second_blur = " and a Gaussian" if "Gaussian" in stars.blur.names else ""
+        text = f"blur by {seeing} turbulence{second_blur}, more likely than a Gaussian by lnL {gain:.0f}"
     else:
-        also = " and seeing" if "seeing" in stars.blur.names else ""
-        text = f"blur by a Gaussian{also}, more likely than Kolmogorov by lnL {-gain:.0f}"
+        second_blur = " and seeing" if "seeing" in stars.blur.names else ""
+        text = f"blur by a Gaussian{second_blur}, more likely than Kolmogorov by lnL {-gain:.0f}"
     return [Finding("blur_shape", "note", text, numbers)]
 
 
-def _unsure(one: StarImages, found: Solution, covariance: Array, *, one_focus: bool) -> list[Finding]:
+def _too_dim_findings(first_star: StarImages, fit: Solution, covariance: Array, *, one_focus: bool) -> list[Finding]:
     """Return the finding that images are not linear functions of the wavefront within its standard error."""
-    basis = found.model.basis
-    k, m = one.directions.shape[0], basis.shape[1]
+    basis = fit.model.basis
+    k, m = first_star.directions.shape[0], basis.shape[1]
     blocks = covariance.reshape(k, m, k, m)
-    metric = (one.directions * one.mean_squares) @ one.directions.T
+    metric = (first_star.directions * first_star.mean_squares) @ first_star.directions.T
     rms = math.sqrt(float(np.einsum("ni,kilj,nj,kl->n", basis, blocks, basis, metric, optimize=True).mean()))
-    # In one focus other minima are near, for each of the m polynomials one: the limit decreases with m.
+    # In one focus, each of the m polynomials has another minimum nearby: the limit decreases with m.
     limit = MAX_LINEAR_ERROR / math.sqrt(m) if one_focus else MAX_LINEAR_ERROR
     if rms <= limit:
         return []
@@ -864,28 +873,29 @@ def _positions(chip: Sensor, degree: int, distortion: Distortion | None) -> tupl
 
 
 def _distortion(
-    found: Solution, chip: Sensor, places: Array, grid: tuple[Array | None, str, int]
+    fit: Solution, chip: Sensor, places: Array, distortion_settings: tuple[Array | None, str, int]
 ) -> Distortion | None:
     """Return the distortion relative to the ideal places; None without ideal places."""
-    ideal, pose, degree = grid
+    ideal, pose, degree = distortion_settings
     if ideal is None:
         return None
-    used, tilt = found.model.chosen, found.model.of.one.tilt_of_pixel
-    known = np.isfinite(ideal[used]).all(axis=1)
-    if known.sum() < 4:
-        raise ValueError(f"ideal must be known for at least 4 of {len(used)} accepted windows, got {known.sum()}")
-    seen = found.of_stars()[:, :2].swapaxes(1, 2) / tilt + places[used][:, None]
-    blocks = found.scores.information[0]
-    return fit_distortion(ideal, used, places_of(blocks, seen, tilt), pose=pose, degree=degree, sensor=chip)
+    used, tilt = fit.model.chosen, fit.model.stars.first_star.tilt_of_pixel
+    is_known = np.isfinite(ideal[used]).all(axis=1)
+    if is_known.sum() < 4:
+        raise ValueError(f"ideal must be known for at least 4 of {len(used)} accepted windows, got {is_known.sum()}")
+    fitted_places = fit.nuisance()[:, :2].swapaxes(1, 2) / tilt + places[used][:, None]
+    blocks = fit.scores.information[0]
+    return fit_distortion(ideal, used, places_of(blocks, fitted_places, tilt), pose=pose, degree=degree, sensor=chip)
 
 
-def _twin_is_nearer(search: Search, found: Solution, one: Array, other: Array) -> bool:
-    """Return whether the polynomials `other` are nearer to the start than `one`."""
-    basis, stars = found.model.basis, search.stars
-    near = stars.start[found.model.chosen]
-    far = [float(np.einsum("ni,ij,nj->", d, search.metric, d)) for d in (basis @ p.T - near for p in (one, other))]
-    # At equal distances, choose the field whose first even term has the larger (positive) mean.
-    if not math.isclose(far[0], far[1], rel_tol=1e-6):
-        return far[1] < far[0]
-    even = next(j for j, row in enumerate(stars.one.directions) if row[stars.one.even].any())
-    return bool((basis @ other[even]).mean() > (basis @ one[even]).mean())
+def _twin_is_nearer(search: Search, fit: Solution, polynomials: Array, twin: Array) -> bool:
+    """Return whether the polynomials `twin` are nearer to the initial wavefronts than `polynomials`."""
+    basis, stars = fit.model.basis, search.stars
+    start_waves = stars.start[fit.model.chosen]
+    changes = (basis @ p.T - start_waves for p in (polynomials, twin))
+    distances = [float(np.einsum("ni,ij,nj->", change, search.metric, change)) for change in changes]
+    # At equal distances, choose the field whose first even term has the larger mean.
+    if not math.isclose(distances[0], distances[1], rel_tol=1e-6):
+        return distances[1] < distances[0]
+    term = next(j for j, row in enumerate(stars.first_star.directions) if row[stars.first_star.even].any())
+    return bool((basis @ twin[term]).mean() > (basis @ polynomials[term]).mean())

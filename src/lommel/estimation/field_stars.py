@@ -29,10 +29,10 @@ from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.psf import Plan
 
-_BLOCK_VALUES = 3e7  # number of values of samples and their derivatives that are computed together
-_SHARP = 0.02  # squared width of blur, pixels^2, below which a step may set it to 0
-_BRIGHT = 50.0  # chi2 of bright pixels is computed if their number minus twice that of parameters is at least this
-_OWN = 4  # number of parameters of each image (row, column, flux, background) before the angles
+_BLOCK_VALUES = 3e7  # number of samples of PSFs and of derivatives that are computed together
+_ZERO_LIMIT = 0.02  # squared width of blur, pixels^2, below which a step may set it to 0
+_MIN_BRIGHT = 50.0  # least (number of bright pixels) - 2 (number of parameters) for which their chi2 is computed
+_FIRST_ANGLE = 4  # number of parameters of each image (row, column, flux, background) before the angles
 _MAX_ANGLE_STEP = 0.05  # largest step of an angle, radians
 
 
@@ -49,10 +49,10 @@ class Quality(NamedTuple):
 class FieldStars:
     """Images of n stars in e exposures, electrons (n, e, height, width), and their likelihood.
 
-    Parameters of a star are the k coefficients of its wavefront (radians rms), the b squared widths of the blur of
-    each exposure (pixels^2), and the `own` parameters of each image: two tilts (row and column), flux, background,
-    and for corners two angles; with `sloped`, also two slopes of the background. In arrays named `own`, their values
-    have the shape (r, own, e) for r stars. `blur` is a shape of unknown widths, or known blurs.
+    Parameters of a star are the k coefficients of its wavefront (`waves`, radians rms), the b squared widths of the
+    blur of each exposure (pixels^2), and o nuisance parameters of each image: two tilts (row and column), flux,
+    background, for corners two angles, and with `has_slopes` two slopes of the background. Arrays `nuisance` have the
+    shape (r, o, e) for r stars; o is `parameters_per_image`. `blur` is a shape of unknown widths, or known blurs.
     """
 
     def __init__(
@@ -72,77 +72,79 @@ class FieldStars:
         self.count, self.exposures, *shape = electrons.shape
         self.shape = (shape[0], shape[1])
         self.pixels = shape[0] * shape[1]
-        self.known = defocus
+        self.defocus = defocus
         self.threads, self.tol = plan.threads, plan.tol
         self.target = target
         self.angles = 0 if target is None else target.angles
-        self.own = _OWN + self.angles
+        self.parameters_per_image = _FIRST_ANGLE + self.angles
         self.cornered = self.angles > 0
-        self.sloped = False
+        self.has_slopes = False
         #: Terms and constants that are not estimated, but for which `images` may return derivatives.
-        self.further: tuple[Name, ...] = ()
-        first = pupil if pupil.shape == () else pupil[0]
-        self.integrate = bool(plan.grid(first).integrate)
-        self.lens, self.pixel = first, pixel / float(first.scale)  # in lambda*N
-        self.blur = blur if isinstance(blur, Shape) else Shape.known(blur, pixel, first.wavelength)
+        self.extra_terms: tuple[Name, ...] = ()
+        first_pupil = pupil if pupil.shape == () else pupil[0]
+        self.integrate = bool(plan.grid(first_pupil).integrate)
+        self.lens, self.pixel = first_pupil, pixel / float(first_pupil.scale)  # in lambda*N
+        self.blur = blur if isinstance(blur, Shape) else Shape.known(blur, pixel, first_pupil.wavelength)
         self.widths = self.blur.unknown
         #: The images of the first star; its terms and directions apply to all stars.
-        self.one = StarImages(electrons[0], variance[0], valid[0], first, defocus, unknowns, plan, pixel)
-        self.size = len(unknowns.terms) + (self.widths + self.own) * self.exposures
+        self.first_star = StarImages(electrons[0], variance[0], valid[0], first_pupil, defocus, unknowns, plan, pixel)
+        self.size = len(unknowns.terms) + (self.widths + self.parameters_per_image) * self.exposures
         self.star = star_counts(electrons, variance, valid)
         self.loosest = loosest_tolerance(self.star, plan.tol)
         #: Coefficients of the initial wavefront; the remainder, outside the estimated terms, is fixed.
-        self.start, fixed = self.one.split(pupil.wavefront.edge_terms(), (self.count,))
+        self.start, fixed = self.first_star.split(pupil.wavefront.edge_terms(), (self.count,))
         self.base: Array = np.repeat(fixed[:, None], self.exposures, axis=1)
         self.base[:, :, 0] += defocus[None]
-        self.defocused = bool(defocus.any())
-        self._slopes: tuple[Term, ...] = (*unknowns.edge, *(SHIFTS[place] for place in ("row", "column")))
+        self.has_defocus = bool(defocus.any())
+        self._terms: tuple[Term, ...] = (*unknowns.edge, *(SHIFTS[place] for place in ("row", "column")))
         self._reader: Readout | None = None
         self._sampled_pupils: dict[tuple[object, ...], SampledPupil] = {}
-        self.tested = int((self.star[3].sum(axis=(1, 2)) - self.size).mean())
+        self.degrees_of_freedom = int((self.star[3].sum(axis=(1, 2)) - self.size).mean())
 
-    def shaped(self, shape: Shape) -> FieldStars:
+    def with_blur_shape(self, shape: Shape) -> FieldStars:
         """Return a model of the same stars with another shape of the blur, of unknown widths."""
-        more = (shape.unknown - self.widths) * self.exposures
-        size = {"widths": shape.unknown, "size": self.size + more, "tested": self.tested - more}
-        return self.having(blur=shape, _reader=None, **size)
+        added_count = (shape.unknown - self.widths) * self.exposures
+        freedom, size = self.degrees_of_freedom - added_count, self.size + added_count
+        changes = {"blur": shape, "widths": shape.unknown, "size": size, "degrees_of_freedom": freedom}
+        return self.copy_with(_reader=None, **changes)
 
-    def on_slopes(self) -> FieldStars:
+    def with_background_slopes(self) -> FieldStars:
         """Return a model with two more parameters per image: slopes of the background, electrons per pixel."""
-        more = 2 * self.exposures
-        return self.having(sloped=True, own=self.own + 2, size=self.size + more, tested=self.tested - more)
+        added_count = 2 * self.exposures
+        freedom, per_image = self.degrees_of_freedom - added_count, self.parameters_per_image + 2
+        changes = {"parameters_per_image": per_image, "size": self.size + added_count, "degrees_of_freedom": freedom}
+        return self.copy_with(has_slopes=True, **changes)
 
-    def having(self, **changes: Any) -> FieldStars:
-        """Return a copy in which the attributes in `changes`, such as `further` or `lens`, are replaced."""
-        found = copy(self)
-        vars(found).update(changes)
-        return found
+    def copy_with(self, **changes: Any) -> FieldStars:
+        """Return a copy in which the attributes in `changes`, such as `extra_terms` or `lens`, are replaced."""
+        replaced = copy(self)
+        vars(replaced).update(changes)
+        return replaced
 
     def images(
-        self, stars: NDArray[np.intp], waves: Array, squares: Array, own: Array, *, fast: bool, slopes: str = "all"
-    ) -> list[Array]:
+        self, stars: NDArray[np.intp], waves: Array, squared_widths: Array, nuisance: Array, *, fast: bool,
+        derivatives: str = "all",
+    ) -> list[Array]:  # fmt: skip
         """Return the PSFs of r stars at their positions, and derivatives of the PSFs.
 
-        `waves` is (r, k), `squares` (r, e, b), `own` (r, own, e); each array in the list is (r * e, height, width).
-        `slopes` selects the derivatives. "all": by Zernike terms (amplitude at the pupil edge), tilts, squared
-        widths, and angles. "own": as "all", but 0 unless by tilts or angles. "none": no derivatives. "others": by the
-        `further` terms, by `changes_of` a circular pupil, and, for stars, by `OTHER_BLURS`; `squares` must then be
-        the same for all stars.
+        `waves` is (r, k), `squared_widths` (r, e, b), `nuisance` (r, o, e); each result is (r * e, height, width).
+        `derivatives` selects the derivatives. "all": by Zernike terms (amplitude at the pupil edge), tilts, squared
+        widths, and angles. "image": as "all", but 0 unless by tilts or angles. "none": no derivatives. "others": by
+        `extra_terms`, by `changes_of` a circular pupil, and, for stars, by `OTHER_BLURS`; all stars must then have
+        the same squared widths.
         """
-        reader = self._readout(squares, always=slopes == "others")
-        each = self.exposures * math.prod(reader.shape if reader else self.shape) * (len(self._slopes) + 2)
-        block = max(1, int(_BLOCK_VALUES / each))
-        edge = self.base[stars] + (waves @ self.one.directions)[:, None]
-        for j, column in enumerate(self.one.tilts):
-            edge[:, :, column] += own[:, j]
-        parts = [
-            self._block(reader, edge[s].reshape(-1, edge.shape[-1]), squares[s], own[s], fast=fast, slopes=slopes)
-            for s in (slice(first, first + block) for first in range(0, len(stars), block))
-        ]
-        return [np.concatenate(several) for several in zip(*parts, strict=True)] if len(parts) > 1 else parts[0]
+        reader = self._readout(squared_widths, always=derivatives == "others")
+        samples = self.exposures * math.prod(reader.shape if reader else self.shape) * (len(self._terms) + 2)
+        block = max(1, int(_BLOCK_VALUES / samples))
+        edge = self.base[stars] + (waves @ self.first_star.directions)[:, None]
+        for j, column in enumerate(self.first_star.tilts):
+            edge[:, :, column] += nuisance[:, j]
+        rows = (slice(start, start + block) for start in range(0, len(stars), block))
+        parts = [self._block(reader, edge[r], squared_widths[r], nuisance[r], fast, derivatives) for r in rows]
+        return [np.concatenate(arrays) for arrays in zip(*parts, strict=True)] if len(parts) > 1 else parts[0]
 
-    def _readout(self, squares: Array, *, always: bool) -> Readout | None:
-        """Return the readout, which computes pixels from samples for blur of widths `squares`; None if not needed."""
+    def _readout(self, squared_widths: Array, *, always: bool) -> Readout | None:
+        """Return the readout, which computes pixels from samples, for these widths of blur; None if not needed."""
         reader, shape = self._reader, self.blur
         if self.target is not None:
             if reader is None:
@@ -151,9 +153,9 @@ class FieldStars:
         if not (always or self.widths or self.integrate or shape.fixed.any()):
             return None
         # With the support for the typical width, the widest Gaussians of seeing lose only light far from the window.
-        known = float(np.exp(shape.weights @ np.log(shape.fixed + 1e-12)))
-        width = math.sqrt(float(squares.sum(axis=-1).max(initial=0.0)) + known)
-        variances = shape.variances(squares).reshape(-1, len(shape.weights)).min(axis=0)
+        known_square = float(np.exp(shape.weights @ np.log(shape.fixed + 1e-12)))
+        width = math.sqrt(float(squared_widths.sum(axis=-1).max(initial=0.0)) + known_square)
+        variances = shape.variances(squared_widths).reshape(-1, len(shape.weights)).min(axis=0)
         if isinstance(reader, StarReadout) and reader.serves(width, variances):
             return reader
         least, widest = variances, width
@@ -165,177 +167,185 @@ class FieldStars:
         return self._reader
 
     def _block(
-        self, reader: Readout | None, edge: Array, squares: Array, own: Array, *, fast: bool, slopes: str
+        self, reader: Readout | None, edge: Array, squared_widths: Array, nuisance: Array, fast: bool, selection: str
     ) -> list[Array]:
-        """Return the result of `images` for a block of stars, from Zernike terms `edge` (r * e, terms)."""
-        pupil = self.lens.carrying(Wavefront.trusted(self.one.terms, edge), None)
+        """Return the result of `images` for a block of r stars, from Zernike terms `edge` (r, e, terms)."""
+        edge = edge.reshape(-1, edge.shape[-1])
+        pupil = self.lens.carrying(Wavefront.trusted(self.first_star.terms, edge), None)
         tol = self.loosest if fast else self.tol
         shape, pitch = (self.shape, self.pixel) if reader is None else (reader.shape, reader.step)
         pixel = pitch * float(self.lens.scale)
         plan = Plan(shape, pixel, tol=tol, integrate=False, threads=self.threads or None)
-        facts = pupil.aperture, pupil.radial, pupil.shape, pupil.wavelength, pupil.f_number
+        pupil_key = pupil.aperture, pupil.radial, pupil.shape, pupil.wavelength, pupil.f_number
         dtype = output_type(None, tol)
-        prepared = prepare_question(pupil, facts, plan.grid(pupil), None, tol, "energy", dtype, self.threads)
-        by = {"all": self._slopes, "own": self._slopes[-2:], "none": (), "others": self.further}[slopes]
+        prepared = prepare_question(pupil, pupil_key, plan.grid(pupil), None, tol, "energy", dtype, self.threads)
+        names = {"all": self._terms, "image": self._terms[-2:], "none": (), "others": self.extra_terms}[selection]
+        others = selection == "others"
         # Sampled pupils do not support masks, and have derivatives by phases only.
-        proven = pupil.mask is not None or (pupil.circular and (slopes == "others" or max(shape) <= SMALL))
-        if proven:
-            _, pixels, rates = prepared.images(pupil, by)
+        use_proven_method = pupil.mask is not None or (pupil.circular and (others or max(shape) <= SMALL))
+        if use_proven_method:
+            _, pixels, rates = prepared.images(pupil, names)
             samples = [pixels.values, *(slope.values for slope in rates)]
-            if slopes == "others" and changes_of(self.lens):
-                samples += UnevenLight(self.lens, plan.grid(self.lens), self.one.terms, edge).images()
+            if others and changes_of(self.lens):
+                samples += UnevenLight(self.lens, plan.grid(self.lens), self.first_star.terms, edge).images()
         else:
-            columns = [(*self.one.terms, *self.further).index(name) for name in by]
+            columns = [(*self.first_star.terms, *self.extra_terms).index(name) for name in names]
             samples = list(self._sampled(plan.grid(self.lens)).images(edge, columns, values=fast))
             if not fast:  # only the PSFs must be accurate: errors of derivatives hardly affect steps and results
                 samples.insert(0, prepared.images(pupil)[1].values)
         if reader is None:
-            found = [np.asarray(image).reshape(-1, *self.shape) for image in samples]
+            images = [np.asarray(image).reshape(-1, *self.shape) for image in samples]
         else:
-            flat = [np.asarray(sample, np.float32).reshape(-1, *reader.shape) for sample in samples]
+            stacked = [np.asarray(sample, np.float32).reshape(-1, *reader.shape) for sample in samples]
             if isinstance(reader, TargetReadout):
-                turned = own[:, _OWN : _OWN + self.angles].swapaxes(1, 2).reshape(len(flat[0]), -1)
-                widths = squares.reshape(len(flat[0]), -1)
-                found = reader.read(flat, widths, turned, slopes=slopes == "all", threads=self.threads)
-                found = found[: len(flat)] if slopes == "others" else found
+                angles = nuisance[:, _FIRST_ANGLE : _FIRST_ANGLE + self.angles].swapaxes(1, 2)
+                angles = angles.reshape(len(stacked[0]), -1)
+                widths = squared_widths.reshape(len(stacked[0]), -1)
+                images = reader.read(stacked, widths, angles, derivatives=selection == "all", threads=self.threads)
+                images = images[: len(stacked)] if others else images
             else:
-                found = reader.read(flat, squares, slopes=slopes == "all")
-                if slopes == "others":
-                    found += reader.other_blurs(flat[0], squares[0]).values()
-        if slopes == "own":
-            nothing = np.zeros_like(found[0])
-            held = [nothing] * (len(self._slopes) - 2)
-            found = [found[0], *held, *found[1:3], *[nothing] * self.widths, *found[3:]]
-        return found
+                images = reader.read(stacked, squared_widths, derivatives=selection == "all")
+                if others:
+                    images += reader.other_blurs(stacked[0], squared_widths[0]).values()
+        if selection == "image":
+            zeros = np.zeros_like(images[0])
+            zero_terms = [zeros] * (len(self._terms) - 2)
+            images = [images[0], *zero_terms, *images[1:3], *[zeros] * self.widths, *images[3:]]
+        return images
 
     def _sampled(self, grid: Grid) -> SampledPupil:
         """Return the sampled pupil that computes images on the grid; reuse it in later calls."""
-        key = self.lens, grid.shape, grid.pixel, self.further
+        key = self.lens, grid.shape, grid.pixel, self.extra_terms
         if key not in self._sampled_pupils:
             self._sampled_pupils[key] = SampledPupil(
-                self.lens, grid, cast("list[Term]", [*self.one.terms, *self.further])
+                self.lens, grid, cast("list[Term]", [*self.first_star.terms, *self.extra_terms])
             )
         return self._sampled_pupils[key]
 
     def likelihood(
-        self, stars: NDArray[np.intp], images: Sequence[Array], own: Array, others: Sequence[Array] = ()
+        self, stars: NDArray[np.intp], images: Sequence[Array], nuisance: Array, extra: Sequence[Array] = ()
     ) -> tuple[Array, Array, Array]:
-        """Return three arrays for r stars of p parameters, from PSFs and their derivatives `images`.
+        """Return deviance and Pearson statistics, information and gradient, and Pearson's sum of r stars.
 
-        (3, r): deviance, expectation and variance of Pearson's sum. (r, p, p + 1): information matrix, and last
-        column: derivatives of the log-likelihood lnL. (r,): Pearson's sum. The p parameters of a star are the
-        parameters shared by all stars, q further parameters common to all exposures, and `own`. The q arrays `others`
-        (r * e, height, width) are derivatives of electrons by the further parameters.
+        Shapes: (3, r) for deviance, and expectation and variance of Pearson's sum; (r, p, p + 1) for the information
+        matrix of p parameters, with the gradient of the log-likelihood lnL as last column; (r,) for Pearson's sum.
+        `images` are PSFs and their derivatives. The p parameters are waves, squared widths, q further parameters
+        common to all exposures, and `nuisance`. The q arrays `extra` (r * e, height, width) are derivatives of
+        electrons by the further parameters.
         """
-        r, e, k, b, q = len(stars), self.exposures, len(self.one.directions), self.widths, len(others)
-        slopes = slants(r * e, self.shape) if self.sloped else ()
-        numbers, products = self._products(stars, [*images, *slopes, *others], own)
-        d = products.shape[-1]
-        edge = len(self.one.unknowns.edge)
-        # Chain rule. Columns: derivatives of PSFs by Zernike terms, tilts, blur and angles; derivatives of electrons
-        # by slopes and `others`; then the PSF, 1 (for the background) and the residual.
+        r, e, k, b, q = len(stars), self.exposures, len(self.first_star.directions), self.widths, len(extra)
+        gradients = slants(r * e, self.shape) if self.has_slopes else ()
+        sums, inner = self._products(stars, [*images, *gradients, *extra], nuisance)
+        d = inner.shape[-1]
+        terms = len(self.first_star.unknowns.edge)
+        # Chain rule. The last axis is: derivatives of PSFs by Zernike terms, tilts, blur and angles; derivatives of
+        # electrons by slopes of the background, and `extra`; the PSF, 1 (for the background) and the residual.
         chain = np.zeros((r, e, self.size + q + 1, d))
-        flux = own[:, 2]
-        chain[:, :, :k, :edge] = self.one.unknowns.directions * flux[:, :, None, None]
+        flux = nuisance[:, 2]
+        chain[:, :, :k, :terms] = self.first_star.unknowns.directions * flux[:, :, None, None]
         chain[:, :, k + e * b + np.arange(q), d - 3 - q + np.arange(q)] = 1.0
         for i in range(e):
-            at = k + e * b + q + np.arange(self.own) * e + i
+            rows = k + e * b + q + np.arange(self.parameters_per_image) * e + i
             for j in range(b):
-                chain[:, i, k + i * b + j, edge + 2 + j] = flux[:, i]
-            chain[:, i, at[0], edge] = chain[:, i, at[1], edge + 1] = flux[:, i]
-            chain[:, i, at[2], d - 3] = chain[:, i, at[3], d - 2] = 1.0
-            for j in range(_OWN, self.own):
-                chain[:, i, at[j], edge + 2 + b + j - _OWN] = flux[:, i] if j < _OWN + self.angles else 1.0
+                chain[:, i, k + i * b + j, terms + 2 + j] = flux[:, i]
+            chain[:, i, rows[0], terms] = chain[:, i, rows[1], terms + 1] = flux[:, i]
+            chain[:, i, rows[2], d - 3] = chain[:, i, rows[3], d - 2] = 1.0
+            for j in range(_FIRST_ANGLE, self.parameters_per_image):
+                factor = flux[:, i] if j < _FIRST_ANGLE + self.angles else 1.0
+                chain[:, i, rows[j], terms + 2 + b + j - _FIRST_ANGLE] = factor
         chain[:, :, -1, -1] = 1.0
-        found = (chain @ products @ chain.swapaxes(-1, -2)).sum(axis=1)
-        return numbers, found[:, :-1], found[:, -1, -1]
+        matrices = (chain @ inner @ chain.swapaxes(-1, -2)).sum(axis=1)
+        return sums, matrices[:, :-1], matrices[:, -1, -1]
 
-    def _products(self, stars: NDArray[np.intp], images: Sequence[Array], own: Array) -> tuple[Array, Array]:
+    def _products(self, stars: NDArray[np.intp], images: Sequence[Array], nuisance: Array) -> tuple[Array, Array]:
         """Return deviance, expectation and variance of Pearson's sum (3, r), and inner products (r, e, d, d).
 
         The factors are `images`, the constant 1 and the residual, divided by the standard deviation of each pixel.
         """
-        star, light = self.observed(stars, own)
+        data, light = self.without_slopes(stars, nuisance)
         light = np.ascontiguousarray(np.moveaxis(light, 1, 0).reshape(1, 2, -1))
-        numbers, products = star_likelihood(images, light, star.reshape(4, -1, self.pixels), self.threads)
-        each = len(stars), self.exposures
-        return numbers.reshape(3, *each).sum(axis=-1), products.reshape(*each, *products.shape[-2:])
+        sums, products = star_likelihood(images, light, data.reshape(4, -1, self.pixels), self.threads)
+        stack = len(stars), self.exposures
+        return sums.reshape(3, *stack).sum(axis=-1), products.reshape(*stack, *products.shape[-2:])
 
-    def observed(self, stars: NDArray[np.intp], own: Array) -> tuple[Array, Array]:
+    def without_slopes(self, stars: NDArray[np.intp], nuisance: Array) -> tuple[Array, Array]:
         """Return counts and variances (4, r, e, pixels) without slopes of the background, and flux and background.
 
         Counts plus the read variance have a Poisson distribution. A known part of the background may therefore be
         subtracted from the counts and added to the variance.
         """
-        star, light = self.star[:, stars], own[:, 2:4].copy()
-        if self.sloped:
-            lowest = self._lowest(own)
-            added = self._slope(own) + lowest[:, :, None]
-            star[0] -= added
-            star[1:3] += added
-            light[:, 1] -= lowest
-        return star, light
+        data, light = self.star[:, stars], nuisance[:, 2:4].copy()
+        if self.has_slopes:
+            drop = self._largest_drop(nuisance)
+            sloping = self._sloping_part(nuisance) + drop[:, :, None]
+            data[0] -= sloping
+            data[1:3] += sloping
+            light[:, 1] -= drop
+        return data, light
 
-    def _lowest(self, own: Array) -> Array:
+    def _largest_drop(self, nuisance: Array) -> Array:
         """Return the largest decrease of sloping backgrounds from the middle to a corner of the window (r, e)."""
-        return np.asarray(np.tensordot(np.abs(own[:, -2:]), [side // 2 for side in self.shape], (1, 0)))
+        return np.asarray(np.tensordot(np.abs(nuisance[:, -2:]), [side // 2 for side in self.shape], (1, 0)))
 
-    def _slope(self, own: Array) -> Array:
-        """Return the sloping part of backgrounds, (r, e, pixels), from the last two parameters in `own`."""
+    def _sloping_part(self, nuisance: Array) -> Array:
+        """Return the sloping part of backgrounds, (r, e, pixels), from the last two parameters in `nuisance`."""
         y, x = slants(1, self.shape)
-        return np.asarray(own[:, -2, :, None] * y.ravel() + own[:, -1, :, None] * x.ravel())
+        return np.asarray(nuisance[:, -2, :, None] * y.ravel() + nuisance[:, -1, :, None] * x.ravel())
 
-    def expected(self, psf: Array, own: Array) -> Array:
-        """Return the electrons of each pixel (r, e, pixels), for PSFs and the parameters `own` (r, own, e)."""
-        found = own[:, 2, :, None] * psf.reshape(len(own), self.exposures, -1) + own[:, 3, :, None]
-        return found + self._slope(own) if self.sloped else found
+    def expected(self, psf: Array, nuisance: Array) -> Array:
+        """Return the expected electrons of each pixel (r, e, pixels), for PSFs and `nuisance` (r, o, e)."""
+        electrons = nuisance[:, 2, :, None] * psf.reshape(len(nuisance), self.exposures, -1) + nuisance[:, 3, :, None]
+        return electrons + self._sloping_part(nuisance) if self.has_slopes else electrons
 
-    def quality(self, stars: NDArray[np.intp], values: Array, own: Array, unknown: float) -> Quality:
-        """Return chi2 of single stars from their PSFs `values`; `unknown` is the number of parameters per star."""
-        (_, total, spread), products = self._products(stars, [values], own)
-        return self.relative(stars, products[..., -1, -1].sum(axis=-1), total, spread, unknown)
+    def quality(self, stars: NDArray[np.intp], values: Array, nuisance: Array, parameters: float) -> Quality:
+        """Return chi2 of stars from their PSFs `values`; `parameters` is the number of parameters per star."""
+        (_, expectation, variance), products = self._products(stars, [values], nuisance)
+        return self.quality_from_sums(stars, products[..., -1, -1].sum(axis=-1), expectation, variance, parameters)
 
-    def relative(
-        self, stars: NDArray[np.intp], square: Array, total: Array, spread: Array, unknown: float
+    def quality_from_sums(
+        self, stars: NDArray[np.intp], pearson_sum: Array, expectation: Array, variance: Array, parameters: float
     ) -> Quality:
         """Return chi2 of stars from Pearson's sum, its expectation and variance, and the parameters per star."""
-        freedom = np.maximum(1.0 - unknown / self.star[3][stars].sum(axis=(1, 2)), 0.1)
-        return Quality(*reduced_chi2(square, total, spread, freedom))
+        fraction = np.maximum(1.0 - parameters / self.star[3][stars].sum(axis=(1, 2)), 0.1)
+        return Quality(*reduced_chi2(pearson_sum, expectation, variance, fraction))
 
-    def bright(self, stars: NDArray[np.intp], values: Array, own: Array, unknown: float) -> tuple[float, float]:
-        """Return chi2 of the pixels in which stars exceed the noise, and its standard deviation; NaN for few pixels.
+    def bright_pixel_chi2(
+        self, stars: NDArray[np.intp], values: Array, nuisance: Array, parameters: float
+    ) -> tuple[float, float]:
+        """Return chi2 of the pixels in which stars exceed the noise, and its standard deviation.
 
-        A wrong wavefront increases this chi2 more than the chi2 of whole windows, which are mostly background.
+        Both are NaN for few such pixels, and for corners; `parameters` is the number of all parameters. A wrong
+        wavefront increases this chi2 more than the chi2 of whole windows, which are mostly background.
         """
         psf = values.reshape(len(stars), self.exposures, -1)
-        (counted, _, read, valid), light = self.observed(stars, own)
-        star = light[:, 0, :, None] * psf
-        model = star + light[:, 1, :, None]
+        (counted, _, read, valid), light = self.without_slopes(stars, nuisance)
+        star_light = light[:, 0, :, None] * psf
+        model = star_light + light[:, 1, :, None]
         variance = np.maximum(np.maximum(model, 0.0) + read, 1e-3)
-        bright = (valid > 0.0) & (star * star > variance)
-        tested = float(bright.sum()) - unknown
-        if self.cornered or tested < unknown + _BRIGHT:
+        bright = (valid > 0.0) & (star_light * star_light > variance)
+        freedom = float(bright.sum()) - parameters
+        if self.cornered or freedom < parameters + _MIN_BRIGHT:
             return math.nan, math.nan
-        variance, off = variance[bright], (counted - model)[bright]
-        freedom = tested / len(off)
-        spread = math.sqrt(float((2.0 + 1.0 / variance).sum()) * freedom) / tested
-        return float((off * off / variance).sum()) / tested, spread
+        variance, residual = variance[bright], (counted - model)[bright]
+        fraction = freedom / len(residual)
+        deviation = math.sqrt(float((2.0 + 1.0 / variance).sum()) * fraction) / freedom
+        return float((residual * residual / variance).sum()) / freedom, deviation
 
-    def light(self, stars: NDArray[np.intp], values: Array, before: Array) -> Array:
+    def flux_background(self, stars: NDArray[np.intp], values: Array, previous: Array) -> Array:
         """Return flux and background (r, 2, e) of stars by least squares, from their PSFs `values`.
 
-        Slopes of the background, if any, are those of the previous parameters `before`.
+        Slopes of the background, if any, are those in the parameters `previous`.
         """
         psf = values.reshape(len(stars), self.exposures, -1).astype(np.float64)
-        (counted, _, read, valid), _ = self.observed(stars, before)
+        (counted, _, read, valid), _ = self.without_slopes(stars, previous)
         flux, level = flux_background(psf, counted, read, valid)
-        return np.stack([flux, level + self._lowest(before) if self.sloped else level], axis=1)
+        return np.stack([flux, level + self._largest_drop(previous) if self.has_slopes else level], axis=1)
 
     def centroids(self) -> Array:
-        """Return tilts (n, 2, e) for the centroid of each star image, or for the crossing point of each corner."""
+        """Return the tilts (n, 2, e) that shift images to the centroids of stars, or to the crossings of corners."""
         if self.cornered:
-            return np.asarray(self._crossings[:, :2] * self.one.tilt_of_pixel)
-        tilts = centroids(self.star, self.shape) * self.one.tilt_of_pixel
+            return np.asarray(self._crossings[:, :2] * self.first_star.tilt_of_pixel)
+        tilts = centroids(self.star, self.shape) * self.first_star.tilt_of_pixel
         return tilts.reshape(self.count, self.exposures, 2).swapaxes(1, 2)
 
     def shifts(self, stars: NDArray[np.intp], values: Array) -> Array:
@@ -343,268 +353,278 @@ class FieldStars:
         counted, _, _, valid = self.star[:, stars].reshape(4, -1, *self.shape)
         level = np.median(counted, axis=(1, 2), keepdims=True)
         size = (2 * self.shape[0], 2 * self.shape[1])
-        ours = np.fft.rfft2(np.where(valid > 0.0, counted - level, 0.0), size)
-        matched = np.fft.irfft2(ours * np.conj(np.fft.rfft2(values, size)), size)
-        row, column = np.unravel_index(matched.reshape(len(matched), -1).argmax(axis=1), size)
-        signed = [(at + n // 2) % n - n // 2 for at, n in zip((row, column), size, strict=True)]
-        found = np.stack(signed, axis=1)
-        return np.asarray(found.reshape(len(stars), self.exposures, 2).swapaxes(1, 2), np.float64)
+        spectrum = np.fft.rfft2(np.where(valid > 0.0, counted - level, 0.0), size)
+        correlation = np.fft.irfft2(spectrum * np.conj(np.fft.rfft2(values, size)), size)
+        row, column = np.unravel_index(correlation.reshape(len(correlation), -1).argmax(axis=1), size)
+        signed = [(index + side // 2) % side - side // 2 for index, side in zip((row, column), size, strict=True)]
+        offsets = np.stack(signed, axis=1)
+        return np.asarray(offsets.reshape(len(stars), self.exposures, 2).swapaxes(1, 2), np.float64)
 
-    def limited(self, own: Array, before: Array) -> None:
-        """Limit tilts to the window, and flux and angles to steps from the values in `before`, in place."""
-        for j, largest in enumerate(self.one.largest_tilts):
-            np.clip(own[:, j], -largest, largest, out=own[:, j])
-        np.maximum(own[:, 2], 0.1 * before[:, 2], out=own[:, 2])
+    def limit_nuisance(self, nuisance: Array, previous: Array) -> None:
+        """Limit tilts to the window, and flux and angles to steps from the values in `previous`, in place."""
+        for j, largest in enumerate(self.first_star.largest_tilts):
+            np.clip(nuisance[:, j], -largest, largest, out=nuisance[:, j])
+        np.maximum(nuisance[:, 2], 0.1 * previous[:, 2], out=nuisance[:, 2])
         if self.cornered:
             np.clip(
-                own[:, _OWN:],
-                before[:, _OWN:] - _MAX_ANGLE_STEP,
-                before[:, _OWN:] + _MAX_ANGLE_STEP,
-                out=own[:, _OWN:],
+                nuisance[:, _FIRST_ANGLE:],
+                previous[:, _FIRST_ANGLE:] - _MAX_ANGLE_STEP,
+                previous[:, _FIRST_ANGLE:] + _MAX_ANGLE_STEP,
+                out=nuisance[:, _FIRST_ANGLE:],
             )
 
     def start_values(self, rows: NDArray[np.intp], tilts: Array) -> Array:
-        """Return initial values of the parameters of each image (r, own, e), from tilts (r, 2, e)."""
-        rest = np.ones((len(rows), self.own - 2, self.exposures))
-        rest[:, 2:] = self._crossings[rows][:, 2:] if self.cornered else 0.0
-        return np.concatenate([tilts, rest], axis=1)
+        """Return initial values of the parameters of each image (r, o, e), from tilts (r, 2, e)."""
+        others = np.ones((len(rows), self.parameters_per_image - 2, self.exposures))
+        others[:, 2:] = self._crossings[rows][:, 2:] if self.cornered else 0.0
+        return np.concatenate([tilts, others], axis=1)
 
     @cached_property
     def _crossings(self) -> Array:
         """Initial row, column and two angles of each crossing (the corner's two lines), (n, 4, e)."""
         images = self.star[0].reshape(-1, *self.shape)
-        found = np.array([start_of_crossing(image) for image in images])
-        return found.reshape(self.count, self.exposures, -1).swapaxes(1, 2)
+        crossings = np.array([start_of_crossing(image) for image in images])
+        return crossings.reshape(self.count, self.exposures, -1).swapaxes(1, 2)
 
 
-def limit_widths(squares: Array, before: Array, widest: float, *, sharp: float) -> None:
-    """Limit squared widths (r, e, b) to steps from `before`, in place; a sum over b may become 0 if below `sharp`."""
-    total = before.sum(axis=-1, keepdims=True)
-    np.clip(squares, 0.0, np.minimum(4.0 * total + 0.1, widest), out=squares)
-    least = np.where(total < sharp, 0.0, 0.25 * total)
-    now = squares.sum(axis=-1, keepdims=True)
-    short = now < least
-    grown = np.where(now > 0.0, squares * least / np.maximum(now, 1e-300), before * 0.25)
-    np.copyto(squares, grown, where=short)
+def limit_widths(squared_widths: Array, previous: Array, widest: float, *, zero_limit: float) -> None:
+    """Limit squared widths (r, e, b) to steps from `previous`, in place.
+
+    The sum over b may become 0 if its previous value is below `zero_limit`.
+    """
+    total = previous.sum(axis=-1, keepdims=True)
+    np.clip(squared_widths, 0.0, np.minimum(4.0 * total + 0.1, widest), out=squared_widths)
+    smallest = np.where(total < zero_limit, 0.0, 0.25 * total)
+    new_total = squared_widths.sum(axis=-1, keepdims=True)
+    too_small = new_total < smallest
+    enlarged = np.where(new_total > 0.0, squared_widths * smallest / np.maximum(new_total, 1e-300), previous * 0.25)
+    np.copyto(squared_widths, enlarged, where=too_small)
 
 
 class _StarModel(RowModel):
     """Images of some stars of a field, as functions of rows of parameters."""
 
     alternatives = False
-    slopes = "all"
-    sharp = 0.0  # squared width of blur, pixels^2, below which a step may set it to 0
+    derivatives = "all"
+    zero_limit = 0.0  # squared width of blur, pixels^2, below which a step may set it to 0
 
-    def __init__(self, stars: FieldStars, chosen: NDArray[np.intp], shared: int, widest: float) -> None:
-        self.of, self.chosen, self.widest = stars, chosen, widest
-        #: Number of parameters that do not belong to single images; squared widths of the blur are the last of them.
-        self.shared = shared
-        self._widths = slice(shared - stars.exposures * stars.widths, shared)
+    def __init__(self, stars: FieldStars, chosen: NDArray[np.intp], common_count: int, widest: float) -> None:
+        self.stars, self.chosen, self.widest = stars, chosen, widest
+        #: Number of parameters in a row before the nuisance parameters; the last of them are squared widths.
+        self.common_count = common_count
+        self._widths = slice(common_count - stars.exposures * stars.widths, common_count)
 
     def parts(self, x: Array) -> tuple[Array, Array, Array]:
-        """Return waves (r, k), squares (r, e, b) and a view of the parameters of images (r, own, e) of each star."""
-        own, squares = x[:, self.shared :].reshape(-1, self.of.own, self.of.exposures), self.squares(x)
-        return self.wavefronts(x), np.broadcast_to(squares, (len(own), *squares.shape[1:])), own
+        """Return waves (r, k), squared widths (r, e, b) and a view of nuisance parameters (r, o, e)."""
+        nuisance = x[:, self.common_count :].reshape(-1, self.stars.parameters_per_image, self.stars.exposures)
+        widths = self.squared_widths(x)
+        return self.wavefronts(x), np.broadcast_to(widths, (len(nuisance), *widths.shape[1:])), nuisance
 
     def wavefronts(self, x: Array) -> Array:
-        """Return the coefficients (r, k) of each star."""
+        """Return the coefficients (r, k) of the wavefront of each star."""
         return x[:, : self._widths.start]
 
-    def squares(self, x: Array) -> Array:
+    def squared_widths(self, x: Array) -> Array:
         """Return a view of the squared widths of the blur (s, e, b) of each row."""
-        return x[:, self._widths].reshape(len(x), self.of.exposures, self.of.widths)
+        return x[:, self._widths].reshape(len(x), self.stars.exposures, self.stars.widths)
 
     def images(self, x: Array, *, fast: bool = False) -> tuple[Any, Any]:
         """Return the PSFs of all stars, and their derivatives."""
-        found = self.of.images(self.chosen, *self.parts(x), fast=fast, slopes=self.slopes)
-        return found[0], found[1:]
+        arrays = self.stars.images(self.chosen, *self.parts(x), fast=fast, derivatives=self.derivatives)
+        return arrays[0], arrays[1:]
 
     def with_flux_background(self, x: Array, values: Any) -> Array:
         """Return the parameters with flux and background replaced by their least-squares values."""
-        found = x.copy()
-        own = self.parts(found)[2]
-        own[:, 2:4] = self.of.light(self.chosen, values, own)
-        return found
+        updated = x.copy()
+        nuisance = self.parts(updated)[2]
+        nuisance[:, 2:4] = self.stars.flux_background(self.chosen, values, nuisance)
+        return updated
 
     def within(self, x: Array, before: Array) -> Array:
-        """Limit parameters in place."""
-        limit_widths(self.squares(x), self.squares(before), self.widest, sharp=self.sharp)
-        self.of.limited(self.parts(x)[2], self.parts(before)[2])
+        """Limit parameters `x` to their valid range and to steps from `before`, in place."""
+        limit_widths(self.squared_widths(x), self.squared_widths(before), self.widest, zero_limit=self.zero_limit)
+        self.stars.limit_nuisance(self.parts(x)[2], self.parts(before)[2])
         return x
 
     def rms(self, steps: Array) -> Array:
         """Return the rms phase of the step of each star, radians."""
-        edge = self.wavefronts(steps) @ self.of.one.directions
-        return np.asarray(np.sqrt((edge * edge) @ self.of.one.mean_squares))
+        edge = self.wavefronts(steps) @ self.stars.first_star.directions
+        return np.asarray(np.sqrt((edge * edge) @ self.stars.first_star.mean_squares))
 
 
 class SingleStars(_StarModel):
     """Stars with individual wavefronts: each row of a search contains the parameters of one star."""
 
     def __init__(self, stars: FieldStars, rows: NDArray[np.intp], widest: float) -> None:
-        super().__init__(stars, rows, len(stars.one.directions) + stars.exposures * stars.widths, widest)
-        self.size, self.tested = stars.size, stars.tested
+        super().__init__(stars, rows, len(stars.first_star.directions) + stars.exposures * stars.widths, widest)
+        self.size, self.degrees_of_freedom = stars.size, stars.degrees_of_freedom
 
     def scores(self, x: Array, *, fast: bool = False, rows: NDArray[np.intp] | None = None) -> Scores:
-        """Return the scores of all stars, or of those in `rows`."""
-        part = self if rows is None else SingleStars(self.of, self.chosen[rows], self.widest)
+        """Return the scores of all stars, or of the stars with the indices `rows`."""
+        part = self if rows is None else SingleStars(self.stars, self.chosen[rows], self.widest)
         return part.scores_of(x, *part.images(x, fast=fast))
 
-    def scores_of(self, x: Array, values: Any, slopes: Any) -> Scores:
+    def scores_of(self, x: Array, values: Any, derivatives: Any) -> Scores:
         """Return the scores of all stars, from their PSFs and derivatives."""
-        numbers, found, square = self.of.likelihood(self.chosen, [values, *slopes], self.parts(x)[2])
-        deviance, total, spread = numbers
-        quality = self.of.relative(self.chosen, square, total, spread, float(self.size))
-        return Scores(deviance, found[:, :, -1], found[:, :, :-1], *quality)
+        sums, matrices, pearson_sum = self.stars.likelihood(self.chosen, [values, *derivatives], self.parts(x)[2])
+        deviance, expectation, variance = sums
+        quality = self.stars.quality_from_sums(self.chosen, pearson_sum, expectation, variance, float(self.size))
+        return Scores(deviance, matrices[:, :, -1], matrices[:, :, :-1], *quality)
 
-    def row(self, waves: Array, squares: Array, own: Array) -> Array:
-        """Return the parameters (r, p) from waves (r, k), squares (e, b) common to all stars, and own (r, own, e)."""
-        every = waves, np.broadcast_to(squares, (len(waves), *squares.shape)), own
-        return np.concatenate([part.reshape(len(waves), -1) for part in every], axis=1)
+    def row(self, waves: Array, squared_widths: Array, nuisance: Array) -> Array:
+        """Return the parameters (r, p) from waves (r, k), common squared widths (e, b) and nuisance (r, o, e)."""
+        arrays = waves, np.broadcast_to(squared_widths, (len(waves), *squared_widths.shape)), nuisance
+        return np.concatenate([array.reshape(len(waves), -1) for array in arrays], axis=1)
 
 
 @dataclass(frozen=True, eq=False)
 class Blocks:
     """Information matrix of a field in blocks.
 
-    `shared` (s, s) is the block of shared parameters, `own` (n, o, o) that of the own parameters of each star, and
-    `mixed` (n, c, o) that of the c waves and squares of a star with its own parameters. `basis` (n, m) are the
-    polynomials at each star, `waves` is the number k, and `squares` (e * b,) are the present squared widths.
+    `common` (s, s) is the block of the parameters common to all stars: k m coefficients of polynomials and e b
+    squared widths. `nuisance` (n, o, o) is the block of the nuisance parameters of each star, and `mixed` (n, c, o)
+    that of its c waves and squared widths with its nuisance parameters. `basis` (n, m) are the values of the m
+    polynomials at each star, `wave_count` is the number k, and `squared_widths` (e b,) are the present values.
     """
 
-    shared: Array
-    own: Array
+    common: Array
+    nuisance: Array
     mixed: Array
     basis: Array
-    waves: int
-    squares: Array
+    wave_count: int
+    squared_widths: Array
 
     @classmethod
-    def of_stars(cls, local: Array, basis: Array, waves: int, shared: int, squares: Array) -> Blocks:
-        """Return blocks from the information (n, p, p) of single stars, with the shared parameters first."""
-        blocks = cls(np.empty((0, 0)), local[:, shared:, shared:], local[:, :shared, shared:], basis, waves, squares)
-        return replace(blocks, shared=blocks.outward(local[:, :shared, :shared]))
+    def of_stars(cls, local: Array, basis: Array, wave_count: int, c: int, squared_widths: Array) -> Blocks:
+        """Return blocks from the information (n, p, p) of single stars; c is the number of waves and squared widths.
 
-    def outward(self, local: Array) -> Array:
-        """Convert matrices (n, c, c) of waves and squares to shared parameters, and sum over stars: (s, s)."""
-        k, m = self.waves, self.basis.shape[1]
-        e = local.shape[1] - k
-        found = np.empty((k * m + e, k * m + e))
+        The last p - c parameters are the nuisance parameters.
+        """
+        blocks = cls(np.empty((0, 0)), local[:, c:, c:], local[:, :c, c:], basis, wave_count, squared_widths)
+        return replace(blocks, common=blocks.summed_matrix(local[:, :c, :c]))
+
+    def summed_matrix(self, local: Array) -> Array:
+        """Convert matrices (n, c, c) from waves and widths to common parameters, and sum over stars: (s, s)."""
+        k, m = self.wave_count, self.basis.shape[1]
+        widths = local.shape[1] - k
+        matrix = np.empty((k * m + widths, k * m + widths))
         pairs = (self.basis[:, :, None] * self.basis[:, None, :]).reshape(len(local), -1)
-        square = (pairs.T @ local[:, :k, :k].reshape(len(local), -1)).reshape(m, m, k, k)
-        found[: k * m, : k * m] = square.transpose(2, 0, 3, 1).reshape(k * m, k * m)
-        cross = np.einsum("nm,nke->kme", self.basis, local[:, :k, k:]).reshape(k * m, e)
-        found[: k * m, k * m :], found[k * m :, : k * m] = cross, cross.T
-        found[k * m :, k * m :] = local[:, k:, k:].sum(axis=0)
-        return found
+        wave_part = (pairs.T @ local[:, :k, :k].reshape(len(local), -1)).reshape(m, m, k, k)
+        matrix[: k * m, : k * m] = wave_part.transpose(2, 0, 3, 1).reshape(k * m, k * m)
+        mixed_part = np.einsum("nm,nke->kme", self.basis, local[:, :k, k:]).reshape(k * m, widths)
+        matrix[: k * m, k * m :], matrix[k * m :, : k * m] = mixed_part, mixed_part.T
+        matrix[k * m :, k * m :] = local[:, k:, k:].sum(axis=0)
+        return matrix
 
-    def gathered(self, local: Array) -> Array:
-        """Convert derivatives (n, c) by waves and squares to shared parameters, and sum over stars: (s,)."""
-        k = self.waves
+    def summed_gradient(self, local: Array) -> Array:
+        """Convert gradients (n, c) from waves and widths to common parameters, and sum over stars: (s,)."""
+        k = self.wave_count
         return np.concatenate([(local[:, :k].T @ self.basis).ravel(), local[:, k:].sum(axis=0)])
 
-    def spread(self, shared: Array) -> Array:
-        """Convert shared parameters (s,) to waves and squares of each star (n, c)."""
-        k, m = self.waves, self.basis.shape[1]
-        waves = self.basis @ shared[: k * m].reshape(k, m).T
-        rest = np.broadcast_to(shared[k * m :], (len(waves), len(shared) - k * m))
-        return np.concatenate([waves, rest], axis=1)
+    def star_steps(self, common_step: Array) -> Array:
+        """Return the steps of waves and squared widths of each star (n, c) for a step of common parameters (s,)."""
+        k, m = self.wave_count, self.basis.shape[1]
+        wave_steps = self.basis @ common_step[: k * m].reshape(k, m).T
+        width_steps = np.broadcast_to(common_step[k * m :], (len(wave_steps), len(common_step) - k * m))
+        return np.concatenate([wave_steps, width_steps], axis=1)
 
-    def damped(self, damping: float) -> tuple[Array, Array]:
-        """Return the damped shared matrix with own parameters eliminated, and inverses of damped own blocks."""
-        own, shared = self.own.copy(), self.shared.copy()
-        for matrix in (own, shared):
+    def eliminate_nuisance(self, damping: float) -> tuple[Array, Array]:
+        """Return the damped matrix (s, s) without nuisance parameters, and the inverses of their damped blocks."""
+        damped_nuisance, damped_common = self.nuisance.copy(), self.common.copy()
+        for matrix in (damped_nuisance, damped_common):
             diagonal = np.einsum("...ii->...i", matrix)
             diagonal += np.where(diagonal > 0.0, damping * diagonal, 1.0)
-        inverse = np.linalg.inv(own)
-        return shared - self.outward(self.mixed @ inverse @ self.mixed.swapaxes(-1, -2)), np.asarray(inverse)
+        inverse = np.linalg.inv(damped_nuisance)
+        eliminated = self.summed_matrix(self.mixed @ inverse @ self.mixed.swapaxes(-1, -2))
+        return damped_common - eliminated, np.asarray(inverse)
 
-    def eliminated(self, slope: Array, first: Array) -> Array:
-        """Return the derivative (s,) with own parameters eliminated; `first` is the step of own parameters alone."""
-        return np.asarray(slope - self.gathered((self.mixed @ first[:, :, None])[:, :, 0]))
+    def reduced_gradient(self, gradient: Array, nuisance_steps: Array) -> Array:
+        """Return the gradient (s,) with nuisance parameters eliminated, given their steps for fixed common ones."""
+        return np.asarray(gradient - self.summed_gradient((self.mixed @ nuisance_steps[:, :, None])[:, :, 0]))
 
 
 class WholeField(_StarModel):
-    """Stars of a field whose wavefronts are polynomials of their positions; all parameters are one row of a search.
+    """Stars of a field whose wavefronts are polynomials of their positions; the search has one row of parameters.
 
     `basis` (n, m) are the values of the polynomials at each star. If `held`, polynomials and blur are fixed.
     """
 
-    sharp = _SHARP
+    zero_limit = _ZERO_LIMIT
 
     def __init__(self, stars: FieldStars, chosen: NDArray[np.intp], basis: Array, *, held: bool = False) -> None:
-        self.basis, self.held, self.waves = basis, held, len(stars.one.directions)
-        super().__init__(stars, chosen, self.waves * basis.shape[1] + stars.exposures * stars.widths, math.inf)
-        self.slopes = "own" if held else "all"
-        self.size = self.shared + len(chosen) * stars.own * stars.exposures
-        unknown = self.size - (self.shared if held else 0)
+        self.basis, self.held, self.wave_count = basis, held, len(stars.first_star.directions)
+        super().__init__(stars, chosen, self.wave_count * basis.shape[1] + stars.exposures * stars.widths, math.inf)
+        self.derivatives = "image" if held else "all"
+        self.size = self.common_count + len(chosen) * stars.parameters_per_image * stars.exposures
+        fitted_count = self.size - (self.common_count if held else 0)
         self.pixels = int(stars.star[3][chosen].sum())
-        self.tested = max(self.pixels - unknown, 1)
-        self._each = unknown / len(chosen)
+        self.degrees_of_freedom = max(self.pixels - fitted_count, 1)
+        self._fitted_per_star = fitted_count / len(chosen)
 
     def polynomials(self, x: Array) -> Array:
-        """Return a view of the coefficients (k, m)."""
-        return x[0, : self._widths.start].reshape(self.waves, self.basis.shape[1])
+        """Return a view of the coefficients of the polynomials (k, m)."""
+        return x[0, : self._widths.start].reshape(self.wave_count, self.basis.shape[1])
 
     def wavefronts(self, x: Array) -> Array:
-        """Return the coefficients (r, k) of each star."""
+        """Return the coefficients (r, k) of the wavefront of each star."""
         return np.asarray(self.basis @ self.polynomials(x).T)
 
-    def row(self, polynomials: Array, squares: Array, own: Array) -> Array:
-        """Return the parameters (1, p) from polynomials (k, m), squares (e, b) and own (r, own, e)."""
-        return np.concatenate([polynomials.ravel(), squares.ravel(), own.ravel()])[None]
+    def row(self, polynomials: Array, squared_widths: Array, nuisance: Array) -> Array:
+        """Return the parameters (1, p) from polynomials (k, m), squared widths (e, b) and nuisance (r, o, e)."""
+        return np.concatenate([polynomials.ravel(), squared_widths.ravel(), nuisance.ravel()])[None]
 
-    def each(self, x: Array, *, fast: bool = False) -> Quality:
-        """Return the quality of each star."""
-        values = self.of.images(self.chosen, *self.parts(x), fast=fast, slopes="none")[0]
-        return self.of.quality(self.chosen, values, self.parts(x)[2], self._each)
+    def star_quality(self, x: Array, *, fast: bool = False) -> Quality:
+        """Return chi2 of each star."""
+        values = self.stars.images(self.chosen, *self.parts(x), fast=fast, derivatives="none")[0]
+        return self.stars.quality(self.chosen, values, self.parts(x)[2], self._fitted_per_star)
 
-    def scores_of(self, x: Array, values: Any, slopes: Any) -> Scores:
+    def scores_of(self, x: Array, values: Any, derivatives: Any) -> Scores:
         """Return the scores of the whole field, from PSFs of all stars and their derivatives."""
-        (deviance, total, spread), found, square = self.of.likelihood(
-            self.chosen, [values, *slopes], self.parts(x)[2]
+        (deviance, expectation, variance), matrices, pearson_sum = self.stars.likelihood(
+            self.chosen, [values, *derivatives], self.parts(x)[2]
         )
-        c = self.waves + self.of.exposures * self.of.widths
-        info, slope = found[:, :, :-1], found[:, :, -1]
-        squares = self.squares(x).flatten()
-        blocks = Blocks.of_stars(info, self.basis, self.waves, c, squares)
-        whole = np.concatenate([blocks.gathered(slope[:, :c]), slope[:, c:].ravel()])
+        c = self.wave_count + self.stars.exposures * self.stars.widths
+        information, gradients = matrices[:, :, :-1], matrices[:, :, -1]
+        squared_widths = self.squared_widths(x).flatten()
+        blocks = Blocks.of_stars(information, self.basis, self.wave_count, c, squared_widths)
+        gradient = np.concatenate([blocks.summed_gradient(gradients[:, :c]), gradients[:, c:].ravel()])
         boxed = np.empty(1, dtype=object)
         boxed[0] = blocks
-        quality = reduced_chi2(square.sum(), total.sum(), spread.sum(), self.tested / self.pixels)
-        return Scores(np.array([deviance.sum()]), whole[None], boxed, *(np.array([each]) for each in quality))
+        fraction = self.degrees_of_freedom / self.pixels
+        quality = reduced_chi2(pearson_sum.sum(), expectation.sum(), variance.sum(), fraction)
+        return Scores(np.array([deviance.sum()]), gradient[None], boxed, *(np.array([value]) for value in quality))
 
     def steps(self, scores: Scores, damping: Array) -> tuple[Array, Array]:
-        """Return a damped step (1, p), with own parameters eliminated, and its product with the derivative of lnL."""
+        """Return a damped step (1, p), and its product with the gradient of lnL."""
         blocks: Blocks = scores.information[0]
-        slope = scores.slope[0]
-        own = slope[self.shared :].reshape(len(self.chosen), -1)
-        matrix, inverse = blocks.damped(float(damping[0]))
-        first = (inverse @ own[:, :, None])[:, :, 0]
+        gradient = scores.slope[0]
+        nuisance_gradients = gradient[self.common_count :].reshape(len(self.chosen), -1)
+        matrix, inverse = blocks.eliminate_nuisance(float(damping[0]))
+        nuisance_steps = (inverse @ nuisance_gradients[:, :, None])[:, :, 0]
         if self.held:
-            shared = np.zeros(self.shared)
+            common_step = np.zeros(self.common_count)
         else:
-            right = blocks.eliminated(slope[: self.shared], first)
+            reduced = blocks.reduced_gradient(gradient[: self.common_count], nuisance_steps)
             scale = 1.0 / np.sqrt(np.diag(matrix))
-            matrix, right = matrix * np.outer(scale, scale), scale * right
-            shared = scale * np.linalg.solve(matrix, right)
-            at = np.arange(self.shared - len(blocks.squares), self.shared)
-            sharp = shared[at] < -blocks.squares
-            if sharp.any():  # a squared width would become negative: it is set to 0
-                bound = np.zeros(self.shared, dtype=bool)
-                bound[at[sharp]] = True
-                ended = (-blocks.squares / scale[at])[sharp]
-                right = right[~bound] - matrix[np.ix_(~bound, bound)] @ ended
-                shared[bound] = -blocks.squares[sharp]
-                shared[~bound] = scale[~bound] * np.linalg.solve(matrix[np.ix_(~bound, ~bound)], right)
-        back = (blocks.mixed.swapaxes(-1, -2) @ blocks.spread(shared)[:, :, None])[:, :, 0]
-        step = np.concatenate([shared, (first - (inverse @ back[:, :, None])[:, :, 0]).ravel()])
-        return step[None], np.array([step @ slope])
+            matrix, reduced = matrix * np.outer(scale, scale), scale * reduced
+            common_step = scale * np.linalg.solve(matrix, reduced)
+            width_indices = np.arange(self.common_count - len(blocks.squared_widths), self.common_count)
+            negative = common_step[width_indices] < -blocks.squared_widths
+            if negative.any():  # a squared width would become negative: it is set to 0
+                fixed = np.zeros(self.common_count, dtype=bool)
+                fixed[width_indices[negative]] = True
+                scaled_ends = (-blocks.squared_widths / scale[width_indices])[negative]
+                reduced = reduced[~fixed] - matrix[np.ix_(~fixed, fixed)] @ scaled_ends
+                common_step[fixed] = -blocks.squared_widths[negative]
+                common_step[~fixed] = scale[~fixed] * np.linalg.solve(matrix[np.ix_(~fixed, ~fixed)], reduced)
+        coupling = (blocks.mixed.swapaxes(-1, -2) @ blocks.star_steps(common_step)[:, :, None])[:, :, 0]
+        step = np.concatenate([common_step, (nuisance_steps - (inverse @ coupling[:, :, None])[:, :, 0]).ravel()])
+        return step[None], np.array([step @ gradient])
 
     def rms(self, steps: Array) -> Array:
         """Return the largest rms phase among the steps of all stars, radians."""
         return np.asarray(super().rms(steps).max(initial=0.0, keepdims=True))
 
     def covariance(self, scores: Scores) -> Array:
-        """Return the covariance (s, s) of shared parameters, with the parameters of star images as nuisance ones."""
-        return covariance(scores.information[0].damped(0.0)[0])
+        """Return the covariance (s, s) of the common parameters, with nuisance parameters eliminated."""
+        return covariance(scores.information[0].eliminate_nuisance(0.0)[0])

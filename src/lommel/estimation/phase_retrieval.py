@@ -352,7 +352,7 @@ def retrieve(
         )  # fmt: skip
         return _build_blurred_retrieval(field_fit, counts, noise, plan, pixel, start, known)
     model = StarImages(electrons, read, valid, start, known, unknowns, plan, pixel)
-    if model.tested < 1:
+    if model.degrees_of_freedom < 1:
         raise ValueError(
             f"images must have more pixels than there are unknowns, {model.size}, got {int(valid.sum())} valid pixels"
         )
@@ -394,14 +394,20 @@ def _search(
         if best is None or scores.chi2[k] < best.chi2[0]:
             best, lowest, fits = Scores(*(part[[k]] for part in scores)), model.nearest(x[[k]]), bool(settled[k])
         tries, taken = tries + at_once, taken + steps_taken
-        if settled[k] and scores.chi2[k] < goodness_of_fit.most(scores.spread[k], goodness_of_fit.SURE):
+        if settled[k] and scores.chi2[k] < goodness_of_fit.largest_plausible_chi2(
+            scores.spread[k], goodness_of_fit.SURE
+        ):
             break
         # Noise alone may cause a chi2 above the limit: the fit is accepted if starts agree within standard errors.
         ends = np.concatenate([ends, model.nearest(x[settled])])
         away = ends - lowest
         # Starts agree if their distance, in the metric of the information matrix, is less than one standard error.
         agreeing = np.einsum("si,ij,sj->s", away, best.information[0], away) < 1.0
-        if fits and best.chi2[0] < goodness_of_fit.most(best.spread[0]) and agreeing.sum() >= _AGREEING:
+        if (
+            fits
+            and best.chi2[0] < goodness_of_fit.largest_plausible_chi2(best.spread[0])
+            and agreeing.sum() >= _AGREEING
+        ):
             break
     lowest, best, settled, more = search_rows(model, lowest, steps if fits else 0, lambda *_: None, fast=False)
     return lowest, best, fits and bool(settled[0]), (taken + more, tries)

@@ -260,7 +260,7 @@ class StarImages(RowModel):
         self._chain[:, -1, -1] = 1.0
         for j, row in enumerate([*range(terms, self._phases), -3, -2]):
             self._chain[np.arange(count), self.shared + j * count + np.arange(count), row] = 1.0
-        self.tested = int(valid.sum()) - self.size
+        self.degrees_of_freedom = int(valid.sum()) - self.size
         self.even = np.array([n % 2 == 0 for n, _ in self.terms])
         # The mean square of a term with amplitude 1 at the edge is 1 / (n + 1) if m = 0, otherwise half of this.
         self.mean_squares = np.array([1.0 / ((n + 1) * (1 if m == 0 else 2)) for n, m in self.terms])
@@ -374,7 +374,9 @@ class StarImages(RowModel):
         numbers, found = self.products(x, values, slopes)
         deviance, total, spread = numbers
         # Each fitted parameter reduces the expectation of Pearson's sum by the contribution of an average pixel.
-        quality = reduced_chi2(found[:, -1, -1], total, spread, self.tested / (self.tested + self.size))
+        quality = reduced_chi2(
+            found[:, -1, -1], total, spread, self.degrees_of_freedom / (self.degrees_of_freedom + self.size)
+        )
         return Scores(deviance, found[:, :-1, -1], found[:, :-1, :-1], *quality)
 
     def products(

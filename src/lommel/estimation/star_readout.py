@@ -27,15 +27,15 @@ from lommel.blur.mixtures import Shape
 from lommel.special.legendre import gauss_legendre
 
 _TAPER = 1.0 / 0.45 - 1.0  # (frequency at which T reaches 0) / F: without blur h is 0.45 lambda*N
-_FAINT = 1e-6  # largest transfer function of pixels and blur above F
+_NEGLIGIBLE = 1e-6  # largest transfer function of pixels and blur above F
 _BANDS = np.linspace(0.02, 1.0, 50)  # candidates for F
 ROOM = 0.5  # increase of the blur width, pixels, up to which the sample lattice is kept
 _MARGIN = 3.0  # lambda*N by which the samples extend beyond the outer pixels
-_WIDTHS = 3.7  # standard deviations of the blur by which the samples extend farther
+_BLUR_MARGIN = 3.7  # standard deviations of the blur by which the samples extend farther
 _SINGLE_THREAD = 2**18  # multiplications up to which BLAS uses a single thread
 _BATCH = 6  # number of images computed together, so that their samples stay in the cache
 # Additional variances of wings and halo, divided by the geometric mean variance of the blur.
-_WIDER = (3.0, 15.0)
+_WIDER_VARIANCES = (3.0, 15.0)
 _MIN_VARIANCE = 0.05  # pixels^2: added to the variances of the blur before that mean
 OTHER_BLURS = ("Gaussian", "along rows", "oblique", "wings", "halo")
 """Blurs in addition to that of the model, with respect to which derivatives of images are available."""
@@ -55,27 +55,27 @@ class StarReadout:
         window: tuple[int, int],
         pixel: float,
         widest: float,
-        shape: Shape,
+        blur: Shape,
         *,
         integrate: bool,
         narrowest: Array | None = None,
     ) -> None:
-        self.blur = shape
+        self.blur = blur
         self.pixel, self.widest = pixel, widest
-        self.narrowest = np.zeros(len(shape.weights)) if narrowest is None else narrowest
+        self.narrowest = np.zeros(len(blur.weights)) if narrowest is None else narrowest
         band = self._band(integrate)
         edge = _TAPER * band
         self.step = 1.0 / (1.0 + edge)
         # Light farther than half a window outside the window is neglected.
-        blurred = [min(_WIDTHS * widest, 0.5 * side) for side in window]
+        blur_margins = [min(_BLUR_MARGIN * widest, 0.5 * side) for side in window]
         halves = [
-            math.ceil((_MARGIN + pixel * (side // 2 + 0.5 * integrate + more)) / self.step)
-            for side, more in zip(window, blurred, strict=True)
+            math.ceil((_MARGIN + pixel * (side // 2 + 0.5 * integrate + blur_margin)) / self.step)
+            for side, blur_margin in zip(window, blur_margins, strict=True)
         ]
         self.shape = (2 * halves[0] + 1, 2 * halves[1] + 1)
         length = self.step * max(halves)
-        # A Gauss rule resolves cos(w t), abs(t) <= 1, with w / 2 nodes and a few more: w of the fastest cosine, and
-        # 30.
+        # A Gauss rule integrates cos(w t), abs(t) <= 1, up to rounding with w / 2 + 30 nodes; here w is that of the
+        # fastest cosine.
         nodes, weights = gauss_legendre(math.ceil(0.5 * math.pi * edge * (2.0 * length)) + 30)
         self._f: Array = edge * nodes
         middle = 0.5 * (band + edge)
@@ -98,88 +98,90 @@ class StarReadout:
         return in_range and bool((variances >= self.narrowest).all())
 
     def _band(self, integrate: bool) -> float:
-        """Return F, cycles per lambda*N, above which pixels and the narrowest blur transmit nothing."""
+        """Return F, cycles per lambda*N, above which pixels and the narrowest blur suppress the image."""
         rate = 2.0 * (math.pi * self.pixel * _BANDS) ** 2
         transfer = np.exp(-np.multiply.outer(rate, self.narrowest)) @ self.blur.weights
         if integrate:
             transfer /= np.maximum(math.pi * self.pixel * _BANDS, 1.0)  # the envelope of the sinc
-        faint = transfer < _FAINT
-        return float(_BANDS[faint.argmax()]) if faint.any() else 1.0
+        negligible = transfer < _NEGLIGIBLE
+        return float(_BANDS[negligible.argmax()]) if negligible.any() else 1.0
 
-    def _waves(self, pitch: float, last: int) -> tuple[Array, Array]:
-        angle = np.multiply.outer(pitch * np.arange(last + 1.0), 2.0 * math.pi * self._f)
+    def _waves(self, pitch: float, last_index: int) -> tuple[Array, Array]:
+        angle = np.multiply.outer(pitch * np.arange(last_index + 1.0), 2.0 * math.pi * self._f)
         return np.cos(angle), np.sin(angle)
 
-    def _matrices(self, variances: Array, *, slopes: bool) -> Iterator[list[list[Values]]]:
+    def _matrices(self, variances: Array, *, derivatives: bool) -> Iterator[list[list[Values]]]:
         """Yield matrices [rows, columns][even, odd part] (r, pixels, samples) for variances (r,).
 
-        If `slopes`, also yield their derivatives by the variance. The kernel k is even: the even and odd parts of an
-        image are computed from samples and pixels on one side of the axis.
+        If `derivatives`, also yield the derivatives of the matrices by the variance. The kernel k is even: the even
+        and odd parts of an image are computed from samples and pixels on one side of the axis.
         """
         # The derivative of exp(rate s) by the variance s (pixels^2) is rate exp(rate s).
         rate = -2.0 * (math.pi * self.pixel * self._f) ** 2
         blurred = self._weights * np.exp(np.multiply.outer(variances, rate))
-        for weights in (blurred, blurred * rate) if slopes else (blurred,):
+        for weights in (blurred, blurred * rate) if derivatives else (blurred,):
             yield [
                 [products(pixels * weights[:, None], samples).astype(np.float32) for pixels, samples in side]
                 for side in self._sides
             ]
 
-    def read(self, samples: Sequence[Values], squares: Array, *, slopes: bool) -> list[Values]:
+    def read(self, samples: Sequence[Values], squared_widths: Array, *, derivatives: bool) -> list[Values]:
         """Return images (r * e, height, width) from samples of PSFs and of their derivatives.
 
-        `squares` (r, e, b) are squared blur widths. If `slopes`, the derivatives of the first images by these follow.
+        `squared_widths` (r, e, b) are those of the blur. If `derivatives`, the derivatives of the first image by the
+        squared widths follow.
         """
-        equal_stars = bool((squares == squares[:1]).all())
-        variances = self.blur.variances(squares[:1] if equal_stars else squares).reshape(-1, len(self.blur.weights))
+        equal_stars = bool((squared_widths == squared_widths[:1]).all())
+        variances = self.blur.variances(squared_widths[:1] if equal_stars else squared_widths)
+        variances = variances.reshape(-1, len(self.blur.weights))
         period, count = len(variances), len(samples[0])  # the blurs repeat after `period` images
-        derivatives = self.blur.unknown if slopes else 0
-        matrices = [list(self._matrices(variance, slopes=derivatives > 0)) for variance in variances.T]
-        images = np.empty((len(samples) + derivatives, count, *self._window), np.float32)
+        width_count = self.blur.unknown if derivatives else 0
+        matrices = [list(self._matrices(variance, derivatives=width_count > 0)) for variance in variances.T]
+        images = np.empty((len(samples) + width_count, count, *self._window), np.float32)
         step = _BATCH if period == count else period * max(1, _BATCH // period)
-        for at in (slice(first, first + step) for first in range(0, count, step)):
-            own = at if period == count else slice(None)
+        for rows in (slice(start, start + step) for start in range(0, count, step)):
+            blurs = rows if period == count else slice(None)
             batch = [
-                [[[part[own] for part in side] for side in sides] for sides in gaussian] for gaussian in matrices
+                [[[part[blurs] for part in side] for side in sides] for sides in gaussian] for gaussian in matrices
             ]
-            batch_samples = np.stack([values[at] for values in samples]).astype(np.float32, copy=False)
-            images[:, at] = self._read(batch_samples, batch, derivatives)
+            batch_samples = np.stack([values[rows] for values in samples]).astype(np.float32, copy=False)
+            images[:, rows] = self._read(batch_samples, batch, width_count)
         return list(images)
 
-    def _read(self, samples: Values, matrices: list[list[list[list[Values]]]], derivatives: int) -> Values:
-        """Return images from samples (n, r, h, w), and then `derivatives` of the first image by squared blur widths.
+    def _read(self, samples: Values, matrices: list[list[list[list[Values]]]], derivative_count: int) -> Values:
+        """Return images from samples (n, r, h, w), and then derivatives of the first image by squared blur widths.
 
-        `matrices` has the matrices of each Gaussian of the mixture.
+        `derivative_count` is their number; `matrices` has the matrices of each Gaussian of the mixture.
         """
-        parts = _folded(samples.reshape(len(samples), -1, len(matrices[0][0][0][0]), *self.shape))
-        size = len(samples) + derivatives, *parts[0][0].shape[1:3], *(side // 2 + 1 for side in self._window)
+        parts = _even_odd_parts(samples.reshape(len(samples), -1, len(matrices[0][0][0][0]), *self.shape))
+        size = len(samples) + derivative_count, *parts[0][0].shape[1:3], *(side // 2 + 1 for side in self._window)
         images = [[np.zeros(size, np.float32) for _ in range(2)] for _ in range(2)]
         mixture = zip(self.blur.weights, self.blur.rates, matrices, strict=True)
-        for weight, rates, ((down, across), *changes) in mixture:
+        for weight, rates, ((by_row, by_column), *derivative_matrices) in mixture:
             for y, x in product(range(2), range(2)):
-                part, out = parts[y][x], images[y][x]
-                half = np.float32(weight) * products(part, across[x])
-                out[: len(samples)] += _down(half, down[y])
-                for by_rows, by_columns in changes:
-                    slope = _down(half[0], by_rows[y])
-                    slope += np.float32(weight) * _down(products(part[0], by_columns[x]), down[y])
-                    out[len(samples) :] += rates.astype(np.float32)[:, None, None, None, None] * slope
+                part, image = parts[y][x], images[y][x]
+                row_images = np.float32(weight) * products(part, by_column[x])
+                image[: len(samples)] += _column_products(row_images, by_row[y])
+                for by_rows, by_columns in derivative_matrices:
+                    derivative = _column_products(row_images[0], by_rows[y])
+                    derivative += np.float32(weight) * _column_products(products(part[0], by_columns[x]), by_row[y])
+                    image[len(samples) :] += rates.astype(np.float32)[:, None, None, None, None] * derivative
         return unfolded(images, self._window).reshape(len(images[0][0]), -1, *self._window)
 
-    def other_blurs(self, samples: Values, squares: Array) -> dict[str, Values]:
+    def other_blurs(self, samples: Values, squared_widths: Array) -> dict[str, Values]:
         """Return derivatives (r * e, height, width) of images by the parameters of OTHER_BLURS.
 
         "Gaussian": additional variance (pixels^2). "along rows" and "oblique": half the difference between the
         variances along rows and columns, and the covariance (pixels^2). "wings" and "halo": fraction of light in a
-        wider blur. `squares` (e, b) are the squared blur widths of the images of each exposure.
+        wider blur. `squared_widths` (e, b) are those of the blur of each exposure.
         """
-        sides = [
+        phases = [
             [2.0 * math.pi * pitch * np.multiply.outer(np.arange(n) - n // 2, self._f) for pitch, n in side]
             for side in zip(
                 ((self.pixel, n) for n in self._window), ((self.step, n) for n in self.shape), strict=True
             )
         ]
-        exposures, rate = len(squares), -2.0 * (math.pi * self.pixel * self._f) ** 2
+        exposures, rate = len(squared_widths), -2.0 * (math.pi * self.pixel * self._f) ** 2
 
         def kernels(weights: Array, *, odd: bool = False) -> list[Array]:
             """Return the kernel k of rows and columns (c, pixels, samples); if `odd`, the integral with sines."""
@@ -190,40 +192,40 @@ class StarReadout:
                     + sign * products(np.sin(x) * weights[:, None], second(y)),
                     np.float32,
                 )
-                for x, y in sides
+                for x, y in phases
             ]
 
         derivatives = {name: np.empty((len(samples), *self._window), np.float32) for name in OTHER_BLURS}
-        for k, variances in enumerate(self.blur.variances(squares)):
-            middle = math.exp(float(self.blur.weights @ np.log(variances + _MIN_VARIANCE)))
+        for k, variances in enumerate(self.blur.variances(squared_widths)):
+            mean_variance = math.exp(float(self.blur.weights @ np.log(variances + _MIN_VARIANCE)))
             blurred = self._weights * np.exp(np.multiply.outer(variances, rate))
-            kernel, slope = kernels(blurred), kernels(blurred * rate)
+            kernel, derivative = kernels(blurred), kernels(blurred * rate)
             # The derivative by the covariance is a product of first derivatives, which are odd.
-            odd = kernels(2.0 * math.pi * self.pixel * self._f * blurred, odd=True)
+            odd_kernels = kernels(2.0 * math.pi * self.pixel * self._f * blurred, odd=True)
             image, along, across, oblique = (
-                self._mixed(samples[k::exposures], rows, columns)
-                for rows, columns in (kernel, (slope[0], kernel[1]), (kernel[0], slope[1]), odd)
+                self._mixture_images(samples[k::exposures], rows, columns)
+                for rows, columns in (kernel, (derivative[0], kernel[1]), (kernel[0], derivative[1]), odd_kernels)
             )
-            changes = [along + across, along - across, oblique]
-            for times in _WIDER:
-                wide = self._weights * np.exp(np.multiply.outer(variances + times * middle, rate))
-                changes.append(self._mixed(samples[k::exposures], *kernels(wide)) - image)
-            for out, change in zip(derivatives.values(), changes, strict=True):
-                out[k::exposures] = change
+            blur_derivatives = [along + across, along - across, oblique]
+            for factor in _WIDER_VARIANCES:
+                wide_weights = self._weights * np.exp(np.multiply.outer(variances + factor * mean_variance, rate))
+                blur_derivatives.append(self._mixture_images(samples[k::exposures], *kernels(wide_weights)) - image)
+            for images, values in zip(derivatives.values(), blur_derivatives, strict=True):
+                images[k::exposures] = values
         return derivatives
 
-    def _mixed(self, samples: Values, rows: Array, columns: Array) -> Values:
+    def _mixture_images(self, samples: Values, rows: Array, columns: Array) -> Values:
         """Return images blurred by the mixture of Gaussians; `rows` and `columns` have a matrix for each Gaussian."""
         mixture = zip(self.blur.weights, rows, columns, strict=True)
-        parts = [np.float32(weight) * _down(products(samples, across), down) for weight, down, across in mixture]
+        parts = (np.float32(w) * _column_products(products(samples, column), row) for w, row, column in mixture)
         return np.asarray(sum(parts))
 
 
-def _folded(images: Values) -> list[list[Values]]:
+def _even_odd_parts(images: Values) -> list[list[Values]]:
     """Return even and odd parts of images, [parity along y][parity along x], for positions >= 0."""
     parts = [images]
     for _ in range(2):
-        parts = [part for each in parts for part in _halves(each.swapaxes(-1, -2))]
+        parts = [part for part_of_image in parts for part in _halves(part_of_image.swapaxes(-1, -2))]
     return [parts[:2], parts[2:]]
 
 
@@ -258,6 +260,6 @@ def products(images: Values, matrix: Array) -> Values:
     return np.concatenate([images[..., k : k + block, :] @ transposed for k in range(0, rows, block)], axis=-2)
 
 
-def _down(images: Values, matrix: Array) -> Values:
+def _column_products(images: Values, matrix: Array) -> Values:
     """Return products (..., m, width) of the columns of images (..., n, width) with a matrix (m, n) or matrices."""
     return products(images.swapaxes(-1, -2), matrix).swapaxes(-1, -2)

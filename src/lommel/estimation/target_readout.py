@@ -1,12 +1,11 @@
 r"""Images of pinholes and of checkerboard corners ("crossings") from sampled PSFs, and their derivatives.
 
 An image is the object convolved with the PSF, the pixel area and a blur, which is a mixture of Gaussians. The
-spectrum of a PSF's intensity ends at the frequency 1 / (lambda*N). If samples are less than 1/2 lambda*N apart, sums
-over samples are therefore equal to the convolution integrals, and only frequencies of the object up to 1 / (lambda*N)
-are needed.
+spectrum of a PSF's intensity is 0 above the frequency 1 / (lambda*N). Therefore only frequencies of the object up to
+1 / (lambda*N) are needed, and sums over samples less than 1/2 lambda*N apart equal the convolution integrals.
 
-A pinhole is a uniform disc, whose spectrum is known in closed form. A crossing, -1/2 in black and 1/2 in white
-squares, is sampled after convolution with a narrow Gaussian; its spectrum is later divided by that of the Gaussian.
+The spectrum of a pinhole, a uniform disc, is known in closed form. A crossing has the value -1/2 in black squares and
+1/2 in white squares. It is convolved with a narrow Gaussian and sampled; its spectrum is divided by the Gaussian's.
 The edges of a crossing are the lines ``p = x cos a + y sin a = 0`` and ``q = x cos b + y sin b = 0``, where a and b
 are the angles of their normals. Twice the convolved crossing, with p and q in units of the standard deviation of the
 Gaussian, is
@@ -41,10 +40,10 @@ _STEP = 0.45  # largest distance between samples of PSFs, lambda*N
 _OBJECT_STEP = 0.285  # largest distance between samples of objects, lambda*N
 _MARGIN = 8.0  # lambda*N by which the samples of PSFs extend beyond the outer pixels
 _PAD = 5.0  # lambda*N of zero padding on each side: light that wraps around must not reach the pixels
-_ALIAS = 12.0  # minus the log of the narrow Gaussian's transfer function at the lowest frequency with aliases below 1
+_ALIAS = 12.0  # -log(transfer function of the narrow Gaussian) at the lowest frequency that is aliased below 1
 _SEPARATE = 12.0  # standard deviations of the Gaussian: parallel edges farther apart do not overlap
-_FLAT = 6.5  # standard deviations of the Gaussian: at larger distances from an edge, e is 1 or -1
-_SINGLE = 1e30  # lambda*N: side of squares that represents a single crossing
+_FLAT_DISTANCE = 6.5  # standard deviations of the Gaussian: at larger distances from an edge, e is 1 or -1
+_SINGLE_SIDE = 1e30  # lambda*N: side of squares that represents a single crossing
 _DIRECTIONS = 90  # number of trial angles, in half a turn, for the initial estimate of a crossing
 _LIGHT_DEGREE, _LIGHT_ITERATIONS = 4, 10  # polynomial of the illumination: degree, iterations of its robust fit
 _EDGE_PIXELS = 2  # width of the border that is excluded from white squares
@@ -54,7 +53,7 @@ _MIN_WHITE = 10  # smallest number of white pixels of a window
 class Target(NamedTuple):
     """Kind of object ("pinhole" or "crossing") and its size in pixels.
 
-    The size is the diameter of a pinhole, or the side of the squares around a crossing (inf: a single crossing).
+    The size is the diameter of a pinhole, or the side of the squares of a checkerboard (inf: a single crossing).
     """
 
     kind: str
@@ -76,7 +75,7 @@ class TargetReadout:
     pixel : float
         Pixel pitch, lambda*N.
     target : Target
-    shape : Shape
+    blur : Shape
         Blur as a mixture of Gaussians.
     integrate : bool
         Whether images are pixel-integrated; if False, they are point-sampled.
@@ -85,13 +84,13 @@ class TargetReadout:
     widest = math.inf  # largest blur width, pixels: there is no limit
 
     def __init__(
-        self, window: tuple[int, int], pixel: float, target: Target, shape: Shape, *, integrate: bool
+        self, window: tuple[int, int], pixel: float, target: Target, blur: Shape, *, integrate: bool
     ) -> None:
-        self.pixel, self.target, self._pixels, self.blur = pixel, target, window, shape
+        self.pixel, self.target, self._pixels, self.blur = pixel, target, window, blur
         self._samples_per_pixel = math.ceil(pixel / _STEP)
         self.step = pixel / self._samples_per_pixel
-        halves = [math.ceil(((side // 2) * pixel + _MARGIN) / self.step) for side in window]
-        self.shape = (2 * halves[0] + 1, 2 * halves[1] + 1)
+        half_sides = [math.ceil(((side // 2) * pixel + _MARGIN) / self.step) for side in window]
+        self.shape = (2 * half_sides[0] + 1, 2 * half_sides[1] + 1)
         pad = 2 * math.ceil(_PAD / self.step)
         self._sides = [
             fft.next_fast_len(side * self._samples_per_pixel + samples + pad, real=True)
@@ -99,19 +98,19 @@ class TargetReadout:
         ]
         f_row = fft.fftfreq(self._sides[0], self.step)[:, None]
         f_column = fft.rfftfreq(self._sides[1], self.step)[None]
-        square = f_row**2 + f_column**2
-        inside = square <= 1.1  # the spectrum of the PSF is 0 beyond the frequency 1; the margin is for rounding
+        f_squared = f_row**2 + f_column**2
+        in_band = f_squared <= 1.1  # the spectrum of the PSF is 0 beyond the frequency 1; 0.1 is for rounding
         # Single precision is sufficient: errors of images are 1e-6 of the peak, and noise is a thousand times larger.
         # The derivative of the log of a Gaussian's transfer function with respect to its variance in pixels^2:
-        self._log_slope: Values = np.float32(-2.0 * (math.pi * pixel) ** 2) * square.astype(np.float32)
-        pixel_transfer = np.sinc(pixel * f_row) * np.sinc(pixel * f_column) if integrate else np.ones(square.shape)
+        self._log_derivative: Values = np.float32(-2.0 * (math.pi * pixel) ** 2) * f_squared.astype(np.float32)
+        pixel_transfer = np.sinc(pixel * f_row) * np.sinc(pixel * f_column) if integrate else np.ones(f_squared.shape)
         # The origin is shifted from the first sample of a PSF to the centre of the first pixel: pixel k is then
         # sample k * samples_per_pixel.
-        corner = [half - (side // 2) * self._samples_per_pixel for half, side in zip(halves, window, strict=True)]
+        corner = [half - (side // 2) * self._samples_per_pixel for half, side in zip(half_sides, window, strict=True)]
         shift = np.exp(2j * math.pi * self.step * (f_row * corner[0] + f_column * corner[1]))
-        transfer = inside * pixel_transfer * shift
+        transfer = in_band * pixel_transfer * shift
         if target.kind == "pinhole":
-            x = math.pi * target.size * pixel * np.sqrt(square)
+            x = math.pi * target.size * pixel * np.sqrt(f_squared)
             # The spectrum of a uniform disc of unit light: 2 J1(x) / x.
             disc = np.where(x > 1e-6, 2.0 * special.j1(x) / np.maximum(x, 1e-6), 1.0)
             self._transfer: Values = (transfer * disc * self._samples_per_pixel**2).astype(np.complex64)
@@ -121,7 +120,7 @@ class TargetReadout:
         variance = _ALIAS / (2.0 * (math.pi * (1.0 / object_step - 1.0)) ** 2)
         self._width = math.sqrt(variance)
         # Division by the transfer function of the narrow Gaussian.
-        transfer *= np.exp(2.0 * math.pi**2 * variance * np.where(inside, square, 0.0)) / self._object_samples**2
+        transfer *= np.exp(2.0 * math.pi**2 * variance * np.where(in_band, f_squared, 0.0)) / self._object_samples**2
         self._transfer = transfer.astype(np.complex64)
         y, x = (
             object_step * self._object_samples * side * fft.fftfreq(self._object_samples * side)
@@ -133,17 +132,17 @@ class TargetReadout:
         """Return e(p), g(p) and g1(p) (module docstring), summed over parallel edges, and the derivative of p."""
         p = self._x * math.cos(angle) + self._y * math.sin(angle)
         derivative = self._y * math.cos(angle) - self._x * math.sin(angle)
-        pitch = min(self.target.size * self.pixel, _SINGLE)
+        pitch = min(self.target.size * self.pixel, _SINGLE_SIDE)
         e, g, g1 = (np.zeros_like(p) for _ in range(3))
         if pitch > _SEPARATE * self._width:  # at each point, only the nearest edge contributes
             k = np.rint(p / pitch)
             distance, sign = (p - k * pitch) / self._width, 1.0 - 2.0 * (k - 2.0 * np.floor(0.5 * k))
-            near = np.abs(distance) < _FLAT
+            is_near = np.abs(distance) < _FLAT_DISTANCE
             e = np.copysign(sign, sign * distance)
-            e[near], g[near], g1[near] = _edge(distance[near], sign[near])
+            e[is_near], g[is_near], g1[is_near] = _edge(distance[is_near], sign[is_near])
             return e, g, g1, derivative / self._width
-        most = math.ceil(1.5 * float(np.abs(p).max()) / pitch)
-        for k in range(-most, most + 1):
+        last_edge = math.ceil(1.5 * float(np.abs(p).max()) / pitch)
+        for k in range(-last_edge, last_edge + 1):
             terms = _edge((p - k * pitch) / self._width, -1.0 if k % 2 else 1.0)
             for total, term in zip((e, g, g1), terms, strict=True):
                 total += term
@@ -169,21 +168,21 @@ class TargetReadout:
         coarse = np.concatenate([spectrum[:half], spectrum[len(spectrum) - (rows - half) :]])
         return np.asarray(coarse[:, : columns // 2 + 1])
 
-    def _spectra(self, squares: Array, angles: Array, *, slopes: bool) -> list[Values]:
+    def _spectra(self, squared_widths: Array, angles: Array, *, derivatives: bool) -> list[Values]:
         """Return the transfer function from the samples of a PSF to the image, followed by its derivatives.
 
-        The derivatives are by the squared blur widths `squares` (b,), pixels^2, if `slopes`, and then by the
-        `angles`.
+        The derivatives are first, if `derivatives`, by the `squared_widths` (b,) of the blur, pixels^2, and then by
+        the `angles`.
         """
         shape = self.blur
         gaussians = [
-            np.float32(weight) * np.exp(np.float32(variance) * self._log_slope)
-            for weight, variance in zip(shape.weights, shape.variances(squares), strict=True)
+            np.float32(weight) * np.exp(np.float32(variance) * self._log_derivative)
+            for weight, variance in zip(shape.weights, shape.variances(squared_widths), strict=True)
         ]
         blurs = [np.sum(gaussians, axis=0)]
-        if slopes:
+        if derivatives:
             blurs += [
-                self._log_slope * sum(np.float32(rate) * one for rate, one in zip(rates, gaussians, strict=True))
+                self._log_derivative * sum(np.float32(r) * g for r, g in zip(rates, gaussians, strict=True))
                 for rates in shape.rates.T
             ]
         objects = [self._transfer]
@@ -192,27 +191,28 @@ class TargetReadout:
         return [objects[0] * blur for blur in blurs] + [by_angle * blurs[0] for by_angle in objects[1:]]
 
     def read(
-        self, samples: Sequence[Values], squares: Array, angles: Array, *, slopes: bool, threads: int = 0
+        self, samples: Sequence[Values], squared_widths: Array, angles: Array, *, derivatives: bool, threads: int = 0
     ) -> list[Values]:
         """Return images and their derivatives, each of shape (r, height, width).
 
-        The first images are those of `samples`: r PSFs, and any derivatives of the PSFs. If `slopes`, the derivatives
-        of the images of the PSFs by their squared blur widths `squares` (r, b), pixels^2, follow. The last ones are
-        always the derivatives by the `angles` (r, a).
+        1. Images from each array in `samples`: PSFs (r, ...), and any derivatives of the PSFs. 2. If `derivatives`,
+        derivatives of the first image by the `squared_widths` (r, b) of the blur, pixels^2. 3. Derivatives of the
+        first image by the `angles` (r, a).
         """
-        count = len(samples) + (self.blur.unknown if slopes else 0) + self.target.angles
-        images: list[Values] = [np.empty((len(squares), *self._pixels), np.float32) for _ in range(count)]
+        count = len(samples) + (self.blur.unknown if derivatives else 0) + self.target.angles
+        images: list[Values] = [np.empty((len(squared_widths), *self._pixels), np.float32) for _ in range(count)]
 
         def read_one(k: int) -> None:
-            factor, *derivatives = self._spectra(squares[k], angles[k], slopes=slopes)
+            transfer, *transfer_derivatives = self._spectra(squared_widths[k], angles[k], derivatives=derivatives)
             sampled = [fft.rfft2(np.asarray(values[k], np.float32), self._sides) for values in samples]
-            spectra = [*(factor * spectrum for spectrum in sampled), *(sampled[0] * by for by in derivatives)]
+            spectra = [transfer * spectrum for spectrum in sampled]
+            spectra += [sampled[0] * derivative for derivative in transfer_derivatives]
             for image, spectrum in zip(images, spectra, strict=True):
                 fine = fft.irfft2(spectrum, self._sides)
                 step = self._samples_per_pixel
                 image[k] = fine[tuple(slice(0, side * step, step) for side in self._pixels)]
 
-        side_by_side(read_one, range(len(squares)), threads)
+        side_by_side(read_one, range(len(squared_widths)), threads)
         return images
 
 
@@ -240,8 +240,8 @@ def start_of_crossing(image: Array) -> tuple[float, float, float, float]:
     # Zero padding to twice the sides: the correlation must not wrap around.
     size = [fft.next_fast_len(2 * side, real=True) for side in (height, width)]
     correlation = fft.irfft2(fft.rfft2(contrast, size) * np.conj(fft.rfft2(stack, size)), size)
-    near = [max(2, side // 5) for side in (height, width)]
-    rows, columns = (np.arange(-n, n + 1) for n in near)
+    largest_shift = [max(2, side // 5) for side in (height, width)]
+    rows, columns = (np.arange(-n, n + 1) for n in largest_shift)
     central = correlation[:, rows[:, None], columns]
     direction, row, column = np.unravel_index(int(central.argmax()), central.shape)
     angle = math.pi * direction / _DIRECTIONS
@@ -257,30 +257,30 @@ def relative_light(electrons: Array, valid: NDArray[np.bool_], u: Array, v: Arra
     """
     count, exposures, height, width = electrons.shape
     degree = highest_degree(_LIGHT_DEGREE, 4 * count // 3)
-    relative = np.ones(electrons.shape)
+    illumination = np.ones(electrons.shape)
     if degree == 0:
-        return relative
+        return illumination
     powers = monomials(np.repeat(u[:, None], height, axis=1), np.repeat(v[:, :, None], width, axis=2), degree)
     for e in range(exposures):
         white = np.array([_white_pixels(*pair) for pair in zip(electrons[:, e], valid[:, e], strict=True)])
-        basis, light = powers[white], np.log(electrons[:, e][white])
+        basis, log_light = powers[white], np.log(electrons[:, e][white])
         if np.linalg.matrix_rank(basis) < basis.shape[1]:
             continue
-        weight = np.ones(len(light))
+        weight = np.ones(len(log_light))
         # Robust fit with the weights of Geman and McClure: dirt and uneven print are outliers.
         for _ in range(_LIGHT_ITERATIONS):
             root = np.sqrt(weight)
-            coefficients = np.linalg.lstsq(root[:, None] * basis, root * light, rcond=None)[0]
-            distance = np.abs(light - basis @ coefficients)
+            coefficients = np.linalg.lstsq(root[:, None] * basis, root * log_light, rcond=None)[0]
+            distance = np.abs(log_light - basis @ coefficients)
             weight = 1.0 / (1.0 + (distance / max(3.0 * float(np.median(distance)), 1e-6)) ** 2) ** 2
-        smooth = powers @ coefficients
-        relative[:, e] = np.exp(smooth - smooth[:, height // 2, width // 2, None, None])
-    return relative
+        log_illumination = powers @ coefficients
+        illumination[:, e] = np.exp(log_illumination - log_illumination[:, height // 2, width // 2, None, None])
+    return illumination
 
 
 def _white_pixels(image: Array, valid: NDArray[np.bool_]) -> NDArray[np.bool_]:
     """Return a mask of the pixels in white squares away from edges; all False if these are too few."""
-    low, high = np.percentile(image[valid], [5.0, 95.0])
-    bright = ndimage.median_filter(image, size=3, mode="nearest") > 0.5 * (low + high)
-    inside = ndimage.binary_erosion(bright, iterations=_EDGE_PIXELS, border_value=True) & valid & (image > 0.0)
-    return inside if inside.sum() >= _MIN_WHITE else np.zeros_like(inside)
+    dark_level, bright_level = np.percentile(image[valid], [5.0, 95.0])
+    is_bright = ndimage.median_filter(image, size=3, mode="nearest") > 0.5 * (dark_level + bright_level)
+    is_white = ndimage.binary_erosion(is_bright, iterations=_EDGE_PIXELS, border_value=True) & valid & (image > 0.0)
+    return is_white if is_white.sum() >= _MIN_WHITE else np.zeros_like(is_white)

@@ -46,14 +46,14 @@ _MAX_DEFECT = 1e-6  # 1 - (abs(W(2 k)) / W(0))^2 below which F counts as real
 _LEAST_SIDE = 6  # smallest side of windows for the test of stripes, pixels
 
 
-def most(spread: Any, probability: float = BY_CHANCE) -> Array:
+def largest_plausible_chi2(spread: Any, probability: float = BY_CHANCE) -> Array:
     """Return the chi2 that noise exceeds with this probability, for a standard deviation `spread` of chi2."""
     # The gamma distribution of mean 1 and standard deviation s has the shape 1 / s^2.
     shape = 1.0 / np.square(np.maximum(spread, 1e-9))
     return np.asarray(special.gammainccinv(shape, probability) / shape)
 
 
-def least(spread: Any, probability: float = BY_CHANCE) -> Array:
+def smallest_plausible_chi2(spread: Any, probability: float = BY_CHANCE) -> Array:
     """Return the chi2 that noise falls below with this probability."""
     shape = 1.0 / np.square(np.maximum(spread, 1e-9))
     return np.asarray(special.gammaincinv(shape, probability) / shape)
@@ -70,7 +70,8 @@ def chi2_findings(chi2: float, spread: float, causes: str) -> list[Finding]:
 
     `causes` is a text on possible causes of a misfit, or "" if another finding has them.
     """
-    limit, floor, probability = float(most(spread)), float(least(spread)), chance(chi2, spread)
+    limit, floor = float(largest_plausible_chi2(spread)), float(smallest_plausible_chi2(spread))
+    probability = chance(chi2, spread)
     numbers = {"chi2": chi2, "limit": limit, "least": floor, "chance": probability}
     if chi2 >= limit:
         text = "; ".join(filter(None, (f"noise alone stays below {limit:.3g}", causes)))

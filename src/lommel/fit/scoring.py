@@ -55,7 +55,7 @@ class RowModel(Protocol):
     """A model of images with parameters `x`, shape (s, p): one row for each set of parameters."""
 
     size: int  # number p of parameters
-    tested: int  # degrees of freedom of a row: pixels minus parameters
+    degrees_of_freedom: int  # of a row: pixels minus parameters
     alternatives: bool  # whether rows are starts for the same images: the search then ends when one row fits
 
     def images(self, x: Array, *, fast: bool = False) -> tuple[Any, Any]:
@@ -97,7 +97,7 @@ class Problem(Protocol):
     search has not ended.
     """
 
-    tested: int  # degrees of freedom: pixels minus parameters
+    degrees_of_freedom: int  # pixels minus parameters
     alternatives: bool  # whether the search ends when the first set fits
 
     def step(self, x: Any, scores: Scores, rows: Rows, damping: Array) -> tuple[Array, Array]:
@@ -160,7 +160,9 @@ def fisher_scoring(
         converged = (predicted < policy.settled) & (damping[rows] <= 1.0)
         settled[rows] = converged
         moving[rows] = ~converged & (damping[rows] <= policy.max_damping) & (slow_steps[rows] < policy.patience)
-        fits = converged & (scores.chi2[rows] < goodness_of_fit.most(scores.spread[rows], goodness_of_fit.SURE))
+        fits = converged & (
+            scores.chi2[rows] < goodness_of_fit.largest_plausible_chi2(scores.spread[rows], goodness_of_fit.SURE)
+        )
         if step_number == max_steps or not moving.any() or (problem.alternatives and fits.any()):
             if last is not None and converged.any():
                 last(x, step, rows, converged)
@@ -188,8 +190,8 @@ def fisher_scoring(
             overshoots = gained & (predicted < 1.0) & (gain < 0.25 * predicted)
             damping[rows[overshoots]] = np.maximum(damping[rows[overshoots]], _OSCILLATION_DAMPING)
         np.maximum(damping, _MIN_DAMPING, out=damping)
-        excess = scores.chi2[rows] - goodness_of_fit.most(scores.spread[rows])
-        slow = gained & (gain < _STALLED * problem.tested * excess)
+        excess = scores.chi2[rows] - goodness_of_fit.largest_plausible_chi2(scores.spread[rows])
+        slow = gained & (gain < _STALLED * problem.degrees_of_freedom * excess)
         slow_steps[rows] = np.where(slow, slow_steps[rows] + 1, np.where(gained, 0, slow_steps[rows]))
         if new_scores is None or not gained.any():
             continue
@@ -207,7 +209,7 @@ class _RowProblem:
 
     def __init__(self, model: RowModel, fast: bool) -> None:
         self.model, self.fast, self.rms = model, fast, model.rms
-        self.tested, self.alternatives = model.tested, model.alternatives
+        self.degrees_of_freedom, self.alternatives = model.degrees_of_freedom, model.alternatives
 
     def step(self, x: Array, scores: Scores, rows: Rows, damping: Array) -> tuple[Array, Array]:
         row_scores = scores if rows.size == len(x) else Scores(*(values[rows] for values in scores))

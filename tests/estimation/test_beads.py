@@ -473,7 +473,7 @@ STACK = recorded(11, waves(11), light=2e3)[0]
         ({"depth": 10e-9}, "depth must be that of a bead.s centre, at least the radius"),
         ({"depth": [1e-6, 2e-6]}, "depth must be a number, or one for each of 1 beads"),
         ({"terms": ["noll 4", "noll 5"]}, "equivalent to a shift of the bead"),
-        ({"terms": [(2, 2), "noll 6"]}, "terms must not name one thing twice"),
+        ({"terms": [(2, 2), "noll 6"]}, "terms must not contain a term twice"),
         ({"priors": {"index": 0.1}}, "priors must be"),
         ({"priors": {"sample": 0.0}}, "the error of priors.*sample.* must be > 0"),
         ({"priors": {"immersion": math.inf, "coverslip": math.inf}}, "depend only on a combination of both"),

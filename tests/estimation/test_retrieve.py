@@ -118,13 +118,13 @@ def test_standard_errors_are_those_of_fishers_information_and_a_little_more():
 def test_slopes_and_information_are_those_of_the_likelihood(terms, also, more):
     made, x = model(terms, also, lm.Pupil(TRUE, **more))
     if made.unknowns.pupil:
-        x[0, made.optics] = 8.4, 1.1e-6, 0.35
+        x[0, made.pupil_columns] = 8.4, 1.1e-6, 0.35
     draw = np.random.default_rng(5)
     psf, _ = made.images(x)
     made.counted[:] = draw.poisson(made.mean(x, psf.reshape(1, 3, -1))[0]).astype(float)
     there = made.scores(x)
     for k in range(made.size):
-        h = 1e-4 * (abs(x[0, k]) if k in range(made.optics.start, made.optics.stop) else 1.0)
+        h = 1e-4 * (abs(x[0, k]) if k in range(made.pupil_columns.start, made.pupil_columns.stop) else 1.0)
         up, down = x.copy(), x.copy()
         up[0, k] += h
         down[0, k] -= h
@@ -253,8 +253,8 @@ def test_the_uncertainty_of_a_wavefront_is_that_of_draws_from_the_covariance(ter
     # Draws of the wavefront by itself, at random points of the pupil.
     draw = np.random.default_rng(2)
     points = np.sqrt(draw.random(400)), draw.uniform(0.0, 2.0 * np.pi, 400)
-    basis = np.array([made.wavefront(row).phase(*points) for row in np.eye(made.size)[: made.shared]])
-    phases = drawn[:, : made.shared] @ (basis - basis.mean(axis=1, keepdims=True))
+    basis = np.array([made.wavefront(row).phase(*points) for row in np.eye(made.size)[: made.common_count]])
+    phases = drawn[:, : made.common_count] @ (basis - basis.mean(axis=1, keepdims=True))
     rows, columns = made.per_image(drawn)[:, :2].swapaxes(0, 1)
     slopes = points[0] * np.sin(points[1]), points[0] * np.cos(points[1])
     of_images = [phases + np.outer(rows[:, k], slopes[0]) + np.outer(columns[:, k], slopes[1]) for k in range(3)]
@@ -509,9 +509,9 @@ def test_the_picture_shows_images_model_residual_and_terms():
         ({"images": "x"}, "images must hold real numbers"),
         ({"defocus": [1.0, 2.0]}, r"defocus must be a number, or one for each of 3 images, got shape \(2,\)"),
         ({"defocus": np.nan}, "defocus must be finite"),
-        ({"terms": ("noll 4", (2, 0))}, "terms must not name one thing twice"),
+        ({"terms": ("noll 4", (2, 0))}, "terms must be linearly independent"),
         ({"terms": ("coma",)}, r"terms must be one of 'defocus', 'spherical', 'rho\^6', 'rho\^8', or a Zernike term"),
-        ({"terms": ("defocus", "defocus")}, "terms must not name one thing twice"),
+        ({"terms": ("defocus", "defocus")}, "terms must be linearly independent"),
         ({"terms": ("noll 2",)}, r"terms must be without \(1, 1\) if the column"),
         ({"terms": ("row",)}, "terms must be terms of a wavefront, got 'row'"),
         ({"terms": ("noll 1",)}, "terms must not hold 'noll 1'"),
@@ -648,7 +648,7 @@ def test_blur_goes_with_a_lens_and_its_own_search():
 
 def test_starts_too_strong_to_be_computed_are_left_out(monkeypatch):
     images = NOISE.record(2e4 * lm.psf(lm.Pupil(lm.Wavefront([-4.0, 4.0])), 15, 0.5).values + 5.0, seed=1)
-    monkeypatch.setattr(phase_retrieval, "_SPREAD", 2000.0)
+    monkeypatch.setattr(phase_retrieval, "_SCATTER", 2000.0)
     found = lm.retrieve(images, lm.Pupil(), pixel=0.5, noise=NOISE, defocus=[4, 6], terms=3, starts=5)
     assert not found.converged
     assert found.starts == 5

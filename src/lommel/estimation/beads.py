@@ -482,7 +482,7 @@ def _terms(terms: int | Sequence[tuple[int, int] | str]) -> tuple[Term, ...]:
         return tuple(zernike.term(_FIRST + k, "noll") for k in range(count))
     found = tuple(filter(None, map(term_of, checked(cast("Sequence[Any]", terms), "terms", ()))))
     if len({*found}) < len(found):
-        raise ValueError(f"terms must not name one thing twice, got {validation.shown(terms)}")
+        raise ValueError(f"terms must not contain a term twice, got {validation.shown(terms)}")
     if of_place := [term for term in ((2, 0), *SHIFTS.values()) if term in found]:
         raise ValueError(
             f"terms must be without {label(of_place[0])}, which is equivalent to a shift of the bead: z, row and "

@@ -23,6 +23,7 @@ from lommel.estimation.star_checks import error_findings, missing_findings, star
 from lommel.estimation.star_images import StarImages, Unknowns, centroids, known_defocus, label, single
 from lommel.fit import goodness_of_fit
 from lommel.fit.findings import Finding, Findings, FitReport
+from lommel.fit.goodness_of_fit import SURE, largest_plausible_chi2
 from lommel.fit.score_tests import causes_of_misfit
 from lommel.fit.scoring import Scores, covariance, search_rows
 from lommel.io import zernike_tables
@@ -37,13 +38,13 @@ from lommel.special import zernike
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-_SPREAD = 1.5  # rms phase that is added to the initial wavefront in random starts, radians
-_STACK = 2  # number of random starts that are computed in one stack
+_SCATTER = 1.5  # rms phase that is added to the initial wavefront in random starts, radians
+_STACKED_STARTS = 2  # number of random starts that are computed in one stack
 # Number of starts that must end at the lowest minimum to end the search: in 54 simulated sets of images (0.7 to
 # 3 rad rms, 500 to 1e5 electrons) in which three of 19 starts agreed, no other start ended at a lower minimum.
 _AGREEING = 3
-_VISIBLE = 5.0  # smallest flux of a visible star, in standard errors of the flux
-_DECIDED = 2.0  # smallest ratio of the twins' distances from the initial wavefront at which the sign is no doubt
+_MIN_SIGNIFICANCE = 5.0  # smallest (flux) / (standard error of the flux) of a visible star
+_DECIDED = 2.0  # smallest ratio of the twins' distances from the initial wavefront that decides the sign
 _NORMALIZED = 0.05  # images whose sums differ from 1 by less count as normalized
 _CAUSES = (
     "pupil (vanes, f-number), pixel, noise or the defocus of an image (unit, order) are wrong, terms are missing, "
@@ -101,7 +102,7 @@ class Retrieval(FitReport):
         Standard error of r0 or sigma of each blur; 0 for a known blur.
     images, model, residual : ndarray, shape (n, height, width)
         Images, NaN at pixels left out; the fitted model, in the unit of the images; the residual, in standard
-        deviations of the noise.
+        difference of the noise.
     steps, starts : int
         Total number of steps, and number of starts.
 
@@ -283,8 +284,8 @@ def retrieve(
     Fisher scoring with the damping of Levenberg and Marquardt maximizes the likelihood of ``y + read^2 ~ Poisson(mu +
     read^2)`` for y recorded electrons (Snyder et al. 1993, doi:10.1364/JOSAA.10.001014); ``mu = flux h + background``
     are the expected electrons and h is the PSF. Random restarts end when chi2 exceeds 1 by at most three standard
-    deviations, or by at most six if three starts end within the standard errors of the lowest minimum. The best fit
-    of all starts is accepted if chi2 exceeds 1 by at most six standard deviations.
+    difference, or by at most six if three starts end within the standard errors of the lowest minimum. The best fit
+    of all starts is accepted if chi2 exceeds 1 by at most six standard difference.
 
     Standard errors are the Cramér-Rao bound at the estimate, increased for undetected effects (below). They are valid
     if images are linear in the parameters within the standard errors. Images of dim stars on a background are not
@@ -306,7 +307,7 @@ def retrieve(
     delay; terms that differ between images; scale of the defoci; defocus of each image (for three or more images).
 
     Some effects are always marginalized: `coefficients` and `errors` allow for them, `model` does not. Their prior
-    standard deviations are: slopes of the background (1 electron per pixel), uneven illumination (2 % of the
+    standard difference are: slopes of the background (1 electron per pixel), uneven illumination (2 % of the
     amplitude at the edge if linear, 1 % otherwise), decentring of the obscuration (0.01 pupil radii), ellipticity of
     the edge (0.5 %), scales (0.3 %), delayed charge (0.25 %), zones and ripples (0.02 radians rms each), f-number
     (1 %), obscuration (0.015), scale of the defoci (2.5 %). Effects that the images favour but that are not
@@ -334,86 +335,84 @@ def retrieve(
     validation.instance("noise", noise, Noise)
     counts = star_counts(images, settings.mask, settings.saturation)
     values, valid = counts.filled(), counts.known
-    start = _supported(pupil, unknowns)
+    start = _checked_pupil(pupil, unknowns)
     poisson = noise.poisson
     electrons, read = poisson.electrons(values), poisson.variance(np.zeros_like(values))
-    known = known_defocus(defocus, len(values), "images")
+    defoci = known_defocus(defocus, len(values), "images")
     draw = random_numbers(settings.seed)
     plan = Plan(values.shape[1:], pixel, tol=settings.tol, integrate=settings.integrate, threads=settings.threads)
     if blur is not False:
-        usual = FitOptions.starts, FitOptions.steps
-        if {*unknowns.places} != {*SHIFTS} or unknowns.pupil or (settings.starts, settings.steps) != usual:
+        default_limits = FitOptions.starts, FitOptions.steps
+        if {*unknowns.places} != {*SHIFTS} or unknowns.pupil or (settings.starts, settings.steps) != default_limits:
             raise ValueError("blur must be False, or also 'center', and starts and steps their defaults")
         height, width = values.shape[1:]
         field_fit = fit_field(
             np.where(valid, values, np.nan)[None], [[height // 2, width // 2]], start, sensor=(height, width),
-            pixel=pixel, noise=noise, degree=0, terms=terms, defocus=known, blur=blur, integrate=settings.integrate,
+            pixel=pixel, noise=noise, degree=0, terms=terms, defocus=defoci, blur=blur, integrate=settings.integrate,
             tol=settings.tol, seed=draw, threads=settings.threads, progress=settings.progress,
         )  # fmt: skip
-        return _build_blurred_retrieval(field_fit, counts, noise, plan, pixel, start, known)
-    model = StarImages(electrons, read, valid, start, known, unknowns, plan, pixel)
+        return _build_blurred_retrieval(field_fit, counts, noise, plan, pixel, start, defoci)
+    model = StarImages(electrons, read, valid, start, defoci, unknowns, plan, pixel)
     if model.degrees_of_freedom < 1:
         raise ValueError(
             f"images must have more pixels than there are unknowns, {model.size}, got {int(valid.sum())} valid pixels"
         )
-    lowest, scores, settled, tried = _search(
+    best_x, scores, settled, tried = _search(
         model, draw, settings.progress, starts=settings.starts, steps=settings.steps
     )
-    return _build_retrieval(model, lowest, scores, settled, counts, noise, tried)
+    return _build_retrieval(model, best_x, scores, settled, counts, noise, tried)
 
 
 def _search(
     model: StarImages, draw: np.random.Generator, progress: Callable[[float, float], object] | None, *, starts: int,
     steps: int,
 ) -> tuple[Array, Scores, bool, tuple[int, int]]:  # fmt: skip
-    """Return the best minimum (1, p), its scores, whether it settled, and the numbers of steps and starts.
+    """Return the best parameters (1, p), their scores, whether the fit settled, and the numbers of steps and starts.
 
-    The search ends when noise explains chi2, or three starts agree within the standard errors, or after `starts`.
+    The search ends when noise explains chi2, when three starts agree within the standard errors, or after `starts`
+    starts.
     """
-    first = _centroid_starts(model)
-    best: Scores | None = None
-    lowest, fits, ends = first[:1], False, first[:0]
-    tries, taken = 0, 0
-    while tries < starts:
-        at_once = 1 if tries == 0 or model.unknowns.pupil else min(_STACK, starts - tries)
-        x = _random_starts(model, first, draw, at_once, tries)
+    centroid_starts = _centroid_starts(model)
+    best_scores: Scores | None = None
+    best_x, best_settled, ends = centroid_starts[:1], False, centroid_starts[:0]
+    tried_starts, step_count = 0, 0
+    while tried_starts < starts:
+        at_once = 1 if tried_starts == 0 or model.unknowns.pupil else min(_STACKED_STARTS, starts - tried_starts)
+        x = _random_starts(model, centroid_starts, draw, at_once, tried_starts)
 
-        def report(step: int, chi2: float, before: int = tries, at_once: int = at_once) -> None:
+        def report(step: int, chi2: float, before: int = tried_starts, at_once: int = at_once) -> None:
             if progress is not None:
                 progress((before + at_once * step / (steps + 1)) / starts, chi2)
 
         try:
             x, scores, settled, steps_taken = search_rows(model, x, steps, report, fast=True)
         except (Declined, ToleranceError):  # a random start that is too strong to be computed
-            if tries == 0:
+            if tried_starts == 0:
                 raise
-            tries += at_once
+            tried_starts += at_once
             continue
         # A start that has not settled is preferred only if its chi2 is less than half of the chi2 of settled starts.
         k = int(np.argmin(np.where(settled, scores.chi2, 2.0 * scores.chi2)))
-        if best is None or scores.chi2[k] < best.chi2[0]:
-            best, lowest, fits = Scores(*(part[[k]] for part in scores)), model.nearest(x[[k]]), bool(settled[k])
-        tries, taken = tries + at_once, taken + steps_taken
-        if settled[k] and scores.chi2[k] < goodness_of_fit.largest_plausible_chi2(
-            scores.spread[k], goodness_of_fit.SURE
-        ):
+        if best_scores is None or scores.chi2[k] < best_scores.chi2[0]:
+            best_scores, best_x = Scores(*(part[[k]] for part in scores)), model.nearest(x[[k]])
+            best_settled = bool(settled[k])
+        tried_starts, step_count = tried_starts + at_once, step_count + steps_taken
+        if settled[k] and scores.chi2[k] < largest_plausible_chi2(scores.spread[k], SURE):
             break
         # Noise alone may cause a chi2 above the limit: the fit is accepted if starts agree within standard errors.
         ends = np.concatenate([ends, model.nearest(x[settled])])
-        away = ends - lowest
+        distances = ends - best_x
         # Starts agree if their distance, in the metric of the information matrix, is less than one standard error.
-        agreeing = np.einsum("si,ij,sj->s", away, best.information[0], away) < 1.0
-        if (
-            fits
-            and best.chi2[0] < goodness_of_fit.largest_plausible_chi2(best.spread[0])
-            and agreeing.sum() >= _AGREEING
-        ):
+        agreeing = np.einsum("si,ij,sj->s", distances, best_scores.information[0], distances) < 1.0
+        plausible = best_scores.chi2[0] < largest_plausible_chi2(best_scores.spread[0])
+        if best_settled and plausible and agreeing.sum() >= _AGREEING:
             break
-    lowest, best, settled, more = search_rows(model, lowest, steps if fits else 0, lambda *_: None, fast=False)
-    return lowest, best, fits and bool(settled[0]), (taken + more, tries)
+    most = steps if best_settled else 0
+    best_x, best_scores, settled, last_steps = search_rows(model, best_x, most, lambda *_: None, fast=False)
+    return best_x, best_scores, best_settled and bool(settled[0]), (step_count + last_steps, tried_starts)
 
 
-def _supported(pupil: Pupil, unknowns: Unknowns) -> Pupil:
+def _checked_pupil(pupil: Pupil, unknowns: Unknowns) -> Pupil:
     """Return the pupil if its wavefront can be retrieved; TypeError or ValueError otherwise."""
     if not single(pupil, "shared by all images").circular and "obscuration" in unknowns.pupil:
         raise ValueError(
@@ -442,101 +441,104 @@ def star_counts(images: Any, mask: ArrayLike | None, saturation: float | None) -
 def _centroid_starts(model: StarImages) -> Array:
     """Return two starts, (2, p): with the star of each image at its centroid, and in the middle of the window."""
     x = np.zeros((2, model.size))
-    x[:, model.waves] = model.start
-    for column, name in enumerate(model.unknowns.pupil, model.optics.start):
+    x[:, model.wave_columns] = model.start
+    for column, name in enumerate(model.unknowns.pupil, model.pupil_columns.start):
         # The derivative by the obscuration vanishes at obscuration 0: the initial value is at least 0.1.
         x[:, column] = max(getattr(model.pupil, name), 0.1 if name == "obscuration" else 0.0)
-    seen = dict(zip(SHIFTS, model.tilt_of_pixel * centroids(model.star, model.shape).T, strict=True))
+    tilts = dict(zip(SHIFTS, model.tilt_of_pixel * centroids(model.star, model.shape).T, strict=True))
     for j, place in enumerate(model.unknowns.places):
-        model.per_image(x)[0, j] = seen[place]
+        model.per_image(x)[0, j] = tilts[place]
     return x
 
 
-def _random_starts(model: StarImages, first: Array, draw: np.random.Generator, count: int, tries: int) -> Array:
-    """Return `count` starts: rows of `first` plus random terms; `tries` is the number of earlier starts."""
-    x = first[(tries + np.arange(count)) % len(first)].copy()
+def _random_starts(model: StarImages, rows: Array, draw: np.random.Generator, count: int, tried_starts: int) -> Array:
+    """Return `count` starts: `rows` plus random terms; `tried_starts` is the number of earlier starts."""
+    x = rows[(tried_starts + np.arange(count)) % len(rows)].copy()
     k = len(model.unknowns.terms)
     # With an ambiguous sign, derivatives by even terms vanish at even part 0: the first start must differ from it.
-    if k and (tries or model.sign_ambiguous):
+    if k and (tried_starts or model.sign_ambiguous):
         scatter = draw.normal(size=(count, k))
         step = np.zeros_like(x)
-        step[:, model.waves] = scatter
+        step[:, model.wave_columns] = scatter
         # Scale each start to the same rms phase over the aperture for any set of terms.
-        x[:, model.waves] += scatter * ((_SPREAD if tries else 0.3 * _SPREAD) / model.rms(step))[:, None]
-    centred = (np.arange(count) + tries) % len(first) == 0
-    edge = model.base + (x[centred, model.waves] @ model.directions)[:, None]
-    for j, slope in enumerate(model.mean_slopes(edge)):
+        x[:, model.wave_columns] += (
+            scatter * ((_SCATTER if tried_starts else 0.3 * _SCATTER) / model.rms(step))[:, None]
+        )
+    centred = (np.arange(count) + tried_starts) % len(rows) == 0
+    edge = model.base + (x[centred, model.wave_columns] @ model.directions)[:, None]
+    for j, shift in enumerate(model.mean_slopes(edge)):
         # Aberrations shift the centroid: subtract this shift from the tilts.
-        model.per_image(x)[centred, j] -= slope
+        model.per_image(x)[centred, j] -= shift
     return x
 
 
 def _build_retrieval(
-    model: StarImages, x: Array, scores: Scores, settled: bool, counts: Counts, noise: Noise, tried: tuple[int, int]
+    model: StarImages, x: Array, scores: Scores, settled: bool, counts: Counts, noise: Noise, effort: tuple[int, int]
 ) -> Retrieval:
-    """Return the Retrieval for parameters `x`, (1, p); `tried` are the numbers of steps and starts."""
-    steps, starts = tried
+    """Return the Retrieval for parameters `x`, (1, p); `effort` are the numbers of steps and starts."""
+    steps, starts = effort
     psf = model.plan(model.pupils(x[0]))
     mean = model.mean(x, psf.values.reshape(1, model.count, -1))[0]
     valid = model.valid > 0.0
     residual = np.where(valid, (model.counted - mean) / np.sqrt(model.variance(mean)), np.nan)
     inverse = covariance(scores.information[0])
-    unknowns, shared, own = model.unknowns, model.shared, model.per_image(x)[0]
+    unknowns, common_count, image_parameters = model.unknowns, model.common_count, model.per_image(x)[0]
     names, errors = model.names, np.sqrt(np.diag(inverse))
     tests, marginal, untested = star_tests(model, x)
-    likely = model.within(x + np.pad(marginal.shift, (0, model.size - shared)), x)
-    optics: dict[str, Any] = model.optics_of(likely)
+    corrected_x = model.within(x + np.pad(marginal.shift, (0, model.size - common_count)), x)
+    pupil_parameters: dict[str, Any] = model.pupil_parameters(corrected_x)
     per_pixel = model.tilt_of_pixel
-    if "f_number" in optics:  # the shift due to a tilt is proportional to the f-number
-        per_pixel /= optics["f_number"] / cast("float", model.pupil.f_number)
-    own_errors: dict[Name, Numbers] = dict(
-        zip((*unknowns.places, "flux", "background"), errors[model.own].reshape(-1, model.count), strict=True)
-    )
+    if "f_number" in pupil_parameters:  # the shift due to a tilt is proportional to the f-number
+        per_pixel /= pupil_parameters["f_number"] / cast("float", model.pupil.f_number)
+    image_names, standard_errors = (*unknowns.places, "flux", "background"), errors[model.image_columns]
+    image_errors: dict[Name, Numbers] = dict(zip(image_names, standard_errors.reshape(-1, model.count), strict=True))
     center = np.tile([float(side // 2) for side in counts.values.shape[1:]], (model.count, 1))
     for j, place in enumerate(unknowns.places):
-        center[:, ("row", "column").index(place)] += own[j] / per_pixel
-        own_errors[place] = own_errors[place] / per_pixel
-    dark = _light_findings(own[-2], own_errors["flux"])
-    own_errors |= {name: noise.excess * own_errors[name] for name in ("flux", "background")}
-    wavefront = model.wavefront(likely[0])
-    chi2, spread = float(scores.chi2[0]), float(scores.spread[0])
+        center[:, ("row", "column").index(place)] += image_parameters[j] / per_pixel
+        image_errors[place] = image_errors[place] / per_pixel
+    light_findings = _light_findings(image_parameters[-2], image_errors["flux"])
+    image_errors |= {name: noise.excess * image_errors[name] for name in ("flux", "background")}
+    wavefront = model.wavefront(corrected_x[0])
+    chi2, deviation = float(scores.chi2[0]), float(scores.spread[0])
     summary = f"chi2 {chi2:.3g} per degree of freedom after {steps} steps from {starts} start{'s' * (starts > 1)}"
     missing = missing_findings(tests)
-    causes = causes_of_misfit(_CAUSES, chi2, spread, tests)
-    found = goodness_of_fit.chi2_findings(chi2, spread, causes)
+    causes = causes_of_misfit(_CAUSES, chi2, deviation, tests)
+    findings = goodness_of_fit.chi2_findings(chi2, deviation, causes)
     variance = model.variance(mean)
-    off = residual * np.sqrt(variance)
+    difference = residual * np.sqrt(variance)
     stripes = goodness_of_fit.stripe_findings
-    found += stripes(off.reshape(counts.values.shape), variance.reshape(counts.values.shape), noise.excess)
-    found += [*dark, *_sign_findings(model, x), *missing, *untested]
-    if "misfit" in Findings(found).codes and not missing:
+    findings += stripes(difference.reshape(counts.values.shape), variance.reshape(counts.values.shape), noise.excess)
+    findings += [*light_findings, *_sign_findings(model, x), *missing, *untested]
+    if "misfit" in Findings(findings).codes and not missing:
         read = model.read.reshape(residual.shape)
-        found[:0] = goodness_of_fit.excess_test(off, mean, read).findings(noise.excess)
+        findings[:0] = goodness_of_fit.excess_test(difference, mean, read).findings(noise.excess)
     if not settled:
-        found.append(Finding("not_settled", "error", f"the steps have not settled: more than {steps} may be needed"))
-    light = counts.filled().sum(axis=(1, 2))
-    if not Findings(found).converged and np.all(np.abs(light - 1.0) < _NORMALIZED):
+        text = f"the steps have not settled: more than {steps} may be needed"
+        findings.append(Finding("not_settled", "error", text))
+    sums = counts.filled().sum(axis=(1, 2))
+    if not Findings(findings).converged and np.all(np.abs(sums - 1.0) < _NORMALIZED):
         text = "the images sum to 1, as PSFs do and electrons do not: multiply them by the electrons, or give white"
-        found.append(Finding("unit_sum", "note", text))
-    found += error_findings(model, x, inverse) if Findings(found).converged else []
+        findings.append(Finding("unit_sum", "note", text))
+    findings += error_findings(model, x, inverse) if Findings(findings).converged else []
     if not np.isfinite(errors).all():
-        blind = ", ".join(label(name) for name, error in zip(names, errors, strict=False) if not np.isfinite(error))
-        text = f"the images do not determine {blind or 'all of their places, fluxes and backgrounds'}"
-        found.append(Finding("undetermined", "note", text))
-    found += recording_findings([counts[k] for k in range(model.count)], noise, "image")
+        pairs = zip(names, errors, strict=False)
+        undetermined = ", ".join(label(name) for name, error in pairs if not np.isfinite(error))
+        text = f"the images do not determine {undetermined or 'all of their places, fluxes and backgrounds'}"
+        findings.append(Finding("undetermined", "note", text))
+    findings += recording_findings([counts[k] for k in range(model.count)], noise, "image")
     return Retrieval(
         wavefront=wavefront,
-        twin=model.wavefront(model.even_part_negated(likely)[0]) if model.sign_ambiguous else None,
-        pupil=replace(model.pupil.carrying(wavefront, None), **optics),
-        coefficients=dict(zip(names, likely[0, :shared].tolist(), strict=True)),
-        errors=dict(zip(names, np.sqrt(np.diag(marginal.covariance)).tolist(), strict=True)) | own_errors,
+        twin=model.wavefront(model.even_part_negated(corrected_x)[0]) if model.sign_ambiguous else None,
+        pupil=replace(model.pupil.carrying(wavefront, None), **pupil_parameters),
+        coefficients=dict(zip(names, corrected_x[0, :common_count].tolist(), strict=True)),
+        errors=dict(zip(names, np.sqrt(np.diag(marginal.covariance)).tolist(), strict=True)) | image_errors,
         covariance=marginal.covariance,
-        units={name: (_UNITS | _UNITS_PER_IMAGE).get(str(name), "rad") for name in (*names, *own_errors)},
+        units={name: (_UNITS | _UNITS_PER_IMAGE).get(str(name), "rad") for name in (*names, *image_errors)},
         chi2=chi2,
-        findings=Findings(found),
+        findings=Findings(findings),
         summary=summary,
-        flux=noise.excess * own[-2],
-        background=noise.excess * own[-1],
+        flux=noise.excess * image_parameters[-2],
+        background=noise.excess * image_parameters[-1],
         center=center,
         psf=psf,
         blurs=((),) * model.count,
@@ -550,46 +552,46 @@ def _build_retrieval(
 
 
 def _build_blurred_retrieval(
-    found: FieldFit, counts: Counts, noise: Noise, plan: Plan, pixel: float, pupil: Pupil, defocus: Array
+    field_fit: FieldFit, counts: Counts, noise: Noise, plan: Plan, pixel: float, pupil: Pupil, defocus: Array
 ) -> Retrieval:
-    """Return the Retrieval for `found`, a field fit to a single star with blurred images."""
-    errors = np.sqrt(np.diag(found.covariance))
-    wavefront = found.field.pupil(0.0, 0.0).wavefront
-    center, mean = found.stars.centers[0], found.model[0]
-    lens = pupil.carrying(wavefront, None)
+    """Return the Retrieval for `field_fit`, a field fit to a single star with blurred images."""
+    errors = np.sqrt(np.diag(field_fit.covariance))
+    wavefront = field_fit.field.pupil(0.0, 0.0).wavefront
+    center, mean = field_fit.stars.centers[0], field_fit.model[0]
+    fitted_pupil = pupil.carrying(wavefront, None)
     # Tilts shift the PSFs to the positions of the star.
     tilts = np.pi * pixel / pupil.scale * (center - np.array(counts.values.shape[1:]) // 2).T
-    at = dict(zip(SHIFTS.values(), tilts, strict=True))
-    edge = lens.wavefront + Wavefront.zernike(at, normalization="edge")
+    edge_tilts = dict(zip(SHIFTS.values(), tilts, strict=True))
+    edge = fitted_pupil.wavefront + Wavefront.zernike(edge_tilts, normalization="edge")
     return Retrieval(
         wavefront=wavefront,
-        twin=None if found.twin is None else found.twin.pupil(0.0, 0.0).wavefront,
-        pupil=lens,
-        coefficients=dict(zip(found.names, found.coefficients[:, 0].tolist(), strict=True)),
-        errors=dict(zip(found.names, errors.tolist(), strict=True)),
-        covariance=found.covariance,
-        units=dict.fromkeys(found.names, "rad"),
-        chi2=found.chi2,
-        findings=found.findings,
-        summary=f"chi2 {found.chi2:.3g} per degree of freedom",
-        flux=found.stars.flux[0],
-        background=found.stars.background[0],
+        twin=None if field_fit.twin is None else field_fit.twin.pupil(0.0, 0.0).wavefront,
+        pupil=fitted_pupil,
+        coefficients=dict(zip(field_fit.names, field_fit.coefficients[:, 0].tolist(), strict=True)),
+        errors=dict(zip(field_fit.names, errors.tolist(), strict=True)),
+        covariance=field_fit.covariance,
+        units=dict.fromkeys(field_fit.names, "rad"),
+        chi2=field_fit.chi2,
+        findings=field_fit.findings,
+        summary=f"chi2 {field_fit.chi2:.3g} per degree of freedom",
+        flux=field_fit.stars.flux[0],
+        background=field_fit.stars.background[0],
         center=center,
         psf=plan(pupil.carrying(edge + Wavefront(defocus=defocus), None)),
-        blurs=found.blurs,
-        blur_errors=found.blur_errors,
+        blurs=field_fit.blurs,
+        blur_errors=field_fit.blur_errors,
         images=np.where(counts.known, counts.values, np.nan),
         model=noise.image(mean),
-        residual=(found.images[0] - mean) / np.sqrt(noise.variance(np.maximum(mean, 0.0))),
+        residual=(field_fit.images[0] - mean) / np.sqrt(noise.variance(np.maximum(mean, 0.0))),
     )
 
 
 def _light_findings(flux: Array, errors: Numbers) -> list[Finding]:
     """Return the finding on the image of lowest signal-to-noise ratio, if its flux is within the noise."""
-    visible = flux / errors
-    k = int(np.argmin(visible))
+    significance = flux / errors
+    k = int(np.argmin(significance))
     text = f"the flux of image {k} is within the noise"
-    return [] if visible[k] >= _VISIBLE else [Finding("no_light", "error", text, {"image": k})]
+    return [] if significance[k] >= _MIN_SIGNIFICANCE else [Finding("no_light", "error", text, {"image": k})]
 
 
 def _sign_findings(model: StarImages, x: Array) -> list[Finding]:
@@ -597,10 +599,11 @@ def _sign_findings(model: StarImages, x: Array) -> list[Finding]:
     if not model.sign_ambiguous:
         return []
     start = np.pad(model.start, (0, model.size - len(model.start)))
-    near, far = (float(model.rms(each - start)[0]) for each in (x, model.even_part_negated(x)))
+    twins = x, model.even_part_negated(x)
+    distance, other_distance = (float(model.rms(parameters - start)[0]) for parameters in twins)
     text = "one defocus of all images leaves the common sign of the even terms open"
-    numbers = {"rms": near, "rms_of_other": far}
-    if far >= _DECIDED * near:
+    numbers = {"rms": distance, "rms_of_other": other_distance}
+    if other_distance >= _DECIDED * distance:
         text += ": the wavefront nearer to the given wavefront and defocus was chosen"
         return [Finding("sign_open", "note", text, numbers)]
     return [

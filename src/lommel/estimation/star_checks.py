@@ -76,7 +76,7 @@ _MAX_PHASE_ERROR = 0.25
 # Largest factor by which a valid standard error may change within one standard deviation of the estimate.
 _MAX_ERROR_CHANGE = 1.125
 APODIZED = 0.1  # apodization coefficient g: the amplitude is exp(-g) at the pupil edge
-_SHARP = Shape(np.ones(1), np.empty((1, 0)), np.zeros(1))
+_NO_BLUR = Shape(np.ones(1), np.empty((1, 0)), np.zeros(1))
 _GAUSSIAN, _ELLIPSE, _WINGS, _HALO = "blur by a Gaussian besides", "blur in one direction", "wings", "halo"
 _UNEVEN = "blur that varies over the field"
 BLURS = (_GAUSSIAN, _ELLIPSE, _WINGS, _HALO)
@@ -85,11 +85,11 @@ _TRAILS = {
     name: f"charge that arrives late in {name}"
     for name in ("higher rows", "lower rows", "higher columns", "lower columns")
 }
-_ZONES, _FINE = "zones of the wavefront", "ripples of the wavefront"
+_ZONE_NAME, _RIPPLE_NAME = "zones of the wavefront", "ripples of the wavefront"
 NUISANCES = (*_UNEVEN_LIGHT, *_TRAILS.values(), GRADIENT)
 """Effects that no fit estimates. They bias estimates even if they are too weak to be detected in the images."""
 _GAIN = "non-linear gain"
-_WORDS = {
+_DESCRIPTIONS = {
     _GAUSSIAN: ("variance of an additional Gaussian blur", " pixels^2"),
     _ELLIPSE: (
         "elliptical blur, for example from tracking or wind: (variance along rows - along columns) / 2, covariance",
@@ -99,8 +99,8 @@ _WORDS = {
     _HALO: ("a halo of the blur: fraction of light in a blur of four times the width", ""),
     _UNEVEN: ("blur that varies over the field: change of variance over half the field, columns, rows", " pixels^2"),
     GRADIENT: ("background gradients", ""),
-    _ZONES: ("zones of the wavefront, for example from polishing", ""),
-    _FINE: ("ripples of the wavefront, finer than the tested terms", ""),
+    _ZONE_NAME: ("zones of the wavefront, for example from polishing", ""),
+    _RIPPLE_NAME: ("ripples of the wavefront, finer than the tested terms", ""),
     _GAIN: ("non-linear gain: fraction of electrons that is lost at 10^4", ""),
     SLANT: ("light that slopes across the pupil as exp(-a y - b x): a, b", ""),
     SHIFT: ("a decentred obscuration: rows, columns", " radii"),
@@ -127,53 +127,53 @@ class MissingEffect(NamedTuple):
     images: tuple[Array, ...]
 
 
-def constants_to_test(pupil: Pupil, known: Array, estimated: Sequence[Name]) -> tuple[Name, ...]:
+def constants_to_test(pupil: Pupil, known_defoci: Array, estimated: Sequence[Name]) -> tuple[Name, ...]:
     """Return the constants to test: "f_number", and the scale of the known defoci (named (2, 0)) if these differ."""
     scaled = pupil.circular and pupil.mask is None and pupil.wavelength is not None
     f_number = ("f_number",) if scaled and not {"f_number", "wavelength"} & {*estimated} else ()
-    return (*f_number, *([(2, 0)] if np.ptp(known) > 0.0 else []))
+    return (*f_number, *([(2, 0)] if np.ptp(known_defoci) > 0.0 else []))
 
 
 def missing_terms(
-    terms: Sequence[Term], constants: Sequence[Name], slopes: Sequence[Array], pupil: Pupil, known: Array
+    terms: Sequence[Term], constants: Sequence[Name], derivatives: Sequence[Array], pupil: Pupil, known_defoci: Array
 ) -> Iterator[MissingEffect]:
-    """Yield Zernike terms and constants, given `slopes`, derivatives of electrons.
+    """Yield Zernike terms and constants, given derivatives of electrons.
 
-    The derivatives are with respect to the terms (radians at the pupil edge), followed by the constants. The
-    derivative for the constant (2, 0) is with respect to defocus.
+    `derivatives` are with respect to the terms (radians at the pupil edge), followed by the constants. For
+    the constant (2, 0), the scale of the known defoci, the derivative is with respect to the defocus.
     """
-    for term, slope in zip(terms, slopes, strict=False):
-        yield MissingEffect(label(term), _TERM, (slope * zernike.rms_factor(*term),))
-    for name, slope in zip(constants, slopes[len(terms) :], strict=True):
+    for term, derivative in zip(terms, derivatives, strict=False):
+        yield MissingEffect(label(term), _TERM, (derivative * zernike.rms_factor(*term),))
+    for name, derivative in zip(constants, derivatives[len(terms) :], strict=True):
         if name != (2, 0):
             size = _CONSTANTS[str(name)] * (float(pupil.f_number or 1.0) if name == "f_number" else 1.0)
-            yield MissingEffect(str(name), size, (slope,))
+            yield MissingEffect(str(name), size, (derivative,))
             continue
-        defoci = np.tile(known, len(slope) // len(known))[:, None, None]
-        yield MissingEffect("defocus", _CONSTANTS["defocus"], (slope * defoci,))
-        if 2 < len(known) <= _MAX_FOCI:  # with two images, a single defocus is equivalent to the scale
-            for k, one in enumerate(_of_each_exposure(len(known), slope)):
-                yield MissingEffect(f"defocus of image {k + 1}", _DEFOCUS, (one,))
+        defoci = np.tile(known_defoci, len(derivative) // len(known_defoci))[:, None, None]
+        yield MissingEffect("defocus", _CONSTANTS["defocus"], (derivative * defoci,))
+        if 2 < len(known_defoci) <= _MAX_FOCI:  # with two images, a single defocus is equivalent to the scale
+            for k, image in enumerate(_of_each_exposure(len(known_defoci), derivative)):
+                yield MissingEffect(f"defocus of image {k + 1}", _DEFOCUS, (image,))
 
 
-def missing_ripples(terms: Sequence[Term], slopes: Sequence[Array]) -> Iterator[MissingEffect]:
+def missing_ripples(terms: Sequence[Term], derivatives: Sequence[Array]) -> Iterator[MissingEffect]:
     """Yield zones (terms with m = 0) and other ripples, given derivatives of electrons by terms (1 at the edge)."""
-    for name, symmetric in ((_ZONES, True), (_FINE, False)):
-        pairs = zip(terms, slopes, strict=True)
-        images = tuple(slope * zernike.rms_factor(*term) for term, slope in pairs if (term[1] == 0) == symmetric)
+    for name, symmetric in ((_ZONE_NAME, True), (_RIPPLE_NAME, False)):
+        pairs = zip(terms, derivatives, strict=True)
+        images = tuple(d * zernike.rms_factor(*term) for term, d in pairs if (term[1] == 0) == symmetric)
         if images:
             yield MissingEffect(name, _RIPPLES / len(images) ** 0.5, images)
 
 
-def missing_drifts(terms: Sequence[Term], slopes: Iterable[Array], exposures: int) -> Iterator[MissingEffect]:
+def missing_drifts(terms: Sequence[Term], derivatives: Iterable[Array], exposures: int) -> Iterator[MissingEffect]:
     """Yield linear changes of estimated terms over the images, given derivatives of electrons by terms.
 
     The coefficient is half the difference between the last and the first image, radians rms.
     """
     if exposures > 1:
-        for term, slope in zip(terms, slopes, strict=False):
-            time = np.tile(np.linspace(-1.0, 1.0, exposures), len(slope) // exposures)[:, None, None]
-            yield MissingEffect(label(term) + _DRIFTS, _DRIFT, (slope * time * zernike.rms_factor(*term),))
+        for term, derivative in zip(terms, derivatives, strict=False):
+            time = np.tile(np.linspace(-1.0, 1.0, exposures), len(derivative) // exposures)[:, None, None]
+            yield MissingEffect(label(term) + _DRIFTS, _DRIFT, (derivative * time * zernike.rms_factor(*term),))
 
 
 def apodized(pupil: Pupil) -> Pupil | None:
@@ -183,9 +183,9 @@ def apodized(pupil: Pupil) -> Pupil | None:
     return None
 
 
-def missing_apodization(image: Array, other: Array) -> MissingEffect:
-    """Return apodization, given the electrons of the pupil (`image`) and of the apodized pupil (`other`)."""
-    return MissingEffect("apodization", APODIZED, ((other - image) / APODIZED,))
+def missing_apodization(image: Array, apodized_image: Array) -> MissingEffect:
+    """Return apodization, given the electrons of the pupil (`image`) and of the apodized pupil (`apodized_image`)."""
+    return MissingEffect("apodization", APODIZED, ((apodized_image - image) / APODIZED,))
 
 
 def missing_illumination(
@@ -207,9 +207,9 @@ def missing_charge_transfer(image: Array) -> Iterator[MissingEffect]:
 
     `image` has the shape (r * e, height, width), for r stars in e exposures.
     """
-    tail = np.exp(-np.arange(_TRAIL_LENGTH) / _TRAIL_DECAY)
+    trail = np.exp(-np.arange(_TRAIL_LENGTH) / _TRAIL_DECAY)
     for name, axis, step in zip(_TRAILS.values(), (1, 1, 2, 2), (1, -1, 1, -1), strict=True):
-        kernel = np.concatenate([np.zeros(_TRAIL_LENGTH + 1), tail / tail.sum()])[::step]
+        kernel = np.concatenate([np.zeros(_TRAIL_LENGTH + 1), trail / trail.sum()])[::step]
         # The deferred charge moves to pixels read out later: the sum is conserved.
         yield MissingEffect(name, _TRAIL, (ndimage.correlate1d(image, kernel[::-1], axis, mode="constant") - image,))
 
@@ -252,9 +252,9 @@ def _of_each_exposure(exposures: int, *images: Array) -> tuple[Array, ...]:
 def candidates_of(effects: Sequence[MissingEffect], first: int) -> list[Candidate]:
     """Return score-test candidates for effects, whose coefficients have consecutive columns from `first` on."""
     candidates = []
-    for one in effects:
-        candidates.append(Candidate(one.name, tuple(range(first, first + len(one.images))), one.scale))
-        first += len(one.images)
+    for effect in effects:
+        candidates.append(Candidate(effect.name, tuple(range(first, first + len(effect.images))), effect.scale))
+        first += len(effect.images)
     return candidates
 
 
@@ -270,104 +270,107 @@ def to_marginalize(
     factors = dict.fromkeys((*NUISANCES, *others), 1.0)
     factors |= (
         dict.fromkeys(_CONSTANTS, _CONSTANT_FACTOR)
-        | dict.fromkeys((_ZONES, _FINE), _RIPPLE_FACTOR)
+        | dict.fromkeys((_ZONE_NAME, _RIPPLE_NAME), _RIPPLE_FACTOR)
         | dict.fromkeys(_TRAILS.values(), _TRAIL_FACTOR)
     )
     factors |= dict.fromkeys(favoured(tests), 1.0)
-    return [replace(one, scale=factors[one.name] * one.scale) for one in candidates if one.name in factors]
+    chosen = (candidate for candidate in candidates if candidate.name in factors)
+    return [replace(candidate, scale=factors[candidate.name] * candidate.scale) for candidate in chosen]
 
 
 def untested_constants(
     pupil: Pupil,
-    known: Array,
+    defoci: Array,
     candidates: Sequence[Candidate],
     tests: Sequence[ScoreTest],
     fit: tuple[Array, Sequence[int]],
-    waves: Unknowns,
+    unknowns: Unknowns,
     columns: Sequence[int],
-    never: Sequence[str] = (),
+    never_tested: Sequence[str] = (),
 ) -> list[Finding]:
     """Return the finding on stated numbers whose errors bias the fit but cannot be detected in the images.
 
     `fit` is the information matrix and the indices of its estimated columns. `columns` are the positions of the terms
-    of `waves` among these, and `never` lists numbers that no image can test.
+    of `unknowns` among the estimated columns. `never_tested` lists numbers that no image can test.
     """
-    names = [label(name) for name in waves.terms]
+    names = [label(name) for name in unknowns.terms]
     scale = _STATED_ERROR * float(pupil.f_number or 1.0)
-    f_number = [replace(one, scale=scale) for one in candidates if one.name == "f_number"]
+    f_number = [replace(candidate, scale=scale) for candidate in candidates if candidate.name == "f_number"]
     effects = untested(*fit, dict(zip(names, columns, strict=True)), f_number, tests)
-    if np.ptp(known) == 0.0 != known[0] and (2, 0) in waves.edge:
+    if np.ptp(defoci) == 0.0 != defoci[0] and (2, 0) in unknowns.edge:
         # Images at a single focus determine only the sum of the known defocus and the estimated one.
-        defocus_part = waves.directions[:, waves.edge.index((2, 0))] / np.abs(waves.directions).sum(axis=1)
+        defocus_part = unknowns.directions[:, unknowns.edge.index((2, 0))] / np.abs(unknowns.directions).sum(axis=1)
         j = int(defocus_part.argmax())
-        bias = _STATED_ERROR * abs(float(known[0])) / waves.directions[j, waves.edge.index((2, 0))]
+        bias = _STATED_ERROR * abs(float(defoci[0])) / unknowns.directions[j, unknowns.edge.index((2, 0))]
         effects["known defocus"] = names[j], float(bias)
-    return untested_findings(effects, dict.fromkeys(effects, f"{100.0 * _STATED_ERROR:g} % of it"), never=never)
+    errors = dict.fromkeys(effects, f"{100.0 * _STATED_ERROR:g} % of it")
+    return untested_findings(effects, errors, never=never_tested)
 
 
 def missing_findings(tests: Sequence[ScoreTest]) -> list[Finding]:
     """Return the finding on missing effects that the images significantly favour."""
-    likely = seen(tests)
-    return [other_explanation(likely, [_in_words(test) for test in likely])] if likely else []
+    significant = seen(tests)
+    return [other_explanation(significant, [_in_words(test) for test in significant])] if significant else []
 
 
 def _in_words(test: ScoreTest) -> str:
     """Return the result of a test in words: "noll 22 secondary spherical = 0.100 +- 0.006 rad (17 sigma)"."""
-    name, unit = _WORDS.get(test.name, (test.name, " rad"))
+    name, unit = _DESCRIPTIONS.get(test.name, (test.name, " rad"))
     sigmas = f"({abs(test.sigmas):.2g} sigma)"
-    if len(test.size) > (2 if test.name in _WORDS else 1):
+    if len(test.size) > (2 if test.name in _DESCRIPTIONS else 1):
         return f"{name} {sigmas}"
     pairs = zip(test.size, test.errors, strict=True)
     return f"{name} = {', '.join(' +- '.join(with_error(*pair)) for pair in pairs)}{unit} {sigmas}"
 
 
 def star_tests(model: StarImages, x: Array) -> tuple[tuple[ScoreTest, ...], Marginal, list[Finding]]:
-    """Return score tests of effects that the model of one star lacks, in the order of falling Bayes factors.
+    """Return tests of effects that the model of one star lacks, a marginalized correction, and findings.
 
-    The tests are at the estimate `x` (1, p). Also return corrections of the shared parameters, marginalized over
-    effects that the model lacks, and findings on effects that were not tested.
+    1. Score tests at the estimate `x` (1, p), in the order of falling Bayes factors. 2. Shift and covariance of the
+    common parameters, marginalized over effects. 3. Findings on effects that were not tested.
     """
     pupil, unknowns, plan = model.pupils(x[0]), model.unknowns, model.plan
-    light = model.per_image(x)[0]
-    flux = light[-2][:, None, None]
-    known = model.base[:, 0] - model.fixed[0]
+    image_parameters = model.per_image(x)[0]
+    flux = image_parameters[-2][:, None, None]
+    defoci = model.base[:, 0] - model.fixed[0]
     terms, ripples = next_terms(unknowns.edge, ()), ripple_terms(unknowns.edge)
-    constants = constants_to_test(pupil, known, unknowns.pupil)
+    constants = constants_to_test(pupil, defoci, unknowns.pupil)
     values, slopes = model.images(x)
-    _, lacking = model.images(x, fast=True, by=(*terms, *constants, *ripples))
-    derivatives = [flux * slope.values for slope in lacking]
-    effects = [*missing_terms(terms, constants, derivatives[: len(lacking) - len(ripples)], pupil, known)]
-    effects += missing_ripples(ripples, derivatives[len(lacking) - len(ripples) :])
+    _, extra_slopes = model.images(x, fast=True, names=(*terms, *constants, *ripples))
+    derivatives, first_ripple = [flux * slope.values for slope in extra_slopes], len(terms) + len(constants)
+    effects = [*missing_terms(terms, constants, derivatives[:first_ripple], pupil, defoci)]
+    effects += missing_ripples(ripples, derivatives[first_ripple:])
     effects += missing_drifts(unknowns.edge, (flux * slope.values for slope in slopes), model.count)
     changes, edge = changes_of(model.pupil), pupil.wavefront.edge_terms()
     if changes:
         phases = np.stack([np.broadcast_to(edge[term], model.count) for term in model.terms], axis=-1)
-        uneven = UnevenLight(pupil[0], plan.grid(pupil), model.terms, phases).images()
-        effects += missing_illumination(changes, [flux * image for image in uneven], unknowns.pupil)
+        illumination = UnevenLight(pupil[0], plan.grid(pupil), model.terms, phases).images()
+        effects += missing_illumination(changes, [flux * image for image in illumination], unknowns.pupil)
     effects += missing_charge_transfer(flux * values)
-    if (other := apodized(pupil)) is not None and plan.method is None:
-        effects.append(missing_apodization(flux * values, flux * np.asarray(plan(other).values)))
+    if (apodized_pupil := apodized(pupil)) is not None and plan.method is None:
+        effects.append(missing_apodization(flux * values, flux * np.asarray(plan(apodized_pupil).values)))
     grid, scale = plan.grid(pupil), float(pupil.scale)
-    reader = StarReadout(grid.shape, model.pixel / scale, 1.0, _SHARP, integrate=grid.integrate)
-    fine = Plan(reader.shape, reader.step * scale, tol=model.loosest, integrate=False, threads=plan.threads or None)
+    reader = StarReadout(grid.shape, model.pixel / scale, 1.0, _NO_BLUR, integrate=grid.integrate)
+    pitch, threads = reader.step * scale, plan.threads or None
+    fine_plan = Plan(reader.shape, pitch, tol=model.loosest, integrate=False, threads=threads)
     notes = []
     try:
-        samples = np.asarray(fine(pupil).values, np.float32)
+        samples = np.asarray(fine_plan(pupil).values, np.float32)
     except (Declined, ToleranceError) as error:  # blur needs finer samples than pixels do, which may not be possible
         notes.append(Finding("untested", "note", f"blur was not tested: {error}"))
     else:
         blurs = reader.other_blurs(samples, np.empty((1, 0)))
         effects += missing_blurs({name: flux * image for name, image in blurs.items()}, 1, gaussian=True)
-    mean = flux * values + light[-1][:, None, None]
+    mean = flux * values + image_parameters[-1][:, None, None]
     effects += [missing_gradients(model.count, grid.shape, model.count), missing_nonlinearity(mean)]
-    # Products of all derivatives and the residuals: the information matrix, and in the last column the slope.
-    _, products = model.products(x, values, slopes, [image for one in effects for image in one.images])
+    # Products of all derivatives and the residuals: the information matrix, and in the last column the gradient.
+    _, products = model.products(x, values, slopes, [image for effect in effects for image in effect.images])
     matrix = products[0]
     candidates, scores = candidates_of(effects, model.size), (matrix[:-1, :-1], matrix[:-1, -1], range(model.size))
     tests = score_tests(*scores, candidates)
-    marginal = marginalized(*scores, to_marginalize(candidates, tests), model.shared)
+    marginal = marginalized(*scores, to_marginalize(candidates, tests), model.common_count)
     fit = matrix[:-1, :-1], range(model.size)
-    notes += untested_constants(pupil[0], known, candidates, tests, fit, unknowns, range(len(unknowns.terms)))
+    notes += untested_constants(pupil[0], defoci, candidates, tests, fit, unknowns, range(len(unknowns.terms)))
     return tests, marginal, notes
 
 
@@ -376,18 +379,18 @@ def error_findings(model: StarImages, x: Array, inverse: Array) -> list[Finding]
     error, axes = uncertainty(model, inverse)
     if error > _MAX_PHASE_ERROR:
         text = (
-            f"the standard errors are not to be trusted: the phase of an image has an error of {error:.2g} rad "
-            "rms, and other wavefronts may fit equally well"
+            "the standard errors are not to be trusted: the phase of an image has a standard error of "
+            f"{error:.2g} rad rms, and other wavefronts may fit equally well"
         )
         return [Finding("too_dim", "doubt", text, {"rms": error, "limit": _MAX_PHASE_ERROR})]
     factors = changes(model, x, inverse, axes)
-    worst = [k for k in np.argsort(-factors) if factors[k] > _MAX_ERROR_CHANGE]
-    if not worst:
+    invalid = [k for k in np.argsort(-factors) if factors[k] > _MAX_ERROR_CHANGE]
+    if not invalid:
         return []
-    names = ", ".join(label(model.names[k]) for k in worst[:3])
-    more = f" and {len(worst) - 3} more" if len(worst) > 3 else ""
+    names = ", ".join(label(model.names[k]) for k in invalid[:3])
+    others = f" and {len(invalid) - 3} more" if len(invalid) > 3 else ""
     text = (
-        f"the standard errors of {names}{more} are not to be trusted: within one standard deviation of the estimate "
-        f"they change by a factor of up to {factors[worst[0]]:.3g}"
+        f"the standard errors of {names}{others} are not to be trusted: within one standard deviation of the "
+        f"estimate they change by a factor of up to {factors[invalid[0]]:.3g}"
     )
-    return [Finding("errors_change", "doubt", text, {label(model.names[k]): factors[k] for k in worst})]
+    return [Finding("errors_change", "doubt", text, {label(model.names[k]): factors[k] for k in invalid})]

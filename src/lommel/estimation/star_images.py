@@ -1,7 +1,8 @@
 """Star images as functions of wavefront, pupil, position, flux and background, with their likelihood.
 
-A row of `x`, shape (s, p), contains the p parameters of one search; s searches are evaluated together. Tilts and
-other Zernike terms in arrays named `edge` are amplitudes at the pupil edge, radians.
+A row of `x`, shape (s, p), contains the p parameters of one search; s searches are evaluated together. The columns
+are: `waves`, the coefficients of the wavefront; parameters of the pupil; tilts, flux and background of each image.
+Tilts and other Zernike terms in arrays named `edge` are amplitudes at the pupil edge, radians.
 """
 
 from __future__ import annotations
@@ -33,12 +34,12 @@ from lommel.special import zernike
 OF_PUPIL = ("f_number", "wavelength", "obscuration")
 MAX_LINEAR_ERROR = 0.22
 """Largest standard error of a wavefront, radians rms, for which images are nearly linear in its terms."""
-_NODES = 256  # degree of the quadrature rule at whose nodes the symmetry of an aperture is tested
-_NOISE_PART, _LOOSEST = 0.3, 1e-4  # largest error of images in a search, relative to a pixel's noise, and to the peak
+_SYMMETRY_DEGREE = 256  # degree of the quadrature rule at whose nodes the symmetry of an aperture is tested
+_NOISE_PART, _LOOSEST = 0.3, 1e-4  # largest error of images in a search, divided by the read noise; by the peak
 _MIN_VARIANCE = 0.05  # smallest variance of the read noise, electrons squared
 _ORDERS = 2  # number of radial orders beyond the estimated terms that are tested
 _RIPPLE_ORDERS, _ZONES = 4, 20  # number of radial orders of ripples (m != 0); largest radial order of zones (m = 0)
-_FIRST = 4  # Noll's index of defocus, after piston and tilts
+_FIRST_NOLL = 4  # Noll's index of defocus, after piston and tilts
 
 
 class Unknowns:
@@ -51,7 +52,7 @@ class Unknowns:
     edge : tuple of (n, m)
         Zernike terms of which `terms` are linear combinations.
     directions : ndarray, shape (terms, edge)
-        Coefficients of these combinations: radians at the pupil edge per unit of a term.
+        Coefficients of these combinations: radians at the pupil edge for the coefficient 1 of a term.
     pupil : tuple of str
         Nuisance parameters of the pupil, common to all images.
     places : tuple of str
@@ -59,20 +60,22 @@ class Unknowns:
     """
 
     def __init__(self, terms: int | Sequence[Term | str], also: str | Sequence[str]) -> None:
-        extra = (also,) if isinstance(also, str) else also
-        if not isinstance(extra, Sequence):
+        nuisance = (also,) if isinstance(also, str) else also
+        if not isinstance(nuisance, Sequence):
             raise TypeError(f"also must be a sequence of names, got {validation.shown(also)}")
-        for name in extra:
+        for name in nuisance:
             validation.choice("also", name, ("center", *SHIFTS, *OF_PUPIL))
-        self.pupil = tuple(name for name in OF_PUPIL if name in extra)
-        self.places = tuple(place for place in SHIFTS if place in extra or "center" in extra)
+        self.pupil = tuple(name for name in OF_PUPIL if name in nuisance)
+        self.places = tuple(place for place in SHIFTS if place in nuisance or "center" in nuisance)
         self.terms = _names(terms)
         shares = [_zernike_terms(name) for name in self.terms]
-        self.edge = tuple(dict.fromkeys(term for each in shares for term in each))
-        directions = np.array([each.get(term, 0.0) for each in shares for term in self.edge])
+        self.edge = tuple(dict.fromkeys(term for share in shares for term in share))
+        directions = np.array([share.get(term, 0.0) for share in shares for term in self.edge])
         self.directions = directions.reshape(len(shares), len(self.edge))
         if shares and np.linalg.matrix_rank(self.directions) < len(shares):
-            raise ValueError(f"terms must not name one thing twice, got {validation.shown(terms)}")
+            raise ValueError(
+                f"terms must be linearly independent, got {validation.shown(terms)}: remove repeated terms"
+            )
         for place in self.places:
             if SHIFTS[place] in self.edge:
                 raise ValueError(
@@ -83,15 +86,15 @@ class Unknowns:
 def _names(terms: int | Sequence[Term | str]) -> tuple[Name, ...]:
     if isinstance(terms, int | np.integer) and not isinstance(terms, bool):
         count = validation.integer("terms", terms, least=1, most=500)
-        return tuple(zernike.term(_FIRST + k, "noll") for k in range(count))
+        return tuple(zernike.term(_FIRST_NOLL + k, "noll") for k in range(count))
     nuisance = ("center", *SHIFTS, *OF_PUPIL)
-    several = terms if isinstance(terms, Sequence) and not isinstance(terms, str) else ()
-    if any(isinstance(name, int) for name in several):
+    names = terms if isinstance(terms, Sequence) and not isinstance(terms, str) else ()
+    if any(isinstance(name, int) for name in names):
         raise ValueError(
             f"terms must be names with the order of the index, such as 'noll 5', or the number of terms from Noll 4 "
             f"on, got {validation.shown(terms)}"
         )
-    for name in several:
+    for name in names:
         if isinstance(name, str) and name in nuisance:
             raise ValueError(f"terms must be terms of a wavefront, got {name!r}; pass nuisance parameters as also")
     return checked_names(cast("Sequence[Name]", terms), "terms", tuple(POWERS))
@@ -100,32 +103,32 @@ def _names(terms: int | Sequence[Term | str]) -> tuple[Name, ...]:
 @lru_cache(maxsize=1024)
 def _zernike_terms(name: Name) -> dict[Term, float]:
     """Return the Zernike coefficients, radians at the edge, of 1 rad rms of a Zernike term, or of 1 rad of rho^n."""
-    found = cast("dict[Term, float]", translated(parts(name, Pupil(), 1.0, energy=False).phases, powers=False))
-    return found if name in POWERS else {(n, m): zernike.rms_factor(n, m) for n, m in found}
+    coefficients = cast("dict[Term, float]", translated(parts(name, Pupil(), 1.0, energy=False).phases, powers=False))
+    return coefficients if name in POWERS else {(n, m): zernike.rms_factor(n, m) for n, m in coefficients}
 
 
-def next_terms(solved: Sequence[Term], others: Sequence[Term]) -> tuple[Term, ...]:
-    """Return Zernike terms up to two radial orders above the estimated terms `solved`, without these and `others`.
+def next_terms(estimated: Sequence[Term], others: Sequence[Term]) -> tuple[Term, ...]:
+    """Return Zernike terms up to two radial orders above the estimated terms `estimated`, without these and `others`.
 
     Rotationally symmetric terms are included up to four orders above, because they resemble spherical aberration.
     """
-    if not solved:
+    if not estimated:
         return ()
-    last = max(n for n, _ in solved) + _ORDERS
-    orders = range(2, last + _ORDERS + 1)
-    every = ((n, m) for n in orders for m in range(-n, n + 1, 2) if n <= last or m == 0)
-    return tuple(term for term in every if term not in solved and term not in others)
+    last_order = max(n for n, _ in estimated) + _ORDERS
+    orders = range(2, last_order + _ORDERS + 1)
+    all_terms = ((n, m) for n in orders for m in range(-n, n + 1, 2) if n <= last_order or m == 0)
+    return tuple(term for term in all_terms if term not in estimated and term not in others)
 
 
-def ripple_terms(solved: Sequence[Term]) -> tuple[Term, ...]:
+def ripple_terms(estimated: Sequence[Term]) -> tuple[Term, ...]:
     """Return terms of higher radial orders than those of `next_terms`: polishing ripples, and zones of a mirror."""
-    if not solved:
+    if not estimated:
         return ()
-    last = max(n for n, _ in solved) + _ORDERS
-    finest = last + _RIPPLE_ORDERS
-    fine = ((n, m) for n in range(last + 1, finest + 1) for m in range(-n, n + 1, 2) if m)
-    zones = ((n, 0) for n in range(2, max(finest, _ZONES) + 1, 2) if n > last + _ORDERS)
-    return (*fine, *zones)
+    last_order = max(n for n, _ in estimated) + _ORDERS
+    finest = last_order + _RIPPLE_ORDERS
+    ripples = ((n, m) for n in range(last_order + 1, finest + 1) for m in range(-n, n + 1, 2) if m)
+    zones = ((n, 0) for n in range(2, max(finest, _ZONES) + 1, 2) if n > last_order + _ORDERS)
+    return (*ripples, *zones)
 
 
 def label(name: Name) -> str:
@@ -145,19 +148,19 @@ def star_counts(electrons: Array, variance: Array, valid: NDArray[np.bool_]) -> 
     return star.reshape(*star.shape[:-2], -1)
 
 
-def single(pupil: Pupil, why: str) -> Pupil:
-    """Return the pupil if it is not a stack; otherwise raise a TypeError or ValueError, with the reason `why`."""
+def single(pupil: Pupil, reason: str) -> Pupil:
+    """Return the pupil if it is not a stack; otherwise raise a TypeError or ValueError, with the reason `reason`."""
     if checked(pupil).shape != ():
-        raise ValueError(f"pupil must be a single one, {why}, got a stack of shape {pupil.shape}")
+        raise ValueError(f"pupil must be a single one, {reason}, got a stack of shape {pupil.shape}")
     return pupil
 
 
-def known_defocus(defocus: ArrayLike, count: int, of: str) -> Array:
-    """Return the known C_d, radians, of each of `count` images or exposures; `of` is the noun for the message."""
-    known = validation.real_array("defocus", defocus)
-    if known.shape not in ((), (count,)):
-        raise ValueError(f"defocus must be a number, or one for each of {count} {of}, got shape {known.shape}")
-    return np.broadcast_to(known, count)
+def known_defocus(defocus: ArrayLike, count: int, noun: str) -> Array:
+    """Return the known C_d, radians, of each of `count` images or exposures; `noun` is their name in the message."""
+    defoci = validation.real_array("defocus", defocus)
+    if defoci.shape not in ((), (count,)):
+        raise ValueError(f"defocus must be a number, or one for each of {count} {noun}, got shape {defoci.shape}")
+    return np.broadcast_to(defoci, count)
 
 
 def slants(images: int, shape: tuple[int, int]) -> list[Array]:
@@ -169,13 +172,13 @@ def slants(images: int, shape: tuple[int, int]) -> list[Array]:
 def centroids(star: Array, shape: tuple[int, int]) -> Array:
     """Return the centroids (n, 2) of the light above noise and background, rows and columns from the middle."""
     counted, _, read, valid = star.reshape(4, -1, *shape)
-    good, rim = valid > 0.0, np.ones(shape, dtype=bool)
+    is_valid, rim = valid > 0.0, np.ones(shape, dtype=bool)
     rim[1:-1, 1:-1] = False
     # The background is that of the outermost pixels, or of all pixels if no outermost pixel is valid.
-    seen = good & (rim | ~(good & rim).any(axis=(1, 2), keepdims=True))
-    level = np.nanmedian(np.where(seen, counted, np.nan), axis=(1, 2), keepdims=True)
+    is_background = is_valid & (rim | ~(is_valid & rim).any(axis=(1, 2), keepdims=True))
+    level = np.nanmedian(np.where(is_background, counted, np.nan), axis=(1, 2), keepdims=True)
     noise = np.sqrt(np.maximum(level, 0.0) + read.mean(axis=(1, 2), keepdims=True))
-    light = np.where(good & (counted > level + 3.0 * noise), counted - level, 0.0)
+    light = np.where(is_valid & (counted > level + 3.0 * noise), counted - level, 0.0)
     total = np.maximum(light.sum(axis=(1, 2)), 1e-12)  # without light, the centroid is the middle
     rows, columns = (np.arange(side) - side // 2 for side in shape)
     return np.stack([light.sum(axis=2) @ rows / total, light.sum(axis=1) @ columns / total], axis=1)
@@ -194,16 +197,17 @@ def _point_symmetric(pupil: Pupil) -> bool:
         return True
     if pupil.segmented or pupil.phase_mask:
         return False
-    x, y, _ = pupil.opening.rule(_NODES)
-    alike = bool((pupil.opening.margin(-x, -y) > -1e-9).all())
-    return alike and (pupil.mask is None or np.allclose(pupil.mask.values, pupil.mask.values[::-1, ::-1], atol=1e-6))
+    x, y, _ = pupil.opening.rule(_SYMMETRY_DEGREE)
+    symmetric = bool((pupil.opening.margin(-x, -y) > -1e-9).all())
+    mask = None if pupil.mask is None else pupil.mask.values
+    return symmetric and (mask is None or np.allclose(mask, mask[::-1, ::-1], atol=1e-6))
 
 
 class StarImages(RowModel):
     """Star images as functions of a row of parameters: terms, pupil parameters, tilts, flux, background.
 
-    `electrons` (n, height, width) are the recorded images, `variance` is that of the read noise, and `defocus` the
-    known C_d (radians) of each image.
+    `electrons` (n, height, width) are the recorded images, `variance` is the variance of the read noise, and
+    `defocus` (n,) is the known C_d, radians.
     """
 
     alternatives = True
@@ -219,8 +223,8 @@ class StarImages(RowModel):
         plan: Plan,
         pixel: float,
     ) -> None:
-        count, *shape = electrons.shape
-        self.count, self.shape = count, (shape[0], shape[1])
+        count, *window = electrons.shape
+        self.count, self.shape = count, (window[0], window[1])
         self.star = star_counts(electrons, variance, valid)
         self.counted, _, self.read, self.valid = self.star
         self.pupil, self.unknowns, self.plan, self.pixel = pupil, unknowns, plan, pixel
@@ -231,9 +235,9 @@ class StarImages(RowModel):
         self.loosest = loosest_tolerance(self.star, plan.tol)
         self.tilt_of_pixel = math.pi * pixel / pupil.scale
         start = pupil.wavefront.edge_terms()
-        every = {*start, *unknowns.edge, *SHIFTS.values()}
-        radial = symmetric_terms(max(n // 2 for n, m in every if m == 0))
-        self.terms = (*radial, *sorted(term for term in every if term[1]))
+        all_terms = {*start, *unknowns.edge, *SHIFTS.values()}
+        radial = symmetric_terms(max(n // 2 for n, m in all_terms if m == 0))
+        self.terms = (*radial, *sorted(term for term in all_terms if term[1]))
         edge = np.array([start.get(term, 0.0) for term in self.terms], dtype=np.float64)
         self.directions = np.zeros((len(unknowns.terms), len(self.terms)))
         self.directions[:, [self.terms.index(term) for term in unknowns.edge]] = unknowns.directions
@@ -244,22 +248,22 @@ class StarImages(RowModel):
         self.fixed = edge - self.start @ self.directions
         self.base = np.tile(self.fixed, (count, 1))
         self.base[:, 0] += defocus
-        halves = {"row": 0.5 * valid.shape[1], "column": 0.5 * valid.shape[2]}
-        self.largest_tilts = [halves[place] * self.tilt_of_pixel for place in unknowns.places]
+        half_sides = {"row": 0.5 * valid.shape[1], "column": 0.5 * valid.shape[2]}
+        self.largest_tilts = [half_sides[place] * self.tilt_of_pixel for place in unknowns.places]
         self.tilts = [self.terms.index(term) for term in tilts]
-        # The n values of each parameter of single images are contiguous.
-        k, self.shared = len(unknowns.terms), len(self.names)
-        self.size = self.shared + (len(unknowns.places) + 2) * count
-        self.waves, self.optics = slice(0, k), slice(k, self.shared)
-        self.own = slice(self.shared, self.size)
+        # The n values of each parameter of single images are in adjacent columns.
+        k, self.common_count = len(unknowns.terms), len(self.names)
+        self.size = self.common_count + (len(unknowns.places) + 2) * count
+        self.wave_columns, self.pupil_columns = slice(0, k), slice(k, self.common_count)
+        self.image_columns = slice(self.common_count, self.size)
         self._chain = np.zeros((count, self.size + 1, len(self.derivatives) + 3))
         terms = len(unknowns.edge)
         self._phases = terms + len(self.tilts)
-        self._chain[:, self.waves, :terms] = unknowns.directions
-        self._chain[:, self.optics, self._phases : -3] = np.eye(len(unknowns.pupil))
+        self._chain[:, self.wave_columns, :terms] = unknowns.directions
+        self._chain[:, self.pupil_columns, self._phases : -3] = np.eye(len(unknowns.pupil))
         self._chain[:, -1, -1] = 1.0
         for j, row in enumerate([*range(terms, self._phases), -3, -2]):
-            self._chain[np.arange(count), self.shared + j * count + np.arange(count), row] = 1.0
+            self._chain[np.arange(count), self.common_count + j * count + np.arange(count), row] = 1.0
         self.degrees_of_freedom = int(valid.sum()) - self.size
         self.even = np.array([n % 2 == 0 for n, _ in self.terms])
         # The mean square of a term with amplitude 1 at the edge is 1 / (n + 1) if m = 0, otherwise half of this.
@@ -272,10 +276,10 @@ class StarImages(RowModel):
         return np.array([edge[..., orders == SHIFTS[place][1]].sum(axis=-1) for place in self.unknowns.places])
 
     def split(self, edge: Mapping[Term, Any], shape: tuple[int, ...]) -> tuple[Array, Array]:
-        """Return the coefficients of wavefronts, and the fixed remainders; entries of `edge` have this `shape`."""
-        whole = np.stack([np.broadcast_to(edge.get(term, 0.0), shape) for term in self.terms], axis=-1)
-        found = whole @ self.inverse
-        return found, np.asarray(whole - found @ self.directions)
+        """Return the coefficients of wavefronts and the fixed remainders, for terms `edge` of this `shape`."""
+        full_edge = np.stack([np.broadcast_to(edge.get(term, 0.0), shape) for term in self.terms], axis=-1)
+        coefficients = full_edge @ self.inverse
+        return coefficients, np.asarray(full_edge - coefficients @ self.directions)
 
     @cached_property
     def sign_ambiguous(self) -> bool:
@@ -294,132 +298,134 @@ class StarImages(RowModel):
 
     def even_part_negated(self, x: Array) -> Array:
         """Return the parameters of the wavefront whose even part is negated."""
-        return np.concatenate([self.negated(x[:, self.waves], self.base[0]), x[:, self.waves.stop :]], axis=1)
+        waves = self.negated(x[:, self.wave_columns], self.base[0])
+        return np.concatenate([waves, x[:, self.wave_columns.stop :]], axis=1)
 
     def nearest(self, x: Array) -> Array:
         """Return rows of `x`, replaced by those with negated even part where these are nearer to the start."""
         if not self.sign_ambiguous:
             return x
-        other = self.even_part_negated(x)
+        negated = self.even_part_negated(x)
         start = np.pad(self.start, (0, self.size - len(self.start)))
-        far, near = (self.rms(part - start) for part in (x, other))
-        even = next(j for j, row in enumerate(self.directions) if row[self.even].any())
-        not_farther = near < far * (1.0 + 1e-6)
+        distance, negated_distance = (self.rms(part - start) for part in (x, negated))
+        term = next(j for j, row in enumerate(self.directions) if row[self.even].any())
+        not_farther = negated_distance < distance * (1.0 + 1e-6)
         # At equal distances, choose the wavefront whose first even term is positive.
-        swap = (near < far * (1.0 - 1e-6)) | (not_farther & (other[:, even] > x[:, even]))
-        return np.where(swap[:, None], other, x)
+        swap = (negated_distance < distance * (1.0 - 1e-6)) | (not_farther & (negated[:, term] > x[:, term]))
+        return np.where(swap[:, None], negated, x)
 
     def wavefront(self, x: Array) -> Wavefront:
         """Return the wavefront of parameters `x`, shape (p,), without tilts and known defoci."""
-        edge = self.fixed + x[self.waves] @ self.directions
-        return Wavefront.trusted(self.terms, self.ratio(self.optics_of(x[None])) * edge, self.pupil.wavefront.error)
+        edge = self.fixed + x[self.wave_columns] @ self.directions
+        ratio = self.wavelength_ratio(self.pupil_parameters(x[None]))
+        return Wavefront.trusted(self.terms, ratio * edge, self.pupil.wavefront.error)
 
     def pupils(self, x: Array) -> Pupil:
         """Return the pupils of all images for parameters `x`, shape (s, p) or (p,)."""
-        edge = self.base + (x[..., self.waves] @ self.directions)[..., None, :]
-        own = x[..., self.own].reshape(*x.shape[:-1], -1, self.count)
+        edge = self.base + (x[..., self.wave_columns] @ self.directions)[..., None, :]
+        image_parameters = x[..., self.image_columns].reshape(*x.shape[:-1], -1, self.count)
         for j, column in enumerate(self.tilts):
-            edge[..., column] += own[..., j, :]
-        optics: dict[str, Any] = self.optics_of(x) if self.unknowns.pupil else {}
-        if "wavelength" in optics:
+            edge[..., column] += image_parameters[..., j, :]
+        parameters: dict[str, Any] = self.pupil_parameters(x) if self.unknowns.pupil else {}
+        if "wavelength" in parameters:
             # Parameters are path differences, in radians at the initial wavelength: convert to the estimated one.
-            edge *= self.ratio(optics)
+            edge *= self.wavelength_ratio(parameters)
         pupils = self.pupil.carrying(Wavefront.trusted(self.terms, edge), None)
-        return replace(pupils, **optics) if optics else pupils
+        return replace(pupils, **parameters) if parameters else pupils
 
-    def optics_of(self, x: Array) -> dict[str, float]:
+    def pupil_parameters(self, x: Array) -> dict[str, float]:
         """Return the estimated pupil parameters, from the first row of `x`."""
-        return dict(zip(self.unknowns.pupil, x.reshape(-1, self.size)[0, self.optics].tolist(), strict=True))
+        return dict(zip(self.unknowns.pupil, x.reshape(-1, self.size)[0, self.pupil_columns].tolist(), strict=True))
 
-    def ratio(self, optics: dict[str, float]) -> float:
+    def wavelength_ratio(self, parameters: dict[str, float]) -> float:
         """Return the initial wavelength divided by the estimated one."""
-        at = self.pupil.wavelength
-        return 1.0 if at is None else at / optics.get("wavelength", at)
+        wavelength = self.pupil.wavelength
+        return 1.0 if wavelength is None else wavelength / parameters.get("wavelength", wavelength)
 
     def per_image(self, x: Array) -> Array:
         """Return a view of the parameters of single images, shape (s, parameters, n): tilts, flux, background."""
-        return x[:, self.own].reshape(len(x), -1, self.count)
+        return x[:, self.image_columns].reshape(len(x), -1, self.count)
 
     def images(
-        self, x: Array, *, fast: bool = False, by: tuple[Name, ...] | None = None
+        self, x: Array, *, fast: bool = False, names: tuple[Name, ...] | None = None
     ) -> tuple[Pixels, list[Slope]]:
-        """Return the PSFs of images, shape (s * n, height, width), and derivatives by `by` (default: all parameters).
+        """Return the PSFs of images, shape (s * n, height, width), and derivatives of the PSFs by `names`.
 
-        If `fast`, the tolerance is `loosest`.
+        By default, derivatives are by all parameters except flux and background. If `fast`, the tolerance is
+        `loosest`.
         """
         pupil, plan = self.pupils(x), self.plan
         tol = self.loosest if fast else plan.tol
-        light = pupil.aperture, pupil.radial, pupil.shape, pupil.wavelength, pupil.f_number
+        pupil_key = pupil.aperture, pupil.radial, pupil.shape, pupil.wavelength, pupil.f_number
         # Steps of a search differ in their phases only: the window is checked and the method is chosen once.
         question = self._questions.get((tol, pupil.shape))
-        if question is None or question.light != light:
+        if question is None or question.light != pupil_key:
             dtype = output_type(None, tol)
             question = self._questions[tol, pupil.shape] = prepare_question(
-                pupil, light, plan.grid(pupil), plan.method, tol, plan.normalize, dtype, plan.threads
+                pupil, pupil_key, plan.grid(pupil), plan.method, tol, plan.normalize, dtype, plan.threads
             )
-        _, pixels, slopes = question.images(pupil, self.derivatives if by is None else by)
-        return pixels.values, slopes
+        _, pixels, derivatives = question.images(pupil, self.derivatives if names is None else names)
+        return pixels.values, derivatives
 
     def mean(self, x: Array, psf: Array) -> Array:
         """Return the expected electrons of each pixel for PSFs of shape (s, n, pixels)."""
-        own = self.per_image(x)
-        return own[:, -2, :, None] * psf + own[:, -1, :, None]
+        image_parameters = self.per_image(x)
+        return image_parameters[:, -2, :, None] * psf + image_parameters[:, -1, :, None]
 
     def variance(self, mean: Array) -> Array:
         """Return the variance of pixels, at least a quarter of the read variance (`mean` may be negative)."""
         return np.asarray(np.maximum(mean + self.read, 0.25 * self.read))
 
-    def scores_of(self, x: Array, values: Pixels, slopes: Sequence[Slope]) -> Scores:
+    def scores_of(self, x: Array, values: Pixels, derivatives: Sequence[Slope]) -> Scores:
         """Return the scores from PSFs and their derivatives; flux and background are those in `x`."""
-        numbers, found = self.products(x, values, slopes)
-        deviance, total, spread = numbers
+        sums, matrices = self.products(x, values, derivatives)
+        deviance, expectation, variance = sums
         # Each fitted parameter reduces the expectation of Pearson's sum by the contribution of an average pixel.
-        quality = reduced_chi2(
-            found[:, -1, -1], total, spread, self.degrees_of_freedom / (self.degrees_of_freedom + self.size)
-        )
-        return Scores(deviance, found[:, :-1, -1], found[:, :-1, :-1], *quality)
+        fraction = self.degrees_of_freedom / (self.degrees_of_freedom + self.size)
+        quality = reduced_chi2(matrices[:, -1, -1], expectation, variance, fraction)
+        return Scores(deviance, matrices[:, :-1, -1], matrices[:, :-1, :-1], *quality)
 
     def products(
-        self, x: Array, values: Pixels, slopes: Sequence[Slope], others: Sequence[Array] = ()
+        self, x: Array, values: Pixels, derivatives: Sequence[Slope], extra: Sequence[Array] = ()
     ) -> tuple[Array, Array]:
         """Return deviance, expectation and variance of Pearson's sum (3, s), and products (s, p + q + 1, p + q + 1).
 
         The factors of these inner products are derivatives by the p parameters, q further derivatives of electrons
-        `others` (s * n, height, width), and the residual, divided by the standard deviation of each pixel.
+        `extra` (s * n, height, width), and the residual, divided by the standard deviation of each pixel.
         """
-        light, q = np.ascontiguousarray(self.per_image(x)[:, -2:]), len(others)
-        images = [values, *[slope.values for slope in slopes], *others]
-        numbers, products = star_likelihood(images, light, self.star, self.plan.threads)
+        light, q = np.ascontiguousarray(self.per_image(x)[:, -2:]), len(extra)
+        images = [values, *[slope.values for slope in derivatives], *extra]
+        sums, products = star_likelihood(images, light, self.star, self.plan.threads)
         # Chain rule from derivatives of PSFs, flux and background to parameters; the residual is not changed.
         factors = np.ones((len(x), self.count, 1, self._chain.shape[-1]))
         factors[..., :-3] = light[:, 0, :, None, None]
         if self.unknowns.pupil:
-            factors[..., : self._phases] *= self.ratio(self.optics_of(x))
+            factors[..., : self._phases] *= self.wavelength_ratio(self.pupil_parameters(x))
         chain = self._chain * factors
         if q:
             chain = np.insert(chain, [chain.shape[-1] - 3] * q, 0.0, axis=-1)
             chain = np.insert(chain, [self.size] * q, 0.0, axis=-2)
-            at = np.arange(q)
-            chain[..., self.size + at, chain.shape[-1] - 3 - q + at] = 1.0
-        return numbers.sum(axis=-1), (chain @ products @ chain.swapaxes(-1, -2)).sum(axis=1)
+            indices = np.arange(q)
+            chain[..., self.size + indices, chain.shape[-1] - 3 - q + indices] = 1.0
+        return sums.sum(axis=-1), (chain @ products @ chain.swapaxes(-1, -2)).sum(axis=1)
 
     def with_flux_background(self, x: Array, values: Pixels) -> Array:
         """Return the parameters with flux and background from linear least squares for the PSFs `values`."""
-        found = x.copy()
-        own = self.per_image(found)
+        updated = x.copy()
+        image_parameters = self.per_image(updated)
         psf = values.reshape(len(x), self.count, -1).astype(np.float64)
-        own[:, -2], own[:, -1] = flux_background(psf, self.counted, self.read, self.valid)
-        return found
+        image_parameters[:, -2], image_parameters[:, -1] = flux_background(psf, self.counted, self.read, self.valid)
+        return updated
 
     def within(self, x: Array, before: Array) -> Array:
         """Limit parameters in place: tilts to the window, flux and pupil parameters to steps from `before`."""
-        own, old = self.per_image(x), self.per_image(before)
+        image_parameters, previous = self.per_image(x), self.per_image(before)
         # At flux 0 the images would not determine the other parameters.
-        np.maximum(own[:, -2], 0.1 * old[:, -2], out=own[:, -2])
+        np.maximum(image_parameters[:, -2], 0.1 * previous[:, -2], out=image_parameters[:, -2])
         for j, largest in enumerate(self.largest_tilts):
-            place = own[:, j]
+            place = image_parameters[:, j]
             np.minimum(np.maximum(place, -largest, out=place), largest, out=place)
-        for column, name in enumerate(self.unknowns.pupil, self.optics.start):
+        for column, name in enumerate(self.unknowns.pupil, self.pupil_columns.start):
             if name == "obscuration":
                 np.clip(x[:, column], 0.0, 0.98, out=x[:, column])
             else:
@@ -428,7 +434,7 @@ class StarImages(RowModel):
 
     def rms(self, steps: Array) -> Array:
         """Return the rms phase of steps of the parameters, without tilts, radians, shape (s,)."""
-        edge = steps[:, self.waves] @ self.directions
+        edge = steps[:, self.wave_columns] @ self.directions
         return np.asarray(np.sqrt((edge * edge) @ self.mean_squares))
 
 
@@ -437,15 +443,15 @@ def uncertainty(model: StarImages, inverse: Array) -> tuple[float, Array]:
 
     `inverse` is the covariance. Each axis is one standard deviation long; parameters of infinite variance are fixed.
     """
-    known = np.isfinite(np.diag(inverse))
-    scale = np.sqrt(np.diag(inverse)[known])
-    correlation = inverse[np.ix_(known, known)] / np.outer(scale, scale)
+    is_finite = np.isfinite(np.diag(inverse))
+    scale = np.sqrt(np.diag(inverse)[is_finite])
+    correlation = inverse[np.ix_(is_finite, is_finite)] / np.outer(scale, scale)
     # For a positive semidefinite matrix svd may replace eigh, which uses all threads of BLAS above 25 parameters.
     vectors, values, _ = np.linalg.svd(correlation)
     # The sign of an eigenvector is arbitrary: choose the one for which the largest component is positive.
     vectors *= np.sign(vectors[np.abs(vectors).argmax(axis=0), np.arange(len(values))])
     axes = np.zeros((len(values), model.size))
-    axes[:, known] = (vectors * np.sqrt(np.maximum(values, 0.0))).T * scale
+    axes[:, is_finite] = (vectors * np.sqrt(np.maximum(values, 0.0))).T * scale
     # The mean square of a tilt over the pupil is a quarter of that at its edge.
     tilts = 0.25 * (model.per_image(axes)[:, : len(model.tilts)] ** 2).sum(axis=(0, 1))
     return float(np.sqrt((model.rms(axes) ** 2).sum() + tilts.max())), axes
@@ -454,15 +460,15 @@ def uncertainty(model: StarImages, inverse: Array) -> tuple[float, Array]:
 def changes(model: StarImages, x: Array, inverse: Array, axes: Array) -> Array:
     """Return the factor by which the standard error of each common parameter changes near `x`, (1, p)."""
     # exp(rms of ln(factor)) over two opposite points, each one standard deviation away along every principal axis.
-    found = np.ones(model.shared)
-    known = np.isfinite(np.diag(inverse)[: model.shared])
-    if known.any():
+    factors = np.ones(model.common_count)
+    is_finite = np.isfinite(np.diag(inverse)[: model.common_count])
+    if is_finite.any():
         points = [model.within(x + step, x) for step in (axes.sum(axis=0), -axes.sum(axis=0))]
         # A stack of pupils has one f-number, wavelength and obscuration.
         stacks = points if model.unknowns.pupil else [np.concatenate(points)]
-        squares = [one for stack in stacks for one in model.scores(stack, fast=True).information]
-        there = np.array([np.diag(covariance(one))[: model.shared][known] for one in squares])
+        matrices = [matrix for stack in stacks for matrix in model.scores(stack, fast=True).information]
+        variances = np.array([np.diag(covariance(matrix))[: model.common_count][is_finite] for matrix in matrices])
         # The factor 0.5 converts variances to standard errors.
-        ratios = 0.5 * np.log(there / np.diag(inverse)[: model.shared][known])
-        found[known] = np.exp(np.sqrt((ratios**2).mean(axis=0)))
-    return found
+        ratios = 0.5 * np.log(variances / np.diag(inverse)[: model.common_count][is_finite])
+        factors[is_finite] = np.exp(np.sqrt((ratios**2).mean(axis=0)))
+    return factors

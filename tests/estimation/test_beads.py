@@ -11,7 +11,7 @@ import pytest
 
 import lommel as lm
 import plane_waves
-from lommel.estimation.bead_checks import _NEVER_TESTED, missing_findings, possible
+from lommel.estimation.bead_checks import _NEVER_TESTED, is_possible, missing_findings
 from lommel.estimation.bead_images import AMPLITUDES, CONSTANTS, BeadImages, Place, Setup, Stack, changed
 from lommel.estimation.bead_search import Prior
 from lommel.fit.score_tests import ScoreTest
@@ -132,7 +132,7 @@ def test_derivatives_are_differences_of_images(name):
             return setup, coefficients + h * np.eye(len(TERMS))[name], place
         if name in place._fields:
             return setup, coefficients, place._replace(**{name: getattr(place, name) + h})
-        return setup.having(name, setup.value(name) + h), coefficients, place
+        return setup.with_constant(name, setup.value(name) + h), coefficients, place
 
     steps = {"row": 1e-3, "column": 1e-3, "focus": 1e-9} | {key: 0.2 * of.step for key, of in CONSTANTS.items()}
     h = steps.get(name, 1e-3) * (PIXEL if name == "pixel" else 1.0)
@@ -141,7 +141,7 @@ def test_derivatives_are_differences_of_images(name):
         found = images.differences(setup, coefficients, place, stack, name)
     else:
         order = [*range(len(TERMS)), "focus", "row", "column"]
-        found = images.slopes(setup, coefficients, place, stack)[order.index(name)]
+        found = images.derivatives(setup, coefficients, place, stack)[order.index(name)]
     # Of the middle of the bead alone: its two discs differ by little.
     assert np.abs(found - exact).max() <= 0.06 * np.abs(exact).max()
 
@@ -234,8 +234,8 @@ def test_a_constant_that_would_leave_physics_is_named_without_a_value():
     assert "blur lower than 0 pixels^2, beyond what is possible (" in found.message
     setup = Setup(OIL, WAVE, pupil.emitter, PIXEL, 0.1e-6)
     for name, worst, best in (("sample", 0.9, 1.0), ("NA", 1.52, 1.5), ("depth", 0.0, 0.03e-6), ("step", 0.0, 0.5)):
-        assert not possible(setup, name, worst)
-        assert possible(setup, name, best)
+        assert not is_possible(setup, name, worst)
+        assert is_possible(setup, name, best)
 
 
 def test_what_is_held_and_not_tested_is_named():
@@ -316,10 +316,10 @@ def test_derivatives_by_terms_of_the_amplitude_are_differences_of_images():
     start = oil(apodization=lm.Apodization.zernike({2: -0.2, 4: 0.1}))
     setup = Setup(start, WAVE, OIL.pupil(depth=0.0, wavelength=WAVE).emitter, PIXEL, 0.1e-6)
     images = BeadImages(TERMS, {}, 1)
-    found = images.slopes(setup, coefficients, place, stack, tuple(AMPLITUDES))[-len(AMPLITUDES) :]
+    found = images.derivatives(setup, coefficients, place, stack, tuple(AMPLITUDES))[-len(AMPLITUDES) :]
     for slope, name in zip(found, AMPLITUDES, strict=True):
         pair = [
-            images.values(setup.having(name, setup.value(name) + h), coefficients, place, stack, ball=False)
+            images.values(setup.with_constant(name, setup.value(name) + h), coefficients, place, stack, ball=False)
             for h in (1e-3, -1e-3)
         ]
         exact = (pair[0] - pair[1]) / 2e-3
@@ -470,7 +470,7 @@ STACK = recorded(11, waves(11), light=2e3)[0]
         ({"z": Z[:5]}, "z must have a position for each of 9 planes"),
         ({"z": Z[[1, 0, *range(2, 9)]]}, "z must increase from plane to plane"),
         ({"z": 1e6 * Z}, "z must be in metres"),
-        ({"depth": 10e-9}, "depth must be that of a bead.s centre, at least the radius"),
+        ({"depth": 10e-9}, "depth must be the depth of a bead.s centre, at least the radius"),
         ({"depth": [1e-6, 2e-6]}, "depth must be a number, or one for each of 1 beads"),
         ({"terms": ["noll 4", "noll 5"]}, "equivalent to a shift of the bead"),
         ({"terms": [(2, 2), "noll 6"]}, "terms must not contain a term twice"),

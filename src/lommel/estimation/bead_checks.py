@@ -1,7 +1,8 @@
 """Checks of a fit of beads: neglected effects, planes in reversed order or displaced, a bead held out of the fit.
 
 A constant is fixed, or estimated with a prior. A score test estimates the size of a neglected effect without a new
-fit. `joint` is the model of all used beads, `found` its fit, `stated` the microscope with the user's constants.
+fit. `model` is the model of all used beads, `fit` is the fit of this model, and `stated` is the microscope with the
+user's constants.
 """
 
 from __future__ import annotations
@@ -46,7 +47,7 @@ _TERM = 0.1  # expected size of a missing term, radians rms
 _AMPLITUDE = "apodization_2"  # the only amplitude term that is tested if it is not estimated
 _MAX_REFITS = 4  # maximum number of candidates that are estimated in a new fit
 _MIN_BAYES_RATIO = 0.4  # smallest ln(Bayes factor) of a refitted candidate, divided by the largest ln(Bayes factor)
-_WIDER = 3.0  # expected error of a constant whose prior is too narrow, in standard deviations of the prior
+_WIDER_FACTOR = 3.0  # expected error of a constant whose prior is too narrow, in standard deviations of the prior
 _NEIGHBOR = 0.3  # expected light of a neighbour, divided by the light of the bead
 _MIN_DISTANCE = 2.0  # smallest distance of a neighbour, Rayleigh distances; a nearer bead would look like a wide one
 _MOVED_RATIO = 4.0  # smallest significance of a displaced plane, divided by the median of all planes
@@ -57,87 +58,92 @@ _NEVER_TESTED = "wavelength", "dye that does not radiate alike in all directions
 
 def available_constants(setup: Setup) -> list[str]:
     """Return the names of the constants that may be estimated for this microscope; an index of 1 (air) is exact."""
-    one = setup.objective
-    absent = {"coverslip": one.coverslip is None, "diameter": setup.diameter == 0.0, "sample": one.sample == 1.0}
-    absent["immersion"] = one.working_distance is None or one.immersion == 1.0
+    objective = setup.objective
+    absent = {"coverslip": objective.coverslip is None, "diameter": setup.diameter == 0.0}
+    absent["sample"] = objective.sample == 1.0
+    absent["immersion"] = objective.working_distance is None or objective.immersion == 1.0
     return [name for name in CONSTANTS if not absent.get(name, False)]
 
 
-def possible(setup: Setup, name: str, value: float) -> bool:
+def is_possible(setup: Setup, name: str, value: float) -> bool:
     """Return whether a microscope with this value of a constant exists."""
-    least = {"depth": min_depth(setup), "diameter": 0.0, "blur": 0.0, "coverslip": 0.0}
-    if name in least:
-        return value >= least[name]
+    smallest = {"depth": min_depth(setup), "diameter": 0.0, "blur": 0.0, "coverslip": 0.0}
+    if name in smallest:
+        return value >= smallest[name]
     if name in ("pixel", "step"):
         return value > 0.0
     with suppress(ValueError):
-        setup.having(name, value)
+        setup.with_constant(name, value)
         return True
     return False
 
 
-def _fixed_constants(joint: BeadModel, setup: Setup) -> list[str]:
+def _fixed_constants(model: BeadModel, setup: Setup) -> list[str]:
     """Return the names of the constants that are fixed in the fit and can be tested."""
-    excluded = {*joint.priors, *joint.own, *AMPLITUDES} - ({_AMPLITUDE} - {*joint.priors})
+    excluded_names = {*model.priors, *model.bead_parameters, *AMPLITUDES} - ({_AMPLITUDE} - {*model.priors})
     # Deeper than a wavelength, light does not reach an NA above the index of the sample: images do not depend on NA.
-    if min(d.value for d in joint.depths) > setup.wavelength and setup.objective.sample < setup.objective.NA:
-        excluded.add("NA")
-    return [name for name in available_constants(setup) if name not in excluded]
+    if min(d.value for d in model.depths) > setup.wavelength and setup.objective.sample < setup.objective.NA:
+        excluded_names.add("NA")
+    return [name for name in available_constants(setup) if name not in excluded_names]
 
 
-def _prior_candidates(joint: BeadModel, found: Evaluated, names: Sequence[object]) -> list[Candidate]:
+def _prior_candidates(model: BeadModel, fit: Evaluated, names: Sequence[object]) -> list[Candidate]:
     """Return a candidate for each prior that may be too narrow; `names` are the names of all parameter columns."""
-    setup, candidates = found.state.setup, []
-    for name, (value, sigma) in joint.priors.items():
+    setup, candidates = fit.state.setup, []
+    for name, (value, sigma) in model.priors.items():
         if math.isfinite(sigma):
-            candidates.append(Candidate(name, (names.index(name),), _WIDER * sigma, sigma, setup.value(name) - value))
-    if "depth" in joint.own:
-        at = joint.own.index("depth")
-        columns = tuple(joint.columns(j, len(names))[at] for j in range(len(joint.stacks)))
-        off = [place.depth - prior.value for place, prior in zip(found.state.places, joint.depths, strict=True)]
-        sigma = joint.depths[0].error
-        candidates.append(Candidate("depth", columns, _WIDER * sigma, sigma, np.array(off)))
+            deviation = setup.value(name) - value
+            candidates.append(Candidate(name, (names.index(name),), _WIDER_FACTOR * sigma, sigma, deviation))
+    if "depth" in model.bead_parameters:
+        index = model.bead_parameters.index("depth")
+        columns = tuple(model.columns(j, len(names))[index] for j in range(len(model.stacks)))
+        deviations = [place.depth - prior.value for place, prior in zip(fit.state.places, model.depths, strict=True)]
+        sigma = model.depths[0].error
+        candidates.append(Candidate("depth", columns, _WIDER_FACTOR * sigma, sigma, np.array(deviations)))
     return candidates
 
 
-def missing_tests(joint: BeadModel, found: Evaluated) -> tuple[tuple[ScoreTest, ...], Marginal | None, list[Finding]]:
-    """Return score tests of neglected effects: further terms, other constants, drift, background, nonlinear gain.
+def missing_tests(model: BeadModel, fit: Evaluated) -> tuple[tuple[ScoreTest, ...], Marginal | None, list[Finding]]:
+    """Return tests of neglected effects, a marginalized correction, and findings on untested constants.
 
-    Also return the shift and covariance of the shared parameters after marginalizing favoured effects (None without
-    favoured effects), and the finding on fixed constants that the stacks do not test.
+    1. Score tests of further terms, other constants, drift, a background gradient, a nonlinear gain and neighbouring
+    beads, the most likely first. 2. Shift and covariance of the common parameters after marginalizing favoured
+    effects; None without favoured effects. 3. Findings on fixed constants that the stacks do not test.
     """
-    setup, images = found.state.setup, joint.images
-    more_terms = next_terms(images.solved, ((2, 0), *images.fixed))
-    wide = replace(joint, images=images.with_terms(more_terms))
-    waves = np.concatenate([found.state.waves, np.zeros(len(more_terms))])
-    constants = _fixed_constants(joint, setup)
-    drift = () if joint.drifts else DRIFT
-    more = [*constants, *drift, *GRADIENT, NONLINEAR]  # columns after the shared parameters
-    _, information, slope = wide.normal(replace(found.state, waves=waves), found.values, more)
-    names = [*wide.names, *more]
-    unknowns = [*map(names.index, joint.names), *range(len(names), len(slope))]
-    candidates = [Candidate(label(term), (names.index(term),), _TERM) for term in more_terms]
-    candidates += _prior_candidates(joint, found, names)
-    fixed = [Candidate(n, (names.index(n),), setup.scale(n) * CONSTANTS[n].size) for n in constants]
-    candidates += fixed
+    setup, images = fit.state.setup, model.images
+    added_terms = next_terms(images.solved, ((2, 0), *images.fixed))
+    wider_model = replace(model, images=images.with_terms(added_terms))
+    waves = np.concatenate([fit.state.waves, np.zeros(len(added_terms))])
+    constants = _fixed_constants(model, setup)
+    drift = () if model.drifts else DRIFT
+    further = [*constants, *drift, *GRADIENT, NONLINEAR]  # columns after the common parameters
+    _, information, gradient = wider_model.normal(replace(fit.state, waves=waves), fit.values, further)
+    names = [*wider_model.names, *further]
+    unknowns = [*map(names.index, model.names), *range(len(names), len(gradient))]
+    candidates = [Candidate(label(term), (names.index(term),), _TERM) for term in added_terms]
+    candidates += _prior_candidates(model, fit, names)
+    constant_candidates = [Candidate(n, (names.index(n),), setup.scale(n) * CONSTANTS[n].size) for n in constants]
+    candidates += constant_candidates
     # Expected sizes: drift, pixels over half the stack; gradient, electrons over the window; fraction lost at 10^4.
     groups = {"drift": (drift, 0.3), "background gradient": (GRADIENT, 5.0), "non-linear gain": ((NONLINEAR,), 0.05)}
     for name, (group, size) in groups.items():
         if group:
             candidates.append(Candidate(name, tuple(map(names.index, group)), size))
-    tests = (*score_tests(information, slope, unknowns, candidates), *_neighbor_tests(joint, found))
-    likely = [one for one in candidates if one.name in favoured(tests)]
-    for one in likely:
-        if one.known:  # a prior that is too narrow
-            information, slope = one.widened(information, slope)
-    lacking = [one for one in likely if not one.known]
-    marginal = marginalized(information, slope, unknowns, lacking, len(joint.names)) if likely else None
-    shown = {label(name): at for at, name in enumerate(images.solved)}
-    unseen = untested(information, unknowns, shown, fixed, tests)
+    tests = (*score_tests(information, gradient, unknowns, candidates), *_neighbor_tests(model, fit))
+    favoured_candidates = [candidate for candidate in candidates if candidate.name in favoured(tests)]
+    for candidate in favoured_candidates:
+        if candidate.known:  # a prior that is too narrow
+            information, gradient = candidate.widened(information, gradient)
+    missing_candidates = [candidate for candidate in favoured_candidates if not candidate.known]
+    marginal = None
+    if favoured_candidates:
+        marginal = marginalized(information, gradient, unknowns, missing_candidates, len(model.names))
+    columns_of_terms = {label(name): index for index, name in enumerate(images.solved)}
+    effects = untested(information, unknowns, columns_of_terms, constant_candidates, tests)
     errors = {test.name: float(test.errors.max()) for test in tests}
-    priors = [one.name for one in candidates if 0.0 < one.known < errors.get(one.name, math.inf)]
-    sizes = {one.name: f"{_size(one.name, one.scale)} of it" for one in fixed}
-    notes = untested_findings(unseen, sizes, priors, _NEVER_TESTED)
+    priors = [c.name for c in candidates if 0.0 < c.known < errors.get(c.name, math.inf)]
+    sizes = {candidate.name: f"{_size(candidate.name, candidate.scale)} of it" for candidate in constant_candidates}
+    notes = untested_findings(effects, sizes, priors, _NEVER_TESTED)
     return tuple(sorted(tests, key=lambda test: -test.log_bayes)), marginal, notes
 
 
@@ -147,15 +153,15 @@ def _size(name: str, value: float) -> str:
     return f"{factor * value:.3g}{unit}"
 
 
-def _neighbor_tests(joint: BeadModel, found: Evaluated) -> list[ScoreTest]:
+def _neighbor_tests(model: BeadModel, fit: Evaluated) -> list[ScoreTest]:
     """Return a test for a second bead near each bead, at the same focus and at the most likely position."""
-    setup, tests = found.state.setup, []
+    setup, tests = fit.state.setup, []
     # Rayleigh's distance, 0.61 lambda / NA, in pixels of the camera.
-    least = (
+    min_distance = (
         _MIN_DISTANCE * 0.61 * setup.wavelength * setup.objective.magnification / (setup.objective.NA * setup.pixel)
     )
-    for k, (stack, values, light) in enumerate(zip(joint.stacks, found.values, found.state.light, strict=True)):
-        bead, mean = light[0][:, None, None] * values, expected(light, values)
+    for k, (stack, values, flux_background) in enumerate(zip(model.stacks, fit.values, fit.state.light, strict=True)):
+        bead, mean = flux_background[0][:, None, None] * values, expected(flux_background, values)
         counted, read, valid = stack.planes
         # The variance is the mean of the Poisson counts plus read noise; the lower limit is for a negative `mean`.
         weight = valid / np.maximum(mean + read, 0.25 * read)
@@ -164,27 +170,28 @@ def _neighbor_tests(joint: BeadModel, found: Evaluated) -> list[ScoreTest]:
         conjugate = np.conj(np.fft.rfft2(bead, size))
         # Slope and information for a copy of the bead at every shift are correlations: sums over pixels of
         # weight * (counted - mean) * (shifted bead), and of weight * (shifted bead)^2.
-        slope = np.fft.irfft2((np.fft.rfft2(weight * (counted - mean), size) * conjugate).sum(axis=0), size)
-        squares = np.fft.rfft2(weight, size) * np.conj(np.fft.rfft2(bead**2, size))
-        square = np.fft.irfft2(squares.sum(axis=0), size)
-        down, across = (np.fft.fftfreq(side, 1.0 / side) for side in size)
-        inside = (np.abs(down) <= stack.shape[0] / 2.0)[:, None] & (np.abs(across) <= stack.shape[1] / 2.0)
-        beside = inside & (np.hypot(down[:, None], across) >= least) & (slope > 0.0) & (square > 1e-12 * square.max())
-        if not beside.any():
+        gradient = np.fft.irfft2((np.fft.rfft2(weight * (counted - mean), size) * conjugate).sum(axis=0), size)
+        spectra = np.fft.rfft2(weight, size) * np.conj(np.fft.rfft2(bead**2, size))
+        information = np.fft.irfft2(spectra.sum(axis=0), size)
+        rows, columns = (np.fft.fftfreq(side, 1.0 / side) for side in size)
+        inside_window = (np.abs(rows) <= stack.shape[0] / 2.0)[:, None] & (np.abs(columns) <= stack.shape[1] / 2.0)
+        far_enough = inside_window & (np.hypot(rows[:, None], columns) >= min_distance)
+        allowed = far_enough & (gradient > 0.0) & (information > 1e-12 * information.max())
+        if not allowed.any():
             continue
-        sigmas = np.where(beside, slope, 0.0) / np.sqrt(np.where(beside, square, 1.0))
+        sigmas = np.where(allowed, gradient, 0.0) / np.sqrt(np.where(allowed, information, 1.0))
         row, column = np.unravel_index(int(sigmas.argmax()), sigmas.shape)
-        ratio, error = slope[row, column] / square[row, column], 1.0 / math.sqrt(square[row, column])
+        ratio, error = gradient[row, column] / information[row, column], 1.0 / math.sqrt(information[row, column])
         # The penalty for the search over positions is the log of the number of independent positions.
-        penalty = math.log(beside.sum() / max(math.pi * (least / _MIN_DISTANCE) ** 2, 1.0) + 1.0)
+        penalty = math.log(allowed.sum() / max(math.pi * (min_distance / _MIN_DISTANCE) ** 2, 1.0) + 1.0)
         evidence = log_bayes_factor(np.array([ratio]), np.array([[error**2]]), 0.0, _NEIGHBOR) - penalty
-        name = f"a neighbor of bead {k} by {down[row]:.0f} rows and {across[column]:.0f} columns, share of its light"
+        name = f"a neighbor of bead {k} by {rows[row]:.0f} rows and {columns[column]:.0f} columns, share of its light"
         tests.append(ScoreTest(name, np.array([ratio]), np.array([error]), float(sigmas.max()), evidence))
     return tests
 
 
 def missing_findings(
-    joint: BeadModel, found: Evaluated, tests: Sequence[ScoreTest], stated: Setup
+    model: BeadModel, fit: Evaluated, tests: Sequence[ScoreTest], stated: Setup
 ) -> tuple[list[Finding], float | None]:
     """Return the finding on significant effects, and the log-posterior of a fit that estimates the best effect.
 
@@ -193,54 +200,56 @@ def missing_findings(
     likely = seen(tests)
     if not likely:
         # There are few priors: a contradiction is significant even if it is not among all candidates.
-        against = [test for test in tests if test.name in joint.priors and abs(test.sigmas) > _CONTRADICTED]
-        words = [f"{_in_words(test, joint, stated, None)}, against its prior" for test in against]
-        return [other_explanation(against, words)] if against else [], None
-    least = min(_MIN_BAYES_RATIO * tests[0].log_bayes, likely[-1].log_bayes)
-    likely = tuple(test for test in tests[:_MAX_REFITS] if test.log_bayes >= least)
-    ends = [_refit_with_free(joint, found, test.name, stated) for test in likely]
+        contradictions = [test for test in tests if test.name in model.priors and abs(test.sigmas) > _CONTRADICTED]
+        descriptions = [f"{_in_words(test, model, stated, None)}, against its prior" for test in contradictions]
+        return [other_explanation(contradictions, descriptions)] if contradictions else [], None
+    limit = min(_MIN_BAYES_RATIO * tests[0].log_bayes, likely[-1].log_bayes)
+    likely = tuple(test for test in tests[:_MAX_REFITS] if test.log_bayes >= limit)
+    fits = [_refit_with_free(model, fit, test.name, stated) for test in likely]
     gains = [
-        test.log_bayes if end is None else end.log_posterior - found.log_posterior
-        for test, end in zip(likely, ends, strict=True)
+        test.log_bayes if refit is None else refit.log_posterior - fit.log_posterior
+        for test, refit in zip(likely, fits, strict=True)
     ]
     order = [k for k in np.argsort(-np.array(gains), kind="stable") if gains[k] >= max(gains) - RIVAL]
-    words = [_in_words(likely[k], joint, stated, ends[k]) for k in order]
-    best = ends[order[0]]
-    return [other_explanation([likely[k] for k in order], words)], None if best is None else best.log_posterior
+    descriptions = [_in_words(likely[k], model, stated, fits[k]) for k in order]
+    best_fit = fits[order[0]]
+    finding = other_explanation([likely[k] for k in order], descriptions)
+    return [finding], None if best_fit is None else best_fit.log_posterior
 
 
-def _in_words(test: ScoreTest, joint: BeadModel, stated: Setup, solved: Evaluated | None) -> str:
-    """Return the result of a test as text, like "sample = 1.379 +- 0.005"; the fit `solved` estimates the effect."""
+def _in_words(test: ScoreTest, model: BeadModel, stated: Setup, refit: Evaluated | None) -> str:
+    """Return the result of a test as text, like "sample = 1.379 +- 0.005"; the fit `refit` estimates the effect."""
     name, size, error = test.name, float(test.size[0]), float(test.errors[0])
     sigmas = f"({abs(test.sigmas):.2g} sigma)"
     if len(test.size) > 1 and name in CONSTANTS:
         factor, unit = UNITS[CONSTANTS[name].unit]
-        beads = zip(test.size, joint.depths, test.errors, strict=True)
-        shown = ", ".join(" +- ".join(with_error(factor * (by + at.value), factor * off)) for by, at, off in beads)
-        return f"{name} of each bead = {shown}{unit} {sigmas}"
+        triples = zip(test.size, model.depths, test.errors, strict=True)
+        pairs = (with_error(factor * (shift + prior.value), factor * e) for shift, prior, e in triples)
+        values = ", ".join(" +- ".join(pair) for pair in pairs)
+        return f"{name} of each bead = {values}{unit} {sigmas}"
     if name not in CONSTANTS:
-        if solved is not None and len(solved.state.waves) > len(joint.images.solved):
-            size = float(solved.state.waves[-1])
+        if refit is not None and len(refit.state.waves) > len(model.images.solved):
+            size = float(refit.state.waves[-1])
         unit = {"non-linear gain": "", "drift": " pixels"}.get(name, " rad" if name.startswith("noll") else "")
-        each = [size] if len(test.size) == 1 else test.size.tolist()
-        shown = ", ".join(" +- ".join(with_error(one, own)) for one, own in zip(each, test.errors, strict=True))
-        return f"{name} = {shown}{unit} {sigmas}"
-    given = joint.depths[0].value if name == "depth" else stated.value(name)
+        sizes = [size] if len(test.size) == 1 else test.size.tolist()
+        values = ", ".join(" +- ".join(with_error(*pair)) for pair in zip(sizes, test.errors, strict=True))
+        return f"{name} = {values}{unit} {sigmas}"
+    stated_value = model.depths[0].value if name == "depth" else stated.value(name)
     factor, unit = UNITS[CONSTANTS[name].unit]
-    value = given + size
-    if not possible(stated, name, value):
-        way = "lower" if size < 0.0 else "higher"
-        return f"{name} {way} than {factor * given:.6g}{unit}, beyond what is possible {sigmas}"
-    if solved is not None:
-        there = solved.state.places[0].depth if name == "depth" else solved.state.setup.value(name)
-        value = there if possible(stated, name, there) else value
-    shown = " +- ".join(with_error(factor * value, factor * error))
-    return f"{name} = {shown}{unit}, stated {factor * given:.6g} {sigmas}"
+    value = stated_value + size
+    if not is_possible(stated, name, value):
+        direction = "lower" if size < 0.0 else "higher"
+        return f"{name} {direction} than {factor * stated_value:.6g}{unit}, beyond what is possible {sigmas}"
+    if refit is not None:
+        refitted_value = refit.state.places[0].depth if name == "depth" else refit.state.setup.value(name)
+        value = refitted_value if is_possible(stated, name, refitted_value) else value
+    values = " +- ".join(with_error(factor * value, factor * error))
+    return f"{name} = {values}{unit}, stated {factor * stated_value:.6g} {sigmas}"
 
 
-def _refit_with_free(joint: BeadModel, found: Evaluated, name: str, stated: Setup) -> Evaluated | None:
+def _refit_with_free(model: BeadModel, fit: Evaluated, name: str, stated: Setup) -> Evaluated | None:
     """Fit with the constant, term or drift `name` estimated without prior; return None if not possible."""
-    state, depths, priors, images = found.state, joint.depths, dict(joint.priors), joint.images
+    state, depths, priors, images = fit.state, model.depths, dict(model.priors), model.images
     if name == "depth":
         depths = tuple(Prior(prior.value, math.inf) for prior in depths)
     elif name in CONSTANTS:
@@ -251,30 +260,29 @@ def _refit_with_free(joint: BeadModel, found: Evaluated, name: str, stated: Setu
             return None
         images = images.with_terms(terms)
         state = replace(state, waves=np.concatenate([state.waves, np.zeros(len(terms))]))
-    drifts = joint.drifts or name == "drift"
+    drifts = model.drifts or name == "drift"
     try:
-        return climb(replace(joint, images=images, priors=priors, depths=depths, drifts=drifts), state, _STEPS)
+        return climb(replace(model, images=images, priors=priors, depths=depths, drifts=drifts), state, _STEPS)
     except (Declined, ValueError):
         return None
 
 
-def reversed_findings(joint: BeadModel, start: State, best: float, chi2: float) -> list[Finding]:
-    """Return the finding of planes in reversed order, if these fit well and with a log-posterior higher than `best`.
+def reversed_findings(model: BeadModel, start: State, best_posterior: float, chi2: float) -> list[Finding]:
+    """Return the finding of planes in reversed order, if these fit well and better than `best_posterior`.
 
     If the chi2 of reversed planes is nearly `chi2`, not the order but the step or the objective is wrong.
     """
-    stacks = tuple(replace(stack, z=-stack.z) for stack in joint.stacks)
-    places = tuple(start_of(s, start.setup, d.value, 0.0) for s, d in zip(stacks, joint.depths, strict=True))
+    stacks = tuple(replace(stack, z=-stack.z) for stack in model.stacks)
+    places = tuple(start_of(s, start.setup, d.value, 0.0) for s, d in zip(stacks, model.depths, strict=True))
     try:
-        end = climb(replace(joint, stacks=stacks), State(start.setup, start.waves, places), _STEPS)
+        reversed_fit = climb(replace(model, stacks=stacks), State(start.setup, start.waves, places), _STEPS)
     except (Declined, ValueError):
         return []
-    (reversed_chi2, spread), gain = end.quality, end.log_posterior - best
+    (reversed_chi2, deviation), gain = reversed_fit.quality, reversed_fit.log_posterior - best_posterior
     # If the model has another error as well, chi2 remains large: then a much smaller chi2 than before suffices.
-    good = reversed_chi2 < goodness_of_fit.largest_plausible_chi2(spread) or reversed_chi2 - 1.0 < _REVERSED_CHI2 * (
-        chi2 - 1.0
-    )
-    if gain < _REVERSED_GAIN or not good:
+    limit = max(float(goodness_of_fit.largest_plausible_chi2(deviation)), 1.0 + _REVERSED_CHI2 * (chi2 - 1.0))
+    good_fit = reversed_chi2 < limit
+    if gain < _REVERSED_GAIN or not good_fit:
         return []
     text = (
         f"planes in reversed order fit far better, chi2 {reversed_chi2:.4g}; z must increase towards the sample: "
@@ -283,42 +291,43 @@ def reversed_findings(joint: BeadModel, start: State, best: float, chi2: float) 
     return [Finding("reversed_z", "error", text, {"chi2": reversed_chi2, "log_likelihood": gain})]
 
 
-def held_out(joint: BeadModel, found: Evaluated) -> tuple[float, list[Finding]]:
+def held_out(model: BeadModel, fit: Evaluated) -> tuple[float, list[Finding]]:
     """Return chi2 of the last bead with common parameters of the other beads, and a finding if it is too large."""
-    count, state = len(joint.stacks), found.state
+    count, state = len(model.stacks), fit.state
     if count < _MIN_BEADS:
         return math.nan, []
-    others, out = joint.having(range(count - 1)), joint.having([count - 1])
+    others_model, held_out_model = model.with_beads(range(count - 1)), model.with_beads([count - 1])
     try:
         start = replace(state, places=state.places[:-1], light=state.light[:-1])
-        rest = climb(others, start, _STEPS).state
-        fixed = replace(out, images=joint.images.without_terms(rest.waves), priors={})
-        end = climb(fixed, State(rest.setup, np.zeros(0), state.places[-1:], state.light[-1:]), _STEPS)
+        others_state = climb(others_model, start, _STEPS).state
+        fixed_model = replace(held_out_model, images=model.images.without_terms(others_state.waves), priors={})
+        start = State(others_state.setup, np.zeros(0), state.places[-1:], state.light[-1:])
+        held_out_fit = climb(fixed_model, start, _STEPS)
     except (Declined, ValueError):
         return math.nan, []
-    chi2, limit = end.quality[0], float(goodness_of_fit.largest_plausible_chi2(end.quality[1]))
+    chi2, limit = held_out_fit.quality[0], float(goodness_of_fit.largest_plausible_chi2(held_out_fit.quality[1]))
     text = f"chi2 of the held-out bead is above {limit:.4g}, the limit for noise alone: beads differ in size or depth"
     return chi2, [Finding("held_out", "doubt", text, {"chi2": chi2, "limit": limit})] if chi2 >= limit else []
 
 
 def moved_planes(shifts: Array, sigmas: Array) -> dict[int, tuple[float, float]]:
     """Return the indices and shifts of planes whose shift is more significant than the limits."""
-    far = np.flatnonzero(sigmas > max(_MOVED_SIGMAS, _MOVED_RATIO * float(np.median(sigmas))))
-    return {int(k): (float(shifts[k, 0]), float(shifts[k, 1])) for k in far}
+    indices = np.flatnonzero(sigmas > max(_MOVED_SIGMAS, _MOVED_RATIO * float(np.median(sigmas))))
+    return {int(k): (float(shifts[k, 0]), float(shifts[k, 1])) for k in indices}
 
 
 def moved_findings(moved: Sequence[dict[int, tuple[float, float]]], planes: int) -> list[Finding]:
     """Return the finding on displaced planes: `moved` are those of each bead, `planes` is the total number."""
-    each = [(math.hypot(*by), plane, j) for j, one in enumerate(moved) for plane, by in one.items()]
-    if not each:
+    moves = [(math.hypot(*shift), plane, j) for j, shifts in enumerate(moved) for plane, shift in shifts.items()]
+    if not moves:
         return []
-    numbers = {f"bead {j}": dict(one) for j, one in enumerate(moved) if one}
-    if len(each) > planes // 4:
+    numbers = {f"bead {j}": dict(shifts) for j, shifts in enumerate(moved) if shifts}
+    if len(moves) > planes // 4:
         return [Finding("moved", "doubt", "planes are shifted relative to each other: estimate drift", numbers)]
-    each.sort(reverse=True)
-    named = ", ".join(f"plane {plane} of bead {j} by {by:.2g} pixels" for by, plane, j in each[:3])
-    more = f" and {len(each) - 3} more" if len(each) > 3 else ""
-    return [Finding("moved", "note", f"moved: {named}{more}", numbers)]
+    moves.sort(reverse=True)
+    examples = ", ".join(f"plane {plane} of bead {j} by {shift:.2g} pixels" for shift, plane, j in moves[:3])
+    others = f" and {len(moves) - 3} more" if len(moves) > 3 else ""
+    return [Finding("moved", "note", f"moved: {examples}{others}", numbers)]
 
 
 def model_error(model: BeadModel, state: State) -> float:
@@ -329,13 +338,13 @@ def model_error(model: BeadModel, state: State) -> float:
     setup, place, stack = replace(state.setup, diameter=0.0, blur=0.0), state.places[0], model.stacks[0]
     wave = Wavefront.zernike(model.images.edge(state.waves), normalization="edge")
     # Compare the middle plane, and the first and the last, in which defocus is largest.
-    ends = np.unique([0, len(stack.z) // 2, len(stack.z) - 1])
-    pupil = setup.pupil(wave, place.depth, place.focus + setup.step * stack.z[ends], "coverslip")
+    plane_indices = np.unique([0, len(stack.z) // 2, len(stack.z) - 1])
+    pupil = setup.pupil(wave, place.depth, place.focus + setup.step * stack.z[plane_indices], "coverslip")
     center = (stack.shape[0] // 2 + place.row, stack.shape[1] // 2 + place.column)
     try:
-        true = psf(pupil, stack.shape, setup.pixel, tol=1e-4, integrate=setup.integrate, center=center)
+        proven = psf(pupil, stack.shape, setup.pixel, tol=1e-4, integrate=setup.integrate, center=center)
     except ValueError:  # the aberrations are too strong
         return math.inf
-    planes = Stack(stack.star[:, ends], stack.shape, stack.z[ends])
-    quick = model.images.values(setup, state.waves, place._replace(drift_row=0.0, drift_column=0.0), planes)
-    return float(np.abs(quick - true.values).max() / true.values.max())
+    planes = Stack(stack.star[:, plane_indices], stack.shape, stack.z[plane_indices])
+    search_images = model.images.values(setup, state.waves, place._replace(drift_row=0.0, drift_column=0.0), planes)
+    return float(np.abs(search_images - proven.values).max() / proven.values.max())

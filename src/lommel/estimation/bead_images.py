@@ -101,7 +101,7 @@ class Setup:
             return self.objective.coverslip.thickness
         if name in AMPLITUDES:
             return illumination(self.objective.apodization).to_zernike().get(AMPLITUDES[name], 0.0)
-        return float(getattr(self if name in _OWN else self.objective, name))
+        return float(getattr(self if name in _SETUP_CONSTANTS else self.objective, name))
 
     def scale(self, name: str) -> float:
         """Return the unit of a constant's `size` and `prior`: its value for pixel and diameter, otherwise 1."""
@@ -109,16 +109,20 @@ class Setup:
 
     def adjacent_values(self, name: str) -> tuple[float, float]:
         """Return a smaller and a larger possible value of a constant, for finite differences."""
-        constant, at, one = CONSTANTS[name], self.value(name), self.objective
-        h = constant.step * (at if constant.relative else 1.0)
-        least = {"diameter": 0.25 * at, "immersion": max(1.0, at - 0.5 * (at - one.NA)), "sample": 1.0}
-        most = {"NA": at + 0.5 * (min(one.immersion, one.design.immersion) - at)}  # less than the immersion's index
-        return max(at - h, least.get(name, -math.inf)), min(at + h, most.get(name, math.inf))
+        constant, value, objective = CONSTANTS[name], self.value(name), self.objective
+        h = constant.step * (value if constant.relative else 1.0)
+        immersion = max(1.0, value - 0.5 * (value - objective.NA))
+        smallest = {"diameter": 0.25 * value, "immersion": immersion, "sample": 1.0}
+        # The largest NA is below the index of the immersion.
+        largest = {"NA": value + 0.5 * (min(objective.immersion, objective.design.immersion) - value)}
+        return max(value - h, smallest.get(name, -math.inf)), min(value + h, largest.get(name, math.inf))
 
-    def having(self, name: str, value: float) -> Setup:
+    def with_constant(self, name: str, value: float) -> Setup:
         """Return the microscope with another value of a constant; ValueError if that value is impossible."""
-        new: dict[str, Any] = {name: value} if name in _OWN else {"objective": changed(self.objective, name, value)}
-        return replace(self, **new)
+        changes: dict[str, Any] = {name: value}
+        if name not in _SETUP_CONSTANTS:
+            changes = {"objective": changed(self.objective, name, value)}
+        return replace(self, **changes)
 
     def pupil(
         self, aberrations: Wavefront | None, depth: ArrayLike, z: ArrayLike = 0.0, origin: str = "brightest"
@@ -131,8 +135,8 @@ class Setup:
     @property
     def pixel_v(self) -> float:
         """Pixel pitch in units of v."""
-        one = self.objective
-        return 2.0 * math.pi * one.NA * self.pixel / (self.wavelength * one.magnification)
+        objective = self.objective
+        return 2.0 * math.pi * objective.NA * self.pixel / (self.wavelength * objective.magnification)
 
     @property
     def radius(self) -> float:
@@ -140,19 +144,19 @@ class Setup:
         return math.pi * self.objective.NA * self.diameter / self.wavelength
 
 
-_OWN = ("pixel", "diameter", "blur", "step")
+_SETUP_CONSTANTS = ("pixel", "diameter", "blur", "step")
 
 
 def changed(objective: Objective, name: str, value: float) -> Objective:
     """Return an objective of the same design, with another value of a constant: sample, NA, ... (see `CONSTANTS`)."""
-    new: dict[str, Any] = {name: value}
+    changes: dict[str, Any] = {name: value}
     if name == "coverslip":
         assert objective.coverslip is not None
-        new = {name: replace(objective.coverslip, thickness=value)}
+        changes = {name: replace(objective.coverslip, thickness=value)}
     elif name in AMPLITUDES:
         terms = illumination(objective.apodization).to_zernike()
-        new = {"apodization": Apodization.zernike(terms | {AMPLITUDES[name]: value})}
-    return replace(objective, **new)
+        changes = {"apodization": Apodization.zernike(terms | {AMPLITUDES[name]: value})}
+    return replace(objective, **changes)
 
 
 class Place(NamedTuple):
@@ -197,8 +201,8 @@ class Stack:
     @staticmethod
     def of(counts: Counts, noise: Noise, z: Array) -> Stack:
         """Return the stack of recorded images (planes, height, width)."""
-        shape, camera = counts.values.shape, noise.poisson
-        star = star_counts(camera.electrons(counts.filled()), camera.variance(np.zeros(shape)), counts.known)
+        shape, poisson = counts.values.shape, noise.poisson
+        star = star_counts(poisson.electrons(counts.filled()), poisson.variance(np.zeros(shape)), counts.known)
         return Stack(star, (shape[1], shape[2]), z)
 
 
@@ -220,16 +224,16 @@ class BeadImages:
 
     def __init__(self, terms: Sequence[Term], fixed: Mapping[Term, float], threads: int) -> None:
         self.solved = tuple(terms)
-        others = [term for term in fixed if term not in self.solved and term not in SHIFTS.values()]
-        self.terms: tuple[Term, ...] = (*self.solved, *others, *SHIFTS.values())
+        fixed_terms = [term for term in fixed if term not in self.solved and term not in SHIFTS.values()]
+        self.terms: tuple[Term, ...] = (*self.solved, *fixed_terms, *SHIFTS.values())
         self.factors = np.array([zernike.rms_factor(n, m) for n, m in self.solved])
-        self.fixed = {term: fixed[term] for term in others}  # radians at the edge
-        self._others = np.array([*self.fixed.values()])
+        self.fixed = {term: fixed[term] for term in fixed_terms}  # radians at the edge
+        self._fixed_coefficients = np.array([*self.fixed.values()])
         self.threads = threads
 
-    def with_terms(self, more: Sequence[Term]) -> BeadImages:
-        """Return a model with the terms `more` appended to the estimated terms."""
-        return BeadImages((*self.solved, *more), self.fixed, self.threads) if more else self
+    def with_terms(self, added: Sequence[Term]) -> BeadImages:
+        """Return a model with the terms `added` appended to the estimated terms."""
+        return BeadImages((*self.solved, *added), self.fixed, self.threads) if added else self
 
     def without_terms(self, waves: Array) -> BeadImages:
         """Return a model in which all terms are fixed, the formerly estimated terms at the coefficients `waves`."""
@@ -244,21 +248,23 @@ class BeadImages:
 
         If not `ball`, the bead is approximated by a point with a blur of the bead's width (for finite differences).
         """
-        return np.asarray(self._images_and_slopes(setup, waves, place, stack, ball=ball, by=None)[0])
+        return np.asarray(self._images_and_derivatives(setup, waves, place, stack, ball=ball, by=None)[0])
 
-    def slopes(self, setup: Setup, waves: Array, place: Place, stack: Stack, amplitudes: Sequence[str] = ()) -> Array:
+    def derivatives(
+        self, setup: Setup, waves: Array, place: Place, stack: Stack, amplitudes: Sequence[str] = ()
+    ) -> Array:
         """Return derivatives by the waves, focus (per metre), row, column and `amplitudes`, (k, planes, ...)."""
-        return self._images_and_slopes(setup, waves, place, stack, ball=False, by=amplitudes)[1:]
+        return self._images_and_derivatives(setup, waves, place, stack, ball=False, by=amplitudes)[1:]
 
-    def _images_and_slopes(
+    def _images_and_derivatives(
         self, setup: Setup, waves: Array, place: Place, stack: Stack, *, ball: bool, by: Sequence[str] | None
     ) -> Array:
-        """Return images and, unless `by` is None, their derivatives; `by` are names of `AMPLITUDES`."""
+        """Return images and, unless `by` is None, their derivatives as well; `by` are names in `AMPLITUDES`."""
         objective, pixel_v, count = setup.objective, setup.pixel_v, len(stack.z)
         layers = objective._layers(setup.wavelength)
         middle = (stack.shape[0] // 2 + place.row, stack.shape[1] // 2 + place.column)
-        samples = Samples(stack.shape, middle, pixel_v, _half(setup))
-        edge = np.concatenate([waves * self.factors, self._others, np.zeros(2)])[None]
+        samples = Samples(stack.shape, middle, pixel_v, _filter_half_width(setup))
+        edge = np.concatenate([waves * self.factors, self._fixed_coefficients, np.zeros(2)])[None]
         if any(place.drift):
             edge = np.repeat(edge, count, axis=0)
             edge[:, -2:] = pixel_v * np.outer(stack.times, place.drift)
@@ -268,18 +274,20 @@ class BeadImages:
         depths = np.maximum(place.depth + 0.5 * setup.diameter * u, 0.0)
         focus, amplitudes = np.tile(place.focus + setup.step * stack.z, len(u)), by or ()
         planes = Planes(np.repeat(depths, count), focus, np.tile(edge, (len(u), 1)) if len(edge) > 1 else edge)
-        light = partial(light_by_rule.light, layers, setup.emitter, planes, samples, rule, self.terms)
+        light_of = partial(light_by_rule.light, layers, setup.emitter, planes, samples, rule, self.terms)
         if by is None:
-            sampled = light(threads=self.threads)
+            sampled = light_of(threads=self.threads)
         else:
             terms, degrees = (*self.solved, *SHIFTS.values()), tuple(AMPLITUDES[name] for name in amplitudes)
-            sampled = light(by=terms, by_focus=True, by_amplitude=degrees, threads=self.threads)
+            sampled = light_of(by=terms, by_focus=True, by_amplitude=degrees, threads=self.threads)
         power = light_by_rule.collected(layers, setup.emitter, depths)
         scale = pixel_v**2 / (4.0 * math.pi * float(fractions @ power))
         total: Array | float = 0.0
-        for k, (up, fraction) in enumerate(zip(u, fractions.tolist(), strict=True)):
+        for k, (height, fraction) in enumerate(zip(u, fractions.tolist(), strict=True)):
             # The variance of a projected ball along an axis is radius^2 / 5.
-            disc, variance = (setup.radius * math.sqrt(1.0 - up**2), 0.0) if ball else (0.0, setup.radius**2 / 5.0)
+            disc, variance = 0.0, setup.radius**2 / 5.0
+            if ball:
+                disc, variance = setup.radius * math.sqrt(1.0 - height**2), 0.0
             part = sampled[:, k * count : (k + 1) * count]
             blurred = variance + setup.blur * samples.step**2
             pixels = light_by_rule.pixel_filter(samples, disc, blurred, integrate=setup.integrate)
@@ -287,25 +295,26 @@ class BeadImages:
         images = np.asarray(scale * total)
         if by is not None:
             # Order of the derivatives: focus, amplitudes, terms at the pupil edge, tilts.
-            first, last = 2 + len(amplitudes), 2 + len(amplitudes) + len(self.solved)
-            images[first:last] *= self.factors[:, None, None, None]
+            term_start, term_end = 2 + len(amplitudes), 2 + len(amplitudes) + len(self.solved)
+            images[term_start:term_end] *= self.factors[:, None, None, None]
             # A shift by one pixel is a tilt of `pixel_v` radians at the pupil edge.
             images[-2:] *= pixel_v
             for k, name in enumerate(amplitudes, 2):
                 # Images are normalized to the collected light, which depends on the amplitudes.
-                images[k] -= _light_slope(setup, name, depths) * images[0]
-            images = images[[0, *range(first, last), 1, last, last + 1, *range(2, first)]]
+                images[k] -= _light_derivative(setup, name, depths) * images[0]
+            images = images[[0, *range(term_start, term_end), 1, term_end, term_end + 1, *range(2, term_start)]]
         return images
 
     def rule(self, samples: Samples, edge: Array) -> Rule:
         """Return the quadrature rule for phases `edge` (radians at the edge); Declined if phases are too strong."""
         window = samples.window
-        ends = [max(at, side - 1.0 - at) for at, side in zip(window.center, window.shape, strict=True)]
+        pairs = zip(window.center, window.shape, strict=True)
+        distances = [max(center, side - 1.0 - center) for center, side in pairs]
         coefficients = edge[0, :-2]
-        squares = [1.0 / zernike.rms_factor(n, m) ** 2 for n, m in self.terms[:-2]]
+        mean_squares = [1.0 / zernike.rms_factor(n, m) ** 2 for n, m in self.terms[:-2]]
         # The rms phase of the terms, plus the largest tilt due to drift at the pupil edge.
-        phase = math.sqrt(float((coefficients**2) @ squares)) + float(np.abs(edge[:, -2:]).max(initial=0.0))
-        rule = light_by_rule.search_rule(max(ends) * window.step, phase)
+        phase = math.sqrt(float((coefficients**2) @ mean_squares)) + float(np.abs(edge[:, -2:]).max(initial=0.0))
+        rule = light_by_rule.search_rule(max(distances) * window.step, phase)
         if rule.chords > _MAX_CHORDS:
             raise Declined("aberrations are too strong for the search: reduce them, or use a smaller window")
         return rule
@@ -315,50 +324,51 @@ class BeadImages:
         step = CONSTANTS[name].step
         if name == "depth":
             # A bead that touches the cover glass cannot be nearer to it: its difference is one-sided.
-            h = min(step, max(place.depth - 0.5 * setup.diameter, 0.0))
-            deeper, nearer = place._replace(depth=place.depth + step), place._replace(depth=place.depth - h)
-            pair = [self.values(setup, waves, at, stack) for at in (deeper, nearer)]
-            return np.asarray((pair[0] - pair[1]) / (step + h))
+            low, high = place.depth - min(step, max(place.depth - 0.5 * setup.diameter, 0.0)), place.depth + step
+            places = place._replace(depth=high), place._replace(depth=low)
+            pair = [self.values(setup, waves, bead_place, stack) for bead_place in places]
+            return np.asarray((pair[0] - pair[1]) / (high - low))
         low, high = setup.adjacent_values(name)
         ball = name in ("diameter", "sample")  # the effect of these constants depends on the height within the bead
-        pair = [self.values(setup.having(name, value), waves, place, stack, ball=ball) for value in (high, low)]
+        setups = setup.with_constant(name, high), setup.with_constant(name, low)
+        pair = [self.values(changed_setup, waves, place, stack, ball=ball) for changed_setup in setups]
         return np.asarray((pair[0] - pair[1]) / (high - low))
 
 
-def _light_slope(setup: Setup, name: str, depth: Array) -> float:
+def _light_derivative(setup: Setup, name: str, depth: Array) -> float:
     """Return the derivative of the logarithm of the collected light with respect to an amplitude coefficient."""
     h, n, logarithms = CONSTANTS[name].step, AMPLITUDES[name], []
     for value in (setup.value(name) + h, setup.value(name) - h):
-        layers = setup.having(name, value).objective._layers(setup.wavelength)
+        layers = setup.with_constant(name, value).objective._layers(setup.wavelength)
         # Derivatives of images neglect that the largest amplitude is normalized to 1: compensate for this here.
         factor = (layers.exponent[0] if layers.exponent else 0.0) + value * math.sqrt(n + 1.0) * (-1.0) ** (n // 2)
         logarithms.append(math.log(float(light_by_rule.collected(layers, setup.emitter, depth)[0])) + 2.0 * factor)
     return (logarithms[0] - logarithms[1]) / (2.0 * h)
 
 
-def _half(setup: Setup) -> int:
+def _filter_half_width(setup: Setup) -> int:
     """Return the number of samples on either side of a pixel that the pixel filter uses."""
     stride = max(1, math.ceil(setup.pixel_v / 1.535))
     half_width = 2.0 * math.sqrt(max(setup.blur, 0.0)) * setup.pixel_v + setup.radius
     return MIN_MARGIN + (stride - 1) * 2 + math.ceil(half_width * stride / setup.pixel_v)
 
 
-def flux_background(values: Array, star: Array, before: Array | None = None) -> Array:
+def flux_background(values: Array, star: Array, previous: Array | None = None) -> Array:
     """Return the maximum-likelihood flux and background of each plane, (2, planes), for PSFs (planes, ...)."""
     psf = values.reshape(len(values), -1).astype(np.float64)
     counted, _, read, valid = star
     # Initial weights use the counts as variances; the added 1 keeps the weights of dark pixels finite.
     weight = valid / (np.maximum(counted, 0.0) + read + 1.0)
-    light = before
+    light = previous
     for _ in range(_ITERATIONS):
         if light is not None:
             mean = light[0][:, None] * psf + light[1][:, None]
             weight = valid / np.maximum(mean + read, 0.25 * read)
-        flux, level, middle = weighted_light(psf, counted, weight)
+        flux, level, mean_psf = weighted_light(psf, counted, weight)
         # At flux 0 a plane would not depend on the position of the bead.
         flux = np.maximum(flux, _MIN_FLUX * np.abs(flux).max() + 1e-9)
-        # `level` is the expected value at a pixel where the PSF has its weighted mean `middle`.
-        light = np.stack([flux, level - flux * middle])
+        # `level` is the expected value at a pixel where the PSF has its weighted mean `mean_psf`.
+        light = np.stack([flux, level - flux * mean_psf])
     return np.asarray(light)
 
 
@@ -373,21 +383,21 @@ class Part(NamedTuple):
     Parameters are, in this order, the parameters common to all beads, and the parameters of this bead.
     """
 
-    slope: Array  # (planes, parameters), derivatives of the log-likelihood
+    gradient: Array  # (planes, parameters), derivatives of the log-likelihood
     information: Array  # (planes, parameters, parameters)
     chi2: float  # Pearson's sum of squares
     expected: float  # expectation of `chi2`
-    spread: float  # variance of `chi2`
-    visible: float  # total flux of all planes, in standard deviations
-    scatter: Array  # (planes, 2, 2), covariance of flux and background for fixed parameters
-    carried: Array  # (planes, parameters, 2), minus the derivative of flux and background by the parameters
+    chi2_variance: float  # variance of `chi2`
+    flux_sigmas: float  # total flux of all planes, in standard deviations
+    light_covariance: Array  # (planes, 2, 2), covariance of flux and background for fixed parameters
+    light_coupling: Array  # (planes, parameters, 2), minus the derivative of flux and background by the parameters
 
     def shifts(self, columns: list[int]) -> tuple[Array, Array]:
         """Return each plane's steps (planes, q) of the q parameters `columns`, and their significance (sigmas)."""
-        square, slope = self.information[:, columns][:, :, columns], self.slope[:, columns]
-        square = _regular(square) + 1e-300 * np.eye(len(columns))
-        step = np.asarray(np.linalg.solve(square, slope[..., None])[..., 0])
-        return step, np.sqrt(np.maximum(np.einsum("pk,pk->p", step, slope), 0.0))
+        information, gradient = self.information[:, columns][:, :, columns], self.gradient[:, columns]
+        information = _regular(information) + 1e-300 * np.eye(len(columns))
+        step = np.asarray(np.linalg.solve(information, gradient[..., None])[..., 0])
+        return step, np.sqrt(np.maximum(np.einsum("pk,pk->p", step, gradient), 0.0))
 
 
 def _regular(square: Array) -> Array:
@@ -395,29 +405,31 @@ def _regular(square: Array) -> Array:
     return np.asarray(square + 1e-12 * np.trace(square, axis1=1, axis2=2)[:, None, None] * np.eye(square.shape[1]))
 
 
-def part_of(values: Array, slopes: Array, chain: Array, stack: Stack, light: Array, threads: int) -> Part:
+def part_of(values: Array, derivatives: Array, chain: Array, stack: Stack, light: Array, threads: int) -> Part:
     """Return the contribution of a stack to likelihood and information, from its PSFs `values`.
 
-    The derivatives of PSFs by the parameters are `chain` (planes, parameters, k) times the k images in `slopes`.
+    The derivatives of PSFs by the parameters are `chain` (planes, parameters, k) times the k images in `derivatives`.
     """
-    numbers, products = star_likelihood([values.astype(slopes.dtype), *slopes], light[None], stack.star, threads)
-    _, expected, spread = numbers.sum(axis=(-1, -2))
-    each, k = products[0], len(slopes)
+    images = [values.astype(derivatives.dtype), *derivatives]
+    sums, products = star_likelihood(images, light[None], stack.star, threads)
+    _, expected, chi2_variance = sums.sum(axis=(-1, -2))
+    inner, k = products[0], len(derivatives)
     flux = light[0][:, None, None]
-    inner, cross = _regular(each[:, k : k + 2, k : k + 2]), flux * each[:, :k, k : k + 2]
-    carried = np.linalg.solve(inner, cross.swapaxes(1, 2)).swapaxes(1, 2)  # (planes, k, 2)
+    light_information, mixed = _regular(inner[:, k : k + 2, k : k + 2]), flux * inner[:, :k, k : k + 2]
+    light_coupling = np.linalg.solve(light_information, mixed.swapaxes(1, 2)).swapaxes(1, 2)  # (planes, k, 2)
     # Schur complement: information on the parameters with flux and background of each plane eliminated.
-    square = flux * flux * each[:, :k, :k] - carried @ cross.swapaxes(1, 2)
-    slope = flux[..., 0] * each[:, :k, -1] - np.einsum("pkl,pl->pk", carried, each[:, k : k + 2, -1])
+    information = flux * flux * inner[:, :k, :k] - light_coupling @ mixed.swapaxes(1, 2)
+    gradient = flux[..., 0] * inner[:, :k, -1]
+    gradient -= np.einsum("pkl,pl->pk", light_coupling, inner[:, k : k + 2, -1])
     # Information on the flux, with the background eliminated.
-    alone = inner[:, 0, 0] - inner[:, 0, 1] ** 2 / inner[:, 1, 1]
+    flux_information = light_information[:, 0, 0] - light_information[:, 0, 1] ** 2 / light_information[:, 1, 1]
     return Part(
-        np.einsum("pak,pk->pa", chain, slope),
-        chain @ square @ chain.swapaxes(1, 2),
-        float(each[:, -1, -1].sum()),
+        np.einsum("pak,pk->pa", chain, gradient),
+        chain @ information @ chain.swapaxes(1, 2),
+        float(inner[:, -1, -1].sum()),
         float(expected),
-        float(spread),
-        math.sqrt(float((light[0] ** 2 * np.maximum(alone, 0.0)).sum())),
-        np.asarray(np.linalg.inv(inner)),
-        chain @ carried,
+        float(chi2_variance),
+        math.sqrt(float((light[0] ** 2 * np.maximum(flux_information, 0.0)).sum())),
+        np.asarray(np.linalg.inv(light_information)),
+        chain @ light_coupling,
     )

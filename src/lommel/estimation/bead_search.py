@@ -1,6 +1,7 @@
 """Maximum-likelihood search for stacks of beads: Fisher scoring, starts, and rejection of inconsistent beads.
 
-Flux and background of each plane (`light`) are eliminated: they are the best values for the other parameters.
+Flux and background of each plane (`light`) are eliminated: they have their maximum-likelihood values for given other
+parameters.
 """
 
 from __future__ import annotations
@@ -18,10 +19,10 @@ from lommel.core.answers import Declined
 from lommel.core.engine import star_likelihood
 from lommel.estimation import bead_images
 from lommel.estimation.bead_images import AMPLITUDES, CONSTANTS, GRADIENT, BeadImages, Part, Place, Setup, Stack
-from lommel.fit import goodness_of_fit
+from lommel.fit.goodness_of_fit import SURE, largest_plausible_chi2
 from lommel.fit.scoring import Policy, Report, Rows, Scores, damped_steps, fisher_scoring, reduced_chi2
 
-OWN = ("row", "column", "focus")
+POSITION = ("row", "column", "focus")
 DRIFT = ("drift_row", "drift_column")
 _MAX_WAVE_STEP = 1.0  # radians rms: largest change of the wavefront in a step
 _SAME_MAXIMUM = 1.0  # difference of log-posterior below which two starts are assumed to end at the same maximum
@@ -46,11 +47,11 @@ class Prior(NamedTuple):
     value: float
     error: float
 
-    def score(self, at: float) -> tuple[float, float, float]:
-        """Return -ln(prior), the derivative of ln(prior), and the information, for the constant's value `at`."""
-        square = 1.0 / self.error**2
-        difference = self.value - at
-        return 0.5 * difference * difference * square, difference * square, square
+    def score(self, present: float) -> tuple[float, float, float]:
+        """Return -ln(prior), the derivative of ln(prior), and the information, for the constant's value `present`."""
+        information = 1.0 / self.error**2
+        difference = self.value - present
+        return 0.5 * difference * difference * information, difference * information, information
 
 
 @dataclass(frozen=True, eq=False)
@@ -71,8 +72,8 @@ class State:
 class Evaluated:
     """A state with its images and scores, the number of steps of the search, and whether the search settled.
 
-    `values` are the PSFs of each stack, `parts` the contributions of each stack to the scores. `scores` have one row
-    (a single set of parameters): the shared parameters, then the parameters of each bead. They include the priors.
+    `values` are the PSFs of each stack, and `parts` the contributions of each stack to the scores. `scores` include
+    the priors and have one row: first the common parameters, then the parameters of each bead.
     """
 
     state: State
@@ -95,10 +96,10 @@ class Evaluated:
 
 @dataclass(eq=False)
 class BeadModel:
-    """A model of several stacks of beads with shared parameters and parameters of each bead, for `fisher_scoring`.
+    """A model of several stacks of beads with common parameters and parameters of each bead, for `fisher_scoring`.
 
-    `names` are the shared parameters (terms of the wavefront and constants with a prior), `own` the parameters of
-    each bead.
+    `names` are the common parameters (terms of the wavefront and constants with a prior), and `bead_parameters` the
+    parameters of each bead.
     """
 
     images: BeadImages
@@ -106,7 +107,7 @@ class BeadModel:
     priors: dict[str, Prior]
     depths: tuple[Prior, ...]
     drifts: bool  # estimate lateral drift
-    own: tuple[str, ...] = field(init=False)
+    bead_parameters: tuple[str, ...] = field(init=False)
     names: tuple[object, ...] = field(init=False)
     size: int = field(init=False)  # number of parameters
     degrees_of_freedom: int = field(init=False)
@@ -114,78 +115,80 @@ class BeadModel:
 
     def __post_init__(self) -> None:
         depth = ("depth",) if self.depths[0].error > 0.0 else ()
-        self.own = (*OWN, *depth, *(DRIFT if self.drifts else ()))
+        self.bead_parameters = (*POSITION, *depth, *(DRIFT if self.drifts else ()))
         self.names = (*self.images.solved, *self.priors)
-        self.size = len(self.names) + len(self.own) * len(self.stacks)
+        self.size = len(self.names) + len(self.bead_parameters) * len(self.stacks)
         # Flux and background of each plane are two more parameters, which `size` does not include.
         self.degrees_of_freedom = (
             sum(int(stack.star[3].sum()) - 2 * len(stack.z) for stack in self.stacks) - self.size
         )
 
-    def alone(self, k: int) -> BeadModel:
+    def single_bead(self, k: int) -> BeadModel:
         """Return the model of a single bead, with constants and depth fixed."""
         return replace(self, stacks=self.stacks[k : k + 1], priors={}, depths=(Prior(self.depths[k].value, 0.0),))
 
-    def having(self, beads: Sequence[int]) -> BeadModel:
+    def with_beads(self, beads: Sequence[int]) -> BeadModel:
         """Return the model of the beads with these indices."""
         return replace(self, stacks=tuple(self.stacks[k] for k in beads), depths=tuple(self.depths[k] for k in beads))
 
-    def columns(self, bead: int, shared: int) -> range:
-        """Return the columns of the parameters of a bead, which follow the `shared` parameters."""
-        return range(shared + bead * len(self.own), shared + (bead + 1) * len(self.own))
+    def columns(self, bead: int, common_count: int) -> range:
+        """Return the columns of the parameters of a bead, which follow the common parameters."""
+        count = len(self.bead_parameters)
+        return range(common_count + bead * count, common_count + (bead + 1) * count)
 
     def _prior_terms(self, state: State, names: Sequence[object]) -> Iterator[tuple[int, Prior, float]]:
-        """Yield column, prior and present value of each parameter with a prior; `names` are the shared parameters."""
+        """Yield column, prior and present value of each parameter with a prior; `names` are the common parameters."""
         for name, prior in self.priors.items():
             yield names.index(name), prior, state.setup.value(name)
-        if "depth" in self.own:
-            at = self.own.index("depth")
+        if "depth" in self.bead_parameters:
+            index = self.bead_parameters.index("depth")
             for j, (prior, place) in enumerate(zip(self.depths, state.places, strict=True)):
-                yield self.columns(j, len(names))[at], prior, place.depth
+                yield self.columns(j, len(names))[index], prior, place.depth
 
-    def evaluated(self, state: State, most: float = math.inf) -> Evaluated:
+    def evaluated(self, state: State, limit: float = math.inf) -> Evaluated:
         """Return a state with its images and scores, and with maximum-likelihood flux and background.
 
-        Raise Declined or ValueError if the deviance is not below `most`, if the aberrations are too strong, or if
-        the constants are impossible. Derivatives are computed only if the deviance is below `most`, because they take
-        far longer than images.
+        Raise Declined or ValueError if the deviance is not below `limit`, if the aberrations are too strong, or if
+        the constants are impossible. Derivatives take far longer than images: they are computed only if the deviance
+        is below `limit`.
         """
         light, values = [], []
-        total = sum(prior.score(at)[0] for _, prior, at in self._prior_terms(state, self.names))
+        total = sum(prior.score(present)[0] for _, prior, present in self._prior_terms(state, self.names))
         for k, (stack, place) in enumerate(zip(self.stacks, state.places, strict=True)):
             psf = self.images.values(state.setup, state.waves, place, stack)
             values.append(psf)
             light.append(bead_images.flux_background(psf, stack.star, state.light[k] if state.light else None))
             total += float(star_likelihood([psf], light[-1][None], stack.star, self.images.threads)[0][0].sum())
-        if not -math.inf < total < most:
+        if not -math.inf < total < limit:
             raise Declined("the likelihood is not finite, or not higher than before")
         state = replace(state, light=tuple(light))
-        parts, information, slope = self.normal(state, values)
-        chi2, spread = (np.array([each]) for each in self.chi2_of(parts))
-        scores = Scores(np.array([total]), slope[None], information[None], chi2, spread)
+        parts, information, gradient = self.normal(state, values)
+        chi2, deviation = (np.array([value]) for value in self.chi2_of(parts))
+        scores = Scores(np.array([total]), gradient[None], information[None], chi2, deviation)
         return Evaluated(state, values, parts, scores)
 
-    def normal(self, state: State, values: list[Array], more: Sequence[str] = ()) -> tuple[list[Part], Array, Array]:
-        """Return the contributions of all stacks, and information and slope of all parameters, priors included.
+    def normal(self, state: State, values: list[Array], added: Sequence[str] = ()) -> tuple[list[Part], Array, Array]:
+        """Return the contributions of all stacks, and information and gradient of all parameters, priors included.
 
-        Order of the parameters: shared parameters `names`, further constants `more`, parameters of each bead.
+        Order of the parameters: common parameters `names`, the constants `added`, parameters of each bead.
         """
-        names, parts = (*self.names, *more), list[Part]()
-        k, size = len(names), self.size + len(more)
-        information, slope = np.zeros((size, size)), np.zeros(size)
+        names, parts = (*self.names, *added), list[Part]()
+        k, size = len(names), self.size + len(added)
+        information, gradient = np.zeros((size, size)), np.zeros(size)
         for j, psf in enumerate(values):
-            slopes, chain = self._slopes(state, j, names, psf)
-            parts.append(bead_images.part_of(psf, slopes, chain, self.stacks[j], state.light[j], self.images.threads))
-            at = [*range(k), *self.columns(j, k)]
-            information[np.ix_(at, at)] += parts[-1].information.sum(axis=0)
-            slope[at] += parts[-1].slope.sum(axis=0)
+            derivatives, chain = self._derivatives(state, j, names, psf)
+            stack, light = self.stacks[j], state.light[j]
+            parts.append(bead_images.part_of(psf, derivatives, chain, stack, light, self.images.threads))
+            columns = [*range(k), *self.columns(j, k)]
+            information[np.ix_(columns, columns)] += parts[-1].information.sum(axis=0)
+            gradient[columns] += parts[-1].gradient.sum(axis=0)
         for column, prior, value in self._prior_terms(state, names):
-            _, prior_slope, square = prior.score(value)
-            slope[column] += prior_slope
-            information[column, column] += square
-        return parts, information, slope
+            _, prior_gradient, prior_information = prior.score(value)
+            gradient[column] += prior_gradient
+            information[column, column] += prior_information
+        return parts, information, gradient
 
-    def _slopes(self, state: State, bead: int, names: Sequence[object], psf: Array) -> tuple[Array, Array]:
+    def _derivatives(self, state: State, bead: int, names: Sequence[object], psf: Array) -> tuple[Array, Array]:
         """Return k derivatives of the images of a bead, and the chain rule, shape (planes, parameters, k).
 
         For each plane, the derivatives by the parameters are linear combinations of the k derivatives.
@@ -193,7 +196,7 @@ class BeadModel:
         images, setup, waves = self.images, state.setup, state.waves
         stack, place, light = self.stacks[bead], state.places[bead], state.light[bead]
         amplitudes, k = [str(name) for name in names if name in AMPLITUDES], len(images.solved)
-        slopes, ones = [*images.slopes(setup, waves, place, stack, amplitudes)], np.ones(len(stack.z))
+        derivatives, ones = [*images.derivatives(setup, waves, place, stack, amplitudes)], np.ones(len(stack.z))
         order = (*images.solved, "focus", "row", "column", *amplitudes)
         # Index of the derivative for each parameter, and its factor in each plane.
         chain_rule: dict[object, tuple[int, Array]] = {name: (j, ones) for j, name in enumerate(order)}
@@ -202,89 +205,93 @@ class BeadModel:
         for name in (*GRADIENT, bead_images.NONLINEAR):
             if name in names:
                 # This derivative is in electrons: it is divided by the flux, because `part_of` multiplies by it.
-                chain_rule[name] = len(slopes), 1.0 / light[0]
-                slopes.append(_camera_slope(name, bead_images.expected(light, psf)).astype(slopes[0].dtype))
-        for name in map(str, (*names, *self.own)):
+                chain_rule[name] = len(derivatives), 1.0 / light[0]
+                derivative = _camera_derivative(name, bead_images.expected(light, psf))
+                derivatives.append(derivative.astype(derivatives[0].dtype))
+        for name in map(str, (*names, *self.bead_parameters)):
             if name in CONSTANTS and name not in chain_rule:
-                chain_rule[name] = len(slopes), ones
-                slopes.append(images.differences(setup, waves, place, stack, name).astype(slopes[0].dtype))
-        chain = np.zeros((len(stack.z), len(names) + len(self.own), len(slopes)))
-        for row, parameter in enumerate((*names, *self.own)):
+                chain_rule[name] = len(derivatives), ones
+                derivatives.append(images.differences(setup, waves, place, stack, name).astype(derivatives[0].dtype))
+        chain = np.zeros((len(stack.z), len(names) + len(self.bead_parameters), len(derivatives)))
+        for row, parameter in enumerate((*names, *self.bead_parameters)):
             column, factor = chain_rule[parameter]
             chain[:, row, column] = factor
-        return np.stack(slopes), chain
+        return np.stack(derivatives), chain
 
-    def step(self, x: Evaluated, now: Scores, at: Rows, damping: Array) -> tuple[Array, Array]:
+    def step(self, x: Evaluated, scores: Scores, rows: Rows, damping: Array) -> tuple[Array, Array]:
         """Return a damped step (1, parameters), and the predicted decrease of the deviance."""
-        scores, state = now, x.state
+        state = x.state
         step = damped_steps(scores, damping)
-        if "depth" in self.own:
-            depth, least = self.own.index("depth"), min_depth(state.setup)
+        if "depth" in self.bead_parameters:
+            depth_index, smallest = self.bead_parameters.index("depth"), min_depth(state.setup)
             for j, place in enumerate(state.places):
-                column = self.columns(j, len(self.names))[depth]
+                column = self.columns(j, len(self.names))[depth_index]
                 # A bead that would sink into the glass is set to the smallest depth; the steps of all other
                 # parameters are computed again for this depth.
-                if place.depth + step[0][0, column] < least:
-                    scores = _holding(scores, column, least - place.depth)
+                if place.depth + step[0][0, column] < smallest:
+                    scores = _with_fixed_step(scores, column, smallest - place.depth)
             step = damped_steps(scores, damping)
         return step
 
     def attempt(
-        self, x: Evaluated, now: Scores, at: Rows, step: Array, factor: Array
+        self, x: Evaluated, scores: Scores, rows: Rows, step: Array, factor: Array
     ) -> tuple[Evaluated, Scores | None]:
         """Return the state after a step and its scores; the old state and None if the deviance does not decrease."""
         with suppress(Declined, ValueError):  # the step is too long: aberrations too strong, or constants impossible
-            tried = self.evaluated(self.moved(x.state, step[0]), float(now.deviance[0]))
-            return tried, tried.scores
+            evaluated = self.evaluated(self.moved(x.state, step[0]), float(scores.deviance[0]))
+            return evaluated, evaluated.scores
         return x, None
 
     def moved(self, state: State, step: Array) -> State:
         """Return the parameters after a step, which is shortened such that no change exceeds its limit."""
-        k, shared, setup = len(self.images.solved), len(self.names), state.setup
-        bead_steps = step[shared:].reshape(-1, len(self.own))
+        k, common_count, setup = len(self.images.solved), len(self.names), state.setup
+        bead_steps = step[common_count:].reshape(-1, len(self.bead_parameters))
         kinds = [CONSTANTS[name] for name in self.priors]
         constants = np.array([setup.value(name) for name in self.priors])
         limits = [
             kind.max_step * (value if kind.relative else 1.0) for kind, value in zip(kinds, constants, strict=True)
         ]
         # Changes divided by their largest allowed values.
-        ratios = [math.sqrt(float(step[:k] @ step[:k])) / _MAX_WAVE_STEP, *(np.abs(step[k:shared]) / limits)]
-        ratios += [*(np.abs(bead_steps) / [_MAX_STEPS[name] for name in self.own]).ravel()]
+        ratios = [math.sqrt(float(step[:k] @ step[:k])) / _MAX_WAVE_STEP, *(np.abs(step[k:common_count]) / limits)]
+        ratios += [*(np.abs(bead_steps) / [_MAX_STEPS[name] for name in self.bead_parameters]).ravel()]
         # A common factor for all parameters keeps the direction of the step.
-        cut = 1.0 / max(1.0, *ratios)
-        for name, value in zip(self.priors, (constants + cut * step[k:shared]).tolist(), strict=True):
-            setup = setup.having(name, value)
+        factor = 1.0 / max(1.0, *ratios)
+        for name, value in zip(self.priors, (constants + factor * step[k:common_count]).tolist(), strict=True):
+            setup = setup.with_constant(name, value)
         # Because of noise, the estimated variance of the blur may be slightly negative.
         if setup.blur < -0.2 or setup.diameter < 0.0:
             raise Declined("the variance of the blur, or the diameter of the bead, is negative")
         places = []
-        for stack, place, own in zip(self.stacks, state.places, cut * bead_steps, strict=True):
-            to = place._replace(**{n: getattr(place, n) + by for n, by in zip(self.own, own.tolist(), strict=True)})
-            half = 0.5 * np.array(stack.shape)
-            row, column = np.clip([to.row, to.column], -half, half).tolist()
-            places.append(to._replace(row=row, column=column, depth=max(to.depth, min_depth(setup))))
-        return replace(state, setup=setup, waves=state.waves + cut * step[:k], places=tuple(places))
+        for stack, place, bead_step in zip(self.stacks, state.places, factor * bead_steps, strict=True):
+            changes = zip(self.bead_parameters, bead_step.tolist(), strict=True)
+            new_place = place._replace(**{name: getattr(place, name) + change for name, change in changes})
+            half_sides = 0.5 * np.array(stack.shape)
+            row, column = np.clip([new_place.row, new_place.column], -half_sides, half_sides).tolist()
+            depth = max(new_place.depth, min_depth(setup))
+            places.append(new_place._replace(row=row, column=column, depth=depth))
+        return replace(state, setup=setup, waves=state.waves + factor * step[:k], places=tuple(places))
 
     def chi2_of(self, parts: Sequence[Part]) -> tuple[float, float]:
         """Return Pearson's chi2 per degree of freedom from the parts of all stacks, and its standard deviation."""
-        total, expected, spread = np.sum([(part.chi2, part.expected, part.spread) for part in parts], axis=0).tolist()
+        sums = [(part.chi2, part.expected, part.chi2_variance) for part in parts]
+        total, expected, variance = np.sum(sums, axis=0).tolist()
         pixels = self.degrees_of_freedom + self.size + 2 * sum(len(s.z) for s in self.stacks)
-        chi2, width = reduced_chi2(total, expected, spread, max(self.degrees_of_freedom, 1) / pixels)
-        return float(chi2), float(width)
+        chi2, deviation = reduced_chi2(total, expected, variance, max(self.degrees_of_freedom, 1) / pixels)
+        return float(chi2), float(deviation)
 
 
-def _holding(scores: Scores, at: int, step: float) -> Scores:
-    """Return scores from which damped steps have a prescribed `step` of the parameter with index `at`."""
-    information, slope = scores.information.copy(), scores.slope - scores.information[:, at] * step
-    information[:, at] = information[:, :, at] = 0.0
-    information[:, at, at], slope[:, at] = 1.0, step
-    return scores._replace(slope=slope, information=information)
+def _with_fixed_step(scores: Scores, index: int, step: float) -> Scores:
+    """Return scores from which damped steps have a prescribed `step` of the parameter with index `index`."""
+    information, gradient = scores.information.copy(), scores.slope - scores.information[:, index] * step
+    information[:, index] = information[:, :, index] = 0.0
+    information[:, index, index], gradient[:, index] = 1.0, step
+    return scores._replace(slope=gradient, information=information)
 
 
 _POLICY = Policy(max_damping=1e7, patience=math.inf)
 
 
-def _camera_slope(name: str, mean: Array) -> Array:
+def _camera_derivative(name: str, mean: Array) -> Array:
     """Return the derivative of electrons (planes, height, width) by the camera's nonlinearity or a gradient.
 
     `mean` are the expected electrons.
@@ -297,10 +304,10 @@ def _camera_slope(name: str, mean: Array) -> Array:
     return np.broadcast_to(np.expand_dims(along, (0, 3 - axis)), mean.shape)
 
 
-def climb(model: BeadModel, start: State, most: int, report: Report = lambda *_: None) -> Evaluated:
-    """Return the end of at most `most` damped steps, from a start until convergence."""
+def climb(model: BeadModel, start: State, max_steps: int, report: Report = lambda *_: None) -> Evaluated:
+    """Return the end of at most `max_steps` damped steps, from a start until convergence."""
     begin = model.evaluated(start)
-    end = fisher_scoring(model, begin, begin.scores, most, report, _POLICY)
+    end = fisher_scoring(model, begin, begin.scores, max_steps, report, _POLICY)
     best: Evaluated = end.x
     return replace(best, settled=bool(end.settled[0]), steps=end.steps)
 
@@ -313,57 +320,56 @@ class Search:
     setup: Setup
     waves: Array  # initial coefficients of the wavefront
     starts: int  # largest number of starts
-    most: int  # largest number of steps of a search
+    max_steps: int  # largest number of steps of a search
     progress: Callable[[float, float], object] | None  # called with the fraction done and chi2
     steps: int = 0  # number of steps of all completed searches
-    _done: float = 0.0  # fraction of the progress
+    _fraction_done: float = 0.0  # fraction of the progress
 
-    def all(self) -> tuple[Evaluated, list[bool]]:
+    def fit_all(self) -> tuple[Evaluated, list[bool]]:
         """Fit all beads jointly, except beads with a bad individual fit; return the fit, and whether each is used."""
         model, count = self.model, len(self.model.stacks)
-        singles = [self.one(model.alone(k), 0.6 / count) for k in range(count)]
-        median = float(np.median([single.quality[0] for single in singles]))
-        limits = [
-            max(_MAX_CHI2_RATIO * median, float(goodness_of_fit.largest_plausible_chi2(one.quality[1])))
-            for one in singles
-        ]
-        used = [single.quality[0] < limit for single, limit in zip(singles, limits, strict=True)]
-        kept = [k for k in range(count) if used[k]]
-        if count == 1 and not model.priors and "depth" not in model.own:
-            return singles[0], used
+        single_fits = [self.fit_one(model.single_bead(k), 0.6 / count) for k in range(count)]
+        median = float(np.median([fit.quality[0] for fit in single_fits]))
+        plausible = [float(largest_plausible_chi2(fit.quality[1])) for fit in single_fits]
+        limits = [max(_MAX_CHI2_RATIO * median, limit) for limit in plausible]
+        used = [fit.quality[0] < limit for fit, limit in zip(single_fits, limits, strict=True)]
+        used_indices = [k for k in range(count) if used[k]]
+        if count == 1 and not model.priors and "depth" not in model.bead_parameters:
+            return single_fits[0], used
         # The median is robust against a bead that ended in another local maximum.
-        waves = np.median([singles[k].state.waves for k in kept], axis=0)
-        start = State(self.setup, waves, tuple(singles[k].state.places[0] for k in kept))
-        return self.climb(model.having(kept), start, 0.4), used
+        waves = np.median([single_fits[k].state.waves for k in used_indices], axis=0)
+        start = State(self.setup, waves, tuple(single_fits[k].state.places[0] for k in used_indices))
+        return self.climb(model.with_beads(used_indices), start, 0.4), used
 
-    def one(self, model: BeadModel, fraction: float) -> Evaluated:
+    def fit_one(self, model: BeadModel, fraction: float) -> Evaluated:
         """Return the best fit of a single stack from several starts; the first adds `fraction` to the progress."""
-        best: Evaluated | None = None
+        best_fit: Evaluated | None = None
         for origin in ORIGINS[: self.starts]:
             place = start_of(model.stacks[0], self.setup, model.depths[0].value, origin)
             end = self.climb(model, State(self.setup, self.waves, (place,)), fraction)
-            same = best is not None and abs(end.log_posterior - best.log_posterior) < _SAME_MAXIMUM
-            if best is None or end.log_posterior > best.log_posterior:
-                best = end
-            fits = best.quality[0] < goodness_of_fit.largest_plausible_chi2(best.quality[1], goodness_of_fit.SURE)
-            if best.settled and (same or fits):
+            same_maximum = best_fit is not None and abs(end.log_posterior - best_fit.log_posterior) < _SAME_MAXIMUM
+            if best_fit is None or end.log_posterior > best_fit.log_posterior:
+                best_fit = end
+            chi2, deviation = best_fit.quality
+            fits = chi2 < largest_plausible_chi2(deviation, SURE)
+            if best_fit.settled and (same_maximum or fits):
                 break
             fraction = 0.0
-        assert best is not None
-        return best
+        assert best_fit is not None
+        return best_fit
 
     def climb(self, model: BeadModel, start: State, fraction: float) -> Evaluated:
         """Return the end of one search, which adds `fraction` to the progress."""
-        before = self._done
+        before = self._fraction_done
 
         def report(step: int, chi2: float) -> None:
             # The number of steps is not known in advance: each step is reported as a fifth of the remaining fraction.
             if self.progress is not None:
                 self.progress(min(before + fraction * (1.0 - 0.8**step), 1.0), chi2)
 
-        end = climb(model, start, self.most, report)
+        end = climb(model, start, self.max_steps, report)
         self.steps += end.steps
-        self._done = before + fraction
+        self._fraction_done = before + fraction
         return end
 
 
@@ -374,13 +380,13 @@ def start_of(stack: Stack, setup: Setup, depth: float, origin: float) -> Place:
     """
     counted, _, valid = stack.planes
     images = np.where(valid, counted, np.nan)
-    light = np.nan_to_num(images - np.nanmedian(images, axis=(1, 2), keepdims=True))
+    excess = np.nan_to_num(images - np.nanmedian(images, axis=(1, 2), keepdims=True))
     # Squares are multiplied by the sign of the light: the mean contribution of noise is 0.
-    sharpness = (light * np.abs(light)).sum(axis=(1, 2))
+    sharpness = (excess * np.abs(excess)).sum(axis=(1, 2))
     sharpness = np.clip(sharpness - np.median(sharpness), 0.0, None)
     total = float(sharpness.sum())
     focus = float(sharpness @ stack.z) / total if total > 0.0 else float(stack.z.mean())
-    sharpest = light[np.argsort(-sharpness)[:5]].mean(axis=0)
+    sharpest = excess[np.argsort(-sharpness)[:5]].mean(axis=0)
     # Noise in dark pixels would shift the centroid to the middle of the window.
     sharpest = np.where(sharpest > 0.2 * sharpest.max(), sharpest, 0.0)
     row, column = (

@@ -36,10 +36,10 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 _PLANES = 5  # minimum number of planes in a stack, and number of planes in a plot
-_VISIBLE = 10.0  # smallest total flux of a visible bead in all planes, in standard deviations
+_MIN_FLUX_SIGMAS = 10.0  # smallest total flux of a visible bead in all planes, in standard deviations
 _MAX_IMAGE_ERROR = 2e-3  # largest error of the images in the search, relative to the peak
 _CAUSES = "pixel, noise, z or the objective are wrong, terms are missing, or beads overlap"
-_FIRST = 5  # Noll's index of the first term after defocus
+_FIRST_NOLL = 5  # Noll's index of the first term after defocus
 
 
 @dataclass(frozen=True, eq=False)
@@ -215,28 +215,30 @@ class BeadFit(FitReport):
         differences at fixed z. The origin of z is the brightest focus, which depends on the constants.
         """
         height, width = validation.image_shape(shape)
-        deep = length("depth", depth, DEPTH_MOST)
-        at = np.atleast_1d(validation.real_array("z", z))
-        if at.ndim != 1 or not at.size:
-            raise ValueError(f"z must be a number or have the shape (planes,), got {at.shape}")
+        bead_depth = length("depth", depth, DEPTH_MOST)
+        positions = np.atleast_1d(validation.real_array("z", z))
+        if positions.ndim != 1 or not positions.size:
+            raise ValueError(f"z must be a number or have the shape (planes,), got {positions.shape}")
         setup = replace(self._state.setup, diameter=0.0, blur=0.0, step=1.0)
-        self.pupil(depth=deep, z=at)  # checks the range
-        stack = Stack(np.ones((4, at.size, height * width)), (height, width), at)
+        self.pupil(depth=bead_depth, z=positions)  # checks the range
+        stack = Stack(np.ones((4, positions.size, height * width)), (height, width), positions)
         waves, images = self._state.waves, self._images
-        jacobian = [*images.slopes(setup, waves, _focused(setup, deep), stack)[: len(images.solved)]]
+        jacobian = [*images.derivatives(setup, waves, _focused(setup, bead_depth), stack)[: len(images.solved)]]
         for name in [*self.coefficients][len(images.solved) :]:
             if name in ("diameter", "blur", "step"):
                 # The PSF is the image of a point at exact z: it does not depend on these constants.
-                jacobian.append(np.zeros((at.size, height, width)))
+                jacobian.append(np.zeros((positions.size, height, width)))
             else:
-                ends = setup.adjacent_values(name)
-                setups = (setup.having(name, value) for value in ends)
-                low, high = (images.values(one, waves, _focused(one, deep), stack) for one in setups)
-                jacobian.append((high - low) / (ends[1] - ends[0]))
+                values = setup.adjacent_values(name)
+                setups = (setup.with_constant(name, value) for value in values)
+                lower, upper = (
+                    images.values(changed, waves, _focused(changed, bead_depth), stack) for changed in setups
+                )
+                jacobian.append((upper - lower) / (values[1] - values[0]))
         rows = np.asarray(jacobian, dtype=np.float64)
         # First-order error propagation: the diagonal of J C J^T.
-        square = np.einsum("ipyx,ij,jpyx->pyx", rows, self.covariance, rows)
-        return np.asarray(np.sqrt(np.maximum(square, 0.0)))
+        variance = np.einsum("ipyx,ij,jpyx->pyx", rows, self.covariance, rows)
+        return np.asarray(np.sqrt(np.maximum(variance, 0.0)))
 
     def plot(self, *, bead: int = 0, unit: str = "waves") -> Figure:
         """Return a matplotlib figure of planes of a bead, model, residual, and coefficients with standard errors.
@@ -259,14 +261,14 @@ class BeadFit(FitReport):
         ImportError
             If matplotlib is not installed.
         """
-        one = self.beads[validation.integer("bead", bead, least=0, most=len(self.beads) - 1)]
+        plotted = self.beads[validation.integer("bead", bead, least=0, most=len(self.beads) - 1)]
         factor = 1.0 / (2.0 * math.pi) if validation.choice("unit", unit, ("waves", "radians")) == "waves" else 1.0
-        planes = np.unique(np.linspace(0, len(one.images) - 1, _PLANES).round().astype(int))
+        planes = np.unique(np.linspace(0, len(plotted.images) - 1, _PLANES).round().astype(int))
         names = [name for name in self.coefficients if not isinstance(name, str)]
-        values, errors = ([factor * each[name] for name in names] for each in (self.coefficients, self.errors))
+        values, errors = ([factor * numbers[name] for name in names] for numbers in (self.coefficients, self.errors))
         bars = [label(name) for name in names], values, errors, unit
         titles = [f"plane {k}" for k in planes]
-        images, model, residual = (part[planes] for part in (one.images, one.model, one.residual))
+        images, model, residual = (part[planes] for part in (plotted.images, plotted.model, plotted.residual))
         return show.estimates.fit(images, model, residual, bars, f"{self.status}, chi2 = {self.chi2:.3g}", titles)
 
     def __repr__(self) -> str:
@@ -274,8 +276,8 @@ class BeadFit(FitReport):
         for name, value in self.coefficients.items():
             constant = isinstance(name, str)
             factor, unit = UNITS[CONSTANTS[name].unit if constant else "rad"]
-            shown, error = with_error(factor * value, factor * self.errors[name])
-            lines.append(f"  {name if constant else label(name)}: {shown} +- {error}{unit}")
+            value_text, error = with_error(factor * value, factor * self.errors[name])
+            lines.append(f"  {name if constant else label(name)}: {value_text} +- {error}{unit}")
         return "\n".join(lines) + ">"
 
 
@@ -433,7 +435,7 @@ def fit_beads(
     settings = BeadOptions(**options)
     validation.instance("objective", objective, Objective)
     validation.instance("noise", noise, Noise)
-    solved = _terms(terms)
+    checked_terms = _terms(terms)
     shape = "(planes, height, width) or (beads, planes, height, width)"
     counts = Counts.of(
         "stacks", stacks, sides=(3, 4), shape=shape, mask=settings.mask, saturation=settings.saturation
@@ -441,35 +443,36 @@ def fit_beads(
     counts.require_known("stacks").require_light("stacks", "a bead")
     recorded = [counts[k] for k in range(len(counts.values))] if counts.values.ndim == 4 else [counts]
     size = validation.real("diameter", diameter, least=0.0, most=1e-5, unit="metres")
-    deep = _depths(depth, 0.5 * size, len(recorded))
-    places, planes = np.atleast_1d(validation.real_array("z", z)), len(recorded[0].values)
+    depth_values = _depths(depth, 0.5 * size, len(recorded))
+    stage_positions, planes = np.atleast_1d(validation.real_array("z", z)), len(recorded[0].values)
     if planes < _PLANES:
         raise ValueError(
             f"stacks must have at least {_PLANES} planes above and below focus, got {planes}: fewer planes do not "
             "separate aberrations from the position of the bead; pass all planes as one stack"
         )
-    if places.shape != (planes,):
-        raise ValueError(f"z must have a position for each of {planes} planes, got shape {places.shape}")
-    spacing = np.diff(places)
+    if stage_positions.shape != (planes,):
+        raise ValueError(f"z must have a position for each of {planes} planes, got shape {stage_positions.shape}")
+    spacing = np.diff(stage_positions)
     if not (np.all(spacing > 0.0) or np.all(spacing < 0.0)):
         raise ValueError("z must increase from plane to plane, or decrease: order planes by the stage")
     if np.abs(spacing).max() > 1e-4:
         raise ValueError(f"z must be in metres, got planes {np.abs(spacing).max():g} m apart")
     validation.optional("aberrations", aberrations, Wavefront)
     pitch = validation.real("pixel", pixel, above=0.0, unit="metres")
-    averaged, light = validation.truth("integrate", settings.integrate), validation.wavelength(wavelength)
-    setup = Setup(objective, light, emitter_of(emitter), pitch, size, integrate=averaged)
-    setup, known, of_depth, notes = _priors(settings.priors, setup, deep)
-    count_of = validation.integer("apodization", settings.apodization, least=0, most=len(AMPLITUDES))
-    known |= {name: Prior(setup.value(name), math.inf) for name in list(AMPLITUDES)[:count_of] if name not in known}
+    integrate, wavelength = validation.truth("integrate", settings.integrate), validation.wavelength(wavelength)
+    setup = Setup(objective, wavelength, emitter_of(emitter), pitch, size, integrate=integrate)
+    setup, priors, depth_error, notes = _priors(settings.priors, setup, depth_values)
+    apodization_count = validation.integer("apodization", settings.apodization, least=0, most=len(AMPLITUDES))
+    amplitudes = (name for name in list(AMPLITUDES)[:apodization_count] if name not in priors)
+    priors |= {name: Prior(setup.value(name), math.inf) for name in amplitudes}
     start = {term: float(c) for term, c in (aberrations or Wavefront()).edge_terms().items()}
     if start.get((2, 0)):
         notes.append(Finding("stated", "note", "defocus (Noll 4) of aberrations is fixed: z of the beads adds to it"))
-    images = BeadImages(solved, start, settings.threads or 0)
-    waves = np.array([start.get(term, 0.0) for term in solved]) / images.factors
-    made = tuple(Stack.of(each, noise, places) for each in recorded)
-    depths, moving = tuple(Prior(d, of_depth) for d in deep), validation.truth("drift", settings.drift)
-    model = BeadModel(images, made, known, depths, moving)
+    images = BeadImages(checked_terms, start, settings.threads or 0)
+    waves = np.array([start.get(term, 0.0) for term in checked_terms]) / images.factors
+    bead_stacks = tuple(Stack.of(counts_of_bead, noise, stage_positions) for counts_of_bead in recorded)
+    depths, drifts = tuple(Prior(d, depth_error) for d in depth_values), validation.truth("drift", settings.drift)
+    model = BeadModel(images, bead_stacks, priors, depths, drifts)
     if model.degrees_of_freedom < 1:
         raise ValueError(f"stacks must have more pixels than there are unknowns, {model.size}")
     search = Search(model, setup, waves, settings.starts, settings.steps, settings.progress)
@@ -479,202 +482,211 @@ def fit_beads(
 def _terms(terms: int | Sequence[tuple[int, int] | str]) -> tuple[Term, ...]:
     if isinstance(terms, int | np.integer) and not isinstance(terms, bool):
         count = validation.integer("terms", terms, least=1, most=200)
-        return tuple(zernike.term(_FIRST + k, "noll") for k in range(count))
-    found = tuple(filter(None, map(term_of, checked(cast("Sequence[Any]", terms), "terms", ()))))
-    if len({*found}) < len(found):
+        return tuple(zernike.term(_FIRST_NOLL + k, "noll") for k in range(count))
+    term_list = tuple(filter(None, map(term_of, checked(cast("Sequence[Any]", terms), "terms", ()))))
+    if len({*term_list}) < len(term_list):
         raise ValueError(f"terms must not contain a term twice, got {validation.shown(terms)}")
-    if of_place := [term for term in ((2, 0), *SHIFTS.values()) if term in found]:
+    if position_terms := [term for term in ((2, 0), *SHIFTS.values()) if term in term_list]:
         raise ValueError(
-            f"terms must be without {label(of_place[0])}, which is equivalent to a shift of the bead: z, row and "
-            "column are estimated instead"
+            f"terms must be without {label(position_terms[0])}, which is equivalent to a shift of the bead: z, row "
+            "and column are estimated instead"
         )
-    return found
+    return term_list
 
 
 def _depths(depth: Any, radius: float, count: int) -> list[float]:
-    given = validation.real_array("depth", radius if depth is None else depth)
-    if given.shape not in ((), (count,)):
-        raise ValueError(f"depth must be a number, or one for each of {count} beads, got shape {given.shape}")
-    found = [length("depth", float(one), DEPTH_MOST) for one in np.broadcast_to(given, (count,))]
-    if (least := min(found)) < radius * (1.0 - 1e-9):
-        raise ValueError(f"depth must be that of a bead's centre, at least the radius {radius:g} m, got {least:g}")
-    return found
+    stated = validation.real_array("depth", radius if depth is None else depth)
+    if stated.shape not in ((), (count,)):
+        raise ValueError(f"depth must be a number, or one for each of {count} beads, got shape {stated.shape}")
+    depths = [length("depth", float(value), DEPTH_MOST) for value in np.broadcast_to(stated, (count,))]
+    if (smallest := min(depths)) < radius * (1.0 - 1e-9):
+        raise ValueError(
+            f"depth must be the depth of a bead's centre, at least the radius {radius:g} m, got {smallest:g}"
+        )
+    return depths
 
 
-def _priors(given: Any, setup: Setup, deep: Sequence[float]) -> tuple[Setup, dict[str, Prior], float, list[Finding]]:
+def _priors(
+    stated: Any, setup: Setup, depths: Sequence[float]
+) -> tuple[Setup, dict[str, Prior], float, list[Finding]]:
     """Return the setup with the values of the priors, the priors, the standard error of depths, and findings."""
-    known, notes = bead_checks.available_constants(setup), list[Finding]()
-    blind = min(deep) > setup.wavelength and setup.objective.sample < setup.objective.NA
-    if given is None:
-        given = {name: CONSTANTS[name].prior * setup.scale(name) for name in known if CONSTANTS[name].prior}
-        if blind:
-            given.pop("NA")
-    if not isinstance(given, Mapping):
-        raise TypeError(f"priors must map names to standard errors, got {validation.shown(given)}")
-    found, of_depth = {}, 0.0
-    for name, prior in given.items():
+    available, notes = bead_checks.available_constants(setup), list[Finding]()
+    na_undetermined = min(depths) > setup.wavelength and setup.objective.sample < setup.objective.NA
+    if stated is None:
+        stated = {name: CONSTANTS[name].prior * setup.scale(name) for name in available if CONSTANTS[name].prior}
+        if na_undetermined:
+            stated.pop("NA")
+    if not isinstance(stated, Mapping):
+        raise TypeError(f"priors must map names to standard errors, got {validation.shown(stated)}")
+    priors, depth_error = {}, 0.0
+    for name, prior in stated.items():
         validation.choice("priors", name, CONSTANTS)
-        if name not in known:
+        if name not in available:
             raise ValueError(f"priors must be without {name!r}: no such constant exists, or the medium is air")
         pair = prior if isinstance(prior, tuple | list) else (None, prior)
         if len(pair) != 2:
             raise ValueError(f"priors[{name!r}] must be a standard error or (value, standard error), got {prior!r}")
-        stated, error = pair[0], validation.real(f"the error of priors[{name!r}]", pair[1], above=0.0, infinite=True)
+        value, error = pair[0], validation.real(f"the error of priors[{name!r}]", pair[1], above=0.0, infinite=True)
         if name != "depth":
-            value = setup.value(name) if stated is None else validation.real(f"priors[{name!r}]", stated)
-            found[name], setup = Prior(value, error), setup.having(name, value)
-        elif stated is None:
-            of_depth = error
+            value = setup.value(name) if value is None else validation.real(f"priors[{name!r}]", value)
+            priors[name], setup = Prior(value, error), setup.with_constant(name, value)
+        elif value is None:
+            depth_error = error
         else:
             raise ValueError("priors['depth'] must be a standard error alone: the values are the argument depth")
-    if all(name in found and math.isinf(found[name].error) for name in ("immersion", "coverslip")):
+    if all(name in priors and math.isinf(priors[name].error) for name in ("immersion", "coverslip")):
         raise ValueError(
             "priors must have a finite error for immersion or coverslip, because images depend only on a combination "
             "of both: give a standard error such as 5e-6 metres for the cover glass"
         )
-    if "NA" in found and blind:
-        if math.isinf(found["NA"].error):
+    if "NA" in priors and na_undetermined:
+        if math.isinf(priors["NA"].error):
             raise ValueError(
                 "priors must have a finite error for NA if all beads are deeper than a wavelength: their light does "
                 "not reach an NA above the index of the sample; add a bead on the glass, or leave NA out"
             )
         notes = [Finding("stated", "note", "the prior determines NA: no bead is within a wavelength of the glass")]
-    return setup, found, of_depth, notes
+    return setup, priors, depth_error, notes
 
 
-def _build_bead_fit(search: Search, recorded: list[Counts], noise: Noise, stated: list[Finding]) -> BeadFit:
+def _build_bead_fit(search: Search, recorded: list[Counts], noise: Noise, notes: list[Finding]) -> BeadFit:
     """Return the result of a search, with the findings of its checks."""
-    found, used = search.all()
-    joint, state = search.model.having(np.flatnonzero(used).tolist()), found.state
-    whole, shared = _inverse(found.scores.information[0]), len(joint.names)
-    inverse = whole[:shared, :shared]
-    chi2, spread = found.quality
-    held_out, of_others = bead_checks.held_out(joint, found)
-    beads = _beads(search.model, found, whole, used, recorded, noise)
-    error = bead_checks.model_error(joint, state)
+    fit, is_used = search.fit_all()
+    model, state = search.model.with_beads(np.flatnonzero(is_used).tolist()), fit.state
+    full_covariance, common_count = _inverse(fit.scores.information[0]), len(model.names)
+    covariance = full_covariance[:common_count, :common_count]
+    chi2, deviation = fit.quality
+    held_out, held_out_findings = bead_checks.held_out(model, fit)
+    beads = _beads(search.model, fit, full_covariance, is_used, recorded, noise)
+    image_error = bead_checks.model_error(model, state)
     tests: tuple[ScoreTest, ...] = ()
-    if max(part.visible for part in found.parts) < _VISIBLE:
+    if max(part.flux_sigmas for part in fit.parts) < _MIN_FLUX_SIGMAS:
         findings = [Finding("no_light", "error", "the light of all planes is within the noise")]
     else:
-        tests, marginal, untested = bead_checks.missing_tests(joint, found)
-        missing, other = bead_checks.missing_findings(joint, found, tests, search.setup)
-        causes = causes_of_misfit(_CAUSES, chi2, spread, tests)
-        findings = goodness_of_fit.chi2_findings(chi2, spread, causes)
-        light = np.stack([expected(*each) for each in zip(state.light, found.values, strict=True)])
-        counted, read, valid = map(np.stack, zip(*(stack.planes for stack in joint.stacks), strict=True))
-        off = np.where(valid, counted - light, np.nan)
+        tests, marginal, untested = bead_checks.missing_tests(model, fit)
+        missing_findings, refit_posterior = bead_checks.missing_findings(model, fit, tests, search.setup)
+        causes = causes_of_misfit(_CAUSES, chi2, deviation, tests)
+        findings = goodness_of_fit.chi2_findings(chi2, deviation, causes)
+        expected_images = np.stack([expected(*pair) for pair in zip(state.light, fit.values, strict=True)])
+        counted, read, valid = map(np.stack, zip(*(stack.planes for stack in model.stacks), strict=True))
+        residual = np.where(valid, counted - expected_images, np.nan)
         if "misfit" in Findings(findings).codes:
-            findings[:0] = goodness_of_fit.excess_test(off, light, read).findings(noise.excess)
-        windows = off.reshape(-1, *off.shape[-2:])
-        findings += goodness_of_fit.stripe_findings(windows, (light + read).reshape(windows.shape), noise.excess)
-        backwards: list[Finding] = []
+            findings[:0] = goodness_of_fit.excess_test(residual, expected_images, read).findings(noise.excess)
+        windows = residual.reshape(-1, *residual.shape[-2:])
+        variance = (expected_images + read).reshape(windows.shape)
+        findings += goodness_of_fit.stripe_findings(windows, variance, noise.excess)
+        reversed_findings: list[Finding] = []
         # The check for reversed planes requires another search: it is run only if something is wrong.
-        if missing or not Findings(findings).converged:
-            best = found.log_posterior if other is None else max(other, found.log_posterior)
+        if missing_findings or not Findings(findings).converged:
+            best_posterior = fit.log_posterior if refit_posterior is None else max(refit_posterior, fit.log_posterior)
             start = State(search.setup, search.waves, state.places)
-            backwards = bead_checks.reversed_findings(joint, start, best, chi2)
-        findings += [*(backwards or missing), *untested]
-        if marginal is not None and not missing:  # effects that are favoured but not significant
-            inverse, state = marginal.covariance, _add_shift(state, joint, marginal.shift)
+            reversed_findings = bead_checks.reversed_findings(model, start, best_posterior, chi2)
+        findings += [*(reversed_findings or missing_findings), *untested]
+        if marginal is not None and not missing_findings:  # effects that are favoured but not significant
+            covariance, state = marginal.covariance, _add_shift(state, model, marginal.shift)
         if "reversed_z" not in Findings(findings).codes:
-            planes = sum(len(s.z) for s in joint.stacks)
-            findings += bead_checks.moved_findings([one.moved for one in beads if one.used], planes)
-    if not found.settled:
-        text = f"the steps have not settled: more than {search.most} steps may be needed"
+            planes = sum(len(s.z) for s in model.stacks)
+            findings += bead_checks.moved_findings([bead.moved for bead in beads if bead.used], planes)
+    if not fit.settled:
+        text = f"the steps have not settled: more than {search.max_steps} steps may be needed"
         findings.append(Finding("not_settled", "error", text))
-    findings += of_others
-    findings += _error_findings(inverse[: len(state.waves), : len(state.waves)], error)
-    if not all(used):
-        left = ", ".join(map(str, np.flatnonzero(np.logical_not(used))))
-        findings.append(Finding("left_out", "note", f"left out, inconsistent with the other beads: bead {left}"))
-    findings += [*stated, *recording_findings(recorded, noise, "bead")]
+    findings += held_out_findings
+    findings += _error_findings(covariance[: len(state.waves), : len(state.waves)], image_error)
+    if not all(is_used):
+        left_out = ", ".join(map(str, np.flatnonzero(np.logical_not(is_used))))
+        findings.append(Finding("left_out", "note", f"left out, inconsistent with the other beads: bead {left_out}"))
+    findings += [*notes, *recording_findings(recorded, noise, "bead")]
     summary = f"chi2 {chi2:.4g} per degree of freedom, {search.steps} steps"
     if math.isfinite(held_out):
         summary += f", held-out bead {held_out:.4g}"
-    setup, edge = state.setup, joint.images.edge(state.waves)
-    values = [*map(float, state.waves), *map(setup.value, joint.priors)]
+    setup, edge = state.setup, model.images.edge(state.waves)
+    values = [*map(float, state.waves), *map(setup.value, model.priors)]
     return BeadFit(
         findings=Findings(findings),
         summary=summary,
         aberrations=Wavefront.zernike(edge, normalization="edge"),
         **{name: getattr(setup, name) for name in ("objective", "wavelength", "pixel", "diameter", "emitter")},
-        coefficients=dict(zip(joint.names, values, strict=True)),
-        errors=dict(zip(joint.names, np.sqrt(np.diag(inverse)).tolist(), strict=True)),
-        covariance=inverse,
+        coefficients=dict(zip(model.names, values, strict=True)),
+        errors=dict(zip(model.names, np.sqrt(np.diag(covariance)).tolist(), strict=True)),
+        covariance=covariance,
         beads=beads,
         tests=tests,
         chi2=chi2,
         held_out=held_out,
-        model_error=error,
+        model_error=image_error,
         steps=search.steps,
         _state=state,
-        _images=joint.images,
+        _images=model.images,
     )
 
 
-def _add_shift(state: State, joint: BeadModel, shift: Array) -> State:
+def _add_shift(state: State, model: BeadModel, shift: Array) -> State:
     """Return a state with `shift` added to the common parameters, except to constants that would be impossible."""
     count, setup = len(state.waves), state.setup
-    for name, step in zip(joint.priors, shift[count:].tolist(), strict=True):
-        if bead_checks.possible(setup, name, value := setup.value(name) + step):
-            setup = setup.having(name, value)
+    for name, step in zip(model.priors, shift[count:].tolist(), strict=True):
+        if bead_checks.is_possible(setup, name, value := setup.value(name) + step):
+            setup = setup.with_constant(name, value)
     return replace(state, waves=state.waves + shift[:count], setup=setup)
 
 
-def _error_findings(covariance: Array, error: float) -> list[Finding]:
-    """Return findings on large standard errors of the terms, and on a large `error` of the images in the search."""
-    found = []
-    unsure = math.sqrt(float(np.trace(covariance)))
-    if unsure > MAX_LINEAR_ERROR:
+def _error_findings(covariance: Array, image_error: float) -> list[Finding]:
+    """Return findings on large standard errors of the terms, and on a large error of the images in the search."""
+    findings = []
+    wavefront_error = math.sqrt(float(np.trace(covariance)))
+    if wavefront_error > MAX_LINEAR_ERROR:
         text = (
-            f"too little light for so many unknowns: the standard error of the wavefront is {unsure:.2g} radians "
-            f"rms. Above {MAX_LINEAR_ERROR}, images are not linear, and other wavefronts may fit as well; use "
-            "brighter or more beads, or fewer terms"
+            f"too little light for so many unknowns: the standard error of the wavefront is {wavefront_error:.2g} "
+            f"radians rms. Above {MAX_LINEAR_ERROR}, images are not linear, and other wavefronts may fit as well; "
+            "use brighter or more beads, or fewer terms"
         )
-        found.append(Finding("too_dim", "doubt", text, {"rms": unsure, "limit": MAX_LINEAR_ERROR}))
-    if error >= _MAX_IMAGE_ERROR:
-        text = f"images of the search differ from images with a proven error bound by {error:.2g} of the peak"
-        if not math.isfinite(error):
+        findings.append(Finding("too_dim", "doubt", text, {"rms": wavefront_error, "limit": MAX_LINEAR_ERROR}))
+    if image_error >= _MAX_IMAGE_ERROR:
+        text = f"images of the search differ from images with a proven error bound by {image_error:.2g} of the peak"
+        if not math.isfinite(image_error):
             text = "aberrations are too strong to compute images with a proven error bound"
-        found.append(Finding("model_error", "doubt", text, {"error": error}))
-    return found
+        findings.append(Finding("model_error", "doubt", text, {"error": image_error}))
+    return findings
 
 
-def _inverse(square: Array) -> Array:
+def _inverse(information: Array) -> Array:
     """Return the covariance, the pseudo-inverse of an information matrix."""
     # With a diagonal of 1, the cutoff for small singular values does not depend on units.
-    scale = np.sqrt(np.maximum(np.diag(square), 1e-300))
-    return np.asarray(np.linalg.pinv(square / np.outer(scale, scale), rcond=1e-12) / np.outer(scale, scale))
+    scale = np.sqrt(np.maximum(np.diag(information), 1e-300))
+    return np.asarray(np.linalg.pinv(information / np.outer(scale, scale), rcond=1e-12) / np.outer(scale, scale))
 
 
 def _beads(
-    model: BeadModel, fit: Evaluated, inverse: Array, used: list[bool], recorded: list[Counts], noise: Noise
+    model: BeadModel, fit: Evaluated, covariance: Array, is_used: list[bool], recorded: list[Counts], noise: Noise
 ) -> tuple[FittedBead, ...]:
     """Return the estimates of all beads; beads left out of the joint fit are fitted with fixed common parameters."""
-    found, k, setup = [], len(model.names), fit.state.setup
-    names = ["z" if name == "focus" else name for name in model.own]
+    beads, k, setup = [], len(model.names), fit.state.setup
+    names = ["z" if name == "focus" else name for name in model.bead_parameters]
     for j, stack in enumerate(model.stacks):
-        alone, one, t = replace(model.having([j]), priors={}), fit, sum(used[:j])
-        errors, scatter = dict[str, float](), np.full((len(stack.z), 2), math.nan)
-        if not used[j]:
+        single_model, bead_fit, index = replace(model.with_beads([j]), priors={}), fit, sum(is_used[:j])
+        errors, light_variances = dict[str, float](), np.full((len(stack.z), 2), math.nan)
+        if not is_used[j]:
             place = start_of(stack, setup, model.depths[j].value, 0.0)
-            one, t = alone.evaluated(State(setup, fit.state.waves, (place,))), 0
-        place, light, image, part = one.state.places[t], one.state.light[t], one.values[t], one.parts[t]
-        if used[j]:
-            at = [*range(k), *model.columns(t, k)]
-            whole, carried = inverse[np.ix_(at, at)], part.carried
-            errors = dict(zip(names, np.sqrt(np.diag(whole)[k:]).tolist(), strict=True))
+            bead_fit, index = single_model.evaluated(State(setup, fit.state.waves, (place,))), 0
+        state, image, part = bead_fit.state, bead_fit.values[index], bead_fit.parts[index]
+        place, light = state.places[index], state.light[index]
+        if is_used[j]:
+            columns = [*range(k), *model.columns(index, k)]
+            bead_covariance, derivative = covariance[np.ix_(columns, columns)], part.light_coupling
+            errors = dict(zip(names, np.sqrt(np.diag(bead_covariance)[k:]).tolist(), strict=True))
             # Convert to metres of the stage: the focus moves by `step` metres per metre of the stage.
             errors["z"] /= setup.step
             # Covariance of flux and background: due to noise, and due to errors of the parameters.
-            scatter = np.diagonal(part.scatter + carried.swapaxes(1, 2) @ whole @ carried, axis1=1, axis2=2)
-            common = carried.mean(axis=0)  # errors of parameters are common to all planes, and do not average out
-            mean = np.diag(part.scatter.mean(axis=0)) / len(scatter) + np.diag(common.T @ whole @ common)
-            errors |= dict(zip(("flux", "background"), (noise.excess * np.sqrt(mean)).tolist(), strict=True))
-        mean, row = expected(light, image), part.slope.shape[1] - len(model.own)
+            due_to_parameters = derivative.swapaxes(1, 2) @ bead_covariance @ derivative
+            light_variances = np.diagonal(part.light_covariance + due_to_parameters, axis1=1, axis2=2)
+            # Errors of parameters are common to all planes: their effect on the mean does not average out.
+            common = derivative.mean(axis=0)
+            mean_variance = np.diag(part.light_covariance.mean(axis=0)) / len(stack.z)
+            mean_variance += np.diag(common.T @ bead_covariance @ common)
+            errors |= dict(zip(("flux", "background"), (noise.excess * np.sqrt(mean_variance)).tolist(), strict=True))
+        mean, row = expected(light, image), part.gradient.shape[1] - len(model.bead_parameters)
         counted, read, valid = stack.planes
         variance = np.maximum(mean + read, 0.25 * read)
-        found.append(
+        beads.append(
             FittedBead(
                 row=stack.shape[0] // 2 + place.row,
                 column=stack.shape[1] // 2 + place.column,
@@ -684,14 +696,14 @@ def _beads(
                 drift=place.drift,
                 flux=noise.excess * light[0],
                 background=noise.excess * light[1],
-                flux_errors=noise.excess * np.sqrt(scatter[:, 0]),
-                background_errors=noise.excess * np.sqrt(scatter[:, 1]),
+                flux_errors=noise.excess * np.sqrt(light_variances[:, 0]),
+                background_errors=noise.excess * np.sqrt(light_variances[:, 1]),
                 moved=bead_checks.moved_planes(*part.shifts([row, row + 1])),
-                chi2=alone.chi2_of([part])[0],
-                used=used[j],
+                chi2=single_model.chi2_of([part])[0],
+                used=is_used[j],
                 images=np.where(recorded[j].known, recorded[j].values, np.nan),
                 model=noise.poisson.image(mean),
                 residual=np.where(valid, (counted - mean) / np.sqrt(variance), np.nan),
             )
         )
-    return tuple(found)
+    return tuple(beads)

@@ -257,12 +257,12 @@ class StarImages(RowModel):
         self.wave_columns, self.pupil_columns = slice(0, k), slice(k, self.common_count)
         self.image_columns = slice(self.common_count, self.size)
         self._chain = np.zeros((count, self.size + 1, len(self.derivatives) + 3))
-        terms = len(unknowns.edge)
-        self._phases = terms + len(self.tilts)
-        self._chain[:, self.wave_columns, :terms] = unknowns.directions
+        term_count = len(unknowns.edge)
+        self._phases = term_count + len(self.tilts)
+        self._chain[:, self.wave_columns, :term_count] = unknowns.directions
         self._chain[:, self.pupil_columns, self._phases : -3] = np.eye(len(unknowns.pupil))
         self._chain[:, -1, -1] = 1.0
-        for j, row in enumerate([*range(terms, self._phases), -3, -2]):
+        for j, row in enumerate([*range(term_count, self._phases), -3, -2]):
             self._chain[np.arange(count), self.common_count + j * count + np.arange(count), row] = 1.0
         self.degrees_of_freedom = int(valid.sum()) - self.size
         self.even = np.array([n % 2 == 0 for n, _ in self.terms])
@@ -310,7 +310,7 @@ class StarImages(RowModel):
         distance, negated_distance = (self.rms(part - start) for part in (x, negated))
         term = next(j for j, row in enumerate(self.directions) if row[self.even].any())
         not_farther = negated_distance < distance * (1.0 + 1e-6)
-        # At equal distances, choose the wavefront whose first even term is positive.
+        # At equal distances, choose the wavefront whose first even term is larger.
         swap = (negated_distance < distance * (1.0 - 1e-6)) | (not_farther & (negated[:, term] > x[:, term]))
         return np.where(swap[:, None], negated, x)
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.estimation.cosmic_rays import sharpness, struck
+from lommel.estimation.cosmic_rays import cosmic_ray_mask, sharpness
 from tests.world.camera import Camera
 from tests.world.optics import Telescope, as_waves
 
@@ -23,7 +23,7 @@ def seen(waves=(), *, pixel=0.94, flux=2e4, row=12.2, column=11.9, side=25):
 def found(images, pixel=0.94, valid=None):
     known = np.isfinite(images) if valid is None else valid
     read = np.full(images.shape, 9.0)
-    return struck(np.where(known, images, 0.0), read, known, sharpness(PUPIL, pixel, integrate=True))
+    return cosmic_ray_mask(np.where(known, images, 0.0), read, known, sharpness(PUPIL, pixel, integrate=True))
 
 
 def near(track):

@@ -32,12 +32,12 @@ _MIN_RATIO = 8.0  # smallest threshold of the ratio: with pixels far below lambd
 _NEIGHBOUR_SIGMA = 0.25
 # Star for which the ratio is computed: side of the window in pixels, number of positions of the axis within a pixel
 # along each side, and smallest brightness of pixels that are used, divided by the peak.
-_SPAN, _SHIFTS, _BRIGHT = 7, 4, 0.05
+_SPAN, _SHIFTS, _MIN_BRIGHTNESS = 7, 4, 0.05
 _DARK_QUANTILE = 0.02  # fraction of pixels of a window that is assumed to contain sky only
 _MAX_PASSES = 8  # maximum number of passes; tracks grow by a pixel in each pass
 _MAX_FRACTION = 0.06  # largest fraction of pixels of a window that cosmic rays are assumed to hit
 # Masks of a pixel with its eight neighbours, and of a pixel with its four edge neighbours.
-_EIGHT, _FOUR = (ndimage.generate_binary_structure(2, n)[None] for n in (2, 1))
+_EIGHT_NEIGHBOURS, _FOUR_NEIGHBOURS = (ndimage.generate_binary_structure(2, n)[None] for n in (2, 1))
 _OFFSETS = [offset for offset in product(range(3), range(3)) if offset != (1, 1)]
 
 
@@ -45,58 +45,59 @@ def sharpness(pupil: Pupil, pixel: float, *, integrate: bool) -> float:
     """Return the largest ratio of a pixel to the median of its neighbours, for an unaberrated star in focus."""
     # The ratio depends on the position of the axis within a pixel.
     side = _SPAN * _SHIFTS
-    fine = np.asarray(psf(pupil.unaberrated(), side, pixel / _SHIFTS, tol=1e-4, integrate=integrate).values, float)
+    star = psf(pupil.unaberrated(), side, pixel / _SHIFTS, tol=1e-4, integrate=integrate)
+    fine_image = np.asarray(star.values, float)
     largest = 1.0
     for row, column in product(range(_SHIFTS), range(_SHIFTS)):
         if integrate:
-            part = fine[row : side - _SHIFTS + row, column : side - _SHIFTS + column]
-            image = part.reshape(_SPAN - 1, _SHIFTS, _SPAN - 1, _SHIFTS).sum(axis=(1, 3))
+            shifted = fine_image[row : side - _SHIFTS + row, column : side - _SHIFTS + column]
+            image = shifted.reshape(_SPAN - 1, _SHIFTS, _SPAN - 1, _SHIFTS).sum(axis=(1, 3))
         else:
-            image = fine[row::_SHIFTS, column::_SHIFTS]
+            image = fine_image[row::_SHIFTS, column::_SHIFTS]
         median = _neighbour_median(image[None], np.ones((1, *image.shape), dtype=bool))[0]
-        bright = image > _BRIGHT * image.max()
-        largest = max(largest, float((image / np.maximum(median, 1e-6 * image.max()))[bright].max()))
+        bright_pixels = image > _MIN_BRIGHTNESS * image.max()
+        largest = max(largest, float((image / np.maximum(median, 1e-6 * image.max()))[bright_pixels].max()))
     return largest
 
 
-def struck(electrons: Array, variance: Array, valid: Mask, sharpest: float) -> Mask:
+def cosmic_ray_mask(electrons: Array, variance: Array, valid: Mask, sharpest: float) -> Mask:
     """Return a mask of pixels of images (..., height, width) in tracks of cosmic rays and at their edges.
 
     `variance` is the read variance (electrons^2), `sharpest` a result of :func:`sharpness`. If tracks contain more
     pixels of a window than cosmic rays would hit, the star itself is sharp, and the mask of the window is empty.
     """
     height, width = electrons.shape[-2:]
-    known = valid.reshape(-1, height, width)
-    light = np.where(known, electrons.reshape(known.shape), np.nan)
-    read = variance.reshape(known.shape)
+    valid_windows = valid.reshape(-1, height, width)
+    values = np.where(valid_windows, electrons.reshape(valid_windows.shape), np.nan)
+    read = variance.reshape(valid_windows.shape)
     # The sky is estimated from the darkest pixels, because the star may fill most of a window.
-    dark = np.nanquantile(light, _DARK_QUANTILE, axis=(1, 2), method="lower", keepdims=True)
-    noise = np.maximum(dark, 0.0) + read.mean(axis=(1, 2), keepdims=True)
-    # The quantile `dark` of the pixels differs from the sky by the same quantile of normal noise, which is negative.
-    sky = dark - norm.ppf(_DARK_QUANTILE) * np.sqrt(noise)
-    excess, noise = light - sky, read + np.maximum(sky, 0.0)
-    tracks, ratio = np.zeros(known.shape, dtype=bool), max(_RATIO_FACTOR * sharpest, _MIN_RATIO)
+    dark_level = np.nanquantile(values, _DARK_QUANTILE, axis=(1, 2), method="lower", keepdims=True)
+    noise = np.maximum(dark_level, 0.0) + read.mean(axis=(1, 2), keepdims=True)
+    # The quantile `dark_level` differs from the sky by the same quantile of normal noise, which is negative.
+    sky = dark_level - norm.ppf(_DARK_QUANTILE) * np.sqrt(noise)
+    excess, noise = values - sky, read + np.maximum(sky, 0.0)
+    tracks, ratio = np.zeros(valid_windows.shape, dtype=bool), max(_RATIO_FACTOR * sharpest, _MIN_RATIO)
     for _ in range(_MAX_PASSES):
-        median = np.maximum(_neighbour_median(excess, known & ~tracks), 0.0)
-        adjacent = ndimage.binary_dilation(tracks, _EIGHT)
+        median = np.maximum(_neighbour_median(excess, valid_windows & ~tracks), 0.0)
+        adjacent = ndimage.binary_dilation(tracks, _EIGHT_NEIGHBOURS)
         threshold = np.where(adjacent, 0.5, 1.0) * ratio
-        # Variance of the pixel and of the threshold times the median of its neighbours.
-        spread = noise + threshold * median + (_NEIGHBOUR_SIGMA * threshold) ** 2 * (noise + median)
-        over = excess - threshold * median
+        # Variance of the pixel, and of the threshold times the median of its neighbours.
+        total_variance = noise + threshold * median + (_NEIGHBOUR_SIGMA * threshold) ** 2 * (noise + median)
+        difference = excess - threshold * median
         # Bernstein's bound on the tail of a Poisson distribution.
-        sigmas = over / np.sqrt(np.maximum(spread + np.maximum(over, 0.0) / 3.0, 1e-3))
-        more = known & ~tracks & (sigmas > np.where(adjacent, _SIGMA_ADJACENT, _SIGMA))
-        if not more.any():
+        sigmas = difference / np.sqrt(np.maximum(total_variance + np.maximum(difference, 0.0) / 3.0, 1e-3))
+        added_pixels = valid_windows & ~tracks & (sigmas > np.where(adjacent, _SIGMA_ADJACENT, _SIGMA))
+        if not added_pixels.any():
             break
-        tracks |= more
-    plausible = tracks.sum(axis=(1, 2)) <= _MAX_FRACTION * known.sum(axis=(1, 2))
+        tracks |= added_pixels
+    plausible = tracks.sum(axis=(1, 2)) <= _MAX_FRACTION * valid_windows.sum(axis=(1, 2))
     tracks &= plausible[:, None, None]
-    return np.asarray(known & ndimage.binary_dilation(tracks, _FOUR)).reshape(valid.shape)
+    return np.asarray(valid_windows & ndimage.binary_dilation(tracks, _FOUR_NEIGHBOURS)).reshape(valid.shape)
 
 
-def _neighbour_median(images: Array, known: Mask) -> Array:
-    """Return the median of the known neighbours of each pixel; of an even number, the brighter of the middle two."""
-    padded = np.pad(np.where(known, images, -np.inf), ((0, 0), (1, 1), (1, 1)), constant_values=-np.inf)
+def _neighbour_median(images: Array, valid: Mask) -> Array:
+    """Return the median of the valid neighbours of each pixel; of an even number, the brighter of the middle two."""
+    padded = np.pad(np.where(valid, images, -np.inf), ((0, 0), (1, 1), (1, 1)), constant_values=-np.inf)
     _, height, width = images.shape
     neighbours = [padded[:, y : y + height, x : x + width] for y, x in _OFFSETS]
     descending = np.sort(np.stack(neighbours), axis=0)[::-1]

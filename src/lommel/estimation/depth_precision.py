@@ -21,8 +21,7 @@ from lommel.optics.lens import Lens, pixel_of
 from lommel.recorded.noise import Noise
 
 _MOST_PHOTONS = 1e12
-# Step of the five-point derivatives, radians of defocus at the pupil edge.
-_STEP = 0.02
+_STEP = 0.02  # step of the five-point derivatives, radians of defocus at the pupil edge
 # Information below this fraction of its upper limit is rounding error: the photographs change equally with depth.
 _ROUNDING = 1e-9
 # Change of a transfer function over the step below which its derivative is rounding error.
@@ -94,7 +93,7 @@ def depth_precision(
     pitch = pixel_of(lenses, pixel)
     metres = np.asarray(object_distances(distance))
     surface = _surface(len(lenses), noise, photons, contrast, window)
-    errors = [_error(lenses, float(each), pitch, surface) for each in metres.ravel()]
+    errors = [_error(lenses, float(z), pitch, surface) for z in metres.ravel()]
     return numbers(np.array(errors), metres.shape)
 
 
@@ -169,7 +168,7 @@ def best_foci(
         vergence = 1.0 / metres + per_radian * np.exp(log_defocus) * [1.0, -1.0]
         if not (vergence[1] >= 0.0 and vergence[0] < 1.0 / lens.focal_length):
             return None
-        return [lens.focused(1.0 / each if each > 0.0 else math.inf) for each in vergence.tolist()]
+        return [lens.focused(1.0 / v if v > 0.0 else math.inf) for v in vergence.tolist()]
 
     def cost(log_defocus: Array) -> float:
         pair = focused(log_defocus)
@@ -177,13 +176,13 @@ def best_foci(
 
     # Trial pairs are symmetric in vergence about the surface. The logarithm keeps the defocus positive in the search.
     starts = [np.log([defocus, defocus]) for defocus in _TRIAL_DEFOCUS]
-    first = min(starts, key=cost)
-    if not math.isfinite(cost(first)):
+    best_trial = min(starts, key=cost)
+    if not math.isfinite(cost(best_trial)):
         raise ValueError(
             f"no pair of foci determines the distance {metres:g} m: there is no texture, no light, or no focus "
             "distance between the focal length and infinity"
         )
-    best = minimize(cost, first, method="Nelder-Mead", options={"xatol": 0.01, "fatol": 1e-4 * cost(first)})
+    best = minimize(cost, best_trial, method="Nelder-Mead", options={"xatol": 0.01, "fatol": 1e-4 * cost(best_trial)})
     pair = focused(best.x)
     assert pair is not None
     return Foci(pair[0].focus_distance, pair[1].focus_distance, float(best.fun), (pair[0], pair[1]))
@@ -221,26 +220,27 @@ def _error(lenses: Sequence[Lens], distance: float, pixel: float, surface: _Surf
     exposed = np.flatnonzero(surface.light)
     if math.isinf(distance) or not surface.contrast or not exposed.size:
         return math.inf
-    exposed_lenses, light = [lenses[int(k)] for k in exposed], surface.light[exposed]
+    exposed_lenses, electrons = [lenses[int(k)] for k in exposed], surface.light[exposed]
     widest = max(lens.aperture_diameter for lens in exposed_lenses)
     # The step of vergence, 1/m, for the widest aperture, whose defocus changes fastest.
     step = _STEP * 2.0 * min(lens.wavelength for lens in exposed_lenses) / (math.pi * (0.5 * widest) ** 2)
     step = min(step, 0.4 / distance)  # vergences must remain positive
     vergences = 1.0 / distance + step * np.array([-2.0, -1.0, 1.0, 2.0, 0.0])
-    exposures = FocalLight(float(light[0]), surface.read, tuple((light / light[0]).tolist()), surface.contrast)
+    exposures = tuple((electrons / electrons[0]).tolist())
+    light = FocalLight(float(electrons[0]), surface.read, exposures, surface.contrast)
 
     def transfer(lens: Lens, vergence: Array, _: object, pitch: float) -> Callable[[Array], Array]:
         return transfer_curve(lens, vergence, [(lens.wavelength, 1.0)], pitch)
 
-    model = FocalModel.of(exposed_lenses, vergences, (), pixel, exposures, transfer=transfer)
+    model = FocalModel.of(exposed_lenses, vergences, (), pixel, light, transfer=transfer)
     h = model.transfer
     if np.abs(h[:2] - h[3:1:-1]).max() <= _TRANSFER_ROUNDING:
         return math.inf
     # Five-point formula for the derivative; its error is of fourth order in the step.
-    slope = (h[0] - h[3] + 8.0 * (h[2] - h[1])) / (12.0 * step)
-    total = float(model.at(slice(4, 5)).information(slope[None])[0])
-    upper_limit = model.texture * (slope * slope).sum(0)
-    if total <= _ROUNDING * float(upper_limit @ model.band.share):
+    derivative = (h[0] - h[3] + 8.0 * (h[2] - h[1])) / (12.0 * step)
+    information = float(model.at(slice(4, 5)).information(derivative[None])[0])
+    upper_limit = model.texture * (derivative * derivative).sum(0)
+    if information <= _ROUNDING * float(upper_limit @ model.band.share):
         return math.inf
     # From vergence V to distance z = 1 / V: abs(dz) = z^2 abs(dV).
-    return distance**2 / math.sqrt(total * (4.0 * math.pi * surface.window**2))
+    return distance**2 / math.sqrt(information * (4.0 * math.pi * surface.window**2))

@@ -20,7 +20,7 @@ from lommel.base.options import require_known, shares
 from lommel.blur.blurs import FWHM, Blur, Jitter, Seeing, blurs, require_unit
 from lommel.blur.mixtures import SIGMAS, Shape
 from lommel.estimation import FitOptions, StarKeywords
-from lommel.estimation.cosmic_rays import sharpness, struck
+from lommel.estimation.cosmic_rays import cosmic_ray_mask, sharpness
 from lommel.estimation.distortion import (
     POSES,
     Distortion,
@@ -539,7 +539,7 @@ def fit_field(
     blur_model = _shape(blur, lens, pitch, min(height, width), target)
     if target is None:
         sharpest = sharpness(lens, pitch, integrate=bool(plan.grid(lens).integrate))
-        valid = valid & ~struck(electrons, read, valid, sharpest)
+        valid = valid & ~cosmic_ray_mask(electrons, read, valid, sharpest)
     stars = FieldStars(
         electrons, read, valid, start_pupils, defoci, unknowns, pitch, plan, blur=blur_model, target=target
     )

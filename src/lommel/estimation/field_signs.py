@@ -3,8 +3,9 @@
 In one focus the image of a star does not determine the sign of the even part of its phase. Wavefronts of neighbouring
 stars are similar: the initial signs are those of the leading eigenvector of the matrix of similarities (angular
 synchronisation in Z_2: Singer 2011, doi:10.1016/j.acha.2010.02.001). Then two steps alternate: polynomials are fitted
-to the wavefronts, and each star gets the sign for which its wavefront is nearer to the polynomials. Positions are in
-half fields, -1 to 1 across the sensor. k: number of wavefront terms; m: number of polynomials; n: number of stars.
+to the wavefronts, and the sign of each star is set such that its wavefront is nearer to the polynomials. Positions
+are in half fields, -1 to 1 across the sensor. k is the number of wavefront terms, m the number of polynomials, and n
+the number of stars.
 """
 
 from __future__ import annotations
@@ -18,17 +19,15 @@ from numpy.typing import NDArray
 from lommel.base.arrays import Array
 
 _RADII = 0.25, 0.4, 0.7  # standard deviations, half fields, of the Gaussian weights of similarities by distance
-_DIVIDED = 3  # number of candidates in which all signs on one side of a random line are reversed
+_REVERSED_CANDIDATES = 3  # number of candidates in which all signs on one side of a random line are reversed
 _MAX_ITERATIONS = 25
 _MIN_SCALE = 0.03  # smallest scale of the residuals in robust fits, radians rms
 
 
 def monomials(u: Array, v: Array, degree: int) -> Array:
     """Return products of Legendre polynomials of total degree up to `degree` at u and v, shape (..., m)."""
-    first, second = (
-        legendre.legvander(np.ravel(part), degree).reshape(*np.shape(part), degree + 1) for part in (u, v)
-    )
-    return np.stack([first[..., i] * second[..., j] for i, j in powers(degree)], axis=-1)
+    by_u, by_v = (legendre.legvander(np.ravel(part), degree).reshape(*np.shape(part), degree + 1) for part in (u, v))
+    return np.stack([by_u[..., i] * by_v[..., j] for i, j in powers(degree)], axis=-1)
 
 
 def with_errors(u: Array, v: Array, degree: int, coefficients: Array, covariance: Array) -> tuple[Array, Array]:
@@ -48,25 +47,25 @@ def powers(degree: int) -> list[tuple[int, int]]:
     return [(total - j, j) for total in range(degree + 1) for j in range(total + 1)]
 
 
-def highest_degree(most: int, count: int) -> int:
-    """Return the highest degree <= `most` with at most `count` / 2 products of polynomials; 0 if there is none."""
-    return max((d for d in range(most + 1) if (d + 1) * (d + 2) <= count), default=0)
+def highest_degree(max_degree: int, count: int) -> int:
+    """Return the highest degree <= `max_degree` with at most `count` / 2 products of polynomials; 0 if none has."""
+    return max((d for d in range(max_degree + 1) if (d + 1) * (d + 2) <= count), default=0)
 
 
 def robust(basis: Array, waves: Array, quality: Array, metric: Array) -> tuple[Array, Array]:
-    """Fit polynomials (k, m) to wavefronts (n, k); return them and the residual of each star, radians rms.
+    """Return polynomials (k, m) fitted to wavefronts (n, k), and the residual of each star, radians rms.
 
     `quality` (n,) are weights of the stars. The fit is robust: a star with a large residual has a smaller weight
-    (Geman and McClure). `metric` (k, k) yields mean square phases from coefficients.
+    (Geman and McClure). The mean square phase of coefficients w is w @ `metric` @ w, with `metric` (k, k).
     """
     weight = quality.copy()
     for _ in range(_MAX_ITERATIONS):
         root = np.sqrt(weight)[:, None]
-        found = np.linalg.lstsq(root * basis, root * waves, rcond=1e-8)[0]
-        distance = _rms(waves - basis @ found, metric)
+        polynomials = np.linalg.lstsq(root * basis, root * waves, rcond=1e-8)[0]
+        distance = _rms(waves - basis @ polynomials, metric)
         scale = max(1.5 * float(np.median(distance)), _MIN_SCALE)
         weight = quality / (1.0 + (distance / scale) ** 2) ** 2
-    return np.asarray(found.T), distance
+    return np.asarray(polynomials.T), distance
 
 
 def _rms(waves: Array, metric: Array) -> Array:
@@ -88,42 +87,43 @@ def candidates(
     `places` (n, 2) are in half fields. `even` (n, j) is the even part of each wavefront, radians rms; `negated`
     negates the even part. `bases` are values (n, m) of polynomials, of increasing degree.
     """
-    other = negated(waves)
-    length = np.maximum(np.linalg.norm(even, axis=1), 1e-9)
-    unit = even / length[:, None]
+    negated_waves = negated(waves)
+    even_rms = np.maximum(np.linalg.norm(even, axis=1), 1e-9)
+    unit = even / even_rms[:, None]
     squares = ((places[:, None] - places[None]) ** 2).sum(axis=-1)
     # The sign of a small even part is uncertain: its weight is small.
-    weight = quality * np.minimum(length / np.median(length), 1.0)
+    weight = quality * np.minimum(even_rms / np.median(even_rms), 1.0)
     signs: list[NDArray[np.float64]] = []
     for radius in _RADII:
         similarity = np.exp(-squares / (2.0 * radius**2)) * (unit @ unit.T) * np.outer(weight, weight)
         np.fill_diagonal(similarity, 0.0)
         signs.append(np.where(np.linalg.eigh(similarity)[1][:, -1] < 0.0, -1.0, 1.0))
-    for _ in range(_DIVIDED):
-        across = draw.normal(size=2)
-        side = places @ (across / np.linalg.norm(across)) - draw.uniform(-0.5, 0.5)
+    for _ in range(_REVERSED_CANDIDATES):
+        normal = draw.normal(size=2)
+        side = places @ (normal / np.linalg.norm(normal)) - draw.uniform(-0.5, 0.5)
         signs.append(signs[1] * np.where(side < 0.0, -1.0, 1.0))
-    found = []
+    fits = []
     for sign in signs:
-        chosen = np.where(sign[:, None] > 0.0, waves, other)
+        chosen = np.where(sign[:, None] > 0.0, waves, negated_waves)
         for basis in bases:
             for _ in range(_MAX_ITERATIONS):
                 polynomials, distance = robust(basis, chosen, quality, metric)
                 model = basis @ polynomials.T
-                nearer = _rms(waves - model, metric) <= _rms(other - model, metric)
-                changed = np.where(nearer[:, None], waves, other)
+                is_nearer = _rms(waves - model, metric) <= _rms(negated_waves - model, metric)
+                changed = np.where(is_nearer[:, None], waves, negated_waves)
                 if (changed == chosen).all():
                     break
                 chosen = changed
-        found.append((float(np.median(distance)), polynomials, chosen))
-    tried: list[Array] = []
-    for _, polynomials, chosen in sorted(found, key=lambda each: each[0]):
+        fits.append((float(np.median(distance)), polynomials, chosen))
+    earlier: list[Array] = []
+    for _, polynomials, chosen in sorted(fits, key=lambda fit: fit[0]):
         mirrored = negated(chosen)
         # Skip a candidate if, for more than 97 % of the stars, its signs equal or oppose those of an earlier one.
-        if not any(_equal_fraction(chosen, old) > 0.97 or _equal_fraction(mirrored, old) > 0.97 for old in tried):
-            tried.append(chosen)
+        fractions = (_equal_fraction(new, old) for new in (chosen, mirrored) for old in earlier)
+        if all(fraction <= 0.97 for fraction in fractions):
+            earlier.append(chosen)
             yield polynomials, chosen
 
 
-def _equal_fraction(one: Array, other: Array) -> float:
-    return float((one == other).all(axis=1).mean())
+def _equal_fraction(waves: Array, other_waves: Array) -> float:
+    return float((waves == other_waves).all(axis=1).mean())

@@ -82,16 +82,16 @@ class Information:
         at most ``norm(r) / s``. A parameter is unidentifiable if its component along the undetermined directions
         exceeds this limit for the smallest singular value of a determined direction.
         """
-        length = np.sqrt((root**2).sum(axis=-2))
-        error = error + root.shape[-2] * root.shape[-1] * _EPS * length  # rounding of this norm and of the SVD
-        zero = length <= error
-        unit = np.where(zero, 1.0, length)
-        relative = error / unit
-        scaled = np.where(zero, 0.0, 1.0)[..., None, :] * root / unit[..., None, :]
+        norms = np.sqrt((root**2).sum(axis=-2))
+        error = error + root.shape[-2] * root.shape[-1] * _EPS * norms  # rounding of this norm and of the SVD
+        zero = norms <= error
+        scale = np.where(zero, 1.0, norms)
+        relative = error / scale
+        scaled = np.where(zero, 0.0, 1.0)[..., None, :] * root / scale[..., None, :]
         # With columns of norm 1, the singular values do not depend on the units of the parameters.
-        _, size, direction = np.linalg.svd(scaled, full_matrices=False)
-        undetermined = size <= (np.abs(direction) @ np.where(zero, 1.0, relative)[..., None])[..., 0]
-        determined_size = np.where(undetermined, math.inf, size)
+        _, singular_values, direction = np.linalg.svd(scaled, full_matrices=False)
+        undetermined = singular_values <= (np.abs(direction) @ np.where(zero, 1.0, relative)[..., None])[..., 0]
+        determined_size = np.where(undetermined, math.inf, singular_values)
         columns = np.swapaxes(direction, -1, -2)
         # Projection on the undetermined directions, and pseudo-inverse of the information in the others.
         null, inverse = (
@@ -100,11 +100,14 @@ class Information:
         limit = np.sqrt((np.where(zero, 0.0, relative) ** 2).sum(axis=-1)) / determined_size.min(axis=-1)
         # In any direction, the largest component is at least 1 / sqrt(k): some parameter exceeds the limit.
         limit = np.minimum(limit, 0.5 / math.sqrt(len(names)))[..., None, None]
-        lost = np.sqrt(np.diagonal(null, axis1=-2, axis2=-1)) > limit[..., 0]
-        both, either = lost[..., None] & lost[..., None, :], lost[..., None] | lost[..., None, :]
-        infinite = both & ((np.abs(null) > limit) | np.eye(len(names), dtype=bool))
-        covariance = np.where(infinite, np.copysign(math.inf, null), inverse / (unit[..., None] * unit[..., None, :]))
-        correlation = np.where(both, _correlation(null), np.where(either, 0.0, _correlation(inverse)))
+        is_unidentifiable = np.sqrt(np.diagonal(null, axis1=-2, axis2=-1)) > limit[..., 0]
+        row, column = is_unidentifiable[..., None], is_unidentifiable[..., None, :]
+        infinite = row & column & ((np.abs(null) > limit) | np.eye(len(names), dtype=bool))
+        covariance = np.where(
+            infinite, np.copysign(math.inf, null), inverse / (scale[..., None] * scale[..., None, :])
+        )
+        determined_correlation = np.where(row | column, 0.0, _correlation(inverse))
+        correlation = np.where(row & column, _correlation(null), determined_correlation)
         matrix = np.swapaxes(root, -1, -2) @ root
         return cls(names, units, 0.5 * (matrix + np.swapaxes(matrix, -1, -2)), covariance, correlation)
 
@@ -148,17 +151,17 @@ def _correlation(covariance: Array) -> Array:
 def _errors_in_words(errors: Array, unit: str) -> str:
     """Return the smallest and the largest finite standard error of a stack as text."""
     finite = errors[np.isfinite(errors)]
-    missing = errors.size - finite.size
+    infinite_count = errors.size - finite.size
     if not finite.size:
         return "unidentifiable"
-    least, most = float(finite.min()), float(finite.max())
+    smallest, largest = float(finite.min()), float(finite.max())
     if unit == "m":
-        low, high = (format_length(end, like=most, digits=3) for end in (least, most))
+        low, high = (format_length(limit, like=largest, digits=3) for limit in (smallest, largest))
         low = low.partition(" ")[0]
     else:
-        low, high = f"{least:.3g}", f"{most:.3g} {unit}".rstrip()
-    text = high if least == most else f"{low} to {high}"
-    return f"+- {text}" + (f", unidentifiable in {missing} of {errors.size}" if missing else "")
+        low, high = f"{smallest:.3g}", f"{largest:.3g} {unit}".rstrip()
+    text = high if smallest == largest else f"{low} to {high}"
+    return f"+- {text}" + (f", unidentifiable in {infinite_count} of {errors.size}" if infinite_count else "")
 
 
 _UNITS: dict[Name, str] = {
@@ -264,37 +267,37 @@ def fisher(
     excess, read = camera.excess, camera.poisson.variance(np.zeros(validation.image_shape(shape)))
     method, tol = options.get("method"), options.get("tol")
     tolerances = _TOLERANCES if method is None and tol is None else (tol,)
-    plans = [Plan(shape, pixel, dtype=np.float64, **options | {"tol": each}) for each in tolerances]
-    single = isinstance(pupil, BasePupil)
-    answers = [_most_accurate_psf(plans, each, names) for each in _pupils(pupil)]
-    stacks = validation.broadcast("stacks of pupils", *(np.empty(answer.pupil.shape) for answer in answers))
-    images = stacks[0].shape if single else (len(answers), *stacks[0].shape)
+    plans = [Plan(shape, pixel, dtype=np.float64, **options | {"tol": value}) for value in tolerances]
+    single_pupil = isinstance(pupil, BasePupil)
+    psfs = [_most_accurate_psf(plans, value, names) for value in _pupils(pupil)]
+    stack_shapes = validation.broadcast("stacks of pupils", *(np.empty(image_psf.pupil.shape) for image_psf in psfs))
+    images = stack_shapes[0].shape if single_pupil else (len(psfs), *stack_shapes[0].shape)
     flux, level, _ = validation.broadcast("photons, background and images", flux, level, np.empty(images))
-    every = flux.shape
-    if not single and every[-len(images)] != len(answers):
-        raise ValueError(f"photons and background must broadcast with images of shape {images}, got {every}")
-    roots, errors = np.empty((*every, len(names), len(names))), np.empty((*every, len(names)))
-    for index in np.ndindex(every):
-        answer = answers[0 if single else index[-len(images)]]
-        stack = answer.pupil.shape
-        place = tuple(min(i, side - 1) for i, side in zip(index[len(index) - len(stack) :], stack, strict=True))
+    flux_shape = flux.shape
+    if not single_pupil and flux_shape[-len(images)] != len(psfs):
+        raise ValueError(f"photons and background must broadcast with images of shape {images}, got {flux_shape}")
+    roots, errors = np.empty((*flux_shape, len(names), len(names))), np.empty((*flux_shape, len(names)))
+    for index in np.ndindex(flux_shape):
+        image_psf = psfs[0 if single_pupil else index[-len(images)]]
+        stack = image_psf.pupil.shape
+        member = tuple(min(i, side - 1) for i, side in zip(index[len(index) - len(stack) :], stack, strict=True))
         # Electrons divided by the excess noise factor have a Poisson distribution (Noise.poisson).
-        light = float(flux[index]) / excess, float(level[index]) / excess
-        roots[index], errors[index] = _root(answer, place, names, *light, read)
-    per_light = np.array([1.0 / excess if name in _PER_IMAGE else 1.0 for name in names])
-    roots, errors = roots * per_light, errors * per_light
-    pupil_axis = () if single else (len(every) - len(images),)
-    return _joined(names, roots, errors, tuple(range(len(every))) if together else pupil_axis)
+        electrons = float(flux[index]) / excess, float(level[index]) / excess
+        roots[index], errors[index] = _root(image_psf, member, names, *electrons, read)
+    unit_factors = np.array([1.0 / excess if name in _PER_IMAGE else 1.0 for name in names])
+    roots, errors = roots * unit_factors, errors * unit_factors
+    pupil_axis = () if single_pupil else (len(flux_shape) - len(images),)
+    return _scene_information(names, roots, errors, tuple(range(len(flux_shape))) if together else pupil_axis)
 
 
 def _pupils(pupil: BasePupil | Sequence[BasePupil]) -> list[BasePupil]:
     """Return the pupils of all images of a scene; TypeError if there are none."""
     if isinstance(pupil, BasePupil):
         return [pupil]
-    stated: object = pupil
-    if not isinstance(stated, Sequence) or not stated or isinstance(stated, str):
-        raise TypeError(f"pupil must be a Pupil or a sequence of pupils, got {validation.shown(stated)}")
-    return [imaged(each) for each in stated]
+    argument: object = pupil
+    if not isinstance(argument, Sequence) or not argument or isinstance(argument, str):
+        raise TypeError(f"pupil must be a Pupil or a sequence of pupils, got {validation.shown(argument)}")
+    return [imaged(element) for element in argument]
 
 
 def _most_accurate_psf(plans: list[Plan], pupil: BasePupil, names: tuple[Name, ...]) -> PSF:
@@ -307,26 +310,26 @@ def _most_accurate_psf(plans: list[Plan], pupil: BasePupil, names: tuple[Name, .
 
 
 def _root(
-    answer: PSF, place: tuple[int, ...], names: tuple[Name, ...], photons: float, background: float, read: Array
+    image_psf: PSF, member: tuple[int, ...], names: tuple[Name, ...], photons: float, background: float, read: Array
 ) -> tuple[Array, Array]:
     """Return a triangular root R of one image's information ``R^T R``, and bounds on the errors of its columns."""
-    values = answer.values[place]
+    values = image_psf.values[member]
     peak = float(values.max())
-    slack = _EPS if answer.error_bound is None else answer.error_bound
+    relative_bound = _EPS if image_psf.error_bound is None else image_psf.error_bound
     # The error bound is added to the variance: the error of a dark pixel must not increase the information.
     # A root of the Fisher information of Poisson data: derivatives of the mean divided by the standard deviation.
-    variance = np.maximum(photons * values + background, 0.0) + photons * peak * slack + read
+    variance = np.maximum(photons * values + background, 0.0) + photons * peak * relative_bound + read
     weight = np.divide(1.0, np.sqrt(variance), out=np.zeros(values.shape), where=variance > 0.0)
     columns, bounds = np.empty((values.size, len(names))), np.empty(len(names))
     for k, name in enumerate(names):
         if name == "background":
-            slope, bounds[k] = np.ones_like(values), 0.0
+            derivative, bounds[k] = np.ones_like(values), 0.0
         elif name == "photons":
-            slope, bounds[k] = values, slack * peak
+            derivative, bounds[k] = values, relative_bound * peak
         else:
-            slope = photons * answer.derivatives[name][place]
-            bounds[k] = photons * peak * answer.derivative_bounds[name]
-        columns[:, k] = (weight * slope).ravel()
+            derivative = photons * image_psf.derivatives[name][member]
+            bounds[k] = photons * peak * image_psf.derivative_bounds[name]
+        columns[:, k] = (weight * derivative).ravel()
     root = np.zeros((len(names), len(names)))
     # The factor R of the QR decomposition loses no digits, unlike the product of the columns.
     factor = _triangular_factor(columns)
@@ -338,30 +341,30 @@ def _root(
 def _triangular_factor(columns: Array) -> Array:
     """Return R of the QR decomposition of a matrix, in blocks of rows because LAPACK is slow for few long columns."""
     count = columns.shape[1]
-    most = max(2 * count, 8192 // count)
-    while len(columns) > most:
-        rows = np.pad(columns, ((0, -len(columns) % most), (0, 0)))
-        columns = np.asarray(np.linalg.qr(rows.reshape(-1, most, count), mode="r")).reshape(-1, count)
+    block = max(2 * count, 8192 // count)
+    while len(columns) > block:
+        rows = np.pad(columns, ((0, -len(columns) % block), (0, 0)))
+        columns = np.asarray(np.linalg.qr(rows.reshape(-1, block, count), mode="r")).reshape(-1, count)
     return np.asarray(np.linalg.qr(columns, mode="r"))
 
 
-def _joined(names: tuple[Name, ...], roots: Array, errors: Array, axes: tuple[int, ...]) -> Information:
+def _scene_information(names: tuple[Name, ...], roots: Array, errors: Array, axes: tuple[int, ...]) -> Information:
     """Return the information of scenes from a stack of images: those along `axes` show the same scene."""
     count, stack = len(names), errors.shape[:-1]
     scenes = tuple(side for axis, side in enumerate(stack) if axis not in axes)
-    last = range(len(scenes), len(stack))
-    roots = np.moveaxis(roots, axes, last).reshape(*scenes, -1, count, count)
-    errors = np.moveaxis(errors, axes, last).reshape(*scenes, -1, count)
+    last_axes = range(len(scenes), len(stack))
+    roots = np.moveaxis(roots, axes, last_axes).reshape(*scenes, -1, count, count)
+    errors = np.moveaxis(errors, axes, last_axes).reshape(*scenes, -1, count)
     labels = [f"[{', '.join(map(str, index))}]" if axes else "" for index in np.ndindex(*(stack[a] for a in axes))]
     parts = {name: [f"{name}{i}" for i in labels] if name in _PER_IMAGE else [name] for name in names}
-    every = tuple(part for name in names for part in parts[name])
+    all_names = tuple(full_name for name in names for full_name in parts[name])
     # 1 where parameter k of image i is parameter j of the scene.
-    selection = np.zeros((len(labels), count, len(every)))
+    selection = np.zeros((len(labels), count, len(all_names)))
     for i, k in np.ndindex(len(labels), count):
-        selection[i, k, every.index(parts[names[k]][i if names[k] in _PER_IMAGE else 0])] = 1.0
-    root = (roots @ selection).reshape(*scenes, -1, len(every))
-    units = {part: _UNITS.get(name, "rad") for name in names for part in parts[name]}
-    return Information.of_root(every, units, root, np.sqrt(np.einsum("...ik,ikj->...j", errors**2, selection)))
+        selection[i, k, all_names.index(parts[names[k]][i if names[k] in _PER_IMAGE else 0])] = 1.0
+    root = (roots @ selection).reshape(*scenes, -1, len(all_names))
+    units = {full_name: _UNITS.get(name, "rad") for name in names for full_name in parts[name]}
+    return Information.of_root(all_names, units, root, np.sqrt(np.einsum("...ik,ikj->...j", errors**2, selection)))
 
 
 def _names(of: Sequence[Name]) -> tuple[Name, ...]:
@@ -369,5 +372,5 @@ def _names(of: Sequence[Name]) -> tuple[Name, ...]:
         raise TypeError(f"of must be a sequence of names such as ('defocus', 'row'), got {validation.shown(of)}")
     if not of:
         raise ValueError("of must name at least one parameter, such as 'defocus', got none")
-    others = "of, except 'photons' and 'background',"
-    return tuple(dict.fromkeys(name if name in _PER_IMAGE else checked_names((name,), others)[0] for name in of))
+    noun = "of, except 'photons' and 'background',"
+    return tuple(dict.fromkeys(name if name in _PER_IMAGE else checked_names((name,), noun)[0] for name in of))

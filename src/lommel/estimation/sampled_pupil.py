@@ -64,39 +64,39 @@ class SampledPupil:
         if self._length:
             width = 2.0 * math.pi / (self._length * grid.step(pupil))
             side = 2 * math.ceil(1.0 / width)
-        centers, fine = (0.5 * width * side * cell_centers(count) for count in (side, side * _SUBCELLS))
-        coverage = pupil.opening.coverage(fine[None, :], fine[:, None], 0.5 * width / _SUBCELLS)
-        clear = _cell_sums(coverage)
+        centers, subcell_centers = (0.5 * width * side * cell_centers(count) for count in (side, side * _SUBCELLS))
+        coverage = pupil.opening.coverage(subcell_centers[None, :], subcell_centers[:, None], 0.5 * width / _SUBCELLS)
+        clear_subcells = _cell_sums(coverage)
         # The phase is evaluated half-way between the middle of a cell and the centroid of its clear part: the errors
         # at these two points are about equal and opposite.
-        weight = np.maximum(clear, 1e-12)
+        weight = np.maximum(clear_subcells, 1e-12)
         x, y = (
-            np.where(clear > 0.0, 0.5 * (_cell_sums(coverage * position) / weight + middle), middle)
-            for position, middle in ((fine, centers), (fine[:, None], centers[:, None]))
+            np.where(clear_subcells > 0.0, 0.5 * (_cell_sums(coverage * position) / weight + middle), middle)
+            for position, middle in ((subcell_centers, centers), (subcell_centers[:, None], centers[:, None]))
         )
         rho, theta = np.hypot(x, y), np.arctan2(y, x)
-        amplitude = clear / _SUBCELLS**2 * pupil.illumination.at(np.minimum(rho, 1.0) ** 2) + 0.0j
+        amplitude = clear_subcells / _SUBCELLS**2 * pupil.illumination.at(np.minimum(rho, 1.0) ** 2) + 0.0j
         if pupil.segmented:
             amplitude *= np.exp(1j * pupil.opening.phase(x, y))
         # Images are fractions of the light per pixel: I (pixel area in v) / (4 pi transmission).
         scale = math.sqrt(grid.cell(pupil) / (4.0 * math.pi * pupil.transmission))
         self._amplitude = (amplitude * (scale * width**2 / math.pi)).astype(np.complex64)
         self._terms = np.stack([zernike.polynomial(n, m, rho, theta) for n, m in terms]).astype(np.float32)
-        half = centers[side // 2 :]
+        half_centers = centers[side // 2 :]
         # Cosines and sines, shape (positions, cells), for positions in the image and cells on one side of the axis.
         self._down, self._across = (
-            [] if self._length else _cosines_sines(step * positions, half) for positions in (grid.y, grid.x)
+            [] if self._length else _cosines_sines(step * positions, half_centers) for positions in (grid.y, grid.x)
         )
         self._shape = grid.shape
 
-    def images(self, edge: Array, by: Sequence[int], *, values: bool = True) -> list[Values]:
+    def images(self, edge: Array, term_indices: Sequence[int], *, values: bool = True) -> list[Values]:
         """Return images (if `values`) and their derivatives by coefficients of Zernike terms, each (r, h, w).
 
-        `edge` (r, k) are the coefficients of the first k terms for each of r wavefronts, radians at the edge. `by`
-        are the indices of the terms with respect to which derivatives are computed.
+        `edge` (r, k) are the coefficients of the first k terms for each of r wavefronts, radians at the edge.
+        Derivatives are computed with respect to the terms with the indices `term_indices`.
         """
-        images = np.empty((values + len(by), len(edge), *self._shape), np.float32)
-        factors, terms = self._terms[list(by)], self._terms[: edge.shape[1]]
+        images = np.empty((values + len(term_indices), len(edge), *self._shape), np.float32)
+        factors, terms = self._terms[list(term_indices)], self._terms[: edge.shape[1]]
         if not len(images):
             return []
         for k, coefficients in enumerate(edge.astype(np.float32)):
@@ -191,16 +191,16 @@ class UnevenLight:
         unit = grid.step(pupil) / grid.side
         # The slope of a term is at most n^2 per radius. An image repeats after (number of cells) lambda*N.
         slope = float((np.abs(edge) @ [n * n for n, _ in terms]).max(initial=0.0))
-        needed = max(2.0 * slope / _MAX_PHASE_STEP, max(grid.shape) * grid.step(pupil) / math.pi)
-        side = min(_MAX_UNEVEN_SIDE, max(_MIN_UNEVEN_SIDE, _STEP * math.ceil(needed / _STEP)))
+        min_side = max(2.0 * slope / _MAX_PHASE_STEP, max(grid.shape) * grid.step(pupil) / math.pi)
+        side = min(_MAX_UNEVEN_SIDE, max(_MIN_UNEVEN_SIDE, _STEP * math.ceil(min_side / _STEP)))
         centers, obscuration, width = cell_centers(side), pupil.obscuration, 2.0 / side
         rho, theta = np.hypot(centers, centers[:, None]), np.arctan2(centers[:, None], centers)
         scale = math.sqrt(grid.cell(pupil) / (4.0 * math.pi * pupil.transmission)) / math.pi
         # Cells at an edge are weighted by their clear fraction along the radius.
-        clear = np.clip(0.5 + (1.0 - rho) / width, 0.0, 1.0)
+        clear_fraction = np.clip(0.5 + (1.0 - rho) / width, 0.0, 1.0)
         if obscuration:
-            clear -= np.clip(0.5 + (obscuration - rho) / width, 0.0, 1.0)
-        amplitude = scale * width**2 * clear * pupil.illumination.at(np.minimum(rho, 1.0) ** 2)
+            clear_fraction -= np.clip(0.5 + (obscuration - rho) / width, 0.0, 1.0)
+        amplitude = scale * width**2 * clear_fraction * pupil.illumination.at(np.minimum(rho, 1.0) ** 2)
         folds = [rho**n * function(n * theta) for n in (2, 3, 4) for function in (np.cos, np.sin)]
         # The unchanged amplitude, then SLANT (along -y and -x) and FOLDS.
         factors = np.stack([np.ones_like(rho), -rho * np.sin(theta), -rho * np.cos(theta), *folds])

@@ -404,7 +404,7 @@ def test_samples_behind_wide_blur_may_be_far_apart(pixel, sigma):
     pupil = lm.Pupil(lm.Wavefront.zernike({4: 0.5, 7: 0.4, 9: 0.3}, order="noll"), obscuration=0.3)
     exact = np.asarray(lm.psf(pupil, 11, pixel, integrate=True, blur=lm.Jitter(sigma * pixel)).values)
     narrowest = np.array([sigma**2])
-    reader = StarReadout((11, 11), pixel, sigma, Shape.gaussian(), integrate=True, narrowest=narrowest)
+    reader = StarReadout((11, 11), pixel, sigma, Shape.gaussian(), integrate=True, smallest_variances=narrowest)
     assert 0.5 < reader.step < 1.0
     samples = np.asarray(lm.psf(pupil, reader.shape, reader.step, integrate=False).values)
     (read,) = reader.read([samples[None]], np.full((1, 1, 1), sigma**2), derivatives=False)

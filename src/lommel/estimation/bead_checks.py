@@ -111,7 +111,7 @@ def missing_tests(model: BeadModel, fit: Evaluated) -> tuple[tuple[ScoreTest, ..
     effects; None without favoured effects. 3. Findings on fixed constants that the stacks do not test.
     """
     setup, images = fit.state.setup, model.images
-    added_terms = next_terms(images.solved, ((2, 0), *images.fixed))
+    added_terms = next_terms(images.estimated_terms, ((2, 0), *images.fixed_terms))
     wider_model = replace(model, images=images.with_terms(added_terms))
     waves = np.concatenate([fit.state.waves, np.zeros(len(added_terms))])
     constants = _fixed_constants(model, setup)
@@ -138,7 +138,7 @@ def missing_tests(model: BeadModel, fit: Evaluated) -> tuple[tuple[ScoreTest, ..
     marginal = None
     if favoured_candidates:
         marginal = marginalized(information, gradient, unknowns, missing_candidates, len(model.names))
-    columns_of_terms = {label(name): index for index, name in enumerate(images.solved)}
+    columns_of_terms = {label(name): index for index, name in enumerate(images.estimated_terms)}
     effects = untested(information, unknowns, columns_of_terms, constant_candidates, tests)
     errors = {test.name: float(test.errors.max()) for test in tests}
     priors = [c.name for c in candidates if 0.0 < c.known < errors.get(c.name, math.inf)]
@@ -228,7 +228,7 @@ def _in_words(test: ScoreTest, model: BeadModel, stated: Setup, refit: Evaluated
         values = ", ".join(" +- ".join(pair) for pair in pairs)
         return f"{name} of each bead = {values}{unit} {sigmas}"
     if name not in CONSTANTS:
-        if refit is not None and len(refit.state.waves) > len(model.images.solved):
+        if refit is not None and len(refit.state.waves) > len(model.images.estimated_terms):
             size = float(refit.state.waves[-1])
         unit = {"non-linear gain": "", "drift": " pixels"}.get(name, " rad" if name.startswith("noll") else "")
         sizes = [size] if len(test.size) == 1 else test.size.tolist()
@@ -255,7 +255,8 @@ def _refit_with_free(model: BeadModel, fit: Evaluated, name: str, stated: Setup)
     elif name in CONSTANTS:
         priors[name] = Prior(stated.value(name), math.inf)
     else:
-        terms = [term for term in next_terms(images.solved, ((2, 0), *images.fixed)) if label(term) == name]
+        candidates = next_terms(images.estimated_terms, ((2, 0), *images.fixed_terms))
+        terms = [term for term in candidates if label(term) == name]
         if not terms and name != "drift":
             return None
         images = images.with_terms(terms)

@@ -223,17 +223,17 @@ class BeadImages:
     """
 
     def __init__(self, terms: Sequence[Term], fixed: Mapping[Term, float], threads: int) -> None:
-        self.solved = tuple(terms)
-        fixed_terms = [term for term in fixed if term not in self.solved and term not in SHIFTS.values()]
-        self.terms: tuple[Term, ...] = (*self.solved, *fixed_terms, *SHIFTS.values())
-        self.factors = np.array([zernike.rms_factor(n, m) for n, m in self.solved])
-        self.fixed = {term: fixed[term] for term in fixed_terms}  # radians at the edge
-        self._fixed_coefficients = np.array([*self.fixed.values()])
+        self.estimated_terms = tuple(terms)
+        fixed_names = [term for term in fixed if term not in self.estimated_terms and term not in SHIFTS.values()]
+        self.terms: tuple[Term, ...] = (*self.estimated_terms, *fixed_names, *SHIFTS.values())
+        self.factors = np.array([zernike.rms_factor(n, m) for n, m in self.estimated_terms])
+        self.fixed_terms = {term: fixed[term] for term in fixed_names}  # radians at the edge
+        self._fixed_coefficients = np.array([*self.fixed_terms.values()])
         self.threads = threads
 
     def with_terms(self, added: Sequence[Term]) -> BeadImages:
         """Return a model with the terms `added` appended to the estimated terms."""
-        return BeadImages((*self.solved, *added), self.fixed, self.threads) if added else self
+        return BeadImages((*self.estimated_terms, *added), self.fixed_terms, self.threads) if added else self
 
     def without_terms(self, waves: Array) -> BeadImages:
         """Return a model in which all terms are fixed, the formerly estimated terms at the coefficients `waves`."""
@@ -241,7 +241,7 @@ class BeadImages:
 
     def edge(self, waves: Array) -> dict[Term, float]:
         """Return the coefficients of all terms, radians at the pupil edge."""
-        return dict(zip(self.solved, (waves * self.factors).tolist(), strict=True)) | self.fixed
+        return dict(zip(self.estimated_terms, (waves * self.factors).tolist(), strict=True)) | self.fixed_terms
 
     def values(self, setup: Setup, waves: Array, place: Place, stack: Stack, *, ball: bool = True) -> Array:
         """Return the fraction of the total light in each pixel, (planes, height, width).
@@ -262,8 +262,8 @@ class BeadImages:
         """Return images and, unless `by` is None, their derivatives as well; `by` are names in `AMPLITUDES`."""
         objective, pixel_v, count = setup.objective, setup.pixel_v, len(stack.z)
         layers = objective._layers(setup.wavelength)
-        middle = (stack.shape[0] // 2 + place.row, stack.shape[1] // 2 + place.column)
-        samples = Samples(stack.shape, middle, pixel_v, _filter_half_width(setup))
+        center = (stack.shape[0] // 2 + place.row, stack.shape[1] // 2 + place.column)
+        samples = Samples(stack.shape, center, pixel_v, _filter_half_width(setup))
         edge = np.concatenate([waves * self.factors, self._fixed_coefficients, np.zeros(2)])[None]
         if any(place.drift):
             edge = np.repeat(edge, count, axis=0)
@@ -278,24 +278,25 @@ class BeadImages:
         if by is None:
             sampled = light_of(threads=self.threads)
         else:
-            terms, degrees = (*self.solved, *SHIFTS.values()), tuple(AMPLITUDES[name] for name in amplitudes)
+            terms, degrees = (*self.estimated_terms, *SHIFTS.values()), tuple(AMPLITUDES[name] for name in amplitudes)
             sampled = light_of(by=terms, by_focus=True, by_amplitude=degrees, threads=self.threads)
         power = light_by_rule.collected(layers, setup.emitter, depths)
         scale = pixel_v**2 / (4.0 * math.pi * float(fractions @ power))
-        total: Array | float = 0.0
+        sum_of_discs: Array | float = 0.0
         for k, (height, fraction) in enumerate(zip(u, fractions.tolist(), strict=True)):
             # The variance of a projected ball along an axis is radius^2 / 5.
-            disc, variance = 0.0, setup.radius**2 / 5.0
+            disc_radius, ball_variance = 0.0, setup.radius**2 / 5.0
             if ball:
-                disc, variance = setup.radius * math.sqrt(1.0 - height**2), 0.0
-            part = sampled[:, k * count : (k + 1) * count]
-            blurred = variance + setup.blur * samples.step**2
-            pixels = light_by_rule.pixel_filter(samples, disc, blurred, integrate=setup.integrate)
-            total = total + fraction * pixels.of(part if by is None else part.astype(np.float32))
-        images = np.asarray(scale * total)
+                disc_radius, ball_variance = setup.radius * math.sqrt(1.0 - height**2), 0.0
+            disc_samples = sampled[:, k * count : (k + 1) * count]
+            blur_variance = ball_variance + setup.blur * samples.step**2
+            pixels = light_by_rule.pixel_filter(samples, disc_radius, blur_variance, integrate=setup.integrate)
+            disc_samples = disc_samples if by is None else disc_samples.astype(np.float32)
+            sum_of_discs = sum_of_discs + fraction * pixels.of(disc_samples)
+        images = np.asarray(scale * sum_of_discs)
         if by is not None:
             # Order of the derivatives: focus, amplitudes, terms at the pupil edge, tilts.
-            term_start, term_end = 2 + len(amplitudes), 2 + len(amplitudes) + len(self.solved)
+            term_start, term_end = 2 + len(amplitudes), 2 + len(amplitudes) + len(self.estimated_terms)
             images[term_start:term_end] *= self.factors[:, None, None, None]
             # A shift by one pixel is a tilt of `pixel_v` radians at the pupil edge.
             images[-2:] *= pixel_v

@@ -116,7 +116,7 @@ class BeadModel:
     def __post_init__(self) -> None:
         depth = ("depth",) if self.depths[0].error > 0.0 else ()
         self.bead_parameters = (*POSITION, *depth, *(DRIFT if self.drifts else ()))
-        self.names = (*self.images.solved, *self.priors)
+        self.names = (*self.images.estimated_terms, *self.priors)
         self.size = len(self.names) + len(self.bead_parameters) * len(self.stacks)
         # Flux and background of each plane are two more parameters, which `size` does not include.
         self.degrees_of_freedom = (
@@ -195,9 +195,9 @@ class BeadModel:
         """
         images, setup, waves = self.images, state.setup, state.waves
         stack, place, light = self.stacks[bead], state.places[bead], state.light[bead]
-        amplitudes, k = [str(name) for name in names if name in AMPLITUDES], len(images.solved)
+        amplitudes, k = [str(name) for name in names if name in AMPLITUDES], len(images.estimated_terms)
         derivatives, ones = [*images.derivatives(setup, waves, place, stack, amplitudes)], np.ones(len(stack.z))
-        order = (*images.solved, "focus", "row", "column", *amplitudes)
+        order = (*images.estimated_terms, "focus", "row", "column", *amplitudes)
         # Index of the derivative for each parameter, and its factor in each plane.
         chain_rule: dict[object, tuple[int, Array]] = {name: (j, ones) for j, name in enumerate(order)}
         # Drift shifts rows and columns in proportion to time; the step shifts the focus in proportion to z.
@@ -244,7 +244,7 @@ class BeadModel:
 
     def moved(self, state: State, step: Array) -> State:
         """Return the parameters after a step, which is shortened such that no change exceeds its limit."""
-        k, common_count, setup = len(self.images.solved), len(self.names), state.setup
+        k, common_count, setup = len(self.images.estimated_terms), len(self.names), state.setup
         bead_steps = step[common_count:].reshape(-1, len(self.bead_parameters))
         kinds = [CONSTANTS[name] for name in self.priors]
         constants = np.array([setup.value(name) for name in self.priors])

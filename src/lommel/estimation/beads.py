@@ -223,8 +223,9 @@ class BeadFit(FitReport):
         self.pupil(depth=bead_depth, z=positions)  # checks the range
         stack = Stack(np.ones((4, positions.size, height * width)), (height, width), positions)
         waves, images = self._state.waves, self._images
-        jacobian = [*images.derivatives(setup, waves, _focused(setup, bead_depth), stack)[: len(images.solved)]]
-        for name in [*self.coefficients][len(images.solved) :]:
+        count = len(images.estimated_terms)
+        jacobian = [*images.derivatives(setup, waves, _focused(setup, bead_depth), stack)[:count]]
+        for name in [*self.coefficients][count:]:
             if name in ("diameter", "blur", "step"):
                 # The PSF is the image of a point at exact z: it does not depend on these constants.
                 jacobian.append(np.zeros((positions.size, height, width)))

@@ -50,7 +50,7 @@ def missing_tests(
     effects += _missing_effects(model, x, places)
     images = [image for effect in effects for image in effect.images]
     matrices = stars.likelihood(chosen, [values, *derivatives], model.parts(x)[2], images)[1]
-    widths = stars.exposures * stars.widths
+    widths = stars.exposures * stars.width_count
     local_count = k + widths + len(images)
     u, v = places[chosen].T
     polynomials = monomials(u, v, max(_tested_degrees(degree)))
@@ -74,13 +74,13 @@ def missing_tests(
     effect_candidates = star_checks.candidates_of(effects, first_column)
     tests = score_tests(matrix, gradient, estimated, [*candidates, *effect_candidates])
     # A known blur is assumed to be exact: other blurs are marginalized only if the blur is estimated.
-    others = BLURS if stars.widths else ()
+    others = BLURS if stars.width_count else ()
     to_marginalize = star_checks.to_marginalize([*candidates, *effect_candidates], tests, others)
     marginal = marginalized(matrix, gradient, estimated, to_marginalize, k * m)
     unknowns, fit = stars.first_star.unknowns, (matrix, estimated)
     means = [j * m for j in range(k)]
     # In a wide filter the mean wavelength differs from star to star, and images are polychromatic.
-    spectrum = ("spectrum of the stars within the filter",) if stars.widths and stars.lens.wavelength else ()
+    spectrum = ("spectrum of the stars within the filter",) if stars.width_count and stars.lens.wavelength else ()
     untested = star_checks.untested_constants(
         stars.lens, stars.defocus, effect_candidates, tests, fit, unknowns, means, spectrum
     )
@@ -129,7 +129,7 @@ def _missing_effects(model: WholeField, x: Array, places: Array) -> list[Missing
         blurs = dict(zip(OTHER_BLURS, blur_derivatives, strict=True))
         effects += star_checks.missing_blurs(blurs, e, gaussian="Gaussian" not in stars.blur.names)
         effects.append(star_checks.uneven_blur(blurs["Gaussian"], np.repeat(places[model.chosen], e, axis=0), e))
-    if not stars.has_slopes and not stars.cornered:
+    if not stars.has_slopes and not stars.has_corners:
         effects.append(star_checks.missing_gradients(r * e, stars.shape, e))
     effects.append(star_checks.missing_nonlinearity(stars.expected(images[0], parts[2]).reshape(images[0].shape)))
     return effects
@@ -138,13 +138,13 @@ def _missing_effects(model: WholeField, x: Array, places: Array) -> list[Missing
 def slope_findings(model: WholeField, x: Array) -> list[Finding]:
     """Return the finding on significant slopes of the backgrounds."""
     stars, chosen = model.stars, model.chosen
-    if stars.has_slopes or stars.cornered:
+    if stars.has_slopes or stars.has_corners:
         return []
     values, derivatives = model.images(x)
     r, e = len(chosen), stars.exposures
     gradients = star_checks.missing_gradients(r * e, stars.shape, e).images
     matrices = stars.likelihood(chosen, [values, *derivatives], model.parts(x)[2], gradients)[1]
-    first = model.wave_count + e * stars.widths
+    first = model.wave_count + e * stars.width_count
     columns, others = np.arange(first, first + 2 * e), np.arange(first + 2 * e, matrices.shape[1] - 1)
     nuisance_block, mixed_block = matrices[:, others[:, None], others], matrices[:, others[:, None], columns]
     solution = np.linalg.solve(nuisance_block, np.concatenate([mixed_block, matrices[:, others, -1:]], axis=2))

@@ -173,9 +173,11 @@ class Search:
         self.pixel_size = pixel_size
         #: The stars with fewer terms of the blur model, for fits of individual stars.
         self.simplified_stars = (
-            stars.with_blur_shape(Shape.turbulent(terms=_SINGLE_TERMS)) if stars.widths == 2 else stars
+            stars.with_blur_shape(Shape.turbulent(terms=_SINGLE_TERMS)) if stars.width_count == 2 else stars
         )
-        self.squared_widths = np.full((stars.exposures, stars.widths), _START_BLUR**2 / max(stars.widths, 1))
+        self.squared_widths = np.full(
+            (stars.exposures, stars.width_count), _START_BLUR**2 / max(stars.width_count, 1)
+        )
         self.widest = (_MAX_BLUR * min(stars.shape)) ** 2
         directions = stars.first_star.directions
         self.metric = (directions * stars.first_star.mean_squares) @ directions.T
@@ -361,7 +363,7 @@ class Search:
         """Fit the nuisance parameters (r, o, e) of star images, with fixed wavefronts and blur."""
         model = self.model(chosen, held=True)
         nuisance = self._centred_nuisance(chosen, model.basis @ polynomials.T)
-        if not self.stars.cornered:  # the start positions of corners are accurate to a pixel
+        if not self.stars.has_corners:  # the start positions of corners are accurate to a pixel
             psf = model.images(model.row(polynomials, squared_widths, nuisance), fast=True)[0]
             nuisance[:, :2] += self.stars.shifts(chosen, psf) * self.stars.first_star.tilt_of_pixel
         x, *_ = search_rows(model, model.row(polynomials, squared_widths, nuisance), 6, _no_progress, fast=True)
@@ -407,7 +409,7 @@ class Search:
         displacement = nuisance[:, :2].mean(axis=-1) / self.stars.first_star.tilt_of_pixel
         self.places = self.places.copy()
         self.places[chosen] += displacement[:, ::-1] * self.pixel_size
-        if self.stars.widths == 2:
+        if self.stars.width_count == 2:
             fit = self.best_shape(fit)
             nuisance = fit.nuisance()
         squared_widths = fit.squared_widths()
@@ -426,7 +428,7 @@ class Search:
         With a single focus there are several minima, which differ in the signs of even terms.
         """
         self.rival = None
-        if not self.one_focus or self.stars.cornered:
+        if not self.one_focus or self.stars.has_corners:
             return fit
         for _ in range(2):
             ends = self._fit_other_signs(fit)
@@ -541,7 +543,7 @@ class Search:
         for _ in range(_ROUNDS):
             rejected = np.setdiff1d(every, fit.model.chosen)
             # The image of a single corner does not determine a wavefront.
-            if not rejected.size or self.stars.cornered:
+            if not rejected.size or self.stars.has_corners:
                 break
             fits, waves = self._fit_individually(rejected, fit)
             map_waves = fit.model.basis @ fit.polynomials().T

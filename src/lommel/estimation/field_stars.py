@@ -71,13 +71,13 @@ class FieldStars:
     ) -> None:
         self.count, self.exposures, *shape = electrons.shape
         self.shape = (shape[0], shape[1])
-        self.pixels = shape[0] * shape[1]
+        self.pixel_count = shape[0] * shape[1]
         self.defocus = defocus
         self.threads, self.tol = plan.threads, plan.tol
         self.target = target
-        self.angles = 0 if target is None else target.angles
-        self.parameters_per_image = _FIRST_ANGLE + self.angles
-        self.cornered = self.angles > 0
+        self.angle_count = 0 if target is None else target.angle_count
+        self.parameters_per_image = _FIRST_ANGLE + self.angle_count
+        self.has_corners = self.angle_count > 0
         self.has_slopes = False
         #: Terms and constants that are not estimated, but for which `images` may return derivatives.
         self.extra_terms: tuple[Name, ...] = ()
@@ -85,12 +85,12 @@ class FieldStars:
         self.integrate = bool(plan.grid(first_pupil).integrate)
         self.lens, self.pixel = first_pupil, pixel / float(first_pupil.scale)  # in lambda*N
         self.blur = blur if isinstance(blur, Shape) else Shape.known(blur, pixel, first_pupil.wavelength)
-        self.widths = self.blur.unknown
+        self.width_count = self.blur.unknown
         #: The images of the first star; its terms and directions apply to all stars.
         self.first_star = StarImages(electrons[0], variance[0], valid[0], first_pupil, defocus, unknowns, plan, pixel)
-        self.size = len(unknowns.terms) + (self.widths + self.parameters_per_image) * self.exposures
+        self.size = len(unknowns.terms) + (self.width_count + self.parameters_per_image) * self.exposures
         self.star = star_counts(electrons, variance, valid)
-        self.loosest = loosest_tolerance(self.star, plan.tol)
+        self.search_tol = loosest_tolerance(self.star, plan.tol)
         #: Coefficients of the initial wavefront; the remainder, outside the estimated terms, is fixed.
         self.start, fixed = self.first_star.split(pupil.wavefront.edge_terms(), (self.count,))
         self.base: Array = np.repeat(fixed[:, None], self.exposures, axis=1)
@@ -103,9 +103,9 @@ class FieldStars:
 
     def with_blur_shape(self, shape: Shape) -> FieldStars:
         """Return a model of the same stars with another shape of the blur, of unknown widths."""
-        added_count = (shape.unknown - self.widths) * self.exposures
+        added_count = (shape.unknown - self.width_count) * self.exposures
         freedom, size = self.degrees_of_freedom - added_count, self.size + added_count
-        changes = {"blur": shape, "widths": shape.unknown, "size": size, "degrees_of_freedom": freedom}
+        changes = {"blur": shape, "width_count": shape.unknown, "size": size, "degrees_of_freedom": freedom}
         return self.copy_with(_reader=None, **changes)
 
     def with_background_slopes(self) -> FieldStars:
@@ -150,7 +150,7 @@ class FieldStars:
             if reader is None:
                 self._reader = TargetReadout(self.shape, self.pixel, self.target, shape, integrate=self.integrate)
             return self._reader
-        if not (always or self.widths or self.integrate or shape.fixed.any()):
+        if not (always or self.width_count or self.integrate or shape.fixed.any()):
             return None
         # With the support for the typical width, the widest Gaussians of seeing lose only light far from the window.
         known_square = float(np.exp(shape.weights @ np.log(shape.fixed + 1e-12)))
@@ -158,12 +158,14 @@ class FieldStars:
         variances = shape.variances(squared_widths).reshape(-1, len(shape.weights)).min(axis=0)
         if isinstance(reader, StarReadout) and reader.serves(width, variances):
             return reader
-        least, widest = variances, width
-        if self.widths:
+        smallest_variances, max_width = variances, width
+        if self.width_count:
             # Round the width up to a multiple of ROOM, so that lattices of sampled pupils can be reused.
-            widest = ROOM * (math.ceil(width / ROOM) + 1)
-            least = variances * max(1.0 - ROOM / max(width, ROOM), 0.0) ** 2
-        self._reader = StarReadout(self.shape, self.pixel, widest, shape, integrate=self.integrate, narrowest=least)
+            max_width = ROOM * (math.ceil(width / ROOM) + 1)
+            smallest_variances = variances * max(1.0 - ROOM / max(width, ROOM), 0.0) ** 2
+        self._reader = StarReadout(
+            self.shape, self.pixel, max_width, shape, integrate=self.integrate, smallest_variances=smallest_variances
+        )
         return self._reader
 
     def _block(
@@ -172,7 +174,7 @@ class FieldStars:
         """Return the result of `images` for a block of r stars, from Zernike terms `edge` (r, e, terms)."""
         edge = edge.reshape(-1, edge.shape[-1])
         pupil = self.lens.carrying(Wavefront.trusted(self.first_star.terms, edge), None)
-        tol = self.loosest if fast else self.tol
+        tol = self.search_tol if fast else self.tol
         shape, pitch = (self.shape, self.pixel) if reader is None else (reader.shape, reader.step)
         pixel = pitch * float(self.lens.scale)
         plan = Plan(shape, pixel, tol=tol, integrate=False, threads=self.threads or None)
@@ -184,8 +186,8 @@ class FieldStars:
         # Sampled pupils do not support masks, and have derivatives by phases only.
         use_proven_method = pupil.mask is not None or (pupil.circular and (others or max(shape) <= SMALL))
         if use_proven_method:
-            _, pixels, rates = prepared.images(pupil, names)
-            samples = [pixels.values, *(slope.values for slope in rates)]
+            _, pixels, derivatives = prepared.images(pupil, names)
+            samples = [pixels.values, *(derivative.values for derivative in derivatives)]
             if others and changes_of(self.lens):
                 samples += UnevenLight(self.lens, plan.grid(self.lens), self.first_star.terms, edge).images()
         else:
@@ -198,7 +200,7 @@ class FieldStars:
         else:
             stacked = [np.asarray(sample, np.float32).reshape(-1, *reader.shape) for sample in samples]
             if isinstance(reader, TargetReadout):
-                angles = nuisance[:, _FIRST_ANGLE : _FIRST_ANGLE + self.angles].swapaxes(1, 2)
+                angles = nuisance[:, _FIRST_ANGLE : _FIRST_ANGLE + self.angle_count].swapaxes(1, 2)
                 angles = angles.reshape(len(stacked[0]), -1)
                 widths = squared_widths.reshape(len(stacked[0]), -1)
                 images = reader.read(stacked, widths, angles, derivatives=selection == "all", threads=self.threads)
@@ -210,7 +212,7 @@ class FieldStars:
         if selection == "image":
             zeros = np.zeros_like(images[0])
             zero_terms = [zeros] * (len(self._terms) - 2)
-            images = [images[0], *zero_terms, *images[1:3], *[zeros] * self.widths, *images[3:]]
+            images = [images[0], *zero_terms, *images[1:3], *[zeros] * self.width_count, *images[3:]]
         return images
 
     def _sampled(self, grid: Grid) -> SampledPupil:
@@ -233,26 +235,26 @@ class FieldStars:
         common to all exposures, and `nuisance`. The q arrays `extra` (r * e, height, width) are derivatives of
         electrons by the further parameters.
         """
-        r, e, k, b, q = len(stars), self.exposures, len(self.first_star.directions), self.widths, len(extra)
+        r, e, k, b, q = len(stars), self.exposures, len(self.first_star.directions), self.width_count, len(extra)
         gradients = slants(r * e, self.shape) if self.has_slopes else ()
         sums, inner = self._products(stars, [*images, *gradients, *extra], nuisance)
         d = inner.shape[-1]
-        terms = len(self.first_star.unknowns.edge)
+        term_count = len(self.first_star.unknowns.edge)
         # Chain rule. The last axis is: derivatives of PSFs by Zernike terms, tilts, blur and angles; derivatives of
         # electrons by slopes of the background, and `extra`; the PSF, 1 (for the background) and the residual.
         chain = np.zeros((r, e, self.size + q + 1, d))
         flux = nuisance[:, 2]
-        chain[:, :, :k, :terms] = self.first_star.unknowns.directions * flux[:, :, None, None]
+        chain[:, :, :k, :term_count] = self.first_star.unknowns.directions * flux[:, :, None, None]
         chain[:, :, k + e * b + np.arange(q), d - 3 - q + np.arange(q)] = 1.0
         for i in range(e):
             rows = k + e * b + q + np.arange(self.parameters_per_image) * e + i
             for j in range(b):
-                chain[:, i, k + i * b + j, terms + 2 + j] = flux[:, i]
-            chain[:, i, rows[0], terms] = chain[:, i, rows[1], terms + 1] = flux[:, i]
+                chain[:, i, k + i * b + j, term_count + 2 + j] = flux[:, i]
+            chain[:, i, rows[0], term_count] = chain[:, i, rows[1], term_count + 1] = flux[:, i]
             chain[:, i, rows[2], d - 3] = chain[:, i, rows[3], d - 2] = 1.0
             for j in range(_FIRST_ANGLE, self.parameters_per_image):
-                factor = flux[:, i] if j < _FIRST_ANGLE + self.angles else 1.0
-                chain[:, i, rows[j], terms + 2 + b + j - _FIRST_ANGLE] = factor
+                factor = flux[:, i] if j < _FIRST_ANGLE + self.angle_count else 1.0
+                chain[:, i, rows[j], term_count + 2 + b + j - _FIRST_ANGLE] = factor
         chain[:, :, -1, -1] = 1.0
         matrices = (chain @ inner @ chain.swapaxes(-1, -2)).sum(axis=1)
         return sums, matrices[:, :-1], matrices[:, -1, -1]
@@ -264,9 +266,9 @@ class FieldStars:
         """
         data, light = self.without_slopes(stars, nuisance)
         light = np.ascontiguousarray(np.moveaxis(light, 1, 0).reshape(1, 2, -1))
-        sums, products = star_likelihood(images, light, data.reshape(4, -1, self.pixels), self.threads)
-        stack = len(stars), self.exposures
-        return sums.reshape(3, *stack).sum(axis=-1), products.reshape(*stack, *products.shape[-2:])
+        sums, products = star_likelihood(images, light, data.reshape(4, -1, self.pixel_count), self.threads)
+        stack_shape = len(stars), self.exposures
+        return sums.reshape(3, *stack_shape).sum(axis=-1), products.reshape(*stack_shape, *products.shape[-2:])
 
     def without_slopes(self, stars: NDArray[np.intp], nuisance: Array) -> tuple[Array, Array]:
         """Return counts and variances (4, r, e, pixels) without slopes of the background, and flux and background.
@@ -297,24 +299,25 @@ class FieldStars:
         electrons = nuisance[:, 2, :, None] * psf.reshape(len(nuisance), self.exposures, -1) + nuisance[:, 3, :, None]
         return electrons + self._sloping_part(nuisance) if self.has_slopes else electrons
 
-    def quality(self, stars: NDArray[np.intp], values: Array, nuisance: Array, parameters: float) -> Quality:
-        """Return chi2 of stars from their PSFs `values`; `parameters` is the number of parameters per star."""
+    def quality(self, stars: NDArray[np.intp], values: Array, nuisance: Array, parameter_count: float) -> Quality:
+        """Return chi2 of stars from their PSFs `values`; `parameter_count` is the number of parameters per star."""
         (_, expectation, variance), products = self._products(stars, [values], nuisance)
-        return self.quality_from_sums(stars, products[..., -1, -1].sum(axis=-1), expectation, variance, parameters)
+        pearson_sum = products[..., -1, -1].sum(axis=-1)
+        return self.quality_from_sums(stars, pearson_sum, expectation, variance, parameter_count)
 
     def quality_from_sums(
-        self, stars: NDArray[np.intp], pearson_sum: Array, expectation: Array, variance: Array, parameters: float
+        self, stars: NDArray[np.intp], pearson_sum: Array, expectation: Array, variance: Array, parameter_count: float
     ) -> Quality:
         """Return chi2 of stars from Pearson's sum, its expectation and variance, and the parameters per star."""
-        fraction = np.maximum(1.0 - parameters / self.star[3][stars].sum(axis=(1, 2)), 0.1)
+        fraction = np.maximum(1.0 - parameter_count / self.star[3][stars].sum(axis=(1, 2)), 0.1)
         return Quality(*reduced_chi2(pearson_sum, expectation, variance, fraction))
 
     def bright_pixel_chi2(
-        self, stars: NDArray[np.intp], values: Array, nuisance: Array, parameters: float
+        self, stars: NDArray[np.intp], values: Array, nuisance: Array, parameter_count: float
     ) -> tuple[float, float]:
         """Return chi2 of the pixels in which stars exceed the noise, and its standard deviation.
 
-        Both are NaN for few such pixels, and for corners; `parameters` is the number of all parameters. A wrong
+        Both are NaN for few such pixels, and for corners; `parameter_count` is the number of all parameters. A wrong
         wavefront increases this chi2 more than the chi2 of whole windows, which are mostly background.
         """
         psf = values.reshape(len(stars), self.exposures, -1)
@@ -323,8 +326,8 @@ class FieldStars:
         model = star_light + light[:, 1, :, None]
         variance = np.maximum(np.maximum(model, 0.0) + read, 1e-3)
         bright = (valid > 0.0) & (star_light * star_light > variance)
-        freedom = float(bright.sum()) - parameters
-        if self.cornered or freedom < parameters + _MIN_BRIGHT:
+        freedom = float(bright.sum()) - parameter_count
+        if self.has_corners or freedom < parameter_count + _MIN_BRIGHT:
             return math.nan, math.nan
         variance, residual = variance[bright], (counted - model)[bright]
         fraction = freedom / len(residual)
@@ -343,7 +346,7 @@ class FieldStars:
 
     def centroids(self) -> Array:
         """Return the tilts (n, 2, e) that shift images to the centroids of stars, or to the crossings of corners."""
-        if self.cornered:
+        if self.has_corners:
             return np.asarray(self._crossings[:, :2] * self.first_star.tilt_of_pixel)
         tilts = centroids(self.star, self.shape) * self.first_star.tilt_of_pixel
         return tilts.reshape(self.count, self.exposures, 2).swapaxes(1, 2)
@@ -365,7 +368,7 @@ class FieldStars:
         for j, largest in enumerate(self.first_star.largest_tilts):
             np.clip(nuisance[:, j], -largest, largest, out=nuisance[:, j])
         np.maximum(nuisance[:, 2], 0.1 * previous[:, 2], out=nuisance[:, 2])
-        if self.cornered:
+        if self.has_corners:
             np.clip(
                 nuisance[:, _FIRST_ANGLE:],
                 previous[:, _FIRST_ANGLE:] - _MAX_ANGLE_STEP,
@@ -375,9 +378,9 @@ class FieldStars:
 
     def start_values(self, rows: NDArray[np.intp], tilts: Array) -> Array:
         """Return initial values of the parameters of each image (r, o, e), from tilts (r, 2, e)."""
-        others = np.ones((len(rows), self.parameters_per_image - 2, self.exposures))
-        others[:, 2:] = self._crossings[rows][:, 2:] if self.cornered else 0.0
-        return np.concatenate([tilts, others], axis=1)
+        other_values = np.ones((len(rows), self.parameters_per_image - 2, self.exposures))
+        other_values[:, 2:] = self._crossings[rows][:, 2:] if self.has_corners else 0.0
+        return np.concatenate([tilts, other_values], axis=1)
 
     @cached_property
     def _crossings(self) -> Array:
@@ -405,20 +408,21 @@ class _StarModel(RowModel):
     """Images of some stars of a field, as functions of rows of parameters."""
 
     alternatives = False
-    derivatives = "all"
+    derivative_selection = "all"  # see `FieldStars.images`
     zero_limit = 0.0  # squared width of blur, pixels^2, below which a step may set it to 0
 
     def __init__(self, stars: FieldStars, chosen: NDArray[np.intp], common_count: int, widest: float) -> None:
         self.stars, self.chosen, self.widest = stars, chosen, widest
         #: Number of parameters in a row before the nuisance parameters; the last of them are squared widths.
         self.common_count = common_count
-        self._widths = slice(common_count - stars.exposures * stars.widths, common_count)
+        self._widths = slice(common_count - stars.exposures * stars.width_count, common_count)
 
     def parts(self, x: Array) -> tuple[Array, Array, Array]:
         """Return waves (r, k), squared widths (r, e, b) and a view of nuisance parameters (r, o, e)."""
         nuisance = x[:, self.common_count :].reshape(-1, self.stars.parameters_per_image, self.stars.exposures)
-        widths = self.squared_widths(x)
-        return self.wavefronts(x), np.broadcast_to(widths, (len(nuisance), *widths.shape[1:])), nuisance
+        squared_widths = self.squared_widths(x)
+        shape = (len(nuisance), *squared_widths.shape[1:])
+        return self.wavefronts(x), np.broadcast_to(squared_widths, shape), nuisance
 
     def wavefronts(self, x: Array) -> Array:
         """Return the coefficients (r, k) of the wavefront of each star."""
@@ -426,11 +430,11 @@ class _StarModel(RowModel):
 
     def squared_widths(self, x: Array) -> Array:
         """Return a view of the squared widths of the blur (s, e, b) of each row."""
-        return x[:, self._widths].reshape(len(x), self.stars.exposures, self.stars.widths)
+        return x[:, self._widths].reshape(len(x), self.stars.exposures, self.stars.width_count)
 
     def images(self, x: Array, *, fast: bool = False) -> tuple[Any, Any]:
         """Return the PSFs of all stars, and their derivatives."""
-        arrays = self.stars.images(self.chosen, *self.parts(x), fast=fast, derivatives=self.derivatives)
+        arrays = self.stars.images(self.chosen, *self.parts(x), fast=fast, derivatives=self.derivative_selection)
         return arrays[0], arrays[1:]
 
     def with_flux_background(self, x: Array, values: Any) -> Array:
@@ -456,7 +460,7 @@ class SingleStars(_StarModel):
     """Stars with individual wavefronts: each row of a search contains the parameters of one star."""
 
     def __init__(self, stars: FieldStars, rows: NDArray[np.intp], widest: float) -> None:
-        super().__init__(stars, rows, len(stars.first_star.directions) + stars.exposures * stars.widths, widest)
+        super().__init__(stars, rows, len(stars.first_star.directions) + stars.exposures * stars.width_count, widest)
         self.size, self.degrees_of_freedom = stars.size, stars.degrees_of_freedom
 
     def scores(self, x: Array, *, fast: bool = False, rows: NDArray[np.intp] | None = None) -> Scores:
@@ -495,31 +499,32 @@ class Blocks:
     squared_widths: Array
 
     @classmethod
-    def of_stars(cls, local: Array, basis: Array, wave_count: int, c: int, squared_widths: Array) -> Blocks:
+    def of_stars(cls, star_matrices: Array, basis: Array, wave_count: int, c: int, squared_widths: Array) -> Blocks:
         """Return blocks from the information (n, p, p) of single stars; c is the number of waves and squared widths.
 
         The last p - c parameters are the nuisance parameters.
         """
-        blocks = cls(np.empty((0, 0)), local[:, c:, c:], local[:, :c, c:], basis, wave_count, squared_widths)
-        return replace(blocks, common=blocks.summed_matrix(local[:, :c, :c]))
+        nuisance, mixed = star_matrices[:, c:, c:], star_matrices[:, :c, c:]
+        blocks = cls(np.empty((0, 0)), nuisance, mixed, basis, wave_count, squared_widths)
+        return replace(blocks, common=blocks.summed_matrix(star_matrices[:, :c, :c]))
 
-    def summed_matrix(self, local: Array) -> Array:
+    def summed_matrix(self, star_matrices: Array) -> Array:
         """Convert matrices (n, c, c) from waves and widths to common parameters, and sum over stars: (s, s)."""
         k, m = self.wave_count, self.basis.shape[1]
-        widths = local.shape[1] - k
-        matrix = np.empty((k * m + widths, k * m + widths))
-        pairs = (self.basis[:, :, None] * self.basis[:, None, :]).reshape(len(local), -1)
-        wave_part = (pairs.T @ local[:, :k, :k].reshape(len(local), -1)).reshape(m, m, k, k)
+        width_count = star_matrices.shape[1] - k
+        matrix = np.empty((k * m + width_count, k * m + width_count))
+        pairs = (self.basis[:, :, None] * self.basis[:, None, :]).reshape(len(star_matrices), -1)
+        wave_part = (pairs.T @ star_matrices[:, :k, :k].reshape(len(star_matrices), -1)).reshape(m, m, k, k)
         matrix[: k * m, : k * m] = wave_part.transpose(2, 0, 3, 1).reshape(k * m, k * m)
-        mixed_part = np.einsum("nm,nke->kme", self.basis, local[:, :k, k:]).reshape(k * m, widths)
+        mixed_part = np.einsum("nm,nke->kme", self.basis, star_matrices[:, :k, k:]).reshape(k * m, width_count)
         matrix[: k * m, k * m :], matrix[k * m :, : k * m] = mixed_part, mixed_part.T
-        matrix[k * m :, k * m :] = local[:, k:, k:].sum(axis=0)
+        matrix[k * m :, k * m :] = star_matrices[:, k:, k:].sum(axis=0)
         return matrix
 
-    def summed_gradient(self, local: Array) -> Array:
+    def summed_gradient(self, star_gradients: Array) -> Array:
         """Convert gradients (n, c) from waves and widths to common parameters, and sum over stars: (s,)."""
         k = self.wave_count
-        return np.concatenate([(local[:, :k].T @ self.basis).ravel(), local[:, k:].sum(axis=0)])
+        return np.concatenate([(star_gradients[:, :k].T @ self.basis).ravel(), star_gradients[:, k:].sum(axis=0)])
 
     def star_steps(self, common_step: Array) -> Array:
         """Return the steps of waves and squared widths of each star (n, c) for a step of common parameters (s,)."""
@@ -553,12 +558,13 @@ class WholeField(_StarModel):
 
     def __init__(self, stars: FieldStars, chosen: NDArray[np.intp], basis: Array, *, held: bool = False) -> None:
         self.basis, self.held, self.wave_count = basis, held, len(stars.first_star.directions)
-        super().__init__(stars, chosen, self.wave_count * basis.shape[1] + stars.exposures * stars.widths, math.inf)
-        self.derivatives = "image" if held else "all"
+        common_count = self.wave_count * basis.shape[1] + stars.exposures * stars.width_count
+        super().__init__(stars, chosen, common_count, math.inf)
+        self.derivative_selection = "image" if held else "all"
         self.size = self.common_count + len(chosen) * stars.parameters_per_image * stars.exposures
         fitted_count = self.size - (self.common_count if held else 0)
-        self.pixels = int(stars.star[3][chosen].sum())
-        self.degrees_of_freedom = max(self.pixels - fitted_count, 1)
+        self.pixel_count = int(stars.star[3][chosen].sum())
+        self.degrees_of_freedom = max(self.pixel_count - fitted_count, 1)
         self._fitted_per_star = fitted_count / len(chosen)
 
     def polynomials(self, x: Array) -> Array:
@@ -583,14 +589,14 @@ class WholeField(_StarModel):
         (deviance, expectation, variance), matrices, pearson_sum = self.stars.likelihood(
             self.chosen, [values, *derivatives], self.parts(x)[2]
         )
-        c = self.wave_count + self.stars.exposures * self.stars.widths
+        c = self.wave_count + self.stars.exposures * self.stars.width_count
         information, gradients = matrices[:, :, :-1], matrices[:, :, -1]
         squared_widths = self.squared_widths(x).flatten()
         blocks = Blocks.of_stars(information, self.basis, self.wave_count, c, squared_widths)
         gradient = np.concatenate([blocks.summed_gradient(gradients[:, :c]), gradients[:, c:].ravel()])
         boxed = np.empty(1, dtype=object)
         boxed[0] = blocks
-        fraction = self.degrees_of_freedom / self.pixels
+        fraction = self.degrees_of_freedom / self.pixel_count
         quality = reduced_chi2(pearson_sum.sum(), expectation.sum(), variance.sum(), fraction)
         return Scores(np.array([deviance.sum()]), gradient[None], boxed, *(np.array([value]) for value in quality))
 

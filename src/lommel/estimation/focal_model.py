@@ -111,7 +111,7 @@ class FocalLight:
         """Variance of a pixel in a frame of exposure 1."""
         return self.mean + self.read**2
 
-    def relative(self) -> Array:
+    def relative_variances(self) -> Array:
         """Return the variance of a pixel of each frame relative to that of a frame of exposure 1.
 
         Each frame is first divided by its exposure e, and so its variance by e^2.
@@ -130,8 +130,9 @@ class FocalModel:
 
     `transfer` (h) and `noise` (N) have the shape (vergences, frames, frequencies), `texture` (S) has the shape
     (frequencies,), and `white` (nu) has the shape (frames,). Powers are divided by the variance of a pixel in a frame
-    of exposure 1. `folded`, shape (vergences, frames + 1, frequencies), is the cross power of the aliases of a frame
-    and of the sharp scene averaged over pixels; the last index of frames is the power of the aliases of that scene.
+    of exposure 1. `alias_power`, shape (vergences, frames + 1, frequencies), is the cross power of the aliases of a
+    frame and of the sharp scene averaged over pixels; the last of the frames + 1 values is the power of the aliases
+    of that scene.
     """
 
     vergence: Array
@@ -140,7 +141,7 @@ class FocalModel:
     transfer: Array
     noise: Array
     white: Array
-    folded: Array
+    alias_power: Array
 
     @classmethod
     def of(
@@ -176,22 +177,22 @@ class FocalModel:
             # At a given frequency, binning does not change the ratio of texture power and noise variance.
             return light.power(np.hypot(x, y) / binning)
 
-        white = binned.relative()
+        white = binned.relative_variances()
         noise = np.broadcast_to(white[:, None], (len(vergence), len(lenses), fx.size)).copy()
-        folded = np.zeros((len(vergence), len(lenses) + 1, fx.size))
+        alias_power = np.zeros((len(vergence), len(lenses) + 1, fx.size))
         # Aliases from the eight adjacent bands; texture of higher frequencies is weak, by 1 / f^2, and neglected.
         for across, down in product((-1.0, 0.0, 1.0), repeat=2):
             if across or down:
                 x, y = fx - across, fy - down
                 h, pixel_transfer, strength = transfers(x, y), np.sinc(x) * np.sinc(y), power(x, y)
                 noise += strength * h**2
-                folded[:, :-1] += strength * pixel_transfer * h
-                folded[:, -1] += strength * pixel_transfer**2
-        return cls(np.asarray(vergence), band, power(fx, fy), transfers(fx, fy), noise, white, folded)
+                alias_power[:, :-1] += strength * pixel_transfer * h
+                alias_power[:, -1] += strength * pixel_transfer**2
+        return cls(np.asarray(vergence), band, power(fx, fy), transfers(fx, fy), noise, white, alias_power)
 
     def at(self, places: slice) -> Self:
         """Return the model for the vergences at the indices `places`."""
-        parts = {name: getattr(self, name)[places] for name in ("vergence", "transfer", "noise", "folded")}
+        parts = {name: getattr(self, name)[places] for name in ("vergence", "transfer", "noise", "alias_power")}
         return replace(self, **parts)
 
     def uncertain(self, errors: Array) -> Self:
@@ -211,7 +212,7 @@ class FocalModel:
         transfer = mean(self.transfer)
         variance = np.maximum(mean(self.transfer**2) - transfer**2, 0.0)
         noise = mean(self.noise) + self.texture * variance
-        return replace(self, transfer=transfer, noise=noise, folded=mean(self.folded))
+        return replace(self, transfer=transfer, noise=noise, alias_power=mean(self.alias_power))
 
     def signal(self) -> Array:
         """Return ``g.g``, the sum over frames of ``h^2 / N``, shape (vergences, frequencies)."""

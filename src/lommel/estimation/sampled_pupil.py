@@ -96,14 +96,14 @@ class SampledPupil:
         Derivatives are computed with respect to the terms with the indices `term_indices`.
         """
         images = np.empty((values + len(term_indices), len(edge), *self._shape), np.float32)
-        factors, terms = self._terms[list(term_indices)], self._terms[: edge.shape[1]]
+        derivative_terms, terms = self._terms[list(term_indices)], self._terms[: edge.shape[1]]
         if not len(images):
             return []
         for k, coefficients in enumerate(edge.astype(np.float32)):
             phase = np.tensordot(coefficients, terms, 1)
             planes = self._amplitude * np.cos(phase), self._amplitude * np.sin(phase)
             pupil = np.stack([planes[0].real - planes[1].imag, planes[0].imag + planes[1].real])[None]
-            real, imaginary = self._fields(np.concatenate([pupil, factors[:, None] * pupil]))
+            real, imaginary = self._fields(np.concatenate([pupil, derivative_terms[:, None] * pupil]))
             if values:
                 images[0, k] = real[0] ** 2 + imaginary[0] ** 2
             # The derivative of the field is U' = i G, where G is the field of Z P; that of the image is 2 Re(U* U').

@@ -352,7 +352,7 @@ def star_tests(model: StarImages, x: Array) -> tuple[tuple[ScoreTest, ...], Marg
     grid, scale = plan.grid(pupil), float(pupil.scale)
     reader = StarReadout(grid.shape, model.pixel / scale, 1.0, _NO_BLUR, integrate=grid.integrate)
     pitch, threads = reader.step * scale, plan.threads or None
-    fine_plan = Plan(reader.shape, pitch, tol=model.loosest, integrate=False, threads=threads)
+    fine_plan = Plan(reader.shape, pitch, tol=model.search_tol, integrate=False, threads=threads)
     notes = []
     try:
         samples = np.asarray(fine_plan(pupil).values, np.float32)

@@ -232,7 +232,7 @@ class StarImages(RowModel):
         self.derivatives: tuple[Name, ...] = (*unknowns.edge, *tilts, *unknowns.pupil)
         self.names: tuple[Name, ...] = (*unknowns.terms, *unknowns.pupil)  # parameters common to all images
         self._questions: dict[tuple[float, tuple[int, ...]], Prepared] = {}
-        self.loosest = loosest_tolerance(self.star, plan.tol)
+        self.search_tol = loosest_tolerance(self.star, plan.tol)
         self.tilt_of_pixel = math.pi * pixel / pupil.scale
         start = pupil.wavefront.edge_terms()
         all_terms = {*start, *unknowns.edge, *SHIFTS.values()}
@@ -352,10 +352,10 @@ class StarImages(RowModel):
         """Return the PSFs of images, shape (s * n, height, width), and derivatives of the PSFs by `names`.
 
         By default, derivatives are by all parameters except flux and background. If `fast`, the tolerance is
-        `loosest`.
+        `search_tol`.
         """
         pupil, plan = self.pupils(x), self.plan
-        tol = self.loosest if fast else plan.tol
+        tol = self.search_tol if fast else plan.tol
         pupil_key = pupil.aperture, pupil.radial, pupil.shape, pupil.wavelength, pupil.f_number
         # Steps of a search differ in their phases only: the window is checked and the method is chosen once.
         question = self._questions.get((tol, pupil.shape))

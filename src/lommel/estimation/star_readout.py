@@ -45,8 +45,8 @@ _ERF_ARGUMENT = 2.2  # argument of the error function at the ends of T's fall fr
 class StarReadout:
     """Linear map from samples on a lattice around the axis to the pixels of a window, with pixel area and blur.
 
-    `pixel` is the pixel pitch (lambda*N) and `widest` the largest blur width (pixels). `narrowest` are the smallest
-    variances of the Gaussians of the blur (pixels^2), by default 0. If `integrate` is False, pixels are
+    `pixel` is the pixel pitch (lambda*N) and `widest` the largest blur width (pixels). `smallest_variances` are those
+    of the Gaussians of the narrowest blur (pixels^2), by default 0. If `integrate` is False, pixels are
     point-sampled. The attribute `step` is the sample spacing (lambda*N).
     """
 
@@ -58,22 +58,22 @@ class StarReadout:
         blur: Shape,
         *,
         integrate: bool,
-        narrowest: Array | None = None,
+        smallest_variances: Array | None = None,
     ) -> None:
         self.blur = blur
         self.pixel, self.widest = pixel, widest
-        self.narrowest = np.zeros(len(blur.weights)) if narrowest is None else narrowest
+        self.smallest_variances = np.zeros(len(blur.weights)) if smallest_variances is None else smallest_variances
         band = self._band(integrate)
         edge = _TAPER * band
         self.step = 1.0 / (1.0 + edge)
         # Light farther than half a window outside the window is neglected.
         blur_margins = [min(_BLUR_MARGIN * widest, 0.5 * side) for side in window]
-        halves = [
+        half_sides = [
             math.ceil((_MARGIN + pixel * (side // 2 + 0.5 * integrate + blur_margin)) / self.step)
             for side, blur_margin in zip(window, blur_margins, strict=True)
         ]
-        self.shape = (2 * halves[0] + 1, 2 * halves[1] + 1)
-        length = self.step * max(halves)
+        self.shape = (2 * half_sides[0] + 1, 2 * half_sides[1] + 1)
+        length = self.step * max(half_sides)
         # A Gauss rule integrates cos(w t), abs(t) <= 1, up to rounding with w / 2 + 30 nodes; here w is that of the
         # fastest cosine.
         nodes, weights = gauss_legendre(math.ceil(0.5 * math.pi * edge * (2.0 * length)) + 30)
@@ -86,7 +86,7 @@ class StarReadout:
         #: For rows, then columns: pairs (pixels, samples) of cosines and of sines, shape (positions, frequencies).
         self._sides = [
             list(zip(self._waves(pixel, side // 2), self._waves(self.step, half), strict=True))
-            for side, half in zip(window, halves, strict=True)
+            for side, half in zip(window, half_sides, strict=True)
         ]
 
     def serves(self, width: float, variances: Array) -> bool:
@@ -95,12 +95,12 @@ class StarReadout:
         Samples for much wider blurs are not used either, because there are more of them than necessary.
         """
         in_range = self.widest - 2.0 * ROOM <= width <= self.widest
-        return in_range and bool((variances >= self.narrowest).all())
+        return in_range and bool((variances >= self.smallest_variances).all())
 
     def _band(self, integrate: bool) -> float:
         """Return F, cycles per lambda*N, above which pixels and the narrowest blur suppress the image."""
         rate = 2.0 * (math.pi * self.pixel * _BANDS) ** 2
-        transfer = np.exp(-np.multiply.outer(rate, self.narrowest)) @ self.blur.weights
+        transfer = np.exp(-np.multiply.outer(rate, self.smallest_variances)) @ self.blur.weights
         if integrate:
             transfer /= np.maximum(math.pi * self.pixel * _BANDS, 1.0)  # the envelope of the sinc
         negligible = transfer < _NEGLIGIBLE

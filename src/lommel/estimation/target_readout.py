@@ -60,7 +60,7 @@ class Target(NamedTuple):
     size: float
 
     @property
-    def angles(self) -> int:
+    def angle_count(self) -> int:
         """Number of unknown angles."""
         return 2 if self.kind == "crossing" else 0
 
@@ -115,7 +115,7 @@ class TargetReadout:
             disc = np.where(x > 1e-6, 2.0 * special.j1(x) / np.maximum(x, 1e-6), 1.0)
             self._transfer: Values = (transfer * disc * self._samples_per_pixel**2).astype(np.complex64)
             return
-        self._object_samples = math.ceil(self.step / _OBJECT_STEP)  # for each sample of PSFs, along an axis
+        self._object_samples = math.ceil(self.step / _OBJECT_STEP)  # number per PSF sample, along each axis
         object_step = self.step / self._object_samples
         variance = _ALIAS / (2.0 * (math.pi * (1.0 / object_step - 1.0)) ** 2)
         self._width = math.sqrt(variance)
@@ -154,7 +154,7 @@ class TargetReadout:
         difference = float(angles[0] - angles[1])
         rho, sine = math.cos(difference), math.sin(difference)
         value = e * other_e + 4.0 * rho * g * other_g + 2.0 * rho**2 * g1 * other_g1
-        # An angle changes p or q, and rho by -sine d(difference).
+        # p and q depend on one angle each; rho depends on both: d(rho) = -sine d(difference).
         by_rho = -4.0 * sine * (g * other_g + rho * g1 * other_g1)
         by_first = 2.0 * g * dp * other_e - 4.0 * rho * g1 * dp * other_g + by_rho
         by_second = 2.0 * other_g * dq * e - 4.0 * rho * other_g1 * dq * g - by_rho
@@ -172,7 +172,7 @@ class TargetReadout:
         """Return the transfer function from the samples of a PSF to the image, followed by its derivatives.
 
         The derivatives are first, if `derivatives`, by the `squared_widths` (b,) of the blur, pixels^2, and then by
-        the `angles`.
+        the `angle_count`.
         """
         shape = self.blur
         gaussians = [
@@ -197,9 +197,9 @@ class TargetReadout:
 
         1. Images from each array in `samples`: PSFs (r, ...), and any derivatives of the PSFs. 2. If `derivatives`,
         derivatives of the first image by the `squared_widths` (r, b) of the blur, pixels^2. 3. Derivatives of the
-        first image by the `angles` (r, a).
+        first image by the `angle_count` (r, a).
         """
-        count = len(samples) + (self.blur.unknown if derivatives else 0) + self.target.angles
+        count = len(samples) + (self.blur.unknown if derivatives else 0) + self.target.angle_count
         images: list[Values] = [np.empty((len(squared_widths), *self._pixels), np.float32) for _ in range(count)]
 
         def read_one(k: int) -> None:

@@ -488,7 +488,7 @@ class SharpTables:
     """
 
     def __init__(self, model: FocalModel, taps: Taps, degree: int, foci: Sequence[Array] = ()) -> None:
-        self.model, self.taps = replace(model, folded=_SHARED_ALIASES * model.folded), taps
+        self.model, self.taps = replace(model, alias_power=_SHARED_ALIASES * model.alias_power), taps
         band = model.band
         self._terms = taps.chebyshev(band.fx, band.fy, degree)
         self._fit = _Fit(model, self._terms, _MEAN_POWER, 1e-12)
@@ -516,7 +516,7 @@ class SharpTables:
         # in focus contain them as well.
         cross = (target * model.texture)[:, None] * h
         if target is self.pixel:
-            cross = cross + model.folded[:, :-1]
+            cross = cross + model.alias_power[:, :-1]
         # Inverse of the covariance S h h^T + N by the Sherman-Morrison formula.
         weighted = cross / model.noise
         gain = model.texture * (h * weighted).sum(axis=1) / (1.0 + model.texture * model.signal())
@@ -531,7 +531,7 @@ class SharpTables:
         unresolved = target - np.einsum("cif,cif->cf", filters, model.transfer)
         power = model.texture * unresolved**2 + (filters**2 * model.noise).sum(axis=1)
         if target is self.pixel:
-            power += model.folded[:, -1] - 2.0 * (filters * model.folded[:, :-1]).sum(axis=1)
+            power += model.alias_power[:, -1] - 2.0 * (filters * model.alias_power[:, :-1]).sum(axis=1)
         return np.asarray(power @ model.band.share)
 
     def mixes(self, target: Array) -> Array:

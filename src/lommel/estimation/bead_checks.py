@@ -327,8 +327,8 @@ def moved_findings(moved: Sequence[dict[int, tuple[float, float]]], planes: int)
         return [Finding("moved", "doubt", "planes are shifted relative to each other: estimate drift", numbers)]
     moves.sort(reverse=True)
     examples = ", ".join(f"plane {plane} of bead {j} by {shift:.2g} pixels" for shift, plane, j in moves[:3])
-    others = f" and {len(moves) - 3} more" if len(moves) > 3 else ""
-    return [Finding("moved", "note", f"moved: {examples}{others}", numbers)]
+    suffix = f" and {len(moves) - 3} more" if len(moves) > 3 else ""
+    return [Finding("moved", "note", f"moved: {examples}{suffix}", numbers)]
 
 
 def model_error(model: BeadModel, state: State) -> float:

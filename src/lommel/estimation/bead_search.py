@@ -306,10 +306,10 @@ def _camera_derivative(name: str, mean: Array) -> Array:
 
 def climb(model: BeadModel, start: State, max_steps: int, report: Report = lambda *_: None) -> Evaluated:
     """Return the end of at most `max_steps` damped steps, from a start until convergence."""
-    begin = model.evaluated(start)
-    end = fisher_scoring(model, begin, begin.scores, max_steps, report, _POLICY)
-    best: Evaluated = end.x
-    return replace(best, settled=bool(end.settled[0]), steps=end.steps)
+    start_evaluated = model.evaluated(start)
+    ascent = fisher_scoring(model, start_evaluated, start_evaluated.scores, max_steps, report, _POLICY)
+    evaluated: Evaluated = ascent.x
+    return replace(evaluated, settled=bool(ascent.settled[0]), steps=ascent.steps)
 
 
 @dataclass(eq=False)

@@ -568,13 +568,13 @@ def _shape(
     """Return the initial shape of a blur of unknown width, or the known blurs."""
     if blur is True:
         return Shape.turbulent() if target is None else Shape.gaussian()
-    known = blurs(None if blur is False else blur)
-    require_unit(known, pupil)
-    if not all(each.isotropic for each in known) or sum(isinstance(each, Seeing) for each in known) > 1:
+    known_blurs = blurs(None if blur is False else blur)
+    require_unit(known_blurs, pupil)
+    if not all(b.isotropic for b in known_blurs) or sum(isinstance(b, Seeing) for b in known_blurs) > 1:
         raise ValueError(f"blur must be isotropic, with at most one Seeing, got {validation.shown(blur)}")
-    if any(max(each.lengths, default=0.0) > 0.25 * side * pitch for each in known):
+    if any(max(b.lengths, default=0.0) > 0.25 * side * pitch for b in known_blurs):
         raise ValueError(f"blur must be narrower than a quarter of a window's side, got {validation.shown(blur)}")
-    return known
+    return known_blurs
 
 
 def _run(search: Search, has_start: bool) -> Outcome:
@@ -794,8 +794,8 @@ def _rejected_finding(noun: str, places: Array) -> list[Finding]:
         return []
     causes = {"star": "doubles, defects", "crossing": "defects, print, curved lines"}.get(noun, "defects")
     positions = ", ".join(f"row {row:.0f} column {column:.0f}" for row, column in places[:_MAX_LISTED])
-    others = f" and {len(places) - _MAX_LISTED} more" if len(places) > _MAX_LISTED else ""
-    text = f"{len(places)} {noun}{'s' * (len(places) > 1)} rejected ({causes}) at {positions}{others}"
+    suffix = f" and {len(places) - _MAX_LISTED} more" if len(places) > _MAX_LISTED else ""
+    text = f"{len(places)} {noun}{'s' * (len(places) > 1)} rejected ({causes}) at {positions}{suffix}"
     return [Finding("rejected", "note", text, {"rejected": len(places)})]
 
 

@@ -233,9 +233,9 @@ class Search:
 
     def _random_start(self, model: SingleStars, *, scatter: bool) -> Array:
         stars = self.stars
-        names = stars.first_star.unknowns.terms
-        deviations = np.full(len(names), _SCATTER[1])
-        deviations[: min(3, len(names))] = _SCATTER[0]
+        terms = stars.first_star.unknowns.terms
+        deviations = np.full(len(terms), _SCATTER[1])
+        deviations[: min(3, len(terms))] = _SCATTER[0]
         waves = stars.start[model.chosen].copy()
         if scatter:
             waves += self.draw.normal(size=waves.shape) * deviations
@@ -389,20 +389,22 @@ class Search:
         """Fit all stars except outliers, from a fit of some stars; return the fit and the indices of outliers."""
         every = np.arange(self.stars.count)
         polynomials, squared_widths = fit.polynomials(), fit.squared_widths()
-        others = np.setdiff1d(every, fit.model.chosen)
+        other_stars = np.setdiff1d(every, fit.model.chosen)
         outlier_mask = np.zeros(len(every), dtype=bool)
         wider_fit: Solution | None = None
-        if len(others):
+        if len(other_stars):
             nuisance = np.empty((len(every), self.stars.parameters_per_image, self.stars.exposures))
             nuisance[fit.model.chosen] = fit.nuisance()
-            nuisance[others] = self.fit_nuisance(others, polynomials, squared_widths)
+            nuisance[other_stars] = self.fit_nuisance(other_stars, polynomials, squared_widths)
             field = self.model(every, held=True)
             outlier_mask = outliers(field.star_quality(field.row(polynomials, squared_widths, nuisance), fast=True))
             if outlier_mask.mean() > _MAX_REJECTED or (~outlier_mask).sum() <= field.basis.shape[1]:
                 outlier_mask[:] = False
-            used = every[~outlier_mask]
-            if not np.array_equal(used, fit.model.chosen):
-                wider_fit = self.refine(used, polynomials, squared_widths, 10, (0.7, 0.15), nuisance[used])
+            used_stars = every[~outlier_mask]
+            if not np.array_equal(used_stars, fit.model.chosen):
+                wider_fit = self.refine(
+                    used_stars, polynomials, squared_widths, 10, (0.7, 0.15), nuisance[used_stars]
+                )
         fit = self.readmit_stars(self.lowest_minimum(self.reject_outliers(wider_fit or fit, (0.85, 0.02))))
         nuisance, chosen = fit.nuisance(), fit.model.chosen
         # Windows are centred on the light, which aberrations displace: correct the positions of stars.
@@ -477,16 +479,18 @@ class Search:
         start = fit.polynomials() if polynomials is None else polynomials
         return self.refine(fit.model.chosen, start, fit.squared_widths(), max_steps, (0.87, 0.0), fit.nuisance())
 
-    def _rival(self, best: Solution, other: Solution) -> Rival | None:
-        """Return a Rival if the fit `other` is nearly as likely as `best` but distant from it; None otherwise."""
-        cost = float(other.scores.deviance[0] - best.scores.deviance[0])
-        first_star, k = self.stars.first_star, best.model.wave_count * best.model.basis.shape[1]
-        errors = np.sqrt(np.diag(best.model.covariance(best.scores))[:k]).reshape(best.model.wave_count, -1)
-        ends = [other.polynomials()]
-        # The twin (all even parts negated) has the same images: use the smaller distance of `other` and its twin.
+    def _rival(self, best_fit: Solution, other_fit: Solution) -> Rival | None:
+        """Return a Rival if `other_fit` is nearly as likely as `best_fit` but distant from it; None otherwise."""
+        cost = float(other_fit.scores.deviance[0] - best_fit.scores.deviance[0])
+        first_star, k = self.stars.first_star, best_fit.model.wave_count * best_fit.model.basis.shape[1]
+        errors = np.sqrt(np.diag(best_fit.model.covariance(best_fit.scores))[:k]).reshape(
+            best_fit.model.wave_count, -1
+        )
+        ends = [other_fit.polynomials()]
+        # The twin (all even parts negated) has the same images: use the smaller distance of `other_fit` and its twin.
         if first_star.sign_ambiguous:
             ends.append(self.twin(ends[0])[0])
-        sigmas = min(float((np.abs(end - best.polynomials()) / errors).max()) for end in ends)
+        sigmas = min(float((np.abs(end - best_fit.polynomials()) / errors).max()) for end in ends)
         return Rival(cost, sigmas) if cost < _MAX_RIVAL_COST and sigmas > _MIN_RIVAL_DISTANCE else None
 
     def twin(self, polynomials: Array) -> tuple[Array, Array]:
@@ -641,8 +645,8 @@ class Search:
         if (~left_out).sum() <= fit.model.basis.shape[1] or not left_out.any():
             return math.nan, math.nan
         nuisance = fit.nuisance()
-        used, start = ~left_out, (fit.polynomials(), fit.squared_widths())
-        refit = self.refine(chosen[used], *start, 6, (0.95, 0.03), nuisance[used])
+        is_used, start = ~left_out, (fit.polynomials(), fit.squared_widths())
+        refit = self.refine(chosen[is_used], *start, 6, (0.95, 0.03), nuisance[is_used])
         if refit is None:
             return math.nan, math.nan
         model = self.model(chosen[left_out], held=True)

@@ -377,26 +377,26 @@ def _search(
     best_x, best_settled, ends = centroid_starts[:1], False, centroid_starts[:0]
     tried_starts, step_count = 0, 0
     while tried_starts < starts:
-        at_once = 1 if tried_starts == 0 or model.unknowns.pupil else min(_STACKED_STARTS, starts - tried_starts)
-        x = _random_starts(model, centroid_starts, draw, at_once, tried_starts)
+        stack_size = 1 if tried_starts == 0 or model.unknowns.pupil else min(_STACKED_STARTS, starts - tried_starts)
+        x = _random_starts(model, centroid_starts, draw, stack_size, tried_starts)
 
-        def report(step: int, chi2: float, before: int = tried_starts, at_once: int = at_once) -> None:
+        def report(step: int, chi2: float, before: int = tried_starts, stack_size: int = stack_size) -> None:
             if progress is not None:
-                progress((before + at_once * step / (steps + 1)) / starts, chi2)
+                progress((before + stack_size * step / (steps + 1)) / starts, chi2)
 
         try:
             x, scores, settled, steps_taken = search_rows(model, x, steps, report, fast=True)
         except (Declined, ToleranceError):  # a random start that is too strong to be computed
             if tried_starts == 0:
                 raise
-            tried_starts += at_once
+            tried_starts += stack_size
             continue
         # A start that has not settled is preferred only if its chi2 is less than half of the chi2 of settled starts.
         k = int(np.argmin(np.where(settled, scores.chi2, 2.0 * scores.chi2)))
         if best_scores is None or scores.chi2[k] < best_scores.chi2[0]:
             best_scores, best_x = Scores(*(part[[k]] for part in scores)), model.nearest(x[[k]])
             best_settled = bool(settled[k])
-        tried_starts, step_count = tried_starts + at_once, step_count + steps_taken
+        tried_starts, step_count = tried_starts + stack_size, step_count + steps_taken
         if settled[k] and scores.chi2[k] < largest_plausible_chi2(scores.spread[k], SURE):
             break
         # Noise alone may cause a chi2 above the limit: the fit is accepted if starts agree within standard errors.
@@ -407,8 +407,8 @@ def _search(
         plausible = best_scores.chi2[0] < largest_plausible_chi2(best_scores.spread[0])
         if best_settled and plausible and agreeing.sum() >= _AGREEING:
             break
-    most = steps if best_settled else 0
-    best_x, best_scores, settled, last_steps = search_rows(model, best_x, most, lambda *_: None, fast=False)
+    max_steps = steps if best_settled else 0
+    best_x, best_scores, settled, last_steps = search_rows(model, best_x, max_steps, lambda *_: None, fast=False)
     return best_x, best_scores, best_settled and bool(settled[0]), (step_count + last_steps, tried_starts)
 
 

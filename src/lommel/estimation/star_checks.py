@@ -249,25 +249,27 @@ def _of_each_exposure(exposures: int, *images: Array) -> tuple[Array, ...]:
     return tuple(image * (exposure == i)[:, None, None] for i in range(exposures) for image in images)
 
 
-def candidates_of(effects: Sequence[MissingEffect], first: int) -> list[Candidate]:
-    """Return score-test candidates for effects, whose coefficients have consecutive columns from `first` on."""
+def candidates_of(effects: Sequence[MissingEffect], first_column: int) -> list[Candidate]:
+    """Return candidates of score tests for effects, whose coefficients have the columns from `first_column` on."""
     candidates = []
     for effect in effects:
-        candidates.append(Candidate(effect.name, tuple(range(first, first + len(effect.images))), effect.scale))
-        first += len(effect.images)
+        candidates.append(
+            Candidate(effect.name, tuple(range(first_column, first_column + len(effect.images))), effect.scale)
+        )
+        first_column += len(effect.images)
     return candidates
 
 
 def to_marginalize(
-    candidates: Sequence[Candidate], tests: Sequence[ScoreTest], others: Sequence[str] = ()
+    candidates: Sequence[Candidate], tests: Sequence[ScoreTest], kept_names: Sequence[str] = ()
 ) -> list[Candidate]:
     """Return the candidates to marginalize, with the prior standard deviations to use.
 
-    Candidates that the data favour (Bayes factor above 1), candidates named in `others`, illumination and background
+    Candidates that the data favour (Bayes factor above 1), candidates in `kept_names`, illumination and background
     gradients keep their prior standard deviation. For other constants, ripples and deferred charge it is reduced. All
     other candidates are left out.
     """
-    factors = dict.fromkeys((*NUISANCES, *others), 1.0)
+    factors = dict.fromkeys((*NUISANCES, *kept_names), 1.0)
     factors |= (
         dict.fromkeys(_CONSTANTS, _CONSTANT_FACTOR)
         | dict.fromkeys((_ZONE_NAME, _RIPPLE_NAME), _RIPPLE_FACTOR)
@@ -335,12 +337,14 @@ def star_tests(model: StarImages, x: Array) -> tuple[tuple[ScoreTest, ...], Marg
     defoci = model.base[:, 0] - model.fixed[0]
     terms, ripples = next_terms(unknowns.edge, ()), ripple_terms(unknowns.edge)
     constants = constants_to_test(pupil, defoci, unknowns.pupil)
-    values, slopes = model.images(x)
-    _, extra_slopes = model.images(x, fast=True, names=(*terms, *constants, *ripples))
-    derivatives, first_ripple = [flux * slope.values for slope in extra_slopes], len(terms) + len(constants)
+    values, pixel_derivatives = model.images(x)
+    _, extra_derivatives = model.images(x, fast=True, names=(*terms, *constants, *ripples))
+    first_ripple = len(terms) + len(constants)
+    derivatives = [flux * derivative.values for derivative in extra_derivatives]
     effects = [*missing_terms(terms, constants, derivatives[:first_ripple], pupil, defoci)]
     effects += missing_ripples(ripples, derivatives[first_ripple:])
-    effects += missing_drifts(unknowns.edge, (flux * slope.values for slope in slopes), model.count)
+    term_derivatives = (flux * derivative.values for derivative in pixel_derivatives)
+    effects += missing_drifts(unknowns.edge, term_derivatives, model.count)
     changes, edge = changes_of(model.pupil), pupil.wavefront.edge_terms()
     if changes:
         phases = np.stack([np.broadcast_to(edge[term], model.count) for term in model.terms], axis=-1)
@@ -364,7 +368,9 @@ def star_tests(model: StarImages, x: Array) -> tuple[tuple[ScoreTest, ...], Marg
     mean = flux * values + image_parameters[-1][:, None, None]
     effects += [missing_gradients(model.count, grid.shape, model.count), missing_nonlinearity(mean)]
     # Products of all derivatives and the residuals: the information matrix, and in the last column the gradient.
-    _, products = model.products(x, values, slopes, [image for effect in effects for image in effect.images])
+    _, products = model.products(
+        x, values, pixel_derivatives, [image for effect in effects for image in effect.images]
+    )
     matrix = products[0]
     candidates, scores = candidates_of(effects, model.size), (matrix[:-1, :-1], matrix[:-1, -1], range(model.size))
     tests = score_tests(*scores, candidates)
@@ -388,9 +394,9 @@ def error_findings(model: StarImages, x: Array, inverse: Array) -> list[Finding]
     if not invalid:
         return []
     names = ", ".join(label(model.names[k]) for k in invalid[:3])
-    others = f" and {len(invalid) - 3} more" if len(invalid) > 3 else ""
+    suffix = f" and {len(invalid) - 3} more" if len(invalid) > 3 else ""
     text = (
-        f"the standard errors of {names}{others} are not to be trusted: within one standard deviation of the "
+        f"the standard errors of {names}{suffix} are not to be trusted: within one standard deviation of the "
         f"estimate they change by a factor of up to {factors[invalid[0]]:.3g}"
     )
     return [Finding("errors_change", "doubt", text, {label(model.names[k]): factors[k] for k in invalid})]

@@ -577,7 +577,7 @@ def _build_bead_fit(search: Search, recorded: list[Counts], noise: Noise, notes:
         variance = (expected_images + read).reshape(windows.shape)
         findings += goodness_of_fit.stripe_findings(windows, variance, noise.excess)
         reversed_findings: list[Finding] = []
-        # The check for reversed planes requires another search: it is run only if something is wrong.
+        # The check for reversed planes requires another search: it is run only if a test or chi2 indicates an error.
         if missing_findings or not Findings(findings).converged:
             best_posterior = fit.log_posterior if refit_posterior is None else max(refit_posterior, fit.log_posterior)
             start = State(search.setup, search.waves, state.places)

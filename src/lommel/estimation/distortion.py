@@ -22,7 +22,7 @@ from lommel.fit.findings import Finding, Findings, FitReport
 
 POSES = ("free", "known")
 _MAX_RELATIVE_RMS = 0.2  # largest (rms distortion) / (rms distance of places from their mean)
-_TURNS = 4  # number of alternating fits of polynomials and pose
+_POSE_FITS = 4  # number of alternating fits of polynomials and pose
 _HALVINGS = 40  # bisection steps for the scatter
 # A place is rejected if its distance from the polynomials exceeds _OUTLIER times the standard deviation of distances,
 # which is at least _MIN_DEVIATION pixels.
@@ -194,7 +194,7 @@ def fit_distortion(
     transform = _similarity(chart, first_places) if pose == "free" else np.eye(2, 3)
     m = (degree + 1) * (degree + 2) // 2
     pose_basis = _pose_basis(m, sensor.shape) if pose == "free" else np.zeros((0, 2 * m))
-    for turn in range(_TURNS):
+    for iteration in range(_POSE_FITS):
         ideal_places = _transformed(transform, chart)
         basis = monomials(*sensor.relative(*sensor.positions(ideal_places)), degree)
         polynomials, distance = robust(basis, first_places - ideal_places, np.ones(len(indices)), np.eye(2))
@@ -204,7 +204,7 @@ def fit_distortion(
         if inliers.mean() < 1.0 - _MAX_OUTLIERS:
             inliers[:] = True
             polynomials = np.asarray(np.linalg.lstsq(basis, first_places - ideal_places, rcond=None)[0].T, np.float64)
-        if pose == "known" or turn == _TURNS - 1:
+        if pose == "known" or iteration == _POSE_FITS - 1:
             break
         # The shift, rotation and magnification in the polynomials are moved to the pose.
         pose_part = (pose_basis.T @ (pose_basis @ polynomials.ravel())).reshape(2, m)

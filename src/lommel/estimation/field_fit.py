@@ -856,7 +856,7 @@ def _too_dim_findings(first_star: StarImages, fit: Solution, covariance: Array, 
     blocks = covariance.reshape(k, m, k, m)
     metric = (first_star.directions * first_star.mean_squares) @ first_star.directions.T
     rms = math.sqrt(float(np.einsum("ni,kilj,nj,kl->n", basis, blocks, basis, metric, optimize=True).mean()))
-    # In one focus, each of the m polynomials has another minimum nearby: the limit decreases with m.
+    # If all exposures have one focus, each of the m polynomials has another minimum nearby.
     limit = MAX_LINEAR_ERROR / math.sqrt(m) if one_focus else MAX_LINEAR_ERROR
     if rms <= limit:
         return []

@@ -638,7 +638,7 @@ class Search:
     def held_out(self, fit: Solution) -> tuple[float, float]:
         """Return chi2 of a fifth of the stars with wavefronts predicted by the others, and its standard deviation."""
         chosen = fit.model.chosen
-        # Every fifth star in the order along an oblique direction: a reproducible choice all over the field.
+        # Hold out every fifth star along an oblique direction: a reproducible choice all over the field.
         order = np.argsort(self.places[chosen] @ [1.0, 0.318], kind="stable")
         left_out = np.zeros(len(chosen), dtype=bool)
         left_out[order[2::5]] = True

@@ -103,7 +103,7 @@ def test_a_stack_of_different_apertures_is_a_pupil_of_psf_too():
     assert again.pupil == stack.pupil
     assert again.error_bound == max(lm.psf(one, 9, 2e-6).error_bound for one in stack.pupil.pupils)
     assert again.scale.shape == (2, 2)
-    with pytest.raises(ValueError, match="derivatives need pupils with one aperture"):
+    with pytest.raises(ValueError, match="derivatives need pupils of one aperture"):
         lm.psf(stack.pupil, 9, 2e-6, derivatives=["defocus"])
     with pytest.raises(ValueError, match="center must be one"):
         lm.psf(stack.pupil, 9, 2e-6, center=([4.0, 5.0], [4.0, 5.0]))

@@ -330,7 +330,7 @@ def test_the_non_uniform_fft_has_a_bound_and_refuses_what_double_precision_does_
         ),
         (
             lambda: lm.psf(Pupil(), 4096, 1.0, integrate=True, method=MatrixFourier(8192)),
-            "more than the limit of 134217728",
+            "exceeds the limit of 134217728",
         ),
     ],
 )

@@ -125,8 +125,11 @@ def test_an_uneven_background_is_found_beside_beads():
     stack = record(beads(0.0) + rising)
     flat = lm.microscopy.deconvolve(stack, PSF, NOISE)
     doubt = flat.findings.get("uneven_background")
-    assert doubt.severity == "doubt" and doubt.numbers["share"] > 0.07 and 'background="uneven"' in doubt.text
-    assert not flat.reliable and lm.microscopy.deconvolve(record(beads(20.0)), PSF, NOISE).reliable
+    assert doubt.severity == "doubt"
+    assert doubt.numbers["share"] > 0.07
+    assert 'background="uneven"' in doubt.text
+    assert not flat.reliable
+    assert lm.microscopy.deconvolve(record(beads(20.0)), PSF, NOISE).reliable
     assert lm.microscopy.deconvolve(stack, PSF, NOISE, background=0.0).findings.get("uneven_background") is None
     found = lm.microscopy.deconvolve(stack, PSF, NOISE, background="uneven")
     assert found.findings.get("uneven_background") is None

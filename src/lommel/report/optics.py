@@ -368,7 +368,12 @@ def _focus_parts(facts: Facts) -> Parts:
         for row in facts["focus"]
     ]
     names += ["peak", "peak /\nat 0 um", "collected\nlight"]
-    table = table_of(names, rows, left_column=-1, title="Focus of a freely rotating dipole")
+    table = table_of(
+        names,
+        rows,
+        left_column=-1,
+        title="Focus of a freely rotating dipole" + ", with the aberrations" * bool(facts["zernike"]),
+    )
     for column in table.columns:
         column.overflow = "fold"  # other settings cut off digits
     note = (

@@ -68,7 +68,8 @@ def test_the_json_is_what_python_says(folder, call_lommel):
 
 
 def test_the_foci_of_an_aberrated_objective_are_its_own(folder, call_lommel):
-    table = '\n[aberrations.zernike]\norder = "noll"\nunit = "waves"\nnormalization = "rms"\nterms = { 5 = 0.05, 11 = -0.03 }\n'
+    terms = "terms = { 5 = 0.05, 11 = -0.03 }"
+    table = f'\n[aberrations.zernike]\norder = "noll"\nunit = "waves"\nnormalization = "rms"\n{terms}\n'
     text = EXAMPLE.read_text(encoding="utf-8")
     (folder / "ideal.toml").write_text(text)
     (folder / "aberrated.toml").write_text(text + table)
@@ -77,9 +78,9 @@ def test_the_foci_of_an_aberrated_objective_are_its_own(folder, call_lommel):
         for name in ("ideal.toml", "aberrated.toml")
     ]
     for ideal, aberrated in list(zip(*made, strict=True))[:2]:
-        # The Strehl ratio of Marechal; spherical aberration shifts the focus, and does little else so near the glass.
+        # The Strehl ratio of Marechal is 0.87 for light that is even over the pupil; here its edge is brighter.
         least = math.exp(-((2.0 * math.pi) ** 2) * (0.05**2 + 0.03**2))
-        assert 0.98 * least < aberrated["peak"] / ideal["peak"] < 0.96
+        assert 0.9 * least < aberrated["peak"] / ideal["peak"] < least
         assert aberrated["lateral_fwhm"] > 1.005 * ideal["lateral_fwhm"]
     assert "with the aberrations" in call_lommel("info", "aberrated.toml", folder=folder).stdout
 

@@ -80,7 +80,7 @@ def test_a_mask_leaves_pixels_out(call_lommel, folder):
     for name, values in (("photo", photo), ("mask", out)):
         Image.fromarray(values).save(folder / f"{name}.png")
     arguments = ("restore", "photo.png", "depth.npy", "lens.toml", *GIVEN, "--steps", 8, "--json", "-o", "sharp.tif")
-    facts = json.loads(ran(call_lommel(*arguments, "--mask", "mask.png", folder=folder)))
+    facts = json.loads(ran(call_lommel(*arguments, "--mask", "mask.png", folder=folder), 4))
     assert facts["unknown"] == pytest.approx(9 / DEPTH.size)
     hidden = np.broadcast_to(out[..., None] != 0, photo.shape)
     ways = {"encoding": "srgb", "noise": NOISE, "method": RichardsonLucy(steps=8)}
@@ -112,10 +112,10 @@ def test_a_focus_that_is_wrong_is_told(call_lommel, folder):
 
 def test_steps_target_and_strength_are_those_of_the_method(call_lommel, folder):
     arguments = ("restore", "photo.tif", "depth.npy", "lens.toml", *GIVEN, "--json", "-o", "sharp.tif")
-    facts = json.loads(ran(call_lommel(*arguments, "--steps", 3, "--target", 0, folder=folder)))
+    facts = json.loads(ran(call_lommel(*arguments, "--steps", 3, "--target", 0, folder=folder), 4))
     assert (facts["steps"], facts["stopped"]) == (3, "steps")
     more = ("--method", "total-variation", "--strength", "0.01", "--steps", 20, "--no-occlusion")
-    facts = json.loads(ran(call_lommel(*arguments, *more, "--saturation", 0.5, folder=folder)))
+    facts = json.loads(ran(call_lommel(*arguments, *more, "--saturation", 0.5, folder=folder), 4))
     assert (facts["steps"], facts["strength"]) == (20, 0.01)
     photo = tifffile.imread(folder / "photo.tif")
     assert facts["unknown"] == pytest.approx(np.mean(photo >= 0.5))

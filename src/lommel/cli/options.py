@@ -247,7 +247,8 @@ def command(
     and then `params`.
 
     Errors that a user can cause are printed in one line, with exit code 2; errors of the program have exit code 1. A
-    fit that did not converge, or a data set without some of its pictures, has exit code 3. With the environment
+    fit that did not converge, or a data set without some of its pictures, has exit code 3, and a fit that converged,
+    but is in doubt, exit code 4. With the environment
     variable LOMMEL_TRACEBACK set, Python's traceback is shown instead.
     """
 
@@ -303,14 +304,14 @@ def _help_of(function: Callable[..., object]) -> str:
 
 
 def _print(report: Report | None, notes: list[str], *, as_json: bool) -> None:
-    """Print a report with the notes of the library; exit with code 3 if its result did not converge."""
+    """Print a report with the notes of the library; exit with its code unless it is 0."""
     if report is not None:
         if notes:
             report += Report({"notes": [*report.facts.get("notes", []), *notes]}, _note_lines("note", notes))
         report.print(as_json=as_json)
     sys.stdout.flush()  # now, where a failure can still be reported
-    if report is not None and not report.succeeded:
-        sys.exit(3)
+    if report is not None and report.exit_code:
+        sys.exit(report.exit_code)
 
 
 def _report_error(error: Exception, notes: list[str]) -> int:

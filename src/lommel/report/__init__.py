@@ -31,8 +31,8 @@ Facts: TypeAlias = Json
 class Report:
     """Result of a command: facts, which ``--json`` prints, and lines and tables with the same content.
 
-    `succeeded` is False if the result is unreliable or incomplete, such as a fit that did not converge or a data set
-    without some of its pictures. The exit code of the command is then 3.
+    `succeeded` is False if the result is wrong or incomplete, such as a fit that did not converge or a data set
+    without some of its pictures.
     """
 
     facts: Facts
@@ -42,6 +42,13 @@ class Report:
     def __add__(self, other: Report) -> Report:
         succeeded = self.succeeded and other.succeeded
         return Report(self.facts | other.facts, [*self.parts, *other.parts], succeeded)
+
+    @property
+    def exit_code(self) -> int:
+        """Exit code of the command: 3 if it did not succeed, 4 if its facts state that the result is not reliable."""
+        if not self.succeeded:
+            return 3
+        return 4 if self.facts.get("reliable") is False else 0
 
     def print(self, *, as_json: bool = False) -> None:
         """Print the facts as JSON, or the parts, on standard output."""

@@ -580,7 +580,7 @@ DEPTHS = (0.0, 1e-6, 5e-6, 20e-6, 50e-6)
 """Depths at which foci are reported in addition to the depth of the file, metres."""
 
 _OBJECTIVE_ATTRIBUTES = ("NA", "magnification", "working_distance", "immersion")
-_FOCUS_ATTRIBUTES = ("paraxial", "brightest", "axial_fwhm", "lateral_fwhm", "peak")
+_FOCUS_ATTRIBUTES = ("paraxial", "brightest", "ratio", "axial_fwhm", "lateral_fwhm", "peak")
 
 
 def microscope_quality(microscope: Microscope, *, foci: bool = True) -> Json:
@@ -640,9 +640,9 @@ def _foci(microscope: Microscope) -> tuple[list[dict[str, float | None]], list[s
         except ValueError as reason:
             reasons[f"{1e6 * depth:.4g} um deep: {reason}"] = None
             continue
-        travel = focus["brightest"] - surface["brightest"]
-        row: dict[str, float | None] = {"depth": depth, "ratio": depth / travel if depth > 0.0 else None}
-        row |= focus
+        row: dict[str, float | None] = {"depth": depth, **focus}
+        if depth == 0.0:
+            row["ratio"] = None
         row["peak_of_surface"] = focus["peak"] / surface["peak"]
         row["collected"] = float(objective.collected(depth, wavelength=wavelength))
         rows.append(row)

@@ -69,6 +69,16 @@ def test_terms_of_the_amplitude_are_part_of_the_file_and_of_what_other_commands_
     assert rim == pytest.approx(made.objective.apodization.value(1.0))
 
 
+def test_the_step_is_that_of_the_file_unless_it_is_stated(folder):
+    planes = tifffile.imread("bead.tif")
+    tifffile.imwrite("imagej.tif", planes, imagej=True, metadata={"axes": "ZYX", "spacing": 0.2, "unit": "um"})
+    stated = run("bead.tif", *ASKED, "--fixed", "--json")
+    found = run("imagej.tif", "objective.toml", *ASKED[3:], "--fixed", "--json")
+    facts, other = json.loads(found.stdout), json.loads(stated.stdout)
+    assert facts["coefficients"] == pytest.approx(other["coefficients"], rel=1e-9)
+    assert any("step of 200 nm between planes is that of the files" in note for note in facts["notes"])
+
+
 def test_a_result_that_does_not_fit_has_exit_code_3(folder):
     found = run("bead.tif", "objective.toml", "--step", "-200nm", *ASKED[3:], "--fixed")
     assert found.exit_code == 3
@@ -80,6 +90,7 @@ def test_a_result_that_does_not_fit_has_exit_code_3(folder):
     [
         (("bead.tif", *ASKED, "-o", "x.csv"), "--output must end in .toml"),
         (("bead.tif", "objective.toml", "--step", "200nm"), "--read is missing"),
+        (("bead.tif", "objective.toml", *ASKED[3:]), "--step is missing: the files do not all state one step"),
         (("dark.tif", *ASKED), "standard deviations high: lower --threshold, or check --offset and --gain"),
     ],
 )

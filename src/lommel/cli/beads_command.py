@@ -46,9 +46,9 @@ class BeadModel(Group):
     """Options for the planes, the beads, and the estimated quantities."""
 
     # fmt: off
-    step: float = option(length="nm", required=True,
+    step: float | None = option(length="nm",
         help="Stage step between planes, such as 100nm, positive towards the sample; -100nm if planes were taken "
-        "the other way.")
+        "the other way. By default from the metadata of STACKS, positive.")
     diameter: float = option("--bead", length="um", default="0.1um",
         help="Diameter of the beads, such as 0.1um.")
     depth: float | None = option(length="um",
@@ -64,10 +64,10 @@ class BeadModel(Group):
         help="Emission wavelength of the beads; by default from LENS.")
     # fmt: on
 
-    def arguments(self, planes: int) -> Facts:
-        """Return the arguments of :func:`lommel.fit_beads`."""
+    def arguments(self, planes: int, step: float) -> Facts:
+        """Return the arguments of :func:`lommel.fit_beads`, for `planes` planes a `step` apart."""
         arguments = {name: getattr(self, name) for name in ("diameter", "depth", "terms", "apodization", "drift")}
-        z = (np.arange(planes) - planes // 2) * self.step
+        z = (np.arange(planes) - planes // 2) * step
         return arguments | {"z": z, "priors": {} if self.fixed else None}
 
 
@@ -106,9 +106,14 @@ def beads(
     camera.require()
     with progress("reading") as status:
         read = list(read_each(stacks))
-        noise, saturation, header = camera.resolve(
-            combined_metadata([stack.metadata for stack in read]), microscope.camera
-        )
+        metadata = combined_metadata([stack.metadata for stack in read])
+        noise, saturation, header = camera.resolve(metadata, microscope.camera)
+        steps = {stack.metadata.get("step") for stack in read} if model.step is None else {model.step}
+        step = steps.pop() if len(steps) == 1 else None
+        if step is None:
+            raise ValueError("--step is missing: the files do not all state one step between their planes")
+        if model.step is None:
+            notes.append(f"The step of {format_length(step)} between planes is that of the files.")
         recorded, camera_text = camera.recorded(lens, microscope.camera, noise)
         notes += [f"Camera: {camera_text}.", *header]
         windows: list[_Bead] = []
@@ -126,7 +131,7 @@ def beads(
         result = fit_beads(
             [window.window for window in windows[:_MAX_BEADS]],
             **optics,
-            **model.arguments(len(windows[0].window)),
+            **model.arguments(len(windows[0].window), step),
             noise=noise,
             saturation=saturation,
             integrate=microscope.integrate is not False,

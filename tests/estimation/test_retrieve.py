@@ -355,7 +355,7 @@ def test_a_spot_tells_its_f_number_and_place_too():
     assert found.pupil.f_number == found.coefficients["f_number"]
     assert found.wavefront.defocus == pytest.approx(found.coefficients["defocus"])
     values, errors = found.in_unit("nm")
-    assert values["defocus"] == pytest.approx(found.coefficients["defocus"] * 550 / (2 * np.pi))
+    assert values["defocus"] == pytest.approx(found.coefficients["defocus"] * 550 / np.pi)  # W020
     assert errors["spherical"] == pytest.approx(found.errors["spherical"] * 550 / (2 * np.pi))
     assert set(values) == {"defocus", "spherical"}
 

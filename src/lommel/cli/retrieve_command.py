@@ -56,7 +56,8 @@ def retrieve(
     output: Path | None = option("-o", "--output", type=OUTPUT,
         help="Wavefront as Zernike coefficients in Noll's order: .json, .toml or .csv."),
     figure: Path | None = plot_option("Figure of images, model, residuals and terms"),
-    unit: str = option(type=click.Choice(_UNITS), default="radians", help="Unit of the printed coefficients."),
+    unit: str = option(type=click.Choice(_UNITS), default="radians",
+        help="Unit of the printed coefficients. Defocus is C_d in radians, W020 in other units.")
     camera: StarCamera = StarCamera(),
     search: Search = Search(),
 ) -> Report:  # fmt: skip
@@ -121,7 +122,10 @@ def _parts(result: Retrieval, unit: str, files: list[str]) -> Parts:
     """Return the tables of a retrieved wavefront in a unit, with standard errors, and the verdict."""
     unit_symbol = {"radians": "rad"}.get(unit, unit)
     values, errors = result.in_unit(unit)
-    rows = [(label(name), *with_error(value, errors[name])) for name, value in values.items()]
+    seidel: dict[object, str] = (
+        {} if unit == "radians" else {"defocus": "defocus W020", "spherical": "spherical W040"}
+    )
+    rows = [(seidel.get(name, label(name)), *with_error(value, errors[name])) for name, value in values.items()]
     constants = {name: value for name, value in result.coefficients.items() if name not in values}
     rows += [
         (f"{n} {result.units[n]}".rstrip(), *with_error(value, result.errors[n])) for n, value in constants.items()

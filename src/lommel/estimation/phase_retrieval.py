@@ -140,7 +140,8 @@ class Retrieval(FitReport):
         ----------
         unit : str
             "radians", "waves", "metres" or another length such as "nm". Lengths require the wavelength of the pupil.
-            Zernike terms are rms values, as in `coefficients`.
+            Zernike terms are rms values, as in `coefficients`. "defocus" is C_d in radians; in other units it is
+            W020, the path difference 2 C_d between centre and edge, as "spherical" is W040.
 
         Returns
         -------
@@ -154,8 +155,9 @@ class Retrieval(FitReport):
         length = validation.choice("unit", unit, zernike_tables.UNITS) in LENGTHS
         factor = radians_per("metres" if length else unit, self.pupil.wavelength) * LENGTHS.get(unit, 1.0)
         terms = [name for name in self.coefficients if name not in _UNITS]
-        errors = {name: self.errors[name] / factor for name in terms}
-        return {name: self.coefficients[name] / factor for name in terms}, errors
+        factors = {name: 2.0 / factor if name == "defocus" and unit != "radians" else 1.0 / factor for name in terms}
+        errors = {name: self.errors[name] * factors[name] for name in terms}
+        return {name: self.coefficients[name] * factors[name] for name in terms}, errors
 
     def save(self, path: str | PathLike[str]) -> None:
         """Write the wavefront as a table of Noll's terms, waves rms, with standard errors of the estimated terms.

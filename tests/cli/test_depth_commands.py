@@ -34,6 +34,19 @@ def folder(tmp_path):
     return tmp_path
 
 
+def test_the_sharp_image_of_linear_integers_is_linear(folder, call_lommel):
+    for name in ("near", "far"):
+        light = tifffile.imread(folder / f"{name}.tif")
+        tifffile.imwrite(folder / f"{name}.tif", np.clip(65535.0 * light, 0, 65535).round().astype(np.uint16))
+    call_lommel(
+        "depth", "near.tif", "far.tif", "lens.toml", *FOCI, *CAMERA, "--encoding", "linear", "--sharp", "sharp.tif",
+        "-o", "depth.tif", folder=folder,
+    )  # fmt: skip
+    sharp, near = (tifffile.imread(folder / f"{name}.tif") for name in ("sharp", "near"))
+    assert sharp.dtype == np.uint16
+    assert sharp.mean() == pytest.approx(near.mean(), rel=0.02)
+
+
 def test_depth_deviation_sharp_image_and_picture_are_written_and_told(folder, call_lommel):
     result = call_lommel(
         "depth", "near.tif", "far.tif", "lens.toml", *FOCI, *CAMERA, "-o", "depth.tif", "-o", "error.npy",

@@ -360,6 +360,16 @@ def test_a_spot_tells_its_f_number_and_place_too():
     assert set(values) == {"defocus", "spherical"}
 
 
+def test_the_wavefront_is_that_of_the_fit_where_the_images_do_not_determine_a_term():
+    """In focus, the derivative by defocus vanishes."""
+    coma = lm.Wavefront.zernike({8: 0.666}, order="noll")
+    star = stars(coma, defocus=0.0)
+    found = lm.retrieve(star, lm.Pupil(), terms=("noll 8", "noll 7", "noll 4"), **ASKED)
+    model = lm.psf(found.pupil, 33, 0.5, center=tuple(found.center[0])).values * found.flux[0] + found.background[0]
+    assert np.mean((star - model) ** 2 / (model + 4.0)) < 2.0
+    assert abs(found.coefficients["noll 4"]) < 1.0
+
+
 def test_terms_of_the_pupil_that_are_not_solved_for_stay():
     found = lm.retrieve(stars(TRUE), lm.Pupil(TRUE + lm.Wavefront(0.2)), terms=("defocus",), defocus=DEFOCUS, **ASKED)
     assert found.converged

@@ -128,7 +128,7 @@ def depth(
     between: tuple[float, float] = BETWEEN,
     outputs: tuple[Path, ...] = option("-o", "--output", type=OUTPUT, multiple=True,
         help=f"Depth map in metres; given a second time, its standard error: {suffixes('depth map')}."),
-    sharp: Path | None = option(type=OUTPUT, help=f"All-in-focus image: {suffixes('photo')}."),
+    sharp: Path | None = option(type=OUTPUT, help=f"All-in-focus image, encoded as PHOTOS: {suffixes('photo')}."),
     figure: Path | None = plot_option("Figure of depth map, standard error and all-in-focus image"),
     photo_lens: PhotoLens = PhotoLens(),
     noise_options: RecordedNoise = RecordedNoise(),
@@ -207,12 +207,14 @@ def depth(
 
 
 def _write_sharp(path: Path, estimate: DefocusDepth) -> None:
-    """Write the all-in-focus image in the type of the photos if the format can store it, else in 8 bits."""
+    """Write the all-in-focus image in the type and encoding of the photos, or in 8 bits sRGB."""
     image = to_light("sharp", estimate.sharp, estimate.encoding, np.float32)
     suffix, kind = path.suffix.lower(), estimate.sharp.dtype
     floats = np.dtype(np.float32 if suffix in (".tif", ".tiff") else np.uint8)
-    dtype = kind if kind.kind == "u" and suffix != ".jpg" else floats
-    write_photo(path, image, encoding="linear" if dtype.kind == "f" else "srgb", dtype=dtype)
+    same_type = kind.kind == "u" and suffix not in (".jpg", ".jpeg")
+    dtype = kind if same_type else floats
+    encoding = estimate.encoding if same_type else "linear" if dtype.kind == "f" else "srgb"
+    write_photo(path, image, encoding=encoding, dtype=dtype)
 
 
 class FocusChoice(Group):

@@ -57,7 +57,7 @@ def retrieve(
         help="Wavefront as Zernike coefficients in Noll's order: .json, .toml or .csv."),
     figure: Path | None = plot_option("Figure of images, model, residuals and terms"),
     unit: str = option(type=click.Choice(_UNITS), default="radians",
-        help="Unit of the printed coefficients. Defocus is C_d in radians, W020 in other units.")
+        help="Unit of the printed coefficients. Defocus is C_d in radians, W020 in other units."),
     camera: StarCamera = StarCamera(),
     search: Search = Search(),
 ) -> Report:  # fmt: skip

@@ -44,6 +44,7 @@ _STACKED_STARTS = 2  # number of random starts that are computed in one stack
 # 3 rad rms, 500 to 1e5 electrons) in which three of 19 starts agreed, no other start ended at a lower minimum.
 _AGREEING = 3
 _MIN_SIGNIFICANCE = 5.0  # smallest (flux) / (standard error of the flux) of a visible star
+_MAX_SHIFT = 0.5  # largest correction of the phase, radians rms, for effects that are marginalized
 _DECIDED = 2.0  # smallest ratio of the twins' distances from the initial wavefront that decides the sign
 _NORMALIZED = 0.05  # images whose sums differ from 1 by less count as normalized
 _CAUSES = (
@@ -487,7 +488,10 @@ def _build_retrieval(
     unknowns, common_count, image_parameters = model.unknowns, model.common_count, model.per_image(x)[0]
     names, errors = model.names, np.sqrt(np.diag(inverse))
     tests, marginal, untested = star_tests(model, x)
-    corrected_x = model.within(x + np.pad(marginal.shift, (0, model.size - common_count)), x)
+    shift = np.pad(marginal.shift, (0, model.size - common_count))[None]
+    # The shift is linear in the parameters: it means nothing in a direction that the images do not determine.
+    is_linear = bool(model.rms(shift)[0] <= _MAX_SHIFT)
+    corrected_x = model.within(x + shift, x) if is_linear else x
     pupil_parameters: dict[str, Any] = model.pupil_parameters(corrected_x)
     per_pixel = model.tilt_of_pixel
     if "f_number" in pupil_parameters:  # the shift due to a tilt is proportional to the f-number

@@ -141,8 +141,8 @@ class Findings(tuple[Finding, ...]):
 
     @property
     def text(self) -> str:
-        """The texts of all findings, separated by semicolons."""
-        return "; ".join(finding.text for finding in self)
+        """The texts of all findings, separated by semicolons; what is not tested comes last."""
+        return "; ".join(finding.text for finding in sorted(self, key=lambda finding: finding.code == "untested"))
 
     def get(self, code: str) -> Finding | None:
         """Return the first finding with a code.

@@ -13,7 +13,7 @@ from scipy.optimize import brentq
 import lommel as lm
 from lommel.blur.blurs import FWHM, KOLMOGOROV
 from lommel.blur.convolution import Gate, Halo, between, ends, gained, readout, table
-from lommel.blur.mixtures import OUTER, Shape, turbulence
+from lommel.blur.mixtures import OUTER, BlurProfile, turbulence
 from lommel.blur.transfer_integral import FURTHER, Fading
 
 GATE = Gate.of(0.8, 1e-10)
@@ -104,7 +104,7 @@ def test_mixtures_are_within_their_error_of_the_transfer_function(outer, terms):
 
 def test_the_width_of_seeing_is_its_fwhm():
     pixel, air = 2e-6, lm.Seeing.from_fwhm(5e-6, 1.0, 600e-9)
-    shape = Shape.turbulent()
+    shape = BlurProfile.turbulent()
     variances = shape.variances(np.array([(5e-6 / pixel / 2.354820) ** 2, 0.09]))
     f = np.linspace(0.0, 2e5, 200)
     found = np.exp(-2.0 * np.multiply.outer((math.pi * pixel * f) ** 2, variances)) @ shape.weights
@@ -114,7 +114,7 @@ def test_the_width_of_seeing_is_its_fwhm():
 
 def test_known_blurs_are_multiplied():
     several = lm.Seeing(0.1, 2.0, 500e-9, 12.0), lm.Jitter(3e-6), lm.ChargeDiffusion(2e-6)
-    shape = Shape.known(several, 2e-6, 700e-9)
+    shape = BlurProfile.known(several, 2e-6, 700e-9)
     f = np.linspace(0.0, 2e5, 200)
     found = np.exp(-2.0 * np.multiply.outer((math.pi * 2e-6 * f) ** 2, shape.fixed)) @ shape.weights
     exact = np.prod([each.transfer(f, wavelength=700e-9) for each in several], axis=0)

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.blur.mixtures import Shape
+from lommel.blur.mixtures import BlurProfile
 from lommel.estimation import field_fit
 from lommel.estimation.field_checks import negated
 from lommel.estimation.sampled_pupil import FOLDS, SHIFT, SLANT
@@ -124,7 +124,7 @@ def test_the_answer_is_that_of_the_best_search_not_of_the_last(monkeypatch):
 
     def ended_with_another_blur(search, *rest):
         outcome = run(search, *rest)
-        search.stars = search.initial_stars.with_blur_shape(Shape.turbulent())
+        search.stars = search.initial_stars.with_blur_profile(BlurProfile.turbulent())
         return outcome
 
     monkeypatch.setattr(field_fit, "_run", ended_with_another_blur)
@@ -174,7 +174,7 @@ def test_sentences_name_sizes_with_errors_and_units():
 
 def test_derivatives_by_other_blurs_are_those_of_blurred_images():
     pixel, variance = 1.3, 0.5
-    reader = StarReadout((15, 13), pixel, 2.0, Shape.gaussian(), integrate=False)
+    reader = StarReadout((15, 13), pixel, 2.0, BlurProfile.gaussian(), integrate=False)
     y, x = (reader.step * (np.arange(side) - side // 2) for side in reader.shape)
     # A sum of Gaussians, which blur makes wider: off the axis and without symmetry.
     spots = [(1.0, 0.4, -0.7, 0.9, 1.4), (0.5, -1.5, 1.1, 1.2, 0.8)]

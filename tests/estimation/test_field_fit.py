@@ -11,7 +11,7 @@ import pytest
 
 import lommel as lm
 import simulated_fields as simulated
-from lommel.blur.mixtures import Shape
+from lommel.blur.mixtures import BlurProfile
 from lommel.estimation import field_fit
 from lommel.estimation.field_search import Search
 from lommel.estimation.field_signs import monomials, robust
@@ -82,7 +82,7 @@ def test_one_focus_gives_the_field_up_to_the_twin():
     places, _, true = case()
     fit = one_focus()
     assert fit.converged, fit.message
-    assert "images in one focus leave the common sign of all even terms of the field open" in fit.message
+    assert "images at a single defocus do not determine the common sign of all even terms" in fit.message
     sign = 1.0 if over_bound(fit, places, true) < 5.0 else -1.0
     assert 0.5 < over_bound(fit, places, true, sign) < 1.6
     assert abs(fit.chi2 - 1.0) < 0.03
@@ -365,7 +365,7 @@ def test_the_picture_has_a_panel_for_each_term_and_the_stars():
         ({"targets": "pinhole"}, "size must be the diameter of the pinholes"),
         ({"size": 3.0}, "size must be left out for stars"),
         ({"sensor": 4000}, "sensor must be a pair"),
-        ({"count": 3}, "windows must be of at least 4 stars"),
+        ({"count": 3}, "windows must show at least 4 stars"),
     ],
 )
 def test_bad_input_is_told(change, message):
@@ -387,7 +387,7 @@ def test_bad_input_is_told(change, message):
 def test_pixels_read_from_samples_are_those_of_blurred_psfs(pixel, sigma, integrate):
     pupil = lm.Pupil(lm.Wavefront.zernike({4: 0.5, 7: 0.4, 9: 0.3}, order="noll"))
     exact = lm.psf(pupil, 15, pixel, integrate=integrate, blur=lm.Jitter(sigma * pixel)).values
-    reader = StarReadout((15, 15), pixel, sigma, Shape.gaussian(), integrate=integrate)
+    reader = StarReadout((15, 15), pixel, sigma, BlurProfile.gaussian(), integrate=integrate)
     samples = np.asarray(lm.psf(pupil, reader.shape, reader.step, integrate=False).values)
     read, slope = reader.read([samples[None]], np.full((1, 1, 1), sigma**2), derivatives=True)
     np.testing.assert_allclose(read[0], exact, atol=1e-5 * exact.max())
@@ -404,7 +404,7 @@ def test_samples_behind_wide_blur_may_be_far_apart(pixel, sigma):
     pupil = lm.Pupil(lm.Wavefront.zernike({4: 0.5, 7: 0.4, 9: 0.3}, order="noll"), obscuration=0.3)
     exact = np.asarray(lm.psf(pupil, 11, pixel, integrate=True, blur=lm.Jitter(sigma * pixel)).values)
     narrowest = np.array([sigma**2])
-    reader = StarReadout((11, 11), pixel, sigma, Shape.gaussian(), integrate=True, smallest_variances=narrowest)
+    reader = StarReadout((11, 11), pixel, sigma, BlurProfile.gaussian(), integrate=True, smallest_variances=narrowest)
     assert 0.5 < reader.step < 1.0
     samples = np.asarray(lm.psf(pupil, reader.shape, reader.step, integrate=False).values)
     (read,) = reader.read([samples[None]], np.full((1, 1, 1), sigma**2), derivatives=False)
@@ -413,7 +413,7 @@ def test_samples_behind_wide_blur_may_be_far_apart(pixel, sigma):
 
 @pytest.mark.parametrize("blurs", ["alike", "by exposure", "each"])
 def test_images_that_are_read_together_are_those_read_one_by_one(blurs):
-    draw, shape = np.random.default_rng(4), Shape.turbulent(terms=3)
+    draw, shape = np.random.default_rng(4), BlurProfile.turbulent(terms=3)
     reader = StarReadout((6, 9), 1.3, 0.8, shape, integrate=True)
     samples = [draw.normal(size=(14, *reader.shape)) for _ in range(2)]
     squares = draw.uniform(0.05, 0.2, (7, 2, 2))

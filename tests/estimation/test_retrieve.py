@@ -16,7 +16,7 @@ from scipy.stats import poisson
 import lommel as lm
 from lommel.core.engine import star_likelihood
 from lommel.estimation import phase_retrieval
-from lommel.estimation.star_images import StarImages, Unknowns, _point_symmetric, changes, uncertainty
+from lommel.estimation.star_images import StarImages, Unknowns, _point_symmetric, error_factors, uncertainty
 from lommel.fit.score_tests import Marginal
 from lommel.fit.scoring import covariance
 from tests.world import air
@@ -282,7 +282,7 @@ def test_a_parameter_of_infinite_variance_is_held():
     inverse[1, 1] = np.inf
     _, axes = uncertainty(made, inverse)
     assert not axes[:, 1].any()
-    found = changes(made, x, inverse, axes)
+    found = error_factors(made, x, inverse, axes)
     assert found[1] == 1.0
     assert (found[[0, 2]] > 1.0).all()
 
@@ -331,7 +331,7 @@ def test_one_defocus_leaves_the_sign_of_even_terms_open_and_says_so():
 
 def test_a_negated_even_part_of_the_phase_has_the_same_images():
     made, x = model(terms=("defocus", "noll 5", "noll 8", "noll 11"))
-    made.base[:, 0] = made.base[0, 0]
+    made.fixed_of_images[:, 0] = made.fixed_of_images[0, 0]
     assert made.sign_ambiguous
     same = made.even_part_negated(x)
     assert np.abs(same - x).max() > 0.1
@@ -649,7 +649,7 @@ def test_of_a_star_through_air_seeing_is_estimated_with_the_wavefront():
 def test_blur_goes_with_a_lens_and_its_own_search():
     images, known = through_air(0), {"pixel": 0.5, "noise": NOISE, "defocus": [0.0, 3.0], "integrate": True}
     for wrong in ({"also": ("center", "obscuration")}, {"also": ()}, {"starts": 1}, {"steps": 5}):
-        with pytest.raises(ValueError, match="blur must be False, or also 'center'"):
+        with pytest.raises(ValueError, match="blur must be False unless also is 'center'"):
             lm.retrieve(images, lm.Pupil(), blur=True, **known, **wrong)
     oil = lm.Objective(NA=1.3, magnification=63, immersion=1.518, sample=1.33).pupil(depth=0.0, wavelength=6e-7)
     with pytest.raises(TypeError, match="pupil must be a Pupil, got the pupil of an Objective"):

@@ -9,7 +9,7 @@ import pytest
 
 import lommel as lm
 import simulated_fields as simulated
-from lommel.blur.mixtures import Shape
+from lommel.blur.mixtures import BlurProfile
 from lommel.estimation.target_readout import Target, TargetReadout, relative_light, start_of_crossing
 
 WAVES = np.array([0.4, 0.3, -0.2, 0.3, -0.25])
@@ -36,7 +36,7 @@ def test_corners_are_boards_convolved_with_psf_blur_and_pixel(pixel, pitch, sigm
     side = 13
     drawn = simulated.board(PLACE, angles, pitch if math.isfinite(pitch) else 1e4)
     exact = simulated.extended(drawn, simulated.Telescope(5, side=96), WAVES, pixel, side, sigma)
-    reader = TargetReadout((side, side), pixel, Target("crossing", pitch), Shape.gaussian(), integrate=True)
+    reader = TargetReadout((side, side), pixel, Target("crossing", pitch), BlurProfile.gaussian(), integrate=True)
     light = samples(reader, pixel)
     value, *slopes = reader.read([light[None]], np.array([[sigma**2]]), np.array([angles]), derivatives=True)
     # Light far from the axis, of which both leave out some, sees a mean of many squares.
@@ -57,7 +57,7 @@ def test_corners_are_boards_convolved_with_psf_blur_and_pixel(pixel, pitch, sigm
 
 def test_pinholes_are_sums_of_psfs_over_their_discs():
     pixel, side, size = 0.5, 13, 3.0
-    reader = TargetReadout((side, side), pixel, Target("pinhole", size), Shape.gaussian(), integrate=True)
+    reader = TargetReadout((side, side), pixel, Target("pinhole", size), BlurProfile.gaussian(), integrate=True)
     found = reader.read([samples(reader, pixel)[None]], np.zeros((1, 1)), np.zeros((1, 0)), derivatives=False)[0][0]
 
     def disc(y, x):

@@ -136,8 +136,8 @@ def _reduce_error(goal: Array, square: Array, w: Array, r: Array) -> tuple[Array
 
 
 @dataclass(frozen=True, eq=False)
-class Shape:
-    """Shape of blur: a mixture of c Gaussians with `weights` (c,) and variances ``fixed + rates @ squares``.
+class BlurProfile:
+    """Blur as a mixture of c Gaussians with `weights` (c,) and variances ``fixed + rates @ squares``.
 
     `squares` are the b unknown squared widths (pixels^2), and `names` their kinds: "seeing" for ``(FWHM / 2.355)^2``,
     "Gaussian" for the variance. `rates` has the shape (c, b). `outer` is (outer scale of the seeing) / r0.
@@ -159,12 +159,12 @@ class Shape:
         return np.asarray(self.fixed + squares @ self.rates.T)
 
     @classmethod
-    def gaussian(cls) -> Shape:
+    def gaussian(cls) -> BlurProfile:
         """Return a Gaussian of unknown width."""
         return cls(np.ones(1), np.ones((1, 1)), np.zeros(1), ("Gaussian",))
 
     @classmethod
-    def turbulent(cls, outer: float | None = None, terms: int = TERMS, *, alone: bool = False) -> Shape:
+    def turbulent(cls, outer: float | None = None, terms: int = TERMS, *, alone: bool = False) -> BlurProfile:
         """Return seeing of unknown width, convolved with a Gaussian of unknown width unless `alone`."""
         mixture = turbulence(outer, terms)
         # The variance of exp(-rate q^2) is rate / (2 pi^2) * (wavelength / r0)^2; FWHM is in wavelength / r0.
@@ -174,8 +174,8 @@ class Shape:
         return cls(mixture.weights, np.stack(columns, axis=1), np.zeros(len(rates)), names, outer)
 
     @classmethod
-    def known(cls, blurs: tuple[Blur, ...], pixel: float, wavelength: float | None) -> Shape:
-        """Return the Shape of known isotropic blurs, at most one of which is Seeing, for pixels of pitch `pixel`."""
+    def known(cls, blurs: tuple[Blur, ...], pixel: float, wavelength: float | None) -> BlurProfile:
+        """Return the profile of known isotropic blurs, at most one a Seeing, for the pixel pitch `pixel`."""
         squares = sum(float(blur.covariance[0, 0]) for blur in blurs) / pixel**2
         weights, rates = np.ones(1), np.zeros(1)
         for seeing in (blur for blur in blurs if isinstance(blur, Seeing)):

@@ -17,7 +17,7 @@ from lommel.cli.instruments import IMAGES, LENS, SeveralNumbers, StarCamera, num
 from lommel.cli.options import JSON, OUTPUT, Group, command, documented, option, plot_option
 from lommel.cli.output import progress, require_file, save_figure, written
 from lommel.detection.targets import Crossings, find_crossings, find_spots, grid_indices
-from lommel.estimation.field_fit import KINDS
+from lommel.estimation.field_fit import TARGET_KINDS
 from lommel.estimation.field_fit import fit_field as fit
 from lommel.estimation.star_images import label
 from lommel.recorded.frames import read_images
@@ -39,7 +39,7 @@ class Chart(Group):
     """Options for the targets in the images."""
 
     # fmt: off
-    targets: str = documented(fit, "targets", type=click.Choice(KINDS))
+    targets: str = documented(fit, "targets", type=click.Choice(TARGET_KINDS))
     size: float | None = option(length="um",
         help="Diameter of pinholes or side of squares in the image, such as 8um; by default the side of squares is "
         "measured.")

@@ -18,7 +18,7 @@ from lommel.base.arrays import Array
 from lommel.base.units import with_error
 from lommel.core.answers import Declined
 from lommel.estimation.bead_images import AMPLITUDES, CONSTANTS, GRADIENT, NONLINEAR, UNITS, Setup, Stack, expected
-from lommel.estimation.bead_search import DRIFT, BeadModel, Evaluated, Prior, State, climb, min_depth, start_of
+from lommel.estimation.bead_search import DRIFT, BeadModel, Evaluation, Prior, State, climb, min_depth, start_of
 from lommel.estimation.star_images import label, next_terms
 from lommel.fit import goodness_of_fit
 from lommel.fit.findings import Finding
@@ -87,7 +87,7 @@ def _fixed_constants(model: BeadModel, setup: Setup) -> list[str]:
     return [name for name in available_constants(setup) if name not in excluded_names]
 
 
-def _prior_candidates(model: BeadModel, fit: Evaluated, names: Sequence[object]) -> list[Candidate]:
+def _prior_candidates(model: BeadModel, fit: Evaluation, names: Sequence[object]) -> list[Candidate]:
     """Return a candidate for each prior that may be too narrow; `names` are the names of all parameter columns."""
     setup, candidates = fit.state.setup, []
     for name, (value, sigma) in model.priors.items():
@@ -103,7 +103,7 @@ def _prior_candidates(model: BeadModel, fit: Evaluated, names: Sequence[object])
     return candidates
 
 
-def missing_tests(model: BeadModel, fit: Evaluated) -> tuple[tuple[ScoreTest, ...], Marginal | None, list[Finding]]:
+def missing_tests(model: BeadModel, fit: Evaluation) -> tuple[tuple[ScoreTest, ...], Marginal | None, list[Finding]]:
     """Return tests of neglected effects, a marginalized correction, and findings on untested constants.
 
     1. Score tests of further terms, other constants, drift, a background gradient, a nonlinear gain and neighbouring
@@ -116,9 +116,9 @@ def missing_tests(model: BeadModel, fit: Evaluated) -> tuple[tuple[ScoreTest, ..
     waves = np.concatenate([fit.state.waves, np.zeros(len(added_terms))])
     constants = _fixed_constants(model, setup)
     drift = () if model.drifts else DRIFT
-    further = [*constants, *drift, *GRADIENT, NONLINEAR]  # columns after the common parameters
-    _, information, gradient = wider_model.normal(replace(fit.state, waves=waves), fit.values, further)
-    names = [*wider_model.names, *further]
+    added_names = [*constants, *drift, *GRADIENT, NONLINEAR]  # columns after the common parameters
+    _, information, gradient = wider_model.normal_equations(replace(fit.state, waves=waves), fit.values, added_names)
+    names = [*wider_model.names, *added_names]
     unknowns = [*map(names.index, model.names), *range(len(names), len(gradient))]
     candidates = [Candidate(label(term), (names.index(term),), _TERM) for term in added_terms]
     candidates += _prior_candidates(model, fit, names)
@@ -153,7 +153,7 @@ def _size(name: str, value: float) -> str:
     return f"{factor * value:.3g}{unit}"
 
 
-def _neighbor_tests(model: BeadModel, fit: Evaluated) -> list[ScoreTest]:
+def _neighbor_tests(model: BeadModel, fit: Evaluation) -> list[ScoreTest]:
     """Return a test for a second bead near each bead, at the same focus and at the most likely position."""
     setup, tests = fit.state.setup, []
     # Rayleigh's distance, 0.61 lambda / NA, in pixels of the camera.
@@ -191,49 +191,49 @@ def _neighbor_tests(model: BeadModel, fit: Evaluated) -> list[ScoreTest]:
 
 
 def missing_findings(
-    model: BeadModel, fit: Evaluated, tests: Sequence[ScoreTest], stated: Setup
+    model: BeadModel, fit: Evaluation, tests: Sequence[ScoreTest], stated: Setup
 ) -> tuple[list[Finding], float | None]:
     """Return the finding on significant effects, and the log-posterior of a fit that estimates the best effect.
 
     Score tests are linear approximations: each of the most likely effects is estimated by a new fit, which ranks it.
     """
-    likely = seen(tests)
-    if not likely:
+    likely_tests = seen(tests)
+    if not likely_tests:
         # There are few priors: a contradiction is significant even if it is not among all candidates.
         contradictions = [test for test in tests if test.name in model.priors and abs(test.sigmas) > _CONTRADICTED]
         descriptions = [f"{_in_words(test, model, stated, None)}, against its prior" for test in contradictions]
         return [other_explanation(contradictions, descriptions)] if contradictions else [], None
-    limit = min(_MIN_BAYES_RATIO * tests[0].log_bayes, likely[-1].log_bayes)
-    likely = tuple(test for test in tests[:_MAX_REFITS] if test.log_bayes >= limit)
-    fits = [_refit_with_free(model, fit, test.name, stated) for test in likely]
+    limit = min(_MIN_BAYES_RATIO * tests[0].log_bayes, likely_tests[-1].log_bayes)
+    likely_tests = tuple(test for test in tests[:_MAX_REFITS] if test.log_bayes >= limit)
+    fits = [_refit_with_free(model, fit, test.name, stated) for test in likely_tests]
     gains = [
         test.log_bayes if refit is None else refit.log_posterior - fit.log_posterior
-        for test, refit in zip(likely, fits, strict=True)
+        for test, refit in zip(likely_tests, fits, strict=True)
     ]
     order = [k for k in np.argsort(-np.array(gains), kind="stable") if gains[k] >= max(gains) - RIVAL]
-    descriptions = [_in_words(likely[k], model, stated, fits[k]) for k in order]
+    descriptions = [_in_words(likely_tests[k], model, stated, fits[k]) for k in order]
     best_fit = fits[order[0]]
-    finding = other_explanation([likely[k] for k in order], descriptions)
+    finding = other_explanation([likely_tests[k] for k in order], descriptions)
     return [finding], None if best_fit is None else best_fit.log_posterior
 
 
-def _in_words(test: ScoreTest, model: BeadModel, stated: Setup, refit: Evaluated | None) -> str:
+def _in_words(test: ScoreTest, model: BeadModel, stated: Setup, refit: Evaluation | None) -> str:
     """Return the result of a test as text, like "sample = 1.379 +- 0.005"; the fit `refit` estimates the effect."""
     name, size, error = test.name, float(test.size[0]), float(test.errors[0])
     sigmas = f"({abs(test.sigmas):.2g} sigma)"
     if len(test.size) > 1 and name in CONSTANTS:
         factor, unit = UNITS[CONSTANTS[name].unit]
-        triples = zip(test.size, model.depths, test.errors, strict=True)
-        pairs = (with_error(factor * (shift + prior.value), factor * e) for shift, prior, e in triples)
-        values = ", ".join(" +- ".join(pair) for pair in pairs)
-        return f"{name} of each bead = {values}{unit} {sigmas}"
+        depth_shifts = zip(test.size, model.depths, test.errors, strict=True)
+        texts = (with_error(factor * (shift + prior.value), factor * e) for shift, prior, e in depth_shifts)
+        text = ", ".join(" +- ".join(pair) for pair in texts)
+        return f"{name} of each bead = {text}{unit} {sigmas}"
     if name not in CONSTANTS:
         if refit is not None and len(refit.state.waves) > len(model.images.estimated_terms):
             size = float(refit.state.waves[-1])
         unit = {"non-linear gain": "", "drift": " pixels"}.get(name, " rad" if name.startswith("noll") else "")
         sizes = [size] if len(test.size) == 1 else test.size.tolist()
-        values = ", ".join(" +- ".join(with_error(*pair)) for pair in zip(sizes, test.errors, strict=True))
-        return f"{name} = {values}{unit} {sigmas}"
+        text = ", ".join(" +- ".join(with_error(*pair)) for pair in zip(sizes, test.errors, strict=True))
+        return f"{name} = {text}{unit} {sigmas}"
     stated_value = model.depths[0].value if name == "depth" else stated.value(name)
     factor, unit = UNITS[CONSTANTS[name].unit]
     value = stated_value + size
@@ -243,11 +243,11 @@ def _in_words(test: ScoreTest, model: BeadModel, stated: Setup, refit: Evaluated
     if refit is not None:
         refitted_value = refit.state.places[0].depth if name == "depth" else refit.state.setup.value(name)
         value = refitted_value if is_possible(stated, name, refitted_value) else value
-    values = " +- ".join(with_error(factor * value, factor * error))
-    return f"{name} = {values}{unit}, stated {factor * stated_value:.6g} {sigmas}"
+    text = " +- ".join(with_error(factor * value, factor * error))
+    return f"{name} = {text}{unit}, stated {factor * stated_value:.6g} {sigmas}"
 
 
-def _refit_with_free(model: BeadModel, fit: Evaluated, name: str, stated: Setup) -> Evaluated | None:
+def _refit_with_free(model: BeadModel, fit: Evaluation, name: str, stated: Setup) -> Evaluation | None:
     """Fit with the constant, term or drift `name` estimated without prior; return None if not possible."""
     state, depths, priors, images = fit.state, model.depths, dict(model.priors), model.images
     if name == "depth":
@@ -292,7 +292,7 @@ def reversed_findings(model: BeadModel, start: State, best_posterior: float, chi
     return [Finding("reversed_z", "error", text, {"chi2": reversed_chi2, "log_likelihood": gain})]
 
 
-def held_out(model: BeadModel, fit: Evaluated) -> tuple[float, list[Finding]]:
+def held_out(model: BeadModel, fit: Evaluation) -> tuple[float, list[Finding]]:
     """Return chi2 of the last bead with common parameters of the other beads, and a finding if it is too large."""
     count, state = len(model.stacks), fit.state
     if count < _MIN_BEADS:
@@ -346,6 +346,6 @@ def model_error(model: BeadModel, state: State) -> float:
         proven = psf(pupil, stack.shape, setup.pixel, tol=1e-4, integrate=setup.integrate, center=center)
     except ValueError:  # the aberrations are too strong
         return math.inf
-    planes = Stack(stack.star[:, plane_indices], stack.shape, stack.z[plane_indices])
+    planes = Stack(stack.pixel_data[:, plane_indices], stack.shape, stack.z[plane_indices])
     search_images = model.images.values(setup, state.waves, place._replace(drift_row=0.0, drift_column=0.0), planes)
     return float(np.abs(search_images - proven.values).max() / proven.values.max())

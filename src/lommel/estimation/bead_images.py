@@ -20,7 +20,7 @@ from scipy import special
 from lommel.base.arrays import Array
 from lommel.core.answers import Declined
 from lommel.core.engine import star_likelihood
-from lommel.estimation.star_images import star_counts
+from lommel.estimation.star_images import pixel_data
 from lommel.fit.scoring import weighted_light
 from lommel.methods.derivative_names import SHIFTS, Term
 from lommel.methods.layers import chordal_debye as light_by_rule
@@ -181,9 +181,9 @@ class Place(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class Stack:
-    """The recorded stack of a bead: `star_counts` of the planes, and positions of the stage."""
+    """The recorded stack of a bead: `pixel_data` of the planes, and positions of the stage."""
 
-    star: Array  # (4, planes, pixels)
+    pixel_data: Array  # (4, planes, pixels)
     shape: tuple[int, int]
     z: Array  # (planes,), metres
 
@@ -195,15 +195,15 @@ class Stack:
     @property
     def planes(self) -> tuple[Array, Array, NDArray[np.bool_]]:
         """Electrons, variances of the read noise, and masks of valid pixels; three arrays (planes, height, width)."""
-        counted, _, read, valid = self.star.reshape(4, -1, *self.shape)
+        counted, _, read, valid = self.pixel_data.reshape(4, -1, *self.shape)
         return counted, read, valid > 0.0
 
     @staticmethod
     def of(counts: Counts, noise: Noise, z: Array) -> Stack:
         """Return the stack of recorded images (planes, height, width)."""
         shape, poisson = counts.values.shape, noise.poisson
-        star = star_counts(poisson.electrons(counts.filled()), poisson.variance(np.zeros(shape)), counts.known)
-        return Stack(star, (shape[1], shape[2]), z)
+        data = pixel_data(poisson.electrons(counts.filled()), poisson.variance(np.zeros(shape)), counts.known)
+        return Stack(data, (shape[1], shape[2]), z)
 
 
 @lru_cache(maxsize=16)
@@ -354,10 +354,13 @@ def _filter_half_width(setup: Setup) -> int:
     return MIN_MARGIN + (stride - 1) * 2 + math.ceil(half_width * stride / setup.pixel_v)
 
 
-def flux_background(values: Array, star: Array, previous: Array | None = None) -> Array:
-    """Return the maximum-likelihood flux and background of each plane, (2, planes), for PSFs (planes, ...)."""
+def flux_background(values: Array, data: Array, previous: Array | None = None) -> Array:
+    """Return the maximum-likelihood flux and background of each plane, (2, planes), for PSFs (planes, ...).
+
+    `data` are the pixel data of a :class:`Stack`; iterations start at `previous`, or at a fit with other weights.
+    """
     psf = values.reshape(len(values), -1).astype(np.float64)
-    counted, _, read, valid = star
+    counted, _, read, valid = data
     # Initial weights use the counts as variances; the added 1 keeps the weights of dark pixels finite.
     weight = valid / (np.maximum(counted, 0.0) + read + 1.0)
     light = previous
@@ -387,7 +390,7 @@ class Part(NamedTuple):
     gradient: Array  # (planes, parameters), derivatives of the log-likelihood
     information: Array  # (planes, parameters, parameters)
     chi2: float  # Pearson's sum of squares
-    expected: float  # expectation of `chi2`
+    chi2_expectation: float  # expectation of `chi2`
     chi2_variance: float  # variance of `chi2`
     flux_sigmas: float  # total flux of all planes, in standard deviations
     light_covariance: Array  # (planes, 2, 2), covariance of flux and background for fixed parameters
@@ -396,12 +399,12 @@ class Part(NamedTuple):
     def shifts(self, columns: list[int]) -> tuple[Array, Array]:
         """Return each plane's steps (planes, q) of the q parameters `columns`, and their significance (sigmas)."""
         information, gradient = self.information[:, columns][:, :, columns], self.gradient[:, columns]
-        information = _regular(information) + 1e-300 * np.eye(len(columns))
+        information = _regularized(information) + 1e-300 * np.eye(len(columns))
         step = np.asarray(np.linalg.solve(information, gradient[..., None])[..., 0])
         return step, np.sqrt(np.maximum(np.einsum("pk,pk->p", step, gradient), 0.0))
 
 
-def _regular(square: Array) -> Array:
+def _regularized(square: Array) -> Array:
     """Return matrices (planes, q, q) with a small number added to the diagonal, such that they are invertible."""
     return np.asarray(square + 1e-12 * np.trace(square, axis1=1, axis2=2)[:, None, None] * np.eye(square.shape[1]))
 
@@ -412,11 +415,11 @@ def part_of(values: Array, derivatives: Array, chain: Array, stack: Stack, light
     The derivatives of PSFs by the parameters are `chain` (planes, parameters, k) times the k images in `derivatives`.
     """
     images = [values.astype(derivatives.dtype), *derivatives]
-    sums, products = star_likelihood(images, light[None], stack.star, threads)
-    _, expected, chi2_variance = sums.sum(axis=(-1, -2))
+    sums, products = star_likelihood(images, light[None], stack.pixel_data, threads)
+    _, chi2_expectation, chi2_variance = sums.sum(axis=(-1, -2))
     inner, k = products[0], len(derivatives)
     flux = light[0][:, None, None]
-    light_information, mixed = _regular(inner[:, k : k + 2, k : k + 2]), flux * inner[:, :k, k : k + 2]
+    light_information, mixed = _regularized(inner[:, k : k + 2, k : k + 2]), flux * inner[:, :k, k : k + 2]
     light_coupling = np.linalg.solve(light_information, mixed.swapaxes(1, 2)).swapaxes(1, 2)  # (planes, k, 2)
     # Schur complement: information on the parameters with flux and background of each plane eliminated.
     information = flux * flux * inner[:, :k, :k] - light_coupling @ mixed.swapaxes(1, 2)
@@ -428,7 +431,7 @@ def part_of(values: Array, derivatives: Array, chain: Array, stack: Stack, light
         np.einsum("pak,pk->pa", chain, gradient),
         chain @ information @ chain.swapaxes(1, 2),
         float(inner[:, -1, -1].sum()),
-        float(expected),
+        float(chi2_expectation),
         float(chi2_variance),
         math.sqrt(float((light[0] ** 2 * np.maximum(flux_information, 0.0)).sum())),
         np.asarray(np.linalg.inv(light_information)),

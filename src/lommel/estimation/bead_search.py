@@ -47,10 +47,10 @@ class Prior(NamedTuple):
     value: float
     error: float
 
-    def score(self, present: float) -> tuple[float, float, float]:
-        """Return -ln(prior), the derivative of ln(prior), and the information, for the constant's value `present`."""
+    def score(self, estimate: float) -> tuple[float, float, float]:
+        """Return -ln(prior), the derivative of ln(prior), and the information, if the constant is `estimate`."""
         information = 1.0 / self.error**2
-        difference = self.value - present
+        difference = self.value - estimate
         return 0.5 * difference * difference * information, difference * information, information
 
 
@@ -69,7 +69,7 @@ class State:
 
 
 @dataclass(frozen=True, eq=False)
-class Evaluated:
+class Evaluation:
     """A state with its images and scores, the number of steps of the search, and whether the search settled.
 
     `values` are the PSFs of each stack, and `parts` the contributions of each stack to the scores. `scores` include
@@ -120,7 +120,7 @@ class BeadModel:
         self.size = len(self.names) + len(self.bead_parameters) * len(self.stacks)
         # Flux and background of each plane are two more parameters, which `size` does not include.
         self.degrees_of_freedom = (
-            sum(int(stack.star[3].sum()) - 2 * len(stack.z) for stack in self.stacks) - self.size
+            sum(int(stack.pixel_data[3].sum()) - 2 * len(stack.z) for stack in self.stacks) - self.size
         )
 
     def single_bead(self, k: int) -> BeadModel:
@@ -137,7 +137,7 @@ class BeadModel:
         return range(common_count + bead * count, common_count + (bead + 1) * count)
 
     def _prior_terms(self, state: State, names: Sequence[object]) -> Iterator[tuple[int, Prior, float]]:
-        """Yield column, prior and present value of each parameter with a prior; `names` are the common parameters."""
+        """Yield column, prior and value of each parameter with a prior; `names` are the common parameters."""
         for name, prior in self.priors.items():
             yield names.index(name), prior, state.setup.value(name)
         if "depth" in self.bead_parameters:
@@ -145,7 +145,7 @@ class BeadModel:
             for j, (prior, place) in enumerate(zip(self.depths, state.places, strict=True)):
                 yield self.columns(j, len(names))[index], prior, place.depth
 
-    def evaluated(self, state: State, limit: float = math.inf) -> Evaluated:
+    def evaluate(self, state: State, limit: float = math.inf) -> Evaluation:
         """Return a state with its images and scores, and with maximum-likelihood flux and background.
 
         Raise Declined or ValueError if the deviance is not below `limit`, if the aberrations are too strong, or if
@@ -153,21 +153,23 @@ class BeadModel:
         is below `limit`.
         """
         light, values = [], []
-        total = sum(prior.score(present)[0] for _, prior, present in self._prior_terms(state, self.names))
+        total = sum(prior.score(value)[0] for _, prior, value in self._prior_terms(state, self.names))
         for k, (stack, place) in enumerate(zip(self.stacks, state.places, strict=True)):
             psf = self.images.values(state.setup, state.waves, place, stack)
             values.append(psf)
-            light.append(bead_images.flux_background(psf, stack.star, state.light[k] if state.light else None))
-            total += float(star_likelihood([psf], light[-1][None], stack.star, self.images.threads)[0][0].sum())
+            light.append(bead_images.flux_background(psf, stack.pixel_data, state.light[k] if state.light else None))
+            total += float(star_likelihood([psf], light[-1][None], stack.pixel_data, self.images.threads)[0][0].sum())
         if not -math.inf < total < limit:
             raise Declined("the likelihood is not finite, or not higher than before")
         state = replace(state, light=tuple(light))
-        parts, information, gradient = self.normal(state, values)
+        parts, information, gradient = self.normal_equations(state, values)
         chi2, deviation = (np.array([value]) for value in self.chi2_of(parts))
         scores = Scores(np.array([total]), gradient[None], information[None], chi2, deviation)
-        return Evaluated(state, values, parts, scores)
+        return Evaluation(state, values, parts, scores)
 
-    def normal(self, state: State, values: list[Array], added: Sequence[str] = ()) -> tuple[list[Part], Array, Array]:
+    def normal_equations(
+        self, state: State, values: list[Array], added: Sequence[str] = ()
+    ) -> tuple[list[Part], Array, Array]:
         """Return the contributions of all stacks, and information and gradient of all parameters, priors included.
 
         Order of the parameters: common parameters `names`, the constants `added`, parameters of each bead.
@@ -218,7 +220,7 @@ class BeadModel:
             chain[:, row, column] = factor
         return np.stack(derivatives), chain
 
-    def step(self, x: Evaluated, scores: Scores, rows: Rows, damping: Array) -> tuple[Array, Array]:
+    def step(self, x: Evaluation, scores: Scores, rows: Rows, damping: Array) -> tuple[Array, Array]:
         """Return a damped step (1, parameters), and the predicted decrease of the deviance."""
         state = x.state
         step = damped_steps(scores, damping)
@@ -234,29 +236,30 @@ class BeadModel:
         return step
 
     def attempt(
-        self, x: Evaluated, scores: Scores, rows: Rows, step: Array, factor: Array
-    ) -> tuple[Evaluated, Scores | None]:
+        self, x: Evaluation, scores: Scores, rows: Rows, step: Array, factor: Array
+    ) -> tuple[Evaluation, Scores | None]:
         """Return the state after a step and its scores; the old state and None if the deviance does not decrease."""
         with suppress(Declined, ValueError):  # the step is too long: aberrations too strong, or constants impossible
-            evaluated = self.evaluated(self.moved(x.state, step[0]), float(scores.deviance[0]))
+            evaluated = self.evaluate(self.after_step(x.state, step[0]), float(scores.deviance[0]))
             return evaluated, evaluated.scores
         return x, None
 
-    def moved(self, state: State, step: Array) -> State:
+    def after_step(self, state: State, step: Array) -> State:
         """Return the parameters after a step, which is shortened such that no change exceeds its limit."""
         k, common_count, setup = len(self.images.estimated_terms), len(self.names), state.setup
         bead_steps = step[common_count:].reshape(-1, len(self.bead_parameters))
-        kinds = [CONSTANTS[name] for name in self.priors]
-        constants = np.array([setup.value(name) for name in self.priors])
+        constants = [CONSTANTS[name] for name in self.priors]
+        constant_values = np.array([setup.value(name) for name in self.priors])
         limits = [
-            kind.max_step * (value if kind.relative else 1.0) for kind, value in zip(kinds, constants, strict=True)
+            constant.max_step * (value if constant.relative else 1.0)
+            for constant, value in zip(constants, constant_values, strict=True)
         ]
         # Changes divided by their largest allowed values.
         ratios = [math.sqrt(float(step[:k] @ step[:k])) / _MAX_WAVE_STEP, *(np.abs(step[k:common_count]) / limits)]
         ratios += [*(np.abs(bead_steps) / [_MAX_STEPS[name] for name in self.bead_parameters]).ravel()]
         # A common factor for all parameters keeps the direction of the step.
         factor = 1.0 / max(1.0, *ratios)
-        for name, value in zip(self.priors, (constants + factor * step[k:common_count]).tolist(), strict=True):
+        for name, value in zip(self.priors, (constant_values + factor * step[k:common_count]).tolist(), strict=True):
             setup = setup.with_constant(name, value)
         # Because of noise, the estimated variance of the blur may be slightly negative.
         if setup.blur < -0.2 or setup.diameter < 0.0:
@@ -273,10 +276,10 @@ class BeadModel:
 
     def chi2_of(self, parts: Sequence[Part]) -> tuple[float, float]:
         """Return Pearson's chi2 per degree of freedom from the parts of all stacks, and its standard deviation."""
-        sums = [(part.chi2, part.expected, part.chi2_variance) for part in parts]
-        total, expected, variance = np.sum(sums, axis=0).tolist()
+        sums = [(part.chi2, part.chi2_expectation, part.chi2_variance) for part in parts]
+        total, expectation, variance = np.sum(sums, axis=0).tolist()
         pixels = self.degrees_of_freedom + self.size + 2 * sum(len(s.z) for s in self.stacks)
-        chi2, deviation = reduced_chi2(total, expected, variance, max(self.degrees_of_freedom, 1) / pixels)
+        chi2, deviation = reduced_chi2(total, expectation, variance, max(self.degrees_of_freedom, 1) / pixels)
         return float(chi2), float(deviation)
 
 
@@ -300,15 +303,15 @@ def _camera_derivative(name: str, mean: Array) -> Array:
         # With nonlinearity x, m electrons decrease by the fraction x m / 10^4.
         return -(mean**2) / 1e4
     axis = 1 + GRADIENT.index(name)
-    along = np.linspace(-0.5, 0.5, mean.shape[axis])
-    return np.broadcast_to(np.expand_dims(along, (0, 3 - axis)), mean.shape)
+    coordinate = np.linspace(-0.5, 0.5, mean.shape[axis])
+    return np.broadcast_to(np.expand_dims(coordinate, (0, 3 - axis)), mean.shape)
 
 
-def climb(model: BeadModel, start: State, max_steps: int, report: Report = lambda *_: None) -> Evaluated:
+def climb(model: BeadModel, start: State, max_steps: int, report: Report = lambda *_: None) -> Evaluation:
     """Return the end of at most `max_steps` damped steps, from a start until convergence."""
-    start_evaluated = model.evaluated(start)
+    start_evaluated = model.evaluate(start)
     ascent = fisher_scoring(model, start_evaluated, start_evaluated.scores, max_steps, report, _POLICY)
-    evaluated: Evaluated = ascent.x
+    evaluated: Evaluation = ascent.x
     return replace(evaluated, settled=bool(ascent.settled[0]), steps=ascent.steps)
 
 
@@ -325,25 +328,25 @@ class Search:
     steps: int = 0  # number of steps of all completed searches
     _fraction_done: float = 0.0  # fraction of the progress
 
-    def fit_all(self) -> tuple[Evaluated, list[bool]]:
+    def fit_all(self) -> tuple[Evaluation, list[bool]]:
         """Fit all beads jointly, except beads with a bad individual fit; return the fit, and whether each is used."""
         model, count = self.model, len(self.model.stacks)
         single_fits = [self.fit_one(model.single_bead(k), 0.6 / count) for k in range(count)]
         median = float(np.median([fit.quality[0] for fit in single_fits]))
-        plausible = [float(largest_plausible_chi2(fit.quality[1])) for fit in single_fits]
-        limits = [max(_MAX_CHI2_RATIO * median, limit) for limit in plausible]
-        used = [fit.quality[0] < limit for fit, limit in zip(single_fits, limits, strict=True)]
-        used_indices = [k for k in range(count) if used[k]]
+        chi2_limits = [float(largest_plausible_chi2(fit.quality[1])) for fit in single_fits]
+        limits = [max(_MAX_CHI2_RATIO * median, limit) for limit in chi2_limits]
+        is_used = [fit.quality[0] < limit for fit, limit in zip(single_fits, limits, strict=True)]
+        used_indices = [k for k in range(count) if is_used[k]]
         if count == 1 and not model.priors and "depth" not in model.bead_parameters:
-            return single_fits[0], used
+            return single_fits[0], is_used
         # The median is robust against a bead that ended in another local maximum.
         waves = np.median([single_fits[k].state.waves for k in used_indices], axis=0)
         start = State(self.setup, waves, tuple(single_fits[k].state.places[0] for k in used_indices))
-        return self.climb(model.with_beads(used_indices), start, 0.4), used
+        return self.climb(model.with_beads(used_indices), start, 0.4), is_used
 
-    def fit_one(self, model: BeadModel, fraction: float) -> Evaluated:
+    def fit_one(self, model: BeadModel, fraction: float) -> Evaluation:
         """Return the best fit of a single stack from several starts; the first adds `fraction` to the progress."""
-        best_fit: Evaluated | None = None
+        best_fit: Evaluation | None = None
         for origin in ORIGINS[: self.starts]:
             place = start_of(model.stacks[0], self.setup, model.depths[0].value, origin)
             end = self.climb(model, State(self.setup, self.waves, (place,)), fraction)
@@ -358,7 +361,7 @@ class Search:
         assert best_fit is not None
         return best_fit
 
-    def climb(self, model: BeadModel, start: State, fraction: float) -> Evaluated:
+    def climb(self, model: BeadModel, start: State, fraction: float) -> Evaluation:
         """Return the end of one search, which adds `fraction` to the progress."""
         before = self._fraction_done
 

@@ -17,7 +17,7 @@ from lommel.base.options import require_known, shares
 from lommel.base.units import with_error
 from lommel.estimation import FitKeywords, FitOptions, bead_checks
 from lommel.estimation.bead_images import AMPLITUDES, CONSTANTS, UNITS, BeadImages, Place, Setup, Stack, expected
-from lommel.estimation.bead_search import ORIGINS, BeadModel, Evaluated, Prior, Search, State, brightest, start_of
+from lommel.estimation.bead_search import ORIGINS, BeadModel, Evaluation, Prior, Search, State, brightest, start_of
 from lommel.estimation.star_images import MAX_LINEAR_ERROR, label
 from lommel.fit import goodness_of_fit
 from lommel.fit.findings import Finding, Findings, FitReport
@@ -99,8 +99,8 @@ class FittedBead:
         -------
         dict
         """
-        light = ("flux", "background", "flux_errors", "background_errors")
-        data: dict[str, Any] = plain(fields_of(self) | {name: getattr(self, name) for name in light})
+        light_names = ("flux", "background", "flux_errors", "background_errors")
+        data: dict[str, Any] = plain(fields_of(self) | {name: getattr(self, name) for name in light_names})
         return data
 
 
@@ -262,23 +262,24 @@ class BeadFit(FitReport):
         ImportError
             If matplotlib is not installed.
         """
-        plotted = self.beads[validation.integer("bead", bead, least=0, most=len(self.beads) - 1)]
+        fitted_bead = self.beads[validation.integer("bead", bead, least=0, most=len(self.beads) - 1)]
         factor = 1.0 / (2.0 * math.pi) if validation.choice("unit", unit, ("waves", "radians")) == "waves" else 1.0
-        planes = np.unique(np.linspace(0, len(plotted.images) - 1, _PLANES).round().astype(int))
+        planes = np.unique(np.linspace(0, len(fitted_bead.images) - 1, _PLANES).round().astype(int))
         names = [name for name in self.coefficients if not isinstance(name, str)]
         values, errors = ([factor * numbers[name] for name in names] for numbers in (self.coefficients, self.errors))
         bars = [label(name) for name in names], values, errors, unit
         titles = [f"plane {k}" for k in planes]
-        images, model, residual = (part[planes] for part in (plotted.images, plotted.model, plotted.residual))
+        stacks = fitted_bead.images, fitted_bead.model, fitted_bead.residual
+        images, model, residual = (stack[planes] for stack in stacks)
         return show.estimates.fit(images, model, residual, bars, f"{self.status}, chi2 = {self.chi2:.3g}", titles)
 
     def __repr__(self) -> str:
         lines = [f"<BeadFit: {self.message}"]
         for name, value in self.coefficients.items():
-            constant = isinstance(name, str)
-            factor, unit = UNITS[CONSTANTS[name].unit if constant else "rad"]
+            is_constant = isinstance(name, str)
+            factor, unit = UNITS[CONSTANTS[name].unit if is_constant else "rad"]
             value_text, error = with_error(factor * value, factor * self.errors[name])
-            lines.append(f"  {name if constant else label(name)}: {value_text} +- {error}{unit}")
+            lines.append(f"  {name if is_constant else label(name)}: {value_text} +- {error}{unit}")
         return "\n".join(lines) + ">"
 
 
@@ -496,10 +497,10 @@ def _terms(terms: int | Sequence[tuple[int, int] | str]) -> tuple[Term, ...]:
 
 
 def _depths(depth: Any, radius: float, count: int) -> list[float]:
-    stated = validation.real_array("depth", radius if depth is None else depth)
-    if stated.shape not in ((), (count,)):
-        raise ValueError(f"depth must be a number, or one for each of {count} beads, got shape {stated.shape}")
-    depths = [length("depth", float(value), DEPTH_MOST) for value in np.broadcast_to(stated, (count,))]
+    stated_depths = validation.real_array("depth", radius if depth is None else depth)
+    if stated_depths.shape not in ((), (count,)):
+        raise ValueError(f"depth must be a number, or one for each of {count} beads, got shape {stated_depths.shape}")
+    depths = [length("depth", float(value), DEPTH_MOST) for value in np.broadcast_to(stated_depths, (count,))]
     if (smallest := min(depths)) < radius * (1.0 - 1e-9):
         raise ValueError(
             f"depth must be the depth of a bead's centre, at least the radius {radius:g} m, got {smallest:g}"
@@ -508,19 +509,21 @@ def _depths(depth: Any, radius: float, count: int) -> list[float]:
 
 
 def _priors(
-    stated: Any, setup: Setup, depths: Sequence[float]
+    stated_priors: Any, setup: Setup, depths: Sequence[float]
 ) -> tuple[Setup, dict[str, Prior], float, list[Finding]]:
     """Return the setup with the values of the priors, the priors, the standard error of depths, and findings."""
     available, notes = bead_checks.available_constants(setup), list[Finding]()
     na_undetermined = min(depths) > setup.wavelength and setup.objective.sample < setup.objective.NA
-    if stated is None:
-        stated = {name: CONSTANTS[name].prior * setup.scale(name) for name in available if CONSTANTS[name].prior}
+    if stated_priors is None:
+        stated_priors = {
+            name: CONSTANTS[name].prior * setup.scale(name) for name in available if CONSTANTS[name].prior
+        }
         if na_undetermined:
-            stated.pop("NA")
-    if not isinstance(stated, Mapping):
-        raise TypeError(f"priors must map names to standard errors, got {validation.shown(stated)}")
+            stated_priors.pop("NA")
+    if not isinstance(stated_priors, Mapping):
+        raise TypeError(f"priors must map names to standard errors, got {validation.shown(stated_priors)}")
     priors, depth_error = {}, 0.0
-    for name, prior in stated.items():
+    for name, prior in stated_priors.items():
         validation.choice("priors", name, CONSTANTS)
         if name not in available:
             raise ValueError(f"priors must be without {name!r}: no such constant exists, or the medium is air")
@@ -657,7 +660,7 @@ def _inverse(information: Array) -> Array:
 
 
 def _beads(
-    model: BeadModel, fit: Evaluated, covariance: Array, is_used: list[bool], recorded: list[Counts], noise: Noise
+    model: BeadModel, fit: Evaluation, covariance: Array, is_used: list[bool], recorded: list[Counts], noise: Noise
 ) -> tuple[FittedBead, ...]:
     """Return the estimates of all beads; beads left out of the joint fit are fitted with fixed common parameters."""
     beads, k, setup = [], len(model.names), fit.state.setup
@@ -667,22 +670,22 @@ def _beads(
         errors, light_variances = dict[str, float](), np.full((len(stack.z), 2), math.nan)
         if not is_used[j]:
             place = start_of(stack, setup, model.depths[j].value, 0.0)
-            bead_fit, index = single_model.evaluated(State(setup, fit.state.waves, (place,))), 0
+            bead_fit, index = single_model.evaluate(State(setup, fit.state.waves, (place,))), 0
         state, image, part = bead_fit.state, bead_fit.values[index], bead_fit.parts[index]
         place, light = state.places[index], state.light[index]
         if is_used[j]:
             columns = [*range(k), *model.columns(index, k)]
-            bead_covariance, derivative = covariance[np.ix_(columns, columns)], part.light_coupling
+            bead_covariance, coupling = covariance[np.ix_(columns, columns)], part.light_coupling
             errors = dict(zip(names, np.sqrt(np.diag(bead_covariance)[k:]).tolist(), strict=True))
             # Convert to metres of the stage: the focus moves by `step` metres per metre of the stage.
             errors["z"] /= setup.step
             # Covariance of flux and background: due to noise, and due to errors of the parameters.
-            due_to_parameters = derivative.swapaxes(1, 2) @ bead_covariance @ derivative
-            light_variances = np.diagonal(part.light_covariance + due_to_parameters, axis1=1, axis2=2)
+            parameter_part = coupling.swapaxes(1, 2) @ bead_covariance @ coupling
+            light_variances = np.diagonal(part.light_covariance + parameter_part, axis1=1, axis2=2)
             # Errors of parameters are common to all planes: their effect on the mean does not average out.
-            common = derivative.mean(axis=0)
+            mean_coupling = coupling.mean(axis=0)
             mean_variance = np.diag(part.light_covariance.mean(axis=0)) / len(stack.z)
-            mean_variance += np.diag(common.T @ bead_covariance @ common)
+            mean_variance += np.diag(mean_coupling.T @ bead_covariance @ mean_coupling)
             errors |= dict(zip(("flux", "background"), (noise.excess * np.sqrt(mean_variance)).tolist(), strict=True))
         mean, row = expected(light, image), part.gradient.shape[1] - len(model.bead_parameters)
         counted, read, valid = stack.planes

@@ -80,9 +80,9 @@ def missing_tests(
     unknowns, fit = stars.first_star.unknowns, (matrix, estimated)
     means = [j * m for j in range(k)]
     # In a wide filter the mean wavelength differs from star to star, and images are polychromatic.
-    spectrum = ("spectrum of the stars within the filter",) if stars.width_count and stars.lens.wavelength else ()
+    spectrum = ("spectrum of the stars within the filter",) if stars.width_count and stars.pupil.wavelength else ()
     untested = star_checks.untested_constants(
-        stars.lens, stars.defocus, effect_candidates, tests, fit, unknowns, means, spectrum
+        stars.pupil, stars.defocus, effect_candidates, tests, fit, unknowns, means, spectrum
     )
     return tests, marginal, untested
 
@@ -117,13 +117,15 @@ def _missing_effects(model: WholeField, x: Array, places: Array) -> list[Missing
     coarse, pupil = derivatives[:coarse_count], stars.first_star.pupil
     effects = [*star_checks.missing_terms(terms, constants, coarse, pupil, stars.defocus)]
     effects += star_checks.missing_ripples(ripples, derivatives[coarse_count : len(names)])
-    changes = changes_of(stars.lens)
+    changes = changes_of(stars.pupil)
     first_blur = len(names) + sum(changes.values())
     blur_derivatives = derivatives[first_blur:]
     effects += star_checks.missing_illumination(changes, derivatives[len(names) : first_blur])
     effects += star_checks.missing_charge_transfer(image)
-    if (apodized := star_checks.apodized(stars.lens)) is not None:
-        apodized_image = stars.copy_with(lens=apodized).images(model.chosen, *parts, fast=True, derivatives="none")[0]
+    if (apodized := star_checks.apodized(stars.pupil)) is not None:
+        apodized_image = stars.copy_with(pupil=apodized).images(model.chosen, *parts, fast=True, derivatives="none")[
+            0
+        ]
         effects.append(star_checks.missing_apodization(image, flux * apodized_image))
     if blur_derivatives:
         blurs = dict(zip(OTHER_BLURS, blur_derivatives, strict=True))

@@ -18,7 +18,7 @@ from lommel.base import atomic, validation
 from lommel.base.arrays import Array
 from lommel.base.options import require_known, shares
 from lommel.blur.blurs import FWHM, Blur, Jitter, Seeing, blurs, require_unit
-from lommel.blur.mixtures import SIGMAS, Shape
+from lommel.blur.mixtures import SIGMAS, BlurProfile
 from lommel.estimation import FitOptions, StarKeywords
 from lommel.estimation.cosmic_rays import cosmic_ray_mask, sharpness
 from lommel.estimation.distortion import (
@@ -53,13 +53,13 @@ if TYPE_CHECKING:
 
 _MAX_DEGREE, _MAX_DISTORTION = 6, 9  # largest degrees of the polynomials of the wavefront and of the distortion
 _MAX_SIDE = 10**6  # largest number of rows or columns of a sensor
-KINDS = "star", "pinhole", "crossing"
+TARGET_KINDS = "star", "pinhole", "crossing"
 """Kinds of targets in the windows."""
 _AXES = "rows", "columns"
 _MAX_SEARCHES = 3  # maximum number of searches, each with other random starts, until one converges
 _MAX_LISTED = 3  # maximum number of rejected stars whose places a message lists
 _MIN_GAIN = 2.0  # difference of log-likelihood (lnL) below which two shapes of blur are considered equally likely
-_SIGN = "images in one focus leave the common sign of all even terms of the field open"
+_SIGN = "images at a single defocus do not determine the common sign of all even terms"
 
 
 class Coma(NamedTuple):
@@ -373,7 +373,7 @@ class ChartOptions:
 
     def target(self, pixel: float) -> Target | None:
         """Return the target in the windows, for a pixel pitch `pixel`; None for stars."""
-        kind, size = validation.choice("targets", self.targets, KINDS), self.size
+        kind, size = validation.choice("targets", self.targets, TARGET_KINDS), self.size
         if size is not None:
             size = validation.real("size", size, above=0.0, unit="the unit of pixel") / pixel
         if kind == "star" and size is not None:
@@ -458,29 +458,30 @@ def fit_field(
     Notes
     -----
     First, the brightest stars are fitted individually from random starts. If all exposures have one focus, the sign
-    of the even part of each phase is ambiguous: the signs of neighbouring stars are made consistent with the leading
-    eigenvector of the matrix of their similarities (synchronisation: Singer 2011, doi:10.1016/j.acha.2010.02.001).
-    Polynomials are fitted robustly to these wavefronts. From there all stars are fitted jointly: Fisher scoring
-    maximizes the likelihood of :func:`lommel.retrieve`, with position, flux and background of each star eliminated.
-    Blur by turbulence is a mixture of Gaussians, whose transfer function differs by less than 3e-4 from the exact
-    one. Shapes of blur are compared by log-likelihood (lnL): two widths are preferred to one if lnL increases by at
-    least 2. Stars whose chi2 exceeds the median by five standard deviations are rejected. Pixels that are sharper
-    than any star image are left out as hits of cosmic rays (van Dokkum 2001, doi:10.1086/323894). Blur is computed
-    from samples at most 0.45 lambda*N apart, not on the pixels of the camera. Charts may be unevenly lit: windows of
-    corners are divided by a polynomial of degree 4 or less, fitted to the white areas of all windows.
+    of the even part of each phase is ambiguous. Initial signs are those of the leading eigenvector of the matrix of
+    similarities between stars (synchronisation: Singer 2011, doi:10.1016/j.acha.2010.02.001). Polynomials are fitted
+    robustly to these wavefronts. From there all stars are fitted jointly: Fisher scoring maximizes the likelihood of
+    :func:`lommel.retrieve`, with position, flux and background of each star eliminated. Blur by turbulence is a
+    mixture of Gaussians, whose transfer function differs by less than 3e-4 from the exact one. Shapes of blur are
+    compared by log-likelihood (lnL): two widths are preferred to one if lnL increases by at least 2. Stars whose chi2
+    exceeds the median by five standard deviations are rejected. Pixels that are sharper than any star image are left
+    out as hits of cosmic rays (van Dokkum 2001, doi:10.1086/323894). Blur is computed from samples at most 0.45
+    lambda*N apart, not on the pixels of the camera. Charts may be unevenly lit: windows of corners are divided by a
+    polynomial of degree 4 or less, fitted to the white areas of all windows.
 
     Effects that the model lacks are tested, marginalized or reported as in :func:`lommel.retrieve`. Additional score
     tests search for polynomials of the next two degrees, for a term that is larger in one of 3 x 3 parts of the
     field, and for blur that has another shape, is anisotropic, or varies over the field. Slopes of the background are
-    estimated if they are significant. Marginalized in addition, with these prior standard deviations: anisotropic
-    blur (variance 0.1 pixels^2), wings (30 % of the light) and slopes of the background (1 electron per pixel).
+    estimated if they are significant. These effects are also marginalized, with the following prior standard
+    deviations: anisotropic blur (0.1 pixels^2 of variance), wings (0.3 of the light) and slopes of the background (1
+    electron per pixel).
 
     If all exposures have one focus, the search is repeated with other relative signs of even terms, and the most
-    likely map is returned. Another map, more than three standard errors away and at most 8 less in lnL, is reported
-    ("another_minimum"). The images do not change if all even terms of the phase are negated, those of a known defocus
-    included ("sign_open"). The map nearer to `start` is returned, by default the map nearer to the wavefront of
-    `pupil`; the other map is `twin`. At equal distances, the map whose first even term has the larger mean is
-    returned. A second exposure at another known defocus determines the sign.
+    likely map is returned. If the lnL of another map is lower by less than 8, and a coefficient differs by more than
+    three standard errors, this is reported ("another_minimum"). The images do not change if all even terms of the
+    phase are negated, those of a known defocus included ("sign_open"). The map nearer to `start` is returned, by
+    default the map nearer to the wavefront of `pupil`; the other map is `twin`. At equal distances, the map whose
+    first even term has the larger mean is returned. A second exposure at another known defocus determines the sign.
 
     Distortion requires `ideal` places. The displacement is a polynomial of the ideal position, fitted to the
     estimated places by generalised least squares, because errors of places and of coma are correlated. Tilts of the
@@ -536,7 +537,7 @@ def fit_field(
         down = chip.relative(x[:, None], y[:, None] + pitch * (np.arange(height) - height // 2))[1]
         illumination = relative_light(electrons, valid, across, down)
         electrons, read = electrons / illumination, read / illumination**2
-    blur_model = _shape(blur, lens, pitch, min(height, width), target)
+    blur_model = _blur_model(blur, lens, pitch, min(height, width), target)
     if target is None:
         sharpest = sharpness(lens, pitch, integrate=bool(plan.grid(lens).integrate))
         valid = valid & ~cosmic_ray_mask(electrons, read, valid, sharpest)
@@ -544,11 +545,12 @@ def fit_field(
         electrons, read, valid, start_pupils, defoci, unknowns, pitch, plan, blur=blur_model, target=target
     )
     if stars.degrees_of_freedom < 1:
+        pixels = stars.degrees_of_freedom + stars.size
         raise ValueError(
-            f"windows must have more pixels than the {stars.size} unknowns of a star: use larger windows"
+            f"windows must have more pixels than a star has unknowns, {stars.size}, got {pixels}: use larger windows"
         )
     if count < 4 and max_degree > 0:
-        raise ValueError(f"windows must be of at least 4 stars unless degree is 0, got {count}")
+        raise ValueError(f"windows must show at least 4 stars unless degree is 0, got {count}")
     report = settings.progress or (lambda *_: None)
     u, v = chip.relative(x, y)
     pixel_size = np.array([2.0 / columns, 2.0 / rows])
@@ -562,12 +564,12 @@ def fit_field(
     )
 
 
-def _shape(
+def _blur_model(
     blur: bool | Blur | Iterable[Blur], pupil: Pupil, pitch: float, side: int, target: Target | None
-) -> Shape | tuple[Blur, ...]:
+) -> BlurProfile | tuple[Blur, ...]:
     """Return the initial shape of a blur of unknown width, or the known blurs."""
     if blur is True:
-        return Shape.turbulent() if target is None else Shape.gaussian()
+        return BlurProfile.turbulent() if target is None else BlurProfile.gaussian()
     known_blurs = blurs(None if blur is False else blur)
     require_unit(known_blurs, pupil)
     if not all(b.isotropic for b in known_blurs) or sum(isinstance(b, Seeing) for b in known_blurs) > 1:
@@ -702,7 +704,7 @@ def _build_field_fit(
     findings = [*outcome.findings, *missing_findings(tests), *findings]
     squared_widths = fit.squared_widths()
     blurs_with_errors = _blurs(stars, known_blurs, squared_widths, errors.reshape(squared_widths.shape))
-    findings += _blur_findings(stars, outcome.shapes)
+    findings += _blur_findings(stars, outcome.blur_costs)
     table, model = _fitted_stars(search, fit, rejected, polynomials, places, noise.excess)
     findings += _stripe_findings(stars, model, table.used, noise.excess)
     chi2 = float(fit.scores.chi2[0])
@@ -719,7 +721,7 @@ def _build_field_fit(
     if Findings(findings).converged:
         findings += _too_dim_findings(first_star, fit, fit_covariance[: k * m, : k * m], one_focus=search.one_focus)
     findings += recording_findings([counts[:, e] for e in range(counts.values.shape[1])], noise, "exposure")
-    used_pixels = (stars.star[3] > 0.0).reshape(counts.known.shape)
+    used_pixels = (stars.pixel_data[3] > 0.0).reshape(counts.known.shape)
     findings += _left_out_finding(counts.known & ~used_pixels)
     estimated = (first_star.directions != 0.0).any(axis=0)
     estimated[first_star.tilts] |= distortion is not None
@@ -772,7 +774,7 @@ def _fitted_stars(
 
 def _stripe_findings(stars: FieldStars, model: Array, used: NDArray[np.bool_], excess: float) -> list[Finding]:
     """Return the finding on stripes in the windows of the used stars; `model` are the expected electrons."""
-    counted, _, read, valid = stars.star.reshape(4, stars.count, -1, *stars.shape)[:, used]
+    counted, _, read, valid = stars.pixel_data.reshape(4, stars.count, -1, *stars.shape)[:, used]
     mean = model.reshape(stars.count, *counted.shape[1:])[used]
     residual = np.where(valid > 0.0, counted - mean, np.nan)
     residual, variance = (part.reshape(-1, *stars.shape) for part in (residual, np.maximum(mean, 0.0) + read))
@@ -811,10 +813,10 @@ def _blurs(
 ) -> list[list[tuple[Blur, float]]]:
     """Return the blurs of each exposure, from squared widths (e, b) in pixels, with their standard errors."""
     exposures: list[list[tuple[Blur, float]]] = [[(blur, 0.0) for blur in known_blurs] for _ in squared_widths]
-    pupil, shape = stars.lens, stars.blur
+    pupil, profile = stars.pupil, stars.blur
     pitch = stars.pixel * float(pupil.scale)
     for i, blurs_of_exposure in enumerate(exposures):
-        for name, square, error in zip(shape.names, squared_widths[i], errors[i], strict=True):
+        for name, square, error in zip(profile.names, squared_widths[i], errors[i], strict=True):
             width = math.sqrt(max(float(square), 0.0))
             # With s = square and ds = error, the error of sqrt(s) is ds / (2 sqrt(s)). At s = 0 it is sqrt(ds).
             width_error = float(error) / max(2.0 * width, math.sqrt(float(error)), 1e-300)
@@ -824,19 +826,19 @@ def _blurs(
                 wavelength = pupil.wavelength
                 focal_length = 1.0 if pupil.geometry is None else pupil.geometry.focal_length
                 r0 = FWHM / (SIGMAS * width * pitch) * (1.0 if wavelength is None else wavelength * focal_length)
-                outer = None if shape.outer is None else shape.outer * r0
+                outer = None if profile.outer is None else profile.outer * r0
                 seeing = Seeing(r0, None if wavelength is None else focal_length, wavelength, outer)
                 blurs_of_exposure.append((seeing, r0 * width_error / width))
     return exposures
 
 
-def _blur_findings(stars: FieldStars, shapes: dict[str, float]) -> list[Finding]:
-    """Return the finding on the most likely shape of blur; `shapes` are -lnL of the shapes that were compared."""
-    if not shapes:
+def _blur_findings(stars: FieldStars, blur_costs: dict[str, float]) -> list[Finding]:
+    """Return the finding on the most likely profile of blur; `blur_costs` are -lnL of the compared profiles."""
+    if not blur_costs:
         return []
     outer = stars.blur.outer
     seeing = "Kolmogorov" if outer is None else f"von Karman with an outer scale of {outer:.0f} r0"
-    gain = shapes["Gaussian"] - shapes["seeing"]
+    gain = blur_costs["Gaussian"] - blur_costs["seeing"]
     numbers = {"gain": gain, "outer_over_r0": outer}
     if abs(gain) < _MIN_GAIN:
         text = f"the images do not distinguish Kolmogorov from a Gaussian blur (lnL differs by {abs(gain):.1f})"
@@ -856,7 +858,7 @@ def _too_dim_findings(first_star: StarImages, fit: Solution, covariance: Array, 
     blocks = covariance.reshape(k, m, k, m)
     metric = (first_star.directions * first_star.mean_squares) @ first_star.directions.T
     rms = math.sqrt(float(np.einsum("ni,kilj,nj,kl->n", basis, blocks, basis, metric, optimize=True).mean()))
-    # If all exposures have one focus, each of the m polynomials has another minimum nearby.
+    # With one focus, minima with other signs are near, for each of the m ways in which a term varies over the field.
     limit = MAX_LINEAR_ERROR / math.sqrt(m) if one_focus else MAX_LINEAR_ERROR
     if rms <= limit:
         return []

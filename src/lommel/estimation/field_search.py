@@ -21,7 +21,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lommel.base.arrays import Array
-from lommel.blur.mixtures import OUTER, Shape
+from lommel.blur.mixtures import OUTER, BlurProfile
 from lommel.core.answers import Declined, ToleranceError
 from lommel.estimation.field_checks import missing_tests, slope_findings
 from lommel.estimation.field_signs import candidates, highest_degree, monomials, robust
@@ -106,7 +106,7 @@ class Outcome:
     held_out: tuple[float, float]  # chi2 of held-out stars, and its standard deviation
     bright_chi2: tuple[float, float]  # chi2 of pixels in which stars exceed the noise, and its standard deviation
     places: Array  # positions of the stars, half fields
-    shapes: dict[str, float]  # -lnL of each shape of blur that was compared
+    blur_costs: dict[str, float]  # -lnL of each profile of blur that was compared
     notes: list[Finding]  # findings on sloping backgrounds, and on input values that the images do not test
     tests: tuple[ScoreTest, ...]  # score tests of terms that the model lacks
     marginal: Marginal  # shift and covariance of the coefficients, marginalized over possible effects
@@ -166,14 +166,14 @@ class Search:
     ) -> None:
         self.stars, self.places, self.degree, self.draw, self.report = stars, places, degree, draw, report
         self.initial_stars = stars
-        self.shapes: dict[str, float] = {}
+        self.blur_costs: dict[str, float] = {}
         self.rival: Rival | None = None
         #: Indices of double stars and defects, which no wavefront fits: they are not fitted individually again.
         self.misfits = np.zeros(0, dtype=np.intp)
         self.pixel_size = pixel_size
         #: The stars with fewer terms of the blur model, for fits of individual stars.
         self.simplified_stars = (
-            stars.with_blur_shape(Shape.turbulent(terms=_SINGLE_TERMS)) if stars.width_count == 2 else stars
+            stars.with_blur_profile(BlurProfile.turbulent(terms=_SINGLE_TERMS)) if stars.width_count == 2 else stars
         )
         self.squared_widths = np.full(
             (stars.exposures, stars.width_count), _START_BLUR**2 / max(stars.width_count, 1)
@@ -193,7 +193,7 @@ class Search:
 
     def brightest(self) -> NDArray[np.intp]:
         """Return the indices of the brightest stars, which are fitted individually."""
-        counted, _, _, valid = self.stars.star
+        counted, _, _, valid = self.stars.pixel_data
         level = np.median(counted, axis=-1, keepdims=True)
         brightness = (valid * (counted - level)).sum(axis=(1, 2))
         return np.sort(np.argsort(-brightness, kind="stable")[:_MAX_SINGLES])
@@ -244,9 +244,9 @@ class Search:
     def _centred_nuisance(self, rows: NDArray[np.intp], waves: Array) -> Array:
         """Return initial nuisance parameters for which the images of stars have the observed centroids."""
         first_star = self.stars.first_star
-        edge = self.stars.base[rows] + (waves @ first_star.directions)[:, None]
+        edge = self.stars.fixed_of_images[rows] + (waves @ first_star.directions)[:, None]
         # The mean slope of the wavefront shifts the centroid: tilts correspond to the centroid minus this shift.
-        return self.stars.start_values(rows, self._centroids[rows] - first_star.mean_slopes(edge).swapaxes(0, 1))
+        return self.stars.start_values(rows, self._centroids[rows] - first_star.mean_tilts(edge).swapaxes(0, 1))
 
     @cached_property
     def _centroids(self) -> Array:
@@ -306,7 +306,7 @@ class Search:
         degree = highest_degree(self.degree, len(chosen))
         bases = [self.basis(chosen, d) for d in sorted({min(2, degree), degree})]
         if self.one_focus and (stars.first_star.even * stars.first_star.directions).any():
-            wavefronts = stars.base[chosen, 0] + waves @ stars.first_star.directions
+            wavefronts = stars.fixed_of_images[chosen, 0] + waves @ stars.first_star.directions
             even = (wavefronts * stars.first_star.even) * np.sqrt(stars.first_star.mean_squares)
             negate = partial(self.negated, chosen)
             starts = candidates(self.places[chosen], waves, even, negate, bases, quality, self.metric, self.draw)
@@ -329,7 +329,7 @@ class Search:
 
     def negated(self, chosen: NDArray[np.intp], waves: Array) -> Array:
         """Return the coefficients of the wavefronts of stars with the even part of the phase negated."""
-        return self.stars.first_star.negated(waves, self.stars.base[chosen, 0])
+        return self.stars.first_star.negated(waves, self.stars.fixed_of_images[chosen, 0])
 
     def refine(
         self,
@@ -422,7 +422,7 @@ class Search:
     def one_focus(self) -> bool:
         """Whether all exposures have the same defocus, such that signs of even terms are ambiguous."""
         first_star = self.stars.first_star
-        return bool(np.ptp(first_star.base * first_star.even, axis=0).max() == 0.0)
+        return bool(np.ptp(first_star.fixed_of_images * first_star.even, axis=0).max() == 0.0)
 
     def lowest_minimum(self, fit: Solution) -> Solution:
         """Repeat a fit from starts with other signs of even terms; return the most likely fit.
@@ -499,41 +499,43 @@ class Search:
         # The matrix 1 - flip negates the even part: flip is twice the projection onto the even part.
         flip = 2.0 * ((first_star.directions * first_star.even) @ first_star.inverse).T
         other = polynomials - flip @ polynomials
-        other[:, 0] -= 2.0 * ((first_star.base[0] * first_star.even) @ first_star.inverse)
+        other[:, 0] -= 2.0 * ((first_star.fixed_of_images[0] * first_star.even) @ first_star.inverse)
         return other, np.eye(len(flip)) - flip
 
     def best_shape(self, fit: Solution) -> Solution:
         """Return the fit with the most likely shape of blur; a single width is preferred to two of similar lnL."""
         nuisance, polynomials, squared_widths = fit.nuisance(), fit.polynomials(), fit.squared_widths()
 
-        def fit_shape(shape: Shape, widths: Array, max_steps: int) -> Solution:
-            self.stars = self.initial_stars.with_blur_shape(shape)
+        def fit_shape(shape: BlurProfile, widths: Array, max_steps: int) -> Solution:
+            self.stars = self.initial_stars.with_blur_profile(shape)
             refit = self.refine(fit.model.chosen, polynomials, widths, max_steps, (0.88, 0.01), nuisance)
             return refit or replace(fit, scores=fit.scores._replace(deviance=np.full(1, np.inf)))
 
-        two_widths = fit_shape(Shape.turbulent(), squared_widths, _SHAPE_STEPS)
+        two_widths = fit_shape(BlurProfile.turbulent(), squared_widths, _SHAPE_STEPS)
         cost: dict[float | None, float] = {None: float(two_widths.scores.deviance[0])}
-        gaussian = fit_shape(Shape.gaussian(), squared_widths.sum(axis=-1, keepdims=True), _SHAPE_STEPS)
-        self.shapes = {"Gaussian": float(gaussian.scores.deviance[0])}
+        gaussian = fit_shape(BlurProfile.gaussian(), squared_widths.sum(axis=-1, keepdims=True), _SHAPE_STEPS)
+        self.blur_costs = {"Gaussian": float(gaussian.scores.deviance[0])}
         outer: float | None = None
         best_fit = two_widths
-        if self.shapes["Gaussian"] > cost[None] + _OUTER_GAIN:
+        if self.blur_costs["Gaussian"] > cost[None] + _OUTER_GAIN:
             polynomials, nuisance = two_widths.polynomials(), two_widths.nuisance()
             squared_widths = two_widths.squared_widths()
             for next_outer in OUTER[1:]:
-                trial = fit_shape(Shape.turbulent(next_outer), squared_widths, 2)
+                trial = fit_shape(BlurProfile.turbulent(next_outer), squared_widths, 2)
                 cost[next_outer] = float(trial.scores.deviance[0])
                 if cost[next_outer] < cost[outer] - _MIN_GAIN:
                     best_fit, outer = trial, next_outer
                 else:
                     break
         seeing = fit_shape(
-            Shape.turbulent(outer, alone=True), best_fit.squared_widths().sum(axis=-1, keepdims=True), _SHAPE_STEPS
+            BlurProfile.turbulent(outer, alone=True),
+            best_fit.squared_widths().sum(axis=-1, keepdims=True),
+            _SHAPE_STEPS,
         )
-        self.shapes |= {"seeing": float(seeing.scores.deviance[0]), "both": cost[outer]}
+        self.blur_costs |= {"seeing": float(seeing.scores.deviance[0]), "both": cost[outer]}
         limit = cost[outer] + _MIN_WIDTH_GAIN
         pairs = (gaussian, "Gaussian"), (seeing, "seeing")
-        single_widths = [single for single, name in pairs if self.shapes[name] < limit]
+        single_widths = [single for single, name in pairs if self.blur_costs[name] < limit]
         is_narrow = float(gaussian.squared_widths().max()) < _NARROW
         if len(single_widths) == 1 or (single_widths and is_narrow):
             best_fit = single_widths[0]
@@ -620,7 +622,7 @@ class Search:
         parameters = fit.model.common_count + len(chosen) * self.stars.parameters_per_image * self.stars.exposures
         bright_chi2 = self.stars.bright_pixel_chi2(chosen, psf, nuisance, float(parameters))
         held_out = self.held_out(fit)
-        results = self.shapes, [*slope_notes, *untested], tests, marginal, self.rival
+        results = self.blur_costs, [*slope_notes, *untested], tests, marginal, self.rival
         return Outcome(fit, rejected, held_out, bright_chi2, self.places, *results)
 
     def _with_background_slopes(self, fit: Solution) -> Solution:

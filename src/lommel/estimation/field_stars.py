@@ -14,10 +14,17 @@ from numpy.typing import NDArray
 
 from lommel.base.arrays import Array
 from lommel.blur.blurs import Blur
-from lommel.blur.mixtures import Shape
+from lommel.blur.mixtures import BlurProfile
 from lommel.core.engine import star_likelihood
 from lommel.estimation.sampled_pupil import SMALL, SampledPupil, UnevenLight, changes_of
-from lommel.estimation.star_images import StarImages, Unknowns, centroids, loosest_tolerance, slants, star_counts
+from lommel.estimation.star_images import (
+    StarImages,
+    Unknowns,
+    centroids,
+    loosest_tolerance,
+    pixel_coordinates,
+    pixel_data,
+)
 from lommel.estimation.star_readout import ROOM, StarReadout
 from lommel.estimation.target_readout import Target, TargetReadout, start_of_crossing
 from lommel.fit.scoring import RowModel, Scores, covariance, flux_background, reduced_chi2
@@ -31,7 +38,7 @@ from lommel.psf import Plan
 
 _BLOCK_VALUES = 3e7  # number of samples of PSFs and of derivatives that are computed together
 _ZERO_LIMIT = 0.02  # squared width of blur, pixels^2, below which a step may set it to 0
-_MIN_BRIGHT = 50.0  # least (number of bright pixels) - 2 (number of parameters) for which their chi2 is computed
+_MIN_BRIGHT = 50.0  # chi2 of bright pixels requires this many more of them than twice the number of parameters
 _FIRST_ANGLE = 4  # number of parameters of each image (row, column, flux, background) before the angles
 _MAX_ANGLE_STEP = 0.05  # largest step of an angle, radians
 
@@ -52,7 +59,7 @@ class FieldStars:
     Parameters of a star are the k coefficients of its wavefront (`waves`, radians rms), the b squared widths of the
     blur of each exposure (pixels^2), and o nuisance parameters of each image: two tilts (row and column), flux,
     background, for corners two angles, and with `has_slopes` two slopes of the background. Arrays `nuisance` have the
-    shape (r, o, e) for r stars; o is `parameters_per_image`. `blur` is a shape of unknown widths, or known blurs.
+    shape (r, o, e) for r stars; o is `parameters_per_image`. `blur` is a profile of unknown widths, or known blurs.
     """
 
     def __init__(
@@ -66,12 +73,12 @@ class FieldStars:
         pixel: float,
         plan: Plan,
         *,
-        blur: Shape | tuple[Blur, ...],
+        blur: BlurProfile | tuple[Blur, ...],
         target: Target | None = None,
     ) -> None:
-        self.count, self.exposures, *shape = electrons.shape
-        self.shape = (shape[0], shape[1])
-        self.pixel_count = shape[0] * shape[1]
+        self.count, self.exposures, height, width = electrons.shape
+        self.shape = (height, width)
+        self.pixel_count = height * width
         self.defocus = defocus
         self.threads, self.tol = plan.threads, plan.tol
         self.target = target
@@ -79,44 +86,44 @@ class FieldStars:
         self.parameters_per_image = _FIRST_ANGLE + self.angle_count
         self.has_corners = self.angle_count > 0
         self.has_slopes = False
-        #: Terms and constants that are not estimated, but for which `images` may return derivatives.
+        #: Terms and constants by which `images` differentiates if `derivatives` is "others".
         self.extra_terms: tuple[Name, ...] = ()
         first_pupil = pupil if pupil.shape == () else pupil[0]
         self.integrate = bool(plan.grid(first_pupil).integrate)
-        self.lens, self.pixel = first_pupil, pixel / float(first_pupil.scale)  # in lambda*N
-        self.blur = blur if isinstance(blur, Shape) else Shape.known(blur, pixel, first_pupil.wavelength)
+        self.pupil, self.pixel = first_pupil, pixel / float(first_pupil.scale)  # pixel pitch in lambda*N
+        self.blur = blur if isinstance(blur, BlurProfile) else BlurProfile.known(blur, pixel, first_pupil.wavelength)
         self.width_count = self.blur.unknown
         #: The images of the first star; its terms and directions apply to all stars.
         self.first_star = StarImages(electrons[0], variance[0], valid[0], first_pupil, defocus, unknowns, plan, pixel)
         self.size = len(unknowns.terms) + (self.width_count + self.parameters_per_image) * self.exposures
-        self.star = star_counts(electrons, variance, valid)
-        self.search_tol = loosest_tolerance(self.star, plan.tol)
+        self.pixel_data = pixel_data(electrons, variance, valid)
+        self.search_tol = loosest_tolerance(self.pixel_data, plan.tol)
         #: Coefficients of the initial wavefront; the remainder, outside the estimated terms, is fixed.
         self.start, fixed = self.first_star.split(pupil.wavefront.edge_terms(), (self.count,))
-        self.base: Array = np.repeat(fixed[:, None], self.exposures, axis=1)
-        self.base[:, :, 0] += defocus[None]
+        self.fixed_of_images: Array = np.repeat(fixed[:, None], self.exposures, axis=1)
+        self.fixed_of_images[:, :, 0] += defocus[None]
         self.has_defocus = bool(defocus.any())
         self._terms: tuple[Term, ...] = (*unknowns.edge, *(SHIFTS[place] for place in ("row", "column")))
         self._reader: Readout | None = None
         self._sampled_pupils: dict[tuple[object, ...], SampledPupil] = {}
-        self.degrees_of_freedom = int((self.star[3].sum(axis=(1, 2)) - self.size).mean())
+        self.degrees_of_freedom = int((self.pixel_data[3].sum(axis=(1, 2)) - self.size).mean())
 
-    def with_blur_shape(self, shape: Shape) -> FieldStars:
-        """Return a model of the same stars with another shape of the blur, of unknown widths."""
-        added_count = (shape.unknown - self.width_count) * self.exposures
-        freedom, size = self.degrees_of_freedom - added_count, self.size + added_count
-        changes = {"blur": shape, "width_count": shape.unknown, "size": size, "degrees_of_freedom": freedom}
-        return self.copy_with(_reader=None, **changes)
+    def with_blur_profile(self, profile: BlurProfile) -> FieldStars:
+        """Return a model of the same stars with another profile of the blur, of unknown widths."""
+        added_count = (profile.unknown - self.width_count) * self.exposures
+        changes = {"blur": profile, "width_count": profile.unknown, "size": self.size + added_count}
+        degrees_of_freedom = self.degrees_of_freedom - added_count
+        return self.copy_with(_reader=None, degrees_of_freedom=degrees_of_freedom, **changes)
 
     def with_background_slopes(self) -> FieldStars:
         """Return a model with two more parameters per image: slopes of the background, electrons per pixel."""
         added_count = 2 * self.exposures
-        freedom, per_image = self.degrees_of_freedom - added_count, self.parameters_per_image + 2
-        changes = {"parameters_per_image": per_image, "size": self.size + added_count, "degrees_of_freedom": freedom}
-        return self.copy_with(has_slopes=True, **changes)
+        changes = {"parameters_per_image": self.parameters_per_image + 2, "size": self.size + added_count}
+        degrees_of_freedom = self.degrees_of_freedom - added_count
+        return self.copy_with(has_slopes=True, degrees_of_freedom=degrees_of_freedom, **changes)
 
     def copy_with(self, **changes: Any) -> FieldStars:
-        """Return a copy in which the attributes in `changes`, such as `extra_terms` or `lens`, are replaced."""
+        """Return a copy in which the attributes in `changes`, such as `extra_terms` or `pupil`, are replaced."""
         replaced = copy(self)
         vars(replaced).update(changes)
         return replaced
@@ -129,14 +136,15 @@ class FieldStars:
 
         `waves` is (r, k), `squared_widths` (r, e, b), `nuisance` (r, o, e); each result is (r * e, height, width).
         `derivatives` selects the derivatives. "all": by Zernike terms (amplitude at the pupil edge), tilts, squared
-        widths, and angles. "image": as "all", but 0 unless by tilts or angles. "none": no derivatives. "others": by
-        `extra_terms`, by `changes_of` a circular pupil, and, for stars, by `OTHER_BLURS`; all stars must then have
-        the same squared widths.
+        widths and angles. "image": the same number of arrays, but only derivatives by tilts and angles are computed;
+        the other arrays are 0. "none": no derivatives. "others": by `extra_terms`, by the changes of a circular pupil
+        that `changes_of` lists, and, for stars, by the blurs `OTHER_BLURS`; all stars must then have the same squared
+        widths.
         """
         reader = self._readout(squared_widths, always=derivatives == "others")
         samples = self.exposures * math.prod(reader.shape if reader else self.shape) * (len(self._terms) + 2)
         block = max(1, int(_BLOCK_VALUES / samples))
-        edge = self.base[stars] + (waves @ self.first_star.directions)[:, None]
+        edge = self.fixed_of_images[stars] + (waves @ self.first_star.directions)[:, None]
         for j, column in enumerate(self.first_star.tilts):
             edge[:, :, column] += nuisance[:, j]
         rows = (slice(start, start + block) for start in range(0, len(stars), block))
@@ -145,17 +153,18 @@ class FieldStars:
 
     def _readout(self, squared_widths: Array, *, always: bool) -> Readout | None:
         """Return the readout, which computes pixels from samples, for these widths of blur; None if not needed."""
-        reader, shape = self._reader, self.blur
+        reader, profile = self._reader, self.blur
         if self.target is not None:
             if reader is None:
-                self._reader = TargetReadout(self.shape, self.pixel, self.target, shape, integrate=self.integrate)
+                self._reader = TargetReadout(self.shape, self.pixel, self.target, profile, integrate=self.integrate)
             return self._reader
-        if not (always or self.width_count or self.integrate or shape.fixed.any()):
+        if not (always or self.width_count or self.integrate or profile.fixed.any()):
             return None
-        # With the support for the typical width, the widest Gaussians of seeing lose only light far from the window.
-        known_square = float(np.exp(shape.weights @ np.log(shape.fixed + 1e-12)))
+        # Samples extend as far as a blur of typical width (geometric mean of the known variances) requires: wider
+        # Gaussians of seeing then lose only light far from the window.
+        known_square = float(np.exp(profile.weights @ np.log(profile.fixed + 1e-12)))
         width = math.sqrt(float(squared_widths.sum(axis=-1).max(initial=0.0)) + known_square)
-        variances = shape.variances(squared_widths).reshape(-1, len(shape.weights)).min(axis=0)
+        variances = profile.variances(squared_widths).reshape(-1, len(profile.weights)).min(axis=0)
         if isinstance(reader, StarReadout) and reader.serves(width, variances):
             return reader
         smallest_variances, max_width = variances, width
@@ -164,7 +173,12 @@ class FieldStars:
             max_width = ROOM * (math.ceil(width / ROOM) + 1)
             smallest_variances = variances * max(1.0 - ROOM / max(width, ROOM), 0.0) ** 2
         self._reader = StarReadout(
-            self.shape, self.pixel, max_width, shape, integrate=self.integrate, smallest_variances=smallest_variances
+            self.shape,
+            self.pixel,
+            max_width,
+            profile,
+            integrate=self.integrate,
+            smallest_variances=smallest_variances,
         )
         return self._reader
 
@@ -173,26 +187,26 @@ class FieldStars:
     ) -> list[Array]:
         """Return the result of `images` for a block of r stars, from Zernike terms `edge` (r, e, terms)."""
         edge = edge.reshape(-1, edge.shape[-1])
-        pupil = self.lens.carrying(Wavefront.trusted(self.first_star.terms, edge), None)
+        pupil = self.pupil.carrying(Wavefront.trusted(self.first_star.terms, edge), None)
         tol = self.search_tol if fast else self.tol
-        shape, pitch = (self.shape, self.pixel) if reader is None else (reader.shape, reader.step)
-        pixel = pitch * float(self.lens.scale)
-        plan = Plan(shape, pixel, tol=tol, integrate=False, threads=self.threads or None)
+        samples_shape, pitch = (self.shape, self.pixel) if reader is None else (reader.shape, reader.step)
+        pixel = pitch * float(self.pupil.scale)
+        plan = Plan(samples_shape, pixel, tol=tol, integrate=False, threads=self.threads or None)
         pupil_key = pupil.aperture, pupil.radial, pupil.shape, pupil.wavelength, pupil.f_number
         dtype = output_type(None, tol)
         prepared = prepare_question(pupil, pupil_key, plan.grid(pupil), None, tol, "energy", dtype, self.threads)
         names = {"all": self._terms, "image": self._terms[-2:], "none": (), "others": self.extra_terms}[selection]
         others = selection == "others"
         # Sampled pupils do not support masks, and have derivatives by phases only.
-        use_proven_method = pupil.mask is not None or (pupil.circular and (others or max(shape) <= SMALL))
+        use_proven_method = pupil.mask is not None or (pupil.circular and (others or max(samples_shape) <= SMALL))
         if use_proven_method:
             _, pixels, derivatives = prepared.images(pupil, names)
             samples = [pixels.values, *(derivative.values for derivative in derivatives)]
-            if others and changes_of(self.lens):
-                samples += UnevenLight(self.lens, plan.grid(self.lens), self.first_star.terms, edge).images()
+            if others and changes_of(self.pupil):
+                samples += UnevenLight(self.pupil, plan.grid(self.pupil), self.first_star.terms, edge).images()
         else:
             columns = [(*self.first_star.terms, *self.extra_terms).index(name) for name in names]
-            samples = list(self._sampled(plan.grid(self.lens)).images(edge, columns, values=fast))
+            samples = list(self._sampled(plan.grid(self.pupil)).images(edge, columns, values=fast))
             if not fast:  # only the PSFs must be accurate: errors of derivatives hardly affect steps and results
                 samples.insert(0, prepared.images(pupil)[1].values)
         if reader is None:
@@ -217,28 +231,29 @@ class FieldStars:
 
     def _sampled(self, grid: Grid) -> SampledPupil:
         """Return the sampled pupil that computes images on the grid; reuse it in later calls."""
-        key = self.lens, grid.shape, grid.pixel, self.extra_terms
+        key = self.pupil, grid.shape, grid.pixel, self.extra_terms
         if key not in self._sampled_pupils:
             self._sampled_pupils[key] = SampledPupil(
-                self.lens, grid, cast("list[Term]", [*self.first_star.terms, *self.extra_terms])
+                self.pupil, grid, cast("list[Term]", [*self.first_star.terms, *self.extra_terms])
             )
         return self._sampled_pupils[key]
 
     def likelihood(
         self, stars: NDArray[np.intp], images: Sequence[Array], nuisance: Array, extra: Sequence[Array] = ()
     ) -> tuple[Array, Array, Array]:
-        """Return deviance and Pearson statistics, information and gradient, and Pearson's sum of r stars.
+        """Return statistics of r stars, information matrices with gradients, and Pearson's sums.
 
-        Shapes: (3, r) for deviance, and expectation and variance of Pearson's sum; (r, p, p + 1) for the information
-        matrix of p parameters, with the gradient of the log-likelihood lnL as last column; (r,) for Pearson's sum.
+        1. Deviance, and expectation and variance of Pearson's sum (3, r). 2. Information matrix of p parameters, with
+        the gradient of the log-likelihood lnL as last column (r, p, p + 1). 3. Pearson's sum (r,).
+
         `images` are PSFs and their derivatives. The p parameters are waves, squared widths, q further parameters
         common to all exposures, and `nuisance`. The q arrays `extra` (r * e, height, width) are derivatives of
         electrons by the further parameters.
         """
         r, e, k, b, q = len(stars), self.exposures, len(self.first_star.directions), self.width_count, len(extra)
-        gradients = slants(r * e, self.shape) if self.has_slopes else ()
-        sums, inner = self._products(stars, [*images, *gradients, *extra], nuisance)
-        d = inner.shape[-1]
+        slope_derivatives = pixel_coordinates(r * e, self.shape) if self.has_slopes else ()
+        sums, products = self._products(stars, [*images, *slope_derivatives, *extra], nuisance)
+        d = products.shape[-1]
         term_count = len(self.first_star.unknowns.edge)
         # Chain rule. The last axis is: derivatives of PSFs by Zernike terms, tilts, blur and angles; derivatives of
         # electrons by slopes of the background, and `extra`; the PSF, 1 (for the background) and the residual.
@@ -256,34 +271,36 @@ class FieldStars:
                 factor = flux[:, i] if j < _FIRST_ANGLE + self.angle_count else 1.0
                 chain[:, i, rows[j], term_count + 2 + b + j - _FIRST_ANGLE] = factor
         chain[:, :, -1, -1] = 1.0
-        matrices = (chain @ inner @ chain.swapaxes(-1, -2)).sum(axis=1)
+        matrices = (chain @ products @ chain.swapaxes(-1, -2)).sum(axis=1)
         return sums, matrices[:, :-1], matrices[:, -1, -1]
 
     def _products(self, stars: NDArray[np.intp], images: Sequence[Array], nuisance: Array) -> tuple[Array, Array]:
-        """Return deviance, expectation and variance of Pearson's sum (3, r), and inner products (r, e, d, d).
+        """Return deviance, and expectation and variance of Pearson's sum (3, r), and inner products (r, e, d, d).
 
-        The factors are `images`, the constant 1 and the residual, divided by the standard deviation of each pixel.
+        The products are sums over pixels, for each pair of d images: `images`, the constant 1 and the residual, all
+        divided by the standard deviation of each pixel.
         """
-        data, light = self.without_slopes(stars, nuisance)
-        light = np.ascontiguousarray(np.moveaxis(light, 1, 0).reshape(1, 2, -1))
-        sums, products = star_likelihood(images, light, data.reshape(4, -1, self.pixel_count), self.threads)
+        data, brightness = self.without_slopes(stars, nuisance)
+        brightness = np.ascontiguousarray(np.moveaxis(brightness, 1, 0).reshape(1, 2, -1))
+        sums, products = star_likelihood(images, brightness, data.reshape(4, -1, self.pixel_count), self.threads)
         stack_shape = len(stars), self.exposures
         return sums.reshape(3, *stack_shape).sum(axis=-1), products.reshape(*stack_shape, *products.shape[-2:])
 
     def without_slopes(self, stars: NDArray[np.intp], nuisance: Array) -> tuple[Array, Array]:
-        """Return counts and variances (4, r, e, pixels) without slopes of the background, and flux and background.
+        """Return pixel data without slopes of the background, and flux and flat background (r, 2, e).
 
-        Counts plus the read variance have a Poisson distribution. A known part of the background may therefore be
-        subtracted from the counts and added to the variance.
+        The data (4, r, e, pixels) are those of :func:`lommel.estimation.star_images.pixel_data`. Electrons plus the
+        read variance have a Poisson distribution. A known part of the background may therefore be subtracted from the
+        electrons and added to the variances.
         """
-        data, light = self.star[:, stars], nuisance[:, 2:4].copy()
+        data, brightness = self.pixel_data[:, stars], nuisance[:, 2:4].copy()
         if self.has_slopes:
             drop = self._largest_drop(nuisance)
             sloping = self._sloping_part(nuisance) + drop[:, :, None]
             data[0] -= sloping
             data[1:3] += sloping
-            light[:, 1] -= drop
-        return data, light
+            brightness[:, 1] -= drop
+        return data, brightness
 
     def _largest_drop(self, nuisance: Array) -> Array:
         """Return the largest decrease of sloping backgrounds from the middle to a corner of the window (r, e)."""
@@ -291,7 +308,7 @@ class FieldStars:
 
     def _sloping_part(self, nuisance: Array) -> Array:
         """Return the sloping part of backgrounds, (r, e, pixels), from the last two parameters in `nuisance`."""
-        y, x = slants(1, self.shape)
+        y, x = pixel_coordinates(1, self.shape)
         return np.asarray(nuisance[:, -2, :, None] * y.ravel() + nuisance[:, -1, :, None] * x.ravel())
 
     def expected(self, psf: Array, nuisance: Array) -> Array:
@@ -309,7 +326,7 @@ class FieldStars:
         self, stars: NDArray[np.intp], pearson_sum: Array, expectation: Array, variance: Array, parameter_count: float
     ) -> Quality:
         """Return chi2 of stars from Pearson's sum, its expectation and variance, and the parameters per star."""
-        fraction = np.maximum(1.0 - parameter_count / self.star[3][stars].sum(axis=(1, 2)), 0.1)
+        fraction = np.maximum(1.0 - parameter_count / self.pixel_data[3][stars].sum(axis=(1, 2)), 0.1)
         return Quality(*reduced_chi2(pearson_sum, expectation, variance, fraction))
 
     def bright_pixel_chi2(
@@ -321,18 +338,18 @@ class FieldStars:
         wavefront increases this chi2 more than the chi2 of whole windows, which are mostly background.
         """
         psf = values.reshape(len(stars), self.exposures, -1)
-        (counted, _, read, valid), light = self.without_slopes(stars, nuisance)
-        star_light = light[:, 0, :, None] * psf
-        model = star_light + light[:, 1, :, None]
+        (counted, _, read, valid), brightness = self.without_slopes(stars, nuisance)
+        star_light = brightness[:, 0, :, None] * psf
+        model = star_light + brightness[:, 1, :, None]
         variance = np.maximum(np.maximum(model, 0.0) + read, 1e-3)
         bright = (valid > 0.0) & (star_light * star_light > variance)
-        freedom = float(bright.sum()) - parameter_count
-        if self.has_corners or freedom < parameter_count + _MIN_BRIGHT:
+        degrees_of_freedom = float(bright.sum()) - parameter_count
+        if self.has_corners or degrees_of_freedom < parameter_count + _MIN_BRIGHT:
             return math.nan, math.nan
         variance, residual = variance[bright], (counted - model)[bright]
-        fraction = freedom / len(residual)
-        deviation = math.sqrt(float((2.0 + 1.0 / variance).sum()) * fraction) / freedom
-        return float((residual * residual / variance).sum()) / freedom, deviation
+        fraction = degrees_of_freedom / len(residual)
+        deviation = math.sqrt(float((2.0 + 1.0 / variance).sum()) * fraction) / degrees_of_freedom
+        return float((residual * residual / variance).sum()) / degrees_of_freedom, deviation
 
     def flux_background(self, stars: NDArray[np.intp], values: Array, previous: Array) -> Array:
         """Return flux and background (r, 2, e) of stars by least squares, from their PSFs `values`.
@@ -348,12 +365,12 @@ class FieldStars:
         """Return the tilts (n, 2, e) that shift images to the centroids of stars, or to the crossings of corners."""
         if self.has_corners:
             return np.asarray(self._crossings[:, :2] * self.first_star.tilt_of_pixel)
-        tilts = centroids(self.star, self.shape) * self.first_star.tilt_of_pixel
+        tilts = centroids(self.pixel_data, self.shape) * self.first_star.tilt_of_pixel
         return tilts.reshape(self.count, self.exposures, 2).swapaxes(1, 2)
 
     def shifts(self, stars: NDArray[np.intp], values: Array) -> Array:
         """Return shifts (r, 2, e) in whole pixels that maximize the correlation of PSFs with the images of stars."""
-        counted, _, _, valid = self.star[:, stars].reshape(4, -1, *self.shape)
+        counted, _, _, valid = self.pixel_data[:, stars].reshape(4, -1, *self.shape)
         level = np.median(counted, axis=(1, 2), keepdims=True)
         size = (2 * self.shape[0], 2 * self.shape[1])
         spectrum = np.fft.rfft2(np.where(valid > 0.0, counted - level, 0.0), size)
@@ -385,7 +402,7 @@ class FieldStars:
     @cached_property
     def _crossings(self) -> Array:
         """Initial row, column and two angles of each crossing (the corner's two lines), (n, 4, e)."""
-        images = self.star[0].reshape(-1, *self.shape)
+        images = self.pixel_data[0].reshape(-1, *self.shape)
         crossings = np.array([start_of_crossing(image) for image in images])
         return crossings.reshape(self.count, self.exposures, -1).swapaxes(1, 2)
 
@@ -407,15 +424,15 @@ def limit_widths(squared_widths: Array, previous: Array, widest: float, *, zero_
 class _StarModel(RowModel):
     """Images of some stars of a field, as functions of rows of parameters."""
 
-    alternatives = False
+    alternatives = False  # see `RowModel`: rows are not different starts for the same images
     derivative_selection = "all"  # see `FieldStars.images`
     zero_limit = 0.0  # squared width of blur, pixels^2, below which a step may set it to 0
 
     def __init__(self, stars: FieldStars, chosen: NDArray[np.intp], common_count: int, widest: float) -> None:
         self.stars, self.chosen, self.widest = stars, chosen, widest
-        #: Number of parameters in a row before the nuisance parameters; the last of them are squared widths.
+        #: Number of parameters in a row before the nuisance parameters: of the wavefronts, then squared widths.
         self.common_count = common_count
-        self._widths = slice(common_count - stars.exposures * stars.width_count, common_count)
+        self._width_columns = slice(common_count - stars.exposures * stars.width_count, common_count)
 
     def parts(self, x: Array) -> tuple[Array, Array, Array]:
         """Return waves (r, k), squared widths (r, e, b) and a view of nuisance parameters (r, o, e)."""
@@ -426,11 +443,11 @@ class _StarModel(RowModel):
 
     def wavefronts(self, x: Array) -> Array:
         """Return the coefficients (r, k) of the wavefront of each star."""
-        return x[:, : self._widths.start]
+        return x[:, : self._width_columns.start]
 
     def squared_widths(self, x: Array) -> Array:
         """Return a view of the squared widths of the blur (s, e, b) of each row."""
-        return x[:, self._widths].reshape(len(x), self.stars.exposures, self.stars.width_count)
+        return x[:, self._width_columns].reshape(len(x), self.stars.exposures, self.stars.width_count)
 
     def images(self, x: Array, *, fast: bool = False) -> tuple[Any, Any]:
         """Return the PSFs of all stars, and their derivatives."""
@@ -486,9 +503,9 @@ class Blocks:
     """Information matrix of a field in blocks.
 
     `common` (s, s) is the block of the parameters common to all stars: k m coefficients of polynomials and e b
-    squared widths. `nuisance` (n, o, o) is the block of the nuisance parameters of each star, and `mixed` (n, c, o)
-    that of its c waves and squared widths with its nuisance parameters. `basis` (n, m) are the values of the m
-    polynomials at each star, `wave_count` is the number k, and `squared_widths` (e b,) are the present values.
+    squared widths. `nuisance` (n, t, t) is the block of the t nuisance parameters of each star, and `mixed` (n, c, t)
+    the block of its c waves and squared widths with its nuisance parameters. `basis` (n, m) are the values of the m
+    polynomials at each star, `wave_count` is k, and `squared_widths` (e b,) are the values at which the matrix holds.
     """
 
     common: Array
@@ -544,7 +561,7 @@ class Blocks:
         return damped_common - eliminated, np.asarray(inverse)
 
     def reduced_gradient(self, gradient: Array, nuisance_steps: Array) -> Array:
-        """Return the gradient (s,) with nuisance parameters eliminated, given their steps for fixed common ones."""
+        """Return `gradient` (s,) less the part due to `nuisance_steps` (n, t), for fixed common parameters."""
         return np.asarray(gradient - self.summed_gradient((self.mixed @ nuisance_steps[:, :, None])[:, :, 0]))
 
 
@@ -563,13 +580,13 @@ class WholeField(_StarModel):
         self.derivative_selection = "image" if held else "all"
         self.size = self.common_count + len(chosen) * stars.parameters_per_image * stars.exposures
         fitted_count = self.size - (self.common_count if held else 0)
-        self.pixel_count = int(stars.star[3][chosen].sum())
+        self.pixel_count = int(stars.pixel_data[3][chosen].sum())
         self.degrees_of_freedom = max(self.pixel_count - fitted_count, 1)
         self._fitted_per_star = fitted_count / len(chosen)
 
     def polynomials(self, x: Array) -> Array:
         """Return a view of the coefficients of the polynomials (k, m)."""
-        return x[0, : self._widths.start].reshape(self.wave_count, self.basis.shape[1])
+        return x[0, : self._width_columns.start].reshape(self.wave_count, self.basis.shape[1])
 
     def wavefronts(self, x: Array) -> Array:
         """Return the coefficients (r, k) of the wavefront of each star."""
@@ -594,11 +611,13 @@ class WholeField(_StarModel):
         squared_widths = self.squared_widths(x).flatten()
         blocks = Blocks.of_stars(information, self.basis, self.wave_count, c, squared_widths)
         gradient = np.concatenate([blocks.summed_gradient(gradients[:, :c]), gradients[:, c:].ravel()])
-        boxed = np.empty(1, dtype=object)
-        boxed[0] = blocks
+        rows_of_blocks = np.empty(1, dtype=object)
+        rows_of_blocks[0] = blocks
         fraction = self.degrees_of_freedom / self.pixel_count
         quality = reduced_chi2(pearson_sum.sum(), expectation.sum(), variance.sum(), fraction)
-        return Scores(np.array([deviance.sum()]), gradient[None], boxed, *(np.array([value]) for value in quality))
+        return Scores(
+            np.array([deviance.sum()]), gradient[None], rows_of_blocks, *(np.array([value]) for value in quality)
+        )
 
     def steps(self, scores: Scores, damping: Array) -> tuple[Array, Array]:
         """Return a damped step (1, p), and its product with the gradient of lnL."""

@@ -84,8 +84,8 @@ class Retrieval(FitReport):
         phase may have the other sign, and neither `pupil` nor a known defocus decides); "too_dim" (the standard error
         of an image's phase exceeds 0.25 radians rms, with `blur` 0.22: other wavefronts may fit); "errors_change" (a
         standard error changes by more than an eighth within one standard deviation); "other_explanation"; "pattern"
-        (residuals have stripes, or offsets of rows or columns); "too_quiet". Notes: "undetermined", "rare_chi2",
-        pixels left out or perhaps saturated.
+        (residuals have stripes, or offsets of rows or columns); "too_quiet" (the images are less noisy than `noise`
+        states). Notes: "undetermined", "rare_chi2", pixels left out or perhaps saturated.
     summary : str
         Chi2, and the numbers of steps and starts.
     converged, reliable, status, message
@@ -103,7 +103,7 @@ class Retrieval(FitReport):
         Standard error of r0 or sigma of each blur; 0 for a known blur.
     images, model, residual : ndarray, shape (n, height, width)
         Images, NaN at pixels left out; the fitted model, in the unit of the images; the residual, in standard
-        difference of the noise.
+        deviations of the noise.
     steps, starts : int
         Total number of steps, and number of starts.
 
@@ -268,8 +268,8 @@ def retrieve(
     blur : bool, float, Blur or several, default False
         Blur of each image. True: estimate seeing and a Gaussian (vibration, charge diffusion), as
         :func:`lommel.fit_field` does. A number is the known standard deviation of a Gaussian in pixels. Known
-        isotropic blurs may be given, such as :class:`lommel.Seeing` and :class:`lommel.Jitter`. Unless False, `also`
-        must be "center", and `starts` and `steps` their defaults.
+        isotropic blurs may be given, such as :class:`lommel.Seeing` and :class:`lommel.Jitter`. Unless `blur` is
+        False, `also` must be "center", and `starts` and `steps` must have their default values.
     {options}
 
     Returns
@@ -286,9 +286,10 @@ def retrieve(
     -----
     Fisher scoring with the damping of Levenberg and Marquardt maximizes the likelihood of ``y + read^2 ~ Poisson(mu +
     read^2)`` for y recorded electrons (Snyder et al. 1993, doi:10.1364/JOSAA.10.001014); ``mu = flux h + background``
-    are the expected electrons and h is the PSF. Random restarts end when chi2 exceeds 1 by at most three standard
-    difference, or by at most six if three starts end within the standard errors of the lowest minimum. The best fit
-    of all starts is accepted if chi2 exceeds 1 by at most six standard difference.
+    are the expected electrons and h is the PSF. Random restarts end when the chi2 of a fit is so small that noise
+    exceeds it in at least one of 1000 correct fits. They also end when noise exceeds it in at least one of 10^4
+    correct fits and three starts have ended within the standard errors of the lowest minimum. The best fit of all
+    starts is accepted below the second limit.
 
     Standard errors are the Cramér-Rao bound at the estimate, increased for undetected effects (below). They are valid
     if images are linear in the parameters within the standard errors. Images of dim stars on a background are not
@@ -304,13 +305,14 @@ def retrieve(
     wavefront nearer to that of `pupil` is returned; at equal distances, the one whose first even term is positive.
 
     Score tests (Rao, doi:10.1017/S0305004100023987) search for effects that the model lacks: Zernike terms of the
-    next two radial orders (spherical terms: four); finer zones, ripples; blur; sloping backgrounds; nonlinear gain;
-    another f-number, obscuration or amplitude at the pupil edge; uneven pupil illumination (linear in x or y, or with
-    two to four folds); decentred obscuration; non-circular edge; different scales along x and y; charge transfer
-    delay; terms that differ between images; scale of the defoci; defocus of each image (for three or more images).
+    next two radial orders (rotationally symmetric terms: four); zones and ripples of higher orders; blur; slopes of
+    the background; nonlinear gain; another f-number, obscuration or amplitude at the pupil edge; uneven pupil
+    illumination (linear in x or y, or with two to four folds); decentred obscuration; non-circular edge; different
+    scales along x and y; charge transfer delay; terms that differ between images; scale of the defoci; defocus of
+    each image (for three or more images).
 
     Some effects are always marginalized: `coefficients` and `errors` allow for them, `model` does not. Their prior
-    standard difference are: slopes of the background (1 electron per pixel), uneven illumination (2 % of the
+    standard deviations are: slopes of the background (1 electron per pixel), uneven illumination (2 % of the
     amplitude at the edge if linear, 1 % otherwise), decentring of the obscuration (0.01 pupil radii), ellipticity of
     the edge (0.5 %), scales (0.3 %), delayed charge (0.25 %), zones and ripples (0.02 radians rms each), f-number
     (1 %), obscuration (0.015), scale of the defoci (2.5 %). Effects that the images favour but that are not
@@ -336,7 +338,7 @@ def retrieve(
     settings = FitOptions(**options)
     unknowns = Unknowns(terms, also)
     validation.instance("noise", noise, Noise)
-    counts = star_counts(images, settings.mask, settings.saturation)
+    counts = checked_images(images, settings.mask, settings.saturation)
     values, valid = counts.filled(), counts.known
     start = _checked_pupil(pupil, unknowns)
     poisson = noise.poisson
@@ -347,7 +349,7 @@ def retrieve(
     if blur is not False:
         default_limits = FitOptions.starts, FitOptions.steps
         if {*unknowns.places} != {*SHIFTS} or unknowns.pupil or (settings.starts, settings.steps) != default_limits:
-            raise ValueError("blur must be False, or also 'center', and starts and steps their defaults")
+            raise ValueError("blur must be False unless also is 'center' and starts and steps are left out")
         height, width = values.shape[1:]
         field_fit = fit_field(
             np.where(valid, values, np.nan)[None], [[height // 2, width // 2]], start, sensor=(height, width),
@@ -432,7 +434,7 @@ def _checked_pupil(pupil: Pupil, unknowns: Unknowns) -> Pupil:
     return pupil
 
 
-def star_counts(images: Any, mask: ArrayLike | None, saturation: float | None) -> Counts:
+def checked_images(images: Any, mask: ArrayLike | None, saturation: float | None) -> Counts:
     """Return the validated images of a star, with shape (n, height, width)."""
     shape = "(height, width) or (n, height, width)"
     counts = Counts.of("images", images, sides=(2, 3), shape=shape, mask=mask, saturation=saturation)
@@ -448,7 +450,7 @@ def _centroid_starts(model: StarImages) -> Array:
     for column, name in enumerate(model.unknowns.pupil, model.pupil_columns.start):
         # The derivative by the obscuration vanishes at obscuration 0: the initial value is at least 0.1.
         x[:, column] = max(getattr(model.pupil, name), 0.1 if name == "obscuration" else 0.0)
-    tilts = dict(zip(SHIFTS, model.tilt_of_pixel * centroids(model.star, model.shape).T, strict=True))
+    tilts = dict(zip(SHIFTS, model.tilt_of_pixel * centroids(model.pixel_data, model.shape).T, strict=True))
     for j, place in enumerate(model.unknowns.places):
         model.per_image(x)[0, j] = tilts[place]
     return x
@@ -468,8 +470,8 @@ def _random_starts(model: StarImages, rows: Array, draw: np.random.Generator, co
             scatter * ((_SCATTER if tried_starts else 0.3 * _SCATTER) / model.rms(step))[:, None]
         )
     centred = (np.arange(count) + tried_starts) % len(rows) == 0
-    edge = model.base + (x[centred, model.wave_columns] @ model.directions)[:, None]
-    for j, shift in enumerate(model.mean_slopes(edge)):
+    edge = model.fixed_of_images + (x[centred, model.wave_columns] @ model.directions)[:, None]
+    for j, shift in enumerate(model.mean_tilts(edge)):
         # Aberrations shift the centroid: subtract this shift from the tilts.
         model.per_image(x)[centred, j] -= shift
     return x
@@ -607,7 +609,7 @@ def _sign_findings(model: StarImages, x: Array) -> list[Finding]:
     start = np.pad(model.start, (0, model.size - len(model.start)))
     twins = x, model.even_part_negated(x)
     distance, other_distance = (float(model.rms(parameters - start)[0]) for parameters in twins)
-    text = "one defocus of all images leaves the common sign of the even terms open"
+    text = "images at a single defocus do not determine the common sign of the even terms"
     numbers = {"rms": distance, "rms_of_other": other_distance}
     if other_distance >= _DECIDED * distance:
         text += ": the wavefront nearer to the given wavefront and defocus was chosen"

@@ -12,7 +12,7 @@ from scipy import ndimage
 
 from lommel.base.arrays import Array
 from lommel.base.units import with_error
-from lommel.blur.mixtures import Shape
+from lommel.blur.mixtures import BlurProfile
 from lommel.core.answers import Declined, ToleranceError
 from lommel.estimation.sampled_pupil import (
     ASPECT,
@@ -27,11 +27,11 @@ from lommel.estimation.sampled_pupil import (
 from lommel.estimation.star_images import (
     StarImages,
     Unknowns,
-    changes,
+    error_factors,
     label,
     next_terms,
+    pixel_coordinates,
     ripple_terms,
-    slants,
     uncertainty,
 )
 from lommel.estimation.star_readout import StarReadout
@@ -76,7 +76,7 @@ _MAX_PHASE_ERROR = 0.25
 # Largest factor by which a valid standard error may change within one standard deviation of the estimate.
 _MAX_ERROR_CHANGE = 1.125
 APODIZED = 0.1  # apodization coefficient g: the amplitude is exp(-g) at the pupil edge
-_NO_BLUR = Shape(np.ones(1), np.empty((1, 0)), np.zeros(1))
+_NO_BLUR = BlurProfile(np.ones(1), np.empty((1, 0)), np.zeros(1))
 _GAUSSIAN, _ELLIPSE, _WINGS, _HALO = "blur by a Gaussian besides", "blur in one direction", "wings", "halo"
 _UNEVEN = "blur that varies over the field"
 BLURS = (_GAUSSIAN, _ELLIPSE, _WINGS, _HALO)
@@ -234,7 +234,7 @@ def uneven_blur(image: Array, positions: Array, exposures: int) -> MissingEffect
 
 def missing_gradients(images: int, shape: tuple[int, int], exposures: int) -> MissingEffect:
     """Return background gradients of each exposure, along rows and columns, for `images` images in all."""
-    return MissingEffect(GRADIENT, _SLOPE, _of_each_exposure(exposures, *slants(images, shape)))
+    return MissingEffect(GRADIENT, _SLOPE, _of_each_exposure(exposures, *pixel_coordinates(images, shape)))
 
 
 def missing_nonlinearity(mean: Array) -> MissingEffect:
@@ -334,7 +334,7 @@ def star_tests(model: StarImages, x: Array) -> tuple[tuple[ScoreTest, ...], Marg
     pupil, unknowns, plan = model.pupils(x[0]), model.unknowns, model.plan
     image_parameters = model.per_image(x)[0]
     flux = image_parameters[-2][:, None, None]
-    defoci = model.base[:, 0] - model.fixed[0]
+    defoci = model.fixed_of_images[:, 0] - model.fixed[0]
     terms, ripples = next_terms(unknowns.edge, ()), ripple_terms(unknowns.edge)
     constants = constants_to_test(pupil, defoci, unknowns.pupil)
     values, pixel_derivatives = model.images(x)
@@ -380,16 +380,16 @@ def star_tests(model: StarImages, x: Array) -> tuple[tuple[ScoreTest, ...], Marg
     return tests, marginal, notes
 
 
-def error_findings(model: StarImages, x: Array, inverse: Array) -> list[Finding]:
+def error_findings(model: StarImages, x: Array, covariance_matrix: Array) -> list[Finding]:
     """Return findings on standard errors that are not valid at the estimate `x`."""
-    error, axes = uncertainty(model, inverse)
+    error, axes = uncertainty(model, covariance_matrix)
     if error > _MAX_PHASE_ERROR:
         text = (
             "the standard errors are not to be trusted: the phase of an image has a standard error of "
             f"{error:.2g} rad rms, and other wavefronts may fit equally well"
         )
         return [Finding("too_dim", "doubt", text, {"rms": error, "limit": _MAX_PHASE_ERROR})]
-    factors = changes(model, x, inverse, axes)
+    factors = error_factors(model, x, covariance_matrix, axes)
     invalid = [k for k in np.argsort(-factors) if factors[k] > _MAX_ERROR_CHANGE]
     if not invalid:
         return []

@@ -3,6 +3,10 @@
 A row of `x`, shape (s, p), contains the p parameters of one search; s searches are evaluated together. The columns
 are: `waves`, the coefficients of the wavefront; parameters of the pupil; tilts, flux and background of each image.
 Tilts and other Zernike terms in arrays named `edge` are amplitudes at the pupil edge, radians.
+
+The checks of a fit are made at the end of `phase_retrieval`, `field_fit` and `beads`: tests of residuals are in
+`fit/goodness_of_fit.py`, score tests of missing effects in `fit/score_tests.py`, and the codes of findings in
+`fit/findings.py`.
 """
 
 from __future__ import annotations
@@ -35,10 +39,12 @@ OF_PUPIL = ("f_number", "wavelength", "obscuration")
 MAX_LINEAR_ERROR = 0.22
 """Largest standard error of a wavefront, radians rms, for which images are nearly linear in its terms."""
 _SYMMETRY_DEGREE = 256  # degree of the quadrature rule at whose nodes the symmetry of an aperture is tested
-_NOISE_PART, _LOOSEST = 0.3, 1e-4  # largest error of images in a search, divided by the read noise; by the peak
+_MAX_NOISE_FRACTION = 0.3  # largest error of images in a search, divided by the read noise
+_MAX_SEARCH_TOL = 1e-4  # largest error of images in a search, divided by the peak, unless `tol` is larger
 _MIN_VARIANCE = 0.05  # smallest variance of the read noise, electrons squared
 _ORDERS = 2  # number of radial orders beyond the estimated terms that are tested
-_RIPPLE_ORDERS, _ZONES = 4, 20  # number of radial orders of ripples (m != 0); largest radial order of zones (m = 0)
+_RIPPLE_ORDERS = 4  # number of radial orders of ripples (m != 0)
+_ZONE_ORDER = 20  # largest radial order of zones (m = 0), unless that of the ripples is larger
 _FIRST_NOLL = 4  # Noll's index of defocus, after piston and tilts
 
 
@@ -52,7 +58,7 @@ class Unknowns:
     edge : tuple of (n, m)
         Zernike terms of which `terms` are linear combinations.
     directions : ndarray, shape (terms, edge)
-        Coefficients of these combinations: radians at the pupil edge for the coefficient 1 of a term.
+        Row for each term: its Zernike coefficients, radians at the pupil edge, if the coefficient of the term is 1.
     pupil : tuple of str
         Nuisance parameters of the pupil, common to all images.
     places : tuple of str
@@ -79,7 +85,8 @@ class Unknowns:
         for place in self.places:
             if SHIFTS[place] in self.edge:
                 raise ValueError(
-                    f"terms must be without {SHIFTS[place]} if the {place} of each image is estimated (see also)"
+                    f"terms must be without {SHIFTS[place]} if the {place} of each image is estimated: remove it, or "
+                    f"leave {place!r} and 'center' out of the argument also"
                 )
 
 
@@ -91,18 +98,18 @@ def _names(terms: int | Sequence[Term | str]) -> tuple[Name, ...]:
     names = terms if isinstance(terms, Sequence) and not isinstance(terms, str) else ()
     if any(isinstance(name, int) for name in names):
         raise ValueError(
-            f"terms must be names with the order of the index, such as 'noll 5', or the number of terms from Noll 4 "
-            f"on, got {validation.shown(terms)}"
+            f"terms must be the number of terms from Noll's index 4 on, or a sequence of pairs (n, m) and names that "
+            f"state the order of their index, such as 'noll 5', got {validation.shown(terms)}"
         )
     for name in names:
         if isinstance(name, str) and name in nuisance:
-            raise ValueError(f"terms must be terms of a wavefront, got {name!r}; pass nuisance parameters as also")
+            raise ValueError(f"terms must be terms of a wavefront, got {name!r}: pass nuisance parameters in also")
     return checked_names(cast("Sequence[Name]", terms), "terms", tuple(POWERS))
 
 
 @lru_cache(maxsize=1024)
 def _zernike_terms(name: Name) -> dict[Term, float]:
-    """Return the Zernike coefficients, radians at the edge, of 1 rad rms of a Zernike term, or of 1 rad of rho^n."""
+    """Return Zernike coefficients, radians at the edge, of a term: 1 rad rms of it, or 1 rad if it is in `POWERS`."""
     coefficients = cast("dict[Term, float]", translated(parts(name, Pupil(), 1.0, energy=False).phases, powers=False))
     return coefficients if name in POWERS else {(n, m): zernike.rms_factor(n, m) for n, m in coefficients}
 
@@ -127,7 +134,7 @@ def ripple_terms(estimated: Sequence[Term]) -> tuple[Term, ...]:
     last_order = max(n for n, _ in estimated) + _ORDERS
     finest = last_order + _RIPPLE_ORDERS
     ripples = ((n, m) for n in range(last_order + 1, finest + 1) for m in range(-n, n + 1, 2) if m)
-    zones = ((n, 0) for n in range(2, max(finest, _ZONES) + 1, 2) if n > last_order + _ORDERS)
+    zones = ((n, 0) for n in range(2, max(finest, _ZONE_ORDER) + 1, 2) if n > last_order + _ORDERS)
     return (*ripples, *zones)
 
 
@@ -141,11 +148,11 @@ def label(name: Name) -> str:
     return f"noll {zernike.index_of(*name, 'noll')} {zernike.name(*name)}"
 
 
-def star_counts(electrons: Array, variance: Array, valid: NDArray[np.bool_]) -> Array:
+def pixel_data(electrons: Array, variance: Array, valid: NDArray[np.bool_]) -> Array:
     """Return electrons, read variances, read variances of at least `_MIN_VARIANCE`, and validity (4, ..., pixels)."""
     counted = np.where(valid, electrons, 0.0)
-    star = np.stack([counted, variance, np.maximum(variance, _MIN_VARIANCE), valid])
-    return star.reshape(*star.shape[:-2], -1)
+    data = np.stack([counted, variance, np.maximum(variance, _MIN_VARIANCE), valid])
+    return data.reshape(*data.shape[:-2], -1)
 
 
 def single(pupil: Pupil, reason: str) -> Pupil:
@@ -163,15 +170,15 @@ def known_defocus(defocus: ArrayLike, count: int, noun: str) -> Array:
     return np.broadcast_to(defoci, count)
 
 
-def slants(images: int, shape: tuple[int, int]) -> list[Array]:
-    """Return the row and column of each pixel relative to the middle, two arrays (images, height, width)."""
+def pixel_coordinates(images: int, shape: tuple[int, int]) -> list[Array]:
+    """Return the row and column of each pixel relative to the middle pixel: two arrays (images, height, width)."""
     grids = np.meshgrid(*(np.arange(side) - side // 2.0 for side in shape), indexing="ij")
     return [np.broadcast_to(grid, (images, *shape)) for grid in grids]
 
 
-def centroids(star: Array, shape: tuple[int, int]) -> Array:
+def centroids(data: Array, shape: tuple[int, int]) -> Array:
     """Return the centroids (n, 2) of the light above noise and background, rows and columns from the middle."""
-    counted, _, read, valid = star.reshape(4, -1, *shape)
+    counted, _, read, valid = data.reshape(4, -1, *shape)
     is_valid, rim = valid > 0.0, np.ones(shape, dtype=bool)
     rim[1:-1, 1:-1] = False
     # The background is that of the outermost pixels, or of all pixels if no outermost pixel is valid.
@@ -184,11 +191,11 @@ def centroids(star: Array, shape: tuple[int, int]) -> Array:
     return np.stack([light.sum(axis=2) @ rows / total, light.sum(axis=1) @ columns / total], axis=1)
 
 
-def loosest_tolerance(star: Array, tol: float) -> float:
+def loosest_tolerance(data: Array, tol: float) -> float:
     """Return the tolerance of images in a search: their error may be a fraction of the read noise."""
-    brightest = max(float(star[0].max()), 1.0)
+    brightest = max(float(data[0].max()), 1.0)
     # The brightest pixel is about the peak: limit the error, tol * peak, to a fraction of the read noise.
-    return min(max(tol, _NOISE_PART * math.sqrt(star[2].min()) / brightest), max(tol, _LOOSEST))
+    return min(max(tol, _MAX_NOISE_FRACTION * math.sqrt(data[2].min()) / brightest), max(tol, _MAX_SEARCH_TOL))
 
 
 def _point_symmetric(pupil: Pupil) -> bool:
@@ -210,7 +217,7 @@ class StarImages(RowModel):
     `defocus` (n,) is the known C_d, radians.
     """
 
-    alternatives = True
+    alternatives = True  # see `RowModel`: rows are different starts for the same images
 
     def __init__(
         self,
@@ -225,14 +232,14 @@ class StarImages(RowModel):
     ) -> None:
         count, *window = electrons.shape
         self.count, self.shape = count, (window[0], window[1])
-        self.star = star_counts(electrons, variance, valid)
-        self.counted, _, self.read, self.valid = self.star
+        self.pixel_data = pixel_data(electrons, variance, valid)
+        self.counted, _, self.read, self.valid = self.pixel_data
         self.pupil, self.unknowns, self.plan, self.pixel = pupil, unknowns, plan, pixel
         tilts = [SHIFTS[place] for place in unknowns.places]
         self.derivatives: tuple[Name, ...] = (*unknowns.edge, *tilts, *unknowns.pupil)
         self.names: tuple[Name, ...] = (*unknowns.terms, *unknowns.pupil)  # parameters common to all images
-        self._questions: dict[tuple[float, tuple[int, ...]], Prepared] = {}
-        self.search_tol = loosest_tolerance(self.star, plan.tol)
+        self._prepared: dict[tuple[float, tuple[int, ...]], Prepared] = {}
+        self.search_tol = loosest_tolerance(self.pixel_data, plan.tol)
         self.tilt_of_pixel = math.pi * pixel / pupil.scale
         start = pupil.wavefront.edge_terms()
         all_terms = {*start, *unknowns.edge, *SHIFTS.values()}
@@ -243,11 +250,11 @@ class StarImages(RowModel):
         self.directions[:, [self.terms.index(term) for term in unknowns.edge]] = unknowns.directions
         #: Moore-Penrose inverse of directions.
         self.inverse = np.linalg.pinv(self.directions)
-        # The terms start at the projection of the initial wavefront; the remainder of the wavefront is fixed.
+        # The search starts at the projection of the initial wavefront onto the terms; the remainder is fixed.
         self.start = edge @ self.inverse
         self.fixed = edge - self.start @ self.directions
-        self.base = np.tile(self.fixed, (count, 1))
-        self.base[:, 0] += defocus
+        self.fixed_of_images = np.tile(self.fixed, (count, 1))
+        self.fixed_of_images[:, 0] += defocus
         half_sides = {"row": 0.5 * valid.shape[1], "column": 0.5 * valid.shape[2]}
         self.largest_tilts = [half_sides[place] * self.tilt_of_pixel for place in unknowns.places]
         self.tilts = [self.terms.index(term) for term in tilts]
@@ -269,14 +276,14 @@ class StarImages(RowModel):
         # The mean square of a term with amplitude 1 at the edge is 1 / (n + 1) if m = 0, otherwise half of this.
         self.mean_squares = np.array([1.0 / ((n + 1) * (1 if m == 0 else 2)) for n, m in self.terms])
 
-    def mean_slopes(self, edge: Array) -> Array:
+    def mean_tilts(self, edge: Array) -> Array:
         """Return the shift of the centroid due to a wavefront `edge` (..., terms), as tilts (places, ...)."""
         # Each term R_n^1 shifts the centroid as much as a tilt with the same amplitude at the edge.
         orders = np.array([m for _, m in self.terms])
         return np.array([edge[..., orders == SHIFTS[place][1]].sum(axis=-1) for place in self.unknowns.places])
 
     def split(self, edge: Mapping[Term, Any], shape: tuple[int, ...]) -> tuple[Array, Array]:
-        """Return the coefficients of wavefronts and the fixed remainders, for terms `edge` of this `shape`."""
+        """Return coefficients of wavefronts, and their fixed remainders; terms in `edge` broadcast to `shape`."""
         full_edge = np.stack([np.broadcast_to(edge.get(term, 0.0), shape) for term in self.terms], axis=-1)
         coefficients = full_edge @ self.inverse
         return coefficients, np.asarray(full_edge - coefficients @ self.directions)
@@ -286,32 +293,34 @@ class StarImages(RowModel):
         """Whether images do not change if the even part of the phase is negated."""
         if not _point_symmetric(self.pupil):
             return False
-        even = self.even * np.vstack([self.directions, self.base])
+        even_parts = self.even * np.vstack([self.directions, self.fixed_of_images])
         # The even part can only be negated if it is a linear combination of the estimated terms.
-        remainder = even - even @ self.inverse @ self.directions
-        one_focus = np.ptp(self.base * self.even, axis=0).max() == 0.0
+        remainder = even_parts - even_parts @ self.inverse @ self.directions
+        one_focus = np.ptp(self.fixed_of_images * self.even, axis=0).max() == 0.0
         return bool(one_focus and (self.even * self.directions).any() and np.abs(remainder).max() < 1e-9)
 
-    def negated(self, waves: Array, base: Array) -> Array:
-        """Return coefficients (..., terms) of the wavefront whose even part, including that of `base`, is negated."""
-        return waves - 2.0 * (self.even * (base + waves @ self.directions)) @ self.inverse
+    def negated(self, waves: Array, fixed: Array) -> Array:
+        """Return coefficients (..., terms) of the wavefront with its even part, that of `fixed` included, negated."""
+        return waves - 2.0 * (self.even * (fixed + waves @ self.directions)) @ self.inverse
 
     def even_part_negated(self, x: Array) -> Array:
         """Return the parameters of the wavefront whose even part is negated."""
-        waves = self.negated(x[:, self.wave_columns], self.base[0])
+        waves = self.negated(x[:, self.wave_columns], self.fixed_of_images[0])
         return np.concatenate([waves, x[:, self.wave_columns.stop :]], axis=1)
 
     def nearest(self, x: Array) -> Array:
-        """Return rows of `x`, replaced by those with negated even part where these are nearer to the start."""
+        """Return `x`, with the even part of a row negated if it is then nearer to the initial wavefront."""
         if not self.sign_ambiguous:
             return x
         negated = self.even_part_negated(x)
         start = np.pad(self.start, (0, self.size - len(self.start)))
-        distance, negated_distance = (self.rms(part - start) for part in (x, negated))
-        term = next(j for j, row in enumerate(self.directions) if row[self.even].any())
+        distance, negated_distance = (self.rms(parameters - start) for parameters in (x, negated))
+        first_even = next(j for j, row in enumerate(self.directions) if row[self.even].any())
         not_farther = negated_distance < distance * (1.0 + 1e-6)
         # At equal distances, choose the wavefront whose first even term is larger.
-        swap = (negated_distance < distance * (1.0 - 1e-6)) | (not_farther & (negated[:, term] > x[:, term]))
+        swap = (negated_distance < distance * (1.0 - 1e-6)) | (
+            not_farther & (negated[:, first_even] > x[:, first_even])
+        )
         return np.where(swap[:, None], negated, x)
 
     def wavefront(self, x: Array) -> Wavefront:
@@ -322,7 +331,7 @@ class StarImages(RowModel):
 
     def pupils(self, x: Array) -> Pupil:
         """Return the pupils of all images for parameters `x`, shape (s, p) or (p,)."""
-        edge = self.base + (x[..., self.wave_columns] @ self.directions)[..., None, :]
+        edge = self.fixed_of_images + (x[..., self.wave_columns] @ self.directions)[..., None, :]
         image_parameters = x[..., self.image_columns].reshape(*x.shape[:-1], -1, self.count)
         for j, column in enumerate(self.tilts):
             edge[..., column] += image_parameters[..., j, :]
@@ -358,13 +367,13 @@ class StarImages(RowModel):
         tol = self.search_tol if fast else plan.tol
         pupil_key = pupil.aperture, pupil.radial, pupil.shape, pupil.wavelength, pupil.f_number
         # Steps of a search differ in their phases only: the window is checked and the method is chosen once.
-        question = self._questions.get((tol, pupil.shape))
-        if question is None or question.light != pupil_key:
+        prepared = self._prepared.get((tol, pupil.shape))
+        if prepared is None or prepared.light != pupil_key:
             dtype = output_type(None, tol)
-            question = self._questions[tol, pupil.shape] = prepare_question(
+            prepared = self._prepared[tol, pupil.shape] = prepare_question(
                 pupil, pupil_key, plan.grid(pupil), plan.method, tol, plan.normalize, dtype, plan.threads
             )
-        _, pixels, derivatives = question.images(pupil, self.derivatives if names is None else names)
+        _, pixels, derivatives = prepared.images(pupil, self.derivatives if names is None else names)
         return pixels.values, derivatives
 
     def mean(self, x: Array, psf: Array) -> Array:
@@ -388,17 +397,18 @@ class StarImages(RowModel):
     def products(
         self, x: Array, values: Pixels, derivatives: Sequence[Slope], extra: Sequence[Array] = ()
     ) -> tuple[Array, Array]:
-        """Return deviance, expectation and variance of Pearson's sum (3, s), and products (s, p + q + 1, p + q + 1).
+        """Return deviance, and expectation and variance of Pearson's sum (3, s), and inner products.
 
-        The factors of these inner products are derivatives by the p parameters, q further derivatives of electrons
-        `extra` (s * n, height, width), and the residual, divided by the standard deviation of each pixel.
+        The inner products (s, p + q + 1, p + q + 1) are sums over pixels, for each pair of images: the derivatives by
+        the p parameters, the q images `extra` (s * n, height, width), which are further derivatives of electrons, and
+        the residual. Each image is divided by the standard deviation of each pixel.
         """
-        light, q = np.ascontiguousarray(self.per_image(x)[:, -2:]), len(extra)
+        flux_and_background, q = np.ascontiguousarray(self.per_image(x)[:, -2:]), len(extra)
         images = [values, *[slope.values for slope in derivatives], *extra]
-        sums, products = star_likelihood(images, light, self.star, self.plan.threads)
+        sums, products = star_likelihood(images, flux_and_background, self.pixel_data, self.plan.threads)
         # Chain rule from derivatives of PSFs, flux and background to parameters; the residual is not changed.
         factors = np.ones((len(x), self.count, 1, self._chain.shape[-1]))
-        factors[..., :-3] = light[:, 0, :, None, None]
+        factors[..., :-3] = flux_and_background[:, 0, :, None, None]
         if self.unknowns.pupil:
             factors[..., : self._phases] *= self.wavelength_ratio(self.pupil_parameters(x))
         chain = self._chain * factors
@@ -418,13 +428,13 @@ class StarImages(RowModel):
         return updated
 
     def within(self, x: Array, before: Array) -> Array:
-        """Limit parameters in place: tilts to the window, flux and pupil parameters to steps from `before`."""
+        """Limit parameters in place: tilts to the window, obscuration to 0.98, others to factors of `before`."""
         image_parameters, previous = self.per_image(x), self.per_image(before)
         # At flux 0 the images would not determine the other parameters.
         np.maximum(image_parameters[:, -2], 0.1 * previous[:, -2], out=image_parameters[:, -2])
-        for j, largest in enumerate(self.largest_tilts):
-            place = image_parameters[:, j]
-            np.minimum(np.maximum(place, -largest, out=place), largest, out=place)
+        for j, largest_tilt in enumerate(self.largest_tilts):
+            tilt = image_parameters[:, j]
+            np.minimum(np.maximum(tilt, -largest_tilt, out=tilt), largest_tilt, out=tilt)
         for column, name in enumerate(self.unknowns.pupil, self.pupil_columns.start):
             if name == "obscuration":
                 np.clip(x[:, column], 0.0, 0.98, out=x[:, column])
@@ -438,15 +448,16 @@ class StarImages(RowModel):
         return np.asarray(np.sqrt((edge * edge) @ self.mean_squares))
 
 
-def uncertainty(model: StarImages, inverse: Array) -> tuple[float, Array]:
+def uncertainty(model: StarImages, covariance_matrix: Array) -> tuple[float, Array]:
     """Return the largest standard error of an image's phase, radians rms, and the principal axes (k, p).
 
-    `inverse` is the covariance. Each axis is one standard deviation long; parameters of infinite variance are fixed.
+    Each of the k axes of the covariance is a change of the p parameters by one standard deviation; parameters of
+    infinite variance do not change.
     """
-    is_finite = np.isfinite(np.diag(inverse))
-    scale = np.sqrt(np.diag(inverse)[is_finite])
-    correlation = inverse[np.ix_(is_finite, is_finite)] / np.outer(scale, scale)
-    # For a positive semidefinite matrix svd may replace eigh, which uses all threads of BLAS above 25 parameters.
+    is_finite = np.isfinite(np.diag(covariance_matrix))
+    scale = np.sqrt(np.diag(covariance_matrix)[is_finite])
+    correlation = covariance_matrix[np.ix_(is_finite, is_finite)] / np.outer(scale, scale)
+    # svd replaces eigh, which uses all threads of BLAS above 25 parameters; for this matrix both are equivalent.
     vectors, values, _ = np.linalg.svd(correlation)
     # The sign of an eigenvector is arbitrary: choose the one for which the largest component is positive.
     vectors *= np.sign(vectors[np.abs(vectors).argmax(axis=0), np.arange(len(values))])
@@ -457,11 +468,11 @@ def uncertainty(model: StarImages, inverse: Array) -> tuple[float, Array]:
     return float(np.sqrt((model.rms(axes) ** 2).sum() + tilts.max())), axes
 
 
-def changes(model: StarImages, x: Array, inverse: Array, axes: Array) -> Array:
-    """Return the factor by which the standard error of each common parameter changes near `x`, (1, p)."""
+def error_factors(model: StarImages, x: Array, covariance_matrix: Array, axes: Array) -> Array:
+    """Return factors (common parameters,) by which standard errors change near the estimate `x`, (1, p)."""
     # exp(rms of ln(factor)) over two opposite points, each one standard deviation away along every principal axis.
     factors = np.ones(model.common_count)
-    is_finite = np.isfinite(np.diag(inverse)[: model.common_count])
+    is_finite = np.isfinite(np.diag(covariance_matrix)[: model.common_count])
     if is_finite.any():
         points = [model.within(x + step, x) for step in (axes.sum(axis=0), -axes.sum(axis=0))]
         # A stack of pupils has one f-number, wavelength and obscuration.
@@ -469,6 +480,6 @@ def changes(model: StarImages, x: Array, inverse: Array, axes: Array) -> Array:
         matrices = [matrix for stack in stacks for matrix in model.scores(stack, fast=True).information]
         variances = np.array([np.diag(covariance(matrix))[: model.common_count][is_finite] for matrix in matrices])
         # The factor 0.5 converts variances to standard errors.
-        ratios = 0.5 * np.log(variances / np.diag(inverse)[: model.common_count][is_finite])
+        ratios = 0.5 * np.log(variances / np.diag(covariance_matrix)[: model.common_count][is_finite])
         factors[is_finite] = np.exp(np.sqrt((ratios**2).mean(axis=0)))
     return factors

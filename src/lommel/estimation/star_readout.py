@@ -23,7 +23,7 @@ import numpy as np
 from scipy import special
 
 from lommel.base.arrays import Array, Values
-from lommel.blur.mixtures import Shape
+from lommel.blur.mixtures import BlurProfile
 from lommel.special.legendre import gauss_legendre
 
 _TAPER = 1.0 / 0.45 - 1.0  # (frequency at which T reaches 0) / F: without blur h is 0.45 lambda*N
@@ -55,7 +55,7 @@ class StarReadout:
         window: tuple[int, int],
         pixel: float,
         widest: float,
-        blur: Shape,
+        blur: BlurProfile,
         *,
         integrate: bool,
         smallest_variances: Array | None = None,

@@ -33,7 +33,7 @@ from scipy import fft, ndimage, special
 
 from lommel.base.arrays import Array, Values
 from lommel.base.threads import side_by_side
-from lommel.blur.mixtures import Shape
+from lommel.blur.mixtures import BlurProfile
 from lommel.estimation.field_signs import highest_degree, monomials
 
 _STEP = 0.45  # largest distance between samples of PSFs, lambda*N
@@ -75,7 +75,7 @@ class TargetReadout:
     pixel : float
         Pixel pitch, lambda*N.
     target : Target
-    blur : Shape
+    blur : BlurProfile
         Blur as a mixture of Gaussians.
     integrate : bool
         Whether images are pixel-integrated; if False, they are point-sampled.
@@ -84,7 +84,7 @@ class TargetReadout:
     widest = math.inf  # largest blur width, pixels: there is no limit
 
     def __init__(
-        self, window: tuple[int, int], pixel: float, target: Target, blur: Shape, *, integrate: bool
+        self, window: tuple[int, int], pixel: float, target: Target, blur: BlurProfile, *, integrate: bool
     ) -> None:
         self.pixel, self.target, self._pixels, self.blur = pixel, target, window, blur
         self._samples_per_pixel = math.ceil(pixel / _STEP)

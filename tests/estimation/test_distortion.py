@@ -7,7 +7,7 @@ import pytest
 
 import lommel as lm
 import simulated_fields as simulated
-from lommel.estimation.distortion import Places, Sensor, displaced, fit_distortion
+from lommel.estimation.distortion import Places, Sensor, displacement_at, fit_distortion
 from lommel.estimation.field_signs import monomials
 from lommel.lensfiles.tables import read_csv
 
@@ -38,7 +38,7 @@ def ideal_error(found, given, ideal):
     spots = found.ideal
     u, v = CHIP.relative(*CHIP.positions(spots))
     true_u, true_v = CHIP.relative(*CHIP.positions(ideal))
-    return spots + displaced(found, u, v) - ideal - barrel(true_u, true_v)
+    return spots + displacement_at(found, u, v) - ideal - barrel(true_u, true_v)
 
 
 def test_pinholes_at_known_places_tell_the_distortion_and_the_table_has_it(tmp_path):
@@ -129,7 +129,7 @@ def test_a_free_pose_leaves_no_magnification_over_the_sensor():
     found, _, _ = simulate(np.random.default_rng(6), 0.0)
     line = (np.arange(60) + 0.5) / 30.0 - 1.0
     u, v = np.meshgrid(line, line)
-    move = displaced(found, u, v)
+    move = displacement_at(found, u, v)
     down, across = v * 1500.0, u * 2000.0
     for moved in (move[..., 0], move[..., 1], move[..., 0] * down + move[..., 1] * across,
                   move[..., 0] * across - move[..., 1] * down):  # fmt: skip

@@ -17,8 +17,8 @@ from lommel.estimation.sampled_pupil import (
     OVAL,
     SHIFT,
     SLANT,
+    PupilChanges,
     SampledPupil,
-    UnevenLight,
     changes_of,
 )
 from lommel.optics.grid import Grid
@@ -132,7 +132,7 @@ def test_derivatives_are_differences_of_images(inside, defocus):
     pupil = lm.Pupil(wavefront, obscuration=inside)
     terms = sorted(wavefront.edge_terms())
     edge = np.array([[wavefront.edge_terms()[term] for term in terms]])
-    made = UnevenLight(pupil, Grid((SIDE, SIDE), PITCH, integrate=False), terms, edge).images()
+    made = PupilChanges(pupil, Grid((SIDE, SIDE), PITCH, integrate=False), terms, edge).images()
     changes = changes_of(pupil)
     assert changes == {
         SLANT: 2,

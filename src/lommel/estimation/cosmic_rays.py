@@ -30,9 +30,9 @@ _MIN_RATIO = 8.0  # smallest threshold of the ratio: with pixels far below lambd
 # Assumed standard deviation of the median of the neighbours, divided by the standard deviation of a pixel. For
 # neighbours of equal brightness it is about twice as large; the smaller value suffices because faint hits are rare.
 _NEIGHBOUR_SIGMA = 0.25
-# Star for which the ratio is computed: side of the window in pixels, number of positions of the axis within a pixel
-# along each side, and smallest brightness of pixels that are used, divided by the peak.
-_SPAN, _SHIFTS, _MIN_BRIGHTNESS = 7, 4, 0.05
+_SPAN = 7  # pixels: side of the window of the star for which the ratio is computed
+_SHIFTS = 4  # number of positions of the star's axis within a pixel, along each side
+_MIN_BRIGHTNESS = 0.05  # smallest brightness of pixels whose ratio is used, divided by the peak
 _DARK_QUANTILE = 0.02  # fraction of pixels of a window that is assumed to contain sky only
 _MAX_PASSES = 8  # maximum number of passes; tracks grow by a pixel in each pass
 _MAX_FRACTION = 0.06  # largest fraction of pixels of a window that cosmic rays are assumed to hit
@@ -47,17 +47,17 @@ def sharpness(pupil: Pupil, pixel: float, *, integrate: bool) -> float:
     side = _SPAN * _SHIFTS
     star = psf(pupil.unaberrated(), side, pixel / _SHIFTS, tol=1e-4, integrate=integrate)
     fine_image = np.asarray(star.values, float)
-    largest = 1.0
+    largest_ratio = 1.0
     for row, column in product(range(_SHIFTS), range(_SHIFTS)):
         if integrate:
-            shifted = fine_image[row : side - _SHIFTS + row, column : side - _SHIFTS + column]
-            image = shifted.reshape(_SPAN - 1, _SHIFTS, _SPAN - 1, _SHIFTS).sum(axis=(1, 3))
+            shifted_image = fine_image[row : side - _SHIFTS + row, column : side - _SHIFTS + column]
+            image = shifted_image.reshape(_SPAN - 1, _SHIFTS, _SPAN - 1, _SHIFTS).sum(axis=(1, 3))
         else:
             image = fine_image[row::_SHIFTS, column::_SHIFTS]
         median = _neighbour_median(image[None], np.ones((1, *image.shape), dtype=bool))[0]
-        bright_pixels = image > _MIN_BRIGHTNESS * image.max()
-        largest = max(largest, float((image / np.maximum(median, 1e-6 * image.max()))[bright_pixels].max()))
-    return largest
+        is_bright = image > _MIN_BRIGHTNESS * image.max()
+        largest_ratio = max(largest_ratio, float((image / np.maximum(median, 1e-6 * image.max()))[is_bright].max()))
+    return largest_ratio
 
 
 def cosmic_ray_mask(electrons: Array, variance: Array, valid: Mask, sharpest: float) -> Mask:
@@ -79,19 +79,19 @@ def cosmic_ray_mask(electrons: Array, variance: Array, valid: Mask, sharpest: fl
     tracks, ratio = np.zeros(valid_windows.shape, dtype=bool), max(_RATIO_FACTOR * sharpest, _MIN_RATIO)
     for _ in range(_MAX_PASSES):
         median = np.maximum(_neighbour_median(excess, valid_windows & ~tracks), 0.0)
-        adjacent = ndimage.binary_dilation(tracks, _EIGHT_NEIGHBOURS)
-        threshold = np.where(adjacent, 0.5, 1.0) * ratio
+        is_adjacent = ndimage.binary_dilation(tracks, _EIGHT_NEIGHBOURS)
+        threshold = np.where(is_adjacent, 0.5, 1.0) * ratio
         # Variance of the pixel, and of the threshold times the median of its neighbours.
         total_variance = noise + threshold * median + (_NEIGHBOUR_SIGMA * threshold) ** 2 * (noise + median)
         difference = excess - threshold * median
         # Bernstein's bound on the tail of a Poisson distribution.
         sigmas = difference / np.sqrt(np.maximum(total_variance + np.maximum(difference, 0.0) / 3.0, 1e-3))
-        added_pixels = valid_windows & ~tracks & (sigmas > np.where(adjacent, _SIGMA_ADJACENT, _SIGMA))
-        if not added_pixels.any():
+        is_added = valid_windows & ~tracks & (sigmas > np.where(is_adjacent, _SIGMA_ADJACENT, _SIGMA))
+        if not is_added.any():
             break
-        tracks |= added_pixels
-    plausible = tracks.sum(axis=(1, 2)) <= _MAX_FRACTION * valid_windows.sum(axis=(1, 2))
-    tracks &= plausible[:, None, None]
+        tracks |= is_added
+    is_plausible = tracks.sum(axis=(1, 2)) <= _MAX_FRACTION * valid_windows.sum(axis=(1, 2))
+    tracks &= is_plausible[:, None, None]
     return np.asarray(valid_windows & ndimage.binary_dilation(tracks, _FOUR_NEIGHBOURS)).reshape(valid.shape)
 
 
@@ -100,7 +100,7 @@ def _neighbour_median(images: Array, valid: Mask) -> Array:
     padded = np.pad(np.where(valid, images, -np.inf), ((0, 0), (1, 1), (1, 1)), constant_values=-np.inf)
     _, height, width = images.shape
     neighbours = [padded[:, y : y + height, x : x + width] for y, x in _OFFSETS]
-    descending = np.sort(np.stack(neighbours), axis=0)[::-1]
-    count = np.isfinite(descending).sum(axis=0)
-    median = np.take_along_axis(descending, np.maximum(count - 1, 0)[None] // 2, axis=0)[0]
+    sorted_neighbours = np.sort(np.stack(neighbours), axis=0)[::-1]
+    count = np.isfinite(sorted_neighbours).sum(axis=0)
+    median = np.take_along_axis(sorted_neighbours, np.maximum(count - 1, 0)[None] // 2, axis=0)[0]
     return np.where(count > 0, median, 0.0)

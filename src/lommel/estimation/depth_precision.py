@@ -164,14 +164,14 @@ def best_foci(
     # Vergence (1/m) per radian of the defocus coefficient C_d = pi a^2 / (2 lambda) * vergence, a the pupil radius.
     per_radian = 2.0 * lens.wavelength / (math.pi * (0.5 * lens.aperture_diameter) ** 2)
 
-    def focused(log_defocus: Array) -> list[Lens] | None:
+    def focused_lenses(log_defocus: Array) -> list[Lens] | None:
         vergence = 1.0 / metres + per_radian * np.exp(log_defocus) * [1.0, -1.0]
         if not (vergence[1] >= 0.0 and vergence[0] < 1.0 / lens.focal_length):
             return None
         return [lens.focused(1.0 / v if v > 0.0 else math.inf) for v in vergence.tolist()]
 
     def cost(log_defocus: Array) -> float:
-        pair = focused(log_defocus)
+        pair = focused_lenses(log_defocus)
         return math.inf if pair is None else _error(pair, metres, pitch, surface)
 
     # Trial pairs are symmetric in vergence about the surface. The logarithm keeps the defocus positive in the search.
@@ -182,10 +182,11 @@ def best_foci(
             f"no pair of foci determines the distance {metres:g} m: there is no texture, no light, or no focus "
             "distance between the focal length and infinity"
         )
-    best = minimize(cost, best_trial, method="Nelder-Mead", options={"xatol": 0.01, "fatol": 1e-4 * cost(best_trial)})
-    pair = focused(best.x)
+    tolerances = {"xatol": 0.01, "fatol": 1e-4 * cost(best_trial)}
+    optimum = minimize(cost, best_trial, method="Nelder-Mead", options=tolerances)
+    pair = focused_lenses(optimum.x)
     assert pair is not None
-    return Foci(pair[0].focus_distance, pair[1].focus_distance, float(best.fun), (pair[0], pair[1]))
+    return Foci(pair[0].focus_distance, pair[1].focus_distance, float(optimum.fun), (pair[0], pair[1]))
 
 
 class _Surface(NamedTuple):
@@ -217,10 +218,10 @@ def _surface(count: int, noise: Noise, photons: ArrayLike | None, contrast: floa
 
 def _error(lenses: Sequence[Lens], distance: float, pixel: float, surface: _Surface) -> float:
     """Return the standard error of one distance, metres; inf if the photographs do not determine it."""
-    exposed = np.flatnonzero(surface.light)
-    if math.isinf(distance) or not surface.contrast or not exposed.size:
+    exposed_indices = np.flatnonzero(surface.light)
+    if math.isinf(distance) or not surface.contrast or not exposed_indices.size:
         return math.inf
-    exposed_lenses, electrons = [lenses[int(k)] for k in exposed], surface.light[exposed]
+    exposed_lenses, electrons = [lenses[int(k)] for k in exposed_indices], surface.light[exposed_indices]
     widest = max(lens.aperture_diameter for lens in exposed_lenses)
     # The step of vergence, 1/m, for the widest aperture, whose defocus changes fastest.
     step = _STEP * 2.0 * min(lens.wavelength for lens in exposed_lenses) / (math.pi * (0.5 * widest) ** 2)

@@ -108,8 +108,8 @@ def checked_ideal(ideal: ArrayLike, places: Array, *, free: bool) -> Array:
         )
     if free and np.linalg.matrix_rank(array[is_known] - array[is_known].mean(axis=0)) < 2:
         raise ValueError("ideal must be places that are not all on one line")
-    known, known_places = array[is_known], places[is_known]
-    predicted = _transformed(_similarity(known, known_places) if free else np.eye(2, 3), known)
+    known_ideal, known_places = array[is_known], places[is_known]
+    predicted = _transformed(_similarity(known_ideal, known_places) if free else np.eye(2, 3), known_ideal)
     rms = float(np.sqrt(((predicted - known_places) ** 2).sum(axis=1).mean()))
     place_rms = float(np.sqrt(((known_places - known_places.mean(axis=0)) ** 2).sum(axis=1).mean()))
     if rms > _MAX_RELATIVE_RMS * place_rms:
@@ -258,14 +258,14 @@ class _PlaceModel:
     def __init__(self, basis: Array, displacement: Array, places: Places) -> None:
         self.basis, self.displacement, self.places = basis, displacement, places
         r, e, _ = displacement.shape
-        m, affine = basis.shape[1], min(3, basis.shape[1])
+        m, affine_count = basis.shape[1], min(3, basis.shape[1])
         # Coordinates are in the order of `noise`: the rows of all exposures, then the columns.
-        design = np.zeros((r, 2, e, 2 * m + 2 * affine * (e - 1)))
+        design = np.zeros((r, 2, e, 2 * m + 2 * affine_count * (e - 1)))
         for j in range(2):
             design[:, j, :, j * m : (j + 1) * m] = basis[:, None]
             for i in range(1, e):
-                start = 2 * m + affine * (2 * (i - 1) + j)
-                design[:, j, i, start : start + affine] = basis[:, :affine]
+                start = 2 * m + affine_count * (2 * (i - 1) + j)
+                design[:, j, i, start : start + affine_count] = basis[:, :affine_count]
         self.design = design.reshape(r, 2 * e, -1)
         self.degrees_of_freedom = max(2 * e * r - self.design.shape[2], 1)
         # The prior of the common parameters is their information in the images.
@@ -282,13 +282,13 @@ class _PlaceModel:
         Parameters that the places do not determine are set to 0.
         """
         weight = np.linalg.inv(self.places.noise + scatter**2 * self.scatter_covariance)
-        weighted = weight @ self.full_design
-        normal = np.tensordot(self.full_design, weighted, ([0, 1], [0, 1])) + self.prior
+        weighted_design = weight @ self.full_design
+        normal_matrix = np.tensordot(self.full_design, weighted_design, ([0, 1], [0, 1])) + self.prior
         # The matrix is scaled to a diagonal of 1 because parameters have different units.
-        scale = 1.0 / np.sqrt(np.maximum(np.diag(normal), 1e-300))
+        scale = 1.0 / np.sqrt(np.maximum(np.diag(normal_matrix), 1e-300))
         scales = np.outer(scale, scale)
-        inverse = np.linalg.pinv(normal * scales, rcond=1e-13, hermitian=True) * scales
-        values = inverse @ np.tensordot(weighted, self.data, ([0, 1], [0, 1]))
+        inverse = np.linalg.pinv(normal_matrix * scales, rcond=1e-13, hermitian=True) * scales
+        values = inverse @ np.tensordot(weighted_design, self.data, ([0, 1], [0, 1]))
         residual = self.full_design @ values - self.data
         chi2_sum = float(np.einsum("ni,nij,nj->", residual, weight, residual) + values @ self.prior @ values)
         return values, inverse, chi2_sum / self.degrees_of_freedom
@@ -299,7 +299,7 @@ class _PlaceModel:
         return np.asarray(self.displacement - model.swapaxes(1, 2))
 
 
-def displaced(distortion: Distortion, u: Array, v: Array) -> Array:
+def displacement_at(distortion: Distortion, u: Array, v: Array) -> Array:
     """Return displacements (..., 2), pixels, at positions u (by columns) and v (by rows) from -1 to 1."""
     return np.asarray(monomials(u, v, distortion.degree) @ distortion.coefficients.T)
 

@@ -26,7 +26,7 @@ from lommel.estimation.distortion import (
     Distortion,
     Sensor,
     checked_ideal,
-    displaced,
+    displacement_at,
     fit_distortion,
     places_of,
 )
@@ -681,7 +681,7 @@ def _build_field_fit(
     def field_of(coefficients: Array) -> FieldMap:
         edge = np.asarray(fixed_terms + monomials(u, v, degree) @ coefficients.T @ first_star.directions)
         if distortion is not None:
-            edge[..., first_star.tilts] += displaced(distortion, u, v) * first_star.tilt_of_pixel
+            edge[..., first_star.tilts] += displacement_at(distortion, u, v) * first_star.tilt_of_pixel
         return FieldMap.on_grid(x, y, Wavefront.trusted(first_star.terms, edge), aperture=pupil.unaberrated())
 
     k, m = polynomials.shape

@@ -40,11 +40,11 @@ _SCATTER = 0.7, 0.25  # standard deviation (radians rms) of random starts: first
 _START_BLUR = 0.5  # width of the blur at the start, pixels
 _MAX_BLUR = 0.15  # largest width of the blur of individual stars, as a fraction of a window's side
 _SINGLE_TERMS = 3  # number of terms of the blur model for individual stars
-_SHAPE_STEPS = 6  # maximum number of steps of a fit with another shape of blur
+_PROFILE_STEPS = 6  # maximum number of steps of a fit with another profile of blur
 _OUTER_GAIN = 5.0  # the outer scale is searched if lnL of seeing exceeds lnL of a Gaussian by this
 _MIN_GAIN = 1.0  # lnL by which another minimum or outer scale must be better to be preferred
 _MIN_WIDTH_GAIN = 2.0  # lnL by which a blur of two widths must be better than one of a single width
-_NARROW = 0.06  # squared width of blur, pixels^2, below which its shape does not matter
+_NARROW = 0.06  # squared width of blur, pixels^2, below which its profile does not matter
 _SHIFTS = {(2, 0): (-2.0, -1.0, 0.0, 1.0, 2.0), (4, 0): (-1.2, 0.0, 1.2)}  # trial offsets of a term, radians rms
 _RANKING_STARS, _FITTED_SHIFTS = 20, 2  # number of stars whose chi2 ranks the offsets; number of best offsets fitted
 _GOOD_CHI2 = 1.08  # largest median chi2 of stars at which a candidate is accepted
@@ -66,6 +66,7 @@ _MAX_RIVAL_COST, _MIN_RIVAL_DISTANCE = 8.0, 3.0  # another minimum: largest loss
 _CAUSES = "pupil, pixel, noise, defocus or blur are wrong, the degree is too low, or terms are missing"
 
 Report = Callable[[float, float], object]
+"""Function of the fraction of the search that is done, and of chi2."""
 
 
 @dataclass
@@ -117,31 +118,31 @@ class Outcome:
         """Findings on the fit."""
         chi2, deviation = float(self.fit.scores.chi2[0]), float(self.fit.scores.spread[0])
         causes = causes_of_misfit(_CAUSES, chi2, deviation, self.tests)
-        results = chi2_findings(chi2, deviation, causes)
+        findings = chi2_findings(chi2, deviation, causes)
         causes = causes and f"; {causes}"
         bright_chi2, bright_deviation = self.bright_chi2
         limit = float(largest_plausible_chi2(bright_deviation))
-        if not results and math.isfinite(bright_chi2) and bright_chi2 >= limit:
+        if not findings and math.isfinite(bright_chi2) and bright_chi2 >= limit:
             pixels = "of the pixels in which stars exceed the noise"
             text = f"chi2 {bright_chi2:.4g} {pixels}, above {limit:.4g}, the limit for noise alone{causes}"
-            results = [Finding("misfit", "error", text, {"bright_chi2": bright_chi2, "limit": limit})]
+            findings = [Finding("misfit", "error", text, {"bright_chi2": bright_chi2, "limit": limit})]
         held_out, held_out_deviation = self.held_out
         if held_out - 1.0 > (limit := _HELD_OUT + 4.0 * held_out_deviation):
             text = f"held-out stars do not follow the map that was fitted to the other stars{causes}"
-            results.append(Finding("held_out", "error", text, {"held_out": held_out, "limit": 1.0 + limit}))
+            findings.append(Finding("held_out", "error", text, {"held_out": held_out, "limit": 1.0 + limit}))
         count = len(self.rejected) + len(self.fit.model.chosen)
         if len(self.rejected) > _MANY_REJECTED * count:
             text = f"many stars do not follow the map{causes}"
-            results.append(Finding("many_rejected", "error", text, {"rejected": len(self.rejected), "of": count}))
+            findings.append(Finding("many_rejected", "error", text, {"rejected": len(self.rejected), "of": count}))
         if self.rival is not None:
             text = (
                 f"another wavefront, {self.rival.sigmas:.0f} standard errors away, fits as well (lnL "
                 f"{-self.rival.cost:+.1f}): add exposures at other defoci, or give start"
             )
-            results.append(Finding("another_minimum", "doubt", text, self.rival._asdict()))
+            findings.append(Finding("another_minimum", "doubt", text, self.rival._asdict()))
         # Above _QUIET, a low chi2 is often due to chance with few electrons, and is not reported.
-        too_quiet = [replace(r, severity="error") for r in results if r.code == "too_quiet" and chi2 < _QUIET]
-        return Findings([*too_quiet, *(r for r in results if r.code != "too_quiet"), *self.notes])
+        quiet_findings = [replace(r, severity="error") for r in findings if r.code == "too_quiet" and chi2 < _QUIET]
+        return Findings([*quiet_findings, *(r for r in findings if r.code != "too_quiet"), *self.notes])
 
     @property
     def cost(self) -> float:
@@ -207,29 +208,30 @@ class Search:
         """
         stars = self.stars
         best_x, chi2 = np.zeros((len(chosen), stars.size)), np.full(len(chosen), np.inf)
-        sure = np.zeros(len(chosen), dtype=bool)
-        undecided = np.arange(len(chosen))
-        for turn in range(_MAX_STARTS):
-            model = SingleStars(self.simplified_stars, chosen[undecided], self.widest)
-            x = self._random_start(model, scatter=turn > 0 or stars.first_star.sign_ambiguous)
+        is_sure = np.zeros(len(chosen), dtype=bool)
+        rows = np.arange(len(chosen))  # indices of stars for which another start is needed
+        for attempt in range(_MAX_STARTS):
+            model = SingleStars(self.simplified_stars, chosen[rows], self.widest)
+            x = self._random_start(model, scatter=attempt > 0 or stars.first_star.sign_ambiguous)
 
-            def report(step: int, value: float, turn: int = turn) -> None:
-                self.report(progress[0] + progress[1] * (turn + step / _STEPS) / _MAX_STARTS, value)
+            def report(step: int, value: float, attempt: int = attempt) -> None:
+                self.report(progress[0] + progress[1] * (attempt + step / _STEPS) / _MAX_STARTS, value)
 
             with suppress(Declined, ToleranceError):
                 x, scores, *_ = search_rows(model, x, _STEPS, report, fast=True)
-                previous = chi2[undecided]
-                better = scores.chi2 < previous
-                best_x[undecided[better]], chi2[undecided[better]] = x[better], scores.chi2[better]
-                fits = scores.chi2 < np.maximum(largest_plausible_chi2(scores.spread, SURE), 1.02)
-                same_chi2 = np.abs(scores.chi2 - previous) < _SAME_CHI2 * np.maximum(chi2[undecided] - 1.0, 0.0)
-                sure[undecided[fits | same_chi2]] = True
-                undecided = undecided[~(fits | same_chi2)]
-            if turn + 1 >= _MIN_STARTS and sure.mean() >= _MIN_SURE:  # a large chi2 indicates a double star or defect
-                undecided = undecided[chi2[undecided] <= _MAX_CHI2_RATIO * np.median(chi2)]
-            if undecided.size == 0:
+                previous = chi2[rows]
+                is_better = scores.chi2 < previous
+                best_x[rows[is_better]], chi2[rows[is_better]] = x[is_better], scores.chi2[is_better]
+                is_good = scores.chi2 < np.maximum(largest_plausible_chi2(scores.spread, SURE), 1.02)
+                is_same_chi2 = np.abs(scores.chi2 - previous) < _SAME_CHI2 * np.maximum(chi2[rows] - 1.0, 0.0)
+                is_sure[rows[is_good | is_same_chi2]] = True
+                rows = rows[~(is_good | is_same_chi2)]
+            # A large chi2 indicates a double star or defect.
+            if attempt + 1 >= _MIN_STARTS and is_sure.mean() >= _MIN_SURE:
+                rows = rows[chi2[rows] <= _MAX_CHI2_RATIO * np.median(chi2)]
+            if rows.size == 0:
                 break
-        return best_x, chi2, sure
+        return best_x, chi2, is_sure
 
     def _random_start(self, model: SingleStars, *, scatter: bool) -> Array:
         stars = self.stars
@@ -258,8 +260,8 @@ class Search:
         polynomials, _ = robust(self.basis(chosen), self.stars.start[chosen], np.ones(len(chosen)), self.metric)
         squared_widths, ranking_stars = self.squared_widths, chosen[:: max(1, len(chosen) // _RANKING_STARS)]
         starts = itertools.chain([polynomials], self._trial_polynomials(ranking_stars, polynomials, squared_widths))
-        for turn, trial in enumerate(starts):
-            fit = self.refine(chosen, trial, squared_widths, 10, (0.15 * turn, 0.15))
+        for attempt, trial in enumerate(starts):
+            fit = self.refine(chosen, trial, squared_widths, 10, (0.15 * attempt, 0.15))
             if fit is not None and np.median(fit.model.star_quality(fit.x, fast=True).chi2) <= _GOOD_CHI2:
                 return fit
         return None
@@ -270,35 +272,35 @@ class Search:
         """Yield polynomials with trial defocus and spherical aberration added, in order of increasing chi2."""
         names = self.stars.first_star.unknowns.terms
         shifts = [_SHIFTS.get(term_of(name) or (0, 0), (0.0,)) for name in names]
-        field, trials = self.model(chosen, held=True), []
+        field_model, trials = self.model(chosen, held=True), []
         for offsets in itertools.product(*shifts):
             if not any(offsets):
                 continue
-            trial = np.zeros((len(names), field.basis.shape[1]))
+            trial = np.zeros((len(names), field_model.basis.shape[1]))
             trial[:, : polynomials.shape[1]] = polynomials
             trial[:, 0] += offsets
             with suppress(Declined, ToleranceError):
-                x = field.row(trial, squared_widths, self.fit_nuisance(chosen, trial, squared_widths))
-                trials.append((float(np.median(field.star_quality(x, fast=True).chi2)), trial))
+                x = field_model.row(trial, squared_widths, self.fit_nuisance(chosen, trial, squared_widths))
+                trials.append((float(np.median(field_model.star_quality(x, fast=True).chi2)), trial))
         yield from (trial for _, trial in sorted(trials, key=lambda pair: pair[0])[:_FITTED_SHIFTS])
 
     def fit_from_single_stars(self) -> Solution:
         """Fit the brightest stars jointly, starting at fits of the individual stars."""
         stars = self.stars
         chosen = self.brightest()
-        x, chi2, sure = self.fit_single_stars(chosen)
+        x, chi2, is_sure = self.fit_single_stars(chosen)
         if not np.isfinite(chi2).any():
             raise ToleranceError("no star could be fitted: aberrations are too strong for the tolerance; pass start")
-        usable = np.isfinite(chi2)
+        is_usable = np.isfinite(chi2)
         # Polynomials cannot fit better than individual wavefronts: a fit with nearly the same chi2 ends the search.
-        excess = _EXCESS_RATIO * (float(np.median(chi2[usable])) - 1.0) if sure.mean() >= _MIN_SURE else 0.0
+        excess = _EXCESS_RATIO * (float(np.median(chi2[is_usable])) - 1.0) if is_sure.mean() >= _MIN_SURE else 0.0
         accepted_chi2 = max(_GOOD_CHI2, 1.0 + excess)
         # Stars with a poor individual fit would distort the polynomials; `fit_all_stars` may add them later.
-        fits_alike = usable & (chi2 <= _MAX_CHI2_RATIO * np.median(chi2[usable]))
-        self.misfits = chosen[usable & ~fits_alike]
-        if fits_alike.sum() >= max(_MIN_SURE * usable.sum(), 4):
-            usable = fits_alike
-        chosen, x, chi2 = chosen[usable], x[usable], chi2[usable]
+        has_typical_chi2 = is_usable & (chi2 <= _MAX_CHI2_RATIO * np.median(chi2[is_usable]))
+        self.misfits = chosen[is_usable & ~has_typical_chi2]
+        if has_typical_chi2.sum() >= max(_MIN_SURE * is_usable.sum(), 4):
+            is_usable = has_typical_chi2
+        chosen, x, chi2 = chosen[is_usable], x[is_usable], chi2[is_usable]
         quality = 1.0 / np.maximum(chi2 / max(float(np.median(chi2)), 1e-9), 1.0) ** 2
         waves, squared_widths, _ = SingleStars(stars, chosen, self.widest).parts(x)
         good_fits = chi2 <= _MAX_CHI2_RATIO * np.median(chi2)
@@ -373,12 +375,12 @@ class Search:
         """Reject outlying stars and fit again, in at most `_ROUNDS` rounds."""
         initial_count = len(fit.model.chosen)
         for _ in range(_ROUNDS):
-            inliers = ~outliers(fit.model.star_quality(fit.x, fast=True))
-            inlier_count = int(inliers.sum())
-            least = max((1.0 - _MAX_REJECTED) * initial_count, fit.model.basis.shape[1] + 1)
-            if inliers.all() or inlier_count < least:
+            is_inlier = ~outliers(fit.model.star_quality(fit.x, fast=True))
+            inlier_count = int(is_inlier.sum())
+            min_count = max((1.0 - _MAX_REJECTED) * initial_count, fit.model.basis.shape[1] + 1)
+            if is_inlier.all() or inlier_count < min_count:
                 break
-            chosen, nuisance = fit.model.chosen[inliers], fit.nuisance()[inliers]
+            chosen, nuisance = fit.model.chosen[is_inlier], fit.nuisance()[is_inlier]
             refit = self.refine(chosen, fit.polynomials(), fit.squared_widths(), 10, progress, nuisance)
             if refit is None:
                 break
@@ -387,20 +389,20 @@ class Search:
 
     def fit_all_stars(self, fit: Solution) -> tuple[Solution, NDArray[np.intp]]:
         """Fit all stars except outliers, from a fit of some stars; return the fit and the indices of outliers."""
-        every = np.arange(self.stars.count)
+        all_stars = np.arange(self.stars.count)
         polynomials, squared_widths = fit.polynomials(), fit.squared_widths()
-        other_stars = np.setdiff1d(every, fit.model.chosen)
-        outlier_mask = np.zeros(len(every), dtype=bool)
+        other_stars = np.setdiff1d(all_stars, fit.model.chosen)
+        is_outlier = np.zeros(len(all_stars), dtype=bool)
         wider_fit: Solution | None = None
         if len(other_stars):
-            nuisance = np.empty((len(every), self.stars.parameters_per_image, self.stars.exposures))
+            nuisance = np.empty((len(all_stars), self.stars.parameters_per_image, self.stars.exposures))
             nuisance[fit.model.chosen] = fit.nuisance()
             nuisance[other_stars] = self.fit_nuisance(other_stars, polynomials, squared_widths)
-            field = self.model(every, held=True)
-            outlier_mask = outliers(field.star_quality(field.row(polynomials, squared_widths, nuisance), fast=True))
-            if outlier_mask.mean() > _MAX_REJECTED or (~outlier_mask).sum() <= field.basis.shape[1]:
-                outlier_mask[:] = False
-            used_stars = every[~outlier_mask]
+            model = self.model(all_stars, held=True)
+            is_outlier = outliers(model.star_quality(model.row(polynomials, squared_widths, nuisance), fast=True))
+            if is_outlier.mean() > _MAX_REJECTED or (~is_outlier).sum() <= model.basis.shape[1]:
+                is_outlier[:] = False
+            used_stars = all_stars[~is_outlier]
             if not np.array_equal(used_stars, fit.model.chosen):
                 wider_fit = self.refine(
                     used_stars, polynomials, squared_widths, 10, (0.7, 0.15), nuisance[used_stars]
@@ -412,11 +414,11 @@ class Search:
         self.places = self.places.copy()
         self.places[chosen] += displacement[:, ::-1] * self.pixel_size
         if self.stars.width_count == 2:
-            fit = self.best_shape(fit)
+            fit = self.best_profile(fit)
             nuisance = fit.nuisance()
         squared_widths = fit.squared_widths()
         exact_fit = self.refine(chosen, fit.polynomials(), squared_widths, 20, (0.9, 0.05), nuisance, fast=False)
-        return exact_fit or fit, np.setdiff1d(every, chosen)
+        return exact_fit or fit, np.setdiff1d(all_stars, chosen)
 
     @property
     def one_focus(self) -> bool:
@@ -433,16 +435,16 @@ class Search:
         if not self.one_focus or self.stars.has_corners:
             return fit
         for _ in range(2):
-            ends = self._fit_other_signs(fit)
-            best_fit = min([fit, *ends], key=lambda end: float(end.scores.deviance[0]))
+            refits = self._fit_other_signs(fit)
+            best_fit = min([fit, *refits], key=lambda refit: float(refit.scores.deviance[0]))
             if best_fit.scores.deviance[0] > fit.scores.deviance[0] - _MIN_GAIN:
                 break
             fit = self._continue(best_fit, _RIVAL_STEPS) or best_fit
-        for end in ends:
-            if self._rival(fit, end) and (continued := self._continue(end, _RIVAL_STEPS)) is not None:
-                if continued.scores.deviance[0] < fit.scores.deviance[0]:
-                    fit, continued = continued, fit
-                self.rival = self._rival(fit, continued) or self.rival
+        for refit in refits:
+            if self._rival(fit, refit) and (continued_fit := self._continue(refit, _RIVAL_STEPS)) is not None:
+                if continued_fit.scores.deviance[0] < fit.scores.deviance[0]:
+                    fit, continued_fit = continued_fit, fit
+                self.rival = self._rival(fit, continued_fit) or self.rival
         return fit
 
     def _fit_other_signs(self, fit: Solution) -> list[Solution]:
@@ -465,14 +467,14 @@ class Search:
         for j in even[: len(even) - (len(even) < 3)]:  # with two even terms, negating either yields the same images
             starts.append(polynomials.copy())
             starts[-1][j] *= -1.0
-        ends = [self._continue(fit, _TRIAL_STEPS, start) for start in starts[:_MAX_NEGATED]]
+        refits = [self._continue(fit, _TRIAL_STEPS, start) for start in starts[:_MAX_NEGATED]]
         rivals = [
-            end
-            for end in filter(None, ends)
-            if abs(end.scores.deviance[0] - fit.scores.deviance[0]) > _MIN_GAIN or self._rival(fit, end)
+            refit
+            for refit in filter(None, refits)
+            if abs(refit.scores.deviance[0] - fit.scores.deviance[0]) > _MIN_GAIN or self._rival(fit, refit)
         ]
-        best_rivals = sorted(rivals, key=lambda end: float(end.scores.deviance[0]))[:1]
-        return [self._continue(end, _BEST_STEPS) or end for end in best_rivals]
+        best_rivals = sorted(rivals, key=lambda refit: float(refit.scores.deviance[0]))[:1]
+        return [self._continue(refit, _BEST_STEPS) or refit for refit in best_rivals]
 
     def _continue(self, fit: Solution, max_steps: int, polynomials: Array | None = None) -> Solution | None:
         """Continue a fit by `max_steps` steps, from `polynomials` if given; None if images cannot be computed."""
@@ -486,11 +488,11 @@ class Search:
         errors = np.sqrt(np.diag(best_fit.model.covariance(best_fit.scores))[:k]).reshape(
             best_fit.model.wave_count, -1
         )
-        ends = [other_fit.polynomials()]
+        refits = [other_fit.polynomials()]
         # The twin (all even parts negated) has the same images: use the smaller distance of `other_fit` and its twin.
         if first_star.sign_ambiguous:
-            ends.append(self.twin(ends[0])[0])
-        sigmas = min(float((np.abs(end - best_fit.polynomials()) / errors).max()) for end in ends)
+            refits.append(self.twin(refits[0])[0])
+        sigmas = min(float((np.abs(refit - best_fit.polynomials()) / errors).max()) for refit in refits)
         return Rival(cost, sigmas) if cost < _MAX_RIVAL_COST and sigmas > _MIN_RIVAL_DISTANCE else None
 
     def twin(self, polynomials: Array) -> tuple[Array, Array]:
@@ -498,22 +500,22 @@ class Search:
         first_star = self.stars.first_star
         # The matrix 1 - flip negates the even part: flip is twice the projection onto the even part.
         flip = 2.0 * ((first_star.directions * first_star.even) @ first_star.inverse).T
-        other = polynomials - flip @ polynomials
-        other[:, 0] -= 2.0 * ((first_star.fixed_of_images[0] * first_star.even) @ first_star.inverse)
-        return other, np.eye(len(flip)) - flip
+        negated = polynomials - flip @ polynomials
+        negated[:, 0] -= 2.0 * ((first_star.fixed_of_images[0] * first_star.even) @ first_star.inverse)
+        return negated, np.eye(len(flip)) - flip
 
-    def best_shape(self, fit: Solution) -> Solution:
-        """Return the fit with the most likely shape of blur; a single width is preferred to two of similar lnL."""
+    def best_profile(self, fit: Solution) -> Solution:
+        """Return the fit with the most likely profile of blur; a single width is preferred to two of similar lnL."""
         nuisance, polynomials, squared_widths = fit.nuisance(), fit.polynomials(), fit.squared_widths()
 
-        def fit_shape(shape: BlurProfile, widths: Array, max_steps: int) -> Solution:
-            self.stars = self.initial_stars.with_blur_profile(shape)
+        def fit_profile(profile: BlurProfile, widths: Array, max_steps: int) -> Solution:
+            self.stars = self.initial_stars.with_blur_profile(profile)
             refit = self.refine(fit.model.chosen, polynomials, widths, max_steps, (0.88, 0.01), nuisance)
             return refit or replace(fit, scores=fit.scores._replace(deviance=np.full(1, np.inf)))
 
-        two_widths = fit_shape(BlurProfile.turbulent(), squared_widths, _SHAPE_STEPS)
+        two_widths = fit_profile(BlurProfile.turbulent(), squared_widths, _PROFILE_STEPS)
         cost: dict[float | None, float] = {None: float(two_widths.scores.deviance[0])}
-        gaussian = fit_shape(BlurProfile.gaussian(), squared_widths.sum(axis=-1, keepdims=True), _SHAPE_STEPS)
+        gaussian = fit_profile(BlurProfile.gaussian(), squared_widths.sum(axis=-1, keepdims=True), _PROFILE_STEPS)
         self.blur_costs = {"Gaussian": float(gaussian.scores.deviance[0])}
         outer: float | None = None
         best_fit = two_widths
@@ -521,17 +523,14 @@ class Search:
             polynomials, nuisance = two_widths.polynomials(), two_widths.nuisance()
             squared_widths = two_widths.squared_widths()
             for next_outer in OUTER[1:]:
-                trial = fit_shape(BlurProfile.turbulent(next_outer), squared_widths, 2)
+                trial = fit_profile(BlurProfile.turbulent(next_outer), squared_widths, 2)
                 cost[next_outer] = float(trial.scores.deviance[0])
                 if cost[next_outer] < cost[outer] - _MIN_GAIN:
                     best_fit, outer = trial, next_outer
                 else:
                     break
-        seeing = fit_shape(
-            BlurProfile.turbulent(outer, alone=True),
-            best_fit.squared_widths().sum(axis=-1, keepdims=True),
-            _SHAPE_STEPS,
-        )
+        seeing_width = best_fit.squared_widths().sum(axis=-1, keepdims=True)
+        seeing = fit_profile(BlurProfile.turbulent(outer, alone=True), seeing_width, _PROFILE_STEPS)
         self.blur_costs |= {"seeing": float(seeing.scores.deviance[0]), "both": cost[outer]}
         limit = cost[outer] + _MIN_WIDTH_GAIN
         pairs = (gaussian, "Gaussian"), (seeing, "seeing")
@@ -545,16 +544,16 @@ class Search:
     def readmit_stars(self, fit: Solution) -> Solution:
         """Return a fit that includes rejected stars, if other polynomials fit them too; else the unchanged fit."""
         # A rejected star that fits individually is no double star: the polynomials are wrong at its position.
-        every = np.arange(self.stars.count)
+        all_stars = np.arange(self.stars.count)
         for _ in range(_ROUNDS):
-            rejected = np.setdiff1d(every, fit.model.chosen)
+            rejected = np.setdiff1d(all_stars, fit.model.chosen)
             # The image of a single corner does not determine a wavefront.
             if not rejected.size or self.stars.has_corners:
                 break
-            fits, waves = self._fit_individually(rejected, fit)
+            is_good, waves = self._fit_individually(rejected, fit)
             map_waves = fit.model.basis @ fit.polynomials().T
-            refit = self._refit_with(fit, map_waves, rejected[fits], waves[fits]) if fits.any() else None
-            readmitted = rejected[fits | ~np.isin(rejected, self.misfits)]
+            refit = self._refit_with(fit, map_waves, rejected[is_good], waves[is_good]) if is_good.any() else None
+            readmitted = rejected[is_good | ~np.isin(rejected, self.misfits)]
             if refit is None and readmitted.size:
                 refit = self._refit_with(fit, map_waves, readmitted, self.basis(readmitted) @ fit.polynomials().T)
             if refit is None:
@@ -569,41 +568,41 @@ class Search:
 
         The search starts at the wavefronts `waves` of the used stars and `added_waves` of the added stars.
         """
-        every = np.concatenate([fit.model.chosen, added_stars])
+        used_stars = np.concatenate([fit.model.chosen, added_stars])
         wavefronts = np.concatenate([waves, added_waves])
-        polynomials, _ = robust(self.basis(every), wavefronts, np.ones(len(every)), self.metric)
-        refit = self.refine(np.sort(every), polynomials, fit.squared_widths(), 20, (0.87, 0.02))
+        polynomials, _ = robust(self.basis(used_stars), wavefronts, np.ones(len(used_stars)), self.metric)
+        refit = self.refine(np.sort(used_stars), polynomials, fit.squared_widths(), 20, (0.87, 0.02))
         if refit is None:
             return None
         refit = self.reject_outliers(refit, (0.89, 0.01))
         chi2_limit = max(1.0 + _EXCESS_RATIO * (float(fit.scores.chi2[0]) - 1.0), self._chi2_limit(refit))
-        better = len(refit.model.chosen) > len(fit.model.chosen) and refit.scores.chi2[0] <= chi2_limit
-        return refit if better else None
+        is_better = len(refit.model.chosen) > len(fit.model.chosen) and refit.scores.chi2[0] <= chi2_limit
+        return refit if is_better else None
 
     def _fit_individually(self, rejected: NDArray[np.intp], fit: Solution) -> tuple[NDArray[np.bool_], Array]:
         """Fit rejected stars individually; return a mask of stars that fit, and all wavefronts (r, k)."""
         stars, squared_widths = self.stars, fit.squared_widths()
         map_waves = self.basis(rejected) @ fit.polynomials().T
-        fits, waves = np.zeros(len(rejected), dtype=bool), map_waves.copy()
+        is_good, waves = np.zeros(len(rejected), dtype=bool), map_waves.copy()
         single_stars = SingleStars(stars, rejected, self.widest)
         with suppress(Declined, ToleranceError):
             nuisance = self.fit_nuisance(rejected, fit.polynomials(), squared_widths)
             x = single_stars.row(map_waves, squared_widths, nuisance)
             x, scores, *_ = search_rows(single_stars, x, _STEPS, _no_progress, fast=True)
-            fits, waves = scores.chi2 < largest_plausible_chi2(scores.spread, SURE), single_stars.wavefronts(x)
-        retried = ~fits & ~np.isin(rejected, self.misfits)
-        if retried.any():
-            x, chi2, sure = self.fit_single_stars(rejected[retried], (0.87, 0.0))
+            is_good, waves = scores.chi2 < largest_plausible_chi2(scores.spread, SURE), single_stars.wavefronts(x)
+        is_retried = ~is_good & ~np.isin(rejected, self.misfits)
+        if is_retried.any():
+            x, chi2, sure = self.fit_single_stars(rejected[is_retried], (0.87, 0.0))
             new_waves = single_stars.wavefronts(x)
             if stars.first_star.sign_ambiguous:
-                negated, predicted = self.negated(rejected[retried], new_waves), map_waves[retried]
-                changes = new_waves - predicted, negated - predicted
+                negated, map_waves_of_retried = self.negated(rejected[is_retried], new_waves), map_waves[is_retried]
+                changes = new_waves - map_waves_of_retried, negated - map_waves_of_retried
                 distances = [np.einsum("ni,ij,nj->n", change, self.metric, change) for change in changes]
                 new_waves = np.where((distances[1] < distances[0])[:, None], negated, new_waves)
-            fits_now = sure & (chi2 < 1.0 + 2.0 * (self._chi2_limit(fit) - 1.0))
-            self.misfits = np.union1d(self.misfits, rejected[retried][~fits_now])
-            waves[retried], fits[retried] = new_waves, fits_now
-        return fits, waves
+            is_good_refit = sure & (chi2 < 1.0 + 2.0 * (self._chi2_limit(fit) - 1.0))
+            self.misfits = np.union1d(self.misfits, rejected[is_retried][~is_good_refit])
+            waves[is_retried], is_good[is_retried] = new_waves, is_good_refit
+        return is_good, waves
 
     @staticmethod
     def _chi2_limit(fit: Solution) -> float:
@@ -627,13 +626,9 @@ class Search:
 
     def _with_background_slopes(self, fit: Solution) -> Solution:
         """Return the fit with a model that has a slope of each background, initially 0."""
-        self.initial_stars, self.stars = (
-            self.initial_stars.with_background_slopes(),
-            fit.model.stars.with_background_slopes(),
-        )
-        self.simplified_stars = (
-            self.simplified_stars.with_background_slopes()
-        )  # for another search that starts with individual stars
+        self.initial_stars = self.initial_stars.with_background_slopes()
+        self.stars = fit.model.stars.with_background_slopes()
+        self.simplified_stars = self.simplified_stars.with_background_slopes()  # for a later search
         model, nuisance = self.model(fit.model.chosen), np.pad(fit.nuisance(), ((0, 0), (0, 2), (0, 0)))
         return replace(fit, model=model, x=model.row(fit.polynomials(), fit.squared_widths(), nuisance))
 
@@ -642,17 +637,17 @@ class Search:
         chosen = fit.model.chosen
         # Hold out every fifth star along an oblique direction: a reproducible choice all over the field.
         order = np.argsort(self.places[chosen] @ [1.0, 0.318], kind="stable")
-        left_out = np.zeros(len(chosen), dtype=bool)
-        left_out[order[2::5]] = True
-        if (~left_out).sum() <= fit.model.basis.shape[1] or not left_out.any():
+        is_held_out = np.zeros(len(chosen), dtype=bool)
+        is_held_out[order[2::5]] = True
+        if (~is_held_out).sum() <= fit.model.basis.shape[1] or not is_held_out.any():
             return math.nan, math.nan
         nuisance = fit.nuisance()
-        is_used, start = ~left_out, (fit.polynomials(), fit.squared_widths())
+        is_used, start = ~is_held_out, (fit.polynomials(), fit.squared_widths())
         refit = self.refine(chosen[is_used], *start, 6, (0.95, 0.03), nuisance[is_used])
         if refit is None:
             return math.nan, math.nan
-        model = self.model(chosen[left_out], held=True)
-        x = model.row(refit.polynomials(), refit.squared_widths(), nuisance[left_out])
+        model = self.model(chosen[is_held_out], held=True)
+        x = model.row(refit.polynomials(), refit.squared_widths(), nuisance[is_held_out])
         _, scores, *_ = search_rows(model, x, 6, _no_progress, fast=True)
         return float(scores.chi2[0]), float(scores.spread[0])
 

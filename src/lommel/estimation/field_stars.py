@@ -16,7 +16,7 @@ from lommel.base.arrays import Array
 from lommel.blur.blurs import Blur
 from lommel.blur.mixtures import BlurProfile
 from lommel.core.engine import star_likelihood
-from lommel.estimation.sampled_pupil import SMALL, SampledPupil, UnevenLight, changes_of
+from lommel.estimation.sampled_pupil import SMALL, PupilChanges, SampledPupil, changes_of
 from lommel.estimation.star_images import (
     StarImages,
     Unknowns,
@@ -167,18 +167,13 @@ class FieldStars:
         variances = profile.variances(squared_widths).reshape(-1, len(profile.weights)).min(axis=0)
         if isinstance(reader, StarReadout) and reader.serves(width, variances):
             return reader
-        smallest_variances, max_width = variances, width
+        min_variances, max_width = variances, width
         if self.width_count:
             # Round the width up to a multiple of ROOM, so that lattices of sampled pupils can be reused.
             max_width = ROOM * (math.ceil(width / ROOM) + 1)
-            smallest_variances = variances * max(1.0 - ROOM / max(width, ROOM), 0.0) ** 2
+            min_variances = variances * max(1.0 - ROOM / max(width, ROOM), 0.0) ** 2
         self._reader = StarReadout(
-            self.shape,
-            self.pixel,
-            max_width,
-            profile,
-            integrate=self.integrate,
-            smallest_variances=smallest_variances,
+            self.shape, self.pixel, max_width, profile, integrate=self.integrate, smallest_variances=min_variances
         )
         return self._reader
 
@@ -203,7 +198,7 @@ class FieldStars:
             _, pixels, derivatives = prepared.images(pupil, names)
             samples = [pixels.values, *(derivative.values for derivative in derivatives)]
             if others and changes_of(self.pupil):
-                samples += UnevenLight(self.pupil, plan.grid(self.pupil), self.first_star.terms, edge).images()
+                samples += PupilChanges(self.pupil, plan.grid(self.pupil), self.first_star.terms, edge).images()
         else:
             columns = [(*self.first_star.terms, *self.extra_terms).index(name) for name in names]
             samples = list(self._sampled(plan.grid(self.pupil)).images(edge, columns, values=fast))
@@ -342,11 +337,11 @@ class FieldStars:
         star_light = brightness[:, 0, :, None] * psf
         model = star_light + brightness[:, 1, :, None]
         variance = np.maximum(np.maximum(model, 0.0) + read, 1e-3)
-        bright = (valid > 0.0) & (star_light * star_light > variance)
-        degrees_of_freedom = float(bright.sum()) - parameter_count
+        is_bright = (valid > 0.0) & (star_light * star_light > variance)
+        degrees_of_freedom = float(is_bright.sum()) - parameter_count
         if self.has_corners or degrees_of_freedom < parameter_count + _MIN_BRIGHT:
             return math.nan, math.nan
-        variance, residual = variance[bright], (counted - model)[bright]
+        variance, residual = variance[is_bright], (counted - model)[is_bright]
         fraction = degrees_of_freedom / len(residual)
         deviation = math.sqrt(float((2.0 + 1.0 / variance).sum()) * fraction) / degrees_of_freedom
         return float((residual * residual / variance).sum()) / degrees_of_freedom, deviation
@@ -376,14 +371,14 @@ class FieldStars:
         spectrum = np.fft.rfft2(np.where(valid > 0.0, counted - level, 0.0), size)
         correlation = np.fft.irfft2(spectrum * np.conj(np.fft.rfft2(values, size)), size)
         row, column = np.unravel_index(correlation.reshape(len(correlation), -1).argmax(axis=1), size)
-        signed = [(index + side // 2) % side - side // 2 for index, side in zip((row, column), size, strict=True)]
-        offsets = np.stack(signed, axis=1)
+        shifts = [(index + side // 2) % side - side // 2 for index, side in zip((row, column), size, strict=True)]
+        offsets = np.stack(shifts, axis=1)
         return np.asarray(offsets.reshape(len(stars), self.exposures, 2).swapaxes(1, 2), np.float64)
 
     def limit_nuisance(self, nuisance: Array, previous: Array) -> None:
         """Limit tilts to the window, and flux and angles to steps from the values in `previous`, in place."""
-        for j, largest in enumerate(self.first_star.largest_tilts):
-            np.clip(nuisance[:, j], -largest, largest, out=nuisance[:, j])
+        for j, largest_tilt in enumerate(self.first_star.largest_tilts):
+            np.clip(nuisance[:, j], -largest_tilt, largest_tilt, out=nuisance[:, j])
         np.maximum(nuisance[:, 2], 0.1 * previous[:, 2], out=nuisance[:, 2])
         if self.has_corners:
             np.clip(
@@ -414,11 +409,11 @@ def limit_widths(squared_widths: Array, previous: Array, widest: float, *, zero_
     """
     total = previous.sum(axis=-1, keepdims=True)
     np.clip(squared_widths, 0.0, np.minimum(4.0 * total + 0.1, widest), out=squared_widths)
-    smallest = np.where(total < zero_limit, 0.0, 0.25 * total)
+    minimum = np.where(total < zero_limit, 0.0, 0.25 * total)
     new_total = squared_widths.sum(axis=-1, keepdims=True)
-    too_small = new_total < smallest
-    enlarged = np.where(new_total > 0.0, squared_widths * smallest / np.maximum(new_total, 1e-300), previous * 0.25)
-    np.copyto(squared_widths, enlarged, where=too_small)
+    is_too_small = new_total < minimum
+    enlarged = np.where(new_total > 0.0, squared_widths * minimum / np.maximum(new_total, 1e-300), previous * 0.25)
+    np.copyto(squared_widths, enlarged, where=is_too_small)
 
 
 class _StarModel(RowModel):
@@ -611,13 +606,12 @@ class WholeField(_StarModel):
         squared_widths = self.squared_widths(x).flatten()
         blocks = Blocks.of_stars(information, self.basis, self.wave_count, c, squared_widths)
         gradient = np.concatenate([blocks.summed_gradient(gradients[:, :c]), gradients[:, c:].ravel()])
-        rows_of_blocks = np.empty(1, dtype=object)
-        rows_of_blocks[0] = blocks
+        information_rows = np.empty(1, dtype=object)
+        information_rows[0] = blocks
         fraction = self.degrees_of_freedom / self.pixel_count
         quality = reduced_chi2(pearson_sum.sum(), expectation.sum(), variance.sum(), fraction)
-        return Scores(
-            np.array([deviance.sum()]), gradient[None], rows_of_blocks, *(np.array([value]) for value in quality)
-        )
+        arrays = (np.array([value]) for value in quality)
+        return Scores(np.array([deviance.sum()]), gradient[None], information_rows, *arrays)
 
     def steps(self, scores: Scores, damping: Array) -> tuple[Array, Array]:
         """Return a damped step (1, p), and its product with the gradient of lnL."""
@@ -634,13 +628,13 @@ class WholeField(_StarModel):
             matrix, reduced = matrix * np.outer(scale, scale), scale * reduced
             common_step = scale * np.linalg.solve(matrix, reduced)
             width_indices = np.arange(self.common_count - len(blocks.squared_widths), self.common_count)
-            negative = common_step[width_indices] < -blocks.squared_widths
-            if negative.any():  # a squared width would become negative: it is set to 0
+            is_negative = common_step[width_indices] < -blocks.squared_widths
+            if is_negative.any():  # a squared width would become negative: it is set to 0
                 fixed = np.zeros(self.common_count, dtype=bool)
-                fixed[width_indices[negative]] = True
-                scaled_ends = (-blocks.squared_widths / scale[width_indices])[negative]
+                fixed[width_indices[is_negative]] = True
+                scaled_ends = (-blocks.squared_widths / scale[width_indices])[is_negative]
                 reduced = reduced[~fixed] - matrix[np.ix_(~fixed, fixed)] @ scaled_ends
-                common_step[fixed] = -blocks.squared_widths[negative]
+                common_step[fixed] = -blocks.squared_widths[is_negative]
                 common_step[~fixed] = scale[~fixed] * np.linalg.solve(matrix[np.ix_(~fixed, ~fixed)], reduced)
         coupling = (blocks.mixed.swapaxes(-1, -2) @ blocks.star_steps(common_step)[:, :, None])[:, :, 0]
         step = np.concatenate([common_step, (nuisance_steps - (inverse @ coupling[:, :, None])[:, :, 0]).ravel()])

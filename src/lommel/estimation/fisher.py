@@ -84,30 +84,31 @@ class Information:
         """
         norms = np.sqrt((root**2).sum(axis=-2))
         error = error + root.shape[-2] * root.shape[-1] * _EPS * norms  # rounding of this norm and of the SVD
-        zero = norms <= error
-        scale = np.where(zero, 1.0, norms)
-        relative = error / scale
-        scaled = np.where(zero, 0.0, 1.0)[..., None, :] * root / scale[..., None, :]
+        is_zero = norms <= error
+        scale = np.where(is_zero, 1.0, norms)
+        relative_error = error / scale
+        scaled_root = np.where(is_zero, 0.0, 1.0)[..., None, :] * root / scale[..., None, :]
         # With columns of norm 1, the singular values do not depend on the units of the parameters.
-        _, singular_values, direction = np.linalg.svd(scaled, full_matrices=False)
-        undetermined = singular_values <= (np.abs(direction) @ np.where(zero, 1.0, relative)[..., None])[..., 0]
-        determined_size = np.where(undetermined, math.inf, singular_values)
-        columns = np.swapaxes(direction, -1, -2)
-        # Projection on the undetermined directions, and pseudo-inverse of the information in the others.
-        null, inverse = (
-            columns @ (weight[..., None] * direction) for weight in (1.0 * undetermined, determined_size**-2.0)
+        _, singular_values, directions = np.linalg.svd(scaled_root, full_matrices=False)
+        largest_error = (np.abs(directions) @ np.where(is_zero, 1.0, relative_error)[..., None])[..., 0]
+        is_undetermined = singular_values <= largest_error
+        determined_size = np.where(is_undetermined, math.inf, singular_values)
+        columns = np.swapaxes(directions, -1, -2)
+        # Projection onto the undetermined directions, and pseudo-inverse of the information in the other directions.
+        null_projection, inverse = (
+            columns @ (weight[..., None] * directions) for weight in (1.0 * is_undetermined, determined_size**-2.0)
         )
-        limit = np.sqrt((np.where(zero, 0.0, relative) ** 2).sum(axis=-1)) / determined_size.min(axis=-1)
+        limit = np.sqrt((np.where(is_zero, 0.0, relative_error) ** 2).sum(axis=-1)) / determined_size.min(axis=-1)
         # In any direction, the largest component is at least 1 / sqrt(k): some parameter exceeds the limit.
         limit = np.minimum(limit, 0.5 / math.sqrt(len(names)))[..., None, None]
-        is_unidentifiable = np.sqrt(np.diagonal(null, axis1=-2, axis2=-1)) > limit[..., 0]
+        is_unidentifiable = np.sqrt(np.diagonal(null_projection, axis1=-2, axis2=-1)) > limit[..., 0]
         row, column = is_unidentifiable[..., None], is_unidentifiable[..., None, :]
-        infinite = row & column & ((np.abs(null) > limit) | np.eye(len(names), dtype=bool))
+        is_infinite = row & column & ((np.abs(null_projection) > limit) | np.eye(len(names), dtype=bool))
         covariance = np.where(
-            infinite, np.copysign(math.inf, null), inverse / (scale[..., None] * scale[..., None, :])
+            is_infinite, np.copysign(math.inf, null_projection), inverse / (scale[..., None] * scale[..., None, :])
         )
         determined_correlation = np.where(row | column, 0.0, _correlation(inverse))
-        correlation = np.where(row & column, _correlation(null), determined_correlation)
+        correlation = np.where(row & column, _correlation(null_projection), determined_correlation)
         matrix = np.swapaxes(root, -1, -2) @ root
         return cls(names, units, 0.5 * (matrix + np.swapaxes(matrix, -1, -2)), covariance, correlation)
 

@@ -173,7 +173,7 @@ def changes_of(pupil: Pupil) -> dict[str, int]:
     return {SLANT: 2, **dict.fromkeys(FOLDS, 2), **inner, OVAL: 2, ASPECT: 1}
 
 
-class UnevenLight:
+class PupilChanges:
     """Derivatives of images with respect to the changes of a circular pupil that :func:`changes_of` lists.
 
     Parameters

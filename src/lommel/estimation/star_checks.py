@@ -14,16 +14,7 @@ from lommel.base.arrays import Array
 from lommel.base.units import with_error
 from lommel.blur.mixtures import BlurProfile
 from lommel.core.answers import Declined, ToleranceError
-from lommel.estimation.sampled_pupil import (
-    ASPECT,
-    FOLDS,
-    OBSCURATION,
-    OVAL,
-    SHIFT,
-    SLANT,
-    UnevenLight,
-    changes_of,
-)
+from lommel.estimation.sampled_pupil import ASPECT, FOLDS, OBSCURATION, OVAL, SHIFT, SLANT, PupilChanges, changes_of
 from lommel.estimation.star_images import (
     StarImages,
     Unknowns,
@@ -146,8 +137,8 @@ def missing_terms(
         yield MissingEffect(label(term), _TERM, (derivative * zernike.rms_factor(*term),))
     for name, derivative in zip(constants, derivatives[len(terms) :], strict=True):
         if name != (2, 0):
-            size = _CONSTANTS[str(name)] * (float(pupil.f_number or 1.0) if name == "f_number" else 1.0)
-            yield MissingEffect(str(name), size, (derivative,))
+            scale = _CONSTANTS[str(name)] * (float(pupil.f_number or 1.0) if name == "f_number" else 1.0)
+            yield MissingEffect(str(name), scale, (derivative,))
             continue
         defoci = np.tile(known_defoci, len(derivative) // len(known_defoci))[:, None, None]
         yield MissingEffect("defocus", _CONSTANTS["defocus"], (derivative * defoci,))
@@ -158,9 +149,9 @@ def missing_terms(
 
 def missing_ripples(terms: Sequence[Term], derivatives: Sequence[Array]) -> Iterator[MissingEffect]:
     """Yield zones (terms with m = 0) and other ripples, given derivatives of electrons by terms (1 at the edge)."""
-    for name, symmetric in ((_ZONE_NAME, True), (_RIPPLE_NAME, False)):
+    for name, is_symmetric in ((_ZONE_NAME, True), (_RIPPLE_NAME, False)):
         pairs = zip(terms, derivatives, strict=True)
-        images = tuple(d * zernike.rms_factor(*term) for term, d in pairs if (term[1] == 0) == symmetric)
+        images = tuple(d * zernike.rms_factor(*term) for term, d in pairs if (term[1] == 0) == is_symmetric)
         if images:
             yield MissingEffect(name, _RIPPLES / len(images) ** 0.5, images)
 
@@ -276,8 +267,8 @@ def to_marginalize(
         | dict.fromkeys(_TRAILS.values(), _TRAIL_FACTOR)
     )
     factors |= dict.fromkeys(favoured(tests), 1.0)
-    chosen = (candidate for candidate in candidates if candidate.name in factors)
-    return [replace(candidate, scale=factors[candidate.name] * candidate.scale) for candidate in chosen]
+    chosen_candidates = (candidate for candidate in candidates if candidate.name in factors)
+    return [replace(candidate, scale=factors[candidate.name] * candidate.scale) for candidate in chosen_candidates]
 
 
 def untested_constants(
@@ -297,8 +288,10 @@ def untested_constants(
     """
     names = [label(name) for name in unknowns.terms]
     scale = _STATED_ERROR * float(pupil.f_number or 1.0)
-    f_number = [replace(candidate, scale=scale) for candidate in candidates if candidate.name == "f_number"]
-    effects = untested(*fit, dict(zip(names, columns, strict=True)), f_number, tests)
+    f_number_candidates = [
+        replace(candidate, scale=scale) for candidate in candidates if candidate.name == "f_number"
+    ]
+    effects = untested(*fit, dict(zip(names, columns, strict=True)), f_number_candidates, tests)
     if np.ptp(defoci) == 0.0 != defoci[0] and (2, 0) in unknowns.edge:
         # Images at a single focus determine only the sum of the known defocus and the estimated one.
         defocus_part = unknowns.directions[:, unknowns.edge.index((2, 0))] / np.abs(unknowns.directions).sum(axis=1)
@@ -348,7 +341,7 @@ def star_tests(model: StarImages, x: Array) -> tuple[tuple[ScoreTest, ...], Marg
     changes, edge = changes_of(model.pupil), pupil.wavefront.edge_terms()
     if changes:
         phases = np.stack([np.broadcast_to(edge[term], model.count) for term in model.terms], axis=-1)
-        illumination = UnevenLight(pupil[0], plan.grid(pupil), model.terms, phases).images()
+        illumination = PupilChanges(pupil[0], plan.grid(pupil), model.terms, phases).images()
         effects += missing_illumination(changes, [flux * image for image in illumination], unknowns.pupil)
     effects += missing_charge_transfer(flux * values)
     if (apodized_pupil := apodized(pupil)) is not None and plan.method is None:
@@ -390,13 +383,13 @@ def error_findings(model: StarImages, x: Array, covariance_matrix: Array) -> lis
         )
         return [Finding("too_dim", "doubt", text, {"rms": error, "limit": _MAX_PHASE_ERROR})]
     factors = error_factors(model, x, covariance_matrix, axes)
-    invalid = [k for k in np.argsort(-factors) if factors[k] > _MAX_ERROR_CHANGE]
-    if not invalid:
+    invalid_indices = [k for k in np.argsort(-factors) if factors[k] > _MAX_ERROR_CHANGE]
+    if not invalid_indices:
         return []
-    names = ", ".join(label(model.names[k]) for k in invalid[:3])
-    suffix = f" and {len(invalid) - 3} more" if len(invalid) > 3 else ""
+    names = ", ".join(label(model.names[k]) for k in invalid_indices[:3])
+    suffix = f" and {len(invalid_indices) - 3} more" if len(invalid_indices) > 3 else ""
     text = (
         f"the standard errors of {names}{suffix} are not to be trusted: within one standard deviation of the "
-        f"estimate they change by a factor of up to {factors[invalid[0]]:.3g}"
+        f"estimate they change by a factor of up to {factors[invalid_indices[0]]:.3g}"
     )
-    return [Finding("errors_change", "doubt", text, {label(model.names[k]): factors[k] for k in invalid})]
+    return [Finding("errors_change", "doubt", text, {label(model.names[k]): factors[k] for k in invalid_indices})]

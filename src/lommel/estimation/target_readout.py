@@ -160,13 +160,13 @@ class TargetReadout:
         by_second = 2.0 * other_g * dq * e - 4.0 * rho * other_g1 * dq * g - by_rho
         return [self._coarse_spectrum(0.5 * part) for part in (value, by_first, by_second)]
 
-    def _coarse_spectrum(self, fine: Values) -> Values:
+    def _coarse_spectrum(self, fine_object: Values) -> Values:
         """Return the spectrum of a finely sampled object at the frequencies of the coarser lattice of PSF samples."""
-        spectrum = fft.rfft2(fine)
+        spectrum = fft.rfft2(fine_object)
         rows, columns = self._sides
         half = (rows + 1) // 2
-        coarse = np.concatenate([spectrum[:half], spectrum[len(spectrum) - (rows - half) :]])
-        return np.asarray(coarse[:, : columns // 2 + 1])
+        coarse_rows = np.concatenate([spectrum[:half], spectrum[len(spectrum) - (rows - half) :]])
+        return np.asarray(coarse_rows[:, : columns // 2 + 1])
 
     def _spectra(self, squared_widths: Array, angles: Array, *, derivatives: bool) -> list[Values]:
         """Return the transfer function from the samples of a PSF to the image, followed by its derivatives.
@@ -174,16 +174,16 @@ class TargetReadout:
         The derivatives are first, if `derivatives`, by the `squared_widths` (b,) of the blur, pixels^2, and then by
         the `angle_count`.
         """
-        shape = self.blur
+        profile = self.blur
         gaussians = [
             np.float32(weight) * np.exp(np.float32(variance) * self._log_derivative)
-            for weight, variance in zip(shape.weights, shape.variances(squared_widths), strict=True)
+            for weight, variance in zip(profile.weights, profile.variances(squared_widths), strict=True)
         ]
         blurs = [np.sum(gaussians, axis=0)]
         if derivatives:
             blurs += [
                 self._log_derivative * sum(np.float32(r) * g for r, g in zip(rates, gaussians, strict=True))
-                for rates in shape.rates.T
+                for rates in profile.rates.T
             ]
         objects = [self._transfer]
         if self.target.kind != "pinhole":
@@ -204,13 +204,13 @@ class TargetReadout:
 
         def read_one(k: int) -> None:
             transfer, *transfer_derivatives = self._spectra(squared_widths[k], angles[k], derivatives=derivatives)
-            sampled = [fft.rfft2(np.asarray(values[k], np.float32), self._sides) for values in samples]
-            spectra = [transfer * spectrum for spectrum in sampled]
-            spectra += [sampled[0] * derivative for derivative in transfer_derivatives]
+            sample_spectra = [fft.rfft2(np.asarray(values[k], np.float32), self._sides) for values in samples]
+            spectra = [transfer * spectrum for spectrum in sample_spectra]
+            spectra += [sample_spectra[0] * derivative for derivative in transfer_derivatives]
             for image, spectrum in zip(images, spectra, strict=True):
-                fine = fft.irfft2(spectrum, self._sides)
+                fine_image = fft.irfft2(spectrum, self._sides)
                 step = self._samples_per_pixel
-                image[k] = fine[tuple(slice(0, side * step, step) for side in self._pixels)]
+                image[k] = fine_image[tuple(slice(0, side * step, step) for side in self._pixels)]
 
         side_by_side(read_one, range(len(squared_widths)), threads)
         return images
@@ -236,14 +236,14 @@ def start_of_crossing(image: Array) -> tuple[float, float, float, float]:
         pattern = np.tanh(p) * np.tanh(q) * window
         # The filter must not respond to a uniform image.
         patterns.append(pattern - pattern.mean())
-    stack = np.array(patterns)
+    pattern_stack = np.array(patterns)
     # Zero padding to twice the sides: the correlation must not wrap around.
     size = [fft.next_fast_len(2 * side, real=True) for side in (height, width)]
-    correlation = fft.irfft2(fft.rfft2(contrast, size) * np.conj(fft.rfft2(stack, size)), size)
+    correlation = fft.irfft2(fft.rfft2(contrast, size) * np.conj(fft.rfft2(pattern_stack, size)), size)
     largest_shift = [max(2, side // 5) for side in (height, width)]
     rows, columns = (np.arange(-n, n + 1) for n in largest_shift)
-    central = correlation[:, rows[:, None], columns]
-    direction, row, column = np.unravel_index(int(central.argmax()), central.shape)
+    central_correlation = correlation[:, rows[:, None], columns]
+    direction, row, column = np.unravel_index(int(central_correlation.argmax()), central_correlation.shape)
     angle = math.pi * direction / _DIRECTIONS
     return float(rows[row]), float(columns[column]), angle, angle + 0.5 * math.pi
 
@@ -262,8 +262,8 @@ def relative_light(electrons: Array, valid: NDArray[np.bool_], u: Array, v: Arra
         return illumination
     powers = monomials(np.repeat(u[:, None], height, axis=1), np.repeat(v[:, :, None], width, axis=2), degree)
     for e in range(exposures):
-        white = np.array([_white_pixels(*pair) for pair in zip(electrons[:, e], valid[:, e], strict=True)])
-        basis, log_light = powers[white], np.log(electrons[:, e][white])
+        is_white = np.array([_white_pixels(*pair) for pair in zip(electrons[:, e], valid[:, e], strict=True)])
+        basis, log_light = powers[is_white], np.log(electrons[:, e][is_white])
         if np.linalg.matrix_rank(basis) < basis.shape[1]:
             continue
         weight = np.ones(len(log_light))

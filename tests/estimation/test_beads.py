@@ -12,7 +12,7 @@ import pytest
 import lommel as lm
 import plane_waves
 from lommel.estimation.bead_checks import _NEVER_TESTED, is_possible, missing_findings
-from lommel.estimation.bead_images import AMPLITUDES, CONSTANTS, BeadImages, Place, Setup, Stack, changed
+from lommel.estimation.bead_images import AMPLITUDES, CONSTANTS, BeadImages, Place, Setup, Stack, changed_objective
 from lommel.estimation.bead_search import Prior
 from lommel.fit.score_tests import ScoreTest
 from lommel.special import zernike
@@ -193,8 +193,8 @@ def test_standard_errors_hold_for_dim_beads():
 
 # Each microscope differs from the one that is stated in one constant.
 WRONG = {
-    "sample": {"objective": changed(OIL, "sample", 1.38)},
-    "NA": {"objective": changed(OIL, "NA", 1.37)},
+    "sample": {"objective": changed_objective(OIL, "sample", 1.38)},
+    "NA": {"objective": changed_objective(OIL, "NA", 1.37)},
     "depth": {"depth": 0.3e-6},
     "diameter": {"diameter": 0.2e-6, "depth": 0.1e-6},
 }
@@ -245,14 +245,14 @@ def test_what_is_held_and_not_tested_is_named():
     assert "not tested: coverslip (5 um of it changes noll 11 spherical by " in told.text
     bright = [
         lm.fit_beads(recorded(3, waves(3, 0.1), one, light=1e5)[0], OIL, **GIVEN, terms=TERMS, priors={})
-        for one in (changed(OIL, "coverslip", 165e-6), changed(OIL, "coverslip", 175e-6))
+        for one in (changed_objective(OIL, "coverslip", 165e-6), changed_objective(OIL, "coverslip", 175e-6))
     ]
     change = 0.5 * abs(bright[1].coefficients[4, 0] - bright[0].coefficients[4, 0])
     assert change == pytest.approx(told.numbers["coverslip"]["noll 11 spherical"], rel=0.2)
 
 
 def test_unknowns_that_are_as_their_priors_say_are_named():
-    images, _ = recorded(3, waves(3, 0.1), changed(OIL, "sample", 1.345), light=3e3)
+    images, _ = recorded(3, waves(3, 0.1), changed_objective(OIL, "sample", 1.345), light=3e3)
     found = lm.fit_beads(images, OIL, **GIVEN, terms=TERMS, priors={"sample": (1.33, 0.003), "depth": 5e-9})
     told = found.findings.get("untested")
     assert told.text.endswith(f"sample, depth (known by their priors), {', '.join(_NEVER_TESTED)}")
@@ -329,13 +329,13 @@ def test_derivatives_by_terms_of_the_amplitude_are_differences_of_images():
 def test_immersion_and_cover_glass_are_named_together():
     images, _ = recorded(4, waves(3, 0.1), oil(design=lm.Design(1.515, OIL.coverslip)))
     other = oil(design=lm.Design(1.515, OIL.coverslip))
-    stated = changed(other, "immersion", 1.516)
+    stated = changed_objective(other, "immersion", 1.516)
     found = lm.fit_beads(images, stated, **GIVEN, terms=TERMS, priors={})
     assert {"immersion", "coverslip"} < {one.name for one in found.tests[:3]}
 
 
 def test_constants_with_priors_are_estimated_and_right_ones_not_suspected():
-    images, _ = recorded(5, waves(5), changed(OIL, "sample", 1.335), light=3e4)
+    images, _ = recorded(5, waves(5), changed_objective(OIL, "sample", 1.335), light=3e4)
     found = lm.fit_beads(images, OIL, **GIVEN, terms=TERMS, priors={"sample": (1.33, 0.02), "depth": 5e-9})
     assert found.reliable, found.message
     assert found.objective.sample == pytest.approx(1.335, abs=4.0 * found.errors["sample"])

@@ -119,7 +119,7 @@ def test_blur_that_varies_over_the_field_is_told():
 
 
 def test_the_answer_is_that_of_the_best_search_not_of_the_last(monkeypatch):
-    run, given = field_fit._run, images()
+    run, given = field_fit._search_repeatedly, images()
     plain = fitted(given)
 
     def ended_with_another_blur(search, *rest):
@@ -127,7 +127,7 @@ def test_the_answer_is_that_of_the_best_search_not_of_the_last(monkeypatch):
         search.stars = search.initial_stars.with_blur_profile(BlurProfile.turbulent())
         return outcome
 
-    monkeypatch.setattr(field_fit, "_run", ended_with_another_blur)
+    monkeypatch.setattr(field_fit, "_search_repeatedly", ended_with_another_blur)
     assert fitted(given).blurs == plain.blurs
 
 

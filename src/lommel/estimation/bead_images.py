@@ -121,7 +121,7 @@ class Setup:
         """Return the microscope with another value of a constant; ValueError if that value is impossible."""
         changes: dict[str, Any] = {name: value}
         if name not in _SETUP_CONSTANTS:
-            changes = {"objective": changed(self.objective, name, value)}
+            changes = {"objective": changed_objective(self.objective, name, value)}
         return replace(self, **changes)
 
     def pupil(
@@ -147,7 +147,7 @@ class Setup:
 _SETUP_CONSTANTS = ("pixel", "diameter", "blur", "step")
 
 
-def changed(objective: Objective, name: str, value: float) -> Objective:
+def changed_objective(objective: Objective, name: str, value: float) -> Objective:
     """Return an objective of the same design, with another value of a constant: sample, NA, ... (see `CONSTANTS`)."""
     changes: dict[str, Any] = {name: value}
     if name == "coverslip":

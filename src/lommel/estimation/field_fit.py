@@ -273,12 +273,12 @@ class FieldFit(FitReport):
                 "save requires positions in metres: call fit_field with pixel in metres, and with a pupil that has "
                 "wavelength and f_number"
             )
-        x, y = _positions(self._sensor, self.degree, self.distortion)
+        x, y = _map_positions(self._sensor, self.degree, self.distortion)
         across, down = (part.ravel() for part in np.meshgrid(x, y))
         aberrations = chosen.pupil(across, down).wavefront + self._pupil.wavefront * -1.0
         waves = aberrations.to_zernike(order="noll", unit="waves")
-        columns = {f"Z{j}": waves.get(j, np.zeros(across.shape)) for j in sorted(map(_noll, self._terms))}
-        labels = [name if isinstance(name, str) else f"noll {_noll(name)}" for name in self.names]
+        columns = {f"Z{j}": waves.get(j, np.zeros(across.shape)) for j in sorted(map(_noll_index, self._terms))}
+        labels = [name if isinstance(name, str) else f"noll {_noll_index(name)}" for name in self.names]
         lines = [f"# {self.message}"]
         if any(self.blurs):
             lines.append(f"# not in this table: blur by {'; '.join(map(in_words, self.blurs))}")
@@ -432,7 +432,7 @@ def fit_field(
         Terms to estimate, see :func:`lommel.retrieve`: 11 means Noll's indices 4 to 14.
     defocus : float or array_like, shape (e,), default 0
         Known additional defocus C_d of each exposure, radians; positive if the sensor was moved towards the lens.
-    blur : bool, float, Blur or several, default True
+    blur : bool, float, Blur or iterable of Blur, default True
         True: estimate the blur of each exposure. For stars it is seeing (Kolmogorov, or von Karman with an outer
         scale of 1000, 240 or 60 r0), a Gaussian (jitter or charge diffusion), or both, whichever is most likely; for
         pinholes and corners it is a Gaussian. False: no blur. A number is the known standard deviation of a Gaussian
@@ -506,14 +506,14 @@ def fit_field(
     settings = FieldOptions(**options)
     unknowns = Unknowns(terms, ("center",))
     validation.instance("noise", noise, Noise)
-    counts = _windows(windows, settings.mask, settings.saturation)
+    counts = _checked_windows(windows, settings.mask, settings.saturation)
     images, valid = counts.filled(), counts.known
     count, exposures, height, width = images.shape
     lens = single(pupil, "for the whole field")
     if not (isinstance(sensor, Sequence | np.ndarray) and len(sensor) == 2):
         raise TypeError(f"sensor must be a pair (rows, columns), got {validation.shown(sensor)}")
     rows, columns = (validation.integer("sensor", side, least=1, most=_MAX_SIDE) for side in sensor)
-    star_places = _places(places, (rows, columns), (count, height, width))
+    star_places = _checked_places(places, (rows, columns), (count, height, width))
     defoci = known_defocus(defocus, exposures, "exposures")
     max_degree = validation.integer("degree", degree, least=0, most=_MAX_DEGREE)
     validation.optional("start", start, FieldMap)
@@ -555,7 +555,7 @@ def fit_field(
     u, v = chip.relative(x, y)
     pixel_size = np.array([2.0 / columns, 2.0 / rows])
     search = Search(stars, np.stack([u, v], axis=1), pixel_size, highest_degree(max_degree, count), draw, report)
-    outcome = _run(search, start is not None)
+    outcome = _search_repeatedly(search, start is not None)
     distortion_settings = ideal, settings.pose, distortion_degree
     known_blurs = blur_model if isinstance(blur_model, tuple) else ()
     camera = noise, illumination
@@ -579,7 +579,7 @@ def _blur_model(
     return known_blurs
 
 
-def _run(search: Search, has_start: bool) -> Outcome:
+def _search_repeatedly(search: Search, has_start: bool) -> Outcome:
     """Repeat a search until it converges, at most `_MAX_SEARCHES` times; return the best outcome."""
     places, best_outcome = search.places, None
     for attempt in range(_MAX_SEARCHES):
@@ -599,7 +599,7 @@ def in_words(blurs_of_exposure: tuple[Blur, ...]) -> str:
     return " and ".join(map(repr, blurs_of_exposure)) or "nothing"
 
 
-def _noll(term: Term) -> int:
+def _noll_index(term: Term) -> int:
     return int(zernike.index_of(term[0], term[1], "noll"))
 
 
@@ -617,7 +617,7 @@ def _start_pupils(start: FieldMap, pupil: Pupil, chip: Sensor, x: Array, y: Arra
     return pupil.carrying(start.pupil(x, y).wavefront, None)
 
 
-def _windows(windows: Any, mask: ArrayLike | None, saturation: float | None) -> Counts:
+def _checked_windows(windows: Any, mask: ArrayLike | None, saturation: float | None) -> Counts:
     """Return the validated windows, with shape (n, exposures, height, width)."""
     counts = Counts.of(
         "windows", windows, sides=(3, 4), shape="(n, height, width) or (n, exposures, height, width)", mask=mask,
@@ -627,7 +627,7 @@ def _windows(windows: Any, mask: ArrayLike | None, saturation: float | None) -> 
     return counts if counts.values.ndim == 4 else counts[:, None]
 
 
-def _places(places: ArrayLike, sensor: tuple[int, int], windows: tuple[int, int, int]) -> Array:
+def _checked_places(places: ArrayLike, sensor: tuple[int, int], windows: tuple[int, int, int]) -> Array:
     count, height, width = windows
     values = validation.real_array("places", places)
     if values.shape != (count, 2):
@@ -639,8 +639,8 @@ def _places(places: ArrayLike, sensor: tuple[int, int], windows: tuple[int, int,
             f"places must be on the sensor of {sensor[0]} x {sensor[1]} pixels, got row {values[k, 0]:g}, column "
             f"{values[k, 1]:g}"
         )
-    too_near = np.abs(values[:, None] - values[None]) < [height, width]
-    overlaps = np.triu(too_near.all(axis=-1), 1)
+    is_near = np.abs(values[:, None] - values[None]) < [height, width]
+    overlaps = np.triu(is_near.all(axis=-1), 1)
     if overlaps.any():
         i, j = np.argwhere(overlaps)[0]
         raise ValueError(
@@ -665,12 +665,12 @@ def _build_field_fit(
     """Return the result of a search as a FieldFit."""
     fit, rejected, held_out, tests = outcome.fit, outcome.rejected, outcome.held_out[0], outcome.tests
     noise, illumination = camera
-    # The best search may be an earlier one than the last, with another shape of blur: restore its places and stars.
+    # The best search may be an earlier one than the last, with another profile of blur: restore its places and stars.
     search.places, stars = outcome.places, fit.model.stars
     search.stars, first_star = stars, stars.first_star
     polynomials, degree = fit.polynomials(), search.degree
-    distortion = _distortion(fit, chip, places, distortion_settings)
-    x, y = _positions(chip, degree, distortion)
+    distortion = _estimated_distortion(fit, chip, places, distortion_settings)
+    x, y = _map_positions(chip, degree, distortion)
     across, down = np.meshgrid(x, y)
     u, v = chip.relative(across, down)
     # The fixed wavefront, added to the polynomials, is that of the pupil, or of the map `start` at each position.
@@ -703,7 +703,7 @@ def _build_field_fit(
         findings = _sign_findings(start is not None, stars.has_defocus)
     findings = [*outcome.findings, *missing_findings(tests), *findings]
     squared_widths = fit.squared_widths()
-    blurs_with_errors = _blurs(stars, known_blurs, squared_widths, errors.reshape(squared_widths.shape))
+    blurs_with_errors = _estimated_blurs(stars, known_blurs, squared_widths, errors.reshape(squared_widths.shape))
     findings += _blur_findings(stars, outcome.blur_costs)
     table, model = _fitted_stars(search, fit, rejected, polynomials, places, noise.excess)
     findings += _stripe_findings(stars, model, table.used, noise.excess)
@@ -808,7 +808,7 @@ def _left_out_finding(pixels: NDArray[np.bool_]) -> list[Finding]:
     return [Finding("left_out", "note", text, {"pixels": count, "windows": windows})] if count else []
 
 
-def _blurs(
+def _estimated_blurs(
     stars: FieldStars, known_blurs: tuple[Blur, ...], squared_widths: Array, errors: Array
 ) -> list[list[tuple[Blur, float]]]:
     """Return the blurs of each exposure, from squared widths (e, b) in pixels, with their standard errors."""
@@ -869,12 +869,12 @@ def _too_dim_findings(first_star: StarImages, fit: Solution, covariance: Array, 
     return [Finding("too_dim", "doubt", text, {"rms": rms, "limit": limit})]
 
 
-def _positions(chip: Sensor, degree: int, distortion: Distortion | None) -> tuple[Array, Array]:
+def _map_positions(chip: Sensor, degree: int, distortion: Distortion | None) -> tuple[Array, Array]:
     """Return x and y of a map's grid, finer for degrees above 3, which cubic splines do not reproduce exactly."""
     return chip.grid(5 if max(degree, 0 if distortion is None else distortion.degree) <= 3 else 17)
 
 
-def _distortion(
+def _estimated_distortion(
     fit: Solution, chip: Sensor, places: Array, distortion_settings: tuple[Array | None, str, int]
 ) -> Distortion | None:
     """Return the distortion relative to the ideal places; None without ideal places."""

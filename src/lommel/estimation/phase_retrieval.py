@@ -42,11 +42,11 @@ _SCATTER = 1.5  # rms phase that is added to the initial wavefront in random sta
 _STACKED_STARTS = 2  # number of random starts that are computed in one stack
 # Number of starts that must end at the lowest minimum to end the search: in 54 simulated sets of images (0.7 to
 # 3 rad rms, 500 to 1e5 electrons) in which three of 19 starts agreed, no other start ended at a lower minimum.
-_AGREEING = 3
+_MIN_AGREEING = 3
 _MIN_SIGNIFICANCE = 5.0  # smallest (flux) / (standard error of the flux) of a visible star
 _MAX_SHIFT = 0.5  # largest correction of the phase, radians rms, for effects that are marginalized
-_DECIDED = 2.0  # smallest ratio of the twins' distances from the initial wavefront that decides the sign
-_NORMALIZED = 0.05  # images whose sums differ from 1 by less count as normalized
+_MIN_DISTANCE_RATIO = 2.0  # smallest ratio of the twins' distances from the initial wavefront that decides the sign
+_MAX_SUM_ERROR = 0.05  # images whose sums differ from 1 by less count as normalized
 _CAUSES = (
     "pupil (vanes, f-number), pixel, noise or the defocus of an image (unit, order) are wrong, terms are missing, "
     "the images are blurred (blur=True), or all starts converged to local minima"
@@ -265,7 +265,7 @@ def retrieve(
         Nuisance parameters: "center" ("row" and "column" of each image) and, common to all images, "f_number",
         "obscuration" and "wavelength" (at fixed path differences). Pass an empty sequence if the axis is known to be
         in the middle of pixel ``(height // 2, width // 2)``.
-    blur : bool, float, Blur or several, default False
+    blur : bool, float, Blur or iterable of Blur, default False
         Blur of each image. True: estimate seeing and a Gaussian (vibration, charge diffusion), as
         :func:`lommel.fit_field` does. A number is the known standard deviation of a Gaussian in pixels. Known
         isotropic blurs may be given, such as :class:`lommel.Seeing` and :class:`lommel.Jitter`. Unless `blur` is
@@ -362,10 +362,10 @@ def retrieve(
         raise ValueError(
             f"images must have more pixels than there are unknowns, {model.size}, got {int(valid.sum())} valid pixels"
         )
-    best_x, scores, settled, tried = _search(
+    best_x, scores, settled, effort = _search(
         model, draw, settings.progress, starts=settings.starts, steps=settings.steps
     )
-    return _build_retrieval(model, best_x, scores, settled, counts, noise, tried)
+    return _build_retrieval(model, best_x, scores, settled, counts, noise, effort)
 
 
 def _search(
@@ -379,15 +379,15 @@ def _search(
     """
     centroid_starts = _centroid_starts(model)
     best_scores: Scores | None = None
-    best_x, best_settled, ends = centroid_starts[:1], False, centroid_starts[:0]
+    best_x, best_settled, end_points = centroid_starts[:1], False, centroid_starts[:0]
     tried_starts, step_count = 0, 0
     while tried_starts < starts:
         stack_size = 1 if tried_starts == 0 or model.unknowns.pupil else min(_STACKED_STARTS, starts - tried_starts)
         x = _random_starts(model, centroid_starts, draw, stack_size, tried_starts)
 
-        def report(step: int, chi2: float, before: int = tried_starts, stack_size: int = stack_size) -> None:
+        def report(step: int, chi2: float, earlier_starts: int = tried_starts, stack_size: int = stack_size) -> None:
             if progress is not None:
-                progress((before + stack_size * step / (steps + 1)) / starts, chi2)
+                progress((earlier_starts + stack_size * step / (steps + 1)) / starts, chi2)
 
         try:
             x, scores, settled, steps_taken = search_rows(model, x, steps, report, fast=True)
@@ -405,12 +405,12 @@ def _search(
         if settled[k] and scores.chi2[k] < largest_plausible_chi2(scores.spread[k], SURE):
             break
         # Noise alone may cause a chi2 above the limit: the fit is accepted if starts agree within standard errors.
-        ends = np.concatenate([ends, model.nearest(x[settled])])
-        distances = ends - best_x
+        end_points = np.concatenate([end_points, model.nearest(x[settled])])
+        distances = end_points - best_x
         # Starts agree if their distance, in the metric of the information matrix, is less than one standard error.
-        agreeing = np.einsum("si,ij,sj->s", distances, best_scores.information[0], distances) < 1.0
-        plausible = best_scores.chi2[0] < largest_plausible_chi2(best_scores.spread[0])
-        if best_settled and plausible and agreeing.sum() >= _AGREEING:
+        is_agreeing = np.einsum("si,ij,sj->s", distances, best_scores.information[0], distances) < 1.0
+        is_plausible = best_scores.chi2[0] < largest_plausible_chi2(best_scores.spread[0])
+        if best_settled and is_plausible and is_agreeing.sum() >= _MIN_AGREEING:
             break
     max_steps = steps if best_settled else 0
     best_x, best_scores, settled, last_steps = search_rows(model, best_x, max_steps, lambda *_: None, fast=False)
@@ -469,11 +469,11 @@ def _random_starts(model: StarImages, rows: Array, draw: np.random.Generator, co
         x[:, model.wave_columns] += (
             scatter * ((_SCATTER if tried_starts else 0.3 * _SCATTER) / model.rms(step))[:, None]
         )
-    centred = (np.arange(count) + tried_starts) % len(rows) == 0
-    edge = model.fixed_of_images + (x[centred, model.wave_columns] @ model.directions)[:, None]
+    is_centred = (np.arange(count) + tried_starts) % len(rows) == 0
+    edge = model.fixed_of_images + (x[is_centred, model.wave_columns] @ model.directions)[:, None]
     for j, shift in enumerate(model.mean_tilts(edge)):
         # Aberrations shift the centroid: subtract this shift from the tilts.
-        model.per_image(x)[centred, j] -= shift
+        model.per_image(x)[is_centred, j] -= shift
     return x
 
 
@@ -509,23 +509,23 @@ def _build_retrieval(
     wavefront = model.wavefront(corrected_x[0])
     chi2, deviation = float(scores.chi2[0]), float(scores.spread[0])
     summary = f"chi2 {chi2:.3g} per degree of freedom after {steps} steps from {starts} start{'s' * (starts > 1)}"
-    missing = missing_findings(tests)
+    effect_findings = missing_findings(tests)
     causes = causes_of_misfit(_CAUSES, chi2, deviation, tests)
     findings = goodness_of_fit.chi2_findings(chi2, deviation, causes)
     variance = model.variance(mean)
     difference = residual * np.sqrt(variance)
-    stripes = goodness_of_fit.stripe_findings
-    findings += stripes(difference.reshape(counts.values.shape), variance.reshape(counts.values.shape), noise.excess)
-    findings += [*light_findings, *_sign_findings(model, x), *missing, *untested]
-    if "misfit" in Findings(findings).codes and not missing:
+    windows = (part.reshape(counts.values.shape) for part in (difference, variance))
+    findings += goodness_of_fit.stripe_findings(*windows, noise.excess)
+    findings += [*light_findings, *_sign_findings(model, x), *effect_findings, *untested]
+    if "misfit" in Findings(findings).codes and not effect_findings:
         read = model.read.reshape(residual.shape)
         findings[:0] = goodness_of_fit.excess_test(difference, mean, read).findings(noise.excess)
     if not settled:
-        text = f"the steps have not settled: more than {steps} may be needed"
+        text = f"the steps have not settled: more than {steps} steps may be needed"
         findings.append(Finding("not_settled", "error", text))
     sums = counts.filled().sum(axis=(1, 2))
-    if not Findings(findings).converged and np.all(np.abs(sums - 1.0) < _NORMALIZED):
-        text = "the images sum to 1, as PSFs do and electrons do not: multiply them by the electrons, or give white"
+    if not Findings(findings).converged and np.all(np.abs(sums - 1.0) < _MAX_SUM_ERROR):
+        text = "the images sum to 1, as PSFs do and electrons do not: multiply them by the electrons, or pass white"
         findings.append(Finding("unit_sum", "note", text))
     findings += error_findings(model, x, inverse) if Findings(findings).converged else []
     if not np.isfinite(errors).all():
@@ -611,7 +611,7 @@ def _sign_findings(model: StarImages, x: Array) -> list[Finding]:
     distance, other_distance = (float(model.rms(parameters - start)[0]) for parameters in twins)
     text = "images at a single defocus do not determine the common sign of the even terms"
     numbers = {"rms": distance, "rms_of_other": other_distance}
-    if other_distance >= _DECIDED * distance:
+    if other_distance >= _MIN_DISTANCE_RATIO * distance:
         text += ": the wavefront nearer to the given wavefront and defocus was chosen"
         return [Finding("sign_open", "note", text, numbers)]
     return [

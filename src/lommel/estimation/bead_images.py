@@ -417,20 +417,20 @@ def part_of(values: Array, derivatives: Array, chain: Array, stack: Stack, light
     images = [values.astype(derivatives.dtype), *derivatives]
     sums, products = star_likelihood(images, light[None], stack.pixel_data, threads)
     _, chi2_expectation, chi2_variance = sums.sum(axis=(-1, -2))
-    inner, k = products[0], len(derivatives)
+    gram, k = products[0], len(derivatives)  # Gram matrices of the planes
     flux = light[0][:, None, None]
-    light_information, mixed = _regularized(inner[:, k : k + 2, k : k + 2]), flux * inner[:, :k, k : k + 2]
+    light_information, mixed = _regularized(gram[:, k : k + 2, k : k + 2]), flux * gram[:, :k, k : k + 2]
     light_coupling = np.linalg.solve(light_information, mixed.swapaxes(1, 2)).swapaxes(1, 2)  # (planes, k, 2)
     # Schur complement: information on the parameters with flux and background of each plane eliminated.
-    information = flux * flux * inner[:, :k, :k] - light_coupling @ mixed.swapaxes(1, 2)
-    gradient = flux[..., 0] * inner[:, :k, -1]
-    gradient -= np.einsum("pkl,pl->pk", light_coupling, inner[:, k : k + 2, -1])
+    information = flux * flux * gram[:, :k, :k] - light_coupling @ mixed.swapaxes(1, 2)
+    gradient = flux[..., 0] * gram[:, :k, -1]
+    gradient -= np.einsum("pkl,pl->pk", light_coupling, gram[:, k : k + 2, -1])
     # Information on the flux, with the background eliminated.
     flux_information = light_information[:, 0, 0] - light_information[:, 0, 1] ** 2 / light_information[:, 1, 1]
     return Part(
         np.einsum("pak,pk->pa", chain, gradient),
         chain @ information @ chain.swapaxes(1, 2),
-        float(inner[:, -1, -1].sum()),
+        float(gram[:, -1, -1].sum()),
         float(chi2_expectation),
         float(chi2_variance),
         math.sqrt(float((light[0] ** 2 * np.maximum(flux_information, 0.0)).sum())),

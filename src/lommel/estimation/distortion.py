@@ -188,14 +188,14 @@ def fit_distortion(
     `used` (r,) are the indices of the fitted targets.
     """
     indices = np.flatnonzero(np.isfinite(ideal[used]).all(axis=1))
-    chart, fitted = ideal[used[indices]], places.fitted[indices]
-    first_places = fitted[:, 0]
+    chart_places, fitted_places = ideal[used[indices]], places.fitted[indices]
+    first_places = fitted_places[:, 0]
     degree = highest_degree(degree, len(indices))
-    transform = _similarity(chart, first_places) if pose == "free" else np.eye(2, 3)
+    transform = _similarity(chart_places, first_places) if pose == "free" else np.eye(2, 3)
     m = (degree + 1) * (degree + 2) // 2
     pose_basis = _pose_basis(m, sensor.shape) if pose == "free" else np.zeros((0, 2 * m))
     for iteration in range(_POSE_FITS):
-        ideal_places = _transformed(transform, chart)
+        ideal_places = _transformed(transform, chart_places)
         basis = monomials(*sensor.relative(*sensor.positions(ideal_places)), degree)
         polynomials, distance = robust(basis, first_places - ideal_places, np.ones(len(indices)), np.eye(2))
         # 1.4826 times the median estimates the standard deviation of a normal distribution.
@@ -208,10 +208,10 @@ def fit_distortion(
             break
         # The shift, rotation and magnification in the polynomials are moved to the pose.
         pose_part = (pose_basis.T @ (pose_basis @ polynomials.ravel())).reshape(2, m)
-        transform = _similarity(chart, ideal_places + basis @ pose_part.T)
-    accepted = indices[inliers]
-    noise, derivatives = places.noise[accepted], places.derivatives[accepted]
-    accepted_places = Places(fitted[inliers], noise, derivatives, places.common_information)
+        transform = _similarity(chart_places, ideal_places + basis @ pose_part.T)
+    accepted_indices = indices[inliers]
+    noise, derivatives = places.noise[accepted_indices], places.derivatives[accepted_indices]
+    accepted_places = Places(fitted_places[inliers], noise, derivatives, places.common_information)
     displacement = accepted_places.fitted - ideal_places[inliers][:, None]
     model = _PlaceModel(basis[inliers], displacement, accepted_places)
     solution, covariance, chi2 = model.fit(0.0)
@@ -224,13 +224,13 @@ def fit_distortion(
     # Shift, rotation and magnification belong to the pose, not to the distortion.
     projection = np.eye(2 * m) - pose_basis.T @ pose_basis
     coefficients = (projection @ solution[: 2 * m]).reshape(2, m)
-    residuals = np.full((len(ideal), fitted.shape[1], 2), np.nan)
-    residuals[used[accepted]] = model.residuals(solution)
+    residuals = np.full((len(ideal), fitted_places.shape[1], 2), np.nan)
+    residuals[used[accepted_indices]] = model.residuals(solution)
     limit, findings = float(goodness_of_fit.largest_plausible_chi2(math.sqrt(2.0 / model.degrees_of_freedom))), []
     if chi2 > limit:
         text = f"places scatter by {scatter:.2g} pixels in excess of noise, and standard errors include this scatter"
         findings.append(Finding("scatter", "note", text, {"scatter": scatter, "chi2": chi2, "limit": limit}))
-    if rejected_count := len(indices) - len(accepted):
+    if rejected_count := len(indices) - len(accepted_indices):
         text = f"rejected {rejected_count} of {len(indices)} places, which are far from the polynomials"
         findings.append(Finding("rejected", "note", text, {"rejected": rejected_count}))
     return Distortion(
@@ -243,7 +243,7 @@ def fit_distortion(
         scatter=scatter,
         chi2=chi2,
         findings=Findings(findings),
-        summary=f"distortion of degree {degree} from {len(accepted)} places",
+        summary=f"distortion of degree {degree} from {len(accepted_indices)} places",
         _sensor=sensor,
     )
 

@@ -74,15 +74,15 @@ def missing_tests(
     effect_candidates = star_checks.candidates_of(effects, first_column)
     tests = score_tests(matrix, gradient, estimated, [*candidates, *effect_candidates])
     # A known blur is assumed to be exact: other blurs are marginalized only if the blur is estimated.
-    others = BLURS if stars.width_count else ()
-    to_marginalize = star_checks.to_marginalize([*candidates, *effect_candidates], tests, others)
+    kept_names = BLURS if stars.width_count else ()
+    to_marginalize = star_checks.to_marginalize([*candidates, *effect_candidates], tests, kept_names)
     marginal = marginalized(matrix, gradient, estimated, to_marginalize, k * m)
     unknowns, fit = stars.first_star.unknowns, (matrix, estimated)
-    means = [j * m for j in range(k)]
+    constant_columns = [j * m for j in range(k)]
     # In a wide filter the mean wavelength differs from star to star, and images are polychromatic.
     spectrum = ("spectrum of the stars within the filter",) if stars.width_count and stars.pupil.wavelength else ()
     untested = star_checks.untested_constants(
-        stars.pupil, stars.defocus, effect_candidates, tests, fit, unknowns, means, spectrum
+        stars.pupil, stars.defocus, effect_candidates, tests, fit, unknowns, constant_columns, spectrum
     )
     return tests, marginal, untested
 
@@ -113,14 +113,14 @@ def _missing_effects(model: WholeField, x: Array, places: Array) -> list[Missing
     images = stars.copy_with(extra_terms=names).images(model.chosen, *parts, fast=True, derivatives="others")
     flux = parts[2][:, 2].reshape(-1, 1, 1)
     image, *derivatives = [flux * psf for psf in images]
-    coarse_count = len(names) - len(ripples)
-    coarse, pupil = derivatives[:coarse_count], stars.first_star.pupil
-    effects = [*star_checks.missing_terms(terms, constants, coarse, pupil, stars.defocus)]
-    effects += star_checks.missing_ripples(ripples, derivatives[coarse_count : len(names)])
-    changes = changes_of(stars.pupil)
-    first_blur = len(names) + sum(changes.values())
+    term_count = len(names) - len(ripples)
+    term_derivatives, pupil = derivatives[:term_count], stars.first_star.pupil
+    effects = [*star_checks.missing_terms(terms, constants, term_derivatives, pupil, stars.defocus)]
+    effects += star_checks.missing_ripples(ripples, derivatives[term_count : len(names)])
+    pupil_changes = changes_of(stars.pupil)
+    first_blur = len(names) + sum(pupil_changes.values())
     blur_derivatives = derivatives[first_blur:]
-    effects += star_checks.missing_illumination(changes, derivatives[len(names) : first_blur])
+    effects += star_checks.missing_illumination(pupil_changes, derivatives[len(names) : first_blur])
     effects += star_checks.missing_charge_transfer(image)
     if (apodized := star_checks.apodized(stars.pupil)) is not None:
         apodized_image = stars.copy_with(pupil=apodized).images(model.chosen, *parts, fast=True, derivatives="none")[
@@ -146,12 +146,14 @@ def slope_findings(model: WholeField, x: Array) -> list[Finding]:
     r, e = len(chosen), stars.exposures
     gradients = star_checks.missing_gradients(r * e, stars.shape, e).images
     matrices = stars.likelihood(chosen, [values, *derivatives], model.parts(x)[2], gradients)[1]
-    first = model.wave_count + e * stars.width_count
-    columns, others = np.arange(first, first + 2 * e), np.arange(first + 2 * e, matrices.shape[1] - 1)
-    nuisance_block, mixed_block = matrices[:, others[:, None], others], matrices[:, others[:, None], columns]
-    solution = np.linalg.solve(nuisance_block, np.concatenate([mixed_block, matrices[:, others, -1:]], axis=2))
+    first_column = model.wave_count + e * stars.width_count
+    slope_columns = np.arange(first_column, first_column + 2 * e)
+    nuisance_columns = np.arange(first_column + 2 * e, matrices.shape[1] - 1)
+    slope_rows, nuisance_rows = matrices[:, slope_columns], matrices[:, nuisance_columns]
+    nuisance_block, mixed_block = nuisance_rows[:, :, nuisance_columns], nuisance_rows[:, :, slope_columns]
+    solution = np.linalg.solve(nuisance_block, np.concatenate([mixed_block, nuisance_rows[:, :, -1:]], axis=2))
     # Schur complement: information on the slopes, with the nuisance parameters of each star eliminated.
-    information = matrices[:, columns[:, None], np.append(columns, -1)] - mixed_block.swapaxes(1, 2) @ solution
+    information = slope_rows[:, :, np.append(slope_columns, -1)] - mixed_block.swapaxes(1, 2) @ solution
     slopes = np.linalg.solve(information[:, :, :-1], information[:, :, -1:])[:, :, 0]
     sigmas = sigmas_of(float((slopes * information[:, :, -1]).sum()), slopes.size)
     if sigmas < _SURE:

@@ -11,6 +11,7 @@ the number of stars.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from itertools import product
 
 import numpy as np
 from numpy.polynomial import legendre
@@ -89,40 +90,40 @@ def candidates(
     """
     negated_waves = negated(waves)
     even_rms = np.maximum(np.linalg.norm(even, axis=1), 1e-9)
-    unit = even / even_rms[:, None]
+    unit_even = even / even_rms[:, None]
     squares = ((places[:, None] - places[None]) ** 2).sum(axis=-1)
     # The sign of a small even part is uncertain: its weight is small.
     weight = quality * np.minimum(even_rms / np.median(even_rms), 1.0)
     signs: list[NDArray[np.float64]] = []
     for radius in _RADII:
-        similarity = np.exp(-squares / (2.0 * radius**2)) * (unit @ unit.T) * np.outer(weight, weight)
+        similarity = np.exp(-squares / (2.0 * radius**2)) * (unit_even @ unit_even.T) * np.outer(weight, weight)
         np.fill_diagonal(similarity, 0.0)
         signs.append(np.where(np.linalg.eigh(similarity)[1][:, -1] < 0.0, -1.0, 1.0))
     for _ in range(_REVERSED_CANDIDATES):
         normal = draw.normal(size=2)
-        side = places @ (normal / np.linalg.norm(normal)) - draw.uniform(-0.5, 0.5)
-        signs.append(signs[1] * np.where(side < 0.0, -1.0, 1.0))
+        distance_from_line = places @ (normal / np.linalg.norm(normal)) - draw.uniform(-0.5, 0.5)
+        signs.append(signs[1] * np.where(distance_from_line < 0.0, -1.0, 1.0))
     fits = []
     for sign in signs:
-        chosen = np.where(sign[:, None] > 0.0, waves, negated_waves)
+        signed_waves = np.where(sign[:, None] > 0.0, waves, negated_waves)
         for basis in bases:
             for _ in range(_MAX_ITERATIONS):
-                polynomials, distance = robust(basis, chosen, quality, metric)
+                polynomials, distance = robust(basis, signed_waves, quality, metric)
                 model = basis @ polynomials.T
                 is_nearer = _rms(waves - model, metric) <= _rms(negated_waves - model, metric)
-                changed = np.where(is_nearer[:, None], waves, negated_waves)
-                if (changed == chosen).all():
+                updated_waves = np.where(is_nearer[:, None], waves, negated_waves)
+                if (updated_waves == signed_waves).all():
                     break
-                chosen = changed
-        fits.append((float(np.median(distance)), polynomials, chosen))
-    earlier: list[Array] = []
-    for _, polynomials, chosen in sorted(fits, key=lambda fit: fit[0]):
-        mirrored = negated(chosen)
+                signed_waves = updated_waves
+        fits.append((float(np.median(distance)), polynomials, signed_waves))
+    earlier_waves: list[Array] = []
+    for _, polynomials, signed_waves in sorted(fits, key=lambda fit: fit[0]):
+        opposite_waves = negated(signed_waves)
         # Skip a candidate if, for more than 97 % of the stars, its signs equal or oppose those of an earlier one.
-        fractions = (_equal_fraction(new, old) for new in (chosen, mirrored) for old in earlier)
-        if all(fraction <= 0.97 for fraction in fractions):
-            earlier.append(chosen)
-            yield polynomials, chosen
+        pairs = product((signed_waves, opposite_waves), earlier_waves)
+        if all(_equal_fraction(*pair) <= 0.97 for pair in pairs):
+            earlier_waves.append(signed_waves)
+            yield polynomials, signed_waves
 
 
 def _equal_fraction(waves: Array, other_waves: Array) -> float:

@@ -165,7 +165,7 @@ class FieldStars:
         known_square = float(np.exp(profile.weights @ np.log(profile.fixed + 1e-12)))
         width = math.sqrt(float(squared_widths.sum(axis=-1).max(initial=0.0)) + known_square)
         variances = profile.variances(squared_widths).reshape(-1, len(profile.weights)).min(axis=0)
-        if isinstance(reader, StarReadout) and reader.serves(width, variances):
+        if isinstance(reader, StarReadout) and reader.suffices_for(width, variances):
             return reader
         min_variances, max_width = variances, width
         if self.width_count:

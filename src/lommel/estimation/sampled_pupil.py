@@ -58,7 +58,7 @@ class SampledPupil:
         # An image repeats after (number of cells) lambda*N: the window must not exceed this period.
         window = max(grid.shape) * grid.step(pupil) / math.pi
         side = max(_MIN_SIDE, _STEP * math.ceil(window / _STEP))
-        width = 2.0 / side
+        width = 2.0 / side  # of a cell, pupil radii
         # Length of Fourier transforms; 0 for products of matrices, which are faster for small images.
         self._length = fft.next_fast_len(max(grid.shape)) if max(grid.shape) > SMALL else 0
         if self._length:
@@ -188,7 +188,7 @@ class PupilChanges:
 
     def __init__(self, pupil: Pupil, grid: Grid, terms: Sequence[Term], edge: Array) -> None:
         self._edge = edge.astype(np.float32)
-        unit = grid.step(pupil) / grid.side
+        position_scale = grid.step(pupil) / grid.side
         # The slope of a term is at most n^2 per radius. An image repeats after (number of cells) lambda*N.
         slope = float((np.abs(edge) @ [n * n for n, _ in terms]).max(initial=0.0))
         min_side = max(2.0 * slope / _MAX_PHASE_STEP, max(grid.shape) * grid.step(pupil) / math.pi)
@@ -206,7 +206,7 @@ class PupilChanges:
         factors = np.stack([np.ones_like(rho), -rho * np.sin(theta), -rho * np.cos(theta), *folds])
         self._amplitude = (amplitude * factors).astype(np.float32)
         self._terms = _zernike_values(terms, rho, theta)
-        self._positions = [unit * positions for positions in (grid.y, grid.x)]
+        self._positions = [position_scale * positions for positions in (grid.y, grid.x)]
         self._waves = [_plane_waves(positions, centers) for positions in self._positions]
         angles: Array = np.linspace(0.0, 2.0 * math.pi, _EDGE_POINTS * side, endpoint=False)
         # At points along each edge: Zernike terms, plane waves along rows and columns, and the amplitude of each

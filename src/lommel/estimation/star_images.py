@@ -4,9 +4,9 @@ A row of `x`, shape (s, p), contains the p parameters of one search; s searches 
 are: `waves`, the coefficients of the wavefront; parameters of the pupil; tilts, flux and background of each image.
 Tilts and other Zernike terms in arrays named `edge` are amplitudes at the pupil edge, radians.
 
-The checks of a fit are made at the end of `phase_retrieval`, `field_fit` and `beads`: tests of residuals are in
-`fit/goodness_of_fit.py`, score tests of missing effects in `fit/score_tests.py`, and the codes of findings in
-`fit/findings.py`.
+The checks of a fit are called at the end of `phase_retrieval`, `field_search`, `field_fit` and `beads`. Tests of
+residuals are in `fit/goodness_of_fit.py`. Score tests are in `fit/score_tests.py`, and the tested effects in
+`star_checks`, `field_checks` and `bead_checks`. The codes of findings are in `fit/findings.py`.
 """
 
 from __future__ import annotations
@@ -240,7 +240,7 @@ class StarImages(RowModel):
         self.names: tuple[Name, ...] = (*unknowns.terms, *unknowns.pupil)  # parameters common to all images
         self._prepared: dict[tuple[float, tuple[int, ...]], Prepared] = {}
         self.search_tol = loosest_tolerance(self.pixel_data, plan.tol)
-        self.tilt_of_pixel = math.pi * pixel / pupil.scale
+        self.tilt_of_pixel = math.pi * pixel / pupil.scale  # radians at the edge, for a shift of one pixel
         start = pupil.wavefront.edge_terms()
         all_terms = {*start, *unknowns.edge, *SHIFTS.values()}
         radial = symmetric_terms(max(n // 2 for n, m in all_terms if m == 0))
@@ -428,7 +428,7 @@ class StarImages(RowModel):
         return updated
 
     def within(self, x: Array, before: Array) -> Array:
-        """Limit parameters in place: tilts to the window, obscuration to 0.98, others to factors of `before`."""
+        """In place, limit tilts to the window, flux to a tenth or more of that in `before`, and pupil parameters."""
         image_parameters, previous = self.per_image(x), self.per_image(before)
         # At flux 0 the images would not determine the other parameters.
         np.maximum(image_parameters[:, -2], 0.1 * previous[:, -2], out=image_parameters[:, -2])
@@ -463,7 +463,7 @@ def uncertainty(model: StarImages, covariance_matrix: Array) -> tuple[float, Arr
     vectors *= np.sign(vectors[np.abs(vectors).argmax(axis=0), np.arange(len(values))])
     axes = np.zeros((len(values), model.size))
     axes[:, is_finite] = (vectors * np.sqrt(np.maximum(values, 0.0))).T * scale
-    # The mean square of a tilt over the pupil is a quarter of that at its edge.
+    # The mean square of a tilt over the pupil is a quarter of its squared amplitude at the edge.
     tilts = 0.25 * (model.per_image(axes)[:, : len(model.tilts)] ** 2).sum(axis=(0, 1))
     return float(np.sqrt((model.rms(axes) ** 2).sum() + tilts.max())), axes
 

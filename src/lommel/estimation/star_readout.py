@@ -64,8 +64,8 @@ class StarReadout:
         self.pixel, self.widest = pixel, widest
         self.smallest_variances = np.zeros(len(blur.weights)) if smallest_variances is None else smallest_variances
         band = self._band(integrate)
-        edge = _TAPER * band
-        self.step = 1.0 / (1.0 + edge)
+        cutoff = _TAPER * band
+        self.step = 1.0 / (1.0 + cutoff)
         # Light farther than half a window outside the window is neglected.
         blur_margins = [min(_BLUR_MARGIN * widest, 0.5 * side) for side in window]
         half_sides = [
@@ -76,20 +76,20 @@ class StarReadout:
         length = self.step * max(half_sides)
         # A Gauss rule integrates cos(w t), abs(t) <= 1, up to rounding with w / 2 + 30 nodes; here w is that of the
         # fastest cosine.
-        nodes, weights = gauss_legendre(math.ceil(0.5 * math.pi * edge * (2.0 * length)) + 30)
-        self._f: Array = edge * nodes
-        middle = 0.5 * (band + edge)
-        taper = 0.5 * special.erfc(_ERF_ARGUMENT * (self._f - middle) / (edge - middle))
+        nodes, weights = gauss_legendre(math.ceil(0.5 * math.pi * cutoff * (2.0 * length)) + 30)
+        self._f: Array = cutoff * nodes
+        middle = 0.5 * (band + cutoff)
+        taper = 0.5 * special.erfc(_ERF_ARGUMENT * (self._f - middle) / (cutoff - middle))
         area = np.sinc(pixel * self._f) if integrate else 1.0
-        self._weights = 2.0 * pixel * edge * weights * taper * area
+        self._f_weights = 2.0 * pixel * cutoff * weights * taper * area
         self._window = window
         #: For rows, then columns: pairs (pixels, samples) of cosines and of sines, shape (positions, frequencies).
-        self._sides = [
+        self._axis_waves = [
             list(zip(self._waves(pixel, side // 2), self._waves(self.step, half), strict=True))
             for side, half in zip(window, half_sides, strict=True)
         ]
 
-    def serves(self, width: float, variances: Array) -> bool:
+    def suffices_for(self, width: float, variances: Array) -> bool:
         """Return whether the samples suffice for a blur of this width (pixels), whose Gaussians have these variances.
 
         Samples for much wider blurs are not used either, because there are more of them than necessary.
@@ -118,11 +118,11 @@ class StarReadout:
         """
         # The derivative of exp(rate s) by the variance s (pixels^2) is rate exp(rate s).
         rate = -2.0 * (math.pi * self.pixel * self._f) ** 2
-        blurred = self._weights * np.exp(np.multiply.outer(variances, rate))
+        blurred = self._f_weights * np.exp(np.multiply.outer(variances, rate))
         for weights in (blurred, blurred * rate) if derivatives else (blurred,):
             yield [
-                [products(pixels * weights[:, None], samples).astype(np.float32) for pixels, samples in side]
-                for side in self._sides
+                [products(pixels * weights[:, None], samples).astype(np.float32) for pixels, samples in axis]
+                for axis in self._axis_waves
             ]
 
     def read(self, samples: Sequence[Values], squared_widths: Array, *, derivatives: bool) -> list[Values]:
@@ -138,17 +138,18 @@ class StarReadout:
         width_count = self.blur.unknown if derivatives else 0
         matrices = [list(self._matrices(variance, derivatives=width_count > 0)) for variance in variances.T]
         images = np.empty((len(samples) + width_count, count, *self._window), np.float32)
-        step = _BATCH if period == count else period * max(1, _BATCH // period)
-        for rows in (slice(start, start + step) for start in range(0, count, step)):
-            blurs = rows if period == count else slice(None)
+        batch_size = _BATCH if period == count else period * max(1, _BATCH // period)
+        for rows in (slice(start, start + batch_size) for start in range(0, count, batch_size)):
+            variance_rows = rows if period == count else slice(None)
             batch = [
-                [[[part[blurs] for part in side] for side in sides] for sides in gaussian] for gaussian in matrices
+                [[[part[variance_rows] for part in axis] for axis in axes] for axes in gaussian]
+                for gaussian in matrices
             ]
             batch_samples = np.stack([values[rows] for values in samples]).astype(np.float32, copy=False)
-            images[:, rows] = self._read(batch_samples, batch, width_count)
+            images[:, rows] = self._read_batch(batch_samples, batch, width_count)
         return list(images)
 
-    def _read(self, samples: Values, matrices: list[list[list[list[Values]]]], derivative_count: int) -> Values:
+    def _read_batch(self, samples: Values, matrices: list[list[list[list[Values]]]], derivative_count: int) -> Values:
         """Return images from samples (n, r, h, w), and then derivatives of the first image by squared blur widths.
 
         `derivative_count` is their number; `matrices` has the matrices of each Gaussian of the mixture.
@@ -198,7 +199,7 @@ class StarReadout:
         derivatives = {name: np.empty((len(samples), *self._window), np.float32) for name in OTHER_BLURS}
         for k, variances in enumerate(self.blur.variances(squared_widths)):
             mean_variance = math.exp(float(self.blur.weights @ np.log(variances + _MIN_VARIANCE)))
-            blurred = self._weights * np.exp(np.multiply.outer(variances, rate))
+            blurred = self._f_weights * np.exp(np.multiply.outer(variances, rate))
             kernel, derivative = kernels(blurred), kernels(blurred * rate)
             # The derivative by the covariance is a product of first derivatives, which are odd.
             odd_kernels = kernels(2.0 * math.pi * self.pixel * self._f * blurred, odd=True)
@@ -208,7 +209,7 @@ class StarReadout:
             )
             blur_derivatives = [along + across, along - across, oblique]
             for factor in _WIDER_VARIANCES:
-                wide_weights = self._weights * np.exp(np.multiply.outer(variances + factor * mean_variance, rate))
+                wide_weights = self._f_weights * np.exp(np.multiply.outer(variances + factor * mean_variance, rate))
                 blur_derivatives.append(self._mixture_images(samples[k::exposures], *kernels(wide_weights)) - image)
             for images, values in zip(derivatives.values(), blur_derivatives, strict=True):
                 images[k::exposures] = values

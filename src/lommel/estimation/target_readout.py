@@ -86,18 +86,18 @@ class TargetReadout:
     def __init__(
         self, window: tuple[int, int], pixel: float, target: Target, blur: BlurProfile, *, integrate: bool
     ) -> None:
-        self.pixel, self.target, self._pixels, self.blur = pixel, target, window, blur
+        self.pixel, self.target, self._window, self.blur = pixel, target, window, blur
         self._samples_per_pixel = math.ceil(pixel / _STEP)
         self.step = pixel / self._samples_per_pixel
         half_sides = [math.ceil(((side // 2) * pixel + _MARGIN) / self.step) for side in window]
         self.shape = (2 * half_sides[0] + 1, 2 * half_sides[1] + 1)
         pad = 2 * math.ceil(_PAD / self.step)
-        self._sides = [
+        self._fft_sides = [
             fft.next_fast_len(side * self._samples_per_pixel + samples + pad, real=True)
             for side, samples in zip(window, self.shape, strict=True)
         ]
-        f_row = fft.fftfreq(self._sides[0], self.step)[:, None]
-        f_column = fft.rfftfreq(self._sides[1], self.step)[None]
+        f_row = fft.fftfreq(self._fft_sides[0], self.step)[:, None]
+        f_column = fft.rfftfreq(self._fft_sides[1], self.step)[None]
         f_squared = f_row**2 + f_column**2
         in_band = f_squared <= 1.1  # the spectrum of the PSF is 0 beyond the frequency 1; 0.1 is for rounding
         # Single precision is sufficient: errors of images are 1e-6 of the peak, and noise is a thousand times larger.
@@ -124,7 +124,7 @@ class TargetReadout:
         self._transfer = transfer.astype(np.complex64)
         y, x = (
             object_step * self._object_samples * side * fft.fftfreq(self._object_samples * side)
-            for side in self._sides
+            for side in self._fft_sides
         )
         self._x, self._y = x[None].astype(np.float32), y[:, None].astype(np.float32)
 
@@ -163,7 +163,7 @@ class TargetReadout:
     def _coarse_spectrum(self, fine_object: Values) -> Values:
         """Return the spectrum of a finely sampled object at the frequencies of the coarser lattice of PSF samples."""
         spectrum = fft.rfft2(fine_object)
-        rows, columns = self._sides
+        rows, columns = self._fft_sides
         half = (rows + 1) // 2
         coarse_rows = np.concatenate([spectrum[:half], spectrum[len(spectrum) - (rows - half) :]])
         return np.asarray(coarse_rows[:, : columns // 2 + 1])
@@ -200,17 +200,17 @@ class TargetReadout:
         first image by the `angle_count` (r, a).
         """
         count = len(samples) + (self.blur.unknown if derivatives else 0) + self.target.angle_count
-        images: list[Values] = [np.empty((len(squared_widths), *self._pixels), np.float32) for _ in range(count)]
+        images: list[Values] = [np.empty((len(squared_widths), *self._window), np.float32) for _ in range(count)]
 
         def read_one(k: int) -> None:
             transfer, *transfer_derivatives = self._spectra(squared_widths[k], angles[k], derivatives=derivatives)
-            sample_spectra = [fft.rfft2(np.asarray(values[k], np.float32), self._sides) for values in samples]
+            sample_spectra = [fft.rfft2(np.asarray(values[k], np.float32), self._fft_sides) for values in samples]
             spectra = [transfer * spectrum for spectrum in sample_spectra]
             spectra += [sample_spectra[0] * derivative for derivative in transfer_derivatives]
             for image, spectrum in zip(images, spectra, strict=True):
-                fine_image = fft.irfft2(spectrum, self._sides)
+                fine_image = fft.irfft2(spectrum, self._fft_sides)
                 step = self._samples_per_pixel
-                image[k] = fine_image[tuple(slice(0, side * step, step) for side in self._pixels)]
+                image[k] = fine_image[tuple(slice(0, side * step, step) for side in self._window)]
 
         side_by_side(read_one, range(len(squared_widths)), threads)
         return images

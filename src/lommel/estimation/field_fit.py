@@ -462,26 +462,28 @@ def fit_field(
     similarities between stars (synchronisation: Singer 2011, doi:10.1016/j.acha.2010.02.001). Polynomials are fitted
     robustly to these wavefronts. From there all stars are fitted jointly: Fisher scoring maximizes the likelihood of
     :func:`lommel.retrieve`, with position, flux and background of each star eliminated. Blur by turbulence is a
-    mixture of Gaussians, whose transfer function differs by less than 3e-4 from the exact one. Shapes of blur are
+    mixture of Gaussians, whose transfer function differs by less than 3e-4 from the exact one. Blur profiles are
     compared by log-likelihood (lnL): two widths are preferred to one if lnL increases by at least 2. Stars whose chi2
     exceeds the median by five standard deviations are rejected. Pixels that are sharper than any star image are left
-    out as hits of cosmic rays (van Dokkum 2001, doi:10.1086/323894). Blur is computed from samples at most 0.45
-    lambda*N apart, not on the pixels of the camera. Charts may be unevenly lit: windows of corners are divided by a
-    polynomial of degree 4 or less, fitted to the white areas of all windows.
+    out as hits of cosmic rays (van Dokkum 2001, doi:10.1086/323894). Blur is computed from samples of the PSF (0.45
+    lambda*N apart, or farther if the blur is wide), not on the pixels of the camera. Charts may be unevenly lit:
+    windows of corners are divided by the illumination, whose logarithm is a polynomial of degree 4 or less, fitted to
+    the white areas of all windows.
 
     Effects that the model lacks are tested, marginalized or reported as in :func:`lommel.retrieve`. Additional score
     tests search for polynomials of the next two degrees, for a term that is larger in one of 3 x 3 parts of the
     field, and for blur that has another shape, is anisotropic, or varies over the field. Slopes of the background are
-    estimated if they are significant. These effects are also marginalized, with the following prior standard
-    deviations: anisotropic blur (0.1 pixels^2 of variance), wings (0.3 of the light) and slopes of the background (1
-    electron per pixel).
+    estimated if they are significant. Three more effects are marginalized, with these prior standard deviations:
+    anisotropic blur (0.1 pixels^2 of variance), wings (0.3 of the light) and slopes of the background (1 electron per
+    pixel).
 
-    If all exposures have one focus, the search is repeated with other relative signs of even terms, and the most
-    likely map is returned. If the lnL of another map is lower by less than 8, and a coefficient differs by more than
-    three standard errors, this is reported ("another_minimum"). The images do not change if all even terms of the
-    phase are negated, those of a known defocus included ("sign_open"). The map nearer to `start` is returned, by
-    default the map nearer to the wavefront of `pupil`; the other map is `twin`. At equal distances, the map whose
-    first even term has the larger mean is returned. A second exposure at another known defocus determines the sign.
+    If all exposures have one focus, the search is repeated with other relative signs of even terms (not for corners),
+    and the most likely map is returned. If the lnL of another map is lower by less than 8, and a coefficient differs
+    by more than three standard errors, this is reported ("another_minimum"). If the aperture has two-fold symmetry,
+    the images do not change if all even terms of the phase are negated, those of a known defocus included
+    ("sign_open"). The map nearer to `start` is returned, by default the map nearer to the wavefront of `pupil`; the
+    other map is `twin`. At equal distances, the map whose first even term has the larger mean is returned. A second
+    exposure at another known defocus determines the sign.
 
     Distortion requires `ideal` places. The displacement is a polynomial of the ideal position, fitted to the
     estimated places by generalised least squares, because errors of places and of coma are correlated. Tilts of the

@@ -80,12 +80,13 @@ class Retrieval(FitReport):
     chi2 : float
         Pearson's chi2 per degree of freedom: about 1 if pupil, pixel and noise are right, even for few electrons.
     findings : lommel.fit.Findings
-        Findings of the checks. Errors: "misfit", "no_light", "not_settled". Doubts: "sign_open" (the even part of the
-        phase may have the other sign, and neither `pupil` nor a known defocus decides); "too_dim" (the standard error
-        of an image's phase exceeds 0.25 radians rms, with `blur` 0.22: other wavefronts may fit); "errors_change" (a
-        standard error changes by more than an eighth within one standard deviation); "other_explanation"; "pattern"
-        (residuals have stripes, or offsets of rows or columns); "too_quiet" (the images are less noisy than `noise`
-        states). Notes: "undetermined", "rare_chi2", pixels left out or perhaps saturated.
+        Findings of the checks. Errors: "misfit", "excess_noise", "no_light", "not_settled". Doubts: "sign_open" (the
+        even part of the phase may have the other sign, and neither `pupil` nor a known defocus decides); "too_dim"
+        (the standard error of an image's phase exceeds 0.25 radians rms, with `blur` 0.22: other wavefronts may fit);
+        "errors_change" (a standard error changes by more than an eighth within one standard deviation);
+        "other_explanation"; "pattern" (residuals have stripes, or offsets of rows or columns); "too_quiet" (the
+        images are less noisy than `noise` states). Notes: "undetermined", pixels left out or perhaps saturated.
+        "rare_chi2" is a doubt if noise alone causes so large a chi2 in fewer than one of 1000 fits, otherwise a note.
     summary : str
         Chi2, and the numbers of steps and starts.
     converged, reliable, status, message

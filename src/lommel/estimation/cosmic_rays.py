@@ -21,7 +21,7 @@ from lommel.psf import psf
 
 Mask: TypeAlias = NDArray[np.bool_]
 
-# Threshold in standard deviations for a pixel of a track, and for a pixel next to a detected track.
+# Thresholds in standard deviations: for a pixel of a track, and for a pixel next to a detected track.
 _SIGMA, _SIGMA_ADJACENT = 6.0, 3.0
 # Threshold of the ratio of a pixel to its neighbours, divided by the largest ratio of an unaberrated star. Next to a
 # detected track the threshold is half as large.

@@ -515,8 +515,8 @@ def _build_retrieval(
     findings = goodness_of_fit.chi2_findings(chi2, deviation, causes)
     variance = model.variance(mean)
     difference = residual * np.sqrt(variance)
-    windows = (part.reshape(counts.values.shape) for part in (difference, variance))
-    findings += goodness_of_fit.stripe_findings(*windows, noise.excess)
+    shape = counts.values.shape
+    findings += goodness_of_fit.stripe_findings(difference.reshape(shape), variance.reshape(shape), noise.excess)
     findings += [*light_findings, *_sign_findings(model, x), *effect_findings, *untested]
     if "misfit" in Findings(findings).codes and not effect_findings:
         read = model.read.reshape(residual.shape)

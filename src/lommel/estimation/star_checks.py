@@ -128,7 +128,7 @@ def constants_to_test(pupil: Pupil, known_defoci: Array, estimated: Sequence[Nam
 def missing_terms(
     terms: Sequence[Term], constants: Sequence[Name], derivatives: Sequence[Array], pupil: Pupil, known_defoci: Array
 ) -> Iterator[MissingEffect]:
-    """Yield Zernike terms and constants, given derivatives of electrons.
+    """Yield the effects of Zernike terms and of wrong constants, given derivatives of electrons.
 
     `derivatives` are with respect to the terms (radians at the pupil edge), followed by the constants. For
     the constant (2, 0), the scale of the known defoci, the derivative is with respect to the defocus.
@@ -148,7 +148,7 @@ def missing_terms(
 
 
 def missing_ripples(terms: Sequence[Term], derivatives: Sequence[Array]) -> Iterator[MissingEffect]:
-    """Yield zones (terms with m = 0) and other ripples, given derivatives of electrons by terms (1 at the edge)."""
+    """Yield the effects of zones (m = 0) and ripples, given derivatives of electrons by terms (1 at the edge)."""
     for name, is_symmetric in ((_ZONE_NAME, True), (_RIPPLE_NAME, False)):
         pairs = zip(terms, derivatives, strict=True)
         images = tuple(d * zernike.rms_factor(*term) for term, d in pairs if (term[1] == 0) == is_symmetric)
@@ -157,7 +157,7 @@ def missing_ripples(terms: Sequence[Term], derivatives: Sequence[Array]) -> Iter
 
 
 def missing_drifts(terms: Sequence[Term], derivatives: Iterable[Array], exposures: int) -> Iterator[MissingEffect]:
-    """Yield linear changes of estimated terms over the images, given derivatives of electrons by terms.
+    """Yield the effects of linear changes of terms over the images, given derivatives of electrons by the terms.
 
     The coefficient is half the difference between the last and the first image, radians rms.
     """
@@ -175,14 +175,14 @@ def apodized(pupil: Pupil) -> Pupil | None:
 
 
 def missing_apodization(image: Array, apodized_image: Array) -> MissingEffect:
-    """Return apodization, given the electrons of the pupil (`image`) and of the apodized pupil (`apodized_image`)."""
+    """Return the effect of apodization: images are electrons with the pupil, and with the apodized pupil."""
     return MissingEffect("apodization", APODIZED, ((apodized_image - image) / APODIZED,))
 
 
 def missing_illumination(
     changes: Mapping[str, int], images: Iterable[Array], estimated: Sequence[Name] = ()
 ) -> Iterator[MissingEffect]:
-    """Yield uneven illumination and changed edges of the pupil, except for `estimated` ones.
+    """Yield the effects of uneven illumination and changed edges of the pupil, without the `estimated` ones.
 
     `changes` is the result of `changes_of`; `images` are derivatives of electrons with respect to all its parameters.
     """
@@ -194,7 +194,7 @@ def missing_illumination(
 
 
 def missing_charge_transfer(image: Array) -> Iterator[MissingEffect]:
-    """Yield deferred charge in each direction, given the electrons of stars without background.
+    """Yield the effect of deferred charge in each direction, given the electrons of stars without background.
 
     `image` has the shape (r * e, height, width), for r stars in e exposures.
     """
@@ -206,7 +206,7 @@ def missing_charge_transfer(image: Array) -> Iterator[MissingEffect]:
 
 
 def missing_blurs(blurs: Mapping[str, Array], exposures: int, *, gaussian: bool) -> Iterator[MissingEffect]:
-    """Yield additional blurs of each exposure, given derivatives of electrons (r * e, height, width)."""
+    """Yield the effects of additional blurs of each exposure, given derivatives of electrons (r * e, ...)."""
     if gaussian:
         yield MissingEffect(_GAUSSIAN, _WIDTH, _of_each_exposure(exposures, blurs["Gaussian"]))
     yield MissingEffect(_ELLIPSE, _WIDTH, _of_each_exposure(exposures, blurs["along rows"], blurs["oblique"]))
@@ -215,7 +215,7 @@ def missing_blurs(blurs: Mapping[str, Array], exposures: int, *, gaussian: bool)
 
 
 def uneven_blur(image: Array, positions: Array, exposures: int) -> MissingEffect:
-    """Return a blur that varies over the field, given relative positions (r * e, 2).
+    """Return the effect of a blur that varies over the field, for positions (r * e, 2) in half fields.
 
     `image` is the derivative of electrons with respect to the variance of the blur.
     """
@@ -224,12 +224,12 @@ def uneven_blur(image: Array, positions: Array, exposures: int) -> MissingEffect
 
 
 def missing_gradients(images: int, shape: tuple[int, int], exposures: int) -> MissingEffect:
-    """Return background gradients of each exposure, along rows and columns, for `images` images in all."""
+    """Return the effect of background gradients of each exposure, along rows and columns; `images` is a number."""
     return MissingEffect(GRADIENT, _SLOPE, _of_each_exposure(exposures, *pixel_coordinates(images, shape)))
 
 
 def missing_nonlinearity(mean: Array) -> MissingEffect:
-    """Return a non-linear gain, given the expected electrons."""
+    """Return the effect of a non-linear gain, given the expected electrons `mean`."""
     # A pixel of m electrons loses the fraction s m / 10^4; derivative with respect to s.
     return MissingEffect(_GAIN, _NONLINEAR, (-(mean**2) / 1e4,))
 

@@ -240,8 +240,8 @@ class BeadModel:
     ) -> tuple[Evaluation, Scores | None]:
         """Return the state after a step and its scores; the old state and None if the deviance does not decrease."""
         with suppress(Declined, ValueError):  # the step is too long: aberrations too strong, or constants impossible
-            evaluated = self.evaluate(self.after_step(x.state, step[0]), float(scores.deviance[0]))
-            return evaluated, evaluated.scores
+            evaluation = self.evaluate(self.after_step(x.state, step[0]), float(scores.deviance[0]))
+            return evaluation, evaluation.scores
         return x, None
 
     def after_step(self, state: State, step: Array) -> State:
@@ -309,10 +309,10 @@ def _camera_derivative(name: str, mean: Array) -> Array:
 
 def climb(model: BeadModel, start: State, max_steps: int, report: Report = lambda *_: None) -> Evaluation:
     """Return the end of at most `max_steps` damped steps, from a start until convergence."""
-    start_evaluated = model.evaluate(start)
-    ascent = fisher_scoring(model, start_evaluated, start_evaluated.scores, max_steps, report, _POLICY)
-    evaluated: Evaluation = ascent.x
-    return replace(evaluated, settled=bool(ascent.settled[0]), steps=ascent.steps)
+    first_evaluation = model.evaluate(start)
+    ascent = fisher_scoring(model, first_evaluation, first_evaluation.scores, max_steps, report, _POLICY)
+    last_evaluation: Evaluation = ascent.x
+    return replace(last_evaluation, settled=bool(ascent.settled[0]), steps=ascent.steps)
 
 
 @dataclass(eq=False)

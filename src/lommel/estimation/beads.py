@@ -509,21 +509,19 @@ def _depths(depth: Any, radius: float, count: int) -> list[float]:
 
 
 def _priors(
-    stated_priors: Any, setup: Setup, depths: Sequence[float]
+    mapping: Any, setup: Setup, depths: Sequence[float]
 ) -> tuple[Setup, dict[str, Prior], float, list[Finding]]:
     """Return the setup with the values of the priors, the priors, the standard error of depths, and findings."""
     available, notes = bead_checks.available_constants(setup), list[Finding]()
     na_undetermined = min(depths) > setup.wavelength and setup.objective.sample < setup.objective.NA
-    if stated_priors is None:
-        stated_priors = {
-            name: CONSTANTS[name].prior * setup.scale(name) for name in available if CONSTANTS[name].prior
-        }
+    if mapping is None:
+        mapping = {name: CONSTANTS[name].prior * setup.scale(name) for name in available if CONSTANTS[name].prior}
         if na_undetermined:
-            stated_priors.pop("NA")
-    if not isinstance(stated_priors, Mapping):
-        raise TypeError(f"priors must map names to standard errors, got {validation.shown(stated_priors)}")
+            mapping.pop("NA")
+    if not isinstance(mapping, Mapping):
+        raise TypeError(f"priors must map names to standard errors, got {validation.shown(mapping)}")
     priors, depth_error = {}, 0.0
-    for name, prior in stated_priors.items():
+    for name, prior in mapping.items():
         validation.choice("priors", name, CONSTANTS)
         if name not in available:
             raise ValueError(f"priors must be without {name!r}: no such constant exists, or the medium is air")

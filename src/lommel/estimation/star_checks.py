@@ -369,7 +369,11 @@ def star_tests(model: StarImages, x: Array) -> tuple[tuple[ScoreTest, ...], Marg
     tests = score_tests(*scores, candidates)
     marginal = marginalized(*scores, to_marginalize(candidates, tests), model.common_count)
     fit = matrix[:-1, :-1], range(model.size)
-    notes += untested_constants(pupil[0], defoci, candidates, tests, fit, unknowns, range(len(unknowns.terms)))
+    # A filter that is not narrow biases the f-number: images are sums over the spectrum of the star.
+    is_spectral = model.pupil.wavelength is not None and {"f_number", "wavelength"} & set(unknowns.pupil)
+    spectrum = ("spectrum of the star within the filter",) if is_spectral else ()
+    columns = range(len(unknowns.terms))
+    notes += untested_constants(pupil[0], defoci, candidates, tests, fit, unknowns, columns, spectrum)
     return tests, marginal, notes
 
 

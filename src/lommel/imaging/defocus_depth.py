@@ -244,6 +244,8 @@ def depth_from_defocus(
         raise TypeError(f'exposures must be numbers, got {text}; only LiveDepth accepts "smooth"')
     pitch = pixel_of(lenses, pixel)
     photos = _list_photographs(photographs, lenses)
+    if transfer is transfer_curve and all(lens == lenses[0] for lens in lenses):
+        raise ValueError("lenses must differ in focus or aperture: photographs with one setting have one blur")
     noise = validation.instance("noise", noise, Noise).poisson
     width = validation.real("window", chosen.window, least=1.0, below=64.0 + 1e-9, unit="pixels")
     validation.function("progress", progress, required=False)

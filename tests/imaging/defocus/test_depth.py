@@ -308,6 +308,7 @@ def test_another_transfer_function_is_taken(images, whole):
         ({"lenses": LENS}, "lenses must be a sequence of Lens"),
         ({"lenses": [LENS]}, "lenses must be two or more"),
         ({"photographs": [np.ones((40, 40))]}, "photographs must be as many as lenses, 2, got 1"),
+        ({"lenses": [PAIR[0], PAIR[0]]}, "lenses must differ in focus or aperture"),
         ({"photographs": [np.ones((40, 40)), np.ones((40, 41))]}, "photographs must be of one shape"),
         ({"photographs": [np.ones(40)] * 2}, r"photographs\[0\] must have the shape"),
         ({"photographs": [np.full((40, 40), np.nan)] * 2}, "no pixel that is known in all of them"),

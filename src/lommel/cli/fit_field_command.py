@@ -260,6 +260,14 @@ def _geometric_radius(defocus: float, pixel: float) -> float:
     return 4.0 * defocus / (math.pi * pixel)
 
 
+def seeing_in_words(seeing: Seeing, focal_length: float, error: float | None = None) -> str:
+    """Return the FWHM of long exposures at 500 nm, and its standard error from the `error` of r0, as a text."""
+    width = FWHM / seeing.coherence(500e-9) / focal_length / _ARCSEC
+    error_text = "" if error is None else f" +- {width * error / seeing.r0:.3f}"
+    outer = "" if seeing.outer_scale is None else f", outer scale {seeing.outer_scale:.0f} m"
+    return f"seeing of {width:.3f}{error_text} arcsec (FWHM at 500 nm{outer})"
+
+
 def _describe_blur(result: FieldFit, pitch: float, focal_length: float) -> str:
     """Return a sentence on the blur, and on the options that apply it to PSFs."""
     blur_texts, options = [], []
@@ -268,8 +276,7 @@ def _describe_blur(result: FieldFit, pitch: float, focal_length: float) -> str:
         for blur, error in zip(blurs, errors, strict=True):
             if isinstance(blur, Seeing):
                 width = FWHM / blur.coherence(500e-9) / focal_length / _ARCSEC
-                outer = "" if blur.outer_scale is None else f", outer scale {blur.outer_scale:.0f} m"
-                texts.append(f"seeing of {width:.3f} +- {width * error / blur.r0:.3f} arcsec (FWHM at 500 nm{outer})")
+                texts.append(seeing_in_words(blur, focal_length, error))
                 flags.append(f"--seeing {width:.4g}")
             elif isinstance(blur, Jitter):
                 texts.append(f"{blur.sigma / pitch:.3f} +- {error / pitch:.3f} pixels (standard deviation)")

@@ -11,10 +11,11 @@ import click
 import numpy as np
 
 from lommel.base.units import with_error
+from lommel.blur.blurs import Blur, Jitter, Seeing
+from lommel.cli.fit_field_command import seeing_in_words
 from lommel.cli.instruments import IMAGES, LENS, SeveralNumbers, StarCamera, numbers_of
 from lommel.cli.options import JSON, OUTPUT, Group, command, documented, option, plot_option
 from lommel.cli.output import progress, save_figure, written
-from lommel.estimation.field_fit import in_words
 from lommel.estimation.phase_retrieval import retrieve as fit
 from lommel.estimation.star_images import label
 from lommel.io import zernike_tables
@@ -114,11 +115,11 @@ def retrieve(
     if figure is not None:
         save_figure(result.plot(unit=unit, names=names), figure)
     files = written([output, figure], lambda path: ": square roots of images and model" if path == figure else "")
-    parts = [*_parts(result, unit, names), *map(Wrapped, notes)]
+    parts = [*_parts(result, unit, names, instrument.side), *map(Wrapped, notes)]
     return Report({"images": names} | result.to_dict() | {"notes": notes}, parts, result.converged) + files
 
 
-def _parts(result: Retrieval, unit: str, files: list[str]) -> Parts:
+def _parts(result: Retrieval, unit: str, files: list[str], pitch: float) -> Parts:
     """Return the tables of a retrieved wavefront in a unit, with standard errors, and the verdict."""
     unit_symbol = {"radians": "rad"}.get(unit, unit)
     values, errors = result.in_unit(unit)
@@ -140,12 +141,25 @@ def _parts(result: Retrieval, unit: str, files: list[str]) -> Parts:
         return f"{value:.6g}" if blurred else "+-".join(with_error(value, float(result.errors[name][k])))
 
     images = [[file, *(cell(name, k) for name in columns)] for k, file in enumerate(files)]
-    closing_lines = [f"blur: {'; '.join(map(in_words, result.blurs))}"] if blurred else []
+    closing_lines = [f"blur: {'; '.join(_blur_text(blurs, pitch) for blurs in result.blurs)}"] if blurred else []
     return paragraphs(
         [table_of(("term", unit_symbol, "std. error"), rows)],
         [table_of(["image", *columns], images)],
         map(Wrapped, [*closing_lines, result.message]),
     )
+
+
+def _blur_text(blurs: tuple[Blur, ...], pitch: float) -> str:
+    """Return the blurs of an image as a text, with Gaussians in pixels; `pitch` is in metres."""
+    texts = []
+    for blur in blurs:
+        if isinstance(blur, Seeing) and blur.focal_length is not None:
+            texts.append(seeing_in_words(blur, blur.focal_length))
+        elif isinstance(blur, Jitter) and blur.across == blur.sigma:
+            texts.append(f"{blur.sigma / pitch:.3f} pixels (standard deviation)")
+        else:
+            texts.append(repr(blur))
+    return " and ".join(texts) or "nothing"
 
 
 def _files(paths: tuple[Path, ...]) -> list[Path]:

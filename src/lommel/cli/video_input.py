@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 Frame = TypeVar("Frame")
 
 _DEFAULT_WHITE, _DEFAULT_READ = 5000.0, 3.0  # full well and read noise, electrons, assumed for 8-bit sRGB
-_MIN_BITS_FRACTION = 0.95  # fraction of the entropy of noise: compressed pixels with fewer bits raise a warning
+_MIN_BITS_FRACTION = 0.95  # fraction of the entropy of noise: compressed pixels with fewer bits get a warning
 _TOP_MARGIN = 1e-5  # difference of white and saturation, as a fraction of white: less than half a 16-bit sRGB step
 _FIT_ABOVE = 0.02  # fraction of white: darker levels are left out of the fit of noise to stored values
 _ROW_SMOOTHING = 6.0  # standard deviation, rows, of the Gaussian that smooths the brightness of rows

@@ -114,7 +114,7 @@ def vectorial_psf(
     params: Mapping[str, float] | None = None,
     normalize: bool = True,
 ) -> Array:
-    """Return the vectorial PSF at planes `zv`; other parameters of :func:`make_psf` are keys of `params`."""
+    """Return the vectorial PSF at planes `zv`; `params` has keys of :data:`PARAMS`, and "sf" (oversampling)."""
     return _compute_stack(zv, nx, dxy, pz, wvl, params, normalize, "vectorial")
 
 
@@ -127,7 +127,7 @@ def scalar_psf(
     params: Mapping[str, float] | None = None,
     normalize: bool = True,
 ) -> Array:
-    """Return the scalar PSF at planes `zv`; other parameters of :func:`make_psf` are keys of `params`."""
+    """Return the scalar PSF at planes `zv`; `params` has keys of :data:`PARAMS`, and "sf" (oversampling)."""
     return _compute_stack(zv, nx, dxy, pz, wvl, params, normalize, "scalar")
 
 

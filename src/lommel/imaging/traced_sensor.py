@@ -20,7 +20,8 @@ def traced_noise(image: Operand, noise: Noise, normal: Operand) -> Operand:
     Parameters
     ----------
     image : array
-        Expected image in the unit of `noise`: linear light; if ``noise.white`` is given, 1 means as many electrons.
+        Expected image in the unit of `noise`: linear light; if ``noise.white`` is given, the value 1 means this
+        number of electrons.
     noise : Noise
         Noise with numbers (not maps) for `white`, `read` and `offset`.
     normal : array

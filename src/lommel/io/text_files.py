@@ -196,5 +196,5 @@ def refuse(errors: Sequence[str]) -> None:
     """Raise ValueError with the first errors of a table, if there are any."""
     if errors:
         further = len(errors) - MAX_MESSAGES
-        ending = f"; and {further} {'or more' if len(errors) > MANY else 'more'}" if further > 0 else ""
+        ending = f"; and {'at least ' if len(errors) > MANY else ''}{further} more" if further > 0 else ""
         raise ValueError("; ".join(brief(error, 200) for error in errors[:MAX_MESSAGES]) + ending)

@@ -221,7 +221,7 @@ def _averages_at_spacing(
         rounding = (2 * taps.weights.shape[-1] + 8) * 2.0**-53 * taps.gain**2
         err_filter = (2.0 + taps.error) * taps.error * ceiling
         err_added = err_filter + (rounding + 1.01 * err_single) * peaks[0]
-        # The largest average in the plane is at least `lowest` times the peak of I: section 10, "Relative to what".
+        # The largest average in the plane is at least least_ratio * (peak of I): section 10, "Relative to what".
         peak = tops if normalize else np.maximum(tops, least_ratio * peaks[0])
         if not peak.min() > 0:
             break

@@ -357,7 +357,7 @@ def test_a_command_of_the_pages_or_of_help_runs_and_writes_what_it_names(line, f
         words += ["--steps", "4", "--no-diagnosis"]  # which takes many steps
     result = call_lommel(*words[1:], folder=folder)
     # Photographs and clips are checkerboards that no lens has made, and movies not of the objective: verdicts say so.
-    assert result.returncode in ((0, 3) if words[1] in ("restore", "watch", "depth", "localize") else (0,)), (
+    assert result.returncode in ((0, 3, 4) if words[1] in ("restore", "watch", "depth", "localize") else (0, 4)), (
         result.stderr
     )
     for option, name in pairwise(words):

@@ -87,7 +87,7 @@ def imitated(blur: DepthBlur, kind: str) -> DepthBlur:
         share = np.diff(0.5 * erf(edges / (np.sqrt(2.0) * width[:, None])), axis=1)
         kernels = share[:, :, None] * share[:, None, :]
     other = copy(blur)
-    other.banks = (bank.holding(kernels),) * 3
+    other.banks = (bank.with_kernels(kernels),) * 3
     return other
 
 

@@ -108,7 +108,7 @@ def imitated(exact: DepthBlur, kind: str) -> DepthBlur:
         kernels = np.broadcast_to(np.mean([bank.window(one) for one in some], axis=0), (bank.count, side, side))
         cuts = np.full_like(cuts, middle)
     other = copy(exact)
-    other.banks = (bank.holding(kernels, cuts),) * 3
+    other.banks = (bank.with_kernels(kernels, cuts),) * 3
     return other
 
 

@@ -142,7 +142,8 @@ def deconvolve(
     algorithm = method or RichardsonLucy(target=1.0)
     held_out = 0
     # Photons are held out only of stacks that are small enough, and that a uniform scene does not fit.
-    is_testable = recorded.size <= MAX_VOXELS and counted.flat() > 1.0 + counted.slack
+    is_structured = counted.flat() > 1.0 + counted.slack
+    is_testable = recorded.size <= MAX_VOXELS and is_structured
     if diagnosis and is_contained and is_testable and level == Background(None):
         level, held_out = _held_out(recorded, noise, blur_of)
     iteration = iteration_of(algorithm, blur, counted, background=level, aspect=aspect)
@@ -156,8 +157,8 @@ def deconvolve(
     findings = [] if finding is None else [finding]
     floor = Floor()
     floor.add(values, slice(0, shape[1]), slice(0, shape[2]))
-    if uneven := floor.finding(shape, background_of(background)):
-        findings.append(uneven)
+    uneven = floor.finding(shape, background_of(background)) if is_structured else None
+    findings += [] if uneven is None else [uneven]
     if not is_contained:
         text = (
             f"{percent(rim)} of the light of the PSF is on the rim of its window, which cuts off its light cone: "

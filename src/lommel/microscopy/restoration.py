@@ -849,6 +849,7 @@ class _Outcome:
     deviance_after: float = 0.0
     deviance_before: float = 0.0
     voxels: float = 0.0  # number of voxels that are not ignored
+    is_structured: bool = False  # whether a uniform scene does not explain the chunk
     steps: int = 0
     stopped: str = STEPS
     strength: float | None = None
@@ -1021,7 +1022,8 @@ class _ChannelRestoration:
                     finding, rank_alternatives(context, report, try_reversed=options.direction != "auto")
                 )
             self._findings.append(finding)
-        if uneven := self._floor.finding(self._stack.shape, background_of(options.background)):
+        uneven = self._floor.finding(self._stack.shape, background_of(options.background))
+        if uneven is not None and outcome.is_structured:
             self._findings.append(uneven)
         if outcome.stopped == INTERRUPTED:
             self._findings.append(Finding("interrupted", "doubt", "it was interrupted: the completed steps are kept"))
@@ -1176,6 +1178,8 @@ class _ChannelRestoration:
             blur = blurs[size]
             if blur.outside is not None:
                 blur.outside[...] = counted.level
+            if number == 0:
+                outcome.is_structured = counted.flat() > 1.0 + counted.slack
             before = counted.mean(counted.discrepancies(blur, counted.scene(*margin)))
             iteration = self._iteration(blur, counted, course, background)
             progress = _ChunkProgress(

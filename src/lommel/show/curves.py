@@ -111,7 +111,7 @@ def section(sweep: Moved, x: Array) -> Array:
 
     Parameters
     ----------
-    through : Moved
+    sweep : Moved
     x : ndarray, shape (m,)
         Equally spaced positions, odd in number, with 0 at the centre; metres or units of lambda*N.
 

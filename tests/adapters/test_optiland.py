@@ -310,7 +310,9 @@ def test_phases_of_near_objects_agree_with_the_rays_in_every_kind_of_field(kind,
 def test_phases_that_no_known_tilt_reconciles_with_the_rays_are_refused(triplet, monkeypatch):
     exact = adapter._phase_at_start  # as of a field type to come
     monkeypatch.setattr(adapter, "_phase_at_start", lambda *args: 1.01 * exact(*args))
-    with pytest.raises(ValueError, match=r"the lens must have phases .* of the field \(0, 1\) differ by a tilt"):
+    with pytest.raises(
+        ValueError, match=r"the lens must have phases .*; at the field \(0, 1\) they differ by a tilt"
+    ):
         adapter.pupil(imaged_at(triplet, "real_image_height", 10.0), (0.0, 1.0))
 
 

@@ -83,6 +83,10 @@ def test_the_foci_of_an_aberrated_objective_are_its_own(folder, call_lommel):
         assert 0.9 * least < aberrated["peak"] / ideal["peak"] < least
         assert aberrated["lateral_fwhm"] > 1.005 * ideal["lateral_fwhm"]
     assert "with the aberrations" in call_lommel("info", "aberrated.toml", folder=folder).stdout
+    # Large aberrations are refused by depth, as are depths out of range.
+    (folder / "wide.toml").write_text((text + table).replace("5 = 0.05, 11 = -0.03", "5 = 1.5, 11 = 1.5"))
+    refused = json.loads(call_lommel("info", "wide.toml", "--json", folder=folder).stdout)["refused"]
+    assert any(reason.startswith("0 um deep: aberrations of 2.1 waves rms") for reason in refused)
 
 
 @pytest.mark.parametrize(

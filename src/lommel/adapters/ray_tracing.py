@@ -45,7 +45,14 @@ MAX_DEGREE = 20
 # If the degree is too low, the fit residual is up to a sixth of the tilt.
 _TILT, _TILT_OF_SLOPES, _TILT_OF_RESIDUAL = 0.1, 0.01, 10.0
 _MIN_AMPLITUDE = 1e-9  # components of the electric field below this amplitude are omitted
-_COUNTS = (5, 9, 17, 33, 65, 129)  # numbers of heights tried for a map, until interpolation agrees with the rays
+_HEIGHT_COUNTS = (
+    5,
+    9,
+    17,
+    33,
+    65,
+    129,
+)  # numbers of heights tried for a map, until interpolation agrees with the rays
 _BAND_COUNTS = (3, 5, 9, 17, 33)  # numbers of wavelengths tried for a band
 _MIN_ELLIPTICITY = 1e-5  # a pupil with smaller ellipticity is treated as a circle, which all methods support
 
@@ -263,11 +270,10 @@ def _trace_band(
         traced = trace_at(wave)
         transform = _fit_transform(traced) * scale
         # An error e of the edge of the pupil changes amplitudes by up to 2 e.
-        if 2.0 * float(np.linalg.norm(transform - cone, 2)) > tol:
+        if 2.0 * (change := float(np.linalg.norm(transform - cone, 2))) > tol:
             raise ValueError(
-                f"band must be narrower: at {wave:g} m the cone of light differs by "
-                f"{np.linalg.norm(transform - cone, 2):.2g} of its radius, more than half of tol={tol:g}; trace a "
-                "pupil for each wavelength"
+                f"band must be narrower: at {wave:g} m the cone of light differs by {change:.2g} of its radius, more "
+                f"than half of tol={tol:g}; trace a pupil for each wavelength"
             )
         x, y = (sign * traced.x, -sign * traced.y) if circular else transform @ np.stack([traced.x, traced.y])
         paths = {t: wave / (2.0 * math.pi) * c for t, c in _fit_terms(traced.phase, x, y, degree, tol).items()}
@@ -280,7 +286,7 @@ def _trace_band(
         waves = np.linspace(band[0], band[-1], count)
         fits = [paths_at(float(wave)) for wave in waves]
         terms = tuple(fits[0])
-        colour = TracedColour(tuple(waves.tolist()), terms, tuple(tuple(fit[t] for t in terms) for fit in fits))
+        colour = TracedColour(tuple(waves.tolist()), terms, tuple(tuple(paths[t] for t in terms) for paths in fits))
         coloured, differences = replace(pupil, colour=colour), []
         for wave in (0.5 * (waves[1:] + waves[:-1])).tolist():
             phases = {t: 2.0 * math.pi / wave * path for t, path in paths_at(wave).items()}
@@ -382,11 +388,12 @@ def _check_between_fields(
     tol: float,
 ) -> None:
     """Raise ValueError if the map differs from traced wavefronts at the centres of triangles of field points."""
-    triangulation = Delaunay(positions / np.ptp(positions, axis=0).max())
+    extent = np.ptp(positions, axis=0).max()
+    triangulation = Delaunay(positions / extent)
     for hx, hy in fields[triangulation.simplices].mean(axis=1):
         traced = trace(float(hx), float(hy), *points)
         x, y = traced.position
-        if triangulation.find_simplex(np.array([x, y]) / np.ptp(positions, axis=0).max()) < 0:
+        if triangulation.find_simplex(np.array([x, y]) / extent) < 0:
             continue  # distortion moves the centre of a narrow triangle at the border out of the map
         difference = _difference(field_map.pupil(x, -y), fit(traced, degree, tol)[0])
         if difference > tol:
@@ -447,8 +454,10 @@ def _radial_map(
             x, y = _fit_transform(traced) @ np.stack([traced.x, traced.y]) / longest
             return _fit_terms(traced.phase, x, y, degree, tol)
 
+        terms_at = cache(lambda fraction: terms(trace_height(fraction)))
+
         def shifted_terms(fraction: float) -> dict[tuple[int, int], float]:
-            fitted = terms(trace_height(fraction))
+            fitted = dict(terms_at(fraction))
             if ideal is not None:
                 # A tilt of c radians at the edge moves the image by c lambda N / pi.
                 shift = distance(fraction) - upwards * ideal(fraction)
@@ -456,7 +465,7 @@ def _radial_map(
             return fitted
 
         azimuth = -0.5 * math.pi * upwards
-        wavefront = _stack_fits([terms(trace_height(h)) for h in fractions])
+        wavefront = _stack_fits([terms_at(h) for h in fractions])
         radial_map = FieldMap.radial(distances, wavefront, azimuth=azimuth, aperture=aperture)
         _require_symmetry(radial_map, terms(along_x), along_x.position, distances[-1], tol)
         if ideal is not None:
@@ -475,7 +484,7 @@ def _radial_map(
                 differences.append(2.0 * max(abs(ellipse.a - semi_y), abs(ellipse.b - semi_x)))
         return radial_map if foreshortening is None else radial_map.seen_through(foreshortening), max(differences)
 
-    counts = _COUNTS if heights is None else (validation.integer("heights", heights, least=2, most=1000),)
+    counts = _HEIGHT_COUNTS if heights is None else (validation.integer("heights", heights, least=2, most=1000),)
     for count in counts:
         radial_map, difference = build(count)
         if difference <= tol:

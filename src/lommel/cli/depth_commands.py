@@ -16,7 +16,7 @@ from lommel.base.units import format_length
 from lommel.cli.instruments import CAMERA, LENS, SQUARE_PIXEL, instrument_of, noise_of, radial_instrument
 from lommel.cli.options import FILE, JSON, OUTPUT, Group, argument, command, documented, option, plot_option
 from lommel.cli.output import progress, save_figure, written
-from lommel.cli.photo_commands import PhotoNoise, apply_mask, read_as
+from lommel.cli.photo_commands import PhotoNoise, apply_mask, output_type, read_as
 from lommel.estimation.depth_precision import best_foci, depth_precision
 from lommel.imaging import depth_from_defocus, read_photo, write_depth, write_photo
 from lommel.io import photos as photo_files
@@ -29,6 +29,7 @@ from lommel.show.drawing import figure_of
 if TYPE_CHECKING:
     from lommel.imaging.defocus_depth import DefocusDepth
     from lommel.imaging.defocus_verdict import DefocusVerdict
+    from lommel.io.photos import Picture
     from lommel.lensfiles.instrument import Camera
     from lommel.optics.lens import Lens
 
@@ -183,7 +184,7 @@ def depth(
         for path, values in zip(outputs, (estimate.depth, estimate.errors), strict=False):
             write_depth(path, values)
         if sharp is not None:
-            _write_sharp(sharp, estimate)
+            _write_sharp(sharp, estimate, pictures[0])
         if figure is not None:
             save_figure(estimate.plot(), figure)
     facts, (focus_facts, focus_text) = estimate.to_dict(), lens_facts(lenses)
@@ -206,14 +207,10 @@ def depth(
     return Report(facts, lines) + verdict_report(estimate.verdict) + files
 
 
-def _write_sharp(path: Path, estimate: DefocusDepth) -> None:
-    """Write the all-in-focus image in the type and encoding of the photos, or in 8 bits sRGB."""
+def _write_sharp(path: Path, estimate: DefocusDepth, photo: Picture) -> None:
+    """Write the all-in-focus image in the type and encoding of `photo` if the format can store them."""
     image = to_light("sharp", estimate.sharp, estimate.encoding, np.float32)
-    suffix, kind = path.suffix.lower(), estimate.sharp.dtype
-    floats = np.dtype(np.float32 if suffix in (".tif", ".tiff") else np.uint8)
-    same_type = kind.kind == "u" and suffix not in (".jpg", ".jpeg")
-    dtype = kind if same_type else floats
-    encoding = estimate.encoding if same_type else "linear" if dtype.kind == "f" else "srgb"
+    dtype, encoding = output_type(photo, path, None)
     write_photo(path, image, encoding=encoding, dtype=dtype)
 
 

@@ -260,9 +260,14 @@ def _geometric_radius(defocus: float, pixel: float) -> float:
     return 4.0 * defocus / (math.pi * pixel)
 
 
+def _seeing_fwhm(seeing: Seeing, focal_length: float) -> float:
+    """Return the FWHM of long exposures at 500 nm, arcseconds."""
+    return FWHM / seeing.coherence(500e-9) / focal_length / _ARCSEC
+
+
 def seeing_in_words(seeing: Seeing, focal_length: float, error: float | None = None) -> str:
     """Return the FWHM of long exposures at 500 nm, and its standard error from the `error` of r0, as a text."""
-    width = FWHM / seeing.coherence(500e-9) / focal_length / _ARCSEC
+    width = _seeing_fwhm(seeing, focal_length)
     error_text = "" if error is None else f" +- {width * error / seeing.r0:.3f}"
     outer = "" if seeing.outer_scale is None else f", outer scale {seeing.outer_scale:.0f} m"
     return f"seeing of {width:.3f}{error_text} arcsec (FWHM at 500 nm{outer})"
@@ -275,9 +280,8 @@ def _describe_blur(result: FieldFit, pitch: float, focal_length: float) -> str:
         texts, flags = [], []
         for blur, error in zip(blurs, errors, strict=True):
             if isinstance(blur, Seeing):
-                width = FWHM / blur.coherence(500e-9) / focal_length / _ARCSEC
                 texts.append(seeing_in_words(blur, focal_length, error))
-                flags.append(f"--seeing {width:.4g}")
+                flags.append(f"--seeing {_seeing_fwhm(blur, focal_length):.4g}")
             elif isinstance(blur, Jitter):
                 texts.append(f"{blur.sigma / pitch:.3f} +- {error / pitch:.3f} pixels (standard deviation)")
                 flags.append(f"--jitter {blur.sigma / focal_length / _ARCSEC:.3g}")

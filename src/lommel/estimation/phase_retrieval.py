@@ -20,7 +20,15 @@ from lommel.core.answers import Declined, ToleranceError
 from lommel.estimation import FitOptions, RetrievalKeywords
 from lommel.estimation.field_fit import FieldFit, fit_field
 from lommel.estimation.star_checks import error_findings, missing_findings, star_tests
-from lommel.estimation.star_images import StarImages, Unknowns, centroids, known_defocus, label, single
+from lommel.estimation.star_images import (
+    MAX_LINEAR_ERROR,
+    StarImages,
+    Unknowns,
+    centroids,
+    known_defocus,
+    label,
+    single,
+)
 from lommel.fit import goodness_of_fit
 from lommel.fit.findings import Finding, Findings, FitReport
 from lommel.fit.goodness_of_fit import SURE, largest_plausible_chi2
@@ -44,7 +52,6 @@ _STACKED_STARTS = 2  # number of random starts that are computed in one stack
 # 3 rad rms, 500 to 1e5 electrons) in which three of 19 starts agreed, no other start ended at a lower minimum.
 _MIN_AGREEING = 3
 _MIN_SIGNIFICANCE = 5.0  # smallest (flux) / (standard error of the flux) of a visible star
-_MAX_SHIFT = 0.5  # largest correction of the phase, radians rms, for effects that are marginalized
 _MIN_DISTANCE_RATIO = 2.0  # smallest ratio of the twins' distances from the initial wavefront that decides the sign
 _MAX_SUM_ERROR = 0.05  # images whose sums differ from 1 by less count as normalized
 _CAUSES = (
@@ -493,7 +500,7 @@ def _build_retrieval(
     tests, marginal, untested = star_tests(model, x)
     shift = np.pad(marginal.shift, (0, model.size - common_count))[None]
     # The shift is linear in the parameters: it means nothing in a direction that the images do not determine.
-    is_linear = bool(model.rms(shift)[0] <= _MAX_SHIFT)
+    is_linear = bool(model.rms(shift)[0] <= MAX_LINEAR_ERROR)
     corrected_x = model.within(x + shift, x) if is_linear else x
     pupil_parameters: dict[str, Any] = model.pupil_parameters(corrected_x)
     per_pixel = model.tilt_of_pixel

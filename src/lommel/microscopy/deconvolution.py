@@ -30,9 +30,8 @@ _BACKGROUNDS = {FLAT: 1, "uneven": 3}  # points along each side of the field at 
 _FLOOR_BLOCK = 8  # side, pixels, of the blocks whose means show the floor of the restored light
 _FLOOR_REGIONS = 3  # regions along each side of the field, each with a floor of its own
 _FLOOR_PERCENTILE = 10.0  # of the means of the blocks of a region, which is the floor
-_MAX_FLOOR = (
-    0.05  # share of the floor in the light; below 0.02 in simulations with flat backgrounds, 0.18 with uneven
-)
+# Largest share of the floor in the light: below 0.02 in simulations with flat backgrounds, 0.18 with an uneven one.
+_MAX_FLOOR = 0.05
 
 _LEAST_PLANES = 8  # smallest default margin, planes, unless half of the PSF has fewer
 _RIM = 0.02  # fraction of the light of a PSF on the rim of its window above which the light cone counts as cut off
@@ -157,8 +156,8 @@ def deconvolve(
     findings = [] if finding is None else [finding]
     floor = Floor()
     floor.add(values, slice(0, shape[1]), slice(0, shape[2]))
-    uneven = floor.finding(shape, background_of(background)) if is_structured else None
-    findings += [] if uneven is None else [uneven]
+    if is_structured and (uneven := floor.finding(shape, background_of(background))):
+        findings.append(uneven)
     if not is_contained:
         text = (
             f"{percent(rim)} of the light of the PSF is on the rim of its window, which cuts off its light cone: "

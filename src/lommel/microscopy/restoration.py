@@ -1022,8 +1022,8 @@ class _ChannelRestoration:
                     finding, rank_alternatives(context, report, try_reversed=options.direction != "auto")
                 )
             self._findings.append(finding)
-        uneven = self._floor.finding(self._stack.shape, background_of(options.background))
-        if uneven is not None and outcome.is_structured:
+        background = background_of(options.background)
+        if outcome.is_structured and (uneven := self._floor.finding(self._stack.shape, background)):
             self._findings.append(uneven)
         if outcome.stopped == INTERRUPTED:
             self._findings.append(Finding("interrupted", "doubt", "it was interrupted: the completed steps are kept"))

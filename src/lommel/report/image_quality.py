@@ -580,6 +580,7 @@ DEPTHS = (0.0, 1e-6, 5e-6, 20e-6, 50e-6)
 """Depths at which foci are reported in addition to the depth of the file, metres."""
 
 _OBJECTIVE_ATTRIBUTES = ("NA", "magnification", "working_distance", "immersion")
+_MAX_FOCUSED_RMS = 0.5  # largest wavefront error, waves rms, whose focus is searched within 4 axial widths
 _FOCUS_ATTRIBUTES = ("paraxial", "brightest", "ratio", "axial_fwhm", "lateral_fwhm", "peak")
 
 
@@ -633,7 +634,7 @@ def _foci(microscope: Microscope) -> tuple[list[dict[str, float | None]], list[s
     objective, wavelength = microscope.objective, microscope.wavelength
     rows: list[dict[str, float | None]] = []
     reasons: dict[str, None] = {}
-    surface = _focus_at(microscope, 0.0)
+    surface_peak = None  # the first depth is 0
     for depth in sorted({*DEPTHS, microscope.depth}):
         try:
             focus = _focus_at(microscope, depth)
@@ -642,20 +643,22 @@ def _foci(microscope: Microscope) -> tuple[list[dict[str, float | None]], list[s
             continue
         row: dict[str, float | None] = {"depth": depth, **focus}
         if depth == 0.0:
-            row["ratio"] = None
-        row["peak_of_surface"] = focus["peak"] / surface["peak"]
+            row["ratio"], surface_peak = None, focus["peak"]
+        row["peak_of_surface"] = surface_peak and focus["peak"] / surface_peak
         row["collected"] = float(objective.collected(depth, wavelength=wavelength))
         rows.append(row)
     return rows, list(reasons)
 
 
 def _focus_at(microscope: Microscope, depth: float) -> dict[str, float]:
-    """Return the attributes of the focus at a depth, with the aberrations; ValueError if it is too wide."""
+    """Return the attributes of the focus at a depth, with the aberrations; ValueError without a single focus."""
     objective, wavelength = microscope.objective, microscope.wavelength
     result = objective.focus(depth, wavelength=wavelength)
     focus = {name: float(getattr(result, name)) for name in _FOCUS_ATTRIBUTES}
     if microscope.aberrations is None:
         return focus
+    if (waves := float(aperture_means.rms(microscope.aberrations, unit="waves"))) > _MAX_FOCUSED_RMS:
+        raise ValueError(f"aberrations of {waves:.2g} waves rms, above {_MAX_FOCUSED_RMS:g}, have no single focus")
     # Aberrations shift the focus: the brightest voxel of a stack of 8 axial widths, in steps of 1 / 20.
     z = np.linspace(-4.0, 4.0, 161) * focus["axial_fwhm"]
     pixel = 0.25 * objective.nyquist(wavelength=wavelength).pixel

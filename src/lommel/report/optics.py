@@ -363,7 +363,7 @@ def _focus_parts(facts: Facts) -> Parts:
             *(f"{1e6 * row[name]:.3f}" for name in ("paraxial", "brightest")),
             known(row["ratio"], ".3f"),
             *(f"{1e9 * row[name]:.0f}" for name in ("axial_fwhm", "lateral_fwhm")),
-            *(f"{row[name]:.3f}" for name in ("peak", "peak_of_surface", "collected")),
+            *(known(row[name], ".3f") for name in ("peak", "peak_of_surface", "collected")),
         )
         for row in facts["focus"]
     ]

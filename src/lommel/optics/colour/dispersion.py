@@ -271,10 +271,9 @@ class TracedColour:
                 f"the pupil of this traced lens is known from {first * 1e9:g} to {last * 1e9:g} nm, got "
                 f"{wavelength * 1e9:g}; pass a wider band"
             )
-        columns = zip(self.terms, zip(*self.paths, strict=True), strict=True)
-        paths = {t: _interpolate(np.array([wavelength, reference]), self.wavelengths, path) for t, path in columns}
-        waves = {t: 2.0 * math.pi / wavelength * float(new - old) for t, (new, old) in paths.items()}
-        return Wavefront.zernike(waves, normalization="edge"), geometry
+        after, before = _interpolate(np.array([wavelength, reference]), self.wavelengths, self.paths)
+        radians = 2.0 * math.pi / wavelength * (after - before)
+        return Wavefront.zernike(dict(zip(self.terms, radians, strict=True)), normalization="edge"), geometry
 
     def to_dict(self) -> Json:
         """Return everything in plain types."""
@@ -293,7 +292,7 @@ def colour_from_dict(description: Json) -> PupilColour | TracedColour:
     return (PupilColour if "table" in description else TracedColour).from_dict(description)
 
 
-def _interpolate(x: float | Array, points: Sequence[float] | Array, values: Sequence[float]) -> Array:
+def _interpolate(x: float | Array, points: Sequence[float] | Array, values: ArrayLike) -> Array:
     """Return a spline through `values` at `points`: cubic, or a line or parabola through two or three values."""
     from scipy.interpolate import CubicSpline
 

@@ -171,7 +171,9 @@ def _compressor(metadata: Any) -> tuple[str | None, str]:
     codecs = list(getattr(metadata, "codecs", ()))
     if len(codecs) == 1 and codecs[0].to_dict()["name"] == "sharding_indexed":
         sharding = codecs[0]
-        index_location, codecs = str(sharding.index_location.value), list(sharding.codecs)
+        # The attribute of this name is an enumeration in older versions of zarr, and text in newer ones.
+        index_location = str(sharding.to_dict()["configuration"]["index_location"])
+        codecs = list(sharding.codecs)
         if [codec.to_dict()["name"] for codec in sharding.index_codecs] != ["bytes", "crc32c"]:
             raise ValueError("its shards have an index of another kind")
     names = [str(codec.to_dict()["name"]).removeprefix("numcodecs.") for codec in codecs]

@@ -60,7 +60,7 @@ def test_depth_deviation_sharp_image_and_picture_are_written_and_told(folder, ca
     assert lines[3].startswith("depth known at ")
     assert lines[4].startswith("registration and noise agree (misfit ")
     assert lines[5].startswith(
-        "not tested: the size of blur, which image is focused nearer (exchanged images agree as well)"
+        "not tested: the size of blur, which image is focused nearer (without spherical aberration exchanged "
     )
     assert "0.01 dioptre of all foci by 23 mm" in " ".join(lines)
     assert lines[-4:] == [f"wrote {name}" for name in ("depth.tif", "error.npy", "sharp.tif", "found.png")]

@@ -106,7 +106,7 @@ def test_depth_of_video_is_within_its_standard_error_in_every_output(folder, cal
     assert lines[5].startswith("depth known at ")
     assert lines[6].startswith("registration and noise agree (misfit ")
     assert lines[7].startswith(
-        "not tested: the size of blur, which image is focused nearer (exchanged images agree as well)"
+        "not tested: the size of blur, which image is focused nearer (without spherical aberration exchanged "
     )
     assert lines[8] == "colours: yellow at 1.2 m to violet at 2 m, even in 1 / distance; grey: not known"
     assert lines[9] == "--depth: levels of 100 um, 0 where not known"

@@ -32,6 +32,16 @@ def test_defocus_alone_takes_no_quadrature_along_lines(monkeypatch):
     assert overlap.autocorrelation(pupil, F, 1e-11).shape == (1, 40)
 
 
+@pytest.mark.parametrize("apodization", [0.0, 0.7])
+def test_pupils_that_differ_in_defocus_alone_have_the_functions_that_each_has_alone(apodization):
+    defocus = np.array([-40.0, 0.3, 12.0])
+    made = [
+        lm.Pupil(lm.Wavefront(defocus=each, spherical=5.0), apodization=apodization) for each in (defocus, *defocus)
+    ]
+    together, *alone = (overlap.autocorrelation(pupil, F, 1e-11) for pupil in made)
+    np.testing.assert_allclose(together, np.concatenate(alone), rtol=0, atol=2e-11)
+
+
 SQUARE = lm.Polygon.regular(4, radius=1.0, angle=math.pi / 4)
 HEXAGON = lm.Polygon.regular(6, radius=0.9, angle=0.1)
 WHERE = [(0.1, 0.2), (0.3, -0.25), (0.02, 0.4), (0.4, 0.0), (1e-4, 0.0), (1e-9, 2e-9), (0.65, 0.1), (0.75, 0.6)]

@@ -18,8 +18,8 @@ POINTS = 8  # a pixel, along either axis
 _X, _W = np.polynomial.legendre.leggauss(120)
 
 
-def hopkins(d: np.ndarray, defocus: float) -> np.ndarray:
-    """The OTF of a circular pupil with the phase 2 C rho^2, at frequencies over the cut-off."""
+def hopkins(d: np.ndarray, defocus: float, spherical: float = 0.0) -> np.ndarray:
+    """The OTF of a circular pupil with the phase 2 C rho^2 + 2 pi W040 rho^4, at frequencies over the cut-off."""
     out = np.zeros(d.shape)
     inside = d < 1.0
     s = d[inside][:, None]
@@ -27,7 +27,14 @@ def hopkins(d: np.ndarray, defocus: float) -> np.ndarray:
     # Points of the overlap at x = (1 - s)(1 - t^2) from the middle: no root at the end.
     x = (1.0 - s) * (1.0 - t * t)
     height = np.sqrt(np.maximum(1.0 - (x + s) ** 2, 0.0))
-    out[inside] = (4.0 / np.pi * height * np.cos(8.0 * defocus * s * x) * (1.0 - s) * t * _W).sum(axis=1)
+    share = np.cos(8.0 * defocus * s * x)
+    if spherical:
+        # The mean over y, from -height to height, of the cosine of the difference of the phases at x + s and x - s.
+        y, weight = np.polynomial.legendre.leggauss(40)
+        bend = x[..., None] ** 2 + s[..., None] ** 2 + (height[..., None] * y) ** 2
+        phases = 8.0 * (s * x)[..., None] * (defocus + 2.0 * np.pi * spherical * bend)
+        share = 0.5 * np.cos(phases) @ weight
+    out[inside] = (4.0 / np.pi * height * share * (1.0 - s) * t * _W).sum(axis=1)
     return out
 
 
@@ -40,6 +47,7 @@ class ThinLens:
     focus: float
     wavelength: float
     pixel: float
+    spherical: float = 0.0  # W040, waves
 
     def defocus(self, distance: float) -> float:
         """C_d in radians: half the quadratic phase at the edge of the pupil."""
@@ -61,7 +69,7 @@ def _transfer(lens: ThinLens, distance: float, side: int) -> np.ndarray:
     f = np.hypot(down[:, None], across)
     cutoff = lens.pixel / (lens.wavelength * lens.working())
     nodes = np.linspace(0.0, cutoff, 1500)
-    return np.interp(f, nodes, hopkins(nodes / cutoff, lens.defocus(distance)), right=0.0)
+    return np.interp(f, nodes, hopkins(nodes / cutoff, lens.defocus(distance), lens.spherical), right=0.0)
 
 
 @lru_cache(maxsize=16)
@@ -151,5 +159,9 @@ def lommel_lens(lens: ThinLens) -> Any:
     import lommel as lm
 
     return lm.Lens(
-        focal_length=lens.focal_length, f_number=lens.f_number, focus_distance=lens.focus, wavelength=lens.wavelength
+        focal_length=lens.focal_length,
+        f_number=lens.f_number,
+        focus_distance=lens.focus,
+        wavelength=lens.wavelength,
+        aberrations=lm.Wavefront.from_seidel(W040=lens.spherical),
     )

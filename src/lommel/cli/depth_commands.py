@@ -45,7 +45,12 @@ def lens_options(images: str) -> list[Any]:
     """Return the options for `foci` and `f_numbers` of :func:`each_lens`; their help names the `images`."""
     repeat_text = f"once for {images}, or repeated for each; overrides the lens file."
     return [
-        option("--focus", length="m", multiple=True, help=f"Focus distance, such as 1.35m: {repeat_text}"),
+        option(
+            "--focus",
+            length="m",
+            multiple=True,
+            help=f"Focus distance from the lens, not from the sensor, such as 1.35m: {repeat_text}",
+        ),
         option("--f-number", type=float, multiple=True, help=f"F-number: {repeat_text}"),
     ]
 

@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache, partial
 from typing import NamedTuple, Self
 
@@ -117,7 +117,7 @@ class DefocusVerdict(FitReport):
                     "error",
                     (
                         f"the images differ by more than noise (misfit {misfit:.3g}): something moved, they are not "
-                        "registered, noise is understated, or the lens or its foci are wrong"
+                        "registered or not encoded as stated, noise is understated, or the lens or its foci are wrong"
                     ),
                     numbers,
                 )
@@ -146,7 +146,7 @@ class DefocusVerdict(FitReport):
         else:
             agreements.append(f"registration and noise agree (misfit {misfit:.3g}; 1 if only noise is left)")
         untested = [
-            "which image is focused nearer (exchanged images agree as well)",
+            "which image is focused nearer (without spherical aberration exchanged images agree as well)",
             "a shift of all foci or of one focus",
             "motion blur or other additional blur of one image",
             "chromatic differences of focus",
@@ -169,7 +169,7 @@ class DefocusVerdict(FitReport):
                     "error",
                     (
                         f"blurs differ by {ratio} times the stated difference: f-number, focal length, pixel pitch "
-                        "or a focus distance is wrong"
+                        "or a focus distance is wrong; state the errors of rounded ones (f_number_error, focus_error)"
                     ),
                     numbers_of_scale,
                 )
@@ -184,7 +184,8 @@ class DefocusVerdict(FitReport):
                 )
             )
         else:
-            agreements.append(f"blurs differ as the lenses state ({ratio} of it)")
+            errors = " within their stated errors" if stated > scale_error else ""
+            agreements.append(f"blurs differ as the lenses state{errors} ({ratio} of it)")
         details: dict[str, object] = {"what": untested}
         text = "not tested: " + ", ".join(untested)
         if all(map(math.isfinite, changes)):
@@ -396,11 +397,14 @@ def _tiles(images: Values, valid: NDArray[np.bool_], weight: Array, engine: Foca
 
 
 class _Filters:
-    """Residual filters for apertures whose diameters are multiplied by `scale`."""
+    """Residual filters for apertures whose diameters are multiplied by `scale`.
+
+    Aberrations keep their waves at the edge: where they are stated, they are those of the aperture that is stated.
+    """
 
     def __init__(self, engine: FocalEngine, channel: int, scale: float) -> None:
         self._engine = engine
-        lenses = [lens.stopped(lens.f_number / scale) for lens in engine.task.lenses]
+        lenses = [replace(lens, aperture_diameter=scale * lens.aperture_diameter) for lens in engine.task.lenses]
         model = engine.task.model(engine.light, channel, engine.binning, lenses)
         self._white = model.white
         self._filters = residual_filters(model)[..., model.band.places()]

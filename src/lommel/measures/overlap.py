@@ -194,9 +194,12 @@ def _overlap_integral(pupil: Pupil, f: Array, shift: Array, nodes: int) -> NDArr
     x, w = gauss_legendre(nodes)
     frequency, y, low, width, weight = _lines(shift, pupil.obscuration, x, w)
     # For defocus alone the phase difference is linear in u, and integrals along u have a closed form.
-    if pupil.radial and pupil.illumination.uniform and not pupil.radial_terms()[:, 1:].any():
-        lines = _defocused_lines(pupil.radial_terms()[:, :1] * shift[frequency], low, width) * weight
+    terms = pupil.radial_terms()
+    if pupil.radial and pupil.illumination.uniform and not terms[:, 1:].any():
+        lines = _defocused_lines(terms[:, :1] * shift[frequency], low, width) * weight
         return _sum_lines(lines, frequency, len(f)) / (math.pi * pupil.transmission)
+    if pupil.radial and not pupil.obscuration and len(terms) > 1 and not np.ptp(terms[:, 1:], axis=0).any():
+        return _defocused_stack(pupil, shift, x, w)
     if not pupil.radial:
         # Without radial symmetry the lines at -y are added, and all weights are halved.
         frequency, low, width, weight = (np.tile(part, 2) for part in (frequency, low, width, 0.5 * weight))
@@ -217,6 +220,27 @@ def _overlap_integral(pupil: Pupil, f: Array, shift: Array, nodes: int) -> NDArr
             product = pupil.values(px - fx, py - fy) * pupil.values(px + fx, py + fy).conj()
         np.add.at(otf.T, index, ((product @ w) * (width[part] * weight[part])).T)
     return otf / (math.pi * pupil.transmission)
+
+
+def _defocused_stack(pupil: Pupil, shift: Array, x: Array, w: Array) -> NDArray[np.complex128]:
+    """Return the autocorrelation of unobscured radial pupils that differ in defocus alone.
+
+    At constant u the phase of the defocus is constant: the integral over y is the same for all pupils.
+    """
+    terms, f = pupil.radial_terms(), shift[:, None]
+    # Where u = (1 - f) (1 - t^2), the limit of y has no root at the end of the overlap.
+    u, width = (1.0 - f) * (1.0 - x**2), (1.0 - f) * 2.0 * x * w
+    height = np.sqrt((1.0 - u - f) * (1.0 + u + f))
+    s = (u - f)[..., None] ** 2 + (height[..., None] * x) ** 2
+    t = s + (4.0 * u * f)[..., None]
+    rest = np.concatenate([[0.0], terms[0, 1:]])
+    phase = zernike.legendre_sum(rest, 2.0 * s - 1.0) - zernike.legendre_sum(rest, 2.0 * t - 1.0)
+    light = 1.0 if pupil.illumination.uniform else pupil.illumination.at(s) * pupil.illumination.at(t)
+    even, odd = ((light * wave(phase)) @ w * height * width for wave in (np.cos, np.sin))
+    defocus = 8.0 * terms[:, :1, None] * (u * f)
+    # The overlap is symmetric in u and y; the imaginary part, odd in u, integrates to 0.
+    real = (np.cos(defocus) * even + np.sin(defocus) * odd).sum(axis=2)
+    return np.asarray(4.0 * real + 0j) / (math.pi * pupil.transmission)
 
 
 def _defocused_lines(slope: Array, low: Array, width: Array) -> Array:

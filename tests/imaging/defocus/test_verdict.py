@@ -15,16 +15,20 @@ FOCI, PIXEL, LIGHT = (1.35, 1.8), 4e-6, 5000.0
 NOISE = lm.Noise(read=3.0, offset=100.0)
 
 
-@pytest.fixture(scope="module")
-def pair():
+def taken(spherical=0.0):
     """A plane at 1.4 m beside one at 1.7 m, by a lens of f/2.8."""
-    lenses = [ThinLens(35e-3, 2.8, focus, 540e-9, PIXEL) for focus in FOCI]
-    halves = [record(plane(texture("leaves", 128, 3), lenses, at, LIGHT), seed=int(10 * at)) for at in (1.4, 1.7)]
+    made = [ThinLens(35e-3, 2.8, focus, 540e-9, PIXEL, spherical) for focus in FOCI]
+    halves = [record(plane(texture("leaves", 128, 3), made, at, LIGHT), seed=int(10 * at)) for at in (1.4, 1.7)]
     return [np.concatenate(both, axis=1) for both in zip(*halves, strict=True)]
 
 
-def lenses(f_number=2.8, foci=FOCI):
-    return [lommel_lens(ThinLens(35e-3, f_number, focus, 540e-9, PIXEL)) for focus in foci]
+@pytest.fixture(scope="module")
+def pair():
+    return taken()
+
+
+def lenses(f_number=2.8, foci=FOCI, spherical=0.0):
+    return [lommel_lens(ThinLens(35e-3, f_number, focus, 540e-9, PIXEL, spherical)) for focus in foci]
 
 
 def live(pair, stated, **more):
@@ -59,7 +63,17 @@ def test_exchanged_foci_agree_and_are_named_as_not_tested(pair):
     found = live(pair, lenses(foci=FOCI[::-1])).verdict()
     assert found.converged
     assert found.findings.get("lens_scale") is None
-    assert "which image is focused nearer (exchanged" in found.findings.get("untested").text
+    assert (
+        "which image is focused nearer (without spherical aberration exchanged" in found.findings.get("untested").text
+    )
+
+
+def test_lenses_whose_spherical_aberration_is_stated_tell_exchanged_foci():
+    images = taken(spherical=0.5)
+    found = live(images, lenses(spherical=0.5)).verdict()
+    assert found.agrees
+    assert abs(found.scale - 1.0) < 2.0 * found.scale_error < 0.1  # apertures that are larger, too, were looked at
+    assert live(images, lenses(foci=FOCI[::-1], spherical=0.5)).verdict().status == "misfit"
 
 
 def test_a_size_of_blur_that_frames_do_not_tell_is_named_with_what_it_costs(pair):

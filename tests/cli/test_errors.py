@@ -58,6 +58,8 @@ BAD = [
     ("psf {phone} --shape 0", "Error: --shape must be from 1 to 16384, got 0"),
     ("psf {phone} --shape 64by64", "'64by64' is not a size; write 65 or 64x128"),
     ("psf {phone} --pixel 3.45", "'3.45' is a length without a unit; write for example '3.45 um'"),
+    ("info {phone} --wavelength 0.55", "'0.55' is a length without a unit; write for example '0.55 um'"),
+    ("info {phone} --wavelength 550", "'550' is a length without a unit; write for example '550 nm'"),
     ("info {phone} --object-distance 3", "'3' is a length without a unit; write for example '3 m'"),
     ("blur {phone} {phone} --focal-length 50 -o a.png", "write for example '50 mm'"),
     ("info {phone} --object-distance=-1m", "--object-distance must be > 0 metres, got -1"),

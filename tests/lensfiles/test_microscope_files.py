@@ -177,6 +177,7 @@ def test_a_window_that_is_not_named_holds_the_rays_and_a_margin(load):
         ("index = 1.33", "index = true", "sample.index (line 15)", "number"),
         ('depth = "2 um"', 'depth = "-2 um"', "sample.depth (line 16)", "must be at least 0"),
         ('depth = "2 um"', 'depth = "2 m"', "sample.depth (line 16)", 'for 2 um write "2 um"'),
+        ('depth = "2 um"', 'depth = "2"', "sample.depth (line 16)", "write for example '2 um'"),
         ('"520 nm"', '"520 m"', "emission.wavelength (line 19)", 'for 520 nm write "520 nm"'),
         ('"520 nm"', '"520 nm"\nemitter = "dipole"', "emission.emitter (line 20)", "'isotropic' or 'scalar'"),
         ('"520 nm"', '"520 nm"\n[emission.dipole]\npolar = 0\nwobble = 2', "emission.dipole.wobble (line 22)", "1"),

@@ -69,7 +69,11 @@ class Parsed(click.ParamType[Value]):
 def _length(unit: str, text: str) -> float:
     """Return a length in metres; the error for a number without a unit suggests the number with `unit`."""
     number = text.strip()
-    return parse_length(text, f"{number if re.fullmatch(_NUMBER, number) else _TYPICAL[unit]} {unit}")
+    if re.fullmatch(_NUMBER, number) is None:
+        number = _TYPICAL[unit]
+    elif unit == "nm" and float(number) < _MIN_NANOMETRES:
+        unit = "um"  # steps and wavelengths are as often written in micrometres
+    return parse_length(text, f"{number} {unit}")
 
 
 def _sides(text: str) -> Pitch:
@@ -83,6 +87,7 @@ def _lengths(text: str) -> tuple[float, ...]:
 
 
 _NUMBER = r"\d+\.?\d*|\.\d+"
+_MIN_NANOMETRES = 10.0  # smallest number without a unit that is taken for nanometres
 _TYPICAL = {"m": "1.5", "mm": "50", "um": "3.45", "nm": "550"}
 """Examples of lengths in error messages, by unit."""
 

@@ -14,7 +14,6 @@ from lommel import show
 from lommel.base import validation
 from lommel.base.arrays import Array, Numbers
 from lommel.base.options import require_known, shares
-from lommel.base.units import LENGTHS
 from lommel.blur.blurs import Blur
 from lommel.core.answers import Declined, ToleranceError
 from lommel.estimation import FitOptions, RetrievalKeywords
@@ -161,8 +160,7 @@ class Retrieval(FitReport):
         ValueError
             If `unit` is unknown, or the pupil has no wavelength.
         """
-        length = validation.choice("unit", unit, zernike_tables.UNITS) in LENGTHS
-        factor = radians_per("metres" if length else unit, self.pupil.wavelength) * LENGTHS.get(unit, 1.0)
+        factor = radians_per(unit, self.pupil.wavelength)
         terms = [name for name in self.coefficients if name not in _UNITS]
         factors = {name: 2.0 / factor if name == "defocus" and unit != "radians" else 1.0 / factor for name in terms}
         errors = {name: self.errors[name] * factors[name] for name in terms}

@@ -21,12 +21,11 @@ from lommel.base.options import near
 from lommel.base.units import LENGTHS, parse_length
 from lommel.io import registry, text_files
 from lommel.io.registry import Format
-from lommel.optics.wavefront.wavefront import NORMALIZATIONS, Wavefront, same_path
+from lommel.optics.wavefront.wavefront import NORMALIZATIONS, UNITS, Wavefront, same_path
 from lommel.special import zernike
 
 Index: TypeAlias = int | tuple[int, int]
 
-UNITS = ("radians", "waves", "metres", *LENGTHS)
 UNIT_NAMES = {"wave": "waves", "rad": "radians", "radian": "radians", "meter": "m", "meters": "m"}
 UNIT_NAMES |= dict.fromkeys(("micron", "microns", "micrometer", "micrometers"), "um")
 UNIT_NAMES |= {"nanometer": "nm", "nanometers": "nm", "millimeters": "mm", "inches": "in"}
@@ -111,13 +110,10 @@ class ZernikeTable:
         """
         if validation.instance("wavefront", wavefront, Wavefront).shape != ():
             raise ValueError(f"wavefront must be a single one, got a stack of shape {wavefront.shape}")
-        kind, size = _wavefront_unit(validation.choice("unit", unit, UNITS))
         terms = wavefront.to_zernike(
-            order=order, unit=kind, normalization=normalization, wavelength=wavelength, obscuration=obscuration
+            order=order, unit=unit, normalization=normalization, wavelength=wavelength, obscuration=obscuration
         )
-        return cls(
-            {i: float(c) / size for i, c in terms.items()}, order, unit, normalization, wavelength, obscuration
-        )
+        return cls({i: float(c) for i, c in terms.items()}, order, unit, normalization, wavelength, obscuration)
 
     def wavefront(self, wavelength: float | None = None) -> Wavefront:
         """Return the wavefront at a wavelength in metres, by default the wavelength of the table.
@@ -140,22 +136,21 @@ class ZernikeTable:
             If the unit is a length and neither the table nor `wavelength` states a wavelength; or if the unit is
             waves or radians, `wavelength` is given, and the table states no wavelength.
         """
-        unit, size = _wavefront_unit(self.unit)
+        is_path = self.unit not in ("radians", "waves")
         target = self.wavelength if wavelength is None else validation.wavelength(wavelength)
-        if unit == "metres" and target is None:
+        if is_path and target is None:
             raise ValueError(f"wavelength must be given, since the unit of the table is {self.unit!r}")
-        if unit != "metres" and wavelength is not None and self.wavelength is None:
+        if not is_path and wavelength is not None and self.wavelength is None:
             raise ValueError(f"the table must state the wavelength at which its {self.unit} were measured")
-        scaled = {i: size * c for i, c in self.terms.items()}
         wavefront_of_table = Wavefront.zernike(
-            scaled,
+            self.terms,
             order=self.order,
-            unit=unit,
+            unit=self.unit,
             normalization=self.normalization,
             wavelength=target,
             obscuration=self.obscuration,
         )
-        if unit == "metres" or target is None or self.wavelength is None or target == self.wavelength:
+        if is_path or target is None or self.wavelength is None or target == self.wavelength:
             return wavefront_of_table
         return same_path(wavefront_of_table, self.wavelength, target)
 
@@ -222,11 +217,6 @@ def save_wavefront(wavefront: Wavefront, path: str | PathLike[str], **options: A
     """
     find(path)  # raises an error for an unknown suffix before any computation
     save_zernike(path, ZernikeTable.from_wavefront(wavefront, **options))
-
-
-def _wavefront_unit(unit: str) -> tuple[str, float]:
-    """Return the unit to pass to :meth:`lommel.Wavefront.zernike`, and the value of one `unit` in that unit."""
-    return ("metres", LENGTHS.get(unit, 1.0)) if unit not in ("radians", "waves") else (unit, 1.0)
 
 
 SETTINGS = ("order", "unit", "normalization", "wavelength", "obscuration")

@@ -11,11 +11,11 @@ from os import PathLike
 from typing import Annotated, Literal, TypeAlias
 
 import numpy as np
-from pydantic import AfterValidator, BeforeValidator, Field
+from pydantic import AfterValidator, Field
 
 from lommel.base import atomic, validation
 from lommel.base.arrays import Array
-from lommel.base.units import format_length, parse_length
+from lommel.base.units import format_length
 from lommel.estimation.beads import BeadFit
 from lommel.io.zernike_tables import ZernikeTable
 from lommel.lensfiles import camera_files, toml_files
@@ -284,7 +284,7 @@ class _Design(Section):
 
 class _Sample(Section):
     index: Index
-    depth: Annotated[float, BeforeValidator(parse_length), AfterValidator(partial(length, "depth", most=DEPTH_MOST))]
+    depth: Annotated[SignedLength, AfterValidator(partial(length, "depth", most=DEPTH_MOST))]
 
 
 class _Dipole(Section):

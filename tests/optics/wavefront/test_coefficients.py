@@ -103,9 +103,11 @@ def test_piston_is_left_out():
 
 
 def test_metres_are_waves_at_the_wavelength():
-    one = Wavefront.zernike({(3, 1): 50e-9}, unit="metres", wavelength=500e-9)
     two = Wavefront.zernike({(3, 1): 0.1}, unit="waves")
-    assert float(one.nonradial[3, 1]) == pytest.approx(float(two.nonradial[3, 1]), rel=1e-14)
+    for unit, value in (("metres", 50e-9), ("nm", 50.0), ("um", 0.05)):
+        one = Wavefront.zernike({(3, 1): value}, unit=unit, wavelength=500e-9)
+        assert float(one.nonradial[3, 1]) == pytest.approx(float(two.nonradial[3, 1]), rel=1e-14)
+        assert one.to_zernike(unit=unit, wavelength=500e-9)[3, 1] == pytest.approx(value, rel=1e-14)
 
 
 @pytest.mark.parametrize(
@@ -139,8 +141,9 @@ def test_bad_zernike_terms_are_named(options, message):
 @pytest.mark.parametrize(
     ("options", "message"),
     [
-        ({"unit": "nm"}, "unit must be one of 'radians', 'waves', 'metres', got 'nm'"),
+        ({"unit": "kg"}, "unit must be one of 'radians', 'waves', 'metres', 'm'"),
         ({"unit": "metres"}, 'unit="metres" needs the wavelength'),
+        ({"unit": "nm"}, 'unit="nm" needs the wavelength'),
         ({"unit": "metres", "wavelength": 550}, "for 550 nm give 550e-9"),
         ({"unit": "metres", "wavelength": math.nan}, "wavelength must be finite"),
         ({"normalization": "peak"}, "normalization must be one of 'rms', 'edge', got 'peak'"),

@@ -175,8 +175,8 @@ def fit_radial(
         which is sampled at 400 Gauss-Legendre nodes in rho^2, with weights proportional to pupil area.
     degree : int, default 20
         Highest power of rho, even, 2 to 20.
-    unit : {"radians", "waves", "metres"}, default "radians"
-        Unit of `phase`; metres of optical path need `wavelength`.
+    unit : str, default "radians"
+        Unit of `phase`: "radians", "waves", "metres" or another length of optical path, which needs `wavelength`.
     wavelength : float, optional
         Wavelength, metres.
     tol : float, optional
@@ -238,9 +238,9 @@ def fit_opd(
     opd : array_like, shape (..., height, width), or OPDMap
         Measured map; x increases with the columns and y with the rows. NaN marks missing pixels, unless a `mask` or a
         masked array is given. :func:`lommel.load_opd` reads an OPDMap from a file.
-    unit : {"radians", "waves", "metres"}
-        Unit of `opd`; metres need `wavelength`. Omit it for an OPDMap, which is in metres. A longer optical path must
-        be positive, as in the phase: otherwise pass ``-opd``.
+    unit : str
+        Unit of `opd`: "radians", "waves", "metres" or another length, which needs `wavelength`. Omit it for an
+        OPDMap, which is in metres. A longer optical path must be positive, as in the phase: otherwise pass ``-opd``.
     wavelength : float, optional
         Wavelength, metres. Default: the wavelength of the OPDMap, if it has one.
     mask : array_like of bool, shape (height, width) or the shape of `opd`, optional

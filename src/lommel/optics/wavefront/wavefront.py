@@ -34,6 +34,7 @@ from numpy.typing import ArrayLike, NDArray
 from lommel.base import display, validation
 from lommel.base.arrays import Array, Index, Json
 from lommel.base.cached import EqualByContent, cached_property, made
+from lommel.base.units import LENGTHS
 from lommel.special import zernike
 
 if TYPE_CHECKING:
@@ -42,7 +43,7 @@ if TYPE_CHECKING:
 _MAX_RHO = 1e3  # largest rho for which the phase is evaluated; powers of rho overflow beyond
 MAX_HIGHER = 8
 """Largest number of coefficients of powers above rho^4."""
-UNITS = ("radians", "waves", "metres")
+UNITS = ("radians", "waves", "metres", *LENGTHS)
 NORMALIZATIONS = ("rms", "edge")
 Term = tuple[int, int]
 """n and m of a Zernike polynomial; m > 0 is the cosine of m theta, m < 0 the sine."""
@@ -61,15 +62,15 @@ def _coefficients(name: str, value: ArrayLike) -> Array:
 
 
 def radians_per(unit: str, wavelength: float | None) -> float:
-    """Return the factor that converts a phase in `unit` (radians, waves, metres of optical path) to radians."""
+    """Return the factor that converts a phase in `unit` (radians, waves, a length of optical path) to radians."""
     validation.choice("unit", unit, UNITS)
     if wavelength is not None:
         wavelength = validation.wavelength(wavelength)
-    if unit != "metres":
+    if unit in ("radians", "waves"):
         return 1.0 if unit == "radians" else 2.0 * math.pi
     if wavelength is None:
-        raise ValueError('unit="metres" needs the wavelength, in metres')
-    return 2.0 * math.pi / wavelength
+        raise ValueError(f'unit="{unit}" needs the wavelength, in metres')
+    return 2.0 * math.pi * LENGTHS.get(unit, 1.0) / wavelength
 
 
 _Key = TypeVar("_Key")
@@ -289,8 +290,9 @@ class Wavefront(EqualByContent, display.Shown):
         order : {"nm", "noll", "ansi", "fringe"}, default "nm"
             Noll counts from 1, ANSI (OSA) from 0, Fringe (University of Arizona) from 1 to 37. m > 0 is the cosine
             of m theta, m < 0 the sine.
-        unit : {"radians", "waves", "metres"}, default "radians"
-            Unit of the coefficients; metres of optical path need `wavelength`.
+        unit : str, default "radians"
+            Unit of the coefficients: "radians", "waves", "metres" or another length such as "nm". Lengths of optical
+            path need `wavelength`.
         normalization : {"rms", "edge"}, default "rms"
             "rms": a coefficient is the root mean square of its term over the pupil (Noll, ANSI). "edge": a
             coefficient is the largest value of its term at the edge of the pupil (usual with Fringe).

@@ -53,7 +53,18 @@ def test_a_fitted_microscope_is_written_and_read(folder):
     terms = made.aberrations.to_zernike(order="noll", unit="radians")
     assert terms[8] == pytest.approx(facts["coefficients"]["3,1"], rel=1e-9)
     assert made.errors["noll 8"] == pytest.approx(facts["errors"]["3,1"] / (2.0 * np.pi), rel=1e-9)
-    assert CliRunner().invoke(main, ["info", "fitted.toml"]).exit_code == 0
+    told = CliRunner().invoke(main, ["info", "fitted.toml", "--json"])
+    assert told.exit_code == 0
+    # The widths of the true PSF, from samples in steps of 13 nm across and of 20 nm along z.
+    z = np.linspace(-1e-6, 1e-6, 101)
+    wave = lm.Wavefront.zernike({5: 0.4, 8: -0.3}, order="noll")
+    truth = lm.psf(OIL.pupil(depth=50e-9, z=z, wavelength=600e-9, aberrations=wave), 65, 0.8e-6, integrate=False)
+    plane = truth[int(truth.values.max(axis=(1, 2)).argmax())]
+    assert facts["focus"]["axial_fwhm"] == pytest.approx(truth.axial_fwhm(), rel=0.05)
+    assert facts["focus"]["lateral_fwhm"] == pytest.approx(plane.fwhm() / OIL.magnification, rel=0.03)
+    printed = run("bead.tif", *ASKED)
+    lateral, axial = (f"{1e9 * facts['focus'][name]:.0f} nm" for name in ("lateral_fwhm", "axial_fwhm"))
+    assert f"without bead and pixel: {lateral} lateral, {axial} axial." in " ".join(printed.output.split())
 
 
 def test_terms_of_the_amplitude_are_part_of_the_file_and_of_what_other_commands_compute(folder):

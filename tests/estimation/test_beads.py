@@ -505,10 +505,6 @@ def test_a_term_that_is_missing_is_named_as_one():
 
 def test_what_the_camera_and_the_stage_do_is_named():
     given = waves(9, 0.1)
-    images, _ = recorded(9, given, light=3e4)
-    tilted = images + np.linspace(-10.0, 10.0, images.shape[2])
-    found = lm.fit_beads(tilted, OIL, **GIVEN, terms=TERMS, priors={})
-    assert "background gradient" in found.findings.get("other_explanation").numbers
     electrons = NOISE.electrons(recorded(9, given, light=1e5)[0])
     bent = NOISE.image(electrons - 0.1 * electrons**2 / 1e4)
     found = lm.fit_beads(bent, OIL, **GIVEN, terms=TERMS, priors={})
@@ -519,6 +515,26 @@ def test_what_the_camera_and_the_stage_do_is_named():
     found = lm.fit_beads(np.stack(moving), OIL, **GIVEN, terms=TERMS, priors={})
     assert "drift" in found.findings.get("other_explanation").numbers
     assert lm.fit_beads(np.stack(moving), OIL, **GIVEN, terms=TERMS, priors={}, drift=True).reliable
+
+
+def test_a_background_that_slopes_is_estimated():
+    true, planes = waves(9, 0.1), np.linspace(-10.0, 10.0, 15)
+    first, second = recorded(9, true, light=3e4)[0], recorded(12, true, light=2e4)[0]
+    found = lm.fit_beads([first + planes, second - 0.5 * planes[:, None]], OIL, **GIVEN, terms=TERMS, priors={})
+    assert found.reliable, found.message
+    assert "backgrounds slope" in found.findings.get("tilted_background").text
+    # The planes are added to the recorded images: estimates are those of level images.
+    level = lm.fit_beads([first, second], OIL, **GIVEN, terms=TERMS, priors={})
+    assert level.findings.get("tilted_background") is None
+    assert [bead.gradient for bead in level.beads] == [(0.0, 0.0)] * 2
+    for term, value in level.coefficients.items():
+        assert abs(found.coefficients[term] - value) < 0.7 * level.errors[term]
+    for bead, other, gradient in zip(found.beads, level.beads, ((0.0, 20.0), (-10.0, 0.0)), strict=True):
+        errors = bead.errors["gradient_row"], bead.errors["gradient_column"]
+        assert np.all(np.abs(np.subtract(bead.gradient, gradient)) < 4.0 * np.array(errors))
+        np.testing.assert_allclose(bead.background, other.background, atol=4.0 * bead.errors["background"])
+        assert abs(bead.chi2 - 1.0) < 0.15
+        assert np.abs(np.median(bead.images - bead.model, axis=(0, 1))).max() < 2.0
 
 
 def test_a_bead_beside_is_named():

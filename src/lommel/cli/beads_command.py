@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import math
+from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -21,6 +22,7 @@ from lommel.estimation.beads import fit_beads
 from lommel.estimation.star_images import label
 from lommel.recorded.frames import combined_metadata, read_each
 from lommel.report import Facts, Parts, Report, Wrapped, paragraphs, table_of
+from lommel.report.image_quality import focus_at
 
 if TYPE_CHECKING:
     from lommel.base.arrays import Values
@@ -137,15 +139,18 @@ def beads(
             integrate=microscope.integrate is not False,
             progress=lambda share, chi2: status(f"chi2 {chi2:.3g}", share),
         )
+    source = f"{microscope.source} Fitted to beads: {result.message}.".lstrip()
+    fitted_microscope = dataclasses.replace(microscope, name=f"{microscope.name}, fitted to beads", source=source)
+    fitted_microscope = fitted_microscope.fitted(result)
     if output is not None:
-        source = f"{microscope.source} Fitted to beads: {result.message}.".lstrip()
-        fitted_microscope = dataclasses.replace(microscope, name=f"{microscope.name}, fitted to beads", source=source)
-        fitted_microscope.fitted(result).save(output)
+        fitted_microscope.save(output)
     if figure is not None:
         save_figure(result.plot(), figure)
     if len(windows) > _MAX_BEADS:
         notes.append(f"The first {_MAX_BEADS} of {len(windows)} beads were taken.")
-    facts = result.to_dict() | {"wavelength": microscope.wavelength, "noise": recorded, "notes": notes}
+    facts = result.to_dict() | {"wavelength": microscope.wavelength, "noise": recorded, "notes": notes, "focus": None}
+    with suppress(ValueError):  # strong aberrations have no single focus
+        facts["focus"] = focus_at(fitted_microscope, result.beads[0].depth) if result.converged else None
     facts["places"] = [
         fit | {"row": fit["row"] + bead.corner[0], "column": fit["column"] + bead.corner[1]}
         for fit, bead in zip(facts["beads"], windows, strict=False)
@@ -196,8 +201,16 @@ def _parts(result: BeadFit, facts: Facts) -> Parts:
         [table_of(("term", "milliwaves rms", "std. error"), terms)],
         [table_of(("constant", "value", "std. error"), constants)] if constants else [],
         [table_of(("bead", "row", "column", "z (nm)", "depth (nm)", "electrons", "chi2"), beads)],
-        map(Wrapped, facts["notes"]),
+        map(Wrapped, [*_widths(facts["focus"]), *facts["notes"]]),
     )
+
+
+def _widths(focus: Facts | None) -> list[str]:
+    """Return the line with the widths of the fitted PSF; an empty list without a focus."""
+    if focus is None:
+        return []
+    lateral, axial = (f"{1e9 * focus[name]:.0f} nm" for name in ("lateral_fwhm", "axial_fwhm"))
+    return [f"FWHM of the fitted PSF at the first bead, without bead and pixel: {lateral} lateral, {axial} axial."]
 
 
 def _with_error(factor: float, value: float, error: float) -> str:

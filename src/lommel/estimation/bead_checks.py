@@ -27,6 +27,7 @@ from lommel.fit.score_tests import (
     Candidate,
     Marginal,
     ScoreTest,
+    causes_of_misfit,
     favoured,
     log_bayes_factor,
     marginalized,
@@ -41,10 +42,13 @@ from lommel.psf import psf
 
 _REVERSED_GAIN = 12.0  # smallest increase of the log-posterior at which planes are reported as reversed
 _REVERSED_CHI2 = 0.25  # largest ratio of chi2 - 1 of a reversed stack that fits badly to chi2 - 1 of the original
+_GRADIENT = "background gradient"
+_SURE_GRADIENT = 5.0  # smallest significance of gradients (standard deviations) at which they are estimated
 _MIN_BEADS = 3  # smallest number of beads at which a bead is held out of the fit
 _STEPS = 20  # maximum number of steps of a search that starts at a fit
 _TERM = 0.1  # expected size of a missing term, radians rms
 _AMPLITUDE = "apodization_2"  # the only amplitude term that is tested if it is not estimated
+_MISFIT_BEADS = 2  # largest number of beads in further searches after a misfit
 _MAX_REFITS = 4  # maximum number of candidates that are estimated in a new fit
 _MIN_BAYES_RATIO = 0.4  # smallest ln(Bayes factor) of a refitted candidate, divided by the largest ln(Bayes factor)
 _WIDER_FACTOR = 3.0  # expected error of a constant whose prior is too narrow, in standard deviations of the prior
@@ -88,47 +92,52 @@ def _fixed_constants(model: BeadModel, setup: Setup) -> list[str]:
 
 
 def _prior_candidates(model: BeadModel, fit: Evaluation, names: Sequence[object]) -> list[Candidate]:
-    """Return a candidate for each prior that may be too narrow; `names` are the names of all parameter columns."""
+    """Return a candidate for each prior that may be too narrow; `names` are the names of the common columns."""
     setup, candidates = fit.state.setup, []
     for name, (value, sigma) in model.priors.items():
         if math.isfinite(sigma):
             deviation = setup.value(name) - value
             candidates.append(Candidate(name, (names.index(name),), _WIDER_FACTOR * sigma, sigma, deviation))
     if "depth" in model.bead_parameters:
-        index = model.bead_parameters.index("depth")
-        columns = tuple(model.columns(j, len(names))[index] for j in range(len(model.stacks)))
+        columns = _bead_columns(model, ("depth",), len(names))
         deviations = [place.depth - prior.value for place, prior in zip(fit.state.places, model.depths, strict=True)]
         sigma = model.depths[0].error
         candidates.append(Candidate("depth", columns, _WIDER_FACTOR * sigma, sigma, np.array(deviations)))
     return candidates
 
 
+def _bead_columns(model: BeadModel, parameters: Sequence[str], common_count: int) -> tuple[int, ...]:
+    """Return the columns of some parameters of all beads."""
+    indices = [model.bead_parameters.index(name) for name in parameters]
+    return tuple(model.columns(j, common_count)[index] for j in range(len(model.stacks)) for index in indices)
+
+
 def missing_tests(model: BeadModel, fit: Evaluation) -> tuple[tuple[ScoreTest, ...], Marginal | None, list[Finding]]:
     """Return tests of neglected effects, a marginalized correction, and findings on untested constants.
 
-    1. Score tests of further terms, other constants, drift, a background gradient, a nonlinear gain and neighbouring
+    1. Score tests of further terms, other constants, drift, background gradients, a nonlinear gain and neighbouring
     beads, the most likely first. 2. Shift and covariance of the common parameters after marginalizing favoured
     effects; None without favoured effects. 3. Findings on fixed constants that the stacks do not test.
     """
     setup, images = fit.state.setup, model.images
     added_terms = next_terms(images.estimated_terms, ((2, 0), *images.fixed_terms))
-    wider_model = replace(model, images=images.with_terms(added_terms))
+    wider_model = replace(model, images=images.with_terms(added_terms), gradients=True)
     waves = np.concatenate([fit.state.waves, np.zeros(len(added_terms))])
     constants = _fixed_constants(model, setup)
     drift = () if model.drifts else DRIFT
-    added_names = [*constants, *drift, *GRADIENT, NONLINEAR]  # columns after the common parameters
+    added_names = [*constants, *drift, NONLINEAR]  # columns after the common parameters
     _, information, gradient = wider_model.normal_equations(replace(fit.state, waves=waves), fit.values, added_names)
     names = [*wider_model.names, *added_names]
-    unknowns = [*map(names.index, model.names), *range(len(names), len(gradient))]
+    gradients = () if model.gradients else _bead_columns(wider_model, GRADIENT, len(names))
+    unknowns = [*map(names.index, model.names), *(k for k in range(len(names), len(gradient)) if k not in gradients)]
     candidates = [Candidate(label(term), (names.index(term),), _TERM) for term in added_terms]
-    candidates += _prior_candidates(model, fit, names)
+    candidates += _prior_candidates(wider_model, fit, names)
     constant_candidates = [Candidate(n, (names.index(n),), setup.scale(n) * CONSTANTS[n].size) for n in constants]
     candidates += constant_candidates
     # Expected sizes: drift, pixels over half the stack; gradient, electrons over the window; fraction lost at 10^4.
-    groups = {"drift": (drift, 0.3), "background gradient": (GRADIENT, 5.0), "non-linear gain": ((NONLINEAR,), 0.05)}
-    for name, (group, size) in groups.items():
-        if group:
-            candidates.append(Candidate(name, tuple(map(names.index, group)), size))
+    groups = {"drift": (tuple(map(names.index, drift)), 0.3), _GRADIENT: (gradients, 5.0)}
+    groups["non-linear gain"] = (names.index(NONLINEAR),), 0.05
+    candidates += [Candidate(name, columns, size) for name, (columns, size) in groups.items() if columns]
     tests = (*score_tests(information, gradient, unknowns, candidates), *_neighbor_tests(model, fit))
     favoured_candidates = [candidate for candidate in candidates if candidate.name in favoured(tests)]
     for candidate in favoured_candidates:
@@ -147,6 +156,20 @@ def missing_tests(model: BeadModel, fit: Evaluation) -> tuple[tuple[ScoreTest, .
     return tuple(sorted(tests, key=lambda test: -test.log_bayes)), marginal, notes
 
 
+def gradient_findings(fit: Evaluation, tests: Sequence[ScoreTest]) -> list[Finding]:
+    """Return the finding on significant gradients of the backgrounds; none if they do not explain a misfit."""
+    test = next((test for test in tests if test.name == _GRADIENT), None)
+    if test is None or test.sigmas < _SURE_GRADIENT:
+        return []
+    if not fit.fits(goodness_of_fit.BY_CHANCE) and causes_of_misfit("another", *fit.quality, [test]):
+        return []
+    text = (
+        f"backgrounds slope ({test.sigmas:.2g} sigma), by up to {np.abs(test.size).max():.2g} electrons from edge to "
+        "edge of a window: the gradient of each is estimated"
+    )
+    return [Finding("tilted_background", "note", text, {"sigmas": test.sigmas, "sizes": test.size})]
+
+
 def _size(name: str, value: float) -> str:
     """Return the difference `value` of a constant with its unit, such as "0.05 um"."""
     factor, unit = UNITS[CONSTANTS[name].unit]
@@ -155,12 +178,12 @@ def _size(name: str, value: float) -> str:
 
 def _neighbor_tests(model: BeadModel, fit: Evaluation) -> list[ScoreTest]:
     """Return a test for a second bead near each bead, at the same focus and at the most likely position."""
-    setup, tests = fit.state.setup, []
+    setup, tests, stacks = fit.state.setup, [], model.level_stacks(fit.state)
     # Rayleigh's distance, 0.61 lambda / NA, in pixels of the camera.
     min_distance = (
         _MIN_DISTANCE * 0.61 * setup.wavelength * setup.objective.magnification / (setup.objective.NA * setup.pixel)
     )
-    for k, (stack, values, flux_background) in enumerate(zip(model.stacks, fit.values, fit.state.light, strict=True)):
+    for k, (stack, values, flux_background) in enumerate(zip(stacks, fit.values, fit.state.light, strict=True)):
         bead, mean = flux_background[0][:, None, None] * values, expected(flux_background, values)
         counted, read, valid = stack.planes
         # The variance is the mean of the Poisson counts plus read noise; the lower limit is for a negative `mean`.
@@ -196,6 +219,7 @@ def missing_findings(
     """Return the finding on significant effects, and the log-posterior of a fit that estimates the best effect.
 
     Score tests are linear approximations: each of the most likely effects is estimated by a new fit, which ranks it.
+    The log-posterior is None if there is no such fit, or if it is of fewer beads.
     """
     likely_tests = seen(tests)
     if not likely_tests:
@@ -205,16 +229,31 @@ def missing_findings(
         return [other_explanation(contradictions, descriptions)] if contradictions else [], None
     limit = min(_MIN_BAYES_RATIO * tests[0].log_bayes, likely_tests[-1].log_bayes)
     likely_tests = tuple(test for test in tests[:_MAX_REFITS] if test.log_bayes >= limit)
-    fits = [_refit_with_free(model, fit, test.name, stated) for test in likely_tests]
+    few_model, few_fit = brightest_beads(model, fit)
+    fits = [_refit_with_free(few_model, few_fit, test.name, stated) for test in likely_tests]
     gains = [
-        test.log_bayes if refit is None else refit.log_posterior - fit.log_posterior
+        test.log_bayes if refit is None else refit.log_posterior - few_fit.log_posterior
         for test, refit in zip(likely_tests, fits, strict=True)
     ]
     order = [k for k in np.argsort(-np.array(gains), kind="stable") if gains[k] >= max(gains) - RIVAL]
     descriptions = [_in_words(likely_tests[k], model, stated, fits[k]) for k in order]
     best_fit = fits[order[0]]
     finding = other_explanation([likely_tests[k] for k in order], descriptions)
-    return [finding], None if best_fit is None else best_fit.log_posterior
+    return [finding], None if best_fit is None or few_fit is not fit else best_fit.log_posterior
+
+
+def brightest_beads(model: BeadModel, fit: Evaluation) -> tuple[BeadModel, Evaluation]:
+    """Return model and fit of the brightest beads alone for a misfit, where more beads only take time."""
+    if len(model.stacks) <= _MISFIT_BEADS or fit.fits(goodness_of_fit.BY_CHANCE):
+        return model, fit
+    beads = model.brightest_first()[:_MISFIT_BEADS]
+    few_model = model.with_beads(beads)
+    return few_model, few_model.evaluate(_restricted(fit.state, beads))
+
+
+def _restricted(state: State, beads: Sequence[int]) -> State:
+    """Return the state of the beads with these indices."""
+    return replace(state, places=tuple(state.places[k] for k in beads), light=tuple(state.light[k] for k in beads))
 
 
 def _in_words(test: ScoreTest, model: BeadModel, stated: Setup, refit: Evaluation | None) -> str:
@@ -228,6 +267,8 @@ def _in_words(test: ScoreTest, model: BeadModel, stated: Setup, refit: Evaluatio
         text = ", ".join(" +- ".join(pair) for pair in texts)
         return f"{name} of each bead = {text}{unit} {sigmas}"
     if name not in CONSTANTS:
+        if name == _GRADIENT:
+            return f"{name}s {sigmas}"
         if refit is not None and len(refit.state.waves) > len(model.images.estimated_terms):
             size = float(refit.state.waves[-1])
         unit = {"non-linear gain": "", "drift": " pixels"}.get(name, " rad" if name.startswith("noll") else "")
@@ -297,9 +338,12 @@ def held_out(model: BeadModel, fit: Evaluation) -> tuple[float, list[Finding]]:
     count, state = len(model.stacks), fit.state
     if count < _MIN_BEADS:
         return math.nan, []
-    others_model, held_out_model = model.with_beads(range(count - 1)), model.with_beads([count - 1])
+    others: Sequence[int] = range(count - 1)
+    if not fit.fits(goodness_of_fit.BY_CHANCE):  # a misfit: few beads suffice
+        others = [k for k in model.brightest_first() if k < count - 1][:_MISFIT_BEADS]
+    others_model, held_out_model = model.with_beads(others), model.with_beads([count - 1])
     try:
-        start = replace(state, places=state.places[:-1], light=state.light[:-1])
+        start = _restricted(state, others)
         others_state = climb(others_model, start, _STEPS).state
         fixed_model = replace(held_out_model, images=model.images.without_terms(others_state.waves), priors={})
         start = State(others_state.setup, np.zeros(0), state.places[-1:], state.light[-1:])

@@ -163,7 +163,8 @@ class Place(NamedTuple):
     """Position of a bead: row and column in pixels from the middle of the window, focus and depth in metres.
 
     `focus` is the distance of the stage at z = 0 from the paraxial focus on the cover glass. The drift is the
-    displacement in pixels from the middle to the end of the stack.
+    displacement in pixels from the middle to the end of the stack. The gradient of the background is in electrons
+    from edge to edge of the window.
     """
 
     row: float
@@ -172,6 +173,8 @@ class Place(NamedTuple):
     depth: float
     drift_row: float = 0.0
     drift_column: float = 0.0
+    gradient_row: float = 0.0
+    gradient_column: float = 0.0
 
     @property
     def drift(self) -> tuple[float, float]:
@@ -197,6 +200,21 @@ class Stack:
         """Electrons, variances of the read noise, and masks of valid pixels; three arrays (planes, height, width)."""
         counted, _, read, valid = self.pixel_data.reshape(4, -1, *self.shape)
         return counted, read, valid > 0.0
+
+    def without_gradient(self, place: Place) -> tuple[Stack, float]:
+        """Return the stack without the gradient of the background, and the mean that is subtracted with it."""
+        gradients = place.gradient_row, place.gradient_column
+        if not any(gradients):
+            return self, 0.0
+        # Electrons plus the read variance have a Poisson distribution. A known part of the background, if not
+        # negative, may therefore be subtracted from the electrons and added to the variances.
+        mean = 0.5 * (abs(gradients[0]) + abs(gradients[1]))
+        rows, columns = (np.linspace(-0.5, 0.5, side) for side in self.shape)
+        part = (mean + gradients[0] * rows[:, None] + gradients[1] * columns).ravel()
+        data = self.pixel_data.copy()
+        data[0] -= part
+        data[1:3] += part
+        return replace(self, pixel_data=data), mean
 
     @staticmethod
     def of(counts: Counts, noise: Noise, z: Array) -> Stack:

@@ -19,18 +19,21 @@ from lommel.core.answers import Declined
 from lommel.core.engine import star_likelihood
 from lommel.estimation import bead_images
 from lommel.estimation.bead_images import AMPLITUDES, CONSTANTS, GRADIENT, BeadImages, Part, Place, Setup, Stack
-from lommel.fit.goodness_of_fit import SURE, largest_plausible_chi2
+from lommel.fit.goodness_of_fit import BY_CHANCE, SURE, largest_plausible_chi2
 from lommel.fit.scoring import Policy, Report, Rows, Scores, damped_steps, fisher_scoring, reduced_chi2
 
 POSITION = ("row", "column", "focus")
 DRIFT = ("drift_row", "drift_column")
 _MAX_WAVE_STEP = 1.0  # radians rms: largest change of the wavefront in a step
 _SAME_MAXIMUM = 1.0  # difference of log-posterior below which two starts are assumed to end at the same maximum
+_PILOTS = 2  # number of beads, the brightest, with which the search for a misfit begins
+_MISFIT_STEPS = 10  # largest number of steps with all beads, if the brightest are a misfit for all constants
 _MAX_CHI2_RATIO = 1.5  # beads whose chi2 exceeds this times the median of all beads are left out
 ORIGINS = (0.0, -0.35e-6, 0.35e-6, -0.7e-6, 0.7e-6)
 """Shift of the initial focus, metres of the stage, for each start."""
 # Largest changes in a step: focus and depth in metres, the others in pixels.
 _MAX_STEPS = {"focus": 0.3e-6, "row": 1.0, "column": 1.0, "drift_row": 1.0, "drift_column": 1.0, "depth": 0.3e-6}
+_MAX_STEPS |= dict.fromkeys(GRADIENT, math.inf)
 
 
 def min_depth(setup: Setup) -> float:
@@ -93,6 +96,11 @@ class Evaluation:
         """Chi2 and the standard deviation of chi2."""
         return float(self.scores.chi2[0]), float(self.scores.spread[0])
 
+    def fits(self, probability: float) -> bool:
+        """Whether noise alone exceeds chi2 with at least this probability."""
+        chi2, deviation = self.quality
+        return bool(chi2 < largest_plausible_chi2(deviation, probability))
+
 
 @dataclass(eq=False)
 class BeadModel:
@@ -107,6 +115,7 @@ class BeadModel:
     priors: dict[str, Prior]
     depths: tuple[Prior, ...]
     drifts: bool  # estimate lateral drift
+    gradients: bool = False  # estimate the gradient of each background
     bead_parameters: tuple[str, ...] = field(init=False)
     names: tuple[object, ...] = field(init=False)
     size: int = field(init=False)  # number of parameters
@@ -115,7 +124,8 @@ class BeadModel:
 
     def __post_init__(self) -> None:
         depth = ("depth",) if self.depths[0].error > 0.0 else ()
-        self.bead_parameters = (*POSITION, *depth, *(DRIFT if self.drifts else ()))
+        gradient = GRADIENT if self.gradients else ()
+        self.bead_parameters = (*POSITION, *depth, *(DRIFT if self.drifts else ()), *gradient)
         self.names = (*self.images.estimated_terms, *self.priors)
         self.size = len(self.names) + len(self.bead_parameters) * len(self.stacks)
         # Flux and background of each plane are two more parameters, which `size` does not include.
@@ -130,6 +140,16 @@ class BeadModel:
     def with_beads(self, beads: Sequence[int]) -> BeadModel:
         """Return the model of the beads with these indices."""
         return replace(self, stacks=tuple(self.stacks[k] for k in beads), depths=tuple(self.depths[k] for k in beads))
+
+    def level_stacks(self, state: State) -> list[Stack]:
+        """Return the stacks without the gradients of their backgrounds."""
+        return [stack.without_gradient(place)[0] for stack, place in zip(self.stacks, state.places, strict=True)]
+
+    def brightest_first(self) -> list[int]:
+        """Return the indices of the beads in the order of decreasing light."""
+        planes = [stack.planes[0] for stack in self.stacks]
+        light = [float((images - np.median(images, axis=(1, 2), keepdims=True)).sum()) for images in planes]
+        return sorted(range(len(light)), key=lambda k: -light[k])
 
     def columns(self, bead: int, common_count: int) -> range:
         """Return the columns of the parameters of a bead, which follow the common parameters."""
@@ -154,7 +174,7 @@ class BeadModel:
         """
         light, values = [], []
         total = sum(prior.score(value)[0] for _, prior, value in self._prior_terms(state, self.names))
-        for k, (stack, place) in enumerate(zip(self.stacks, state.places, strict=True)):
+        for k, (stack, place) in enumerate(zip(self.level_stacks(state), state.places, strict=True)):
             psf = self.images.values(state.setup, state.waves, place, stack)
             values.append(psf)
             light.append(bead_images.flux_background(psf, stack.pixel_data, state.light[k] if state.light else None))
@@ -177,10 +197,9 @@ class BeadModel:
         names, parts = (*self.names, *added), list[Part]()
         k, size = len(names), self.size + len(added)
         information, gradient = np.zeros((size, size)), np.zeros(size)
-        for j, psf in enumerate(values):
+        for j, (psf, stack) in enumerate(zip(values, self.level_stacks(state), strict=True)):
             derivatives, chain = self._derivatives(state, j, names, psf)
-            stack, light = self.stacks[j], state.light[j]
-            parts.append(bead_images.part_of(psf, derivatives, chain, stack, light, self.images.threads))
+            parts.append(bead_images.part_of(psf, derivatives, chain, stack, state.light[j], self.images.threads))
             columns = [*range(k), *self.columns(j, k)]
             information[np.ix_(columns, columns)] += parts[-1].information.sum(axis=0)
             gradient[columns] += parts[-1].gradient.sum(axis=0)
@@ -205,7 +224,7 @@ class BeadModel:
         # Drift shifts rows and columns in proportion to time; the step shifts the focus in proportion to z.
         chain_rule |= {DRIFT[0]: (k + 1, stack.times), DRIFT[1]: (k + 2, stack.times), "step": (k, stack.z)}
         for name in (*GRADIENT, bead_images.NONLINEAR):
-            if name in names:
+            if name in (*names, *self.bead_parameters):
                 # This derivative is in electrons: it is divided by the flux, because `part_of` multiplies by it.
                 chain_rule[name] = len(derivatives), 1.0 / light[0]
                 derivative = _camera_derivative(name, bead_images.expected(light, psf))
@@ -291,7 +310,7 @@ def _with_fixed_step(scores: Scores, index: int, step: float) -> Scores:
     return scores._replace(slope=gradient, information=information)
 
 
-_POLICY = Policy(max_damping=1e7, patience=math.inf)
+_POLICY = Policy(max_damping=1e7)
 
 
 def _camera_derivative(name: str, mean: Array) -> Array:
@@ -312,7 +331,9 @@ def climb(model: BeadModel, start: State, max_steps: int, report: Report = lambd
     first_evaluation = model.evaluate(start)
     ascent = fisher_scoring(model, first_evaluation, first_evaluation.scores, max_steps, report, _POLICY)
     last_evaluation: Evaluation = ascent.x
-    return replace(last_evaluation, settled=bool(ascent.settled[0]), steps=ascent.steps)
+    # A misfit whose steps gain no more is at its maximum.
+    is_stalled = ascent.steps < max_steps and not last_evaluation.fits(BY_CHANCE)
+    return replace(last_evaluation, settled=bool(ascent.settled[0]) or is_stalled, steps=ascent.steps)
 
 
 @dataclass(eq=False)
@@ -331,7 +352,11 @@ class Search:
     def fit_all(self) -> tuple[Evaluation, list[bool]]:
         """Fit all beads jointly, except beads with a bad individual fit; return the fit, and whether each is used."""
         model, count = self.model, len(self.model.stacks)
-        single_fits = [self.fit_one(model.single_bead(k), 0.6 / count) for k in range(count)]
+        brightest_first = model.brightest_first()
+        fits: dict[int, Evaluation] = {}
+        for k in brightest_first:
+            fits[k] = self.fit_one(model.single_bead(k), 0.6 / count, [*fits.values()])
+        single_fits = [fits[k] for k in range(count)]
         median = float(np.median([fit.quality[0] for fit in single_fits]))
         chi2_limits = [float(largest_plausible_chi2(fit.quality[1])) for fit in single_fits]
         limits = [max(_MAX_CHI2_RATIO * median, limit) for limit in chi2_limits]
@@ -342,26 +367,49 @@ class Search:
         # The median is robust against a bead that ended in another local maximum.
         waves = np.median([single_fits[k].state.waves for k in used_indices], axis=0)
         start = State(self.setup, waves, tuple(single_fits[k].state.places[0] for k in used_indices))
-        return self.climb(model.with_beads(used_indices), start, 0.4), is_used
+        joint_model, pilots = model.with_beads(used_indices), [k for k in brightest_first if is_used[k]][:_PILOTS]
+        if len(used_indices) == len(pilots) or all(single_fits[k].fits(SURE) for k in pilots):
+            return self.climb(joint_model, start, 0.4), is_used
+        # If constants are wrong, the search takes many steps: it begins with few beads, for which a step is faster.
+        places = tuple(single_fits[k].state.places[0] for k in pilots)
+        pilot_fit = self.climb(model.with_beads(pilots), replace(start, places=places), 0.2)
+        pilot = pilot_fit.state
+        single_fits = [
+            self.climb(model.single_bead(k), State(pilot.setup, pilot.waves, single_fits[k].state.places), 0.0)
+            for k in used_indices
+        ]
+        start = State(pilot.setup, pilot.waves, tuple(fit.state.places[0] for fit in single_fits))
+        joint_fit = self.climb(joint_model, start, 0.2, None if pilot_fit.fits(BY_CHANCE) else _MISFIT_STEPS)
+        return replace(joint_fit, settled=joint_fit.settled or not pilot_fit.fits(BY_CHANCE)), is_used
 
-    def fit_one(self, model: BeadModel, fraction: float) -> Evaluation:
-        """Return the best fit of a single stack from several starts; the first adds `fraction` to the progress."""
+    def fit_one(self, model: BeadModel, fraction: float, earlier: Sequence[Evaluation]) -> Evaluation:
+        """Return the best fit of a single stack from several starts; the first adds `fraction` to the progress.
+
+        The first start has the wavefront of the best of the `earlier` fits of other beads, if there are any.
+        """
         best_fit: Evaluation | None = None
-        for origin in ORIGINS[: self.starts]:
+        starts = [(self.waves, origin) for origin in ORIGINS[: self.starts]]
+        if earlier:
+            best_waves = min(earlier, key=lambda fit: fit.quality[0]).state.waves
+            starts = [(best_waves, 0.0), *starts][: self.starts]
+        # If several beads fit badly from several starts, the model is wrong, and more starts do not help.
+        worst_chi2 = max((fit.quality[0] for fit in earlier), default=0.0)
+        is_wrong = len(earlier) >= _PILOTS and not any(fit.fits(SURE) for fit in earlier)
+        for waves, origin in starts:
             place = start_of(model.stacks[0], self.setup, model.depths[0].value, origin)
-            end = self.climb(model, State(self.setup, self.waves, (place,)), fraction)
+            end = self.climb(model, State(self.setup, waves, (place,)), fraction)
             same_maximum = best_fit is not None and abs(end.log_posterior - best_fit.log_posterior) < _SAME_MAXIMUM
             if best_fit is None or end.log_posterior > best_fit.log_posterior:
                 best_fit = end
-            chi2, deviation = best_fit.quality
-            fits = chi2 < largest_plausible_chi2(deviation, SURE)
-            if best_fit.settled and (same_maximum or fits):
+            if same_maximum or (best_fit.settled and best_fit.fits(SURE)):
+                break
+            if is_wrong and best_fit.quality[0] <= worst_chi2:
                 break
             fraction = 0.0
         assert best_fit is not None
         return best_fit
 
-    def climb(self, model: BeadModel, start: State, fraction: float) -> Evaluation:
+    def climb(self, model: BeadModel, start: State, fraction: float, max_steps: int | None = None) -> Evaluation:
         """Return the end of one search, which adds `fraction` to the progress."""
         before = self._fraction_done
 
@@ -370,7 +418,7 @@ class Search:
             if self.progress is not None:
                 self.progress(min(before + fraction * (1.0 - 0.8**step), 1.0), chi2)
 
-        end = climb(model, start, self.max_steps, report)
+        end = climb(model, start, min(self.max_steps, max_steps or self.max_steps), report)
         self.steps += end.steps
         self._fraction_done = before + fraction
         return end

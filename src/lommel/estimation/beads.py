@@ -16,7 +16,17 @@ from lommel.base.arrays import Array, fields_of, plain
 from lommel.base.options import require_known, shares
 from lommel.base.units import with_error
 from lommel.estimation import FitKeywords, FitOptions, bead_checks
-from lommel.estimation.bead_images import AMPLITUDES, CONSTANTS, UNITS, BeadImages, Place, Setup, Stack, expected
+from lommel.estimation.bead_images import (
+    AMPLITUDES,
+    CONSTANTS,
+    GRADIENT,
+    UNITS,
+    BeadImages,
+    Place,
+    Setup,
+    Stack,
+    expected,
+)
 from lommel.estimation.bead_search import ORIGINS, BeadModel, Evaluation, Prior, Search, State, brightest, start_of
 from lommel.estimation.star_images import MAX_LINEAR_ERROR, label
 from lommel.fit import goodness_of_fit
@@ -56,9 +66,12 @@ class FittedBead:
         Depth of the bead's centre below the cover glass, metres.
     errors : dict of str to float
         Standard errors of "row", "column", "z", the means of "flux" and "background" over planes and, if estimated,
-        of "depth", "drift_row", "drift_column".
+        of "depth", "drift_row", "drift_column", "gradient_row", "gradient_column".
     drift : (float, float)
         Displacement in rows and in columns from the middle to the end of the stack, pixels.
+    gradient : (float, float)
+        Change of the background from edge to edge of the window along rows and along columns, electrons; 0 unless it
+        is significant.
     flux, background : ndarray, shape (planes,)
         Electrons of the bead, and background in electrons per pixel, in each plane.
     flux_errors, background_errors : ndarray, shape (planes,)
@@ -81,6 +94,7 @@ class FittedBead:
     depth: float
     errors: dict[str, float]
     drift: tuple[float, float]
+    gradient: tuple[float, float]
     flux: Array = field(repr=False)
     background: Array = field(repr=False)
     flux_errors: Array = field(repr=False)
@@ -126,7 +140,7 @@ class BeadFit(FitReport):
     beads : tuple of FittedBead
     tests : tuple of lommel.fit.ScoreTest
         Score tests of effects that the model may lack, the most likely first: Zernike terms of the next two radial
-        orders, all constants, drift, a gradient of the background, a nonlinear gain, a second bead.
+        orders, all constants, drift, gradients of the background, a nonlinear gain, a second bead.
     chi2 : float
         Pearson's chi2 per degree of freedom.
     held_out : float
@@ -135,7 +149,8 @@ class BeadFit(FitReport):
     findings : lommel.fit.Findings
         Findings of the checks. Errors: "misfit", "no_light", "not_settled", "reversed_z". Doubts: "other_explanation"
         (the data favour an effect in `tests`), "too_dim", "held_out", "moved", "model_error", "too_quiet". Notes:
-        "untested", single displaced planes, beads and pixels left out.
+        "untested", "tilted_background" (significant gradients of the backgrounds, which are estimated), single
+        displaced planes, beads and pixels left out.
     summary : str
         Chi2, and the number of steps.
     converged, reliable, status, message
@@ -554,23 +569,30 @@ def _priors(
 def _build_bead_fit(search: Search, recorded: list[Counts], noise: Noise, notes: list[Finding]) -> BeadFit:
     """Return the result of a search, with the findings of its checks."""
     fit, is_used = search.fit_all()
-    model, state = search.model.with_beads(np.flatnonzero(is_used).tolist()), fit.state
+    model = search.model.with_beads(np.flatnonzero(is_used).tolist())
+    has_light = max(part.flux_sigmas for part in fit.parts) >= _MIN_FLUX_SIGMAS
+    tests, marginal, untested = bead_checks.missing_tests(model, fit) if has_light else ((), None, [])
+    if gradient_findings := bead_checks.gradient_findings(fit, tests):
+        model = replace(model, gradients=True)
+        fit = search.climb(model, fit.state, 0.0)
+        tests, marginal, untested = bead_checks.missing_tests(model, fit)
+    state = fit.state
     full_covariance, common_count = _inverse(fit.scores.information[0]), len(model.names)
     covariance = full_covariance[:common_count, :common_count]
     chi2, deviation = fit.quality
     held_out, held_out_findings = bead_checks.held_out(model, fit)
-    beads = _beads(search.model, fit, full_covariance, is_used, recorded, noise)
+    all_beads = replace(search.model, gradients=model.gradients)
+    beads = _beads(all_beads, fit, full_covariance, is_used, recorded, noise)
     image_error = bead_checks.model_error(model, state)
-    tests: tuple[ScoreTest, ...] = ()
-    if max(part.flux_sigmas for part in fit.parts) < _MIN_FLUX_SIGMAS:
+    if not has_light:
         findings = [Finding("no_light", "error", "the light of all planes is within the noise")]
     else:
-        tests, marginal, untested = bead_checks.missing_tests(model, fit)
         missing_findings, refit_posterior = bead_checks.missing_findings(model, fit, tests, search.setup)
         causes = causes_of_misfit(_CAUSES, chi2, deviation, tests)
         findings = goodness_of_fit.chi2_findings(chi2, deviation, causes)
         expected_images = np.stack([expected(*pair) for pair in zip(state.light, fit.values, strict=True)])
-        counted, read, valid = map(np.stack, zip(*(stack.planes for stack in model.stacks), strict=True))
+        level_planes = (stack.planes for stack in model.level_stacks(state))
+        counted, read, valid = map(np.stack, zip(*level_planes, strict=True))
         residual = np.where(valid, counted - expected_images, np.nan)
         if "misfit" in Findings(findings).codes:
             findings[:0] = goodness_of_fit.excess_test(residual, expected_images, read).findings(noise.excess)
@@ -580,9 +602,10 @@ def _build_bead_fit(search: Search, recorded: list[Counts], noise: Noise, notes:
         reversed_findings: list[Finding] = []
         # The check for reversed planes requires another search: it is run only if a test or chi2 indicates an error.
         if missing_findings or not Findings(findings).converged:
-            best_posterior = fit.log_posterior if refit_posterior is None else max(refit_posterior, fit.log_posterior)
-            start = State(search.setup, search.waves, state.places)
-            reversed_findings = bead_checks.reversed_findings(model, start, best_posterior, chi2)
+            few_model, few_fit = bead_checks.brightest_beads(model, fit)
+            best_posterior = max(few_fit.log_posterior, -math.inf if refit_posterior is None else refit_posterior)
+            start = State(search.setup, search.waves, few_fit.state.places)
+            reversed_findings = bead_checks.reversed_findings(few_model, start, best_posterior, chi2)
         findings += [*(reversed_findings or missing_findings), *untested]
         if marginal is not None and not missing_findings:  # effects that are favoured but not significant
             covariance, state = marginal.covariance, _add_shift(state, model, marginal.shift)
@@ -597,7 +620,7 @@ def _build_bead_fit(search: Search, recorded: list[Counts], noise: Noise, notes:
     if not all(is_used):
         left_out = ", ".join(map(str, np.flatnonzero(np.logical_not(is_used))))
         findings.append(Finding("left_out", "note", f"left out, inconsistent with the other beads: bead {left_out}"))
-    findings += [*notes, *recording_findings(recorded, noise, "bead")]
+    findings += [*notes, *gradient_findings, *recording_findings(recorded, noise, "bead")]
     summary = f"chi2 {chi2:.4g} per degree of freedom, {search.steps} steps"
     if math.isfinite(held_out):
         summary += f", held-out bead {held_out:.4g}"
@@ -671,6 +694,7 @@ def _beads(
             bead_fit, index = single_model.evaluate(State(setup, fit.state.waves, (place,))), 0
         state, image, part = bead_fit.state, bead_fit.values[index], bead_fit.parts[index]
         place, light = state.places[index], state.light[index]
+        level_stack, mean_gradient = stack.without_gradient(place)
         if is_used[j]:
             columns = [*range(k), *model.columns(index, k)]
             bead_covariance, coupling = covariance[np.ix_(columns, columns)], part.light_coupling
@@ -684,9 +708,10 @@ def _beads(
             mean_coupling = coupling.mean(axis=0)
             mean_variance = np.diag(part.light_covariance.mean(axis=0)) / len(stack.z)
             mean_variance += np.diag(mean_coupling.T @ bead_covariance @ mean_coupling)
+            errors |= {name: noise.excess * errors[name] for name in GRADIENT if name in errors}
             errors |= dict(zip(("flux", "background"), (noise.excess * np.sqrt(mean_variance)).tolist(), strict=True))
         mean, row = expected(light, image), part.gradient.shape[1] - len(model.bead_parameters)
-        counted, read, valid = stack.planes
+        counted, read, valid = level_stack.planes
         variance = np.maximum(mean + read, 0.25 * read)
         beads.append(
             FittedBead(
@@ -696,15 +721,16 @@ def _beads(
                 depth=place.depth,
                 errors=errors,
                 drift=place.drift,
+                gradient=(noise.excess * place.gradient_row, noise.excess * place.gradient_column),
                 flux=noise.excess * light[0],
-                background=noise.excess * light[1],
+                background=noise.excess * (light[1] + mean_gradient),
                 flux_errors=noise.excess * np.sqrt(light_variances[:, 0]),
                 background_errors=noise.excess * np.sqrt(light_variances[:, 1]),
                 moved=bead_checks.moved_planes(*part.shifts([row, row + 1])),
                 chi2=single_model.chi2_of([part])[0],
                 used=is_used[j],
                 images=np.where(recorded[j].known, recorded[j].values, np.nan),
-                model=noise.poisson.image(mean),
+                model=noise.poisson.image(mean + (stack.planes[0] - counted)),
                 residual=np.where(valid, (counted - mean) / np.sqrt(variance), np.nan),
             )
         )

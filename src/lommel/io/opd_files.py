@@ -17,8 +17,9 @@ from lommel.base.arrays import Values
 from lommel.base.units import LENGTHS, parse_length
 from lommel.io import fits_images, registry, text_files
 from lommel.io.registry import Description, Format
-from lommel.io.zernike_tables import UNIT_NAMES, UNITS
+from lommel.io.zernike_tables import UNIT_NAMES
 from lommel.optics.wavefront.opd_fit import OPDMap
+from lommel.optics.wavefront.wavefront import UNITS
 
 _MAGIC = (0x881B036F, 0x881B0370, 0x881B0371)
 _HEADER_SIZES = (834, 4096)  # possible sizes of the header, bytes

@@ -637,7 +637,7 @@ def _foci(microscope: Microscope) -> tuple[list[dict[str, float | None]], list[s
     surface_peak = None  # the first depth is 0
     for depth in sorted({*DEPTHS, microscope.depth}):
         try:
-            focus = _focus_at(microscope, depth)
+            focus = focus_at(microscope, depth)
         except ValueError as reason:
             reasons[f"{1e6 * depth:.4g} um deep: {reason}"] = None
             continue
@@ -650,7 +650,7 @@ def _foci(microscope: Microscope) -> tuple[list[dict[str, float | None]], list[s
     return rows, list(reasons)
 
 
-def _focus_at(microscope: Microscope, depth: float) -> dict[str, float]:
+def focus_at(microscope: Microscope, depth: float) -> dict[str, float]:
     """Return the attributes of the focus at a depth, with the aberrations; ValueError without a single focus."""
     objective, wavelength = microscope.objective, microscope.wavelength
     result = objective.focus(depth, wavelength=wavelength)

@@ -229,7 +229,8 @@ def missing_findings(
         return [other_explanation(contradictions, descriptions)] if contradictions else [], None
     limit = min(_MIN_BAYES_RATIO * tests[0].log_bayes, likely_tests[-1].log_bayes)
     likely_tests = tuple(test for test in tests[:_MAX_REFITS] if test.log_bayes >= limit)
-    few_model, few_fit = brightest_beads(model, fit)
+    is_misfit = not fit.fits(goodness_of_fit.BY_CHANCE)
+    few_model, few_fit = brightest_beads(model, fit) if is_misfit else (model, fit)
     fits = [_refit_with_free(few_model, few_fit, test.name, stated) for test in likely_tests]
     gains = [
         test.log_bayes if refit is None else refit.log_posterior - few_fit.log_posterior
@@ -243,8 +244,8 @@ def missing_findings(
 
 
 def brightest_beads(model: BeadModel, fit: Evaluation) -> tuple[BeadModel, Evaluation]:
-    """Return model and fit of the brightest beads alone for a misfit, where more beads only take time."""
-    if len(model.stacks) <= _MISFIT_BEADS or fit.fits(goodness_of_fit.BY_CHANCE):
+    """Return model and fit of the brightest beads alone, for searches in which more beads only take time."""
+    if len(model.stacks) <= _MISFIT_BEADS:
         return model, fit
     beads = model.brightest_first()[:_MISFIT_BEADS]
     few_model = model.with_beads(beads)

@@ -603,9 +603,11 @@ def _build_bead_fit(search: Search, recorded: list[Counts], noise: Noise, notes:
         # The check for reversed planes requires another search: it is run only if a test or chi2 indicates an error.
         if missing_findings or not Findings(findings).converged:
             few_model, few_fit = bead_checks.brightest_beads(model, fit)
-            best_posterior = max(few_fit.log_posterior, -math.inf if refit_posterior is None else refit_posterior)
             start = State(search.setup, search.waves, few_fit.state.places)
-            reversed_findings = bead_checks.reversed_findings(few_model, start, best_posterior, chi2)
+            best_posterior = few_fit.log_posterior
+            if few_fit is fit and refit_posterior is not None:
+                best_posterior = max(refit_posterior, best_posterior)
+            reversed_findings = bead_checks.reversed_findings(few_model, start, best_posterior, few_fit.quality[0])
         findings += [*(reversed_findings or missing_findings), *untested]
         if marginal is not None and not missing_findings:  # effects that are favoured but not significant
             covariance, state = marginal.covariance, _add_shift(state, model, marginal.shift)

@@ -80,6 +80,14 @@ def test_terms_of_the_amplitude_are_part_of_the_file_and_of_what_other_commands_
     assert rim == pytest.approx(made.objective.apodization.value(1.0))
 
 
+def test_a_camera_that_may_multiply_electrons_is_pointed_out_unless_the_excess_noise_is_stated(folder):
+    words = "bead.tif", *ASKED, "--fixed", "--camera", "andor-ixon-888", "--pixel", "6.5um", "--json"
+    notes = json.loads(run(*words).stdout)["notes"]
+    assert any("multiplication was on, give --excess 2" in note for note in notes)
+    notes = json.loads(run(*words, "--excess", "1").stdout)["notes"]
+    assert not any("--excess" in note for note in notes)
+
+
 def test_the_step_is_that_of_the_file_unless_it_is_stated(folder):
     planes = tifffile.imread("bead.tif")
     tifffile.imwrite("imagej.tif", planes, imagej=True, metadata={"axes": "ZYX", "spacing": 0.2, "unit": "um"})

@@ -376,7 +376,14 @@ class CameraOptions(Group, heading="Camera and noise"):
         """Return (1) noise, (2) saturation, (3) notes; options override the camera, and the camera the header."""
         options = self.values() | {"saturation": self.saturation}
         notes = take_header(options, header, camera)
-        return noise_of(options, camera), options["saturation"], notes
+        noise = noise_of(options, camera)
+        # The files of such cameras do not state whether the electron multiplication was on.
+        if camera is not None and "EMCCD" in camera.name and noise.excess == 1.0 and options["excess"] is None:
+            notes.append(
+                f"{camera.name}: if its electron multiplication was on, give --excess 2, and gain and read noise "
+                "divided by the EM gain."
+            )
+        return noise, options["saturation"], notes
 
     def recorded(self, lens: Path, camera: Camera | None, noise: Noise) -> tuple[Facts, str]:
         """Return gain, offset, read noise and excess of a fit with their sources, (1) as facts, (2) as text."""

@@ -141,7 +141,8 @@ def _parts(result: Retrieval, unit: str, files: list[str], pitch: float) -> Part
         return f"{value:.6g}" if blurred else "+-".join(with_error(value, float(result.errors[name][k])))
 
     images = [[file, *(cell(name, k) for name in columns)] for k, file in enumerate(files)]
-    closing_lines = [f"blur: {'; '.join(_blur_text(blurs, pitch) for blurs in result.blurs)}"] if blurred else []
+    texts = (_blur_text(*pair, pitch) for pair in zip(result.blurs, result.blur_errors, strict=True))
+    closing_lines = [f"blur: {'; '.join(texts)}"] if blurred else []
     return paragraphs(
         [table_of(("term", unit_symbol, "std. error"), rows)],
         [table_of(["image", *columns], images)],
@@ -149,14 +150,14 @@ def _parts(result: Retrieval, unit: str, files: list[str], pitch: float) -> Part
     )
 
 
-def _blur_text(blurs: tuple[Blur, ...], pitch: float) -> str:
-    """Return the blurs of an image as a text, with Gaussians in pixels; `pitch` is in metres."""
+def _blur_text(blurs: tuple[Blur, ...], errors: tuple[float, ...], pitch: float) -> str:
+    """Return the blurs of an image and their standard errors as a text, Gaussians in pixels; `pitch` is in metres."""
     texts = []
-    for blur in blurs:
+    for blur, error in zip(blurs, errors, strict=True):
         if isinstance(blur, Seeing) and blur.focal_length is not None:
-            texts.append(seeing_in_words(blur, blur.focal_length))
+            texts.append(seeing_in_words(blur, blur.focal_length, error))
         elif isinstance(blur, Jitter) and blur.across == blur.sigma:
-            texts.append(f"{blur.sigma / pitch:.3f} pixels (standard deviation)")
+            texts.append(f"{blur.sigma / pitch:.3f} +- {error / pitch:.3f} pixels (standard deviation)")
         else:
             texts.append(repr(blur))
     return " and ".join(texts) or "nothing"

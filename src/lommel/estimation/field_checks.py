@@ -25,6 +25,7 @@ _ROWS, _COLUMNS = ("at the top", "in the middle", "at the bottom"), ("left", "",
 _PARTS = [f"{row} {column}".strip() for row in _ROWS for column in _COLUMNS]
 # Middles of the parts, half fields.
 _DOWN, _ACROSS = (np.array([-0.8, 0.0, 0.8])[index] for index in np.divmod(np.arange(9), 3))
+_DRIFT = "motion of the images within an exposure, which widens the blur"
 _SURE = 5.0  # smallest significance of slopes (standard deviations) at which they are estimated
 
 
@@ -81,8 +82,9 @@ def missing_tests(
     constant_columns = [j * m for j in range(k)]
     # In a wide filter the mean wavelength differs from star to star, and images are polychromatic.
     spectrum = ("spectrum of the stars within the filter",) if stars.width_count and stars.pupil.wavelength else ()
+    drift = (_DRIFT,) if stars.width_count and stars.target is None else ()
     untested = star_checks.untested_constants(
-        stars.pupil, stars.defocus, effect_candidates, tests, fit, unknowns, constant_columns, spectrum
+        stars.pupil, stars.defocus, effect_candidates, tests, fit, unknowns, constant_columns, (*drift, *spectrum)
     )
     return tests, marginal, untested
 

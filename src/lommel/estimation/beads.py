@@ -610,7 +610,10 @@ def _build_bead_fit(search: Search, recorded: list[Counts], noise: Noise, notes:
             reversed_findings = bead_checks.reversed_findings(few_model, start, best_posterior, few_fit.quality[0])
         findings += [*(reversed_findings or missing_findings), *untested]
         if marginal is not None and not missing_findings:  # effects that are favoured but not significant
-            covariance, state = marginal.covariance, _add_shift(state, model, marginal.shift)
+            covariance = marginal.covariance
+            # The shift is linear in the parameters: where it is large, it means nothing.
+            if np.linalg.norm(marginal.shift[: len(state.waves)]) <= MAX_LINEAR_ERROR:
+                state = _add_shift(state, model, marginal.shift)
         if "reversed_z" not in Findings(findings).codes:
             planes = sum(len(s.z) for s in model.stacks)
             findings += bead_checks.moved_findings([bead.moved for bead in beads if bead.used], planes)

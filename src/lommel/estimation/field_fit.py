@@ -689,8 +689,12 @@ def _build_field_fit(
     k, m = polynomials.shape
     fit_covariance = fit.model.covariance(fit.scores)
     errors = np.sqrt(np.diag(fit_covariance))[k * m :]
-    shift, covariance = outcome.marginal
-    coefficients, twin = polynomials + shift.reshape(k, m), None
+    shift, covariance = outcome.marginal[0].reshape(k, m), outcome.marginal[1]
+    shifted_waves = fit.model.basis @ shift.T
+    mean_square = np.einsum("ni,ij,nj->n", shifted_waves, search.metric, shifted_waves).mean()
+    # The shift is linear in the parameters: where it is large, it means nothing.
+    is_linear = mean_square <= MAX_LINEAR_ERROR**2
+    coefficients, twin = polynomials + shift if is_linear else polynomials.copy(), None
     findings = list[Finding]()
     if first_star.sign_ambiguous:
         twin_coefficients, signs = search.twin(coefficients)

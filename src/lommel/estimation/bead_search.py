@@ -380,7 +380,9 @@ class Search:
         ]
         start = State(pilot.setup, pilot.waves, tuple(fit.state.places[0] for fit in single_fits))
         joint_fit = self.climb(joint_model, start, 0.2, None if pilot_fit.fits(BY_CHANCE) else _MISFIT_STEPS)
-        return replace(joint_fit, settled=joint_fit.settled or not pilot_fit.fits(BY_CHANCE)), is_used
+        if not joint_fit.fits(BY_CHANCE):
+            return replace(joint_fit, settled=True), is_used
+        return joint_fit if joint_fit.settled else self.climb(joint_model, joint_fit.state, 0.0), is_used
 
     def fit_one(self, model: BeadModel, fraction: float, earlier: Sequence[Evaluation]) -> Evaluation:
         """Return the best fit of a single stack from several starts; the first adds `fraction` to the progress.

@@ -15,7 +15,7 @@ const MAPS = { auto: "automatic", inferno: "inferno", viridis: "viridis", cividi
 
 // A box that scrolls shows where more is below: scrollbars may be hidden until one scrolls.
 function cueMore(box) {
-  const look = () => box.classList.toggle("more", box.scrollHeight - box.scrollTop - box.clientHeight > 12);
+  const look = () => box.classList.toggle("more", box.scrollHeight - box.scrollTop - box.clientHeight > 3);
   const watch = new ResizeObserver(look);
   const follow = () => [box, ...box.children].forEach((node) => watch.observe(node));
   new MutationObserver(follow).observe(box, { childList: true });

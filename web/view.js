@@ -331,7 +331,9 @@ export class View {
     this.exact = exact;
     // A lens without aberration that is changed is any lens.
     const from = this.lens && this.lens.name !== PRESETS[0].name ? `Changed from: ${this.lens.name.replace(/^Changed from: /, "")}` : "";
-    page.name.textContent = this.depth ? this.lessons.heading : exact ? exact.name : from || this.lessons.heading || UNNAMED;
+    const { heading } = this.lessons;
+    const plain = this.depth || exact?.name === PRESETS[0].name; // where a lesson starts: its title says more
+    page.name.textContent = plain && heading ? heading : exact ? exact.name : from || heading || UNNAMED;
     page.name.title = page.name.textContent; // the heading is cut where there is no room
     page.preset.value = String(PRESETS.findIndex(({ name }) => name === exact?.name)).replace("-1", "");
     page.preset.title = page.preset.selectedOptions[0].text;
@@ -401,6 +403,7 @@ export class View {
   learn(name, state) {
     this.start = state ? { ...state, map: this.state.map } : this.given;
     if (state) this.set(this.start);
+    this.nameLens(); // also where no value changes, as when a lesson is closed
     if (this.url) nameLesson(name);
   }
 

@@ -160,7 +160,7 @@ def test_an_error_names_the_options_of_the_command_and_not_the_arguments_of_pyth
     np.save(folder / "gaps.npy", np.where(x + y, 2.0, np.nan))
     np.save(folder / "near.npy", np.full((20, 20), 0.3))
     photo = ("blur", "photo.png", "gaps.npy", lenses["nifty-fifty"], "-o", "a.png")
-    refused(call_lommel(*photo, folder=folder), "choose their depth by --missing")
+    refused(call_lommel(*photo, folder=folder), 'fill them by --missing "nearest"')
     np.save(folder / "zeros.npy", np.pad(np.full((20, 19), 1.9), ((0, 0), (1, 0))))
     refused(call_lommel(*photo[:2], "zeros.npy", *photo[3:], folder=folder), "unknown, give --zero-unknown")
     Image.fromarray(np.full((20, 20), 1900, np.uint16)).save(folder / "levels.png")

@@ -352,7 +352,10 @@ def test_the_picture_has_a_panel_for_each_term_and_the_stars():
     ("change", "message"),
     [
         ({"windows": np.zeros((0, 9, 9)), "places": np.zeros((0, 2))}, "windows must have the shape"),
-        ({"windows": np.full((5, 9, 9), 65535, np.uint16)}, "neither masked, saturated nor NaN"),
+        (
+            {"windows": np.full((5, 9, 9), 65535, np.uint16)},
+            "must have at least 41 of 81 pixels that are neither masked, saturated nor NaN, got none",
+        ),
         ({"windows": np.zeros((5, 9, 9))}, "must show a star"),
         ({"places": np.full((5, 2), 5000.0)}, "places must be on the sensor of 4000 x 4000"),
         ({"places": np.arange(10.0).reshape(5, 2)}, "windows must not overlap"),

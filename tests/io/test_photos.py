@@ -16,6 +16,7 @@ from PIL import Image, ImageOps
 
 import lommel as lm
 from lommel import imaging
+from lommel.base import reading
 from lommel.base.encoding import from_light, to_light
 from lommel.imaging import Exif, PhotoError, read_depth, read_photo, write_photo
 from lommel.io import photos
@@ -104,6 +105,16 @@ def test_exif_tells_the_lens(tmp_path, name):
     assert read_photo(tmp_path / name).exif == Exif()
     with pytest.raises(ValueError, match="does not state a focal length and its 35 mm equivalent"):
         Exif(focal_length=0.05).pixel((30, 40))
+
+
+def test_lzw_that_pillow_cannot_unpack_names_the_package(tmp_path, monkeypatch):
+    path = tmp_path / "a.tif"
+    tifffile.imwrite(path, np.zeros((6, 4, 3), np.float32), photometric="rgb")
+    with tifffile.TiffFile(path, mode="r+") as file:
+        file.pages[0].tags["Compression"].overwrite(5)
+    monkeypatch.setattr(reading, "find_spec", lambda name: None)
+    with pytest.raises(PhotoError, match="LZW of float32 in colour needs .* pip install imagecodecs, or save the"):
+        read_photo(path)
 
 
 def test_integers_are_srgb_and_floats_linear_unless_one_says_otherwise(tmp_path):

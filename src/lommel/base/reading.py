@@ -570,18 +570,22 @@ def tiff_array(page: TiffPage | TiffFrame) -> Values:
         return np.asarray(page.asarray())
     from PIL.TiffImagePlugin import TiffImageFile
 
-    if (image := _PILLOW_IMAGES.get(page.parent)) is None:
-        page.parent.filehandle.seek(0)
-        image = _PILLOW_IMAGES[page.parent] = TiffImageFile(cast("IO[bytes]", page.parent.filehandle))
-    dtype = np.dtype(page.dtype).newbyteorder("=")
+    values, dtype = np.empty(0), np.dtype(page.dtype).newbyteorder("=")
     try:
+        if (image := _PILLOW_IMAGES.get(page.parent)) is None:
+            page.parent.filehandle.seek(0)
+            image = _PILLOW_IMAGES[page.parent] = TiffImageFile(cast("IO[bytes]", page.parent.filehandle))
         with _unprinted():
             image.seek(page.index)
             values = np.asarray(image)
     except (OSError, SyntaxError, TypeError) as error:  # Pillow raises TypeError for a page in a SubIFD
-        raise ValueError(f"its LZW data cannot be unpacked: {reason(error)}") from None
+        if str(error) != "unknown pixel mode":
+            raise ValueError(f"its LZW data cannot be unpacked: {reason(error)}") from None
     if values.shape != page.shape or values.dtype.newbyteorder("=") != dtype:
-        raise ValueError(f"LZW of {dtype} needs the package imagecodecs; install it, or save the file with deflate")
+        raise ValueError(
+            f"LZW of {dtype}{' in colour' if len(page.shape) > 2 else ''} needs the package imagecodecs: pip install imagecodecs, or save the file with "
+            "deflate or uncompressed"
+        )
     return values.astype(dtype, copy=False)
 
 

@@ -163,7 +163,7 @@ def pitch_in_words(pixel: float | tuple[float, ...]) -> str:
 
 
 def with_units(message: str) -> str:
-    """Return a message of the library with lengths as on the command line: ``"3.45 um"`` instead of 3.45e-6."""
+    """Return a message of the library as on the command line: ``write "3.45 um"`` instead of ``give 3.45e-6``."""
     units = {"6": "um", "9": "nm"}
     message = re.sub(r"\bfor ([\d.e+-]+ mm) [\d.e+-]+e-3\b", r'for \1 "\1"', message)
     return re.sub(r"\bgive ([\d.]+)e-([69])\b", lambda match: f'write "{match[1]} {units[match[2]]}"', message)

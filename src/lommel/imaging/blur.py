@@ -23,7 +23,7 @@ from lommel.core.answers import DType
 from lommel.deconvolve.linear import LinearBlur, copies, folded, linear_operator, without_copies
 from lommel.imaging.bank import Bank, MirroredKernels, Remainder, build_bank, stored_windows
 from lommel.imaging.sensor_light import SensorLight, cut, find_cuts, sums_of_quarters
-from lommel.imaging.settings import BlurKeywords, Settings, Spectrum, spectra
+from lommel.imaging.settings import FILL, BlurKeywords, Settings, Spectrum, spectra
 from lommel.optics.lens import Lens, require_round
 
 if TYPE_CHECKING:
@@ -323,7 +323,7 @@ def require_depth(depth: ArrayLike) -> Array:
     if not np.all(metres > 0.0):
         if (unknown := np.isnan(metres)).any():
             count = int(unknown.sum())
-            raise ValueError(f"depth is NaN at {count} of {metres.size} points; choose their depth by `missing`")
+            raise ValueError(f"depth is NaN at {count} of {metres.size} points; {FILL}")
         raise ValueError(f"depth must be > 0 metres, got {metres[~(metres > 0.0)].flat[0]}")
     return metres
 

@@ -24,7 +24,7 @@ from lommel.field.maps import FieldMap, require_one_aperture
 from lommel.imaging.blur import DepthBlur, require_lens, require_metres
 from lommel.imaging.field_blur import FieldBlur, PointLight
 from lommel.imaging.occlusion import Occlusion, reach_behind
-from lommel.imaging.settings import MISSING, FieldKeywords, Keywords, Settings, Spectrum
+from lommel.imaging.settings import FILL, MISSING, FieldKeywords, Keywords, Settings, Spectrum
 from lommel.optics.colour.spectrum import Channels
 from lommel.optics.lens import Lens
 from lommel.optics.pupil import Pupil
@@ -572,7 +572,7 @@ def depth_range(depth: Pixels, missing: str = "raise") -> tuple[float, float]:
 def _require_range(low: float, high: float) -> tuple[float, float]:
     """Return (low, high), the range of depths in metres; ValueError if a depth is NaN."""
     if np.isnan(low):
-        raise ValueError('depth is NaN at some points; fill them with missing="nearest" or missing="infinity"')
+        raise ValueError(f"depth is NaN at some points; {FILL}")
     return low, high
 
 

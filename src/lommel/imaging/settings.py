@@ -15,6 +15,7 @@ from lommel.optics.colour.spectrum import RED_GREEN_BLUE, Channels
 
 BORDERS = ("reflect", "extend", "zero")
 MISSING = ("raise", "nearest", "infinity")
+FILL = 'fill them by missing="nearest" (the nearest known depth) or missing="infinity" (infinitely far)'
 
 Spectrum = float | Sequence[tuple[float, float]]
 

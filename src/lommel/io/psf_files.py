@@ -262,9 +262,9 @@ def save_colours(answer: ColourPSFLike, path: str | PathLike[str]) -> None:
 
     {formats}
 
-    A PNG shows the square root of red, green and blue, divided by the largest value of all channels, enlarged to 512
-    pixels or more; it cannot be loaded. Other files have the description of :func:`lommel.io.psf_files.save` and the
-    channels.
+    A PNG shows the square root of the values over the largest of all channels, three channels as red, green and blue,
+    a single one in grey, enlarged to 512 pixels or more; it cannot be loaded. Other files have the description of
+    :func:`lommel.io.psf_files.save` and the channels.
 
     Parameters
     ----------

@@ -179,9 +179,11 @@ class Counts:
         too_few = np.argwhere((fractions == 0.0) | (fractions < least))
         if len(too_few):
             k = too_few[0].tolist()
-            count = int(self.known[*k].sum())
+            known = self.known[*k]
+            needed = f"at least {math.ceil(least * known.size)} of {known.size} " if least else ""
             raise ValueError(
-                f"{name}{k or ''} must have pixels that are neither masked, saturated nor NaN, got {count or 'none'}"
+                f"{name}{k or ''} must have {needed}pixels that are neither masked, saturated nor NaN, "
+                f"got {int(known.sum()) or 'none'}"
             )
         return self
 

@@ -100,7 +100,7 @@ def test_each_pixel_keeps_its_own_noise():
         ({"tile": 8}, "tile must be"),
         ({"out": np.empty((3, 3))}, "out must have the shape of the photo"),
         ({"out": PHOTO}, "share memory"),
-        ({"depth": np.where(DEPTH == 2.0, np.nan, DEPTH)}, "fill them with missing="),
+        ({"depth": np.where(DEPTH == 2.0, np.nan, DEPTH)}, "fill them by missing="),
         ({"photo": np.where(np.arange(112) < 90, 1.0, PHOTO)}, r"columns \d+ to \d+, photo must have pixels .*tile="),
     ],
 )

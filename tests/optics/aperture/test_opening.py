@@ -209,9 +209,13 @@ def test_astigmatism_in_the_middle_is_a_bessel_function():
     assert w @ np.exp(1j * a * (x * x - y * y)) == pytest.approx(exact, abs=1e-13)
 
 
-def test_a_degree_beyond_the_limit_is_refused():
-    with pytest.raises(ValueError, match=f"polynomials of a degree above {MAX_DEGREE}"):
-        degree_needed([(4, 1e9)], 1.0, lm.Apodization(), 1e-6)
+@pytest.mark.parametrize(
+    ("v", "start", "end"), [(1.0, "a window up to v = 1 and ", "fewer or smaller pixels, or "), (0.0, "", "")]
+)
+def test_a_degree_beyond_the_limit_is_refused(v, start, end):
+    message = f"^{start}aberrations this large need polynomials of a degree above {MAX_DEGREE}; use {end}smaller "
+    with pytest.raises(ValueError, match=message):
+        degree_needed([(4, 1e9)], v, lm.Apodization(), 1e-6)
 
 
 @pytest.mark.parametrize("shift", [5e-324, 1e-200, 1e-16])

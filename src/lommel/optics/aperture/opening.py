@@ -124,8 +124,8 @@ def degree_needed(
     high = next((2**k for k in range(3, MAX_DEGREE.bit_length()) if suffices(2**k)), None)
     if high is None:
         raise ValueError(
-            f"aberrations and a window of v = {v:.4g} this large need polynomials of a degree above {MAX_DEGREE}; "
-            "use fewer or smaller pixels, or smaller aberrations"
+            f"{f'a window up to v = {v:.4g} and ' if v else ''}aberrations this large need polynomials of a degree "
+            f"above {MAX_DEGREE}; use {'fewer or smaller pixels, or ' if v else ''}smaller aberrations"
         )
     return bisect_left(range(high), True, lo=high // 2 + 1, key=suffices)
 

@@ -128,7 +128,7 @@ def test_averages_of_derivatives_claim_twice_what_those_of_the_intensity_do():
         aim = tol - (1 + tol) * storing
         lowest = float(made.peak[0]) * 0 + _lowest(grid.step(pupil))
         easier = 2.0 ** math.floor(math.log2(64.0 * pupil.amplitude**2))
-        taps = _cheapest_filter(grid.step(pupil), easier * 2e-3 * aim * lowest, (3, 3), bound_mean=True)
+        taps = _cheapest_filter(grid.step(pupil), easier * 2e-3 * aim * lowest, (3, 3), in_mean=True)
         finer = 0.5 * aim * min(4 * lowest, 1.0) / taps.gain**2
         rounding = (2 * taps.weights.shape[-1] + 8) * UNIT * taps.gain**2 * pupil.amplitude**2
         own = (2 + taps.error) * taps.error + rounding

@@ -239,12 +239,12 @@ def test_the_response_of_a_filter_errs_by_what_is_claimed_and_not_much_less(step
     assert taps.gain <= 1.5
 
 
-@pytest.mark.parametrize("bound_mean", [False, True])
+@pytest.mark.parametrize("in_mean", [False, True])
 @pytest.mark.parametrize("normalize", [False, True])
 @pytest.mark.parametrize(("step", "value"), [(0.4, 0.5), (7.0, 0.5), (7.0, 0.01)])
-def test_an_average_claims_the_errors_of_samples_and_of_the_filter(step, value, normalize, bound_mean):
+def test_an_average_claims_the_errors_of_samples_and_of_the_filter(step, value, normalize, in_mean):
     # A sampled mask leaves the largest error of a response, an aperture the mean one.
-    aperture = {} if bound_mean else {"mask": lm.Mask(np.ones((16, 16)))}
+    aperture = {} if in_mean else {"mask": lm.Mask(np.ones((16, 16)))}
     pupil, tol, top = lm.Pupil(obscuration=0.3, **aperture), 1e-6, 0.6
     grid = lm.Grid(3, step / math.pi)
     asked = []
@@ -257,9 +257,9 @@ def test_an_average_claims_the_errors_of_samples_and_of_the_filter(step, value, 
     lowest = least_average(step)
     error = 2e-3 * (0.4 if normalize else 1.0) * tol * lowest
     ceiling = pupil.amplitude**2
-    if bound_mean:
+    if in_mean:
         error, ceiling = 2.0 ** math.floor(math.log2(64.0 * ceiling)) * error, 1.0
-    taps = _cheapest_filter(grid.step(pupil), error, (3, 3), bound_mean=bound_mean)
+    taps = _cheapest_filter(grid.step(pupil), error, (3, 3), in_mean=in_mean)
     own = (2 + taps.error) * taps.error * ceiling
     own += (2 * taps.weights.shape[-1] + 8) * 2.0**-53 * taps.gain**2 * top * (1 - asked[-1])
     if asked[-1] >= 0.01 * 2e-7:

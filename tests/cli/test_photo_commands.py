@@ -50,7 +50,7 @@ BAD = [
     ("blur lens.toml depth.npy lens.toml -o out.png", "lens.toml is not a PNG, JPEG, TIFF, EXR, WEBP, BMP"),
     ("blur photo.png small.npy lens.toml -o out.png", "must have the size of the upright photo, 36 x 30, got"),
     ("blur photo.png depth.png lens.toml -o out.png", "depth.png is an integer image; give the scale, e.g."),
-    ("blur photo.png holes.npy lens.toml -o out.png", 'points; fill them by --missing "nearest" (the nearest known depth) or --missing "infinity" (infin'),
+    ("blur photo.png holes.npy lens.toml -o out.png", 'points; fill them by --missing "nearest" ('),
     (f"{BLUR} -o out.png --focus 2m --pixel 40um", "give a lens file or --focal-length: photo.png has none"),
     (f"{BLUR} -o out.png --focus 2m --focal-length 50mm --f-number 2", "give --camera, --pixel or --pixel-from-exif"),
     (f"{BLUR} -o out.png --focal-length 50mm --f-number 2 --pixel 40um", "without a lens file give --focus"),

@@ -113,7 +113,7 @@ def test_lzw_that_pillow_cannot_unpack_names_the_package(tmp_path, monkeypatch):
     with tifffile.TiffFile(path, mode="r+") as file:
         file.pages[0].tags["Compression"].overwrite(5)
     monkeypatch.setattr(reading, "find_spec", lambda name: None)
-    with pytest.raises(PhotoError, match="LZW of float32 in colour needs .* pip install imagecodecs, or save the"):
+    with pytest.raises(PhotoError, match=r"LZW of float32 in colour needs .* pip install imagecodecs, or save the"):
         read_photo(path)
 
 

@@ -582,8 +582,9 @@ def tiff_array(page: TiffPage | TiffFrame) -> Values:
         if str(error) != "unknown pixel mode":
             raise ValueError(f"its LZW data cannot be unpacked: {reason(error)}") from None
     if values.shape != page.shape or values.dtype.newbyteorder("=") != dtype:
+        colour = " in colour" if len(page.shape) > 2 else ""
         raise ValueError(
-            f"LZW of {dtype}{' in colour' if len(page.shape) > 2 else ''} needs the package imagecodecs: pip install imagecodecs, or save the file with "
+            f"LZW of {dtype}{colour} needs the package imagecodecs: pip install imagecodecs, or save the file with "
             "deflate or uncompressed"
         )
     return values.astype(dtype, copy=False)

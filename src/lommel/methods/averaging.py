@@ -47,10 +47,10 @@ P = TypeVar("P", bound=BasePupil)
 Function = Callable[[Array], Array]
 
 
-def fit_taps(response: Function, wave: Function, x: Pixels, *, bound_mean: bool = False) -> tuple[Array, float, float]:
+def fit_taps(response: Function, wave: Function, x: Pixels, *, in_mean: bool = False) -> tuple[Array, float, float]:
     """Return weights of samples at distances `x` (v) on both sides, and error and gain as in :class:`Taps`.
 
-    The error is the maximum error of the response for ``abs(w) <= 2`` or, if `bound_mean`, a bound on the mean error of
+    The error is the maximum error of the response for ``abs(w) <= 2`` or, if `in_mean`, a bound on the mean error of
     the response, weighted by the OTF of a circular aperture.
     """
     # Least-squares fit of the response at points w of the band.
@@ -58,7 +58,7 @@ def fit_taps(response: Function, wave: Function, x: Pixels, *, bound_mean: bool 
     # Weights at x and -x have equal moduli: each distance except 0 counts twice.
     multiplicity = np.where(x > 0.0, 2.0, 1.0)
     basis, target = multiplicity * wave(np.outer(w, x)), response(w)
-    if bound_mean:
+    if in_mean:
         # Least squares in the norm that bounds the mean error: certificate, section 10.
         nodes, weights = transfer_rule(w.size)
         root = np.sqrt(weights)
@@ -73,7 +73,7 @@ def fit_taps(response: Function, wave: Function, x: Pixels, *, bound_mean: bool 
     # Up to 1e-17 the error is a polynomial in w, and at most sqrt(2) times its maximum at Chebyshev nodes, whose
     # number is twice the degree.
     highest = math.sqrt(2.0) * (float(np.abs(basis @ c - target).max()) + rounding) + 1e-17
-    if bound_mean:
+    if in_mean:
         # If both responses, along y and x, have the mean error m, their product has the mean error m (2 + `highest`):
         # twice what is returned, as the product of two responses of error e is in error by at most (2 + e) e.
         mean_error = (1.0 + 0.5 * highest) * (float(np.linalg.norm(design @ c - rhs)) + 2.0 * rounding + 1e-17)
@@ -81,29 +81,29 @@ def fit_taps(response: Function, wave: Function, x: Pixels, *, bound_mean: bool 
     return c, highest, gain
 
 
-def pair_stride(step: float, error: float, stride: int, sides: tuple[int, ...], *, bound_mean: bool = False) -> int:
+def pair_stride(step: float, error: float, stride: int, sides: tuple[int, ...], *, in_mean: bool = False) -> int:
     """Return the number of samples per two pixels: 2 `stride`, or fewer if this saves time; `sides` in pixels."""
     # Wider spacing requires longer filters, and therefore more samples beyond the edges of the window.
 
     def cost(count: int) -> float:
-        taps = 2.0 * _half_length(step, error, count, bound_mean=bound_mean)
+        taps = 2.0 * _half_length(step, error, count, in_mean=in_mean)
         rows, columns = (0.5 * count * side + taps for side in sides)
-        return rows * columns + (_TAP_COST * taps * sides[0] * (columns + sides[1]) if bound_mean else 0.0)
+        return rows * columns + (_TAP_COST * taps * sides[0] * (columns + sides[1]) if in_mean else 0.0)
 
     # At least 2 samples per two pixels: 1 sample would require interpolation half-way, which magnifies errors.
     # Filters with a bounded mean error allow h = pi / 2; others need a gap between band and first alias.
-    lower_limit = 2.0 * step / (0.5 * math.pi * (1.0 + 1e-12) if bound_mean else _PAIR_SPACING)
+    lower_limit = 2.0 * step / (0.5 * math.pi * (1.0 + 1e-12) if in_mean else _PAIR_SPACING)
     numbers = range(max(2, math.ceil(lower_limit)), 2 * stride + 1)
     cheapest = min((count for count in numbers if count % 2 == 0 or 2.0 * step <= count * _PAIR_SPACING), key=cost)
-    return cheapest if cost(cheapest) < (1.0 if bound_mean else _PAIR_COST_LIMIT) * cost(2 * stride) else 2 * stride
+    return cheapest if cost(cheapest) < (1.0 if in_mean else _PAIR_COST_LIMIT) * cost(2 * stride) else 2 * stride
 
 
-def _half_length(step: float, error: float, s: int, *, bound_mean: bool = False) -> int:
+def _half_length(step: float, error: float, s: int, *, in_mean: bool = False) -> int:
     """Estimate the number of samples on each side of the middle of a filter, at s samples per two pixels."""
     # Gap between the band of I and its first alias, divided by the sampling frequency 2 pi / h. The filter length is
     # proportional to 1 / gap (certificate, "Samples that pixels share").
     gap = 1.0 - 4.0 * step / (s * math.pi)
-    if bound_mean:
+    if in_mean:
         # Without a gap the error falls only as a power of the filter length.
         length = math.log(0.1 / error) / (3.7 * gap + 0.2) - 3.0 + s % 2
         return max(s // 4 + 2, int(0.25 * s + min(length, (0.045 / error) ** 0.32)))
@@ -111,20 +111,20 @@ def _half_length(step: float, error: float, s: int, *, bound_mean: bool = False)
 
 
 def fit_pair_weights(
-    response: Function, step: float, error: float, s: int, *, bound_mean: bool = False
+    response: Function, step: float, error: float, s: int, *, in_mean: bool = False
 ) -> tuple[Array, float, float]:
     """Return weights (2, taps) for two pixels that share `s` samples (odd), and their error and gain."""
-    h, side = 2.0 * step / s, _half_length(step, error, s, bound_mean=bound_mean)
+    h, side = 2.0 * step / s, _half_length(step, error, s, in_mean=in_mean)
     while True:
-        centred, largest_error, gain = fit_taps(response, np.cos, h * np.arange(side + 1), bound_mean=bound_mean)
-        midway, midway_error, midway_gain = fit_taps(response, np.cos, h * (np.arange(side) + 0.5), bound_mean=bound_mean)
+        centred, largest_error, gain = fit_taps(response, np.cos, h * np.arange(side + 1), in_mean=in_mean)
+        midway, midway_error, midway_gain = fit_taps(response, np.cos, h * (np.arange(side) + 0.5), in_mean=in_mean)
         largest_error, gain = max(largest_error, midway_error), max(gain, midway_gain)
         if (largest_error <= error and gain <= 1.5) or side > s + 60:
             weights = np.zeros((2, 2 * side + s // 2 + 1))
             weights[0, : 2 * side + 1] = np.concatenate([centred[:0:-1], centred])
             weights[1, s // 2 + 1 :] = np.concatenate([midway[::-1], midway])
             return weights, largest_error, gain
-        side += 1 + side // 16 * bound_mean
+        side += 1 + side // 16 * in_mean
 
 
 _BLOCK_SAMPLES = 2**23  # largest number of samples held in memory together
@@ -195,10 +195,10 @@ def _averages_at_spacing(
     least_ratio = least_average(step)
     tol_stored = error_before_storing(tol, wanted)
     err_samples, err_response = _first_errors(tol_stored, step)
-    bound_mean = (
+    in_mean = (
         band is None and not gradients and spacing == _FIRST_SPACING and step <= _MAX_PITCH and pupil.within_disc
     )
-    if bound_mean:
+    if in_mean:
         # Rounded to a power of two, so that pupils with similar peaks use the same cached filter.
         ceiling, err_response = (
             1.0,
@@ -206,7 +206,7 @@ def _averages_at_spacing(
         )
     # Five attempts: each reduces the allowed errors of samples and filter by the factors by which they were exceeded.
     for _ in range(5):
-        taps, slope = _choose_filters(step, err_response, spacing, grid.shape, gradients=gradients, bound_mean=bound_mean)
+        taps, slope = _choose_filters(step, err_response, spacing, grid.shape, gradients=gradients, in_mean=in_mean)
         tol_samples = err_samples / taps.gain**2
         err_single, limit = _dark_samples(
             taps, _DARK_PART * tol_stored * least_ratio if tol_samples >= _SINGLE_TOL else 0.0
@@ -252,14 +252,14 @@ def _averages_at_spacing(
 
 
 def _choose_filters(
-    step: float, error: float, spacing: float, shape: tuple[int, int], *, gradients: bool, bound_mean: bool
+    step: float, error: float, spacing: float, shape: tuple[int, int], *, gradients: bool, in_mean: bool
 ) -> tuple[Taps, Taps | None]:
     """Return an averaging filter with the allowed `error`, and a derivative filter if `gradients`, else None."""
     if gradients:
         return _average_and_slope_filters(step, error, spacing)
     if spacing < _FIRST_SPACING:
         return averaging_filter(step, error, spacing), None
-    return _cheapest_filter(step, error, shape, bound_mean=bound_mean), None
+    return _cheapest_filter(step, error, shape, in_mean=in_mean), None
 
 
 def _dark_samples(taps: Taps, allowed: float) -> tuple[float, float]:
@@ -395,7 +395,7 @@ class Taps(NamedTuple):
 
     stride: int  # number of samples per pixel or, with weights of two pixels, per two pixels (odd)
     weights: Array  # (2 k + 1,), of samples -k ... k around the centre; of two pixels (2, taps): fit_pair_weights()
-    error: float  # bound on the error of the response for abs(w) <= 2, or on the mean error: fit_taps(bound_mean=True)
+    error: float  # bound on the error of the response for abs(w) <= 2, or on the mean error: fit_taps(in_mean=True)
     gain: float  # sum of the moduli of the weights: the largest factor by which the filter multiplies errors
 
     @property
@@ -439,14 +439,14 @@ def _sinc(step: float) -> Callable[[Array], Array]:
 
 
 @lru_cache(maxsize=64)
-def _cheapest_filter(step: float, error: float, shape: tuple[int, int], *, bound_mean: bool = False) -> Taps:
+def _cheapest_filter(step: float, error: float, shape: tuple[int, int], *, in_mean: bool = False) -> Taps:
     """Return the averaging filter of least cost for a window of `shape`; two pixels may share samples."""
-    s = pair_stride(step, error, samples_across(step), shape, bound_mean=bound_mean)
+    s = pair_stride(step, error, samples_across(step), shape, in_mean=in_mean)
     if s % 2 == 0:
         return _shortest_filter(
-            _sinc(step), np.cos, step, error, 2.0 * step / s * (1.0 + 1e-12), 1.5, bound_mean=bound_mean
+            _sinc(step), np.cos, step, error, 2.0 * step / s * (1.0 + 1e-12), 1.5, in_mean=in_mean
         )
-    return Taps(s, *fit_pair_weights(_sinc(step), step, error, s, bound_mean=bound_mean))
+    return Taps(s, *fit_pair_weights(_sinc(step), step, error, s, in_mean=in_mean))
 
 
 @lru_cache(maxsize=64)
@@ -470,18 +470,18 @@ def _shortest_filter(
     spacing: float,
     max_gain: float,
     *,
-    bound_mean: bool = False,
+    in_mean: bool = False,
 ) -> Taps:
     """Return the shortest filter with at most this `error` and gain `max_gain`, else the longest filter tried."""
     stride = samples_across(step, spacing)
-    side, is_odd = _half_length(step, error, 2 * stride, bound_mean=True) if bound_mean else stride // 2 + 2, wave is np.sin
+    side, is_odd = _half_length(step, error, 2 * stride, in_mean=True) if in_mean else stride // 2 + 2, wave is np.sin
     while True:
-        c, max_error, gain = fit_taps(response, wave, step / stride * np.arange(side + 1), bound_mean=bound_mean)
+        c, max_error, gain = fit_taps(response, wave, step / stride * np.arange(side + 1), in_mean=in_mean)
         # A filter with too few samples beyond the edges of a pixel may have large weights, which magnify errors.
         if (max_error <= error and gain <= max_gain) or side > stride + 60:
             # Sine filters are odd: weights before the centre have the opposite sign.
             return Taps(stride, np.concatenate([-c[:0:-1] if is_odd else c[:0:-1], c]), max_error, gain)
-        side += 1 + side // 16 * bound_mean
+        side += 1 + side // 16 * in_mean
 
 
 @lru_cache(maxsize=64)

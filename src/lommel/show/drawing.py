@@ -53,7 +53,7 @@ def of_wavefronts(wavefront: Wavefront) -> list[str]:
     nonradial_edge = flattened.edge[:, flattened.symmetric :]
     radial, nonradial = (np.flatnonzero(np.ptp(part, axis=0)) for part in (powers, nonradial_edge))
     if radial.size == 1 and not nonradial.size and radial[0] < 2:
-        name, values = (("defocus", flattened.defocus), ("spherical", flattened.spherical))[radial[0]]
+        name, values = (("W020", flattened.defocus), ("W040", flattened.spherical))[radial[0]]
     elif nonradial.size == 1 and not radial.size:
         return _term_labels(flattened, flattened.symmetric + int(nonradial[0]))
     else:
@@ -61,7 +61,7 @@ def of_wavefronts(wavefront: Wavefront) -> list[str]:
         if varying.size != 1:
             return _indices(wavefront.shape)
         return _term_labels(flattened, int(varying[0]))
-    return [f"{name} {true_minus(f'{value + 0.0:.3g}')} rad" for value in values]
+    return [true_minus(f"{name} {value / (2.0 * math.pi) + 0.0:.3g} waves") for value in values]
 
 
 def _term_labels(wavefront: Wavefront, column: int) -> list[str]:

@@ -431,7 +431,9 @@ def fit(
     short_titles = [title if len(title) < 22 else f"…{title[-20:]}" for title in titles[:count]]
     columns = list(zip(short_titles, images[:count], model[:count], residual[:count], strict=True))
     panels, residual_image = _residual_rows(pictures, columns, font_size=9)
-    pictures.colorbar(residual_image, ax=panels[2].tolist(), label="residual / noise", shrink=0.9)
+    # Beside all rows, so that all have the same width and their labels fit.
+    bar = {"label": "residual / noise", "shrink": 0.3, "anchor": (0.0, 0.0)}
+    pictures.colorbar(residual_image, ax=panels.ravel().tolist(), **bar)
     axes = graph.subplots()
     unit = "µm" if unit == "um" else unit
     positions = np.arange(len(names))
@@ -442,6 +444,7 @@ def fit(
     )
     axes.axvline(0.0, color="0.5", linewidth=0.8)
     axes.set_yticks(positions, names, fontsize=8)
+    axes.locator_params(axis="x", nbins=4)  # numbers of many digits would overlap
     axes.set(xlabel=f"coefficient ({unit})", ylim=(len(names) - 0.4, -0.6))  # the first on top
     # Error bars may be too short to be visible: write their numbers beside the graph.
     margin = axes.get_yaxis_transform()

@@ -169,7 +169,7 @@ def _transfer(w: np.ndarray) -> np.ndarray:
 @settings(max_examples=20)
 def test_what_a_filter_makes_of_the_light_of_a_disc_is_off_by_less_than_it_claims(step, digits, side):
     """In the mean over the transfer function, by a sum over a lattice of frequencies."""
-    taps = averaging._cheapest_filter(step, 10.0**digits, (side, side), bound_mean=True)
+    taps = averaging._cheapest_filter(step, 10.0**digits, (side, side), in_mean=True)
     one = np.linspace(-2.0, 2.0, 401)
     weigh = _transfer(np.hypot(one[:, None], one)) * (one[1] - one[0]) ** 2
     assert weigh.sum() == pytest.approx(1.0, rel=1e-4)

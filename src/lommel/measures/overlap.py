@@ -240,7 +240,7 @@ def _defocused_stack(pupil: Pupil, shift: Array, x: Array, w: Array) -> NDArray[
     defocus = 8.0 * terms[:, :1, None] * (u * f)
     # The overlap is symmetric in u and y; the imaginary part, odd in u, integrates to 0.
     real = (np.cos(defocus) * even + np.sin(defocus) * odd).sum(axis=2)
-    return np.asarray(4.0 * real + 0j) / (math.pi * pupil.transmission)
+    return np.asarray(4.0 * real / (math.pi * pupil.transmission), dtype=np.complex128)
 
 
 def _defocused_lines(slope: Array, low: Array, width: Array) -> Array:

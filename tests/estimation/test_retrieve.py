@@ -54,6 +54,19 @@ def model(terms=15, also=("center",), pupil=None):
     return made, np.concatenate([np.random.default_rng(2).normal(0.0, 0.3, made.size - 6), light])[None]
 
 
+def test_one_hot_pixel_is_named_by_its_place_until_it_is_masked():
+    images = stars(TRUE)
+    images[1, 4, 27] += 200.0
+    found = lm.retrieve(images, lm.Pupil(), defocus=DEFOCUS, **ASKED)
+    named = found.findings.get("hot_pixels")
+    assert named.numbers["place"] == (1, 4, 27)
+    assert "pixel (row 4, column 27) of image 2 is " in named.text
+    assert not found.reliable
+    mask = np.zeros(images.shape, dtype=bool)
+    mask[named.numbers["place"]] = True
+    assert lm.retrieve(images, lm.Pupil(), defocus=DEFOCUS, mask=mask, **ASKED).reliable
+
+
 @pytest.mark.parametrize("photons", [1e4, 1e5])
 def test_errors_are_those_that_the_noise_of_the_images_makes_unavoidable(photons):
     z, ratio, moved = [], [], []

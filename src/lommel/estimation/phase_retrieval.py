@@ -90,9 +90,10 @@ class Retrieval(FitReport):
         even part of the phase may have the other sign, and neither `pupil` nor a known defocus decides); "too_dim"
         (the standard error of an image's phase exceeds 0.25 radians rms, with `blur` 0.22: other wavefronts may fit);
         "errors_change" (a standard error changes by more than an eighth within one standard deviation);
-        "other_explanation"; "pattern" (residuals have stripes, or offsets of rows or columns); "too_quiet" (the
-        images are less noisy than `noise` states). Notes: "undetermined", pixels left out or perhaps saturated.
-        "rare_chi2" is a doubt if noise alone causes so large a chi2 in fewer than one of 1000 fits, otherwise a note.
+        "other_explanation"; "pattern" (residuals have stripes, or offsets of rows or columns); "hot_pixels" (a pixel
+        explains most of a large chi2); "too_quiet" (the images are less noisy than `noise` states). Notes:
+        "undetermined", pixels left out or perhaps saturated. "rare_chi2" is a doubt if noise alone causes so large a
+        chi2 in fewer than one of 1000 fits, otherwise a note.
     summary : str
         Chi2, and the numbers of steps and starts.
     converged, reliable, status, message
@@ -521,6 +522,7 @@ def _build_retrieval(
     variance = model.variance(mean)
     difference = residual * np.sqrt(variance)
     shape = counts.values.shape
+    findings += goodness_of_fit.outlier_findings(residual.reshape(shape))
     findings += goodness_of_fit.stripe_findings(difference.reshape(shape), variance.reshape(shape), noise.excess)
     findings += [*light_findings, *_sign_findings(model, x), *effect_findings, *untested]
     if "misfit" in Findings(findings).codes and not effect_findings:

@@ -19,7 +19,7 @@ CODES: Mapping[str, str] = {
     "excess_noise": "the variance is that of an electron-multiplying camera, whose excess noise was not stated",
     "flat_top": "many pixels have exactly the largest value: they may be saturated",
     "held_out": "data that were held out of the fit are inconsistent with it",
-    "hot_pixels": "pixels of the camera are hot: brighter than their neighbours, whatever is in focus",
+    "hot_pixels": "pixels of the camera are hot (brighter than their neighbours, whatever is in focus) or defective",
     "interrupted": "the search was interrupted: the result is that of the completed steps",
     "left_out": "some sources, windows or pixels were left out",
     "lens_scale": "blurs differ by more, or less, than the stated lenses imply",

@@ -43,6 +43,8 @@ _CELLS = 8  # number of groups of pixels of similar light
 _MAX_VARIATION = 0.3
 _MIN_PHOTON_PART = 0.1  # smallest m / v of pixels in the test of excess noise
 _MAX_DEFECT = 1e-6  # 1 - (abs(W(2 k)) / W(0))^2 below which F counts as real
+# Smallest deviation of an outlier, standard errors, and its smallest part of the sum of (squared deviation - 1).
+_MIN_OUTLIER, _OUTLIER_SHARE = 8.0, 0.5
 _LEAST_SIDE = 6  # smallest side of windows for the test of stripes, pixels
 
 
@@ -159,6 +161,27 @@ def excess_test(residual: ArrayLike, light: ArrayLike, read: ArrayLike) -> Exces
     share = float(shares[0])
     slack = _MAX_VARIATION * max(share, 1.0) + 5.0 * (1.0 + max(share, 0.0)) * errors[1:]
     return ExcessTest(share, float(errors[0]), bool((np.abs(shares[1:] - share) <= slack).all()))
+
+
+def outlier_findings(residual: Array) -> list[Finding]:
+    """Return the finding on one pixel that explains more than half of a chi2 above 1.
+
+    Parameters
+    ----------
+    residual : ndarray, shape (images, height, width)
+        Residuals in standard errors; NaN where unknown.
+    """
+    squares = np.nan_to_num(residual**2 - 1.0)
+    image, row, column = map(int, np.unravel_index(int(squares.argmax()), squares.shape))
+    sigmas = float(residual[image, row, column])
+    if abs(sigmas) < _MIN_OUTLIER or squares[image, row, column] < _OUTLIER_SHARE * squares.sum():
+        return []
+    side = "brighter" if sigmas > 0.0 else "darker"
+    text = (
+        f"pixel (row {row}, column {column}) of image {image + 1} is {abs(sigmas):.3g} standard errors {side} than "
+        "the fit: a defective pixel or a cosmic ray; mask it"
+    )
+    return [Finding("hot_pixels", "doubt", text, {"place": (image, row, column), "sigmas": sigmas})]
 
 
 def stripe_findings(residual: Array, variance: Array, excess: float = 1.0) -> list[Finding]:

@@ -165,7 +165,7 @@ def test_images_without_light_or_known_pixels_are_refused():
         counted(blind).require_known("images")
     half = np.where(np.arange(9) < 6, np.nan, IMAGES)
     counted(half).require_known("images", 0.3)
-    with pytest.raises(ValueError, match=r"images\[0\] must have pixels .*, got 24"):
+    with pytest.raises(ValueError, match=r"images\[0\] must have at least 36 of 72 pixels .*, got 24"):
         counted(half).require_known("images", 0.5)
     with pytest.raises(ValueError, match="images must have pixels"):
         counted(blind[2]).require_known("images")

@@ -234,16 +234,18 @@ _NUMBERS = (float, int, np.ndarray, np.float64, str)  # types without a mask, te
 
 
 def computed(value: object) -> Any:
-    """Return the array of a container (dask, computed; astropy's NDData), or any other value unchanged."""
+    """Return the array of a container, dask and xarray of dask computed, or any other value unchanged."""
     if type(value) in _NUMBERS or isinstance(value, np.ndarray):
         return value
     if isinstance(value, list | tuple):
         return value if all(type(part) in _NUMBERS for part in value) else [computed(part) for part in value]
     if getattr(value, "mask", None) is not None or type(value).__module__.partition(".")[0] == "lommel":
         return value
-    if callable(compute := getattr(value, "compute", None)) and hasattr(value, "dask"):
-        return compute()
-    values = None if hasattr(value, "__array__") else getattr(value, "data", None)  # astropy's NDData
+    data = getattr(value, "data", None)
+    for lazy in (value, data):  # dask, and xarray of dask, whose conversion to an array may lose the mask
+        if callable(compute := getattr(lazy, "compute", None)) and hasattr(lazy, "dask"):
+            return compute()
+    values = None if hasattr(value, "__array__") else data  # astropy's NDData
     return values if isinstance(values, np.ndarray) and hasattr(value, "mask") else value
 
 

@@ -190,7 +190,7 @@ def test_light_is_known_below_white():
         ({"photo": np.full((48, 64, 4), 0.5)}, ValueError, "alpha"),
         ({"depth": None}, ValueError, "depth must be the distance"),
         ({"depth": np.ones((3, 4))}, ValueError, r"depth must have the shape of the photo, \(48, 64\)"),
-        ({"depth": np.where(DEPTH < 2.2, np.nan, DEPTH)}, ValueError, "`missing`"),
+        ({"depth": np.where(DEPTH < 2.2, np.nan, DEPTH)}, ValueError, 'missing="nearest"'),
         ({"lens": 3.0}, TypeError, "lens must be a Lens"),
         ({"encoding": "gamma"}, ValueError, "encoding"),
         ({"noise": (5000, 3)}, TypeError, "noise must be a Noise"),

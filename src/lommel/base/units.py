@@ -120,7 +120,8 @@ def format_length(metres: float, *, like: float | None = None, digits: int = 4) 
             break
     else:
         name = "m" if size == 0 else "nm"
-    return f"{metres / LENGTHS[name]:.{digits}g} {name}"
+    number = float(f"{metres / LENGTHS[name]:.{digits}g}")
+    return f"{number:.{max(digits, 3)}g} {name}"  # 370 um, not 3.7e+02 um
 
 
 def with_error(value: float, error: float, *, most: int = 300) -> tuple[str, str]:

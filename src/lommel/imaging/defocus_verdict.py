@@ -70,8 +70,8 @@ class DefocusVerdict(FitReport):
         Other scales that fit equally well. If one of several scales agrees with the lenses, `scale` is NaN, and
         `others` holds all scales.
     changes : (float, float)
-        Median changes of depth, metres, if all f-numbers increase by 1 %, and if all foci increase by 0.01 dioptre;
-        NaN if no depth is known.
+        Median change of depth, metres, if all foci increase by 0.01 dioptre (second number), and median absolute
+        change if all f-numbers change by 1 % (first number); NaN if no depth is known.
     """
 
     misfit: float
@@ -231,8 +231,9 @@ def judge_frames(
     median = float(np.median(misfit[known]))
     known_vergence = vergence[known].astype(np.float64)
     # Depth is 1 / v at the vergence v: d(1 / v) = -dv / v^2.
-    by_f_number, *by_foci = np.median(-engine.lens_derivatives(known_vergence) / known_vergence**2, axis=1).tolist()
-    changes = 0.01 * by_f_number, 0.01 * sum(by_foci)
+    by_f_number, *by_foci = -engine.lens_derivatives(known_vergence) / known_vergence**2
+    # A wrong f-number moves near and far depths in opposite directions: a median with signs may vanish.
+    changes = 0.01 * float(np.median(np.abs(by_f_number))), 0.01 * float(np.median(np.sum(by_foci, axis=0)))
     make_verdict = partial(DefocusVerdict.of, median, changes=changes, stated=stated_error)
     # Inverse variances of depth.
     weight = np.where(known, 1.0 / np.maximum(errors, 1e-6) ** 2, 0.0)

@@ -31,6 +31,7 @@ def folder(tmp_path, monkeypatch):
     field = np.full((9, 64, 90), 10.0)
     for row, column in ((15, 20), (45, 60)):
         field[:, row - 9 : row + 10, column - 9 : column + 10] += 1e4 * bead
+    field[:, 6:25, 80:] += 1e4 * bead[:, :, :10]  # cut off by the edge
     for name, light in (("bead", 1e4 * bead + 10.0), ("field", field)):
         images = camera.record(light, seed=1).round().astype(np.uint16)
         tifffile.imwrite(f"{name}.tif", images, photometric="minisblack")
@@ -127,5 +128,6 @@ def test_beads_of_a_field_have_their_places_in_the_image_and_the_light_is_stated
     facts = json.loads(found.stdout)
     places = sorted((one["row"], one["column"]) for one in facts["places"])
     np.testing.assert_allclose(places, [(15, 20), (45, 60)], atol=0.1)
+    assert any("field.tif: 2 spots found; refused: 1 edge. Beads need 19 " in note for note in facts["notes"])
     assert facts["wavelength"] == pytest.approx(600e-9)
     assert facts["noise"]["offset"] == {"value": 100.0, "source": "option"}

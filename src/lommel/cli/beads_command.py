@@ -92,8 +92,8 @@ def beads(
     All beads share the aberrations and the constants of the microscope. chi2 is about 1 where the model fits. It may
     be 1 even for a wrong constant: all constants are tested, and the first line, the verdict, names those that
     disagree with the data. The file of -o is a microscope file with the fitted numbers, their standard errors, and
-    the verdict as its source. The exit code is 3 if the fit did not converge: a misfit, no bead, or planes in
-    reversed order.
+    the verdict as its source. The exit code is 3 if the fit did not converge: a misfit, a window without a bead,
+    or planes in reversed order; it is 4 if the fit is in doubt.
 
     Examples
     --------
@@ -128,7 +128,7 @@ def beads(
             values = stack.values
             if (mask := camera.mask(values)) is not None:
                 values = np.ma.masked_array(values, np.broadcast_to(mask, values.shape))
-            windows += _beads(file, values, camera, noise, saturation)
+            windows += _beads(file, values, camera, noise, saturation, notes)
         status("fitting")
         result = fit_beads(
             [window.window for window in windows[:_MAX_BEADS]],
@@ -169,8 +169,13 @@ class _Bead(NamedTuple):
     corner: tuple[int, int]
 
 
-def _beads(file: str, planes: Values, camera: BeadCamera, noise: Noise, saturation: float | None) -> list[_Bead]:
-    """Return the beads of a stack; a stack that shows a single bead is returned as a whole."""
+def _beads(
+    file: str, planes: Values, camera: BeadCamera, noise: Noise, saturation: float | None, notes: list[str]
+) -> list[_Bead]:
+    """Return the beads of a stack, and add to `notes` how many were refused.
+
+    A stack that shows a single bead is returned as a whole.
+    """
     if max(planes.shape[1:]) <= _FIELD_FACTOR * camera.window:
         return [_Bead(f"{file} [0]", planes, (0, 0))]
     window, threshold = camera.window, camera.threshold
@@ -178,6 +183,8 @@ def _beads(file: str, planes: Values, camera: BeadCamera, noise: Noise, saturati
     if not len(spots):
         advice = "a smaller --window may do" if spots.refused else "lower --threshold, or check --offset and --gain"
         raise ValueError(f"{line(file)}: no isolated bead; {spots.message}: {advice}")
+    if spots.refused:
+        notes.append(f"{line(file)}: {spots.message}. Beads need {window} pixels for themselves (--window).")
     corners = (spots.places - np.array(spots.windows.shape[-2:]) // 2).tolist()
     numbered = enumerate(zip(spots.windows, corners, strict=True))
     return [_Bead(f"{file} [{k}]", values, (row, column)) for k, (values, (row, column)) in numbered]

@@ -268,9 +268,14 @@ def _seeing_fwhm(seeing: Seeing, focal_length: float) -> float:
 def seeing_in_words(seeing: Seeing, focal_length: float, error: float | None = None) -> str:
     """Return the FWHM of long exposures at 500 nm, and its standard error from the `error` of r0, as a text."""
     width = _seeing_fwhm(seeing, focal_length)
+    if seeing.outer_scale is not None:
+        # The error of r0 is for this outer scale; images of similar blur have other pairs of r0 and outer scale.
+        return (
+            f"seeing of {width:.2f} arcsec (0.98 wavelengths / r0 at 500 nm) with an outer scale of "
+            f"{seeing.outer_scale:.0f} m; the images hardly tell the two apart"
+        )
     error_text = "" if error is None else f" +- {width * error / seeing.r0:.3f}"
-    outer = "" if seeing.outer_scale is None else f", outer scale {seeing.outer_scale:.0f} m"
-    return f"seeing of {width:.3f}{error_text} arcsec (FWHM at 500 nm{outer})"
+    return f"seeing of {width:.3f}{error_text} arcsec (FWHM at 500 nm)"
 
 
 def _describe_blur(result: FieldFit, pitch: float, focal_length: float) -> str:

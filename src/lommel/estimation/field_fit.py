@@ -129,7 +129,8 @@ class FieldFit(FitReport):
         (:class:`lommel.Seeing`, :class:`lommel.Jitter`, or both). Fried's parameter r0 of the seeing is for the focal
         length of the pupil, or for 1 m if it has none.
     blur_errors : tuple of tuples of float
-        Standard error of r0 (:class:`lommel.Seeing`) or sigma (:class:`lommel.Jitter`); 0 for a known blur.
+        Standard error of r0 (:class:`lommel.Seeing`; for the outer scale of the fit, with which r0 changes by more)
+        or sigma (:class:`lommel.Jitter`); 0 for a known blur.
     chi2 : float
         Pearson's chi2 per degree of freedom of all used stars, about 1 if the model is right.
     held_out : float

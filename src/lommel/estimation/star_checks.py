@@ -101,7 +101,7 @@ _DESCRIPTIONS = {
     **{name: (f"{name}: fraction", "") for name in _TRAILS.values()},
     "f_number": ("another f-number: its difference from the stated one", ""),
     OBSCURATION: ("another obscuration: its difference from the stated one", ""),
-    "defocus": ("known defoci that are larger than stated: relative change", ""),
+    "defocus": ("known defoci of another scale than stated: relative change", ""),
     "apodization": ("an amplitude that falls towards the edge of the pupil, by exp(-g rho^2), g", ""),
 }
 

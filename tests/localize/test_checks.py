@@ -125,7 +125,7 @@ def test_a_depth_that_molecules_do_not_tell_is_named(table, mean):
     few = localize_movie(CAMERA.record(mean[:3], 1), table, noise=CAMERA).findings.get("untested")
     assert 0.0 < few.numbers["depth"]["error"] <= 0.1e-6
     assert few.numbers["depth"]["z"] > 0.5
-    assert f"depth ({few.numbers['depth']['error'] * 1e9:.2g} nm changes z by " in few.text
+    assert f"depth ({few.numbers['depth']['error'] * 1e9:.0f} nm changes z by " in few.text
     assert "drift of the focus" in few.text
 
 

@@ -126,7 +126,7 @@ def test_numbers_are_said_in_units(shown):
     rows, _, _ = told(LENS)
     assert rows["focal length"] == "50 mm"
     assert rows["focused at"] == "2 m"
-    assert told(shown["PSFs"])[0]["stack"] == "W020 0 waves to W020 0.796 waves"
+    assert told(shown["PSFs"])[0]["stack"] == "W020 0 waves to W020 1.59 waves"
     assert told(shown["ObjectivePupil"])[0]["stage"] == "0 m to 2 µm"
     assert told(shown["Microscope"])[0]["objective"] == "NA 1.4, 63x, immersion 1.518"
     assert told(shown["PSFGrid"])[0]["sensor"] == "20 λN × 30 λN"

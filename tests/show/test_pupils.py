@@ -56,7 +56,7 @@ def test_a_wavefront_is_drawn_over_the_full_disc_and_its_stack_on_one_scale():
     stack = lm.Wavefront(np.array([[0.0, 1.0], [2.0, 3.0]]), spherical=1.0)
     axes = stack.plot()
     assert axes.shape == (2, 2)
-    assert [each.get_title() for each in axes.flat] == [f"W020 {k / math.tau:.3g} waves" for k in range(4)]
+    assert [each.get_title() for each in axes.flat] == [f"W020 {k / math.pi:.3g} waves" for k in range(4)]
     tops = {each.get_images()[0].norm.vmax for each in axes.flat}
     assert tops == {max(np.nanmax(np.abs(drawn(each))) for each in axes.flat)}
     np.testing.assert_allclose(

@@ -53,7 +53,7 @@ def of_wavefronts(wavefront: Wavefront) -> list[str]:
     nonradial_edge = flattened.edge[:, flattened.symmetric :]
     radial, nonradial = (np.flatnonzero(np.ptp(part, axis=0)) for part in (powers, nonradial_edge))
     if radial.size == 1 and not nonradial.size and radial[0] < 2:
-        name, values = (("W020", flattened.defocus), ("W040", flattened.spherical))[radial[0]]
+        name, values = (("W020", 2.0 * flattened.defocus), ("W040", flattened.spherical))[radial[0]]
     elif nonradial.size == 1 and not radial.size:
         return _term_labels(flattened, flattened.symmetric + int(nonradial[0]))
     else:

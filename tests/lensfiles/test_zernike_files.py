@@ -67,7 +67,9 @@ def test_every_format_holds_the_same_table(load, suffix):
     table = load(suffix, TEXTS[suffix])
     assert table == lm.ZernikeTable({4: -12.5, 7: 31.0}, "noll", "nm", "rms", 632.8e-9)
     assert table == load(suffix, "\ufeff" + TEXTS[suffix].replace("\n", "\r\n"))
-    expected = lm.Wavefront.zernike({4: 1e-9 * -12.5, 7: 1e-9 * 31}, order="noll", unit="metres", wavelength=632.8e-9)
+    options = {"order": "noll", "wavelength": 632.8e-9}
+    assert table.wavefront() == lm.Wavefront.zernike({4: -12.5, 7: 31.0}, unit="nm", **options)
+    expected = lm.Wavefront.zernike({4: 1e-9 * -12.5, 7: 1e-9 * 31}, unit="metres", **options)
     found = table.wavefront().edge_terms()
     assert {term: float(c) for term, c in found.items()} == pytest.approx(
         {term: float(c) for term, c in expected.edge_terms().items()}, rel=1e-14

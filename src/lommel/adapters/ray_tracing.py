@@ -45,14 +45,7 @@ MAX_DEGREE = 20
 # If the degree is too low, the fit residual is up to a sixth of the tilt.
 _TILT, _TILT_OF_SLOPES, _TILT_OF_RESIDUAL = 0.1, 0.01, 10.0
 _MIN_AMPLITUDE = 1e-9  # components of the electric field below this amplitude are omitted
-_HEIGHT_COUNTS = (
-    5,
-    9,
-    17,
-    33,
-    65,
-    129,
-)  # numbers of heights tried for a map, until interpolation agrees with the rays
+_HEIGHT_COUNTS = (5, 9, 17, 33, 65, 129)  # numbers of heights tried for a map
 _BAND_COUNTS = (3, 5, 9, 17, 33)  # numbers of wavelengths tried for a band
 _MIN_ELLIPTICITY = 1e-5  # a pupil with smaller ellipticity is treated as a circle, which all methods support
 

@@ -12,7 +12,7 @@ import numpy as np
 
 from lommel.base.arrays import plain
 from lommel.base.units import with_error
-from lommel.blur.blurs import FWHM, Jitter, Seeing
+from lommel.blur.blurs import FWHM, Blur, Jitter, Seeing
 from lommel.cli.instruments import IMAGES, LENS, SeveralNumbers, StarCamera, numbers_of
 from lommel.cli.options import JSON, OUTPUT, Group, command, documented, option, plot_option
 from lommel.cli.output import progress, require_file, save_figure, written
@@ -265,17 +265,23 @@ def _seeing_fwhm(seeing: Seeing, focal_length: float) -> float:
     return FWHM / seeing.coherence(500e-9) / focal_length / _ARCSEC
 
 
-def seeing_in_words(seeing: Seeing, focal_length: float, error: float | None = None) -> str:
-    """Return the FWHM of long exposures at 500 nm, and its standard error from the `error` of r0, as a text."""
-    width = _seeing_fwhm(seeing, focal_length)
-    if seeing.outer_scale is not None:
+def blur_in_words(blur: Blur, error: float, pitch: float, focal_length: float | None) -> str:
+    """Return the FWHM of seeing at 500 nm, or sigma of a Gaussian in pixels, with its standard error, as a text.
+
+    `error` is that of r0 or sigma; `pitch` and `focal_length` are in metres. Other blurs are shown as in Python.
+    """
+    if isinstance(blur, Jitter) and blur.across == blur.sigma:
+        return f"{blur.sigma / pitch:.3f} +- {error / pitch:.3f} pixels (standard deviation)"
+    if not isinstance(blur, Seeing) or focal_length is None:
+        return repr(blur)
+    width = _seeing_fwhm(blur, focal_length)
+    if blur.outer_scale is not None:
         # The error of r0 is for this outer scale; images of similar blur have other pairs of r0 and outer scale.
         return (
             f"seeing of {width:.2f} arcsec (0.98 wavelengths / r0 at 500 nm) with an outer scale of "
-            f"{seeing.outer_scale:.0f} m; the images hardly tell the two apart"
+            f"{blur.outer_scale:.0f} m; the images hardly tell the two apart"
         )
-    error_text = "" if error is None else f" +- {width * error / seeing.r0:.3f}"
-    return f"seeing of {width:.3f}{error_text} arcsec (FWHM at 500 nm)"
+    return f"seeing of {width:.3f} +- {width * error / blur.r0:.3f} arcsec (FWHM at 500 nm)"
 
 
 def _describe_blur(result: FieldFit, pitch: float, focal_length: float) -> str:
@@ -284,11 +290,10 @@ def _describe_blur(result: FieldFit, pitch: float, focal_length: float) -> str:
     for blurs, errors in zip(result.blurs, result.blur_errors, strict=True):
         texts, flags = [], []
         for blur, error in zip(blurs, errors, strict=True):
+            texts.append(blur_in_words(blur, error, pitch, focal_length))
             if isinstance(blur, Seeing):
-                texts.append(seeing_in_words(blur, focal_length, error))
                 flags.append(f"--seeing {_seeing_fwhm(blur, focal_length):.4g}")
             elif isinstance(blur, Jitter):
-                texts.append(f"{blur.sigma / pitch:.3f} +- {error / pitch:.3f} pixels (standard deviation)")
                 flags.append(f"--jitter {blur.sigma / focal_length / _ARCSEC:.3g}")
         blur_texts.append(" and ".join(texts) or "none")
         options.append(" ".join(flags))

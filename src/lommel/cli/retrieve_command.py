@@ -11,8 +11,8 @@ import click
 import numpy as np
 
 from lommel.base.units import with_error
-from lommel.blur.blurs import Blur, Jitter, Seeing
-from lommel.cli.fit_field_command import seeing_in_words
+from lommel.blur.blurs import Blur
+from lommel.cli.fit_field_command import blur_in_words
 from lommel.cli.instruments import IMAGES, LENS, SeveralNumbers, StarCamera, numbers_of
 from lommel.cli.options import JSON, OUTPUT, Group, command, documented, option, plot_option
 from lommel.cli.output import progress, save_figure, written
@@ -152,14 +152,8 @@ def _parts(result: Retrieval, unit: str, files: list[str], pitch: float) -> Part
 
 def _blur_text(blurs: tuple[Blur, ...], errors: tuple[float, ...], pitch: float) -> str:
     """Return the blurs of an image and their standard errors as a text, Gaussians in pixels; `pitch` is in metres."""
-    texts = []
-    for blur, error in zip(blurs, errors, strict=True):
-        if isinstance(blur, Seeing) and blur.focal_length is not None:
-            texts.append(seeing_in_words(blur, blur.focal_length, error))
-        elif isinstance(blur, Jitter) and blur.across == blur.sigma:
-            texts.append(f"{blur.sigma / pitch:.3f} +- {error / pitch:.3f} pixels (standard deviation)")
-        else:
-            texts.append(repr(blur))
+    pairs = zip(blurs, errors, strict=True)
+    texts = (blur_in_words(blur, error, pitch, getattr(blur, "focal_length", None)) for blur, error in pairs)
     return " and ".join(texts) or "nothing"
 
 

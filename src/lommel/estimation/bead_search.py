@@ -374,11 +374,12 @@ class Search:
         places = tuple(single_fits[k].state.places[0] for k in pilots)
         pilot_fit = self.climb(model.with_beads(pilots), replace(start, places=places), 0.2)
         pilot = pilot_fit.state
-        single_fits = [
-            self.climb(model.single_bead(k), State(pilot.setup, pilot.waves, single_fits[k].state.places), 0.0)
-            for k in used_indices
+        single_starts = [State(pilot.setup, pilot.waves, single_fits[k].state.places) for k in used_indices]
+        placed_fits = [
+            self.climb(model.single_bead(k), single_start, 0.0)
+            for k, single_start in zip(used_indices, single_starts, strict=True)
         ]
-        start = State(pilot.setup, pilot.waves, tuple(fit.state.places[0] for fit in single_fits))
+        start = State(pilot.setup, pilot.waves, tuple(fit.state.places[0] for fit in placed_fits))
         joint_fit = self.climb(joint_model, start, 0.2, None if pilot_fit.fits(BY_CHANCE) else _MISFIT_STEPS)
         if not joint_fit.fits(BY_CHANCE):
             return replace(joint_fit, settled=True), is_used

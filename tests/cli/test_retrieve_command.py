@@ -44,7 +44,7 @@ def test_terms_come_with_deviations_and_the_verdict_last(folder, call_lommel):
     (coma,) = [line.split() for line in lines if "noll 8 coma x" in line]
     true = 0.6 / np.sqrt(8.0)
     assert float(coma[-2]) == pytest.approx(true, abs=5 * float(coma[-1]))
-    assert lines[-3].startswith("converged: chi2 ")
+    assert any(line.startswith("converged: chi2 ") for line in lines)
     assert lines[-2:] == ["wrote wave.json", "wrote fit.png: square roots of images and model"]
     assert (folder / "fit.png").stat().st_size > 10_000
     # A lens file reads it back, and what it makes has the coma.
@@ -86,7 +86,7 @@ def test_doubtful_standard_errors_are_said_in_the_verdict(folder, call_lommel):
     assert found["converged"]
     assert not found["reliable"]
     assert found["message"].startswith(said)
-    assert [each["code"] for each in found["findings"]] == ["too_dim"]
+    assert [each["code"] for each in found["findings"]] == ["too_dim", "untested"]
     assert shown.endswith(found["message"])
 
 

@@ -300,7 +300,7 @@ def test_other_random_starts_are_tried_where_the_map_does_not_hold(monkeypatch):
 
     monkeypatch.setattr(Search, "outcome", first_one_doubted)
     fit = fitted(images[:, 0], places)
-    assert outcomes[0].findings.codes == ("held_out",)
+    assert outcomes[0].findings.codes == ("held_out", "untested")
     assert len(outcomes) == 2
     assert fit.converged
     assert fit.held_out == outcomes[1].held_out[0]

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import cProfile
 import json
+import math
 import pstats
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -311,6 +313,27 @@ def test_wavefronts_of_three_radians_are_found_from_other_starts():
         assert_allclose(list(each.coefficients.values()), random_wavefront(seed, 3.0)[1], atol=0.03)
 
 
+FOCI = "the sign of the stated defocus"
+
+
+def test_exchanged_foci_agree_as_well_and_the_result_says_so():
+    images, terms = stars(TRUE, defocus=[-3.0, 3.0]), ["noll 5", "noll 8", "noll 11"]
+    right = lm.retrieve(images, lm.Pupil(), terms=terms, defocus=[-3.0, 3.0], **ASKED)
+    exchanged = lm.retrieve(images, lm.Pupil(), terms=terms, defocus=[3.0, -3.0], **ASKED)
+    for found in (right, exchanged):
+        assert found.reliable
+        assert FOCI in found.findings.get("untested").text
+    signs = {"noll 5": -1.0, "noll 8": 1.0, "noll 11": -1.0}
+    for name, sign in signs.items():
+        assert exchanged.coefficients[name] == pytest.approx(sign * right.coefficients[name], abs=1e-3)
+    # A fixed even term cannot have the other sign: exchanged foci do not fit.
+    fixed = lm.retrieve(
+        images, lm.Pupil(lm.Wavefront.zernike({11: 0.2}, order="noll")), terms=terms[:2], defocus=[-3.0, 3.0], **ASKED
+    )
+    assert fixed.converged
+    assert FOCI not in fixed.message
+
+
 def test_one_defocus_leaves_the_sign_of_even_terms_open_and_says_so():
     known = lm.retrieve(
         stars(TRUE, defocus=1.0), lm.Pupil(), terms=["noll 5", "noll 8", "noll 11"], defocus=1.0, **ASKED
@@ -318,6 +341,7 @@ def test_one_defocus_leaves_the_sign_of_even_terms_open_and_says_so():
     assert known.converged
     assert "sign_open" not in known.findings.codes  # a defocus that is not solved for tells it
     assert known.coefficients["noll 5"] == pytest.approx(0.4, abs=5 * known.errors["noll 5"])
+    assert FOCI in known.findings.get("untested").text
     image = stars(lm.Wavefront(defocus=-1.0) - TRUE, defocus=0.0)
     found = lm.retrieve(image, lm.Pupil(), terms=("defocus", "noll 5", "noll 8", "noll 11"), **ASKED)
     assert found.converged
@@ -334,8 +358,10 @@ def test_one_defocus_leaves_the_sign_of_even_terms_open_and_says_so():
     )
     assert other.coefficients["defocus"] == pytest.approx(-1.0, abs=6 * other.errors["defocus"])
     assert other.coefficients["noll 8"] == pytest.approx(0.3, abs=6 * other.errors["noll 8"])
+    assert FOCI not in found.message
     two = lm.retrieve(stars(TRUE, defocus=[0.0, 2.0]), lm.Pupil(), terms=8, defocus=[0.0, 2.0], **ASKED)
     assert "sign_open" not in two.findings.codes
+    assert FOCI in two.findings.get("untested").text
     assert two.twin is None
     assert two.reliable
     near = lm.retrieve(image, lm.Pupil(lm.Wavefront(0.9)), terms=("defocus", "noll 5", "noll 8", "noll 11"), **ASKED)
@@ -630,13 +656,14 @@ def test_images_that_sum_to_1_are_told_to_be_no_electrons():
     assert "; the images sum to 1, as PSFs do and electrons do not: multiply them by the electrons" in found.message
 
 
-def through_air(seed, widths=(0.9, 1.1), side=25):
-    """Return images of a star through Kolmogorov's turbulence, by a mixture of pupils' transfer functions alone."""
+def through_air(seed, widths=(0.9, 1.1), side=25, *, defoci=(0.0, 3.0), pixel=0.5, photons=2e4, ratio=math.inf):
+    """Return images of a star through turbulence of outer scale `ratio` r0, by pupils' transfer functions alone."""
     telescope, images = Telescope(), []
-    for defocus, fwhm in zip((0.0, 3.0), widths, strict=True):
+    for defocus, fwhm in zip(defoci, widths, strict=True):
         transfer = telescope.transfer(((5, 0.3), (8, -0.25), (11, 0.2)), defocus=2 * defocus)
-        transfer = transfer.times(air.kolmogorov(transfer.radius, fwhm))
-        images.append(2e4 * transfer.image(side, 0.5, side // 2 + 0.2, side // 2 - 0.3) + 10.0)
+        blur = air.kolmogorov if math.isinf(ratio) else partial(air.von_karman, ratio=ratio)
+        transfer = transfer.times(blur(transfer.radius, fwhm))
+        images.append(photons * transfer.image(side, pixel, side // 2 + 0.2, side // 2 - 0.3) + 10.0)
     return np.random.default_rng(seed).poisson(images) + np.random.default_rng(seed).normal(0.0, 3.0, (2, side, side))
 
 
@@ -655,8 +682,37 @@ def test_of_a_star_through_air_seeing_is_estimated_with_the_wavefront():
         assert [type(one).__name__ for several in found.blurs for one in several] == ["Seeing", "Seeing"]
         assert_allclose(found.center, [[12.2, 11.7]] * 2, atol=0.1)
         assert np.nanstd(found.residual) == pytest.approx(1.0, abs=0.1)
+    wrong = lm.retrieve(images, lm.Pupil(obscuration=0.7), blur=True, **plain)
+    assert wrong.status == "misfit"
+    assert "degree is too low" not in wrong.message  # of a map, of which there is none
     # chi2 of 32 at 1e-3 and 1 - 1e-3
     assert 0.62 < np.sqrt(np.mean(np.square(z))) < 1.4
+
+
+@pytest.mark.parametrize("ratio", [450.0, math.inf])
+def test_the_error_of_r0_includes_the_outer_scale_that_is_not_known(ratio):
+    widths, defoci = (2.6, 3.0), (-8.0, 8.0)
+    for seed in range(2):
+        images = through_air(seed, widths, 41, defoci=defoci, pixel=1.0, photons=1e6, ratio=ratio)
+        found = lm.retrieve(
+            images, lm.Pupil(), pixel=1.0, noise=lm.Noise(read=3.0), defocus=defoci, blur=True, integrate=True,
+            terms=[f"noll {j}" for j in range(4, 12)],
+        )  # fmt: skip
+        assert found.converged
+        for width, (seeing, *_), (error, *_) in zip(widths, found.blurs, found.blur_errors, strict=True):
+            assert seeing.r0 == pytest.approx(air.WIDTH / width, abs=3.0 * error)
+            # Next to an outer scale of 1000 r0, another fits nearly as well; noise alone leaves an error of 0.5 %.
+            assert 0.01 < error / seeing.r0 < 0.05
+
+
+def test_the_outer_scale_is_chosen_by_exact_images():
+    # With the accuracy that a search needs, an outer scale of 1000 r0 seems more likely.
+    images = through_air(2, (3.6, 4.1), 61, defoci=(-20.0, 20.0), pixel=1.367, photons=5e5)
+    terms, noise = [f"noll {j}" for j in range(4, 12)], lm.Noise(read=3.0)
+    found = lm.retrieve(
+        images, lm.Pupil(), pixel=1.367, noise=noise, defocus=(-20.0, 20.0), blur=True, terms=terms, integrate=True
+    )
+    assert [blurs[0].outer_scale for blurs in found.blurs] == [None, None]
 
 
 def test_blur_goes_with_a_lens_and_its_own_search():

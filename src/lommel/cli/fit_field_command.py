@@ -11,7 +11,7 @@ import click
 import numpy as np
 
 from lommel.base.arrays import plain
-from lommel.base.units import with_error
+from lommel.base.units import format_length, with_error
 from lommel.blur.blurs import FWHM, Blur, Jitter, Seeing
 from lommel.cli.instruments import IMAGES, LENS, SeveralNumbers, StarCamera, numbers_of
 from lommel.cli.options import JSON, OUTPUT, Group, command, documented, option, plot_option
@@ -275,13 +275,9 @@ def blur_in_words(blur: Blur, error: float, pitch: float, focal_length: float | 
     if not isinstance(blur, Seeing) or focal_length is None:
         return repr(blur)
     width = _seeing_fwhm(blur, focal_length)
-    if blur.outer_scale is not None:
-        # The error of r0 is for this outer scale; images of similar blur have other pairs of r0 and outer scale.
-        return (
-            f"seeing of {width:.2f} arcsec (0.98 wavelengths / r0 at 500 nm) with an outer scale of "
-            f"{blur.outer_scale:.0f} m; the images hardly tell the two apart"
-        )
-    return f"seeing of {width:.3f} +- {width * error / blur.r0:.3f} arcsec (FWHM at 500 nm)"
+    outer = "" if blur.outer_scale is None else f" for an outer scale of {format_length(blur.outer_scale)}"
+    error_text = " +- ".join(with_error(width, width * error / blur.r0))
+    return f"seeing of {error_text} arcsec (0.98 wavelengths / r0 at 500 nm{outer})"
 
 
 def _describe_blur(result: FieldFit, pitch: float, focal_length: float) -> str:
@@ -293,6 +289,8 @@ def _describe_blur(result: FieldFit, pitch: float, focal_length: float) -> str:
             texts.append(blur_in_words(blur, error, pitch, focal_length))
             if isinstance(blur, Seeing):
                 flags.append(f"--seeing {_seeing_fwhm(blur, focal_length):.4g}")
+                if blur.outer_scale is not None:
+                    flags.append(f"--outer-scale {blur.outer_scale:.3g}m")
             elif isinstance(blur, Jitter):
                 flags.append(f"--jitter {blur.sigma / focal_length / _ARCSEC:.3g}")
         blur_texts.append(" and ".join(texts) or "none")

@@ -83,8 +83,9 @@ def missing_tests(
     # In a wide filter the mean wavelength differs from star to star, and images are polychromatic.
     spectrum = ("spectrum of the stars within the filter",) if stars.width_count and stars.pupil.wavelength else ()
     drift = (_DRIFT,) if stars.width_count and stars.target is None else ()
+    never = (*star_checks.untestable(stars.first_star), *drift, *spectrum)
     untested = star_checks.untested_constants(
-        stars.pupil, stars.defocus, effect_candidates, tests, fit, unknowns, constant_columns, (*drift, *spectrum)
+        stars.pupil, stars.defocus, effect_candidates, tests, fit, unknowns, constant_columns, never
     )
     return tests, marginal, untested
 

@@ -129,8 +129,8 @@ class FieldFit(FitReport):
         (:class:`lommel.Seeing`, :class:`lommel.Jitter`, or both). Fried's parameter r0 of the seeing is for the focal
         length of the pupil, or for 1 m if it has none.
     blur_errors : tuple of tuples of float
-        Standard error of r0 (:class:`lommel.Seeing`; for the outer scale of the fit, with which r0 changes by more)
-        or sigma (:class:`lommel.Jitter`); 0 for a known blur.
+        Standard error of r0 (:class:`lommel.Seeing`; the outer scale is unknown) or sigma (:class:`lommel.Jitter`);
+        0 for a known blur.
     chi2 : float
         Pearson's chi2 per degree of freedom of all used stars, about 1 if the model is right.
     held_out : float
@@ -707,10 +707,11 @@ def _build_field_fit(
             tests = negated(tests, first_star.unknowns)
             fit.x[0, : k * m] = polynomials.ravel()
         twin = field_of(twin_coefficients)
-        findings = _sign_findings(start is not None, stars.has_defocus)
+        findings = _sign_findings(start is not None, stars.has_defocus, "map" if stars.count > 1 else "wavefront")
     findings = [*outcome.findings, *missing_findings(tests), *findings]
     squared_widths = fit.squared_widths()
-    blurs_with_errors = _estimated_blurs(stars, known_blurs, squared_widths, errors.reshape(squared_widths.shape))
+    width_errors, outer_errors = errors.reshape(squared_widths.shape), search.outer_scale_errors(fit)
+    blurs_with_errors = _estimated_blurs(stars, known_blurs, squared_widths, width_errors, outer_errors)
     findings += _blur_findings(stars, outcome.blur_costs)
     table, model = _fitted_stars(search, fit, rejected, polynomials, places, noise.excess)
     findings += _stripe_findings(stars, model, table.used, noise.excess)
@@ -788,13 +789,14 @@ def _stripe_findings(stars: FieldStars, model: Array, used: NDArray[np.bool_], e
     return stripe_findings(residual, variance, excess)
 
 
-def _sign_findings(has_start: bool, has_defocus: bool) -> list[Finding]:
+def _sign_findings(has_start: bool, has_defocus: bool, noun: str) -> list[Finding]:
     """Return the finding that images in one focus do not determine the common sign of the even terms."""
-    choice = f"the map nearer to {'start' if has_start else 'the wavefront of pupil'} was chosen"
+    choice = f"the {noun} nearer to {'start' if has_start else 'the wavefront of pupil'} was chosen"
     severity: Severity = "note"
     if not has_start and not has_defocus:
-        choice, severity = "add a second defocus, or pass start", "doubt"
-    return [Finding("sign_open", severity, f"{_SIGN}: {choice}, the other map is twin")]
+        choice = "add a second defocus" + (", or pass start" if noun == "map" else "")
+        severity = "doubt"
+    return [Finding("sign_open", severity, f"{_SIGN}: {choice}, the other {noun} is twin")]
 
 
 def _rejected_finding(noun: str, places: Array) -> list[Finding]:
@@ -816,9 +818,12 @@ def _left_out_finding(pixels: NDArray[np.bool_]) -> list[Finding]:
 
 
 def _estimated_blurs(
-    stars: FieldStars, known_blurs: tuple[Blur, ...], squared_widths: Array, errors: Array
+    stars: FieldStars, known_blurs: tuple[Blur, ...], squared_widths: Array, errors: Array, outer_errors: Array
 ) -> list[list[tuple[Blur, float]]]:
-    """Return the blurs of each exposure, from squared widths (e, b) in pixels, with their standard errors."""
+    """Return the blurs of each exposure, from squared widths (e, b) in pixels, with their standard errors.
+
+    `errors` (e, b) are those of the squared widths; `outer_errors` (e,), of the seeing, are due to the outer scale.
+    """
     exposures: list[list[tuple[Blur, float]]] = [[(blur, 0.0) for blur in known_blurs] for _ in squared_widths]
     pupil, profile = stars.pupil, stars.blur
     pitch = stars.pixel * float(pupil.scale)
@@ -835,7 +840,7 @@ def _estimated_blurs(
                 r0 = FWHM / (SIGMAS * width * pitch) * (1.0 if wavelength is None else wavelength * focal_length)
                 outer = None if profile.outer is None else profile.outer * r0
                 seeing = Seeing(r0, None if wavelength is None else focal_length, wavelength, outer)
-                blurs_of_exposure.append((seeing, r0 * width_error / width))
+                blurs_of_exposure.append((seeing, r0 * math.hypot(width_error / width, outer_errors[i])))
     return exposures
 
 

@@ -40,6 +40,7 @@ _SCATTER = 0.7, 0.25  # standard deviation (radians rms) of random starts: first
 _START_BLUR = 0.5  # width of the blur at the start, pixels
 _MAX_BLUR = 0.15  # largest width of the blur of individual stars, as a fraction of a window's side
 _SINGLE_TERMS = 3  # number of terms of the blur model for individual stars
+_TINY = 1e-9  # smallest squared width of seeing of which r0 is computed, pixels^2
 _PROFILE_STEPS = 6  # maximum number of steps of a fit with another profile of blur
 _OUTER_GAIN = 5.0  # the outer scale is searched if lnL of seeing exceeds lnL of a Gaussian by this
 _MIN_GAIN = 1.0  # lnL by which another minimum or outer scale must be better to be preferred
@@ -63,7 +64,7 @@ _MAX_NEGATED = 3  # largest number of searches with a negated sign
 _TRIAL_STEPS, _BEST_STEPS = 2, 5  # steps of each search with a negated sign; further steps of the best search
 _RIVAL_STEPS = 12  # further steps of a search that ended at another minimum
 _MAX_RIVAL_COST, _MIN_RIVAL_DISTANCE = 8.0, 3.0  # another minimum: largest loss of lnL; least distance, std. errors
-_CAUSES = "pupil, pixel, noise, defocus or blur are wrong, the degree is too low, or terms are missing"
+_CAUSES = "pupil, pixel, noise, defocus or blur are wrong, {}or terms are missing"
 
 Report = Callable[[float, float], object]
 """Function of the fraction of the search that is done, and of chi2."""
@@ -117,7 +118,8 @@ class Outcome:
     def findings(self) -> Findings:
         """Findings on the fit."""
         chi2, deviation = float(self.fit.scores.chi2[0]), float(self.fit.scores.spread[0])
-        causes = causes_of_misfit(_CAUSES, chi2, deviation, self.tests)
+        degree = "the degree is too low, " if len(self.places) > 1 else ""
+        causes = causes_of_misfit(_CAUSES.format(degree), chi2, deviation, self.tests)
         findings = chi2_findings(chi2, deviation, causes)
         causes = causes and f"; {causes}"
         bright_chi2, bright_deviation = self.bright_chi2
@@ -510,7 +512,9 @@ class Search:
 
         def fit_profile(profile: BlurProfile, widths: Array, max_steps: int) -> Solution:
             self.stars = self.initial_stars.with_blur_profile(profile)
-            refit = self.refine(fit.model.chosen, polynomials, widths, max_steps, (0.88, 0.01), nuisance)
+            # Errors of fast images change lnL by as much as profiles do.
+            start = fit.model.chosen, polynomials, widths
+            refit = self.refine(*start, max_steps, (0.88, 0.01), nuisance, fast=False)
             return refit or replace(fit, scores=fit.scores._replace(deviance=np.full(1, np.inf)))
 
         two_widths = fit_profile(BlurProfile.turbulent(), squared_widths, _PROFILE_STEPS)
@@ -540,6 +544,29 @@ class Search:
             best_fit = single_widths[0]
         self.stars = best_fit.model.stars
         return best_fit
+
+    def outer_scale_errors(self, fit: Solution) -> Array:
+        """Return the relative standard error of r0 of each exposure, (e,), that is due to the outer scale."""
+        stars, profile, squared_widths = self.stars, self.stars.blur, fit.squared_widths()
+        squares = np.zeros(len(squared_widths))
+        if "seeing" not in profile.names:
+            return squares
+        seeing, i = profile.names.index("seeing"), OUTER.index(profile.outer)
+        total, spacing = 1.0, squares
+        for outer in (*OUTER[max(i - 1, 0) : i], *OUTER[i + 1 : i + 2]):
+            self.stars = stars.with_blur_profile(BlurProfile.turbulent(outer, alone=len(profile.names) == 1))
+            start = fit.model.chosen, fit.polynomials(), squared_widths
+            refit = self.refine(*start, _PROFILE_STEPS, (0.99, 0.0), fit.nuisance(), fast=False)
+            if refit is None:
+                continue
+            # r0 is proportional to the reciprocal width. Outer scales have equal prior probabilities.
+            widths = (np.maximum(found.squared_widths()[:, seeing], _TINY) for found in (fit, refit))
+            change = 0.5 * np.log(np.divide(*widths))
+            probability = math.exp(min(float(fit.scores.deviance[0] - refit.scores.deviance[0]), 0.0))
+            total, squares = total + probability, squares + probability * change**2
+            spacing = np.maximum(spacing, change**2 / 12.0)  # the true outer scale may be between the compared ones
+        self.stars = stars
+        return np.asarray(np.sqrt(squares / total + spacing))
 
     def readmit_stars(self, fit: Solution) -> Solution:
         """Return a fit that includes rejected stars, if other polynomials fit them too; else the unchanged fit."""

@@ -108,7 +108,7 @@ class Retrieval(FitReport):
     blurs : tuple of tuples of blurs
         Blurs of each image, as arguments of :func:`lommel.psf`; empty tuples without blur.
     blur_errors : tuple of tuples of float
-        Standard error of r0 (for the outer scale of the fit) or sigma of each blur; 0 for a known blur.
+        Standard error of r0 (the outer scale is unknown) or sigma of each blur; 0 for a known blur.
     images, model, residual : ndarray, shape (n, height, width)
         Images, NaN at pixels left out; the fitted model, in the unit of the images; the residual, in standard
         deviations of the noise.

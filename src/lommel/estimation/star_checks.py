@@ -80,6 +80,10 @@ _ZONE_NAME, _RIPPLE_NAME = "zones of the wavefront", "ripples of the wavefront"
 NUISANCES = (*_UNEVEN_LIGHT, *_TRAILS.values(), GRADIENT)
 """Effects that no fit estimates. They bias estimates even if they are too weak to be detected in the images."""
 _GAIN = "non-linear gain"
+_FOCI = (
+    "the sign of the stated defocus (reversed, as by foci exchanged, the images agree as well, and even terms have "
+    "the other sign)"
+)
 _DESCRIPTIONS = {
     _GAUSSIAN: ("variance of an additional Gaussian blur", " pixels^2"),
     _ELLIPSE: (
@@ -302,6 +306,11 @@ def untested_constants(
     return untested_findings(effects, errors, never=never_tested)
 
 
+def untestable(model: StarImages) -> tuple[str, ...]:
+    """Return what no images with the pupil and the defoci of `model` can test."""
+    return (_FOCI,) if model.foci_exchangeable else ()
+
+
 def missing_findings(tests: Sequence[ScoreTest]) -> list[Finding]:
     """Return the finding on missing effects that the images significantly favour."""
     significant = seen(tests)
@@ -372,8 +381,8 @@ def star_tests(model: StarImages, x: Array) -> tuple[tuple[ScoreTest, ...], Marg
     # A filter that is not narrow biases the f-number: images are sums over the spectrum of the star.
     is_spectral = model.pupil.wavelength is not None and {"f_number", "wavelength"} & set(unknowns.pupil)
     spectrum = ("spectrum of the star within the filter",) if is_spectral else ()
-    columns = range(len(unknowns.terms))
-    notes += untested_constants(pupil[0], defoci, candidates, tests, fit, unknowns, columns, spectrum)
+    columns, never = range(len(unknowns.terms)), (*untestable(model), *spectrum)
+    notes += untested_constants(pupil[0], defoci, candidates, tests, fit, unknowns, columns, never)
     return tests, marginal, notes
 
 

@@ -291,13 +291,22 @@ class StarImages(RowModel):
     @cached_property
     def sign_ambiguous(self) -> bool:
         """Whether images do not change if the even part of the phase is negated."""
-        if not _point_symmetric(self.pupil):
+        one_focus = np.ptp(self.fixed_of_images * self.even, axis=0).max() == 0.0
+        return bool(one_focus and self._can_negate(self.fixed_of_images))
+
+    @cached_property
+    def foci_exchangeable(self) -> bool:
+        """Whether images only change if the even part of the phase is negated without the known defoci."""
+        return not self.sign_ambiguous and self._can_negate(self.fixed)
+
+    def _can_negate(self, fixed: Array) -> bool:
+        """Return whether the estimated terms can negate the even part of `fixed` (..., terms) and of themselves."""
+        if not _point_symmetric(self.pupil) or not (self.even * self.directions).any():
             return False
-        even_parts = self.even * np.vstack([self.directions, self.fixed_of_images])
+        even_parts = self.even * np.vstack([self.directions, fixed])
         # The even part can only be negated if it is a linear combination of the estimated terms.
         remainder = even_parts - even_parts @ self.inverse @ self.directions
-        one_focus = np.ptp(self.fixed_of_images * self.even, axis=0).max() == 0.0
-        return bool(one_focus and (self.even * self.directions).any() and np.abs(remainder).max() < 1e-9)
+        return bool(np.abs(remainder).max() < 1e-9)
 
     def negated(self, waves: Array, fixed: Array) -> Array:
         """Return coefficients (..., terms) of the wavefront with its even part, that of `fixed` included, negated."""

@@ -668,7 +668,7 @@ def through_air(seed, widths=(0.9, 1.1), side=25, *, defoci=(0.0, 3.0), pixel=0.
 
 
 def test_of_a_star_through_air_seeing_is_estimated_with_the_wavefront():
-    z = []
+    z, of_images = [], []
     for seed in range(4):
         images = through_air(seed)
         terms = [f"noll {j}" for j in range(4, 12)]
@@ -681,12 +681,17 @@ def test_of_a_star_through_air_seeing_is_estimated_with_the_wavefront():
         z += [(found.coefficients[name] - truth[name]) / found.errors[name] for name in truth]
         assert [type(one).__name__ for several in found.blurs for one in several] == ["Seeing", "Seeing"]
         assert_allclose(found.center, [[12.2, 11.7]] * 2, atol=0.1)
+        of_images += [
+            (found.center[:, k] - at) / found.errors[n] for k, n, at in ((0, "row", 12.2), (1, "column", 11.7))
+        ]
+        of_images += [(found.flux - 2e4) / found.errors["flux"], (found.background - 10) / found.errors["background"]]
         assert np.nanstd(found.residual) == pytest.approx(1.0, abs=0.1)
     wrong = lm.retrieve(images, lm.Pupil(obscuration=0.7), blur=True, **plain)
     assert wrong.status == "misfit"
     assert "degree is too low" not in wrong.message  # of a map, of which there is none
     # chi2 of 32 at 1e-3 and 1 - 1e-3
     assert 0.62 < np.sqrt(np.mean(np.square(z))) < 1.4
+    assert 0.62 < np.sqrt(np.mean(np.square(of_images))) < 1.4
 
 
 @pytest.mark.parametrize("ratio", [450.0, math.inf])

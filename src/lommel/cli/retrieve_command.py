@@ -133,16 +133,14 @@ def _parts(result: Retrieval, unit: str, files: list[str], pitch: float) -> Part
     ]
     row, column = result.center.T
     quantities = {"row": row, "column": column, "flux": result.flux, "background": result.background}
-    blurred = any(result.blurs)
-    columns = {name: value for name, value in quantities.items() if blurred or name in result.errors}
+    columns = {name: value for name, value in quantities.items() if name in result.errors}
 
     def cell(name: str, k: int) -> str:
-        value = float(columns[name][k])
-        return f"{value:.6g}" if blurred else "+-".join(with_error(value, float(result.errors[name][k])))
+        return "+-".join(with_error(float(columns[name][k]), float(result.errors[name][k])))
 
     images = [[file, *(cell(name, k) for name in columns)] for k, file in enumerate(files)]
     texts = (_blur_text(*pair, pitch) for pair in zip(result.blurs, result.blur_errors, strict=True))
-    closing_lines = [f"blur: {'; '.join(texts)}"] if blurred else []
+    closing_lines = [f"blur: {'; '.join(texts)}"] if any(result.blurs) else []
     return paragraphs(
         [table_of(("term", unit_symbol, "std. error"), rows)],
         [table_of(["image", *columns], images)],

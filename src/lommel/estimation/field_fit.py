@@ -88,9 +88,13 @@ class FittedStars:
         Row and column of the middle pixel of each window on the sensor.
     centers : ndarray, shape (n, e, 2)
         Fitted row and column of each image within its window.
+    center_errors : ndarray, shape (n, e, 2)
+        Standard errors of `centers`, with the wavefront and the blur estimated; NaN for rejected stars.
     flux, background : ndarray, shape (n, e)
         Electrons of the star in an infinite window, and background in electrons per pixel. For corners of a
         checkerboard, the difference and the mean of the brightness of white and black, electrons per pixel.
+    flux_errors, background_errors : ndarray, shape (n, e)
+        Standard errors of `flux` and `background`; NaN for rejected stars.
     chi2 : ndarray, shape (n,)
         Pearson's chi2 per degree of freedom of each star, with the wavefront of the fitted field.
     used : ndarray of bool, shape (n,)
@@ -99,8 +103,11 @@ class FittedStars:
 
     places: Array
     centers: Array
+    center_errors: Array
     flux: Array
+    flux_errors: Array
     background: Array
+    background_errors: Array
     chi2: Array
     used: NDArray[np.bool_]
 
@@ -765,7 +772,8 @@ def _fitted_stars(
     """Return the table of all stars, used and rejected, and the expected electrons of all pixels."""
     stars, squared_widths = search.stars, fit.squared_widths()
     nuisance = np.zeros((stars.count, stars.parameters_per_image, stars.exposures))
-    nuisance[fit.model.chosen] = fit.nuisance()
+    errors = np.full_like(nuisance, np.nan)
+    nuisance[fit.model.chosen], errors[fit.model.chosen] = fit.nuisance(), fit.model.nuisance_errors(fit.scores)
     if len(rejected):
         # For rejected stars, only position, flux and background are fitted; the wavefront is that of the field.
         nuisance[rejected] = search.fit_nuisance(rejected, polynomials, squared_widths)
@@ -774,9 +782,15 @@ def _fitted_stars(
     parameters = model.parts(model.row(polynomials, squared_widths, nuisance))
     psf = stars.images(indices, *parameters, fast=False, derivatives="none")[0]
     quality = stars.quality(indices, psf, nuisance, float(stars.parameters_per_image * stars.exposures))
-    centers = nuisance[:, :2].swapaxes(1, 2) / stars.first_star.tilt_of_pixel + [side // 2 for side in stars.shape]
-    used = np.isin(indices, fit.model.chosen)
-    table = FittedStars(places, centers, excess * nuisance[:, 2], excess * nuisance[:, 3], quality.chi2, used)
+    shifts, center_errors = (
+        tilts[:, :2].swapaxes(1, 2) / stars.first_star.tilt_of_pixel for tilts in (nuisance, errors)
+    )
+    centers, used = shifts + [side // 2 for side in stars.shape], np.isin(indices, fit.model.chosen)
+    table = FittedStars(
+        places, centers, center_errors,
+        excess * nuisance[:, 2], excess * errors[:, 2], excess * nuisance[:, 3], excess * errors[:, 3],
+        quality.chi2, used,
+    )  # fmt: skip
     return table, stars.expected(psf, nuisance)
 
 

@@ -647,3 +647,13 @@ class WholeField(_StarModel):
     def covariance(self, scores: Scores) -> Array:
         """Return the covariance (s, s) of the common parameters, with nuisance parameters eliminated."""
         return covariance(scores.information[0].eliminate_nuisance(0.0)[0])
+
+    def nuisance_errors(self, scores: Scores) -> Array:
+        """Return the standard errors (n, o, e) of the nuisance parameters of the stars of this model."""
+        blocks = scores.information[0]
+        matrix, inverse = blocks.eliminate_nuisance(0.0)
+        star_parameters = np.stack([blocks.star_steps(row) for row in np.eye(len(matrix))], axis=-1)
+        # Errors with exact common parameters, and errors of common parameters times their effect.
+        effect = inverse @ blocks.mixed.swapaxes(1, 2) @ star_parameters
+        variance = np.einsum("nii->ni", inverse) + np.einsum("nts,su,ntu->nt", effect, covariance(matrix), effect)
+        return np.asarray(np.sqrt(variance)).reshape(len(variance), -1, self.stars.exposures)

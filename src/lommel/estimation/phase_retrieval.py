@@ -77,8 +77,8 @@ class Retrieval(FitReport):
         Parameters common to all images: Zernike terms in radians rms, "defocus" and powers of rho in radians (at the
         given wavelength), "f_number", "obscuration", "wavelength" in metres.
     errors : dict of name to float or ndarray
-        Standard errors of `coefficients`; inf if the images do not determine a parameter. Without `blur` also the
-        standard errors, shape (n,), of "flux", "background" and, if estimated, "row" and "column".
+        Standard errors of `coefficients`; inf if the images do not determine a parameter. Also the standard
+        errors, shape (n,), of "flux", "background" and, if estimated, "row" and "column".
     covariance : ndarray, shape (k, k)
         Covariance of `coefficients`, in the same order. Parameters of single images are nuisance parameters.
     units : dict of name to str
@@ -573,7 +573,10 @@ def _build_blurred_retrieval(
     """Return the Retrieval for `field_fit`, a field fit to a single star with blurred images."""
     errors = np.sqrt(np.diag(field_fit.covariance))
     wavefront = field_fit.field.pupil(0.0, 0.0).wavefront
-    center, mean = field_fit.stars.centers[0], field_fit.model[0]
+    star, mean = field_fit.stars, field_fit.model[0]
+    center, (row_errors, column_errors) = star.centers[0], star.center_errors[0].T
+    image_errors: dict[Name, Any] = {"row": row_errors, "column": column_errors}
+    image_errors |= {"flux": star.flux_errors[0], "background": star.background_errors[0]}
     fitted_pupil = pupil.carrying(wavefront, None)
     # Tilts shift the PSFs to the positions of the star.
     tilts = np.pi * pixel / pupil.scale * (center - np.array(counts.values.shape[1:]) // 2).T
@@ -584,14 +587,14 @@ def _build_blurred_retrieval(
         twin=None if field_fit.twin is None else field_fit.twin.pupil(0.0, 0.0).wavefront,
         pupil=fitted_pupil,
         coefficients=dict(zip(field_fit.names, field_fit.coefficients[:, 0].tolist(), strict=True)),
-        errors=dict(zip(field_fit.names, errors.tolist(), strict=True)),
+        errors=dict(zip(field_fit.names, errors.tolist(), strict=True)) | image_errors,
         covariance=field_fit.covariance,
-        units=dict.fromkeys(field_fit.names, "rad"),
+        units={name: _UNITS_PER_IMAGE.get(str(name), "rad") for name in (*field_fit.names, *image_errors)},
         chi2=field_fit.chi2,
         findings=field_fit.findings,
         summary=f"chi2 {field_fit.chi2:.3g} per degree of freedom",
-        flux=field_fit.stars.flux[0],
-        background=field_fit.stars.background[0],
+        flux=star.flux[0],
+        background=star.background[0],
         center=center,
         psf=plan(pupil.carrying(edge + Wavefront(defocus=defocus), None)),
         blurs=field_fit.blurs,

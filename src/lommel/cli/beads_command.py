@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import dataclasses
 import math
 from contextlib import suppress
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -20,17 +20,23 @@ from lommel.detection.targets import find_spots
 from lommel.estimation.bead_images import CONSTANTS, UNITS
 from lommel.estimation.beads import fit_beads
 from lommel.estimation.star_images import label
+from lommel.fit.findings import Finding, Findings
+from lommel.psf import psf
+from lommel.recorded.camera_noise import MaskedStack, hot_pixel_findings, hot_pixels, sharpness
 from lommel.recorded.frames import combined_metadata, read_each
 from lommel.report import Facts, Parts, Report, Wrapped, paragraphs, table_of
-from lommel.report.image_quality import focus_at
 
 if TYPE_CHECKING:
     from lommel.base.arrays import Values
     from lommel.estimation.beads import BeadFit
+    from lommel.lensfiles.microscope_files import Microscope
+    from lommel.recorded.frames import Unusable
     from lommel.recorded.noise import Noise
 
 _FIELD_FACTOR = 1.6  # images whose side exceeds this multiple of the window show a field with several beads
 _MAX_BEADS = 20  # largest number of beads that are fitted
+_MAX_PITCH_DIFFERENCE = 0.05  # relative: five times the error of the pixel pitch that a fit allows for
+_SHARPNESS_SIDE = 9  # side in pixels of the PSF whose sharpness is compared with that of hot pixels
 _MILLIWAVES = 1e3 / (2.0 * math.pi)  # milliwaves per radian
 
 
@@ -118,29 +124,38 @@ def beads(
             notes.append(f"The step of {format_length(step)} between planes is that of the files.")
         recorded, camera_text = camera.recorded(lens, microscope.camera, noise)
         notes += [f"Camera: {camera_text}.", *header]
-        windows: list[_Bead] = []
+        windows, pitches, findings = list[_Bead](), dict[str, Finding](), list[Finding]()
+        arguments = model.arguments(len(read[0].values), step)
+        sharpest = _sharpest(microscope, arguments)
         for stack in read:
             file = stack.names[0].removesuffix(" [0]")
-            notes += [
-                *stack.notes,
-                *(note for note in header_differences(stack.metadata, microscope, model.step) if note not in notes),
-            ]
-            values = stack.values
-            if (mask := camera.mask(values)) is not None:
-                values = np.ma.masked_array(values, np.broadcast_to(mask, values.shape))
+            differences = header_differences(stack.metadata, microscope, model.step)
+            if (pitch := differences.pop("pixel", None)) and pitch not in pitches:
+                pitches[pitch] = _pitch_finding(pitch, stack.metadata.get("pixel"), microscope)
+                status.tell(f"Note: {pitch}")
+            notes += [*stack.notes, *(note for note in differences.values() if note not in notes)]
+            values, mask = stack.values, camera.mask(stack.values)
+            ignored = np.broadcast_to(False if mask is None else mask, values.shape)
+            masked = MaskedStack(values, math.inf if saturation is None else saturation, mask=ignored)
+            hot = hot_pixels(masked, noise, sharpest, masked.limit)
+            prefix = f"{line(file)}: " if len(read) > 1 else ""
+            findings += [replace(found, text=f"{prefix}{found.text}") for found in hot_pixel_findings(hot)]
+            if (ignored := ignored | hot).any():
+                values = np.ma.masked_array(values, ignored)
             windows += _beads(file, values, camera, noise, saturation, notes)
         status("fitting")
         result = fit_beads(
             [window.window for window in windows[:_MAX_BEADS]],
             **optics,
-            **model.arguments(len(windows[0].window), step),
+            **arguments,
             noise=noise,
             saturation=saturation,
             integrate=microscope.integrate is not False,
             progress=lambda share, chi2: status(f"chi2 {chi2:.3g}", share),
         )
+    result = replace(result, findings=Findings([*pitches.values(), *findings, *result.findings]))
     source = f"{microscope.source} Fitted to beads: {result.message}.".lstrip()
-    fitted_microscope = dataclasses.replace(microscope, name=f"{microscope.name}, fitted to beads", source=source)
+    fitted_microscope = replace(microscope, name=f"{microscope.name}, fitted to beads", source=source)
     fitted_microscope = fitted_microscope.fitted(result)
     if output is not None:
         fitted_microscope.save(output)
@@ -148,9 +163,11 @@ def beads(
         save_figure(result.plot(), figure)
     if len(windows) > _MAX_BEADS:
         notes.append(f"The first {_MAX_BEADS} of {len(windows)} beads were taken.")
-    facts = result.to_dict() | {"wavelength": microscope.wavelength, "noise": recorded, "notes": notes, "focus": None}
-    with suppress(ValueError):  # strong aberrations have no single focus
-        facts["focus"] = focus_at(fitted_microscope, result.beads[0].depth) if result.converged else None
+    facts = result.to_dict() | {"wavelength": microscope.wavelength, "noise": recorded, "notes": notes, "fwhm": None}
+    if result.converged:
+        with suppress(ValueError):  # strong aberrations have no single focus
+            widths = np.transpose(result.fwhm(depth=result.beads[0].depth)).tolist()
+            facts["fwhm"] = dict(zip("xyz", widths, strict=True))
     facts["places"] = [
         fit | {"row": fit["row"] + bead.corner[0], "column": fit["column"] + bead.corner[1]}
         for fit, bead in zip(facts["beads"], windows, strict=False)
@@ -159,6 +176,23 @@ def beads(
     status_text = "" if result.converged else f", of a fit that has not converged: {result.status}"
     files = written([output, figure], lambda path: status_text if path == output else "")
     return Report(facts, _parts(result, facts), result.converged) + files
+
+
+def _pitch_finding(note: str, stated: float | Unusable | None, microscope: Microscope) -> Finding:
+    """Return the finding on pixels that the images state, which differ from those in use; a doubt if by far."""
+    in_use = microscope.pixel / microscope.objective.magnification
+    differs = isinstance(stated, float) and abs(stated - in_use) > _MAX_PITCH_DIFFERENCE * in_use
+    text = f"{note[0].lower()}{note[1:-1]}: correct the one that is wrong"
+    return Finding("pixel_pitch", "doubt" if differs else "note", text, {"pixel": in_use})
+
+
+def _sharpest(microscope: Microscope, arguments: Facts) -> float:
+    """Return the largest ratio, in a stack of a point, of the brightest pixel and the brightest of its neighbours."""
+    depth = 0.5 * arguments["diameter"] if arguments["depth"] is None else arguments["depth"]
+    options = {name: getattr(microscope, name) for name in ("wavelength", "emitter", "aberrations")}
+    pupil = microscope.objective.pupil(depth=depth, z=arguments["z"], **options)
+    integrate = microscope.integrate is not False
+    return sharpness(psf(pupil, _SHARPNESS_SIDE, microscope.pixel, tol=1e-3, integrate=integrate).values)
 
 
 class _Bead(NamedTuple):
@@ -208,16 +242,16 @@ def _parts(result: BeadFit, facts: Facts) -> Parts:
         [table_of(("term", "milliwaves rms", "std. error"), terms)],
         [table_of(("constant", "value", "std. error"), constants)] if constants else [],
         [table_of(("bead", "row", "column", "z (nm)", "depth (nm)", "electrons", "chi2"), beads)],
-        map(Wrapped, [*_widths(facts["focus"]), *facts["notes"]]),
+        map(Wrapped, [*_widths(facts["fwhm"]), *facts["notes"]]),
     )
 
 
-def _widths(focus: Facts | None) -> list[str]:
-    """Return the line with the widths of the fitted PSF; an empty list without a focus."""
-    if focus is None:
+def _widths(widths: Facts | None) -> list[str]:
+    """Return the line with the widths of the fitted PSF; an empty list without widths."""
+    if widths is None:
         return []
-    lateral, axial = (f"{1e9 * focus[name]:.0f} nm" for name in ("lateral_fwhm", "axial_fwhm"))
-    return [f"FWHM of the fitted PSF at the first bead, without bead and pixel: {lateral} lateral, {axial} axial."]
+    texts = (f"{_with_error(1e9, *pair)} nm along {axis}" for axis, pair in widths.items())
+    return [f"FWHM of the fitted PSF at the first bead, without bead and pixel: {', '.join(texts)}."]
 
 
 def _with_error(factor: float, value: float, error: float) -> str:

@@ -318,20 +318,21 @@ def take_header(options: Facts, header: Metadata, camera: Camera | None = None) 
     return notes
 
 
-def header_differences(header: Metadata, microscope: Microscope, step: float | None = None) -> list[str]:
-    """Return notes on header values of images (pixel size, emission, `step`) that differ from the values in use."""
+def header_differences(header: Metadata, microscope: Microscope, step: float | None = None) -> dict[str, str]:
+    """Return a note on each header value of images (pixel, emission, `step`) that differs from the value in use."""
+    pixel, emission = header.get("pixel"), next(iter(header.get("emission") or ()), None)
     comparisons = {
-        "pixels of {} in the sample": (header.get("pixel"), microscope.pixel / microscope.objective.magnification),
-        "an emission of {}": (next(iter(header.get("emission") or ()), None), microscope.wavelength),
-        "planes {} apart": (header.get("step"), step),
+        "pixel": ("pixels of {} in the sample", pixel, microscope.pixel / microscope.objective.magnification),
+        "emission": ("an emission of {}", emission, microscope.wavelength),
+        "step": ("planes {} apart", header.get("step"), step),
     }
-    notes = []
-    for phrase, (value, in_use) in comparisons.items():
+    notes = dict[str, str]()
+    for name, (phrase, value, in_use) in comparisons.items():
         if in_use is None or not isinstance(value, float | Unusable):
             continue
         text = value.words if isinstance(value, Unusable) else format_length(value, digits=4)
         if isinstance(value, Unusable) or abs(value - abs(in_use)) > _TOLERANCE * abs(in_use):
-            notes.append(f"The images state {phrase.format(text)}; {format_length(in_use, digits=4)} was used.")
+            notes[name] = f"The images state {phrase.format(text)}, but {format_length(in_use, digits=4)} was used."
     return notes
 
 

@@ -124,7 +124,7 @@ def localize(
     parts: list[Localizations] = []
     with progress("table of images") as report_progress, open_movie(movie) as frames:
         noise, saturation, header = camera.resolve(frames.metadata, microscope.camera)
-        header = [*frames.notes, *header, *header_differences(frames.metadata, microscope)]
+        header = [*frames.notes, *header, *header_differences(frames.metadata, microscope).values()]
         mask = camera.mask(np.broadcast_to(False, (1, *frames.shape[1:])))
         pupil, pixel = dataclasses.replace(microscope, planes=1).pupil(), microscope.pixel
         table = Table(pupil, shape, pixel, z=z, along=along, reach=fits.reach, tol=fits.tol, threads=fits.threads)

@@ -32,6 +32,7 @@ from lommel.estimation.star_images import MAX_LINEAR_ERROR, label
 from lommel.fit import goodness_of_fit
 from lommel.fit.findings import Finding, Findings, FitReport
 from lommel.fit.score_tests import ScoreTest, causes_of_misfit
+from lommel.measures.spot import profile_width
 from lommel.methods.derivative_names import SHIFTS, Term, checked, term_of
 from lommel.optics.layers.emitter import Beam, Dipole, Scalar, emitter_of
 from lommel.optics.layers.objective import Objective
@@ -49,6 +50,8 @@ _PLANES = 5  # minimum number of planes in a stack, and number of planes in a pl
 _MIN_FLUX_SIGMAS = 10.0  # smallest total flux of a visible bead in all planes, in standard deviations
 _MAX_IMAGE_ERROR = 2e-3  # largest error of the images in the search, relative to the peak
 _CAUSES = "pixel, noise, z or the objective are wrong, terms are missing, or beads overlap"
+_NOT_OF_POINTS = "diameter", "blur", "step"  # constants that do not affect the image of a point at exact z
+_FWHM_SIDE = 33  # side of the images of a point whose widths are measured, quarters of the Nyquist sampling
 _FIRST_NOLL = 5  # Noll's index of the first term after defocus
 
 
@@ -236,25 +239,73 @@ class BeadFit(FitReport):
             raise ValueError(f"z must be a number or have the shape (planes,), got {positions.shape}")
         setup = replace(self._state.setup, diameter=0.0, blur=0.0, step=1.0)
         self.pupil(depth=bead_depth, z=positions)  # checks the range
-        stack = Stack(np.ones((4, positions.size, height * width)), (height, width), positions)
-        waves, images = self._state.waves, self._images
-        count = len(images.estimated_terms)
-        jacobian = [*images.derivatives(setup, waves, _focused(setup, bead_depth), stack)[:count]]
-        for name in [*self.coefficients][count:]:
-            if name in ("diameter", "blur", "step"):
-                # The PSF is the image of a point at exact z: it does not depend on these constants.
-                jacobian.append(np.zeros((positions.size, height, width)))
-            else:
-                values = setup.adjacent_values(name)
-                setups = (setup.with_constant(name, value) for value in values)
-                lower, upper = (
-                    images.values(changed, waves, _focused(changed, bead_depth), stack) for changed in setups
-                )
-                jacobian.append((upper - lower) / (values[1] - values[0]))
-        rows = np.asarray(jacobian, dtype=np.float64)
+        rows = self._jacobian(setup, bead_depth, _point_stack(positions, (height, width)))
         # First-order error propagation: the diagonal of J C J^T.
         variance = np.einsum("ipyx,ij,jpyx->pyx", rows, self.covariance, rows)
         return np.asarray(np.sqrt(np.maximum(variance, 0.0)))
+
+    def fwhm(self, *, depth: float) -> tuple[Array, Array]:
+        """Return the full widths at half maximum of the PSF at a depth, and their standard errors.
+
+        Parameters
+        ----------
+        depth : float
+            Depth of the emitter below the cover glass, metres.
+
+        Returns
+        -------
+        widths : ndarray, shape (3,)
+            Widths along x and y (metres in the sample) and along z (metres of stage travel), on lines through the
+            brightest point; without bead and pixel.
+        errors : ndarray, shape (3,)
+            Standard errors of the widths, from the covariance of the fit.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If `depth` is out of range, or if the light does not fall to half of its maximum on both sides.
+        """
+        bead_depth, objective = length("depth", depth, DEPTH_MOST), self.objective
+        pixel = 0.25 * objective.nyquist(wavelength=self.wavelength).pixel
+        setup = replace(self._state.setup, pixel=pixel, diameter=0.0, blur=0.0, step=1.0, integrate=False)
+        # Aberrations move the focus: eight axial widths, in steps of a tenth.
+        step = 0.1 * float(objective.focus(bead_depth, wavelength=self.wavelength).axial_fwhm)
+        z, place, top = step * np.arange(-40.0, 41.0), _focused(setup, bead_depth), 0.0
+        for _ in range(2):
+            # With astigmatism, lateral widths change near the focus: the second stack has a plane at the maximum.
+            stack = _point_stack(z + top, (_FWHM_SIDE, _FWHM_SIDE))
+            values = self._images.values(setup, self._state.waves, place, stack)
+            plane, row, column = (int(index) for index in np.unravel_index(int(values.argmax()), values.shape))
+            before, middle, after = values[np.clip([plane - 1, plane, plane + 1], 0, len(z) - 1), row, column]
+            top += 0.5 * step * (before - after) / min(before - 2.0 * middle + after, -1e-9 * middle)
+        rows = self._jacobian(setup, bead_depth, stack, unaffected=("pixel", *_NOT_OF_POINTS))
+        lines: tuple[Any, ...] = (plane, row), (plane, slice(None), column), (slice(None), row, column)
+        sigmas, units = 0.1 * np.sqrt(np.diag(self.covariance)), (*2 * (pixel / objective.magnification,), step)
+        widths, errors = np.zeros((2, 3))
+        for k, (line, unit) in enumerate(zip(lines, units, strict=True)):
+            profile, changes = values[line], sigmas[:, None] * rows[:, *line]
+            # Central differences over a fifth of a standard error: the width of a profile is no linear function.
+            gains = [profile_width(profile + change) - profile_width(profile - change) for change in changes]
+            slopes = unit * np.array(gains) / (2.0 * sigmas)
+            widths[k], errors[k] = unit * profile_width(profile), math.sqrt(slopes @ self.covariance @ slopes)
+        return widths, errors
+
+    def _jacobian(
+        self, setup: Setup, depth: float, stack: Stack, unaffected: Sequence[str] = _NOT_OF_POINTS
+    ) -> Array:
+        """Return derivatives of the PSF by all coefficients, 0 for constants `unaffected`, (k, planes, ...)."""
+        waves, images = self._state.waves, self._images
+        count = len(images.estimated_terms)
+        jacobian = [*images.derivatives(setup, waves, _focused(setup, depth), stack)[:count]]
+        for name in [*self.coefficients][count:]:
+            if name in unaffected:
+                jacobian.append(np.zeros_like(jacobian[0]))
+            else:
+                values = setup.adjacent_values(name)
+                setups = (setup.with_constant(name, value) for value in values)
+                lower, upper = (images.values(changed, waves, _focused(changed, depth), stack) for changed in setups)
+                jacobian.append((upper - lower) / (values[1] - values[0]))
+        return np.asarray(jacobian, dtype=np.float64)
 
     def plot(self, *, bead: int = 0, unit: str = "waves") -> Figure:
         """Return a matplotlib figure of planes of a bead, model, residual, and coefficients with standard errors.
@@ -296,6 +347,11 @@ class BeadFit(FitReport):
             value_text, error = with_error(factor * value, factor * self.errors[name])
             lines.append(f"  {name if is_constant else label(name)}: {value_text} +- {error}{unit}")
         return "\n".join(lines) + ">"
+
+
+def _point_stack(z: Array, shape: tuple[int, int]) -> Stack:
+    """Return a stack without data, of images with the stage at z from the brightest focus."""
+    return Stack(np.ones((4, z.size, math.prod(shape))), shape, z)
 
 
 def _focused(setup: Setup, depth: float) -> Place:

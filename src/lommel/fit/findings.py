@@ -33,7 +33,7 @@ CODES: Mapping[str, str] = {
     "opposite_astigmatism": "the astigmatism is of the opposite sign, and z is reversed",
     "other_explanation": "an effect that the model lacks, or another value of a constant, explains the data better",
     "pattern": "residuals have stripes, or offsets of rows or columns, as due to pick-up or readout",
-    "pixel_pitch": "the pixel pitch is not that of the camera",
+    "pixel_pitch": "the pixel pitch is not that of the camera, or not that which the images state",
     "psf_compared": "other PSFs were compared with the PSF of the fit, and none agrees better",
     "psf_doubtful": "photons that were held out agree better with another PSF",
     "rare_chi2": "noise alone seldom causes so large a chi2",

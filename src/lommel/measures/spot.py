@@ -477,6 +477,17 @@ def axial_fwhm(psf: PSFLike, *, of: str = "image") -> Numbers:
     return numbers(widths, z.shape[:-1])
 
 
+def profile_width(profile: Array) -> float:
+    """Return the full width at half maximum of a profile about its maximum, in steps between its samples."""
+    from scipy.interpolate import CubicSpline
+
+    roots = CubicSpline(np.arange(profile.size), profile - 0.5 * profile.max()).roots(extrapolate=False)
+    before, after = roots[roots < profile.argmax()], roots[roots > profile.argmax()]
+    if not before.size or not after.size:
+        raise ValueError("the focus is too wide to have a width at half maximum")
+    return float(after[0] - before[-1])
+
+
 def _axial_lines(psf: PSFLike, model: ImageModel) -> Array:
     """Return the light in each plane on the axis, or on a parallel line through the brightest point, as a stack."""
     pupil = psf.pupil

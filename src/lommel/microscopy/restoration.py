@@ -48,6 +48,7 @@ from lommel.recorded.camera_noise import (
     MAX_HOT_FRACTION,
     MaskedStack,
     contradiction,
+    hot_pixel_findings,
     hot_pixels,
     hot_voxels,
     measured_noise,
@@ -1059,13 +1060,8 @@ class _ChannelRestoration:
         """Return the stack without hot pixels and voxels, its noise, and the smallest value of ignored voxels."""
         sharpest, stack = sharpness(self._model.psf(0.0).values), self._stack
         pixels = hot_pixels(stack, camera, sharpest, limit)
-        if count := int(pixels.sum()):
-            fraction = count / pixels.size
-            text = (
-                f"{count} pixels ({100.0 * fraction:.2g} %) exceed their neighbours in most planes, whatever is "
-                "in focus: they were classified as hot pixels, and left out"
-            )
-            self._findings.append(Finding("hot_pixels", "note", text, {"pixels": count, "share": fraction}))
+        if found := hot_pixel_findings(pixels):
+            self._findings += found
             stack = MaskedStack(stack, limit, mask=pixels)
             limit = stack.limit
         hot = hot_voxels(stack, camera, sharpest, limit)

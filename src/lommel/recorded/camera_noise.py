@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from lommel.base import validation
 from lommel.base.arrays import Array, Values
 from lommel.base.units import with_error
+from lommel.fit.findings import Finding
 from lommel.recorded.counts import PlanePart, Stack, plane_of
 from lommel.recorded.noise import Noise
 
@@ -51,16 +52,29 @@ def hot_pixels(stack: Stack, noise: Noise, sharpest: float, limit: float = math.
     axis exceeds them in all planes, but also lights them: the excess of a hot pixel is more than twice what
     the PSF allows for a point. Values from `limit` on, and NaN, are unknown.
     """
+    noise = noise.poisson
     planes = np.unique(np.linspace(0, len(stack) - 1, min(len(stack), _PLANES_COMPARED)).astype(int))
+    # A Gaussian that falls by the factor q from pixel to pixel falls by q^4 over two pixels. Its ratio of differences
+    # is about q - 1 if pixels are coarse, and 1/3 if they are fine, where q - 1 would be far too small.
+    point_ratio = sharpest**3 / (sharpest**2 + sharpest + 1.0)
     hot = np.zeros(stack.shape[1:], dtype=bool)
     if len(planes) < _MIN_PLANES:
         return hot
     for _ in range(_PASSES):
-        new_hot = _further_hot_pixels(stack, planes, noise, limit, hot, _MIN_SHARPNESS * (sharpest - 1.0))
+        new_hot = _further_hot_pixels(stack, planes, noise, limit, hot, _MIN_SHARPNESS * point_ratio)
         if not new_hot.any():
             break
         hot |= new_hot
     return hot
+
+
+def hot_pixel_findings(hot: NDArray[np.bool_]) -> list[Finding]:
+    """Return the finding on the hot pixels of a mask; none if there are none."""
+    count, fraction = int(hot.sum()), float(hot.mean())
+    verb = "exceeds its" if count == 1 else "exceed their"
+    subject = f"{count} pixel{'s' * (count != 1)} ({100.0 * fraction:.2g} %)"
+    text = f"{subject} {verb} neighbours in most planes, whatever is in focus: left out as hot"
+    return [Finding("hot_pixels", "note", text, {"pixels": count, "share": fraction})] if count else []
 
 
 def _further_hot_pixels(

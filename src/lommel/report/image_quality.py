@@ -674,21 +674,10 @@ def focus_at(microscope: Microscope, depth: float) -> dict[str, float]:
     sides = aberrated[plane, row], aberrated[plane, :, column]
     return focus | {
         "brightest": focus["brightest"] + float(z[plane]),
-        "axial_fwhm": _width(aberrated[:, row, column]) * float(z[1] - z[0]),
-        "lateral_fwhm": 0.5 * sum(_width(side) for side in sides) * pixel / objective.magnification,
+        "axial_fwhm": spot.profile_width(aberrated[:, row, column]) * float(z[1] - z[0]),
+        "lateral_fwhm": 0.5 * sum(spot.profile_width(side) for side in sides) * pixel / objective.magnification,
         "peak": focus["peak"] * float(aberrated.max() / ideal.max()),
     }
-
-
-def _width(profile: Array) -> float:
-    """Return the full width at half maximum of a profile about its maximum, in steps between its samples."""
-    from scipy.interpolate import CubicSpline
-
-    roots = CubicSpline(np.arange(profile.size), profile - 0.5 * profile.max()).roots(extrapolate=False)
-    before, after = roots[roots < profile.argmax()], roots[roots > profile.argmax()]
-    if not before.size or not after.size:
-        raise ValueError("the aberrated focus is too wide to have a width at half maximum")
-    return float(after[0] - before[-1])
 
 
 def compare_methods(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 
 import numpy as np
 import pytest
@@ -61,11 +62,58 @@ def test_a_fitted_microscope_is_written_and_read(folder):
     wave = lm.Wavefront.zernike({5: 0.4, 8: -0.3}, order="noll")
     truth = lm.psf(OIL.pupil(depth=50e-9, z=z, wavelength=600e-9, aberrations=wave), 65, 0.8e-6, integrate=False)
     plane = truth[int(truth.values.max(axis=(1, 2)).argmax())]
-    assert facts["focus"]["axial_fwhm"] == pytest.approx(truth.axial_fwhm(), rel=0.05)
-    assert facts["focus"]["lateral_fwhm"] == pytest.approx(plane.fwhm() / OIL.magnification, rel=0.03)
-    printed = run("bead.tif", *ASKED)
-    lateral, axial = (f"{1e9 * facts['focus'][name]:.0f} nm" for name in ("lateral_fwhm", "axial_fwhm"))
-    assert f"without bead and pixel: {lateral} lateral, {axial} axial." in " ".join(printed.output.split())
+    true_widths = {axis: plane.fwhm(axis) / OIL.magnification for axis in "xy"} | {"z": truth.axial_fwhm()}
+    for axis, width in true_widths.items():
+        found_width, error = facts["fwhm"][axis]
+        assert found_width == pytest.approx(width, abs=4.0 * error + 0.005 * width)
+        assert error < 0.05 * width
+    printed = " ".join(run("bead.tif", *ASKED).output.split())
+    assert re.search(r"without bead and pixel: [\d.]+\+-[\d.]+ nm along x, .* nm along y, .* nm along z\.", printed)
+
+
+def test_a_fitted_microscope_has_no_values_of_the_example(folder):
+    text = OIL_FILE.replace("[objective]", '[stack]\nplanes = 41\nstep = "150 nm"\n\n[objective]')
+    text = f'source = "Maker. Sample, depth, light and camera are examples."\n{text}'
+    (folder / "objective.toml").write_text(text, encoding="utf-8")
+    found = run("bead.tif", *ASKED, "--depth", "60nm", "-o", "fitted.toml", "--json")
+    assert found.exit_code == 0, found.output
+    made = lm.load_microscope("fitted.toml")
+    assert made.depth == pytest.approx(json.loads(found.stdout)["places"][0]["depth"], rel=1e-9)
+    assert (made.planes, made.step, made.shape, made.origin) == (9, 200e-9, (19, 19), "brightest")
+    assert made.source.startswith("Maker. Fitted to beads: converged: ")
+
+
+def test_hot_pixels_are_left_out_and_counted(folder):
+    images = tifffile.imread("field.tif")
+    images[:, 15, 26] += 60  # in the window of a bead
+    images[:, 30, 40] += 500  # looks like a spot
+    tifffile.imwrite("hot.tif", images, photometric="minisblack")
+    asked = (*ASKED, "--window", "19", "--fixed", "--json")
+    clean, hot = (json.loads(run(file, *asked).stdout) for file in ("field.tif", "hot.tif"))
+    assert "hot_pixels" not in [finding["code"] for finding in clean["findings"]]
+    finding = next(finding for finding in hot["findings"] if finding["code"] == "hot_pixels")
+    assert finding["text"] == (
+        "2 pixels (0.035 %) exceed their neighbours in most planes, whatever is in focus: left out as hot"
+    )
+    assert hot["converged"], hot["message"]
+    assert len(hot["places"]) == len(clean["places"]) == 2
+    for term, value in clean["coefficients"].items():
+        assert hot["coefficients"][term] == pytest.approx(value, abs=clean["errors"][term])
+
+
+@pytest.mark.parametrize(("pixel", "severity"), [(0.106, "note"), (0.2, "doubt")])
+def test_pixels_other_than_those_that_the_images_state_are_said_first(folder, pixel, severity):
+    metadata = {"axes": "ZYX", "spacing": 0.2, "unit": "um"}
+    resolution = (1.0 / pixel, 1.0 / pixel)
+    tifffile.imwrite("bead.tif", tifffile.imread("bead.tif"), imagej=True, metadata=metadata, resolution=resolution)
+    found = run("bead.tif", *ASKED, "--fixed", "--json")
+    facts = json.loads(found.stdout)
+    text = f"the images state pixels of {1e3 * pixel:g} nm in the sample, but 103.2 nm was used"
+    assert f"Note: {text[0].upper()}{text[1:]}." in found.stderr
+    assert facts["findings"][0]["code"] == "pixel_pitch"
+    assert facts["findings"][0]["severity"] == severity
+    assert text in facts["message"]
+    assert found.exit_code == {"note": 0, "doubt": 4}[severity]
 
 
 def test_terms_of_the_amplitude_are_part_of_the_file_and_of_what_other_commands_compute(folder):

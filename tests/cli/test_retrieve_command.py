@@ -128,6 +128,14 @@ def test_defocus_may_be_given_in_waves(folder, call_lommel):
         (["pages.tif", "lens.toml", "--read", "2", "--defocus", "a b c"], "defocus must be numbers, one for each"),
         (["pages.tif", "lens.toml", "--read", "2", "--defocus", "0 2 4", "--terms", "coma"], "terms must be one"),
         (["pages.tif", "lens.toml", "--read", "2", "-o", "wave.txt"], "--output must end in .json, .toml, .csv"),
+        (
+            ["star-0.tif", "lens.toml", "--read", "2", "--blur", "--also", "f_number", "--starts", "3"],
+            "--blur must be left out with --also ['f_number'] and --starts 3: it is fitted with their defaults alone",
+        ),
+        (
+            ["star-0.tif", "lens.toml", "--read", "2", "--terms", "center"],
+            "terms of a wavefront, got 'center': pass nuisance parameters in --also",
+        ),
         (["lens.toml", "lens.toml", "--read", "2"], "lens.toml is not a TIFF, FITS"),
         (["lens.toml", "pages.tif", "--read", "2"], "pages.tif is an image, not a lens file"),
     ],

@@ -722,9 +722,9 @@ def test_the_outer_scale_is_chosen_by_exact_images():
 
 def test_blur_goes_with_a_lens_and_its_own_search():
     images, known = through_air(0), {"pixel": 0.5, "noise": NOISE, "defocus": [0.0, 3.0], "integrate": True}
-    for wrong in ({"also": ("center", "obscuration")}, {"also": ()}, {"starts": 1}, {"steps": 5}):
-        with pytest.raises(ValueError, match="blur must be False unless also is 'center'"):
-            lm.retrieve(images, lm.Pupil(), blur=True, **known, **wrong)
+    for name, value in (("also", ("center", "obscuration")), ("also", ()), ("starts", 1), ("steps", 5)):
+        with pytest.raises(ValueError, match=rf"blur must be False with {name}=.*: it is fitted with their defaults"):
+            lm.retrieve(images, lm.Pupil(), blur=True, **known, **{name: value})
     oil = lm.Objective(NA=1.3, magnification=63, immersion=1.518, sample=1.33).pupil(depth=0.0, wavelength=6e-7)
     with pytest.raises(TypeError, match="pupil must be a Pupil, got the pupil of an Objective"):
         lm.retrieve(images, oil, pixel=6.5e-6, noise=NOISE)

@@ -253,6 +253,15 @@ def test_hot_pixels_are_those_above_their_neighbours_in_most_planes(excess):
     assert not hot_pixels(spoilt[:4], NOISE, sharpest).any()  # too few planes tell nothing
 
 
+@pytest.mark.parametrize("step", [0.35, 0.5, 0.7, 1.6, 2.5])  # in v, in which the FWHM is 3.2
+def test_the_peak_of_a_bright_bead_is_no_hot_pixel(step):
+    y, x = np.indices((9, 9)) - 4
+    sharpest = sharpness(airy(step * np.hypot(y, x))[None])
+    for planes in (5, 9, 24):
+        bead = NOISE.record(30.0 * in_depth(step, planes), seed=2)
+        assert not hot_pixels(bead, NOISE, sharpest)[12:21, 12:21].any()
+
+
 def test_what_is_left_out_is_unknown():
     voxels = np.array([[1, 2, 3]])
     whole = MaskedStack(np.full((2, 4, 5), 7, np.uint16), 4000.0, voxels=voxels)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
@@ -21,6 +22,7 @@ from lommel.estimation.bead_images import CONSTANTS, UNITS
 from lommel.estimation.beads import fit_beads
 from lommel.estimation.star_images import label
 from lommel.fit.findings import Finding, Findings
+from lommel.lensfiles.microscope_files import stage_step
 from lommel.psf import psf
 from lommel.recorded.camera_noise import MaskedStack, hot_pixel_findings, hot_pixels, sharpness
 from lommel.recorded.frames import combined_metadata, read_each
@@ -120,6 +122,7 @@ def beads(
         step = steps.pop() if len(steps) == 1 else None
         if step is None:
             raise ValueError("--step is missing: the files do not all state one step between their planes")
+        stage_step(step)
         if model.step is None:
             notes.append(f"The step of {format_length(step)} between planes is that of the files.")
         recorded, camera_text = camera.recorded(lens, microscope.camera, noise)
@@ -154,11 +157,8 @@ def beads(
             progress=lambda share, chi2: status(f"chi2 {chi2:.3g}", share),
         )
     result = replace(result, findings=Findings([*pitches.values(), *findings, *result.findings]))
-    source = f"{microscope.source} Fitted to beads: {result.message}.".lstrip()
-    fitted_microscope = replace(microscope, name=f"{microscope.name}, fitted to beads", source=source)
-    fitted_microscope = fitted_microscope.fitted(result)
     if output is not None:
-        fitted_microscope.save(output)
+        _fitted(microscope, result, step).save(output)
     if figure is not None:
         save_figure(result.plot(), figure)
     if len(windows) > _MAX_BEADS:
@@ -176,6 +176,18 @@ def beads(
     status_text = "" if result.converged else f", of a fit that has not converged: {result.status}"
     files = written([output, figure], lambda path: status_text if path == output else "")
     return Report(facts, _parts(result, facts), result.converged) + files
+
+
+def _fitted(microscope: Microscope, result: BeadFit, step: float) -> Microscope:
+    """Return the fitted microscope; depth, planes and window are those of the first bead, not those of its file."""
+    # Sources of example files end in the list of their values that are examples; those written here are not.
+    source = re.sub(r"\s*[A-Z][a-z, ]* are examples\.$", "", microscope.source)
+    planes, *shape = result.beads[0].images.shape
+    return replace(
+        microscope.fitted(result), name=f"{microscope.name}, fitted to beads",
+        source=f"{source} Fitted to beads: {result.message}.".lstrip(),
+        depth=result.beads[0].depth, planes=planes, step=step, origin="brightest", shape=tuple(shape),
+    )  # fmt: skip
 
 
 def _pitch_finding(note: str, stated: float | Unusable | None, microscope: Microscope) -> Finding:

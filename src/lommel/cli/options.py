@@ -433,8 +433,9 @@ def with_options(message: str) -> str:
     # A value that was not on the command line may be from a file, whose key is the name of the argument.
     if context and first in flags and context.get_parameter_source(keys[flags[first]]) is ParameterSource.COMMANDLINE:
         message = flags[first] + message.removeprefix(first)
-    # A flag has no value: "per_plane=True" is --per-plane.
+    # A flag has no value: "per_plane=True" is --per-plane, and "per_plane must be False" is to leave it out.
     message = re.sub(r"(--[a-z-]+) True\b", r"\1", _NAMES.sub(partial(_flag_of, flags), message))
+    message = re.sub(r"(--[a-z-]+) must be False\b", r"\1 must be left out", message)
     message = re.sub(r", in metres, such as (\d+)e-9", r", such as \1nm", message).replace(
         ", in metres", ", with a unit"
     )

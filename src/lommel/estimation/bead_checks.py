@@ -18,7 +18,17 @@ from lommel.base.arrays import Array
 from lommel.base.units import with_error
 from lommel.core.answers import Declined
 from lommel.estimation.bead_images import AMPLITUDES, CONSTANTS, GRADIENT, NONLINEAR, UNITS, Setup, Stack, expected
-from lommel.estimation.bead_search import DRIFT, BeadModel, Evaluation, Prior, State, climb, min_depth, start_of
+from lommel.estimation.bead_search import (
+    DRIFT,
+    GROSS_CHI2,
+    BeadModel,
+    Evaluation,
+    Prior,
+    State,
+    climb,
+    min_depth,
+    start_of,
+)
 from lommel.estimation.star_images import label, next_terms
 from lommel.fit import goodness_of_fit
 from lommel.fit.findings import Finding
@@ -37,6 +47,7 @@ from lommel.fit.score_tests import (
     untested,
     untested_findings,
 )
+from lommel.fit.scoring import Report
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.psf import psf
 
@@ -214,7 +225,7 @@ def _neighbor_tests(model: BeadModel, fit: Evaluation) -> list[ScoreTest]:
 
 
 def missing_findings(
-    model: BeadModel, fit: Evaluation, tests: Sequence[ScoreTest], stated: Setup
+    model: BeadModel, fit: Evaluation, tests: Sequence[ScoreTest], stated: Setup, report: Report
 ) -> tuple[list[Finding], float | None]:
     """Return the finding on significant effects, and the log-posterior of a fit that estimates the best effect.
 
@@ -231,7 +242,10 @@ def missing_findings(
     likely_tests = tuple(test for test in tests[:_MAX_REFITS] if test.log_bayes >= limit)
     is_misfit = not fit.fits(goodness_of_fit.BY_CHANCE)
     few_model, few_fit = brightest_beads(model, fit) if is_misfit else (model, fit)
-    fits = [_refit_with_free(few_model, few_fit, test.name, stated) for test in likely_tests]
+    is_gross = few_fit.quality[0] >= GROSS_CHI2
+    fits = [
+        None if is_gross else _refit_with_free(few_model, few_fit, test.name, stated, report) for test in likely_tests
+    ]
     gains = [
         test.log_bayes if refit is None else refit.log_posterior - few_fit.log_posterior
         for test, refit in zip(likely_tests, fits, strict=True)
@@ -289,7 +303,9 @@ def _in_words(test: ScoreTest, model: BeadModel, stated: Setup, refit: Evaluatio
     return f"{name} = {text}{unit}, stated {factor * stated_value:.6g} {sigmas}"
 
 
-def _refit_with_free(model: BeadModel, fit: Evaluation, name: str, stated: Setup) -> Evaluation | None:
+def _refit_with_free(
+    model: BeadModel, fit: Evaluation, name: str, stated: Setup, report: Report
+) -> Evaluation | None:
     """Fit with the constant, term or drift `name` estimated without prior; return None if not possible."""
     state, depths, priors, images = fit.state, model.depths, dict(model.priors), model.images
     if name == "depth":
@@ -305,12 +321,16 @@ def _refit_with_free(model: BeadModel, fit: Evaluation, name: str, stated: Setup
         state = replace(state, waves=np.concatenate([state.waves, np.zeros(len(terms))]))
     drifts = model.drifts or name == "drift"
     try:
-        return climb(replace(model, images=images, priors=priors, depths=depths, drifts=drifts), state, _STEPS)
+        return climb(
+            replace(model, images=images, priors=priors, depths=depths, drifts=drifts), state, _STEPS, report
+        )
     except (Declined, ValueError):
         return None
 
 
-def reversed_findings(model: BeadModel, start: State, best_posterior: float, chi2: float) -> list[Finding]:
+def reversed_findings(
+    model: BeadModel, start: State, best_posterior: float, chi2: float, report: Report
+) -> list[Finding]:
     """Return the finding of planes in reversed order, if these fit well and better than `best_posterior`.
 
     If the chi2 of reversed planes is nearly `chi2`, not the order but the step or the objective is wrong.
@@ -318,7 +338,8 @@ def reversed_findings(model: BeadModel, start: State, best_posterior: float, chi
     stacks = tuple(replace(stack, z=-stack.z) for stack in model.stacks)
     places = tuple(start_of(s, start.setup, d.value, 0.0) for s, d in zip(stacks, model.depths, strict=True))
     try:
-        reversed_fit = climb(replace(model, stacks=stacks), State(start.setup, start.waves, places), _STEPS)
+        steps = _STEPS if chi2 < GROSS_CHI2 else _STEPS // 2
+        reversed_fit = climb(replace(model, stacks=stacks), State(start.setup, start.waves, places), steps, report)
     except (Declined, ValueError):
         return []
     (reversed_chi2, deviation), gain = reversed_fit.quality, reversed_fit.log_posterior - best_posterior
@@ -334,7 +355,7 @@ def reversed_findings(model: BeadModel, start: State, best_posterior: float, chi
     return [Finding("reversed_z", "error", text, {"chi2": reversed_chi2, "log_likelihood": gain})]
 
 
-def held_out(model: BeadModel, fit: Evaluation) -> tuple[float, list[Finding]]:
+def held_out(model: BeadModel, fit: Evaluation, report: Report) -> tuple[float, list[Finding]]:
     """Return chi2 of the last bead with common parameters of the other beads, and a finding if it is too large."""
     count, state = len(model.stacks), fit.state
     if count < _MIN_BEADS:
@@ -345,10 +366,10 @@ def held_out(model: BeadModel, fit: Evaluation) -> tuple[float, list[Finding]]:
     others_model, held_out_model = model.with_beads(others), model.with_beads([count - 1])
     try:
         start = _restricted(state, others)
-        others_state = climb(others_model, start, _STEPS).state
+        others_state = climb(others_model, start, _STEPS, report).state
         fixed_model = replace(held_out_model, images=model.images.without_terms(others_state.waves), priors={})
         start = State(others_state.setup, np.zeros(0), state.places[-1:], state.light[-1:])
-        held_out_fit = climb(fixed_model, start, _STEPS)
+        held_out_fit = climb(fixed_model, start, _STEPS, report)
     except (Declined, ValueError):
         return math.nan, []
     chi2, limit = held_out_fit.quality[0], float(goodness_of_fit.largest_plausible_chi2(held_out_fit.quality[1]))

@@ -216,6 +216,20 @@ class Stack:
         data[1:3] += part
         return replace(self, pixel_data=data), mean
 
+    def background_fit(self) -> tuple[float, float, dict[str, float]]:
+        """Return chi2 of sloping backgrounds alone, its standard deviation, and the mean gradients of the planes."""
+        counted, read, valid = (part.reshape(len(self.z), -1) for part in self.planes)
+        grid = np.meshgrid(*(np.linspace(-0.5, 0.5, side) for side in self.shape), indexing="ij")
+        design = np.stack([np.ones(counted.shape[1]), *(part.ravel() for part in grid)], axis=1)
+        fits = [np.linalg.lstsq(design[k], light[k], rcond=None)[0] for light, k in zip(counted, valid, strict=True)]
+        mean = np.maximum(np.array(fits) @ design.T, 0.0)
+        variance = np.maximum(mean + read, 1e-9)
+        freedom = int(valid.sum()) - 3 * len(self.z)
+        chi2 = float((valid * (counted - mean) ** 2 / variance).sum()) / freedom
+        # The fourth moment of a Poisson deviate exceeds that of a normal one by the mean.
+        deviation = math.sqrt(float((valid * (2.0 + mean / variance**2)).sum())) / freedom
+        return chi2, deviation, dict(zip(GRADIENT, np.mean(fits, axis=0)[1:].tolist(), strict=True))
+
     @staticmethod
     def of(counts: Counts, noise: Noise, z: Array) -> Stack:
         """Return the stack of recorded images (planes, height, width)."""

@@ -10,6 +10,7 @@ import math
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
@@ -24,10 +25,20 @@ from lommel.fit.scoring import Policy, Report, Rows, Scores, damped_steps, fishe
 
 POSITION = ("row", "column", "focus")
 DRIFT = ("drift_row", "drift_column")
+_MAX_NA = 1.0 - 1e-5  # largest NA relative to the index of the immersion
 _MAX_WAVE_STEP = 1.0  # radians rms: largest change of the wavefront in a step
 _SAME_MAXIMUM = 1.0  # difference of log-posterior below which two starts are assumed to end at the same maximum
+_SAME_MISFIT = 0.01  # the same for bad fits: difference of chi2, relative to chi2 in excess of 1
+MIN_FLUX_SIGMAS = 10.0
+"""Smallest total flux of a visible bead in all planes, in standard deviations."""
+_DARK_SIGMAS = 5.0  # the same before the search, in which aberrations are not known yet
+_STEP_SHARE = 0.05  # part of the remaining fraction of the progress that a step takes
+SHARES = 0.4, 0.7
+"""Fractions of the progress after the fits of single beads, and after the joint fit; the rest is for checks."""
 _PILOTS = 2  # number of beads, the brightest, with which the search for a misfit begins
 _MISFIT_STEPS = 10  # largest number of steps with all beads, if the brightest are a misfit for all constants
+GROSS_CHI2 = 20.0
+"""Chi2 above which an image is not taken for that of a bead: no usual error of a constant is the cause."""
 _MAX_CHI2_RATIO = 1.5  # beads whose chi2 exceeds this times the median of all beads are left out
 ORIGINS = (0.0, -0.35e-6, 0.35e-6, -0.7e-6, 0.7e-6)
 """Shift of the initial focus, metres of the stage, for each start."""
@@ -283,6 +294,8 @@ class BeadModel:
         # Because of noise, the estimated variance of the blur may be slightly negative.
         if setup.blur < -0.2 or setup.diameter < 0.0:
             raise Declined("the variance of the blur, or the diameter of the bead, is negative")
+        if _MAX_NA * min(setup.objective.immersion, setup.objective.design.immersion) < setup.objective.NA:
+            raise Declined("NA is so near the index of the immersion that no image of a proven error is possible")
         places = []
         for stack, place, bead_step in zip(self.stacks, state.places, factor * bead_steps, strict=True):
             changes = zip(self.bead_parameters, bead_step.tolist(), strict=True)
@@ -310,7 +323,8 @@ def _with_fixed_step(scores: Scores, index: int, step: float) -> Scores:
     return scores._replace(slope=gradient, information=information)
 
 
-_POLICY = Policy(max_damping=1e7)
+# At this rate a good fit would take 500 steps.
+_POLICY = Policy(max_damping=1e7, stalled=1e-3)
 
 
 def _camera_derivative(name: str, mean: Array) -> Array:
@@ -349,13 +363,27 @@ class Search:
     steps: int = 0  # number of steps of all completed searches
     _fraction_done: float = 0.0  # fraction of the progress
 
+    def is_dark(self) -> bool:
+        """Return whether noise and sloping backgrounds explain all stacks, and no start has significant light."""
+        for k, stack in enumerate(self.model.stacks):
+            chi2, deviation, gradient = stack.background_fit()
+            if chi2 >= largest_plausible_chi2(deviation, BY_CHANCE):
+                return False
+            model = self.model.single_bead(k)
+            for origin in ORIGINS:
+                place = start_of(stack, self.setup, model.depths[0].value, origin)._replace(**gradient)
+                part = model.evaluate(State(self.setup, self.waves, (place,))).parts[0]
+                if part.flux_sigmas >= _DARK_SIGMAS:
+                    return False
+        return True
+
     def fit_all(self) -> tuple[Evaluation, list[bool]]:
         """Fit all beads jointly, except beads with a bad individual fit; return the fit, and whether each is used."""
         model, count = self.model, len(self.model.stacks)
         brightest_first = model.brightest_first()
         fits: dict[int, Evaluation] = {}
         for k in brightest_first:
-            fits[k] = self.fit_one(model.single_bead(k), 0.6 / count, [*fits.values()])
+            fits[k] = self.fit_one(model.single_bead(k), SHARES[0] * (len(fits) + 1) / count, [*fits.values()])
         single_fits = [fits[k] for k in range(count)]
         median = float(np.median([fit.quality[0] for fit in single_fits]))
         chi2_limits = [float(largest_plausible_chi2(fit.quality[1])) for fit in single_fits]
@@ -369,24 +397,27 @@ class Search:
         start = State(self.setup, waves, tuple(single_fits[k].state.places[0] for k in used_indices))
         joint_model, pilots = model.with_beads(used_indices), [k for k in brightest_first if is_used[k]][:_PILOTS]
         if len(used_indices) == len(pilots) or all(single_fits[k].fits(SURE) for k in pilots):
-            return self.climb(joint_model, start, 0.4), is_used
+            if min(single_fits[k].quality[0] for k in used_indices) < GROSS_CHI2:
+                return self.climb(joint_model, start, SHARES[1]), is_used
+            return replace(self.climb(joint_model, start, SHARES[1], _MISFIT_STEPS), settled=True), is_used
         # If constants are wrong, the search takes many steps: it begins with few beads, for which a step is faster.
         places = tuple(single_fits[k].state.places[0] for k in pilots)
-        pilot_fit = self.climb(model.with_beads(pilots), replace(start, places=places), 0.2)
+        middle = 0.5 * (SHARES[0] + SHARES[1])
+        pilot_fit = self.climb(model.with_beads(pilots), replace(start, places=places), middle)
         pilot = pilot_fit.state
         single_starts = [State(pilot.setup, pilot.waves, single_fits[k].state.places) for k in used_indices]
         placed_fits = [
-            self.climb(model.single_bead(k), single_start, 0.0)
+            self.climb(model.single_bead(k), single_start, middle)
             for k, single_start in zip(used_indices, single_starts, strict=True)
         ]
         start = State(pilot.setup, pilot.waves, tuple(fit.state.places[0] for fit in placed_fits))
-        joint_fit = self.climb(joint_model, start, 0.2, None if pilot_fit.fits(BY_CHANCE) else _MISFIT_STEPS)
+        joint_fit = self.climb(joint_model, start, SHARES[1], None if pilot_fit.fits(BY_CHANCE) else _MISFIT_STEPS)
         if not joint_fit.fits(BY_CHANCE):
             return replace(joint_fit, settled=True), is_used
-        return joint_fit if joint_fit.settled else self.climb(joint_model, joint_fit.state, 0.0), is_used
+        return joint_fit if joint_fit.settled else self.climb(joint_model, joint_fit.state, SHARES[1]), is_used
 
-    def fit_one(self, model: BeadModel, fraction: float, earlier: Sequence[Evaluation]) -> Evaluation:
-        """Return the best fit of a single stack from several starts; the first adds `fraction` to the progress.
+    def fit_one(self, model: BeadModel, end: float, earlier: Sequence[Evaluation]) -> Evaluation:
+        """Return the best fit of a single stack from several starts; `end` is the fraction of the progress after it.
 
         The first start has the wavefront of the best of the `earlier` fits of other beads, if there are any.
         """
@@ -400,31 +431,40 @@ class Search:
         is_wrong = len(earlier) >= _PILOTS and not any(fit.fits(SURE) for fit in earlier)
         for waves, origin in starts:
             place = start_of(model.stacks[0], self.setup, model.depths[0].value, origin)
-            end = self.climb(model, State(self.setup, waves, (place,)), fraction)
-            same_maximum = best_fit is not None and abs(end.log_posterior - best_fit.log_posterior) < _SAME_MAXIMUM
-            if best_fit is None or end.log_posterior > best_fit.log_posterior:
-                best_fit = end
+            # Whether more starts follow is not known: each has half of the remaining fraction of the progress.
+            fit = self.climb(model, State(self.setup, waves, (place,)), 0.5 * (self._fraction_done + end))
+            same_maximum = best_fit is not None and _same_maximum(fit, best_fit)
+            if best_fit is None or fit.log_posterior > best_fit.log_posterior:
+                best_fit = fit
             if same_maximum or (best_fit.settled and best_fit.fits(SURE)):
                 break
             if is_wrong and best_fit.quality[0] <= worst_chi2:
                 break
-            fraction = 0.0
         assert best_fit is not None
+        self._fraction_done = end
         return best_fit
 
-    def climb(self, model: BeadModel, start: State, fraction: float, max_steps: int | None = None) -> Evaluation:
-        """Return the end of one search, which adds `fraction` to the progress."""
-        before = self._fraction_done
+    def climb(self, model: BeadModel, start: State, end: float, max_steps: int | None = None) -> Evaluation:
+        """Return the end of one search; `end` is the fraction of the progress after it."""
+        fit = climb(model, start, min(self.max_steps, max_steps or self.max_steps), partial(self.report, end))
+        self.steps += fit.steps
+        self._fraction_done = end
+        return fit
 
-        def report(step: int, chi2: float) -> None:
-            # The number of steps is not known in advance: each step is reported as a fifth of the remaining fraction.
-            if self.progress is not None:
-                self.progress(min(before + fraction * (1.0 - 0.8**step), 1.0), chi2)
+    def report(self, end: float, step: int, chi2: float) -> None:
+        """Report a step of a search, after which the fraction `end` of the progress is done."""
+        # The number of steps is not known in advance: each takes a part of the remaining fraction.
+        self._fraction_done += _STEP_SHARE * (end - self._fraction_done)
+        if self.progress is not None:
+            self.progress(self._fraction_done, chi2)
 
-        end = climb(model, start, min(self.max_steps, max_steps or self.max_steps), report)
-        self.steps += end.steps
-        self._fraction_done = before + fraction
-        return end
+
+def _same_maximum(fit: Evaluation, other: Evaluation) -> bool:
+    """Return whether two starts are assumed to have ended at the same maximum."""
+    chi2, other_chi2 = fit.quality[0], other.quality[0]
+    difference = abs(fit.log_posterior - other.log_posterior)
+    is_misfit = not fit.fits(BY_CHANCE) and abs(chi2 - other_chi2) < _SAME_MISFIT * (chi2 - 1.0)
+    return difference < _SAME_MAXIMUM or (fit.settled and other.settled and is_misfit)
 
 
 def start_of(stack: Stack, setup: Setup, depth: float, origin: float) -> Place:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import partial
 from typing import TYPE_CHECKING, Any, Unpack, cast
 
 import numpy as np
@@ -27,7 +28,18 @@ from lommel.estimation.bead_images import (
     Stack,
     expected,
 )
-from lommel.estimation.bead_search import ORIGINS, BeadModel, Evaluation, Prior, Search, State, brightest, start_of
+from lommel.estimation.bead_search import (
+    MIN_FLUX_SIGMAS,
+    ORIGINS,
+    SHARES,
+    BeadModel,
+    Evaluation,
+    Prior,
+    Search,
+    State,
+    brightest,
+    start_of,
+)
 from lommel.estimation.star_images import MAX_LINEAR_ERROR, label
 from lommel.fit import goodness_of_fit
 from lommel.fit.findings import Finding, Findings, FitReport
@@ -47,7 +59,6 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 _PLANES = 5  # minimum number of planes in a stack, and number of planes in a plot
-_MIN_FLUX_SIGMAS = 10.0  # smallest total flux of a visible bead in all planes, in standard deviations
 _MAX_IMAGE_ERROR = 2e-3  # largest error of the images in the search, relative to the peak
 _CAUSES = "pixel, noise, z or the objective are wrong, terms are missing, or beads overlap"
 _NOT_OF_POINTS = "diameter", "blur", "step"  # constants that do not affect the image of a point at exact z
@@ -624,26 +635,30 @@ def _priors(
 
 def _build_bead_fit(search: Search, recorded: list[Counts], noise: Noise, notes: list[Finding]) -> BeadFit:
     """Return the result of a search, with the findings of its checks."""
+    has_light = not search.is_dark()
+    if not has_light:  # no steps: there is nothing to fit
+        search = replace(search, starts=1, max_steps=0)
     fit, is_used = search.fit_all()
+    has_light = has_light and max(part.flux_sigmas for part in fit.parts) >= MIN_FLUX_SIGMAS
     model = search.model.with_beads(np.flatnonzero(is_used).tolist())
-    has_light = max(part.flux_sigmas for part in fit.parts) >= _MIN_FLUX_SIGMAS
     tests, marginal, untested = bead_checks.missing_tests(model, fit) if has_light else ((), None, [])
     if gradient_findings := bead_checks.gradient_findings(fit, tests):
         model = replace(model, gradients=True)
-        fit = search.climb(model, fit.state, 0.0)
+        fit = search.climb(model, fit.state, SHARES[1])
         tests, marginal, untested = bead_checks.missing_tests(model, fit)
     state = fit.state
     full_covariance, common_count = _inverse(fit.scores.information[0]), len(model.names)
     covariance = full_covariance[:common_count, :common_count]
     chi2, deviation = fit.quality
-    held_out, held_out_findings = bead_checks.held_out(model, fit)
+    report = partial(search.report, 1.0)
+    held_out, held_out_findings = bead_checks.held_out(model, fit, report) if has_light else (math.nan, [])
     all_beads = replace(search.model, gradients=model.gradients)
     beads = _beads(all_beads, fit, full_covariance, is_used, recorded, noise)
     image_error = bead_checks.model_error(model, state)
     if not has_light:
         findings = [Finding("no_light", "error", "the light of all planes is within the noise")]
     else:
-        missing_findings, refit_posterior = bead_checks.missing_findings(model, fit, tests, search.setup)
+        missing_findings, refit_posterior = bead_checks.missing_findings(model, fit, tests, search.setup, report)
         causes = causes_of_misfit(_CAUSES, chi2, deviation, tests)
         findings = goodness_of_fit.chi2_findings(chi2, deviation, causes)
         expected_images = np.stack([expected(*pair) for pair in zip(state.light, fit.values, strict=True)])
@@ -663,7 +678,9 @@ def _build_bead_fit(search: Search, recorded: list[Counts], noise: Noise, notes:
             best_posterior = few_fit.log_posterior
             if few_fit is fit and refit_posterior is not None:
                 best_posterior = max(refit_posterior, best_posterior)
-            reversed_findings = bead_checks.reversed_findings(few_model, start, best_posterior, few_fit.quality[0])
+            reversed_findings = bead_checks.reversed_findings(
+                few_model, start, best_posterior, few_fit.quality[0], report
+            )
         findings += [*(reversed_findings or missing_findings), *untested]
         if marginal is not None and not missing_findings:  # effects that are favoured but not significant
             covariance = marginal.covariance
@@ -673,7 +690,7 @@ def _build_bead_fit(search: Search, recorded: list[Counts], noise: Noise, notes:
         if "reversed_z" not in Findings(findings).codes:
             planes = sum(len(s.z) for s in model.stacks)
             findings += bead_checks.moved_findings([bead.moved for bead in beads if bead.used], planes)
-    if not fit.settled:
+    if has_light and not fit.settled:
         text = f"the steps have not settled: more than {search.max_steps} steps may be needed"
         findings.append(Finding("not_settled", "error", text))
     findings += held_out_findings

@@ -385,7 +385,9 @@ class ChartOptions:
         if size is not None:
             size = validation.real("size", size, above=0.0, unit="the unit of pixel") / pixel
         if kind == "star" and size is not None:
-            raise ValueError("size must be left out for stars, which are points; set targets for pinholes or corners")
+            raise ValueError(
+                "size must be left out for stars, which are points; set `targets` for pinholes or corners"
+            )
         if kind == "pinhole" and size is None:
             raise ValueError("size must be the diameter of the pinholes in the image, in the unit of pixel, got None")
         return None if kind == "star" else Target(kind, math.inf if size is None else size)

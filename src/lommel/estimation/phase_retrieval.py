@@ -354,9 +354,13 @@ def retrieve(
     draw = random_numbers(settings.seed)
     plan = Plan(values.shape[1:], pixel, tol=settings.tol, integrate=settings.integrate, threads=settings.threads)
     if blur is not False:
-        default_limits = FitOptions.starts, FitOptions.steps
-        if {*unknowns.places} != {*SHIFTS} or unknowns.pupil or (settings.starts, settings.steps) != default_limits:
-            raise ValueError("blur must be False unless also is 'center' and starts and steps are left out")
+        others = [f"also={validation.shown(also)}"] if {*unknowns.places} != {*SHIFTS} or unknowns.pupil else []
+        limits = ((name, getattr(settings, name)) for name in ("starts", "steps"))
+        others += [f"{name}={value}" for name, value in limits if value != getattr(FitOptions, name)]
+        if others:
+            raise ValueError(
+                f"blur must be False with {' and '.join(others)}: it is fitted with their defaults alone"
+            )
         height, width = values.shape[1:]
         field_fit = fit_field(
             np.where(valid, values, np.nan)[None], [[height // 2, width // 2]], start, sensor=(height, width),

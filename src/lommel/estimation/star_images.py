@@ -86,7 +86,7 @@ class Unknowns:
             if SHIFTS[place] in self.edge:
                 raise ValueError(
                     f"terms must be without {SHIFTS[place]} if the {place} of each image is estimated: remove it, or "
-                    f"leave {place!r} and 'center' out of the argument also"
+                    f"leave {place!r} and 'center' out of `also`"
                 )
 
 
@@ -103,7 +103,7 @@ def _names(terms: int | Sequence[Term | str]) -> tuple[Name, ...]:
         )
     for name in names:
         if isinstance(name, str) and name in nuisance:
-            raise ValueError(f"terms must be terms of a wavefront, got {name!r}: pass nuisance parameters in also")
+            raise ValueError(f"terms must be terms of a wavefront, got {name!r}: pass nuisance parameters in `also`")
     return checked_names(cast("Sequence[Name]", terms), "terms", tuple(POWERS))
 
 

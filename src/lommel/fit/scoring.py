@@ -117,12 +117,13 @@ class Policy:
 
     A search has converged if the predicted gain is below `settled`. It fails if the damping exceeds `max_damping`, or
     after `patience` slow steps in a row without a good fit; if `patience` is infinite, slow steps do not end a
-    search.
+    search. A slow step gains less than the fraction `stalled` of what is missing for a good fit.
     """
 
     settled: float = _CONVERGED
     max_damping: float = _MAX_DAMPING
     patience: float = _PATIENCE
+    stalled: float = _STALLED
 
 
 class Ascent(NamedTuple):
@@ -191,7 +192,7 @@ def fisher_scoring(
             damping[rows[overshoots]] = np.maximum(damping[rows[overshoots]], _OSCILLATION_DAMPING)
         np.maximum(damping, _MIN_DAMPING, out=damping)
         excess = scores.chi2[rows] - goodness_of_fit.largest_plausible_chi2(scores.spread[rows])
-        slow = gained & (gain < _STALLED * problem.degrees_of_freedom * excess)
+        slow = gained & (gain < policy.stalled * problem.degrees_of_freedom * excess)
         slow_steps[rows] = np.where(slow, slow_steps[rows] + 1, np.where(gained, 0, slow_steps[rows]))
         if new_scores is None or not gained.any():
             continue

@@ -1092,7 +1092,7 @@ class _ChannelRestoration:
         if share > _DARK_FRACTION:
             self._notes.append(
                 f"{100.0 * share:.2g} % of the voxels are below the offset by more than the read noise explains, and "
-                f"count as dark. Check the offset of noise=: the darkest voxels have {darkest_value:.4g} counts."
+                f"count as dark. Check the `offset` of the noise: the darkest voxels have {darkest_value:.4g} counts."
             )
         elif note := contradiction(self._stack, camera):
             self._notes.append(note)
@@ -1267,7 +1267,7 @@ def _explain_misfit(misfit: Finding, alternatives: list[str]) -> Finding:
     if not alternatives:
         text = (
             "the residual exceeds the noise, but no other PSF fits better: the cause may be points between voxels or "
-            "a wrong gain; check noise="
+            "a wrong gain; check `white` and `read` of the noise"
         )
         return replace(misfit, severity="doubt", text=text)
     text = f"PSFs with {alternatives[0]} fit the stack better"

@@ -238,8 +238,8 @@ def _fit_noise(mean: Array, squares: Array, independent: float, sigma: float) ->
     if not slope > 0.0 or error > _MAX_ERROR * slope:
         raise ValueError(
             "the noise cannot be estimated: its variance does not clearly grow with the light, as photon "
-            "noise does; give a stack that was not filtered and has brighter and darker regions, or noise=, such as "
-            "lommel.Noise(white=0.46, read=1.6, offset=100) from the data sheet of the camera"
+            "noise does; give a stack that was not filtered and has brighter and darker regions, or the noise of the "
+            "camera from its data sheet, such as white=0.46, read=1.6, offset=100"
         )
     # variance = (mean - offset) / gain + (read / gain)^2, solved for the offset; slope is 1 / gain.
     offset = lowest - constant / slope + sigma**2 * slope

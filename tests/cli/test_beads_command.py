@@ -158,6 +158,7 @@ def test_a_result_that_does_not_fit_has_exit_code_3(folder):
     [
         (("bead.tif", *ASKED, "-o", "x.csv"), "--output must end in .toml"),
         (("bead.tif", "objective.toml", "--step", "200nm"), "--read is missing"),
+        (("bead.tif", "objective.toml", "--step", "0nm", *ASKED[3:]), "--step must be a stage step, not 0 and below"),
         (("bead.tif", "objective.toml", *ASKED[3:]), "--step is missing: the files do not all state one step"),
         (("dark.tif", *ASKED), "standard deviations high: lower --threshold, or check --offset and --gain"),
     ],

@@ -452,6 +452,23 @@ def test_a_search_that_ends_at_very_strong_aberrations_is_a_misfit():
     assert found.findings.get("model_error").numbers == {"error": math.inf}
 
 
+def test_a_sloping_background_alone_is_no_bead_without_a_search():
+    slope = 20.0 + 15.0 * np.linspace(-0.5, 0.5, 15)[None, :, None] * np.ones((9, 15, 15))
+    found = lm.fit_beads(NOISE.record(slope, seed=3), OIL, terms=TERMS, **(GIVEN | {"starts": 5}))
+    assert (found.status, found.steps) == ("no_light", 0)
+
+
+def test_the_progress_moves_with_each_step_and_ends_below_one():
+    disc = 20.0 + 400.0 * (np.hypot(*(np.indices((15, 15)) - 7.0)) < 4.0) * np.ones((9, 1, 1))
+    shares = []
+    options = GIVEN | {"starts": 5, "progress": lambda share, chi2: shares.append(share)}
+    found = lm.fit_beads(NOISE.record(disc, seed=3), OIL, terms=TERMS[:3], **options)
+    assert found.status == "misfit"
+    assert len(shares) > 10
+    assert (np.diff(shares) > 0.0).all()
+    assert 0.7 < shares[-1] < 1.0
+
+
 def test_noise_alone_is_no_bead():
     images = NOISE.record(np.full((9, 17, 17), 20.0), seed=1)
     found = lm.fit_beads(images, OIL, **GIVEN, terms=TERMS, priors={})

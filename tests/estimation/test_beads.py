@@ -573,7 +573,7 @@ def test_a_prior_that_the_beads_contradict_is_named():
         size = np.array([sigmas * 3.2e-3])
         test = ScoreTest("sample", size, np.array([1e-3]), sigmas, 2.0)
         held = ScoreTest("NA", size, np.array([1e-3]), 4.0, 2.0)
-        return missing_findings(joint, None, (held, test), setup)[0]
+        return missing_findings(joint, None, (held, test), setup, lambda *_: None)[0]
 
     assert found(3.4) == []
     (told,) = found(-3.6)

@@ -60,7 +60,7 @@ Call = Callable[..., "subprocess.CompletedProcess[str]"]
 IMAGES = {"retrieve": stars, "beads": bead, "deconvolve": stack, "fit-field": sky, "localize": movie}
 OPTIONS = {
     "retrieve": "star.toml --defocus=-4,0,4 --white 0.5 --read 2 --offset 100 --terms 5 --starts 1",
-    "beads": "oil.toml --step 250nm --read 1.6 --offset 100 --terms 1 --fixed",
+    "beads": "oil.toml --pixel 6.3um --step 250nm --read 1.6 --offset 100 --terms 1 --fixed",
     "deconvolve": "oil.toml --gain 1 --read 1.6 --offset 100 --steps 2 --direction up --background 0 --slabs 1 "
     "--no-diagnosis -o restored.ome.tif",
     "fit-field": "sky.toml --defocus=-2.5,0,2.5 --read 2 --offset 50 --window 17 --degree 0 --terms 5 --known-blur 0",

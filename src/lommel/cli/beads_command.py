@@ -135,7 +135,6 @@ def beads(
             differences = header_differences(stack.metadata, microscope, model.step)
             if (pitch := differences.pop("pixel", None)) and pitch not in pitches:
                 pitches[pitch] = _pitch_finding(pitch, stack.metadata.get("pixel"), microscope)
-                status.tell(f"Note: {pitch}")
             notes += [*stack.notes, *(note for note in differences.values() if note not in notes)]
             values, mask = stack.values, camera.mask(stack.values)
             ignored = np.broadcast_to(False if mask is None else mask, values.shape)

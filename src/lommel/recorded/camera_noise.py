@@ -155,8 +155,10 @@ class MaskedStack:
         self._mask = np.broadcast_to(False if mask is None else mask, self.shape)
         is_integer = self.dtype.kind in "iu"
         # Integers have no NaN: the largest value marks unknown voxels, as saturation does.
-        self.limit = min(limit, float(np.iinfo(self.dtype).max)) if is_integer else limit
-        self._unknown = self.dtype.type(self.limit if is_integer else math.nan)
+        largest = int(np.iinfo(self.dtype).max) if is_integer else 0
+        self.limit = min(limit, float(largest)) if is_integer else limit
+        # The largest integer of 64 bits is not a float: as one it would be too large.
+        self._unknown = self.dtype.type(min(math.ceil(self.limit), largest) if is_integer else math.nan)
 
     def __len__(self) -> int:
         return int(self.shape[0])

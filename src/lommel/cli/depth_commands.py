@@ -209,6 +209,8 @@ def depth(
         f"{len(estimate.candidates)} distances from {near} to {far}, windows of {estimation.window:g} pixels rms",
         text,
     ]
+    if not photo_lens.exposures:
+        lines.insert(3, f"exposures measured: {', '.join(f'{exposure:.4g}' for exposure in estimate.exposures)}")
     return Report(facts, lines) + verdict_report(estimate.verdict) + files
 
 

@@ -346,7 +346,8 @@ class Tally:
         rows = np.array(self.rows)
         known, unfit = rows[:, :2].mean(axis=0).tolist()
         depth, error, misfit = (_median(column[np.isfinite(column)]) for column in rows.T[2:])
-        verdict = DefocusVerdict.of(misfit, live.scale, live.scale_error, live.others, live.changes)
+        # The last pair may have no depth where others had.
+        verdict = DefocusVerdict.of(misfit) if math.isnan(live.misfit) else live
         lines = ["no depth found: the frames have no texture, or all of it is out of range"]
         if self.failed == self.pairs:
             lines = ["no depth found: no pair could be used, for the reason given at the first pair"]

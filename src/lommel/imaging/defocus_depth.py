@@ -19,7 +19,7 @@ from lommel.base.cached import cached_property
 from lommel.base.encoding import from_light, to_light
 from lommel.core.engine import FocalStream
 from lommel.estimation.focal_model import FocalLight, Transfer, transfer_curve
-from lommel.imaging.defocus_verdict import DefocusVerdict, judge_frames
+from lommel.imaging.defocus_verdict import DefocusVerdict, judge_frames, squared_slopes
 from lommel.imaging.focal_engine import (
     BLOCK,
     CONTRAST,
@@ -48,6 +48,8 @@ _WIDE_WINDOW = 2.0  # rms width of windows, pixels, from which blocks are 4 pixe
 _ROWS = 1024  # number of rows computed together
 _MULTIPLE = 16  # pixels: a common multiple of the sides of all blocks and of all squares that are binned
 _MIN_SIDE = 160  # pixels, smallest height and width; smaller photographs are padded with mirrored pixels
+_MIN_UNMIXED = 0.2  # least fraction of pixels, away from unknown ones and borders, that measure exposures
+_TEXTURE_REACH = 3.0  # distance from which texture determines depth in flat areas / window
 _ADDED_VARIANCE = 1e-3  # variance added to the read-noise variance, as a fraction of the mean electrons per pixel
 
 
@@ -272,7 +274,12 @@ def depth_from_defocus(
         channel[1:] = registered(list(channel), math.inf, valid.view(np.uint8))[1:]
     # Registration returns NaN for pixels that depend on unknown pixels.
     valid = np.isfinite(images).all(axis=(0, 1)) & valid
-    means = images[..., valid].mean(axis=(0, 2), dtype=np.float64)
+    channels = Settings(wavelengths=wavelengths).channels(counts[0].values.shape, lenses[0].wavelength)
+    spectra = [((value, 1.0),) if isinstance(value, float) else tuple(value) for value in channels]
+    block = BLOCK if width >= _WIDE_WINDOW else BLOCK // 2
+    sizes = width, block, block, processors()
+    task = FocalTask(lenses, vergence, spectra, pitch, ends, *sizes, transfer, registered.scales)
+    means = images[..., _unmixed(valid, task.blur)].mean(axis=(0, 2), dtype=np.float64)
     if not np.all(means > 0.0):
         text = ", ".join(f"{value:.4g}" for value in means)
         raise ValueError(f"photographs must have a mean above 0, got {text} electrons per pixel")
@@ -280,16 +287,12 @@ def depth_from_defocus(
     ratios = ratios if exposures is None else relative_exposures(exposures, len(lenses))
     # Scale all frames to the exposure of the first: the tables assume one light level.
     images /= np.asarray(ratios, dtype=np.float32)[:, None, None]
-    channels = Settings(wavelengths=wavelengths).channels(counts[0].values.shape, lenses[0].wavelength)
-    spectra = [((value, 1.0),) if isinstance(value, float) else tuple(value) for value in channels]
-    block = BLOCK if width >= _WIDE_WINDOW else BLOCK // 2
-    sizes = width, block, block, processors()
-    task = FocalTask(lenses, vergence, spectra, pitch, ends, *sizes, transfer, registered.scales)
     read = math.sqrt(float(np.mean(np.square(noise.read))) + _ADDED_VARIANCE * mean)
     engine = FocalEngine(task, FocalLight(mean, read, ratios, CONTRAST))
     position, index_errors, misfit = _search(engine, images, valid, progress)
     # Blur is linear in 1 / distance: the candidates are equally spaced in it.
     step = float(vergence[1] - vergence[0])
+    _add_slope_errors(position, index_errors, width, engine.known / step)
     estimate, errors = vergence[0] + step * position.astype(np.float64), step * index_errors
     scale_error = f_number_error
     if f_number_error or focus_error:
@@ -337,6 +340,28 @@ def _counts(photographs: list[object], saturation: float | None) -> list[Counts]
         shapes = ", ".join(str(photograph.values.shape) for photograph in counts)
         raise ValueError(f"photographs must be of one shape, got {shapes}")
     return counts
+
+
+def _unmixed(valid: NDArray[np.bool_], blur: float) -> NDArray[np.bool_]:
+    """Return the pixels that no light of unknown ones or from outside reaches; `valid` if few are left."""
+    from scipy.ndimage import minimum_filter
+
+    # The light that clipped pixels or the border hide differs between photographs of different blur.
+    unmixed = minimum_filter(valid, 2 * math.ceil(blur) + 1, mode="constant", cval=False)
+    return unmixed if unmixed.sum() > _MIN_UNMIXED * valid.sum() else valid
+
+
+def _add_slope_errors(position: Values, errors: Values, window: float, limit: float) -> None:
+    """Increase `errors` on slopes without texture, in place: the depth there is that of texture some pixels away."""
+    from scipy.ndimage import minimum_filter
+
+    known, reach = np.isfinite(errors), _TEXTURE_REACH * window
+    least = minimum_filter(errors, 2 * round(reach) + 1)
+    # Errors that are more than twice the least error around come from texture that is on average reach / 2 away.
+    borrowed = np.maximum(0.0, 1.0 - np.square(2.0 * least[known] / errors[known]))
+    errors[known] = np.sqrt(errors[known] ** 2 + 0.25 * reach**2 * borrowed * squared_slopes(position, window)[known])
+    unknown = known & (errors > limit)
+    position[unknown], errors[unknown] = math.nan, math.inf
 
 
 def _add_lens_errors(

@@ -21,13 +21,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lommel.base.arrays import Array, Values
-from lommel.base.units import format_length
+from lommel.base.units import format_length, percent
 from lommel.fit.findings import Finding, Findings, FitReport
 from lommel.imaging.focal_engine import FocalEngine
 from lommel.imaging.focal_tables import residual_filters
 
 # Misfit below which noise is overstated, above which agreement is doubtful, and above which the images disagree.
-_MIN_MISFIT, _DOUBTFUL_MISFIT, _WRONG_MISFIT = 0.7, 1.4, 2.0
+_MIN_MISFIT, _DOUBTFUL_MISFIT, _WRONG_MISFIT = 0.7, 1.3, 1.8
+_MAX_PREDICTED = 0.5  # largest misfit due to slopes and edges of depth, as predicted, in blocks that are judged
+_BLUR_SHARE = 0.75  # share of (blur radius)^2 that slopes count like window^2, measured in rendered ramps
+_MIN_JUDGED = 0.15  # fraction of judged blocks below which registration and noise are not judged
 _DOUBTFUL_DEVIATION, _WRONG_DEVIATION = 1.5, 2.5  # limits of abs(scale - 1) / standard error
 _MAX_SCALE_ERROR = 0.1  # largest standard error of a reported scale, unless the scale is wrong
 _MIN_SCALE_ERROR = 0.02  # systematic standard error of a scale, measured in rendered scenes with much texture
@@ -49,8 +52,8 @@ _NEWTON_STEPS = 5  # number of Newton steps to the minimum of an energy
 class DefocusVerdict(FitReport):
     """Test of frames that differ in focus against their stated lenses and noise.
 
-    The findings have the codes "no_depth", "misfit", "too_quiet", "lens_scale" and "untested". The finding
-    "untested" lists errors that these frames, or any frames, cannot reveal.
+    The findings have the codes "no_depth", "misfit", "too_quiet", "left_out", "lens_scale" and "untested". The
+    finding "untested" lists errors that these frames, or any frames, cannot reveal.
 
     Attributes
     ----------
@@ -59,8 +62,8 @@ class DefocusVerdict(FitReport):
     summary : str
         Properties that agree.
     misfit : float
-        Median, over pixels with a known depth, of (difference of the frames) / (difference expected of noise): 1 if
-        registration and noise are as stated; NaN if no depth is known.
+        Median, over judged pixels of the brightest channel, of (difference of the frames) / (difference expected of
+        noise): 1 if registration and noise are as stated; NaN if no depth is known.
     scale : float
         (Difference between the blurs of the frames) / (difference that the lenses predict), 1.1 for example if all
         apertures are 10 % larger than stated; NaN if not tested.
@@ -72,6 +75,9 @@ class DefocusVerdict(FitReport):
     changes : (float, float)
         Median change of depth, metres, if all foci increase by 0.01 dioptre (second number), and median absolute
         change if all f-numbers change by 1 % (first number); NaN if no depth is known.
+    judged : float
+        Fraction of the examined pixels whose misfit is judged. Others are near edges or steep slopes of depth: a
+        window has one depth in the model.
     """
 
     misfit: float
@@ -79,6 +85,7 @@ class DefocusVerdict(FitReport):
     scale_error: float
     others: tuple[float, ...] = ()
     changes: tuple[float, float] = (math.nan, math.nan)
+    judged: float = 1.0
 
     @classmethod
     def of(
@@ -89,13 +96,14 @@ class DefocusVerdict(FitReport):
         others: tuple[float, ...] = (),
         changes: tuple[float, float] = (math.nan, math.nan),
         *,
+        judged: float = 1.0,
         stated: float = 0.0,
     ) -> Self:
         """Return the verdict for a misfit and a scale.
 
         Parameters
         ----------
-        misfit, scale, scale_error, others, changes
+        misfit, scale, scale_error, others, changes, judged
             See the attributes.
         stated : float
             Standard error of the scale that follows from the stated errors of the lenses.
@@ -105,10 +113,24 @@ class DefocusVerdict(FitReport):
         DefocusVerdict
         """
         findings, agreements = [], []
-        numbers = {"misfit": misfit, "least": _MIN_MISFIT, "limit": _DOUBTFUL_MISFIT}
+        numbers = {"misfit": misfit, "least": _MIN_MISFIT, "limit": _DOUBTFUL_MISFIT, "judged": judged}
+        where = f" at the {percent(judged)} of pixels away from edges and slopes of depth" if judged < 0.995 else ""
+        value = f"misfit {misfit:.3g}{where}"
         if math.isnan(misfit):
             findings.append(
                 Finding("no_depth", "error", "no depth is known: there is no texture, or every depth is out of range")
+            )
+        elif judged < _MIN_JUDGED:
+            findings.append(
+                Finding(
+                    "left_out",
+                    "doubt",
+                    (
+                        f"registration and noise cannot be judged: {percent(1.0 - judged)} of the pixels are near "
+                        "edges or slopes of depth; to test them, photograph a flat surface parallel to the sensor"
+                    ),
+                    numbers,
+                )
             )
         elif misfit > _WRONG_MISFIT:
             findings.append(
@@ -116,8 +138,8 @@ class DefocusVerdict(FitReport):
                     "misfit",
                     "error",
                     (
-                        f"the images differ by more than noise (misfit {misfit:.3g}): something moved, they are not "
-                        "registered or not encoded as stated, noise is understated, or the lens or its foci are wrong"
+                        f"the images differ by more than noise ({value}): something moved, they are not registered "
+                        "or not encoded as stated, noise is understated, or the lens or its foci are wrong"
                     ),
                     numbers,
                 )
@@ -127,7 +149,7 @@ class DefocusVerdict(FitReport):
                 Finding(
                     "misfit",
                     "doubt",
-                    (f"registration and noise are in doubt (misfit {misfit:.3g}; 1 if only noise is left)"),
+                    (f"registration, noise or lenses are in doubt ({value}; 1 if only noise is left)"),
                     numbers,
                 )
             )
@@ -136,21 +158,20 @@ class DefocusVerdict(FitReport):
                 Finding(
                     "too_quiet",
                     "error",
-                    (
-                        f"the images differ by less than noise (misfit {misfit:.3g}): they were denoised, or noise "
-                        "is overstated"
-                    ),
+                    (f"the images differ by less than noise ({value}): they were denoised, or noise is overstated"),
                     numbers,
                 )
             )
         else:
-            agreements.append(f"registration and noise agree (misfit {misfit:.3g}; 1 if only noise is left)")
+            agreements.append(f"registration and noise agree ({value}; 1 if only noise is left)")
         untested = [
-            "which image is focused nearer (without spherical aberration exchanged images agree as well)",
+            "which image is focused nearer (without spherical aberration exchanged images agree as well, and with it "
+            "where noise hides its effect)",
             "a shift of all foci or of one focus",
             "motion blur or other additional blur of one image",
             "chromatic differences of focus",
-            "aberrations that the lenses do not state, such as spherical aberration",
+            "aberrations that the lenses do not state, such as spherical aberration, which may look "
+            "like another f-number",
             "additional light in one image, such as glare, or vignetting",
         ]
         deviation = min(abs(s - 1.0) / math.hypot(scale_error, stated) for s in (scale, *others))
@@ -169,7 +190,8 @@ class DefocusVerdict(FitReport):
                     "error",
                     (
                         f"blurs differ by {ratio} times the stated difference: f-number, focal length, pixel pitch "
-                        "or a focus distance is wrong; state the errors of rounded ones (f_number_error, focus_error)"
+                        "or a focus distance is wrong, or an aberration is not stated, which cannot be told apart; "
+                        "state the errors of rounded ones (f_number_error, focus_error)"
                     ),
                     numbers_of_scale,
                 )
@@ -185,7 +207,10 @@ class DefocusVerdict(FitReport):
             )
         else:
             errors = " within their stated errors" if stated > scale_error else ""
-            agreements.append(f"blurs differ as the lenses state{errors} ({ratio} of it)")
+            unseen = percent(_DOUBTFUL_DEVIATION * math.hypot(scale_error, stated))
+            agreements.append(
+                f"blurs differ as the lenses state{errors} ({ratio} of it; f-numbers wrong by {unseen} agree too)"
+            )
         details: dict[str, object] = {"what": untested}
         text = "not tested: " + ", ".join(untested)
         if all(map(math.isfinite, changes)):
@@ -202,6 +227,7 @@ class DefocusVerdict(FitReport):
             scale_error=scale_error,
             others=others,
             changes=changes,
+            judged=judged,
         )
 
     @property
@@ -228,16 +254,18 @@ def judge_frames(
     known = np.isfinite(errors)
     if not known.any():
         return DefocusVerdict.of(math.nan)
-    median = float(np.median(misfit[known]))
     known_vergence = vergence[known].astype(np.float64)
     # Depth is 1 / v at the vergence v: d(1 / v) = -dv / v^2.
     by_f_number, *by_foci = -engine.lens_derivatives(known_vergence) / known_vergence**2
     # A wrong f-number moves near and far depths in opposite directions: a median with signs may vanish.
     changes = 0.01 * float(np.median(np.abs(by_f_number))), 0.01 * float(np.median(np.sum(by_foci, axis=0)))
-    make_verdict = partial(DefocusVerdict.of, median, changes=changes, stated=stated_error)
     # Inverse variances of depth.
     weight = np.where(known, 1.0 / np.maximum(errors, 1e-6) ** 2, 0.0)
-    minima = _scale_minima(engine, images, valid, weight)
+    brightest = int(np.argmax(images[:, 0].mean(axis=(1, 2))))
+    tiles = list(_tiles(images[brightest], valid, weight, engine))
+    median, judged = _judged_misfit(engine, brightest, tiles, vergence) or (float(np.median(misfit[known])), 1.0)
+    make_verdict = partial(DefocusVerdict.of, median, changes=changes, judged=judged, stated=stated_error)
+    minima = _scale_minima(engine, brightest, tiles)
     if not minima:
         return make_verdict()
     best, *others = minima
@@ -256,10 +284,59 @@ class _Minimum(NamedTuple):
     below: float  # misfit at this step minus the minimum
 
 
-def _scale_minima(engine: FocalEngine, images: Values, valid: NDArray[np.bool_], weight: Array) -> list[_Minimum]:
+def _judged_misfit(
+    engine: FocalEngine, channel: int, tiles: list[_Tile], vergence: Array
+) -> tuple[float, float] | None:
+    """Return the median misfit of blocks in which depth varies little, and their fraction; None for few blocks."""
+    variation, filters = _depth_variation(engine, vergence), _Filters(engine, channel, 1.0)
+    block, misfits, predictions = engine.task.block, list[Array](), list[Array]()
+    for tile in tiles:
+        misfit, curvature = filters.minimum(tile)
+        parts = len(misfit), block, len(misfit), block
+        prediction = curvature * variation[tile.inside].reshape(parts).mean(axis=(1, 3))
+        examined = np.isfinite(misfit)
+        misfits.append(misfit[examined])
+        # Without a valley of the energy, the effect of slopes is not known.
+        predictions.append(np.where(curvature > 0.0, prediction, math.inf)[examined])
+    misfit, prediction = np.concatenate([*misfits, []]), np.concatenate([*predictions, []])
+    if len(misfit) < _MIN_CELLS * _CELL**2:
+        return None
+    judged = prediction < _MAX_PREDICTED
+    share = float(judged.mean())
+    used = judged if share >= _MIN_JUDGED else np.isfinite(misfit)
+    return float(np.median((misfit - np.where(judged, prediction, 0.0))[used])), share
+
+
+def smoothed(values: Array, known: NDArray[np.bool_], sigma: float) -> Array:
+    """Return the mean of the known values in a Gaussian window around each pixel."""
+    from scipy.ndimage import gaussian_filter
+
+    sums = gaussian_filter(np.where(known, values, 0.0), sigma)
+    return np.asarray(sums / np.maximum(gaussian_filter(known.astype(values.dtype), sigma), 1e-6))
+
+
+def squared_slopes(depth: Array, width: float) -> Array:
+    """Return the squares of the slopes of a map, per pixel^2, smoothed by windows of an rms width."""
+    down, across = np.gradient(smoothed(depth, np.isfinite(depth), width))
+    return np.asarray(down**2 + across**2)
+
+
+def _depth_variation(engine: FocalEngine, vergence: Array) -> Array:
+    """Return the variance of depth, in candidates^2, within the window and the blur of each pixel."""
+    known, width = np.isfinite(vergence), engine.task.window
+    # Slopes around a pixel count as well: at creases and in the middle of an edge its own slope may vanish.
+    squares = smoothed(squared_slopes(vergence / engine.channels[0].step, width), known, 2.0 * width)
+    # Radii of the geometric blur, in pixels: (aperture radius) (vergence - focus vergence) (sensor distance) / pitch.
+    radii = [
+        0.5 * lens.aperture_diameter * lens.sensor_distance / engine.task.pixel
+        * (np.where(known, vergence, 0.0) - 1.0 / lens.focus_distance)
+        for lens in engine.task.lenses
+    ]  # fmt: skip
+    return np.asarray(squares * (width**2 + _BLUR_SHARE * np.square(radii).mean(axis=0)))
+
+
+def _scale_minima(engine: FocalEngine, brightest: int, tiles: list[_Tile]) -> list[_Minimum]:
     """Return the scales that fit equally well in the brightest channel, beginning with the best one."""
-    brightest = int(np.argmax(images[:, 0].mean(axis=(1, 2))))
-    tiles = list(_tiles(images[brightest], valid, weight, engine))
     if not tiles or len(_cells(np.stack([tile.variance for tile in tiles])[None])[1]) < _MIN_CELLS:
         return []
 
@@ -370,6 +447,7 @@ def _cells(misfits: Array) -> tuple[Array, Array]:
 class _Tile(NamedTuple):
     """A square of the frames: cosine transforms, and the noise variance of each block (NaN for unused blocks)."""
 
+    inside: tuple[slice, slice]  # rows and columns of the frames
     spectra: Array  # (frames, side, side), for binned pixels
     variance: Array  # (blocks, blocks)
 
@@ -394,7 +472,7 @@ def _tiles(images: Values, valid: NDArray[np.bool_], weight: Array, engine: Foca
             planes = images[(slice(None), *inside)].reshape(shape).sum(axis=(2, 4), dtype=np.float64)
             light = planes.mean(axis=0).reshape(blocks, block // binning, blocks, -1).mean(axis=(1, 3))
             variance = np.maximum(engine.window_means(light), 0.0) + (engine.light.read * binning) ** 2
-            yield _Tile(dctn(planes, axes=(1, 2), norm="ortho"), np.where(used_blocks, variance, np.nan))
+            yield _Tile(inside, dctn(planes, axes=(1, 2), norm="ortho"), np.where(used_blocks, variance, np.nan))
 
 
 class _Filters:
@@ -412,6 +490,10 @@ class _Filters:
 
     def __call__(self, tile: _Tile) -> Array:
         """Return the misfit of each block; NaN for unused blocks, and where the minimum is at an end of the range."""
+        return self.minimum(tile)[0]
+
+    def minimum(self, tile: _Tile) -> tuple[Array, Array]:
+        """Return the misfit of each block, and half its second derivative by the index of the candidate."""
         from scipy.fft import idctn
 
         blocks, side, count = len(tile.variance), tile.spectra.shape[1], self._filters.shape[-1]
@@ -430,12 +512,13 @@ class _Filters:
         lowest = np.argmin(np.nan_to_num(energies, nan=math.inf), axis=0)
         inner = np.clip(lowest, 2, len(energies) - 3)
         neighbours = np.stack([np.take_along_axis(energies, inner[None] + k, axis=0)[0] for k in range(-2, 3)])
-        minimum = _minimise_quartic(neighbours) + self._engine.mean_excess
-        return np.where(lowest == inner, 1.0 + minimum / noise[inner], np.nan)
+        energy, curvature = _minimise_quartic(neighbours)
+        misfit = 1.0 + (energy + self._engine.mean_excess) / noise[inner]
+        return np.where(lowest == inner, misfit, np.nan), curvature / noise[inner]
 
 
-def _minimise_quartic(energies: Array) -> Array:
-    """Return the minimum of the quartic through five energies, at most one candidate away from the third."""
+def _minimise_quartic(energies: Array) -> tuple[Array, Array]:
+    """Return the minimum of the quartic through five energies, at most one candidate from the third, and a[2]."""
     # Filters are nearly quadratic in the vergence over five candidates; energies, their squares, are quartic.
     a = np.tensordot(np.linalg.inv(np.vander(np.arange(-2.0, 3.0), increasing=True)), energies, axes=1)
     position = np.zeros(energies.shape[1:])
@@ -444,4 +527,4 @@ def _minimise_quartic(energies: Array) -> Array:
         bend = 2.0 * a[2] + position * (6.0 * a[3] + position * 12.0 * a[4])
         # The clip keeps Newton steps within the interpolation.
         position = np.clip(position - slope / np.maximum(bend, 1e-30), -1.0, 1.0)
-    return np.asarray(a[0] + position * (a[1] + position * (a[2] + position * (a[3] + position * a[4]))))
+    return a[0] + position * (a[1] + position * (a[2] + position * (a[3] + position * a[4]))), a[2]

@@ -44,8 +44,9 @@ class DefocusOptions:
     ----------
     exposures : sequence of float, optional
         Exposure of each image relative to the first: (exposure time) / f_number^2, for example. By default the ratio
-        of the mean values. "smooth", for :class:`lommel.imaging.LiveDepth` only: a polynomial of second order over
-        the image, fitted in each call, for frames with different vignetting.
+        of the mean values; in photographs, of pixels whose light neither saturated pixels nor the border reach.
+        "smooth", for :class:`lommel.imaging.LiveDepth` only: a polynomial of second order over the image, fitted in
+        each call, for frames with different vignetting.
     magnification : {"registered", "lens"}, default "registered"
         "registered": points are at the same pixels in all images. "lens": each image is magnified as by a thin lens
         at its sensor distance, and is resampled to the scale of the first, about the centre.
@@ -240,6 +241,12 @@ class FocalTask(NamedTuple):
     transfer: Transfer = transfer_curve
     scales: tuple[float, ...] = ()  # pixel pitches of resampled frames, in pixels
 
+    @property
+    def blur(self) -> float:
+        """Largest radius of the blur, pixels."""
+        ends = np.asarray(self.between)
+        return max(float(lens.pupil(ends).geometric_radius().max()) for lens in self.lenses) / self.pixel
+
     def model(
         self, light: FocalLight, channel: int = 0, binning: int = 1, lenses: Sequence[Lens] | None = None
     ) -> FocalModel:
@@ -326,8 +333,7 @@ class FocalEngine:
     @property
     def blur(self) -> float:
         """Largest radius of the blur, pixels."""
-        ends = np.asarray(self.task.between)
-        return max(float(lens.pupil(ends).geometric_radius().max()) for lens in self.task.lenses) / self.task.pixel
+        return self.task.blur
 
     @property
     def reach(self) -> int:

@@ -140,6 +140,25 @@ def test_without_texture_there_is_no_depth():
     assert np.isfinite(found.errors[:, 68:]).mean() < 0.02
 
 
+def test_errors_grow_in_flat_areas_of_slopes_and_not_of_planes():
+    errors = np.ones((80, 80), dtype=np.float32)
+    errors[30:50, 30:50], errors[40, 40] = 5.0, np.inf
+    for slope in (0.0, 0.25):
+        position = 10.0 + slope * np.broadcast_to(np.arange(80, dtype=np.float32), (80, 80))
+        grown = errors.copy()
+        position[40, 40] = np.nan
+        defocus_depth._add_slope_errors(position, grown, 4.0, 40.0)
+        # Texture of much smaller errors is up to 12 pixels away, on average 6: there depth differs by 6 slopes.
+        expected = np.sqrt(25.0 + 0.84 * (6.0 * slope) ** 2)
+        assert grown[35, 35] == pytest.approx(expected, rel=1e-3)
+        assert np.array_equal(grown[errors == 1.0], errors[errors == 1.0])
+        assert np.isinf(grown[40, 40])
+    defocus_depth._add_slope_errors(position, grown, 4.0, 5.1)
+    assert np.isnan(position[35, 35])
+    assert np.isinf(grown[35, 35])
+    assert np.isfinite(position[10, 10])
+
+
 def test_what_is_beyond_the_range_is_not_said_to_be_within(images):
     for between in ((1.6, 2.2), (1.0, 1.4)):
         found = lm.imaging.depth_from_defocus(images, PAIR, PIXEL, encoding="linear", noise=NOISE, between=between)
@@ -184,6 +203,8 @@ def test_light_that_unknown_pixels_may_have_spread_is_left_out():
     scene[pixels(np.s_[56:60], np.s_[56:60])] = 6.0  # a lamp, which is clipped
     images = [np.minimum(one, 1.8) for one in shoot(scene, 1.6, fast)]
     found = lm.imaging.depth_from_defocus(images, fast, PIXEL, saturation=1.7, **CAMERA)
+    # Without the pixels around the lamp the scenes are equally bright.
+    assert found.exposures[1] == pytest.approx(1.0, abs=2e-3)
     z = errors(found, 1.6)
     assert 0.05 < found.known < 0.9
     assert robust(z) < 1.5

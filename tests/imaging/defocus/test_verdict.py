@@ -9,7 +9,7 @@ import pytest
 from scipy.ndimage import gaussian_filter
 
 import lommel as lm
-from scenes import ThinLens, lommel_lens, plane, record, texture
+from scenes import POINTS, ThinLens, before, lommel_lens, plane, record, texture
 
 FOCI, PIXEL, LIGHT = (1.35, 1.8), 4e-6, 5000.0
 NOISE = lm.Noise(read=3.0, offset=100.0)
@@ -116,6 +116,33 @@ def test_errors_that_are_stated_of_lenses_allow_other_scales():
     found = [lm.imaging.DefocusVerdict.of(1.0, 1.2, 0.022, stated=each) for each in (0.05, 0.1, 0.15)]
     severities = [each.findings.get("lens_scale") and each.findings.get("lens_scale").severity for each in found]
     assert severities == ["error", "doubt", None]
+
+
+def test_edges_of_depth_are_left_out_of_the_misfit():
+    made = [ThinLens(35e-3, 2.8, focus, 540e-9, PIXEL) for focus in FOCI]
+    mask = np.zeros((160 * POINTS, 160 * POINTS))
+    mask[:, : 64 * POINTS] = 1.0
+    images = record(
+        before(texture("leaves", 160, 3), mask, 1.4, texture("leaves", 160, 4), 1.7, made, 4.0 * LIGHT), seed=5
+    )
+    found = lm.imaging.depth_from_defocus(
+        [one.astype(np.float64) for one in images], lenses(), PIXEL, encoding="linear",
+        noise=lm.Noise(white=1.0, read=3.0, offset=100.0), between=(1.2, 2.0),
+    )  # fmt: skip
+    verdict = found.verdict
+    assert np.nanmean(found.misfit[np.isfinite(found.errors)]) > 1.5
+    assert verdict.misfit == pytest.approx(1.0, abs=0.15)
+    assert 0.3 < verdict.judged < 0.9
+    assert f"at the {100.0 * verdict.judged:.0f} % of pixels away from edges and slopes of depth" in verdict.message
+
+
+@pytest.mark.quick
+def test_images_with_edges_almost_everywhere_are_not_judged():
+    for misfit in (0.5, 1.0, 5.0):
+        found = lm.imaging.DefocusVerdict.of(misfit, judged=0.1)
+        assert found.status == "doubtful"
+        assert "cannot be judged: 90 % of the pixels are near edges or slopes of depth" in found.message
+    assert lm.imaging.DefocusVerdict.of(5.0, judged=0.2).status == "misfit"
 
 
 def test_denoised_frames_frames_of_something_else_and_flat_ones_do_not_agree(pair):

@@ -103,5 +103,14 @@ def test_a_pupil_is_one_line_with_units(camera):
     shown = repr(lm.Pupil(many, obscuration=0.3, wavelength=550e-9, f_number=4))
     assert len(shown) < 160
     assert re.search(
-        r"Zernike terms \(\d+, \+-\d+\) [\d.]+, .* and \d+ more, rad at the edge, obscuration 0.3>$", shown
+        r"Zernike terms \(\d+, -?\d+\) [\d.]+, .* and 87 more, rad at the edge, obscuration 0.3>$", shown
     )
+
+
+def test_terms_of_a_pupil_are_shown_with_their_signs():
+    terms = {(4, 0): -2.327, (2, 0): 1.78, (3, -1): -0.5}
+    assert repr(lm.Pupil(lm.Wavefront.zernike(terms, normalization="edge"))) == (
+        "<Pupil Zernike terms (4, 0) -2.33, (2, 0) 1.78, (3, -1) -0.5, rad at the edge>"
+    )
+    stack = lm.Wavefront.zernike({(3, 1): np.array([-0.4, 0.1])}, normalization="edge")
+    assert "(3, 1) -0.4 to 0.1, rad" in repr(lm.Pupil(stack))

@@ -765,13 +765,16 @@ class Wavefront(EqualByContent, display.Shown):
 
     def in_words(self) -> str:
         """Describe the three largest terms, radians at the edge of the pupil, and the number of other terms."""
-        sizes = self.amplitudes()
-        if sizes.keys() <= {(2, 0)}:
-            ends = dict.fromkeys(f"{c:.4g}" for c in (self.defocus.min(), self.defocus.max()))
-            return f"C_d {' to '.join(ends)} rad" if sizes else "no aberration"
-        largest = sorted(sizes, key=lambda term: -sizes[term])[:3]
-        listed = ", ".join(f"({n}, {'+-' * bool(m)}{m}) {sizes[n, m]:.3g}" for n, m in largest)
-        others = f" and {len(sizes) - 3} more" if len(sizes) > 3 else ""
+        terms = {term: c for term, c in self.edge_terms().items() if c.any()}
+
+        def values(c: Array, digits: int) -> str:
+            return " to ".join(dict.fromkeys(f"{end:.{digits}g}" for end in (c.min(), c.max())))
+
+        if terms.keys() <= {(2, 0)}:
+            return f"C_d {values(self.defocus, 4)} rad" if terms else "no aberration"
+        largest = sorted(terms, key=lambda term: -np.abs(terms[term]).max())[:3]
+        listed = ", ".join(f"({n}, {m}) {values(terms[n, m], 3)}" for n, m in largest)
+        others = f" and {len(terms) - 3} more" if len(terms) > 3 else ""
         return f"Zernike terms {listed}{others}, rad at the edge"
 
     def to_dict(self) -> Json:

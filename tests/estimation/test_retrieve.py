@@ -461,6 +461,28 @@ def test_counts_of_a_camera_are_light_by_the_noise_that_is_stated():
     assert again.converged
 
 
+def test_a_pixel_at_the_full_scale_of_a_camera_is_the_first_cause_of_a_misfit():
+    images = stars(TRUE)
+    remark = "1 pixel has the value 4095 = 2^12 - 1, the largest of 12 bits, and may be saturated: if so, state it"
+
+    def found(scale, **options):
+        camera = lm.Noise(white=scale * images.max() / 3995.0, read=2.0, offset=100.0)
+        counts = np.clip(camera.image(images).round(), 0, 4095).astype(np.uint16)
+        assert (counts == 4095).sum() == 1
+        return lm.retrieve(counts, lm.Pupil(), pixel=0.5, noise=camera, defocus=DEFOCUS, terms=8, starts=2, **options)
+
+    within, clipped = found(1.0), found(0.7)
+    assert within.reliable
+    assert within.findings.get("flat_top").text.startswith(remark)
+    assert clipped.status == "misfit"
+    summary, first = clipped.message.split("; ")[:2]
+    assert "chi2" in summary
+    assert first == f"{remark} (saturation=4095, --saturation 4095)"
+    stated = found(0.7, saturation=4095)
+    assert stated.reliable
+    assert "flat_top" not in stated.findings.codes
+
+
 def test_what_does_not_fit_is_told():
     images = stars(TRUE)
     options = ASKED | {"defocus": DEFOCUS, "terms": 8, "starts": 2}

@@ -51,6 +51,12 @@ def test_the_message_states_the_verdict_the_summary_and_every_finding():
     )
 
 
+def test_pixels_that_may_be_saturated_are_the_first_cause_of_a_fit_that_is_not_reliable():
+    flat = Finding("flat_top", "note", "1 pixel has the value 255")
+    assert Findings([flat, DOUBT, NOTE]).text == "; ".join(part.text for part in (flat, DOUBT, NOTE))
+    assert Findings([NOTE, flat]).text == f"{NOTE.text}; {flat.text}"
+
+
 def test_a_fit_is_plain_data():
     made = Fit(findings=Findings([DOUBT]), summary="chi2 1", coefficients={(2, 0): np.inf, "NA": np.float32(1.5)})
     facts = json.loads(json.dumps(made.to_dict(), allow_nan=False))

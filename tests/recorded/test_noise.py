@@ -11,7 +11,7 @@ import pytest
 import lommel as lm
 from lommel.fit import Findings
 from lommel.recorded import camera_noise
-from lommel.recorded.counts import Counts, flat_top, full_value, recording_findings
+from lommel.recorded.counts import Counts, flat_top, flat_tops, full_value, recording_findings
 
 MAP = np.linspace(1.0, 3.0, 12).reshape(3, 4)
 
@@ -232,6 +232,29 @@ def test_full_is_what_is_stated_else_the_largest_of_the_type_or_of_the_bits_of_a
     assert full_value([stored], None) == (65535, "")
     assert full_value([values], None) == (np.inf, "")
     assert full_value([np.minimum(values, 4000.0)], None) == (np.inf, "")  # which flat_top asks about
+
+
+@pytest.mark.parametrize("bits", [8, 10, 12, 14, 16])
+def test_a_full_scale_is_remarked_where_it_is_the_largest_of_all_images_and_nothing_is_stated(bits):
+    values, noise = counts(1e5, 5.0, 3)
+    full = 2**bits - 1
+    images = np.round(0.8 * full / values.max() * values)
+
+    def remark(images, saturation=None):
+        return flat_tops([counted(images=image, saturation=saturation) for image in images], noise, "image")
+
+    assert remark(images) == ""
+    images[1, 15, 15] = full
+    assert remark(images).startswith(f"1 pixel has the value {full} = 2^{bits} - 1, the largest of {bits} bits")
+    images[4, 15, 15] = full
+    for integers in (images, images.astype(np.uint32)):
+        assert remark(integers).startswith(f"2 pixels have the value {full} = 2^{bits} - 1, the largest of {bits} bits")
+        assert f"(saturation={full}, --saturation {full})" in remark(integers)
+    assert remark(images, 1e6) == ""
+    assert remark(images + 1.0) == ""
+    assert remark(images + 0.25 * (images < 0.5 * full)) == ""  # not counts
+    images[6, 15, 15] = full + 7
+    assert remark(images) == ""
 
 
 @pytest.mark.parametrize("white", [0.1, 1.0, 30.0])

@@ -17,7 +17,7 @@ CODES: Mapping[str, str] = {
     "crowded": "many images contain other molecules in addition to the fitted molecule",
     "errors_change": "a standard error changes within one standard deviation of the estimate",
     "excess_noise": "the variance is that of an electron-multiplying camera, whose excess noise was not stated",
-    "flat_top": "many pixels have exactly the largest value: they may be saturated",
+    "flat_top": "pixels have a full scale of 8 to 16 bits, or many have the largest value: they may be saturated",
     "held_out": "data that were held out of the fit are inconsistent with it",
     "hot_pixels": "pixels of the camera are hot (brighter than their neighbours, whatever is in focus) or defective",
     "interrupted": "the search was interrupted: the result is that of the completed steps",
@@ -141,8 +141,12 @@ class Findings(tuple[Finding, ...]):
 
     @property
     def text(self) -> str:
-        """The texts of all findings, separated by semicolons; what is not tested comes last."""
-        return "; ".join(finding.text for finding in sorted(self, key=lambda finding: finding.code == "untested"))
+        """The texts of all findings, separated by semicolons; what is not tested comes last.
+
+        Pixels that may be saturated come first where the fit is not reliable, since they may be the cause.
+        """
+        places = {"untested": 1} if self.reliable else {"untested": 1, "flat_top": -1}
+        return "; ".join(finding.text for finding in sorted(self, key=lambda finding: places.get(finding.code, 0)))
 
     def get(self, code: str) -> Finding | None:
         """Return the first finding with a code.

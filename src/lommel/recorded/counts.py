@@ -15,7 +15,7 @@ from lommel.base.arrays import Array, Index, Values
 from lommel.fit.findings import Finding
 from lommel.recorded.noise import Noise
 
-_BITS = (8, 10, 12, 14, 16)  # bits of analogue-to-digital converters, whose largest values mean saturation
+_FULL_SCALES = {2.0**bits - 1.0: bits for bits in (8, 10, 12, 14, 16)}  # largest value of converters: bits
 _LEAST = 3  # smallest number of pixels with the largest value that counts as saturation
 _COUNTS = 3.0  # standard deviation of the noise, counts, from which equal values are rare
 _MAX_RATIO = (
@@ -31,11 +31,10 @@ def full_value(planes: Sequence[Values], stated: float | None, *, name: str = "p
     """
     if stated is not None:
         return validation.real("saturation", stated, infinite=True), ""
-    dtype = planes[0].dtype
-    type_limit = float(np.iinfo(dtype).max) if dtype.kind in "iu" else math.inf
+    type_limit = _type_limit(planes[0].dtype)
     with np.errstate(invalid="ignore"):
         top = max((float(np.fmax.reduce(plane, axis=None)) for plane in planes if plane.size), default=math.nan)
-        if top + 1.0 not in [2.0**bits for bits in _BITS] or top >= type_limit:
+        if top not in _FULL_SCALES or top >= type_limit:
             return type_limit, ""
         # Upper bound on the noise at the largest value: sqrt(top) counts for one electron or more per count.
         noise_width = max(math.sqrt(top), _COUNTS)
@@ -46,9 +45,14 @@ def full_value(planes: Sequence[Values], stated: float | None, *, name: str = "p
     if count < _LEAST or count <= _MAX_RATIO * near_count or top - bottom <= noise_width:
         return type_limit, ""
     return top, (
-        f"{count} {name} have exactly the largest value, {top:.10g}, that of {math.log2(top + 1.0):.0f} bits: "
+        f"{count} {name} have exactly the largest value, {top:.10g}, that of {_FULL_SCALES[top]} bits: "
         "they were taken as saturated; saturation= sets another limit"
     )
+
+
+def _type_limit(dtype: np.dtype[Any]) -> float:
+    """Return the largest value of integers of a type; infinity for floats."""
+    return float(np.iinfo(dtype).max) if dtype.kind in "iu" else math.inf
 
 
 def flat_top(values: Values, valid: NDArray[np.bool_], noise: Noise) -> tuple[float, int]:
@@ -224,7 +228,17 @@ def recording_findings(images: Sequence[Counts], noise: Noise, name: str) -> lis
 
 
 def flat_tops(images: Sequence[Counts], noise: Noise, name: str) -> str:
-    """Return a remark on the first image that may be saturated (see :func:`flat_top`), or ""."""
+    """Return a remark on images with the full scale of a camera, or on the first with a :func:`flat_top`, or ""."""
+    # Without saturation, the largest value scatters by the noise: it is a full scale in less than 1 % of recordings.
+    unstated = all(image.saturation == _type_limit(image.values.dtype) for image in images)
+    known = [image.values[image.known] for image in images]
+    top = max((float(values.max()) for values in known if values.size), default=math.nan)
+    if unstated and top in _FULL_SCALES and all(bool((values == np.rint(values)).all()) for values in known):
+        count, bits = sum(int((values == top).sum()) for values in known), _FULL_SCALES[top]
+        return (
+            f"{count} pixel{'s have' if count > 1 else ' has'} the value {top:.0f} = 2^{bits} - 1, the largest of "
+            f"{bits} bits, and may be saturated: if so, state it (saturation={top:.0f}, --saturation {top:.0f})"
+        )
     for k, image in enumerate(images):
         top, count = flat_top(image.values, image.known, noise)
         if count:

@@ -401,3 +401,20 @@ def test_which_keys_exclude_each_other_is_told_together_with_what_is_wrong_in_an
     assert "lens.f_number (line 6)" in message
     assert "lens (line 4): give exactly one of f_number and aperture_diameter, got both" in message
     assert message.count("\n  ") >= 3
+
+
+@pytest.mark.parametrize("read", [lm.load_instrument, lm.load_microscope, lm.load_zernike])
+@pytest.mark.parametrize(
+    ("name", "text", "reader"),
+    [
+        ("a.ZMX", "VERS 240000 3 0\nMODE SEQ\n", "load_zemax_file"),
+        ("a.seq", "LEN NEW\n", "load_codev_file"),
+        ("a.len", "// OSLO\n", "load_oslo_file"),
+        ("a.json", '{"version": 1.0, "aperture": {}, "fields": {}, "wavelengths": {}}', "load_optiland_file"),
+    ],
+)
+def test_a_lens_design_is_named_with_the_way_to_use_it(tmp_path, read, name, text, reader):
+    path = tmp_path / name
+    path.write_text(text)
+    with pytest.raises(ValueError, match=rf"{name} is a lens design: load it with optiland.fileio.{reader}, and "):
+        read(path)

@@ -17,7 +17,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from lommel.base import validation
+from lommel.base import reading, validation
 from lommel.base.arrays import Array
 from lommel.base.validation import brief, key, line
 
@@ -25,6 +25,25 @@ _SIZE_COUNTS = {"GRD": 2, "ZRN": 1, "ZFR": 1}
 _NUMBERS = ("WVL", "SSZ", "NDA", "XSC")
 _FLAGS = ("NNB",)  # ignored words: how to interpolate between the points of a grid
 _CONTENTS = {"WFR": "a wavefront", "SUR": "the shape of a surface", "FIL": "a filter of intensity"}
+_DESIGN_READERS = {
+    ".zmx": "load_zemax_file",
+    ".seq": "load_codev_file",
+    ".len": "load_oslo_file",
+    ".json": "load_optiland_file",
+}
+
+
+def design_note(source: Path) -> str:
+    """Return how to use the file of a lens design; "" for other files."""
+    suffix = source.suffix.lower()
+    is_design = suffix in _DESIGN_READERS
+    if suffix == ".json":
+        start = reading.start(source, 2**16)
+        is_design = all(key in start for key in (b'"aperture"', b'"fields"', b'"wavelengths"'))
+    return is_design * (
+        f"{line(source)} is a lens design: load it with optiland.fileio.{_DESIGN_READERS.get(suffix)}, and compute its "
+        "pupils with lommel.adapters.optiland"
+    )
 
 
 class Interferogram(NamedTuple):

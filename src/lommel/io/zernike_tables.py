@@ -584,7 +584,10 @@ def load_zernike(path: str | PathLike[str]) -> ZernikeTable:
     OSError
         If the file cannot be read.
     """
-    form, source = find(path, verb="read"), Path(path)
+    source = Path(path)
+    if note := text_files.design_note(source):
+        raise ZernikeFileError(note)
+    form = find(path, verb="read")
     table: ZernikeTable | None
     try:
         table, errors = form.read(reading.contents(source, reading.MAX_LIST))

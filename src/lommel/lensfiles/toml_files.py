@@ -176,15 +176,17 @@ class PartsError(ValueError):
         self.faults = faults
 
 
-def _refuse_images(source: Path) -> None:
-    """Raise LensFileError if a file is an image, which users may confuse with a lens file."""
+def _refuse_others(source: Path) -> None:
+    """Raise LensFileError if a file is an image or a lens design, which users may confuse with a lens file."""
     if reading.start(source, 16).startswith((*photos.PNG, *photos.JPEG, *photos.TIFF, b"\x93NUMPY", b"SIMPLE  =")):
         raise LensFileError(f"{validation.line(source)} is an image, not a lens file, which is text (TOML)")
+    if note := text_files.design_note(source):
+        raise LensFileError(note)
 
 
 def parsed(source: Path) -> tuple[str, Toml]:
     """Return the text of a TOML file and its contents."""
-    _refuse_images(source)
+    _refuse_others(source)
     try:
         text = reading.decoded(reading.contents(source, reading.MAX_TOML))
         return text, reading.toml(text)

@@ -102,3 +102,72 @@ def some(shape: tuple[int, ...]) -> lm.Wavefront:
 def test_what_makes_no_sense_is_refused_by_name(make, error, what):
     with pytest.raises(error, match=what):
         make()
+
+
+OPTICS = {"wavelength": 550e-9, "f_number": 2.8}
+LENS = """
+[lens]
+focal_length = "35 mm"
+f_number = 2.8
+focus_distance = "inf"
+wavelength = "550 nm"
+[sensor]
+pixel = "3 um"
+[field]
+sensor = ["10 mm", "16 mm"]
+file = "field.csv"
+"""
+
+
+def _stack(shape):
+    rng = np.random.default_rng(3)
+    return lm.Wavefront.zernike({j: rng.normal(size=shape) for j in (2, 4, 6, 8, 11)}, order="noll")
+
+
+SAVED = {
+    "seidel": lm.FieldMap.from_seidel(12e-3, W040=-0.7, W131=1.5, W222=-0.8, W220=0.4, W311=-3.0, **OPTICS),
+    "radial": lm.FieldMap.radial(
+        np.array([0.0, 4e-3, 9e-3, 12e-3]),
+        lm.Wavefront.zernike(
+            {(3, -1): [0.0, -0.3, 0.5, 0.8], (4, 0): [-0.2, -0.1, 0.3, 0.2], (2, 2): [0, 0.1, 0.3, 0]}
+        ),
+        azimuth=-0.5 * np.pi,
+        **OPTICS,
+    ),
+    "grid": lm.FieldMap.on_grid(np.linspace(-9e-3, 8e-3, 5), np.linspace(-6e-3, 5e-3, 4), _stack((4, 5)), **OPTICS),
+    "scattered": lm.FieldMap.scattered(
+        *np.random.default_rng(4).uniform(-11e-3, 11e-3, (2, 30)), _stack(30), **OPTICS
+    ),
+}
+
+
+@pytest.mark.parametrize("kind", SAVED)
+def test_a_saved_map_is_that_of_a_lens_file(tmp_path, kind):
+    field = SAVED[kind] + lm.Wavefront(defocus=0.3)  # as of an object at another distance
+    field.save(tmp_path / "field.csv")
+    (tmp_path / "lens.toml").write_text('name = "a"\nsource = "b"\n' + LENS)
+    again = lm.load_instrument(tmp_path / "lens.toml").field()
+    x, y = np.array([[0.0, 1.1e-3, -3.4e-3, 4.1e-3], [0.0, -2.3e-3, 3.7e-3, 1.9e-3]])
+    expected = field.pupil(x, y).wavefront.edge_terms()
+    loaded = again.pupil(x, y).wavefront.edge_terms()
+    assert sum(np.abs(c).max() > 0.01 for c in expected.values()) >= 4
+    for term in expected | loaded:
+        np.testing.assert_allclose(loaded.get(term, 0.0), expected.get(term, 0.0), atol=1e-7)
+    assert again.pupil_without_wavefront.f_number == pytest.approx(2.8)
+    text = (tmp_path / "field.csv").read_text()
+    assert text.startswith("# wavelength 550 nm, working f-number 2.8\n")
+
+
+def test_maps_that_a_table_cannot_hold_are_not_saved(tmp_path):
+    field = SAVED["seidel"]
+    ellipses = field.seen_through(lm.Foreshortening([0.0, 12e-3], [1.0, 0.8], [1.0, 0.9]))
+    path = tmp_path / "field.csv"
+    with pytest.raises(ValueError, match="make the map with circular=True"):
+        ellipses.save(path)
+    with pytest.raises(ValueError, match=r"without this symmetry was added: .* state it in \[aberrations\]"):
+        (field + lm.Wavefront.zernike({7: 0.2}, order="noll")).save(path)
+    with pytest.raises(ValueError, match="positions in metres: make the map with a wavelength and an f_number"):
+        lm.FieldMap.from_seidel(10.0, W131=1.0).save(path)
+    with pytest.raises(ValueError, match=r"path must end in \.csv, got 'field\.toml'"):
+        field.save("field.toml")
+    assert not path.exists()

@@ -248,7 +248,9 @@ def test_a_full_scale_is_remarked_where_it_is_the_largest_of_all_images_and_noth
     assert remark(images).startswith(f"1 pixel has the value {full} = 2^{bits} - 1, the largest of {bits} bits")
     images[4, 15, 15] = full
     for integers in (images, images.astype(np.uint32)):
-        assert remark(integers).startswith(f"2 pixels have the value {full} = 2^{bits} - 1, the largest of {bits} bits")
+        assert remark(integers).startswith(
+            f"2 pixels have the value {full} = 2^{bits} - 1, the largest of {bits} bits"
+        )
         assert f"(saturation={full}, --saturation {full})" in remark(integers)
     assert remark(images, 1e6) == ""
     assert remark(images + 1.0) == ""

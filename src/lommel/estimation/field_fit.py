@@ -7,14 +7,13 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from dataclasses import field as attribute
 from os import PathLike
-from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple, Unpack
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from lommel import show
-from lommel.base import atomic, validation
+from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.base.options import require_known, shares
 from lommel.blur.blurs import FWHM, Blur, Jitter, Seeing, blurs, require_unit
@@ -37,7 +36,7 @@ from lommel.estimation.field_stars import FieldStars
 from lommel.estimation.star_checks import missing_findings
 from lommel.estimation.star_images import MAX_LINEAR_ERROR, StarImages, Unknowns, known_defocus, label, single
 from lommel.estimation.target_readout import Target, relative_light
-from lommel.field.maps import FieldMap
+from lommel.field.maps import FieldMap, save_table
 from lommel.fit.findings import Finding, Findings, FitReport, Severity
 from lommel.fit.goodness_of_fit import stripe_findings
 from lommel.methods.derivative_names import Name, Term, term_of
@@ -271,9 +270,6 @@ class FieldFit(FitReport):
         :func:`lommel.fit_field` is subtracted. Comment lines (``#``) contain the message of the fit, the blur (which
         the table does not include), and the standard errors in the middle and at the bottom right corner.
         """
-        target = validation.path("path", path)
-        if target.suffix.lower() != ".csv":
-            raise ValueError(f"path must end in .csv, got {validation.shown(str(path))}")
         if (chosen := self.twin if validation.truth("twin", twin) else self.field) is None:
             raise ValueError("twin must be False: the images determine the sign of the even terms; there is no twin")
         if self.field.unit != "m":
@@ -284,25 +280,21 @@ class FieldFit(FitReport):
         x, y = _map_positions(self._sensor, self.degree, self.distortion)
         across, down = (part.ravel() for part in np.meshgrid(x, y))
         aberrations = chosen.pupil(across, down).wavefront + self._pupil.wavefront * -1.0
-        waves = aberrations.to_zernike(order="noll", unit="waves")
-        columns = {f"Z{j}": waves.get(j, np.zeros(across.shape)) for j in sorted(map(_noll_index, self._terms))}
         labels = [name if isinstance(name, str) else f"noll {_noll_index(name)}" for name in self.names]
-        lines = [f"# {self.message}"]
+        comments = [self.message]
         if any(self.blurs):
-            lines.append(f"# not in this table: blur by {'; '.join(map(in_words, self.blurs))}")
+            comments.append(f"not in this table: blur by {'; '.join(map(in_words, self.blurs))}")
         for position, k in (("the middle", len(x) // 2), ("the bottom right corner", -1)):
             place = x[k], y[k]
             errors = self.at(*place)[1] / (2.0 * math.pi)
             listed = ", ".join(f"{name} {error:.2g}" for name, error in zip(labels, errors, strict=True))
-            lines.append(f"# standard errors in {position}, waves rms: {listed}")
+            comments.append(f"standard errors in {position}, waves rms: {listed}")
             if self.distortion is not None:
                 down_error, across_error = self.distortion.at(*place)[1]
                 errors_of = f"rows {down_error:.2g}, columns {across_error:.2g}"
-                lines.append(f"# standard errors of the distortion in {position}, pixels: {errors_of}")
-        lines.append(",".join(["x", "y", *columns]))
-        for a, b, *row in zip(across, down, *columns.values(), strict=True):
-            lines.append(",".join([f"{a:.9g} m", f"{b:.9g} m", *(f"{value:.9g}" for value in row)]))
-        atomic.write(Path(target), "\n".join([*lines, ""]).encode())
+                comments.append(f"standard errors of the distortion in {position}, pixels: {errors_of}")
+        indices = [*map(_noll_index, self._terms)]
+        save_table(path, {"x": across, "y": down}, aberrations, comments, indices)
 
     def plot(self, *, unit: str = "waves") -> Figure:
         """Return a matplotlib figure: terms over the field and their standard errors, stars, model images, residuals.

@@ -4,16 +4,18 @@ from __future__ import annotations
 
 import math
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from os import PathLike
 from typing import Any, TypedDict, Unpack
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from lommel.base import options, validation
+from lommel.base import atomic, options, validation
 from lommel.base.arrays import Array, Json, Numbers, numbers
 from lommel.base.options import shares
+from lommel.base.units import format_length
 from lommel.channel_psf import colour_psf
 from lommel.field.psf_grid import PSFGrid, sides
 from lommel.methods import Method
@@ -851,6 +853,73 @@ class FieldMap:
             return PSFGrid(psf(pupil, shape, pixel, **options), x, y, height_width, distances)
         return PSFGrid(colour_psf(pupil, shape, pixel, channels, **options), x, y, height_width, distances)
 
+    def save(self, path: str | PathLike[str]) -> None:
+        """Write the wavefronts as a CSV table for ``[field] file =`` of a lens file.
+
+        Parameters
+        ----------
+        path : path
+            Path of the file, ending in .csv.
+
+        Raises
+        ------
+        ValueError
+            If `path` does not end in .csv, positions are not in metres, pupils are elliptical, or a wavefront without
+            radial symmetry was added to a map of :meth:`radial` or :meth:`from_seidel`.
+        OSError
+            If the file cannot be written.
+
+        Notes
+        -----
+        Coefficients are in waves rms, by Noll's index, at the positions from which the map is interpolated. A comment
+        states wavelength and f-number, which the lens file has to state, with the rest of the aperture. Vignetting
+        and shading are not written: ``[field.vignetting]`` and ``[field.shading]`` state them.
+
+        Examples
+        --------
+        >>> field = FieldMap.from_seidel(20e-3, W131=2.0, W222=1.0, wavelength=550e-9, f_number=2.8)
+        >>> field.save("field.csv")
+        """
+        base, wavefronts = self.pupil_without_wavefront, self._wavefronts
+        if base.wavelength is None or base.f_number is None:
+            raise ValueError("save requires positions in metres: make the map with a wavelength and an f_number")
+        if isinstance(self.vignetting, Foreshortening):
+            raise ValueError(
+                "save requires circular pupils, because tables cannot hold ellipses: make the map with "
+                "circular=True, which is less accurate off the axis"
+            )
+        nodes = wavefronts.nodes()
+        if "height" in nodes and self._added_wavefront.nonradial:
+            raise ValueError(
+                "save requires a rotationally symmetric map, because its table has heights, but a wavefront without "
+                "this symmetry was added: save the map without it, and state it in [aberrations] of the lens file"
+            )
+        x, *y = nodes.values()
+        added = wavefronts.wavefront(x, *y or [np.zeros(x.shape)]) + self._added_wavefront
+        comments = [f"wavelength {format_length(base.wavelength)}, working f-number {base.f_number:.9g}"]
+        save_table(path, nodes, added, comments)
+
+
+def save_table(
+    path: str | PathLike[str],
+    nodes: Mapping[str, Array],
+    wavefront: Wavefront,
+    comments: Iterable[str],
+    indices: Iterable[int] | None = None,
+) -> None:
+    """Write a stack of wavefronts at `nodes`, coordinates in metres by name; by default the terms that are not 0."""
+    target = validation.path("path", path)
+    if target.suffix.lower() != ".csv":
+        raise ValueError(f"path must end in .csv, got {validation.shown(str(path))}")
+    waves = wavefront.to_zernike(order="noll", unit="waves")
+    count = len(next(iter(nodes.values())))
+    columns = {f"Z{j}": np.broadcast_to(waves.get(j, 0.0), count) for j in sorted(indices or waves or (4,))}
+    lines = [*(f"# {comment}" for comment in comments), ",".join([*nodes, *columns])]
+    for row in zip(*nodes.values(), *columns.values(), strict=True):
+        places, values = row[: len(nodes)], row[len(nodes) :]
+        lines.append(",".join([*(f"{place:.9g} m" for place in places), *(f"{value:.9g}" for value in values)]))
+    atomic.write(target, "\n".join([*lines, ""]).encode())
+
 
 def require_one_aperture(field_map: FieldMap) -> None:
     """Raise ValueError if the aperture changes over the field, which field-dependent blurs do not support."""
@@ -927,6 +996,10 @@ class WavefrontsOnSensor(ABC):
         """Return the limits of the map as part of a message."""
         return f"which reaches {self.reach:.6g} {unit} from the axis"
 
+    def nodes(self) -> dict[str, Array]:
+        """Return coordinates of positions that determine the map, by name: height, or x and y."""
+        return {"height": self.reach * np.linspace(0.0, 1.0, 9)}
+
     @abstractmethod
     def wavefront(self, x: Array, y: Array) -> Wavefront:
         """Return the wavefronts at positions inside the map, a stack of the shape of `x` and `y`."""
@@ -965,6 +1038,11 @@ class OnGrid(WavefrontsOnSensor):
     def limits(self, unit: str) -> str:
         """Return the ranges of x and y of the rectangle, as part of a message."""
         return f"x from {_span(self.x)} and y from {_span(self.y)} {unit}"
+
+    def nodes(self) -> dict[str, Array]:
+        """Return the positions of the grid."""
+        x, y = np.meshgrid(self.x, self.y)
+        return {"x": x.ravel(), "y": y.ravel()}
 
     def wavefront(self, x: Array, y: Array) -> Wavefront:
         """Return the wavefronts, of the shape of x and y."""
@@ -1017,6 +1095,10 @@ class Scattered(WavefrontsOnSensor):
         x, y = np.sort(self.x), np.sort(self.y)
         return f"the convex hull of {x.size} positions with x from {_span(x)} and y from {_span(y)} {unit}"
 
+    def nodes(self) -> dict[str, Array]:
+        """Return the positions."""
+        return {"x": self.x, "y": self.y}
+
     def wavefront(self, x: Array, y: Array) -> Wavefront:
         """Return the wavefronts, of the shape of x and y."""
         values = self.interpolate(self._scaled(x, y))
@@ -1044,6 +1126,10 @@ class Radial(WavefrontsOnSensor):
         self.reach = float(self.height[-1])
         scaled = self.height / self.reach
         self.spline = CubicSpline(np.concatenate([-scaled[:0:-1], scaled]), mirrored)
+
+    def nodes(self) -> dict[str, Array]:
+        """Return the heights."""
+        return {"height": self.height}
 
     def wavefront(self, x: Array, y: Array) -> Wavefront:
         """Return the wavefronts, of the shape of x and y."""

@@ -41,8 +41,8 @@ def design_note(source: Path) -> str:
         start = reading.start(source, 2**16)
         is_design = all(key in start for key in (b'"aperture"', b'"fields"', b'"wavelengths"'))
     return is_design * (
-        f"{line(source)} is a lens design: load it with optiland.fileio.{_DESIGN_READERS.get(suffix)}, and compute its "
-        "pupils with lommel.adapters.optiland"
+        f"{line(source)} is a lens design: load it with optiland.fileio.{_DESIGN_READERS.get(suffix)}, and compute "
+        "its pupils with lommel.adapters.optiland"
     )
 
 

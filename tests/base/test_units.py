@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import math
+import re
 from fractions import Fraction
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from lommel.base.units import format_length, parse_angle, parse_length, parse_radius
+from lommel.base.units import format_length, parse_angle, parse_length, parse_radius, with_units
 
 LENGTHS = {
     "m": 1.0, "km": 1e3, "cm": 1e-2, "mm": 1e-3, "um": 1e-6, "µm": 1e-6, "μm": 1e-6, "nm": 1e-9, "pm": 1e-12,
@@ -45,9 +46,17 @@ def test_numbers_are_written_as_usual():
         assert parse_length(text) == pytest.approx(metres)
 
 
-@given(st.floats(allow_nan=False, allow_infinity=False) | st.integers(-1000, 1000))
+@given(st.floats(-6.28, 6.28) | st.integers(-6, 6))
 def test_a_plain_number_is_an_angle_in_radians(number):
     assert parse_angle(number) == number
+
+
+@pytest.mark.parametrize("number", [45, -6.3, 1e300])
+def test_a_plain_number_beyond_one_turn_is_refused_as_degrees(number):
+    message = re.escape(f'within one turn, 2 pi, got {number:g}; for degrees write "{number:g} deg"')
+    with pytest.raises(ValueError, match="an angle without a unit must") as error:
+        parse_angle(number)
+    assert re.search(message, with_units(str(error.value)))
 
 
 @given(st.integers(-(10**17), 10**17), st.integers(-30, 30), st.sampled_from(sorted(set(LENGTHS) - {"in", "inch"})))

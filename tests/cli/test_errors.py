@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib.util
+import json
 import os
 import subprocess
 import sys
@@ -258,6 +259,23 @@ def test_output_that_cannot_be_written_is_no_traceback(target, code, unbuffered,
     assert result.returncode == code
     assert len(result.stderr.splitlines()) == (code > 0)
     assert "Traceback" not in result.stderr
+
+
+@pytest.mark.parametrize("flags", [[], ["--json"]])
+def test_characters_that_a_console_cannot_encode_are_no_error(flags, folder):
+    (folder / "wave.toml").write_text(NOLL.replace('"a"', '"λ/4"'), encoding="utf-8")
+    command = [str(Path(sys.executable).with_name("lommel")), "info", "wave.toml", *flags]
+    environment = os.environ | {"PYTHONIOENCODING": "cp1252"}
+    result = subprocess.run(command, cwd=folder, env=environment, capture_output=True, encoding="cp1252", check=False)
+    assert (result.returncode, result.stderr) == (0, "")
+    name = json.loads(result.stdout)["name"] if flags else result.stdout.splitlines()[0].replace("\\u03bb", "λ")
+    assert name == "λ/4"
+
+
+def test_an_error_of_a_file_names_its_keys_and_not_options(call_lommel, folder):
+    error = call_lommel("info", "faulty.toml", folder=folder).stderr
+    assert "lens.focal_lenght (line 4): unknown key; did you mean focal_length?" in error
+    assert "lens (line 3): give exactly one of f_number and aperture_diameter, got none" in error
 
 
 LONG = "a" * 5000

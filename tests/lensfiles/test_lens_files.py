@@ -94,7 +94,13 @@ def test_a_lens_has_a_model(load):
     with pytest.raises(LensFileError, match=r"lens.model \(line 9\): .*'paraxial' or 'aplanatic'"):
         load('model = "thick"')
     with pytest.raises(LensFileError, match="the sine of the angle of the marginal ray would be"):
-        load('model = "aplanatic"', "f_number = 0.4")
+        load(
+            'model = "aplanatic"',
+            "f_number = 0.6",
+            text=PLAIN.replace('focus_distance = "2 m"', 'sensor_distance = "30 mm"'),
+        )
+    with pytest.raises(LensFileError, match="the f-number must be >= 0.5, the limit in air"):
+        load("f_number = 0.1")
 
 
 def test_a_lens_has_an_amplitude(load):
@@ -235,6 +241,15 @@ def test_an_unknown_section_is_told_with_what_it_may_have_been(load):
         "zoom (line 16): unknown key; known are name, source, lens, aperture, aberrations, object, sensor, field, "
         "colour, channels, report"
     )
+
+
+def test_an_angle_in_degrees_without_a_unit_and_a_key_angle_of_a_spider_are_told_the_way_out(load):
+    message = fault(load, text=PLAIN + '[aperture.spider]\nwidth = "1 mm"\nvanes = 4\nfirst = 45\nangle = 45\n')
+    assert "aperture.spider.first (line 19): an angle without a unit must be in radians" in message
+    assert 'for degrees write "45 deg"' in message
+    assert "aperture.spider.angle (line 20): unknown key; first is the angle of the first vane" in message
+    spider = load(text=PLAIN + '[aperture.spider]\nwidth = "1 mm"\nvanes = 4\nfirst = "405 deg"\n').lens.spider
+    assert spider.angles[0] == pytest.approx(math.pi / 4)
 
 
 def test_every_fault_is_told_at_once(load):

@@ -6,7 +6,7 @@ import math
 import re
 from collections.abc import Iterable
 
-from lommel.base.validation import real, shown
+from lommel.base.validation import angle, real, shown
 
 # um has two more spellings: with the micro sign (U+00B5) and with the Greek letter mu (U+03BC).
 _POWERS = {"m": 0, "km": 3, "cm": -2, "mm": -3, "um": -6, "µm": -6, "μm": -6, "nm": -9, "pm": -12, "angstrom": -10}
@@ -66,7 +66,7 @@ def parse_angle(text: str | float) -> float:
         If `text` is neither a number nor a number with one of these units.
     """
     if isinstance(text, int | float) and not isinstance(text, bool):
-        return real("an angle", text, infinite=True)
+        return angle("an angle without a unit", text)
     return _parse(text, _ANGLES, "angle", "0.1 arcsec")
 
 
@@ -165,9 +165,10 @@ def pitch_in_words(pixel: float | tuple[float, ...]) -> str:
 
 def with_units(message: str) -> str:
     """Return a message of the library as on the command line: ``write "3.45 um"`` instead of ``give 3.45e-6``."""
-    units = {"6": "um", "9": "nm"}
+    units = {"3": "mm", "6": "um", "9": "nm"}
+    message = re.sub(r"\bgive math\.radians\(([^)]*)\)", r'write "\1 deg"', message)
     message = re.sub(r"\bfor ([\d.e+-]+ mm) [\d.e+-]+e-3\b", r'for \1 "\1"', message)
-    return re.sub(r"\bgive ([\d.]+)e-([69])\b", lambda match: f'write "{match[1]} {units[match[2]]}"', message)
+    return re.sub(r"\bgive ([\d.]+)e-([369])\b", lambda match: f'write "{match[1]} {units[match[2]]}"', message)
 
 
 def _parse(text: object, units: dict[str, float], kind: str, example: str, others: Iterable[str] = ()) -> float:

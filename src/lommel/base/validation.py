@@ -161,6 +161,25 @@ def _is_real_scalar(value: object) -> bool:
     return not isinstance(value, bool)
 
 
+_TURN = 2.0 * math.pi + 1e-9  # radians, with a tolerance for rounding errors
+
+
+def angles(name: str, value: float | ArrayLike) -> Array:
+    """Return angles in radians, within one turn, as a read-only array: larger numbers are probably degrees."""
+    radians = real_array(name, value)
+    if (beyond := radians[np.abs(radians) > _TURN]).size:
+        raise ValueError(
+            f"{name} must be in radians and within one turn, 2 pi, got {beyond[0]:g}; "
+            f"for degrees give math.radians({beyond[0]:g})"
+        )
+    return radians
+
+
+def angle(name: str, value: object) -> float:
+    """Return an angle in radians, within one turn; TypeError or ValueError otherwise."""
+    return float(angles(name, real(name, value)))
+
+
 def integer(name: str, value: object, *, least: int, most: int) -> int:
     """Return `value` as an int in ``[least, most]``; TypeError or ValueError otherwise."""
     if isinstance(value, bool | np.bool_):

@@ -295,7 +295,7 @@ class Jitter(Blur):
         across = self.sigma if self.across is None else self.across
         vars(self)["sigma"] = validation.real("sigma", self.sigma, least=0.0)
         vars(self)["across"] = validation.real("across", across, least=0.0)
-        vars(self)["angle"] = validation.real("angle", self.angle)
+        vars(self)["angle"] = validation.angle("angle", self.angle)
 
     @property
     def covariance(self) -> Array:
@@ -359,7 +359,7 @@ class Motion(Blur):
 
     def __post_init__(self) -> None:
         vars(self)["length"] = validation.real("length", self.length, least=0.0)
-        vars(self)["angle"] = validation.real("angle", self.angle)
+        vars(self)["angle"] = validation.angle("angle", self.angle)
 
     @property
     def streak(self) -> tuple[float, float]:

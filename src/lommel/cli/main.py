@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import io
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -47,6 +48,10 @@ class _Commands(click.Group):
     """Group of all commands, which shortens long error messages."""
 
     def make_context(self, *args: object, **options: object) -> click.Context:
+        for stream in (sys.stdout, sys.stderr):
+            # Characters that a console or a pipe cannot encode are no error.
+            if isinstance(stream, io.TextIOWrapper):
+                stream.reconfigure(errors="backslashreplace")
         with _short_errors():
             return super().make_context(*args, **options)  # type: ignore[arg-type]
 

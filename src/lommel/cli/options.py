@@ -400,6 +400,8 @@ def _message(error: Exception) -> str:
         if not error.filename:
             return error.strerror
         return f"{brief(line(error.filename), 240)}: {error.strerror}{_hint(error)}"
+    if getattr(error, "names_keys", False):
+        return str(error)
     if isinstance(error, _USER_ERRORS):
         return with_options(str(error) or type(error).__name__)
     return (

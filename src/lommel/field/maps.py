@@ -1111,7 +1111,7 @@ class Radial(WavefrontsOnSensor):
     def __init__(self, height: ArrayLike, wavefront: Wavefront, azimuth: float) -> None:
         from scipy.interpolate import CubicSpline
 
-        self.height, self.azimuth = _heights(height), validation.real("azimuth", azimuth)
+        self.height, self.azimuth = _heights(height), validation.angle("azimuth", azimuth)
         values, self.terms = _coefficients_and_terms(wavefront, self.height.shape, "of height")
         orders = np.array([m for _, m in self.terms])
         if np.any(np.abs(values[0, orders != 0]) > _AXIS):

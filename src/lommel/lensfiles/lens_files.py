@@ -68,6 +68,7 @@ _SUFFIXES = (".npy", ".png", ".tif", ".tiff", *_FITS)
 
 
 class _Spider(Section):
+    advice = {"angle": "first is the angle of the first vane, angles lists those of all vanes"}
     width: Length
     vanes: Annotated[int, Field(strict=True, ge=1, le=MAX_VANES)] | None = None
     first: Angle = 0.0

@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable, Sequence
 from pathlib import Path
 from types import UnionType
-from typing import Annotated, Any, Self, TypeAlias, TypedDict, TypeVar, Union, get_args, get_origin
+from typing import Annotated, Any, ClassVar, Self, TypeAlias, TypedDict, TypeVar, Union, get_args, get_origin
 
 import numpy as np
 from pydantic import (
@@ -88,7 +88,9 @@ Distance = Annotated[float, BeforeValidator(_parsed_length), AfterValidator(_pos
 Length = Annotated[Distance, AfterValidator(finite)]
 SignedLength = Annotated[float, BeforeValidator(_parsed_length), AfterValidator(finite)]
 Number = Annotated[float, Field(strict=True), AfterValidator(finite)]
-Angle = Annotated[float, BeforeValidator(parse_angle), AfterValidator(finite)]
+Angle = Annotated[
+    float, BeforeValidator(parse_angle), AfterValidator(finite), AfterValidator(lambda x: math.fmod(x, 2.0 * math.pi))
+]
 
 
 def pitch(value: str | float | list[str | float]) -> float | tuple[float, float]:
@@ -120,6 +122,7 @@ class Section(BaseModel):
     """A section of a lens file; unknown keys are errors."""
 
     model_config = ConfigDict(extra="forbid", frozen=True)
+    advice: ClassVar[dict[str, str]] = {}  # text of the error message for a key that the section does not have
 
     @classmethod
     def fault(cls, entries: Toml) -> str | None:  # noqa: ARG003 (used by overriding methods)
@@ -166,6 +169,8 @@ class BuiltSection(Section):
 
 class LensFileError(ValueError):
     """Error in a lens file; the message states all errors, with keys and line numbers if they have any."""
+
+    names_keys = True  # the command line replaces names of arguments by options in other messages
 
 
 class PartsError(ValueError):
@@ -238,7 +243,8 @@ def _error_message(fault: ErrorDetails, text: str, model: type[Section]) -> str:
         section: Any = model
         for part in keys[:-1]:
             section = _section(section.model_fields[part].annotation)
-        message = f"unknown key; {_section_hint(model, keys) or near(keys[-1], section.model_fields)}"
+        advice = section.advice.get(keys[-1]) or _section_hint(model, keys) or near(keys[-1], section.model_fields)
+        message = f"unknown key; {advice}"
     elif fault["type"] == "missing":
         message = "is missing"
     elif fault["type"] in ("model_type", "dict_type"):

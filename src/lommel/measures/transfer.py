@@ -281,7 +281,7 @@ def mtf_frequency(
         If an argument is out of range.
     """
     threshold = validation.real("level", level, above=0.0, below=1.0)
-    direction = validation.real("angle", angle)
+    direction = validation.angle("angle", angle)
     if isinstance(pupil, Measurable):
         _require_default(pixel=pixel is not None, fill=fill != 1.0, blur=blur != ())
 

@@ -52,8 +52,9 @@ def sensor(focal_length: float, focus_distance: float | None, sensor_distance: f
     s = math.inf if focus_distance is None else focus_distance
     s = validation.real("focus_distance", s, above=0.0, infinite=True, unit="metres")
     if s <= focal_length:
+        hint = f"; for {focal_length:g} mm give {focal_length:g}e-3" if focal_length > _MAX_FOCAL_LENGTH else ""
         raise ValueError(
-            f"focus_distance must exceed the focal length {focal_length:g} m (no real image otherwise), got {s:g}"
+            f"focus_distance must exceed the focal length {focal_length:g} m (no real image otherwise), got {s:g}{hint}"
         )
     return 1.0 / (1.0 / focal_length - 1.0 / s)
 
@@ -172,6 +173,12 @@ class Lens(display.Shown):
         f = validation.real("focal_length", focal_length, above=0.0, unit="metres")
         diameter = aperture(f, f_number, aperture_diameter)
         d = sensor(f, focus_distance, sensor_distance)
+        if diameter > (2.0 + 1e-9) * max(f, d):
+            raise ValueError(
+                "the f-number must be >= 0.5, the limit in air (the sine of the marginal ray, 1 / 2N, is at most 1), "
+                f"got f/{f / diameter:.4g}, an aperture of {format_length(diameter)}; perhaps 1 / N was given, or "
+                "millimetres instead of metres"
+            )
         if aberrations is None:
             aberrations = Wavefront()
         if isinstance(apodization, str) and apodization != "aplanatic":

@@ -497,7 +497,7 @@ def other_model(instrument: Instrument) -> Json:
     except ToleranceError:
         return result | {"reason": "cannot be computed to the tolerance"}
     except (ValueError, ArithmeticError, ImportError) as error:
-        return result | {"reason": str(error)}
+        return result | {"reason": str(error).removeprefix(f"model {model!r} is ")}
     blur, difference = other.geometric_radius(), errors.peak_error(psfs["paraxial"], psfs["aplanatic"])
     return result | {"geometric_radius": float(blur), "peak_error": difference}
 

@@ -129,7 +129,13 @@ def test_rays_that_are_stopped_do_not_widen_the_blur():
     assert Pupil(Wavefront(10.0), mask=Mask(one)).geometric_radius() == pytest.approx(expected, rel=0.12)
 
 
-@given(st.floats(1e-6, 1.99), st.lists(st.floats(-10, 10), min_size=1, max_size=5))
+def test_angles_stay_within_a_turn_when_a_shape_is_turned():
+    assert Spider.equal(4, 0.1, first=6.0).angles[1] == pytest.approx(6.0 + 0.5 * math.pi - 2.0 * math.pi)
+    assert Spider(0.1, (6.0,)).turned(6.0).angles == pytest.approx((12.0 - 2.0 * math.pi,))
+    assert Ellipse(0.5, 0.4, 6.0).turned(6.0).angle == pytest.approx(12.0 - 2.0 * math.pi)
+
+
+@given(st.floats(1e-6, 1.99), st.lists(st.floats(-6, 6), min_size=1, max_size=5))
 def test_a_spider_that_leaves_light_makes_a_pupil_and_any_other_is_refused(width, angles):
     spider = Spider(width, angles)
     points = np.random.default_rng(1).uniform(-1, 1, (2, 4000))
@@ -150,6 +156,9 @@ def test_a_spider_that_leaves_light_makes_a_pupil_and_any_other_is_refused(width
         (lambda: Spider(0.1, "up"), TypeError, "angles must hold real numbers, got 'up'"),
         (lambda: Spider.equal(0, 0.1), ValueError, "count must be from 1 to 64, got 0"),
         (lambda: Spider.equal(3, 0.1, math.inf), ValueError, "first must be finite, got inf"),
+        (lambda: Spider.equal(4, 0.1, first=45), ValueError,
+         r"first must be in radians and within one turn, 2 pi, got 45; for degrees give math.radians\(45\)"),
+        (lambda: Spider(0.1, (0, 90, 180)), ValueError, r"angles must be .* give math.radians\(90\)"),
         (lambda: Ellipse(1001.0, 0.5), ValueError, "a must be > 0 and <= 1000 radii of the aperture, got 1001"),
         (lambda: Ellipse(1.0, 0.0), ValueError, "b must be > 0 and <= 1000 radii of the aperture, got 0"),
         (lambda: Ellipse(1.0, 0.5, None), TypeError, "angle must be a real number, got None"),

@@ -25,7 +25,7 @@ wavefronts = st.builds(
     st.lists(radians, max_size=3).map(tuple),
     st.dictionaries(st.sampled_from(NONRADIAL), radians, max_size=4),
 )
-angles = st.floats(-7.0, 7.0)
+angles = st.floats(-3.0, 3.0)
 RHO = np.linspace(0.0, 1.0, 11)
 FACTORS = (np.array([1.0, 2.0]), [1.0, 2.0], "2", None, 1j, math.nan, math.inf)
 

@@ -22,6 +22,7 @@ from lommel.base.cached import cached_property
 from lommel.core import engine
 
 MAX_VANES = 64
+_TURN = 2.0 * math.pi
 _MAX_SIZE = 1000.0  # largest radius, semi-axis or coordinate of a shape
 _MAX_SHIFT = _MAX_SIZE + 1.0  # largest coordinate of a centre: a disc of the largest radius may reach the aperture
 _MAX_CORNERS = 256
@@ -71,7 +72,7 @@ class Shape:
 
     def turned(self, angle: float) -> Shape:
         """Return the shape rotated about the axis by an `angle`, radians from x to y; TypeError or ValueError."""
-        return self._rotate(validation.real("angle", angle))
+        return self._rotate(validation.angle("angle", angle))
 
     def _translate(self, x: float, y: float) -> Shape:
         raise NotImplementedError
@@ -310,7 +311,7 @@ class Ellipse(Shape):
         for name in ("a", "b"):
             size = validation.real(name, getattr(self, name), above=0.0, most=_MAX_SIZE, unit="radii of the aperture")
             object.__setattr__(self, name, size)
-        angle, center = validation.real("angle", self.angle), _point("center", self.center)
+        angle, center = validation.angle("angle", self.angle), _point("center", self.center)
         vars(self).update(angle=angle, center=center)
 
     def margin(self, x: Array, y: Array) -> Array:
@@ -330,7 +331,7 @@ class Ellipse(Shape):
         return Ellipse(self.a, self.b, self.angle, (self.center[0] + x, self.center[1] + y))
 
     def _rotate(self, angle: float) -> Shape:
-        return Ellipse(self.a, self.b, self.angle + angle, _rotate_point(self.center, angle))
+        return Ellipse(self.a, self.b, math.fmod(self.angle + angle, _TURN), _rotate_point(self.center, angle))
 
     def to_dict(self) -> Json:
         """Return the ellipse in plain types, with its name."""
@@ -440,7 +441,7 @@ class Polygon(Shape):
         TypeError or ValueError if an argument is out of range.
         """
         count = validation.integer("sides", sides, least=3, most=_MAX_CORNERS)
-        size, start = validation.real("radius", radius, above=0.0, most=_MAX_SIZE), validation.real("angle", angle)
+        size, start = validation.real("radius", radius, above=0.0, most=_MAX_SIZE), validation.angle("angle", angle)
         x, y = _point("center", center)
         t = [start + 2.0 * math.pi * k / count for k in range(count)]
         return cls(tuple((x + size * math.cos(a), y + size * math.sin(a)) for a in t))
@@ -465,7 +466,7 @@ class Polygon(Shape):
         ``half_plane(0.0, 0.2)`` as a `stop` transmits x <= 0.2: a knife edge that enters from large x. TypeError or
         ValueError if `offset` is not from -2 to 2.
         """
-        turn, limit = validation.real("angle", angle), validation.real("offset", offset, least=-2.0, most=2.0)
+        turn, limit = validation.angle("angle", angle), validation.real("offset", offset, least=-2.0, most=2.0)
         # A square of half-width 4 extends beyond the aperture for every offset: only one side of the square crosses
         # the aperture.
         corners = ((limit, -4.0), (limit, 4.0), (-4.0, 4.0), (-4.0, -4.0))
@@ -537,7 +538,7 @@ class Spider(Shape):
 
     def __post_init__(self) -> None:
         width = validation.real("width", self.width, above=0.0, below=2.0)
-        angles = validation.real_array("angles", self.angles)
+        angles = validation.angles("angles", self.angles)
         if angles.ndim != 1 or not 1 <= angles.size <= MAX_VANES:
             raise ValueError(
                 f"angles must be a sequence of 1 to {MAX_VANES} numbers, "
@@ -549,8 +550,8 @@ class Spider(Shape):
     def equal(cls, count: int, width: float, first: float = 0.0) -> Spider:
         """Return `count` vanes of equal `width` at equal angles from `first`, radians; TypeError or ValueError."""
         number = validation.integer("count", count, least=1, most=MAX_VANES)
-        start = validation.real("first", first)
-        return cls(width, tuple(start + 2.0 * math.pi * k / number for k in range(number)))
+        start = validation.angle("first", first)
+        return cls(width, tuple(math.fmod(start + _TURN * k / number, _TURN) for k in range(number)))
 
     def vanes(self) -> tuple[Shape, ...]:
         """Return each vane, from the axis to beyond the rim."""
@@ -573,7 +574,7 @@ class Spider(Shape):
         return reduce(or_, self.vanes())._translate(x, y)
 
     def _rotate(self, angle: float) -> Shape:
-        return Spider(self.width, tuple(direction + angle for direction in self.angles))
+        return Spider(self.width, tuple(math.fmod(direction + angle, _TURN) for direction in self.angles))
 
     def to_dict(self) -> Json:
         """Return the vanes in plain types, with their name."""
@@ -721,7 +722,7 @@ class Segments:
             If an argument is out of range, or if the gap leaves no segment.
         """
         count, spacing = validation.integer("rings", rings, least=1, most=32), validation.real("gap", gap, least=0.0)
-        has_center, rotation = validation.truth("middle", middle), validation.real("angle", angle)
+        has_center, rotation = validation.truth("middle", middle), validation.angle("angle", angle)
         # Centres a e_1 + b e_2 of a lattice of spacing 1, with hexagons of the inner radius (1 - gap) / 2.
         places = [
             (a * math.sqrt(0.75), b + 0.5 * a)

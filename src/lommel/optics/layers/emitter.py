@@ -132,7 +132,7 @@ class Dipole:
     wobble: float = 0.0
 
     def __post_init__(self) -> None:
-        polar, azimuth = validation.real("polar", self.polar), validation.real("azimuth", self.azimuth)
+        polar, azimuth = validation.angle("polar", self.polar), validation.angle("azimuth", self.azimuth)
         wobble = validation.real("wobble", self.wobble, least=0.0)
         if wobble > 1.0:
             raise ValueError(f"wobble must be from 0 to 1, got {wobble:g}")

@@ -709,7 +709,7 @@ class Wavefront(EqualByContent, display.Shown):
         angle. Angles broadcast with the stack. Raises TypeError or ValueError if an angle is not finite or if the
         shapes do not broadcast.
         """
-        angles = validation.real_array("angle", angle)
+        angles = validation.angles("angle", angle)
         shape = common_shape("angle and the stack", {"angle": angles, "the stack": self})
         stack = self if shape == self.shape else self.broadcast(shape)
         nonradial = zernike.rotated(dict(self.nonradial), angles)

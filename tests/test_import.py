@@ -37,6 +37,16 @@ def test_importing_the_package_imports_no_library_that_is_optional_or_slow():
     assert not loaded & {"scipy", "matplotlib", "pydantic", "click", "rich", "tifffile", "PIL", "tomllib"}
 
 
+@pytest.mark.parametrize("code", ["lm.load_instrument", "lm.live('lens.toml')"])
+def test_lens_files_without_their_library_name_the_extra_that_brings_it(code):
+    blocked = (
+        "import sys, importlib.util as u; f = u.find_spec; u.find_spec = lambda n: n != 'pydantic' and f(n) or None"
+    )
+    told = python(f"{blocked}\nsys.modules['pydantic'] = None\nimport lommel as lm\ntry: {code}\n"
+                  "except ImportError as error: print(error)")  # fmt: skip
+    assert 'pydantic: pip install pydantic (the extra "cli" of lommel' in told
+
+
 def test_what_makes_pupils_waits_until_one_is_made():
     made = {"lommel.optics.pupil", "lommel.optics.wavefront.wavefront", "lommel.special.zernike"}
     assert not set(python("import sys, lommel; print(*sys.modules)").split()) & made

@@ -109,9 +109,8 @@ export class Controls {
     const name = spec.name ?? spec.label;
     const hint = `${FIELDS[key].about ?? name}\nDouble click, or Delete, for the default`;
     const slider = el("input", { type: "range", "aria-label": name, "data-key": key, title: hint });
-    // A box of numbers takes no "inf".
-    const type = FIELDS[key].infinite ? "text" : "number";
-    const box = el("input", { type, id, "data-key": key, inputmode: "decimal", autocomplete: "off", step: "any", "aria-errormessage": `${id}-fault` });
+    // Not of the type "number": this drops a decimal comma without a word, where the browser's language has a point, and "inf".
+    const box = el("input", { type: "text", id, "data-key": key, inputmode: "decimal", autocomplete: "off", "aria-errormessage": `${id}-fault` });
     const unit = el("span", { class: "unit" }, spec.unit ?? "");
     const fault = el("p", { class: "fault", id: `${id}-fault`, role: "alert", hidden: true });
     const row = { key, spec, slider, box, unit, fault, name, dragging: false };
@@ -193,7 +192,7 @@ export class Controls {
     const written = () => {
       if (this.edited !== box) return row.kept === undefined && this.allow(row);
       this.edited = undefined;
-      const wrong = (box.value || box.validity.badInput) && faultOf(row);
+      const wrong = box.value && faultOf(row);
       if (!wrong) {
         if (box.value) row.before = typedIn(row);
         return this.allow(row);

@@ -241,7 +241,6 @@ export function pythonOf(state, side, pixel) {
     lines.push(`lens = lm.Lens(${lens.join(", ")})`, `pupil = lens.pupil(object_distance=${state.object_distance})`);
   } else lines.push(`pupil = lm.Pupil(${["wavefront", ...light, `f_number=${state.f_number}`].join(", ")})`);
   if (state.view !== "fine" && side < state.side) lines.push(`# The middle of the window of ${state.side} x ${state.side} pixels, whose light the page states.`);
-  if (state.view === "averaged") lines.push("# FWHM, diameters and MTF of this are those with the pixel; without it: integrate=False.");
   const asked = ["pupil", String(side), `pixel=${metres(pixel, -6)}`];
   if (state.light === "white") {
     const list = WHITE.map((w) => metres(w, -9)).join(", ");
@@ -250,6 +249,8 @@ export function pythonOf(state, side, pixel) {
   }
   if (state.view !== "averaged") asked.push("integrate=False");
   lines.push(`psf = lm.psf(${asked.join(", ")})`);
+  const of = state.view === "averaged" ? 'of="optics"' : ""; // FWHM and diameters of the page are without the pixel
+  lines.push(`# As the page states them, in metres: psf.energy_diameter(0.8, ${['about="centroid"', of].filter(Boolean).join(", ")}), psf.fwhm(${of})`);
   return lines.join("\n") + "\n";
 }
 

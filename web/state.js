@@ -63,7 +63,7 @@ export function fromText(text) {
 const OTHER_KEYS = ["name", "without"]; // of links, beside those of states
 
 // What of a change from an address is not taken as it is there, in words.
-export function refused(change, address = "") {
+export function refused(change, address = "", lesson = "") {
   const unknown = pairsIn(address).map(([key]) => key).filter((key) => !Object.hasOwn(FIELDS, key) && !OTHER_KEYS.includes(key));
   const values = Object.keys(change).flatMap((key) => {
     const text = String(change[key]);
@@ -73,7 +73,7 @@ export function refused(change, address = "") {
     if (typeof value !== "number" || INFINITE.test(text) || Math.abs(value - text) <= 1e-9 * Math.abs(value)) return [];
     return [`${key} is ${low} to ${high}${row.said ? ` ${row.said}` : row.waves ? " waves" : ""}, so ${value} is shown instead of ${text.slice(0, 40)}`];
   });
-  const said = [...unknown.map((key) => `${key.slice(0, 40)} is unknown`), ...values];
+  const said = [...(lesson ? [`lesson=${lesson.slice(0, 40)} is unknown`] : []), ...unknown.map((key) => `${key.slice(0, 40)} is unknown`), ...values];
   if (address.length > LONGEST_TEXT) said.push(`of its ${address.length} characters the first ${LONGEST_TEXT} are read`);
   const more = said.length > 3 ? `; and ${said.length - 3} more` : "";
   return said.length ? `Not as in the address: ${said.slice(0, 3).join("; ")}${more}.` : "";

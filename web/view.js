@@ -78,6 +78,7 @@ export class View {
   constructor(element, { state, onchange, url = false, controls = [], theme = "auto", lesson = "", name = "", left_out = "", heading = 2, docs = "" } = {}) {
     this.onchange = onchange;
     this.url = url;
+    this.title = document.title;
     const asked = (url && askedLesson()) || lesson;
     this.given = changed(DEFAULTS, withSpikes(state));
     this.start = lessonState(asked) ?? this.given;
@@ -151,7 +152,7 @@ export class View {
     if (url) addEventListener("popstate", this.fromHistory);
     this.wanted = "settled";
     this.redraw = true;
-    if (url) this.remark(refused(fromText(location.hash), location.hash));
+    if (url) this.remark(refused(fromText(location.hash), location.hash, this.lessons.name ? "" : askedLesson()));
     this.born = performance.now();
     this.shown = {};
     this.of = {}; // the question that each part shown answers, {state, left: {part: when its setting was left}}
@@ -332,6 +333,7 @@ export class View {
     // A lens without aberration that is changed is any lens.
     const from = this.lens && this.lens.name !== PRESETS[0].name ? `Changed from: ${this.lens.name.replace(/^Changed from: /, "")}` : "";
     const { heading } = this.lessons;
+    if (this.url) document.title = heading || this.title;
     const plain = this.depth || exact?.name === PRESETS[0].name; // where a lesson starts: its title says more
     page.name.textContent = plain && heading ? heading : exact ? exact.name : from || heading || UNNAMED;
     page.name.title = page.name.textContent; // the heading is cut where there is no room

@@ -275,7 +275,7 @@ assert 0.97 < ratios[-1] < 1
 #
 # A camera lens, 50 mm at f/4 and 550 nm, is focused at infinity. Move the sensor out of focus by $\delta$.
 #
-# 1. Plot the Strehl ratio against $\delta$ from −40 to 40 µm.
+# 1. Plot the Strehl ratio against $\delta$ from −80 to 80 µm.
 # 2. How far may the sensor be off while the Strehl ratio stays above 0.81, Rayleigh's quarter wave? Compare with
 #    $\pm 2\lambda N^2$.
 # 3. How does the depth of focus change if the lens is stopped down to f/8?
@@ -311,9 +311,11 @@ depth, depth_at_f8 = depth_of(4.0), depth_of(8.0)
 half_nyquist = 1 / (4 * 4e-6)
 depth_by_mtf = optimize.brentq(lambda s: lm.mtf(camera(s), half_nyquist, pixel=4e-6) - 0.5, 1e-6, 1e-4)
 
-shifts = np.linspace(-40e-6, 40e-6, 81)
+shifts = np.linspace(-80e-6, 80e-6, 161)
 figure, axes = plt.subplots(figsize=(7, 3.5), layout="constrained")
-axes.plot(1e6 * shifts, [lm.strehl(camera(s)) for s in shifts])
+for f_number in (4.0, 8.0):
+    axes.plot(1e6 * shifts, [lm.strehl(camera(s, f_number)) for s in shifts], label=f"f/{f_number:g}")
+axes.legend()
 axes.axhline(quarter, color="0.7", linewidth=0.8)
 axes.set_xlabel("shift of the sensor (µm)")
 axes.set_ylabel("Strehl ratio")
@@ -321,10 +323,10 @@ print(f"Strehl ratio above 0.81: ±{1e6 * depth:.1f} µm at f/4, ±{1e6 * depth_
 print(f"MTF of 0.5 at half the Nyquist frequency of 4 µm pixels: ±{1e6 * depth_by_mtf:.1f} µm at f/4")
 
 # %% [markdown] tags=["solution"]
-# $W_{020} = \delta / (8 \lambda N^2)$ in waves: a quarter wave is $\delta = 2\lambda N^2 = 17.6$ µm. Stopped down
-# to f/8 the depth is four times larger, though the blur of rays only halves: diffraction sets the limit. The MTF at
-# half of the Nyquist frequency allows about twice as much: such pixels do not resolve what Rayleigh's criterion
-# protects.
+# $W_{020} = -\delta / (8 \lambda N^2)$ in waves, negative where the sensor lies behind the focus: a quarter wave is
+# $\delta = \mp 2\lambda N^2 = \mp 17.6$ µm. Stopped down to f/8 the depth is four times larger, though the blur of
+# rays only halves: diffraction sets the limit. The MTF at half of the Nyquist frequency allows about twice as much:
+# such pixels do not resolve what Rayleigh's criterion protects.
 
 # %% tags=["solution"]
 assert np.isclose(depth, 2 * wavelength * 4.0**2, rtol=0.002)

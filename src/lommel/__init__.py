@@ -33,7 +33,15 @@ def __getattr__(name: str) -> object:
         raise AttributeError(f"module 'lommel' has no attribute {name!r}")
     if modules[name] == "lommel":
         return import_module(f"lommel.{name}")
-    value = globals()[name] = getattr(import_module(modules[name]), name)
+    try:
+        module = import_module(modules[name])
+    except ModuleNotFoundError as error:
+        if error.name != "pydantic":
+            raise
+        from lommel.base.optional import how_to_get
+
+        raise ImportError(f"lommel.{name} needs {how_to_get('pydantic', 'cli')}") from None
+    value = globals()[name] = getattr(module, name)
     return value
 
 

@@ -51,6 +51,11 @@ def test_a_plain_number_is_an_angle_in_radians(number):
     assert parse_angle(number) == number
 
 
+def test_a_decimal_comma_is_told_to_be_a_point():
+    with pytest.raises(ValueError, match=r"'50,5 mm' is not a length; write '50\.5 mm', with a decimal point"):
+        parse_length("50,5 mm")
+
+
 @pytest.mark.parametrize("number", [45, -6.3, 1e300])
 def test_a_plain_number_beyond_one_turn_is_refused_as_degrees(number):
     message = re.escape(f'within one turn, 2 pi, got {number:g}; for degrees write "{number:g} deg"')

@@ -45,7 +45,7 @@ def test_the_page_that_it_opens_shows_the_lens(running, browser):
     assert page.title().startswith("Hubble Space Telescope")
     assert page.locator("main h1").inner_text() == page.title()
     assert page.locator("main").count() == page.locator("h1").count() == 1
-    assert page.locator('input[type=number][data-key="f_number"]').input_value() == "24"
+    assert page.locator('input[type=text][data-key="f_number"]').input_value() == "24"
     page.close()
     assert complaints == []
 

@@ -70,13 +70,13 @@ def test_the_widget_and_python_follow_one_another(lab, browser):
     for _ in range(5):
         page.keyboard.press("ArrowRight")  # which JupyterLab would take for its own
     page.wait_for_timeout(500)
-    after = page.locator('input[type=number][data-key="coma"]').input_value()
+    after = page.locator('input[type=text][data-key="coma"]').input_value()
     assert float(coma.input_value()) > before
     run(page, 1)
     printed = page.locator(".jp-CodeCell").nth(1).locator(".jp-OutputArea-output").inner_text()
     assert printed.startswith(f"coma {float(after)} (64, 64)")
     run(page, 2)
     page.wait_for_function("""() => document.querySelector('.lommel-live-host').shadowRoot
-        .querySelector('input[type=number][data-key="defocus"]').value === "1.25" """)
-    assert page.locator('input[type=number][data-key="coma"]').input_value() == "0.75"
+        .querySelector('input[type=text][data-key="defocus"]').value === "1.25" """)
+    assert page.locator('input[type=text][data-key="coma"]').input_value() == "0.75"
     page.close()

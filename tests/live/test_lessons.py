@@ -223,10 +223,12 @@ def test_the_heading_of_a_lesson_is_its_title(visit: Callable[..., Any], name: s
     page = visit(f"/mounted?lesson={name}")
     heading = page.locator("h2.name")
     title = heading.inner_text()
+    assert page.title() == title
     assert page.locator(".lesson .title").inner_text() == f"{(*LESSONS, 'depth').index(name) + 1} of 7: {title}"
     page.get_by_label("Close the lesson").click()
     rest(page)
     assert heading.inner_text() != title
+    assert page.title() == "test"
 
 
 # Whether the end of a box is hidden, and announced, two frames after its size changed.

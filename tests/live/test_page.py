@@ -291,8 +291,11 @@ def test_the_csv_holds_the_curves_and_the_state(visit: Callable[..., Any]) -> No
     assert f"# diameter_80_percent_about_axis_um={float(wide):.4g}" in lines
 
 
-def test_copies_a_link_and_the_call_in_python(visit: Callable[..., Any]) -> None:
-    page = visit("/mounted#defocus=0.25&side=64", permissions=["clipboard-read", "clipboard-write"])
+@pytest.mark.parametrize("view", ["", "&view=averaged"])
+def test_copies_a_link_and_the_call_in_python(visit: Callable[..., Any], view: str) -> None:
+    page = visit(
+        f"/mounted#defocus=0.25&coma=0.5&pixel=1.5{view}&side=64", permissions=["clipboard-read", "clipboard-write"]
+    )
     page.locator('[data-action="link"]').click()
     page.wait_for_timeout(50)
     assert page.evaluate("navigator.clipboard.readText()") == page.url
@@ -300,11 +303,16 @@ def test_copies_a_link_and_the_call_in_python(visit: Callable[..., Any]) -> None
     page.wait_for_timeout(50)
     text = page.evaluate("navigator.clipboard.readText()")
     assert "wavelength=5.5e-07" in text
-    assert re.search(r"pixel=\d\.?\d*e-0\d, ", text)
+    assert re.search(r"pixel=\d\.?\d*e-0\d[,)]", text)
     scope: dict[str, Any] = {}
     exec(text, scope)
     values = np.array(page.evaluate("Array.from(live.result().psf.values)")).reshape(64, 64)
     assert np.abs(scope["psf"].values - values).max() <= 2e-6 * values.max()
+    (diameter,) = re.findall(r"psf\.energy_diameter\(.*?\)", text)
+    (width,) = re.findall(r"psf\.fwhm\(.*?\)", text)
+    assert eval(diameter, scope) == pytest.approx(1e-6 * page.evaluate("live.result().measures.d80"), rel=1e-3)
+    shown = float(page.locator('dd[data-number="fwhm"]').inner_text().split()[0])
+    assert eval(width, scope) == pytest.approx(1e-6 * shown, rel=6e-3)
 
 
 RULES = ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa", "best-practice"]

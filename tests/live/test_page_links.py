@@ -116,6 +116,8 @@ def test_what_an_address_says_out_of_range_is_told(visit: Callable[..., Any]) ->
     page.evaluate("location.hash = '#wavelenght=600'")
     rest(page)
     assert notice.inner_text() == "Not as in the address: wavelenght is unknown."
+    page = visit("/mounted?lesson=airi#side=64&comma=1")
+    assert page.locator(".notice").inner_text() == "Not as in the address: lesson=airi is unknown; comma is unknown."
 
 
 def test_a_link_followed_on_the_same_page_is_taken(visit: Callable[..., Any]) -> None:

@@ -78,7 +78,7 @@ def test_a_state_is_whole_and_checked():
     }
     with pytest.raises(ValueError, match=r"must be one of 'focus', .* got 'field'"):
         complete({"field": 1.0})
-    with pytest.raises(ValueError, match=r"coma must be from 0 to 10, got 11"):
+    with pytest.raises(ValueError, match=r"coma must be from 0 to 10 waves, got 11"):
         complete({"coma": 11})
     with pytest.raises(ValueError, match=r"map must be one of 'auto'"):
         complete({"map": "jet"})

@@ -223,7 +223,7 @@ def test_the_section_through_the_focus_is_drawn_with_the_sensor_at_0(camera):
     assert axes.get_ylim() == pytest.approx((low, high))  # x rises upwards
     assert image.origin == "lower"
     assert (axes.get_xlabel(), axes.get_ylabel()) == ("sensor moved away from the lens (µm)", "x (µm)")
-    assert axes.get_title() == "f/1.85, 550 nm, object at 1.95 m; dashed: the sensor"
+    assert axes.get_title() == "f/1.8, 550 nm, object at 1.95 m; dashed: the sensor"
     assert axes.figure.axes[1].get_ylabel() == "irradiance (1 = unaberrated peak)\n(colours: square root)"
     # The object is nearer than what is in focus: its image is behind the sensor.
     middle = image.get_array()[120]
@@ -266,7 +266,7 @@ def test_curves_of_a_lens_are_over_the_places_of_its_sensor(camera):
         )
         assert value == pytest.approx(float(lm.mtf(lens.pupil(2.0), 50e3)), abs=3e-6)
     assert axes.get_xlabel() == "sensor moved away from the lens (mm)"
-    assert axes.get_title() == "f/1.85, 550 nm, object at 2 m; dashed: the sensor"
+    assert axes.get_title() == "f/1.8, 550 nm, object at 2 m; dashed: the sensor"
 
 
 def test_of_coma_both_directions_are_drawn_and_of_a_mask_the_strehl_ratio_alone():

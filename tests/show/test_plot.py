@@ -66,7 +66,7 @@ def test_a_stack_is_drawn_side_by_side_on_one_scale(shape, panels):
     edge = np.linspace(0.0, 1.0, int(np.prod(shape)))
     stack = lm.psf(lm.Pupil(lm.Wavefront.from_seidel(W020=edge.reshape(shape))), 9, 0.5)
     drawn = stack.plot()
-    told = np.array([f"W020 {c:.3g} waves" for c in edge]).reshape(shape)
+    told = np.array([f"W020 {c:.3g} {'wave' if c == 1.0 else 'waves'}" for c in edge]).reshape(shape)
     assert drawn.shape == shape
     for index in np.ndindex(shape):
         (picture,) = drawn[index].get_images()

@@ -127,7 +127,7 @@ def test_the_measured_wavefront_of_an_objective_is_added():
             lm.Wavefront.zernike({(4, 0): [0.1, 0.2]}, unit="waves"),
             ["spherical 0.1 waves rms", "spherical 0.2 waves rms"],
         ),
-        (lm.Wavefront.from_seidel(W040=[-1.0, 0.25]), ["W040 −1 waves", "W040 0.25 waves"]),
+        (lm.Wavefront.from_seidel(W040=[-1.0, 0.25]), ["W040 −1 wave", "W040 0.25 waves"]),
         (lm.Wavefront([0.0, 1.0], [0.0, 1.0]), ["0", "1"]),
         (lm.Wavefront([0.0, 1.0], nonradial={(3, 1): [0.0, 1.0]}), ["0", "1"]),
     ],

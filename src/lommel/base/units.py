@@ -178,6 +178,8 @@ def _parse(text: object, units: dict[str, float], kind: str, example: str, other
     text = text if isinstance(text, str) else format(real(f"{article} {kind}", text, infinite=True), "g")
     match = _QUANTITY.fullmatch(text)
     if not match:
+        if "," in text and _QUANTITY.fullmatch(pointed := text.replace(",", ".")):
+            raise ValueError(f"{shown(text)} is not {article} {kind}; write {shown(pointed)}, with a decimal point")
         raise ValueError(f"{shown(text)} is not {article} {kind}; write for example {example!r}")
     number, unit = float(match[1]), match[2]
     if unit and unit not in units:

@@ -9,7 +9,7 @@ from functools import partial, reduce
 from operator import or_
 from os import PathLike
 from pathlib import Path
-from typing import Annotated, Any, Literal, TypeVar
+from typing import Annotated, Any, ClassVar, Literal, TypeVar
 
 import numpy as np
 from pydantic import AfterValidator, BeforeValidator, Field, PlainValidator, ValidationInfo, field_validator
@@ -68,7 +68,7 @@ _SUFFIXES = (".npy", ".png", ".tif", ".tiff", *_FITS)
 
 
 class _Spider(Section):
-    advice = {"angle": "first is the angle of the first vane, angles lists those of all vanes"}
+    advice: ClassVar = {"angle": "first is the angle of the first vane, angles lists those of all vanes"}
     width: Length
     vanes: Annotated[int, Field(strict=True, ge=1, le=MAX_VANES)] | None = None
     first: Angle = 0.0

@@ -54,7 +54,8 @@ def sensor(focal_length: float, focus_distance: float | None, sensor_distance: f
     if s <= focal_length:
         hint = f"; for {focal_length:g} mm give {focal_length:g}e-3" if focal_length > _MAX_FOCAL_LENGTH else ""
         raise ValueError(
-            f"focus_distance must exceed the focal length {focal_length:g} m (no real image otherwise), got {s:g}{hint}"
+            f"focus_distance must exceed the focal length {focal_length:g} m (no real image otherwise), "
+            f"got {s:g}{hint}"
         )
     return 1.0 / (1.0 / focal_length - 1.0 / s)
 

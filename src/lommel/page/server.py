@@ -14,9 +14,8 @@ from typing import Any
 
 from lommel.base import validation
 from lommel.base.arrays import Json
-from lommel.base.optional import library
+from lommel.base.optional import library, require
 from lommel.lensfiles.instrument import Instrument
-from lommel.lensfiles.lens_files import load_instrument
 from lommel.page.state import FIELDS, Terms, Whole, Word, complete, link, psf_of, state_of
 from lommel.psf import PSF
 
@@ -154,7 +153,8 @@ def live(lens: Instrument | str | PathLike[str] | None = None, **state: Any) -> 
     lens : Instrument, str or path, optional
         Initial lens: a lens file, or the result of :func:`lommel.load_instrument`.
     **state
-        Initial values of controls.
+        Initial values of controls. Without a lens the page begins with 0.6 waves of `defocus`, so that a first
+        change shows; ``defocus=0.0`` begins in focus.
 
         - Wavefront, waves at the edge of the pupil: `defocus` and `spherical` (W020 and W040), `coma`, `astigmatism`,
           `trefoil` and their directions (`coma_angle`, ..., degrees); `zernike`, terms "n,m:waves;..." in waves rms.
@@ -197,6 +197,9 @@ def live(lens: Instrument | str | PathLike[str] | None = None, **state: Any) -> 
                 raise TypeError(
                     f"lens must be an Instrument or the path of a lens file, got {validation.shown(lens)}"
                 )
+            require("pydantic", "lens files need", "cli")
+            from lommel.lensfiles.lens_files import load_instrument  # late: the extra "live" has no pydantic
+
             lens = load_instrument(lens)
         start, _ = state_of(lens)
     return widget_class(**complete(start | state), **display)

@@ -55,7 +55,10 @@ class Real(NamedTuple):
         """Return the value as a number; ValueError if it is out of range."""
         number = validation.real(name, value)
         if not self.low <= number <= self.high:
-            raise ValueError(f"{name} must be from {self.low:g} to {self.high:g}, got {validation.shown(value)}")
+            unit = f" {'waves' if self.row.waves else self.row.said}".rstrip()
+            raise ValueError(
+                f"{name} must be from {self.low:g} to {self.high:g}{unit}, got {validation.shown(value)}"
+            )
         return number
 
     def description(self) -> dict[str, object]:

@@ -262,7 +262,7 @@ def focus_curves(
     object_distance: float | None = None,
     reach: float | None = None,
     frequency: float | Sequence[float] | None = None,
-    planes: int = 61,
+    planes: int = 161,
 ) -> Axes:
     """Draw the Strehl ratio and the MTF at several frequencies against the shift of the sensor.
 
@@ -277,7 +277,7 @@ def focus_curves(
     frequency : float or sequence of float, optional
         Frequencies in cycles per metre or cycles per lambda*N; by default a tenth, a quarter and half of the cutoff.
         If the MTF is not radially symmetric, dashed curves show the MTF along y.
-    planes : int, default 61
+    planes : int, default 161
         Number of sensor positions.
 
     Returns
@@ -327,7 +327,8 @@ def _through_focus_title(thing: Lens | Pupil, pupil: Pupil, object_distance: flo
     """Return a title: f-number, wavelength, object distance, and the meaning of the dashed line."""
     text = "through focus"
     if pupil.wavelength is not None:
-        text = f"f/{pupil.f_number:.3g}, {drawing.length_in_words(pupil.wavelength)}"
+        f_number = (thing if isinstance(thing, Lens) else pupil).f_number  # of a lens as engraved
+        text = f"f/{f_number:.3g}, {drawing.length_in_words(pupil.wavelength)}"
         if isinstance(thing, Lens):
             distance = thing.focus_distance if object_distance is None else object_distance
             text = f"{text}, object at {drawing.length_in_words(distance)}"

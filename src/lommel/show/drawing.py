@@ -61,7 +61,8 @@ def of_wavefronts(wavefront: Wavefront) -> list[str]:
         if varying.size != 1:
             return _indices(wavefront.shape)
         return _term_labels(flattened, int(varying[0]))
-    return [true_minus(f"{name} {value / (2.0 * math.pi) + 0.0:.3g} waves") for value in values]
+    numbers = [f"{value / (2.0 * math.pi) + 0.0:.3g}" for value in values]
+    return [true_minus(f"{name} {text} {'wave' if text in ('1', '-1') else 'waves'}") for text in numbers]
 
 
 def _term_labels(wavefront: Wavefront, column: int) -> list[str]:

@@ -46,6 +46,11 @@ def test_the_phase_is_the_sum_of_the_terms_but_for_a_constant(terms, normalizati
     np.testing.assert_allclose(phase - phase[0], expected - expected[0], atol=1e-9)
 
 
+def test_metres_are_spelt_in_both_ways():
+    metres, meters = (Wavefront.zernike({(2, 0): 5e-8}, unit=u, wavelength=5e-7) for u in ("metres", "meters"))
+    assert metres == meters
+
+
 def test_a_radial_coefficient_of_the_highest_order_comes_back_to_1e_8():
     rng = np.random.default_rng(1)
     terms = {(n, 0): rng.normal() for n in range(2, 21, 2)}
@@ -141,7 +146,7 @@ def test_bad_zernike_terms_are_named(options, message):
 @pytest.mark.parametrize(
     ("options", "message"),
     [
-        ({"unit": "kg"}, "unit must be one of 'radians', 'waves', 'metres', 'm'"),
+        ({"unit": "kg"}, "unit must be one of 'radians', 'waves', 'metres', 'meters', 'm'"),
         ({"unit": "metres"}, 'unit="metres" needs the wavelength'),
         ({"unit": "nm"}, 'unit="nm" needs the wavelength'),
         ({"unit": "metres", "wavelength": 550}, "for 550 nm give 550e-9"),

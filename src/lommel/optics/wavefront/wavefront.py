@@ -43,7 +43,7 @@ if TYPE_CHECKING:
 _MAX_RHO = 1e3  # largest rho for which the phase is evaluated; powers of rho overflow beyond
 MAX_HIGHER = 8
 """Largest number of coefficients of powers above rho^4."""
-UNITS = ("radians", "waves", "metres", *LENGTHS)
+UNITS = ("radians", "waves", "metres", "meters", *LENGTHS)
 NORMALIZATIONS = ("rms", "edge")
 Term = tuple[int, int]
 """n and m of a Zernike polynomial; m > 0 is the cosine of m theta, m < 0 the sine."""

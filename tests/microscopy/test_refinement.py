@@ -170,6 +170,8 @@ def test_another_index_is_told_where_held_out_photons_are_sure(monkeypatch):
     assert found.numbers["preferred_error"] == pytest.approx(2.0 / np.sqrt(2e5), rel=1e-3)
     assert found.numbers["lnL"] > held_out._SIGNIFICANT * found.numbers["lnL_error"]
     assert (1.33, 0) in calls  # it went on until lnL fell
+    assert "best with one near 1.33: " in found.text  # a direction, not a measurement with an error
+    assert "another depth, spherical aberration, pixel or NA" in found.text
 
 
 def test_the_right_index_is_compared_and_stays(monkeypatch):

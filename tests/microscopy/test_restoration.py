@@ -102,15 +102,18 @@ def test_a_file_is_restored_with_what_it_says(file):
 @pytest.mark.usefixtures("few_trials")
 def test_planes_that_run_the_other_way_are_noticed_and_keep_their_order(tmp_path, deep):
     there = written(tmp_path / "turned.ome.tif", deep[::-1])
-    found = quick(there, direction="auto")
+    upright = quick(deep, pixel=PIXEL, step=STEP, wavelength=WAVE)
+    depths = upright.channels[0].depths
+    # The depth is that of plane PLANES // 2 in the order of the file.
+    found = quick(there, direction="auto", depth=depths[::-1][PLANES // 2])
     assert found.channels[0].direction == "down"
     told = re.search(
         r"the cover glass \(after \d+ steps a part of the stack has the discrepancy ([\d.]+), and ([\d.]+) for",
         " ".join(found.notes),
     )
     assert float(told[1]) < float(told[2])
-    np.testing.assert_array_equal(found.values[::-1], quick(deep, pixel=PIXEL, step=STEP, wavelength=WAVE).values)
-    assert (np.diff(found.channels[0].depths) < 0.0).all()
+    np.testing.assert_allclose(found.channels[0].depths[::-1], depths, atol=2e-8)
+    np.testing.assert_allclose(found.values[::-1], upright.values, rtol=0.01, atol=1.0)
 
 
 def test_the_stack_is_restored_with_what_was_estimated_from_it(monkeypatch, deep):
@@ -405,6 +408,14 @@ def test_depths_in_focus_are_those_of_the_brightest_focus():
     np.testing.assert_allclose(np.diff(focus), STEP, rtol=0.02)
     shallow = DepthModel(OIL_60X, WAVE, PIXEL, STEP, 0.5e-6, 9, WINDOW).depths()
     assert shallow[0] == 0.0
+
+
+@pytest.mark.parametrize("planes", [9, 10])
+def test_the_middle_plane_is_the_same_in_both_directions(planes):
+    for is_reversed in (False, True):
+        model = DepthModel(OIL_60X, WAVE, PIXEL, STEP, 12e-6, planes, WINDOW, is_reversed=is_reversed)
+        depths = model.depths()[::-1] if is_reversed else model.depths()  # in the order of the recording
+        assert depths[planes // 2] == pytest.approx(12e-6, abs=1e-9)
 
 
 @pytest.mark.parametrize(

@@ -65,6 +65,26 @@ def test_a_tiff_of_imagej_has_its_voxels(tmp_path):
         np.testing.assert_array_equal(np.asarray(found.stack()), STACK[0])
 
 
+def test_the_resolution_per_centimetre_is_the_pixel_as_in_imagej_unless_it_is_of_a_print(tmp_path):
+    path = tmp_path / "c.tif"
+    for resolution, unit, pixel in ((1e5, "CENTIMETER", 1e-7), (28.35, "CENTIMETER", None), (72.0, "INCH", None)):
+        options = {"imagej": True, "resolution": (resolution, resolution), "resolutionunit": unit}
+        tifffile.imwrite(path, STACK[0], metadata={"axes": "ZYX"}, **options)
+        with open_recording(path) as found:
+            assert found.pixel == (None if pixel is None else pytest.approx(pixel))
+            assert found.step is None
+            assert ("pixels of 100 nm" in repr(found)) == (pixel is not None)
+
+
+def test_a_negative_spacing_is_used_without_its_sign_and_said(tmp_path):
+    for spacing in (0.3, -0.3):
+        options = {"spacing": spacing, "unit": "um", "axes": "ZYX"}
+        tifffile.imwrite(tmp_path / "n.tif", STACK[0], imagej=True, resolution=(10.0, 10.0), metadata=options)
+        with open_recording(tmp_path / "n.tif") as found:
+            assert found.step == pytest.approx(3e-7)
+            assert any("a negative plane spacing" in note for note in found.notes) == (spacing < 0.0)
+
+
 def test_an_ome_zarr_of_version_five_is_read(tmp_path):
     group = zarr.create_group(str(tmp_path / "v.zarr"), zarr_format=3)
     group.create_array("0", data=STACK[np.newaxis], chunks=(1, 1, 3, 8, 9))

@@ -49,8 +49,8 @@ class RecordingOptions(Group, heading="Microscope"):
 
     # fmt: off
     depth: float | None = option(length="um",
-        help="Depth below the cover glass in focus in the middle plane, such as 10um; by default from the file of "
-        "the objective.")
+        help="Depth below the cover glass in focus in plane N // 2 of N planes, counted from 0, such as 10um; by "
+        "default from the file of the objective.")
     wavelength: tuple[float, ...] | None = option(type=LENGTHS, metavar="LENGTHS",
         help="Emission, such as 520nm, or one for each channel: 520nm,610nm; by default from the stack.")
     step: float | None = option(length="nm",
@@ -140,7 +140,7 @@ def deconvolve(
     stack: Path = STACK_FILE,
     lens: Path = LENS,
     outputs: tuple[Path, ...] = option("-o", "--output", type=OUTPUT_PATH, required=True, multiple=True,
-        help="Restored stack: .ome.tif or .ome.zarr; may be repeated."),
+        help="Restored stack: .ome.tif or .tif, both OME-TIFF, or .ome.zarr; may be repeated."),
     figure: Path | None = plot_option("Figure of projections before and after, and of the residual"),
     recording_options: RecordingOptions = RecordingOptions(),
     camera: StackCamera = StackCamera(),

@@ -199,7 +199,8 @@ class Floor:
         advice = 'background="uneven" estimates' if background.points == 1 else "a background in the offset removes"
         text = (
             f"{percent(share)} of the restored light is a floor between the structures, in part of the field: a "
-            f"specimen that fills it, or a background that is not flat, which {advice}"
+            "specimen that fills it, light from outside of a small crop, or a background that is not flat, which "
+            f"{advice}"
         )
         return Finding("uneven_background", "doubt", text, {"share": share, "most": _MAX_FLOOR})
 

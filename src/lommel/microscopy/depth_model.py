@@ -58,7 +58,7 @@ class DepthModel:
     """A microscope and the sampling of a stack, which determine its PSF at each depth.
 
     `pixel` is the pixel pitch on the camera and `step` the step of the stage, metres; `depth` is the depth in focus
-    in plane ``planes // 2``.
+    in plane ``planes // 2`` of the recording, whose planes run towards the cover glass if `is_reversed`.
     """
 
     objective: Objective
@@ -75,6 +75,7 @@ class DepthModel:
     emitter: Emitter = _ISOTROPIC
     aberrations: Wavefront | None = None
     degrees: tuple[int, int] | None = None  # degrees of the B-splines along z and across; None: the highest possible
+    is_reversed: bool = False
 
     def changed(self, name: str, value: float) -> DepthModel:
         """Return the model with one parameter changed; ValueError if the result is out of range.
@@ -212,7 +213,9 @@ class DepthModel:
 
         The depth is 0 where the focus is in the cover glass.
         """
-        offset = self.step * (np.arange(-margin, self.planes + margin) - self.planes // 2)
+        # Plane n // 2 of n planes is plane (n - 1) // 2 from the other end.
+        middle_plane = (self.planes - self.is_reversed) // 2
+        offset = self.step * (np.arange(-margin, self.planes + margin) - middle_plane)
         # Without a mismatch of refractive indices the focus and the stage move by equal distances.
         if self.objective.coverslip is None and self.objective.sample == self.objective.immersion:
             return np.asarray(np.clip(self.depth + offset, 0.0, DEPTH_MOST))

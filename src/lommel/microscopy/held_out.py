@@ -243,11 +243,12 @@ class HeldOut(TrialDeconvolution):
             best = farther_result
         preferred, width = _least({index: result.loss for index, result in results.items()})
         numbers |= {"preferred": preferred, "preferred_error": width}
-        estimate = f"about {preferred:.4f} +- {width:.4f}" if math.isfinite(width) else f"{preferred:.4g} or beyond"
+        farthest = "" if math.isfinite(width) else " or beyond"
         text = (
             f"held-out photons agree better with an index of the sample of {value:.4g} than of {start:.4g} (lnL by "
-            f"{gain:.0f} +- {error:.0f}), and best with {estimate}: the PSF may be wrong; an error of the depth, or "
-            "spherical aberration, has a similar effect"
+            f"{gain:.0f} +- {error:.0f}), and of the indices tried best with one near {preferred:.4g}{farthest}: the "
+            "PSF may be wrong; only the index was varied, and another depth, spherical aberration, pixel or NA has a "
+            "similar effect"
         )
         return Finding("psf_doubtful", "doubt", text, numbers)
 

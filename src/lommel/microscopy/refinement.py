@@ -47,6 +47,7 @@ _ALTERNATIVES = {
     "step": (0.03, "step of z"),
 }
 _MAX_CHANGES = 5  # largest number of changes of a parameter in one direction
+_FARTHEST = 0.25  # largest relative change of NA, wavelength and step: 525 nm is not light of 273 nm
 _USUAL_CHANGES = 2.6  # average number of trials of a parameter, for the progress
 _SIGNIFICANT = 9.0  # least decrease of the deviance by a better PSF: three standard deviations
 _MIN_EXPLAINED = 0.03  # least decrease of the discrepancy by a better PSF, as a fraction of its excess over 1
@@ -158,7 +159,7 @@ class TrialDeconvolution:
         """
         counted = self._counted
         if reverse:
-            counted = counted.reversed()
+            counted, model = counted.reversed(), replace(model, is_reversed=not model.is_reversed)
         blur = self.blur(model, len(self._values))
         iteration = Iteration(blur, counted, self._courses.get(steps), background=Background(None))
         discrepancies: list[float] = []
@@ -233,15 +234,17 @@ def rank_alternatives(context: StackContext, progress: Progress, *, try_reversed
         label = "planes in reverse order"
         decreases[label] = start_cost - cost(model, label, reverse=True)
     for name, (first_change, title) in _ALTERNATIVES.items():
+        start = _start_value(model, name)
 
-        def cost_of_change(value: float, name: str = name, title: str = title) -> float:
+        def cost_of_change(value: float, name: str = name, title: str = title, start: float = start) -> float:
+            if start == 1.0 and abs(value - start) > _FARTHEST:  # a factor
+                return math.inf
             try:
                 alternative = model.changed(name, value)
             except ValueError:
                 return math.inf
             return cost(alternative, f"another {title}: {_value_in_words(model, name, value)}")
 
-        start = _start_value(model, name)
         value, lowest_cost = _line_search(cost_of_change, start, first_change, start_cost)
         if value != start:
             change = "smaller" if value < start else "larger"

@@ -289,8 +289,9 @@ def restore(
         Objective, or microscope from :func:`lommel.load_microscope`. A Microscope also sets emitter and aberrations,
         the default depth, and the wavelength, pixel and step of files without these values.
     depth : float, optional
-        Depth below the cover glass that is in focus in plane ``planes // 2``, metres. By default the depth of the
-        Microscope; for an Objective ``planes // 2 * step``, as if the stack began at the glass.
+        Depth below the cover glass that is in focus in plane ``planes // 2``, counted from 0 in the order of the
+        recording, metres. By default the depth of the Microscope; for an Objective ``planes // 2 * step``, as if the
+        stack began at the glass.
     wavelength : float or sequence of float, optional
         Emission wavelength, metres; one value, or one for each channel. By default the wavelength in the file.
     pixel, step : float, optional
@@ -427,7 +428,9 @@ def restore(
         )
         ignored = _mask_of(mask, array_mask, recording.shape)
         target = cleanup.enter_context(_destination(out, (len(numbers), *recording.shape[1:]), used_recording))
-        results = _restore_channels(recording, numbers, models, options, ignored, target, notes, progress or silent)
+        results = _restore_channels(
+            recording, numbers, models, options, ignored, target, notes, sizes.pixel_doubt, progress or silent
+        )
         values = target.finish(" ".join(notes), len(results))
     findings = Findings(
         finding if len(numbers) == 1 else replace(finding, text=f"{name}: {finding.text}")
@@ -479,12 +482,14 @@ def _restore_channels(
     ignored: NDArray[np.bool_] | None,
     target: _Target,
     notes: list[str],
+    pixel_doubt: str,
     report: Report,
 ) -> list[RestoredChannel]:
     """Restore the channels until an interruption. Only the first channel adds notes."""
     results: list[RestoredChannel] = []
     for place, (number, model) in enumerate(zip(numbers, models, strict=True)):
-        job = _ChannelRestoration(recording.stack(number), model, options, notes if place == 0 else [], target, place)
+        channel_notes = notes if place == 0 else []
+        job = _ChannelRestoration(recording.stack(number), model, options, channel_notes, target, place, pixel_doubt)
         report_part = _within(report, place / len(numbers), (place + 1) / len(numbers))
         name = "" if len(numbers) == 1 else f"{recording.names[number]}: "
 
@@ -554,6 +559,7 @@ class _Sizes:
         step: float | None,
         notes: list[str],
     ) -> None:
+        self.pixel_doubt = ""  # note on a pixel of the stack that contradicts the objective file
         of_file = None if recording.pixel is None else recording.pixel * lens.magnification
         sizes = (None, None) if microscope is None else (microscope.pixel, abs(microscope.step) or None)
         self.pixel = self._length("pixel", pixel, of_file, sizes[0], recording, notes)
@@ -607,10 +613,10 @@ class _Sizes:
             )
             return float(of_microscope or 0.0)
         if of_microscope is not None and abs(of_microscope - of_file) > _TOLERANCE * of_file:
-            notes.append(
-                f"The {name} of the stack, {format_length(of_file)}, was used; the objective file states "
-                f"{format_length(of_microscope)}."
-            )
+            text = f"The {name} of the stack, {format_length(of_file)}, was used; the objective file states "
+            notes.append(f"{text}{format_length(of_microscope)}.")
+            if name == "pixel":
+                self.pixel_doubt = notes[-1]
         return of_file
 
 
@@ -862,8 +868,16 @@ class _ChannelRestoration:
     """The restoration of one channel; each assumption is added to the notes."""
 
     def __init__(
-        self, stack: Stack, model: DepthModel, options: _Options, notes: list[str], target: _Target, place: int
+        self,
+        stack: Stack,
+        model: DepthModel,
+        options: _Options,
+        notes: list[str],
+        target: _Target,
+        place: int,
+        pixel_doubt: str,
     ) -> None:
+        self._pixel_doubt = pixel_doubt
         self._stack, self._model, self._options, self._notes = stack, model, options, notes
         self._threads, self._target, self._place = options.threads or 0, target, place
         planes, height, width = stack.shape
@@ -952,7 +966,8 @@ class _ChannelRestoration:
         if source.is_reversed:
             # Results are reversed again at the end.
             source.stack = _ReversedStack(source.stack)
-        return context._replace(stack=source.stack)
+            self._model = replace(self._model, is_reversed=True)
+        return context._replace(stack=source.stack, model=self._model)
 
     def _refine(
         self, context: StackContext, crop: tuple[slice, slice], report: Report
@@ -986,9 +1001,14 @@ class _ChannelRestoration:
                 "depth= if not."
             )
         if len(psf_depths) > 1:
-            placement = "one for each plane and its margin" if psfs.radial is not None else "interpolated in depth"
+            placement = "interpolated in depth"
+            if psfs.radial is not None:
+                margins = len(psf_depths) - len(depths)
+                placement = f"one for each of {len(depths)} planes, and of {margins} restored above and below them"
             depth_range = format_depth_range(psf_depths[0], psf_depths[-1])
-            notes.append(f"{len(psf_depths)} PSFs were used, {placement}, at depths from {depth_range}.")
+            notes.append(
+                f"The PSF changes with depth: {len(psf_depths)} were used, {placement}, at depths from {depth_range}."
+            )
         if model.spreads and self._options.per_plane:
             notes.append(
                 "Restored values are light per plane: a point with F counts in each plane has the value F, or with F "
@@ -996,8 +1016,9 @@ class _ChannelRestoration:
             )
         elif model.spreads:
             notes.append(
-                f"Restored values are the light summed over {model.window[0]} planes: a point with F counts in each "
-                f"plane, or in their mean if it fades, has the value {model.window[0]} F; per_plane=True returns F."
+                f"Restored values are the light of a voxel in all {model.window[0]} planes of its PSF together: a "
+                "point that sends F counts into each plane (if it fades, into their mean) has the value "
+                f"{model.window[0]} F; per_plane=True returns F."
             )
 
     def _request(
@@ -1041,6 +1062,8 @@ class _ChannelRestoration:
         reference = comparison.best("the PSF as given", context.model)
         self._best_steps = reference.steps
         if finding := comparison.finding(reference):
+            if finding.code == "psf_doubtful" and self._pixel_doubt:
+                finding = replace(finding, text=f"{finding.text} ({self._pixel_doubt.removesuffix('.')})")
             self._findings.append(finding)
         # Estimate the background from the whole stack: a part also contains light blurred into it from outside.
         if not estimates_background or math.prod(context.stack.shape) > MAX_VOXELS:
@@ -1232,7 +1255,9 @@ class _ChannelRestoration:
         is_settled = reason != STEPS or self._options.method.target <= 0.0 or discrepancy <= 1.0 + counted.slack
         if finding is not None or is_settled:
             return finding
-        text = f"the residual exceeds the noise after the {steps} steps of the method; allow more steps"
+        # More steps would fit a wrong PSF by artefacts.
+        advice = "correct the PSF first" if "psf_doubtful" in self._doubt_codes() else "allow more steps"
+        text = f"the residual exceeds the noise after the {steps} steps of the method; {advice}"
         return Finding("not_settled", "doubt", text, {"discrepancy": discrepancy, "steps": steps})
 
 

@@ -63,6 +63,10 @@ _IGNORED_CARDS = {
 _AMBIGUOUS_GAIN = "GAIN"  # card with electrons per count at observatories, but with a setting in amateur cameras
 
 
+_CENTIMETRE = 3  # value of the tag ResolutionUnit of TIFF
+_FINEST_PRINT = 1e-3  # centimetres: pixels of prints are larger (2540 per inch)
+
+
 @dataclass(frozen=True)
 class Unusable:
     """A metadata value that cannot be used, such as a length without unit, in the words of the file."""
@@ -149,12 +153,20 @@ def imagej_metadata(file: TiffFile) -> Metadata:
     entries, page = file.imagej_metadata or {}, file.pages.first
     unit = entries.get("unit")  # unit of x, and of y and z unless these have their own
     metadata: Metadata = {"step": length(entries.get("spacing"), entries.get("zunit", unit))}
+    metadata["is_step_negative"] = str(entries.get("spacing", "")).startswith("-")
+    resolution_unit = page.tags.get("ResolutionUnit")
+    is_metric = resolution_unit is not None and resolution_unit.value == _CENTIMETRE
     for key, tag, axis_unit in (("pixel", "XResolution", unit), ("down", "YResolution", entries.get("yunit", unit))):
         value = page.tags.get(tag)
-        if value is not None and axis_unit:  # without a unit the tag is the resolution of a print
-            # TIFF states pixels per unit of length as a fraction.
-            pixels, units = value.value
-            metadata[key] = length(units / pixels if pixels else 0.0, axis_unit)
+        if value is None:
+            continue
+        # TIFF states pixels per unit of length as a fraction.
+        pixels, units = value.value
+        side = units / pixels if pixels else 0.0
+        if axis_unit:
+            metadata[key] = length(side, axis_unit)
+        elif is_metric and 0.0 < side < _FINEST_PRINT:  # as ImageJ; else the tag is the resolution of a print
+            metadata[key] = length(side, "cm")
     return metadata
 
 

@@ -86,9 +86,9 @@ class Recording:
     def __repr__(self) -> str:
         channels, planes, height, width = self.shape
         name = "array" if self.path is None else self.path.name
-        sides = "without voxel sizes"
-        if self.pixel is not None and self.step is not None:
-            sides = f"pixels of {format_length(self.pixel)}, {format_length(self.step)} apart"
+        known = [] if self.pixel is None else [f"pixels of {format_length(self.pixel)}"]
+        known += [] if self.step is None else [f"planes {format_length(self.step)} apart"]
+        sides = ", ".join(known) or "without voxel sizes"
         channel_text = f"{channels} channels of " if channels > 1 else ""
         return f"<Recording {name!r}: {channel_text}{planes} planes of {height} x {width}, {self.dtype}, {sides}>"
 
@@ -253,6 +253,11 @@ def _recording(frames: Frames) -> Recording:
     used_values = [f"{format_length(length)} {noun}" for key, noun in parts if (length := lengths[key]) is not None]
     if used_values:
         notes.append(f"From the {frames.metadata_format} metadata of the file: {', '.join(used_values)}.")
+    if metadata.get("is_step_negative"):
+        notes.append(
+            "The file states a negative plane spacing, of which the magnitude was used: its sign does not set the "
+            "direction of z."
+        )
     waves: dict[str, tuple[float | None, ...]] = {}
     for key in ("emission", "excitation"):
         wavelengths = (list(metadata.get(key, [])) + [None] * count)[:count]

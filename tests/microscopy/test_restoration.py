@@ -7,6 +7,7 @@ import re
 import signal
 from dataclasses import replace
 from itertools import pairwise
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -14,8 +15,10 @@ import tifffile
 from scipy.ndimage import gaussian_filter
 
 import lommel as lm
+from lommel.fit.findings import Finding
 from lommel.microscopy import refinement, restoration
 from lommel.microscopy.depth_model import DepthModel
+from lommel.microscopy.held_out import HeldOut
 from lommel.microscopy.restoration import INTERRUPTED
 from lommel.recorded.camera_noise import measured_noise
 from objectives import OIL_60X
@@ -550,3 +553,16 @@ def test_a_stack_without_voxel_sizes_takes_those_of_the_objective_file_and_says_
     assert "does not state its step: the value of the objective file was used" in said
     sized = lm.microscopy.restore(deep[:5], microscope, method=way, pixel=PIXEL, step=STEP, **given)
     assert "objective file" not in " ".join(sized.notes)
+
+
+def test_a_doubtful_psf_names_a_pixel_that_differs_and_advises_no_more_steps(monkeypatch, tmp_path, deep):
+    doubt = Finding("psf_doubtful", "doubt", "another index")
+    monkeypatch.setattr(HeldOut, "best", lambda *_: SimpleNamespace(steps=1))
+    monkeypatch.setattr(HeldOut, "finding", lambda *_: doubt)
+    microscope = lm.load_microscope(lm.example_files()["zeiss-63x-1.4-oil"])
+    way = lm.imaging.RichardsonLucy(steps=1, target=1.0)
+    given = {"depth": 12e-6, "noise": CAMERA, "direction": "up", "psf_shape": (5, 9), "background": 0.0}
+    found = lm.microscopy.restore(written(tmp_path / "p.ome.tif", deep), microscope, method=way, **given)
+    said = found.findings.get("psf_doubtful").text
+    assert said.startswith("another index (The pixel of the stack, 6.3 um, was used; the objective file states ")
+    assert "correct the PSF first" in found.findings.get("not_settled").text

@@ -594,7 +594,7 @@ def test_the_picture_shows_images_model_residual_and_terms():
         ({"mask": np.zeros((2, 2), dtype=bool)}, r"mask must be True or False for each pixel"),
         ({"mask": np.zeros((33, 33))}, r"mask must be True or False for each pixel"),
         ({"pupil": lm.Pupil(lm.Wavefront([1.0, 2.0]))}, r"pupil must be a single one"),
-        ({"pupil": lm.Pupil(spider=lm.Spider(0.02, (0.0, 90.0))), "also": "obscuration"}, "without \"obscuration\""),
+        ({"pupil": lm.Pupil(spider=lm.Spider(0.02, (0.0, 1.5))), "also": "obscuration"}, "without \"obscuration\""),
         ({"pupil": lm.Wavefront()}, "pupil must be a Pupil, got a Wavefront"),
         ({"noise": 2.0}, "noise must be a Noise, got 2.0"),
         ({"starts": 0}, "starts must be from 1 to 10000, got 0"),

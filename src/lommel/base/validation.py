@@ -161,22 +161,22 @@ def _is_real_scalar(value: object) -> bool:
     return not isinstance(value, bool)
 
 
-_TURN = 2.0 * math.pi + 1e-9  # radians, with a tolerance for rounding errors
+_TWO_TURNS = 4.0 * math.pi + 1e-9  # radians, with a tolerance; sums of angles may exceed one turn
 
 
 def angles(name: str, value: float | ArrayLike) -> Array:
-    """Return angles in radians, within one turn, as a read-only array: larger numbers are probably degrees."""
+    """Return angles in radians, within two turns, as a read-only array: larger numbers are probably degrees."""
     radians = real_array(name, value)
-    if (beyond := radians[np.abs(radians) > _TURN]).size:
+    if (beyond := radians[np.abs(radians) > _TWO_TURNS]).size:
         raise ValueError(
-            f"{name} must be in radians and within one turn, 2 pi, got {beyond[0]:g}; "
+            f"{name} must be in radians and within two turns, 4 pi, got {beyond[0]:g}; "
             f"for degrees give math.radians({beyond[0]:g})"
         )
     return radians
 
 
 def angle(name: str, value: object) -> float:
-    """Return an angle in radians, within one turn; TypeError or ValueError otherwise."""
+    """Return an angle in radians, within two turns; TypeError or ValueError otherwise."""
     return float(angles(name, real(name, value)))
 
 

@@ -12,7 +12,6 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from os import PathLike
-from pathlib import Path
 from typing import Any, TypeAlias
 
 from lommel.base import atomic, display, reading, validation
@@ -584,10 +583,10 @@ def load_zernike(path: str | PathLike[str]) -> ZernikeTable:
     OSError
         If the file cannot be read.
     """
-    source = Path(path)
+    source = validation.path("path", path)
     if note := text_files.design_note(source):
         raise ZernikeFileError(note)
-    form = find(path, verb="read")
+    form = find(source, verb="read")
     table: ZernikeTable | None
     try:
         table, errors = form.read(reading.contents(source, reading.MAX_LIST))

@@ -16,7 +16,7 @@ from lommel.methods.nonuniform_fft import averaged_apertures, transposed
 from lommel.optics.grid import Grid
 from pixel_samples import averages_of_samples
 
-VANES = lm.Spider(0.03, angles=(10, 100, 190, 280))
+VANES = lm.Spider.equal(4, 0.03, first=0.17)
 SEGMENTS = lm.Segments.hexagonal(rings=1, gap=0.02)
 PHASED = SEGMENTS.phased(0.1 * np.arange(6.0), unit="waves")
 

@@ -157,7 +157,7 @@ def test_a_spider_that_leaves_light_makes_a_pupil_and_any_other_is_refused(width
         (lambda: Spider.equal(0, 0.1), ValueError, "count must be from 1 to 64, got 0"),
         (lambda: Spider.equal(3, 0.1, math.inf), ValueError, "first must be finite, got inf"),
         (lambda: Spider.equal(4, 0.1, first=45), ValueError,
-         r"first must be in radians and within one turn, 2 pi, got 45; for degrees give math.radians\(45\)"),
+         r"first must be in radians and within two turns, 4 pi, got 45; for degrees give math.radians\(45\)"),
         (lambda: Spider(0.1, (0, 90, 180)), ValueError, r"angles must be .* give math.radians\(90\)"),
         (lambda: Ellipse(1001.0, 0.5), ValueError, "a must be > 0 and <= 1000 radii of the aperture, got 1001"),
         (lambda: Ellipse(1.0, 0.0), ValueError, "b must be > 0 and <= 1000 radii of the aperture, got 0"),

@@ -129,8 +129,9 @@ def test_rays_that_are_stopped_do_not_widen_the_blur():
     assert Pupil(Wavefront(10.0), mask=Mask(one)).geometric_radius() == pytest.approx(expected, rel=0.12)
 
 
-def test_angles_stay_within_a_turn_when_a_shape_is_turned():
-    assert Spider.equal(4, 0.1, first=6.0).angles[1] == pytest.approx(6.0 + 0.5 * math.pi - 2.0 * math.pi)
+def test_angles_stay_within_two_turns_when_a_shape_is_turned():
+    assert Spider.equal(4, 0.1, first=6.0).angles[1] == pytest.approx(6.0 + 0.5 * math.pi)
+    assert Spider.equal(4, 0.1, first=12.0).angles[3] == pytest.approx(12.0 - 0.5 * math.pi)
     assert Spider(0.1, (6.0,)).turned(6.0).angles == pytest.approx((12.0 - 2.0 * math.pi,))
     assert Ellipse(0.5, 0.4, 6.0).turned(6.0).angle == pytest.approx(12.0 - 2.0 * math.pi)
 

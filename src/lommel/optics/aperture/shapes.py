@@ -551,7 +551,7 @@ class Spider(Shape):
         """Return `count` vanes of equal `width` at equal angles from `first`, radians; TypeError or ValueError."""
         number = validation.integer("count", count, least=1, most=MAX_VANES)
         start = validation.angle("first", first)
-        return cls(width, tuple(math.fmod(start + _TURN * k / number, _TURN) for k in range(number)))
+        return cls(width, tuple(math.fmod(start, _TURN) + _TURN * k / number for k in range(number)))
 
     def vanes(self) -> tuple[Shape, ...]:
         """Return each vane, from the axis to beyond the rim."""

@@ -307,7 +307,7 @@ def _judged_misfit(
     return float(np.median((misfit - np.where(judged, prediction, 0.0))[used])), share
 
 
-def smoothed(values: Array, known: NDArray[np.bool_], sigma: float) -> Array:
+def _smoothed(values: Array, known: NDArray[np.bool_], sigma: float) -> Array:
     """Return the mean of the known values in a Gaussian window around each pixel."""
     from scipy.ndimage import gaussian_filter
 
@@ -317,7 +317,7 @@ def smoothed(values: Array, known: NDArray[np.bool_], sigma: float) -> Array:
 
 def squared_slopes(depth: Array, width: float) -> Array:
     """Return the squares of the slopes of a map, per pixel^2, smoothed by windows of an rms width."""
-    down, across = np.gradient(smoothed(depth, np.isfinite(depth), width))
+    down, across = np.gradient(_smoothed(depth, np.isfinite(depth), width))
     return np.asarray(down**2 + across**2)
 
 
@@ -325,7 +325,7 @@ def _depth_variation(engine: FocalEngine, vergence: Array) -> Array:
     """Return the variance of depth, in candidates^2, within the window and the blur of each pixel."""
     known, width = np.isfinite(vergence), engine.task.window
     # Slopes around a pixel count as well: at creases and in the middle of an edge its own slope may vanish.
-    squares = smoothed(squared_slopes(vergence / engine.channels[0].step, width), known, 2.0 * width)
+    squares = _smoothed(squared_slopes(vergence / engine.channels[0].step, width), known, 2.0 * width)
     # Radii of the geometric blur, in pixels: (aperture radius) (vergence - focus vergence) (sensor distance) / pitch.
     radii = [
         0.5 * lens.aperture_diameter * lens.sensor_distance / engine.task.pixel
@@ -459,7 +459,7 @@ def _tiles(images: Values, valid: NDArray[np.bool_], weight: Array, engine: Foca
 
     block, binning = engine.task.block, engine.binning
     side = min(_TILE_SIDE, *(length // (_CELL * block) * (_CELL * block) for length in valid.shape))
-    blocks, reach = side // block, 2 * (math.ceil(engine.blur) + _MARGIN) + 1
+    blocks, reach = side // block, 2 * (math.ceil(engine.task.blur) + _MARGIN) + 1
     corners = [range(0, length - side + 1, side) if side else () for length in valid.shape]
     squares = [(slice(top, top + side), slice(left, left + side)) for top in corners[0] for left in corners[1]]
     squares.sort(key=lambda inside: -float(weight[inside].sum()))

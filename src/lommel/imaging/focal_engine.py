@@ -331,16 +331,11 @@ class FocalEngine:
         return max(tables.rank for tables in self.channels)
 
     @property
-    def blur(self) -> float:
-        """Largest radius of the blur, pixels."""
-        return self.task.blur
-
-    @property
     def reach(self) -> int:
         """Radius, in pixels, of the neighbourhood in the frames that determines the depth of a pixel."""
         tables = self.channels[0]
         filters = tables.degree * (len(tables.taps.values) - 1) * tables.binning
-        return filters + math.ceil(self.blur) + (len(self._weights) + 1) * self.task.block
+        return filters + math.ceil(self.task.blur) + (len(self._weights) + 1) * self.task.block
 
     @property
     def design_error(self) -> float:
@@ -446,7 +441,7 @@ class FocalEngine:
             1,
             channel.binning,
             self.task.block // channel.binning,
-            math.ceil(self.blur / channel.binning),
+            math.ceil(self.task.blur / channel.binning),
             channel.basis.shape[1],
             channel.degree,
             len(channel.taps.values) - 1,
@@ -489,7 +484,7 @@ class FocalEngine:
     ) -> FocalStream:
         task = self.task
         height, width = (side // binning for side in shape)
-        block, blur = task.block // binning, math.ceil(self.blur / binning)
+        block, blur = task.block // binning, math.ceil(task.blur / binning)
         sizes = height, width, binning, block, task.subdivision, blur, task.threads
         return FocalStream(
             sizes,

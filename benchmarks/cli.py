@@ -165,14 +165,17 @@ def describe() -> dict[str, Any]:
 
 
 def processor() -> str:
-    """Return the name of the processor."""
+    """Return the name of the processor, with its family and model: names such as AMD EPYC stand for several."""
     try:
-        for line in Path("/proc/cpuinfo").read_text().splitlines():
-            if line.startswith("model name"):
-                return " ".join(line.split(":", 1)[1].split())
+        first, *_ = Path("/proc/cpuinfo").read_text().split("\n\n")
     except OSError:
-        pass
-    return platform.processor() or platform.machine()
+        first = ""
+    parts = (line.partition(":") for line in first.splitlines())
+    known = {name.strip(): " ".join(value.split()) for name, _, value in parts}
+    if "model name" not in known:
+        return platform.processor() or platform.machine()
+    which = ", ".join(f"{name.split()[-1]} {known[name]}" for name in ("cpu family", "model") if name in known)
+    return f"{known['model name']} ({which})" if which else known["model name"]
 
 
 def _processors() -> int:

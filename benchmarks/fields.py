@@ -83,8 +83,7 @@ def one(row: Row, seed: int, telescope: simulated.Telescope) -> dict[str, float]
     rejected = ~fit.stars.used
     return {
         "found": float(min(ratios) < 2.0), "converged": float(fit.converged), "ratio": min(ratios),
-        "chi2": fit.chi2, "held_out": fit.held_out, "blur": fit.blur[-1].sigma / row.pixel,
-        "blur_error": fit.blur_errors[0][-1] / row.pixel,
+        "chi2": fit.chi2, "held_out": fit.held_out,
         "caught": float(rejected[: row.doubles].sum()), "lost": float(rejected[row.doubles :].sum()),
         "seconds": seconds, **({f"within {k}": w for k, w in zip((1, 2, 3), within, strict=True)}),
     }  # fmt: skip

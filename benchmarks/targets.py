@@ -470,7 +470,7 @@ TARGETS = [
     Target("the pupil of a lens", "np.abs of a complex 33²", 3.5, 1.5, "", False, pupil_of_lens),
     Target("import lommel", "import numpy", 1.25, 1.15, "", False, processes.importing),
     Target("the first 512² of a process", "np.copyto to a new array there", None, None, "", False, processes.first),
-    Target("512² between others that empty the caches", "np.copyto there", 3, 2, "", False, processes.between),
+    Target("512² between others that empty the caches", "np.copyto there", 3.5, 2, "", False, processes.between),
     Target("memory above the output, 512²", "nothing", 20, 8, " MiB", False, peak_memory),
 ]
 

@@ -119,6 +119,20 @@ def test_planes_that_run_the_other_way_are_noticed_and_keep_their_order(tmp_path
     np.testing.assert_allclose(found.values[::-1], upright.values, rtol=0.01, atol=1.0)
 
 
+@pytest.mark.parametrize("direction", ["up", "down"])
+def test_light_that_falls_along_a_wide_field_stack_is_named_in_the_order_of_its_planes(deep, direction):
+    fading = np.linspace(1.3, 0.7, PLANES)[:, None, None] * (deep - 100.0) + 100.0
+    planes = (fading - 100.0).mean(axis=(1, 2))
+    slope = np.polyfit(np.linspace(-0.5, 0.5, PLANES), planes, 1)[0]
+    given = {"pixel": PIXEL, "step": STEP, "wavelength": WAVE, "direction": direction}
+    (channel,) = quick(fading, **given).channels
+    told = channel.findings.get("plane_light")
+    assert told.numbers["change"] == pytest.approx(slope / planes.mean(), rel=1e-3)
+    assert told.severity == "note"
+    sections = quick(fading, modality="spinning disc", pinhole=1.0, excitation=488e-9, **given)
+    assert sections.channels[0].findings.get("plane_light") is None
+
+
 def test_the_stack_is_restored_with_what_was_estimated_from_it(monkeypatch, deep):
     def estimated(context, *_):
         return context.model.changed("sample", 1.36), {"sample": 1.36}, {"sample": 1e-3}

@@ -20,7 +20,7 @@ from lommel.microscopy.depth_model import narrowed, spline_degrees
 from lommel.microscopy.held_out import MAX_VOXELS, Best, Halves, highest_level, stopping_rule
 from lommel.microscopy.stack_blur import TiledBlur, kernel_of
 from lommel.psf import PSF
-from lommel.recorded.counts import Counts
+from lommel.recorded.counts import Counts, Stack, plane_of
 from lommel.recorded.noise import Noise
 from lommel.recorded.recordings import Recording
 
@@ -32,6 +32,11 @@ _FLOOR_REGIONS = 3  # regions along each side of the field, each with a floor of
 _FLOOR_PERCENTILE = 10.0  # of the means of the blocks of a region, which is the floor
 # Largest share of the floor in the light: below 0.02 in simulations with flat backgrounds, 0.18 with an uneven one.
 _MAX_FLOOR = 0.05
+
+# Least change of the light along the stack that is named: over that of the specimen, over that of all, and over its
+# standard error; and the least number of planes.
+_FADING, _FADING_OF_ALL, _FADING_SIGMAS, _FADING_PLANES = 0.1, 0.01, 3.0, 5
+_FADING_LEFT_OUT = 0.02  # largest share of the light in pixels that are unknown in some planes
 
 _LEAST_PLANES = 8  # smallest default margin, planes, unless half of the PSF has fewer
 _RIM = 0.02  # fraction of the light of a PSF on the rim of its window above which the light cone counts as cut off
@@ -158,6 +163,9 @@ def deconvolve(
     floor.add(values, slice(0, shape[1]), slice(0, shape[2]))
     if is_structured and (uneven := floor.finding(shape, background_of(background))):
         findings.append(uneven)
+    plane_light = light.sum(axis=(1, 2))
+    if is_structured and plane_light.min() > 0.9 * plane_light.max():
+        findings += plane_light_findings(recorded, noise, float(np.mean(counted.background)))
     if not is_contained:
         text = (
             f"{percent(rim)} of the light of the PSF is on the rim of its window, which cuts off its light cone: "
@@ -169,6 +177,53 @@ def deconvolve(
         values, values, discrepancy, tuple(map(float, by_plane)), before, steps, stopped, iteration.strength, unknown,
         background=counted.background, findings=Findings(findings),
     )  # fmt: skip
+
+
+def plane_light_findings(
+    stack: Stack, noise: Noise, background: float, limit: float = np.inf, *, reverse: bool = False
+) -> list[Finding]:
+    """Return the finding if the light of the planes of a wide-field stack rises or falls along z, else nothing.
+
+    Without absorption every plane of a wide-field stack has the same light (the missing cone of the transfer
+    function), unless the specimen fades, or light crosses the edges of the frame. A restoration fits such a stack,
+    too: light beyond the first or last plane makes up for the difference. Values of `limit` or more are unknown;
+    planes are numbered from the other end if `reverse`.
+    """
+    # Only pixels that are known in every plane: what is left out of some would itself change the light of these.
+    # Planes are read twice, one by one: a stack may be larger than the memory.
+    number, known, light_of_pixels = len(stack), np.ones(stack.shape[1:], bool), np.zeros(stack.shape[1:])
+    if number < _FADING_PLANES:
+        return []
+    for k in range(number):
+        plane = plane_of(stack, k)
+        valid = np.isfinite(plane) & (plane < limit)
+        known &= valid
+        light_of_pixels += np.where(valid, plane - noise.offset - background, 0.0)
+    left_out = float(light_of_pixels[~known].sum() / max(light_of_pixels.sum(), 1e-300))
+    if not known.any() or left_out > _FADING_LEFT_OUT:
+        text = (
+            "it was not tested whether the light of the planes falls or rises along the stack, since bright pixels "
+            "are saturated or unknown in some of them"
+        )
+        return [Finding("plane_light", "note", text, {"left_out": left_out, "most": _FADING_LEFT_OUT})]
+    light = np.array([(plane_of(stack, k) - noise.offset)[known].mean(dtype=np.float64) for k in range(number)])
+    light -= background
+    # A parabola has the light that leaves the frame far from focus; its slope in the middle is the change along z.
+    z = np.linspace(-0.5, 0.5, number)
+    terms = np.stack([np.ones(number), z, z**2 - (z**2).mean()])
+    (mean, change, _), (misfit, *_), *_ = np.linalg.lstsq(terms.T, light, rcond=None)
+    error = float(np.sqrt(misfit / (number - 3) / (z**2).sum()))
+    total = mean + background
+    if total <= 0.0 or abs(change) < max(_FADING * mean, _FADING_OF_ALL * total, _FADING_SIGMAS * error):
+        return []
+    share = float(-change if reverse else change) / total
+    text = (
+        f"the light of the planes {'falls' if share < 0.0 else 'rises'} by {percent(abs(share))} from the first to "
+        "the last: light may cross the edges of the frame, or the specimen fade or the lamp change, of which the "
+        "restored light would be wrong; which of them was not tested: record the first plane again after the stack, "
+        "and compare"
+    )
+    return [Finding("plane_light", "note", text, {"change": share, "least": _FADING})]
 
 
 class Floor:

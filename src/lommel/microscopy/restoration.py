@@ -28,7 +28,7 @@ from lommel.deconvolve.linear import Part, PlaneOperator, tiles_of
 from lommel.deconvolve.poisson_counts import PoissonCounts
 from lommel.fit.findings import Finding, Findings, FitReport
 from lommel.microscopy import depth_model
-from lommel.microscopy.deconvolution import FLAT, Floor, background_of
+from lommel.microscopy.deconvolution import FLAT, Floor, background_of, plane_light_findings
 from lommel.microscopy.depth_model import MODALITIES, SPREADING, DepthModel, PSFs
 from lommel.microscopy.held_out import MAX_VOXELS, SIDE, HeldOut, estimated_held_out_steps, stopping_rule
 from lommel.microscopy.refinement import (
@@ -924,7 +924,7 @@ class _ChannelRestoration:
                 f"{text} counts per voxel was estimated, which the restored values exclude; set background= "
                 "for another level, 0 for none."
             )
-        self._conclude(outcome, context, _within(report, min(last_fraction, 0.5), 1.0))
+        self._conclude(outcome, source, context, _within(report, min(last_fraction, 0.5), 1.0))
         is_reversed = source.is_reversed
         return RestoredChannel(
             outcome.deviance_after / outcome.voxels, outcome.deviance_before / outcome.voxels, outcome.steps,
@@ -1035,7 +1035,7 @@ class _ChannelRestoration:
         )  # fmt: skip
         return hashlib.sha256(repr(content).encode()).hexdigest()
 
-    def _conclude(self, outcome: _Outcome, context: StackContext, report: Report) -> None:
+    def _conclude(self, outcome: _Outcome, source: _Source, context: StackContext, report: Report) -> None:
         """Add the findings of the restoration. A misfit lists the alternative PSFs that fit the stack better."""
         options, finding = self._options, outcome.finding
         if finding is not None:
@@ -1047,6 +1047,14 @@ class _ChannelRestoration:
         background = background_of(options.background)
         if outcome.is_structured and (uneven := self._floor.finding(self._stack.shape, background)):
             self._findings.append(uneven)
+        if outcome.is_structured and self._model.modality == "widefield":
+            self._findings += plane_light_findings(
+                source.stack,
+                source.camera,
+                float(np.mean(outcome.background)),
+                source.limit,
+                reverse=source.is_reversed,
+            )
         if outcome.stopped == INTERRUPTED:
             self._findings.append(Finding("interrupted", "doubt", "it was interrupted: the completed steps are kept"))
 

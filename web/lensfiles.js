@@ -29,10 +29,13 @@ const words = (value) => (typeof value === "string" ? value : refuse("a text in 
 const truth = (value) => (typeof value === "boolean" ? value : refuse("true or false", value));
 const anything = (value) => value;
 const ANGLES = { rad: 1, mrad: 1e-3, deg: Math.PI / 180, arcmin: Math.PI / 10800, arcsec: Math.PI / 648000, mas: Math.PI / 648e6 };
+const ANGLE = /^\s*([+-]?[\d.]+(?:[eE][+-]?\d+)?)\s*(rad|mrad|deg|arcmin|arcsec|mas)\s*$/;
+const TWO_TURNS = 4 * Math.PI + 1e-9; // larger numbers are probably degrees
 function angle(value) {
-  if (typeof value === "number") return real(value);
-  const found = /^\s*([+-]?[\d.]+(?:[eE][+-]?\d+)?)\s*(rad|mrad|deg|arcmin|arcsec|mas)\s*$/.exec(value);
-  return found ? real(Number(found[1]) * ANGLES[found[2]]) : refuse('an angle, a number of radians or a text such as "45 deg"', value);
+  const found = typeof value === "number" ? [value, value, "rad"] : ANGLE.exec(value);
+  if (!found) return refuse('an angle, a number of radians or a text such as "45 deg"', value);
+  const radians = real(Number(found[1]) * ANGLES[found[2]]);
+  return Math.abs(radians) <= TWO_TURNS ? radians : refuse('within two turns: radians, or a text such as "45 deg"', value);
 }
 const pitch = (value) => {
   const sides = Array.isArray(value) ? list(extent, 2, 2)(value) : [extent(value)];
@@ -48,7 +51,7 @@ const SECTIONS = {
   source: words,
   lens: {
     focal_length: extent,
-    f_number: positive,
+    f_number: (value) => (real(value) >= 0.5 ? value : refuse("at least 0.5, the limit in air", value)),
     aperture_diameter: extent,
     focus_distance: distance,
     sensor_distance: extent,

@@ -191,6 +191,16 @@ FAULTS = {
     "an unknown unit": (GOOD.replace("mm", "furlongs"), ".toml", ["line 2", "furlongs", "km, m, cm"]),
     "a missing key": (GOOD.replace('wavelength = "550 nm"\n', ""), ".toml", ["lens.wavelength", "missing"]),
     "a negative length": (GOOD.replace("50 mm", "-50 mm"), ".toml", ["lens.focal_length (line 2)", "positive"]),
+    "an f-number beyond the limit": (
+        GOOD.replace("f_number = 2", "f_number = 0.2"),
+        ".toml",
+        ["line 3", "at least 0.5"],
+    ),
+    "degrees": (
+        GOOD + '[aperture.spider]\nvanes = 4\nwidth = "1 mm"\nfirst = 45\n',
+        ".toml",
+        ["two turns", "got 45"],
+    ),
     "both apertures": (GOOD.replace("f_number = 2", 'f_number = 2\naperture_diameter = "2 mm"'), ".toml", ["one of"]),
     "rectangular pixels": (GOOD.replace('"3 um"', '["3 um", "4 um"]'), ".toml", ["sensor.pixel (line 6)", "square"]),
     "a wavelength out of range": (

@@ -105,6 +105,19 @@ def test_pixels_that_are_masked_or_nan_are_left_out_and_counted(night, call_lomm
     assert "--mask must have the shape of the images, 220 x 220, one or 2" in told.stderr
 
 
+def test_stars_that_are_rejected_are_listed_the_worst_first(night, call_lommel):
+    stars = np.load(night / "stars.npy")
+    for row, column, light in ((30, 83, 600.0), (136, 136, 2500.0), (189, 30, 1200.0)):  # a ghost beside each
+        stars[:, row - 9 : row - 4, column + 3 : column + 8] += light
+    np.save(night / "ghosts.npy", stars)
+    result = call_lommel("fit-field", "ghosts.npy", "lens.toml", *FOCI, "--json", "-o", "ghosts.csv", folder=night)
+    rejected = json.loads(result.stdout)["rejected_stars"]
+    chi2 = [float(star["reason"].rpartition(" ")[2]) for star in rejected]
+    assert chi2 == sorted(chi2, reverse=True)
+    places = np.array(sorted((star["row"], star["column"]) for star in rejected))
+    assert np.abs(places - [(30, 83), (136, 136), (189, 30)]).max() <= 6
+
+
 def test_coma_and_focus_in_the_middle_come_first(night, call_lommel):
     options = ("--defocus", -2, "--read", 2, "--window", 25, "--degree", 2, "--terms", 5, "--known-blur", 0)
     call = ("fit-field", "outside.npy", "lens.toml", *options)

@@ -11,6 +11,7 @@ import pytest
 
 import lommel as lm
 import plane_waves
+from lommel.estimation import bead_checks
 from lommel.estimation.bead_checks import _NEVER_TESTED, is_possible, missing_findings
 from lommel.estimation.bead_images import AMPLITUDES, CONSTANTS, BeadImages, Place, Setup, Stack, changed_objective
 from lommel.estimation.bead_search import Prior
@@ -23,6 +24,23 @@ Z = np.linspace(-0.9e-6, 0.9e-6, 9)
 NOISE = lm.Noise(read=1.6, offset=100)
 GIVEN = {"z": Z, "wavelength": WAVE, "pixel": PIXEL, "noise": NOISE, "diameter": 0.1e-6, "threads": 1, "starts": 1}
 TERMS = tuple(zernike.term(5 + k, "noll") for k in range(7))
+
+
+class _AskedError(Exception):
+    """The beads of a fit that was asked for."""
+
+
+@pytest.mark.parametrize("fits", [True, False])
+def test_the_bead_that_is_held_out_is_not_among_those_that_are_fitted(monkeypatch, fits):
+    def asked(state, others):
+        raise _AskedError(list(others))
+
+    monkeypatch.setattr(bead_checks, "_restricted", asked)
+    model = SimpleNamespace(stacks=[0] * 6, brightest_first=lambda: [5, 3, 1, 0, 2, 4], with_beads=list)
+    with pytest.raises(_AskedError) as found:
+        bead_checks.held_out(model, SimpleNamespace(state=None, fits=lambda _: fits), lambda *_: None)
+    (others,) = found.value.args
+    assert others == ([0, 1, 2, 3, 4] if fits else [3, 1, 0, 2, 4][: bead_checks._MISFIT_BEADS])
 
 
 def waves(seed, rms=0.12, terms=TERMS):

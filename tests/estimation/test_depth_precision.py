@@ -15,6 +15,16 @@ PAIR = [LENS, LENS.focused(1.8)]
 NOISE = lm.Noise(white=1e4, read=3.0)
 
 
+def test_read_noise_of_a_multiplying_register_counts_by_its_excess():
+    multiplied, plain = lm.Noise(white=1e4, read=40.0, excess=2.0), lm.Noise(white=1e4, read=20.0)
+    found = [
+        lm.depth_precision(PAIR, 1.6, PIXEL, noise=noise, photons=photons)
+        for noise, photons in ((multiplied, 200.0), (plain, 100.0), (plain, 200.0))
+    ]
+    assert found[0] == pytest.approx(found[1], rel=1e-12)
+    assert found[2] < 0.8 * found[0]
+
+
 def bound(lenses, distance, photons, contrast=0.35, window=4.0, side=160):
     """Standard error of the distance by what the ratio of two photographs tells."""
     f = (np.arange(side) + 0.5) / side - 0.5

@@ -13,7 +13,7 @@ import pytest
 from PIL import Image
 
 import lommel as lm
-from lommel.imaging import DepthBlur, LensRanges, Occlusion, render_dataset
+from lommel.imaging import DepthBlur, LensRanges, Occlusion, datasets, render_dataset
 from lommel.imaging.datasets import pair_files
 from lommel.io import registry
 
@@ -173,6 +173,17 @@ def test_what_does_not_fit_is_refused(files, tmp_path):
         rendered(files, "z")
 
 
+@pytest.mark.parametrize("count", [2, 9, 400])
+def test_the_index_of_a_pixel_is_that_of_the_nearest_defocus(count):
+    lens = lm.Lens(focal_length=35e-3, f_number=4.0, focus_distance=1.5, wavelength=540e-9)
+    depth = np.linspace(1.4, 1.7, 60).reshape(6, 10)
+    defocus, index, psfs = datasets._psfs(DepthBlur(depth, lens, 30e-6), count)
+    assert len(defocus) == len(psfs) == count
+    step = defocus[1] - defocus[0]
+    assert np.abs(defocus[index] - lens.defocus(depth)).max() <= 0.5 * step + 1e-5
+    assert len(np.unique(index)) >= min(count, 40)
+
+
 def test_a_killed_command_goes_on(files):
     (files / "lenses.toml").write_text(
         '[lens]\nfocal_length = ["30 mm", "50 mm"]\nf_number = [2.0, 8.0]\nfocus_distance = ["1 m", "inf"]\n'
@@ -181,7 +192,11 @@ def test_a_killed_command_goes_on(files):
     command = ["blur", "--batch", "photos", "depths", "lenses.toml", "-o", "set", "--seed", "3", "--copies", "2"]
     run = [sys.executable, "-m", "lommel", *command, "--psfs", "5", "--json"]
     first = subprocess.run(run, cwd=files, capture_output=True, text=True, check=True)
-    assert json.loads(first.stdout)["rendered"] == 4
+    told = json.loads(first.stdout)
+    assert told["rendered"] == 4
+    depths = [np.load(path) for path in sorted((files / "set").glob("*.depth.npy"))]
+    assert told["depth"] == pytest.approx([min(map(np.nanmin, depths)), max(map(np.nanmax, depths))], rel=1e-5)
+    assert told["depth_unknown"] == 0.0
     rendered(files, "same")
     assert_alike(contents(files / "set"), contents(files / "same"))
     for name in ("000002.json", "000003.json"):

@@ -456,6 +456,14 @@ def test_an_orientation_that_has_no_meaning_is_refused(tmp_path, orientation):
     assert photos.read_photo(tmp_path / "good.jpg").values.shape == (8, 8)
 
 
+@pytest.mark.parametrize("frame", [[[1, 2], [3, 4]], np.zeros(4, np.uint8), np.zeros((1, 4, 4, 3), np.uint8)])
+def test_a_frame_that_is_no_picture_is_refused_and_nothing_is_written(tmp_path, frame):
+    for name in ("f%d.png", "f.gif"):
+        with pytest.raises(TypeError, match=r"frames must be arrays of shape \(height, width\) or with 3 channels"):
+            photos.write_frames(tmp_path / name, [np.zeros((4, 4), np.uint8), frame])
+    assert not list(tmp_path.iterdir())
+
+
 def test_a_folder_in_the_way_of_one_frame_keeps_all_from_being_written(tmp_path):
     (tmp_path / "f2.png").mkdir()
     made = [np.full((4, 4), 10 * k, np.uint8) for k in range(3)]

@@ -238,6 +238,12 @@ def test_frames_without_molecules_have_none(table):
     assert repr(found) == "<Localizations: 0 in 4 frames>"
 
 
+def test_blocks_of_one_frame_are_those_of_the_whole(table, counts):
+    whole, single = (localize_movie(counts[:3], table, noise=CAMERA, block=block) for block in (3, 1))
+    assert len(whole)
+    np.testing.assert_array_equal(single.table, whole.table)
+
+
 @pytest.mark.parametrize(
     ("changes", "message"),
     [

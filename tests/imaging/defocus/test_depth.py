@@ -98,6 +98,20 @@ def test_depth_that_errors_of_lenses_leave_unknown_is_not_known(near_focus):
     assert np.median(by) == pytest.approx(0.003, rel=0.02)  # of one focus, whose error is that of all depths
 
 
+def test_the_scale_of_blur_is_as_uncertain_as_two_foci_and_the_f_number_make_it(near_focus, monkeypatch):
+    from lommel.imaging import defocus_depth
+
+    seen, judge = [], defocus_depth.judge_frames
+    monkeypatch.setattr(defocus_depth, "judge_frames", lambda *given: seen.append(given[-1]) or judge(*given))
+    found, given = near_focus
+    assert found(focus_error=0.003, f_number_error=0.01).verdict
+    draw = np.random.default_rng(0)
+    apart = 1.0 / given[0].focus_distance - 1.0 / given[1].focus_distance
+    errors = draw.normal(0.0, 0.003, (2, 100_000))
+    scales = (1.0 + draw.normal(0.0, 0.01, 100_000)) * (1.0 + (errors[0] - errors[1]) / apart)
+    assert seen == [pytest.approx(np.std(scales), rel=0.02)]
+
+
 @pytest.mark.parametrize(
     ("name", "value"), [("f_number_error", 0.5), ("f_number_error", -0.1), ("focus_error", -1.0)]
 )

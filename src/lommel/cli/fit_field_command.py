@@ -20,6 +20,8 @@ from lommel.detection.targets import Crossings, find_crossings, find_spots, grid
 from lommel.estimation.field_fit import TARGET_KINDS
 from lommel.estimation.field_fit import fit_field as fit
 from lommel.estimation.star_images import label
+from lommel.optics.pupil import Pupil
+from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.recorded.frames import read_images
 from lommel.report import Facts, Parts, Report, Wrapped, paragraphs, table_of
 from lommel.show.drawing import figure_of
@@ -193,7 +195,8 @@ def fit_field(
         status(f"finding {chart.targets}s")
         pitch = float(min(np.atleast_1d(instrument.side)))
         hole = 0.0 if chart.targets == "crossing" or chart.size is None else chart.size / pitch
-        radius = _geometric_radius(float(np.abs(arguments["defocus"]).max()), pitch / pupil.scale) + 0.5 * hole
+        defocused = Pupil(Wavefront(float(np.abs(arguments["defocus"]).max())))
+        radius = float(defocused.geometric_radius()) * pupil.scale / pitch + 0.5 * hole  # pixels
         recorded = {"noise": noise, "mask": camera.mask(read.values), "saturation": saturation}
         targets = search.find(read.values, chart.targets, radius, recorded)
         if files.spots is not None:
@@ -252,12 +255,6 @@ def _too_few(targets: str, points: PointSources | Crossings) -> str:
         f"{problem}: lower --threshold, check --offset, or give --width, about the standard deviation of images in "
         "pixels, or half the radius of rings"
     )
-
-
-def _geometric_radius(defocus: float, pixel: float) -> float:
-    """Return the geometric radius of a defocused star, pixels; `pixel` is the pixel pitch in lambda*N."""
-    # Rays from the edge of the pupil, whose phase is 2 C_d rho^2.
-    return 4.0 * defocus / (math.pi * pixel)
 
 
 def _seeing_fwhm(seeing: Seeing, focal_length: float) -> float:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import dataclasses
 import math
 import random
+import tempfile
 import warnings
 from pathlib import Path
 
@@ -20,6 +21,7 @@ from lommel.lensfiles import tables
 from lommel.measures import aperture_means, energy, spot, transfer
 from lommel.methods import METHODS
 from lommel.optics.aperture.opening import Opening, degree_needed
+from lommel.recorded.frames import RecordingError
 
 SQUARE = np.linspace(0.1, 1.0, 24 * 24).reshape(24, 24)
 DEPTH = 1.8 + 0.3 * SQUARE
@@ -50,7 +52,9 @@ SPOTS = lm.localize.Table(
 
 
 def rendered(**given: object) -> list[object]:
-    """Render a whole data set of one picture."""
+    """Render a whole data set of one picture, each time in another folder."""
+    if isinstance(out := given["out"], Path):
+        given["out"] = tempfile.mkdtemp(dir=out.parent)
     return list(imaging.render_dataset(**given))
 
 
@@ -316,7 +320,7 @@ def complaint(error: Exception, entry: str, argument: str, value: object) -> str
         if isinstance(error, IndexError | OverflowError) and entry.endswith("[]"):
             return None
         return f"{kind}: {message[:300]}"
-    if isinstance(error, FileError | OSError):
+    if isinstance(error, FileError | RecordingError | OSError):
         return None
     if len(message.splitlines()) != 1 or len(message) > (1500 if entry in MANY else 400):
         return f"a message of {len(message.splitlines())} lines, {len(message)} characters: {message[:400]!r}"
@@ -357,6 +361,8 @@ NAMES: dict[str, tuple[str, ...]] = {
     "radius": ("samples", "must not be empty"),
     "center": ("samples",),
     "mask": ("samples", "opd", "aperture"),
+    "path": ("camera must be",),
+    "stack": ("path must be",),
     "tol": ("residual",),
     "function": ("values",),
     "out": ("dtype",),
@@ -392,7 +398,7 @@ def files(tmp_path: Path) -> Path:
     """A folder with a file of each kind that entries read."""
     lm.psf(PUPIL, 3, 0.5).save(tmp_path / "psf.npz")
     GRID.save(tmp_path / "grid.npz")
-    np.save(tmp_path / "depth.npy", SQUARE)
+    np.save(tmp_path / "depth.npy", DEPTH)
     imaging.write_photo(tmp_path / "photo.png", SQUARE)
     (tmp_path / "field.csv").write_text("height,Z4\n0,0\n1 mm,1\n")
     (tmp_path / "lens.toml").write_text(
@@ -411,6 +417,7 @@ def refused(entry: tuple[str, object, dict[str, object]], argument: str, value: 
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         warnings.filterwarnings("ignore", "the matrix subclass")
+        warnings.filterwarnings("ignore", "all of the depth, .* is beyond the hyperfocal distance")
         try:
             call(**valid | {argument: value})
         except MemoryError:

@@ -112,6 +112,8 @@ def path(name: str, value: object) -> Path:
         raise TypeError(f"{name} must be a path, got {shown(value)}")
     if "\0" in os.fspath(value):
         raise ValueError(f"{name} must be a path without null characters, got {shown(value)}")
+    if not os.fspath(value):
+        raise ValueError(f"{name} must be a path, got an empty text")
     return Path(value)
 
 

@@ -82,7 +82,7 @@ class PoissonCounts:
             excess += float((known / (6.0 * (gains * light + 1.0))).sum())
             self.known[plane] = int(known.sum())
         if not self.known.any():
-            raise ValueError("stack must have voxels that are known, got NaN or saturated ones everywhere")
+            raise ValueError("stack must have voxels that are known and below the saturation, got none")
         weights = sum(self._weights)
         self._all_known = known_count == float(np.prod(recorded.shape))
         self.background: float | Values = 0.0  # light of each voxel, or of each pixel, that is not of the specimen

@@ -11,7 +11,7 @@ import signal
 import tarfile
 import threading
 import warnings
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
 from contextlib import suppress
 from dataclasses import asdict, dataclass, field, replace
@@ -187,19 +187,25 @@ def pair_files(photos: PathOf | Sequence[PathOf], depths: PathOf | Sequence[Path
                     continue
                 if file.stem in by_name:
                     raise ValueError(
-                        f"{validation.line(file)} and {by_name[file.stem].name} have the same name; rename one"
+                        f"{name} must have names of their own, got {validation.line(file)} and "
+                        f"{by_name[file.stem].name}; rename one"
                     )
                 by_name[file.stem] = file
             if not by_name:
                 raise ValueError(f"{name} must have files, got the empty folder {validation.shown(str(folder))}")
             listed.append(by_name)
+        elif isinstance(source, Mapping | set) or not isinstance(source, Iterable) or getattr(source, "ndim", 1) == 0:
+            raise TypeError(f"{name} must be a folder or a list of files, got {validation.shown(source)}")
         else:
             listed.append({str(k): validation.path(name, file) for k, file in enumerate(source)})
     photo_of, depth_of = listed
     for files, partners, partner_kind in ((photo_of, depth_of, "depth map"), (depth_of, photo_of, "photo")):
         if missing := [file for key, file in files.items() if key not in partners]:
             others = f"; nor have {len(missing) - 1} other files" if len(missing) > 1 else ""
-            raise ValueError(f"{validation.line(missing[0])} has no {partner_kind} of the same name{others}")
+            raise ValueError(
+                f"photos and depths must be pairs: {validation.line(missing[0])} has no {partner_kind} of the same "
+                f"name{others}"
+            )
     return [(photo_of[key], depth_of[key]) for key in photo_of]
 
 

@@ -71,7 +71,7 @@ class DepthValues:
         if sum(option is not None for option in (self.scale, self.inverse, self.disparity)) > 1:
             raise ValueError("give only one of `scale`, `inverse` and `disparity`, which state how metres are stored")
         if self.scale is not None:
-            valid["scale"] = validation.real("scale", self.scale, above=0.0, unit="metres per level")
+            valid["scale"] = validation.real("scale", self.scale, least=1e-12, most=1e12, unit="metres per level")
         if self.inverse is not None:
             near, far = _check_pair("inverse", self.inverse)
             near = validation.real("inverse", near, above=0.0, unit="metres")

@@ -302,10 +302,13 @@ def _fitter(tables: tuple[Table, ...], matrices: bytes) -> engine.MoleculeFitter
 
 def _boxes(tables: list[Table], images: Any, saturation: float | None) -> list[Values]:
     """Return the boxes of each channel, with NaN in pixels to be ignored."""
-    if not hasattr(images, "__len__") or (isinstance(images, np.ndarray) and not images.ndim):
-        raise TypeError(f"images must be boxes for each of {len(tables)} channels, got {validation.shown(images)}")
-    if len(images) != len(tables):
-        raise ValueError(f"images must have {len(tables)} channels, one for each table, got {len(images)}")
+    try:
+        count = len(images)
+    except TypeError:
+        got = validation.shown(images)
+        raise TypeError(f"images must be boxes for each of {len(tables)} channels, got {got}") from None
+    if count != len(tables):
+        raise ValueError(f"images must have {len(tables)} channels, one for each table, got {count}")
     boxes = []
     for table, channel_images in zip(tables, images, strict=True):
         shape = "(n, height, width), of one box images[None]"

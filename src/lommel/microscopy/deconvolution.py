@@ -27,6 +27,8 @@ from lommel.recorded.recordings import Recording
 FLAT = "flat"
 _BACKGROUNDS = {FLAT: 1, "uneven": 3}  # points along each side of the field at which levels are estimated
 
+_MAX_BACKGROUND = 1e18  # whose square is finite in single precision
+
 _FLOOR_BLOCK = 8  # side, pixels, of the blocks whose means show the floor of the restored light
 _FLOOR_REGIONS = 3  # regions along each side of the field, each with a floor of its own
 _FLOOR_PERCENTILE = 10.0  # of the means of the blocks of a region, which is the floor
@@ -298,4 +300,4 @@ def background_of(argument: float | str) -> Background:
                 f'background must be "flat", "uneven", or the light of each voxel, 0 for none, got {argument!r}'
             )
         return Background(None, _BACKGROUNDS[argument])
-    return Background(validation.real("background", argument, least=0.0))
+    return Background(validation.real("background", argument, least=0.0, most=_MAX_BACKGROUND))

@@ -469,8 +469,11 @@ class _Options:
             validation.choice("refine", name, PARAMETERS)
         if self.threads is not None:
             validation.integer("threads", self.threads, least=1, most=1024)
-        if self.margin is not None and (not isinstance(self.margin, tuple | list) or len(self.margin) != 2):
-            raise ValueError(f"margin must be (planes, pixels), got {shown(self.margin)}")
+        if self.margin is not None:
+            if not isinstance(self.margin, tuple | list) or len(self.margin) != 2:
+                raise ValueError(f"margin must be (planes, pixels), got {shown(self.margin)}")
+            for side in self.margin:
+                validation.integer("margin", side, least=0, most=validation.MAX_SIDE)
         background_of(self.background)
 
 
@@ -629,7 +632,10 @@ def _wavelengths(
 ) -> list[float]:
     """Return the emission wavelength of each channel, from the argument, else the file, else the microscope."""
     if argument is not None:
-        stated = np.atleast_1d(validation.real_array("wavelength", argument)).tolist()
+        stated = np.atleast_1d(validation.real_array("wavelength", argument))
+        if stated.ndim > 1:
+            raise ValueError(f"wavelength must be a number or a list of numbers, got the shape {stated.shape}")
+        stated = stated.tolist()
         if len(stated) not in (1, len(numbers)):
             raise ValueError(f"wavelength must be one, or one for each of {len(numbers)} channels, got {len(stated)}")
         return [

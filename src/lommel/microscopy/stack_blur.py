@@ -160,7 +160,7 @@ class TiledBlur(PlaneOperator):
         max_values = max(_MAX_MEMORY_RATIO * math.prod(shape), _MIN_VALUES) / self.whole[0]  # per plane of a tile
         # A single tile may be shorter than plane + PSF - 1: light that wraps around falls beyond the recording.
         sufficient_sides = [
-            max(length, side + pixels + max(lower, upper))
+            max(length, side + pixels + max(lower, upper), lower + 1 + upper)
             for length, side, pixels, lower, upper in zip(
                 self.whole[1:], shape[1:], self._margin[1:], self._lower[1:], self._upper[1:], strict=True
             )

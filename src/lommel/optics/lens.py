@@ -175,8 +175,9 @@ class Lens(display.Shown):
         diameter = aperture(f, f_number, aperture_diameter)
         d = sensor(f, focus_distance, sensor_distance)
         if diameter > (2.0 + 1e-9) * max(f, d):
+            limited = "f_number" if aperture_diameter is None else "f_number (focal_length / aperture_diameter)"
             raise ValueError(
-                "the f-number must be >= 0.5, the limit in air (the sine of the marginal ray, 1 / 2N, is at most 1), "
+                f"{limited} must be >= 0.5, the limit in air (the sine of the marginal ray, 1 / 2N, is at most 1), "
                 f"got f/{f / diameter:.4g}, an aperture of {format_length(diameter)}; perhaps 1 / N was given, or "
                 "millimetres instead of metres"
             )

@@ -30,7 +30,8 @@ def full_value(planes: Sequence[Values], stated: float | None, *, name: str = "p
     the largest value of all `planes` and more pixels have it than noise explains; else the largest of the dtype.
     """
     if stated is not None:
-        return validation.real("saturation", stated, infinite=True), ""
+        limit = validation.real("saturation", stated, least=-_LARGEST, infinite=True)
+        return (limit if limit < _LARGEST else math.inf), ""
     type_limit = _type_limit(planes[0].dtype)
     with np.errstate(invalid="ignore"):
         top = max((float(np.fmax.reduce(plane, axis=None)) for plane in planes if plane.size), default=math.nan)

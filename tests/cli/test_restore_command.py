@@ -114,11 +114,15 @@ def test_steps_target_and_strength_are_those_of_the_method(call_lommel, folder):
     arguments = ("restore", "photo.tif", "depth.npy", "lens.toml", *GIVEN, "--json", "-o", "sharp.tif")
     facts = json.loads(ran(call_lommel(*arguments, "--steps", 3, "--target", 0, folder=folder), 4))
     assert (facts["steps"], facts["stopped"]) == (3, "steps")
+    plain = ("restore", "photo.tif", "depth.npy", "lens.toml", *GIVEN, "-o", "sharp.tif", "--steps", 2, "--target", 0)
     more = ("--method", "total-variation", "--strength", "0.01", "--steps", 20, "--no-occlusion")
     facts = json.loads(ran(call_lommel(*arguments, *more, "--saturation", 0.5, folder=folder), 4))
     assert (facts["steps"], facts["strength"]) == (20, 0.01)
     photo = tifffile.imread(folder / "photo.tif")
     assert facts["unknown"] == pytest.approx(np.mean(photo >= 0.5))
+    told = ran(call_lommel(*plain, "--saturation", 0.5, folder=folder), 4)
+    assert f"saturated or unknown: {100.0 * facts['unknown']:.2g} % of the values" in told
+    assert "saturated or unknown" not in ran(call_lommel(*plain, folder=folder), 4)
 
 
 FULL = "restore photo.tif depth.npy lens.toml --white 5000 --read 3 -o sharp.tif"

@@ -306,6 +306,7 @@ def test_ctrl_c_keeps_the_steps_that_are_done(deep):
     assert found.channels[0].stopped == INTERRUPTED
     assert 2 <= found.channels[0].steps < 50
     assert found.channels[0].discrepancy < found.channels[0].before
+    assert (found.findings.get("interrupted").severity, found.reliable) == ("doubt", False)
 
 
 def test_a_flat_stack_and_the_photons_of_a_bead_are_kept():

@@ -487,6 +487,15 @@ def test_the_progress_moves_with_each_step_and_ends_below_one():
     assert 0.7 < shares[-1] < 1.0
 
 
+def test_several_beads_that_no_model_fits_are_a_misfit_and_not_a_search_that_did_not_settle():
+    away = np.hypot(*(np.indices((15, 15)) - 7.0))
+    stacks = [20.0 + light * (away < radius) * np.ones((9, 1, 1)) for light, radius in ((400, 4), (500, 3), (300, 4))]
+    images = [NOISE.record(stack, seed=seed) for seed, stack in enumerate(stacks)]
+    found = lm.fit_beads(images, OIL, terms=TERMS[:3], **GIVEN)
+    assert found.status == "misfit"
+    assert "not_settled" not in found.findings.codes
+
+
 def test_noise_alone_is_no_bead():
     images = NOISE.record(np.full((9, 17, 17), 20.0), seed=1)
     found = lm.fit_beads(images, OIL, **GIVEN, terms=TERMS, priors={})

@@ -80,3 +80,27 @@ def test_colours_and_full_pixels_are_taken(sharpen):
 def test_what_does_not_fit_is_refused_by_name(sharpen, call, message):
     with pytest.raises((TypeError, ValueError), match=message):
         call(sharpen, np.full((SIDE, SIDE), 1000, np.uint16))
+
+
+def test_errors_of_filters_are_those_of_sums_over_the_bands_that_pixels_fold():
+    from lommel.estimation.focal_model import FocalLight, FocalModel
+    from lommel.imaging.focal_tables import SharpTables, Taps
+
+    lens, share = lm.Lens(focal_length=25e-3, f_number=4.0, focus_distance=2.0, wavelength=550e-9), 0.4
+    light = FocalLight(5e3, 3.0, (1.0,), 0.35)
+    model = FocalModel.of([lens], np.array([0.5, 0.55]), ((550e-9, 1.0),), 4e-6, light)
+    tables, band = SharpTables(model, Taps.of(5), 12), model.band
+    draw = np.random.default_rng(0).uniform(0.0, 1.0, model.transfer.shape)
+    for filters in (np.zeros(model.transfer.shape), draw):
+        error = model.white[:, None] * filters[:, 0] ** 2
+        for across in (-1.0, 0.0, 1.0):
+            for down in (-1.0, 0.0, 1.0):
+                x, y = band.fx - across, band.fy - down
+                pixel, part = np.sinc(x) * np.sinc(y), share if across or down else 1.0
+                seen = np.array(
+                    [lm.otf(lens.pupil(1.0 / u), np.hypot(x, y) / 4e-6, tol=1e-8).real for u in (0.5, 0.55)]
+                )
+                texture, frame = light.power(np.hypot(x, y)), filters[:, 0] * seen * pixel
+                # What aliases the image and the filtered frame share is of a part of the power; a frame has them all.
+                error = error + texture * (part * (pixel**2 - 2.0 * pixel * frame) + frame**2)
+        np.testing.assert_allclose(tables._errors(tables.pixel, filters), error @ band.share, rtol=2e-3)

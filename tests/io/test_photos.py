@@ -382,7 +382,7 @@ def npy(values: np.ndarray) -> bytes:
         (npy(np.ones((2, 3, 3))), {}, r"shape \(2, 3, 3\); a depth map has"),
         (npy(np.ones((2, 3)))[:-4], {}, "cannot be read as a depth map"),
         (npy(-np.ones((2, 3))), {}, "must hold distances > 0 metres, got -1"),
-        (npy(np.ones((2, 3))), {"scale": 0.0}, "scale must be > 0"),
+        (npy(np.ones((2, 3))), {"scale": 0.0}, "scale must be >= 1e-12"),
         (b"Pf\n3 2\n-1\n" + bytes(20), {}, "3 x 2 values take 24 bytes, got 20"),
         (b"PF\n3 2\n-1\n" + bytes(72), {}, "it is in colour"),
         (b"Pf\n3 2\n-0.5\n" + bytes(24), {}, "its header states the scale -0.5"),

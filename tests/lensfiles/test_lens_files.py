@@ -99,7 +99,7 @@ def test_a_lens_has_a_model(load):
             "f_number = 0.6",
             text=PLAIN.replace('focus_distance = "2 m"', 'sensor_distance = "30 mm"'),
         )
-    with pytest.raises(LensFileError, match=r"f_number must be >= 0\.5, the limit in air"):
+    with pytest.raises(LensFileError, match=r"f_number, .*, must be >= 0\.5, the limit in air"):
         load("f_number = 0.1")
 
 

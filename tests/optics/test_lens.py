@@ -268,7 +268,7 @@ def test_a_stop_that_cannot_be_is_refused(changes, f_number, message):
         ({"aperture_diameter": 0.01}, "exactly one of f_number and aperture_diameter, got f_number=2.0"),
         ({"focus_distance": 2.0, "sensor_distance": 0.05}, "at most one of focus_distance and sensor_distance"),
         ({"focus_distance": 0.05}, "focus_distance must exceed the focal length 0.05 m .*got 0.05"),
-        ({"f_number": 0.1}, r"f_number must be >= 0.5, .*, got f/0.1, an aperture of 500 mm; perhaps 1 / N was"),
+        ({"f_number": 0.1}, r"f_number, .*, must be >= 0.5, .*, got f/0.1, an aperture of 500 mm; perhaps 1 / N was"),
         ({"f_number": None, "aperture_diameter": 25}, "got f/0.002, an aperture of 25 m; .* millimetres instead of"),
         ({"focal_length": 50.0, "focus_distance": 2.0}, "focal length 50 m .*got 2; for 50 mm give 50e-3"),
         ({"focus_distance": 0.01}, "focus_distance must exceed the focal length 0.05 m .*got 0.01"),

@@ -175,11 +175,10 @@ class Lens(display.Shown):
         diameter = aperture(f, f_number, aperture_diameter)
         d = sensor(f, focus_distance, sensor_distance)
         if diameter > (2.0 + 1e-9) * max(f, d):
-            limited = "f_number" if aperture_diameter is None else "f_number (focal_length / aperture_diameter)"
             raise ValueError(
-                f"{limited} must be >= 0.5, the limit in air (the sine of the marginal ray, 1 / 2N, is at most 1), "
-                f"got f/{f / diameter:.4g}, an aperture of {format_length(diameter)}; perhaps 1 / N was given, or "
-                "millimetres instead of metres"
+                "f_number, focal_length / aperture_diameter, must be >= 0.5, the limit in air (the sine of the "
+                f"marginal ray, 1 / 2N, is at most 1), got f/{f / diameter:.4g}, an aperture of "
+                f"{format_length(diameter)}; perhaps 1 / N was given, or millimetres instead of metres"
             )
         if aberrations is None:
             aberrations = Wavefront()

@@ -315,3 +315,22 @@ def test_arrays_that_compress_too_well_to_be_read_are_stored_plainly():
     assert len(small) < 10**5
     assert len(large) > 4 * 4200**2
     assert psf_formats.read_npz(large)[0]["values"].shape == (4200, 4200)
+
+
+@pytest.mark.parametrize("kind", ["external", "virtual", "group", "compound"])
+def test_arrays_of_hdf5_that_are_not_numbers_of_the_file_itself_are_refused(tmp_path, kind):
+    h5py = pytest.importorskip("h5py")
+    (tmp_path / "secret.raw").write_bytes(np.arange(6.0).tobytes())
+    with h5py.File(tmp_path / "a.h5", "w") as file:
+        good = file.create_dataset("good", data=np.arange(6.0))
+        if kind == "external":
+            bad = file.create_dataset("bad", (6,), "f8", external=[(str(tmp_path / "secret.raw"), 0, 48)])
+        elif kind == "virtual":
+            layout = h5py.VirtualLayout((6,), "f8")
+            layout[:] = h5py.VirtualSource(good)
+            bad = file.create_virtual_dataset("bad", layout)
+        else:
+            bad = file.create_group("bad") if kind == "group" else file.create_dataset("bad", (6,), [("x", "f8")])
+        np.testing.assert_array_equal(reading.hdf5_values(good, 10_000), np.arange(6.0))
+        with pytest.raises(ValueError, match="must be an array of numbers in the file itself"):
+            reading.hdf5_values(bad, 10_000)

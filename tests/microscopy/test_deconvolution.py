@@ -178,9 +178,9 @@ def test_a_stack_that_fades_is_restored_with_a_note_of_what_was_not_tested():
     weak = dataclasses.replace(OIL_60X, NA=0.4)  # whose cone of light stays in the frame
     z = (np.arange(25) - 12) * 1e-6
     psf = lm.psf(weak.pupil(depth=0.0, z=z, wavelength=520e-9), 61, 12e-6, tol=1e-4)
-    stack = record(beads(shape=(11, 60, 60)), psf=psf)
-    fade = np.linspace(1.15, 0.85, len(stack))[:, None, None]
-    faded = np.random.default_rng(1).poisson(np.maximum((stack - 100.0) * fade, 0.0)) + 100.0
+    mean, rng = spots(planes=11, side=60, at=(4.0, 7.0))
+    fade = np.linspace(1.15, 0.85, len(mean))[:, None, None]
+    stack, faded = (rng.poisson((mean - 100.0) * factor) + 100.0 for factor in (1.0, fade))
     assert lm.microscopy.deconvolve(stack, psf, NOISE).findings.get("plane_light") is None
     found = lm.microscopy.deconvolve(faded, psf, NOISE).findings.get("plane_light")
     assert found.numbers["change"] == pytest.approx(-0.3, abs=0.02)

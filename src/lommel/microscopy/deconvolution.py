@@ -20,14 +20,12 @@ from lommel.microscopy.depth_model import narrowed, spline_degrees
 from lommel.microscopy.held_out import MAX_VOXELS, Best, Halves, highest_level, stopping_rule
 from lommel.microscopy.stack_blur import TiledBlur, kernel_of
 from lommel.psf import PSF
-from lommel.recorded.counts import Counts, Stack, plane_of
+from lommel.recorded.counts import LARGEST, Counts, Stack, plane_of
 from lommel.recorded.noise import Noise
 from lommel.recorded.recordings import Recording
 
 FLAT = "flat"
 _BACKGROUNDS = {FLAT: 1, "uneven": 3}  # points along each side of the field at which levels are estimated
-
-_MAX_BACKGROUND = 1e18  # whose square is finite in single precision
 
 _FLOOR_BLOCK = 8  # side, pixels, of the blocks whose means show the floor of the restored light
 _FLOOR_REGIONS = 3  # regions along each side of the field, each with a floor of its own
@@ -122,11 +120,8 @@ def deconvolve(
     validation.instance("psf", psf, PSF)
     validation.instance("noise", noise, Noise).require_shape(recorded.shape)
     default_margins = min(psf.shape[0] // 2, max(_LEAST_PLANES, recorded.shape[0] // 4)), max(psf.grid.shape) // 2
-    margins = default_margins if margin is None else margin
-    if not isinstance(margins, tuple | list) or len(margins) != 2:
-        raise ValueError(f"margin must be (planes, pixels), got {validation.shown(margin)}")
+    planes, pixels = default_margins if margin is None else margins_of(margin)
     level = background_of(background)
-    planes, pixels = (validation.integer("margin", side, least=0, most=validation.MAX_SIDE) for side in margins)
     validation.truth("diagnosis", diagnosis)
     counted = PoissonCounts(recorded, noise)
     shape = recorded.shape[0], recorded.shape[1], recorded.shape[2]
@@ -292,6 +287,14 @@ def _held_out(recorded: Values, noise: Noise, blur: Callable[[], TiledBlur]) -> 
     return Background(highest_level(joint, continue_iteration)), joint.steps
 
 
+def margins_of(argument: tuple[int, int]) -> tuple[int, int]:
+    """Return the planes and pixels of a margin; TypeError or ValueError if they are no such pair."""
+    if not isinstance(argument, tuple | list) or len(argument) != 2:
+        raise ValueError(f"margin must be (planes, pixels), got {validation.shown(argument)}")
+    planes, pixels = (validation.integer("margin", side, least=0, most=validation.MAX_SIDE) for side in argument)
+    return planes, pixels
+
+
 def background_of(argument: float | str) -> Background:
     """Return the background: a known level, or the number of points at which it is estimated."""
     if isinstance(argument, str):
@@ -300,4 +303,4 @@ def background_of(argument: float | str) -> Background:
                 f'background must be "flat", "uneven", or the light of each voxel, 0 for none, got {argument!r}'
             )
         return Background(None, _BACKGROUNDS[argument])
-    return Background(validation.real("background", argument, least=0.0, most=_MAX_BACKGROUND))
+    return Background(validation.real("background", argument, least=0.0, most=LARGEST))

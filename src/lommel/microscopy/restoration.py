@@ -28,7 +28,7 @@ from lommel.deconvolve.linear import Part, PlaneOperator, tiles_of
 from lommel.deconvolve.poisson_counts import PoissonCounts
 from lommel.fit.findings import Finding, Findings, FitReport
 from lommel.microscopy import depth_model
-from lommel.microscopy.deconvolution import FLAT, Floor, background_of, plane_light_findings
+from lommel.microscopy.deconvolution import FLAT, Floor, background_of, margins_of, plane_light_findings
 from lommel.microscopy.depth_model import MODALITIES, SPREADING, DepthModel, PSFs
 from lommel.microscopy.held_out import MAX_VOXELS, SIDE, HeldOut, estimated_held_out_steps, stopping_rule
 from lommel.microscopy.refinement import (
@@ -470,10 +470,7 @@ class _Options:
         if self.threads is not None:
             validation.integer("threads", self.threads, least=1, most=1024)
         if self.margin is not None:
-            if not isinstance(self.margin, tuple | list) or len(self.margin) != 2:
-                raise ValueError(f"margin must be (planes, pixels), got {shown(self.margin)}")
-            for side in self.margin:
-                validation.integer("margin", side, least=0, most=validation.MAX_SIDE)
+            margins_of(self.margin)
         background_of(self.background)
 
 
@@ -991,8 +988,7 @@ class _ChannelRestoration:
     def _margin(self) -> tuple[int, int]:
         """Return the margin restored beyond the stack on each side, in planes and in pixels."""
         if self._options.margin is not None:
-            planes, pixels = self._options.margin
-            return int(planes), int(pixels)
+            return margins_of(self._options.margin)
         window_planes, side = self._model.window
         return min(window_planes // 2, max(_MIN_MARGIN, len(self._stack) // 4)), side // 2
 

@@ -30,8 +30,8 @@ def full_value(planes: Sequence[Values], stated: float | None, *, name: str = "p
     the largest value of all `planes` and more pixels have it than noise explains; else the largest of the dtype.
     """
     if stated is not None:
-        limit = validation.real("saturation", stated, least=-_LARGEST, infinite=True)
-        return (limit if limit < _LARGEST else math.inf), ""
+        limit = validation.real("saturation", stated, least=-LARGEST, infinite=True)
+        return (limit if limit < LARGEST else math.inf), ""
     type_limit = _type_limit(planes[0].dtype)
     with np.errstate(invalid="ignore"):
         top = max((float(np.fmax.reduce(plane, axis=None)) for plane in planes if plane.size), default=math.nan)
@@ -80,7 +80,7 @@ def flat_top(values: Values, valid: NDArray[np.bool_], noise: Noise) -> tuple[fl
     return (top, count) if count > _MAX_RATIO * near_count else (np.nan, 0)
 
 
-_LARGEST = 1e15  # largest accepted value, counts: far above any camera's, and its square fits in float32
+LARGEST = 1e15  # largest accepted value, counts: far above any camera's, and its square fits in float32
 
 
 @dataclass(frozen=True, eq=False)
@@ -287,6 +287,6 @@ def _require_within(name: str, values: Values) -> None:
     if values.dtype.kind != "f":
         return
     sizes = np.abs(values, where=np.isfinite(values), out=np.zeros_like(values))
-    if not sizes.max(initial=0.0) < _LARGEST:
+    if not sizes.max(initial=0.0) < LARGEST:
         got = values.flat[int(sizes.argmax())]
-        raise ValueError(f"{name} must be within {_LARGEST:g}, or NaN where a value is unknown, got {got:g}")
+        raise ValueError(f"{name} must be within {LARGEST:g}, or NaN where a value is unknown, got {got:g}")

@@ -56,18 +56,17 @@ def model(terms=15, also=("center",), pupil=None):
     return made, np.concatenate([np.random.default_rng(2).normal(0.0, 0.3, made.size - 6), light])[None]
 
 
-def test_stripes_in_images_are_named_with_their_size_in_electrons():
-    plain = stars(TRUE)
-    y, x = np.mgrid[:33, :33]
-    added = 1.5 * np.cos(2.0 * np.pi * (x / 7.0 + 2.0 * y / 21.0))  # pick-up, electrons
-    (found,) = (
-        each
-        for each in lm.retrieve(plain + added, lm.Pupil(), defocus=DEFOCUS, **ASKED).findings
-        if each.code == "pattern"
-    )
-    assert found.numbers["period"] == pytest.approx(5.8, rel=0.05)
+@pytest.mark.parametrize(("rows", "columns"), [(3.14, 4.71), (3.5, 5.5), (-7.3, 10.2)])
+def test_stripes_in_images_are_named_with_their_size_in_electrons(rows, columns):
+    transfers = [Telescope().transfer(((5, 0.4), (8, -0.3), (11, 0.2)), defocus=2 * defocus) for defocus in DEFOCUS]
+    plain = NOISE.record(np.array([1e5 * transfer.image(33, 0.5, 16, 16) + 5.0 for transfer in transfers]), seed=1)
+    options = {"defocus": DEFOCUS, "integrate": True, **ASKED}
+    y, x = np.mgrid[:33, :33] / 33
+    added = 1.5 * np.cos(2.0 * np.pi * (rows * y + columns * x))  # pick-up, electrons
+    found = lm.retrieve(plain + added, lm.Pupil(), **options).findings.get("pattern")
+    assert found.numbers["period"] == pytest.approx(33 / math.hypot(rows, columns), rel=0.02)
     assert found.numbers["size"] == pytest.approx(1.5, rel=0.2)
-    assert lm.retrieve(plain, lm.Pupil(), defocus=DEFOCUS, **ASKED).findings.get("pattern") is None
+    assert lm.retrieve(plain, lm.Pupil(), **options).findings.get("pattern") is None
 
 
 def test_one_hot_pixel_is_named_by_its_place_until_it_is_masked():

@@ -15,7 +15,9 @@ Stripes: the score test of a sinusoid of wave vector k and any phase uses the st
 v``. With the Fourier transform W of 1 / v, the mean of ``abs(F)^2`` is ``W(0)``, and the mean of ``F^2`` is ``W(2
 k)``. These means determine the covariance matrix of real and imaginary part. The squared length of (real, imaginary)
 in the metric of its inverse has a chi-squared distribution with two degrees of freedom (one if F is real). Sums over
-images are chi-squared, too. Dim pixels have the largest weight: for a wrong PSF, chi2 is the more sensitive test.
+images are chi-squared, too. Wave vectors are half a period per window apart: at steps of a whole one, a wave between
+them keeps as little as a sixth of its power. Dim pixels have the largest weight: for a wrong PSF, chi2 is the more
+sensitive test.
 """
 
 from __future__ import annotations
@@ -45,6 +47,7 @@ _MIN_PHOTON_PART = 0.1  # smallest m / v of pixels in the test of excess noise
 _MAX_DEFECT = 1e-6  # 1 - (abs(W(2 k)) / W(0))^2 below which F counts as real
 # Smallest deviation of an outlier, standard errors, and its smallest part of the sum of (squared deviation - 1).
 _MIN_OUTLIER, _OUTLIER_SHARE = 8.0, 0.5
+_FINE_STEPS = np.linspace(-0.5, 0.5, 9)  # wave vectors about the most significant one, periods in the window
 _LEAST_SIDE = 6  # smallest side of windows for the test of stripes, pixels
 
 
@@ -205,25 +208,27 @@ def stripe_findings(residual: Array, variance: Array, excess: float = 1.0) -> li
     normal = np.einsum("iyx,nyx,jyx->nij", plane, weight, plane)
     pull = np.einsum("iyx,nyx->ni", plane, weight * np.nan_to_num(residual))
     residual = residual - np.tensordot(np.linalg.solve(normal, pull[..., None])[..., 0], plane, 1)
-    n_cols = width // 2 + 1  # one of each pair of opposite wave vectors is sufficient
-    f, w = np.fft.rfft2(np.nan_to_num(residual) * weight), np.fft.fft2(weight)
-    total = w[:, :1, :1].real
-    w_2k = w[:, (2 * np.arange(height) % height)[:, None], 2 * np.arange(n_cols) % width]
-    determinant = total**2 - np.abs(w_2k) ** 2
-    is_real = determinant < _MAX_DEFECT * total**2
-    # The squared length in the metric of the inverse covariance, written with complex F.
-    complex_squares = 2.0 * (total * np.abs(f) ** 2 - (f**2 * w_2k.conj()).real) / np.where(is_real, 1.0, determinant)
-    squares = np.where(is_real, np.abs(f) ** 2 / total, complex_squares).sum(axis=0)
-    freedom = np.where(is_real, 1.0, 2.0).sum(axis=0)
+    # One of each pair of opposite wave vectors is sufficient.
+    rows, columns = 0.5 * np.arange(2 * height), 0.5 * np.arange(width + 1)
+    score = np.nan_to_num(residual) * weight
+    squares, freedom = _wave_squares(score, weight, rows, columns)
     # If the noise is larger than stated, the power of all wave vectors is increased: normalize by the median.
-    squares /= max(1.0, float(np.median(squares / (2.0 * special.gammaincinv(0.5 * freedom, 0.5)))))
+    dispersion = max(1.0, float(np.median(squares / (2.0 * special.gammaincinv(0.5 * freedom, 0.5)))))
+    squares /= dispersion
     probability = special.gammaincc(0.5 * freedom, 0.5 * squares)
-    probability[:2, :2] = probability[-1, :2] = 1.0  # periods as long as the window are backgrounds, not stripes
+    # Periods as long as the window are backgrounds, not stripes.
+    probability[np.ix_(np.minimum(rows, height - rows) < 2.0, columns < 2.0)] = 1.0
     i, j = np.unravel_index(int(probability.argmin()), probability.shape)
-    power = {"stripes": (squares[i, j] - freedom[i, j], len(weight) / freedom[i, j])}
-    # The smallest of n independent probabilities is multiplied by n (Bonferroni).
-    chances = {"stripes": float(probability[i, j]) * height * n_cols}
-    for name, line, side in (("rows", np.s_[2 : height // 2 + 1, 0], height), ("columns", np.s_[0, 2:n_cols], width)):
+    # Near every second pixel, a period and an amplitude cannot be told apart within a window.
+    steps = _FINE_STEPS if freedom[i, j] > len(weight) else np.zeros(1)
+    rows, columns = rows[i] + steps, columns[j] + steps
+    fine_squares, fine_freedom = _wave_squares(score, weight, rows, columns)
+    excess_squares = fine_squares / dispersion - fine_freedom
+    p, q = np.unravel_index(int(excess_squares.argmax()), excess_squares.shape)
+    power = {"stripes": (excess_squares[p, q], len(weight) / fine_freedom[p, q])}
+    # The smallest of n probabilities is multiplied by n (Bonferroni).
+    chances = {"stripes": float(probability[i, j]) * probability.size}
+    for name, line, side in (("rows", np.s_[4 : height + 1 : 2, 0], height), ("columns", np.s_[0, 4::2], width)):
         square_sum, degrees = float(squares[line].sum()), float(freedom[line].sum())
         chances[name] = float(special.gammaincc(0.5 * degrees, 0.5 * square_sum))
         power[name] = square_sum - degrees, 2.0 * len(squares[line]) / side
@@ -232,14 +237,48 @@ def stripe_findings(residual: Array, variance: Array, excess: float = 1.0) -> li
         return []
     excess_power, factor = power[kind]
     # The power in excess of that of noise is converted to an rms offset in electrons.
-    size = excess * math.sqrt(excess_power / (factor * float(total.sum())))
+    size = excess * math.sqrt(excess_power / (factor * float(weight.sum())))
     numbers: dict[str, float] = {"size": size, "chance": chance}
     text = f"{kind} of pixels have offsets of {size:.2g} electrons rms"
     if kind == "stripes":
-        fy, fx = float(np.fft.fftfreq(height)[i]), j / width
+        # Of opposite wave vectors, the one that is at most 90 deg from x.
+        fy, fx = math.copysign(1.0, columns[q]) * float(rows[p]) / height, abs(float(columns[q])) / width
+        fy = (fy + 0.5) % 1.0 - 0.5
         period, angle = 1.0 / math.hypot(fy, fx), math.degrees(math.atan2(fy, fx))
         numbers |= {"period": period, "angle": angle}
         direction = {0: "along x", 90: "along y"}.get(round(abs(angle)), f"{angle:.0f} deg from x to y")
         text = f"stripes of +-{size:.2g} electrons, every {period:.3g} pixels {direction}"
     text = f"the residuals have a pattern: {text}; causes may be pick-up, readout, fringes, or light not in the model"
     return [Finding("pattern", "doubt", text, numbers)]
+
+
+def _wave_squares(score: Array, weight: Array, rows: Array, columns: Array) -> tuple[Array, Array]:
+    """Return the squares of waves, summed over images, and their numbers of degrees of freedom.
+
+    Parameters
+    ----------
+    score, weight : ndarray, shape (images, height, width)
+        Residuals divided by variances, and 1 / variance; 0 where unknown.
+    rows, columns : ndarray, shapes (m,) and (n,)
+        Numbers of periods in the height and in the width.
+
+    Returns
+    -------
+    squares, freedom : ndarray, shape (m, n)
+        Chi-squared distributed for noise alone.
+    """
+    height, width = score.shape[1:]
+    total = weight.sum(axis=(1, 2))[:, None, None]
+
+    def transform(values: Array, factor: float) -> Array:
+        along_y = np.exp(-2j * np.pi * factor / height * np.outer(rows, np.arange(height)))
+        along_x = np.exp(-2j * np.pi * factor / width * np.outer(np.arange(width), columns))
+        return np.asarray(along_y @ values @ along_x)
+
+    f, w_2k = transform(score, 1.0), transform(weight, 2.0)
+    determinant = total**2 - np.abs(w_2k) ** 2
+    is_real = determinant < _MAX_DEFECT * total**2
+    # The squared length in the metric of the inverse covariance, written with complex F.
+    complex_squares = 2.0 * (total * np.abs(f) ** 2 - (f**2 * w_2k.conj()).real) / np.where(is_real, 1.0, determinant)
+    squares = np.where(is_real, np.abs(f) ** 2 / total, complex_squares).sum(axis=0)
+    return squares, np.where(is_real, 1.0, 2.0).sum(axis=0)

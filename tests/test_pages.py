@@ -29,7 +29,7 @@ import drawn
 import lommel as lm
 import simulated_movies
 import simulated_stacks
-from benchmarks import report
+from benchmarks import accuracy, report
 from frameworks import hasty_programs
 from lommel.cli.main import commands as subcommands
 from lommel.cli.main import main
@@ -576,6 +576,10 @@ def test_what_the_readme_says_of_ffts_pairs_of_frames_and_fits_is_that_of_the_pa
 def test_the_page_of_benchmarks_is_that_of_the_results():
     page = (ROOT / "docs" / "benchmarks.md").read_text(encoding="utf-8")
     assert page == report.write(results_of("results"), results_of("second"))
+
+
+def test_the_text_of_the_page_of_accuracy_is_that_of_its_benchmark():
+    assert accuracy.PAGE.read_text(encoding="utf-8").startswith(accuracy.TEXT)
 
 
 @pytest.mark.parametrize("name", ["paper.md", "CHANGELOG.md"])

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import os
+import subprocess
+import sys
 import time
 from pathlib import Path
 
@@ -41,6 +43,21 @@ def test_helpers_are_made_once_work_when_they_may_and_never_outnumber_the_proces
         assert sum(after[k] > before[k] for k in after) == (0 if asked == 1 else min(spare, (asked or 64) - 1))
         # To wake and to find nothing to do takes microseconds.
         assert asked == 1 or spare == 0 or sum(after.values()) - sum(before.values()) > 0.1 * spent
+
+
+BOUND = """
+import os
+os.sched_setaffinity(0, {min(os.sched_getaffinity(0))})
+import lommel
+lommel.psf(lommel.Pupil(lommel.Wavefront([20.0, 25.0] * 30), obscuration=0.1), 301, 0.5)
+print(sum(open(f"/proc/self/task/{task}/comm").read() == "lommel\\n" for task in os.listdir("/proc/self/task")))
+"""
+
+
+@watched
+def test_a_process_that_is_bound_to_one_processor_has_no_helpers():
+    done = subprocess.run([sys.executable, "-c", BOUND], capture_output=True, text=True, check=True)
+    assert int(done.stdout) == 0
 
 
 @pytest.mark.parametrize("place", [0, 17, 39])

@@ -39,7 +39,8 @@ def behind_of(layer: np.ndarray, radius: np.ndarray) -> np.ndarray:
     rows, columns = np.indices(layer.shape)
     for y, x in np.ndindex(height, width):
         squared, passed = (rows - y) ** 2 + (columns - x) ** 2, layer[y, x]
-        for at in np.argsort(squared.ravel(), kind="stable"):
+        near = np.flatnonzero(squared < (radius[y, x] - radius.min()) ** 2)
+        for at in near[np.argsort(squared.ravel()[near], kind="stable")]:
             row, column = divmod(int(at), width)
             if layer[row, column] > passed:
                 if np.sqrt(squared[row, column]) < radius[y, x] - radius[row, column]:
@@ -135,6 +136,15 @@ def test_the_product_of_two_images_does_not_tell_which_was_blurred(seed, border,
     assert abs(np.vdot(forth, b) - np.vdot(a, back)) <= allowed * np.linalg.norm(a) * np.linalg.norm(b)
     both = operator.forward(a + 2 * c) - 2 * operator.forward(c)
     assert np.abs(both - forth).max() <= allowed * 30.0
+
+
+@pytest.mark.parametrize("mirrored", [False, True])
+def test_what_is_behind_is_found_on_the_side_where_it_is(mirrored):
+    depth = np.full((80, 70), 2.0)
+    depth[72:77, 60:] = 6.0
+    blur = DepthBlur(depth[:, ::-1] if mirrored else depth, LENS, PIXEL, largest=40)
+    layer, radius = layers_of(blur)
+    assert np.array_equal(_layering(blur).behind, behind_of(layer, radius))
 
 
 def points_of(groups):

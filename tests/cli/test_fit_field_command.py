@@ -61,7 +61,8 @@ def night(tmp_path_factory):
 
 
 def test_images_become_a_table_that_the_lens_file_reads(night, call_lommel):
-    call = ("fit-field", "stars.npy", "lens.toml", "--defocus", -2.5, 2.5, "--read", 2, "--window", 25, "--degree", 2)
+    moved = ("--defocus", -224.09, 224.09, "--defocus-unit", "um")  # dz / (8 N^2) is 2.5 / pi waves
+    call = ("fit-field", "stars.npy", "lens.toml", *moved, "--read", 2, "--window", 25, "--degree", 2)
     written = ("-o", "field.csv", "--plot", "field.png", "--spots", "spots.png")
     options = (*call, "--terms", 5, "--known-blur", 0, *written)
     text = call_lommel(*options, folder=night).stdout

@@ -106,17 +106,20 @@ def test_terms_are_taken_by_the_names_that_are_printed(folder, call_lommel):
     assert list(plain["coefficients"]) == ["defocus", "spherical"]
 
 
-def test_defocus_may_be_given_in_waves(folder, call_lommel):
+def test_defocus_may_be_given_in_waves_or_as_displacements_of_the_sensor(folder, call_lommel):
     options = [*NOISE, "--terms", "noll 8", "--json"]
     found = [
         json.loads(call_lommel("retrieve", "pages.tif", "lens.toml", *given, *options, folder=folder).stdout)
         for given in (
             ["--defocus", "-4 0 4"],
             ["--defocus", f"{-4 / np.pi} 0 {4 / np.pi}", "--defocus-unit", "waves"],
+            # The path from the edge of the pupil changes by dz (1 - cos) = dz / (8 N^2), to first order.
+            ["--defocus", "-89.63606 0 89.63606", "--defocus-unit", "um"],
         )
     ]
-    assert found[1]["coefficients"]["noll 8"] == pytest.approx(found[0]["coefficients"]["noll 8"], rel=1e-6)
-    assert found[1]["converged"]
+    for other in found[1:]:
+        assert other["coefficients"]["noll 8"] == pytest.approx(found[0]["coefficients"]["noll 8"], rel=1e-6)
+        assert other["converged"]
 
 
 @pytest.mark.parametrize(

@@ -13,7 +13,7 @@ import numpy as np
 from lommel.base.arrays import plain
 from lommel.base.units import format_length, with_error
 from lommel.blur.blurs import FWHM, Blur, Jitter, Seeing
-from lommel.cli.instruments import IMAGES, LENS, SeveralNumbers, StarCamera, numbers_of
+from lommel.cli.instruments import DEFOCUS_UNIT, IMAGES, LENS, SeveralNumbers, StarCamera, defocus_coefficients
 from lommel.cli.options import JSON, OUTPUT, Group, command, documented, option, plot_option
 from lommel.cli.output import progress, require_file, save_figure, written
 from lommel.detection.targets import Crossings, find_crossings, find_spots, grid_indices
@@ -30,6 +30,7 @@ if TYPE_CHECKING:
     from lommel.base.arrays import Array, Values
     from lommel.detection.targets import PointSources
     from lommel.estimation.field_fit import FieldFit
+    from lommel.lensfiles.instrument import Instrument
 
 _MOST_CROSSINGS = 100
 _ARCSEC = math.pi / 648000.0
@@ -64,8 +65,9 @@ class FieldModel(Group):
         "of pinholes or squares.")
     terms: int = option(type=click.IntRange(1, 60), default=11, help="Number of Zernike terms from Noll 4 on.")
     defocus: str | None = option(metavar="NUMBERS",
-        help="Known defocus coefficient C_d of each exposure in radians, such as -3 3; positive where the sensor "
-        "was moved towards the lens. One wave of defocus is C_d = pi. By default 0.")
+        help="Known defocus of each exposure, such as -3 3; positive where the sensor was moved towards the lens. By "
+        "default coefficients C_d in radians; one wave of defocus is C_d = pi. 0 if it is left out.")
+    defocus_unit: str = DEFOCUS_UNIT
     known_blur: float | None = option(type=click.FloatRange(0.0), metavar="PIXELS",
         help="Standard deviation of a Gaussian blur, where it is known; by default seeing and a Gaussian are "
         "estimated.")
@@ -89,15 +91,15 @@ class FieldModel(Group):
         if self.seeing is not None and self.known_blur is not None:
             raise ValueError("--seeing and --known-blur must not both be given: either is the whole blur")
 
-    def arguments(self, exposures: int, focal_length: float) -> Facts:
+    def arguments(self, exposures: int, instrument: Instrument) -> Facts:
         """Return the arguments of :func:`lommel.fit_field`, except the arguments of the distortion."""
         if self.defocus is None and exposures > 1:
             raise ValueError(f"--defocus must be given for {exposures} exposures: one number each, such as -3 3")
         blur: float | bool | Seeing = True if self.known_blur is None else self.known_blur
         if self.seeing is not None:
-            blur = Seeing.from_fwhm(self.seeing * _ARCSEC, focal_length)
-        numbers = numbers_of(self.defocus or "0")
-        return {"degree": self.degree, "terms": self.terms, "defocus": numbers, "blur": blur}
+            blur = Seeing.from_fwhm(self.seeing * _ARCSEC, instrument.lens.focal_length)
+        defocus = defocus_coefficients(self.defocus or "0", self.defocus_unit, instrument)
+        return {"degree": self.degree, "terms": self.terms, "defocus": defocus, "blur": blur}
 
 
 class Files(Group):
@@ -191,7 +193,7 @@ def fit_field(
         read = read_images(list(images))
         noise, saturation, header = camera.resolve(read.metadata, instrument.camera)
         pupil, focal_length = instrument.pupil(), instrument.lens.focal_length
-        arguments = model.arguments(len(read.values), focal_length)
+        arguments = model.arguments(len(read.values), instrument)
         status(f"finding {chart.targets}s")
         pitch = float(min(np.atleast_1d(instrument.side)))
         hole = 0.0 if chart.targets == "crossing" or chart.size is None else chart.size / pitch

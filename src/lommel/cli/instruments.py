@@ -94,6 +94,9 @@ SHAPE = option(type=WINDOW, help="Window in pixels, such as 65 or 64x128 (height
 STEP = option(length="nm", help="Stage step between planes, such as 100nm; by default from the file.")
 DEPTH = option(length="um", heading="Microscopes",
     help="Depth of the emitter below the cover glass, such as 2um; by default from the file.")  # fmt: skip
+DEFOCUS_UNIT = option(type=click.Choice(("radians", "waves", "um")), default="radians",
+    help="Unit of --defocus: radians (C_d), waves of W020 at the edge of the pupil, or um by which the sensor was "
+    "moved towards the lens, 8 N^2 W020 with the f-number N.")  # fmt: skip
 
 
 class Optics(Group):
@@ -476,9 +479,18 @@ class StarCamera(CameraOptions, heading="Camera and noise"):
         return instrument
 
 
-def numbers_of(text: str) -> float | list[float]:
-    """Return the number in the text of an option, or a list if there are several."""
+def defocus_coefficients(text: str, unit: str, instrument: Instrument) -> Array:
+    """Return the defocus coefficients C_d in the text of ``--defocus``, in radians; a scalar if there is one.
+
+    The unit is "radians" (C_d), "waves" (W020), or "um" (displacement of the sensor towards the lens).
+    """
     numbers = text.replace(",", " ").split()
     if not numbers or not all(map(_is_number, numbers)):
-        raise ValueError(f"defocus must be numbers, one for each image, got {text!r}")
-    return float(numbers[0]) if len(numbers) == 1 else [float(number) for number in numbers]
+        raise ValueError(f"--defocus must be numbers, one for each image, got {text!r}")
+    values = np.array(numbers, dtype=float)
+    if unit == "um":
+        # W020 in waves is displacement / (8 N^2 wavelength), and the scale is N times the wavelength.
+        values *= 1e-6 * instrument.lens.wavelength / (8.0 * instrument.pupil().scale ** 2)
+    if unit != "radians":
+        values *= math.pi
+    return values if len(values) > 1 else values[0]

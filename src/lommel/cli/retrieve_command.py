@@ -3,17 +3,15 @@
 from __future__ import annotations
 
 import errno
-import math
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
-import numpy as np
 
 from lommel.base.units import with_error
 from lommel.blur.blurs import Blur
 from lommel.cli.fit_field_command import blur_in_words
-from lommel.cli.instruments import IMAGES, LENS, SeveralNumbers, StarCamera, numbers_of
+from lommel.cli.instruments import DEFOCUS_UNIT, IMAGES, LENS, SeveralNumbers, StarCamera, defocus_coefficients
 from lommel.cli.options import JSON, OUTPUT, Group, command, documented, option, plot_option
 from lommel.cli.output import progress, save_figure, written
 from lommel.estimation.phase_retrieval import retrieve as fit
@@ -41,11 +39,10 @@ def retrieve(
     images: tuple[Path, ...] = IMAGES,
     lens: Path = LENS,
     defocus: str | None = option(metavar="NUMBERS",
-        help="Known defocus coefficient C_d of each image in radians, such as -4 0 4, or one for all; of a single "
-        "image 0 by default. Positive where the sensor was moved towards the lens. The phase is 2 C_d rho^2, "
-        "rho = 1 at the edge of the pupil, so that one wave of defocus is C_d = pi."),
-    defocus_unit: str = option(type=click.Choice(("radians", "waves")), default="radians",
-        help="Unit of --defocus: radians (C_d), or waves of W020 at the edge of the pupil."),
+        help="Known defocus of each image, such as -4 0 4, or one for all; of a single image 0 by default. Positive "
+        "where the sensor was moved towards the lens. By default coefficients C_d in radians: the phase is "
+        "2 C_d rho^2, rho = 1 at the edge of the pupil, so that one wave of defocus is C_d = pi."),
+    defocus_unit: str = DEFOCUS_UNIT,
     terms: str = option(default="15",
         help='Number of Zernike terms from defocus on (Noll 4, 5, ...), or names: "defocus, spherical", '
         '"noll 5, noll 6", or as printed, "coma x, coma y".'),
@@ -100,7 +97,7 @@ def retrieve(
             terms=int(terms) if terms.strip().isdecimal() else _terms(terms),
             also=_names(also),
             blur=blur,
-            defocus=np.multiply(numbers_of(defocus or "0"), math.pi if defocus_unit == "waves" else 1.0),
+            defocus=defocus_coefficients(defocus or "0", defocus_unit, instrument),
             integrate=instrument.integrate,
             starts=search.starts,
             seed=search.seed,

@@ -142,15 +142,15 @@ def test_stripes_are_found_with_size_period_and_direction(wave, period, way):
 
 
 @pytest.mark.parametrize(("x", "y"), [(5.5, 3.5), (-0.2, 5.3), (9.7, -3.3), (3.0, -9.0)])
-@pytest.mark.parametrize("phase", [0.0, 1.5])
-def test_size_and_direction_are_right_between_the_wave_vectors_of_the_window(x, y, phase):
-    wave, told = np.sin(2 * np.pi * (x * X + y * Y) / 21 + phase), []
+@pytest.mark.parametrize(("phase", "amplitude"), [(0.0, 1.5), (1.5, 1.5), (1.0, 40.0)])
+def test_size_and_direction_are_right_between_the_wave_vectors_of_the_window(x, y, phase, amplitude):
+    wave, told = amplitude * np.sin(2 * np.pi * (x * X + y * Y) / 21 + phase), []
     for seed in range(6):
-        (found,) = goodness_of_fit.stripe_findings(*residuals(6, seed, 1.5 * wave))
+        (found,) = goodness_of_fit.stripe_findings(*residuals(6, seed, wave))
         told.append([found.numbers[name] for name in ("size", "period", "angle")])
         assert found.numbers["chance"] < 1e-6
     size, period, angle = np.mean(told, axis=0)
-    assert size == pytest.approx(1.5, rel=0.1)
+    assert size == pytest.approx(amplitude, rel=0.1)
     assert period == pytest.approx(21 / np.hypot(x, y), rel=0.01)
     assert angle == pytest.approx(np.degrees(np.arctan(y / x)), abs=1.0)
 

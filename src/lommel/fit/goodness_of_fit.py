@@ -27,7 +27,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 from scipy import special
 
 from lommel.base.arrays import Array
@@ -210,19 +210,24 @@ def stripe_findings(residual: Array, variance: Array, excess: float = 1.0) -> li
     residual = residual - np.tensordot(np.linalg.solve(normal, pull[..., None])[..., 0], plane, 1)
     # One of each pair of opposite wave vectors is sufficient.
     rows, columns = 0.5 * np.arange(2 * height), 0.5 * np.arange(width + 1)
-    score = np.nan_to_num(residual) * weight
-    squares, freedom = _wave_squares(score, weight, rows, columns)
+    score, total = np.nan_to_num(residual) * weight, weight.sum(axis=(1, 2))
+    f = np.fft.rfft2(score, (2 * height, 2 * width))
+    w_2k = np.fft.fft2(weight)[:, np.arange(2 * height)[:, None] % height, np.arange(width + 1) % width]
+    squares, freedom = _wave_squares(f, w_2k, total)
     # If the noise is larger than stated, the power of all wave vectors is increased: normalize by the median.
     dispersion = max(1.0, float(np.median(squares / (2.0 * special.gammaincinv(0.5 * freedom, 0.5)))))
     squares /= dispersion
     probability = special.gammaincc(0.5 * freedom, 0.5 * squares)
     # Periods as long as the window are backgrounds, not stripes.
     probability[np.ix_(np.minimum(rows, height - rows) < 2.0, columns < 2.0)] = 1.0
-    i, j = np.unravel_index(int(probability.argmin()), probability.shape)
+    # Of strong stripes, several probabilities are 0.
+    least = np.where(probability == probability.min(), squares, -1.0)
+    i, j = np.unravel_index(int(least.argmax()), least.shape)
     # Near every second pixel, a period and an amplitude cannot be told apart within a window.
     steps = _FINE_STEPS if freedom[i, j] > len(weight) else np.zeros(1)
     rows, columns = rows[i] + steps, columns[j] + steps
-    fine_squares, fine_freedom = _wave_squares(score, weight, rows, columns)
+    f, w_2k = _transform(score, rows, columns), _transform(weight, 2.0 * rows, 2.0 * columns)
+    fine_squares, fine_freedom = _wave_squares(f, w_2k, total)
     excess_squares = fine_squares / dispersion - fine_freedom
     p, q = np.unravel_index(int(excess_squares.argmax()), excess_squares.shape)
     power = {"stripes": (excess_squares[p, q], len(weight) / fine_freedom[p, q])}
@@ -237,7 +242,7 @@ def stripe_findings(residual: Array, variance: Array, excess: float = 1.0) -> li
         return []
     excess_power, factor = power[kind]
     # The power in excess of that of noise is converted to an rms offset in electrons.
-    size = excess * math.sqrt(excess_power / (factor * float(weight.sum())))
+    size = excess * math.sqrt(dispersion * excess_power / (factor * float(total.sum())))
     numbers: dict[str, float] = {"size": size, "chance": chance}
     text = f"{kind} of pixels have offsets of {size:.2g} electrons rms"
     if kind == "stripes":
@@ -252,30 +257,30 @@ def stripe_findings(residual: Array, variance: Array, excess: float = 1.0) -> li
     return [Finding("pattern", "doubt", text, numbers)]
 
 
-def _wave_squares(score: Array, weight: Array, rows: Array, columns: Array) -> tuple[Array, Array]:
+def _transform(images: Array, rows: Array, columns: Array) -> NDArray[np.complex128]:
+    """Return Fourier transforms at the wave vectors of these numbers of periods in the height and in the width."""
+    height, width = images.shape[1:]
+    along_y = np.exp(-2j * np.pi / height * np.outer(rows, np.arange(height)))
+    along_x = np.exp(-2j * np.pi / width * np.outer(np.arange(width), columns))
+    return np.asarray(np.tensordot(np.tensordot(images, along_x, 1), along_y, (1, 1)).swapaxes(1, 2))
+
+
+def _wave_squares(f: NDArray[np.complex128], w_2k: NDArray[np.complex128], total: Array) -> tuple[Array, Array]:
     """Return the squares of waves, summed over images, and their numbers of degrees of freedom.
 
     Parameters
     ----------
-    score, weight : ndarray, shape (images, height, width)
-        Residuals divided by variances, and 1 / variance; 0 where unknown.
-    rows, columns : ndarray, shapes (m,) and (n,)
-        Numbers of periods in the height and in the width.
+    f, w_2k : ndarray, shape (images, m, n)
+        F at each wave vector k, and the Fourier transform of 1 / v at 2 k.
+    total : ndarray, shape (images,)
+        W(0).
 
     Returns
     -------
     squares, freedom : ndarray, shape (m, n)
         Chi-squared distributed for noise alone.
     """
-    height, width = score.shape[1:]
-    total = weight.sum(axis=(1, 2))[:, None, None]
-
-    def transform(values: Array, factor: float) -> Array:
-        along_y = np.exp(-2j * np.pi * factor / height * np.outer(rows, np.arange(height)))
-        along_x = np.exp(-2j * np.pi * factor / width * np.outer(np.arange(width), columns))
-        return np.asarray(along_y @ values @ along_x)
-
-    f, w_2k = transform(score, 1.0), transform(weight, 2.0)
+    total = total[:, None, None]
     determinant = total**2 - np.abs(w_2k) ** 2
     is_real = determinant < _MAX_DEFECT * total**2
     # The squared length in the metric of the inverse covariance, written with complex F.

@@ -137,9 +137,11 @@ test-clang: $(fetched) ## compile the core by clang++ and run the tests, in .too
 	@export CXX=clang++
 	$(call elsewhere,clang,$(locked))
 # The oldest have no wheels for the newest Pythons: make lowest PYTHON=python3.11. The oldest matplotlib calls functions that newer
-# versions of pyparsing warn of; what newer versions of others deprecate is nothing to the oldest.
+# versions of pyparsing warn of; what newer versions of others deprecate is nothing to the oldest. The oldest Hypothesis warns, now and
+# then, of its own random numbers.
 lowest: $(fetched) ## run the tests with the oldest versions of all dependencies that pyproject.toml allows, in .tools/lowest
 	@$(call elsewhere,lowest,--resolution lowest-direct --only-binary :all: "pyparsing==3.2.*") -W default::DeprecationWarning \
+		-W default::hypothesis.errors.HypothesisWarning \
 		--deselect tests/test_core.py::test_the_stub_is_what_the_compiled_module_says_of_itself
 # The core's own programs, as CMakePresets.json has them compiled. For ARM on Debian and Ubuntu: g++-aarch64-linux-gnu, qemu-user.
 preset = PATH="$(CURDIR)/.venv/bin:$$PATH" cmake --workflow --preset $(1)

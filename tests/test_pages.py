@@ -14,6 +14,7 @@ from itertools import chain, dropwhile, pairwise
 from pathlib import Path
 from typing import Any
 
+import matplotlib as mpl
 import matplotlib.pyplot as plt
 import numpy as np
 import pytest
@@ -328,7 +329,8 @@ def test_code_and_commands_of_a_tutorial_run_in_an_empty_folder_and_print_and_dr
         with Image.open(kept) as old, Image.open(tmp_path / f"{name}-again.png") as new:
             assert np.abs(np.subtract(old.size, new.size)).max() <= 0.05 * max(old.size)
             small = [np.asarray(each.convert("RGB").resize((96, 96)), dtype=float) for each in (old, new)]
-        assert np.abs(small[0] - small[1]).mean() < 2.0
+        # Pictures beside the pages are of the newest version.
+        assert np.abs(small[0] - small[1]).mean() < (2.0 if mpl.__version_info__ >= (3, 11) else 8.0)
     for name, each in made.items():
         if isinstance(each, str):
             assert drawn.same(name, each), each

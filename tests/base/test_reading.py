@@ -16,6 +16,7 @@ import numpy as np
 import pytest
 import tifffile
 
+import hostile_files
 import lommel as lm
 from lommel import imaging
 from lommel.base import reading
@@ -88,9 +89,10 @@ SWOLLEN = changed(changed(BOMB, 273, len(BOMB)), 279, len(zlib.compress(bytes(2*
         (changed(PLAIN, 273, 8, 2**30), "claims 4294967296 bytes"),
         (SWOLLEN, "inflates to more than its 1024 bytes"),
         (PLAIN[:4] + struct.pack("<I", 2**31) + PLAIN[8:], "pages go beyond its end"),
+        (hostile_files.overlapping_tags(3), "its tags claim 3145764 bytes of a file of 1048"),
         (changed(PLAIN, 259, 34925), "its compression is of the kind 34925; save it with none, LZW, deflate"),
     ],
-    ids=["png", "png-row", "png-side", "png-bytes", "tiff-row", "tiff", "tags", "inflates", "pages", "lzma"],
+    ids=["png", "png-row", "png-side", "png-bytes", "tiff-row", "tiff", "tags", "inflates", "pages", "same", "lzma"],
 )
 @pytest.mark.parametrize("read", [imaging.read_photo, imaging.read_depth], ids=["photo", "depth"])
 def test_a_picture_that_promises_too_much_is_refused_before_it_is_decoded(read, data, why, tmp_path, little_memory):

@@ -151,7 +151,7 @@ def test_what_does_not_fit_is_refused(files, tmp_path):
         rendered(files, "x", noise=lm.Noise(read=1.0))
     with pytest.raises(ValueError, match="psfs must be 0 with energy=1"):
         rendered(files, "x", energy=1.0)
-    with pytest.raises(ValueError, match=r"^depth_scale must be > 0 metres per level, got 0"):
+    with pytest.raises(ValueError, match=r"^depth_scale must be >= 1e-12 and <= 1e\+12 metres per level, got 0"):
         rendered(files, "x", depth_scale=0.0)
     with pytest.raises(ValueError, match="give only one of `depth_scale`, `inverse_depth` and `disparity`"):
         rendered(files, "x", depth_scale=1.0, inverse_depth=(1.0, 2.0))

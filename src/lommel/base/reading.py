@@ -692,7 +692,7 @@ def _tiff_tags(data: bytes | mmap.mmap, offset: int, order: str, big: bool) -> t
     try:
         (count,) = struct.unpack_from(order + head, data, offset)
         offset += struct.calcsize(head)
-        inline = struct.calcsize(word)
+        inline, claimed = struct.calcsize(word), 0
         for _ in range(count):
             tag, kind, number = struct.unpack_from(order + entry, data, offset)
             value_offset, size = offset + struct.calcsize("=" + entry), number * _TIFF_TYPES.get(kind, 1)
@@ -700,6 +700,9 @@ def _tiff_tags(data: bytes | mmap.mmap, offset: int, order: str, big: bool) -> t
                 (value_offset,) = struct.unpack_from(order + word, data, value_offset)
             if value_offset + size > len(data):
                 raise ValueError(f"its tag {tag} claims {size} bytes of a file of {len(data)}")
+            # Pillow copies the values of all tags, of which many may be the same bytes.
+            if (claimed := claimed + size) > 2 * len(data):
+                raise ValueError(f"its tags claim {claimed} bytes of a file of {len(data)}")
             if tag not in tags:
                 integers = "u1" if tag == _DESCRIPTION else _TIFF_INTEGERS.get(kind)
                 tags[tag] = np.frombuffer(data, order + (integers or "u1"), number if integers else 0, value_offset)

@@ -223,16 +223,8 @@ def stripe_findings(residual: Array, variance: Array, excess: float = 1.0) -> li
     # Of strong stripes, several probabilities are 0.
     least = np.where(probability == probability.min(), squares, -1.0)
     i, j = np.unravel_index(int(least.argmax()), least.shape)
-    # Near every second pixel, a period and an amplitude cannot be told apart within a window.
-    steps = _FINE_STEPS if freedom[i, j] > len(weight) else np.zeros(1)
-    rows, columns = rows[i] + steps, columns[j] + steps
-    f, w_2k = _transform(score, rows, columns), _transform(weight, 2.0 * rows, 2.0 * columns)
-    fine_squares, fine_freedom = _wave_squares(f, w_2k, total)
-    excess_squares = fine_squares / dispersion - fine_freedom
-    p, q = np.unravel_index(int(excess_squares.argmax()), excess_squares.shape)
-    power = {"stripes": (excess_squares[p, q], len(weight) / fine_freedom[p, q])}
     # The smallest of n probabilities is multiplied by n (Bonferroni).
-    chances = {"stripes": float(probability[i, j]) * probability.size}
+    chances, power = {"stripes": float(probability[i, j]) * probability.size}, {}
     for name, line, side in (("rows", np.s_[4 : height + 1 : 2, 0], height), ("columns", np.s_[0, 4::2], width)):
         square_sum, degrees = float(squares[line].sum()), float(freedom[line].sum())
         chances[name] = float(special.gammaincc(0.5 * degrees, 0.5 * square_sum))
@@ -240,21 +232,30 @@ def stripe_findings(residual: Array, variance: Array, excess: float = 1.0) -> li
     kind = min(chances, key=chances.__getitem__)
     if (chance := len(chances) * chances[kind]) >= SURE:
         return []
-    excess_power, factor = power[kind]
-    # The power in excess of that of noise is converted to an rms offset in electrons.
-    size = excess * math.sqrt(dispersion * excess_power / (factor * float(total.sum())))
-    numbers: dict[str, float] = {"size": size, "chance": chance}
-    text = f"{kind} of pixels have offsets of {size:.2g} electrons rms"
+    wave: dict[str, float] = {}
     if kind == "stripes":
+        # Near every second pixel, a period and an amplitude cannot be told apart within a window.
+        steps = _FINE_STEPS if freedom[i, j] > len(weight) else np.zeros(1)
+        rows, columns = rows[i] + steps, columns[j] + steps
+        f, w_2k = _transform(score, rows, columns), _transform(weight, 2.0 * rows, 2.0 * columns)
+        squares, freedom = _wave_squares(f, w_2k, total)
+        excess_squares = squares / dispersion - freedom
+        p, q = np.unravel_index(int(excess_squares.argmax()), excess_squares.shape)
+        power[kind] = float(excess_squares[p, q]), len(weight) / float(freedom[p, q])
         # Of opposite wave vectors, the one that is at most 90 deg from x.
         fy, fx = math.copysign(1.0, columns[q]) * float(rows[p]) / height, abs(float(columns[q])) / width
         fy = (fy + 0.5) % 1.0 - 0.5
-        period, angle = 1.0 / math.hypot(fy, fx), math.degrees(math.atan2(fy, fx))
-        numbers |= {"period": period, "angle": angle}
+        wave = {"period": 1.0 / math.hypot(fy, fx), "angle": math.degrees(math.atan2(fy, fx))}
+    excess_power, factor = power[kind]
+    # The power in excess of that of noise is converted to an rms offset in electrons.
+    size = excess * math.sqrt(dispersion * excess_power / (factor * float(total.sum())))
+    text = f"{kind} of pixels have offsets of {size:.2g} electrons rms"
+    if wave:
+        angle = wave["angle"]
         direction = {0: "along x", 90: "along y"}.get(round(abs(angle)), f"{angle:.0f} deg from x to y")
-        text = f"stripes of +-{size:.2g} electrons, every {period:.3g} pixels {direction}"
+        text = f"stripes of +-{size:.2g} electrons, every {wave['period']:.3g} pixels {direction}"
     text = f"the residuals have a pattern: {text}; causes may be pick-up, readout, fringes, or light not in the model"
-    return [Finding("pattern", "doubt", text, numbers)]
+    return [Finding("pattern", "doubt", text, {"size": size, "chance": chance} | wave)]
 
 
 def _transform(images: Array, rows: Array, columns: Array) -> NDArray[np.complex128]:

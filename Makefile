@@ -80,9 +80,20 @@ photo: build env ## blur a photograph by its depth, near, far and from one to th
 	@.venv/bin/python examples/motorcycle.py out
 	PATH="$(CURDIR)/.venv/bin:$$PATH" sh examples/motorcycle.sh
 pytest := .venv/bin/pytest --numprocesses auto --maxprocesses 4 --dist worksteal
+# Runs the tests $(1); a file of the repository that is new or changed after them is an error.
+tracked = git status --porcelain 2>/dev/null || true
+define clean_after
+before=$$($(tracked))
+$(1) || status=$$?
+after=$$($(tracked))
+[ "$$before" = "$$after" ] || {
+	printf 'make: files of the repository changed while the tests ran:\n%s\n' "$$after" >&2
+	status=1
+}
+endef
 test: core-tests lint ## build, lint, check the types and run all tests but the slowest
 	@.venv/bin/mypy & types=$$!
-	$(pytest) --quick || status=$$?
+	$(call clean_after,$(pytest) --quick)
 	wait $$types
 	exit $${status:-0}
 
@@ -120,7 +131,8 @@ test-napari: build env ## run the tests of the plugin in napari, under a virtual
 	$(call beside,napari,napari)
 	PYTHONPATH="$(CURDIR)/.tools/napari" xvfb-run -a .venv/bin/pytest -p no:cacheprovider -W default tests/napari_plugin
 fuzz: build env ## try what no user should: bad arguments, command lines and files
-	@LOMMEL_FUZZ=1 .venv/bin/pytest tests/fuzz
+	@$(call clean_after,LOMMEL_FUZZ=1 .venv/bin/pytest tests/fuzz)
+	exit $${status:-0}
 mutants: core-tests ## put faults into a copy of the code, one by one, and see that the tests notice: hours
 	@.venv/bin/python tests/mutants/run.py $(FLAGS) $(ONLY)
 

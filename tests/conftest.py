@@ -10,10 +10,12 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 import gc
 import pickle
+import shutil
 import signal
 import subprocess
 import sys
 from collections.abc import Callable, Iterator
+from itertools import count
 from pathlib import Path
 
 import matplotlib as mpl
@@ -51,6 +53,7 @@ ROOT = Path(__file__).resolve().parent.parent
 TERMINAL = ("FORCE_COLOR", "TTY_COMPATIBLE", "TTY_INTERACTIVE", "NO_COLOR", "COLUMNS", "LINES")
 MEMORY = 800 * 2**20  # bytes, in a process that runs tests
 RESIDENT = {"after": 0}
+FOLDERS = count()
 DESCRIBED: dict[bytes, object] = {}
 LENSES = sorted((ROOT / "examples" / "lenses").glob("*.toml"))
 
@@ -60,6 +63,18 @@ def pytest_runtestloop() -> None:
     """Look for garbage, but among what the tests make alone."""
     gc.freeze()
     gc.enable()
+
+
+@pytest.fixture(autouse=True)
+def own_folder(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
+    """Run each test in an empty folder, so that no relative path, "../.." included, is one of the repository."""
+    top = tmp_path_factory.getbasetemp() / f"own-{next(FOLDERS)}"
+    folder = top / "folder" / "of-its-own"
+    folder.mkdir(parents=True)
+    os.chdir(folder)
+    yield
+    os.chdir(ROOT)
+    shutil.rmtree(top, ignore_errors=True)
 
 
 @pytest.fixture(params=LENSES, ids=lambda path: path.stem)

@@ -488,6 +488,35 @@ def test_packed_sources_have_no_trace_of_time_place_and_user(tmp_path, monkeypat
     assert {"pyproject.toml", "CMakeLists.txt", "LICENSES/nanobind.txt"} <= set(names)
 
 
+PACKED = {
+    ".ci", ".clang-format", ".clang-tidy", ".editorconfig", ".github", ".gitignore", ".pre-commit-config.yaml",
+    "CHANGELOG.md", "CITATION.cff", "CMakeLists.txt", "CMakePresets.json", "CONTRIBUTING.md", "LICENSE", "LICENSES",
+    "Makefile", "PKG-INFO", "README.md", "SECURITY.md", "benchmarks", "changes", "cmake", "cpp", "docs", "examples",
+    "paper.bib", "paper.md", "pyproject.toml", "release", "requirements.lock", "src", "tests", "web",
+}  # fmt: skip
+
+
+@pytest.mark.quick
+def test_sources_are_packed_with_these_files_and_folders_at_the_top_alone(tmp_path, monkeypatch):
+    command = ["git", "ls-files", "--cached", "--others", "--exclude-standard", "-z"]
+    listed = subprocess.run(command, cwd=ROOT, capture_output=True, encoding="utf-8", check=False)
+    if listed.returncode:
+        pytest.skip("the sources are not a git repository")
+    # Of each folder one empty file will do: to pack all of them takes seconds.
+    tree = tmp_path / "tree"
+    there = [name for name in listed.stdout.split("\0") if name and (ROOT / name).is_file()]
+    for name in {name.partition("/")[0]: name for name in reversed(there)}.values():
+        (tree / name).parent.mkdir(parents=True, exist_ok=True)
+        (tree / name).touch()
+    for name in ("pyproject.toml", "README.md", "LICENSE", "CMakeLists.txt", ".gitignore"):
+        shutil.copyfile(ROOT / name, tree / name)
+    monkeypatch.chdir(tree)
+    from scikit_build_core.build import build_sdist
+
+    with tarfile.open(tmp_path / build_sdist(tmp_path)) as tar:
+        assert {member.name.split("/")[1] for member in tar} == PACKED
+
+
 @pytest.mark.skipif(not os.environ.get("LOMMEL_RELEASE"), reason="half an hour; LOMMEL_RELEASE=1 makes two releases")
 def test_two_releases_are_the_same_bytes(tmp_path):
     made = []

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import dataclasses
 import math
 import random
@@ -52,10 +53,11 @@ SPOTS = lm.localize.Table(
 
 
 def rendered(**given: object) -> list[object]:
-    """Render a whole data set of one picture, each time in another folder."""
+    """Render a whole data set of one picture, each time in another folder, of which relative paths are parts."""
     if isinstance(out := given["out"], Path):
         given["out"] = tempfile.mkdtemp(dir=out.parent)
-    return list(imaging.render_dataset(**given))
+    with tempfile.TemporaryDirectory(dir=".") as folder, contextlib.chdir(folder):
+        return list(imaging.render_dataset(**given))
 
 
 def tagged(name: str, call, **valid: object) -> tuple[str, object, dict[str, object]]:

@@ -7,9 +7,12 @@ import importlib.util
 import inspect
 import io
 import itertools
+import os
+import re
 import shutil
 import subprocess
 import sys
+import textwrap
 import tokenize
 from pathlib import Path
 from typing import NamedTuple
@@ -167,7 +170,8 @@ def test_every_line_of_the_list_names_a_test_that_is_there():
 
 def test_the_list_is_as_it_would_be_written():
     rows = tiers.slow_tests()
-    assert tiers.LIST.read_text(encoding="utf-8") == tiers.HEADER + "".join(tiers.lines({}, rows))
+    written = tiers.HEADER.format(tiers.loop_listed()) + "".join(tiers.lines({}, rows))
+    assert tiers.LIST.read_text(encoding="utf-8") == written
     assert min(rows.values()) >= tiers.SLOW
 
 
@@ -197,6 +201,28 @@ def test_a_measured_test_replaces_its_line_and_tests_that_are_gone_lose_theirs()
     assert tiers.lines({}, before) == [f"  2.0 {here}\n", "  0.3 tests/test_tools.py::listed\n"][::-1]
     assert tiers.lines({here: 0.1}, before) == ["  0.3 tests/test_tools.py::listed\n"]
     assert tiers.lines({here: 0.26}, {}) == [f"  0.3 {here}\n"]
+
+
+def test_a_quick_test_that_is_slow_each_time_is_an_error(tmp_path):
+    tests = """
+        import time
+        first = [0.5]
+        def work(seconds):
+            start = time.process_time()
+            while time.process_time() - start < seconds: pass
+        def test_slow(): work(0.3)
+        def test_slow_once(): first and work(first.pop())
+        def test_quick(): pass
+    """
+    (tmp_path / "test_some.py").write_text(textwrap.dedent(tests), encoding="utf-8")
+    (tmp_path / "conftest.py").write_text("import tiers; tiers.TOO_SLOW = 0.2", encoding="utf-8")
+    command = [sys.executable, "-m", "pytest", "-p", "tiers", "-p", "no:cacheprovider", "--quick", "test_some.py"]
+    environment = os.environ | {"PYTHONPATH": str(Path(tiers.__file__).parent)}
+    done = subprocess.run(command, cwd=tmp_path, env=environment, capture_output=True, text=True, check=False)
+    assert "3 passed, 1 error" in done.stdout
+    assert re.search(
+        r"^ERROR test_some.py::test_slow - takes [\d., and]+ s of a processor", done.stdout, re.MULTILINE
+    )
 
 
 def test_every_case_that_fails_is_listed():

@@ -23,6 +23,7 @@ from astropy.utils.masked import Masked
 import lommel as lm
 from lommel import imaging, localize, microscopy
 from lommel.detection.targets import find_spots
+from lommel.recorded.counts import Counts
 from objectives import OIL
 from planes import NOISE as PHOTOS_NOISE
 from planes import PAIR, PIXEL
@@ -257,6 +258,39 @@ def without(door: str) -> np.ndarray | None:
     return found
 
 
+def counted(images: Any) -> Counts:
+    return Counts.of("images", images, sides=(3,), shape="(planes, height, width)")
+
+
+@pytest.mark.parametrize("kind", [kind for kind in PLAIN if kind != "objects"])
+def test_any_array_is_read_as_the_same_counts(kind):
+    found = counted(PLAIN[kind](stack()))
+    np.testing.assert_array_equal(found.values, stack())
+    assert not found.hidden.any()
+    assert not found.full.any()
+
+
+def test_arrays_of_objects_are_refused():
+    with pytest.raises(TypeError, match=f"images {REFUSED['objects']}"):
+        counted(PLAIN["objects"](stack()))
+
+
+@pytest.mark.parametrize("kind", MASKS)
+def test_the_mask_of_any_array_hides_the_same_counts(kind):
+    values, mask = spoilt("microscopy.restore")
+    found, refusal = None, ""
+    try:
+        found = counted(MASKS[kind](values, mask))
+    except TypeError as error:
+        refusal = str(error)
+    if found is None:
+        assert "must not be masked; fill the masked values" in refusal
+    else:
+        np.testing.assert_array_equal(found.hidden, mask)
+        np.testing.assert_array_equal(np.asarray(found.values)[~mask], values[~mask])
+
+
+@pytest.mark.drawn("kind")
 @pytest.mark.parametrize(("door", "kind"), cases(PLAIN))
 def test_any_array_has_the_same_answer(door, kind):
     found, refusal = ask(door, PLAIN[kind](DOORS[door].values()))
@@ -267,6 +301,7 @@ def test_any_array_has_the_same_answer(door, kind):
         np.testing.assert_array_equal(found, plain(door))
 
 
+@pytest.mark.drawn("kind")
 @pytest.mark.parametrize(("door", "kind"), cases(MASKS))
 def test_what_is_masked_in_any_array_is_left_out_or_refused(door, kind):
     known = without(door)

@@ -4,7 +4,8 @@
 except for a few that the hash of the commit draws: the same ones in each run of a commit, others in the next commit.
 ``--slow`` runs those that ``--quick`` leaves out. ``--thorough`` runs all tests and seeds random searches anew, by a
 seed that it prints and that ``--thorough SEED`` takes. ``--measure`` writes the list; ``--quick --measure`` after it
-adds tests that pay for what slow tests prepared, such as a fixture of their module.
+adds tests that pay for what slow tests prepared, such as a fixture of their module. In ``--quick`` a test that is not
+listed and takes more than `TOO_SLOW` times `SLOW`, twice in succession, is an error.
 """
 
 from __future__ import annotations
@@ -13,6 +14,7 @@ import ast
 import hashlib
 import os
 import random
+import re
 import subprocess
 import time
 from collections import defaultdict
@@ -22,18 +24,20 @@ from importlib import import_module
 from pathlib import Path
 
 import pytest
+from _pytest.runner import runtestprotocol
 from hypothesis import settings
 
 ROOT = Path(__file__).resolve().parents[2]
 LIST = ROOT / "tests" / "slow_tests.txt"
 SLOW = 0.2  # seconds of a processor
+TOO_SLOW = 4.0  # in units of SLOW
 DRAWN = 0.01  # the share of slow tests that is in the quick tier
 # Whatever each test takes: the live page needs a browser; costs of hostile files are measured for all at once.
 ELSEWHERE = ("tests/live/", "tests/base/test_cost_of_reading.py")
 # Their first import is no cost of the test that happens to come first.
 COMMON = ("astropy.io.fits", "click", "dask.array", "h5py", "jax.numpy", "matplotlib.pyplot", "pydantic")
 HEADER = """# Tests that take more than 0.2 s of a processor, with the seconds that they took; a function stands for
-# all of its cases. Written by `pytest --measure`; see tests/shared/tiers.py.
+# all of its cases. Written by `pytest --measure`; see tests/shared/tiers.py. Its loop took {:.1f} ms.
 """
 
 
@@ -59,6 +63,7 @@ def pytest_configure(config: pytest.Config) -> None:
     for marker in (
         "quick: is of the quick tier, whatever it takes: it alone notices what it tests",
         "theorem: checks mathematics of the certificate that no line of the package computes",
+        "drawn(each): the quick tier has one case, which the commit draws, for each value of the parameter `each`",
     ):
         config.addinivalue_line("markers", marker)
     if config.option.thorough is not None:
@@ -68,6 +73,8 @@ def pytest_configure(config: pytest.Config) -> None:
         settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "random"))
     if config.option.measure:
         config.pluginmanager.register(Costs(), "costs")
+    elif config.option.quick:
+        config.pluginmanager.register(Limit(), "limit")
 
 
 def pytest_report_header(config: pytest.Config) -> list[str]:
@@ -84,9 +91,11 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
     """Leave out the tests of the other tier."""
     if config.option.quick != config.option.slow:
         share = 0.0 if config.option.measure else DRAWN
+        drawn = drawn_cases(items)
         kept, left = [], []
         for item in items:
-            (kept if is_quick(item, share) == config.option.quick else left).append(item)
+            quick = item in drawn if item.get_closest_marker("drawn") else is_quick(item, share)
+            (kept if quick == config.option.quick else left).append(item)
         config.hook.pytest_deselected(items=left)
         items[:] = kept
 
@@ -98,8 +107,22 @@ def is_quick(test: pytest.Item, share: float) -> bool:
         return False
     if test.get_closest_marker("quick"):
         return True
-    drawn = int.from_bytes(hashlib.sha256(f"{commit()} {name}".encode()).digest()[:8]) / 2**64
-    return drawn < share or not {name, name.partition("[")[0]} & slow_tests().keys()
+    return chance(name) < share or not {name, name.partition("[")[0]} & slow_tests().keys()
+
+
+def chance(name: str) -> float:
+    """Return a number from 0 to 1 that the commit draws for a test."""
+    return int.from_bytes(hashlib.sha256(f"{commit()} {name}".encode()).digest()[:8]) / 2**64
+
+
+def drawn_cases(items: list[pytest.Item]) -> set[pytest.Item]:
+    """Return the cases of tests with the marker `drawn` that are of the quick tier."""
+    groups = defaultdict(list)
+    for item in items:
+        if marker := item.get_closest_marker("drawn"):
+            values = [item.callspec.params[name] for name in marker.args]
+            groups[item.nodeid.partition("[")[0], *values].append(item)
+    return {min(group, key=lambda item: chance(item.nodeid)) for group in groups.values()}
 
 
 @cache
@@ -108,6 +131,23 @@ def slow_tests() -> dict[str, float]:
     lines = LIST.read_text(encoding="utf-8").splitlines() if LIST.exists() else []
     rows = (line.split(maxsplit=1) for line in lines if line and not line.startswith("#"))
     return {name: float(cost) for cost, name in rows}
+
+
+@cache
+def loop_listed() -> float:
+    """Return the milliseconds of `loop` where the list was measured."""
+    found = re.search(r"loop took ([\d.]+) ms", LIST.read_text(encoding="utf-8")) if LIST.exists() else None
+    return float(found[1]) if found else loop()
+
+
+def loop() -> float:
+    """Return the milliseconds of a processor that a loop in Python takes, the least of several."""
+    costs = []
+    for _ in range(5):
+        start = time.process_time()
+        sum(k % 7 for k in range(200_000))
+        costs.append(1e3 * (time.process_time() - start))
+    return min(costs)
 
 
 @cache
@@ -142,19 +182,46 @@ class Costs:
     @pytest.hookimpl(wrapper=True)
     def pytest_runtest_makereport(self, item: pytest.Item, call: pytest.CallInfo[None]) -> Iterator[None]:
         """Hand the cost of a test to the first process, as a property of its last report."""
-        if call.when == "teardown":
+        if call.when == "teardown" and not item.get_closest_marker("drawn"):
             item.user_properties.append(("cost", processor_time() - self.start))
         return (yield)
 
     def pytest_runtest_logreport(self, report: pytest.TestReport) -> None:
         """Collect the costs of tests, in whatever process they ran."""
-        if report.when == "teardown":
-            self.measured[report.nodeid] = dict(report.user_properties)["cost"]
+        if report.when == "teardown" and (cost := dict(report.user_properties).get("cost")) is not None:
+            self.measured[report.nodeid] = cost
 
     def pytest_sessionfinish(self, session: pytest.Session) -> None:
         """Write the list, in the first process."""
         if not hasattr(session.config, "workerinput"):
-            LIST.write_text(HEADER + "".join(lines(self.measured, slow_tests())), encoding="utf-8")
+            text = HEADER.format(loop()) + "".join(lines(self.measured, slow_tests()))
+            LIST.write_text(text, encoding="utf-8")
+
+
+class Limit:
+    """Fails quick tests that are slow and not listed, in units of the speed of the processor."""
+
+    def __init__(self) -> None:
+        self.seconds = TOO_SLOW * SLOW * max(1.0, loop() / loop_listed())
+
+    @pytest.hookimpl(wrapper=True)
+    def pytest_runtest_protocol(self, item: pytest.Item, nextitem: pytest.Item | None) -> Iterator[None]:
+        """Run a test that takes too long once more, without what it may have prepared first, and fail it then."""
+        start = processor_time()
+        done = yield
+        first = processor_time() - start
+        exempt = any(map(item.get_closest_marker, ("quick", "drawn")))
+        if first > self.seconds and not exempt and is_quick(item, 0.0):
+            start = processor_time()
+            item._initrequest()  # as pytest does before it runs a test
+            runtestprotocol(item, log=False, nextitem=nextitem)
+            second = processor_time() - start
+            if second > self.seconds:
+                said = f"takes {first:.1f} and {second:.1f} s of a processor and is not in {LIST.name}: "
+                said += "make it quicker, or add it by .venv/bin/pytest --quick --measure FILE"
+                report = pytest.TestReport(item.nodeid, item.location, {}, "failed", said, "teardown")
+                item.ihook.pytest_runtest_logreport(report=report)
+        return done
 
 
 def processor_time() -> float:

@@ -167,7 +167,7 @@ tidy: .venv/maintain.stamp ## check the core by clang-tidy: half a minute
 docs: build env page .venv/docs.stamp ## write the documentation to docs/_build/html, running the gallery
 	@rm -rf docs/api # may hold pages of names that are gone
 	MPLBACKEND=Agg .venv/bin/python -m sphinx -q -W --keep-going -n -b html -d docs/_build/doctrees docs docs/_build/html
-	.venv/bin/python docs/check.py docs/_build/html
+	.venv/bin/python tools/docs/check.py docs/_build/html
 	echo "docs/_build/html/index.html"
 page_module := src/lommel/page/lommel-live.js
 page: $(page_module) ## make the live page's module, src/lommel/page/lommel-live.js; fetches 200 MB the first time
@@ -206,9 +206,9 @@ sdist: page ## pack the sources, with the live page, in dist
 release: page .venv/maintain.stamp ## make dist/release, all that a maintainer uploads: a quarter of an hour of two processors
 	@UV=$(if $(fetched),"$(CURDIR)/.tools/uv",uv) .venv/bin/python release/build.py $(FLAGS)
 clean: ## remove all that make made
-	@rm -rf .venv .tools build dist docs/_build docs/_generated docs/api docs/gallery docs/sg_execution_times.rst \
+	@rm -rf .venv .tools build dist docs/_build docs/_generated docs/api docs/reference docs/gallery docs/sg_execution_times.rst \
 		$(page_module) .hypothesis .mypy_cache .pytest_cache .ruff_cache
 	rm -f out/hubble-1990.tif out/hubble-1990.png out/motorcycle.png out/motorcycle-*
-	find src tests examples benchmarks -type d -name __pycache__ -prune -exec rm -rf {} +
+	find src tests examples benchmarks tools -type d -name __pycache__ -prune -exec rm -rf {} +
 	[ ! -d out ] || rmdir out 2>/dev/null || echo "out holds other files; kept"
 FORCE:

@@ -28,6 +28,7 @@ from scipy.special import j0
 import api
 import drawn
 import lommel as lm
+import organisation
 import simulated_movies
 import simulated_stacks
 from benchmarks import accuracy, report
@@ -474,12 +475,32 @@ def test_the_errors_of_methods_without_a_bound_are_those_of_the_table():
             assert error == pytest.approx(number(cell), rel=0.06), (row, method)
 
 
-def test_the_reference_is_written_from_the_public_names():
+def test_the_reference_lists_each_public_name_on_one_page():
     made = api.pages()
-    assert {name: (ROOT / "docs" / name).read_text(encoding="utf-8") for name in made} == made
-    assert {path.name for path in (ROOT / "docs" / "reference").iterdir()} == {Path(name).name for name in made} - {
-        "api.md"
-    }
+    overview, modules = made.pop("_generated/api.inc"), made.pop("reference/modules.md")
+    names = re.findall(r"^   ([\w.]+)$", "".join(made.values()), flags=re.MULTILINE)
+    assert len(names) == len(set(names))
+    assert set(lm.__all__) < set(names)
+    assert "\n   measures.energy.encircled_energy\n" in modules
+    assert re.findall(r"^reference/.*$", overview, flags=re.MULTILINE) == [
+        name.removesuffix(".md") for name in (*made, "reference/modules.md")
+    ]
+    assert "```{include} _generated/api.inc\n" in (ROOT / "docs" / "api.md").read_text(encoding="utf-8")
+
+
+def test_the_pages_of_the_reference_are_written_without_those_of_sections_that_are_gone(tmp_path):
+    (tmp_path / "reference").mkdir()
+    (tmp_path / "reference" / "gone.md").touch()
+    api.write(tmp_path)
+    made = {path.relative_to(tmp_path).as_posix() for path in tmp_path.rglob("*.*")}
+    assert made == set(api.pages())
+
+
+def test_the_reference_has_a_section_for_names_of_every_module():
+    private = {"cli", "napari_plugin", "paper", "the package"}
+    for name in organisation.modules():
+        if organisation.package_of(name) not in private:
+            assert api.section_of(name.replace("/", "."))
 
 
 def anchors(path: Path) -> set[str]:

@@ -38,7 +38,7 @@ from pathlib import Path
 
 import draw
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "docs"))
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tools" / "docs"))
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "shared"))
 import organisation
 import programs

@@ -8,7 +8,7 @@ from typing import Any
 
 from PIL import Image, ImageOps
 
-FOLDER = Path(__file__).resolve().parent / "_generated" / "thumbnails"
+FOLDER = Path(__file__).resolve().parents[2] / "docs" / "_generated" / "thumbnails"
 SIZE = (480, 300)
 # Of each script the number of the figure and that of its axes.
 PANELS = {

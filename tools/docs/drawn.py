@@ -20,13 +20,13 @@ import numpy as np
 from matplotlib.figure import Figure
 from PIL import Image
 
-HERE = Path(__file__).resolve().parent
-PAGE = HERE / "pictures.md"
+DOCS = Path(__file__).resolve().parents[2] / "docs"
+PAGE = DOCS / "pictures.md"
 # Pages whose code and commands run from top to bottom in an empty folder.
-TUTORIALS = [HERE / f"start{field}.md" for field in ("", "-camera", "-class", "-depth", "-microscope", "-telescope")]
-TUTORIALS.append(HERE / "apertures.md")
+TUTORIALS = [DOCS / f"start{field}.md" for field in ("", "-camera", "-class", "-depth", "-microscope", "-telescope")]
+TUTORIALS.append(DOCS / "apertures.md")
 # Pictures kept beside the pages, for readers of the repository: pages name them in this folder.
-KEPT = HERE / "start"
+KEPT = DOCS / "start"
 # A block of code, of commands, of a file named in its first line or of what was printed; a picture.
 _PARTS = re.compile(
     r"^```(?P<language>python|sh|toml|text)\n(?P<code>.*?)^```"
@@ -106,7 +106,7 @@ def command(lines: str, where: str) -> str:
 def first_psf() -> Figure:
     """Return the figure that the first code of README.md draws."""
     plt.close("all")
-    text = (HERE.parent / "README.md").read_text(encoding="utf-8")
+    text = (DOCS.parent / "README.md").read_text(encoding="utf-8")
     code = next(part["code"] for part in _PARTS.finditer(text) if part["language"] == "python")
     exec(compile(code, "README.md", "exec"), {})
     return plt.gcf()
@@ -171,5 +171,5 @@ def same(shown: str, printed: str) -> bool:
 if __name__ == "__main__":
     figure = first_psf()
     figure.set_size_inches(5.4, 4.0)
-    figure.savefig(HERE / "first-psf.png", dpi=100)
+    figure.savefig(DOCS / "first-psf.png", dpi=100)
     write_kept()

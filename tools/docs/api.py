@@ -1,16 +1,16 @@
-"""Writes docs/api.md and docs/reference: names by subject, from `lommel.__init__.pyi` and each `__all__`."""
+"""The API reference: pages of names by subject, from `lommel/__init__.pyi` and the `__all__` of packages."""
 
 from __future__ import annotations
 
 import ast
 import re
+import shutil
 from importlib import import_module
 from operator import itemgetter
 from pathlib import Path
 from typing import NamedTuple
 
-HERE = Path(__file__).resolve().parent
-STUB = HERE.parent / "src" / "lommel" / "__init__.pyi"
+STUB = Path(__file__).resolve().parents[2] / "src" / "lommel" / "__init__.pyi"
 
 
 class Section(NamedTuple):
@@ -24,13 +24,13 @@ class Section(NamedTuple):
     more: str = ""
 
 
-# A name of `lommel` goes to the first section with a module that its own begins with.
+# A name of `lommel` goes to the section with the longest module that its own begins with.
 SECTIONS = [
     Section(
         "PSFs",
         "Compute PSFs and stacks, and prepare plans for many of them.",
         "See [](../start.md).",
-        ("psf", "optics.grid", "core.engine"),
+        ("psf", "optics.grid", "core", "traced"),
         more="traced.traced_psf.TracedPSF",
     ),
     Section(
@@ -52,11 +52,10 @@ SECTIONS = [
         "Describe a lens or a pupil: aperture, wavefront, wavelength, f-number.",
         "See [](../conventions.md) for signs and units, [](../command-line.md) for lens files.",
         (
-            "optics.lens",
-            "optics.pupil",
-            "optics.aperture",
+            "optics",
             "optics.wavefront.wavefront",
-            "report.image",
+            "telescopes",
+            "report",
             "lensfiles.instrument",
             "lensfiles.lens",
         ),
@@ -90,6 +89,7 @@ SECTIONS = [
         "Scanning microscopes, beads, deconvolution",
         "Confocal, two-photon, STED and light-sheet PSFs, images of beads, 3-D deconvolution.",
         "See [](../microscopes.md#confocal-two-photon-light-sheet-beads).",
+        ("microscopy", "deconvolve"),
         package="microscopy",
         more="methods.Confocal methods.TwoPhoton methods.Sted methods.Bead",
     ),
@@ -97,13 +97,14 @@ SECTIONS = [
         "Localisation of molecules",
         "Read movies, find molecules, fit their positions in 3-D, and write tables of them.",
         "See [](../localize.md).",
+        ("localize",),
         package="localize",
     ),
     Section(
         "PSFs over the field",
         "Wavefronts, vignetting and PSFs at every position of the sensor.",
         "See [](../field.md).",
-        ("field",),
+        ("field", "adapters"),
         more="io.field_files.save lensfiles.tables.read_rows lensfiles.tables.read_csv"
         " lensfiles.tables.FieldTable show.plot.field adapters.optiland.pupil adapters.optiland.polarized_pupils"
         " adapters.optiland.field_map adapters.rayoptics.pupil adapters.rayoptics.field_map"
@@ -145,7 +146,7 @@ SECTIONS = [
         "Fisher information and phase retrieval",
         "Cramér-Rao bounds of parameters and depth; the wavefront from star images.",
         "See [](../estimation.md) and [](../retrieve.md).",
-        ("estimation", "detection.targets"),
+        ("estimation", "detection"),
     ),
     Section(
         "Recorded images",
@@ -165,6 +166,7 @@ SECTIONS = [
         "Imaging",
         "Depth-of-field rendering, deblurring, depth from defocus, photographs and depth maps.",
         "See [](../imaging.md), [](../restore.md) and [](../depth.md).",
+        ("imaging",),
         package="imaging",
         more="imaging.settings.Settings imaging.traced_blur.TracedBlur adapters.deepinv.blur_physics"
         " adapters.deepinv.psf_generator imaging.field_blur.FieldBank"
@@ -184,6 +186,7 @@ SECTIONS = [
         "Plots",
         "Plot PSFs, pupils, curves, spots and sections with matplotlib.",
         "See [](../pictures.md).",
+        ("show",),
         more="show.plot.plot show.plot.sections show.plot.compare show.pupils.pupil show.pupils.wavefront"
         " show.plot.difference show.curves.mtf show.curves.encircled_energy show.plot.spots"
         " show.curves.through_focus show.curves.focus_curves show.plot.ray_positions show.curves.moved"
@@ -193,6 +196,7 @@ SECTIONS = [
         "Files and units",
         "File formats of PSFs, and lengths with units.",
         "See [](../formats.md).",
+        ("io", "base"),
         more="io.psf_files.save io.psf_files.describe io.psf_files.FileError io.registry.Format io.registry.register"
         " base.units.parse_length base.units.parse_angle base.units.parse_radius base.units.format_length",
     ),
@@ -200,6 +204,7 @@ SECTIONS = [
         "Signatures of other packages",
         "Functions of psfmodels, MicroscPSF-Py and pyotf, and models of photutils, GalSim and prysm.",
         "See [](../coming-from.md).",
+        ("compat",),
         more="compat.psfmodels.make_psf compat.psfmodels.objective compat.microscpsf.gLXYZFocalScan"
         " compat.pyotf.HanserPSF compat.photutils.effective_psf compat.photutils.image_psf"
         " compat.photutils.gridded_psf_model compat.photutils.save_stdpsf compat.galsim.interpolated_image"
@@ -217,12 +222,6 @@ SECTIONS = [
         " special.zernike.polynomial special.zernike.rms_factor",
     ),
 ]
-
-HEAD = """# API reference
-
-Written by `python docs/api.py` from the public names; do not edit. Names without a dot are names of `lommel`:
-`import lommel as lm`, then `lm.psf`. Lengths are in metres and phases in radians unless stated otherwise.
-"""
 
 MODULES = """# Modules
 
@@ -249,7 +248,7 @@ def section_of(module: str) -> Section:
         if f"{module}.".startswith((f"{prefix}.", f"{prefix}_"))
     ]
     if not prefixes:
-        raise ValueError(f"no section of docs/api.py takes the names of lommel.{module}")
+        raise ValueError(f"no section of tools/docs/api.py has the names of lommel.{module}; add its package to one")
     return max(prefixes, key=itemgetter(0))[1]
 
 
@@ -279,8 +278,8 @@ def _table(names: list[str]) -> str:
 
 
 def pages() -> dict[str, str]:
-    """Return the pages as Markdown by their names: api.md and one for each group."""
-    made, overview, tree, modules = {}, [HEAD], [], []
+    """Return the Markdown of a page for each section, by name, and of the overview that docs/api.md includes."""
+    made, overview, tree, modules = {}, [], [], []
     for name, (section, listed, more) in groups().items():
         see = f" {section.see}" if section.see else ""
         if listed:
@@ -292,11 +291,14 @@ def pages() -> dict[str, str]:
             modules.append(f"## {section.title}\n\n{_table(more)}")
     made["reference/modules.md"] = "\n".join([MODULES, *modules])
     overview.append(f"## [Modules](reference/modules.md)\n\n{MODULES.split(maxsplit=2)[2]}")
-    made["api.md"] = "\n".join([*overview, "```{toctree}\n:hidden:\n", *tree, "reference/modules", "```\n"])
+    tree.append("reference/modules")
+    made["_generated/api.inc"] = "\n".join([*overview, "```{toctree}\n:hidden:\n", *tree, "```\n"])
     return made
 
 
-if __name__ == "__main__":
+def write(folder: Path) -> None:
+    """Write the pages into the folder of the documentation, without those of sections that are gone."""
+    shutil.rmtree(folder / "reference", ignore_errors=True)
     for name, text in pages().items():
-        (HERE / name).parent.mkdir(exist_ok=True)
-        (HERE / name).write_text(text, encoding="utf-8")
+        (folder / name).parent.mkdir(exist_ok=True)
+        (folder / name).write_text(text, encoding="utf-8")

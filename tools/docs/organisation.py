@@ -11,7 +11,7 @@ from functools import cache
 from html import escape
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parent.parent
+ROOT = Path(__file__).resolve().parents[2]
 PACKAGE = ROOT / "src" / "lommel"
 CORE = ROOT / "cpp" / "include" / "lommel"
 

@@ -1,4 +1,4 @@
-"""Write docs/paper.md and its pictures: ``.venv/bin/python docs/make_paper.py``."""
+"""Write docs/paper.md and its pictures: ``.venv/bin/python tools/docs/make_paper.py``."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from lommel.base.units import percent
 from lommel.methods import ClosedForm
 from lommel.paper import FIGURES, reproduce
 
-HERE = Path(__file__).resolve().parent
+DOCS = Path(__file__).resolve().parents[2] / "docs"
 
 INTRODUCTION = """\
 # The paper, regenerated
@@ -52,7 +52,7 @@ A successor (Ganino and Guo 2026, *Fast PSF synthesis with defocused and spheric
 Hankel transform and four times that of an FFT.
 
 `lommel paper OUTDIR` writes all figures and their data in about half a minute; this page and its pictures are
-written by `.venv/bin/python docs/make_paper.py`.
+written by `.venv/bin/python tools/docs/make_paper.py`.
 
 **Settings.** 512 x 512 pixels, C_d = 10, tangent-line centre TLC = 100, N = 30 terms of Eq. (14), unless a figure
 varies them. Lengths on the sensor are `v = pi r / (lambda F)` with the working f-number F; this is `2 pi k R_max` of
@@ -138,7 +138,7 @@ def small(picture: bytes, figure: str) -> bytes:
 
 def measured() -> dict[str, str]:
     """Return the numbers of "In short" from the table of the paper's question in `benchmarks/second.json`."""
-    results = json.loads((HERE.parent / "benchmarks" / "second.json").read_text(encoding="utf-8"))
+    results = json.loads((DOCS.parent / "benchmarks" / "second.json").read_text(encoding="utf-8"))
     (table,) = (each for each in results["tables"] if each["key"] == "paper")
     rows = {(row["image"], row["way"]): row for row in table["rows"]}
     large, small = "512², C_d = 10, C_s = 0", "33², C_d = 10, C_s = 0"
@@ -210,13 +210,13 @@ def errata() -> str:
 
 def main() -> None:
     """Compute everything and write the page."""
-    (HERE / "paper").mkdir(exist_ok=True)
+    (DOCS / "paper").mkdir(exist_ok=True)
     parts = [INTRODUCTION.format(**measured())]
     with tempfile.TemporaryDirectory() as folder:
         made = reproduce(Path(folder), started=print, dpi=85)
         for figure in FIGURES:
             picture = (Path(folder) / f"figure-{figure}.png").read_bytes()
-            atomic.write(HERE / "paper" / f"figure-{figure}.png", small(picture, figure))
+            atomic.write(DOCS / "paper" / f"figure-{figure}.png", small(picture, figure))
     parts.append(paper.markdown(made["table"]))
     for figure, plan in FIGURES.items():
         name = {"eq17": "Eq. 17", "validity": "Beyond the paper"}.get(figure, f"Fig. {figure}")
@@ -226,7 +226,7 @@ def main() -> None:
         "\n## Errata\n\nFound by integrating what stands under each integral of the appendix by quadrature; "
         "equations\n(18) to (20) are correct as printed.\n\n" + errata() + "\n" + IMPLEMENTATION
     )
-    atomic.write(HERE / "paper.md", "".join(parts).encode())
+    atomic.write(DOCS / "paper.md", "".join(parts).encode())
 
 
 if __name__ == "__main__":

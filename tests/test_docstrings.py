@@ -17,6 +17,8 @@ from collections.abc import Callable, Iterator
 from importlib import import_module
 from typing import Any
 
+import pytest
+
 import api
 import lommel as lm
 import organisation
@@ -116,9 +118,10 @@ def test_every_name_that_the_reference_lists_is_there():
     assert [name for name in LISTED if resolved(name) is None] == []
 
 
+@pytest.mark.quick  # nothing else reads the docstring of a new function
 def test_a_public_thing_has_sections_for_parameters_results_and_errors():
     found = {name: lack for name, thing in THINGS.items() if (lack := lacking(thing))}
-    assert found == {}, "numpydoc sections and parameters that docstrings lack; CONTRIBUTING.md, Rules, says which"
+    assert found == {}, "docstrings lack these parameters and numpydoc sections: see Rules in CONTRIBUTING.md"
 
 
 # Defaults, by their syntax: adapters too, whose packages need not be there.

@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 import re
 import shutil
+from functools import cache
 from importlib import import_module
 from operator import itemgetter
 from pathlib import Path
@@ -252,6 +253,7 @@ def section_of(module: str) -> Section:
     return max(prefixes, key=itemgetter(0))[1]
 
 
+@cache
 def groups() -> dict[str, tuple[Section, list[str], list[str]]]:
     """Return, by name of the page, each section with its public names and those of its modules."""
     found, names = {}, public()

@@ -1,7 +1,11 @@
-"""Files and folders written whole or not at all: links, permissions, long names, what killed processes leave."""
+"""Files and folders written whole or not at all: links, permissions, long names, what killed processes leave.
+
+Recordings are kept.
+"""
 
 from __future__ import annotations
 
+import errno
 import os
 import stat
 import subprocess
@@ -207,3 +211,66 @@ def test_what_cannot_be_written_is_told_by_its_own_name(tmp_path):
         with read_only(), pytest.raises(OSError, match=r"Read-only file system: '[^']*/a'$"):
             write()
     assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize("length", [5, 255])
+def test_a_recording_gets_its_name_at_the_end_and_never_that_of_an_earlier_recording(length, tmp_path):
+    target = tmp_path / ("x" * (length - 4) + ".csv")
+    target.write_text("old")
+    target.chmod(0o640)
+    names = []
+    with atomic.recording(target) as first, atomic.recording(target) as second:
+        for file in (first, second):
+            names.append(file.path.name)
+            file.path.write_text("new")
+            file.added()
+        assert target.read_text() == "old"
+    assert names == [f"{'x' * min(length - 4, 255 - len(ending))}{ending}" for ending in UNFINISHED]
+    assert [path.name for path in tmp_path.iterdir()] == [target.name]
+    assert (target.read_text(), mode(target)) == ("new", 0o640)
+
+
+UNFINISHED = (".unfinished.csv", ".unfinished-2.csv")
+
+
+def test_an_error_keeps_a_recording_in_which_there_is_something(tmp_path):
+    def record(text: str, *, added: bool) -> None:
+        with atomic.recording(tmp_path / "a.csv") as file:
+            file.path.write_text(text)
+            if added:
+                file.added()
+            raise RuntimeError("enough")
+
+    for ending in UNFINISHED:
+        with pytest.warns(UserWarning, match=f"a{ending} keeps what was recorded"), pytest.raises(RuntimeError):
+            record(ending, added=True)
+    with pytest.raises(RuntimeError, match="enough"):
+        record("heading", added=False)
+    kept = {path.name: path.read_text() for path in tmp_path.iterdir()}
+    assert kept == {f"a{ending}": ending for ending in UNFINISHED}
+
+
+@pytest.mark.filterwarnings("ignore:.*keeps what was recorded")
+def test_a_recording_is_synchronised_with_the_disk_once_a_second(tmp_path, monkeypatch):
+    clock, synchronised = [0.0], []
+    monkeypatch.setattr(time, "monotonic", lambda: clock[0])
+
+    def synchronise(path: Path) -> None:
+        synchronised.append(path.read_text())
+        if clock[0] > 5.0:
+            raise OSError(errno.EIO, "Input/output error")
+
+    def record(count: int, step: float) -> None:
+        with atomic.recording(tmp_path / "a.csv") as file, monkeypatch.context() as patch:
+            patch.setattr(atomic, "_synchronise", synchronise)
+            for number in range(count):
+                clock[0] += step
+                file.path.write_text(str(number))
+                file.added()
+                file.wait()
+
+    record(9, 0.3)
+    assert synchronised == ["3", "7"]
+    with pytest.raises(OSError, match="Input/output error"):
+        record(1, 9.0)
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["a.csv", "a.unfinished.csv"]

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import os
+import signal
 from functools import cache
 from pathlib import Path
 
@@ -13,6 +15,8 @@ pytest.importorskip("av", reason="video needs PyAV: pip install av")
 
 import lommel as lm
 from lommel.base.encoding import from_light
+from lommel.cli import sharpen_command
+from lommel.io import videos
 from scenes import ThinLens, averaged, plane, record, texture
 from video_files import frames_of, write_video
 
@@ -104,6 +108,31 @@ def test_a_file_that_breaks_off_is_told_with_exit_code_3(folder, call_lommel):
     assert result.returncode == 3
     assert "breaks off" in result.stderr
     assert 20 < len(frames_of(folder / "o.mkv")[0]) < 40
+
+
+@pytest.mark.parametrize("sent", [signal.SIGTERM, signal.SIGHUP])
+def test_a_signal_leaves_a_whole_file_or_none(sent, folder, call_lommel, monkeypatch):
+    write_video(folder / "clip.mkv", frames() * 20)
+    before = sorted(folder.iterdir())
+    write = videos.VideoWriter.__call__
+    words = ["sharpen", "clip.mkv", "lens.toml", "--at", "1.5m", *DEEP, "-o", "o.mkv"]
+    with monkeypatch.context() as patch:
+        patch.setattr(sharpen_command, "coding_of", lambda *_, **__: os.kill(os.getpid(), sent))
+        assert call_lommel(*words, folder=folder).returncode == 1
+    assert sorted(folder.iterdir()) == before
+
+    def interrupted(self, *arguments):
+        write(self, *arguments)
+        if arguments[1] > 0.1:
+            os.kill(os.getpid(), sent)
+
+    monkeypatch.setattr(videos.VideoWriter, "__call__", interrupted)
+    result = call_lommel(*words, folder=folder)
+    assert result.returncode == 0
+    assert "4 frames in" in result.stdout
+    assert "ended: interrupted" in result.stdout
+    assert len(frames_of(folder / "o.mkv")[0]) == 4
+    assert sorted(folder.iterdir()) == sorted([*before, folder / "o.mkv"])
 
 
 @pytest.mark.parametrize(

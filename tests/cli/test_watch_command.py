@@ -9,6 +9,8 @@ import signal
 import subprocess
 import sys
 import time
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
 from functools import cache
 from pathlib import Path
 
@@ -289,7 +291,11 @@ def test_a_black_frame_is_told_and_counted_and_the_stream_goes_on(folder, call_l
     assert np.abs(frames_of(folder / "o.mkv", "rgb24")[0][1, 8 : SIDE - 8, 8 : SIDE - 8].astype(int) - 128).max() < 5
 
 
-def test_ctrl_c_while_a_frame_is_written_leaves_whole_files(folder, call_lommel, monkeypatch):
+SIGNALS = [signal.SIGINT, signal.SIGTERM, signal.SIGHUP]
+
+
+@pytest.mark.parametrize("sent", SIGNALS)
+def test_a_signal_while_a_frame_is_written_leaves_whole_files(sent, folder, call_lommel, monkeypatch):
     write_video(folder / "near.mkv", shots()[0::2] * 20)
     write_video(folder / "far.mkv", shots()[1::2] * 20)
     write, calls = watch_command.Outputs.__call__, []
@@ -297,7 +303,8 @@ def test_ctrl_c_while_a_frame_is_written_leaves_whole_files(folder, call_lommel,
     def interrupted(self, seen):
         calls.append(seen.time)
         if len(calls) == 4:
-            os.kill(os.getpid(), signal.SIGINT)
+            for _ in range(1 if sent == signal.SIGINT else 2):  # a second Ctrl-C does not wait for the frame
+                os.kill(os.getpid(), sent)
         return write(self, seen)
 
     monkeypatch.setattr(watch_command.Outputs, "__call__", interrupted)
@@ -305,31 +312,129 @@ def test_ctrl_c_while_a_frame_is_written_leaves_whole_files(folder, call_lommel,
     assert result.returncode == 0
     assert "ended: interrupted" in result.stdout
     assert len(frames_of(folder / "out.mp4")[0]) == len(rows(folder / "found.csv")) == 4
-    assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
+    assert [signal.getsignal(number) for number in SIGNALS] == [signal.default_int_handler, *[signal.SIG_DFL] * 2]
 
 
-def test_the_installed_command_ends_by_ctrl_c_with_a_file_that_plays(folder):
+@pytest.mark.parametrize("sent", SIGNALS)
+def test_a_signal_before_the_first_frame_leaves_no_file(sent, folder, call_lommel, monkeypatch):
+    before = sorted(folder.iterdir())
+
+    def interrupted(*_: object, **__: object) -> None:
+        os.kill(os.getpid(), sent)
+        raise AssertionError("the command goes on")
+
+    monkeypatch.setattr(watch_command, "LiveDepth", interrupted)
+    result = call_lommel("watch", *SCENE, *DEEP, *TWO, "-o", "out.mkv", "--table", "found.csv", folder=folder)
+    assert (result.returncode, result.stderr.strip()) == (1, "Aborted!")
+    monkeypatch.setattr(watch_command, "LiveDepth", TABLES)
+    monkeypatch.setattr(videos.FramePairs, "__next__", interrupted)
+    result = call_lommel("watch", *SCENE, *DEEP, *TWO, "-o", "out.mkv", "--table", "found.csv", folder=folder)
+    assert (result.returncode, result.stderr.strip()) == (1, "Aborted!")
+    assert sorted(folder.iterdir()) == before
+
+
+def test_nohup_goes_on_when_the_terminal_is_closed(folder, call_lommel, monkeypatch):
+    old = signal.signal(signal.SIGHUP, signal.SIG_IGN)
+    try:
+        write = watch_command.Outputs.__call__
+
+        def hung_up(self, seen):
+            os.kill(os.getpid(), signal.SIGHUP)
+            return write(self, seen)
+
+        monkeypatch.setattr(watch_command.Outputs, "__call__", hung_up)
+        result = call_lommel("watch", *SCENE, *DEEP, *TWO, "--table", "found.csv", folder=folder)
+    finally:
+        signal.signal(signal.SIGHUP, old)
+    assert "ended: the end" in result.stdout
+    assert len(rows(folder / "found.csv")) == 3
+
+
+def test_a_second_ctrl_c_ends_at_once_and_names_what_is_kept(folder, call_lommel, monkeypatch):
+    write = watch_command.Outputs.__call__
+
+    def interrupted(self, seen):
+        closed = write(self, seen)
+        for _ in range(2):
+            os.kill(os.getpid(), signal.SIGINT)
+        return closed
+
+    monkeypatch.setattr(watch_command.Outputs, "__call__", interrupted)
+    result = call_lommel("watch", *SCENE, *DEEP, *TWO, "-o", "out.mkv", "--table", "found.csv", folder=folder)
+    assert result.returncode == 1
+    kept = ["found.unfinished.csv", "out.unfinished.mkv"]
+    assert result.stderr.split("\n") == [
+        *(f"Note: {folder / name} keeps what was recorded" for name in kept), "", "Aborted!", ""
+    ]  # fmt: skip
+    assert sorted(path.name for path in folder.iterdir()) == ["far.mkv", kept[0], "lens.toml", "near.mkv", kept[1]]
+    assert len(frames_of(folder / kept[1])[0]) == len(rows(folder / kept[0])) == 1
+
+
+@contextmanager
+def installed(folder: Path, output: int, terminal: int | None = None) -> Iterator[subprocess.Popen]:
+    """The installed command, once it has written two rows; what it writes to the terminal is read."""
     write_video(folder / "both.mkv", eight_bits(shots()) * 700)
     words = [*SCENE, *STATED, "--source", "both.mkv", "--alternating", "-o", "out.mkv", "--depth", "depth.mkv"]
-    command = [str(Path(sys.executable).with_name("lommel")), "watch", *map(str, words)]
+    command = [str(Path(sys.executable).with_name("lommel")), "watch", *map(str, words), "--table", "found.csv"]
     environment = os.environ | {"COLUMNS": "200"}
-    process = subprocess.Popen(
-        command, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=environment
-    )
+    process = subprocess.Popen(command, cwd=folder, stdout=output, stderr=output, text=True, env=environment)
     try:
-        for _ in range(6000):  # until frames are written
-            if len(list(folder.glob(".lommel-*"))) == 2 or process.poll() is not None:
+        for _ in range(6000):
+            table = folder / "found.unfinished.csv"
+            if process.poll() is not None or (table.exists() and table.read_text().count("\n") > 2):
                 break
+            if terminal is not None:
+                with suppress(BlockingIOError):
+                    os.read(terminal, 4096)
             time.sleep(0.01)
-        process.send_signal(signal.SIGINT)
-        told, errors = process.communicate(timeout=60)
+        yield process
     finally:
         process.kill()
+
+
+def test_the_installed_command_ends_by_sigterm_with_files_that_play(folder):
+    with installed(folder, subprocess.PIPE) as process:
+        process.send_signal(signal.SIGTERM)
+        told, errors = process.communicate(timeout=60)
     assert process.returncode == 0, errors
     assert "ended: interrupted" in told
+    whole_files(folder)
+    assert f"{len(rows(folder / 'found.csv'))} pairs in" in told
+
+
+def whole_files(folder: Path) -> None:
     pictures, depths = frames_of(folder / "out.mkv")[0], frames_of(folder / "depth.mkv")[0]
-    assert 0 < len(pictures) == len(depths) < 2100
-    assert sorted(path.name for path in folder.glob(".*")) == []
+    assert 2 <= len(pictures) == len(depths) == len(rows(folder / "found.csv")) < 2100
+    names = sorted(path.name for path in folder.iterdir())
+    assert names == ["both.mkv", "depth.mkv", "far.mkv", "found.csv", "lens.toml", "near.mkv", "out.mkv"]
+
+
+def test_a_terminal_that_is_closed_leaves_files_that_play(folder):
+    own, other = os.openpty()
+    os.set_blocking(own, False)
+    with installed(folder, other, own) as process:
+        os.close(other)
+        os.close(own)
+        process.send_signal(signal.SIGHUP)  # as the kernel does for the process group of a terminal
+        assert process.wait(60) == 0
+    whole_files(folder)
+
+
+def test_a_killed_process_leaves_all_rows_and_all_frames_but_the_last(folder):
+    with installed(folder, subprocess.DEVNULL) as process:
+        time.sleep(np.random.default_rng(0).uniform(0.0, 0.5))
+        process.kill()
+        assert process.wait(60) == -signal.SIGKILL
+    text = (folder / "found.unfinished.csv").read_text(encoding="utf-8")
+    assert text.endswith("\n")
+    table = rows(folder / "found.unfinished.csv")
+    assert len(table) >= 2
+    for name in ("out", "depth"):
+        with videos.video_frames(folder / f"{name}.unfinished.mkv") as video:
+            times = [frame.time for frame in video]
+        assert len(table) - len(times) in (1, 2)  # a row is written before the frames
+        assert times == pytest.approx([row["time (s)"] for row in table[: len(times)]], abs=1e-3)
+    assert not (folder / "out.mkv").exists()
 
 
 def test_a_camera_that_is_unplugged_ends_with_what_was_written_and_exit_code_3(folder, call_lommel, monkeypatch):

@@ -7,7 +7,9 @@ import sys
 import threading
 import time
 from collections.abc import Iterator
+from contextlib import ExitStack
 from fractions import Fraction
+from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
@@ -20,6 +22,7 @@ from lommel.io.videos import VideoError, VideoFrame, VideoFrames, frame_pairs, v
 
 av = pytest.importorskip("av", reason="video needs PyAV: pip install av")
 
+from small_disk import small_disk  # noqa: E402
 from video_files import frames_of, write_video  # noqa: E402
 
 
@@ -378,3 +381,82 @@ def test_colours_are_written_for_players_with_even_sides(suffix, tmp_path):
     assert times == pytest.approx(0.04 * np.arange(8), abs=1e-3)
     assert np.abs(found[5, 8:24, 8:24].astype(int) - (100, 100, 200)).max() <= 6
     assert [path] == list(tmp_path.iterdir())
+
+
+def frames_so_far(path: Path) -> list[float]:
+    """Times of the frames of a file that is still being written."""
+    times = []
+    try:
+        with av.open(str(path)) as container:
+            for frame in container.decode(video=0):
+                times.append(float(frame.time))  # noqa: PERF401 (those before the end of a file that is cut)
+    except (av.error.EOFError, av.error.InvalidDataError):  # it has a header only, or is cut in a frame
+        pass
+    return times
+
+
+CODECS = {"libx264": "h264", "mpeg4": "mpeg4"}  # decoders
+KINDS = [
+    (".mkv", np.uint16, (16, 24), "libx264"),
+    (".mkv", np.uint8, (48, 64, 3), "libx264"),
+    (".mp4", np.uint8, (48, 64, 3), "libx264"),
+    (".mkv", np.uint8, (48, 64), "mpeg4"),
+    (".mp4", np.uint8, (48, 64), "mpeg4"),
+]
+
+
+@pytest.mark.parametrize(("suffix", "dtype", "shape", "codec"), KINDS)
+def test_each_frame_is_in_the_file_once_the_next_is_written(suffix, dtype, shape, codec, tmp_path, monkeypatch):
+    monkeypatch.setattr(av, "codecs_available", av.codecs_available - ({"libx264"} - {codec}))
+    target, unfinished = tmp_path / f"a{suffix}", tmp_path / f"a.unfinished{suffix}"
+    times = [0.0, 0.04, 0.08, 0.12, 0.5, 3.0, 3.04]
+    with videos.find(target).write(target, 0.04) as write:
+        for k, frame in enumerate(noise(7, shape, top=np.iinfo(dtype).max, dtype=dtype)):
+            write(frame, times[k])
+            assert frames_so_far(unfinished) == pytest.approx(times[:k], abs=1e-3)
+    assert [path.name for path in tmp_path.iterdir()] == [target.name]
+    assert frames_so_far(target) == pytest.approx(times, abs=1e-3)
+    with av.open(str(target)) as container:
+        assert container.streams.video[0].codec_context.name == ("ffv1" if dtype == np.uint16 else CODECS[codec])
+    if suffix == ".mp4":  # an ordinary file, without fragments
+        assert boxes(target.read_bytes()) == [b"ftyp", b"free", b"mdat", b"moov"]
+
+
+def boxes(data: bytes) -> list[bytes]:
+    """Types of the boxes of an MP4 file."""
+    found, place = [], 0
+    while place < len(data):
+        found.append(data[place + 4 : place + 8])
+        size = int.from_bytes(data[place : place + 4], "big")
+        place += size if size > 1 else int.from_bytes(data[place + 8 : place + 16], "big")
+    return found
+
+
+@pytest.mark.parametrize("end", ["disk full", "disk full at the end", "another error"])
+@pytest.mark.parametrize("suffix", [".mkv", ".mp4"])
+def test_an_error_keeps_the_frames_before_it(suffix, end, tmp_path):
+    target, unfinished = tmp_path / f"a{suffix}", tmp_path / f"a.unfinished{suffix}"
+    target.write_bytes(b"earlier video")
+    written = []
+
+    def record() -> None:
+        with ExitStack() as stack, videos.find(target).write(target, 0.04) as write:
+            if end == "disk full":
+                stack.enter_context(small_disk(40_000))
+            for k, frame in enumerate(noise(30, (48, 64))):
+                write(frame, 0.04 * k)
+                written.append(0.04 * k)
+            if end == "another error":
+                raise OSError(0, "enough", str(target))
+            # The last frame takes 2000 bytes, the index of an MP4 file as many.
+            stack.enter_context(small_disk(unfinished.stat().st_size + {".mkv": 100, ".mp4": 2500}[suffix]))
+
+    with (
+        pytest.warns(UserWarning, match=rf"a\.unfinished\{suffix} keeps what was recorded"),
+        pytest.raises(OSError, match=rf"(File too large|enough): '[^']*/a\{suffix}'"),
+    ):
+        record()
+    assert target.read_bytes() == b"earlier video"
+    assert (len(written) < 30) is (end == "disk full")
+    lost = len(written) - len(frames_so_far(unfinished))
+    assert lost in ((0, 1) if end.startswith("disk") else (0,))

@@ -2,6 +2,9 @@
 
 A file is written under a temporary name in the folder of its final path ("target"), and then renamed.
 
+A recording (:func:`recording`) cannot be repeated: until it is complete, its file has a name that users recognise,
+and it is kept after an error or if the process is killed.
+
 A folder that is computed part by part (:class:`Unfinished`) can be continued by a later call. Until it is complete, a
 hidden folder beside the target ("scratch folder") holds `request.json`, which describes the request and is locked by
 the writing call; a checksum file for each complete part; and the unfinished folder itself, named `new`.
@@ -18,11 +21,14 @@ import shutil
 import stat
 import sys
 import time
+import warnings
 import zlib
 from collections.abc import Callable, Iterator, Mapping
+from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import ExitStack, contextmanager, suppress
 from dataclasses import dataclass
 from functools import lru_cache
+from itertools import count
 from pathlib import Path
 from typing import Any, Protocol, TypeVar
 
@@ -37,6 +43,8 @@ from lommel.base.validation import line
 # file names have a maximum length, and no other program uses it.
 _PREFIX = ".lommel-"
 _DAY = 86400.0  # seconds
+_MAX_NAME = 255  # maximum length of a file name, bytes
+_RECORDING_INTERVAL = 1.0  # seconds between synchronisations of a recording with the disk
 _FLAGS = os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_BINARY", 0)  # no conversion of line ends
 
 
@@ -99,22 +107,27 @@ def _temporary_files(scratch: Path | None = None, *, exclusive: bool = False) ->
 
     try:
         yield create
-        # All files are synchronised before the first is renamed: after an error (full disk) no file is replaced.
-        for temporary, place, mode in renames:
-            with as_path_error(place):
-                _synchronise(temporary)
-                if mode is not None:
-                    temporary.chmod(mode)
-        for temporary, place, _ in renames:
-            with as_path_error(place):
-                _rename_new(temporary, place) if exclusive else temporary.replace(place)
-        # A rename survives a power cut only if the folder is synchronised too.
-        for folder in {place.parent for _, place, _ in renames}:
-            _synchronise(folder)
+        _move_into_place(renames, exclusive=exclusive)
     finally:
         for temporary, _, _ in renames:
             with suppress(OSError):  # already renamed, or in a folder without write permission
                 temporary.unlink()
+
+
+def _move_into_place(renames: list[tuple[Path, Path, int | None]], *, exclusive: bool = False) -> None:
+    """Rename complete files: temporary path, final path, permissions (None: those of a new file)."""
+    # All files are synchronised before the first is renamed: after an error (full disk) no file is replaced.
+    for temporary, place, mode in renames:
+        with as_path_error(place):
+            _synchronise(temporary)
+            if mode is not None:
+                temporary.chmod(mode)
+    for temporary, place, _ in renames:
+        with as_path_error(place):
+            _rename_new(temporary, place) if exclusive else temporary.replace(place)
+    # A rename survives a power cut only if the folder is synchronised too.
+    for folder in {place.parent for _, place, _ in renames}:
+        _synchronise(folder)
 
 
 def write_by(target: Path, fill: Callable[[Path], None]) -> None:
@@ -131,6 +144,72 @@ def temporary_for(target: Path, *, exclusive: bool = False) -> Iterator[Path]:
     """
     with _temporary_files(exclusive=exclusive) as create:
         yield create(target)
+
+
+class Recording:
+    """A file that is being recorded: `path` is its name until it is complete."""
+
+    def __init__(self, path: Path) -> None:
+        self.path, self.started = path, False
+        self._next = time.monotonic() + _RECORDING_INTERVAL
+        self._disk = ThreadPoolExecutor(1)  # a slow disk must not delay the frames of a camera
+        self._synchronised: Future[None] | None = None
+
+    def added(self) -> None:
+        """Note that a frame or row was written and flushed; from time to time synchronise the file with the disk."""
+        self.started = True
+        if time.monotonic() >= self._next and (self._synchronised is None or self._synchronised.done()):
+            self.wait()
+            self._synchronised = self._disk.submit(_synchronise, self.path)
+            self._next = time.monotonic() + _RECORDING_INTERVAL
+
+    def wait(self) -> None:
+        """Wait until synchronisation in progress ends; raise its error."""
+        if self._synchronised is not None:
+            self._synchronised.result()
+
+    def close(self) -> None:
+        """End the thread."""
+        self._disk.shutdown()
+
+
+@contextmanager
+def recording(target: Path) -> Iterator[Recording]:
+    """Yield the new file NAME.unfinished.EXT beside `target`; at the end rename it to `target`.
+
+    Unlike a temporary file it is kept after an error, with a warning, once a frame or row has been added. A further
+    recording to the same target is NAME.unfinished-2.EXT.
+    """
+    with as_path_error(target):
+        place = _resolve_target(target)
+        mode = stat.S_IMODE(place.stat().st_mode) if place.exists() else None
+        file = Recording(_create_unfinished_file(place, 0o666 if mode is None else 0o600))
+    try:
+        _synchronise(place.parent)  # a new name survives a power cut only then
+        yield file
+        with as_path_error(target):
+            file.wait()
+        _move_into_place([(file.path, place, mode)])
+    except BaseException:
+        file.close()
+        if file.started:
+            warnings.warn(f"{line(file.path)} keeps what was recorded", stacklevel=3)
+        else:
+            with suppress(OSError):
+                file.path.unlink()
+        raise
+    file.close()
+
+
+def _create_unfinished_file(place: Path, mode: int) -> Path:
+    for number in count(1):
+        ending = f".unfinished{'' if number == 1 else f'-{number}'}{place.suffix}"
+        stem = os.fsencode(place.stem)[: _MAX_NAME - len(os.fsencode(ending))].decode(errors="ignore")
+        path = place.with_name(stem + ending)
+        with suppress(FileExistsError):  # it is being recorded by another process, or a killed one has left it
+            os.close(os.open(path, _FLAGS, mode))
+            break
+    return path
 
 
 def _rename_new(temporary: Path, place: Path) -> None:

@@ -276,6 +276,10 @@ def command(
                 _print(report, notes, as_json=as_json)
             except (click.ClickException, click.exceptions.Exit, click.Abort):
                 raise
+            except KeyboardInterrupt:
+                for row in _note_lines("Note", notes):
+                    click.echo(row, err=True)
+                raise
             except Exception as error:
                 if os.environ.get("LOMMEL_TRACEBACK") and not isinstance(error, BrokenPipeError):
                     raise

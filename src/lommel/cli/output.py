@@ -7,7 +7,7 @@ import os
 import sys
 import time
 from collections.abc import Callable, Iterable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -26,7 +26,10 @@ _LOG_FACTOR = 1.25  # least ratio of the times of successive lines of a log
 
 
 class Steps:
-    """Progress of a command in `total` steps, or as a fraction; `bar` is None if there is no terminal."""
+    """Progress of a command in `total` steps, or as a fraction; `bar` is None if there is no terminal.
+
+    A terminal or a reader of a pipe that is gone is no error: it must not end a recording.
+    """
 
     def __init__(self, bar: Progress | None, description: str, total: int | None) -> None:
         self._bar, self._total = bar, total
@@ -54,7 +57,8 @@ class Steps:
         from rich.console import Console
 
         console = Console(stderr=True) if self._bar is None else self._bar.console
-        console.print(sentence, soft_wrap=self._bar is None, highlight=False, markup=False, emoji=False)
+        with suppress(OSError):
+            console.print(sentence, soft_wrap=self._bar is None, highlight=False, markup=False, emoji=False)
 
     def _log(self, name: str) -> None:
         """Write a line to the log if enough time has passed since the line before."""
@@ -66,7 +70,8 @@ class Steps:
         if self._fraction > 0.0:
             seconds = elapsed * (1.0 / self._fraction - 1.0)
             remaining = f", {percent(self._fraction)}, about {_time_in_words(seconds)} left"
-        print(f"{_time_in_words(elapsed)}{remaining}: {name}", file=sys.stderr, flush=True)
+        with suppress(OSError):
+            print(f"{_time_in_words(elapsed)}{remaining}: {name}", file=sys.stderr, flush=True)
 
 
 def _time_in_words(seconds: float) -> str:

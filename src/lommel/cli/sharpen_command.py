@@ -9,6 +9,7 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple, cast
 
+import click
 import numpy as np
 
 from lommel.base import validation
@@ -77,20 +78,23 @@ def sharpen(
 
     Wiener filters in one pass, at video rate. CLIP is a video file, numbered images (a folder or frames/%04d.tif)
     or a photo, in grey or colour. LENS is a lens file. Blur wider than about 40 pixels is removed only in part;
-    `lommel restore` takes longer and removes more. Ctrl-C ends the command and leaves a complete file.
+    `lommel restore` takes longer and removes more. Ctrl-C, SIGTERM or a closed terminal ends the command and leaves a
+    complete file.
 
     Examples
     --------
       lommel sharpen clip.mp4 phone.toml --focus 2m --at 1.5m -o sharp.mp4
       lommel sharpen photo.png phone.toml --focus 1.5m --depth depth.tif --white 5000 --read 3 -o sharp.png
     """
+    stop = Stop()
+    click.get_current_context().with_resource(stop.signals())
     if (at is None) == (map_ is None):
         raise ValueError(f"give one of --at and --depth, got {'neither' if at is None else 'both'}")
     require_folder(output)
     instrument = radial_instrument(lens, camera=clip_camera.camera, pixel=clip_camera.pixel)
     lens_in_use = instrument.lens if clip_camera.f_number is None else instrument.lens.stopped(clip_camera.f_number)
     lens_in_use = lens_in_use if clip_camera.focus is None else lens_in_use.focused(clip_camera.focus)
-    stop, count = Stop(), 0
+    count = 0
     with progress("reading", endless=True) as status, ExitStack() as stack:
         coder = partial(coding_of, video_noise=video_noise, camera=instrument.camera, encoding=clip_camera.encoding)
         shape, coding, frames, write, video = _clip(clip, output, coder, clip_camera.encoding, status, stack)
@@ -101,22 +105,23 @@ def sharpen(
         if coding.guess:
             status.tell(coding.guess)
         status("computing the filters")
-        with stop.signals():
-            live: LiveSharpen | None = None
-            start = time.perf_counter()
-            while (frame := stop.next(frames)) is not None:
-                light = coding.light(frame.values)
-                if live is None:
-                    live = _filters(lens_in_use, instrument.side, distance, coding, light)
-                    start, first_time = time.perf_counter(), frame.time
-                    mean = float(coding.noise.electrons(float(np.nanmean(light))))
-                write(live(light, distance) / np.float32(coding.white), frame.time - first_time)
-                count += 1
-                status(f"{count} frames, {count / (time.perf_counter() - start):.3g}/s")
-            seconds = time.perf_counter() - start
+        live: LiveSharpen | None = None
+        start = time.perf_counter()
+        while (frame := stop.next(frames)) is not None:
+            light = coding.light(frame.values)
+            if live is None:
+                live = _filters(lens_in_use, instrument.side, distance, coding, light)
+                start, first_time = time.perf_counter(), frame.time
+                mean = float(coding.noise.electrons(float(np.nanmean(light))))
+            write(live(light, distance) / np.float32(coding.white), frame.time - first_time)
+            count += 1
+            status(f"{count} frames, {count / (time.perf_counter() - start):.3g}/s")
+        seconds = time.perf_counter() - start
         failure = None if video is None else video.lost
         end_reason = "interrupted" if stop.requested else failure or "the end"
         if not count:
+            if stop.requested:
+                raise KeyboardInterrupt
             raise ValueError(f"no frame was read: {end_reason}")
     height, width = shape[:2]
     depth_values, line = depth_facts(depth_map)

@@ -1,8 +1,9 @@
-"""Encoding and noise of video frames, and stopping by Ctrl-C, for the commands that read video."""
+"""Encoding and noise of video frames, and stopping by signals, for the commands that read video."""
 
 from __future__ import annotations
 
 import math
+import os
 import signal
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -32,6 +33,7 @@ _TOP_MARGIN = 1e-5  # difference of white and saturation, as a fraction of white
 _FIT_ABOVE = 0.02  # fraction of white: darker levels are left out of the fit of noise to stored values
 _ROW_SMOOTHING = 6.0  # standard deviation, rows, of the Gaussian that smooths the brightness of rows
 _DARK_ROW = 0.1  # fraction of the mean brightness of rows: darker rows are not equalized
+_HANGUP: signal.Signals | None = getattr(signal, "SIGHUP", None)  # None on Windows
 
 ENCODING = option(type=click.Choice(["srgb", "linear"]),
     help="Encoding of the values; by default grey of more than 8 bits and floats are linear, all else is "
@@ -170,21 +172,32 @@ def stored_noise(white: float, read: float, levels: int, encoding: str) -> tuple
 
 
 class Stop:
-    """A request by Ctrl-C or SIGTERM to end a loop over frames, once the frame in progress is written."""
+    """A request by a signal to end a loop over frames, once the frame in progress is written.
+
+    The signals are SIGINT (Ctrl-C), SIGTERM and SIGHUP (the terminal was closed), unless SIGHUP is ignored (nohup).
+    """
 
     def __init__(self) -> None:
-        self.requested = self._waiting = False
+        self.requested = False
+        self._waiting = True  # no frame is being written, and no file is open before the first one
 
     @contextmanager
     def signals(self) -> Iterator[None]:
-        """Handle the signals within a ``with`` block; a second signal interrupts without waiting for the frame."""
+        """Handle the signals within a ``with`` block; a second Ctrl-C interrupts without waiting for the frame."""
 
-        def handle(_signal: int, _frame: FrameType | None) -> None:
+        def handle(number: int, _frame: FrameType | None) -> None:
+            if number == _HANGUP:
+                _leave_terminal()
             repeated, self.requested = self.requested, True
-            if repeated or self._waiting:  # while waiting for a frame no frame is being written
+            # Systems repeat the other signals: a shell and the kernel both send SIGHUP.
+            if self._waiting or (repeated and number == signal.SIGINT):
+                self._waiting = False
                 raise KeyboardInterrupt
 
-        handlers = {number: signal.signal(number, handle) for number in (signal.SIGINT, signal.SIGTERM)}
+        numbers = [signal.SIGINT, signal.SIGTERM]
+        if _HANGUP is not None and signal.getsignal(_HANGUP) != signal.SIG_IGN:
+            numbers.append(_HANGUP)
+        handlers = {number: signal.signal(number, handle) for number in numbers}
         try:
             yield
         finally:
@@ -200,3 +213,12 @@ class Stop:
             return None
         finally:
             self._waiting = False
+
+
+def _leave_terminal() -> None:
+    """Redirect output to the null device where the terminal is gone: writing the summary would fail."""
+    for stream in (1, 2):
+        try:
+            os.write(stream, b"")
+        except OSError:
+            os.dup2(os.open(os.devnull, os.O_WRONLY), stream)

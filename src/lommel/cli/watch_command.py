@@ -12,7 +12,7 @@ from contextlib import ExitStack
 from dataclasses import dataclass, field
 from pathlib import Path
 from types import TracebackType
-from typing import TYPE_CHECKING, NamedTuple, Self
+from typing import TYPE_CHECKING, NamedTuple, Self, TextIO
 
 import click
 import numpy as np
@@ -149,14 +149,17 @@ def watch(
     """Estimate depth of video from frames with different focus.
 
     LENS is a lens file. The frames come from two cameras or files, or from one whose focus alternates. Depth and its
-    standard error are computed for blocks of 4 x 4 pixels; colours are converted to grey. Ctrl-C ends the command and
-    leaves complete files.
+    standard error are computed for blocks of 4 x 4 pixels; colours are converted to grey. Ctrl-C, SIGTERM or a closed
+    terminal ends the command and leaves complete files. Until then depth.mkv is depth.unfinished.mkv, which plays if
+    the process is killed.
 
     Examples
     --------
       lommel watch phone.toml --source near.mkv --source far.mkv --focus 1.3m --focus 2m --between 1m 3m -o depth.mkv
       lommel watch phone.toml --source both.mp4 --alternating --focus 1.3m --focus 2m --between 1m 3m --table d.csv
     """
+    stop = Stop()
+    click.get_current_context().with_resource(stop.signals())
     _require_two(sources, alternating=alternating)
     instrument = radial_instrument(lens, camera=cameras.camera, pixel=cameras.pixel)
     lenses = each_lens(instrument.lens, 2, cameras.foci, cameras.f_numbers, "frames")
@@ -169,7 +172,7 @@ def watch(
     if estimation.depth_scale is not None:
         files.scale = validation.real("depth_scale", estimation.depth_scale, above=0.0)
     files.require()
-    stop, tally = Stop(), Tally()
+    tally = Tally()
     with progress("opening the sources", endless=True) as status, ExitStack() as stack:
         other = None if alternating else sources[1]
         pairs = stack.enter_context(videos.frame_pairs(sources[0], other, alternating=alternating, tell=status.tell))
@@ -190,6 +193,8 @@ def watch(
         if compression and tally.pairs < _COMPRESSION_PAIRS:
             status.tell(compression)
         if not tally.pairs:
+            if stop.requested:
+                raise KeyboardInterrupt
             raise ValueError(f"no pair of frames came: {end_reason}; check that the times of the sources overlap")
     verdict = DefocusVerdict.of(math.nan) if tally.failed == tally.pairs else live.verdict()
     read_report = Report(coding.facts | bits, [text for text in (coding.words, coding.guess, compression) if text])
@@ -237,22 +242,21 @@ def _estimate_all(
     """Estimate and write the depth of all pairs; return the reason why the pairs ended."""
     tally.start = time.perf_counter()
     closed = False
-    with stop.signals():
-        while not closed and (pair := stop.next(pairs)) is not None:
-            result, failure = estimator(pair)
-            if failure and not tally.failed:
-                status.tell(f"no depth at {result.time:.2f} s: {failure} (further pairs without depth are counted)")
-            if alternating and not tally.jump_note and (jump := tally.jump(result)):
-                status.tell(jump)
-            tally.add(result, bool(failure))
-            if tally.pairs == _COMPRESSION_PAIRS:
-                _, compression = estimator.coding.check_compression(pairs.bits, tally.electrons)
-                if compression:
-                    status.tell(compression)
-            closed = outputs(result)
-            if not closed:
-                status(tally.progress(pairs.dropped))
-        tally.stop = time.perf_counter()
+    while not closed and (pair := stop.next(pairs)) is not None:
+        result, failure = estimator(pair)
+        if failure and not tally.failed:
+            status.tell(f"no depth at {result.time:.2f} s: {failure} (further pairs without depth are counted)")
+        if alternating and not tally.jump_note and (jump := tally.jump(result)):
+            status.tell(jump)
+        tally.add(result, bool(failure))
+        if tally.pairs == _COMPRESSION_PAIRS:
+            _, compression = estimator.coding.check_compression(pairs.bits, tally.electrons)
+            if compression:
+                status.tell(compression)
+        closed = outputs(result)
+        if not closed:
+            status(tally.progress(pairs.dropped))
+    tally.stop = time.perf_counter()
     return "interrupted" if stop.requested else pairs.lost or ("the window was closed" if closed else "the end")
 
 
@@ -424,11 +428,7 @@ class Outputs:
         self._colour_video = None if files.output is None else open_writer(files.output, "depth")
         titles = (f"depth: {level}", f"standard error of depth: {level}")
         self._lossless = [open_writer(*arguments) for arguments in zip(files.depths, titles, strict=False)]
-        self._table = None
-        if files.table is not None:
-            file = atomic.opened(files.table, "w", encoding="utf-8", newline="")
-            self._table = csv.writer(self._stack.enter_context(file))
-            self._table.writerow(_COLUMNS)
+        self._table = None if files.table is None else Table(files.table, self._stack)
         self._window = Window("lommel watch", self._stack) if files.show else None
         return self
 
@@ -442,9 +442,7 @@ class Outputs:
         if self._table is not None:
             values = (result.known, result.unfit, *result.median)
             numbers = ["" if math.isnan(value) else f"{value:.6g}" for value in values]
-            assert self._files.table is not None
-            with atomic.as_path_error(self._files.table):
-                self._table.writerow([f"{result.time:.4f}", *numbers, f"{result.duration:.5f}", self._pairs.dropped])
+            self._table([f"{result.time:.4f}", *numbers, f"{result.duration:.5f}", self._pairs.dropped])
         for writer, metres in zip(self._lossless, (result.depth, result.errors), strict=False):
             writer(self._levels(metres), result.time)
         if self._colours is None:
@@ -483,6 +481,26 @@ class Outputs:
             lines.append(f"--depth: levels of {format_length(files.scale)}, 0 where not known{clipped}")
         facts = {"depth_scale": files.scale, "beyond_scale": self._clipped} if files.depths else {}
         return Report(facts, lines) + written(files.all)
+
+
+class Table:
+    """Table with a row for each pair: written row by row to NAME.unfinished.csv, which is renamed at the end."""
+
+    def __init__(self, path: Path, stack: ExitStack) -> None:
+        self._path, self._stack = path, stack
+        self._file: TextIO | None = None
+
+    def __call__(self, row: list[object]) -> None:
+        """Write a row."""
+        if self._file is None:  # no file before the first row: it could be left empty
+            self._recording = self._stack.enter_context(atomic.recording(self._path))
+            place = self._recording.path
+            opened = atomic.closed(lambda: place.open("w", 1, encoding="utf-8", newline=""), self._path)
+            self._file = self._stack.enter_context(opened)
+            csv.writer(self._file).writerow(_COLUMNS)
+        with atomic.as_path_error(self._path):
+            csv.writer(self._file).writerow(row)  # a line-buffered file
+            self._recording.added()
 
 
 class Window:

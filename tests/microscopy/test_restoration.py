@@ -20,7 +20,7 @@ from lommel.microscopy import refinement, restoration
 from lommel.microscopy.depth_model import DepthModel
 from lommel.microscopy.held_out import HeldOut
 from lommel.microscopy.restoration import INTERRUPTED
-from lommel.recorded.camera_noise import measured_noise
+from lommel.recorded.camera_noise import contradiction, measured_noise
 from objectives import OIL_60X
 
 WAVE, PIXEL, STEP, SIDE, PLANES = 520e-9, 6e-6, 0.3e-6, 40, 18
@@ -366,6 +366,15 @@ def test_noise_that_is_not_to_be_known_is_refused():
         lm.microscopy.estimate_noise(np.random.default_rng(0).poisson(50.0, (4, 64, 64)))
     with pytest.raises(ValueError, match="must have the shape"):
         lm.microscopy.estimate_noise(np.ones((4, 4)))
+
+
+def test_equal_planes_have_no_variance():
+    planes = np.repeat(np.random.default_rng(0).poisson(50.0, (1, 16, 16)), 8, axis=0)
+    told = contradiction(planes, lm.Noise(read=1.0))
+    assert told is not None
+    assert told.startswith("The noise of the stack has 0 times the variance that gain, read noise and offset imply")
+    with pytest.raises(ValueError, match="does not clearly grow with the light"):
+        lm.microscopy.estimate_noise(planes)
 
 
 @pytest.mark.parametrize(

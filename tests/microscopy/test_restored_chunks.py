@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections import Counter
+
+import dask.array
 import numpy as np
 import pytest
 import zarr
@@ -11,6 +14,13 @@ from objectives import OIL_60X
 
 SHAPE = (4, 16, 48)
 ONE, OTHER = (np.random.default_rng(k).poisson(30.0 + 50.0 * k, (2, *SHAPE)).astype(np.uint16) for k in (0, 1))
+
+
+GIVEN = {
+    "pixel": 6e-6, "step": 0.5e-6, "wavelength": 520e-9, "depth": 3e-6, "tile": 16, "background": 0.0,
+    "noise": lm.Noise(white=0.5, read=1.0), "direction": "up", "slabs": 1, "margin": (1, 2), "diagnosis": False,
+    "psf_shape": (3, 5), "method": lm.imaging.RichardsonLucy(steps=2, target=0.0),
+}  # fmt: skip
 
 
 def restored(stack, out=None, *, chunks=None, at_first=lambda: None, lens=OIL_60X, **options):
@@ -25,14 +35,7 @@ def restored(stack, out=None, *, chunks=None, at_first=lambda: None, lens=OIL_60
             if len(counted) == chunks:
                 raise KeyboardInterrupt
 
-    given = {"pixel": 6e-6, "step": 0.5e-6, "wavelength": 520e-9, "depth": 3e-6, "tile": 16, "background": 0.0}
-    given |= {"noise": lm.Noise(white=0.5, read=1.0), "direction": "up", "slabs": 1, "margin": (1, 2)}
-    given |= {
-        "diagnosis": False,
-        "psf_shape": (3, 5),
-        "method": lm.imaging.RichardsonLucy(steps=2, target=0.0),
-    } | options
-    made = lm.microscopy.restore(stack, lens, out=out, progress=told, **given)
+    made = lm.microscopy.restore(stack, lens, out=out, progress=told, **(GIVEN | options))
     return np.asarray(made).reshape(-1, *SHAPE), counted
 
 
@@ -127,3 +130,69 @@ def test_what_is_no_restored_stack_is_not_replaced(tmp_path, kind):
     with pytest.raises(FileExistsError, match="holds no restored stack, and is not replaced"):
         restored(ONE[0], there)
     assert [path.name for path in tmp_path.iterdir()] == ["a.zarr"]
+
+
+# Light that varies, so that noise can be estimated.
+DEEP = np.random.default_rng(2).poisson(np.broadcast_to(np.geomspace(5.0, 500.0, 32), (32, 16, 32))).astype(np.uint16)
+COMMON = {"saturation": 60000.0}
+DEFAULT = {"noise": None, "diagnosis": True, "direction": "auto", "saturation": None}
+
+
+def lazy(values, chunks, loads):
+    """Return an array of dask that counts how often each chunk is loaded."""
+
+    def load(block_info=None):
+        loads[tuple(block_info[None]["chunk-location"])] += 1
+        return values[tuple(slice(*ends) for ends in block_info[None]["array-location"])]
+
+    sizes = dask.array.core.normalize_chunks(chunks, values.shape)
+    return dask.array.map_blocks(load, chunks=sizes, dtype=values.dtype, meta=np.empty((0,) * values.ndim, np.uint16))
+
+
+@pytest.mark.parametrize(
+    ("stack", "planes", "options"),
+    [(DEEP, 1, COMMON), (DEEP, 8, COMMON), (DEEP, 32, COMMON), (DEEP[::4], 4, DEFAULT)],
+    ids=["1 plane", "8 planes", "32 planes", "noise estimated"],
+)
+def test_chunks_are_loaded_once_and_once_more_to_go_on(tmp_path, stack, planes, options):
+    there, loads = tmp_path / "a.zarr", Counter()
+
+    def restored_deep(stack, out=None, cut_at=None):
+        def told(share, words):
+            if cut_at is not None and words.startswith(f"chunk {cut_at} of"):
+                raise KeyboardInterrupt
+
+        return lm.microscopy.restore(stack, OIL_60X, out=out, progress=told, **(GIVEN | options))
+
+    chunked = lazy(stack, (planes, 8, 16), loads)
+    with pytest.raises(KeyboardInterrupt):
+        restored_deep(chunked, there, cut_at=2)
+    assert len(loads) == len(stack) // planes * 4
+    assert set(loads.values()) == {1}
+    found = np.asarray(restored_deep(chunked, there))[0]
+    assert set(loads.values()) == {2}
+    np.testing.assert_array_equal(found, restored_deep(stack))
+    if options is COMMON:
+        np.testing.assert_array_equal(found, restored_deep(chunked))
+        assert set(loads.values()) == {3}
+
+
+@pytest.mark.parametrize("planes", [1, 8, 32])
+def test_chunks_of_ome_zarr_are_read_once(tmp_path, planes, monkeypatch):
+    place, reads, read_chunk = tmp_path / "in.ome.zarr", Counter(), zarr.storage.LocalStore.get
+    group = zarr.create_group(str(place), zarr_format=2)
+    scale = [{"type": "scale", "scale": [1.0, 1.0, 1.0]}]
+    scales = {"axes": list("zyx"), "datasets": [{"path": "0", "coordinateTransformations": scale}]}
+    group.attrs["multiscales"] = [scales]
+    group.create_array("0", data=DEEP, chunks=(planes, 8, 16))
+
+    async def counted(store, key, *args, **options):
+        if store.root == place and key[-1].isdecimal():
+            reads[key] += 1
+        return await read_chunk(store, key, *args, **options)
+
+    monkeypatch.setattr(zarr.storage.LocalStore, "get", counted)
+    found = lm.microscopy.restore(place, OIL_60X, out=tmp_path / "a.zarr", **(GIVEN | COMMON))
+    assert len(reads) == 32 // planes * 4
+    assert set(reads.values()) == {1}
+    np.testing.assert_array_equal(np.asarray(found)[0], lm.microscopy.restore(DEEP, OIL_60X, **(GIVEN | COMMON)))

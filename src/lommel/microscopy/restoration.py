@@ -54,6 +54,7 @@ from lommel.recorded.camera_noise import (
     measured_noise,
     sharpness,
 )
+from lommel.recorded.copies import local_stacks
 from lommel.recorded.counts import PlanePart, Stack, full_value, plane_of
 from lommel.recorded.noise import Noise
 from lommel.recorded.recordings import Recording
@@ -71,6 +72,7 @@ MISFIT = "misfit"
 
 _DIRECTIONS = ("auto", "up", "down")
 _MEMORY = 2.0**31  # default memory limit, bytes
+_READ_SHARE = 0.125  # fraction of the memory limit in which chunks of the recording are read together
 _TOLERANCE = 0.02  # relative difference between values of the file and of the objective above which a note is added
 _FINEST = 5e-9  # finest pixel in the sample times NA, metres: a twentieth of Nyquist sampling at 400 nm
 _DARK_FRACTION = 0.02  # fraction of voxels darker than the offset above which a note is added
@@ -345,7 +347,8 @@ def restore(
         single chunk. In a test the sum of absolute differences was 3 % of the light after 5 steps and 17 % after 25
         steps, or 2 % without extrapolation (``RichardsonLucy(accelerate=False)``).
     memory : float, default 2**31
-        Limit of the memory in addition to input and output, bytes.
+        Limit of the memory in addition to input and output, bytes. Without `out`, input in chunks (see `out`) is in
+        memory as a whole. A chunk larger than an eighth of the limit is nevertheless read as a whole.
     diagnosis : bool, default True
         Whether to hold out some photons, to estimate the background and the number of steps and to compare PSFs for
         other sample indices in a part of the stack; and whether to try other PSFs after a misfit. The computing time
@@ -357,7 +360,9 @@ def restore(
         Folder NAME.zarr for stacks larger than memory; it may replace only an earlier restored stack. Values are
         written chunk by chunk to the hidden folder ``.NAME.zarr.unfinished`` beside `out`, which is renamed when
         complete. Only one call at a time may write to it. After an interruption the same call resumes, and computes
-        only chunks that are missing, damaged, or of other data or arguments.
+        only chunks that are missing, damaged, or of other data or arguments. Input in chunks (dask, Zarr, OME-Zarr,
+        compressed TIFF) is read once, each chunk as a whole, to a temporary file of the uncompressed size in the
+        folder of `out`.
     progress : callable, optional
         Called as ``progress(fraction, message)`` with the fraction of the work that is done, 0 to 1.
     threads : int, optional
@@ -428,8 +433,13 @@ def restore(
         )
         ignored = _mask_of(mask, array_mask, recording.shape)
         target = cleanup.enter_context(_destination(out, (len(numbers), *recording.shape[1:]), used_recording))
+        report = progress or silent
+        report(0.0, "reading the stack")
+        frames = replace(recording.frames, numbers=recording.frames.numbers[numbers.start : numbers.stop])
+        place = None if target.unfinished is None else target.unfinished.place
+        stacks = cleanup.enter_context(local_stacks(frames, place, options.memory * _READ_SHARE))
         results = _restore_channels(
-            recording, numbers, models, options, ignored, target, notes, sizes.pixel_doubt, progress or silent
+            recording, stacks, numbers, models, options, ignored, target, notes, sizes.pixel_doubt, report
         )
         values = target.finish(" ".join(notes), len(results))
     findings = Findings(
@@ -476,6 +486,7 @@ class _Options:
 
 def _restore_channels(
     recording: Recording,
+    stacks: Sequence[Stack],
     numbers: range,
     models: Sequence[DepthModel],
     options: _Options,
@@ -489,7 +500,7 @@ def _restore_channels(
     results: list[RestoredChannel] = []
     for place, (number, model) in enumerate(zip(numbers, models, strict=True)):
         channel_notes = notes if place == 0 else []
-        job = _ChannelRestoration(recording.stack(number), model, options, channel_notes, target, place, pixel_doubt)
+        job = _ChannelRestoration(stacks[place], model, options, channel_notes, target, place, pixel_doubt)
         report_part = _within(report, place / len(numbers), (place + 1) / len(numbers))
         name = "" if len(numbers) == 1 else f"{recording.names[number]}: "
 
@@ -835,10 +846,10 @@ def _open_group(folder: Path, mode: Literal["r", "r+"]) -> Any:
 
 
 def _checksum(stack: Stack) -> str:
-    """Return the checksum of all values of a stack."""
+    """Return the checksum of all values of a stack, plane by plane."""
     digest = hashlib.sha256()
     for plane in range(len(stack)):
-        digest.update(np.asarray(stack[plane]).tobytes())
+        digest.update(np.ascontiguousarray(stack[plane]).reshape(-1).data)
     return digest.hexdigest()
 
 
@@ -1030,9 +1041,13 @@ class _ChannelRestoration:
         model, options, stack = self._model, self._options, source.stack
         # The first and last PSF represent the optical model: a change of the optics changes them.
         ends = [hashlib.sha256(model.psf(psfs.depths[k]).values.tobytes()).hexdigest() for k in (0, -1)]
+        camera = {
+            name: value if np.ndim(value) == 0 else _checksum(value[np.newaxis])
+            for name, value in vars(source.camera).items()
+        }
         content = (
             _checksum(stack), stack.shape, str(stack.dtype), ends, model.pixel, model.step, model.depth,
-            psfs.depths.tolist(), margin, side, source.is_reversed, source.camera.to_dict(), options.method,
+            psfs.depths.tolist(), margin, side, source.is_reversed, camera, options.method,
             source.limit, background, options.per_plane, options.background == FLAT, options.diagnosis,
         )  # fmt: skip
         return hashlib.sha256(repr(content).encode()).hexdigest()

@@ -264,7 +264,7 @@ def contradiction(stack: Stack, noise: Noise) -> str | None:
     ratio = float(np.median(squares / expected)) / _MEDIAN
     # The relative standard error of the median of squared normal deviates is about 2.3 / sqrt(n).
     error = ratio * 2.3 / math.sqrt(mean.size * independent)
-    if abs(math.log(ratio)) < max(_MAX_LOG_RATIO, 4.0 * error):
+    if ratio > 0.0 and abs(math.log(ratio)) < max(_MAX_LOG_RATIO, 4.0 * error):
         return None
     text = (
         f"The noise of the stack has {ratio:.2g} times the variance that gain, read noise and offset imply: check "
@@ -322,6 +322,8 @@ def _fit_line(light: Array, squares: Array) -> tuple[float, float, float]:
     """Return constant and slope of the most likely line of variance against light, and the error of the slope."""
     constant, slope = float(squares.mean()), 0.0
     error = math.inf
+    if constant == 0.0:  # equal planes
+        return constant, slope, error
     for _ in range(50):
         variance = constant + slope * light
         # A squared deviate has the variance 2 variance^2, hence these weights; details have the weight 0.

@@ -247,6 +247,7 @@ class Planes(Protocol):
 
     sides: tuple[int, int]
     dtype: np.dtype[np.generic]
+    chunk_sizes: tuple[tuple[int, ...], ...]  # sizes of the chunks along each axis of the array, () without chunks
 
     @property
     def stored(self) -> int:
@@ -254,6 +255,9 @@ class Planes(Protocol):
 
     def plane(self, number: int) -> Values:
         """Return one image, of type `dtype` and shape `sides`."""
+
+    def block(self, part: tuple[slice, ...]) -> Values:
+        """Return a part of the array, by a slice along each of its axes."""
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -438,12 +442,28 @@ class _ArrayPlanes:
         self._stack_shape = tuple(values.shape[:-2])
         self.sides: tuple[int, int] = (int(values.shape[-2]), int(values.shape[-1]))
         self.dtype = np.dtype(values.dtype).newbyteorder("=")
+        chunks = None if isinstance(values, np.ndarray) else getattr(values, "chunks", None)
+        self.chunk_sizes = _sizes_of_chunks(values.shape, chunks) if isinstance(chunks, tuple) else ()
 
     def plane(self, number: int) -> Values:
         """Return one image."""
         index = tuple(int(k) for k in np.unravel_index(number, self._stack_shape)) if self._stack_shape else ...
-        values = validation.array(self._name, self._values[index])  # refuses masks, which dask shows only here
-        return values.astype(self.dtype, copy=not isinstance(self._values, np.ndarray))
+        return self.block(index).astype(self.dtype, copy=not isinstance(self._values, np.ndarray))
+
+    def block(self, part: Any) -> Values:
+        """Return a part of the array."""
+        # Refuses masks, which dask shows only here.
+        return validation.array(self._name, self._values[part]).astype(self.dtype, copy=False)
+
+
+def _sizes_of_chunks(
+    shape: tuple[int, ...], chunks: tuple[int | tuple[int, ...], ...]
+) -> tuple[tuple[int, ...], ...]:
+    """Return the sizes of chunks along each axis, from these sizes (dask) or from the size of all chunks (Zarr)."""
+    return tuple(
+        size if isinstance(size, tuple) else (size,) * (side // size) + ((side % size,) if side % size else ())
+        for side, size in zip(shape, chunks, strict=True)
+    )
 
 
 class _TiffPlanes:
@@ -452,6 +472,8 @@ class _TiffPlanes:
     def __init__(self, path: Path, series: TiffPageSeries) -> None:
         self._path, self._pages, self._is_multifile = path, series.pages, series.is_multifile
         self.sides: tuple[int, int] = (series.shape[-2], series.shape[-1])
+        is_compressed = series.keyframe.compression != 1
+        self.chunk_sizes = ((1,) * len(series.pages), *((side,) for side in self.sides)) if is_compressed else ()
         self.dtype = np.dtype(series.dtype).newbyteorder("=")
         self._lock = threading.Lock()  # pages share one file handle
 
@@ -465,6 +487,11 @@ class _TiffPlanes:
         """Paths of the files if there are several, else empty."""
         paths = {str(handle.path) for handle in self._handles()} if self._is_multifile else set()
         return paths if len(paths) > 1 else set()
+
+    def block(self, part: tuple[slice, ...]) -> Values:
+        """Return some pages, or a part of their rows and columns."""
+        images, rows, columns = part
+        return np.stack([self.plane(number)[rows, columns] for number in range(images.start, images.stop)])
 
     def _handles(self) -> set[FileHandle]:
         return {page.parent.filehandle for page in self._pages if page is not None}
@@ -490,6 +517,7 @@ class _ZarrPlanes:
         self.dtype = np.dtype(array.dtype).newbyteorder("=")
         reading.pixels(*self.sides[::-1])
         self.chunks = zarr_folders.Chunks(path, array)
+        self.chunk_sizes = _sizes_of_chunks(array.shape, array.chunks)
         # Number of images that are read together.
         self._block_images: int = array.chunks[-3] if self._stack_shape else 1
         self._block: tuple[int, Values] | None = None
@@ -504,6 +532,16 @@ class _ZarrPlanes:
         """Return one image."""
         with errors_of(self._path, f"plane {number}: "), self._lock:  # each chunk is read once
             return self._read(number)
+
+    def block(self, part: tuple[slice, ...]) -> Values:
+        """Return a part of the array."""
+        with errors_of(self._path), self._lock:
+            return self._checked([range(one.start, one.stop) for one in part])
+
+    def _checked(self, ranges: list[range]) -> Values:
+        """Return the values in `ranges` (one per axis); ValueError if they take far more memory than their chunks."""
+        reading.afford(*self.chunks.check(ranges))
+        return np.asarray(self._array[tuple(slice(part.start, part.stop) for part in ranges)], self.dtype)
 
     def _read(self, number: int) -> Values:
         *leading_indices, last_index = np.unravel_index(number, self._stack_shape) if self._stack_shape else (0,)

@@ -14,6 +14,7 @@ import math
 import os
 import secrets
 import shutil
+import warnings
 from collections.abc import Callable, Generator, Iterator, Mapping, Sequence
 from concurrent import futures
 from contextlib import ExitStack, closing, contextmanager, nullcontext, suppress
@@ -861,6 +862,14 @@ def psf_to(
         If the tolerance cannot be met; chunks that were already computed remain in the store.
     OSError
         If the store cannot be written, or does not fit on the disk.
+    RuntimeError
+        If the client cancels chunks, as when the scheduler of its cluster ends. The same call, with a new client,
+        completes the store.
+
+    Warns
+    -----
+    RuntimeWarning
+        If no worker is connected to the cluster for ten seconds; the call waits for workers.
 
     Examples
     --------
@@ -890,7 +899,7 @@ def psf_to(
         _require_space(target, len(todo))
         compute = partial(_compute_chunk, target, request.methods, request.prepare)
         tasks = ((index, request.pupil_checksum(index), *request.part(index)) for index in todo)
-        with closing(_run_tasks(pool, slots, compute, tasks)) as results:
+        with closing(_run_tasks(pool, slots, compute, tasks, client)) as results:
             for done, _ in enumerate(results, computed.size - len(todo) + 1):
                 if progress is not None:
                     progress(done, computed.size)
@@ -990,21 +999,69 @@ def _executor(client: Any) -> tuple[futures.Executor | None, int]:
 
 
 def _run_tasks(
-    pool: futures.Executor | None, slots: int, function: Callable[..., None], tasks: Iterator[tuple[object, ...]]
+    pool: futures.Executor | None,
+    slots: int,
+    function: Callable[..., None],
+    tasks: Iterator[tuple[object, ...]],
+    client: Any = None,
 ) -> Generator[None]:
     """Call `function` for each task, yield after each; at most `slots + 1` are queued, and an error cancels these."""
     under_way: set[futures.Future[None]] = set()
+    wait = partial(_wait, client if hasattr(client, "nthreads") else None)
     with futures.ThreadPoolExecutor(slots) if pool is None else nullcontext(pool) as executor:
         try:
             for task in tasks:
                 if len(under_way) > slots:
-                    done, under_way = futures.wait(under_way, return_when=futures.FIRST_COMPLETED)
-                    yield from (future.result() for future in done)
-                under_way.add(executor.submit(function, *task))
-            yield from (future.result() for future in futures.as_completed(under_way))
+                    done, under_way = wait(under_way)
+                    yield from map(_result, done)
+                try:
+                    under_way.add(executor.submit(function, *task))
+                except Exception:
+                    if getattr(client, "status", "running") == "running":
+                        raise
+                    raise RuntimeError(_CANCELLED) from None  # the client lost its scheduler
+            while under_way:
+                done, under_way = wait(under_way)
+                yield from map(_result, done)
         finally:
             for future in under_way:
                 future.cancel()
+
+
+_CANCELLED = (
+    "the client cancelled chunks, as when the scheduler of its cluster ends: repeat the call, which keeps the chunks "
+    "that were computed and computes the others"
+)
+_PATIENCE = 10.0
+"""Seconds without a result after which a cluster is asked for its workers."""
+
+
+def _wait(
+    client: Any, under_way: set[futures.Future[None]]
+) -> tuple[set[futures.Future[None]], set[futures.Future[None]]]:
+    """Return the futures that are done, at least one, and the others; warn if a cluster has no workers."""
+    while True:
+        done, others = futures.wait(under_way, None if client is None else _PATIENCE, futures.FIRST_COMPLETED)
+        if done:
+            return done, others
+        try:
+            workers = client.nthreads()
+        except Exception:  # the scheduler does not answer, for which distributed raises many types
+            workers = {}
+        if not workers:
+            warnings.warn(
+                "no worker is connected to the cluster of the client: psf_to waits for workers",
+                RuntimeWarning,
+                stacklevel=4,
+            )
+
+
+def _result(future: futures.Future[None]) -> None:
+    """Return the result of a future; RuntimeError if its executor cancelled it."""
+    try:
+        future.result()
+    except futures.CancelledError:
+        raise RuntimeError(_CANCELLED) from None
 
 
 def _compute_chunk(

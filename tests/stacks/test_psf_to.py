@@ -8,9 +8,10 @@ import shutil
 import subprocess
 import sys
 import textwrap
-from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
+from concurrent.futures import Executor, Future, ProcessPoolExecutor, ThreadPoolExecutor
 from pathlib import Path
 from types import SimpleNamespace
+from typing import cast
 
 import numpy as np
 import pytest
@@ -105,6 +106,59 @@ def test_few_chunks_are_under_way_at_any_time(tmp_path, monkeypatch):
         run(tmp_path / "a.zarr", chunk=1, client=executor, progress=count)
     assert executor.under_way == 0
     assert executor.most <= 5
+
+
+class Cluster:
+    """A client without workers until it is asked for them; `fate` is that of the third chunk."""
+
+    def __init__(self, fate: str) -> None:
+        self.fate, self.started, self.waiting = fate, 0, []
+
+    def get_executor(self) -> Executor:
+        return cast(Executor, self)
+
+    def submit(self, function, *args) -> Future:
+        future, self.started = Future(), self.started + 1
+        if self.started != 3:
+            future.set_result(function(*args))
+        elif self.fate == "cancelled":
+            future.cancel()
+            future.set_running_or_notify_cancel()
+        else:
+            self.waiting.append(lambda: future.set_result(function(*args)))
+        return future
+
+    def nthreads(self) -> dict[str, int]:
+        if self.started >= 3:
+            self.waiting.pop()()
+            if self.fate == "silent":
+                raise OSError("no route")
+        return {}
+
+
+def test_chunks_that_a_cluster_cancels_are_computed_by_the_next_call(tmp_path, known):
+    with pytest.raises(RuntimeError, match=r"the client cancelled chunks, .* repeat the call, which keeps"):
+        run(tmp_path / "a.zarr", client=Cluster("cancelled"))
+    assert lm.open_stack(tmp_path / "a.zarr").done[0] >= 2
+    assert contents(run(tmp_path / "a.zarr")) == known
+
+
+@pytest.mark.parametrize("fate", ["late", "silent"])
+def test_a_cluster_without_workers_is_waited_for_with_a_warning(fate, tmp_path, known, monkeypatch):
+    monkeypatch.setattr(stacks, "_PATIENCE", 0.01)
+    with pytest.warns(RuntimeWarning, match="no worker is connected to the cluster") as caught:
+        stack = run(tmp_path / "a.zarr", client=Cluster(fate))
+    assert contents(stack) == known
+    assert [Path(warning.filename).name for warning in caught] == ["test_psf_to.py"]
+
+
+def test_the_end_of_a_real_scheduler_is_told(tmp_path, known):
+    distributed = pytest.importorskip("distributed")
+    cluster = distributed.LocalCluster(n_workers=1, threads_per_worker=1, processes=False, dashboard_address=None)
+    cancelled = pytest.raises(RuntimeError, match="the client cancelled chunks")
+    with cluster, distributed.Client(cluster) as client, cancelled:
+        run(tmp_path / "a.zarr", client=client, progress=lambda *_: cluster.close())
+    assert contents(run(tmp_path / "a.zarr")) == known
 
 
 def test_an_error_leaves_what_was_computed_and_the_rest_is_computed_later(tmp_path, known):

@@ -506,7 +506,7 @@ def test_halves_are_read_and_depth_maps_keep_what_is_unknown(tmp_path):
     assert np.array_equal(lm.imaging.read_depth(tmp_path / "all.exr"), depth.astype(np.float32), equal_nan=True)
 
 
-def test_other_channels_cropped_windows_and_damage_are_refused(tmp_path):
+def test_other_channels_cropped_windows_and_damage_are_refused(tmp_path, capfd):
     light = np.zeros((5, 6, 4), np.float32)
     write(tmp_path / "alpha.exr", {"RGBA": light})
     with pytest.raises(
@@ -530,6 +530,10 @@ def test_other_channels_cropped_windows_and_damage_are_refused(tmp_path):
         (tmp_path / "short.exr").write_bytes(data[:count])
         with pytest.raises(lm.imaging.PhotoError):
             lm.imaging.read_depth(tmp_path / "short.exr")
+    (tmp_path / "flipped.exr").write_bytes(data[:-40] + bytes(byte ^ 255 for byte in data[-40:]))
+    with pytest.raises(lm.imaging.PhotoError, match=r"flipped\.exr .*: its pixels are damaged: Unable to query"):
+        lm.imaging.read_depth(tmp_path / "flipped.exr")
+    assert capfd.readouterr() == ("", "")
     with pytest.raises(ValueError, match="no ICC profile"):
         lm.imaging.write_photo(tmp_path / "b.exr", light[..., 0], dtype=np.float32, profile=b"x")
 

@@ -105,12 +105,16 @@ def overlapping_tags(count: int) -> bytes:
     return head + bytes(body) + struct.pack("<H", len(ONE_PIXEL) + count) + entries + bytes(4)
 
 
-def many_pages(count: int) -> bytes:
-    """Return a TIFF of many pages of one pixel."""
-    tags = ONE_PIXEL
-    out = bytearray(b"II*\0" + struct.pack("<I", 16) + bytes(8))
+def many_pages(count: int, text: str = "", wider: int = 0) -> bytes:
+    """Return a TIFF of many pages of one pixel, or each `wider` than the last, which share a description."""
+    start = 16 + len(text) + len(text) % 2
+    out = bytearray(b"II*\0" + struct.pack("<I", start) + bytes(8) + text.encode().ljust(start - 16, b"\0"))
     for k in range(count):
-        out += struct.pack("<H", len(tags)) + b"".join(struct.pack("<HHII", t, 4, 1, v) for t, v in tags)
+        tags = ((256, 1 + k * wider), *ONE_PIXEL[1:])
+        entries = [struct.pack("<HHII", t, 4, 1, v) for t, v in tags]
+        if text:
+            entries.insert(5, struct.pack("<HHII", 270, 2, len(text), 16))
+        out += struct.pack("<H", len(entries)) + b"".join(entries)
         out += struct.pack("<I", len(out) + 4 if k + 1 < count else 0)
     return bytes(out)
 
@@ -410,6 +414,14 @@ def files() -> dict[str, tuple[str, Callable[[], bytes], Callable[[Path], object
             movie,
         ),
         "movie, pages of tif": (".tif", lambda: many_pages(12000), movie),
+        "movie, images of tif": (".tif", lambda: many_pages(12000, '{"shape": [1, 1]}'), movie),
+        "movie, stacks of tif": (".tif", lambda: many_pages(12000, '{"shape": [2, 1, 1]}'), movie),
+        "movie, sizes of tif": (".tif", lambda: many_pages(12000, wider=1), movie),
+        "movie, long texts of tif": (
+            ".tif",
+            lambda: many_pages(12000, '{"shape": [1, 1]' + " " * 9999 + "}"),
+            movie,
+        ),
         "movie, description of tif": (
             ".tif",
             lambda: tiff(np.zeros((9, 9), np.uint16), description="<OME>" + "<a/>" * 2**20 + "</OME>"),

@@ -15,11 +15,12 @@ import os
 import re
 import stat
 import struct
+import sys
 import threading
 import warnings
 import zlib
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, redirect_stdout
 from functools import partial
 from importlib.util import find_spec
 from pathlib import Path
@@ -368,7 +369,7 @@ def heic(data: bytes) -> Image:
 @contextmanager
 def tiff(data: bytes) -> Iterator[TiffFile]:
     """Open a TIFF file with tifffile; ValueError if a page is too large, or states more data than the file holds."""
-    import tifffile
+    from lommel.base.tiff_series import File
 
     count, memory = 0, 0
     for tags in _tiff_pages(data):
@@ -378,7 +379,7 @@ def tiff(data: bytes) -> Iterator[TiffFile]:
         afford(memory, len(data))
     if not count:
         raise ValueError("it has no page")
-    with quietly(), tifffile.TiffFile(io.BytesIO(data)) as file:
+    with quietly(), File(io.BytesIO(data), tiff_directories, afford_pages) as file:
         yield file
 
 
@@ -388,7 +389,7 @@ def tiff_on_disk(path: Path) -> tuple[TiffFile, list[str]]:
     Only the first page is checked here; :func:`tiff_values` checks each page when it is read. The first page of each
     other file that the OME metadata name is checked too; it must be a regular file in the same folder.
     """
-    import tifffile
+    from lommel.base.tiff_series import File
 
     tags, sizes = _tiff_first(path)
     text = tags[_DESCRIPTION].tobytes().decode(errors="replace").partition("\0")[0] if _DESCRIPTION in tags else ""
@@ -398,7 +399,7 @@ def tiff_on_disk(path: Path) -> tuple[TiffFile, list[str]]:
     if _MANAGER in tags:
         _afford_manager(path.resolve())
     with quietly() as errors:
-        file = tifffile.TiffFile(path)
+        file = File(path, tiff_directories, afford_pages)
         try:
             file.series  # noqa: B018 (finds the pages)
         except BaseException:
@@ -420,38 +421,54 @@ def _tiff_first(path: Path) -> tuple[Tags, list[int]]:
 
 
 def _tiff_chain(file: int, data: mmap.mmap) -> list[int]:
-    """Return the number of pixels of each page; ValueError if the chain of pages is circular or leaves the file.
-
-    The file is read by `os.pread`, since access through the memory map would keep the surrounding memory resident.
-    """
+    """Return the number of pixels of each page; ValueError if the chain of pages is circular or leaves the file."""
     order, big = _tiff_order(data)
-    head, entry, word = (struct.Struct(order + part) for part in (("Q", "HHQ", "Q") if big else ("H", "HHI", "I")))
-    (offset,) = word.unpack_from(data, 8 if big else 4)
-    visited, sizes, read_size = set[int](), list[int](), 2**9
+    entry, stride = struct.Struct(f"{order}HHQ" if big else f"{order}HHI"), 20 if big else 12
     # Entries of the previous page up to its width and height, and its number of pixels: most pages begin equally.
-    prefix, prefix_pixels = b"", 0
+    sizes, prefix, prefix_pixels = list[int](), b"", 0
     try:
-        while offset:
-            if offset in visited:
-                raise ValueError("its chain of pages is circular")
-            visited.add(offset)
-            afford(_TIFF_FRAME * len(visited), len(data), _RATIO)
-            # Read as many bytes as the largest header of a page so far: for most pages one system call suffices.
-            part = os.pread(file, read_size, min(offset, len(data)))
-            (count,) = head.unpack_from(part)
-            if count > _MAX_TAGS:
-                raise ValueError(f"it has a page of {count} tags; the limit is {_MAX_TAGS}")
-            end = head.size + count * (entry.size + word.size)
-            if end + word.size > len(part):
-                read_size = end + word.size
-                part = os.pread(file, read_size, offset)
-            if not prefix or end < head.size + len(prefix) or not part.startswith(prefix, head.size):
-                prefix, prefix_pixels = _tiff_sides(part[head.size : end], order, entry, entry.size + word.size)
+        # os.pread, since access through the memory map would keep the surrounding memory resident.
+        for _, entries in tiff_directories(lambda offset, count: os.pread(file, count, offset), len(data)):
+            if not prefix or not entries.startswith(prefix):
+                prefix, prefix_pixels = _tiff_sides(entries, order, entry, stride)
             sizes.append(prefix_pixels)
-            (offset,) = word.unpack_from(part, end)
     except struct.error:
         raise ValueError("its pages go beyond its end") from None
     return sizes
+
+
+def tiff_directories(read: Callable[[int, int], bytes], length: int) -> Iterator[tuple[int, bytes]]:
+    """Yield the position and the entries of each page; `read` returns the bytes at a position, at most so many.
+
+    ValueError or struct.error if the chain of pages is circular, leaves the file, or would take too much memory.
+    """
+    start = read(0, 16)
+    order, big = _tiff_order(start)
+    head, stride, word = struct.Struct(order + ("Q" if big else "H")), 20 if big else 12, 8 if big else 4
+    next_page = struct.Struct(order + ("Q" if big else "I"))
+    (offset,) = next_page.unpack_from(start, word)
+    visited, read_size = set[int](), 2**9
+    while offset:
+        if offset in visited:
+            raise ValueError("its chain of pages is circular")
+        visited.add(offset)
+        afford(_TIFF_FRAME * len(visited), length, _RATIO)
+        # Read as many bytes as the largest header of a page so far: for most pages one system call suffices.
+        part = read(min(offset, length), read_size)
+        (count,) = head.unpack_from(part)
+        if count > _MAX_TAGS:
+            raise ValueError(f"it has a page of {count} tags; the limit is {_MAX_TAGS}")
+        end = head.size + count * stride
+        if end + word > len(part):
+            read_size = end + word
+            part = read(offset, read_size)
+        yield offset, part[head.size : end]
+        (offset,) = next_page.unpack_from(part, end)
+
+
+def afford_pages(pages: int, frames: int, length: int) -> None:
+    """Raise ValueError if `pages` of their own kinds and `frames` like others would take too much memory."""
+    afford(_TIFF_PAGE * pages + _TIFF_FRAME * frames, length, _RATIO)
 
 
 def _tiff_sides(entries: bytes, order: str, entry: struct.Struct, stride: int) -> tuple[bytes, int]:
@@ -575,7 +592,7 @@ def tiff_array(page: TiffPage | TiffFrame) -> Values:
         if (image := _PILLOW_IMAGES.get(page.parent)) is None:
             page.parent.filehandle.seek(0)
             image = _PILLOW_IMAGES[page.parent] = TiffImageFile(cast("IO[bytes]", page.parent.filehandle))
-        with _unprinted():
+        with unprinted():
             image.seek(page.index)
             values = np.asarray(image)
     except (OSError, SyntaxError, TypeError) as error:  # Pillow raises TypeError for a page in a SubIFD
@@ -591,10 +608,14 @@ def tiff_array(page: TiffPage | TiffFrame) -> Values:
 
 
 @contextmanager
-def _unprinted() -> Iterator[None]:
-    """Suppress libtiff's messages on standard error (its errors are raised as exceptions); one thread at a time."""
-    # The C library writes to file descriptor 2 directly, so that replacing sys.stderr would have no effect.
-    with _STDERR_LOCK, Path(os.devnull).open("wb") as null_file:
+def unprinted() -> Iterator[list[str]]:
+    """Suppress what libraries print about damage, one thread at a time; yield what this thread prints by Python.
+
+    Standard output may carry results: OpenEXR's binding prints there by Python. libtiff and OpenEXR's core write to
+    standard error, whose file descriptor is redirected, as replacing sys.stderr would have no effect on C libraries.
+    """
+    with _PRINT_LOCK, Path(os.devnull).open("wb") as null_file:
+        output = _Output(sys.stdout)
         try:
             copy = os.dup(2)
         except OSError:  # standard error is closed
@@ -602,14 +623,32 @@ def _unprinted() -> Iterator[None]:
         try:
             if copy >= 0:
                 os.dup2(null_file.fileno(), 2)
-            yield
+            with redirect_stdout(cast("IO[str]", output)):
+                yield output.texts
         finally:
             if copy >= 0:
                 os.dup2(copy, 2)
                 os.close(copy)
 
 
-_STDERR_LOCK = threading.Lock()
+class _Output:
+    """Standard output that keeps the texts of the thread that made it, and passes on those of other threads."""
+
+    def __init__(self, stream: IO[str] | None) -> None:
+        self._stream, self._thread, self.texts = stream, threading.get_ident(), list[str]()
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self._stream, name)
+
+    def write(self, text: str) -> int:
+        """Write a text to the stream, or keep it."""
+        if threading.get_ident() != self._thread:
+            return self._stream.write(text) if self._stream else 0
+        self.texts.append(text)
+        return len(text)
+
+
+_PRINT_LOCK = threading.Lock()
 _LZW = 5
 # Images opened by Pillow, by the tifffile object of the same file.
 _PILLOW_IMAGES: WeakKeyDictionary[TiffFile, TiffImageFile] = WeakKeyDictionary()

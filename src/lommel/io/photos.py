@@ -193,7 +193,7 @@ START = (b"\x76\x2f\x31\x01",)
 def _open_exr(data: bytes) -> Iterator[dict[str, Values]]:
     """Yield the channels of an EXR file by name; ValueError if it has several parts, is deep, or is too large."""
     exr = library("OpenEXR", "EXR files need", "exr")
-    with exr.File(io.BytesIO(data), header_only=True) as file:
+    with reading.unprinted(), exr.File(io.BytesIO(data), header_only=True) as file:
         if len(file.parts) != 1:
             raise ValueError(f"it has {len(file.parts)} parts; give a file of one")
         header = dict(file.header())  # a copy, since the library empties the header when it closes the file
@@ -211,7 +211,11 @@ def _open_exr(data: bytes) -> Iterator[dict[str, Values]]:
     reading.afford(4.0 * width * height * len(header["channels"]), len(data))
     if any((c.xSampling, c.ySampling) != (1, 1) for c in header["channels"]):
         raise ValueError("some of its channels are subsampled; save it as RGB or grey")
-    with exr.File(io.BytesIO(data), separate_channels=True) as file:
+    with reading.unprinted() as messages:  # the library prints that it leaves out a damaged part
+        file = exr.File(io.BytesIO(data), separate_channels=True)
+    with file:
+        if not file.parts:
+            raise ValueError(f"its pixels are damaged: {' '.join(messages).rpartition(' - ')[2].strip()}")
         yield {name: channel.pixels for name, channel in file.channels().items()}
 
 

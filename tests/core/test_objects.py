@@ -21,7 +21,9 @@ CALL = re.compile(r"R_X86_64_(?:PLT32\s+|PC32\s+\.text\.)(_Z\w+)")
 NOT_ARITHMETIC = re.compile(r"_Zd[al]|_Zn[aw]|_ZS|_ZNS|_Z.*D[012]Ev$|_ZN6lommel\d+run_|_ZN6lommel13LimitExceeded")
 # What computes little beside the kernels that call it: Bessel functions where no table serves, a table that is made
 # once, the coefficients of a ring from those of its piece, pixels of frames that are not known.
-FEW = re.compile(r"_ZN6lommel5Field3sumE|_ZN6lommel5BendsC|_ZN6lommel8resampleI|_ZNK6lommel11FocalReader")
+FEW = re.compile(
+    r"_ZN6lommel(?:5Field3sum|15bessel_sequence)E|_ZN6lommel5BendsC|_ZN6lommel8resampleI|_ZNK6lommel11FocalReader"
+)
 
 
 @cache

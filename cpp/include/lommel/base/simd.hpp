@@ -501,6 +501,15 @@ using Avx2 = Isa<4, 4>;
 using Portable = Isa<2, 4>;
 constexpr std::size_t widest_step = 32;  // most values that a kernel handles at once or accesses past an array's end
 
+// Whether only processors without AVX2, which are rare, take the instruction set I.
+#ifdef LOMMEL_X86
+template <class I>
+constexpr bool is_fallback = std::is_same_v<I, Portable>;
+#else
+template <class I>
+constexpr bool is_fallback = false;
+#endif
+
 enum class Level { portable, avx2, avx512 };
 
 // Highest instruction level that processor_level() returns; tests lower it to compare the levels.
@@ -526,16 +535,23 @@ inline Level processor_level() {
 }
 
 #ifdef LOMMEL_X86
+// Kernels of the compiled library are optimized in full although what surrounds them is not (cmake/python.cmake): their loops
+// over arrays of vectors must be unrolled for these to stay in registers.
+#if defined(LOMMEL_COMPILED) && !defined(__clang__)
+#define LOMMEL_KERNEL LOMMEL_NOINLINE __attribute__((optimize("O3", "no-math-errno")))
+#else
+#define LOMMEL_KERNEL LOMMEL_NOINLINE
+#endif
 template <class Kernel>
-LOMMEL_NOINLINE __attribute__((target("avx512f,avx512dq,avx512vl,avx512bw,avx2,fma"))) void run_avx512(const Kernel& kernel) {
+LOMMEL_KERNEL __attribute__((target("avx512f,avx512dq,avx512vl,avx512bw,avx2,fma"))) void run_avx512(const Kernel& kernel) {
     kernel(Avx512{});
 }
 template <class Kernel>
-LOMMEL_NOINLINE __attribute__((target("avx2,fma"))) void run_avx2(const Kernel& kernel) {
+LOMMEL_KERNEL __attribute__((target("avx2,fma"))) void run_avx2(const Kernel& kernel) {
     kernel(Avx2{});
 }
 template <class Kernel>
-LOMMEL_NOINLINE void run_portable(const Kernel& kernel) {
+LOMMEL_KERNEL void run_portable(const Kernel& kernel) {
     kernel(Portable{});
 }
 #endif

@@ -612,10 +612,14 @@ LOMMEL_INLINE void rim_light(I isa, const RimTable& table, const RimLone* lone, 
     });
 }
 
-// Call f(Size<N>) with the smallest N >= degree of those compiled: 4, 7 and rim_most_degree.
-template <class F>
-LOMMEL_INLINE void with_degree(std::size_t degree, const F& f) {
-    degree <= 4 ? f(Size<4>{}) : degree <= 7 ? f(Size<7>{}) : f(Size<rim_most_degree>{});
+// Call f(Size<N>) with an N for rim_powers(): 4 or rim_orders, of which the latter alone where processors without AVX2 are rare.
+template <class I, class F>
+LOMMEL_INLINE void with_degree(I, std::size_t degree, const F& f) {
+    if constexpr (is_fallback<I>) {
+        f(Size<rim_orders>{});
+    } else {
+        degree <= 4 ? f(Size<4>{}) : f(Size<rim_orders>{});
+    }
 }
 
 // Kernels, compiled for each instruction set and chosen at run time by `level`.
@@ -636,14 +640,14 @@ struct RimKernels {
 LOMMEL_ONCE void RimKernels::mean(Level level, bool lone, const RimDisk& disk, RimScratch& scratch) {
     if (lone) {
         return dispatch(level, [&](auto isa) LOMMEL_INLINE_LAMBDA {
-            with_degree(disk.slopes.degree, [&](auto degree) LOMMEL_INLINE_LAMBDA {
+            with_degree(isa, disk.slopes.degree, [&](auto degree) LOMMEL_INLINE_LAMBDA {
                 mean_of_disk<decltype(degree)::value, true>(isa, disk, scratch.coefficients.data(), scratch.e.data(),
                                                             scratch.mean.data(), scratch.largest.data());
             });
         });
     }
     dispatch_widest(level, [&](auto isa) LOMMEL_INLINE_LAMBDA {
-        with_degree(disk.slopes.degree, [&](auto degree) LOMMEL_INLINE_LAMBDA {
+        with_degree(isa, disk.slopes.degree, [&](auto degree) LOMMEL_INLINE_LAMBDA {
             mean_of_disk<decltype(degree)::value, false>(isa, disk, scratch.coefficients.data(), scratch.e.data(),
                                                          scratch.mean.data(), scratch.largest.data());
         });
@@ -653,14 +657,14 @@ LOMMEL_ONCE void RimKernels::coefficients(Level level, bool lone, const RimWaves
                                           std::size_t disk, RimScratch& scratch) {
     if (lone) {
         return dispatch(level, [&](auto isa) LOMMEL_INLINE_LAMBDA {
-            with_degree(line.slopes.degree, [&](auto degree) LOMMEL_INLINE_LAMBDA {
+            with_degree(isa, line.slopes.degree, [&](auto degree) LOMMEL_INLINE_LAMBDA {
                 rim_coefficients_of_pupil<decltype(degree)::value>(isa, rim, line, amplitude, scratch, scratch.values[disk],
                                                                    scratch.of[disk]);
             });
         });
     }
     dispatch_widest(level, [&](auto isa) LOMMEL_INLINE_LAMBDA {
-        with_degree(line.slopes.degree, [&](auto degree) LOMMEL_INLINE_LAMBDA {
+        with_degree(isa, line.slopes.degree, [&](auto degree) LOMMEL_INLINE_LAMBDA {
             rim_coefficients<decltype(degree)::value>(isa, rim, line, amplitude, scratch, scratch.values[disk],
                                                       scratch.of[disk]);
         });

@@ -194,15 +194,15 @@ struct RimTurns {
 
 // Derivatives q[point][k][re, im] = dbar^k P / rim_scale(k), k = 1 .. Last, dbar = d/dx + i d/dy, of the pupil function P. Points:
 // an angle (0) and half a turn further (1). q[point][0]: P, given. turns: cosines and sines from RimTurns; e: Fourier coefficients
-// from slopes_of_circle(). Degree: at least table.degree; a constant, so that loops are unrolled. Lanes are pupils or, if `Lone`,
-// angles of one pupil, with equal e in all lanes.
+// from slopes_of_circle(). Degree: at least table.degree, or rim_orders; a constant, so that loops are unrolled. Lanes are pupils
+// or, if `Lone`, angles of one pupil, with equal e in all lanes.
 template <std::size_t Degree, std::size_t Last, bool Lone, class I, class V>
 LOMMEL_INLINE void rim_powers(I, const RimSlopes& table, const float* turns, const float* e, V (&q)[2][rim_orders + 1][2]) {
     constexpr std::size_t lanes = sizeof(V) / sizeof(float);
     V d[2][Degree][2];
     for (std::size_t j = 0; j < Degree; ++j) {
         // Orders mu run from -most to most; even and odd orders are summed separately.
-        const std::size_t most = table.degree - 1 - j, from = j == 0 ? 0 : table.ends[j - 1];
+        const std::size_t most = table.degree - 1 - j, from = j == 0 || j >= table.degree ? 0 : table.ends[j - 1];
         V re[2], im[2];
         for (std::size_t parity = 0; parity < 2; ++parity) {
             V rc = splat<V>(0.0f), ic = rc, rs = rc, is = rc;

@@ -165,34 +165,36 @@ class Tiles {
         constexpr bool turned[directions] = {true, false, true, false, false, true, false, true},
                        up[directions] = {false, false, true, true, false, false, true, true},
                        left[directions] = {false, true, true, false, false, true, true, false};
-        for (std::size_t d = 0; d < squares(tile); ++d) {
-            if (d + 1 < squares(tile)) {
-                prefetch(tile, d + 1, image);
-            }
-            T* const values = buffer.squares[d];
-            if (tile.a == tile.b) {
-                for (std::int64_t i = 0; i < side; ++i) {
-                    for (std::int64_t j = i + 1; j < side; ++j) {
-                        values[side * i + j] = buffer.squares[d + directions / 2][side * j + i];
+        dispatch([&](auto) LOMMEL_INLINE_LAMBDA {
+            for (std::size_t d = 0; d < squares(tile); ++d) {
+                if (d + 1 < squares(tile)) {
+                    prefetch(tile, d + 1, image);
+                }
+                T* const values = buffer.squares[d];
+                if (tile.a == tile.b) {
+                    for (std::int64_t i = 0; i < side; ++i) {
+                        for (std::int64_t j = i + 1; j < side; ++j) {
+                            values[side * i + j] = buffer.squares[d + directions / 2][side * j + i];
+                        }
                     }
                 }
-            }
-            alignas(64) T arranged[side * side];
-            const T* const square = turned[d] || left[d] ? arranged : values;
-            if (turned[d]) {
-                turn(values, left[d], arranged);
-            } else if (left[d]) {
-                mirror(values, arranged);
-            }
-            on_lines(tile, d, [&](std::int64_t line, std::int64_t at, std::int64_t first, std::int64_t end) {
-                const T* from = square + side * (up[d] ? side - 1 - line : line);
-                if (end - first == side) {
-                    std::memcpy(image + at, from, side * sizeof(T));
-                } else {
-                    std::copy(from + first, from + end, image + at + first);
+                alignas(64) T arranged[side * side];
+                const T* const square = turned[d] || left[d] ? arranged : values;
+                if (turned[d]) {
+                    turn(values, left[d], arranged);
+                } else if (left[d]) {
+                    mirror(values, arranged);
                 }
-            });
-        }
+                on_lines(tile, d, [&](std::int64_t line, std::int64_t at, std::int64_t first, std::int64_t end) {
+                    const T* from = square + side * (up[d] ? side - 1 - line : line);
+                    if (end - first == side) {
+                        std::memcpy(image + at, from, side * sizeof(T));
+                    } else {
+                        std::copy(from + first, from + end, image + at + first);
+                    }
+                });
+            }
+        });
     }
 
    private:

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "lommel/base/once.hpp"
+#include "lommel/base/simd.hpp"
 #include "lommel/base/tasks.hpp"
 #include "lommel/base/watch.hpp"
 #include "lommel/chordal/kernels.hpp"
@@ -303,20 +304,22 @@ LOMMEL_ONCE std::vector<RimJob> RimAverages::jobs(const Around& pixels, std::siz
 LOMMEL_ONCE double RimAverages::write(std::size_t pupil, const Around& pixels, const float* averages, std::size_t lanes) const {
     const std::int64_t row = stack_.rows[pupil], column = stack_.columns[pupil], half = box_ / 2;
     double top = 0.0;
-    double* to = answer_.images + answer_.places[pupil] * height_ * width_;
-    for (std::int64_t y = -row; y < height_ - row; ++y, to += width_) {
-        const float* from = averages + pixels.at(y, -column) * lanes;
-        for (std::int64_t x = 0; x < width_; ++x, from += lanes) {
-            to[x] = std::max(0.0, static_cast<double>(*from));
-            top = std::max(top, to[x]);
+    dispatch([&](auto) LOMMEL_INLINE_LAMBDA {
+        double* to = answer_.images + answer_.places[pupil] * height_ * width_;
+        for (std::int64_t y = -row; y < height_ - row; ++y, to += width_) {
+            const float* from = averages + pixels.at(y, -column) * lanes;
+            for (std::int64_t x = 0; x < width_; ++x, from += lanes) {
+                to[x] = std::max(0.0, static_cast<double>(*from));
+                top = std::max(top, to[x]);
+            }
+            if (std::abs(y) <= half) {
+                const std::int64_t left = std::max<std::int64_t>(0, column - half), right = std::min(width_, column + half + 1);
+                const double* const near =
+                    answer_.near + (static_cast<std::int64_t>(pupil) * box_ + y + half) * box_ + half - column;
+                std::copy(near + left, near + std::max(left, right), to + left);
+            }
         }
-        if (std::abs(y) <= half) {
-            const std::int64_t left = std::max<std::int64_t>(0, column - half), right = std::min(width_, column + half + 1);
-            const double* const near =
-                answer_.near + (static_cast<std::int64_t>(pupil) * box_ + y + half) * box_ + half - column;
-            std::copy(near + left, near + std::max(left, right), to + left);
-        }
-    }
+    });
     return top;
 }
 

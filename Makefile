@@ -111,7 +111,7 @@ peers: build ## fetch other packages for make bench to compare with, or GROUP=le
 test-torch: build env ## run the tests of differentiable functions in PyTorch, in .tools/torch
 	@$(call beside,torch,torch)
 	$(call with,.tools/torch) $(torch_tests)
-test-all: browser core-tests page lint ## run all tests: slow and random ones, the live page in Chromium, C, PyTorch, peers: hours
+test-all: browser core-tests page .venv/page.stamp lint ## run all tests: slow and random ones, the live page in Chromium, C, PyTorch, peers: hours
 	@.venv/bin/mypy
 	LOMMEL_FUZZ=1 LOMMEL_C=1 $(pytest) --thorough || status=$$?
 	for group in compat lenses peers torch; do
@@ -169,10 +169,11 @@ docs: build env page .venv/docs.stamp ## write the documentation to docs/_build/
 	MPLBACKEND=Agg .venv/bin/python -m sphinx -q -W --keep-going -n -b html -d docs/_build/doctrees docs docs/_build/html
 	.venv/bin/python tools/docs/check.py docs/_build/html
 	echo "docs/_build/html/index.html"
-page_module := src/lommel/page/lommel-live.js
-page: $(page_module) ## make the live page's module, src/lommel/page/lommel-live.js; fetches 200 MB the first time
-$(page_module): .venv/page.stamp $(shell find web cpp/include cpp/wasm examples/lenses -type f) $(wildcard src/lommel/page/state.py src/lommel/imaging/focal_*.py src/lommel/estimation/focal_model.py) | build
-	@.venv/bin/python web/build.py --output $@
+# Which is committed, with a checksum of its sources: by times of files it would be compiled in every clone.
+page: build ## make the live page's module, src/lommel/page/lommel-live.js, where its sources have changed; fetches 200 MB
+	@.venv/bin/python web/build.py --check && exit
+	$(uv) $(install) --group page
+	.venv/bin/python web/build.py
 cpp_formatted := $(wildcard cpp/bindings/* cpp/c/*pp cpp/compiled/* cpp/wasm/* cpp/include/lommel/*.hpp cpp/include/lommel/*/*.hpp cpp/tests/* tests/cmake_consume/*.cpp)
 lint: env ## check the style and the format
 	@.venv/bin/ruff check
@@ -201,13 +202,13 @@ lock: $(fetched) ## pin anew, in requirements.lock, what pyproject.toml asks for
 wheel: page build ## build a wheel in dist
 	@rm .venv/build.stamp
 	PATH="$(CURDIR)/.venv/bin:$$PATH" $(uv) build --wheel --config-setting=build-dir='$(build_folder)' --no-build-isolation --python .venv --out-dir dist
-sdist: page ## pack the sources, with the live page, in dist
+sdist: page ## pack the sources in dist
 	@PATH="$(CURDIR)/.venv/bin:$$PATH" $(uv) build --sdist --no-build-isolation --python .venv --out-dir dist
 release: page .venv/maintain.stamp ## make dist/release, all that a maintainer uploads: a quarter of an hour of two processors
 	@UV=$(if $(fetched),"$(CURDIR)/.tools/uv",uv) .venv/bin/python release/build.py $(FLAGS)
 clean: ## remove all that make made
 	@rm -rf .venv .tools build dist docs/_build docs/_generated docs/api docs/reference docs/gallery docs/sg_execution_times.rst \
-		$(page_module) .hypothesis .mypy_cache .pytest_cache .ruff_cache
+		.hypothesis .mypy_cache .pytest_cache .ruff_cache
 	rm -f out/hubble-1990.tif out/hubble-1990.png out/motorcycle.png out/motorcycle-*
 	find src tests examples benchmarks tools -type d -name __pycache__ -prune -exec rm -rf {} +
 	[ ! -d out ] || rmdir out 2>/dev/null || echo "out holds other files; kept"

@@ -29,7 +29,6 @@ ROOT = documents.ROOT
 WORK = ROOT / "build" / "release"
 TOOLS = ROOT / ".tools"
 CHECK = ROOT / "tests" / "shared" / "wheel_check.py"
-MODULE = Path("src") / "lommel" / "page" / "lommel-live.js"
 # What the compiled core may load from the system, on Linux.
 LOADED = {
     "ld-linux-x86-64.so.2",
@@ -101,14 +100,11 @@ def interpreter(version: str) -> Path | None:
 
 
 def sources(release: documents.Release, folder: Path) -> Path:
-    """Pack the sources of the last commit, with the live page's module."""
+    """Pack the sources of the last commit."""
     tree = WORK / "tree"
     tree.mkdir(parents=True)
     packed = subprocess.run(["git", "archive", "HEAD"], cwd=ROOT, check=True, capture_output=True).stdout
     subprocess.run(["tar", "-x", "-C", tree], input=packed, check=True)
-    if not (ROOT / MODULE).is_file():
-        raise SystemExit(f"{MODULE} is missing: run make page")
-    shutil.copyfile(ROOT / MODULE, tree / MODULE)
     # Without isolation and in the environment of this Python, which the lock has filled.
     run(
         *(uv(), "build", "--offline", "--sdist", "--no-build-isolation", "--python", sys.executable),

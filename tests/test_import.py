@@ -37,11 +37,7 @@ def test_importing_the_package_imports_no_library_that_is_optional_or_slow():
     assert not loaded & {"scipy", "matplotlib", "pydantic", "click", "rich", "tifffile", "PIL", "tomllib"}
 
 
-PAGE = ROOT / "src" / "lommel" / "page" / "lommel-live.js"
-WITH_PAGE = pytest.mark.skipif(not PAGE.exists(), reason="the live page was not made: make page")
-
-
-@pytest.mark.parametrize("code", ["lm.load_instrument", pytest.param("lm.live('lens.toml')", marks=WITH_PAGE)])
+@pytest.mark.parametrize("code", ["lm.load_instrument", "lm.live('lens.toml')"])
 def test_lens_files_without_their_library_name_the_extra_that_brings_it(code):
     blocked = (
         "import sys, importlib.util as u; f = u.find_spec; u.find_spec = lambda n: n != 'pydantic' and f(n) or None"

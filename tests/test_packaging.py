@@ -133,14 +133,6 @@ class Place:
         shutil.copytree(ROOT / ".ci", self.root / ".ci")
         for name in ("CMakeLists.txt", "cpp/bindings/one.cpp", "src/lommel/__init__.py", "src/lommel/two.py"):
             self.write(name, "")
-        for name in (
-            "cpp/include/one.hpp",
-            "cpp/wasm/one.cpp",
-            "src/lommel/page/state.py",
-            "examples/lenses/one.toml",
-        ):
-            self.write(name, "")
-        self.write("web/build.py", "import pathlib, sys\npathlib.Path(sys.argv[2]).mkdir(parents=True)")
         self.log.touch()
         self.bin.mkdir()
         for name in UTILITIES:
@@ -277,6 +269,17 @@ def test_an_edit_of_the_core_is_compiled_without_a_new_install(place):
     assert len(place.make("build", "src/lommel/two.py")) == 1
 
 
+@pytest.mark.parametrize("current", [True, False])
+def test_the_live_page_is_made_and_its_compiler_fetched_only_where_its_sources_have_changed(current, place):
+    place.make("build")
+    place.write(
+        "web/build.py", f"import sys\nif sys.argv[1:] == ['--check']: sys.exit({not current})\nopen('made', 'w')"
+    )
+    fetched = [line for line in place.make_again("page") if has(line, "uv pip install")]
+    assert (place.root / "made").exists() == (not current)
+    assert [line.endswith("--group page") and has(line, *LOCKED) for line in fetched] == [True] * (not current)
+
+
 # What the command line needs, and what these need: none of it has the sources of lommel.
 WITH = (
     "numpy", "numpy.libs", "scipy", "scipy.libs", "click", "rich", "pygments", "markdown_it", "mdurl", "pydantic",
@@ -296,7 +299,7 @@ def newest(folder: Path) -> Path | None:
     return wheels[-1] if wheels else None
 
 
-def check(wheel: Path, folder: Path, *flags: str) -> None:
+def check(wheel: Path, folder: Path) -> None:
     """Install a wheel into an environment of its own, as files alone, and run what it must do."""
     venv.create(folder / "bare", symlinks=True)
     scheme = sysconfig.get_paths("venv", vars={"base": str(folder / "bare"), "platbase": str(folder / "bare")})
@@ -313,7 +316,7 @@ def check(wheel: Path, folder: Path, *flags: str) -> None:
     (scripts / "lommel").write_text(entry)
     (scripts / "lommel").chmod(0o755)
     environment = {name: value for name, value in os.environ.items() if name != "PYTHONPATH"}
-    command = [scripts / "python", "-W", "error", ROOT / "tests" / "shared" / "wheel_check.py", *flags]
+    command = [scripts / "python", "-W", "error", ROOT / "tests" / "shared" / "wheel_check.py"]
     run = subprocess.run(command, cwd=folder, env=environment, capture_output=True, encoding="utf-8", check=False)
     assert run.returncode == 0, run.stderr
     assert str(site) in run.stdout
@@ -340,8 +343,7 @@ def test_a_wheel_that_is_built_now_works_on_its_own(tmp_path):
     assert wheel is not None
     # One for 3.12 and every later Python; 3.11 has its own.
     assert ("abi3" in wheel.name) == (sys.version_info >= (3, 12))
-    flags = [] if (ROOT / "src" / "lommel" / "page" / "lommel-live.js").is_file() else ["--no-page"]
-    check(wheel, tmp_path, *flags)
+    check(wheel, tmp_path)
 
 
 def test_the_changelog_is_about_the_version_of_the_package():

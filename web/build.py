@@ -1,6 +1,7 @@
 """Make the live page's module: the core compiled for browsers, and the files of this folder, in one ES module.
 
-    python web/build.py --output src/lommel/page/lommel-live.js
+    python web/build.py           # writes src/lommel/page/lommel-live.js, which is committed
+    python web/build.py --check   # fails if that file was made from other sources
 
 The same bytes come out of the same files, wherever they lie; on other machines the tables of depth, which linear
 algebra makes, may differ in their last digits.
@@ -10,6 +11,7 @@ from __future__ import annotations
 
 import argparse
 import base64
+import hashlib
 import json
 import re
 import subprocess
@@ -18,13 +20,16 @@ import tempfile
 import zlib
 from pathlib import Path
 
-import zopfli.zlib
-from depths import depths  # beside this file, as is the next
-from presets import presets
-
-from lommel.page.state import DIRECTED, FIELDS, WHITE, colour_weights
-
 HERE = Path(__file__).resolve().parent
+ROOT = HERE.parent
+MODULE = ROOT / "src" / "lommel" / "page" / "lommel-live.js"
+# The files that determine the module, beside those of C++. What the tables of depth and the presets call in the rest
+# of the package is not among them: it changes their last digits, if anything, and far more often.
+SOURCES = (
+    *("web/*.js", "web/*.css", "web/*.py", "examples/lenses/*.toml", "src/lommel/page/state.py"),
+    *("src/lommel/imaging/focal_*.py", "src/lommel/estimation/focal_model.py"),
+)
+INCLUDE = re.compile(r'^\s*#include "([^"]+)"', re.MULTILINE)
 # Fixed here and nowhere else: another set of them has the compiler build its library of C++ anew. Exceptions are said
 # to the host (cpp/wasm/live.cpp); contracted products would differ from the other builds of the core.
 FLAGS = [
@@ -45,6 +50,39 @@ COMMENT = re.compile(r"^[ \t]*//.*\n", re.MULTILINE)  # alone on its line
 EXPORT = re.compile(r"^export (?=(?:async )?(?:function|class|const|let)\b)", re.MULTILINE)
 
 
+def sources() -> list[Path]:
+    """Return the files that determine the module: those of SOURCES, and the C++ files with all that they include."""
+    found = {path for pattern in SOURCES for path in ROOT.glob(pattern)}
+    waiting = [ROOT / "cpp" / "wasm" / f"{name}.cpp" for name in UNITS]
+    while waiting:
+        path = waiting.pop()
+        if path not in found:
+            found.add(path)
+            for name in INCLUDE.findall(path.read_text(encoding="utf-8")):
+                beside = path.parent / name
+                waiting.append(beside if beside.is_file() else ROOT / "cpp" / "include" / name)
+    return sorted(found, key=lambda path: path.relative_to(ROOT).as_posix())
+
+
+def source_line() -> str:
+    """Return the first line of the module: the compiler's version, and the SHA-256 of the sources without comments.
+
+    Comments count where they share a line with code, and in docstrings.
+    """
+    (compiler,) = re.findall(r'"(ziglang==[\d.]+)"', (ROOT / "pyproject.toml").read_text(encoding="utf-8"))
+    digest = hashlib.sha256()
+    for path in sources():
+        mark = "#" if path.suffix in (".py", ".toml") else "//"
+        text = re.sub(rf"^[ \t]*(?:{mark}.*)?\n", "", path.read_text(encoding="utf-8"), flags=re.MULTILINE)
+        digest.update(f"{path.relative_to(ROOT).as_posix()} {len(text)}\n{text}".encode())
+    return f"// Made by `make page` with {compiler}; SHA-256 of the sources: {digest.hexdigest()}\n"
+
+
+def is_current(module: Path) -> bool:
+    """Return whether a module was made from these sources."""
+    return module.is_file() and module.read_bytes().startswith(source_line().encode())
+
+
 def compiled() -> bytes:
     """Return the core as WebAssembly."""
     with tempfile.TemporaryDirectory() as folder:
@@ -53,13 +91,15 @@ def compiled() -> bytes:
         objects = [f"{folder}/{name}.o" for name in UNITS]
         for (name, own), made in zip(UNITS.items(), objects, strict=True):
             command = [*zig, *FLAGS, *own, "-Icpp/include", "-c", f"cpp/wasm/{name}.cpp", "-o", made]
-            subprocess.run(command, cwd=HERE.parent, check=True)
-        subprocess.run([*zig, *FLAGS, *LINKED, *objects, "-o", f"{folder}/live.wasm"], cwd=HERE.parent, check=True)
+            subprocess.run(command, cwd=ROOT, check=True)
+        subprocess.run([*zig, *FLAGS, *LINKED, *objects, "-o", f"{folder}/live.wasm"], cwd=ROOT, check=True)
         return Path(folder, "live.wasm").read_bytes()
 
 
 def packed(data: bytes) -> str:
     """Return data deflated as far as it goes, as base64."""
+    import zopfli.zlib  # late, as in module(): source_line() needs the standard library alone
+
     return base64.b64encode(zopfli.zlib.compress(data)).decode("ascii")
 
 
@@ -123,6 +163,11 @@ def constants(**values: object) -> str:
 
 def module(entry: str) -> str:
     """Return the text of the module."""
+    from depths import depths  # beside this file, as is the next
+    from presets import presets
+
+    from lommel.page.state import DIRECTED, FIELDS, WHITE, colour_weights
+
     camera, tables = depths()
     made = {
         "packed.js": constants(wasmText=packed(compiled()), depthText=packed(tables)),
@@ -145,14 +190,17 @@ def module(entry: str) -> str:
     common = f"const common = () => {{\n{joined(both, made, owner)}return {{ {taken} }};\n}};\n"
     begin, end = f'"use strict";const {{ {taken} }} = (', f")();{joined(['worker.js'], made, {})}"
     made["workertext.js"] = f"export const workerText = {json.dumps(begin)} + common + {json.dumps(end)};\n"
-    return f"{BANNER}{common}const {{ {taken} }} = common();\n{joined(own, made, owner, exports=True)}"
+    return f"{source_line()}{BANNER}{common}const {{ {taken} }} = common();\n{joined(own, made, owner, exports=True)}"
 
 
 if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--output", required=True, type=Path)
+    parser.add_argument("--output", default=MODULE, type=Path)
     parser.add_argument("--entry", default="live.js", help="the file whose exports the module has")
+    parser.add_argument("--check", action="store_true", help="only fail if the file is of other sources")
     given = parser.parse_args()
+    if given.check:
+        sys.exit(not is_current(given.output))
     text = module(given.entry)
     given.output.parent.mkdir(parents=True, exist_ok=True)
     given.output.write_text(text, encoding="utf-8", newline="\n")

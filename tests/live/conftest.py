@@ -1,4 +1,4 @@
-"""A browser, and a server of pages with the live page's module, as `make page` made it."""
+"""A browser, and a server of pages with the live page's module, as it is committed."""
 
 from __future__ import annotations
 
@@ -14,7 +14,6 @@ import check
 import firefox as firefoxes
 from lommel.page import server as page_module
 
-MODULE = Path(__file__).resolve().parents[2] / "src" / "lommel" / "page" / "lommel-live.js"
 HEAD = """<!doctype html><html lang="en"><meta charset="utf-8"><title>test</title><link rel="icon" href="data:,">
 <meta name="viewport" content="width=device-width, initial-scale=1"><body style="margin:0">"""
 PAGES = {
@@ -34,10 +33,8 @@ IDLE = ".lommel-live-host:not([data-busy])"
 
 @pytest.fixture(scope="session")
 def module() -> Path:
-    """The module; without it there is nothing to test."""
-    if not MODULE.exists():
-        pytest.skip("the live page is not made: make page")
-    return MODULE
+    """The module."""
+    return page_module.path()
 
 
 @pytest.fixture(scope="session")

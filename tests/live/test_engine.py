@@ -8,6 +8,8 @@ import re
 import shutil
 import subprocess
 import sys
+import zlib
+from base64 import b64decode
 from functools import partial
 from pathlib import Path
 from types import SimpleNamespace
@@ -21,6 +23,7 @@ from lommel.measures.energy import encircled
 from lommel.page.state import FIELDS, colour_weights, psf_of
 from lommel.page.state import pupil_of as stated_pupil
 from lommel.show.plot import ray_positions
+from web import build as web_build
 
 WHITE = [450e-9, 1450e-9 / 3, 1550e-9 / 3, 550e-9, 1750e-9 / 3, 1850e-9 / 3, 650e-9]
 ROOT = Path(__file__).resolve().parent.parent.parent
@@ -332,19 +335,24 @@ def test_the_page_is_small(module):
     assert len(gzip.compress(module.read_bytes(), 9)) <= 330_000
 
 
-def test_the_same_files_make_the_same_bytes_elsewhere(module, tmp_path):
-    pytest.importorskip("ziglang", reason="the compiler that `make page` fetches is not here")
-    folders = "cpp/include", "cpp/wasm", "web", "examples/lenses"
-    made, before = module.stat().st_mtime, module.read_bytes()
-    sources = [path for name in folders for path in (ROOT / name).rglob("*.*") if "__pycache__" not in path.parts]
-    if any(path.stat().st_mtime > made for path in (*sources, ROOT / "src" / "lommel" / "page" / "state.py")):
-        pytest.skip("the page is older than its files: make page")
-    for folder in folders:
-        shutil.copytree(ROOT / folder, tmp_path / folder, ignore=shutil.ignore_patterns("__pycache__"))
+def test_the_sources_alone_make_the_committed_module_elsewhere(module, tmp_path):
+    pytest.importorskip("ziglang", reason="the compiler that `make page` fetches is not here: make .venv/page.stamp")
+    for path in (ROOT / "pyproject.toml", *web_build.sources()):
+        copy = tmp_path / path.relative_to(ROOT)
+        copy.parent.mkdir(parents=True, exist_ok=True)
+        shutil.copyfile(path, copy)
     again = tmp_path / "made" / "page.js"
     command = [sys.executable, "-B", tmp_path / "web" / "build.py", "--output", again]
     subprocess.run(command, check=True, cwd=tmp_path, capture_output=True)
-    assert again.read_bytes() == before
+    texts = [path.read_text(encoding="utf-8") for path in (again, module)]
+    tables = re.compile('depthText = "([^"]+)"')
+    without_tables = [tables.sub("", text) for text in texts]
+    is_same = without_tables[0] == without_tables[1]
+    assert is_same, "the page has changed by more than its sources: .venv/bin/python web/build.py"
+    # Linear algebra rounds differently on other processors.
+    one, other = (np.frombuffer(zlib.decompress(b64decode(tables.search(text)[1])), np.uint8) for text in texts)
+    assert one.shape == other.shape
+    assert (one == other).mean() > 0.99
 
 
 def test_python_and_the_page_ask_for_the_same_of_a_state(engine):

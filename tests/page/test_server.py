@@ -11,6 +11,7 @@ import pytest
 
 from lommel.page import server as page_server
 from lommel.page.server import PageServer
+from web import build as web_build
 
 
 @pytest.fixture
@@ -117,7 +118,41 @@ def test_a_page_alone_has_the_module_inside(made):
     assert 'data-lommel=""' in text
 
 
-def test_what_was_not_made_is_told(tmp_path, monkeypatch):
+def test_the_module_is_made_of_these_sources():
+    assert web_build.is_current(page_server.path()), "the sources of the live page have changed: run make page"
+
+
+def test_the_checksum_is_of_code_that_the_page_is_made_of(tmp_path, monkeypatch):
+    files = {
+        "pyproject.toml": 'page = ["ziglang==0.17.0"]\n',
+        "cpp/wasm/live.cpp": '#include "light.hpp"\n#include "lommel/a.hpp"\n',
+        "cpp/wasm/depth.cpp": "int depth;\n",
+        "cpp/wasm/light.hpp": "int light;\n",
+        "cpp/include/lommel/a.hpp": '#pragma once\n#include "lommel/b.hpp"\n',
+        "cpp/include/lommel/b.hpp": "int b;\n",
+        "cpp/include/lommel/unused.hpp": "int unused;\n",
+        "web/live.js": "let a;\n",
+        "web/depths.py": "a = 1\n",
+        "examples/lenses/phone.toml": "f_number = 2\n",
+    }
+
+    def written(changes: dict[str, str]) -> str:
+        for name, text in (files | changes).items():
+            (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+            (tmp_path / name).write_text(text, encoding="utf-8")
+        return web_build.source_line()
+
+    monkeypatch.setattr(web_build, "ROOT", tmp_path)
+    line = written({})
+    for name, text in files.items():
+        mark = "#" if name.endswith((".py", ".toml")) else "//"
+        assert written({name: f"  {mark} a comment\n\n{text}{mark} another\n"}) == line
+        is_counted = name not in ("pyproject.toml", "cpp/include/lommel/unused.hpp")
+        assert (written({name: f"{text}more\n"}) != line) == is_counted, name
+    assert written({"pyproject.toml": 'page = ["ziglang==0.17.1"]\n'}) != line
+
+
+def test_a_module_that_is_missing_is_told(tmp_path, monkeypatch):
     monkeypatch.setattr(page_server, "__file__", str(tmp_path / "module.py"))
-    with pytest.raises(FileNotFoundError, match=r"live page's module is missing .*make page"):
+    with pytest.raises(FileNotFoundError, match=r"live page's module is missing .*restore it .*make page"):
         page_server.path()

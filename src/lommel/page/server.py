@@ -36,12 +36,12 @@ _PAGE = """<!doctype html>
 
 
 def path() -> Path:
-    """Return the path of `lommel-live.js`; FileNotFoundError if `make page` did not build it."""
+    """Return the path of `lommel-live.js`; FileNotFoundError if it is missing."""
     module = Path(__file__).with_name(NAME)
     if not module.is_file():
         raise FileNotFoundError(
-            f"the live page's module is missing ({module}): install lommel from a wheel, which contains it, or run "
-            "`make page` in a copy of the sources"
+            f"the live page's module is missing ({module}): restore it from the repository of the sources, or run "
+            "`make page` there"
         )
     return module
 
@@ -178,7 +178,7 @@ def live(lens: Instrument | str | PathLike[str] | None = None, **state: Any) -> 
     ImportError
         If anywidget is not installed; the extra "live" of this package installs it.
     FileNotFoundError
-        If the page's module was not built.
+        If the page's module is missing from the package.
     TypeError, ValueError
         If a control is unknown, if its value is invalid, or if the lens is outside the range of the controls.
 

@@ -491,10 +491,11 @@ def test_packed_sources_have_no_trace_of_time_place_and_user(tmp_path, monkeypat
 
 
 PACKED = {
-    ".ci", ".clang-format", ".clang-tidy", ".editorconfig", ".github", ".gitignore", ".pre-commit-config.yaml",
+    ".ci", ".clang-format", ".clang-tidy", ".editorconfig", ".gitattributes", ".github", ".gitignore",
+    ".pre-commit-config.yaml",
     "CHANGELOG.md", "CITATION.cff", "CMakeLists.txt", "CMakePresets.json", "CONTRIBUTING.md", "LICENSE", "LICENSES",
     "Makefile", "PKG-INFO", "README.md", "SECURITY.md", "benchmarks", "changes", "cmake", "cpp", "docs", "examples",
-    "paper.bib", "paper.md", "pyproject.toml", "release", "requirements.lock", "src", "tests", "web",
+    "paper.bib", "paper.md", "pyproject.toml", "release", "requirements.lock", "src", "tests", "tools", "web",
 }  # fmt: skip
 
 

@@ -194,7 +194,8 @@ class Costs:
     def pytest_sessionfinish(self, session: pytest.Session) -> None:
         """Write the list, in the first process."""
         if not hasattr(session.config, "workerinput"):
-            text = HEADER.format(loop()) + "".join(lines(self.measured, slow_tests()))
+            whole = session.config.args_source is pytest.Config.ArgsSource.TESTPATHS
+            text = HEADER.format(loop() if whole else loop_listed()) + "".join(lines(self.measured, slow_tests()))
             LIST.write_text(text, encoding="utf-8")
 
 

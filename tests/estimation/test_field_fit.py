@@ -141,6 +141,7 @@ def test_two_foci_tell_the_sign():
     assert fit.reliable, fit.message
 
 
+@pytest.mark.quick
 @pytest.mark.parametrize("defocus", [-4.0, 4.0])
 def test_a_known_defocus_decides_the_sign(defocus):
     draw = np.random.default_rng(9)

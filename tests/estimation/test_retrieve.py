@@ -257,6 +257,7 @@ def test_a_verdict_of_converged_means_that_standard_errors_hold():
     assert sure[-16:].all()
 
 
+@pytest.mark.quick
 def test_in_focus_the_standard_error_of_defocus_is_named_as_doubtful():
     """The image does not change with defocus to first order there, and its phases are known to 0.2 rad."""
     light = {"wavelength": 550e-9, "f_number": 8.0}

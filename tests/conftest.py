@@ -34,9 +34,11 @@ gc.disable()
 # Files that tests write need not outlive a power failure, and disks that are busy take long to make sure of that.
 os.fsync = lambda descriptor: None
 
-# A shell starts what it runs in the background deaf to Ctrl-C, and so would be what the tests start and interrupt.
-if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
-    signal.signal(signal.SIGINT, signal.default_int_handler)
+# A shell starts what it runs in the background deaf to Ctrl-C, and nohup deaf to the end of the terminal: so would be
+# what the tests start and interrupt.
+for ignored, handler in ((signal.SIGINT, signal.default_int_handler), (signal.SIGHUP, signal.SIG_DFL)):
+    if signal.getsignal(ignored) is signal.SIG_IGN:
+        signal.signal(ignored, handler)
 
 # No deadline: shared machines stall. Searches have the same cases in every run, except for `pytest --thorough`, whose
 # finds become examples of their tests. HYPOTHESIS_PROFILE=thorough searches longer.
@@ -68,13 +70,15 @@ def pytest_runtestloop() -> None:
 @pytest.fixture(autouse=True)
 def own_folder(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
     """Run each test in an empty folder, so that no relative path, "../.." included, is one of the repository."""
-    top = tmp_path_factory.getbasetemp() / f"own-{next(FOLDERS)}"
-    folder = top / "folder" / "of-its-own"
+    folder = tmp_path_factory.getbasetemp() / "own" / "folders" / str(next(FOLDERS))
     folder.mkdir(parents=True)
     os.chdir(folder)
     yield
     os.chdir(ROOT)
-    shutil.rmtree(top, ignore_errors=True)
+    try:
+        folder.rmdir()
+    except OSError:
+        shutil.rmtree(folder, ignore_errors=True)
 
 
 @pytest.fixture(params=LENSES, ids=lambda path: path.stem)

@@ -198,9 +198,9 @@ def test_a_measured_test_replaces_its_line_and_tests_that_are_gone_lose_theirs()
         "tests/test_tools.py::listed": 0.3,
         "tests/x.py::test_y": 1.0,
     }
-    assert tiers.lines({}, before) == [f"  2.0 {here}\n", "  0.3 tests/test_tools.py::listed\n"][::-1]
-    assert tiers.lines({here: 0.1}, before) == ["  0.3 tests/test_tools.py::listed\n"]
-    assert tiers.lines({here: 0.26}, {}) == [f"  0.3 {here}\n"]
+    assert tiers.lines({}, before) == [f"  2.00 {here}\n", "  0.30 tests/test_tools.py::listed\n"][::-1]
+    assert tiers.lines({here: 0.1}, before) == ["  0.30 tests/test_tools.py::listed\n"]
+    assert tiers.lines({here: 0.261}, {}) == [f"  0.26 {here}\n"]
 
 
 def test_a_quick_test_that_is_slow_each_time_is_an_error(tmp_path):

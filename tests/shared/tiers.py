@@ -29,14 +29,14 @@ from hypothesis import settings
 
 ROOT = Path(__file__).resolve().parents[2]
 LIST = ROOT / "tests" / "slow_tests.txt"
-SLOW = 0.2  # seconds of a processor
+SLOW = 0.15  # seconds of a processor
 TOO_SLOW = 4.0  # in units of SLOW
 DRAWN = 0.01  # the share of slow tests that is in the quick tier
 # Whatever each test takes: the live page needs a browser; costs of hostile files are measured for all at once.
 ELSEWHERE = ("tests/live/", "tests/base/test_cost_of_reading.py")
 # Their first import is no cost of the test that happens to come first.
 COMMON = ("astropy.io.fits", "click", "dask.array", "h5py", "jax.numpy", "matplotlib.pyplot", "pydantic")
-HEADER = """# Tests that take more than 0.2 s of a processor, with the seconds that they took; a function stands for
+HEADER = """# Tests that take more than 0.15 s of a processor, with the seconds that they took; a function stands for
 # all of its cases. Written by `pytest --measure`; see tests/shared/tiers.py. Its loop took {:.1f} ms.
 """
 
@@ -240,12 +240,12 @@ def lines(measured: dict[str, float], before: dict[str, float]) -> list[str]:
         name: cost for name, cost in before.items() if name not in measured and name not in cases and is_there(name)
     }
     for function, tests in cases.items():
-        costs = {test: round(measured[test], 1) for test in tests if measured[test] > SLOW}
+        costs = {test: round(measured[test], 2) for test in tests if measured[test] > SLOW}
         if len(costs) == len(tests) > 1:
-            slow[function] = round(sum(costs.values()) / len(costs), 1)
+            slow[function] = round(sum(costs.values()) / len(costs), 2)
         else:
             slow |= costs
-    return [f"{cost:5.1f} {name}\n" for name, cost in sorted(slow.items())]
+    return [f"{cost:6.2f} {name}\n" for name, cost in sorted(slow.items())]
 
 
 def is_there(name: str) -> bool:

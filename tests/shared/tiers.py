@@ -5,7 +5,7 @@ except for a few that the hash of the commit draws: the same ones in each run of
 ``--slow`` runs those that ``--quick`` leaves out. ``--thorough`` runs all tests and seeds random searches anew, by a
 seed that it prints and that ``--thorough SEED`` takes. ``--measure`` writes the list; ``--quick --measure`` after it
 adds tests that pay for what slow tests prepared, such as a fixture of their module. In ``--quick`` a test that is not
-listed and takes more than `TOO_SLOW` times `SLOW`, twice in succession, is an error.
+listed and takes more than `TOO_SLOW` times `SLOW`, twice in succession, fails.
 """
 
 from __future__ import annotations
@@ -24,7 +24,6 @@ from importlib import import_module
 from pathlib import Path
 
 import pytest
-from _pytest.runner import runtestprotocol
 from hypothesis import settings
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -206,22 +205,23 @@ class Limit:
         self.seconds = TOO_SLOW * SLOW * max(1.0, loop() / loop_listed())
 
     @pytest.hookimpl(wrapper=True)
-    def pytest_runtest_protocol(self, item: pytest.Item, nextitem: pytest.Item | None) -> Iterator[None]:
-        """Run a test that takes too long once more, without what it may have prepared first, and fail it then."""
+    def pytest_pyfunc_call(self, pyfuncitem: pytest.Function) -> Iterator[object]:
+        """Call a test that takes too long once more, as its fixtures and caches are then there, and fail it then."""
         start = processor_time()
         done = yield
         first = processor_time() - start
-        exempt = any(map(item.get_closest_marker, ("quick", "drawn")))
-        if first > self.seconds and not exempt and is_quick(item, 0.0):
+        exempt = any(map(pyfuncitem.get_closest_marker, ("quick", "drawn")))
+        if first > self.seconds and not exempt and is_quick(pyfuncitem, 0.0):
             start = processor_time()
-            item._initrequest()  # as pytest does before it runs a test
-            runtestprotocol(item, log=False, nextitem=nextitem)
+            try:
+                pyfuncitem.obj(**{name: pyfuncitem.funcargs[name] for name in pyfuncitem._fixtureinfo.argnames})
+            except (Exception, SystemExit, pytest.fail.Exception, pytest.skip.Exception):
+                return done  # it changes what it finds, such as files
             second = processor_time() - start
             if second > self.seconds:
                 said = f"takes {first:.1f} and {second:.1f} s of a processor and is not in {LIST.name}: "
                 said += "make it quicker, or add it by .venv/bin/pytest --quick --measure FILE"
-                report = pytest.TestReport(item.nodeid, item.location, {}, "failed", said, "teardown")
-                item.ihook.pytest_runtest_logreport(report=report)
+                pytest.fail(said, pytrace=False)
         return done
 
 

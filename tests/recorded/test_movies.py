@@ -113,6 +113,10 @@ def test_what_is_no_movie_is_told(tmp_path):
         file.write(np.zeros((3, 8, 8), np.uint8), photometric="minisblack")
         file.write(np.zeros((3, 9, 9), np.uint8), photometric="minisblack")
     assert "it holds 2 images (3 x 8 x 8, 3 x 9 x 9): name one, as in movie.tif[0]" in refused(path)
+    with tifffile.TiffWriter(path) as file:
+        for side in (*[8] * 10, 9, *[8] * 3):
+            file.write(np.zeros((8, side), np.uint8), contiguous=False, photometric="minisblack")
+    assert "it holds 14 images (13 of 8 x 8, 1 of 8 x 9): name one, as in movie.tif[0]" in refused(path)
     with pytest.raises(FileNotFoundError, match="nowhere"):
         open_movie(tmp_path / "nowhere.tif")
     with pytest.raises(MovieError, match="no OME-Zarr"):

@@ -11,6 +11,7 @@ from __future__ import annotations
 import math
 import re
 import threading
+from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
@@ -737,7 +738,7 @@ def _series_of(path: Path, file: TiffFile, image: int | None, notes: list[str]) 
     place = max(range(len(every)), key=lambda k: math.prod(every[k].shape)) if image is None else image
     series = every[validation.integer("image", place, least=0, most=len(every) - 1)]
     if len(every) > 1 and image is None:
-        sides = ", ".join(" x ".join(map(str, item.shape)) for item in every[:4]) + ", ..." * (len(every) > 4)
+        sides = _sizes(every)
         if not file.is_ome:
             raise ValueError(f"it holds {len(every)} images ({sides}): name one, as in {path.name}[0]")
         notes.append(
@@ -745,6 +746,15 @@ def _series_of(path: Path, file: TiffFile, image: int | None, notes: list[str]) 
             f"{path.name}[{0 if place else 1}] selects another."
         )
     return series, place
+
+
+def _sizes(every: Sequence[Any]) -> str:
+    """Return the sizes of images as a text, equal ones once with their number, with types if these differ."""
+    is_mixed = len({item.dtype for item in every}) > 1
+    texts = [" x ".join(map(str, item.shape)) + f" {item.dtype}" * is_mixed for item in every]
+    if len(counts := Counter(texts)) < len(every) > 4:
+        texts = [f"{count} of {text}" for text, count in counts.items()]
+    return ", ".join(texts[:4]) + ", ..." * (len(texts) > 4)
 
 
 def _are_pages(file: TiffFile, every: Sequence[Any]) -> bool:

@@ -135,6 +135,7 @@ def test_every_file_has_a_place_in_the_order():
     assert {organisation.package_of(name) for name in HEADERS} == set().union(*organisation.CORE_ORDER)
 
 
+@pytest.mark.quick
 def test_data_flows_one_way():
     found = {name: upward(name, tree) for name, tree in organisation.modules().items()}
     assert {name: others for name, others in found.items() if others} == {}
@@ -154,6 +155,7 @@ def test_headers_include_one_way():
     assert {name: others for name, others in found.items() if others} == {}
 
 
+@pytest.mark.quick
 def test_no_file_needs_itself_by_way_of_others():
     needs = {
         name: {other for _, other in organisation.imported(tree)} for name, tree in organisation.modules().items()

@@ -312,7 +312,10 @@ def _local_variances(stack: Stack) -> tuple[Array, Array, float]:
         pairs.append(known[:, :: max(1, math.ceil(known.shape[1] * len(places) / _POINTS))].copy())
     mean, squares = np.concatenate(pairs, axis=1)
     if not mean.size:
-        raise ValueError("stack must have 6 rows and columns or more whose values are known")
+        raise ValueError(
+            "stack must have 6 rows and columns or more whose values are known: pixels with the largest value of a "
+            "plane, if there are several, count as saturated"
+        )
     correlation = np.correlate(_KERNEL, _KERNEL, "full")
     # Neighbouring second differences are correlated, which reduces the number of independent squares.
     return mean, squares, float((correlation.max() ** 2 / (correlation @ correlation)) ** len(axes))

@@ -247,13 +247,8 @@ def _stated(text: bytes, page: Page) -> Stated | None:
             return None
         metadata: Json = shaped_description_metadata(words)
         shape, axes = tuple(map(index, metadata["shape"])), metadata.get("axes")
-    except (
-        ValueError,
-        TypeError,
-        KeyError,
-        AttributeError,
-        RecursionError,
-    ):  # malformed descriptions raise many types
+    # Malformed descriptions raise many types.
+    except (ValueError, TypeError, KeyError, AttributeError, RecursionError):
         return None
     size, page_size = math.prod(shape), math.prod(page.shape)
     if min(shape, default=0) < 1 or page_size < 1 or size % page_size or "truncated" in metadata:

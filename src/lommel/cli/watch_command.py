@@ -12,7 +12,7 @@ from contextlib import ExitStack
 from dataclasses import dataclass, field
 from pathlib import Path
 from types import TracebackType
-from typing import TYPE_CHECKING, NamedTuple, Self, TextIO
+from typing import TYPE_CHECKING, NamedTuple, Self
 
 import click
 import numpy as np
@@ -488,18 +488,18 @@ class Table:
 
     def __init__(self, path: Path, stack: ExitStack) -> None:
         self._path, self._stack = path, stack
-        self._file: TextIO | None = None
+        self._recording: atomic.Recording | None = None
 
     def __call__(self, row: list[object]) -> None:
         """Write a row."""
-        if self._file is None:  # no file before the first row: it could be left empty
+        if self._recording is None:  # no file before the first row: it could be left empty
             self._recording = self._stack.enter_context(atomic.recording(self._path))
             place = self._recording.path
-            opened = atomic.closed(lambda: place.open("w", 1, encoding="utf-8", newline=""), self._path)
-            self._file = self._stack.enter_context(opened)
-            csv.writer(self._file).writerow(_COLUMNS)
+            line_buffered = atomic.closed(lambda: place.open("w", 1, encoding="utf-8", newline=""), self._path)
+            self._rows = csv.writer(self._stack.enter_context(line_buffered))
+            self._rows.writerow(_COLUMNS)
         with atomic.as_path_error(self._path):
-            csv.writer(self._file).writerow(row)  # a line-buffered file
+            self._rows.writerow(row)
             self._recording.added()
 
 

@@ -537,12 +537,8 @@ class _ZarrPlanes:
     def block(self, part: tuple[slice, ...]) -> Values:
         """Return a part of the array."""
         with errors_of(self._path), self._lock:
-            return self._checked([range(one.start, one.stop) for one in part])
-
-    def _checked(self, ranges: list[range]) -> Values:
-        """Return the values in `ranges` (one per axis); ValueError if they take far more memory than their chunks."""
-        reading.afford(*self.chunks.check(ranges))
-        return np.asarray(self._array[tuple(slice(part.start, part.stop) for part in ranges)], self.dtype)
+            reading.afford(*self.chunks.check([range(one.start, one.stop) for one in part]))
+            return np.asarray(self._array[part], self.dtype)
 
     def _read(self, number: int) -> Values:
         *leading_indices, last_index = np.unravel_index(number, self._stack_shape) if self._stack_shape else (0,)
@@ -752,7 +748,8 @@ def _sizes(every: Sequence[Any]) -> str:
     """Return the sizes of images as a text, equal ones once with their number, with types if these differ."""
     is_mixed = len({item.dtype for item in every}) > 1
     texts = [" x ".join(map(str, item.shape)) + f" {item.dtype}" * is_mixed for item in every]
-    if len(counts := Counter(texts)) < len(every) > 4:
+    counts = Counter(texts)
+    if len(every) > 4 and len(counts) < len(every):
         texts = [f"{count} of {text}" for text, count in counts.items()]
     return ", ".join(texts[:4]) + ", ..." * (len(texts) > 4)
 

@@ -48,7 +48,7 @@ BAD = [
     ("psf", "Missing argument 'LENS'"),
     ("psf {phone} {phone}", "too many files: give LENS"),
     ("psf nowhere.toml", "nowhere.toml: No such file or directory"),
-    ("info folder.tif", "'folder.tif' is a directory"),
+    ("info folder.tif", "folder.tif: Is a directory"),
     ("info garbage.toml", "garbage.toml: not valid TOML: Expected '='"),
     ("info twice.toml", "terms.08 (line 15): the term 08 was given before, aberrations.zernike.terms.8 (line 14)"),
     ("psf infinite.toml", "aberrations.zernike.terms.8 (line 14): the coefficient must be finite, got inf"),

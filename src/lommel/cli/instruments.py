@@ -255,7 +255,7 @@ def require_order(order: str, images: Path, lens: Path) -> None:
 _QUANTITIES = {"white": "the number of electrons at white", "read": "the read noise in electrons rms"}
 
 
-def _camera_facts(camera: Camera | None) -> Facts:
+def camera_facts(camera: Camera | None) -> Facts:
     """Return the noise parameters of a camera, None where it does not state one; {} without a camera."""
     if camera is None:
         return {}
@@ -268,7 +268,7 @@ def noise_of(options: Facts, camera: Camera | None, *, photographs: bool = False
 
     Images are in counts. With `photographs` the value 1 is white, and the offset of the camera does not apply.
     """
-    camera_values, values = _camera_facts(camera), {}
+    camera_values, values = camera_facts(camera), {}
     if photographs:
         camera_values |= {"white": camera and camera.full_well, "offset": None}
     for name in ("white", "read", "offset", "excess"):
@@ -297,7 +297,7 @@ def take_header(options: Facts, header: Metadata, camera: Camera | None = None) 
 
     Options have priority over the camera, and the camera over the header. Notes state header values that differ.
     """
-    camera_values, notes = _camera_facts(camera), []
+    camera_values, notes = camera_facts(camera), []
     for name, (key, phrase) in _HEADER_VALUES.items():
         value = header.get(key)
         if isinstance(value, Unusable):
@@ -347,6 +347,36 @@ _UNITS = {
 }
 
 
+def recorded_noise(
+    options: Facts, by_file: bool, lens: Path, camera: Camera | None, noise: Noise
+) -> tuple[Facts, str]:
+    """Return gain, offset, read noise and excess of a fit with their sources, (1) as facts, (2) as text.
+
+    `by_file` is True if the camera is that of the lens file.
+    """
+    camera_values, name = camera_facts(camera), camera and camera.name
+    sources = {
+        "option": "by the option",
+        "camera": f"of {name}, {f'in {lens.name}' if by_file else 'by --camera'}",
+        "header": "of the header of the images",
+        "default": "the default, as neither an option nor a camera states it",
+    }
+    facts: Facts = {"camera": name}
+    texts = []
+    for key, (quantity, unit, default) in _UNITS.items():
+        value: Any = getattr(noise, key)
+        by_map, value = isinstance(value, np.ndarray), default if value is None else value
+        source = "camera" if camera_values.get(key) is not None else "header"
+        if options[key] is not None:
+            source = "option"
+        elif source == "header" and key != "read" and not by_map and value == default:
+            source = "default"
+        facts[quantity.replace(" ", "_")] = {"value": "a map" if by_map else value, "source": source}
+        if key != "excess" or value != 1.0:
+            texts.append(f"{quantity} {'by a map' if by_map else f'{value:g}{unit}'} ({sources[source]})")
+    return facts, ", ".join(texts)
+
+
 class CameraOptions(Group, heading="Camera and noise"):
     """Options for the camera, its noise, and the pixels to ignore."""
 
@@ -391,27 +421,7 @@ class CameraOptions(Group, heading="Camera and noise"):
 
     def recorded(self, lens: Path, camera: Camera | None, noise: Noise) -> tuple[Facts, str]:
         """Return gain, offset, read noise and excess of a fit with their sources, (1) as facts, (2) as text."""
-        camera_values, name = _camera_facts(camera), camera and camera.name
-        sources = {
-            "option": "by the option",
-            "camera": f"of {name}, {f'in {lens.name}' if self.camera is None else 'by --camera'}",
-            "header": "of the header of the images",
-            "default": "the default, as neither an option nor a camera states it",
-        }
-        facts: Facts = {"camera": name}
-        texts = []
-        for key, (quantity, unit, default) in _UNITS.items():
-            value: Any = getattr(noise, key)
-            by_map, value = isinstance(value, np.ndarray), default if value is None else value
-            source = "camera" if camera_values.get(key) is not None else "header"
-            if getattr(self, key) is not None:
-                source = "option"
-            elif source == "header" and key != "read" and not by_map and value == default:
-                source = "default"
-            facts[quantity.replace(" ", "_")] = {"value": "a map" if by_map else value, "source": source}
-            if key != "excess" or value != 1.0:
-                texts.append(f"{quantity} {'by a map' if by_map else f'{value:g}{unit}'} ({sources[source]})")
-        return facts, ", ".join(texts)
+        return recorded_noise(self.values(), self.camera is None, lens, camera, noise)
 
     def mask(self, images: Values) -> NDArray[np.bool_] | None:
         """Return a mask of the pixels of images to ignore, or None."""

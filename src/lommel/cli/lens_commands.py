@@ -5,40 +5,50 @@ from __future__ import annotations
 import dataclasses
 import errno
 import json
+import sys
 from pathlib import Path
-from typing import Any
+from typing import Annotated, Any, Literal
 
-import click
 from rich.table import Column, Table
 from rich.text import Text
 
 from lommel.base import atomic
-from lommel.base.options import near
+from lommel.base.options import In, Shown, near
 from lommel.base.units import pitch_in_words
 from lommel.base.validation import shown
-from lommel.cli.instruments import DEPTH, LENS, Optics, instrument_of, microscope_of
-from lommel.cli.options import FILE, JSON, OUTPUT, PATH, WINDOW, argument, command, option, plot_option
+from lommel.cli.command import PLOT, command
+from lommel.cli.instruments import instrument_of, microscope_of
 from lommel.cli.output import progress, save_figure, written
+from lommel.cli.shared_options import Optics, given
 from lommel.lensfiles import KINDS, example_files
 from lommel.methods import ERFS, METHODS, ClosedForm
 from lommel.report import Parts, Report, Wrapped, table_of
 from lommel.show.drawing import SAMPLING
 
 
-@command(JSON)
+@command
 def examples(
-    names: tuple[str, ...] = argument("names", nargs=-1),
-    folder: Path = option("-o", "--output", default=".", type=click.Path(file_okay=False, path_type=Path),
-        show_default="current folder", help="Folder to copy to, created if needed."),
-    everything: bool = option("--all", is_flag=True, help="Copy all examples."),
-    text: str | None = option("--find", metavar="TEXT",
-        help='List only examples with these words in kind, name or description: "nikon water", "camera".'),
-) -> Report:  # fmt: skip
+    names: tuple[str, ...] = (),
+    /,
+    *,
+    folder: Annotated[Path, Shown(("--output", "-o"), metavar="DIRECTORY")] = Path(),
+    everything: Annotated[bool, Shown(("--all",))] = False,
+    text: Annotated[str | None, Shown(("--find",), metavar="TEXT")] = None,
+) -> Report:
     """List or copy example files of lenses, objectives, cameras.
 
     NAMES are the names of the files to copy. Notebooks are for Jupyter; the other files describe real instruments and
     state the source of their numbers. Cameras need no copy: --camera takes their names. Existing files are not
     overwritten: unchanged copies are left alone, and files that differ are refused.
+
+    Parameters
+    ----------
+    folder
+        Folder to copy to, created if needed; by default the current folder.
+    everything
+        Copy all examples.
+    text
+        List only examples with these words in kind, name or description: "nikon water", "camera".
 
     Examples
     --------
@@ -107,19 +117,29 @@ def _title(path: Path) -> str:
     return heading.lstrip("# ").rstrip()
 
 
-@command()
+@command
 def live(
-    lens: Path | None = argument("lens", type=FILE, required=False),
-    port: int | None = option(type=click.IntRange(0, 65535), help="Port of the page; by default any free port."),
-    no_browser: bool = option(is_flag=True, help="Print the address without opening a browser."),
-    saved: Path | None = option("--save", type=OUTPUT, metavar="FILE",
-        help="Write the page to a stand-alone HTML file instead."),
-) -> None:  # fmt: skip
+    lens: Path | None = None,
+    /,
+    *,
+    port: Annotated[int | None, In(least=0, most=65535)] = None,
+    no_browser: bool = False,
+    saved: Annotated[Path | None, Shown(("--save",), metavar="FILE", writes=True)] = None,
+) -> None:
     """Open an interactive page of the PSF in the browser.
 
     The page shows the PSF, its curves and a test image, with sliders for every parameter. It starts with the lens
     file LENS or, if none is given, with a defocused lens. All computation is done in the browser; the page is served
     to this machine only, stops at Ctrl-C, and sends no data.
+
+    Parameters
+    ----------
+    port
+        Port of the page; by default any free port.
+    no_browser
+        Print the address without opening a browser.
+    saved
+        Write the page to a stand-alone HTML file instead.
 
     Examples
     --------
@@ -140,37 +160,28 @@ def live(
         state, left_out = state_of(instrument)
         name = instrument.name or lens.name
         if left_out:
-            click.echo(f"The page does not show {left_out}.", err=True)
+            print(f"The page does not show {left_out}.", file=sys.stderr)
     if saved is not None:
         atomic.write(saved, html(state, name, left_out, alone=True).encode())
-        click.echo(f"wrote {saved}")
+        print(f"wrote {saved}")
         return
     with PageServer(state, name, port or 0, left_out) as server:
-        click.echo(f"{server.url} shows {name or 'lommel'}; Ctrl-C stops it.")
+        print(f"{server.url} shows {name or 'lommel'}; Ctrl-C stops it.", flush=True)
         if not no_browser:
             webbrowser.open(server.url)
         try:
             server.serve_forever()
         except KeyboardInterrupt:
-            click.echo()
+            print()
 
 
 _NOTES = {"HuygensFresnel": "flat, thin lens without the Fresnel approximation", "Geometric": "no diffraction"}
 
 
-class InfoOptions(Optics):
-    """Options for lens, object and sensor; the window is used only to compare two lens models."""
-
-    # fmt: off
-    shape: int | tuple[int, int] | None = option(type=WINDOW,
-        help="Window in pixels in which the paraxial and the aplanatic model are compared, such as 65 or 64x128 "
-        "(height x width); overrides the file.")
-    # fmt: on
-    integrate: bool | None = None
-
-
-@command(JSON)
-def info(lens: Path = LENS, lens_options: InfoOptions = InfoOptions(), depth: float | None = DEPTH) -> Report:
+@command
+def info(
+    lens: Path, /, *, optics: Optics = Optics(), depth: Annotated[float | None, Shown(length="um")] = None
+) -> Report:
     """Print the image quality of a lens or a microscope.
 
     Lens: wavefront in radians and waves, aperture, Airy radius, geometric blur, Strehl ratio and Marechal's estimate,
@@ -181,24 +192,34 @@ def info(lens: Path = LENS, lens_options: InfoOptions = InfoOptions(), depth: fl
     Microscope (a file with a section [objective]): focus position, width and peak against the depth of the emitter,
     collected light, critical angle, and Nyquist sampling.
 
+    Parameters
+    ----------
+    shape
+        Window in pixels in which the paraxial and the aplanatic model are compared, such as 65 or 64x128 (height x
+        width); overrides the file.
+    depth
+        Depth of the emitter below the cover glass of a microscope, such as 2um; by default from the file.
+
     Examples
     --------
       lommel info phone.toml --object-distance 3m
       lommel info zeiss-63x-1.4-oil.toml --depth 10um
     """
-    from lommel.report import optics  # imported here, since the other commands do not need this slow import
+    from lommel.report.optics import describe_lens, describe_microscope  # slow, and other commands do not need it
 
-    microscope = microscope_of(lens, depth=depth, **vars(lens_options))
-    if microscope is not None:
-        return optics.describe_microscope(microscope)
-    return optics.describe_lens(instrument_of(lens, **vars(lens_options)))
+    microscope = microscope_of(lens, depth=depth, **given(optics))
+    return (
+        describe_lens(instrument_of(lens, **given(optics))) if microscope is None else describe_microscope(microscope)
+    )
 
 
-@command(JSON)
+@command
 def compare(
-    lens: Path = LENS,
-    lens_options: Optics = Optics(),
-    figure: Path | None = plot_option("Figure of the reference, error maps of the other methods, slices", "--figure"),
+    lens: Path,
+    /,
+    *,
+    optics: Optics = Optics(),
+    figure: Annotated[Path | None, PLOT._replace(flags=("--figure",))] = None,
 ) -> Report:
     """Compare the accuracy and speed of all methods for a lens.
 
@@ -209,18 +230,24 @@ def compare(
 
     Errors are relative to the peak of the reference; MSE is the mean squared error divided by the square of the peak.
     For a paraxial lens the error listed for HuygensFresnel is the error of the Fresnel approximation, which all other
-    methods use. HuygensFresnel is always compared at pixel centres, also with --integrate. ClosedForm uses the
+    methods use. HuygensFresnel is always compared at pixel centres. ClosedForm uses the
     values of its options `tangent` and `erf` (see `lommel methods`) that give the least MSE in this window. Times are
     measured at the second call, or at the first if it takes more than 1 s. The last line compares the paraxial and
     the aplanatic model of the lens.
 
-    Example:
+    Parameters
+    ----------
+    figure
+        Figure of the reference, error maps of the other methods, slices: .png, .pdf or .svg.
+
+    Examples
+    --------
       lommel compare phone.toml --figure methods.png
     """
-    from lommel.report import optics  # imported here, since the other commands do not need this slow import
     from lommel.report.image_quality import compare_methods, other_model
+    from lommel.report.optics import model_in_words
 
-    instrument = instrument_of(lens, **vars(lens_options))
+    instrument = instrument_of(lens, **given(optics))
     pupil = instrument.pupil()
     with progress("", total=len(METHODS) + 1) as status:
         methods = [
@@ -269,7 +296,7 @@ def compare(
         "rows": rows,
         "other_model": other_model_facts,
     }
-    model = f"model: {instrument.lens.model}; {optics.model_in_words(other_model_facts)}"
+    model = f"model: {instrument.lens.model}; {model_in_words(other_model_facts)}"
     files = written([figure], lambda _: ": the reference, maps of the errors, and slices").parts
     return Report(facts, [Text(instrument.name, "bold"), Wrapped(size), table, *notes, model, *files])
 
@@ -286,11 +313,12 @@ def _command_line_name(method: str) -> str:
     return f"{name} ({options}" if options else name
 
 
-@command(JSON)
+@command
 def methods() -> Report:
     """List the methods and their options, for --method and --set.
 
-    Example:
+    Examples
+    --------
       lommel methods
     """
     table = Table(Column("method", no_wrap=True), "description", "options (defaults)", box=None, pad_edge=False)
@@ -310,13 +338,15 @@ def _default(item: dataclasses.Field[object]) -> str:
     return next((name for name, kind in ERFS.items() if isinstance(default, kind)), str(default).lower())
 
 
-@command(JSON)
+@command
 def paper(
-    outdir: Path = argument("outdir", type=PATH),
-    figures: tuple[str, ...] = option("--figure", multiple=True, type=click.Choice([*"1234567", "eq17", "validity"]),
-        help="Compute only this figure, without the table; may be repeated. eq17: piecewise quadratic phase of "
-        "Eq. (17); validity: where the closed forms hold."),
-) -> Report:  # fmt: skip
+    outdir: Path,
+    /,
+    *,
+    figures: Annotated[
+        tuple[Literal["1", "2", "3", "4", "5", "6", "7", "eq17", "validity"], ...], Shown(("--figure",))
+    ] = (),
+) -> Report:
     """Reproduce the figures and numbers of the paper.
 
     The paper is "Bridging ray tracing and wave optics: a computationally efficient model for defocus and spherical
@@ -324,6 +354,12 @@ def paper(
 
     Each figure is written to OUTDIR as figure-N.png, its data as figure-N.npz, its curves as figure-N.csv. table.md
     and table.json compare each number of the paper with the computed one, for Eq. (12) as printed and as corrected.
+
+    Parameters
+    ----------
+    figures
+        Compute only this figure, without the table; may be repeated. eq17: piecewise quadratic phase of Eq. (17);
+        validity: where the closed forms hold.
 
     Examples
     --------

@@ -5,10 +5,11 @@ from __future__ import annotations
 import ast
 import io
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from importlib import import_module
 from pathlib import Path
+from typing import TYPE_CHECKING, NoReturn
 
 from lommel.base.optional import how_to_get
 from lommel.base.validation import brief
@@ -19,6 +20,9 @@ try:
 except ImportError as missing:  # pragma: no cover
     sys.exit(f"The command line needs {how_to_get(missing.name or 'click', 'cli')}")
 
+
+if TYPE_CHECKING:
+    from lommel.cli.command import Command
 
 COMMANDS = {
     "examples": "lens_commands",
@@ -42,6 +46,10 @@ COMMANDS = {
     "paper": "lens_commands",
 }
 """Module of each command, in the order of the help; a command is the function of that name in the module."""
+
+
+NEW = {name: COMMANDS[name] for name in ("examples", "info", "live", "compare", "methods", "paper")}
+"""Commands that :mod:`lommel.cli.command` generates, and their modules."""
 
 
 class _Commands(click.Group):
@@ -100,9 +108,32 @@ def _short_errors() -> Iterator[None]:
         raise
 
 
+def main(words: Sequence[str] | None = None, prog_name: str = "lommel") -> NoReturn:
+    """Run a command line, by default that of this process, and exit."""
+    words = list(sys.argv[1:] if words is None else words)
+    if not words or words[0] not in NEW:
+        old_main(words, prog_name=prog_name)
+    from lommel.cli import command
+
+    for stream in (sys.stdout, sys.stderr):
+        # Characters that a console or a pipe cannot encode are no error.
+        if isinstance(stream, io.TextIOWrapper):
+            stream.reconfigure(errors="backslashreplace")
+    app = command.application("lommel", "", "")
+    entry = entry_of(words[0])
+    entry.add_to(app, words[0])
+    sys.exit(command.call(app, [words[0], *entry.with_flags(words[1:])]))
+
+
+def entry_of(name: str) -> Command:
+    """Return a generated command."""
+    entry: Command = getattr(import_module(f"lommel.cli.{NEW[name]}"), name.replace("-", "_"))
+    return entry
+
+
 @click.group(cls=_Commands, context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100})
 @click.version_option(package_name="lommel")
-def main() -> None:
+def old_main() -> None:
     """Point spread functions (PSFs) of defocused and aberrated lenses, telescopes and microscopes.
 
     Lenses and microscopes are described by TOML files; `lommel examples` lists the examples in the package.
@@ -128,5 +159,5 @@ def main() -> None:
 
 def commands() -> dict[str, click.Command]:
     """Return all commands by their names."""
-    context = click.Context(main)
-    return {name: command for name in COMMANDS if (command := main.get_command(context, name))}
+    context = click.Context(old_main)
+    return {name: command for name in COMMANDS if (command := old_main.get_command(context, name))}

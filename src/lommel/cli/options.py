@@ -3,31 +3,27 @@
 from __future__ import annotations
 
 import copy
-import dataclasses
 import inspect
-import os
 import re
 import sys
-import warnings
-from collections.abc import Callable, Iterable, Iterator
-from contextlib import contextmanager, suppress
+from collections.abc import Callable, Iterable
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, ClassVar, Self, TypeAlias, TypeVar
+from typing import Any, ClassVar, Self, TypeAlias, TypeVar
 
 import click
 from click.core import ParameterSource
 
 from lommel.base import options
-from lommel.base.units import parse_length, with_units
-from lommel.base.validation import brief, line, shown
+from lommel.base.units import parse_length
+from lommel.base.validation import shown
+from lommel.cli import messages
+from lommel.cli.messages import run_job
 from lommel.cli.output import figure_format
-from lommel.lensfiles import example_files
-from lommel.methods import METHODS
-from lommel.report import Facts, Report, Wrapped
+from lommel.report import Facts, Report
 
-if TYPE_CHECKING:
-    from rich.console import RenderableType
+finding_lines, flag_of = messages.finding_lines, messages.flag_of
+report_findings, with_options = messages.report_findings, messages.with_options
 
 Pitch: TypeAlias = float | tuple[float, ...]
 Window: TypeAlias = int | tuple[int, int]
@@ -262,28 +258,21 @@ def command(
         all_params += params
 
         def run(as_json: bool = False, **given: Any) -> None:
-            notes: list[str] = []
-            if sys.stdout is None:  # the caller has closed it
-                sys.stdout = Path(os.devnull).open("w")  # noqa: SIM115
-            try:
-                if given.get("figure") is not None:  # before anything is computed
-                    figure_format(given["figure"])
-                _require_distinct_files(all_params, given)
-                for name, group in groups.items():
-                    given[name] = group.of(given)
-                with _collected_notes(notes):
-                    report = function(**given)
-                _print(report, notes, as_json=as_json)
-            except (click.ClickException, click.exceptions.Exit, click.Abort):
-                raise
-            except KeyboardInterrupt:
-                for row in _note_lines("Note", notes):
-                    click.echo(row, err=True)
-                raise
-            except Exception as error:
-                if os.environ.get("LOMMEL_TRACEBACK") and not isinstance(error, BrokenPipeError):
-                    raise
-                sys.exit(_report_error(error, notes))
+            context = click.get_current_context()
+            flags = {
+                part.name or "": max(part.opts, key=len) for part in all_params if isinstance(part, click.Option)
+            }
+            stated = {n for n in flags if context.get_parameter_source(n) is ParameterSource.COMMANDLINE}
+            if code := run_job(lambda: job(given), flags, stated, as_json=as_json):
+                sys.exit(code)
+
+        def job(given: Facts) -> Report | None:
+            if given.get("figure") is not None:  # before anything is computed
+                figure_format(given["figure"])
+            _require_distinct_files(all_params, given)
+            for name, group in groups.items():
+                given[name] = group.of(given)
+            return function(**given)
 
         return kind(function.__name__, params=all_params, help=_help_of(function), callback=run)
 
@@ -312,64 +301,6 @@ def _help_of(function: Callable[..., object]) -> str:
     return "\n".join(_continued(row) for row in text.split("\n"))
 
 
-def _print(report: Report | None, notes: list[str], *, as_json: bool) -> None:
-    """Print a report with the notes of the library; exit with its code unless it is 0."""
-    if report is not None:
-        if notes:
-            report += Report({"notes": [*report.facts.get("notes", []), *notes]}, _note_lines("note", notes))
-        report.print(as_json=as_json)
-    sys.stdout.flush()  # now, where a failure can still be reported
-    if report is not None and report.exit_code:
-        sys.exit(report.exit_code)
-
-
-def _report_error(error: Exception, notes: list[str]) -> int:
-    """Print an error and the notes before it, and return the exit code."""
-    if isinstance(error, BrokenPipeError):
-        _discard_output()  # the reader has closed the pipe
-        return 1
-    if any(text in str(error) for text in _SHORTAGES):
-        error = MemoryError(f"memory, or the number of threads, is short: {brief(line(error), 240)}")
-    for row in (*_note_lines("Note", notes), f"Error: {_message(error)}"):
-        click.echo(row, err=True)
-    try:
-        sys.stdout.flush()
-    except OSError:
-        _discard_output()  # the error occurred in writing
-    return 2 if isinstance(error, _USER_ERRORS) else 1
-
-
-_NOTES = 5  # largest number of notes that are printed
-
-
-def _note_lines(label: str, notes: list[str]) -> list[str]:
-    """Return lines with the first notes, and a line with the number of further notes."""
-    further = [f"{len(notes) - _NOTES} more, which --json lists"] if len(notes) > _NOTES else []
-    return [f"{label}: {note}" for note in [*notes[:_NOTES], *further]]
-
-
-@contextmanager
-def _collected_notes(notes: list[str]) -> Iterator[None]:
-    """Add the UserWarnings of the library to a list of notes, without duplicates."""
-    with warnings.catch_warnings():
-        warnings.simplefilter("always", UserWarning)
-        old_show = warnings.showwarning
-
-        def show(message: Warning | str, category: type[Warning], *place: Any, **keywords: Any) -> None:
-            if not issubclass(category, UserWarning):
-                old_show(message, category, *place, **keywords)
-            elif (note := with_options(str(message))) not in notes:
-                notes.append(note)
-
-        warnings.showwarning = show
-        yield
-
-
-def _discard_output() -> None:
-    """Redirect standard output to the null device, since Python's writing of the buffer at exit would fail."""
-    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-
-
 _WIDTH = 76  # largest width of lines in help, which Click indents by two
 
 
@@ -393,91 +324,3 @@ JSON = Option("--json", "as_json", is_flag=True, help="Print the results as JSON
 def plot_option(contents: str, flag: str = "--plot") -> Any:
     """Return the option for a figure."""
     return Option(flag, "figure", type=OUTPUT, help=f"{contents}: .png, .pdf or .svg.")
-
-
-_SHORTAGES = ("can't start new thread", "failed to map segment")  # messages if memory or threads are short
-_USER_ERRORS = (ValueError, TypeError, ArithmeticError, OSError, ImportError, MemoryError)
-
-
-def _message(error: Exception) -> str:
-    if isinstance(error, OSError) and error.strerror:
-        if not error.filename:
-            return error.strerror
-        return f"{brief(line(error.filename), 240)}: {error.strerror}{_hint(error)}"
-    if getattr(error, "names_keys", False):
-        return str(error)
-    if isinstance(error, _USER_ERRORS):
-        return with_options(str(error) or type(error).__name__)
-    return (
-        f"this is a bug in lommel, not in your input: {type(error).__name__}: {brief(line(error), 200)}; please "
-        "report it with the traceback that LOMMEL_TRACEBACK=1 shows"
-    )
-
-
-def _hint(error: OSError) -> str:
-    """Return a hint how to copy a missing file, if it is an example of the package."""
-    name = Path(os.fsdecode(error.filename)).name.removesuffix(".toml")
-    with suppress(FileNotFoundError):  # if the examples are missing, too
-        if isinstance(error, FileNotFoundError) and name in example_files():
-            return f"; `lommel examples {name}` copies {example_files()[name].name} to this folder"
-    return ""
-
-
-# Matches a method with its options in brackets, which is kept, or a word that may be the name of an argument:
-# "`missing`", "largest=", "tol=1e-9", "f_number"; but not --set tol=1, lens.f_number (of a file) or words in quotes.
-_NAMES = re.compile(r"[A-Z]\w*\([^()]*\)|`([a-z_]+)`|(?<!--set )(?<![.'])\b([a-z][a-z_]*)(=)?(?=([\w'\"(\[])?)")
-_METHOD = re.compile(r"--method (\w+)\(.*?\)")
-_METHOD_NAMES = {kind.__name__: name for name, kind in METHODS.items()}
-_METHOD_OPTIONS = {item.name for kind in METHODS.values() for item in dataclasses.fields(kind)}  # type: ignore[arg-type]
-
-
-def with_options(message: str) -> str:
-    """Return a message of the library with the options of the running command for its arguments and methods."""
-    context, flags = click.get_current_context(silent=True), _flags()
-    keys = {flag: name for name, flag in flags.items()}
-    first = message.partition(" must ")[0]
-    # A value that was not on the command line may be from a file, whose key is the name of the argument.
-    if context and first in flags and context.get_parameter_source(keys[flags[first]]) is ParameterSource.COMMANDLINE:
-        message = flags[first] + message.removeprefix(first)
-    # A flag has no value: "per_plane=True" is --per-plane, and "per_plane must be False" is to leave it out.
-    message = re.sub(r"(--[a-z-]+) True\b", r"\1", _NAMES.sub(partial(_flag_of, flags), message))
-    message = re.sub(r"(--[a-z-]+) must be False\b", r"\1 must be left out", message)
-    message = re.sub(r", in metres, such as (\d+)e-9", r", such as \1nm", message).replace(
-        ", in metres", ", with a unit"
-    )
-    return _METHOD.sub(lambda match: f"--method {_METHOD_NAMES.get(match[1], match[1])}", with_units(message))
-
-
-def flag_of(name: str) -> str:
-    """Return the option of the running command for an argument, as messages state it."""
-    return _flags().get(name, name)
-
-
-def _flags() -> dict[str, str]:
-    """Return the options of the running command by the names of their arguments."""
-    context = click.get_current_context(silent=True)
-    params = context.command.params if context else ()
-    return {part.name or "": max(part.opts, key=len) for part in params if isinstance(part, click.Option)}
-
-
-def _flag_of(flags: dict[str, str], match: re.Match[str]) -> str:
-    """Return the option for a match of `_NAMES`, or the matched text if there is no such option."""
-    quoted, name, equals, value = match.groups()
-    word = quoted or name
-    if word in flags and (quoted or equals or "_" in word):
-        return flags[word] + (" " if equals and value else "")
-    if equals and value and word in _METHOD_OPTIONS and "settings" in flags:
-        return f"--set {match[0]}"
-    return match[0]
-
-
-def finding_lines(facts: Facts) -> list[Wrapped]:
-    """Return the findings and notes of a result, one line each."""
-    findings = [f"{f['code'].replace('_', ' ')}: {with_options(f['text'])}" for f in facts["findings"]]
-    return [Wrapped(line) for line in (*findings, *facts["notes"])]
-
-
-def report_findings(facts: Facts, *parts: RenderableType) -> Report:
-    """Return the report of a fit with findings and notes, which come last and name the options of the command."""
-    facts = facts | {"notes": [with_options(note) for note in facts["notes"]]}
-    return Report(facts, [*parts, *finding_lines(facts)], facts["converged"])

@@ -52,10 +52,8 @@ class Report:
 
     def print(self, *, as_json: bool = False) -> None:
         """Print the facts as JSON, or the parts, on standard output."""
-        import click  # imported here, because only the command line needs it
-
         if as_json:
-            click.echo(json.dumps(self.facts, indent=2, allow_nan=False))
+            print(json.dumps(self.facts, indent=2, allow_nan=False))
             return
         from rich.console import Console
 
@@ -69,7 +67,7 @@ class Report:
                 else:
                     console.print(part)
         # Remove the blanks with which tables fill their columns.
-        click.echo(re.sub(r" +$", "", captured.get(), flags=re.MULTILINE), nl=False)
+        print(re.sub(r" +$", "", captured.get(), flags=re.MULTILINE), end="")
 
 
 @dataclass(frozen=True)

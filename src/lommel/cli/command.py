@@ -1,0 +1,397 @@
+"""Commands generated from functions, options classes and docstrings by cyclopts, which only this module imports.
+
+A command is a function that returns a report::
+
+    @command
+    def depth(
+        photos: list[Path],  # arguments before / are files, or other values without a flag
+        lens: Path,
+        /,
+        *,
+        options: DepthOptions = DepthOptions(),  # its fields are options, under the heading of the class
+        output: Annotated[Path | None, OUTPUT] = None,  # other arguments are options of the command itself
+    ) -> Report:
+        '''Estimate depth from photographs at several foci.
+
+        The text, the Parameters and the Examples are the help.
+
+Parameters
+----------
+        output
+            Depth map in metres: .tif or .npy.
+
+Examples
+--------
+          lommel depth near.tif far.tif lens.toml --focus 1.5m --focus 1.8m
+        '''
+
+The annotations (:mod:`lommel.base.options`) give types, ranges, units and flags. The help of a field is its text in
+the command's docstring or, where that has none, in the options class. A default that differs from that of the class
+stands in the instance that is the default of the argument. A tuple of any length is an option that may be repeated;
+numbers of such a tuple may also follow one flag. Values are checked by the options class, and errors of the library
+name the flags of the command instead of its arguments.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import inspect
+import io
+import re
+import sys
+import textwrap
+from collections.abc import Callable, Iterable, Sequence
+from functools import cache, partial
+from pathlib import Path
+from typing import Annotated, Any, get_args, get_origin, get_type_hints
+
+from cyclopts import App, CoercionError, CycloptsError, Group, MissingArgumentError, Parameter, UnusedCliTokensError
+from cyclopts.help import HelpPanel, PlainFormatter
+from rich.console import Console, ConsoleOptions
+
+from lommel.base.options import Field, Options, Shown, fields_of, sentences
+from lommel.base.units import format_length, parse_length
+from lommel.base.validation import brief, line, shown
+from lommel.cli.messages import run_job
+from lommel.cli.output import figure_format
+from lommel.report import Report
+
+OUTPUT = Shown(("--output", "-o"), metavar="FILE", writes=True)
+"""Form of the file that a command writes."""
+
+PLOT = Shown(("--plot",), metavar="FILE", writes=True, figure=True)
+"""Form of the file to which a command draws a figure: .png, .pdf or .svg."""
+
+
+class Command:
+    """A command of ``lommel``: a function with the parameters of the command line."""
+
+    def __init__(self, function: Callable[..., Report | None]) -> None:
+        self.function = function
+        hints = get_type_hints(function, include_extras=True)
+        self.arguments: list[Field] = []
+        self.options: list[tuple[str, Field]] = []  # with their headings
+        self.groups: dict[str, Options] = {}
+        self.own: list[str] = []
+        for name, argument in inspect.signature(function).parameters.items():
+            if argument.kind is argument.POSITIONAL_ONLY:
+                self.arguments.append(Field.of(name, hints[name], argument.default))
+            elif isinstance(argument.default, Options):
+                self.groups[name] = argument.default
+                heading = getattr(argument.default, "heading", "Options")
+                fields = (
+                    field._replace(default=getattr(argument.default, field.name))
+                    for field in fields_of(type(argument.default))
+                )
+                self.options += [(heading, field) for field in fields if not field.shown.hidden]
+            else:
+                self.own.append(name)
+                self.options.append(("Options", Field.of(name, hints[name], argument.default)))
+        self.prints_json = hints.get("return") not in (None, type(None))
+
+    @property
+    def flags(self) -> dict[str, str]:
+        """Flags in messages, by the names of arguments."""
+        return {field.name: _flags(field)[0] for _, field in self.options}
+
+    def usage(self, name: str) -> str:
+        """Return how the command is called."""
+        words = [
+            f"{'' if field.default is inspect.Parameter.empty else '['}{_metavar(field)}"
+            f"{'...' if get_origin(field.kind) in (list, tuple) else ''}"
+            f"{'' if field.default is inspect.Parameter.empty else ']'}"
+            for field in self.arguments
+        ]
+        return " ".join(["lommel", name, "[OPTIONS]", *words])
+
+    def run(self, given: dict[str, Any], *, as_json: bool = False) -> int:
+        """Do the job with the `given` values, print the report, and return the exit code."""
+        return run_job(partial(self._do, given), self.flags, given.keys(), as_json=as_json)
+
+    def _do(self, given: dict[str, Any]) -> Report | None:
+        fields = [*self.arguments, *(field for _, field in self.options)]
+        for field in fields:
+            if field.shown.figure and given.get(field.name) is not None:  # before anything is computed
+                figure_format(given[field.name])
+        _require_distinct_files(fields, given)
+        words = [given.get(field.name, field.default) for field in self.arguments]
+        stated = {name: given[name] for name in self.own if name in given}
+        for name, base in self.groups.items():
+            own = {f.name: given[f.name] for f in fields_of(type(base)) if f.name in given}
+            stated[name] = dataclasses.replace(base, **own) if own else base
+        for _, field in self.options:
+            if field.name in stated:
+                stated[field.name] = field.check(stated[field.name])
+        return self.function(*words, **stated)
+
+    def add_to(self, app: App, name: str) -> None:
+        """Add the command to an application."""
+        text, _, examples = inspect.cleandoc(self.function.__doc__ or "").partition("\n\nExamples\n--------\n")
+        text = text.partition("\n\nParameters\n----------\n")[0]
+        kind = inspect.Parameter.POSITIONAL_ONLY
+        parameters = [
+            inspect.Parameter(field.name, kind, annotation=_argument(field), default=field.default)
+            for field in self.arguments
+        ]
+        for heading, field in self.options:
+            source = next((type(base) for base in self.groups.values() if hasattr(base, field.name)), self.function)
+            own_text = sentences(self.function, field.name)
+            hint = _option(field, heading, own_text or sentences(source, field.name))
+            parameters.append(
+                inspect.Parameter(field.name, inspect.Parameter.KEYWORD_ONLY, annotation=hint, default=field.default)
+            )
+        if self.prints_json:
+            hint = Annotated[
+                bool,
+                _parameter(
+                    "Options", name="--json", help="Print the results as JSON.", negative=(), show_default=False
+                ),
+            ]
+            parameters.append(
+                inspect.Parameter("as_json", inspect.Parameter.KEYWORD_ONLY, annotation=hint, default=False)
+            )
+
+        def run(*words: Any, as_json: bool = False, **options: Any) -> int:
+            named = dict(zip([field.name for field in self.arguments], words, strict=False))
+            return self.run(named | options, as_json=as_json)
+
+        run.__signature__ = inspect.Signature(parameters)  # type: ignore[attr-defined]
+        run.__annotations__ = {p.name: p.annotation for p in parameters}
+        run.__doc__ = "\n\n".join(" ".join(part.split()) for part in text.split("\n\n"))
+        epilogue = "Examples:\n" + "\n".join(map(_continued, examples.rstrip().split("\n"))) if examples else None
+        app.command(run, name=name, help_epilogue=epilogue, usage=f"Usage: {self.usage(name)}")
+
+    def with_flags(self, words: Sequence[str]) -> list[str]:
+        """Return the words of a command line, in which each of several numbers after a flag has its own flag."""
+        several = {f for _, field in self.options if _is_series(field.kind) for f in _flags(field)}
+        joined: list[str] = []
+        flag = ""
+        for word in words:
+            if flag and _is_number(word):
+                joined += [f"{flag}={word}"] if joined[-1] != flag else [joined.pop() + f"={word}"]
+            else:
+                flag = word if word in several else ""
+                joined.append(word)
+        return joined
+
+
+def command(function: Callable[..., Report | None]) -> Command:
+    """Return the command of a function (a decorator)."""
+    return Command(function)
+
+
+class _Formatter(PlainFormatter):
+    """Help as plain text: a heading, then options and their descriptions in two columns."""
+
+    def __call__(self, console: Console, options: ConsoleOptions, panel: HelpPanel) -> None:
+        """Print a list of options or commands."""
+        if not panel.entries:
+            return
+        rows = []
+        for entry in panel.entries:
+            notes = [f"[{', '.join(entry.choices)}]"] if entry.choices else []
+            notes += [] if entry.default is None else [f"[default: {entry.default}]"]
+            text = " ".join([_plain(entry.description), *notes])
+            rows.append((", ".join(entry.display_labels_with_metavar), text))
+        indent = 2 + min(max(len(label) for label, _ in rows), _LABEL) + 2
+        width = min(console.width, _HELP)
+        lines = [f"{panel.title}:"]
+        for label, text in rows:
+            fits = len(label) <= indent - 4
+            lines += [] if fits else [f"  {label}"]
+            first = f"  {label}".ljust(indent) if fits else " " * indent
+            lines += textwrap.wrap(
+                text, width, initial_indent=first, subsequent_indent=" " * indent, break_on_hyphens=False
+            )
+        self._print_plain(console, "\n".join([*lines, ""]))
+
+    def render_description(self, console: Console, options: ConsoleOptions, description: Any) -> None:
+        """Print the description, wrapped."""
+        for part in _plain(description).split("\n\n"):
+            self._print_plain(console, textwrap.fill(part, min(console.width, _HELP), break_on_hyphens=False) + "\n")
+
+
+def _plain(part: Any) -> str:
+    """Return what rich prints as text without line breaks of its own."""
+    file = io.StringIO()
+    Console(file=file, width=100_000, markup=False, emoji=False, highlight=False).print("" if part is None else part)
+    return file.getvalue().strip()
+
+
+_LABEL, _HELP = 28, 100  # largest width of the column of options, and of the help
+
+
+def application(name: str, text: str, version: str | Callable[[], str], examples: str = "") -> App:
+    """Return an application without commands."""
+    return App(
+        name=name,
+        help=text,
+        help_epilogue=examples or None,
+        help_flags=("--help", "-h"),
+        version=version,
+        help_format="plaintext",
+        result_action="return_value",
+        help_formatter=_Formatter(),
+    )
+
+
+def call(app: App, words: Sequence[str]) -> int:
+    """Parse words, run their command, and return the exit code: 2, with one line, for words that are wrong."""
+    try:
+        function, bound, _ = app.parse_args(words, exit_on_error=False, print_error=False)
+    except CycloptsError as error:
+        print(f"Error: {brief(_message(error), 240)}", file=sys.stderr)
+        return 2
+    return function(*bound.args, **bound.kwargs) or 0
+
+
+def _message(error: CycloptsError) -> str:
+    name = "" if error.argument is None else error.argument.name
+    if isinstance(error, CoercionError) and error.msg and name:
+        return f"{name}: {error.msg}"
+    if isinstance(error, MissingArgumentError) and name:
+        return f"{name} needs a value" if name.startswith("-") else f"{name} is missing"
+    if isinstance(error, UnusedCliTokensError):
+        advice = "save images of several files as one stack, such as a TIFF"
+        return f"too many files, got {shown(error.unused_tokens[0])}; {advice}"
+    return line(error)
+
+
+_NUMBER = r"\d+\.?\d*|\.\d+"
+_MIN_NANOMETRES = 10.0  # smallest number without a unit that is taken for nanometres
+_TYPICAL = {"m": "1.5", "mm": "50", "um": "3.45", "nm": "550"}
+"""Examples of lengths in error messages, by unit."""
+
+
+def length(unit: str, text: str) -> float:
+    """Return a length in metres; the error for a number without a unit suggests the number with `unit`."""
+    number = text.strip()
+    if re.fullmatch(_NUMBER, number) is None:
+        number = _TYPICAL[unit]
+    elif unit == "nm" and float(number) < _MIN_NANOMETRES:
+        unit = "um"  # steps and wavelengths are as often written in micrometres
+    return parse_length(text, f"{number} {unit}")
+
+
+def _flags(field: Field) -> tuple[str, ...]:
+    return field.shown.flags or (f"--{field.name.replace('_', '-')}",)
+
+
+def _is_number(word: str) -> bool:
+    try:
+        float(word)
+    except ValueError:
+        return False
+    return True
+
+
+@cache
+def _group(heading: str) -> Group:
+    return Group.create_ordered(heading)
+
+
+def _is_series(kind: Any) -> bool:
+    return get_origin(kind) is tuple and get_args(kind)[0] in (int, float) and get_args(kind)[1:] == (...,)
+
+
+def _parameter(heading: str | None, **settings: Any) -> Parameter:
+    return Parameter(group=None if heading is None else _group(heading), **settings)
+
+
+def _metavar(field: Field) -> str:
+    return field.shown.metavar or field.name.upper()
+
+
+def _argument(field: Field) -> Any:
+    """Return the annotation of an argument without a flag."""
+    return Annotated[_hint(field), Parameter(show=False, metavar=_metavar(field), **_conversion(field))]
+
+
+def _option(field: Field, heading: str, text: str) -> Any:
+    """Return the annotation of an option."""
+    form, default = field.shown, field.default
+    settings: dict[str, Any] = {
+        "name": _flags(field),
+        "help": text,
+        "negative": form.negative or (),
+        "show_default": False,
+    }
+    if form.metavar or form.length or form.parse:
+        settings["metavar"] = form.metavar or ("LENGTH" if form.length else "VALUE")
+    if isinstance(default, float) and form.length:
+        settings["show_default"] = format_length
+    elif isinstance(default, int | float | str) and not isinstance(default, bool) and default != "":
+        settings["show_default"] = True
+    elif isinstance(default, tuple) and default:
+        settings["show_default"] = lambda values: " ".join(map(str, values))
+    return Annotated[_hint(field), _parameter(heading, **settings, **_conversion(field))]
+
+
+def _hint(field: Field) -> Any:
+    kind = field.kind
+    if field.shown.parse or field.shown.length:  # a converter makes the value, whatever its type
+        kind = _tuple_of(Any, kind) if get_origin(kind) is tuple else Any
+    return kind | None if field.optional and kind is not Any else kind
+
+
+def _tuple_of(kind: Any, of: Any) -> Any:
+    parts = get_args(of)
+    return tuple[kind, ...] if parts[1:] == (...,) else tuple[tuple(kind for _ in parts)]  # type: ignore[misc]
+
+
+def _conversion(field: Field) -> dict[str, Any]:
+    """Return the settings of the conversion of words to a value."""
+    form = field.shown
+    parse = form.parse or (partial(length, form.length) if form.length else None)
+    if parse is None:
+        return {}
+    several = get_origin(field.kind) is tuple
+    count = len(get_args(field.kind)) if several and get_args(field.kind)[1:] != (...,) else 1
+
+    def convert(_: Any, tokens: Sequence[Any]) -> Any:
+        values = tuple(parse(token.value) for token in tokens)
+        return values if several else values[0]
+
+    return {"converter": convert, "n_tokens": count}
+
+
+def _require_distinct_files(fields: Iterable[Field], given: dict[str, Any]) -> None:
+    """Raise ValueError if a file to write is also a file to read, or another file to write."""
+    checked: list[tuple[str, Path]] = []
+    for field in sorted(fields, key=lambda field: field.shown.writes):
+        value = given.get(field.name)
+        for item in value if isinstance(value, tuple | list) else (value,):
+            if not isinstance(item, str | Path):
+                continue
+            path, name = (
+                Path(item),
+                _flags(field)[0] if field.shown.writes or field.shown.flags else field.name.upper(),
+            )
+            for earlier_name, earlier_path in checked if field.shown.writes else ():
+                if _same_file(path, earlier_path):
+                    raise ValueError(f"{name} must be another file than {earlier_name}, got {item} for both")
+            checked.append((name, path))
+
+
+def _same_file(path: Path, other_path: Path) -> bool:
+    try:
+        return path.samefile(other_path)
+    except (OSError, ValueError):  # a file does not exist, or a name is not a path
+        return path == other_path
+
+
+_WIDTH = 76  # largest width of lines of examples
+
+
+def _continued(row: str) -> str:
+    """Return a line of an example; lines wider than the help at 80 columns are continued before an option."""
+    if not row.startswith("  lommel ") or len(row) <= _WIDTH:
+        return row
+    rows, current = [], ""
+    for word in re.split(r" (?=-[-a-zA-Z])", row):
+        if current and len(f"{current} {word} \\") > _WIDTH:
+            rows.append(f"{current} \\")
+            current = f"      {word}"
+        else:
+            current = f"{current} {word}" if current else word
+    return "\n".join([*rows, current])

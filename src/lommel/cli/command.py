@@ -43,7 +43,7 @@ import textwrap
 from collections.abc import Callable, Iterable, Sequence
 from functools import cache, partial
 from pathlib import Path
-from typing import Annotated, Any, get_args, get_origin, get_type_hints
+from typing import Annotated, Any, TypeVar, get_args, get_origin, get_type_hints
 
 from cyclopts import App, CoercionError, CycloptsError, Group, MissingArgumentError, Parameter, UnusedCliTokensError
 from cyclopts.help import HelpPanel, PlainFormatter
@@ -55,6 +55,8 @@ from lommel.base.validation import brief, line, shown
 from lommel.cli.messages import run_job
 from lommel.cli.output import figure_format
 from lommel.report import Report
+
+_Function = TypeVar("_Function", bound=Callable[..., object])
 
 OUTPUT = Shown(("--output", "-o"), metavar="FILE", writes=True)
 """Form of the file that a command writes."""
@@ -178,6 +180,18 @@ class Command:
 def command(function: Callable[..., Report | None]) -> Command:
     """Return the command of a function (a decorator)."""
     return Command(function)
+
+
+def filled(**texts: str) -> Callable[[_Function], _Function]:
+    """Return a decorator that replaces ``{name}`` in a docstring by a text."""
+
+    def decorate(function: _Function) -> _Function:
+        for name, text in texts.items():
+            if function.__doc__:  # there is none with python -OO
+                function.__doc__ = function.__doc__.replace(f"{{{name}}}", text)
+        return function
+
+    return decorate
 
 
 class _Formatter(PlainFormatter):
@@ -352,7 +366,7 @@ def _conversion(field: Field) -> dict[str, Any]:
         values = tuple(parse(token.value) for token in tokens)
         return values if several else values[0]
 
-    return {"converter": convert, "n_tokens": count}
+    return {"converter": convert, "n_tokens": count, "allow_leading_hyphen": True}  # of negative lengths
 
 
 def _require_distinct_files(fields: Iterable[Field], given: dict[str, Any]) -> None:

@@ -48,7 +48,7 @@ COMMANDS = {
 """Module of each command, in the order of the help; a command is the function of that name in the module."""
 
 
-NEW = {name: COMMANDS[name] for name in ("examples", "info", "live", "compare", "methods", "paper")}
+NEW = {name: COMMANDS[name] for name in ("examples", "info", "live", "compare", "methods", "paper", "psf", "stack")}
 """Commands that :mod:`lommel.cli.command` generates, and their modules."""
 
 

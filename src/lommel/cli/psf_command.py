@@ -9,59 +9,74 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Generic, TypeVar
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Generic, Literal, TypeVar
 
-import click
 import numpy as np
 
+from lommel.base.options import In, Options, Shown
 from lommel.base.units import format_length
 from lommel.base.validation import shown
 from lommel.blur.blurs import Blur, Jitter, Seeing
 from lommel.channel_psf import ColourPSF, colour_psf
-from lommel.cli.instruments import CAMERA, LENS, SHAPE, SQUARE_PIXEL, Optics, Planes, instrument_of, microscope_of
-from lommel.cli.options import JSON, OUTPUT, OUTPUT_PATH, WINDOW, Group, command, documented, option, plot_option
+from lommel.cli.command import OUTPUT, PLOT, command, filled
+from lommel.cli.instruments import instrument_of, microscope_of
 from lommel.cli.output import figure_format, progress, require_folder, save_figure, written
+from lommel.cli.shared_options import CAMERA, PITCH, WINDOW, Optics, Planes, given
 from lommel.field.psf_grid import PSFGrid
 from lommel.io import field_files, psf_files
 from lommel.io.registry import Format, suffixes
+from lommel.lensfiles.instrument import Camera
 from lommel.methods import ERFS, METHODS, Method
 from lommel.optics.colour.spectrum import Channels
 from lommel.psf import PSF
 from lommel.psf import psf as compute
 from lommel.report import Facts, Report, Wrapped, optics
-from lommel.show.drawing import STRETCHES, figure_of
+from lommel.show.drawing import figure_of
 from lommel.stacks import psf_to
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from lommel.lensfiles.instrument import Camera, Instrument
+    from lommel.lensfiles.instrument import Instrument
     from lommel.lensfiles.microscope_files import Microscope
     from lommel.optics.pupil import Pupil
 
 
-@command(JSON)
+@command
 def stack(
-    lens: Path = LENS,
-    between: tuple[float, float] = option(length="m", nargs=2, required=True, metavar="NEAR FAR",
-        help="Nearest and farthest object distance, such as 1m 3m or 1m inf."),
-    count: int = option(type=click.IntRange(2, 10**9), required=True,
-        help="Number of distances, equally spaced in defocus."),
-    output: Path = option("-o", "--output", type=OUTPUT_PATH, required=True, help="Store to write, a folder .zarr."),
-    camera: Camera | None = CAMERA,
-    pixel: float | None = SQUARE_PIXEL,
-    shape: int | tuple[int, int] | None = SHAPE,
-    tol: float | None = documented(compute, "tol", type=float,
-        help="Tolerance, relative to the peak; by default 1e-6."),
-    chunk: int | None = option(type=int,
-        help="Maximum number of PSFs in a chunk; by default as many as fit in 16 MiB."),
-) -> Report:  # fmt: skip
+    lens: Path,
+    /,
+    *,
+    between: Annotated[tuple[float, float], Shown(length="m", metavar="NEAR FAR")],
+    count: Annotated[int, In(least=2, most=10**9)],
+    output: Annotated[Path, OUTPUT._replace(metavar="FOLDER")],
+    camera: Annotated[Camera | None, CAMERA] = None,
+    pixel: Annotated[float | None, PITCH] = None,
+    shape: Annotated[Any, WINDOW] = None,
+) -> Report:
     """Compute PSFs over a range of object distances, on disk.
 
     The PSFs are written to a store on disk, which may be larger than memory. An interrupted command can be repeated:
     it computes only the missing chunks.
 
-    Example:
+    Parameters
+    ----------
+    between
+        Nearest and farthest object distance, such as 1m 3m or 1m inf.
+    count
+        Number of distances, equally spaced in defocus.
+    output
+        Store to write, a folder .zarr.
+    camera
+        Camera with the pixel pitch: the name of an example, which `lommel examples --find camera` lists, or a file;
+        overrides the file.
+    pixel
+        Pixel pitch on the camera, such as 6.5um; overrides the file and the camera.
+    shape
+        Window in pixels, such as 65 or 64x128 (height x width); overrides the file.
+
+    Examples
+    --------
       lommel stack phone.toml --between 1m inf --count 200 --shape 17 -o stack.zarr
     """
     near, far = between
@@ -84,8 +99,6 @@ def stack(
             instrument.lens.pupil(distances),
             window,
             instrument.pixel,
-            tol=tol,
-            chunk=chunk,
             integrate=instrument.integrate,
             progress=report_chunk,
         )
@@ -114,89 +127,111 @@ class _Product(Generic[Result]):
     sections: bool = False  # True if a .png shows sections through a stack, like the figure
 
 
-class Air(Group, heading="Telescopes on the ground"):
-    """Options for the blur of images of telescopes on the ground."""
+_Arcseconds = Annotated[float | None, In(above=0.0, most=60.0, unit="arcsec"), Shown(metavar="ARCSEC")]
 
-    # fmt: off
-    seeing: float | None = option(type=click.FloatRange(0.0, 60.0, min_open=True), metavar="ARCSEC",
-        help="FWHM of long-exposure seeing (Kolmogorov) at 500 nm, in arcseconds.")
-    outer_scale: float | None = option(length="m",
-        help="Outer scale of the turbulence, such as 25m; by default infinite.")
-    jitter: float | None = option(type=click.FloatRange(0.0, 60.0, min_open=True), metavar="ARCSEC",
-        help="Image motion during the exposure, arcseconds rms along each axis.")
-    # fmt: on
+
+@dataclass(frozen=True, kw_only=True)
+class Air(Options):
+    """Blur of images of telescopes on the ground.
+
+    Parameters
+    ----------
+    seeing
+        FWHM of long-exposure seeing (Kolmogorov) at 500 nm, in arcseconds.
+    jitter
+        Image motion during the exposure, arcseconds rms along each axis.
+    """
+
+    heading: ClassVar[str] = "Telescopes on the ground"
+    seeing: _Arcseconds = None
+    jitter: _Arcseconds = None
 
     def blur(self, focal_length: float) -> tuple[Blur, ...]:
         """Return the blur on the sensor."""
-        if self.seeing is None and self.outer_scale is not None:
-            raise ValueError("--outer-scale needs --seeing")
         blurs: tuple[Blur, ...] = ()
         if self.seeing is not None:
-            blurs = (Seeing.from_fwhm(self.seeing * _ARCSEC, focal_length, outer_scale=self.outer_scale),)
+            blurs = (Seeing.from_fwhm(self.seeing * _ARCSEC, focal_length),)
         return blurs if self.jitter is None else (*blurs, Jitter(self.jitter * _ARCSEC * focal_length))
 
     def describe(self) -> list[str]:
         """Return a list with a line on the blur, empty without blur."""
-        outer = "" if self.outer_scale is None else f", outer scale {format_length(self.outer_scale)}"
-        parts = [] if self.seeing is None else [f"seeing of {self.seeing:g} arcsec at 500 nm{outer}"]
+        parts = [] if self.seeing is None else [f"seeing of {self.seeing:g} arcsec at 500 nm"]
         parts += [] if self.jitter is None else [f"jitter of {self.jitter:g} arcsec rms"]
         return [f"behind {' and '.join(parts)}"] if parts else []
 
 
-class Computation(Group, heading="Computation"):
-    """Method, tolerance and unit of the values."""
+@dataclass(frozen=True, kw_only=True)
+class Computation(Options):
+    """Method, tolerance and unit of the values.
 
-    # fmt: off
-    method: str = option("-m", "--method", default="auto", metavar="METHOD", type=click.Choice(("auto", *METHODS)),
-        help="How to evaluate the diffraction integral; `lommel methods` lists the methods.")
-    tol: float | None = documented(compute, "tol", type=float,
-        help="Tolerance, relative to the peak; by default set by the method (1e-6 for most).")
-    settings: tuple[str, ...] = option("--set", multiple=True, metavar="NAME=VALUE",
-        help="Option of the method, such as tangent=200 or erf=abramowitz:30; may be repeated.")
-    normalize: str = option(default="energy", type=click.Choice(psf_files.NORMALIZE),
-        help="energy: fraction of all light per pixel; emitted: fraction of the light that a microscope would "
-        "collect from an emitter far from the cover glass; strehl: 1 = peak of the unaberrated PSF; peak: 1 = "
-        "largest value.")
-    dtype: str | None = option(type=click.Choice(["float32", "float64"]),
-        help="Type of the values; by default float64 for a --tol below 1e-6, else float32.")
-    # fmt: on
+    Parameters
+    ----------
+    method
+        How to evaluate the diffraction integral; `lommel methods` lists the methods.
+    tol
+        Tolerance, relative to the peak; by default set by the method (1e-6 for most).
+    settings
+        Option of the method, such as tangent=200 or erf=abramowitz:30; may be repeated.
+    normalize
+        energy: fraction of all light per pixel; emitted: fraction of the light that a microscope would collect from
+        an emitter far from the cover glass; strehl: 1 = peak of the unaberrated PSF; peak: 1 = largest value.
+    """
+
+    heading: ClassVar[str] = "Computation"
+    method: Annotated[Literal["auto", *METHODS], Shown(("--method", "-m"), metavar="METHOD")] = "auto"
+    tol: float | None = None
+    settings: Annotated[tuple[str, ...], Shown(("--set",), metavar="NAME=VALUE")] = ()
+    normalize: Literal["energy", "emitted", "strehl", "peak"] = "energy"
 
     def arguments(self) -> Facts:
         """Return the arguments of :func:`lommel.psf`."""
-        arguments = vars(self) | {"method": build_method(self.method, self.settings)}
+        arguments = given(self) | {"method": build_method(self.method, self.settings)}
         if any(setting.startswith("tol=") for setting in arguments.pop("settings")) and self.tol is not None:
             raise ValueError("tol is given twice, by --tol and by --set")
         return arguments
 
 
-@command(JSON)
+@command
+@filled(psf=suffixes("psf", described=True), field=suffixes("field"), colours=suffixes("colours"))
 def psf(
-    lens: Path = LENS,
-    outputs: tuple[Path, ...] = option("-o", "--output", multiple=True, type=OUTPUT,
-        help=f"Output file; may be repeated. Formats: {suffixes('psf', described=True)}. "
-        f"With --field: {suffixes('field')}. With --colour: {suffixes('colours')}."),
-    figure: Path | None = plot_option("Figure with axes and a colour bar"),
-    stretch: str = option(default="sqrt", type=click.Choice(list(STRETCHES)),
-        help="Brightness scale of figures; log reaches down to 1e-5 of the largest value and shows faint spikes."),
+    lens: Path,
+    /,
+    *,
+    outputs: Annotated[tuple[Path, ...], OUTPUT] = (),
+    figure: Annotated[Path | None, PLOT] = None,
+    stretch: Literal["sqrt", "linear", "log"] = "sqrt",
     lens_options: Optics = Optics(),
-    field: int | tuple[int, int] | None = option(type=WINDOW, metavar="ROWSxCOLUMNS",
-        help="Grid of PSFs over the sensor, such as 5x7; the lens file needs a section [field]."),
-    place: tuple[float, float] | None = option("--at", length="m", nargs=2, metavar="X Y",
-        help="Place of one PSF on the sensor, from its middle right and down, such as 1.5mm -2mm; the lens file "
-        "needs a section [field]. By default the axis."),
-    colour: bool = option(is_flag=True,
-        help="PSFs in the colour channels of the lens file, or in red, green and blue."),
-    mtf: bool = option(is_flag=True,
-        help="Print the MTF at the Nyquist frequency and at half of it, pixel included: sagittal and tangential with "
-        "--at or --field, else along x and y."),
+    field: Annotated[Any, WINDOW._replace(metavar="ROWSxCOLUMNS")] = None,
+    place: Annotated[tuple[float, float] | None, Shown(("--at",), length="m", metavar="X Y")] = None,
+    colour: bool = False,
+    mtf: bool = False,
     planes: Planes = Planes(),
     air: Air = Air(),
     computation: Computation = Computation(),
-) -> Report:  # fmt: skip
+) -> Report:
     """Compute the PSF of a lens or a microscope.
 
     A file with a section [objective] describes a microscope: its PSF is a stack of planes, and a .png shows sections
     through it.
+
+    Parameters
+    ----------
+    outputs
+        Output file; may be repeated. Formats: {psf}. With --field: {field}. With --colour: {colours}.
+    figure
+        Figure with axes and a colour bar: .png, .pdf or .svg.
+    stretch
+        Brightness scale of figures; log reaches down to 1e-5 of the largest value and shows faint spikes.
+    field
+        Grid of PSFs over the sensor, such as 5x7; the lens file needs a section [field].
+    place
+        Place of one PSF on the sensor, from its middle right and down, such as 1.5mm -2mm; the lens file needs a
+        section [field]. By default the axis.
+    colour
+        PSFs in the colour channels of the lens file, or in red, green and blue.
+    mtf
+        Print the MTF at the Nyquist frequency and at half of it, pixel included: sagittal and tangential with --at or
+        --field, else along x and y.
 
     Examples
     --------
@@ -215,10 +250,10 @@ def psf(
     """
     options, files = computation.arguments(), (outputs, figure, stretch)
     lens_only: Facts = {"field": field, "at": place, "colour": colour or None, "mtf": mtf or None}
-    microscope = microscope_of(lens, **lens_only, **vars(air), **vars(lens_options), **vars(planes))
+    microscope = microscope_of(lens, **lens_only, **given(air), **given(lens_options), **given(planes))
     if microscope is not None:
         return _write(_of_microscope(microscope, options), *files)
-    instrument = instrument_of(lens, **vars(lens_options))
+    instrument = instrument_of(lens, **given(lens_options))
     options |= instrument.sensor_options
     if blur := air.blur(instrument.lens.focal_length):
         if field is not None or colour or mtf:

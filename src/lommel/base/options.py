@@ -122,9 +122,13 @@ class Field(NamedTuple):
         return value
 
 
-@cache
-def fields_of(kind: type) -> tuple[Field, ...]:
+def fields_of(kind: Any) -> tuple[Field, ...]:
     """Return the fields of an options class; those of base classes come first."""
+    return _fields_of(kind)
+
+
+@cache
+def _fields_of(kind: Any) -> tuple[Field, ...]:
     hints = get_type_hints(kind, include_extras=True)
     fields = ((item, item.default_factory) for item in dataclasses.fields(kind))
     return tuple(
@@ -143,15 +147,13 @@ class Options:
     """
 
     def __post_init__(self) -> None:
-        kind: Any = type(self)
-        for field in fields_of(kind):
+        for field in fields_of(type(self)):
             object.__setattr__(self, field.name, field.check(getattr(self, field.name)))
 
     @classmethod
     def of(cls, job: str, options: Self | None, given: Mapping[str, Any]) -> Self:
         """Return options, changed by keywords; TypeError with a suggestion for a keyword that is no option."""
-        kind: Any = cls
-        names = [field.name for field in fields_of(kind)]
+        names = [field.name for field in fields_of(cls)]
         for name in given:
             if name not in names:
                 raise TypeError(f"{job}() has no option {shown(name)}; {near(name, names)}")

@@ -267,7 +267,7 @@ def _message(error: CycloptsError) -> str:
         return f"{name} needs a value" if name.startswith("-") else f"{name} is missing"
     if isinstance(error, UnusedCliTokensError):
         advice = "save images of several files as one stack, such as a TIFF"
-        return f"too many files, got {shown(error.unused_tokens[0])}; {advice}"
+        return f"too many files, got {shown((error.unused_tokens or ['more'])[0])}; {advice}"
     return line(error)
 
 

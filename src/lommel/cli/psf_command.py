@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Generic, Literal, Ty
 
 import numpy as np
 
+from lommel.base import validation
 from lommel.base.options import In, Options, Shown
 from lommel.base.units import format_length
 from lommel.base.validation import shown
@@ -178,7 +179,9 @@ class Computation(Options):
     """
 
     heading: ClassVar[str] = "Computation"
-    method: Annotated[Literal["auto", *METHODS], Shown(("--method", "-m"), metavar="METHOD")] = "auto"
+    method: Annotated[
+        str, Shown(("--method", "-m"), metavar="METHOD"), partial(validation.choice, allowed=("auto", *METHODS))
+    ] = "auto"
     tol: float | None = None
     settings: Annotated[tuple[str, ...], Shown(("--set",), metavar="NAME=VALUE")] = ()
     normalize: Literal["energy", "emitted", "strehl", "peak"] = "energy"

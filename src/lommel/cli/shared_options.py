@@ -12,7 +12,6 @@ from lommel.base.options import In, Options, Shown
 from lommel.base.validation import shown
 from lommel.cli.command import length
 from lommel.cli.instruments import (
-    Facts,
     camera_map,
     instrument_of,
     mask_of,
@@ -23,6 +22,7 @@ from lommel.cli.instruments import (
 from lommel.lensfiles.instrument import Camera, Instrument
 from lommel.recorded.frames import Metadata
 from lommel.recorded.noise import Noise
+from lommel.report import Facts
 
 
 def _camera(text: str) -> Camera:

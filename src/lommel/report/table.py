@@ -32,25 +32,24 @@ def tables(facts: Facts, titles: Mapping[str, str] | None = None, first: str = "
     errors, units, titles = facts.get("errors", {}), facts.get("units", {}), titles or {}
     found: list[Table] = []
     for name, values in facts.items():
-        if (
-            isinstance(values, Mapping)
-            and values
-            and name != "errors"
-            and all(_is_error(errors.get(k)) for k in values)
-        ):
+        if isinstance(values, Mapping) and values and name != "errors" and _is_number(*map(errors.get, values)):
             rows = [(titles.get(k, k), *with_error(v, errors[k]), units.get(k, "")) for k, v in values.items()]
             found.append(table_of((name, "value", "std. error", "unit"), rows))
     columns = {k: v for k, v in facts.items() if isinstance(v, list) and isinstance(errors.get(k), list)}
     if columns:
         names = facts.get("images") or [str(k) for k in range(len(next(iter(columns.values()))))]
-        rows = [
-            (name, *(_with_error(v[k], errors[c][k]) for c, v in columns.items())) for k, name in enumerate(names)
+        cells = [
+            (name, *(_with_error(column[k], errors[key][k]) for key, column in columns.items()))
+            for k, name in enumerate(names)
         ]
         found.append(table_of([first, *(f"{c} {units.get(c, '')}".rstrip() for c in columns)], cells))
     for name, records in facts.items():
         if name not in _APART and isinstance(records, list) and records and all(isinstance(r, dict) for r in records):
             found.append(records_of(name, records))
-    return [part for table in found for part in ("", table)][1:]
+    parts: Parts = []
+    for table in found:
+        parts += ["", table] if parts else [table]
+    return parts
 
 
 def records_of(name: str, records: Sequence[Facts], keys: Iterable[str] = ()) -> Table:

@@ -128,7 +128,7 @@ def call_lommel(
     def call(*arguments: object, folder: Path) -> subprocess.CompletedProcess[str]:
         monkeypatch.chdir(folder)
         with pytest.raises(SystemExit) as ended:
-            main([str(part) for part in arguments], prog_name="lommel")
+            main([str(part) for part in arguments])
         shown = capsys.readouterr()
         return subprocess.CompletedProcess(["lommel", *arguments], ended.value.code, shown.out, shown.err)
 

@@ -3,4 +3,4 @@
 from lommel.cli.main import main
 
 if __name__ == "__main__":
-    main(prog_name="python -m lommel")
+    main()

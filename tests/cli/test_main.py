@@ -66,7 +66,7 @@ def compared(run_lommel, lenses, tmp_path_factory):
     assert tables.returncode == 0, tables.stderr
     data = io.StringIO()
     with redirect_stdout(data), pytest.raises(SystemExit) as ended:
-        main([*arguments, "--json"], prog_name="lommel")
+        main([*arguments, "--json"])
     assert ended.value.code == 0
     return folder, tables.stdout, json.loads(data.getvalue())
 

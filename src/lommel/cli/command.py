@@ -40,7 +40,7 @@ import io
 import re
 import sys
 import textwrap
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import cache, partial
 from pathlib import Path
 from typing import Annotated, Any, TypeVar, get_args, get_origin, get_type_hints
@@ -247,6 +247,12 @@ def application(name: str, text: str, version: str | Callable[[], str], examples
         result_action="return_value",
         help_formatter=_Formatter(),
     )
+
+
+def list_in(app: App, summaries: Mapping[str, str]) -> None:
+    """Add names and summaries of commands to an application, for its help and for suggestions."""
+    for place, (name, summary) in enumerate(summaries.items()):
+        app.command(lambda: None, name=name, help=summary, sort_key=place)
 
 
 def call(app: App, words: Sequence[str]) -> int:

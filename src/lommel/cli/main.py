@@ -5,21 +5,12 @@ from __future__ import annotations
 import ast
 import io
 import sys
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
-from importlib import import_module
+from collections.abc import Sequence
+from importlib import import_module, metadata
 from pathlib import Path
 from typing import TYPE_CHECKING, NoReturn
 
 from lommel.base.optional import how_to_get
-from lommel.base.validation import brief
-
-try:
-    import click
-    import rich as _rich  # noqa: F401 (the tables need it)
-except ImportError as missing:  # pragma: no cover
-    sys.exit(f"The command line needs {how_to_get(missing.name or 'click', 'cli')}")
-
 
 if TYPE_CHECKING:
     from lommel.cli.command import Command
@@ -47,117 +38,72 @@ COMMANDS = {
 }
 """Module of each command, in the order of the help; a command is the function of that name in the module."""
 
+GENERATED = {"examples", "info", "live", "compare", "methods", "paper", "psf", "stack"}
 
-NEW = {name: COMMANDS[name] for name in ("examples", "info", "live", "compare", "methods", "paper", "psf", "stack")}
-"""Commands that :mod:`lommel.cli.command` generates, and their modules."""
+_TEXT = """\
+Point spread functions (PSFs) of defocused and aberrated lenses, telescopes and microscopes.
 
-
-class _Commands(click.Group):
-    """Group of all commands, which shortens long error messages."""
-
-    def make_context(self, *args: object, **options: object) -> click.Context:
-        for stream in (sys.stdout, sys.stderr):
-            # Characters that a console or a pipe cannot encode are no error.
-            if isinstance(stream, io.TextIOWrapper):
-                stream.reconfigure(errors="backslashreplace")
-        with _short_errors():
-            return super().make_context(*args, **options)  # type: ignore[arg-type]
-
-    def invoke(self, ctx: click.Context) -> object:
-        with _short_errors():
-            return super().invoke(ctx)
-
-    def list_commands(self, ctx: click.Context) -> list[str]:
-        """Return the names of all commands."""
-        return list(COMMANDS)
-
-    def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
-        """Return the command with a name, or None."""
-        if cmd_name not in COMMANDS:
-            return None
-        # Only the module of this command is imported: importing all takes longer than most commands run.
-        entry: click.Command = getattr(import_module(f"lommel.cli.{COMMANDS[cmd_name]}"), cmd_name.replace("-", "_"))
-        return entry
-
-    def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
-        """Write the names of all commands, each with the first sentence of its docstring."""
-        # The sources are parsed, as importing all modules takes half a second.
-        modules = {name: ast.parse(_source(name)) for name in set(COMMANDS.values())}
-        functions = {
-            function.name: (ast.get_docstring(function) or "").partition("\n")[0]
-            for module in modules.values()
-            for function in module.body
-            if isinstance(function, ast.FunctionDef)
-        }
-        with formatter.section("Commands"):
-            formatter.write_dl([(name, functions[name.replace("-", "_")]) for name in COMMANDS])
+Lenses and microscopes are described by TOML files; `lommel examples` lists the examples in the package. Lengths \
+have units, such as 550nm, 3.45um or 1.5m; with a space they need quotes: "1.5 m". Each command has --help with \
+examples."""
+_EXAMPLES = """\
+Examples:
+  lommel examples phone                  # copy an example lens file
+  lommel info    phone.toml              # Strehl ratio, blur, MTF
+  lommel psf     phone.toml -o psf.tif -o psf.png    # data and a picture
+  lommel psf     zeiss-63x-1.4-oil.toml -o stack.ome.tif    # of a microscope
+  lommel live    phone.toml              # interactive PSF in the browser
+  lommel compare phone.toml --figure compare.png     # accuracy and speed
+  lommel stack   phone.toml --between 1m 3m --count 500 -o depths.zarr
+  lommel blur    photo.jpg depth.tif phone.toml --focus 2m -o out.jpg
+  lommel restore photo.tif depth.tif phone.toml --white 5000 --read 3 -o s.tif
+  lommel deconvolve stack.ome.tif zeiss-63x-1.4-oil.toml -o restored.ome.tif
+  lommel retrieve star-*.tif phone.toml --defocus -4 0 4 --read 2
+  lommel localize movie.tif zeiss-63x-astigmatic.toml --read 2 -o found.csv"""
 
 
-def _source(module: str) -> str:
-    return Path(__file__).with_name(f"{module}.py").read_text(encoding="utf-8")
-
-
-@contextmanager
-def _short_errors() -> Iterator[None]:
-    """Shorten the parts of a command line that Click repeats in its errors."""
-    try:
-        yield
-    except click.ClickException as error:
-        if not isinstance(error, click.exceptions.NoArgsIsHelpError):  # its message is the help
-            vars(error).update(message=brief(error.message, 240))
-        raise
-
-
-def main(words: Sequence[str] | None = None, prog_name: str = "lommel") -> NoReturn:
+def main(words: Sequence[str] | None = None) -> NoReturn:
     """Run a command line, by default that of this process, and exit."""
-    words = list(sys.argv[1:] if words is None else words)
-    if not words or words[0] not in NEW:
-        old_main(words, prog_name=prog_name)
-    from lommel.cli import command
-
+    try:
+        from lommel.cli import command
+    except ImportError as missing:  # pragma: no cover
+        sys.exit(f"The command line needs {how_to_get(missing.name or 'cyclopts', 'cli')}")
     for stream in (sys.stdout, sys.stderr):
         # Characters that a console or a pipe cannot encode are no error.
         if isinstance(stream, io.TextIOWrapper):
             stream.reconfigure(errors="backslashreplace")
-    app = command.application("lommel", "", "")
-    entry = entry_of(words[0])
-    entry.add_to(app, words[0])
-    sys.exit(command.call(app, [words[0], *entry.with_flags(words[1:])]))
+    words = list(sys.argv[1:] if words is None else words)
+    name = words[0] if words else ""
+    if name in COMMANDS and name not in GENERATED:
+        from lommel.cli.legacy import old_main
+
+        old_main(words, prog_name="lommel")
+    app = command.application("lommel", _TEXT, metadata.version("lommel"), _EXAMPLES)
+    if name in COMMANDS:
+        # Only the module of this command is imported: importing all takes longer than most commands run.
+        entry = command_of(name)
+        entry.add_to(app, name)
+        words[1:] = entry.with_flags(words[1:])
+    else:
+        command.list_in(app, _summaries())
+    code = command.call(app, words)
+    sys.exit(code or (0 if words else 2))  # without a command the help is printed
 
 
-def entry_of(name: str) -> Command:
-    """Return a generated command."""
-    entry: Command = getattr(import_module(f"lommel.cli.{NEW[name]}"), name.replace("-", "_"))
+def command_of(name: str) -> Command:
+    """Return a command."""
+    entry: Command = getattr(import_module(f"lommel.cli.{COMMANDS[name]}"), name.replace("-", "_"))
     return entry
 
 
-@click.group(cls=_Commands, context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100})
-@click.version_option(package_name="lommel")
-def old_main() -> None:
-    """Point spread functions (PSFs) of defocused and aberrated lenses, telescopes and microscopes.
-
-    Lenses and microscopes are described by TOML files; `lommel examples` lists the examples in the package.
-    Lengths have units, such as 550nm, 3.45um or 1.5m; with a space they need quotes: "1.5 m". Each command has --help
-    with examples.
-
-    \b
-    Examples:
-      lommel examples phone                  # copy an example lens file
-      lommel info    phone.toml              # Strehl ratio, blur, MTF
-      lommel psf     phone.toml -o psf.tif -o psf.png    # data and a picture
-      lommel psf     zeiss-63x-1.4-oil.toml -o stack.ome.tif    # of a microscope
-      lommel live    phone.toml              # interactive PSF in the browser
-      lommel compare phone.toml --figure compare.png     # accuracy and speed
-      lommel stack   phone.toml --between 1m 3m --count 500 -o depths.zarr
-      lommel blur    photo.jpg depth.tif phone.toml --focus 2m -o out.jpg
-      lommel restore photo.tif depth.tif phone.toml --white 5000 --read 3 -o s.tif
-      lommel deconvolve stack.ome.tif zeiss-63x-1.4-oil.toml -o restored.ome.tif
-      lommel retrieve star-*.tif phone.toml --defocus -4 0 4 --read 2
-      lommel localize movie.tif zeiss-63x-astigmatic.toml --read 2 -o found.csv
-    """  # noqa: D301 (Click keeps the line breaks of a paragraph that begins with \b)
-
-
-def commands() -> dict[str, click.Command]:
-    """Return all commands by their names."""
-    context = click.Context(old_main)
-    return {name: command for name in COMMANDS if (command := old_main.get_command(context, name))}
+def _summaries() -> dict[str, str]:
+    """Return the first sentence of the docstring of each command, from the sources, which is quick."""
+    folder = Path(__file__).parent
+    modules = [ast.parse((folder / f"{name}.py").read_text(encoding="utf-8")) for name in set(COMMANDS.values())]
+    functions = {
+        function.name: (ast.get_docstring(function) or "").partition("\n")[0]
+        for module in modules
+        for function in module.body
+        if isinstance(function, ast.FunctionDef)
+    }
+    return {name: functions[name.replace("-", "_")] for name in COMMANDS}

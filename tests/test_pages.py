@@ -20,7 +20,6 @@ import numpy as np
 import pytest
 import tifffile
 from astropy.io import fits
-from click.testing import CliRunner
 from PIL import Image
 from scipy.signal import fftconvolve
 from scipy.special import j0
@@ -32,9 +31,8 @@ import organisation
 import simulated_movies
 import simulated_stacks
 from benchmarks import accuracy, report
+from command_lines import help_lines, lommel
 from frameworks import hasty_programs
-from lommel.cli.main import commands as subcommands
-from lommel.cli.main import main
 from lommel.estimation import field_fit
 from lommel.microscopy import refinement
 from lommel.page import server
@@ -98,13 +96,7 @@ def commands(path: Path) -> list[str]:
     return within + [line for code, _ in blocks(path, "sh") for line in code.replace("\\\n", " ").splitlines()]
 
 
-HELP = [
-    line.strip()
-    for command in (main, *subcommands().values())
-    for line in (command.help or "").replace("\\\n", " ").splitlines()
-    if line.strip().startswith("lommel ")
-]
-SHOWN = [(path.name, line) for path in PAGES for line in commands(path)] + [("--help", line) for line in HELP]
+SHOWN = [(path.name, line) for path in PAGES for line in commands(path)] + [("--help", line) for line in help_lines()]
 LINES = [(name, words) for name, line in SHOWN if (words := shlex.split(line, comments=True))]
 
 
@@ -302,8 +294,8 @@ def command_here(lines: str, where: str) -> str:
         if words:
             assert words[0] == "lommel", where
             files = [sorted(map(str, Path().glob(word))) if "*" in word else [word] for word in words[1:]]
-            result = CliRunner().invoke(main, list(chain.from_iterable(files)))
-            assert result.exit_code == 0, result.output
+            result = lommel(*chain.from_iterable(files))
+            assert result.returncode == 0, result.stderr
             printed.append(result.stdout)
     return "".join(printed)
 

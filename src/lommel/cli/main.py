@@ -46,7 +46,7 @@ Point spread functions (PSFs) of defocused and aberrated lenses, telescopes and 
 Lenses and microscopes are described by TOML files; `lommel examples` lists the examples in the package. Lengths \
 have units, such as 550nm, 3.45um or 1.5m; with a space they need quotes: "1.5 m". Each command has --help with \
 examples."""
-_EXAMPLES = """\
+EXAMPLES = """\
 Examples:
   lommel examples phone                  # copy an example lens file
   lommel info    phone.toml              # Strehl ratio, blur, MTF
@@ -78,7 +78,7 @@ def main(words: Sequence[str] | None = None) -> NoReturn:
         from lommel.cli.legacy import old_main
 
         old_main(words, prog_name="lommel")
-    app = command.application("lommel", _TEXT, metadata.version("lommel"), _EXAMPLES)
+    app = command.application("lommel", _TEXT, metadata.version("lommel"), EXAMPLES)
     if name in COMMANDS:
         # Only the module of this command is imported: importing all takes longer than most commands run.
         entry = command_of(name)

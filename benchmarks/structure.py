@@ -8,6 +8,7 @@ import itertools
 import sys
 import time
 import tokenize
+import tomllib
 from collections import Counter
 from collections.abc import Callable
 from pathlib import Path
@@ -16,6 +17,7 @@ from typing import Any
 
 ROOT = Path(__file__).resolve().parent.parent
 PACKAGE = ROOT / "src" / "lommel"
+LANGUAGES = {"cpp": {".hpp", ".cpp", ".h"}, "tests": {".py", ".cpp", ".hpp", ".c", ".h"}}
 sys.path.insert(0, str(ROOT / "tools" / "docs"))
 
 
@@ -48,6 +50,31 @@ def lines_of(path: Path) -> Counter[str]:
         for node in ast.walk(ast.parse(text))
     )
     return counted
+
+
+def sizes() -> dict[str, int]:
+    """Return the lines of code of each package of Python, and the lines of the C++ core and of the tests."""
+    counted: Counter[str] = Counter()
+    for path in PACKAGE.rglob("*.py"):
+        folder = path.relative_to(PACKAGE).parts
+        counted[folder[0] if len(folder) > 1 else "lommel"] += lines_of(path)["code"]
+    for name, folders in (("cpp", ("cpp/include", "cpp/bindings")), ("tests", ("tests", "cpp/tests"))):
+        files = (path for folder in folders for path in (ROOT / folder).rglob("*") if path.suffix in LANGUAGES[name])
+        counted[name] = sum(path.read_bytes().count(b"\n") for path in files)
+    return dict(counted)
+
+
+def check_ceilings() -> None:
+    """Exit with an error that names each package that has more lines than `ceilings.toml` allows, or is not in it."""
+    ceilings = tomllib.loads((ROOT / "benchmarks" / "ceilings.toml").read_text(encoding="utf-8"))
+    counted = sizes()
+    over = [f"{name} has {lines}, at most {ceilings.get(name, 0)}" for name, lines in counted.items()
+            if lines > ceilings.get(name, 0)]  # fmt: skip
+    gone = [f"{name} is in ceilings.toml and not in the sources" for name in ceilings.keys() - counted.keys()]
+    if over or gone:
+        sys.exit(
+            f"Lines of code: {'; '.join([*over, *gone])}. Delete, or raise the ceiling and say why in the commit."
+        )
 
 
 def imports() -> dict[str, set[str]]:
@@ -95,7 +122,10 @@ def cpu_of(call: Callable[[], object], count: int, rounds: int) -> float:
 
 
 def main() -> None:
-    """Print the figures, one line each."""
+    """Print the figures, one line each; with `--ceilings` only compare the lines of each package with its ceiling."""
+    if "--ceilings" in sys.argv:
+        check_ceilings()
+        return
     total: Counter[str] = Counter()
     files = sorted(PACKAGE.rglob("*.py"))
     for path in files:

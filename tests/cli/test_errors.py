@@ -76,7 +76,6 @@ BAD = [
     ("retrieve {phone} {phone} --read -1", "Error: --read must be finite and >= 0, got -1.0"),
     ("depth {phone} {phone} --between 1m 2m --white 9 --read 1", "Error: PHOTOS must be two or more"),
     ("psf {phone} --normalize area", "'area' is not one of 'energy', 'emitted', 'strehl', 'peak'"),
-    ("psf {phone} --dtype float32 --tol 1e-9", "dtype float32 cannot hold --tol 1e-09"),
     ("psf {phone} -o a.jpg", "must end in .tif, .tiff, .npy, .npz, .png, .fits, .fit, .fits.gz,"),
     ("psf {phone} -o a.tif -o ./a.tif", "Error: --output must be another file than --output, got a.tif for both"),
     ("psf {phone} -o {phone}", "Error: --output must be another file than LENS, got "),

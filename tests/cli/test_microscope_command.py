@@ -145,7 +145,7 @@ def test_the_measured_wavefront_is_told_and_shapes_the_image(folder, call_lommel
         (["psf", "lens.toml", "--depth", "1 um"], "--depth is for microscopes"),
         (["psf", "lens.toml", "--normalize", "emitted"], '--normalize "emitted" is for the pupils of an Objective'),
         (["psf", "objective.toml", "-m", "hankel"], "supports the pupils of a lens only"),
-        (["psf", "objective.toml", "--stack", "0"], "0 is not in the range"),
+        (["psf", "objective.toml", "--stack", "0"], "--stack must be from 1 to 4096, got 0"),
         (["psf", "plane.toml", "--step", "1 um"], "--step needs --stack, if the file has no stack"),
         (["psf", "plane.toml", "--stack", "3"], "--stack needs --step, if the file has no stack; Nyquist"),
         (["psf", "objective.toml", "--depth", "-1 um"], "depth is in metres and must be at least 0"),

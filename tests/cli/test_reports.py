@@ -20,11 +20,18 @@ from objectives import MATCHED
 LINE = re.compile(r"^(\S.*?)\s{2,}(\S.*?)\s*$", re.MULTILINE)
 
 
-@pytest.mark.parametrize(
-    ("flag", "sampling"), [((), "pixel"), (("--integrate",), "pixel"), (("--sample",), "center")], ids=str
-)
-def test_pixels_of_a_sensor_average_unless_told_otherwise(call_lommel, lenses, tmp_path, flag, sampling):
-    arguments = ("psf", lenses["nifty-fifty"], "--object-distance", "1.2 m", "--shape", "21", *flag)
+def stated(lenses, folder, name: str, sampling: str) -> str:
+    """Write the lens file of an example that states how pixels take the light."""
+    text = lenses[name].read_text(encoding="utf-8")
+    line = {"": "", "pixel": "integrate = true\n", "center": "integrate = false\n"}[sampling]
+    (folder / "own.toml").write_text(text.replace("[sensor]\n", f"[sensor]\n{line}"), encoding="utf-8")
+    return "own.toml"
+
+
+@pytest.mark.parametrize(("line", "sampling"), [("", "pixel"), ("pixel", "pixel"), ("center", "center")], ids=str)
+def test_pixels_of_a_sensor_average_unless_told_otherwise(call_lommel, lenses, tmp_path, line, sampling):
+    own = stated(lenses, tmp_path, "nifty-fifty", line)
+    arguments = ("psf", own, "--object-distance", "1.2 m", "--shape", "21")
     shown = call_lommel(*arguments, "-o", "a.npz", folder=tmp_path)
     assert dict(LINE.findall(shown.stdout))["pixels"] == f"{SAMPLING[sampling]}, 3.4 lambda*N wide"
     made = lm.PSF.load(tmp_path / "a.npz")
@@ -42,23 +49,17 @@ def test_pixels_of_a_sensor_average_unless_told_otherwise(call_lommel, lenses, t
         assert "sum to" not in shown.stdout
 
 
-@pytest.mark.parametrize("line", ["integrate = false", "integrate = true"])
-def test_a_lens_file_says_whether_pixels_average_and_an_option_overrides_it(call_lommel, lenses, tmp_path, line):
-    text = lenses["phone"].read_text(encoding="utf-8").replace("shape = 33", f"shape = 5\n{line}")
-    (tmp_path / "own.toml").write_text(text, encoding="utf-8")
-    own, other = ("pixel", "center") if "true" in line else ("center", "pixel")
-    for command in ("psf", "compare"):
-        shown = call_lommel(command, "own.toml", "--json", folder=tmp_path)
-        facts = json.loads(shown.stdout)
-        assert facts.get("psf", facts)["sampling"] == own
-        flag = "--integrate" if other == "pixel" else "--sample"
-        facts = json.loads(call_lommel(command, "own.toml", flag, "--json", folder=tmp_path).stdout)
-        assert facts.get("psf", facts)["sampling"] == other
+@pytest.mark.parametrize("sampling", ["pixel", "center"])
+def test_a_comparison_averages_or_samples_as_the_lens_file_says(call_lommel, lenses, tmp_path, sampling):
+    own = stated(lenses, tmp_path, "phone", sampling)
+    facts = json.loads(call_lommel("compare", own, "--shape", 5, "--json", folder=tmp_path).stdout)
+    assert facts["sampling"] == sampling
 
 
-@pytest.mark.parametrize(("flag", "sampling"), [((), "pixel"), (("--sample",), "center")], ids=str)
-def test_a_grid_over_the_field_averages_or_samples_likewise(call_lommel, lenses, tmp_path, flag, sampling):
-    arguments = ("psf", lenses["camera-field"], "--field", "1x2", "--shape", "9", "--pixel", "2 um", *flag)
+@pytest.mark.parametrize("sampling", ["pixel", "center"])
+def test_a_grid_over_the_field_averages_or_samples_likewise(call_lommel, lenses, tmp_path, sampling):
+    own = stated(lenses, tmp_path, "camera-field", sampling)
+    arguments = ("psf", own, "--field", "1x2", "--shape", "9", "--pixel", "2 um")
     shown = call_lommel(*arguments, "-o", "a.npz", folder=tmp_path)
     assert shown.returncode == 0, shown.stderr
     rows = dict(LINE.findall(shown.stdout))

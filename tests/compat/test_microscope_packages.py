@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.compat import microscpsf, psfmodels, pyotf
+from lommel.compat import psfmodels
 
 # What the packages, and what these import, warn of is not ours.
 pytestmark = pytest.mark.filterwarnings("ignore")
@@ -32,26 +32,6 @@ def gibson_lanni(radii, zv, pz, wvl, of):
     phase = k * (layers + path(of["ni"], of["ti0"] + np.asarray(zv)[:, None]))
     kernel = j0(k * of["NA"] * rho * np.asarray(radii)[:, None]) * rho * weight
     return np.abs(np.exp(1j * phase) @ kernel.T) ** 2
-
-
-@pytest.mark.parametrize("changes", [{}, {"NA": 1.2, "tg": 176.0, "ni": 1.512}, {"NA": 0.9, "tg": 0.0, "tg0": 0.0}])
-def test_profiles_of_microscpsf_are_the_integral_of_gibson_and_lanni(changes):
-    of = microscpsf.m_params | changes
-    radii, zv = np.linspace(0.0, 1.2, 7), np.array([-1.0, -0.3, 0.4])
-    found = microscpsf.gLZRFocalScan(of, radii, zv, normalize=False, pz=0.8, wvl=0.55)
-    right = gibson_lanni(radii, zv, 0.8, 0.55, of)
-    np.testing.assert_allclose(found, right, rtol=0.0, atol=1e-8 * right.max())
-
-
-@pytest.mark.parametrize("side", [8, 9])
-def test_windows_of_microscpsf_hold_the_profile_about_their_middle(side):
-    zv, along = np.array([-0.5, 0.0]), (np.arange(side) - 0.5 * (side - 1)) * 0.1
-    found = microscpsf.gLXYZFocalScan(microscpsf.m_params, 0.1, side, zv, normalize=False, pz=0.3)
-    right = gibson_lanni(np.hypot(along, along[:, None]).ravel(), zv, 0.3, 0.6, microscpsf.m_params)
-    np.testing.assert_allclose(found.reshape(2, -1), right, rtol=0.0, atol=1e-8 * right.max())
-    scan = microscpsf.gLXYZParticleScan(microscpsf.m_params, 0.1, side, [0.3, 0.6], normalize=False, zv=-0.5)
-    np.testing.assert_allclose(scan[0], found[0], rtol=0.0, atol=1e-12)
-    assert microscpsf.gLXYZFocalScan(microscpsf.m_params, 0.1, side, zv).max() <= 1.0
 
 
 def test_the_scalar_model_of_psfmodels_is_the_same_integral_with_supercritical_light_added():
@@ -94,31 +74,6 @@ def test_a_number_of_planes_is_centred_on_the_point():
     assert psfmodels.make_psf(1, 4)[0].argmax() == 5  # pixel (1, 1) of an even window
 
 
-def test_hanser_is_the_debye_integral_of_scalar_light():
-    # One medium: int exp(i k n z cos) cos^(-1/2) J0(k NA rho r) rho drho, squared.
-    from scipy.special import j0
-
-    found = pyotf.HanserPSF(520.0, 0.85, 1.33, 100.0, 9, zrange=[-900.0, 0.0, 500.0]).PSFi
-    node, weight = np.polynomial.legendre.leggauss(80)
-    rho, weight = 0.5 * (node + 1.0), 0.5 * weight
-    k, cosine = 2.0 * np.pi / 520.0, np.sqrt(1.0 - (0.85 * rho / 1.33) ** 2)
-    along = 100.0 * (np.arange(9) - 4)
-    kernel = j0(k * 0.85 * rho * np.hypot(along, along[:, None]).ravel()[:, None]) * rho * weight / np.sqrt(cosine)
-    right = np.abs(np.exp(1j * k * 1.33 * cosine * np.array([[-900.0], [0.0], [500.0]])) @ kernel.T) ** 2
-    np.testing.assert_allclose(found.reshape(3, -1) / found.max(), right / right.max(), rtol=0.0, atol=3e-6)
-
-
-def test_hanser_transforms_and_vectorial_light():
-    free = pyotf.HanserPSF(520.0, 0.9, 1.33, 80.0, 33, 250.0, 7, "total")
-    assert free.PSFi.shape == (7, 33, 33)
-    assert free.PSFi[4].max() == free.PSFi.max()  # (7 + 1) // 2 planes are before it
-    middle = free.OTFi[3, 16, 16]
-    np.testing.assert_allclose(middle, free.PSFi.sum(), rtol=1e-12)
-    x, y = (pyotf.HanserPSF(520.0, 0.9, 1.33, 80.0, 33, 250.0, 7, name).PSFi for name in "xy")
-    np.testing.assert_allclose(x, y.transpose(0, 2, 1), rtol=0.0, atol=1e-6 * x.max())
-    assert np.abs(x - y).max() > 1e-3 * x.max()
-
-
 @pytest.mark.parametrize(
     ("call", "said"),
     [
@@ -129,12 +84,6 @@ def test_hanser_transforms_and_vectorial_light():
         (lambda: psfmodels.make_psf(pz=-1.0), "pz must be"),
         (lambda: psfmodels.make_psf(0), "z must be"),
         (lambda: psfmodels.make_psf([np.nan]), "zv"),
-        (lambda: microscpsf.gLXYZFocalScan({"na": 1.4}, 0.1, 5, [0.0]), "mp must be"),
-        (lambda: microscpsf.gLXYZFocalScan({}, 0.1, 5, [0.0], zd=1e5), "zd must be the tube length 200000"),
-        (lambda: microscpsf.gLZRFocalScan({}, [-1.0], [0.0]), "rv must be"),
-        (lambda: pyotf.HanserPSF(520, 1.4, 1.33, 60, 9).PSFi, "NA must be below"),
-        (lambda: pyotf.HanserPSF(520, 0.8, 1.33, 60, 9, vec_corr="xy"), "vec_corr must be"),
-        (lambda: pyotf.HanserPSF(520, 0.8, 1.33, 60, 9, vec_corr="x", condition="none"), "condition must be"),
     ],
 )
 def test_bad_arguments_are_named(call, said):
@@ -152,25 +101,6 @@ def test_psfmodels_itself_is_near(options, model):
     params = {"NA": 1.3, "ns": 1.4}
     ours, theirs = (of.vectorial_psf([0.0, 1.0], 11, 0.07, 0.5, 0.5, params) for of in (psfmodels, peer))
     np.testing.assert_allclose(ours, theirs, rtol=0.0, atol=5e-3)
-
-
-def test_microscpsf_itself_is_near():
-    peer = pytest.importorskip("microscPSF.microscPSF")
-    zv = np.linspace(-1.0, 1.0, 5)
-    for name, places in (("gLXYZFocalScan", zv), ("gLXYZParticleScan", 1.0 + zv)):
-        ours, theirs = (getattr(of, name)(peer.m_params, 0.05, 20, places) for of in (microscpsf, peer))
-        np.testing.assert_allclose(ours, theirs, rtol=0.0, atol=0.01)
-    for name, places in (("gLZRFocalScan", zv), ("gLZRParticleScan", 1.0 + zv)):
-        ours, theirs = (getattr(of, name)(peer.m_params, np.linspace(0, 1, 11), places) for of in (microscpsf, peer))
-        np.testing.assert_allclose(ours, theirs, rtol=0.0, atol=0.01)
-
-
-@pytest.mark.parametrize("light", ["none", "x", "y", "z", "total"])
-def test_pyotf_itself_is_near(light):
-    peer = pytest.importorskip("pyotf.otf")
-    call = (520, 0.85, 1.33, 60, 128, 200, 5, light)
-    ours, theirs = (of.HanserPSF(*call).PSFi for of in (pyotf, peer))
-    np.testing.assert_allclose(ours / ours.max(), theirs / theirs.max(), rtol=0.0, atol=1e-2)
 
 
 def test_the_objective_is_the_one_that_psf_takes():

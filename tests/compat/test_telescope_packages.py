@@ -1,4 +1,4 @@
-"""PSFs as models and arrays of photutils, GalSim and prysm, read back by these where they are there."""
+"""PSFs as models and arrays of photutils and GalSim, read back by these where they are there."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.compat import galsim, photutils, prysm
+from lommel.compat import galsim, photutils
 
 pytestmark = pytest.mark.filterwarnings("ignore")
 
@@ -79,33 +79,6 @@ def test_galsim_draws_the_pixels_of_lommel():
     np.testing.assert_allclose(image.array, right, rtol=0.0, atol=2e-3 * right.max())
 
 
-def test_the_arrays_of_prysm_have_the_same_psf_by_a_plain_sum():
-    made = prysm.pupil_arrays(LENS, 400, diameter=0.1)
-    assert made.wavelength == pytest.approx(0.55)
-    assert made.dx == pytest.approx(0.25)
-    # A discrete Fourier transform by hand, focal length 0.8 m, of which the staircase of the rim is the error.
-    at = (np.arange(400) - 200) * 1e-3 * made.dx
-    places = (np.arange(25) - 12) * 2e-6
-    kernel = np.exp(-2j * np.pi / (550e-9 * 0.8) * np.outer(places, at))
-    field = made.amplitude * np.exp(2j * np.pi * 1e-9 * made.phase / 550e-9)
-    image = np.abs(kernel @ field @ kernel.T) ** 2
-    right = lm.psf(LENS, 25, 2e-6, integrate=False).values
-    np.testing.assert_allclose(image / image.max(), right / right.max(), rtol=0.0, atol=3e-3)
-
-
-def test_prysm_takes_psfs_and_pupils():
-    pytest.importorskip("prysm")
-    from prysm.propagation import Wavefront
-
-    made = prysm.pupil_arrays(LENS, 512, diameter=0.1)
-    wave = Wavefront.from_amp_and_phase(made.amplitude, made.phase, made.wavelength, made.dx)
-    image = wave.focus_fixed_sampling(efl=800.0, dx=2.0, samples=32).intensity.data
-    psf = lm.psf(LENS, 32, 2e-6, integrate=False)
-    np.testing.assert_allclose(image / image.max(), psf.values / psf.values.max(), rtol=0.0, atol=3e-3)
-    data = prysm.rich_data(psf)
-    assert (data.dx, data.wavelength) == (pytest.approx(2.0), pytest.approx(0.55))
-
-
 @pytest.mark.parametrize(
     ("call", "said"),
     [
@@ -114,8 +87,6 @@ def test_prysm_takes_psfs_and_pupils():
         (lambda: photutils.effective_psf(LENS, 11, 5e-6, oversampling=0), "oversampling must be"),
         (lambda: photutils.save_stdpsf("x.fits", FIELD, 1, 3, **SENSOR), "rows must be"),
         (lambda: photutils.save_stdpsf("x.fits", FIELD, 2, 3, **SENSOR | {"sensor": (9e-3, 9e-3)}), "outside of"),
-        (lambda: prysm.pupil_arrays(lm.Pupil(), 64, diameter=0.1), "with a wavelength"),
-        (lambda: prysm.pupil_arrays(LENS, 64, diameter=0.0), "diameter must be"),
     ],
 )
 def test_bad_arguments_are_named(call, said):

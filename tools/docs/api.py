@@ -203,13 +203,12 @@ SECTIONS = [
     ),
     Section(
         "Signatures of other packages",
-        "Functions of psfmodels, MicroscPSF-Py and pyotf, and models of photutils, GalSim and prysm.",
+        "Functions of psfmodels, and models of photutils and GalSim.",
         "See [](../coming-from.md).",
         ("compat",),
-        more="compat.psfmodels.make_psf compat.psfmodels.objective compat.microscpsf.gLXYZFocalScan"
-        " compat.pyotf.HanserPSF compat.photutils.effective_psf compat.photutils.image_psf"
-        " compat.photutils.gridded_psf_model compat.photutils.save_stdpsf compat.galsim.interpolated_image"
-        " compat.prysm.pupil_arrays compat.prysm.PupilArrays compat.prysm.rich_data",
+        more="compat.psfmodels.make_psf compat.psfmodels.objective compat.photutils.effective_psf"
+        " compat.photutils.image_psf compat.photutils.gridded_psf_model compat.photutils.save_stdpsf"
+        " compat.galsim.interpolated_image",
     ),
     Section(
         "Special functions",

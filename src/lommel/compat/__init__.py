@@ -6,10 +6,7 @@ from lommel.base import imports
 
 if TYPE_CHECKING:
     from lommel.compat import galsim as galsim
-    from lommel.compat import microscpsf as microscpsf
     from lommel.compat import photutils as photutils
-    from lommel.compat import prysm as prysm
     from lommel.compat import psfmodels as psfmodels
-    from lommel.compat import pyotf as pyotf
 else:
     __getattr__, __dir__ = imports.parts(__name__)

@@ -284,7 +284,7 @@ def error(values: NDArray[np.float64], lenses: Lenses, pixel: float) -> float:
     pupils = lenses.fresh(1)[0]
     if lenses.vanes:
         many = pupils[:_JUDGED]
-        exact = intensity(lm.psf(many, SIDE, pixel, integrate=True, method=lm.NonuniformFFT(1e-7)))
+        exact = intensity(lm.psf(many, SIDE, pixel, integrate=True, method=lm.methods.NonuniformFFT(1e-7)))
         return float((np.abs(values[:_JUDGED] - exact).max(axis=(1, 2)) / exact.max(axis=(1, 2))).max())
     return _error_by_quadrature(np.reshape(values, (-1, SIDE, SIDE)), pupils, pixel)
 

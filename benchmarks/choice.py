@@ -37,7 +37,7 @@ _FEWEST, _MOST = 3, 50  # calls
 Call = Callable[[], object]
 
 
-def prepared(question: DiskQuestion, method: lm.Method | None) -> Call | None:
+def prepared(question: DiskQuestion, method: lm.methods.Method | None) -> Call | None:
     """Return what asks the question on one thread; None where the method refuses."""
     pupil, grid, tol = question
     named = None if method is None else method.with_tol(tol)
@@ -81,7 +81,7 @@ def asked(first: int, count: int, *, averages: bool) -> list[tuple[float, float,
     for index in range(first, first + count):
         question = disk_question(index, averages=averages)
         chords, series, chosen = seconds(
-            [prepared(question, method) for method in (lm.ChordalGauss(), lm.NijboerZernike(), None)]
+            [prepared(question, method) for method in (lm.methods.ChordalGauss(), lm.methods.NijboerZernike(), None)]
         )
         if min(chords, series) < math.inf:
             found.append((chords, series, chosen, index))

@@ -279,7 +279,7 @@ def engine(
     question: Window,
     *,
     name: str = "lommel",
-    method: lm.Method | None = None,
+    method: lm.methods.Method | None = None,
     threads: int = 1,
     out: bool = False,
     dtype: Any = None,
@@ -309,7 +309,7 @@ def stack(
     pixel: float,
     *,
     name: str = "lommel",
-    method: lm.Method | None = None,
+    method: lm.methods.Method | None = None,
     threads: int = 1,
     out: bool = False,
     dtype: Any = np.float64,
@@ -325,7 +325,7 @@ def stack(
     return Contender(name, call, describe(method, threads, out, dtype), fresh, intensity)
 
 
-def describe(method: lm.Method | None, threads: int, out: bool, dtype: Any) -> str:
+def describe(method: lm.methods.Method | None, threads: int, out: bool, dtype: Any) -> str:
     """Say in words what was asked for."""
     parts = ["lm.psf(...)", "default method, tol 1e-6" if method is None else repr(method)]
     parts += [] if dtype is None else [str(np.dtype(dtype))]

@@ -158,7 +158,9 @@ def physical(settings: Settings) -> Table:
         result = race([one, memory], settings.rounds, budget=4.0, keep=False)
         table.add(title, "storing", result.ratio(one.name, memory.name), why)
     chords, nodes = _fewest()
-    sums = stack(random_zernikes(each=True), 33, 0.5, method=lm.ChordalGauss(1e-4), dtype=np.float32, out=True)
+    sums = stack(
+        random_zernikes(each=True), 33, 0.5, method=lm.methods.ChordalGauss(1e-4), dtype=np.float32, out=True
+    )
     result = race([sums, gemm], settings.rounds, budget=4.0, keep=False)
     # Of each pair of chords 17 rows of four sums, re and im, over pairs of nodes; of each row 17 columns of four.
     least = 1000 * (chords / 2) * (17 * (nodes / 2) * 8 + 33 * 17 * 4)
@@ -268,7 +270,7 @@ def _called(plan: lm.Plan, pupil: lm.Pupil, out: Any) -> Contender:
     return Contender("", lambda _: plan(pupil, out=out))
 
 
-def _bound(question: Question, method: lm.Method) -> float | None:
+def _bound(question: Question, method: lm.methods.Method) -> float | None:
     return lm.psf(question.pupil(), question.n, question.pixel, method=method).error_bound
 
 
@@ -303,7 +305,7 @@ def aberrations(settings: Settings) -> Table:
         errors = []
         for edge in ("binary", "grey"):
             try:
-                method = lm.Fraunhofer(samples=512, padding=1.0, edge=edge)
+                method = lm.paper.Fraunhofer(samples=512, padding=1.0, edge=edge)
                 error = judged.error(intensity(lm.psf(q.pupil(), q.n, q.pixel, method=method)))
                 errors.append(f"{error:.1e}")
             except ValueError:
@@ -314,7 +316,7 @@ def aberrations(settings: Settings) -> Table:
             result.ratio(other.name, mine.name),
             result.ratio(mine.name, memory.name),
             judged.error(result.values[mine.name]),
-            _bound(q, lm.NijboerZernike()),
+            _bound(q, lm.methods.NijboerZernike()),
             *errors,
         )
     return table
@@ -338,7 +340,7 @@ def tolerances(settings: Settings) -> Table:
     )
     other, usual = fft(), engine(q, name="tol 1e-6")
     for exponent in (-3, -6, -9) if settings.quick else range(-3, -10, -1):
-        method = lm.NijboerZernike(10.0**exponent)
+        method = lm.methods.NijboerZernike(10.0**exponent)
         settings.tick(f"tol 1e{exponent}")
         mine = engine(q, method=method)
         result = race([mine, usual, other], settings.rounds)
@@ -379,7 +381,7 @@ def accuracy(settings: Settings) -> Table:
                 if side > largest or (side == 8192 and (edge == "binary" or q.defocus != 10.0)):
                     continue
                 settings.tick(f"{q}: FFT {side}², {edge} edge")
-                method = lm.Fraunhofer(samples=side // 2, padding=1.0, edge=edge)
+                method = lm.paper.Fraunhofer(samples=side // 2, padding=1.0, edge=edge)
                 one = engine(q, name=f"{side}², {edge} edge", method=method)
                 answer = one.call(q.pupil())
                 found[one.name] = one, truth(q).error(intensity(answer))
@@ -396,7 +398,7 @@ def accuracy(settings: Settings) -> Table:
                 )
                 break
             one, error = found[reaching[0]]
-            mine = engine(q, method=lm.NijboerZernike(10.0**exponent))
+            mine = engine(q, method=lm.methods.NijboerZernike(10.0**exponent))
             settings.tick(f"{q}: 1e{exponent}")
             result = race([mine, one], settings.rounds, budget=2.0, keep=False)
             table.add(f"C_d = {q.defocus:g}", f"1e{exponent}", one.name, error, result.ratio(one.name, mine.name))
@@ -434,7 +436,7 @@ def stacks(settings: Settings) -> Table:
         name = others[1].name
         table.add(title, name, result.ratio(name, mine.name), stack_error(result.values[name], exact))
         for side in (128, 256, 512):
-            method = lm.Fraunhofer(samples=side // 2, padding=1.0, edge="grey")
+            method = lm.paper.Fraunhofer(samples=side // 2, padding=1.0, edge="grey")
             one = stack(some, 33, 0.5, name=f"FFT of {side}²", method=method)
             try:
                 result = race([mine, one], settings.rounds, budget=2.0)

@@ -85,7 +85,7 @@ def rows() -> list[tuple[str, float, float, float]]:
     found += _in_torch("traced, float32", lm.Plan(SIDE, PIXEL, tol=1e-3), reach, c, exact)
     pupils = random_zernikes(False)(1)[0]
     exact = lm.psf(pupils, SIDE, PIXEL, tol=1e-8).values
-    core = lm.Plan(SIDE, PIXEL, method=lm.ChordalGauss(1e-4), threads=1)
+    core = lm.Plan(SIDE, PIXEL, method=lm.methods.ChordalGauss(1e-4), threads=1)
     found.append(
         (
             "fifteen terms: compiled core",

@@ -104,7 +104,7 @@ def _polychromatic(count: int) -> tuple[Contender, Truth]:
     weights = np.hanning(count + 2)[1:-1]
     n, number = BASE.n, 4.0
     pixel = BASE.pixel * _WAVE * number
-    method = lm.Polychromatic(waves.tolist(), weights.tolist())
+    method = lm.methods.Polychromatic(waves.tolist(), weights.tolist())
 
     def pupil(share: float) -> lm.Pupil:
         wavefront = lm.Wavefront(share * BASE.defocus, share * BASE.spherical)

@@ -170,7 +170,7 @@ def donuts(count: int) -> list[str]:
             light = telescope.image(waves(u, v), place, pixel, 2 * side + 1, sigma, stated)
             image[tuple(slice(k - side, k + side + 1) for k in at)] += 10.0 ** draw.uniform(5.3, 6.0) * light
         image = draw.poisson(image) + draw.normal(size=shape) * 2.0
-        spots = lm.find_spots(image, noise=NOISE, window=side, width=9.0)
+        spots = lm.detection.find_spots(image, noise=NOISE, window=side, width=9.0)
         began = time.process_time()
         fit = lm.fit_field(
             spots.windows, spots.places, pupil, sensor=shape, pixel=pixel, noise=NOISE, degree=1, terms=8,

@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import lommel as lm
+from lommel.estimation.fisher import Information
 
 NAMES = ("defocus", "spherical", "row", "column", "photons", "background")
 TRUTH = np.array([3.0, 1.5, 9.7, 10.4, 20_000.0, 5.0])
@@ -28,7 +29,7 @@ LIGHT = {"wavelength": 550e-9, "f_number": 5.6}
 class Compared:
     """What fits scatter by, and what they were told to."""
 
-    told: lm.Information
+    told: Information
     fits: NDArray[np.float64]
 
     @property

@@ -18,8 +18,8 @@ from pathlib import Path
 
 import numpy as np
 
-import lommel as lm
 from benchmarks.choice import prepared, seconds
+from lommel.optics.grid import Grid
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "tests" / "shared"))
 
@@ -34,10 +34,10 @@ def changed(question: DiskQuestion, what: str) -> tuple[DiskQuestion, float] | N
     if what == "side":
         side = math.ceil(_MORE * grid.height)
         row, column = (part + (side - grid.height) // 2 for part in grid.center)
-        more = lm.Grid(side, grid.side, center=(row, column), integrate=grid.integrate)
+        more = Grid(side, grid.side, center=(row, column), integrate=grid.integrate)
         return DiskQuestion(pupil, more, tol), (side / grid.height) ** 2
     if what == "pixel":
-        more = lm.Grid(grid.shape, _MORE * grid.side, center=grid.center, integrate=grid.integrate)
+        more = Grid(grid.shape, _MORE * grid.side, center=grid.center, integrate=grid.integrate)
         return DiskQuestion(pupil, more, tol), 1.0
     if what == "phase":
         stronger = replace(pupil, wavefront=_MORE * pupil.wavefront)

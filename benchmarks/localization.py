@@ -167,7 +167,7 @@ def true_error() -> float:
     for _ in range(60):
         row, column, z = made.limits[0] + random.random(3) * (made.limits[1] - made.limits[0])
         pupil = _OBJECTIVE.pupil(depth=1e-6, z=z, **_LIGHT)
-        exact = lm.psf(pupil, SIDE, PIXEL, center=(row, column), tol=1e-8, method=lm.DebyeRings(1e-8)).values
+        exact = lm.psf(pupil, SIDE, PIXEL, center=(row, column), tol=1e-8, method=lm.methods.DebyeRings(1e-8)).values
         worst = max(worst, float(np.abs(made(row, column, z) - exact).max()) / dimmest)
     return worst
 
@@ -210,7 +210,7 @@ _FEW, _MANY = "the gradient by 21 Zernike terms", "the gradient by 231 Zernike t
 def _objectives(rounds: int) -> Race:
     """Return what images, slopes and gradients by psf take."""
     random = np.random.default_rng(6)
-    options: dict[str, Any] = {"method": lm.ChordalDebye(TOL), "threads": 1}
+    options: dict[str, Any] = {"method": lm.methods.ChordalDebye(TOL), "threads": 1}
 
     def fresh(count: int) -> list[Any]:
         return [_OBJECTIVE.pupil(depth=1e-6, z=random.uniform(-MOST, MOST), **_LIGHT) for _ in range(count)]

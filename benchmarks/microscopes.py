@@ -18,7 +18,9 @@ import lommel as lm
 from benchmarks.report import Table
 from benchmarks.timing import Contender, Settings, race
 from benchmarks.truth import intensity
+from lommel.estimation.beads import BeadFit
 from lommel.optics.layers.objective_pupil import ObjectivePupil
+from lommel.optics.layers.stratified import Design
 
 _WAVE, _NM = 520e-9, 1e-7  # the latter the pixel in the sample
 _LENS, _COPY = "a lens's stack, samples", "psfmodels, vectorial, sf=1"
@@ -190,7 +192,7 @@ def _checked(one: Contender, side: int, **options: Any) -> float:
     for k in range(0, len(made), max(1, len(made) // 4)):
         center = options.get("center")
         at = None if center is None else (float(center[0][k]), float(center[1][k]))
-        way = lm.DebyeWolf(1e-9)
+        way = lm.methods.DebyeWolf(1e-9)
         exact = intensity(lm.psf(pupil[k], side, _PIXEL, method=way, integrate=options["integrate"], center=at))
         worst = max(worst, float(np.abs(made[k] - exact).max() / exact.max()))
     return worst
@@ -214,7 +216,7 @@ def microscope(**changed: Any) -> lm.Objective:
         "working_distance": 0.19e-3,
         "coverslip": GLASS,
         "sample": 1.33,
-        "design": lm.Design(1.518, GLASS),
+        "design": Design(1.518, GLASS),
     }
     return lm.Objective(**given | changed)
 
@@ -258,7 +260,7 @@ def case(
     return Case(terms, NOISE.record(light * psf.values.astype(np.float64) + BACKGROUND, draw), place)
 
 
-def fitted(given: Case, objective: lm.Objective, **more: Any) -> tuple[lm.BeadFit, float]:
+def fitted(given: Case, objective: lm.Objective, **more: Any) -> tuple[BeadFit, float]:
     """Return the fit from nothing, and seconds of CPU."""
     asked = {"z": Z, "wavelength": WAVE, "pixel": PIXEL, "noise": NOISE, "priors": {}, "threads": 1} | STATED
     begun = time.process_time()
@@ -369,7 +371,7 @@ def beads(settings: Settings) -> Table:
 
 def wrong(light: float) -> list[str]:
     """Return which constant is named for stacks of microscopes that differ in one from the one that is stated."""
-    design = lm.Design(1.515, GLASS)
+    design = Design(1.515, GLASS)
     rows: list[tuple[str, lm.Objective, dict[str, Any], lm.Objective, dict[str, Any]]] = [
         ("sample 1.38, 1.33", microscope(sample=1.38), {}, microscope(), {}),
         ("immersion 1.518, 1.515", microscope(design=design), {}, microscope(design=design, immersion=1.515), {}),

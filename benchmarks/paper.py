@@ -17,11 +17,11 @@ from benchmarks.timing import Contender, Settings, race
 from benchmarks.truth import Question, exact_stack, intensity, stack_error, truth
 
 _PIXEL = 0.5
-_FORMS: dict[str, lm.Method] = {
-    "closed form, Fresnel integrals": lm.ClosedForm(),
-    "closed form, table of 4096": lm.ClosedForm(erf=lm.TableErf()),
-    "closed form, Abramowitz 30": lm.ClosedForm(erf=lm.AbramowitzErf(30)),
-    "closed form, tuned to 1e-4": lm.TunedClosedForm(1e-4),
+_FORMS: dict[str, lm.methods.Method] = {
+    "closed form, Fresnel integrals": lm.paper.ClosedForm(),
+    "closed form, table of 4096": lm.paper.ClosedForm(erf=lm.paper.TableErf()),
+    "closed form, Abramowitz 30": lm.paper.ClosedForm(erf=lm.paper.AbramowitzErf(30)),
+    "closed form, tuned to 1e-4": lm.paper.TunedClosedForm(1e-4),
 }
 _STACK = 1000
 
@@ -59,7 +59,7 @@ def _huygens(q: Question) -> Contender:
     pupil = ideal.pupil(float(ideal.defocus(1.0)) / q.defocus)  # C_d goes like the inverse of the distance
 
     def call(_: Any) -> lm.PSF:
-        method, pixel = lm.HuygensFresnel(), _PIXEL * pupil.scale
+        method, pixel = lm.paper.HuygensFresnel(), _PIXEL * pupil.scale
         return lm.psf(pupil, q.n, pixel, method=method, threads=1, integrate=False, dtype=np.float32)
 
     return Contender("Huygens, distinct radii", call, values=intensity)
@@ -138,18 +138,18 @@ class Way:
     """One curve: a method, and how its cost is expected to grow at most when the side doubles."""
 
     name: str
-    method: lm.Method | None
+    method: lm.methods.Method | None
     growth: float
 
 
 def _ways(n: int) -> list[Way]:
     return [
         Way("lommel", None, 4.0),
-        Way("quadrature", lm.Hankel(), 8.0),
-        Way("closed form, Abramowitz 30", lm.ClosedForm(erf=lm.AbramowitzErf(30)), 4.0),
-        Way("closed form, Fresnel", lm.ClosedForm(), 4.0),
-        Way("FFT, whole method", lm.Fraunhofer(samples=max(n, 64), padding=1.0), 4.5),
-        Way("ray tracing", lm.HuygensFresnel(symmetry=False), 16.0),
+        Way("quadrature", lm.methods.Hankel(), 8.0),
+        Way("closed form, Abramowitz 30", lm.paper.ClosedForm(erf=lm.paper.AbramowitzErf(30)), 4.0),
+        Way("closed form, Fresnel", lm.paper.ClosedForm(), 4.0),
+        Way("FFT, whole method", lm.paper.Fraunhofer(samples=max(n, 64), padding=1.0), 4.5),
+        Way("ray tracing", lm.paper.HuygensFresnel(symmetry=False), 16.0),
     ]
 
 

@@ -43,7 +43,7 @@ def status(name):
 n, defocus, spherical, threads = map(float, sys.argv[1:])
 out = np.ones((int(n), int(n)), np.float32)
 pupil = lm.Pupil(lm.Wavefront(defocus, spherical))
-method = lm.NijboerZernike()
+method = lm.methods.NijboerZernike()
 gc.collect()
 try:  # memory that was freed but is resident still would hide what is allocated now
     ctypes.CDLL(None).malloc_trim(0)
@@ -194,7 +194,9 @@ def _limited(level: str) -> Iterator[None]:
 
 def _works() -> list[tuple[str, Contender]]:
     radial, general = Question(10.0, 3.0), Mixed(directions=RANDOM[0])
-    chords = stack(random_zernikes(each=True), SIDE, 0.5, method=lm.ChordalGauss(1e-4), dtype=np.float32, out=True)
+    chords = stack(
+        random_zernikes(each=True), SIDE, 0.5, method=lm.methods.ChordalGauss(1e-4), dtype=np.float32, out=True
+    )
     spider = lm.Pupil(lm.Wavefront(3.0), obscuration=0.3, spider=lm.Spider.equal(4, 0.02))
     vanes = Contender("vanes", lambda _: lm.psf(spider, 128, 0.5, threads=1))
     frequencies = np.linspace(0.0, 1.0, 100)

@@ -148,7 +148,7 @@ the baselines use one thread, lommel one unless the row says two. Every call of 
 not seen before.
 
 The true error is `max |I - I_exact| / max I_exact` against quadrature, never against an FFT. For radially symmetric
-pupils the reference is Gauss-Legendre quadrature (`lm.Hankel()`) at the radius of every pixel (in windows beyond
+pupils the reference is Gauss-Legendre quadrature (`Hankel`) at the radius of every pixel (in windows beyond
 1024²: 20 000 pixels and the row through the axis). For all other pupils it is a quadrature over the whole aperture
 in plain NumPy, for every pixel of 33 rows of 512², including those about the peak, and for 16 images of a stack.
 

@@ -81,7 +81,7 @@ def imitated(blur: DepthBlur, kind: str) -> DepthBlur:
     cones = lm.Pupil(lm.Wavefront(defocus), wavelength=LENS.wavelength, f_number=LENS.working_f_number)
     cuts = bank.cuts
     if kind == "disc":
-        kernels = lm.psf(cones, side, PIXEL, method=lm.Geometric(), dtype=np.float64).values
+        kernels = lm.psf(cones, side, PIXEL, method="geometric", dtype=np.float64).values
     elif kind == "Gaussian":
         width = np.maximum(cones.geometric_radius() / 2.0, 1e-3 * PIXEL)
         edges = (np.arange(side + 1) - middle - 0.5) * PIXEL

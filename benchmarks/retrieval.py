@@ -19,6 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import lommel as lm
+from lommel.estimation.phase_retrieval import Retrieval
 
 Array = NDArray[np.float64]
 
@@ -60,7 +61,7 @@ def case(
     return Case(terms, first, NOISE.record(np.maximum(mean, 0.0), draw))
 
 
-def ours(one: Case) -> lm.Retrieval:
+def ours(one: Case) -> Retrieval:
     """Fit by lommel."""
     return lm.retrieve(
         one.images, lm.Pupil(), pixel=PIXEL, noise=NOISE, defocus=DEFOCUS, terms=one.names,

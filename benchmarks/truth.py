@@ -158,7 +158,7 @@ def exact(pupil: lm.Pupil, y: NDArray[Any], x: NDArray[Any], step: float) -> NDA
     """Return I at positions in pixels from the axis, shape ``pupil.shape + positions``."""
     square = np.round(np.asarray(y, dtype=np.float64) ** 2 + np.asarray(x, dtype=np.float64) ** 2, 9)
     distinct, place = np.unique(square, return_inverse=True)
-    field = lm.Hankel().field(pupil, step * np.sqrt(distinct))
+    field = lm.methods.Hankel().field(pupil, step * np.sqrt(distinct))
     intensity = field.real**2 + field.imag**2
     return np.asarray(intensity[..., place.reshape(square.shape)])
 

@@ -19,6 +19,7 @@ from benchmarks.peers import ducc0_single
 from benchmarks.timing import Contender, Measured, Settings, no_values, race, worst
 from benchmarks.truth import ALIGNED, RANDOM, Mixed, aperture_error, stack_error
 from lommel.core.answers import Images, Wanted
+from lommel.optics.grid import Grid
 from lommel.special import zernike
 from lommel.special.legendre import gauss_legendre
 
@@ -77,7 +78,7 @@ def ffts() -> Contender:
 def stacks_against_fft(settings: Settings, *, each: bool, threads: int) -> Measured:
     """Measure 1000 of 33², of any wavefront, against the FFTs."""
     fresh = random_zernikes(each)
-    mine = stack(fresh, SIDE, PIXEL, method=lm.ChordalGauss(TOL), threads=threads, dtype=np.float32, out=True)
+    mine = stack(fresh, SIDE, PIXEL, method=lm.methods.ChordalGauss(TOL), threads=threads, dtype=np.float32, out=True)
     result = race([mine, ffts()], settings.rounds)
     error = stack_error(result.values[mine.name][:_JUDGED], exact(fresh(1)[0][:_JUDGED]))
     note = (
@@ -88,10 +89,10 @@ def stacks_against_fft(settings: Settings, *, each: bool, threads: int) -> Measu
 
 
 def _images(tol: float, dtype: Any, terms: tuple[tuple[int, int], ...]) -> Contender:
-    grid, wanted = lm.Grid(SIDE, PIXEL), Wanted(dtype=dtype, threads=1, terms=terms)
+    grid, wanted = Grid(SIDE, PIXEL), Wanted(dtype=dtype, threads=1, terms=terms)
 
     def call(pupils: lm.Pupil) -> Images:
-        return lm.ChordalGauss(tol).images(pupils, grid, wanted)
+        return lm.methods.ChordalGauss(tol).images(pupils, grid, wanted)
 
     def first(made: Images) -> NDArray[np.float64]:
         return np.asarray(made.values if made.slopes is None else made.slopes.values[-1], dtype=np.float64)
@@ -117,10 +118,10 @@ def derivatives_over_images(settings: Settings, *, tol: float) -> Measured:
 def gradient_over_images(settings: Settings, *, terms: int) -> Measured:
     """Measure the gradient of a weighted sum of 1000 of 33² by coefficients, over the images."""
     wanted = tuple(zernike.term(j, "noll") for j in range(2, 2 + terms))
-    weights, grid = np.random.default_rng(7).normal(size=(COUNT, SIDE, SIDE)), lm.Grid(SIDE, PIXEL)
+    weights, grid = np.random.default_rng(7).normal(size=(COUNT, SIDE, SIDE)), Grid(SIDE, PIXEL)
 
     def call(pupils: lm.Pupil) -> NDArray[np.float64]:
-        return lm.ChordalGauss(1e-6).gradient(pupils, grid, weights, wanted, 1)
+        return lm.methods.ChordalGauss(1e-6).gradient(pupils, grid, weights, wanted, 1)
 
     config = f"ChordalGauss(1e-06).gradient by {terms} terms, threads=1"
     mine, images = Contender("gradient", call, config, random_zernikes(True)), _images(1e-6, np.float64, ())
@@ -172,13 +173,13 @@ def against_ducc0(settings: Settings, *, pixel: float) -> Measured:
     return worst(found, more=True)
 
 
-def _method(name: str, pixel: float) -> lm.Method:
+def _method(name: str, pixel: float) -> lm.methods.Method:
     if name == "NonuniformFFT":
-        return lm.NonuniformFFT()
+        return lm.methods.NonuniformFFT()
     if name == "MatrixFourier":
-        return lm.MatrixFourier(samples=512)
+        return lm.methods.MatrixFourier(samples=512)
     # Its FFT is one of 1024 squared, whatever the pitch.
-    return lm.Fraunhofer(samples=round(1024 * pixel), padding=1.0 / pixel, edge="grey")
+    return lm.paper.Fraunhofer(samples=round(1024 * pixel), padding=1.0 / pixel, edge="grey")
 
 
 def method_against_fft(settings: Settings, *, name: str) -> Measured:

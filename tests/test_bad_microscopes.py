@@ -10,6 +10,7 @@ import pytest
 
 import lommel as lm
 from cases import each
+from lommel.optics.layers.stratified import Design
 
 GLASS = lm.Layer(1.5255, 170e-6)
 OBJECTIVE = {
@@ -70,11 +71,11 @@ TABLE = [
     ("films", [GLASS, 1.46], "films[0].thickness is in metres and must be at least 0 and at most 2e-06, got 0.00017"),
     ("films", [1.46], "films[0] must be a Layer, got 1.46"),
     ("design", 1.5, "design must be of the type Design, or None, got 1.5"),
-    ("design", lm.Design(1.33, GLASS), "NA must be below the index of design.immersion, 1.33, got 1.4"),
+    ("design", Design(1.33, GLASS), "NA must be below the index of design.immersion, 1.33, got 1.4"),
     ("pixel", 6.5, "pixel is in metres for a pupil with a wavelength and must be at most 0.1, got 6.5"),
     ("shape", 0, "shape must be from 1 to 16384, got 0"),
     ("normalize", "sum", "normalize must be one of 'energy', 'emitted', 'strehl', 'peak', got 'sum'"),
-    ("method", lm.NijboerZernike(), "NijboerZernike supports the pupils of a lens only, got the pupil of an"),
+    ("method", lm.methods.NijboerZernike(), "NijboerZernike supports the pupils of a lens only, got the pupil of an"),
     ("tol", 1e-30, "tol must be >= 1e-12 and < 0.1, got 1e-30"),
 ]  # fmt: skip
 
@@ -110,7 +111,7 @@ def test_bad_parts_of_a_microscope_are_told_where_they_are_made(make, said):
 
 def test_a_glass_that_leaves_no_room_is_told_with_how_far_it_reaches():
     with pytest.raises(ValueError, match="working_distance must leave room for the cover glass, got 0"):
-        psf(coverslip=lm.Layer(1.5255, 5e-3), design=lm.Design(1.518, GLASS))
+        psf(coverslip=lm.Layer(1.5255, 5e-3), design=Design(1.518, GLASS))
 
 
 def test_depths_and_planes_that_do_not_go_together_are_told():
@@ -137,4 +138,4 @@ def test_what_only_microscopes_have_is_refused_of_lenses_with_the_other_way():
     with pytest.raises(ValueError, match='"emitted" is for the pupils of an Objective; for a lens use "energy"'):
         lm.psf(lm.Pupil(), 3, 0.5, normalize="emitted")
     with pytest.raises(ValueError, match="Stratified supports the pupils of an objective only, got the pupil of"):
-        lm.psf(lm.Pupil(), 3, 0.5, method=lm.Stratified())
+        lm.psf(lm.Pupil(), 3, 0.5, method="stratified")

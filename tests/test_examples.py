@@ -105,9 +105,9 @@ def test_what_the_other_model_would_change_is_told_of_every_example(lenses):
     assert "the sine of the angle of the marginal ray would be 1.4" in refused["reason"]
     # A paraxial objective is no flat thin lens, which is what the reference would take it for.
     plain = dataclasses.replace(oil, lens=dataclasses.replace(oil.lens, model="paraxial"), shape=(7, 7))
-    (row,), _ = compare_methods(plain, [lm.HuygensFresnel()])
+    (row,), _ = compare_methods(plain, [lm.paper.HuygensFresnel()])
     assert row["reason"].startswith('needs model = "aplanatic"')
-    (row,), _ = compare_methods(dataclasses.replace(oil, shape=(7, 7)), [lm.HuygensFresnel()])
+    (row,), _ = compare_methods(dataclasses.replace(oil, shape=(7, 7)), [lm.paper.HuygensFresnel()])
     assert row["peak_error"] < 1e-6
 
 

@@ -20,8 +20,8 @@ def ask(i):
     return [
         lm.psf(one, 31, 0.3 + 0.001 * i).values,
         lm.psf(stack, 9 + i % 11, 0.31).values,
-        lm.psf(coma, 9, 0.3 + 0.01 * (i % 50), method=lm.NijboerZernike(1e-4)).values,
-        lm.psf(coma, 5 + i % 11, 0.3, method=lm.ChordalGauss(1e-4)).values,
+        lm.psf(coma, 9, 0.3 + 0.01 * (i % 50), method=lm.methods.NijboerZernike(1e-4)).values,
+        lm.psf(coma, 5 + i % 11, 0.3, method=lm.methods.ChordalGauss(1e-4)).values,
     ]
 
 def busy(seed):

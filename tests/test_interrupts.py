@@ -25,12 +25,12 @@ CALLS = {
     "averages": ("", "lm.psf(lm.Pupil(lm.Wavefront(50.0, 20.0)), 12_000, 0.5, tol=1e-9, integrate=True)"),
     "Zernike": ("", "lm.psf(lm.Pupil(lm.Wavefront(40.0, nonradial={(3, 1): 60.0})), 8192, 0.2, threads=1)"),
     "chordal": (
-        "way = lm.ChordalGauss(1e-10); coma = {(3, 1): np.linspace(1, 150, 20_000)}",
+        "way = ChordalGauss(1e-10); coma = {(3, 1): np.linspace(1, 150, 20_000)}",
         "lm.psf(lm.Pupil(lm.Wavefront(0.0, nonradial=coma)), 33, 1.0, method=way, threads=2)",
     ),
     "nodes": (
-        "lm.Hankel().field(lm.Pupil(), [1.0])",
-        "[lm.Hankel().field(lm.Pupil(lm.Wavefront(9.0 + i)), [25_000.0 + i]) for i in range(99)]",
+        "Hankel().field(lm.Pupil(), [1.0])",
+        "[Hankel().field(lm.Pupil(lm.Wavefront(9.0 + i)), [25_000.0 + i]) for i in range(99)]",
     ),
     "spread": (BLUR, "_core.spread(bank, where, scene, 2, wide)"),
     "collect": (BLUR, "_core.collect(bank, where, wide, 2, scene)"),
@@ -40,6 +40,7 @@ PROGRAM = """
 import os, signal, sys, threading, time
 import numpy as np
 import lommel as lm
+from lommel.methods import ChordalGauss, Hankel, NijboerZernike
 {before}
 sent = []
 
@@ -56,8 +57,8 @@ except KeyboardInterrupt:
 else:
     sys.exit("the call ended by itself")
 pupil = lm.Pupil(lm.Wavefront(9.0, nonradial={{(3, 1): 1.0}}))
-after = lm.psf(pupil, 65, 0.5, dtype="float64", method=lm.NijboerZernike())
-again = lm.psf(pupil, 65, 0.5, dtype="float64", method=lm.ChordalGauss())
+after = lm.psf(pupil, 65, 0.5, dtype="float64", method=NijboerZernike())
+again = lm.psf(pupil, 65, 0.5, dtype="float64", method=ChordalGauss())
 assert lm.peak_error(after, again) <= after.error_bound + again.error_bound
 print(late)
 """

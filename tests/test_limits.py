@@ -16,6 +16,8 @@ from lommel.base.encoding import clipped_fraction
 from lommel.core import engine
 from lommel.io import psf_files
 from lommel.measures import aperture_means
+from lommel.methods import NijboerZernike
+from lommel.optics.grid import Grid
 
 
 def test_a_pixel_may_be_as_wide_and_as_narrow_as_the_message_says():
@@ -41,15 +43,15 @@ def test_an_answer_may_have_as_many_values_as_the_docstring_says(monkeypatch):
 
 
 def test_a_series_takes_6000_nodes_and_no_more():
-    assert lm.psf(lm.Pupil(lm.Wavefront(1e4)), 1, 0.5, method=lm.NijboerZernike(1e-4)).values.shape == (1, 1)
+    assert lm.psf(lm.Pupil(lm.Wavefront(1e4)), 1, 0.5, method=NijboerZernike(1e-4)).values.shape == (1, 1)
     with pytest.raises(ValueError, match=r"[67]\d{3} nodes, more than the limit of 6000"):
-        lm.psf(lm.Pupil(lm.Wavefront(1.4e4)), 1, 0.5, method=lm.NijboerZernike(1e-4))
+        lm.psf(lm.Pupil(lm.Wavefront(1.4e4)), 1, 0.5, method=NijboerZernike(1e-4))
 
 
 def test_float32_holds_tolerances_down_to_its_own_and_no_further():
-    assert lm.psf(lm.Pupil(), 5, 0.5, method=lm.NijboerZernike(2.5e-7), dtype="float32").values.dtype == np.float32
+    assert lm.psf(lm.Pupil(), 5, 0.5, method=NijboerZernike(2.5e-7), dtype="float32").values.dtype == np.float32
     with pytest.raises(ValueError, match="float32 cannot hold"):
-        lm.psf(lm.Pupil(), 5, 0.5, method=lm.NijboerZernike(2.3e-7), dtype="float32")
+        lm.psf(lm.Pupil(), 5, 0.5, method=NijboerZernike(2.3e-7), dtype="float32")
 
 
 def test_out_must_be_writable():
@@ -113,17 +115,17 @@ def test_the_rms_over_an_ellipse_counts_the_middle_as_it_is(a, b):
 
 
 def test_the_axis_of_a_window_that_is_not_square_is_centred_where_both_coordinates_are():
-    assert lm.Grid((8, 5), 1.0).centered
-    assert lm.Grid((8, 5), 1.0, center=(4, 2)).centered
+    assert Grid((8, 5), 1.0).centered
+    assert Grid((8, 5), 1.0, center=(4, 2)).centered
     for center in ((2, 4), (4, 4), (2, 2), (4, 2.5)):
-        assert not lm.Grid((8, 5), 1.0, center=center).centered
+        assert not Grid((8, 5), 1.0, center=center).centered
 
 
 def test_images_unfold_around_the_middle_of_even_and_odd_sides():
     quadrant = np.arange(9.0).reshape(3, 3)
     expected = [[8, 7, 6, 7, 8], [5, 4, 3, 4, 5], [2, 1, 0, 1, 2], [5, 4, 3, 4, 5]]
-    assert np.array_equal(lm.Grid((4, 5), 1.0).unfold(quadrant), expected)
-    assert np.array_equal(lm.Grid((5, 4), 1.0).unfold(quadrant.T).T, expected)
+    assert np.array_equal(Grid((4, 5), 1.0).unfold(quadrant), expected)
+    assert np.array_equal(Grid((5, 4), 1.0).unfold(quadrant.T).T, expected)
 
 
 def test_light_counts_as_clipped_from_a_whole_level_on():

@@ -32,7 +32,7 @@ PUPILS = {
     "ringed": {"wavefront": RADIAL, "apodization": lm.Apodization([1.0, -1.6, 0.37])},
     "ringed zernike": {"wavefront": COMA, "apodization": lm.Apodization([1.0, -1.6, 0.37])},
 }
-SPECTRUM = lm.Polychromatic([420e-9, 500e-9, 640e-9], [1, 2, 1])
+SPECTRUM = lm.methods.Polychromatic([420e-9, 500e-9, 640e-9], [1, 2, 1])
 PLACES = [(1, 2), (3, 0)]  # pixels looked at
 SHAPE = (4, 3)
 

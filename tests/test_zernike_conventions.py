@@ -16,7 +16,7 @@ from lommel.special import zernike
 
 TESTS = Path(__file__).resolve().parent
 PAGE = TESTS.parent / "docs" / "conventions.md"
-FFT = lm.Fraunhofer(samples=128, edge="grey")
+FFT = lm.paper.Fraunhofer(samples=128, edge="grey")
 SIDE, PIXEL = 41, 0.5
 MIDDLE = SIDE // 2
 ANY_TERM = pytest.mark.parametrize("term", [(n, m) for n in range(1, 9) for m in range(-n, n + 1, 2)], ids=str)

@@ -244,7 +244,7 @@ export function pythonOf(state, side, pixel) {
   const asked = ["pupil", String(side), `pixel=${metres(pixel, -6)}`];
   if (state.light === "white") {
     const list = WHITE.map((w) => metres(w, -9)).join(", ");
-    lines.push(`white = lm.Polychromatic([${list}], [1.0] * ${WHITE.length})`);
+    lines.push(`white = lm.methods.Polychromatic([${list}], [1.0] * ${WHITE.length})`);
     asked.push("method=white");
   }
   if (state.view !== "averaged") asked.push("integrate=False");

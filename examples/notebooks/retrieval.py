@@ -9,6 +9,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import lommel as lm
+from lommel.special import zernike
 
 telescope = {"obscuration": 0.3, "wavelength": 700e-9, "f_number": 15.0}
 pixel, defocus = 5.25e-6, [-4.0, 0.0, 4.0]  # metres; radians at the edge of the pupil
@@ -46,7 +47,7 @@ print(found.message)
 
 # %%
 truth = true.to_zernike()
-names = [lm.special.zernike.name(*term) for term in found.coefficients]
+names = [zernike.name(*term) for term in found.coefficients]
 values = np.array(list(found.coefficients.values()))
 errors = np.array([found.errors[term] for term in found.coefficients])
 

@@ -68,9 +68,9 @@ class ColourPSF(Measured, ColourPSFLike):
     channels : Channels
         Names, wavelengths and weights of the channels.
     psfs : tuple of PSF
-        One PSF for each channel, computed by :class:`lommel.Polychromatic`. If a channel has a single wavelength, its
-        pupil is at this wavelength; otherwise it is the pupil passed to :func:`colour_psf`, and measures use all
-        wavelengths of the channel.
+        One PSF for each channel, computed by :class:`lommel.methods.Polychromatic`. If a channel has a single
+        wavelength, its pupil is at this wavelength; otherwise it is the pupil passed to :func:`colour_psf`, and
+        measures use all wavelengths of the channel.
     values : ndarray, shape ``pupil.shape + (channels, height, width)``
         Values of all channels; each channel is normalised separately.
     pupil : Pupil or ObjectivePupil

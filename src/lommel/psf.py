@@ -601,8 +601,8 @@ class PSF(Measured, PSFLike, display.Shown):
         The gradient with respect to a parameter p is the sum of ``g * d values / dp`` over the pixels. For phase
         coefficients and shifts of pupils that are not radially symmetric, it is computed in reverse mode, by a
         transform to the pupil, in the time of about two images for any number of parameters. The same holds for the
-        stage and the depth of an Objective with aberrations, in windows that :class:`lommel.ChordalDebye` supports.
-        All other derivatives are computed in forward mode.
+        stage and the depth of an Objective with aberrations, in windows that :class:`lommel.methods.ChordalDebye`
+        supports. All other derivatives are computed in forward mode.
 
         Parameters
         ----------

@@ -4,16 +4,16 @@ from __future__ import annotations
 
 import pytest
 
-import lommel as lm
+from lommel import adapters
 
 
 @pytest.mark.parametrize("name", ["batoid", "optiland", "rayoptics"])
 def test_an_adapter_is_there_when_it_is_asked_for(name):
-    assert name in dir(lm.adapters)
-    assert getattr(lm.adapters, name).pupil.__module__ == f"lommel.adapters.{name}"
-    assert lm.adapters.optiland.pupil is not lm.adapters.rayoptics.pupil
+    assert name in dir(adapters)
+    assert getattr(adapters, name).pupil.__module__ == f"lommel.adapters.{name}"
+    assert adapters.optiland.pupil is not adapters.rayoptics.pupil
 
 
 def test_what_is_no_adapter_is_none():
     with pytest.raises(AttributeError, match="has no attribute 'zemax'"):
-        lm.adapters.zemax  # noqa: B018
+        adapters.zemax  # noqa: B018

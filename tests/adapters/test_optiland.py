@@ -71,7 +71,7 @@ def test_the_psf_is_theirs_with_y_upwards(triplet, field):
     pupil = adapter.pupil(triplet, field, circular=True)
     # Samples of theirs are lambda N (rays - 1) / grid apart.
     ours = lm.psf(
-        pupil, 65, pupil.scale * 127 / 1024, method=lm.Fraunhofer(samples=512, edge="grey"), normalize="strehl"
+        pupil, 65, pupil.scale * 127 / 1024, method=lm.paper.Fraunhofer(samples=512, edge="grey"), normalize="strehl"
     )
     # They count 128 samples across the pupil, an edge of one of them: 2 %.
     assert np.abs(ours.values - theirs).max() < 0.02 * theirs.max()

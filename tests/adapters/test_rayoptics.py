@@ -176,7 +176,7 @@ def test_the_psf_is_theirs_turned_as_the_adapter_says(triplet):
     made = pupil(triplet, (0.5, 0.4))
     # A transform of samples dx apart in the pupil has samples 2 / (side dx) lambda N apart in the image.
     pitch = made.scale * 2.0 / (side * (x[1, 0] - x[0, 0]))
-    ours = lm.psf(made, 65, pitch, method=lm.Fraunhofer(samples=512, edge="grey"), normalize="peak").values
+    ours = lm.psf(made, 65, pitch, method=lm.paper.Fraunhofer(samples=512, edge="grey"), normalize="peak").values
     # Its first index is x. Its sign turns the image by half a turn, which together with y upwards mirrors x.
     window = theirs[side // 2 - 32 : side // 2 + 33, side // 2 - 32 : side // 2 + 33].T
     assert np.abs(ours - window[:, ::-1]).max() < 0.01

@@ -214,11 +214,13 @@ def test_shares_of_the_error_are_asked_for_until_they_fit():
     asked = Request(None, 0, 1e-8, 1e-9, 100.0)
     for parts in [(0.45, 0.0, 0.0), (0.0, 0.25, 0.0), (0.0, 0.0, 0.55), (0.38, 0.24, 0.495)]:
         given, response, missing = (np.array([part]) for part in parts)
-        made = BlurredStack(np.ones((1, 1, 1)), given, response, missing, lm.NijboerZernike())
+        made = BlurredStack(np.ones((1, 1, 1)), given, response, missing, lm.methods.NijboerZernike())
         further = recorded._refined_request(asked, made, np.ones(1))
         assert further != asked
         assert (further.tol, further.error, -further.margin) <= (asked.tol, asked.error, -asked.margin)
-    made = BlurredStack(np.ones((1, 1, 1)), *(np.array([part]) for part in (0.4, 0.2, 0.5)), lm.NijboerZernike())
+    made = BlurredStack(
+        np.ones((1, 1, 1)), *(np.array([part]) for part in (0.4, 0.2, 0.5)), lm.methods.NijboerZernike()
+    )
     assert recorded._refined_request(asked, made, np.ones(1)) == asked
 
 

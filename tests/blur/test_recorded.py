@@ -177,7 +177,7 @@ def test_square_pixels_without_blur_are_what_they_were():
 
 def test_white_light_has_a_width_of_seeing_for_each_wavelength():
     pupil = lm.Pupil(lm.Wavefront(0.4), wavelength=550e-9, f_number=10.0)
-    white = lm.Polychromatic([450e-9, 650e-9], [1, 3])
+    white = lm.methods.Polychromatic([450e-9, 650e-9], [1, 3])
     air = lm.Seeing(0.1, focal_length=3.0, wavelength=500e-9)
     answer = lm.psf(pupil, 9, 4e-6, blur=air, method=white, dtype="float64")
     parts = [lm.psf(part.pupil, 9, 4e-6, blur=air, dtype="float64") for part in white.components(pupil)]
@@ -246,7 +246,7 @@ def test_the_strehl_ratio_is_that_on_the_axis_of_what_is_recorded():
         ({"blur": lm.Seeing(0.1, 2.0, 500e-9)}, "blur must fit the unit of the pupil"),
         ({"blur": lm.Jitter(2e-6)}, "lengths are in lambda\\*N here"),
         ({"blur": lm.Jitter(0.3), "derivatives": ("defocus",)}, "derivatives need square pixels"),
-        ({"pixel": (0.5, 0.6), "method": lm.Geometric()}, "method must compute point values"),
+        ({"pixel": (0.5, 0.6), "method": lm.paper.Geometric()}, "method must compute point values"),
         ({"fill": 1.5}, "fill must be at most 1"),
         ({"fill": (0.5, 0.0)}, r"fill\[1\] must be > 0"),
         ({"fill": 0.5, "integrate": False}, "integrate must not be False"),

@@ -132,7 +132,7 @@ def test_stacks_axes_and_white_light_are_sums_of_single_images():
     pupil = lm.Pupil(lm.Wavefront(np.array([0.0, 2.0, 5.0])), wavelength=600e-9, f_number=10.0, obscuration=0.2)
     air = lm.Seeing(0.02, focal_length=4.0, wavelength=500e-9, outer_scale=25.0)
     rows = np.array([4.0, 4.5, 6.0])
-    white = lm.Polychromatic([450e-9, 550e-9, 700e-9], [1.0, 2.0, 1.0])
+    white = lm.methods.Polychromatic([450e-9, 550e-9, 700e-9], [1.0, 2.0, 1.0])
     together = lm.psf(pupil, 9, 9e-6, blur=air, center=(rows, 4.0), dtype="float64", method=white)
     assert together.method == white
     for k, row in enumerate(rows):

@@ -377,9 +377,14 @@ def test_the_bound_of_an_image_is_its_error_over_its_peak(shares, scale, obscura
     terms = {term: scale * s for term, s in zip(LIST, shares, strict=True) if term[1]}
     pupil = lm.Pupil(lm.Wavefront(nonradial=terms), obscuration=obscuration)
     answer = lm.psf(
-        pupil, 9, 0.4, method=lm.NijboerZernike(tol), dtype=np.float64, normalize="peak" if divided else "strehl"
+        pupil,
+        9,
+        0.4,
+        method=lm.methods.NijboerZernike(tol),
+        dtype=np.float64,
+        normalize="peak" if divided else "strehl",
     )
-    exact = lm.psf(pupil, 9, 0.4, method=lm.ChordalGauss(1e-11), dtype=np.float64, normalize="strehl")
+    exact = lm.psf(pupil, 9, 0.4, method=lm.methods.ChordalGauss(1e-11), dtype=np.float64, normalize="strehl")
     values = answer.values / answer.scale * exact.scale
     true = np.abs(values - exact.values).max() / exact.values.max()
     assert true <= answer.error_bound <= tol + float(UNIT)

@@ -15,6 +15,7 @@ from core_tests import _core_tests
 from lommel.core.answers import Images, Slopes, Wanted
 from lommel.core.engine import DiskStack, Window, chordal_images
 from lommel.methods.averaging import _cheapest_filter, averaged_images, pixel_averages
+from lommel.optics.grid import Grid
 from lommel.special import zernike
 
 UNIT, SINGLE = 2.0**-53, 2.0**-24
@@ -109,7 +110,7 @@ def _field(n: int, m: int, v: float, obscuration: float) -> float:
 
 def test_averages_of_derivatives_claim_twice_what_those_of_the_intensity_do():
     pupil, tol, terms = lm.Pupil(obscuration=0.3), 1e-6, ((2, 0), (3, 1))
-    grid, slope, top = lm.Grid(3, 0.4, integrate=True), 0.7, 0.6
+    grid, slope, top = Grid(3, 0.4, integrate=True), 0.7, 0.6
 
     def sample(one, fine, least, wanted):
         values = np.full((1, *fine.shape), 0.5)

@@ -14,6 +14,7 @@ from scipy.special import j0
 import lommel as lm
 from core_tests import _core_tests
 from lommel import _core
+from lommel.methods import Hankel, NijboerZernike
 from lommel.methods.method import annulus, normalized_error, relative_error
 from lommel.special.legendre import gauss_legendre
 from rendering import rendered
@@ -119,7 +120,7 @@ def test_the_scan_finds_a_ring_of_light_that_the_window_misses():
     pupil = lm.Pupil(lm.Wavefront(20 * math.pi))
     blur = float(pupil.v(pupil.geometric_radius()))
     v = np.linspace(0.0, blur + 4.0, 4000)
-    values = np.abs(lm.Hankel().field(pupil, v)) ** 2
+    values = np.abs(Hankel().field(pupil, v)) ** 2
     assert values[0] < 1e-12
     assert v[values.argmax()] > 0.01 * (blur + 4.0)
     scanned = _core_tests.peaks(pupil.radial_terms()[0], np.zeros(1), 0.0, 1e-6)["scanned"]
@@ -162,14 +163,14 @@ def test_errors_are_tightened_as_far_as_rounding_allows(tol):
     about = _core_tests.peaks(pupil.radial_terms()[0], np.zeros(1), 0.0, tol)
     exact = abs(2 * math.sin(3 * math.pi * 1.001) / (6 * math.pi * 1.001))
     assert 2 * about["first_error"] / exact > tol
-    answer = lm.psf(pupil, 1, 0.5, method=lm.NijboerZernike(tol), normalize="peak", dtype=np.float64)
+    answer = lm.psf(pupil, 1, 0.5, method=NijboerZernike(tol), normalize="peak", dtype=np.float64)
     assert answer.error_bound <= tol + UNIT
     assert 1.0 / answer.scale == pytest.approx(exact**2, rel=tol)
 
 
 def test_pupils_of_a_stack_whose_bound_is_too_weak_are_done_again():
     defocus = np.array([1.0, 3 * math.pi * 1.001, 2.0, 3 * math.pi * 1.0001])
-    pupil, method = lm.Pupil(lm.Wavefront(defocus)), lm.NijboerZernike(1e-7)
+    pupil, method = lm.Pupil(lm.Wavefront(defocus)), NijboerZernike(1e-7)
     answer = lm.psf(pupil, 1, 0.5, method=method, normalize="peak", dtype=np.float64)
     assert answer.error_bound <= 1e-7
     assert 1.0 / answer.scale == pytest.approx(np.sinc(defocus / math.pi) ** 2, rel=1e-7)
@@ -177,7 +178,7 @@ def test_pupils_of_a_stack_whose_bound_is_too_weak_are_done_again():
 
 def test_what_rounding_does_not_allow_is_refused():
     with pytest.raises(lm.ToleranceError, match="tol=1e-12 cannot be met"):
-        lm.psf(lm.Pupil(lm.Wavefront(400.0, 200.0)), 9, 0.5, method=lm.NijboerZernike(1e-12))
+        lm.psf(lm.Pupil(lm.Wavefront(400.0, 200.0)), 9, 0.5, method=NijboerZernike(1e-12))
 
 
 @few

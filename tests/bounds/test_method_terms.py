@@ -20,6 +20,7 @@ from lommel.methods.averaging import _cheapest_filter, averaging_filter, pixel_a
 from lommel.methods.matrix_fourier import gauss_pixel, pixel_error, pixel_nodes
 from lommel.methods.method import stored
 from lommel.optics.aperture.opening import degree_needed
+from lommel.optics.grid import Grid
 from lommel.special.legendre import gauss_legendre
 
 UNIT = mp.mpf(2) ** -53
@@ -105,7 +106,9 @@ def test_the_reference_claims_quadrature_and_rounding(phase, obscuration, v):
     g = hankel.growth(terms, low, v)
     n = hankel.quadrature_nodes(g, 1e-8 * (1 - low), low)
     expected = hankel.quadrature_error(g, n, low) + hankel.rounding_error(terms, low, n)[0]
-    assert lm.Hankel(1e-8).evaluate(pupil, np.array([0.0, v])).error[0] == pytest.approx(expected, rel=1e-12, abs=0.0)
+    assert lm.methods.Hankel(1e-8).evaluate(pupil, np.array([0.0, v])).error[0] == pytest.approx(
+        expected, rel=1e-12, abs=0.0
+    )
 
 
 @given(st.floats(0.01, 40.0), st.integers(1, 60))
@@ -184,13 +187,13 @@ def test_the_degree_to_which_a_rule_over_any_aperture_must_be_exact(terms, v, li
 
 
 def test_a_spectrum_adds_the_errors_of_its_parts_by_their_weight():
-    class Known(lm.NijboerZernike):
+    class Known(lm.methods.NijboerZernike):
         def profile(self, pupil, v):
             n = 1 if pupil.wavelength < 5e-7 else 3
             return Intensities(np.full((1, v.size), 0.5 * n), np.array([1e-8 * n]), np.array([2.0 * n]))
 
     pupil = lm.Pupil(wavelength=5e-7, f_number=4.0)
-    method = lm.Polychromatic([4e-7, 1e-6], [3.0, 1.0], method=Known())
+    method = lm.methods.Polychromatic([4e-7, 1e-6], [3.0, 1.0], method=Known())
     found = method.profile(pupil, np.linspace(0, 1, 3))
     # Weights 3/4 and 1/4 times (reference / wavelength)^2; bounds are over each peak; no part outshines the sum.
     shares = [0.75 * 1.25**2, 0.25 * 0.5**2]
@@ -246,7 +249,7 @@ def test_an_average_claims_the_errors_of_samples_and_of_the_filter(step, value, 
     # A sampled mask leaves the largest error of a response, an aperture the mean one.
     aperture = {} if in_mean else {"mask": lm.Mask(np.ones((16, 16)))}
     pupil, tol, top = lm.Pupil(obscuration=0.3, **aperture), 1e-6, 0.6
-    grid = lm.Grid(3, step / math.pi)
+    grid = Grid(3, step / math.pi)
     asked = []
 
     def sample(one, fine, least, wanted):

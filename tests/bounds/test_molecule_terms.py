@@ -156,7 +156,7 @@ def test_samples_are_as_exact_as_they_are_said_to_be(made):
         center=(14.0, 13.0),
         integrate=False,
         normalize="strehl",
-        method=lm.DebyeRings(1e-10),
+        method=lm.methods.DebyeRings(1e-10),
         dtype=float,
     ).values
     assert np.abs(values - exact).max() <= error <= delta

@@ -17,6 +17,7 @@ import lommel as lm
 import rendering
 from core_tests import _core_tests
 from lommel.core.answers import Intensities
+from lommel.optics.grid import Grid
 from pixel_tables import Table, U, Window, lebesgue
 
 WIDER = _core_tests.window_bounds(1, 1.0)["spacing"] < 2 * U  # tables are made with more than double
@@ -575,7 +576,7 @@ def test_the_bounds_of_a_stack(window, rows, tol, divided):
 @given(st.floats(0.5, 3.0), st.floats(0.3, 4.0), st.sampled_from([1.0, 1.7]), st.sampled_from([1e-4, 1e-6]))
 @pytest.mark.parametrize("center", [(3.0, 4.0), (2.3, -5.0)])
 def test_the_bound_of_a_profile_that_a_method_knows(center, ceiling, step, faster, tol):
-    class Known(lm.NijboerZernike):
+    class Known(lm.methods.NijboerZernike):
         def profile(self, pupil, v):
             return Intensities(ceiling * airy(v)[None], np.array([1e-8 * tol]), np.array([ceiling]))
 
@@ -588,7 +589,7 @@ def test_the_bound_of_a_profile_that_a_method_knows(center, ceiling, step, faste
         def tightened(self):
             return self
 
-    pupil, grid = lm.Pupil(), lm.Grid((7, 8), step / math.pi, center=center, integrate=True)
+    pupil, grid = lm.Pupil(), Grid((7, 8), step / math.pi, center=center, integrate=True)
     found = Known(tol).on_pixels(pupil, grid, 1, window=True)
     window, expected = Window(7, 8, *center, faster * grid.step(pupil), True), []
     for level in range(3, 16):

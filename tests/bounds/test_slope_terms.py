@@ -14,6 +14,7 @@ from lommel.methods import derivatives
 from lommel.methods.averaging import averaging_filter, pixel_averages, slope_filter
 from lommel.methods.derivative_names import Parts
 from lommel.methods.derivatives import Piece, Slope
+from lommel.optics.grid import Grid
 
 U = 2.0**-53
 STORED = {np.float64: 6.0 * U, np.float32: 6.0 * U + 2.0**-24}
@@ -90,7 +91,7 @@ def test_what_is_brightest_is_less_by_its_error():
     assert derivatives._least_peak(alone)[1] == pytest.approx(made.values[1].max() / 1.2, rel=1e-14, abs=0.0)
 
 
-class Engine(lm.ChordalGauss):
+class Engine(lm.methods.ChordalGauss):
     """Answers with ones, and with the errors that it is told to."""
 
     def tightened(self, tol=None):
@@ -105,7 +106,7 @@ class Engine(lm.ChordalGauss):
 
 @pytest.mark.parametrize("integrate", [False, True])
 def test_growth_is_off_by_what_tilts_and_finer_samples_are(integrate):
-    grid = lm.Grid((3, 5), 0.5, center=(0.5, 4.5), integrate=integrate)
+    grid = Grid((3, 5), 0.5, center=(0.5, 4.5), integrate=integrate)
     step, engine = 0.5 * math.pi, Engine(1e-6)
     tilts = [(np.full((2, 3, 5), 0.25), np.array([1e-6, 2e-6])), (np.full((2, 3, 5), -0.5), np.array([3e-6, 1e-6]))]
     _, found = derivatives.scaling_derivative(engine, PUPIL, grid, tilts)
@@ -124,7 +125,7 @@ def test_growth_is_off_by_what_tilts_and_finer_samples_are(integrate):
 
 
 def test_gradients_of_averages_are_off_by_what_their_filters_and_the_samples_are():
-    grid, tol, off = lm.Grid((3, 5), 0.5, integrate=True), 1e-6, np.array([3e-10, 4e-10])
+    grid, tol, off = Grid((3, 5), 0.5, integrate=True), 1e-6, np.array([3e-10, 4e-10])
 
     def sample(pupil, fine, tol, wanted):
         return Images(np.ones((2, *fine.shape)), np.ones(2), off / [1.5, 2.0], None, np.array([1.5, 2.0]))
@@ -144,7 +145,7 @@ def test_gradients_of_averages_are_off_by_what_their_filters_and_the_samples_are
 @pytest.mark.parametrize("integrate", [False, True])
 @pytest.mark.parametrize("error", [1e-4, 1e-12])
 def test_the_rim_is_off_by_what_both_fields_are(integrate, error):
-    grid = lm.Grid((3, 4), 0.5, center=(1.0, 2.0), integrate=integrate)
+    grid = Grid((3, 4), 0.5, center=(1.0, 2.0), integrate=integrate)
     _, found = derivatives.obscuration_derivative(PUPIL, grid, error)
     a, eps = PUPIL.amplitude, 0.4
     light = 2.0 * eps * float(PUPIL.illumination.at(np.array(eps**2)))
@@ -175,7 +176,7 @@ def test_the_rim_is_off_by_what_both_fields_are(integrate, error):
 
 def test_what_is_left_out_is_in_each_part():
     pupil = lm.Pupil(PUPIL.wavefront, obscuration=0.4, apodization=PUPIL.apodization, wavelength=5e-7, f_number=3.0)
-    grid, engine = lm.Grid(5, 1e-6), Engine(1e-6)
+    grid, engine = Grid(5, 1e-6), Engine(1e-6)
     made = Images(np.ones((2, 5, 5)), np.full(2, 0.3), np.full(2, 0.1), None, np.full(2, 4.0))
     sums = [Parts({(3, 1): 1.0}, obscuration=1.0, unknown=1.0)]
     found = derivatives._sum_terms(engine, engine, pupil, grid, made, derivatives.Wanted(0.3), sums)
@@ -185,7 +186,7 @@ def test_what_is_left_out_is_in_each_part():
     # The rim is asked for a tenth of the tolerance of the faintest peak.
     _, bound = derivatives.obscuration_derivative(pupil, grid, 0.1 * 1e-6 * 4.0 / 1.1)
     assert found["obscuration"].error == pytest.approx(0.3 * bound, rel=1e-12, abs=0.0)
-    white = lm.Polychromatic([4e-7, 5e-7], [1, 3], lm.ChordalGauss())
+    white = lm.methods.Polychromatic([4e-7, 5e-7], [1, 3], lm.methods.ChordalGauss())
     parts = white.components(pupil)
     found = derivatives._sum_terms(white, engine, pupil, grid, made, derivatives.Wanted(0.3), [Parts({(3, 1): 1.0})])
     left = [(part.pupil.wavefront.left_out + 6e-10) * pupil.amplitude**2 for part in parts]

@@ -18,7 +18,8 @@ from PIL import Image
 import lommel as lm
 from lommel.base.units import format_length
 from lommel.cli.main import main
-from lommel.methods import METHODS
+from lommel.methods import METHODS, Hankel, NijboerZernike, NonuniformFFT
+from lommel.paper import AbramowitzErf, ClosedForm, Fraunhofer, Geometric, HuygensFresnel, LommelSeries, TableErf
 from lommel.show.drawing import SAMPLING
 
 LINE = re.compile(r"^(\S.*?)\s{2,}(\S.*?)\s*$", re.MULTILINE)
@@ -144,17 +145,17 @@ def test_compare_has_a_row_for_every_method(compared):
 @pytest.mark.parametrize(
     ("arguments", "method"),
     [
-        (["-m", "hankel", "--tol", "1e-10"], lm.Hankel(tol=1e-10)),
-        (["--tol", "1e-3"], lm.NijboerZernike(tol=1e-3)),
+        (["-m", "hankel", "--tol", "1e-10"], Hankel(tol=1e-10)),
+        (["--tol", "1e-3"], NijboerZernike(tol=1e-3)),
         (["-m", "huygens-fresnel", "--set", "nodes=24,48", "--set", "symmetry=false"],
-         lm.HuygensFresnel(symmetry=False, nodes=(24, 48))),
+         HuygensFresnel(symmetry=False, nodes=(24, 48))),
         (["-m", "closed-form", "--set", "tangent=200", "--set", "erf=abramowitz:30", "--set", "truncate=9.5"],
-         lm.ClosedForm(tangent=200.0, erf=lm.AbramowitzErf(30), truncate=9.5)),
+         ClosedForm(tangent=200.0, erf=AbramowitzErf(30), truncate=9.5)),
         (["-m", "closed-form", "--set", "variant=printed", "--set", "erf=table"],
-         lm.ClosedForm(variant="printed", erf=lm.TableErf())),
-        (["-m", "fraunhofer", "--set", "samples=64", "--set", "edge=grey"], lm.Fraunhofer(samples=64, edge="grey")),
-        (["-m", "geometric", "--set", "rings=2"], lm.Geometric(rings=2)),
-        (["-m", "lommel-series"], lm.LommelSeries()),
+         ClosedForm(variant="printed", erf=TableErf())),
+        (["-m", "fraunhofer", "--set", "samples=64", "--set", "edge=grey"], Fraunhofer(samples=64, edge="grey")),
+        (["-m", "geometric", "--set", "rings=2"], Geometric(rings=2)),
+        (["-m", "lommel-series"], LommelSeries()),
     ],
     ids=lambda value: " ".join(value) if isinstance(value, list) else "",
 )  # fmt: skip
@@ -229,7 +230,7 @@ def test_a_telescope_with_vanes_is_described_and_its_energies_are_those_of_its_i
         clear = lm.mtf(dataclasses.replace(pupil, spider=None), *half)
         assert abs(clear - 0.5) > 1e-3
     assert rows["MTF50, x"].startswith(f"{facts['mtf50'] / 1e3:.4g} cycles/mm")
-    image = lm.psf(pupil, 641, 0.05 * pupil.scale, method=lm.NonuniformFFT(1e-6))
+    image = lm.psf(pupil, 641, 0.05 * pupil.scale, method=NonuniformFFT(1e-6))
     shown_energies = dict(LINE.findall(shown.partition("Encircled energy")[2]))
     for row in facts["encircled_energy"][:2]:
         # Pixels of a twentieth of lambda*N, cut by the circle: to about the square of that.
@@ -290,9 +291,9 @@ def test_of_a_mask_with_phases_is_shown_what_it_has(call_lommel, tmp_path, field
 
 def test_the_method_is_chosen_by_the_pupil_unless_named(call_lommel, lenses, tmp_path):
     for lens, arguments, method in (
-        ("phone", [], lm.NijboerZernike()),
-        ("newtonian-off-axis", [], lm.NonuniformFFT()),
-        ("newtonian-off-axis", ["--tol", "1e-8"], lm.NonuniformFFT(1e-8)),
+        ("phone", [], NijboerZernike()),
+        ("newtonian-off-axis", [], NonuniformFFT()),
+        ("newtonian-off-axis", ["--tol", "1e-8"], NonuniformFFT(1e-8)),
     ):
         result = call_lommel("psf", lenses[lens], "--shape", 9, "-o", "a.npy", *arguments, folder=tmp_path)
         assert result.returncode == 0, result.stderr

@@ -234,7 +234,7 @@ def test_there_is_a_row_for_each_place_and_each_channel(told, lenses, call_lomme
     assert [row["channel"] for row in found["rows"]] == list(channels.names) * 6
     for row in found["rows"][3:9]:
         pairs = dict(channels)[row["channel"]]
-        light = lm.Polychromatic([w for w, _ in pairs], [share for _, share in pairs])
+        light = lm.methods.Polychromatic([w for w, _ in pairs], [share for _, share in pairs])
         expected = lm.mtf(field.pupil(row["x"], row["y"]), 0.0, 0.25 / pixel, pixel=pixel, spectrum=light)
         assert row["half_nyquist"][1] == pytest.approx(float(expected), abs=2e-6)
     shown = call_lommel("psf", file, "--mtf", "--field", "2x3", "--shape", "5", folder=tmp_path).stdout

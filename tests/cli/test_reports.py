@@ -120,7 +120,7 @@ def test_compare_takes_the_instrument_as_it_is_told_to_be(lenses):
     instrument = dataclasses.replace(lm.load_instrument(lenses["phone"]), shape=(5, 5))
     for integrate, sampling in ((None, "pixel"), (True, "pixel"), (False, "center")):
         one = dataclasses.replace(instrument, integrate=integrate)
-        _, answers = compare_methods(one, [lm.NijboerZernike()])
+        _, answers = compare_methods(one, [lm.methods.NijboerZernike()])
         assert {answer.sampling for answer in answers.values()} == {sampling}
 
 

@@ -14,6 +14,7 @@ import pytest
 pytest.importorskip("av", reason="video needs PyAV: pip install av")
 
 import lommel as lm
+from lommel.base import encoding
 from lommel.base.encoding import from_light
 from lommel.cli import sharpen_command
 from lommel.io import videos
@@ -83,7 +84,7 @@ def test_colour_video_of_8_bits_is_sharpened_in_linear_light(folder, call_lommel
     assert "The noise of 8-bit sRGB values is a guess" in result.stderr
     sharp, _ = frames_of(folder / "o.mp4", "rgb24")
     assert sharp.shape == (3, SIDE, SIDE, 3)
-    green = lm.base.encoding.to_light("o", np.ascontiguousarray(sharp[0, ..., 1]), "srgb", np.float64)
+    green = encoding.to_light("o", np.ascontiguousarray(sharp[0, ..., 1]), "srgb", np.float64)
     assert off(green) < 0.9 * off(frames()[0].astype(float))
 
 

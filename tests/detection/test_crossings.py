@@ -7,6 +7,7 @@ import pytest
 from scipy import ndimage
 
 import lommel as lm
+from lommel.detection import find_crossings, grid_indices
 
 NOISE = lm.Noise(read=2.0)
 
@@ -36,7 +37,7 @@ def board(shape=(180, 240), pitch=30.0, angle=0.1, sigma=0.8, perspective=0.0, s
 @pytest.mark.parametrize("perspective", [0.0, 0.3])
 def test_all_crossings_are_found_where_lines_meet(angle, perspective):
     mean, places = board(angle=angle, perspective=perspective)
-    found = lm.find_crossings(NOISE.record(mean, seed=1), noise=NOISE)
+    found = find_crossings(NOISE.record(mean, seed=1), noise=NOISE)
     inside = ((places > 11) & (places < np.array(mean.shape) - 12)).all(axis=1)
     distance = np.abs(places[inside][:, None] - found.centers).max(axis=-1)
     assert (distance.min(axis=1) < 0.5).all()
@@ -51,11 +52,11 @@ def test_all_crossings_are_found_where_lines_meet(angle, perspective):
 
 def test_only_crossings_of_four_squares_are_taken():
     mean, places = board(pitch=24.0, squares=2.5)
-    found = lm.find_crossings(NOISE.record(mean, seed=2), noise=NOISE)
+    found = find_crossings(NOISE.record(mean, seed=2), noise=NOISE)
     assert len(found) == len(places) == 25
     assert found.refused == ()
     assert found.message == "25 crossings found, 24 pixels apart; refused: none"
-    many = lm.find_crossings(NOISE.record(mean, seed=2), noise=NOISE, most=4)
+    many = find_crossings(NOISE.record(mean, seed=2), noise=NOISE, most=4)
     outer = places[np.abs(places - places.mean(axis=0)).sum(axis=1) > 55.0]
     assert len(many) == 4
     assert (np.abs(outer - many.centers[:, None]).max(axis=-1).min(axis=1) < 1.0).all()
@@ -64,17 +65,17 @@ def test_only_crossings_of_four_squares_are_taken():
 def test_reasons_of_refusal():
     mean, _ = board()
     image = NOISE.record(mean, seed=3)
-    whole = lm.find_crossings(image, noise=NOISE, window=21)
+    whole = find_crossings(image, noise=NOISE, window=21)
     assert "edge" in {each.reason for each in whole.refused}
     glare = image.copy()
     row, column = whole.places[7]
     glare[row + 9, column - 9] = 51_000.0
-    told = lm.find_crossings(glare, noise=NOISE, window=21, saturation=50_000)
+    told = find_crossings(glare, noise=NOISE, window=21, saturation=50_000)
     assert [(row, column)] == [(each.row, each.column) for each in told.refused if each.reason == "saturated"]
-    close = lm.find_crossings(image, noise=NOISE, window=41)
+    close = find_crossings(image, noise=NOISE, window=41)
     assert "neighbor" in {each.reason for each in close.refused}
     assert len(close) > 3
-    stack = lm.find_crossings(np.stack([image, image]), noise=NOISE, window=21)
+    stack = find_crossings(np.stack([image, image]), noise=NOISE, window=21)
     assert stack.windows.shape == (len(whole), 2, 21, 21)
     np.testing.assert_array_equal(stack.windows[:, 1], whole.windows)
     assert stack.plot().get_title().replace("\n", " ") == stack.message
@@ -88,17 +89,17 @@ def test_stars_edges_and_noise_are_no_crossings():
     corner = np.full((160, 160), 400.0)
     corner[40:90, 50:120] = 4000.0
     for mean in (np.full((160, 160), 1000.0), ndimage.gaussian_filter(stars, 1.5), slanted, corner):
-        found = lm.find_crossings(NOISE.record(mean, seed=int(draw.integers(99))), noise=NOISE)
+        found = find_crossings(NOISE.record(mean, seed=int(draw.integers(99))), noise=NOISE)
         assert found.message == "0 crossings found; refused: none"
 
 
 def test_crossings_whose_windows_are_masked_are_refused_and_holes_do_not_hide_others():
     image = NOISE.record(board()[0], seed=1)
-    plain = lm.find_crossings(image, noise=NOISE)
+    plain = find_crossings(image, noise=NOISE)
     (row, column), (hole, beside) = plain.places[3], plain.places[7]
     out = np.zeros(image.shape, dtype=bool)
     out[row - 4 : row + 5, column - 4 : column + 5] = out[hole, beside] = True
-    found = lm.find_crossings(np.where(out, np.nan, image), noise=NOISE)
+    found = find_crossings(np.where(out, np.nan, image), noise=NOISE)
     assert found.left_out == 82
     assert "masked" in {each.reason for each in found.refused}
     near = np.abs(found.places - [hole, beside]).max(axis=1)
@@ -121,7 +122,7 @@ def test_crossings_whose_windows_are_masked_are_refused_and_holes_do_not_hide_ot
 def test_bad_input(change, message):
     options = {"images": np.zeros((40, 40)), "noise": NOISE} | change
     with pytest.raises((TypeError, ValueError), match=message):
-        lm.find_crossings(options.pop("images"), **options)
+        find_crossings(options.pop("images"), **options)
 
 
 def bent(angle, missing=(), stray=0):
@@ -141,12 +142,12 @@ def bent(angle, missing=(), stray=0):
 @pytest.mark.parametrize("angle", [0.0, -0.3, 0.7])
 def test_points_have_their_row_and_column_from_the_first_on(angle):
     true, at = bent(angle, missing=(40, 41, 55))
-    np.testing.assert_array_equal(lm.grid_indices(at), true)
+    np.testing.assert_array_equal(grid_indices(at), true)
 
 
 def test_points_beside_the_grid_have_none():
     true, at = bent(0.1, stray=1)
-    found = lm.grid_indices(at)
+    found = grid_indices(at)
     assert np.isnan(true).any()
     np.testing.assert_array_equal(found, true)
 
@@ -160,4 +161,4 @@ def test_points_beside_the_grid_have_none():
 )
 def test_what_is_no_grid_is_told(places, message):
     with pytest.raises(ValueError, match=message):
-        lm.grid_indices(places)
+        grid_indices(places)

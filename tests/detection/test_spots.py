@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import lommel as lm
+from lommel.detection import find_spots
 
 NOISE = lm.Noise(read=2.0)
 AIRY = lm.psf(lm.Pupil(lm.Wavefront(1.5)), 61, 0.5).values.astype(np.float64)
@@ -20,7 +21,7 @@ def sky(stars, shape=(240, 300), background=20.0):
 
 
 def found_in(stars, **options):
-    return lm.find_spots(NOISE.record(sky(stars), seed=1), noise=NOISE, window=options.pop("window", 21), **options)
+    return find_spots(NOISE.record(sky(stars), seed=1), noise=NOISE, window=options.pop("window", 21), **options)
 
 
 def reasons(found):
@@ -30,7 +31,7 @@ def reasons(found):
 def test_isolated_stars_are_found_brightest_first_with_their_windows():
     stars = [(60, 60, 4e4), (60, 200, 1e5), (180, 120, 2e4)]
     image = NOISE.record(sky(stars), seed=1)
-    found = lm.find_spots(image, noise=NOISE, window=21)
+    found = find_spots(image, noise=NOISE, window=21)
     assert found.places.tolist() == [[60, 200], [60, 60], [180, 120]]
     assert found.refused == ()
     np.testing.assert_array_equal(found.windows[1], image[50:71, 50:71])
@@ -44,7 +45,7 @@ def test_centers_follow_places_between_pixels():
     pupil = lm.Pupil(lm.Wavefront(1.5))
     image = np.full((80, 80), 10.0)
     image[20:61, 20:61] += 1e6 * lm.psf(pupil, 41, 0.5, center=(20.3, 19.6)).values
-    found = lm.find_spots(NOISE.record(image, seed=2), noise=NOISE, window=21)
+    found = find_spots(NOISE.record(image, seed=2), noise=NOISE, window=21)
     np.testing.assert_allclose(found.centers, [[40.3, 39.6]], atol=0.1)
 
 
@@ -52,7 +53,7 @@ def test_each_reason_of_refusal_is_told():
     stars = [(60, 60, 4e4), (60, 72, 3e4), (120, 5, 4e4), (180, 200, 6e6)]
     image = NOISE.record(sky(stars), seed=3)
     image[100, 250] += 3000.0  # a hot pixel
-    found = lm.find_spots(image, noise=NOISE, window=21, saturation=5e5, faintest=0.1)
+    found = find_spots(image, noise=NOISE, window=21, saturation=5e5, faintest=0.1)
     told = reasons(found)
     assert told[60, 60] == told[60, 72] == "neighbor"
     assert told[120, 5] == "edge"
@@ -66,7 +67,7 @@ def test_each_reason_of_refusal_is_told():
 def test_a_hot_pixel_is_a_neighbor_in_the_window_alone(beside, kept):
     image = NOISE.record(sky([(60, 60, 4e4)]), seed=3)
     image[60, 60 + beside] += 30000.0
-    found = lm.find_spots(image, noise=NOISE, window=21)
+    found = find_spots(image, noise=NOISE, window=21)
     assert [60, 60] in found.places.tolist() or not kept
     assert (reasons(found).get((60, 60)) == "neighbor") != kept
 
@@ -74,7 +75,7 @@ def test_a_hot_pixel_is_a_neighbor_in_the_window_alone(beside, kept):
 def test_a_dim_neighbor_is_one_of_the_dim_star_alone():
     stars = [(60, 60, 1e6), (60, 78, 8e3)]
     image = NOISE.record(sky(stars), seed=1)
-    found = lm.find_spots(image, noise=NOISE, window=21, faintest=0.02)
+    found = find_spots(image, noise=NOISE, window=21, faintest=0.02)
     assert found.places.tolist() == [[60, 60]]
     assert reasons(found).get((60, 78)) == "neighbor"
 
@@ -89,7 +90,7 @@ def test_neighbors_farther_than_apart_are_none():
 def test_saturated_in_any_plane_is_a_reason(plane):
     stack = np.stack([sky([(60, 60, 3e4), (150, 200, 3e4)])] * 3).astype(np.uint16)
     stack[plane, 61, 61] = 2**16 - 1
-    found = lm.find_spots(stack, noise=NOISE, window=21)
+    found = find_spots(stack, noise=NOISE, window=21)
     assert found.places.tolist() == [[150, 200]]
     assert found.windows.shape == (1, 3, 21, 21)
     assert found.windows.dtype == np.uint16
@@ -102,7 +103,7 @@ def test_rings_of_defocused_stars_are_one_spot_each():
     image = np.full((200, 300), 20.0)
     for row, column in ((100, 80), (100, 200)):
         image[row - 30 : row + 31, column - 30 : column + 31] += 3e6 * ring
-    found = lm.find_spots(NOISE.record(image, seed=4), noise=NOISE, window=61, width=10.0)
+    found = find_spots(NOISE.record(image, seed=4), noise=NOISE, window=61, width=10.0)
     assert sorted(found.places[:, 1].tolist()) == [80, 200]
     np.testing.assert_allclose(found.places[:, 0], 100, atol=1)
 
@@ -113,16 +114,16 @@ def test_at_most_so_many_are_kept():
 
 
 def test_noise_alone_has_no_spots():
-    found = lm.find_spots(NOISE.record(np.full((200, 200), 30.0), seed=5), noise=NOISE)
+    found = find_spots(NOISE.record(np.full((200, 200), 30.0), seed=5), noise=NOISE)
     assert len(found) == 0
     assert found.windows.shape == (0, 33, 33)
 
 
 def test_where_there_is_no_spot_the_highest_maximum_is_named():
     image = NOISE.record(sky([(60, 200, 1e4)]), seed=1)
-    found = lm.find_spots(image, noise=NOISE, window=21, threshold=500.0)
+    found = find_spots(image, noise=NOISE, window=21, threshold=500.0)
     assert (found.candidate.row, found.candidate.column) == (60, 200)
-    (there,) = lm.find_spots(image, noise=NOISE, window=21, threshold=found.candidate.score - 0.01).score
+    (there,) = find_spots(image, noise=NOISE, window=21, threshold=found.candidate.score - 0.01).score
     assert there == found.candidate.score
     assert f"the highest maximum, at row 60, column 200, is {there:.3g} standard deviations high" in found.message
 
@@ -139,7 +140,7 @@ def test_pixels_left_out_do_not_hide_stars_and_are_masked_in_their_windows(kind)
         given = np.ma.MaskedArray(np.where(out, 1e9, image), mask=out)
     else:
         given[out], options = 1e9, {"mask": out, "saturation": 1e8}
-    found = lm.find_spots(given, noise=NOISE, window=21, **options)
+    found = find_spots(given, noise=NOISE, window=21, **options)
     assert found.places.tolist() == [[60, 200], [60, 60]]
     assert [each.reason for each in found.refused] == ["masked"]
     np.testing.assert_array_equal(np.ma.getmaskarray(found.windows)[1], out[50:71, 50:71])
@@ -164,4 +165,4 @@ def test_pixels_left_out_do_not_hide_stars_and_are_masked_in_their_windows(kind)
 def test_bad_input_is_told(change, message):
     options = {"images": np.zeros((60, 60)), "noise": NOISE} | change
     with pytest.raises((TypeError, ValueError), match=message):
-        lm.find_spots(options.pop("images"), **options)
+        find_spots(options.pop("images"), **options)

@@ -16,6 +16,7 @@ from lommel.estimation.bead_checks import _NEVER_TESTED, is_possible, missing_fi
 from lommel.estimation.bead_images import AMPLITUDES, CONSTANTS, BeadImages, Place, Setup, Stack, changed_objective
 from lommel.estimation.bead_search import Prior
 from lommel.fit.score_tests import ScoreTest
+from lommel.optics.layers.stratified import Design
 from lommel.special import zernike
 from objectives import OIL, oil
 
@@ -345,8 +346,8 @@ def test_derivatives_by_terms_of_the_amplitude_are_differences_of_images():
 
 
 def test_immersion_and_cover_glass_are_named_together():
-    images, _ = recorded(4, waves(3, 0.1), oil(design=lm.Design(1.515, OIL.coverslip)))
-    other = oil(design=lm.Design(1.515, OIL.coverslip))
+    images, _ = recorded(4, waves(3, 0.1), oil(design=Design(1.515, OIL.coverslip)))
+    other = oil(design=Design(1.515, OIL.coverslip))
     stated = changed_objective(other, "immersion", 1.516)
     found = lm.fit_beads(images, stated, **GIVEN, terms=TERMS, priors={})
     assert {"immersion", "coverslip"} < {one.name for one in found.tests[:3]}

@@ -13,6 +13,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import lommel as lm
+from lommel.estimation.fisher import Information
 from objectives import OIL
 
 LENS = lm.Lens(focal_length=50e-3, f_number=2.8, focus_distance=2.0, wavelength=550e-9)
@@ -20,7 +21,7 @@ CAMERA = {"shape": 15, "pixel": 3.45e-6, "photons": 1e4, "background": 5.0, "noi
 COMA = lm.Pupil(lm.Wavefront(1.2, 0.4, nonradial={(3, 1): 0.7, (2, -2): 0.5}), wavelength=550e-9, f_number=4.0)
 
 
-def errors(information: lm.Information) -> np.ndarray:
+def errors(information: Information) -> np.ndarray:
     return np.stack(list(information.errors.values()))
 
 

@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-import lommel as lm
+from lommel.estimation.fisher import Information
 
 DRAW = np.random.default_rng(1922)
 
@@ -20,7 +20,7 @@ def told(root, error=1e-9, units=None):
     root = np.asarray(root, dtype=float)
     names = tuple("abcdefgh"[: root.shape[-1]])
     length = np.sqrt((root**2).sum(axis=-2))
-    return lm.Information.of_root(names, units or dict.fromkeys(names, ""), root, error * length)
+    return Information.of_root(names, units or dict.fromkeys(names, ""), root, error * length)
 
 
 def test_what_can_be_known_has_the_inverse_of_the_matrix_for_its_covariance():
@@ -42,7 +42,7 @@ def test_a_column_within_its_error_is_unknown_and_touches_nothing_else():
     without = told(np.delete(root, 1, axis=1))
     root[:, 1] *= 1e-12
     error = np.array([1e-12, 1.01 * np.linalg.norm(root[:, 1]), 1e-12, 1e-12])
-    found = lm.Information.of_root(tuple("abcd"), dict.fromkeys("abcd", ""), root, error)
+    found = Information.of_root(tuple("abcd"), dict.fromkeys("abcd", ""), root, error)
     assert found.unidentifiable == ("b",)
     assert found.errors["b"] == math.inf
     assert np.delete(np.delete(found.covariance, 1, 0), 1, 1) == pytest.approx(without.covariance, rel=1e-9)
@@ -50,7 +50,7 @@ def test_a_column_within_its_error_is_unknown_and_touches_nothing_else():
     # Of one like no other it is its own error alone that decides.
     root = np.linalg.qr(root)[0] * [1.0, 1e-12, 1.0, 1.0]
     for error[1], unknown in ((1.01e-12, ("b",)), (0.99e-12, ())):
-        found = lm.Information.of_root(tuple("abcd"), dict.fromkeys("abcd", ""), root, error)
+        found = Information.of_root(tuple("abcd"), dict.fromkeys("abcd", ""), root, error)
         assert found.unidentifiable == unknown
     assert found.errors["b"] == pytest.approx(1e12, rel=1e-9)
 
@@ -95,7 +95,7 @@ def test_all_with_a_part_in_what_is_unknown_are_unknown_and_no_others():
 def test_one_of_large_error_does_not_hide_what_is_unknown_without_it():
     unit = np.linalg.qr(DRAW.normal(size=(9, 2)))[0]
     root = np.stack([unit[:, 0], unit[:, 0], unit[:, 1]], axis=1)
-    found = lm.Information.of_root(tuple("abc"), dict.fromkeys("abc", ""), root, np.array([1e-6, 1e-6, 0.9]))
+    found = Information.of_root(tuple("abc"), dict.fromkeys("abc", ""), root, np.array([1e-6, 1e-6, 0.9]))
     assert found.unidentifiable == ("a", "b")
 
 
@@ -120,7 +120,7 @@ def test_no_unit_changes_what_is_known_and_deviations_have_it(known, more, seed)
     length = np.linalg.norm(root, axis=0)
     names = tuple("abcdefghi"[:count])
     plain, scaled = (
-        lm.Information.of_root(names, dict.fromkeys(names, ""), root * by, 1e-7 * length * by) for by in (1.0, units)
+        Information.of_root(names, dict.fromkeys(names, ""), root * by, 1e-7 * length * by) for by in (1.0, units)
     )
     assert plain.unidentifiable == scaled.unidentifiable
     assert bool(plain.unidentifiable) == (more > 0)
@@ -142,9 +142,9 @@ def test_it_can_be_read_and_written():
     root = np.zeros((2, 4, 3))
     root[:, 0, 0], root[1, 1, 1], root[:, 2, 2] = 1e4, 3.0, [4.0, 2.0]
     units = {"depth": "m", "defocus": "rad", "f_number": ""}
-    one = lm.Information.of_root(tuple(units), units, root[0], np.full(3, 1e-6))
+    one = Information.of_root(tuple(units), units, root[0], np.full(3, 1e-6))
     assert repr(one) == ("<Information\n  depth    +- 100 um\n  defocus  unidentifiable\n  f_number +- 0.25>")
-    both = lm.Information.of_root(tuple(units), units, root, np.full((2, 3), 1e-6))
+    both = Information.of_root(tuple(units), units, root, np.full((2, 3), 1e-6))
     assert repr(both) == (
         "<Information of a stack of (2,)\n  depth    +- 100 um\n"
         "  defocus  +- 0.333 rad, unidentifiable in 1 of 2\n  f_number +- 0.25 to 0.5>"

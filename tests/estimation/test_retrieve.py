@@ -21,6 +21,7 @@ from lommel.estimation import phase_retrieval
 from lommel.estimation.star_images import StarImages, Unknowns, _point_symmetric, error_factors, uncertainty
 from lommel.fit.score_tests import Marginal
 from lommel.fit.scoring import covariance
+from lommel.special import zernike
 from tests.world import air
 from tests.world.optics import Telescope
 
@@ -639,7 +640,7 @@ def test_vanes_and_segments_reach_the_bound(segmented):
     if segmented:
         hexagons = lm.Segments.hexagonal(rings=1, gap=0.03, middle=True)
         aperture = {"stop": hexagons.phased(np.linspace(-0.5, 0.5, 7))}
-    names = [lm.special.zernike.term(4 + k, "noll") for k in range(6)]
+    names = [zernike.term(4 + k, "noll") for k in range(6)]
     defoci, noise = [-4.0, 0.0, 4.0], lm.Noise(read=2.0)
     scores = []
     for seed in range(6):

@@ -8,8 +8,9 @@ import numpy as np
 import pytest
 
 import lommel as lm
+from lommel.field.maps import Foreshortening
 
-FFT = lm.Fraunhofer(samples=64, edge="grey")
+FFT = lm.paper.Fraunhofer(samples=64, edge="grey")
 METRIC = {"wavelength": 550e-9, "f_number": 2.8, "obscuration": 0.2}
 SEIDEL = {"W020": 0.3, "W040": 0.4, "W131": 1.5, "W222": -0.8, "W220": 0.6, "W311": 0.7}
 EDGE = 20e-3
@@ -160,7 +161,7 @@ def test_a_saved_map_is_that_of_a_lens_file(tmp_path, kind):
 
 def test_maps_that_a_table_cannot_hold_are_not_saved(tmp_path):
     field = SAVED["seidel"]
-    ellipses = field.seen_through(lm.Foreshortening([0.0, 12e-3], [1.0, 0.8], [1.0, 0.9]))
+    ellipses = field.seen_through(Foreshortening([0.0, 12e-3], [1.0, 0.8], [1.0, 0.9]))
     path = tmp_path / "field.csv"
     with pytest.raises(ValueError, match="make the map with circular=True"):
         ellipses.save(path)

@@ -10,7 +10,7 @@ import lommel as lm
 FIELD = lm.FieldMap.from_seidel(
     20e-3, W131=1.5, W222=-0.8, W040=0.4, wavelength=550e-9, f_number=2.8, obscuration=0.2
 )
-FFT = lm.Fraunhofer(samples=64, edge="grey")
+FFT = lm.paper.Fraunhofer(samples=64, edge="grey")
 
 
 def test_a_grid_is_one_call_and_equals_single_ones():

@@ -9,13 +9,14 @@ import pytest
 from scipy import special
 
 import lommel as lm
+from lommel.field.maps import Foreshortening, Shading, Vignetting
 from lommel.optics.pupil import FieldPupil
 from lommel.psf import Measured
 
-EDGES = lm.Vignetting([0.0, 10e-3, 20e-3], shift=[0.0, 0.2, 0.8], radius=[1.0, 1.0, 1.1])
+EDGES = Vignetting([0.0, 10e-3, 20e-3], shift=[0.0, 0.2, 0.8], radius=[1.0, 1.0, 1.1])
 PLAIN = lm.FieldMap.from_seidel(20e-3, W131=1.0, W222=0.5, wavelength=550e-9, f_number=2.8)
-FIELD = PLAIN.seen_through(EDGES, lm.Shading.cos4(50e-3))
-SAMPLED = lm.MatrixFourier(samples=64)
+FIELD = PLAIN.seen_through(EDGES, Shading.cos4(50e-3))
+SAMPLED = lm.methods.MatrixFourier(samples=64)
 
 
 def lens(d: float) -> float:
@@ -36,11 +37,11 @@ def test_a_cat_s_eye_moves_along_the_direction_of_its_place():
     eye = FIELD.pupil(0.0, 15e-3).vignetting
     assert eye.shift == pytest.approx((0.0, 0.5))
     assert eye.radius == pytest.approx(1.05)
-    assert lm.Vignetting([0.0, 1.0], [0.0, 0.1], 2.0).at(0.5, 0.5) is None
+    assert Vignetting([0.0, 1.0], [0.0, 0.1], 2.0).at(0.5, 0.5) is None
 
 
 def test_measured_shading_is_linear_between_heights():
-    field = PLAIN.seen_through(shading=lm.Shading([0.0, 10e-3, 20e-3], [1.0, 0.9, 0.5]))
+    field = PLAIN.seen_through(shading=Shading([0.0, 10e-3, 20e-3], [1.0, 0.9, 0.5]))
     assert field.illumination([0.0, 5e-3, 15e-3], 0.0) == pytest.approx([1.0, 0.95, 0.7])
     assert PLAIN.illumination(3e-3, 0.0) == 1.0
 
@@ -62,7 +63,7 @@ def test_a_grid_has_the_cat_s_eye_of_each_place(tmp_path):
 
 
 def test_an_illuminated_grid_darkens_as_the_light_does():
-    field = PLAIN.seen_through(shading=lm.Shading.cos4(20e-3))
+    field = PLAIN.seen_through(shading=Shading.cos4(20e-3))
     options = {"sensor": (20e-3, 20e-3), "shape": 9, "pixel": 2e-6}
     plain, dark = field.grid(3, 3, **options), field.grid(3, 3, illuminated=True, **options)
     light = field.illumination(plain.x, plain.y[:, None])
@@ -74,13 +75,13 @@ def test_an_illuminated_grid_darkens_as_the_light_does():
 @pytest.mark.parametrize(
     ("ask", "message"),
     [
-        (lambda: lm.Vignetting([0.0], [0.0]), r"height must be of shape \(n,\) with n at least 2"),
-        (lambda: lm.Vignetting([0.0, 0.0], [0.0, 0.0]), "height must rise, got 0 followed by 0"),
-        (lambda: lm.Vignetting([0.0, 1.0], [0.1, 0.2]), "shift must have a value for each height"),
-        (lambda: lm.Vignetting([0.0, 1.0], [0.0, 0.1], [1.0, 1.0, 1.0]), "radius must be a number"),
-        (lambda: lm.Vignetting([0.0, 1.0], [0.0, 3.0]), "shift"),
-        (lambda: lm.Shading([0.0, 1.0], [0.9, 0.5]), "light must have a value for each height"),
-        (lambda: lm.Shading.cos4(0.0), "distance must be > 0"),
+        (lambda: Vignetting([0.0], [0.0]), r"height must be of shape \(n,\) with n at least 2"),
+        (lambda: Vignetting([0.0, 0.0], [0.0, 0.0]), "height must rise, got 0 followed by 0"),
+        (lambda: Vignetting([0.0, 1.0], [0.1, 0.2]), "shift must have a value for each height"),
+        (lambda: Vignetting([0.0, 1.0], [0.0, 0.1], [1.0, 1.0, 1.0]), "radius must be a number"),
+        (lambda: Vignetting([0.0, 1.0], [0.0, 3.0]), "shift"),
+        (lambda: Shading([0.0, 1.0], [0.9, 0.5]), "light must have a value for each height"),
+        (lambda: Shading.cos4(0.0), "distance must be > 0"),
         (lambda: PLAIN.seen_through(vignetting=0.5), "vignetting must be of the type Vignetting"),
         (lambda: FIELD.pupil([0.0, 1e-3], 0.0), "psf accepts arrays"),
         (lambda: FIELD.illumination(21e-3, 0.0), "beyond the last height"),
@@ -112,7 +113,7 @@ def test_a_stack_of_different_apertures_is_a_pupil_of_psf_too():
 @pytest.mark.parametrize("obscuration", [0.0, 0.4])
 def test_a_foreshortened_aperture_has_the_stretched_airy_pattern_and_the_light_of_its_area(obscuration):
     flat = lm.FieldMap.from_seidel(20e-3, wavelength=500e-9, f_number=4.0, obscuration=obscuration)
-    field = flat.seen_through(lm.Foreshortening([0.0, 20e-3], along=[1.0, 0.7], across=[1.0, 0.9]))
+    field = flat.seen_through(Foreshortening([0.0, 20e-3], along=[1.0, 0.7], across=[1.0, 0.9]))
     angle, share = 0.8, 0.5**2  # of the squared height
     a, b = 1.0 - 0.3 * share, 1.0 - 0.1 * share
     place = 10e-3 * math.cos(angle), 10e-3 * math.sin(angle)
@@ -130,8 +131,8 @@ def test_a_foreshortened_aperture_has_the_stretched_airy_pattern_and_the_light_o
 def test_foreshortening_of_bad_axes_or_of_an_aperture_with_parts_is_refused():
     for along, across in ([0.9, 1.1], [0.8, 0.9]), ([0.9, 0.0], [0.8, 0.9]), ([1.0], [1.0]):
         with pytest.raises(ValueError, match=r"^along"):
-            lm.Foreshortening([0.0, 1.0], along, across)
-    seen = lm.Foreshortening([0.0, 20e-3], [1.0, 0.8], [1.0, 0.9])
+            Foreshortening([0.0, 1.0], along, across)
+    seen = Foreshortening([0.0, 20e-3], [1.0, 0.8], [1.0, 0.9])
     with pytest.raises(ValueError, match="lies beyond the last height"):
         seen.at(0.0, 21e-3)
     vanes = lm.FieldMap.from_seidel(20e-3, aperture=lm.Pupil(spider=lm.Spider(0.02, [0.0, 2.0])))
@@ -157,7 +158,7 @@ MEASURES = {
 
 
 @pytest.mark.parametrize("name", MEASURES)
-@pytest.mark.parametrize("seen", [EDGES, lm.Foreshortening([0.0, 20e-3], [1.0, 0.7], [1.0, 0.9])])
+@pytest.mark.parametrize("seen", [EDGES, Foreshortening([0.0, 20e-3], [1.0, 0.7], [1.0, 0.9])])
 def test_measures_of_a_grid_of_different_apertures_are_those_of_its_psfs(seen, name):
     grid = PLAIN.seen_through(seen).grid(2, 2, sensor=(16e-3, 20e-3), shape=17, pixel=2e-6)
     measure = MEASURES[name]

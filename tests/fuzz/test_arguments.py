@@ -18,10 +18,15 @@ from lommel import imaging
 from lommel.base import units, validation
 from lommel.io import photos
 from lommel.io.psf_files import FileError
+from lommel.io.zernike_tables import ZernikeTable
 from lommel.lensfiles import tables
 from lommel.measures import aperture_means, energy, spot, transfer
-from lommel.methods import METHODS
+from lommel.measures.errors import mse
+from lommel.methods import METHODS, Hankel, NijboerZernike, Polychromatic
 from lommel.optics.aperture.opening import Opening, degree_needed
+from lommel.optics.grid import Grid
+from lommel.optics.wavefront.opd_fit import fit_radial
+from lommel.paper import AbramowitzErf, ClosedForm, LommelSeries, TableErf
 from lommel.recorded.frames import RecordingError
 
 SQUARE = np.linspace(0.1, 1.0, 24 * 24).reshape(24, 24)
@@ -96,16 +101,16 @@ def entries(folder: Path) -> list[tuple[str, object, dict[str, object]]]:
     psf_parts = {f.name: getattr(PSF, f.name) for f in dataclasses.fields(PSF) if f.init}
     found = [
         tagged("psf", lm.psf, pupil=PUPIL, method=None, derivatives=(), out=None, **window | {"integrate": True}),
-        tagged("psf", lm.psf, pupil=COMA, method=lm.NijboerZernike(), **window),
+        tagged("psf", lm.psf, pupil=COMA, method=NijboerZernike(), **window),
         tagged("psf", lm.psf, pupil=VANES, **window),
         tagged("psf", lm.psf, pupil=CAMERA, **window | {"pixel": 1e-6, "integrate": True}),
         tagged("psf", lm.psf, pupil=PUPIL, shape=5, pixel=0.5, derivatives=["defocus"]),
         tagged("psf", lm.psf, pupil=PUPIL, shape=5, pixel=0.5, out=np.empty((5, 5))),
-        tagged("psf", lm.psf, pupil=CAMERA, shape=5, pixel=1e-6, method=lm.Polychromatic([5e-7, 6e-7], [1, 2])),
+        tagged("psf", lm.psf, pupil=CAMERA, shape=5, pixel=1e-6, method=Polychromatic([5e-7, 6e-7], [1, 2])),
         tagged("Plan", lm.Plan, **window),
         tagged("Plan()", lm.Plan(5, 0.5), pupil=PUPIL, derivatives=(), out=None),
         tagged("PSF", lm.PSF, **psf_parts),
-        tagged("Grid", lm.Grid, shape=5, pixel=0.5, center=(1, 2), integrate=False),
+        tagged("Grid", Grid, shape=5, pixel=0.5, center=(1, 2), integrate=False),
         tagged("Wavefront", lm.Wavefront, defocus=1.0, spherical=[1.0, 2.0], higher=[0.1], nonradial={(3, 1): 0.5}),
         tagged("Wavefront.zernike", lm.Wavefront.zernike, terms={4: 0.1, 8: 0.2}, **units_of | {"unit": "metres"}),
         tagged("Wavefront.to_zernike", lm.Wavefront(1.0).to_zernike, **units_of),
@@ -166,7 +171,7 @@ def entries(folder: Path) -> list[tuple[str, object, dict[str, object]]]:
                azimuth=0.1, **scale),
         tagged("FieldMap.from_seidel", lm.FieldMap.from_seidel, edge=1.0, **seidel, **scale),
         tagged("FieldMap.pupil", FIELD.pupil, x=0.1, y=[0.1, 0.2]),
-        tagged("FieldMap.psf", FIELD.psf, x=0.1, y=0.2, shape=3, pixel=0.5, method=lm.NijboerZernike()),
+        tagged("FieldMap.psf", FIELD.psf, x=0.1, y=0.2, shape=3, pixel=0.5, method=NijboerZernike()),
         tagged("colour_psf", lm.colour_psf, pupil=CAMERA, shape=3, pixel=1e-6, channels=[5e-7, 6e-7], tol=1e-6),
         tagged("Channels", lm.Channels, wavelengths=[5e-7, 6e-7], weights=[[1.0, 2.0]], names=["a"]),
         tagged("Channels.bands", lm.Channels.bands, centers=[5e-7, 6e-7], width=5e-8, count=2),
@@ -190,15 +195,15 @@ def entries(folder: Path) -> list[tuple[str, object, dict[str, object]]]:
                center=(11.5, 11.5), radius=12.0, tol=1.0),
         tagged("fit_opd", lm.fit_opd, opd=np.nan_to_num(CHART), unit="waves", wavelength=550e-9,
                mask=~np.isnan(CHART)),
-        tagged("fit_radial", lm.fit_radial, phase=SQUARE[0], rho=np.linspace(0, 1, 24), degree=4, unit="waves",
+        tagged("fit_radial", fit_radial, phase=SQUARE[0], rho=np.linspace(0, 1, 24), degree=4, unit="waves",
                wavelength=550e-9, tol=10.0),
-        tagged("fit_radial", lm.fit_radial, phase=lambda rho: rho**2, degree=4),
+        tagged("fit_radial", fit_radial, phase=lambda rho: rho**2, degree=4),
         tagged("opd_map", lm.opd_map, wavefront=lm.Wavefront(1.0), shape=8, unit="waves", wavelength=550e-9,
                center=(3.0, 3.0), radius=3.0),
-        tagged("ZernikeTable", lm.ZernikeTable, terms={4: 0.1}, **units_of),
-        tagged("ZernikeTable.from_wavefront", lm.ZernikeTable.from_wavefront, wavefront=lm.Wavefront(1.0),
+        tagged("ZernikeTable", ZernikeTable, terms={4: 0.1}, **units_of),
+        tagged("ZernikeTable.from_wavefront", ZernikeTable.from_wavefront, wavefront=lm.Wavefront(1.0),
                **units_of),
-        tagged("ZernikeTable.wavefront", lm.ZernikeTable({4: 1.0}, "noll", "nm", "rms").wavefront, wavelength=5e-7),
+        tagged("ZernikeTable.wavefront", ZernikeTable({4: 1.0}, "noll", "nm", "rms").wavefront, wavelength=5e-7),
         tagged("OPDMap", lm.OPDMap, values=CHART, spacing=1e-3, wavelength=5e-7),
         tagged("fit_opd", lm.fit_opd, opd=lm.OPDMap(CHART), wavelength=550e-9, degree=3),
         tagged("save_opd", lm.save_opd, path=folder / "o.csv", opd=lm.OPDMap(CHART)),
@@ -207,13 +212,13 @@ def entries(folder: Path) -> list[tuple[str, object, dict[str, object]]]:
         tagged("load_zernike", lm.load_zernike, path=folder / "table.json"),
         tagged("save_zernike", lm.save_zernike, path=folder / "t.csv", table=lm.load_zernike(folder / "table.json")),
         tagged("load_instrument", lm.load_instrument, path=folder / "lens.toml", folder_only=False),
-        tagged("best_focus", lm.best_focus, pupil=PUPIL, radius=1.0, method=lm.NijboerZernike()),
+        tagged("best_focus", lm.best_focus, pupil=PUPIL, radius=1.0, method=NijboerZernike()),
         tagged("centroid", lm.centroid, pupil=COMA),
         tagged("marechal", lm.marechal, pupil=COMA),
         tagged("rms", lm.rms, pupil=COMA, unit="waves"),
         tagged("strehl", lm.strehl, pupil=COMA),
         tagged("spot_radius", lm.spot_radius, pupil=COMA),
-        tagged("mse", lm.mse, values=SQUARE, reference=SQUARE),
+        tagged("mse", mse, values=SQUARE, reference=SQUARE),
         tagged("peak_error", lm.peak_error, values=SQUARE, reference=SQUARE),
         tagged("mtf", lm.mtf, pupil=PUPIL, **at, pixel=0.5, spectrum=None, tol=1e-8),
         tagged("otf", lm.otf, pupil=COMA, **at, pixel=0.5, spectrum=None, tol=1e-6),
@@ -222,7 +227,7 @@ def entries(folder: Path) -> list[tuple[str, object, dict[str, object]]]:
         tagged("encircled", energy.encircled, pupil=PUPIL, radius=[1.0], method=None),
         tagged("spot.axis_strehl", spot.axis_strehl, psf=PSF),
         tagged("energy.window_energy", energy.window_energy, psf=PSF),
-        tagged("radial_energy", energy.radial_energy, method=lm.NijboerZernike(), pupil=PUPIL, radius=[1.0]),
+        tagged("radial_energy", energy.radial_energy, method=NijboerZernike(), pupil=PUPIL, radius=[1.0]),
         tagged("spot.fwhm", spot.fwhm, psf=PSF, along="x"),
         tagged("energy.window_centroid", energy.window_centroid, psf=PSF),
         tagged("spot.peak_strehl", spot.peak_strehl, psf=PSF),
@@ -259,16 +264,16 @@ def entries(folder: Path) -> list[tuple[str, object, dict[str, object]]]:
         tagged("deconvolve", lm.microscopy.deconvolve, stack=VOXELS, psf=PLANES, noise=lm.Noise(read=1.0),
                method=ONCE, background=0.0, margin=(0, 0)),
         tagged("load_camera", lm.load_camera, path="andor-zyla-5.5"),
-        tagged("Polychromatic", lm.Polychromatic, wavelengths=[5e-7, 6e-7], weights=[1.0, 2.0], method=lm.Hankel(),
+        tagged("Polychromatic", Polychromatic, wavelengths=[5e-7, 6e-7], weights=[1.0, 2.0], method=Hankel(),
                tol=1e-6),
-        tagged("ClosedForm.best", lm.ClosedForm.best, pupil=PUPIL, shape=5, pixel=0.5),
-        tagged("AbramowitzErf()", lm.AbramowitzErf(), z=[0.1, 0.5]),
+        tagged("ClosedForm.best", ClosedForm.best, pupil=PUPIL, shape=5, pixel=0.5),
+        tagged("AbramowitzErf()", AbramowitzErf(), z=[0.1, 0.5]),
         tagged("format_length", units.format_length, metres=0.1),
         tagged("parse_length", units.parse_length, text="1 mm"),
         tagged("parse_angle", units.parse_angle, text="1 deg"),
         tagged("parse_radius", units.parse_radius, text="1 arcsec", focal_length=1.0),
     ]  # fmt: skip
-    for name, kind in {**METHODS, "table": lm.TableErf, "abramowitz": lm.AbramowitzErf}.items():
+    for name, kind in {**METHODS, "table": TableErf, "abramowitz": AbramowitzErf}.items():
         valid = {f.name: getattr(kind(), f.name) for f in dataclasses.fields(kind) if f.init}
         if valid:
             found.append(tagged(name, kind, **valid))
@@ -303,7 +308,7 @@ def hostile(folder: Path) -> list[object]:
     arrays += [np.array([1e308, 1e308]), np.array([5e-324]), [10**400], np.array([1.0, -1.0]), range(3), (1.0, 2.0)]
     arrays += [np.float16(1.0), np.array([2.0], ">f8"), np.array([1, 2], np.uint8), [masked, masked], (math.nan, 1.0)]
     objects = [PUPIL, STACK, COMA, VANES, lm.Wavefront(1.0), lm.Wavefront([1.0, 2.0, 3.0]), LENS, PSF, GRID, FIELD]
-    objects += [lm.Hankel(), lm.Hankel, lm.LommelSeries(), lm.Ellipse(0.5, 0.5), MASK, VANES.spider, TABLE, folder]
+    objects += [Hankel(), Hankel, LommelSeries(), lm.Ellipse(0.5, 0.5), MASK, VANES.spider, TABLE, folder]
     objects += [folder / "nowhere.npz", {"height": ()}, {4: "x"}, {(2, 2): 1e308}, {"a": 1}, [(4, 1.0), (4, 2.0)]]
     return numbers + words + others + arrays + objects
 
@@ -407,7 +412,7 @@ def files(tmp_path: Path) -> Path:
         'name = "a"\n[lens]\nfocal_length = "50 mm"\nf_number = 2\nwavelength = "550 nm"\n'
         '[sensor]\npixel = "3 um"\nshape = 9\n'
     )
-    lm.save_zernike(tmp_path / "table.json", lm.ZernikeTable({4: 0.1}, "noll", "nm", "rms"))
+    lm.save_zernike(tmp_path / "table.json", ZernikeTable({4: 0.1}, "noll", "nm", "rms"))
     lm.save_opd(tmp_path / "opd.npy", lm.OPDMap(CHART))
     return tmp_path
 

@@ -25,6 +25,7 @@ import lommel as lm
 import readers
 from lommel import imaging, localize, microscopy, stacks
 from lommel.io import fits_images, psf_files, psf_formats
+from lommel.io.zernike_tables import ZernikeTable
 from lommel.lensfiles.tables import read_csv
 from lommel.recorded.frames import read_images
 
@@ -109,7 +110,7 @@ def kinds(folder: Path) -> dict[str, tuple[Path, object, object]]:
     """Each kind of file as the path of a good one, what reads it, and what of the answer must stay the same."""
     psf = lm.psf(lm.Pupil(lm.Wavefront(1.0, nonradial={(3, 1): 0.2})), 9, 0.5)
     grid = lm.FieldMap.from_seidel(1.0, W131=0.5).grid(2, 2, sensor=(1.0, 1.0), shape=5, pixel=0.5)
-    table = lm.ZernikeTable({4: 0.1, 8: -0.25}, "noll", "nm", "rms", 6e-7)
+    table = ZernikeTable({4: 0.1, 8: -0.25}, "noll", "nm", "rms", 6e-7)
     found = {}
 
     def of_psf(path: Path) -> object:

@@ -39,7 +39,7 @@ def exact(pupil: lm.Pupil, defocus: float, side: int, wavelength: float = 550e-9
     """The window of one wavelength through the front door."""
     wave = (550e-9 / wavelength) * (lm.Wavefront(defocus) + pupil.wavefront)
     there = lm.Pupil(wave, obscuration=pupil.obscuration, wavelength=wavelength, f_number=4.0)
-    answer = lm.psf(there, side, PIXEL, integrate=True, method=lm.NijboerZernike(1e-9), dtype=np.float64)
+    answer = lm.psf(there, side, PIXEL, integrate=True, method=lm.methods.NijboerZernike(1e-9), dtype=np.float64)
     return np.asarray(answer.values)
 
 

@@ -36,7 +36,7 @@ def windows(optics, depth, spectrum, half=HALF):
             f_number=optics.working_f_number,
             apodization=optics.illumination,
         )
-        method = lm.NijboerZernike(1e-8)
+        method = lm.methods.NijboerZernike(1e-8)
         answer = lm.psf(there, 2 * half + 1, PIXEL, integrate=True, method=method, dtype=np.float64)
         total = total + share * answer.values
     return total

@@ -33,7 +33,7 @@ def window(lens: lm.Lens, distance: float, blur: DepthBlur) -> np.ndarray:
         2 * bank.half + 1,
         PIXEL,
         integrate=True,
-        method=lm.NijboerZernike(1e-9),
+        method=lm.methods.NijboerZernike(1e-9),
         dtype=np.float64,
     )
     used = bank.pixel_weights(lens.defocus(distance)) * answer.values

@@ -82,7 +82,7 @@ def test_profiles_of_many_pupils_are_those_of_the_series(monkeypatch, obscuratio
     lens = lm.Lens(focal_length=50e-3, f_number=2.0, wavelength=540e-9, obscuration=obscuration)
     light = SensorLight.of(lens, ((540e-9, 1.0),), 12e-6)
     stack, v = light.defocused(np.linspace(-30.0, 90.0, 5)), 0.4 * np.arange(4101)
-    exact = lm.NijboerZernike(1e-8).profile(stack, v).values
+    exact = lm.methods.NijboerZernike(1e-8).profile(stack, v).values
     for dear in (0.0, np.inf):  # matrix products, the series
         monkeypatch.setattr(sensor_light, "_BESSEL_COST", dear)
         made = sensor_light._profiles(stack, v)

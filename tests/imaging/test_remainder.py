@@ -45,7 +45,9 @@ def test_windows_and_remainder_are_the_psf_wherever_the_two_meet(tol):
     made = bank(tol=tol)
     for defocus in np.random.default_rng(0).uniform(-4.0, 1.0, 6):
         pupil = lm.Pupil(lm.Wavefront(defocus), wavelength=540e-9, f_number=8.0)
-        true = lm.psf(pupil, 161, PIXEL, integrate=True, method=lm.NijboerZernike(1e-9), dtype=np.float64).values
+        true = lm.psf(
+            pupil, 161, PIXEL, integrate=True, method=lm.methods.NijboerZernike(1e-9), dtype=np.float64
+        ).values
         off = whole(made, defocus, 80) - true
         position = made.positions(defocus)
         assert np.abs(off).sum() <= made.remainder.error(position) <= made.remainder.error()

@@ -20,7 +20,7 @@ from lommel.io.psf_files import FileError
 zarr = pytest.importorskip("zarr")
 
 SUFFIXES = (".tif", ".tiff", ".zarr", ".npy", ".npz", ".fits", ".fits.gz", ".h5", ".hdf5", ".mat", ".raw")
-METHOD = lm.Fraunhofer(samples=64)
+METHOD = lm.paper.Fraunhofer(samples=64)
 
 
 @pytest.fixture(scope="module")

@@ -26,7 +26,7 @@ from lommel.io import psf_files
 from lommel.io.psf_files import FileError
 
 TELESCOPE = lm.Lens(focal_length=57.6, f_number=24.0, wavelength=550e-9, obscuration=0.33)
-WHITE = lm.Polychromatic([450e-9, 550e-9, 650e-9], [1.0, 2.0, 1.0], lm.NijboerZernike(tol=1e-4))
+WHITE = lm.methods.Polychromatic([450e-9, 550e-9, 650e-9], [1.0, 2.0, 1.0], lm.methods.NijboerZernike(tol=1e-4))
 SINGLE = lm.psf(TELESCOPE.pupil(), (9, 8), 2.5e-6)
 STACK = lm.psf(TELESCOPE.pupil([[1e5, math.inf], [2e5, 3e5], [4e5, 5e5]]), (9, 8), 2.5e-6, normalize="peak")
 MOVED = lm.psf(TELESCOPE.pupil([2e5, 3e5]), (9, 8), 2.5e-6, method=WHITE, center=(3.25, 9.5))

@@ -179,7 +179,7 @@ def test_the_image_of_a_star_through_a_passband_is_within_the_error(tmp_path):
             telescope,
             9,
             5e-6,
-            method=lm.Polychromatic(each.wavelengths, each.weights[0]),
+            method=lm.methods.Polychromatic(each.wavelengths, each.weights[0]),
             blur=air,
             normalize="strehl",
             dtype="float64",

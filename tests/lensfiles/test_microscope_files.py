@@ -11,8 +11,10 @@ import numpy as np
 import pytest
 
 import lommel as lm
+from lommel.io.zernike_tables import ZernikeTable
 from lommel.lensfiles.microscope_files import describes_microscope
 from lommel.lensfiles.toml_files import LensFileError
+from lommel.optics.layers.stratified import Design
 
 EXAMPLES = sorted((Path(__file__).resolve().parents[2] / "examples" / "objectives").glob("*.toml"))
 PLAIN = """\
@@ -113,9 +115,9 @@ def test_films_are_from_the_glass_to_the_sample_and_the_design_is_what_it_says(l
     films = '[[films]]\nindex = 2.0\nthickness = "50 nm"\n[[films]]\nindex = 1.46\nthickness = "100 nm"\n'
     found = load(more=f'[design]\nimmersion = 1.515\n[design.coverslip]\nindex = 1.52\nthickness = "160 um"\n{films}')
     assert found.objective.films == (lm.Layer(2.0, 50e-9), lm.Layer(1.46, 100e-9))
-    assert found.objective.design == lm.Design(1.515, lm.Layer(1.52, 160e-6))
+    assert found.objective.design == Design(1.515, lm.Layer(1.52, 160e-6))
     alone = load(more="[design]\nimmersion = 1.515\n").objective
-    assert alone.design == lm.Design(1.515, alone.coverslip)
+    assert alone.design == Design(1.515, alone.coverslip)
 
 
 @pytest.mark.parametrize(("value", "powers"), [("0.5", (0.5,)), ("[0.4, -0.1]", (0.4, -0.1))])
@@ -266,7 +268,7 @@ def test_zernike_terms_are_those_of_a_lens_file_at_the_wavelength_of_the_emissio
 
 @pytest.mark.parametrize("name", ["a.csv", "a.toml", "a.json"])
 def test_a_table_that_lommel_wrote_may_stand_beside_the_file(load, tmp_path, name):
-    table = lm.ZernikeTable({6: 0.1, 11: -0.02}, "noll", "waves", "rms", wavelength=520e-9)
+    table = ZernikeTable({6: 0.1, 11: -0.02}, "noll", "waves", "rms", wavelength=520e-9)
     lm.save_zernike(tmp_path / name, table)
     beside = f'[aberrations.zernike]\nfile = "{name}"\n'
     assert same(load(more=beside).aberrations, MEASURED)

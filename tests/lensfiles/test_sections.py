@@ -13,8 +13,9 @@ from astropy.io import fits
 from PIL import Image
 
 import lommel as lm
-from lommel.lensfiles.lens_files import LensFileError
+from lommel.field.maps import Shading, Vignetting
 from lommel.lensfiles.tables import FieldTable, read_csv, read_rows
+from lommel.lensfiles.toml_files import LensFileError
 
 LENS = """\
 name = "camera"
@@ -516,7 +517,7 @@ def test_channels_are_wavelengths_weights_or_a_table(tmp_path):
     ],
 )
 def test_faults_are_told(tmp_path, text, message):
-    with pytest.raises(lm.lensfiles.lens_files.LensFileError, match=message):
+    with pytest.raises(LensFileError, match=message):
         load_of_colour_section(tmp_path, text)
 
 
@@ -524,7 +525,7 @@ def test_tables_elsewhere_are_refused_where_the_folder_is_all(tmp_path):
     (tmp_path / "s.csv").write_text("nm,a\n400,1\n500,1\n")
     (tmp_path / "in").mkdir()
     for keys in ('file = "../s.csv"', 'file = "s.csv"\nfilters = ["../s.csv"]'):
-        with pytest.raises(lm.lensfiles.lens_files.LensFileError, match="must lie in the folder"):
+        with pytest.raises(LensFileError, match="must lie in the folder"):
             load_of_colour_section(tmp_path / "in", f"[channels]\n{keys}\n", folder_only=True)
 
 
@@ -567,13 +568,13 @@ def test_places_of_a_lens_file_see_what_its_field_says(tmp_path, lenses):
     text = lenses["camera-field"].read_text(encoding="utf-8")
     (tmp_path / "eyes.toml").write_text(text + VIGNETTING + TABLE_SHADING_SECTIONS, encoding="utf-8")
     field = lm.load_instrument(tmp_path / "eyes.toml").field()
-    assert field.vignetting == lm.Vignetting([0.0, 10e-3, 22e-3], [0.0, 0.2, 0.8], 1.1)
+    assert field.vignetting == Vignetting([0.0, 10e-3, 22e-3], [0.0, 0.2, 0.8], 1.1)
     assert field.pupil(5e-3, 0.0).vignetting is None
     assert field.pupil(10e-3, 0.0).vignetting == lm.CatEye((0.2, 0.0), 1.1)
     expected = field.pupil(10e-3, 0.0).transmission * (1.0 - 0.5 * 10.0 / 22.0) / field.pupil(0.0, 0.0).transmission
     assert float(field.illumination(10e-3, 0.0)) == pytest.approx(expected)
     (tmp_path / "cos.toml").write_text(text + '[field.shading]\ndistance = "50 mm"\n', encoding="utf-8")
-    assert lm.load_instrument(tmp_path / "cos.toml").field().shading == lm.Shading.cos4(50e-3)
+    assert lm.load_instrument(tmp_path / "cos.toml").field().shading == Shading.cos4(50e-3)
 
 
 @pytest.mark.parametrize(

@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import lommel as lm
-from lommel.io.zernike_tables import ZernikeFileError
+from lommel.io.zernike_tables import ZernikeFileError, ZernikeTable
 from lommel.special import zernike
 
 SUFFIXES = (".json", ".toml", ".csv")
@@ -46,7 +46,7 @@ TEXTS = {".toml": TOML, ".json": JSON, ".csv": CSV}
 
 @pytest.fixture
 def load(tmp_path: Path):
-    def write_and_load(suffix: str, text: str) -> lm.ZernikeTable:
+    def write_and_load(suffix: str, text: str) -> ZernikeTable:
         file = tmp_path / f"table{suffix}"
         file.write_text(text, encoding="utf-8")
         return lm.load_zernike(file)
@@ -65,7 +65,7 @@ def faults(load, suffix: str, text: str) -> list[str]:
 @pytest.mark.parametrize("suffix", SUFFIXES)
 def test_every_format_holds_the_same_table(load, suffix):
     table = load(suffix, TEXTS[suffix])
-    assert table == lm.ZernikeTable({4: -12.5, 7: 31.0}, "noll", "nm", "rms", 632.8e-9)
+    assert table == ZernikeTable({4: -12.5, 7: 31.0}, "noll", "nm", "rms", 632.8e-9)
     assert table == load(suffix, "\ufeff" + TEXTS[suffix].replace("\n", "\r\n"))
     options = {"order": "noll", "wavelength": 632.8e-9}
     assert table.wavefront() == lm.Wavefront.zernike({4: -12.5, 7: 31.0}, unit="nm", **options)
@@ -78,7 +78,7 @@ def test_every_format_holds_the_same_table(load, suffix):
 
 def test_the_order_nm_has_two_columns_or_a_pair_for_a_key(load):
     text = "# order: nm\n# unit: waves\n# normalization: edge\nn,m,value\n3,1,0.25\n2,-2,1e-3\n"
-    expected = lm.ZernikeTable({(3, 1): 0.25, (2, -2): 1e-3}, "nm", "waves", "edge")
+    expected = ZernikeTable({(3, 1): 0.25, (2, -2): 1e-3}, "nm", "waves", "edge")
     assert load(".csv", text) == expected
     head = 'order = "nm"\nunit = "waves"\nnormalization = "edge"\n[terms]\n'
     assert load(".toml", f'{head}"3,1" = 0.25\n"(2, -2)" = 1e-3\n') == expected
@@ -116,7 +116,7 @@ def test_what_is_written_is_read_back_to_the_last_digit(
     tmp_path_factory, order, unit, normalization, wavelength, terms, obscuration, suffix
 ):
     indexed = {zernike.index_of(*zernike.term(j, "fringe"), order): c for j, c in terms.items()}
-    table = lm.ZernikeTable(indexed, order, unit, normalization, wavelength, obscuration)
+    table = ZernikeTable(indexed, order, unit, normalization, wavelength, obscuration)
     file = tmp_path_factory.getbasetemp() / f"again{suffix}"
     lm.save_zernike(file, table)
     assert lm.load_zernike(file) == table
@@ -187,7 +187,7 @@ def test_a_fault_of_csv_is_told_with_its_line(load, old, new, told):
 
 
 def test_other_formats_are_refused_and_missing_files_named(tmp_path):
-    table = lm.ZernikeTable({4: 1.0}, "noll", "waves", "rms")
+    table = ZernikeTable({4: 1.0}, "noll", "waves", "rms")
     with pytest.raises(ValueError, match=r"end in .json, .toml, .csv, .txt, .int, .zfr for Zernike coeff.*a.xlsx'"):
         lm.load_zernike(tmp_path / "a.xlsx")
     with pytest.raises(ValueError, match=r"path must end in .json, .toml, .csv for Zernike coefficients, got"):

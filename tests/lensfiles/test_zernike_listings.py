@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.io.zernike_tables import ZernikeFileError
+from lommel.io.zernike_tables import ZernikeFileError, ZernikeTable
 from lommel.special import zernike
 
 STANDARD = """\
@@ -94,7 +94,7 @@ def listing(kind: str, formulas: list[str]) -> str:
     return HEAD.format(kind=kind) + "\n".join(lines) + "\n"
 
 
-def waves(table: lm.ZernikeTable) -> np.ndarray:
+def waves(table: ZernikeTable) -> np.ndarray:
     return table.wavefront().phase(*POINTS) / (2.0 * math.pi)
 
 

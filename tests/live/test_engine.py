@@ -77,7 +77,7 @@ def pupil_of(state):
 
 
 def white(state):
-    return lm.Polychromatic(WHITE, [1.0] * 7) if state.get("light") == "white" else None
+    return lm.methods.Polychromatic(WHITE, [1.0] * 7) if state.get("light") == "white" else None
 
 
 def parts_of(state):

@@ -14,6 +14,7 @@ import lommel as lm
 from cases import each
 from lommel import _core
 from lommel.localize import Table
+from lommel.methods import DebyeRings, Stratified
 from objectives import OIL
 
 ASTIGMATISM = lm.Wavefront.zernike({6: 0.15}, order="noll", unit="waves")
@@ -47,7 +48,7 @@ def check(made: Table, places: list[tuple[float, float, float]]) -> None:
     names = ("row", "column", made.along)
     for row, column, at in places:
         pupil = plane(made.pupil, at, made.along)
-        method = lm.DebyeRings(1e-8) if pupil.aberrated else lm.Stratified(1e-8)
+        method = DebyeRings(1e-8) if pupil.aberrated else Stratified(1e-8)
         exact = lm.psf(
             pupil, made.shape, made.pixel, method=method, center=(row, column), dtype=np.float64,
             derivatives=("row", "column", made.along),
@@ -118,7 +119,7 @@ def test_any_wavefront_keeps_to_the_bound(terms, depth, tol, seed):
     rng = np.random.default_rng(seed)
     row, column, z = made.limits[0] + rng.random(3) * (made.limits[1] - made.limits[0])
     moved = SHORT.pupil(depth=depth, z=z, wavelength=600e-9, aberrations=wavefront)
-    method = lm.DebyeRings(1e-7) if moved.aberrated else lm.Stratified(1e-7)
+    method = DebyeRings(1e-7) if moved.aberrated else Stratified(1e-7)
     exact = lm.psf(moved, 9, 6.5e-6, method=method, center=(row, column), dtype=np.float64).values
     dimmest = made(4, 4, np.linspace(*made.z, 41)).max(axis=(1, 2)).min()
     assert np.abs(made(row, column, z) - exact).max() <= (made.error_bound + 1e-6) * dimmest

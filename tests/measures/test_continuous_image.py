@@ -18,6 +18,7 @@ from lommel.measures.continuous_image import (
     polar_images,
     sampled_transfer,
 )
+from lommel.methods import NijboerZernike, NonuniformFFT, Polychromatic
 
 LAMBDA, F_NUMBER = 550e-9, 4.0
 BLURS = {
@@ -41,9 +42,7 @@ def camera(defocus=2.0, **nonradial):
 @pytest.mark.parametrize("eps", [0.0, 0.35])
 @pytest.mark.parametrize("defocus", [0.0, 2.0, 17.0])
 def test_transfer_functions_and_samples_give_one_image(defocus, eps, active, blur):
-    model = ImageModel(
-        lm.Pupil(lm.Wavefront(defocus), obscuration=eps), lm.NijboerZernike(1e-10), BLURS[blur], active
-    )
+    model = ImageModel(lm.Pupil(lm.Wavefront(defocus), obscuration=eps), NijboerZernike(1e-10), BLURS[blur], active)
     polar, cartesian = next(polar_images(model, 20.0)), next(cartesian_images(model, 20.0))
     np.testing.assert_allclose(polar.circles(RADII), cartesian.circles(RADII), rtol=0, atol=2e-9)
     for low, high in (((-2.0, -1.5), (1.0, 3.0)), ((0.5, -4.0), (6.0, -1.0))):
@@ -51,7 +50,7 @@ def test_transfer_functions_and_samples_give_one_image(defocus, eps, active, blu
 
 
 def test_seeing_has_no_end_and_is_within_what_is_said_of_it():
-    model = ImageModel(lm.Pupil(lm.Wavefront(1.0)), lm.NijboerZernike(), (lm.Seeing(0.12),), (1.0, 1.0))
+    model = ImageModel(lm.Pupil(lm.Wavefront(1.0)), NijboerZernike(), (lm.Seeing(0.12),), (1.0, 1.0))
     polar, cartesian = next(polar_images(model, 60.0)), next(cartesian_images(model, 60.0))
     radii = np.array([3.0, 10.0, 30.0, 60.0])
     np.testing.assert_allclose(polar.circles(radii), cartesian.circles(radii), rtol=0, atol=1e-5)
@@ -59,11 +58,11 @@ def test_seeing_has_no_end_and_is_within_what_is_said_of_it():
 
 def test_white_light_is_the_sum_of_its_wavelengths():
     pupil = camera(1.5)
-    white = lm.Polychromatic([450e-9, 550e-9, 650e-9], [1.0, 2.0, 1.0])
+    white = Polychromatic([450e-9, 550e-9, 650e-9], [1.0, 2.0, 1.0])
     for blur in ((), (lm.Seeing(0.05, focal_length=1.0, wavelength=500e-9),)):
         model = ImageModel(pupil, white, blur, (2e-6, 2e-6))
         found = next(images(model, 8.0)).circles(RADII[1:5])
-        parts = [ImageModel(pupil.in_light(w), lm.NijboerZernike(), blur, (2e-6, 2e-6)) for w in white.wavelengths]
+        parts = [ImageModel(pupil.in_light(w), NijboerZernike(), blur, (2e-6, 2e-6)) for w in white.wavelengths]
         # Lengths are in lambda*N of each light.
         each = [next(images(p, 12.0)).circles(RADII[1:5] * pupil.scale / p.pupil.scale) for p in parts]
         np.testing.assert_allclose(found, np.tensordot(white.weights, each, 1), rtol=0, atol=1e-8)
@@ -77,7 +76,7 @@ def test_white_light_is_the_sum_of_its_wavelengths():
 def test_the_image_at_a_point_is_what_a_pixel_there_averages(side):
     """Pixels around other axes, by engines that know neither transforms nor transfer functions of an image."""
     pupil = lm.Pupil(lm.Wavefront(2.0, nonradial={(3, 1): 1.5, (2, -2): 0.7}), obscuration=0.2)
-    (image,) = cartesian_images(ImageModel(pupil, lm.NijboerZernike(1e-9), (), (side, side)), 6.0)
+    (image,) = cartesian_images(ImageModel(pupil, NijboerZernike(1e-9), (), (side, side)), 6.0)
     for x, y in ((0.0, 0.0), (0.3, -1.1), (2.2, 1.7)):
         value = lm.psf(pupil, 1, side, integrate=True, center=(-y / side, -x / side), tol=1e-9).values[0, 0]
         assert image.on(np.array([x]), np.array([y]))[0, 0] * side**2 == pytest.approx(value, abs=1e-8)
@@ -85,7 +84,7 @@ def test_the_image_at_a_point_is_what_a_pixel_there_averages(side):
 
 
 def test_derivatives_are_limits_of_differences():
-    (image,) = cartesian_images(ImageModel(lm.Pupil(lm.Wavefront(nonradial={(3, 1): 1.0})), lm.NijboerZernike()), 4.0)
+    (image,) = cartesian_images(ImageModel(lm.Pupil(lm.Wavefront(nonradial={(3, 1): 1.0})), NijboerZernike()), 4.0)
     here, h = image.derivatives(0.4, -0.3), 1e-4
     right, left = image.derivatives(0.4 + h, -0.3), image.derivatives(0.4 - h, -0.3)
     below, above = image.derivatives(0.4, -0.3 + h), image.derivatives(0.4, -0.3 - h)
@@ -135,7 +134,7 @@ def test_transfer_functions_from_samples_are_those_of_the_wavefront():
     f = np.array([0.0, 0.02, 0.07, 0.2, 0.5, 0.9, 1.2])
     for wavefront in (lm.Wavefront(), lm.Wavefront(3.0, nonradial={(3, 1): 2.0})):
         pupil = lm.Pupil(wavefront, obscuration=0.2)
-        found = sampled_transfer(ImageModel(pupil, lm.NijboerZernike()), f, 0.3 * f)[0]
+        found = sampled_transfer(ImageModel(pupil, NijboerZernike()), f, 0.3 * f)[0]
         difference = np.abs(found - lm.otf(pupil, f, 0.3 * f))
         assert difference[0] < 1e-12
         assert difference[1:3].max() < 3e-4
@@ -168,7 +167,7 @@ def test_contrast_does_not_alias_whatever_the_pixel(pixel, options):
     }.get(options, camera())
     how = {
         "blurred": {"blur": lm.Jitter(1e-6)},
-        "white": {"method": lm.Polychromatic([500e-9, 600e-9], [1, 1])},
+        "white": {"method": Polychromatic([500e-9, 600e-9], [1, 1])},
     }.get(options, {})
     side = pixel * pupil.scale
     psf = lm.psf(pupil, 9, side, tol=1e-4 if options == "blurred" else None, **how)
@@ -198,7 +197,7 @@ def test_a_star_in_seeing_has_its_light_beyond_the_window():
     """0.8 m at f/10 with a third obscured, 1.2 arcsec: the circle of 0.5 mm holds 99.5 % whatever the window."""
     telescope = lm.Pupil(obscuration=0.3, wavelength=550e-9, f_number=10.0)
     air = lm.Seeing.from_fwhm(1.2 * math.pi / 648000, focal_length=8.0, wavelength=550e-9)
-    model = ImageModel(telescope, lm.NijboerZernike(), (air,))
+    model = ImageModel(telescope, NijboerZernike(), (air,))
 
     def exact(radius):  # Hankel quadrature of its own, over Gauss nodes
         x, w = np.polynomial.legendre.leggauss(600)
@@ -218,8 +217,8 @@ def test_a_star_in_seeing_has_its_light_beyond_the_window():
 def test_vanes_and_seeing_answer_far_out():
     vanes = lm.Pupil(obscuration=0.3, spider=lm.Spider.equal(4, width=0.02), wavelength=600e-9, f_number=8.0)
     air = lm.Seeing.from_fwhm(0.4 * math.pi / 648000, focal_length=8.0, wavelength=600e-9)
-    model = ImageModel(vanes, lm.NonuniformFFT(1e-5), (air,))
-    plain = ImageModel(lm.Pupil(obscuration=0.3), lm.NijboerZernike())
+    model = ImageModel(vanes, NonuniformFFT(1e-5), (air,))
+    plain = ImageModel(lm.Pupil(obscuration=0.3), NijboerZernike())
     (image,) = cartesian_images(model, 160.0)
     # Far out the light beyond falls as the reciprocal, more of it where edges are straight.
     missing = 1.0 - image.circles(np.array([80.0, 160.0]))
@@ -348,7 +347,7 @@ def test_the_width_is_the_extent_of_what_is_brighter_than_half():
 
 
 def test_rays_have_energies_of_their_own():
-    psf = lm.psf(lm.Pupil(lm.Wavefront(12.0)), 65, 0.5, method=lm.Geometric())
+    psf = lm.psf(lm.Pupil(lm.Wavefront(12.0)), 65, 0.5, method="geometric")
     edge = 4 * 12.0 / math.pi
     radii = np.array([0.0, 3.0, 7.0, 14.0])
     np.testing.assert_allclose(psf.encircled_energy(radii, of="optics"), (radii / edge) ** 2, atol=1e-4)
@@ -369,12 +368,12 @@ def test_what_makes_no_sense_is_refused():
     with pytest.raises(ValueError, match="pixel must be left out for a PSF, which includes it; or pass"):
         lm.mtf(psf, 1e4, pixel=1e-6)
     with pytest.raises(ValueError, match="spectrum must be left out for a PSF"):
-        lm.otf(psf, 1e4, spectrum=lm.Polychromatic([5e-7], [1.0]))
+        lm.otf(psf, 1e4, spectrum=Polychromatic([5e-7], [1.0]))
 
 
 def test_the_frequency_of_half_contrast_is_that_of_the_image():
     psf = lm.psf(camera(coma=1.0), 9, 3.45e-6, blur=lm.Jitter(0.5e-6), tol=1e-4)
     f = lm.mtf_frequency(psf, 0.3)
     assert psf.mtf(f) == pytest.approx(0.3, abs=1e-8)
-    white = lm.psf(camera(), 9, 1e-6, method=lm.Polychromatic([450e-9, 650e-9], [1, 1]))
+    white = lm.psf(camera(), 9, 1e-6, method=Polychromatic([450e-9, 650e-9], [1, 1]))
     assert white.mtf(lm.mtf_frequency(white)) == pytest.approx(0.5, abs=1e-8)

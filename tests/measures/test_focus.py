@@ -8,8 +8,10 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel import LommelSeries, NijboerZernike, Pupil, Wavefront
+from lommel import Pupil, Wavefront
 from lommel.measures.energy import radial_energy
+from lommel.methods import NijboerZernike
+from lommel.paper import LommelSeries
 from lommel.show.curves import moved, section
 
 

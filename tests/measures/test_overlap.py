@@ -193,7 +193,7 @@ def test_stacks_wavelengths_pixels_and_curves_of_a_mask():
     found = lm.mtf(stack, f, pixel=2e-6)
     assert found.shape == (2, 1)
     assert found[1, 0] == pytest.approx(lm.mtf(stack[1, 0], f) * np.sinc(f * 2e-6), rel=1e-12)
-    several = lm.Polychromatic([500e-9, 600e-9], [1.0, 1.0])
+    several = lm.methods.Polychromatic([500e-9, 600e-9], [1.0, 1.0])
     parts = [lm.mtf(stack[0, 0].in_light(w), f) for w in (500e-9, 600e-9)]
     both = lm.otf(stack[0, 0], f, spectrum=several)
     shares = np.array([part.share for part in several.components(stack[0, 0])])

@@ -19,12 +19,12 @@ LENS = lm.Lens(
 )
 BY_PHASE = ("defocus", "spherical", "rho^6", (3, 1), "noll 7", "row", "column", "object_distance")
 OTHERS = ("wavelength", "f_number", "obscuration", "focus_distance")
-WHITE = lm.Polychromatic([5e-7, 6e-7], [1, 2])
+WHITE = lm.methods.Polychromatic([5e-7, 6e-7], [1, 2])
 
 
 @pytest.mark.parametrize("integrate", [False, True])
 @pytest.mark.parametrize("normalize", ["energy", "strehl"])
-@pytest.mark.parametrize("method", [None, lm.ChordalGauss(), WHITE])
+@pytest.mark.parametrize("method", [None, lm.methods.ChordalGauss(), WHITE])
 def test_a_gradient_is_the_sum_over_pixels_of_derivatives(method, normalize, integrate):
     asked = {"method": method, "normalize": normalize, "integrate": integrate, "dtype": np.float64, "tol": 1e-11}
     answer = lm.psf(LENS.pupil([1.95, 2.1]), (7, 8), 1.5e-6, derivatives=BY_PHASE + OTHERS, **asked)
@@ -88,7 +88,7 @@ def test_what_is_no_gradient_is_refused(g, of, error, told):
 def test_what_has_no_derivatives_has_no_gradient():
     for more, told in (
         ({"normalize": "peak"}, "kinks"),
-        ({"method": lm.Hankel()}, "derivatives are not available from Hankel"),
+        ({"method": lm.methods.Hankel()}, "derivatives are not available from Hankel"),
     ):
         answer = lm.psf(lm.Pupil(), 9, 0.5, **more)
         with pytest.raises(ValueError, match=told):

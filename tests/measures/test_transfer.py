@@ -16,7 +16,8 @@ from scipy.special import jv
 import lommel as lm
 from lommel.measures import transfer
 from lommel.measures.overlap import autocorrelation
-from lommel.methods import ToleranceError
+from lommel.methods import Hankel, NijboerZernike, Polychromatic, ToleranceError
+from lommel.paper import Fraunhofer
 from pupil_overlap import overlap
 
 COMA = lm.Wavefront([0.0, 3.0], 0.4, nonradial={(3, 1): 1.0, (2, -2): -1.1, (1, 1): 2.0})
@@ -127,7 +128,7 @@ def test_the_wavefront_and_the_values_agree_to_what_the_window_holds(pupil):
     f = np.linspace(-1.0, 1.0, 9)
     outside = []
     for side in (65, 257):
-        image = lm.psf(pupil, side, 0.25, method=lm.Fraunhofer(samples=256, edge="grey"), dtype="float64")
+        image = lm.psf(pupil, side, 0.25, method=Fraunhofer(samples=256, edge="grey"), dtype="float64")
         difference = np.abs(transfer.sampled_otf(image, f, f[:, None]) - lm.otf(pupil, f, f[:, None]))
         np.testing.assert_array_equal(image.otf(f, f[:, None]), lm.otf(pupil, f, f[:, None]))
         outside.append(1 - image.energy)
@@ -138,7 +139,7 @@ def test_the_wavefront_and_the_values_agree_to_what_the_window_holds(pupil):
 def test_pixels_that_average_carry_their_sinc_in_the_image_and_from_the_wavefront():
     pupil = lm.Pupil(lm.Wavefront(2.0), wavelength=500e-9, f_number=4.0)
     pixel = 0.4 * pupil.scale
-    image = lm.psf(pupil, 301, pixel, integrate=True, method=lm.NijboerZernike(1e-9))
+    image = lm.psf(pupil, 301, pixel, integrate=True, method=NijboerZernike(1e-9))
     f = np.array([0.05, 0.2, 0.6, 0.95]) * pupil.cutoff
     expected = lm.otf(pupil, f, 0.3 * f, pixel=pixel)
     plain = lm.otf(pupil, f, 0.3 * f)
@@ -227,7 +228,7 @@ def test_a_stack_gives_what_each_of_its_pupils_gives():
 
 def test_a_spectrum_is_the_weighted_sum_and_what_its_images_hold():
     pupil = lm.Pupil(lm.Wavefront(2.0), wavelength=500e-9, f_number=4.0)
-    spectrum = lm.Polychromatic([450e-9, 500e-9, 600e-9], [1, 2, 1], lm.NijboerZernike(1e-9))
+    spectrum = Polychromatic([450e-9, 500e-9, 600e-9], [1, 2, 1], NijboerZernike(1e-9))
     f = np.array([0.0, 0.1, 0.5, 0.95]) * pupil.cutoff
     found = lm.otf(pupil, f, spectrum=spectrum)
     parts = [
@@ -240,7 +241,7 @@ def test_a_spectrum_is_the_weighted_sum_and_what_its_images_hold():
     with pytest.raises(ValueError, match="needs a pupil with a wavelength"):
         lm.otf(lm.Pupil(), 0.5, spectrum=spectrum)
     with pytest.raises(TypeError, match="spectrum must be a Polychromatic"):
-        lm.otf(pupil, 0.5, spectrum=lm.Hankel())
+        lm.otf(pupil, 0.5, spectrum=Hankel())
 
 
 @pytest.mark.parametrize("angle", [0.0, 1.1])

@@ -13,8 +13,9 @@ from numpy.typing import NDArray
 from scipy.special import j1
 
 import lommel as lm
-from lommel import CatEye, Ellipse, Fraunhofer, Mask, MatrixFourier, NonuniformFFT, Pupil, Spider, Wavefront
-from lommel.methods import METHODS
+from lommel import CatEye, Ellipse, Mask, Pupil, Spider, Wavefront
+from lommel.methods import METHODS, Hankel, MatrixFourier, Method, NijboerZernike, NonuniformFFT
+from lommel.paper import Fraunhofer
 
 Array = NDArray[np.float64]
 Nodes = tuple[Array, Array, Array]
@@ -135,7 +136,7 @@ def exact(pupil: Pupil) -> Array:
     return np.asarray(np.abs(dense(pupil, v, parts) / amplitude) ** 2)
 
 
-def image(pupil: Pupil, method: lm.Method) -> Array:
+def image(pupil: Pupil, method: Method) -> Array:
     return lm.psf(pupil, SHAPE, PIXEL, method=method, center=CENTER, normalize="strehl", dtype=np.float64).values
 
 
@@ -177,12 +178,12 @@ def test_a_binary_lattice_converges_more_slowly_than_a_grey_one() -> None:
 def test_on_radial_pupils_all_agree_with_the_hankel_transform(eps: float, options: dict[str, Any]) -> None:
     pupil = Pupil(Wavefront(12.0, -3.0, (1.0,)), obscuration=eps, apodization=0.4)
 
-    def values(method: lm.Method) -> Array:
+    def values(method: Method) -> Array:
         return lm.psf(pupil, (24, 21), 0.8, method=method, dtype=np.float64, **options).values
 
-    reference = values(lm.Hankel(1e-12))
+    reference = values(Hankel(1e-12))
     assert np.abs(values(NonuniformFFT(1e-9)) - reference).max() <= 1e-9 * reference.max()
-    assert np.abs(values(NonuniformFFT()) - values(lm.NijboerZernike())).max() <= 2e-6 * reference.max()
+    assert np.abs(values(NonuniformFFT()) - values(NijboerZernike())).max() <= 2e-6 * reference.max()
     assert np.abs(values(MatrixFourier(768)) - reference).max() <= 2e-3 * reference.max()
 
 
@@ -240,7 +241,7 @@ def test_all_light_of_a_mask_is_in_one_period_of_its_image() -> None:
 
 
 @pytest.mark.parametrize("method", [NonuniformFFT(1e-9), MatrixFourier(32)], ids=repr)
-def test_a_mask_of_a_rectangle_is_a_product_of_dirichlet_kernels(method: lm.Method) -> None:
+def test_a_mask_of_a_rectangle_is_a_product_of_dirichlet_kernels(method: Method) -> None:
     # Columns 14 to 19 and rows 10 to 23 of 32, all within the rim.
     mask = np.zeros((32, 32))
     mask[10:24, 14:20] = 0.5
@@ -263,7 +264,7 @@ def test_a_mask_is_the_same_sum_by_either_method_whatever_else_narrows_the_apert
 
 
 @pytest.mark.parametrize("method", [NonuniformFFT(1e-8), MatrixFourier(256), Fraunhofer(256, edge="grey")], ids=repr)
-def test_tilt_moves_the_image_and_coma_points_as_the_conventions_say(method: lm.Method) -> None:
+def test_tilt_moves_the_image_and_coma_points_as_the_conventions_say(method: Method) -> None:
     spider = Spider.equal(3, 0.05)
     still = lm.psf(Pupil(spider=spider), 21, 0.5, method=method, center=(7, 13), dtype=np.float64).values
     tilt = Wavefront(nonradial={(1, 1): 1.5 * math.pi, (1, -1): -1.5 * math.pi})

@@ -10,7 +10,10 @@ import pytest
 
 import lommel as lm
 from lommel.core.answers import Wanted
+from lommel.methods import ChordalGauss, Hankel, MatrixFourier, NijboerZernike, Polychromatic
 from lommel.methods.derivative_names import POWERS, checked, parts
+from lommel.optics.grid import Grid
+from lommel.paper import ClosedForm, Fraunhofer, Geometric, LommelSeries
 
 LENS = lm.Lens(focal_length=50e-3, f_number=2.8, focus_distance=2.0, wavelength=5.5e-7, obscuration=0.3)
 COMA = lm.Wavefront(2.0, 0.5, nonradial={(3, 1): 1.0, (2, -2): 0.6})
@@ -63,7 +66,7 @@ def test_a_plan_gives_what_a_psf_does_with_a_place_for_the_values():
         answer = plan(pupil, derivatives=names, out=out)
         assert answer.values is out
         assert np.array_equal(out, alone.values)
-        assert answer.method == alone.method == lm.ChordalGauss()
+        assert answer.method == alone.method == ChordalGauss()
         for name in names:
             assert np.array_equal(answer.derivatives[name], alone.derivatives[name])
     assert answer.error_bound <= 1e-6
@@ -72,15 +75,15 @@ def test_a_plan_gives_what_a_psf_does_with_a_place_for_the_values():
 def test_radial_terms_and_shifts_of_radial_pupils_are_by_the_series_and_all_others_by_the_chordal_rule():
     pupil = lm.Pupil(lm.Wavefront(2.0, 1.0), obscuration=0.3)
     for names, method in (
-        ((*POWERS, (2, 0), (4, 0), (8, 0)), lm.NijboerZernike()),
-        (("defocus", "row", (1, 1)), lm.NijboerZernike()),
-        (("row", (3, 1)), lm.ChordalGauss()),
-        (("row", "obscuration"), lm.ChordalGauss()),
-        (((10, 0),), lm.ChordalGauss()),
+        ((*POWERS, (2, 0), (4, 0), (8, 0)), NijboerZernike()),
+        (("defocus", "row", (1, 1)), NijboerZernike()),
+        (("row", (3, 1)), ChordalGauss()),
+        (("row", "obscuration"), ChordalGauss()),
+        (((10, 0),), ChordalGauss()),
     ):
         answer = lm.psf(pupil, 9, 0.5, derivatives=names, dtype=np.float64)
         assert answer.method == method
-        other = lm.psf(pupil, 9, 0.5, derivatives=names, method=lm.ChordalGauss(1e-10), dtype=np.float64)
+        other = lm.psf(pupil, 9, 0.5, derivatives=names, method=ChordalGauss(1e-10), dtype=np.float64)
         for name in names:
             off = np.abs(answer.derivatives[name] - other.derivatives[name]).max() / other.values.max()
             assert off <= answer.derivative_bounds[name] + other.derivative_bounds[name]
@@ -102,7 +105,7 @@ def test_strong_defocus_and_large_windows_shift_and_grow_too():
     t, w = np.polynomial.legendre.leggauss(6)
     slopes = [_moved(pupil, s, derivatives=("row",)).derivatives["row"] for s in t]
     summed = np.einsum("k,kij->ij", w, slopes) / 32.0
-    assert answer.method == lm.NijboerZernike()
+    assert answer.method == NijboerZernike()
     assert np.abs(summed - (rows[1] - rows[0])).max() <= 5e-8 * answer.values.max()
     # What grows keeps its light: the derivative by ln N sums to nothing where the window holds nearly all of it.
     assert abs(answer.derivatives["f_number"].sum()) * pupil.f_number < 5e-3
@@ -201,12 +204,12 @@ def test_what_other_apertures_lack_is_said():
 
 
 @pytest.mark.parametrize(
-    "method", [lm.Hankel(), lm.MatrixFourier(), lm.Fraunhofer(), lm.ClosedForm(), lm.LommelSeries(), lm.Geometric()]
+    "method", [Hankel(), MatrixFourier(), Fraunhofer(), ClosedForm(), LommelSeries(), Geometric()]
 )
 def test_methods_that_have_none_say_which_do(method):
     name = type(method).__name__
     pupil = lm.Pupil(lm.Wavefront(3.0), wavelength=5e-7, f_number=2.0)
-    for each in (method, lm.Polychromatic([5e-7, 6e-7], [1, 1], method)):
+    for each in (method, Polychromatic([5e-7, 6e-7], [1, 1], method)):
         with pytest.raises(ValueError, match=f"not available from {name}; use NijboerZernike, ChordalGauss or"):
             lm.psf(pupil, 9, 1e-6, method=each, derivatives=("defocus",))
 
@@ -226,16 +229,16 @@ def test_factors_are_those_of_the_conventions():
 @pytest.mark.parametrize(
     ("method", "wanted", "told"),
     [
-        (lm.Hankel(), Wanted(powers=(1,)), "not available from Hankel"),
-        (lm.Hankel(), Wanted(terms=((3, 1),)), "not available from Hankel"),
-        (lm.NijboerZernike(), Wanted(terms=((3, 1),)), "use ChordalGauss"),
-        (lm.Polychromatic([5e-7], [1]), Wanted(terms=((3, 1),)), "are not available from Polychromatic"),
-        (lm.Polychromatic([5e-7], [1]), Wanted(powers=(1,)), "are not available from Polychromatic"),
+        (Hankel(), Wanted(powers=(1,)), "not available from Hankel"),
+        (Hankel(), Wanted(terms=((3, 1),)), "not available from Hankel"),
+        (NijboerZernike(), Wanted(terms=((3, 1),)), "use ChordalGauss"),
+        (Polychromatic([5e-7], [1]), Wanted(terms=((3, 1),)), "are not available from Polychromatic"),
+        (Polychromatic([5e-7], [1]), Wanted(powers=(1,)), "are not available from Polychromatic"),
     ],
 )
 def test_no_method_leaves_derivatives_out_silently(method, wanted, told):
     with pytest.raises(ValueError, match=told):
-        method.images(lm.Pupil(wavelength=5e-7, f_number=2.0), lm.Grid(5, 1e-6), wanted)
+        method.images(lm.Pupil(wavelength=5e-7, f_number=2.0), Grid(5, 1e-6), wanted)
 
 
 def test_the_bound_of_a_stack_is_its_largest():

@@ -14,8 +14,8 @@ from numpy.polynomial.legendre import legval
 from numpy.typing import NDArray
 from scipy import special
 
-from lommel import Hankel, Pupil, Wavefront
-from lommel.methods import hankel
+from lommel import Pupil, Wavefront
+from lommel.methods import Hankel, hankel
 from lommel.special.legendre import gauss_legendre
 
 V = np.array([0.0, 1e-3, 0.7, 3.0, 10.0, 41.7, 160.0])

@@ -7,6 +7,7 @@ import pytest
 from scipy.special import eval_legendre, j0
 
 import lommel as lm
+from lommel.methods import ChordalGauss, Hankel, NijboerZernike
 
 TERMS = [{(20, 0): 8.0}, {(60, 0): 8.0}, {(60, 0): -3.0, (58, 0): 2.0, (20, 0): 5.0, (2, 0): 30.0}]
 
@@ -31,7 +32,7 @@ def pupil_of(terms, obscuration: float = 0.0, gaussian: float = 0.0) -> lm.Pupil
 @pytest.mark.parametrize("tol", [1e-6, 1e-10])
 def test_samples_and_the_derivative_by_defocus(terms, obscuration, gaussian, tol):
     pupil = pupil_of(terms, obscuration, gaussian)
-    method = lm.NijboerZernike(tol)
+    method = NijboerZernike(tol)
     answer = lm.psf(
         pupil, 25, 0.6, method=method, dtype=np.float64, derivatives=("defocus",), normalize="strehl", integrate=False
     )
@@ -50,9 +51,7 @@ def test_samples_and_the_derivative_by_defocus(terms, obscuration, gaussian, tol
 @pytest.mark.parametrize("center", [None, (3.3, 2.1)])
 def test_averages_over_pixels(terms, center):
     pupil, shape, pixel = pupil_of(terms, 0.35, 1.5), (7, 6), 0.9
-    answer = lm.psf(
-        pupil, shape, pixel, method=lm.NijboerZernike(1e-9), dtype=np.float64, integrate=True, center=center
-    )
+    answer = lm.psf(pupil, shape, pixel, method=NijboerZernike(1e-9), dtype=np.float64, integrate=True, center=center)
     x, w = np.polynomial.legendre.leggauss(12)
     rows, columns = (
         part[..., None, None] - at for part, at in zip(np.indices(shape), answer.grid.center, strict=True)
@@ -66,14 +65,14 @@ def test_averages_over_pixels(terms, center):
 @pytest.mark.parametrize("terms", TERMS)
 def test_the_field_along_radii_has_the_phase_that_is_0_on_the_axis(terms):
     v = np.linspace(0.0, 80.0, 60)
-    values, bound = lm.NijboerZernike(1e-9).evaluate(pupil_of(terms, 0.35), v)
+    values, bound = NijboerZernike(1e-9).evaluate(pupil_of(terms, 0.35), v)
     exact = field(terms, 0.35, 0.0, v) * np.exp(-1j * sum(c * (-1) ** (n // 2) for (n, _), c in terms.items()))
     assert np.abs(values[0] - exact).max() <= bound[0]
-    reference, estimate = lm.Hankel(1e-10).evaluate(pupil_of(terms, 0.35), v)
+    reference, estimate = Hankel(1e-10).evaluate(pupil_of(terms, 0.35), v)
     assert np.abs(values - reference).max() <= bound[0] + estimate[0]
 
 
-@pytest.mark.parametrize("method", [lm.NijboerZernike, lm.ChordalGauss])
+@pytest.mark.parametrize("method", [NijboerZernike, ChordalGauss])
 @pytest.mark.parametrize("terms", [{(20, 0): 8.0}, {(60, 0): 2.0}])
 def test_terms_of_no_direction_beside_such_that_have_one(method, terms):
     """A term that is too small to matter takes them to the engines of the whole disk."""
@@ -81,6 +80,6 @@ def test_terms_of_no_direction_beside_such_that_have_one(method, terms):
     assert not beside.radial
     asked = {"dtype": np.float64, "integrate": False, "normalize": "strehl"}
     one = lm.psf(beside, 17, 0.4, method=method(1e-9), **asked)
-    other = lm.psf(pupil_of(terms, 0.35), 17, 0.4, method=lm.NijboerZernike(1e-11), **asked)
+    other = lm.psf(pupil_of(terms, 0.35), 17, 0.4, method=NijboerZernike(1e-11), **asked)
     assert lm.peak_error(one, other) <= one.error_bound + other.error_bound
     assert one.error_bound <= 1e-9

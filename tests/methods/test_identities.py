@@ -12,8 +12,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy import special
 
-from lommel import Hankel, LommelSeries, NijboerZernike, Pupil, Wavefront
-from lommel.methods import RadialMethod
+from lommel import Pupil, Wavefront
+from lommel.methods import Hankel, NijboerZernike, RadialMethod
+from lommel.paper import LommelSeries
 
 GENERAL = [pytest.param(Hankel(), id="hankel"), pytest.param(NijboerZernike(tol=1e-12), id="nijboer-zernike")]
 EXACT = [*GENERAL, pytest.param(LommelSeries(), id="lommel-series")]

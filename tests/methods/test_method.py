@@ -12,24 +12,35 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import lommel as lm
-from lommel import Hankel, Lens, NijboerZernike, Pupil, Wavefront
-from lommel.methods import ERFS, METHODS, Method, RadialMethod, method_from_dict
+from lommel import Lens, Pupil, Wavefront
+from lommel.methods import (
+    ERFS,
+    METHODS,
+    Hankel,
+    MatrixFourier,
+    Method,
+    NijboerZernike,
+    NonuniformFFT,
+    RadialMethod,
+    method_from_dict,
+)
 from lommel.methods.method import relative_error
+from lommel.paper import AbramowitzErf, ClosedForm, Fraunhofer, Geometric, HuygensFresnel, LommelSeries, TableErf
 
 LENS = Lens(focal_length=2e-3, f_number=8.0, focus_distance=0.5, wavelength=500e-9)
 ALL = [pytest.param(kind(), id=name) for name, kind in METHODS.items()]
 RADIAL = [pytest.param(kind(), id=name) for name, kind in METHODS.items() if issubclass(kind, RadialMethod)]
 OPTIONED = [
-    lm.NijboerZernike(tol=1e-9),
-    lm.Hankel(tol=1e-3),
-    lm.LommelSeries(),
-    lm.HuygensFresnel(symmetry=False, nodes=(12, 34)),
-    lm.Fraunhofer(samples=64, padding=2.5, edge="grey"),
-    lm.MatrixFourier(samples=99, edge="binary"),
-    lm.NonuniformFFT(tol=1e-9),
-    lm.ClosedForm(tangent=50, erf=lm.AbramowitzErf(17), transition=3, terms=9, variant="printed", truncate=40.0),
-    lm.ClosedForm(erf=lm.TableErf(99)),
-    lm.Geometric(rings=3),
+    NijboerZernike(tol=1e-9),
+    Hankel(tol=1e-3),
+    LommelSeries(),
+    HuygensFresnel(symmetry=False, nodes=(12, 34)),
+    Fraunhofer(samples=64, padding=2.5, edge="grey"),
+    MatrixFourier(samples=99, edge="binary"),
+    NonuniformFFT(tol=1e-9),
+    ClosedForm(tangent=50, erf=AbramowitzErf(17), transition=3, terms=9, variant="printed", truncate=40.0),
+    ClosedForm(erf=TableErf(99)),
+    Geometric(rings=3),
 ]
 
 

@@ -10,7 +10,7 @@ from lommel.core.answers import Intensities, ToleranceError
 from lommel.methods.polychromatic import Polychromatic, sum_wavelengths
 from lommel.optics.colour.spectrum import Component
 
-KEPT, LOOSE = Polychromatic([5e-7]), Polychromatic([5e-7], method=lm.Hankel(1e-6))
+KEPT, LOOSE = Polychromatic([5e-7]), Polychromatic([5e-7], method=lm.methods.Hankel(1e-6))
 PARTS = [Component(1.0, stretch, None) for stretch in (1.0, 1.25, 0.8)]
 SHARES = np.array([[0.0, 0.75, 0.25], [0.5, 0.25, 0.25], [1.0, 0.0, 0.0]])
 RNG = np.random.default_rng(4)

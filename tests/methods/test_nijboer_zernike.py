@@ -12,7 +12,8 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 import lommel as lm
-from lommel import Hankel, NijboerZernike, Pupil, ToleranceError, Wavefront
+from lommel import Pupil, ToleranceError, Wavefront
+from lommel.methods import Hankel, NijboerZernike
 
 PUPILS = {
     "in focus": Pupil(),
@@ -164,7 +165,7 @@ def test_the_least_obscurations_count() -> None:
     pupil = lm.Pupil(lm.Wavefront(3.0), obscuration=5e-3)
     found, exact = (
         lm.psf(pupil, 33, 0.4, method=method, dtype=np.float64, normalize="strehl")
-        for method in (lm.NijboerZernike(1e-9), lm.Hankel())
+        for method in (lm.methods.NijboerZernike(1e-9), lm.methods.Hankel())
     )
     assert np.abs(found.values - exact.values).max() <= 1e-9 * exact.values.max()
 

@@ -11,11 +11,12 @@ from hypothesis import strategies as st
 
 import lommel as lm
 from column_sums import field, nodes
-from lommel import Disc, Ellipse, Mask, NonuniformFFT, Polygon, Pupil, Segments, Spider, Wavefront
+from lommel import Disc, Ellipse, Mask, Polygon, Pupil, Segments, Spider, Wavefront
 from lommel.core.answers import ToleranceError, Wanted
-from lommel.methods import nonuniform_fft
+from lommel.methods import NonuniformFFT, nonuniform_fft
 from lommel.optics.aperture.opening import Opening
 from lommel.optics.aperture.shapes import Combined
+from lommel.optics.grid import Grid
 from lommel.special import zernike
 
 TOLERANCES = 10.0 ** -np.arange(3.0, 11.0)
@@ -220,7 +221,7 @@ def test_derivatives_by_terms_are_those_of_the_reference():
         exact.append(2.0 * (np.conj(u) * 1j * g).real)
     for tol in TOLERANCES:
         wanted = Wanted(scale=1.0 / amplitude**2, terms=terms)
-        slopes = NonuniformFFT(tol).images(pupil, lm.Grid(SIDES, PIXEL, center=CENTER), wanted).slopes
+        slopes = NonuniformFFT(tol).images(pupil, Grid(SIDES, PIXEL, center=CENTER), wanted).slopes
         for found, bound, known in zip(slopes.values[:, 0], slopes.error[:, 0], exact, strict=True):
             assert np.abs(found * amplitude**2 - known).max() <= (bound + 1e-12) * peak
             assert bound <= 30.0 * tol
@@ -279,7 +280,7 @@ CUT = Polygon([(-0.9, -0.7), (0.8, -0.8), (0.5, 0.9)])
     ],
 )
 def test_images_of_a_real_pupil_are_those_of_one_side_of_the_axis(monkeypatch, shape, center, half):
-    pupil, grid = Pupil(stop=CUT, apodization=0.4), lm.Grid(shape, 0.7, center=center)
+    pupil, grid = Pupil(stop=CUT, apodization=0.4), Grid(shape, 0.7, center=center)
     computed, rows = [], nonuniform_fft.row_images
     monkeypatch.setattr(nonuniform_fft, "moment_rule_is_faster", lambda *_: False)
     monkeypatch.setattr(nonuniform_fft, "row_images", lambda *args: computed.append(args[3].shape) or rows(*args))
@@ -299,9 +300,9 @@ def test_images_of_a_real_pupil_are_those_of_one_side_of_the_axis(monkeypatch, s
     ],
 )
 def test_images_of_other_pupils_have_two_sides(monkeypatch, pupil):
-    found = NonuniformFFT(1e-9).images(pupil, lm.Grid(33, 0.5), Wanted()).values[0]
+    found = NonuniformFFT(1e-9).images(pupil, Grid(33, 0.5), Wanted()).values[0]
     monkeypatch.setattr(nonuniform_fft, "_half_grid", lambda _: None)
-    whole = NonuniformFFT(1e-9).images(pupil, lm.Grid(33, 0.5), Wanted()).values[0]
+    whole = NonuniformFFT(1e-9).images(pupil, Grid(33, 0.5), Wanted()).values[0]
     assert np.abs(found - whole).max() < 1e-11
     assert np.abs(whole[:, :16] - whole[::-1, :16:-1]).max() > 0.01 * whole.max()
 
@@ -310,6 +311,6 @@ def test_segments_converge_by_lattices_too():
     segments = Segments.hexagonal(1, 0.05).phased(np.arange(6) * 0.4, tip=1.0, tilt=np.arange(6) * 0.3)
     pupil = Pupil(Wavefront(1.0), stop=segments)
     exact = image(pupil, 1e-9).values
-    for method in (lm.MatrixFourier(512), lm.Fraunhofer(512, edge="grey", padding=1.5)):
+    for method in (lm.methods.MatrixFourier(512), lm.paper.Fraunhofer(512, edge="grey", padding=1.5)):
         made = lm.psf(pupil, SIDES, PIXEL, method=method, center=CENTER, normalize="strehl", dtype=np.float64)
         assert np.abs(made.values - exact).max() <= 2e-3 * exact.max()

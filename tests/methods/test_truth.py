@@ -11,7 +11,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
-from lommel import Hankel, LommelSeries, NijboerZernike, Pupil, ToleranceError, Wavefront
+from lommel import Pupil, ToleranceError, Wavefront
+from lommel.methods import Hankel, NijboerZernike
+from lommel.paper import LommelSeries
 
 TABLE = Path(__file__).resolve().parent.parent / "truth" / "field.csv"
 Case = tuple[Pupil, NDArray[np.float64], NDArray[np.complex128]]

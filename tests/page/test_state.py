@@ -118,8 +118,8 @@ def test_the_psf_of_a_state_is_that_of_its_pupil(view, light):
         normalization="edge",
     )
     pupil = lm.Pupil(wavefront, wavelength=550e-9, f_number=4)
-    white = lm.Polychromatic(np.linspace(450e-9, 650e-9, 7), [1] * 7)
-    method = white if light == "white" else lm.NijboerZernike()
+    white = lm.methods.Polychromatic(np.linspace(450e-9, 650e-9, 7), [1] * 7)
+    method = white if light == "white" else lm.methods.NijboerZernike()
     pixel = found.pixel if view == "fine" else 2e-6
     given = lm.psf(pupil, 32, pixel, method=method, integrate=view == "averaged", dtype=np.float64)
     assert np.abs(found.values - given.values).max() <= 3e-6 * given.values.max()

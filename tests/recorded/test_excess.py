@@ -87,7 +87,7 @@ def field(noise):
 def spots(noise):
     sky = np.full((64, 64), 5.0)
     sky[30:33, 40:43] += 300.0
-    found = lm.find_spots(EM.record(sky, 1), noise=noise, window=15)
+    found = lm.detection.find_spots(EM.record(sky, 1), noise=noise, window=15)
     assert len(found) == 1
     return [found.places, found.centers, found.score], [found.flux]
 
@@ -95,7 +95,7 @@ def spots(noise):
 def crossings(noise):
     y, x = np.mgrid[:80, :80] - 40.25
     board = np.where((x > 0) == (y > 0), 300.0, 30.0)
-    found = lm.find_crossings(EM.record(board, 1), noise=noise)
+    found = lm.detection.find_crossings(EM.record(board, 1), noise=noise)
     assert len(found) == 1
     return [found.centers], [found.contrast]
 
@@ -209,7 +209,7 @@ def traced(noise):
 
 HONOURED = {
     "lommel.retrieve": retrieve, "lommel.fit_beads": beads, "lommel.fit_field": field,
-    "lommel.find_spots": spots, "lommel.find_crossings": crossings, "lommel.fisher": fisher,
+    "lommel.detection.find_spots": spots, "lommel.detection.find_crossings": crossings, "lommel.fisher": fisher,
     "lommel.depth_precision": precision, "lommel.best_foci": foci, "lommel.imaging.depth_from_defocus": depths,
     "lommel.imaging.restore_with": restored, "lommel.imaging.restore": photograph,
     "lommel.microscopy.deconvolve": deconvolved, "lommel.microscopy.restore": deep,

@@ -12,14 +12,14 @@ import pytest
 import lommel as lm
 from lommel.lensfiles import example_files
 from lommel.lensfiles.microscope_files import Microscope
-from lommel.report.image_quality import DEPTHS, microscope_quality
+from lommel.report.image_quality import DEPTHS, ImageQuality, microscope_quality
 from objectives import MATCHED
 
 
 @pytest.fixture(scope="module")
 def quality(lenses):
     phone = dataclasses.replace(lm.load_instrument(lenses["phone"]), object_distance=1.2, pixel=(2e-6, 3e-6))
-    return lm.ImageQuality(phone)
+    return ImageQuality(phone)
 
 
 def test_attributes_are_those_of_the_library_in_both_directions(quality):
@@ -38,7 +38,7 @@ def test_plain_data_have_the_attributes_and_the_reasons_of_what_is_missing(quali
     def refuse(self, angle=0.0):
         raise ValueError("takes too long")
 
-    monkeypatch.setattr(lm.ImageQuality, "mtf50", refuse)
+    monkeypatch.setattr(ImageQuality, "mtf50", refuse)
     found = json.loads(json.dumps(quality.to_dict(), allow_nan=False))
     assert found["refused"] == ["takes too long"]
     assert found["mtf50"] is found["mtf50_y"] is None
@@ -51,7 +51,7 @@ def test_plain_data_have_the_attributes_and_the_reasons_of_what_is_missing(quali
 
 def test_telescopes_and_microscopes_have_no_depth_of_field(lenses):
     for name in ("hubble-1990", "microscope-20x"):
-        quality = lm.ImageQuality(lm.load_instrument(lenses[name]))
+        quality = ImageQuality(lm.load_instrument(lenses[name]))
         assert quality.depth_of_field is quality.hyperfocal_distance is None
 
 
@@ -177,7 +177,7 @@ def test_what_cannot_be_computed_does_not_raise(lenses):
 
 
 def test_a_blurred_image_has_no_focus_tolerance_and_the_reason_names_its_mtf(lenses):
-    quality = lm.ImageQuality(dataclasses.replace(lm.load_instrument(lenses["nifty-fifty"]), object_distance=1.5))
+    quality = ImageQuality(dataclasses.replace(lm.load_instrument(lenses["nifty-fifty"]), object_distance=1.5))
     with pytest.raises(
         ValueError, match=r"the focus tolerance needs an MTF of 0\.3 or more at half the Nyquist .* 0\.00296$"
     ):

@@ -21,11 +21,11 @@ def changed(
     """Return the PSF with what `name` is about larger by h, to `fine`."""
     asked = {"dtype": np.float64, **asked}
     white = asked.get("method")
-    if isinstance(white, lm.Polychromatic):
+    if isinstance(white, lm.methods.Polychromatic):
         waves = np.array(white.wavelengths)
         if name == "wavelength":
             waves = waves * (1.0 + h / pupil.wavelength)
-        asked["method"] = lm.Polychromatic(waves, white.weights, tol=fine)
+        asked["method"] = lm.methods.Polychromatic(waves, white.weights, tol=fine)
     else:
         asked.pop("method", None)
     if name in ("row", "column"):

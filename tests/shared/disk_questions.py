@@ -8,6 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 import lommel as lm
+from lommel.optics.grid import Grid
 
 TERMS = [(n, m) for n in range(2, 15) for m in range(-n, n + 1, 2)]
 
@@ -16,7 +17,7 @@ class DiskQuestion(NamedTuple):
     """A stack of pupils, a window and a tolerance."""
 
     pupil: lm.Pupil
-    grid: lm.Grid
+    grid: Grid
     tol: float
 
     def __str__(self) -> str:
@@ -55,7 +56,7 @@ def disk_question(index: int, *, averages: bool = False) -> DiskQuestion:
     wavefront = lm.Wavefront.zernike({term: of if pupils > 1 else of[0] for term, of in zip(terms, c, strict=True)})
     integrate = averages and rng.random() < 0.33
     return DiskQuestion(
-        lm.Pupil(wavefront, obscuration=obscuration), lm.Grid(side, pixel, center=center, integrate=integrate), tol
+        lm.Pupil(wavefront, obscuration=obscuration), Grid(side, pixel, center=center, integrate=integrate), tol
     )
 
 
@@ -82,5 +83,5 @@ def camera_question(index: int) -> DiskQuestion:
     away = 0.1 * side if place > 0.4 else 0.0
     row, column = (middle + away * rng.uniform(-1.0, 1.0, own) for _ in range(2))
     wavefront = lm.Wavefront.zernike(terms, order="noll")
-    grid = lm.Grid(side, between(0.7, 8.0), center=(row, column), integrate=True)
+    grid = Grid(side, between(0.7, 8.0), center=(row, column), integrate=True)
     return DiskQuestion(lm.Pupil(wavefront, obscuration=obscuration), grid, 10.0 ** rng.uniform(-6.5, -2.5))

@@ -5,9 +5,12 @@ from __future__ import annotations
 import numpy as np
 
 import lommel as lm
+from lommel.optics.grid import Grid
 
 
-def averages_of_samples(pupil: lm.Pupil, grid: lm.Grid, count: int, method: lm.Method, **more: object) -> np.ndarray:
+def averages_of_samples(
+    pupil: lm.Pupil, grid: Grid, count: int, method: lm.methods.Method, **more: object
+) -> np.ndarray:
     """Return averages, or what `more` asks of images beside values, of so many samples along each axis of a pixel."""
     x, weight = np.polynomial.legendre.leggauss(count)
     row, column = grid.center

@@ -9,7 +9,7 @@ import numpy as np
 import lommel as lm
 from lommel.traced.traced_psf import TracedPSF
 
-WHITE = lm.Polychromatic([450e-9, 550e-9, 650e-9], [1.0, 2.0, 1.0])
+WHITE = lm.methods.Polychromatic([450e-9, 550e-9, 650e-9], [1.0, 2.0, 1.0])
 SENSOR = {"wavelength": 550e-9, "f_number": 8.0}
 # Window, options of the plan, the pupil besides its wavefront.
 CASES = {

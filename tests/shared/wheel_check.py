@@ -22,7 +22,7 @@ def main() -> None:
     assert "site-packages" in home.parts, f"{home} is no installed package"
     answer = lm.psf(lm.Pupil(lm.Wavefront(defocus=3.0)), 33, 0.25, dtype="float64")
     # Lommel's series is in Python alone and shares nothing with the compiled core.
-    apart = np.abs(answer.values - lm.psf(answer.pupil, 33, 0.25, method=lm.LommelSeries(), dtype="float64").values)
+    apart = np.abs(answer.values - lm.psf(answer.pupil, 33, 0.25, method="lommel-series", dtype="float64").values)
     assert apart.max() <= answer.error_bound * answer.values.max() + 1e-13
     first_psf()
     assert (home / "py.typed").is_file()

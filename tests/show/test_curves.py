@@ -11,6 +11,7 @@ import pytest
 from scipy.special import j0, j1
 
 import lommel as lm
+from lommel.measures.errors import mse
 from lommel.show import plot
 from lommel.show.curves import moved, section
 
@@ -31,7 +32,7 @@ def psf() -> lm.PSF:
 
 
 def test_a_difference_is_drawn_over_the_peak_on_a_scale_that_is_the_same_both_ways(psf):
-    other = lm.psf(psf.pupil, (31, 41), 0.5e-6, method=lm.MatrixFourier(64))
+    other = lm.psf(psf.pupil, (31, 41), 0.5e-6, method=lm.methods.MatrixFourier(64))
     axes = lm.show.difference(other, psf)
     (image,) = axes.get_images()
     away = (other.values.astype(float) - psf.values) / psf.values.max()
@@ -39,7 +40,7 @@ def test_a_difference_is_drawn_over_the_peak_on_a_scale_that_is_the_same_both_wa
     assert image.norm.vmax == -image.norm.vmin == np.abs(away).max()
     assert image.get_extent() == pytest.approx((-10.25, 10.25, 7.75, -7.75))
     assert (axes.get_xlabel(), axes.get_ylabel()) == ("x (µm)", "y (µm)")
-    rms = math.sqrt(lm.mse(other, psf))
+    rms = math.sqrt(mse(other, psf))
     assert axes.get_title() == f"largest difference {lm.peak_error(other, psf):.2g} of the peak, rms {rms:.2g}"
     assert axes.figure.axes[1].get_ylabel() == "difference / peak"
     axes.figure.canvas.draw()
@@ -102,7 +103,7 @@ def test_the_mtf_of_a_psf_has_its_pixels_and_both_directions(psf):
 def test_a_psf_that_samples_has_no_pixel_and_one_in_white_light_its_spectrum():
     sampled = lm.psf(lm.Pupil(lm.Wavefront(2.0), **CAMERA), 33, 0.5e-6, integrate=False)
     assert "pixel alone" not in lines(sampled.plot_mtf())
-    white = lm.Polychromatic((450e-9, 650e-9), (1.0, 2.0))
+    white = lm.methods.Polychromatic((450e-9, 650e-9), (1.0, 2.0))
     found = lines(lm.psf(sampled.pupil, 33, 0.5e-6, integrate=False, method=white).plot_mtf())["MTF"]
     f = 1e3 * found[0]
     np.testing.assert_allclose(found[1], lm.mtf(sampled.pupil, f, spectrum=white), atol=2e-6)

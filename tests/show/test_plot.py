@@ -94,7 +94,7 @@ def test_windows_of_every_shape_are_drawn_without_a_warning(shape, stretch):
 
 def test_a_window_without_light_is_drawn_without_a_warning():
     ring = lm.Pupil(lm.Wavefront(defocus=100.0), obscuration=0.9)
-    dark = lm.psf(ring, 3, 0.5, method=lm.Geometric())
+    dark = lm.psf(ring, 3, 0.5, method="geometric")
     assert dark.values.max() == 0
     for stretch in ("sqrt", "linear", "log"):
         dark.plot(stretch=stretch).figure.canvas.draw()
@@ -181,7 +181,7 @@ def test_an_unknown_reference_is_refused_with_the_known_ones(answers):
 @pytest.fixture
 def over_the_field() -> lm.PSFGrid:
     field = lm.FieldMap.from_seidel(20e-3, W131=1.0, wavelength=550e-9, f_number=4.0)
-    return field.grid(2, 3, sensor=(20e-3, 30e-3), shape=(15, 11), pixel=1e-6, method=lm.Fraunhofer(samples=64))
+    return field.grid(2, 3, sensor=(20e-3, 30e-3), shape=(15, 11), pixel=1e-6, method=lm.paper.Fraunhofer(samples=64))
 
 
 def test_a_grid_is_drawn_with_each_psf_in_its_place(over_the_field):

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import lommel as lm
+from lommel.optics.grid import Grid
 from lommel.show.plot import is_z_stack
 from objectives import WATER_60X
 
@@ -68,9 +69,7 @@ def test_planes_that_are_not_evenly_spaced_are_drawn_where_they_are():
         lambda: stack(np.array([0.0, 1e-7, 0.0])),
         lambda: stack(np.array([[0.0, 1e-7]])),
         lambda: stack(0.0, depth=np.array([1e-6, 2e-6])),
-        lambda: dataclasses.replace(
-            stack(), grid=lm.Grid((8, 9), 6e-6, center=(np.arange(7.0), 4.0), integrate=True)
-        ),
+        lambda: dataclasses.replace(stack(), grid=Grid((8, 9), 6e-6, center=(np.arange(7.0), 4.0), integrate=True)),
     ],
 )
 def test_other_stacks_are_no_z_stacks(psf):

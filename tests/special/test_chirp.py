@@ -11,7 +11,7 @@ from hypothesis import example, given
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
-from lommel import AbramowitzErf, FresnelErf, TableErf
+from lommel.paper import AbramowitzErf, FresnelErf, TableErf
 from lommel.special.erf import chirp_moments, disk_moments
 
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(20)

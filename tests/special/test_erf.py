@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from lommel import AbramowitzErf, FresnelErf, TableErf
+from lommel.paper import AbramowitzErf, FresnelErf, TableErf
 from lommel.special.erf import HALF, Erf, fresnel_auxiliary
 
 ALL = [FresnelErf(), TableErf(), TableErf(64), AbramowitzErf(), AbramowitzErf(40)]

@@ -20,17 +20,17 @@ import pytest
 import lommel as lm
 from lommel.base import atomic
 from lommel.io.psf_files import FileError
-from lommel.stacks import Store
+from lommel.stacks import PSFStack, Store
 
 OTHER = pytest.mark.parametrize("side", [9, 7], ids=["same shape", "another shape"])
 ONE, TWO = np.linspace(2.0, 3.0, 8), np.linspace(0.0, 1.0, 8)
 
 
-def ask(path: Path, defocus, side: int = 9, **options) -> lm.PSFStack:
+def ask(path: Path, defocus, side: int = 9, **options) -> PSFStack:
     return lm.psf_to(path, lm.Pupil(lm.Wavefront(defocus)), side, 0.3, chunk=2, **options)
 
 
-def verify(stack: lm.PSFStack, defocus, side: int = 9) -> None:
+def verify(stack: PSFStack, defocus, side: int = 9) -> None:
     """What is there is what was asked for, all of it."""
     assert stack.done == (4, 4)
     pupil = lm.Pupil(lm.Wavefront(defocus))
@@ -43,7 +43,7 @@ def verify(stack: lm.PSFStack, defocus, side: int = 9) -> None:
 def begin(path: Path) -> None:
     """A store in which nothing is done, since nothing can be."""
     with pytest.raises(ValueError, match="supports the pupils of an objective only"):
-        ask(path, [5.0] * 8, method=lm.Stratified())
+        ask(path, [5.0] * 8, method=lm.methods.Stratified())
 
 
 class Busy(ThreadPoolExecutor):
@@ -175,7 +175,7 @@ def test_of_two_calls_that_begin_a_store_one_gives_way(side, when, begun, tmp_pa
     except ValueError as error:
         one = error
     answers = [(one, ONE, 9), (two[0], TWO, side)]
-    good = [each for each in answers if isinstance(each[0], lm.PSFStack)]
+    good = [each for each in answers if isinstance(each[0], PSFStack)]
     assert len(good) == 1
     verify(*good[0])
     verify(lm.open_stack(path), *good[0][1:])

@@ -142,7 +142,7 @@ def test_listed_pupils_that_do_not_fit_are_told(tmp_path):
 def test_planes_of_a_microscope_know_their_depth_and_z(way, tmp_path):
     z, depth = np.linspace(-4e-7, 4e-7, 5), np.array([2e-6, 5e-6])
     pupil = OIL.pupil(depth=depth[:, None], z=z, wavelength=525e-9)
-    method: lm.Method | None = None
+    method: lm.methods.Method | None = None
     if way == "confocal":
         laser = OIL.pupil(depth=2e-6, wavelength=488e-9, emitter=lm.Beam("circular"))
         method = lm.methods.Confocal(laser)
@@ -187,7 +187,9 @@ def test_chunks_of_other_methods_are_taken_apart(tmp_path):
     # The chords do not prove a tolerance for a window that the light misses.
     tilted = lm.Wavefront(nonradial={(1, 1): [0.1, 0.1, 400.0, 400.0], (3, 1): 0.1})
     stack = lm.psf_to(tmp_path / "a.zarr", lm.Pupil(tilted), 3, 0.5, chunk=2, tol=1e-9)
-    assert [type(stack[k].method) for k in range(4)] == [lm.ChordalGauss] * 2 + [lm.NijboerZernike] * 2
+    assert [type(stack[k].method) for k in range(4)] == [lm.methods.ChordalGauss] * 2 + [
+        lm.methods.NijboerZernike
+    ] * 2
     for part in (slice(0, 2), slice(2, 4)):
         asked = lm.psf(lm.Pupil(tilted)[part], 3, 0.5, tol=1e-9)
         np.testing.assert_array_equal(stack[part].values, asked.values)

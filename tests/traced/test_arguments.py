@@ -101,7 +101,7 @@ def test_coefficients_that_are_no_answer_are_refused(c, error, message):
         ({"precision": "float32"}, {"tol": 1e-9}, ValueError, "dtype must be float32"),
         ({"precision": "float32"}, {"tol": 1e-6}, lm.ToleranceError, "cannot be proven in float32"),
         ({}, {"normalize": "emitted"}, ValueError, 'got "emitted"'),
-        ({}, {"method": lm.Geometric()}, ValueError, "method must be None, NijboerZernike"),
+        ({}, {"method": lm.paper.Geometric()}, ValueError, "method must be None, NijboerZernike"),
         ({}, {"center": ([1.0, 2.0], [1.0, 2.0])}, ValueError, "center must be one"),
     ],
 )

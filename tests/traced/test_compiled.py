@@ -83,7 +83,7 @@ def test_gradients_are_those_of_the_rule_in_double_precision():
     sums = chordal.compiled_sums(pupil, grid, 1.0, tuple(map(tuple, pupil.wavefront.indices.tolist())), (40, 40))
     weights = np.random.default_rng(0).normal(size=(2, 5, 6))
     by_column = weights.transpose(0, 2, 1).reshape(2, -1)
-    exact = lm.ChordalGauss(1e-9).gradient(pupil, grid, weights, sums.terms)
+    exact = lm.methods.ChordalGauss(1e-9).gradient(pupil, grid, weights, sums.terms)
     assert np.abs(sums.gradient(c, by_column, 1) - exact).max() < 1e-5 * np.abs(exact).max()
     wide = sums._replace(stretch=1.3).gradient(c, by_column, 1)
     expect = 1.3 * sums._replace(step=1.3 * sums.step).gradient(1.3 * c, by_column, 1)

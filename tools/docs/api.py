@@ -31,14 +31,15 @@ SECTIONS = [
         "PSFs",
         "Compute PSFs and stacks, and prepare plans for many of them.",
         "See [](../start.md).",
-        ("psf", "optics.grid", "core", "traced"),
-        more="traced.traced_psf.TracedPSF",
+        ("psf", "core", "traced"),
+        more="traced.traced_psf.TracedPSF optics.grid.Grid",
     ),
     Section(
         "Blur of sensors and the atmosphere",
         "Multiply the transfer function by seeing, jitter, motion blur or charge diffusion.",
         "See [](../sensor.md).",
         ("blur",),
+        more="blur.blurs.Blur",
     ),
     Section(
         "Colour",
@@ -56,12 +57,12 @@ SECTIONS = [
             "optics",
             "optics.wavefront.wavefront",
             "telescopes",
-            "report",
             "lensfiles.instrument",
             "lensfiles.lens",
         ),
         more="telescopes.elt telescopes.hst telescopes.jwst telescopes.keck telescopes.subaru telescopes.vlt"
-        " lensfiles.toml_files.LensFileError optics.wavefront.wavefront.path optics.wavefront.wavefront.expansion"
+        " lensfiles.toml_files.LensFileError report.image_quality.ImageQuality optics.aperture.shapes.Shape"
+        " optics.wavefront.wavefront.path optics.wavefront.wavefront.expansion"
         " optics.aperture.opening.Opening optics.aperture.opening.Rule optics.aperture.opening.degree_needed",
     ),
     Section(
@@ -69,7 +70,8 @@ SECTIONS = [
         "Read and write OPD maps and Zernike tables, and fit Zernike terms.",
         "See [](../formats.md#measured-wavefronts).",
         ("optics.wavefront", "io.opd_files", "io.zernike_tables"),
-        more="io.opd_files.OPDFileError io.zernike_tables.ZernikeFileError",
+        more="optics.wavefront.opd_fit.fit_radial optics.wavefront.opd_fit.WavefrontFit"
+        " io.zernike_tables.ZernikeTable io.opd_files.OPDFileError io.zernike_tables.ZernikeFileError",
     ),
     Section(
         "Cameras and example files",
@@ -82,8 +84,8 @@ SECTIONS = [
         "Describe an objective, its layers and the emitter.",
         "See [](../microscopes.md).",
         ("optics.layers", "lensfiles.microscope"),
-        more="optics.layers.objective_pupil.ObjectivePupil optics.layers.objective.Focus"
-        " optics.layers.objective.FocalField optics.layers.objective.ScalarField optics.layers.objective.Nyquist"
+        more="optics.layers.stratified.Design optics.layers.objective_pupil.ObjectivePupil"
+        " optics.layers.objective.Focus optics.layers.objective.FocalField optics.layers.objective.ScalarField optics.layers.objective.Nyquist"
         " measures.spot.axial_fwhm measures.spot.stage",
     ),
     Section(
@@ -92,7 +94,6 @@ SECTIONS = [
         "See [](../microscopes.md#confocal-two-photon-light-sheet-beads).",
         ("microscopy", "deconvolve"),
         package="microscopy",
-        more="methods.Confocal methods.TwoPhoton methods.Sted methods.Bead",
     ),
     Section(
         "Localisation of molecules",
@@ -106,7 +107,8 @@ SECTIONS = [
         "Wavefronts, vignetting and PSFs at every position of the sensor.",
         "See [](../field.md).",
         ("field", "adapters"),
-        more="io.field_files.save lensfiles.tables.read_rows lensfiles.tables.read_csv"
+        more="field.maps.Vignetting field.maps.Foreshortening field.maps.Shading io.field_files.save"
+        " lensfiles.tables.read_rows lensfiles.tables.read_csv"
         " lensfiles.tables.FieldTable show.plot.field adapters.optiland.pupil adapters.optiland.polarized_pupils"
         " adapters.optiland.field_map adapters.rayoptics.pupil adapters.rayoptics.field_map"
         " adapters.batoid.pupil adapters.batoid.field_map",
@@ -116,6 +118,7 @@ SECTIONS = [
         "Write and read stacks of PSFs in Zarr.",
         "See [](../scale.md).",
         ("stacks",),
+        more="stacks.PSFStack",
     ),
     Section(
         "Methods",
@@ -123,13 +126,14 @@ SECTIONS = [
         "[](../choose.md) compares the methods. Your own method is a subclass of `Method`, or of `RadialMethod`"
         " if a radial profile is enough.",
         ("methods", "core.answers"),
-        more="methods.RadialMethod methods.FieldMethod",
+        package="methods",
     ),
     Section(
-        "Error functions of ClosedForm",
-        "Approximations of the error function for the closed form of the paper.",
-        "See [](../theory.md#the-closed-form-of-the-paper).",
-        ("special",),
+        "The paper",
+        "Methods of the paper, and approximations of the error function for its closed form.",
+        "See [](../theory.md#the-closed-form-of-the-paper) and [](../paper.md).",
+        ("paper",),
+        package="paper",
     ),
     Section(
         "Measures",
@@ -141,13 +145,17 @@ SECTIONS = [
         " measures.energy.image_centroid measures.energy.window_centroid measures.spot.peak_position"
         " measures.spot.axis_strehl measures.spot.peak_strehl measures.spot.fwhm measures.spot.energy_diameter"
         " measures.transfer.image_otf measures.transfer.sampled_otf measures.transfer.sampled_spectrum"
-        " psf.Measured",
+        " measures.errors.mse measures.slanted_edge.EdgeResponse psf.Measured",
     ),
     Section(
         "Fisher information and phase retrieval",
         "Cramér-Rao bounds of parameters and depth; the wavefront from star images.",
         "See [](../estimation.md) and [](../retrieve.md).",
         ("estimation", "detection"),
+        package="detection",
+        more="estimation.fisher.Information estimation.depth_precision.Foci estimation.phase_retrieval.Retrieval"
+        " estimation.beads.BeadFit estimation.beads.FittedBead estimation.field_fit.FieldFit"
+        " estimation.field_fit.FittedStars estimation.distortion.Distortion",
     ),
     Section(
         "Recorded images",

@@ -10,11 +10,11 @@ from pathlib import Path
 
 from PIL import Image
 
-from lommel import paper
 from lommel.base import atomic
 from lommel.base.units import percent
-from lommel.methods import ClosedForm
-from lommel.paper import FIGURES, reproduce
+from lommel.paper import ClosedForm
+from lommel.paper import figures as paper
+from lommel.paper.figures import FIGURES, reproduce
 
 DOCS = Path(__file__).resolve().parents[2] / "docs"
 

@@ -80,7 +80,7 @@ for i in range(-6, 7):
 vignetting = 1.0 - 0.3 * (((column / columns - 0.5) ** 2 + (row / rows - 0.5) ** 2) / 0.5)
 chart = np.round(camera.record(vignetting * (500.0 + 8500.0 * light), seed=1885))
 
-crossings = lm.find_crossings(chart, noise=camera)
+crossings = lm.detection.find_crossings(chart, noise=camera)
 print(crossings.message)
 crossings.plot()
 plt.gca().set(xlabel="column (pixels)", ylabel="row (pixels)")

@@ -80,7 +80,7 @@ def imitated(blur: DepthBlur, kind: str) -> DepthBlur:
     defocus = bank.start + bank.spacing * np.arange(bank.count)
     cones = lm.Pupil(lm.Wavefront(defocus), wavelength=540e-9, f_number=blur.lens.working_f_number)
     if kind == "disc":
-        kernels = lm.psf(cones, side, pixel, method=lm.Geometric(), dtype=np.float64).values
+        kernels = lm.psf(cones, side, pixel, method="geometric", dtype=np.float64).values
     else:
         width = np.maximum(cones.geometric_radius() / 2.0, 1e-3 * pixel)
         edges = (np.arange(side + 1) - middle - 0.5) * pixel

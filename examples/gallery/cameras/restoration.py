@@ -97,7 +97,7 @@ def imitated(exact: DepthBlur, kind: str) -> DepthBlur:
     cones = lm.Pupil(lm.Wavefront(defocus), wavelength=540e-9, f_number=exact.lens.working_f_number)
     cuts = bank.cuts
     if kind == "disc":
-        kernels = lm.psf(cones, side, pixel, method=lm.Geometric(), dtype=np.float64).values
+        kernels = lm.psf(cones, side, pixel, method="geometric", dtype=np.float64).values
     elif kind == "Gaussian":
         width = np.maximum(cones.geometric_radius() / 2.0, 1e-3 * pixel)
         edges = (np.arange(side + 1) - middle - 0.5) * pixel

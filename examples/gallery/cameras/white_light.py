@@ -20,10 +20,10 @@ pupil = lens.pupil(1.7)
 window = {"shape": 161, "pixel": 0.6e-6}
 
 
-def band(center: float, width: float) -> lm.Polychromatic:
+def band(center: float, width: float) -> lm.methods.Polychromatic:
     """Return a Gaussian band of wavelengths, its width the standard deviation."""
     wavelengths = center + width * np.linspace(-2.5, 2.5, 31)
-    return lm.Polychromatic(wavelengths, weights=np.exp(-0.5 * ((wavelengths - center) / width) ** 2))
+    return lm.methods.Polychromatic(wavelengths, weights=np.exp(-0.5 * ((wavelengths - center) / width) ** 2))
 
 
 mono = lm.psf(pupil, **window)

@@ -20,7 +20,7 @@ spherical = 50.0
 defocus = np.linspace(-75.0, 20.0, 421)
 pupils = lm.Pupil(lm.Wavefront(defocus, spherical))
 window = {"shape": (1, 401), "pixel": 0.2, "normalize": "strehl"}
-rays = lm.psf(pupils, method=lm.Geometric(), **window)
+rays = lm.psf(pupils, method="geometric", **window)
 waves = lm.psf(pupils, **window)
 
 figure, both = plt.subplots(2, 1, figsize=(9.5, 7), sharex=True, sharey=True, layout="constrained")

@@ -22,15 +22,15 @@ pupil = lens.pupil(0.8217)
 size = {"shape": 129, "pixel": 0.5 * pupil.scale, "dtype": "float64", "threads": 1}
 
 
-def image(method: lm.Method) -> lm.PSF:
+def image(method: lm.methods.Method) -> lm.PSF:
     """Return samples, or averages over pixels from Geometric, which has no point values."""
     return lm.psf(pupil, method=method, integrate=None if method.sampling == "pixel" else False, **size)
 
 
-exact = image(lm.LommelSeries())
+exact = image(lm.paper.LommelSeries())
 
 
-def measure(method: lm.Method) -> tuple[float, float]:
+def measure(method: lm.methods.Method) -> tuple[float, float]:
     """Return the time of the fastest of a few runs, after one to warm up, and the peak error."""
     start = time.perf_counter()
     answer = image(method)
@@ -44,17 +44,18 @@ def measure(method: lm.Method) -> tuple[float, float]:
 
 
 families = {
-    "NijboerZernike(tol)": [lm.NijboerZernike(tol) for tol in (1e-3, 1e-6, 1e-9, 1e-11)],
-    "Hankel(tol)": [lm.Hankel(tol) for tol in (1e-4, 1e-9, 1e-14)],
-    "Fraunhofer(samples)": [lm.Fraunhofer(samples) for samples in (96, 128, 256, 512, 1024)],
-    'Fraunhofer(samples, edge="grey")': [lm.Fraunhofer(n, edge="grey") for n in (96, 128, 256, 512, 1024)],
+    "NijboerZernike(tol)": [lm.methods.NijboerZernike(tol) for tol in (1e-3, 1e-6, 1e-9, 1e-11)],
+    "Hankel(tol)": [lm.methods.Hankel(tol) for tol in (1e-4, 1e-9, 1e-14)],
+    "Fraunhofer(samples)": [lm.paper.Fraunhofer(samples) for samples in (96, 128, 256, 512, 1024)],
+    'Fraunhofer(samples, edge="grey")': [lm.paper.Fraunhofer(n, edge="grey") for n in (96, 128, 256, 512, 1024)],
     "ClosedForm(), three error functions": [
-        lm.ClosedForm(erf=erf) for erf in (lm.FresnelErf(), lm.TableErf(), lm.AbramowitzErf(30))
+        lm.paper.ClosedForm(erf=erf)
+        for erf in (lm.paper.FresnelErf(), lm.paper.TableErf(), lm.paper.AbramowitzErf(30))
     ],
-    "ClosedForm.best()": [lm.ClosedForm.best(pupil, size["shape"], size["pixel"])],
-    "TunedClosedForm(tol)": [lm.TunedClosedForm(tol) for tol in (1e-2, 1e-3, 1e-4, 1e-5)],
-    "HuygensFresnel()": [lm.HuygensFresnel()],
-    "Geometric()": [lm.Geometric()],
+    "ClosedForm.best()": [lm.paper.ClosedForm.best(pupil, size["shape"], size["pixel"])],
+    "TunedClosedForm(tol)": [lm.paper.TunedClosedForm(tol) for tol in (1e-2, 1e-3, 1e-4, 1e-5)],
+    "HuygensFresnel()": [lm.paper.HuygensFresnel()],
+    "Geometric()": [lm.paper.Geometric()],
 }
 
 # %%

@@ -9,6 +9,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import lommel as lm
+from lommel.optics.aperture.mask import cell_centers
 
 # %%
 # A `Spider` has straight vanes, `CatEye` and `Ellipse` are edges within which light passes, and a `Mask` holds the
@@ -40,7 +41,7 @@ pupils = {
 # %%
 # The method is chosen by the pupil: the series for discs and annuli, a non-uniform FFT from Gauss nodes for these.
 
-at = lm.optics.aperture.mask.cell_centers(400)
+at = cell_centers(400)
 figure, rows = plt.subplots(2, len(pupils), figsize=(10.5, 5.0), layout="constrained")
 for column, (name, pupil) in zip(rows.T, pupils.items(), strict=True):
     answer = lm.psf(pupil, shape=201, pixel=0.25, normalize="peak")
@@ -64,7 +65,9 @@ exact = lm.psf(pupil, 65, 0.5, tol=1e-11)
 samples = np.array([64, 96, 128, 192, 256, 384, 512, 768, 1024])
 figure, axes = plt.subplots(figsize=(7.5, 4.2), layout="constrained")
 for edge in ("binary", "grey"):
-    errors = [lm.peak_error(lm.psf(pupil, 65, 0.5, method=lm.MatrixFourier(int(n), edge)), exact) for n in samples]
+    errors = [
+        lm.peak_error(lm.psf(pupil, 65, 0.5, method=lm.methods.MatrixFourier(int(n), edge)), exact) for n in samples
+    ]
     axes.loglog(samples, errors, "o-", label=f"MatrixFourier, {edge}")
 axes.axhline(
     lm.peak_error(lm.psf(pupil, 65, 0.5, dtype="float64"), exact), color="C3", label="NonuniformFFT, tol = 1e-6"

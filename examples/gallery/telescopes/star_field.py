@@ -60,7 +60,7 @@ image = camera.record(sky, seed=1885)
 # Find the stars and fit the field. One focus leaves a common sign of defocus and astigmatism open: without a design
 # the mean defocus is taken as positive, as it is here.
 
-stars = lm.find_spots(image, noise=camera, window=window)
+stars = lm.detection.find_spots(image, noise=camera, window=window)
 print(stars.message)
 options = {"sensor": stars.shape, "pixel": pixel, "noise": camera, "integrate": True}
 fit = lm.fit_field(stars.windows, stars.places, lm.Pupil(), terms=5, degree=2, blur=False, **options)

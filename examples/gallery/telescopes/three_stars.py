@@ -11,6 +11,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import lommel as lm
+from lommel.special import zernike
 
 telescope = {"obscuration": 0.3, "wavelength": 700e-9, "f_number": 15.0}
 pixel, defocus = 5.25e-6, [-4.0, 0.0, 4.0]
@@ -50,7 +51,7 @@ truth = true.to_zernike()
 waves, errors = found.in_unit("waves")
 for term, value in waves.items():
     expected = float(truth.get(term, 0.0)) / (2.0 * np.pi)
-    name = lm.special.zernike.name(*term)
+    name = zernike.name(*term)
     print(f"{name:24s} {value:+.4f} +- {errors[term]:.4f} waves rms, in truth {expected:+.4f}")
 off = np.array([(value - truth.get(term, 0.0)) / found.errors[term] for term, value in found.coefficients.items()])
 assert found.converged

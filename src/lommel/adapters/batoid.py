@@ -49,10 +49,10 @@ def pupil(
     wavelength : float
         Wavelength, metres.
     band : (float, float), optional
-        Shortest and longest wavelength, metres, of :func:`lommel.colour_psf` and :class:`lommel.Polychromatic` with
-        this pupil. The telescope is traced at 3 to 33 wavelengths, as many as `tol` requires: PSFs include axial and
-        lateral colour, about the chief ray at `wavelength`, and spherochromatism. By default the pupil is known at
-        `wavelength` only.
+        Shortest and longest wavelength, metres, of :func:`lommel.colour_psf` and
+        :class:`lommel.methods.Polychromatic` with this pupil. The telescope is traced at 3 to 33 wavelengths, as many
+        as `tol` requires: PSFs include axial and lateral colour, about the chief ray at `wavelength`, and
+        spherochromatism. By default the pupil is known at `wavelength` only.
     circular : bool, default False
         True for a circular annulus with the geometric mean f-number. False for the pupil seen from the image, an
         elliptical annulus off the axis. At the edge of the field of SDSS, PSFs of circular annuli differ by 9 % of
@@ -128,7 +128,7 @@ def field_map(
     -------
     FieldMap
         Map with the obscuration and the f-number on the axis. If pupils are elliptical, the f-number is that of the
-        longest axis of all ellipses, and the ellipses are `vignetting` (:class:`lommel.Foreshortening`).
+        longest axis of all ellipses, and the ellipses are `vignetting` (:class:`~lommel.field.maps.Foreshortening`).
 
     Raises
     ------

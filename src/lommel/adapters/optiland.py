@@ -53,10 +53,10 @@ def pupil(
     wavelength : float, optional
         Wavelength, metres; by default the primary wavelength of the lens.
     band : (float, float), optional
-        Shortest and longest wavelength, metres, of :func:`lommel.colour_psf` and :class:`lommel.Polychromatic` with
-        this pupil. The lens is traced at 3 to 33 wavelengths, as many as `tol` requires: PSFs include axial and
-        lateral colour, about the chief ray at `wavelength`, and spherochromatism. By default the pupil is known at
-        `wavelength` only.
+        Shortest and longest wavelength, metres, of :func:`lommel.colour_psf` and
+        :class:`lommel.methods.Polychromatic` with this pupil. The lens is traced at 3 to 33 wavelengths, as many as
+        `tol` requires: PSFs include axial and lateral colour, about the chief ray at `wavelength`, and
+        spherochromatism. By default the pupil is known at `wavelength` only.
     circular : bool, default False
         True for a circle with the geometric mean f-number, as in optiland's FFT PSF. False for the pupil seen from
         the image, which is an ellipse off the axis. For six lenses, PSFs of ellipses differ by up to 1.5 % of the
@@ -152,7 +152,7 @@ def polarized_pupils(
     --------
     ::
 
-        pupils = lm.adapters.optiland.polarized_pupils(CookeTriplet(), (0.0, 0.7), polarization=(1.0, 0.0))
+        pupils = polarized_pupils(CookeTriplet(), (0.0, 0.7), polarization=(1.0, 0.0))
         light = sum(pupil.transmission for pupil in pupils)
         values = sum(pupil.transmission / light * lm.psf(pupil, 65, 1e-6).values for pupil in pupils)
     """
@@ -219,7 +219,7 @@ def field_map(
     -------
     FieldMap
         Map with the f-number on the axis. If pupils are elliptical, the f-number is that of the longest axis of all
-        ellipses, and the ellipses are `vignetting` (:class:`lommel.Foreshortening`).
+        ellipses, and the ellipses are `vignetting` (:class:`~lommel.field.maps.Foreshortening`).
 
     Raises
     ------

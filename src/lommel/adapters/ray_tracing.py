@@ -139,7 +139,7 @@ def _fit_slopes(traced: TracedField) -> list[float]:
     if blocked.any():
         raise ValueError(
             f"{blocked.sum()} of {blocked.size} rays do not reach the image; vignetting of a traced lens is not "
-            "supported: remove its clear apertures, and give lommel.Vignetting or a mask to the pupils"
+            "supported: remove its clear apertures, and give lommel.field.maps.Vignetting or a mask to the pupils"
         )
     slopes = [
         -float(u @ v) / float(u @ u) for u, v in ((traced.x, traced.direction_x), (traced.y, traced.direction_y))

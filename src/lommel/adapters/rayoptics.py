@@ -60,10 +60,10 @@ def pupil(
         True to raise an error if a ray misses the clear aperture of a surface. False to ignore clear apertures, for
         example if they have not been set yet.
     band : (float, float), optional
-        Shortest and longest wavelength, metres, of :func:`lommel.colour_psf` and :class:`lommel.Polychromatic` with
-        this pupil. The lens is traced at 3 to 33 wavelengths, as many as `tol` requires: PSFs include axial and
-        lateral colour, about the chief ray at `wavelength`, and spherochromatism. By default the pupil is known at
-        `wavelength` only.
+        Shortest and longest wavelength, metres, of :func:`lommel.colour_psf` and
+        :class:`lommel.methods.Polychromatic` with this pupil. The lens is traced at 3 to 33 wavelengths, as many as
+        `tol` requires: PSFs include axial and lateral colour, about the chief ray at `wavelength`, and
+        spherochromatism. By default the pupil is known at `wavelength` only.
     circular : bool, default False
         True for a circle with the geometric mean f-number. False for the pupil seen from the image, off
         the axis an ellipse. Phase retrieval and gradients in JAX or PyTorch support circles only.
@@ -129,7 +129,7 @@ def field_map(
     -------
     FieldMap
         Map with the f-number on the axis. If pupils are elliptical, the f-number is that of the longest axis of all
-        ellipses, and the ellipses are `vignetting` (:class:`lommel.Foreshortening`).
+        ellipses, and the ellipses are `vignetting` (:class:`~lommel.field.maps.Foreshortening`).
 
     Raises
     ------

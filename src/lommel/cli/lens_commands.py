@@ -21,7 +21,8 @@ from lommel.cli.instruments import instrument_of, microscope_of
 from lommel.cli.output import progress, save_figure, written
 from lommel.cli.shared_options import Optics, given
 from lommel.lensfiles import KINDS, example_files
-from lommel.methods import ERFS, METHODS, ClosedForm
+from lommel.methods import ERFS, METHODS
+from lommel.paper import ClosedForm
 from lommel.report import Parts, Report, Wrapped, table_of
 from lommel.show.drawing import SAMPLING
 
@@ -366,7 +367,7 @@ def paper(
       lommel paper out
       lommel paper out --figure 3 --figure eq17
     """
-    from lommel.paper import FIGURES, closest_text, number, reproduce
+    from lommel.paper.figures import FIGURES, closest_text, number, reproduce
 
     selected = list(figures) or None
     with progress("", total=len(selected) if selected else len(FIGURES) + 1) as status:

@@ -4,5 +4,7 @@ from typing import TYPE_CHECKING
 
 from lommel.base import imports
 
-if not TYPE_CHECKING:
-    __getattr__, __dir__ = imports.parts(__name__)
+if TYPE_CHECKING:
+    from lommel.detection.targets import *  # noqa: F403
+else:
+    __getattr__, __dir__ = imports.parts(__name__, exports="targets")

@@ -24,6 +24,8 @@ from lommel.detection.molecules import APART, Kernel, box_pixels, brightest, fil
 from lommel.recorded.counts import Counts
 from lommel.recorded.noise import Noise
 
+__all__ = ["Crossings", "PointSources", "find_crossings", "find_spots", "grid_indices"]
+
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
@@ -63,7 +65,7 @@ class Targets:
     Attributes
     ----------
     places, centers, windows, refused, shape, left_out
-        See :class:`lommel.PointSources`.
+        See :class:`lommel.detection.PointSources`.
     """
 
     places: NDArray[np.int64]
@@ -117,7 +119,7 @@ class Targets:
 
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
 class PointSources(Targets):
-    """Isolated point sources in an image or stack, returned by :func:`lommel.find_spots`.
+    """Isolated point sources in an image or stack, returned by :func:`lommel.detection.find_spots`.
 
     Attributes
     ----------
@@ -371,7 +373,7 @@ def _neighbors(places: Array, light: Array, defect: NDArray[np.bool_], distance:
 
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
 class Crossings(Targets):
-    """Crossings of a checkerboard in one or several exposures, returned by :func:`lommel.find_crossings`.
+    """Crossings of a checkerboard in one or several exposures, returned by :func:`lommel.detection.find_crossings`.
 
     Attributes
     ----------
@@ -382,8 +384,8 @@ class Crossings(Targets):
     windows : ndarray, shape (n, rows, columns), or (n, exposures, rows, columns) for several exposures
         Windows cut from the image, in its unit and type; a masked array if pixels of the image are left out.
     indices : ndarray, shape (n, 2)
-        Row and column of each crossing on the board, from :func:`lommel.grid_indices`; NaN if unknown. They are the
-        places of the crossings without distortion, in squares.
+        Row and column of each crossing on the board, from :func:`lommel.detection.grid_indices`; NaN if unknown. They
+        are the places of the crossings without distortion, in squares.
     contrast : ndarray, shape (n,)
         White minus black level, electrons per pixel, sum of all exposures; a rough estimate.
     square : float
@@ -570,7 +572,8 @@ def grid_indices(places: ArrayLike) -> Array:
     Parameters
     ----------
     places : array_like, shape (n, 2)
-        Row and column of each point, such as `centers` of :func:`lommel.find_spots`, in any order; n at least 4.
+        Row and column of each point, such as `centers` of :func:`lommel.detection.find_spots`, in any order; n at
+        least 4.
 
     Returns
     -------
@@ -592,7 +595,7 @@ def grid_indices(places: ArrayLike) -> Array:
     Examples
     --------
     >>> import lommel as lm
-    >>> lm.grid_indices([[11.0, 20.0], [10.0, 10.2], [20.1, 9.8], [20.3, 20.0]]).tolist()
+    >>> lm.detection.grid_indices([[11.0, 20.0], [10.0, 10.2], [20.1, 9.8], [20.3, 20.0]]).tolist()
     [[0.0, 1.0], [0.0, 0.0], [1.0, 0.0], [1.0, 1.0]]
     """
     points = validation.real_array("places", places)

@@ -32,7 +32,7 @@ _MAX_OUTLIERS = 0.2  # fraction of outliers above which none is rejected
 
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
 class Distortion(FitReport):
-    """Displacement of images over the field: `distortion` of a :class:`lommel.FieldFit`.
+    """Displacement of images over the field: `distortion` of a :class:`~lommel.estimation.field_fit.FieldFit`.
 
     Attributes
     ----------

@@ -414,9 +414,9 @@ def fit_field(
     Parameters
     ----------
     windows : array_like, shape (n, height, width) or (n, e, height, width)
-        Images of n stars in e exposures, for example from :func:`lommel.find_spots`; linear in the light, with the
-        gain and offset of `noise`. NaN, infinite and masked values are left out, and so are saturated pixels of
-        integer images and, for stars, pixels hit by cosmic rays.
+        Images of n stars in e exposures, for example from :func:`lommel.detection.find_spots`; linear in the light,
+        with the gain and offset of `noise`. NaN, infinite and masked values are left out, and so are saturated pixels
+        of integer images and, for stars, pixels hit by cosmic rays.
     places : array_like, shape (n, 2)
         Row and column of the middle pixel ``(height // 2, width // 2)`` of each window on the sensor.
     pupil : Pupil

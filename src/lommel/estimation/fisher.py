@@ -240,8 +240,8 @@ def fisher(
 
     Unidentifiable parameters have the standard error inf. An example is the defocus of an image in focus, which does
     not change the image to first order. The proven error bounds of the derivatives determine which parameters are
-    unidentifiable, see :meth:`lommel.Information.of_root`. The Cramér-Rao bound is local: it ignores ambiguities
-    between distant values, such as a defocus and its negative.
+    unidentifiable, see :meth:`~lommel.estimation.fisher.Information.of_root`. The Cramér-Rao bound is local: it
+    ignores ambiguities between distant values, such as a defocus and its negative.
 
     Examples
     --------

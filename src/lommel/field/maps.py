@@ -151,7 +151,8 @@ class Vignetting:
     Examples
     --------
     >>> import lommel as lm
-    >>> edges = lm.Vignetting([0.0, 20e-3], shift=[0.0, 0.6], radius=1.2)
+    >>> from lommel.field.maps import Vignetting
+    >>> edges = Vignetting([0.0, 20e-3], shift=[0.0, 0.6], radius=1.2)
     >>> edges.at(10e-3, 0.0)
     CatEye(shift=(0.3, 0.0), radius=1.2)
     """
@@ -214,7 +215,8 @@ class Foreshortening:
     Examples
     --------
     >>> import lommel as lm
-    >>> pupils = lm.Foreshortening([0.0, 20e-3], along=[1.0, 0.8], across=[1.0, 0.9])
+    >>> from lommel.field.maps import Foreshortening
+    >>> pupils = Foreshortening([0.0, 20e-3], along=[1.0, 0.8], across=[1.0, 0.9])
     >>> pupils.at(10e-3, 0.0)
     Ellipse(a=0.95, b=0.975, angle=0.0, center=(0.0, 0.0))
     """

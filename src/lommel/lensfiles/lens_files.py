@@ -757,8 +757,8 @@ def load_instrument(path: str | PathLike[str], *, folder_only: bool = False) -> 
     (:func:`lommel.lensfiles.tables.read_rows`); or file, a CSV file with such a table. Options of tables are order
     ("noll", "ansi", "fringe"), unit ("waves", "radians", "metres"), normalization ("rms", "edge") and direction ("x"
     or "y", the axis of image heights). ``[field.vignetting]`` has height, shift and radius of
-    :class:`lommel.Vignetting`. ``[field.shading]`` has either distance, from the exit pupil to the sensor, for the
-    cos^4 law, or height and light, a table.
+    :class:`~lommel.field.maps.Vignetting`. ``[field.shading]`` has either distance, from the exit pupil to the
+    sensor, for the cos^4 law, or height and light, a table.
 
     ``[colour]``: lists wavelengths, focus_shift, lateral and heights of :class:`lommel.Colour`. ``[channels]``:
     either file, a CSV file for :func:`lommel.load_channels`, with its options filters, illuminant, tol and paths; or

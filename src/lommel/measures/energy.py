@@ -53,8 +53,8 @@ def encircled_energy(psf: PSFLike, radius: ArrayLike, *, about: str = "axis", of
     TypeError, ValueError
         If a radius is negative or not finite; if it is too large for a pupil that is not radially symmetric (the
         limit is about 700 lambda*N minus the extent of the blur, and none with seeing); if the circle extends beyond
-        half of the period of a sampled image (:class:`lommel.Mask`, :class:`lommel.MatrixFourier`); or if `about` or
-        `of` has an unknown value.
+        half of the period of a sampled image (:class:`lommel.Mask`, :class:`lommel.methods.MatrixFourier`); or if
+        `about` or `of` has an unknown value.
     """
     model, radii = ImageModel.of(psf, of), validation.real_array("radius", radius, least=0.0)
     centers = energy_centers(psf, about) / psf.pupil.scale

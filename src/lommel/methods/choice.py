@@ -170,7 +170,7 @@ def instead(pupil: BasePupil, grid: Grid) -> str:
         sampled.require_fit(lens, grid)
     except (TypeError, ValueError):  # an objective, an axis for each pupil, or too many samples
         return ""
-    return f"; method=lommel.Fraunhofer(samples={sampled.samples}) computes them, without a bound on its error"
+    return f"; method=lommel.paper.Fraunhofer(samples={sampled.samples}) computes them, without a bound on its error"
 
 
 def fixed_order(methods: tuple[Method, ...], pupil: BasePupil, grid: Grid) -> tuple[Method, ...]:

@@ -90,7 +90,7 @@ class ChordalGauss(Method[Pupil]):
         return shortcut
 
     def images(self, pupil: Pupil, grid: Grid, wanted: Wanted) -> Images:
-        """Return the images of the flattened stack; see :meth:`lommel.Method.images`."""
+        """Return the images of the flattened stack; see :meth:`lommel.methods.Method.images`."""
         if wanted.powers:
             raise ValueError("derivatives are not available from ChordalGauss; use NijboerZernike")
         if wanted.terms and wanted.scale is None:
@@ -153,7 +153,7 @@ class ChordalIfCheaper(ChordalGauss):
     _if_cheaper = True
 
     def images(self, pupil: Pupil, grid: Grid, wanted: Wanted) -> Images:
-        """Return the images of the flattened stack; see :meth:`lommel.Method.images`."""
+        """Return the images of the flattened stack; see :meth:`lommel.methods.Method.images`."""
         if grid.integrate and not wanted.terms:
             from lommel.methods.averaging import estimate_far_start
 

@@ -256,7 +256,7 @@ class RadialMethod(Method[P]):
         return self.profile(pupil, v)
 
     def images(self, pupil: P, grid: Grid, wanted: Wanted) -> Images:
-        """Return the images of the flattened stack; see :meth:`lommel.Method.images`."""
+        """Return the images of the flattened stack; see :meth:`Method.images`."""
         if grid.symmetric or wanted.scale is not None or wanted.powers or self.along_radius(pupil) is None:
             return super().images(pupil, grid, wanted)
         # Division of values by their own largest value doubles their relative error.
@@ -412,7 +412,7 @@ def with_storage_rounding(result: Intensities, wanted: Wanted) -> Array | None:
 
 
 def to_images(result: Intensities, grid: Grid, wanted: Wanted) -> Images:
-    """Return intensities, at the radii of `grid` or on its pixels, as images; see :meth:`lommel.Method.images`."""
+    """Return intensities, at the radii of `grid` or on its pixels, as images; see :meth:`Method.images`."""
     largest = result.values.reshape(len(result.values), -1).max(axis=1)
     if wanted.scale is None and not np.all(largest > 0):
         raise ValueError('normalize="peak" is impossible: no light falls into the window')

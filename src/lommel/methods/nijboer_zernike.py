@@ -109,7 +109,7 @@ class NijboerZernike(FieldMethod["Pupil"]):
         return shortcut
 
     def images(self, pupil: Pupil, grid: Grid, wanted: Wanted) -> Images:
-        """Return the images of the flattened stack; see :meth:`lommel.Method.images`."""
+        """Return the images of the flattened stack; see :meth:`lommel.methods.Method.images`."""
         if wanted.terms:
             raise ValueError("derivatives by Zernike terms are not available from NijboerZernike; use ChordalGauss")
         if pupil.radial:

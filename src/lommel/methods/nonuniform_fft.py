@@ -482,7 +482,7 @@ class NonuniformFFT(Method[Pupil]):
         return self.images(pupil, grid, Wanted(threads=threads)).intensities
 
     def images(self, pupil: Pupil, grid: Grid, wanted: Wanted) -> Images:
-        """Return the images of the flattened stack; see :meth:`lommel.Method.images`."""
+        """Return the images of the flattened stack; see :meth:`lommel.methods.Method.images`."""
         if wanted.powers:
             raise ValueError("derivatives by powers of rho are not available from NonuniformFFT; use Zernike terms")
         if wanted.terms and wanted.scale is None:

@@ -210,7 +210,7 @@ class Polychromatic(Spectrum, RadialMethod[BasePupil]):
         return sum_spectra((self,), pupil, grid, threads, self.tol)[0]
 
     def images(self, pupil: BasePupil, grid: Grid, wanted: Wanted) -> Images:
-        """Return the images of the flattened stack; see :meth:`lommel.Method.images`."""
+        """Return the images of the flattened stack; see :meth:`lommel.methods.Method.images`."""
         if wanted.powers or wanted.terms:
             raise ValueError(
                 "derivatives are not available from Polychromatic.images; use derivatives= of lommel.psf"

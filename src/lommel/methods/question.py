@@ -213,10 +213,13 @@ def for_axes(pupil: AnyPupil, center_shape: tuple[int, ...]) -> AnyPupil:
 
 def checked_method(method: object, tol: float | None, integrate: object) -> tuple[Method | None, float]:
     """Return the method (None for the default) with the tolerance; TypeError or ValueError if arguments conflict."""
+    if isinstance(method, str):
+        from lommel.methods.registry import LAYERED, METHODS  # imports all methods
+
+        kinds = METHODS | LAYERED
+        method = kinds[validation.choice("method", method, tuple(kinds))]()
     if method is not None and not isinstance(method, Method):
-        raise TypeError(
-            f"method must be a Method such as NijboerZernike(tol=1e-6) or None, got {validation.shown(method)}"
-        )
+        raise TypeError(f"method must be a name such as 'hankel', a Method or None, got {validation.shown(method)}")
     if not (integrate is None or isinstance(integrate, bool)):
         raise TypeError(f"integrate must be True, False or None, got {validation.shown(integrate)}")
     if integrate is False and method is not None and method.sampling == "pixel":

@@ -45,7 +45,7 @@ class Pupil(BasePupil):
     apodization : float or Apodization, default 0
         Amplitude across the aperture, for all pupils of a stack. A number g, 0 to 100, is a Gaussian
         ``exp(-g rho^2)``: a laser beam of 1/e amplitude radius w, truncated at the radius a, has ``g = (a / w)^2``.
-        See :attr:`lommel.Method.apodized` for the methods that support it.
+        See :attr:`lommel.methods.Method.apodized` for the methods that support it.
     geometry : Geometry, optional
         Distances, set by :meth:`lommel.Lens.pupil`; needed by ``HuygensFresnel`` only.
     spider : Spider, optional

@@ -1,4 +1,4 @@
-// Made by `make page` with ziglang==0.17.0; SHA-256 of the sources: 9b17012864a1ea700903a8cef7afe6b453e25b80074289b6a91115f54e4c2a5d
+// Made by `make page` with ziglang==0.17.0; SHA-256 of the sources: d48004504b7896b5b951406d8d6a25ebc6fdbc2070ea93ec1faff1019110830d
 /*! lommel, BSD-3-Clause. The compiled core holds parts of libc++ and libc++abi (Apache-2.0 WITH LLVM-exception), of
 musl, wasi-libc and Zig (MIT), and of cloudlibc (BSD-2-Clause); the notices are in LICENSES of sources and wheels. */
 const common = () => {
@@ -597,7 +597,7 @@ if (state.view !== "fine" && side < state.side) lines.push(`# The middle of the 
 const asked = ["pupil", String(side), `pixel=${metres(pixel, -6)}`];
 if (state.light === "white") {
 const list = WHITE.map((w) => metres(w, -9)).join(", ");
-lines.push(`white = lm.Polychromatic([${list}], [1.0] * ${WHITE.length})`);
+lines.push(`white = lm.methods.Polychromatic([${list}], [1.0] * ${WHITE.length})`);
 asked.push("method=white");
 }
 if (state.view !== "averaged") asked.push("integrate=False");

@@ -15,8 +15,9 @@ from lommel.base.arrays import Array, Json, Numbers, plain
 from lommel.core.answers import ToleranceError
 from lommel.measures import aperture_means, errors, spot, transfer
 from lommel.measures.energy import MAX_RADIUS, encircled, optics
-from lommel.methods import HuygensFresnel, Method, Polychromatic
+from lommel.methods import Method, Polychromatic
 from lommel.methods.choice import of_profiles, reference
+from lommel.methods.paper.huygens import HuygensFresnel
 from lommel.optics.aperture.apodization import illumination
 from lommel.optics.aperture.shapes import CatEye, Disc, Ellipse, Polygon, Segments, Shape
 from lommel.optics.wavefront.wavefront import Wavefront
@@ -109,8 +110,9 @@ class ImageQuality(PointQuality):
     Examples
     --------
     >>> import lommel as lm
+    >>> from lommel.report.image_quality import ImageQuality
     >>> lens = lm.Lens(focal_length=20e-3, f_number=4.0, focus_distance=2.0, wavelength=550e-9)
-    >>> quality = lm.ImageQuality(lm.Instrument("lens", "", lens, 2.0, 2e-6, None, {}))
+    >>> quality = ImageQuality(lm.Instrument("lens", "", lens, 2.0, 2e-6, None, {}))
     >>> [round(end, 3) for end in quality.depth_of_field]
     [1.853, 2.172]
     >>> round(quality.mtf50() / 1e3)  # cycles per millimetre

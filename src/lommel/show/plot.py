@@ -560,7 +560,7 @@ def difference(a: PSFLike | ArrayLike, b: PSFLike, ax: Axes | None = None) -> Ax
         A single PSF.
     ax : matplotlib Axes, optional
         By default the axes of a new figure with a colour bar and a title, which states :func:`lommel.peak_error` and
-        the square root of :func:`lommel.mse`.
+        the square root of :func:`~lommel.measures.errors.mse`.
 
     Returns
     -------
@@ -577,7 +577,7 @@ def difference(a: PSFLike | ArrayLike, b: PSFLike, ax: Axes | None = None) -> Ax
     --------
     >>> import lommel as lm
     >>> pupil = lm.Pupil(lm.Wavefront(defocus=3.0))
-    >>> exact, fast = (lm.psf(pupil, 64, 0.25, method=method) for method in (None, lm.Fraunhofer(256)))
+    >>> exact, fast = (lm.psf(pupil, 64, 0.25, method=method) for method in (None, lm.paper.Fraunhofer(256)))
     >>> axes = lm.show.difference(fast, exact)
     """
     checked(b, "b")

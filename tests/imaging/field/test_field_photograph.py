@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import lommel as lm
+from lommel.field.maps import Foreshortening, Shading, Vignetting
 from lommel.imaging import field_photograph
 from lommel.imaging.photograph import undistorted_positions
 
@@ -112,7 +113,7 @@ def test_a_map_without_tilts_gives_the_blur_of_the_field_and_its_shading():
     field = lm.FieldMap.from_seidel(EDGE, W222=0.4, W040=0.2, wavelength=550e-9, f_number=N)
     image = np.random.default_rng(0).random((40, 50), dtype=np.float32)
     blur = lm.imaging.FieldBlur(field, image.shape, PIXEL, channels=[550e-9], energy=0.9)
-    lit = field.seen_through(None, lm.Shading([0.0, EDGE], [1.0, 0.5]))
+    lit = field.seen_through(None, Shading([0.0, EDGE], [1.0, 0.5]))
     for one in (field, lit):
         made = field_photograph(image, one, PIXEL, encoding="linear", energy=0.9)
         light = one.illumination(blur.x, blur.y[:, None])
@@ -146,16 +147,16 @@ def test_places_between_nodes_are_those_of_the_map():
 
 def test_bad_questions_are_refused():
     image = np.zeros((20, 30))
-    vignetted = BENT.seen_through(lm.Vignetting([0.0, EDGE], shift=[0.0, 0.5], radius=1.0))
+    vignetted = BENT.seen_through(Vignetting([0.0, EDGE], shift=[0.0, 0.5], radius=1.0))
     with pytest.raises(ValueError, match="must have no vignetting"):
         field_photograph(image, vignetted, PIXEL, encoding="linear")
-    ellipses = BENT.seen_through(lm.Foreshortening([0.0, 2.0 * EDGE], [1.0, 0.8], [1.0, 0.9]))
+    ellipses = BENT.seen_through(Foreshortening([0.0, 2.0 * EDGE], [1.0, 0.8], [1.0, 0.9]))
     for ask in (field_photograph, lambda image, field, pixel, **_: lm.imaging.FieldBlur(field, image.shape, pixel)):
         with pytest.raises(ValueError, match="make the map with circular=True"):
             ask(image, ellipses, PIXEL, encoding="linear")
     with pytest.raises(ValueError, match=r"must be that of the map, field_map\.vignetting"):
         ellipses.seen_through(None)
-    assert ellipses.seen_through(ellipses.vignetting, lm.Shading.cos4(EDGE)).shading is not None
+    assert ellipses.seen_through(ellipses.vignetting, Shading.cos4(EDGE)).shading is not None
     with pytest.raises(ValueError, match="must come from within the map"):
         field_photograph(np.zeros((120, 180)), BENT, PIXEL, encoding="linear")
     bare = lm.FieldMap.from_seidel(100.0, W131=0.5)

@@ -59,7 +59,7 @@ def test_derivatives_are_differences_within_their_bounds(aperture, integrate):
 
 
 def test_a_polychromatic_image_has_them():
-    light = lm.Polychromatic([500e-9, 600e-9], [1.0, 2.0])
+    light = lm.methods.Polychromatic([500e-9, 600e-9], [1.0, 2.0])
     pupil = lm.Pupil(FRONT, wavelength=550e-9, f_number=4.0, **APERTURES["vanes"])
     psf = lm.psf(pupil, 11, PIXEL, derivatives=((3, 1), "column"), method=light, dtype="float64")
 

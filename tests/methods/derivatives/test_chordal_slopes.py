@@ -14,7 +14,9 @@ import lommel as lm
 from lommel import _core
 from lommel.core.answers import Wanted
 from lommel.core.engine import DiskStack, Window, chordal_gradient, chordal_images
+from lommel.methods import ChordalGauss
 from lommel.methods.averaging import averaging_filter, spread_out
+from lommel.optics.grid import Grid
 from lommel.special import zernike
 from lommel.special.legendre import gauss_legendre
 from rendering import grouped
@@ -140,7 +142,7 @@ def test_derivatives_agree_with_differences_of_exact_images(kind, integrate, pix
     edge = {term: 3.0 * c / math.sqrt(len(edge)) / zernike.rms_factor(*term) for term, c in edge.items()}
     light = {"obscured": {"obscuration": 0.4}, "apodized": {"apodization": 2.0}}.get(kind, {})
     center = (np.array([4.0, 4.3, 5.0]), np.array([3.0, 3.6, 2.0])) if kind == "own axes" else (4.2, 3.0)
-    grid = lm.Grid((9, 8), pixel, center=center, integrate=integrate)
+    grid = Grid((9, 8), pixel, center=center, integrate=integrate)
     # Of the wavefront and not, tilts among them.
     terms = (*list(edge)[:2], *(t for t in [(1, 1), (1, -1), (2, 0), (5, 3)] if t not in edge))
 
@@ -148,11 +150,11 @@ def test_derivatives_agree_with_differences_of_exact_images(kind, integrate, pix
         return lm.Pupil(wavefront=lm.Wavefront.zernike(edge, normalization="edge"), **light)
 
     def images(edge: dict) -> np.ndarray:
-        return lm.ChordalGauss(2e-11).images(pupil(edge), grid, Wanted(1.5)).values
+        return ChordalGauss(2e-11).images(pupil(edge), grid, Wanted(1.5)).values
 
     exact = np.array([differences(images, edge, term) for term in terms])
     for tol, dtype in ((1e-9, np.float64), (1e-4, np.float32), (1e-4, np.float64)):
-        made = lm.ChordalGauss(tol).images(pupil(edge), grid, Wanted(1.5, dtype, terms=terms))
+        made = ChordalGauss(tol).images(pupil(edge), grid, Wanted(1.5, dtype, terms=terms))
         peak = 1.5 * images(edge).max(axis=(1, 2)) / 1.5
         error = np.abs(made.slopes.values.astype(float) - exact).max(axis=(2, 3)) / peak
         assert np.all(error <= made.slopes.error + 2e-9)
@@ -164,8 +166,8 @@ def test_the_gradient_of_averages_is_the_sum_over_derivatives_too(integrate):
     rng = np.random.default_rng(5)
     terms = ((2, 0), (3, -1), (4, 4), (1, 1))
     wavefront = lm.Wavefront.zernike({t: rng.normal(size=4) for t in terms[:3]}, normalization="edge")
-    pupil, grid = lm.Pupil(wavefront=wavefront, obscuration=0.3), lm.Grid((7, 9), 1.1, integrate=integrate)
-    weights, method = rng.normal(size=(4, 7, 9)), lm.ChordalGauss(1e-10)
+    pupil, grid = lm.Pupil(wavefront=wavefront, obscuration=0.3), Grid((7, 9), 1.1, integrate=integrate)
+    weights, method = rng.normal(size=(4, 7, 9)), ChordalGauss(1e-10)
     slopes = method.images(pupil, grid, Wanted(terms=terms)).slopes.values
     found = method.gradient(pupil, grid, weights, terms)
     assert found == pytest.approx(np.einsum("knyx,nyx->nk", slopes, weights), rel=0, abs=1e-9)
@@ -254,4 +256,4 @@ def test_the_compiled_core_refuses_what_does_not_fit():
 
 def test_values_that_are_divided_by_their_largest_one_have_no_derivatives():
     with pytest.raises(ValueError, match="derivatives of values divided by their largest one"):
-        lm.ChordalGauss().images(lm.Pupil(), lm.Grid(3, 1.0), Wanted(None, terms=((2, 0),)))
+        ChordalGauss().images(lm.Pupil(), Grid(3, 1.0), Wanted(None, terms=((2, 0),)))

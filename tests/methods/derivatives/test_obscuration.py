@@ -10,6 +10,7 @@ import pytest
 import lommel as lm
 from disk_quadrature import exact_lattice
 from lommel.methods.derivatives import _nodes, obscuration_derivative
+from lommel.optics.grid import Grid
 
 
 def pupil(rng: np.random.Generator) -> lm.Pupil:
@@ -47,7 +48,7 @@ def test_as_many_angles_are_taken_as_the_error_needs_and_hardly_more(seed, error
 @pytest.mark.parametrize("seed", range(3))
 def test_the_derivative_is_that_of_quadrature(integrate, error, seed):
     one = pupil(np.random.default_rng(seed))
-    grid = lm.Grid((4, 5), 0.55, center=(1.3, 2.6), integrate=integrate)
+    grid = Grid((4, 5), 0.55, center=(1.3, 2.6), integrate=integrate)
     step = grid.step(one)
     rule, weight = np.polynomial.legendre.leggauss(9) if integrate else (np.zeros(1), np.array([2.0]))
     across, down = (
@@ -69,7 +70,7 @@ def test_each_pupil_of_a_stack_has_its_own():
     both = lm.Pupil(
         one.wavefront + lm.Wavefront([0.0, 2.0]), obscuration=one.obscuration, apodization=one.apodization
     )
-    grid = lm.Grid(7, 0.4, center=([3.0, 2.5], [3.2, 3.3]), integrate=True)
+    grid = Grid(7, 0.4, center=([3.0, 2.5], [3.2, 3.3]), integrate=True)
     found, _ = obscuration_derivative(both, grid, 1e-10)
     for i in range(2):
         alone, _ = obscuration_derivative(both[i], grid[i], 1e-10)

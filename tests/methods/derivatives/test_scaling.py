@@ -10,8 +10,10 @@ import pytest
 import lommel as lm
 from disk_quadrature import exact_lattice
 from lommel.core.answers import Images, Wanted
+from lommel.methods import ChordalGauss, NijboerZernike
 from lommel.methods.averaging import averaging_filter, slope_filter
 from lommel.methods.derivatives import TILTS, scaling_derivative, tilted
+from lommel.optics.grid import Grid
 
 PUPIL = lm.Pupil(lm.Wavefront(1.5, 0.7, nonradial={(3, 1): 0.8, (2, -2): 0.5}), obscuration=0.25, apodization=0.4)
 
@@ -49,9 +51,9 @@ def test_the_response_to_slopes_is_odd_and_that_of_a_derivative(step, error, ave
 def test_slopes_from_samples_are_those_by_tilts(integrate, pixel, tol):
     pupil = lm.Pupil(lm.Wavefront([2.0, -9.0], [1.0, 4.0]), obscuration=0.3, apodization=0.4)
     for center in ((1.3, 2.6), (np.array([1.0, -3.0]), np.array([2.2, 9.0]))):
-        grid = lm.Grid((4, 5), pixel, center=center, integrate=integrate)
-        truth = lm.ChordalGauss(1e-9).images(pupil, grid, Wanted(terms=TILTS))
-        found = tilted(lm.NijboerZernike(tol), pupil, grid)
+        grid = Grid((4, 5), pixel, center=center, integrate=integrate)
+        truth = ChordalGauss(1e-9).images(pupil, grid, Wanted(terms=TILTS))
+        found = tilted(NijboerZernike(tol), pupil, grid)
         for (values, error), exact, known in zip(found, *truth.slopes, strict=True):
             assert np.all(np.abs(values - exact).max(axis=(1, 2)) <= error + known * truth.peak)
             assert np.all(error <= 20.0 * tol)
@@ -64,8 +66,8 @@ def slopes_of(light, off, integrate):
         values = np.broadcast_to(light(np.arange(grid.width) - grid.axis[1], grid.step(pupil)), (1, *grid.shape))
         return Images(np.ascontiguousarray(values), np.ones(1), np.array([off]), None, np.ones(1))
 
-    grid = lm.Grid(5, 0.5, integrate=integrate)
-    (slope, error), _ = tilted(lm.NijboerZernike(1e-4), lm.Pupil(lm.Wavefront(0.0)), grid, compute=ask)
+    grid = Grid(5, 0.5, integrate=integrate)
+    (slope, error), _ = tilted(NijboerZernike(1e-4), lm.Pupil(lm.Wavefront(0.0)), grid, compute=ask)
     return slope[0, 2], float(error[0])
 
 
@@ -79,7 +81,7 @@ def test_slopes_from_samples_hold_the_worst_that_samples_are_off_by(integrate):
 
 @pytest.mark.parametrize("integrate", [False, True])
 def test_slopes_from_samples_hold_what_the_filter_is_off_by(integrate):
-    step, worst = lm.Grid(5, 0.5).step(lm.Pupil(lm.Wavefront(0.0))), 0.0
+    step, worst = Grid(5, 0.5).step(lm.Pupil(lm.Wavefront(0.0))), 0.0
     for w in np.linspace(0.0, 2.0, 300):
         slope, error = slopes_of(lambda j, pitch, w=w: np.cos(w * pitch * j), 0.0, integrate)
         exact = w * np.sin(w * step * (np.arange(5) - 2)) * (np.sinc(0.5 * step * w / math.pi) if integrate else 1.0)
@@ -90,8 +92,8 @@ def test_slopes_from_samples_hold_what_the_filter_is_off_by(integrate):
 @pytest.mark.parametrize("integrate", [False, True])
 @pytest.mark.parametrize("tol", [1e-5, 1e-11])
 def test_growth_is_that_of_quadrature(integrate, tol):
-    grid = lm.Grid((4, 5), 0.55, center=(1.3, 2.6), integrate=integrate)
-    step, method = grid.step(PUPIL), lm.ChordalGauss(tol)
+    grid = Grid((4, 5), 0.55, center=(1.3, 2.6), integrate=integrate)
+    step, method = grid.step(PUPIL), ChordalGauss(tol)
     rule, weight = np.polynomial.legendre.leggauss(9) if integrate else (np.zeros(1), np.array([2.0]))
     vx, vy = (
         (step * (np.arange(side)[:, None] - c + 0.5 * rule)).ravel()

@@ -8,7 +8,9 @@ import pytest
 import lommel as lm
 from lommel import _core
 from lommel.core.engine import SeriesSizes, chordal_field_errors, folded_waves
+from lommel.methods import ChordalDebye, DebyeRings, Stratified
 from lommel.methods.layers import chordal_debye
+from lommel.optics.grid import Grid
 from lommel.optics.layers import debye, projection
 from lommel.optics.layers.debye import Model
 from lommel.special import zernike
@@ -26,7 +28,7 @@ EMITTERS = [*ALL, CUT]
 def test_the_light_is_the_sum_of_its_plane_waves(emitter):
     given = {"depth": [0.05e-6, 0.3e-6], "z": [-0.3e-6, 0.2e-6], "emitter": emitter}
     pupil = OIL.pupil(**given, wavelength=WAVE, aberrations=FIVE)
-    made = lm.psf(pupil, 7, PIXEL, method=lm.ChordalDebye(1e-9), integrate=False, dtype=np.float64)
+    made = lm.psf(pupil, 7, PIXEL, method=ChordalDebye(1e-9), integrate=False, dtype=np.float64)
     assert worst(OIL, pupil, made, 7) <= 1e-10
     assert made.error_bound <= 1e-9
 
@@ -37,7 +39,7 @@ def test_it_agrees_with_orders_on_circles(emitter, integrate):
     pupil = OIL.pupil(depth=[0.1e-6, 3e-6], z=[-0.3e-6, 0.5e-6], emitter=emitter, wavelength=WAVE, aberrations=FIVE)
     chords, circles = (
         lm.psf(pupil, 9, PIXEL, method=method(1e-8), integrate=integrate, dtype=np.float64)
-        for method in (lm.ChordalDebye, lm.DebyeRings)
+        for method in (ChordalDebye, DebyeRings)
     )
     assert lm.peak_error(chords, circles) <= 1e-8
     assert chords.error_bound <= 1e-8
@@ -54,8 +56,8 @@ def test_no_error_is_above_its_bound_nor_that_above_the_tolerance(seed):
     pupil = objective.pupil(**given, wavelength=WAVE, aberrations=lm.Wavefront.zernike(terms))
     center = tuple(rng.uniform(-1.0, 5.0, 2))
     asked = {"center": center, "integrate": False, "dtype": np.float64}
-    made = lm.psf(pupil, 5, PIXEL, method=lm.ChordalDebye(tol), **asked)
-    exact = lm.psf(pupil, 5, PIXEL, method=lm.DebyeRings(1e-10), **asked)
+    made = lm.psf(pupil, 5, PIXEL, method=ChordalDebye(tol), **asked)
+    exact = lm.psf(pupil, 5, PIXEL, method=DebyeRings(1e-10), **asked)
     error = np.abs(made.values - exact.values).max(axis=(1, 2)) / exact.values.max(axis=(1, 2))
     assert error.max() <= made.error_bound + 2e-10
     assert made.error_bound <= tol
@@ -68,10 +70,10 @@ def test_all_instructions_and_axes_give_the_same(level):
     center = np.array([3.0, 3.4, 2.2]), np.array([3.0, 3.1, 4.0])
     _core.limit_instructions(level)
     try:
-        made = lm.psf(pupil, (7, 8), PIXEL, method=lm.ChordalDebye(1e-9), center=center, dtype=np.float64, threads=2)
+        made = lm.psf(pupil, (7, 8), PIXEL, method=ChordalDebye(1e-9), center=center, dtype=np.float64, threads=2)
     finally:
         _core.limit_instructions("avx512")
-    exact = lm.psf(pupil, (7, 8), PIXEL, method=lm.DebyeRings(1e-9), center=center, dtype=np.float64)
+    exact = lm.psf(pupil, (7, 8), PIXEL, method=DebyeRings(1e-9), center=center, dtype=np.float64)
     assert lm.peak_error(made, exact) <= 2e-9
 
 
@@ -81,7 +83,7 @@ def test_without_aberrations_it_agrees_with_sums_over_rings(emitter, integrate):
     pupil = OIL.pupil(depth=[0.0, 0.1e-6, 3e-6], z=[-0.3e-6, 0.0, 0.5e-6], emitter=emitter, wavelength=WAVE)
     made, exact = (
         lm.psf(pupil, 9, PIXEL, method=method, integrate=integrate, dtype=np.float64)
-        for method in (lm.ChordalDebye(1e-9), lm.Stratified(1e-11))
+        for method in (ChordalDebye(1e-9), Stratified(1e-11))
     )
     assert lm.peak_error(made, exact) <= 1e-11
     assert made.error_bound <= 1e-9
@@ -93,7 +95,7 @@ def test_without_aberrations_derivatives_agree_with_those_over_rings(emitter, in
     pupil = OIL.pupil(depth=[0.1e-6, 3e-6], z=[-0.3e-6, 0.5e-6], emitter=emitter, wavelength=WAVE)
     names = ("z", "depth", "row", "column")
     asked = {"integrate": integrate, "dtype": np.float64, "derivatives": names}
-    made, exact = (lm.psf(pupil, 9, PIXEL, method=way(1e-9), **asked) for way in (lm.ChordalDebye, lm.Stratified))
+    made, exact = (lm.psf(pupil, 9, PIXEL, method=way(1e-9), **asked) for way in (ChordalDebye, Stratified))
     for name in names:
         off = np.abs(made.derivatives[name] - exact.derivatives[name]).max()
         assert off <= (made.derivative_bounds[name] + exact.derivative_bounds[name]) * exact.values.max()
@@ -109,49 +111,47 @@ def test_the_doughnut_has_derivatives_by_chords():
         for h in (1e-9, -1e-9)
     )
     exact = (up.values - down.values) / 2e-9
-    found = lm.psf(pupil, 9, PIXEL, derivatives=("z",), method=lm.ChordalDebye(1e-9)).derivatives["z"]
+    found = lm.psf(pupil, 9, PIXEL, derivatives=("z",), method=ChordalDebye(1e-9)).derivatives["z"]
     assert np.abs(found - exact).max() <= 1e-5 * np.abs(exact).max()
     measured = OIL.pupil(depth=0.5e-6, z=0.2e-6, emitter=lm.Beam("vortex"), wavelength=WAVE, aberrations=FIVE)
     one, other = (
         lm.psf(measured, 9, PIXEL, derivatives=("z",), method=way(1e-9)).derivatives["z"]
-        for way in (lm.ChordalDebye, lm.DebyeRings)
+        for way in (ChordalDebye, DebyeRings)
     )
     assert np.abs(one - other).max() <= 1e-7 * np.abs(one).max()
 
 
 def test_peak_of_one_and_float32_keep_their_bounds():
     pupil = OIL.pupil(depth=1e-6, z=0.2e-6, wavelength=WAVE, aberrations=FIVE)
-    made = lm.psf(pupil, 9, PIXEL, method=lm.ChordalDebye(1e-6), normalize="peak", dtype=np.float32)
-    exact = lm.psf(pupil, 9, PIXEL, method=lm.DebyeRings(1e-9), normalize="peak", dtype=np.float64)
+    made = lm.psf(pupil, 9, PIXEL, method=ChordalDebye(1e-6), normalize="peak", dtype=np.float32)
+    exact = lm.psf(pupil, 9, PIXEL, method=DebyeRings(1e-9), normalize="peak", dtype=np.float64)
     assert made.values.max() == 1.0
     assert np.abs(made.values - exact.values).max() <= made.error_bound <= 1e-6
 
 
 def test_few_samples_are_taken_by_chords_and_many_by_circles():
     pupil = OIL.pupil(depth=1e-6, z=0.2e-6, wavelength=WAVE, aberrations=FIVE)
-    assert lm.psf(pupil, 15, PIXEL).method == lm.ChordalDebye(1e-6)
-    assert isinstance(lm.psf(pupil, 255, PIXEL).method, lm.DebyeRings)
-    assert isinstance(lm.psf(pupil, 9, PIXEL, center=(200.0, 200.0)).method, lm.DebyeRings)
+    assert lm.psf(pupil, 15, PIXEL).method == ChordalDebye(1e-6)
+    assert isinstance(lm.psf(pupil, 255, PIXEL).method, DebyeRings)
+    assert isinstance(lm.psf(pupil, 9, PIXEL, center=(200.0, 200.0)).method, DebyeRings)
     stack = OIL.pupil(depth=1e-6, z=np.linspace(-1e-7, 1e-7, 40), wavelength=WAVE, aberrations=FIVE)
-    assert isinstance(lm.psf(stack, 25, PIXEL).method, lm.DebyeRings)
+    assert isinstance(lm.psf(stack, 25, PIXEL).method, DebyeRings)
     with pytest.raises(ValueError, match="smaller window"):
-        lm.psf(pupil, 301, PIXEL, method=lm.ChordalDebye())
+        lm.psf(pupil, 301, PIXEL, method="chordal-debye")
     plain = OIL.pupil(depth=1e-6, z=0.2e-6, wavelength=WAVE)
-    assert lm.psf(plain, 15, PIXEL, derivatives=("z",)).method == lm.Stratified(1e-6)
-    assert lm.psf(plain, 15, PIXEL, derivatives=("z", (2, 2))).method == lm.ChordalDebye(1e-6)
+    assert lm.psf(plain, 15, PIXEL, derivatives=("z",)).method == Stratified(1e-6)
+    assert lm.psf(plain, 15, PIXEL, derivatives=("z", (2, 2))).method == ChordalDebye(1e-6)
     # Circles are shared by planes around one axis.
     many = OIL.pupil(depth=1e-6, z=np.linspace(-1e-7, 1e-7, 31), wavelength=WAVE, aberrations=FIVE)
     asked = {"tol": 1e-3, "center": (np.linspace(6.5, 7.5, 31), 7.0)}
-    assert isinstance(lm.psf(many, 15, 6.5e-6, **asked).method, lm.ChordalDebye)
-    assert isinstance(lm.psf(many, 15, 6.5e-6, tol=1e-3).method, lm.DebyeRings)
+    assert isinstance(lm.psf(many, 15, 6.5e-6, **asked).method, ChordalDebye)
+    assert isinstance(lm.psf(many, 15, 6.5e-6, tol=1e-3).method, DebyeRings)
     # Circles of light that depends on the azimuth are made anew for each plane.
     fixed = OIL.pupil(depth=1e-6, z=np.linspace(-1e-7, 1e-7, 9), emitter=lm.Dipole(0.7, 0.4), wavelength=WAVE)
-    assert lm.psf(fixed[:8], 15, PIXEL, derivatives=("z",)).method == lm.ChordalDebye(1e-6)
-    assert lm.psf(fixed[:8], 15, PIXEL).method == lm.Stratified(1e-6)
-    assert lm.psf(fixed, 15, PIXEL, derivatives=("z",)).method == lm.Stratified(1e-6)
-    assert lm.psf(fixed[0], 65, PIXEL, derivatives=("z",)).method == lm.ChordalDebye(
-        1e-6
-    )  # which Stratified declines
+    assert lm.psf(fixed[:8], 15, PIXEL, derivatives=("z",)).method == ChordalDebye(1e-6)
+    assert lm.psf(fixed[:8], 15, PIXEL).method == Stratified(1e-6)
+    assert lm.psf(fixed, 15, PIXEL, derivatives=("z",)).method == Stratified(1e-6)
+    assert lm.psf(fixed[0], 65, PIXEL, derivatives=("z",)).method == ChordalDebye(1e-6)  # which Stratified declines
 
 
 def fine(function):
@@ -271,7 +271,7 @@ def test_terms_as_factors_grow_like_their_degree():
 def test_errors_of_fields_become_those_of_intensities_and_slopes(monkeypatch):
     """One field E and its derivative F, of which each is off by d: 2 abs(E) d + d^2, and 2 (abs(E) + abs(F)) d."""
     pupil = OIL.pupil(depth=1e-6, z=0.2e-6, wavelength=WAVE, emitter=lm.Scalar("aplanatic"), aberrations=FIVE)
-    grid, d = lm.Grid(7, PIXEL), 1e-3
+    grid, d = Grid(7, PIXEL), 1e-3
     chordal_debye._case.cache_clear()
     monkeypatch.setattr(chordal_debye, "truncation_error", lambda *_: 0.0)
     monkeypatch.setattr(chordal_debye, "chordal_field_errors", lambda *_: np.full((3, 1, 1), d))
@@ -316,7 +316,7 @@ def test_the_rule_of_a_range_of_depths_and_stages_is_shared():
         OIL.pupil(depth=d, z=z, wavelength=WAVE, aberrations=FIVE) for d, z in ((1e-6, 1e-7), (1.01e-6, 1.2e-7))
     ]
     for pupil in pupils:
-        lm.psf(pupil, 7, PIXEL, method=lm.ChordalDebye(1e-5))
+        lm.psf(pupil, 7, PIXEL, method=ChordalDebye(1e-5))
     before = projection._integrals.cache_info().misses
     lm.psf(OIL.pupil(depth=1.02e-6, z=1.1e-7, wavelength=WAVE, aberrations=FIVE), 7, PIXEL, tol=1e-5)
     assert projection._integrals.cache_info().misses == before
@@ -336,7 +336,7 @@ def test_derivatives_are_limits_of_differences(emitter, integrate):
 
     names = ("z", "depth", "row", "column", (2, 2), (3, -1))
     made = psf(derivatives=names, tol=1e-7)
-    assert isinstance(made.method, lm.ChordalDebye)
+    assert isinstance(made.method, ChordalDebye)
     steps = {"z": ("z", 0.3e-6, 1e-9), "depth": ("depth", 1e-6, 1e-9)}
     steps |= {(2, 2): ("astigmatism", 0.0, 1e-3), (3, -1): ("coma", 0.0, 1e-3)}
     for name, (argument, at, h) in steps.items():
@@ -351,7 +351,7 @@ def test_derivatives_are_limits_of_differences(emitter, integrate):
         assert (
             np.abs(found - exact).max() <= made.derivative_bounds[name] * made.values.max() + 1e-9 * abs(exact).max()
         )
-    other = psf(derivatives=("row", "column"), method=lm.DebyeRings(1e-8))
+    other = psf(derivatives=("row", "column"), method=DebyeRings(1e-8))
     for name in ("row", "column"):
         off = np.abs(made.derivatives[name] - other.derivatives[name]).max()
         assert off <= (made.derivative_bounds[name] + other.derivative_bounds[name]) * made.values.max()
@@ -368,7 +368,7 @@ FILMS = oil(films=[lm.Layer(2.0, 50e-9), lm.Layer(1.46, 100e-9)])
 def test_the_derivative_by_the_wavelength_keeps_path_differences(objective, emitter, aberrations, integrate):
     given = {"depth": [0.3e-6, 3e-6], "z": [1e-6, 4e-6], "origin": "coverslip", "wavelength": WAVE}
     pupil = objective.pupil(**given, emitter=emitter, aberrations=aberrations)
-    asked = {"integrate": integrate, "dtype": np.float64, "method": lm.ChordalDebye(1e-9)}
+    asked = {"integrate": integrate, "dtype": np.float64, "method": ChordalDebye(1e-9)}
     made = lm.psf(pupil, (5, 6), PIXEL, derivatives=("z", "wavelength", (2, 2)), **asked)
     h = 0.05e-9
     ends = [lm.psf(pupil.in_light(WAVE + s * h), (5, 6), PIXEL, **asked).values for s in (1.0, -1.0, 2.0, -2.0)]
@@ -387,7 +387,7 @@ def test_the_derivative_by_the_wavelength_is_that_of_plane_waves(emitter):
     pupil = OIL.pupil(**given, emitter=emitter, aberrations=FIVE)
     made = lm.psf(
         pupil, (5, 7), PIXEL, integrate=False, dtype=np.float64, tol=1e-8, derivatives=("wavelength",),
-        method=lm.ChordalDebye(),
+        method="chordal-debye",
     )  # fmt: skip
 
     def exact(wave):
@@ -432,7 +432,7 @@ def test_axes_of_their_own_are_tilts_around_those_near_by(aberrations, apart):
     rng = np.random.default_rng(3)
     z, center = rng.uniform(-0.3e-6, 0.3e-6, 7), tuple(4.0 + apart * rng.uniform(-1.0, 1.0, (2, 7)))
     pupil = OIL.pupil(depth=1e-6, z=z, wavelength=WAVE, aberrations=aberrations)
-    asked = {"dtype": np.float64, "method": lm.ChordalDebye(1e-8), "derivatives": ("z", "row", "column", (2, 2))}
+    asked = {"dtype": np.float64, "method": ChordalDebye(1e-8), "derivatives": ("z", "row", "column", (2, 2))}
     weights = rng.normal(size=(7, 9, 9))
     together = lm.psf(pupil, 9, PIXEL, center=center, **asked)
     gradient = together.pullback(weights, ("z", "row", (2, 2)))
@@ -464,5 +464,5 @@ def test_strong_aberrations_are_computed_or_declined(waves):
 def test_derivatives_by_terms_are_those_of_small_windows():
     pupil = OIL.pupil(depth=1e-6, z=0.2e-6, wavelength=WAVE, aberrations=FIVE)
     with pytest.raises(ValueError, match="smaller shape"):
-        lm.psf(pupil, 9, PIXEL, method=lm.DebyeRings(), derivatives=((2, 2),))
-    assert isinstance(lm.psf(pupil, 255, PIXEL, derivatives=("z",)).method, lm.DebyeRings)
+        lm.psf(pupil, 9, PIXEL, method="debye-rings", derivatives=((2, 2),))
+    assert isinstance(lm.psf(pupil, 255, PIXEL, derivatives=("z",)).method, DebyeRings)

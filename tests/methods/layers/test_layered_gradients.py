@@ -7,6 +7,7 @@ import pytest
 
 import lommel as lm
 from lommel import _core
+from lommel.methods import ChordalDebye, DebyeRings, Stratified
 from objectives import EMITTERS, FIVE, OIL
 from plane_waves import PIXEL, intensity
 
@@ -96,8 +97,8 @@ def test_without_aberrations_terms_are_by_chords_and_all_else_by_rings():
     g = np.random.default_rng(5).normal(size=answer.shape)
     found = answer.pullback(g, ["z", "row", (2, 2), "noll 7"])
     made = lm.psf(pupil, 9, PIXEL, dtype=np.float64, tol=1e-9, derivatives=tuple(found))
-    assert isinstance(made.method, lm.ChordalDebye)
-    assert isinstance(answer.method, lm.Stratified)
+    assert isinstance(made.method, ChordalDebye)
+    assert isinstance(answer.method, Stratified)
     alone = answer.pullback(g, ["z", "row"])
     for name, slope in made.derivatives.items():
         exact = (g * slope).sum(axis=(-2, -1))
@@ -112,9 +113,9 @@ def test_traced_plans_name_the_way_to_gradients():
 
 def test_circles_have_the_gradient_by_chords_or_that_of_their_own_derivatives():
     pupil = stack(depth=2e-6, z=[0.1e-6, 0.4e-6])
-    answer = lm.psf(pupil, 9, PIXEL, method=lm.DebyeRings(1e-7), dtype=np.float64)
+    answer = lm.psf(pupil, 9, PIXEL, method=DebyeRings(1e-7), dtype=np.float64)
     g = np.random.default_rng(4).normal(size=answer.shape)
-    assert isinstance(lm.psf(pupil, 9, PIXEL).method, lm.ChordalDebye)
+    assert isinstance(lm.psf(pupil, 9, PIXEL).method, ChordalDebye)
     exact = lm.psf(pupil, 9, PIXEL, dtype=np.float64, tol=1e-9).pullback(g, ["z", (2, 2)])
     found = answer.pullback(g, ["z", (2, 2)])
     for name in exact:
@@ -128,7 +129,7 @@ def test_circles_have_the_gradient_by_chords_or_that_of_their_own_derivatives():
 
 def test_many_planes_have_derivatives_by_terms_too():
     pupil = stack(depth=2e-6, z=np.linspace(-1e-7, 1e-7, 40))
-    assert isinstance(lm.psf(pupil, 25, PIXEL, tol=1e-3).method, lm.DebyeRings)
+    assert isinstance(lm.psf(pupil, 25, PIXEL, tol=1e-3).method, DebyeRings)
     made = lm.psf(pupil, 25, PIXEL, tol=1e-3, derivatives=((2, 2),))
     found = made.pullback(made.values)[2, 2]
     exact = (made.values * made.derivatives[2, 2]).sum(axis=(1, 2))

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 import lommel as lm
+from lommel.methods import DebyeRings, DebyeWolf, Stratified
 from lommel.optics.layers import debye
 from objectives import oil
 
@@ -60,7 +61,7 @@ def compared(light, names, tol, slack, way=None, **options):
 )
 def test_light_that_depends_on_the_azimuth_has_all_derivatives(emitter, normalize, integrate):
     names = tuple(STEPS) if normalize == "energy" else ("depth", "wavelength")
-    way = lm.Stratified(1e-7) if integrate else lm.DebyeWolf(1e-10)
+    way = Stratified(1e-7) if integrate else DebyeWolf(1e-10)
     compared({"emitter": emitter}, names, 1e-6, 1e-7, way, normalize=normalize, integrate=integrate)
 
 
@@ -81,7 +82,7 @@ EACH = lm.Wavefront.zernike({2: np.array([0.1, -0.1]), 6: np.array([0.1, 0.2])},
 )
 def test_measured_wavefronts_have_derivatives_by_stage_depth_and_axis(light, integrate):
     names = ("z", "depth", "row", "column") if light.get("emitter") is None else ("z", "depth")
-    compared(light, names, 1e-6, 1e-7, lm.DebyeRings(1e-7), integrate=integrate)
+    compared(light, names, 1e-6, 1e-7, DebyeRings(1e-7), integrate=integrate)
 
 
 @pytest.mark.parametrize("integrate", [False, True])
@@ -130,7 +131,7 @@ def test_each_plane_has_its_own_axis():
 def test_windows_that_the_engine_has_no_way_for_are_refused():
     far = {"at": (90.0, 3.0), "derivatives": ("z",), "integrate": False}
     with pytest.raises(ValueError, match="in windows up to 63 pixels from each axis; use a smaller shape"):
-        images({"emitter": lm.Dipole(0.7, 0.4)}, **far, method=lm.Stratified())
+        images({"emitter": lm.Dipole(0.7, 0.4)}, **far, method=Stratified())
 
 
 def test_no_derivative_is_more_than_its_size_says():
@@ -165,5 +166,5 @@ def test_random_light_is_within_its_bounds(seed):
     )
     names = ("z", "depth", "row", "column") if "aberrations" in light else tuple(STEPS)
     tol, integrate = 10.0 ** -rng.integers(4, 7), bool(rng.integers(2))
-    way = lm.DebyeRings(1e-7) if "aberrations" in light else lm.Stratified(1e-7)
+    way = DebyeRings(1e-7) if "aberrations" in light else Stratified(1e-7)
     compared(light, names, tol, 1e-7, way, of=of, integrate=integrate)

@@ -9,6 +9,7 @@ from scipy.special import j0, j1, jv
 import lommel as lm
 from lommel.core.answers import Wanted
 from lommel.core.engine import Window, layered_images
+from lommel.methods import ChordalDebye, DebyeWolf, Stratified
 from lommel.methods.layers.samples import ETA, between, disc_means, gauss_error, growth
 from lommel.methods.layers.stratified import layered
 from lommel.special.legendre import gauss_legendre
@@ -30,7 +31,7 @@ def test_what_is_between_radii_is_off_by_no_more_than_is_said():
     pupil, side, step = planes(), 65, 0.61
     asked = layered(pupil, corner(side, step), 1e-13)
     made = layered_images(asked, Window((side, side), (32.0, 32.0), step), 3e-2, Wanted(1.0, np.float64))
-    line = lm.DebyeWolf(1e-12).profile(pupil, step * np.arange(33.0)).values
+    line = DebyeWolf(1e-12).profile(pupil, step * np.arange(33.0)).values
     off = np.abs(made.values[:, 32, 32:] - line).max(axis=1)
     assert np.all(off <= made.error * made.peak)
     assert off.max() > 1e-8
@@ -40,7 +41,7 @@ def test_windows_of_two_pitches_do_not_share_what_is_between_their_radii():
     pupil = planes()
     for pixel in (6.5e-6, 6.49e-6, 6.5e-6):
         made = lm.psf(pupil, 65, pixel, integrate=False, normalize="strehl", dtype=np.float64)
-        exact = lm.DebyeWolf(1e-9).profile(pupil, pupil.v(pixel * np.arange(33.0))).values
+        exact = DebyeWolf(1e-9).profile(pupil, pupil.v(pixel * np.arange(33.0))).values
         assert np.all(np.abs(made.values[:, 32, 32:] - exact).max(axis=1) <= 1e-6 * exact.max(axis=1))
 
 
@@ -48,7 +49,7 @@ def test_the_last_radius_is_in_the_last_piece_however_it_rounds():
     pupil, side = planes()[:1], 49
     steps = 0.55 + 0.0137 * np.arange(60)
     asked = layered(pupil, corner(side, steps[-1]), 1e-9)
-    exact = lm.DebyeWolf(1e-9).profile(pupil, np.array([corner(side, step) for step in steps])).values[0]
+    exact = DebyeWolf(1e-9).profile(pupil, np.array([corner(side, step) for step in steps])).values[0]
     for step, known in zip(steps, exact, strict=True):
         window = Window((side, side), (24.0, 24.0), float(step))
         made = layered_images(asked, window, 1e-9, Wanted(1.0, np.float64))
@@ -59,7 +60,7 @@ def test_a_longer_table_of_bessel_functions_follows_a_shorter_one():
     pupil = planes()
     for far in (600.0, 1500.0):
         v = np.array([0.0, 0.9 * far, far])
-        made, exact = (way(1e-9).profile(pupil, v).values for way in (lm.Stratified, lm.DebyeWolf))
+        made, exact = (way(1e-9).profile(pupil, v).values for way in (Stratified, DebyeWolf))
         assert made == pytest.approx(exact, abs=1e-10)
         assert exact[:, 2].min() > 1e-9
 
@@ -172,7 +173,7 @@ def test_samples_and_slopes_are_within_their_bounds(seed):
     rng, objective, pupil = system(seed)
     tol, pixel = 10.0 ** rng.uniform(-8.0, -2.0), rng.uniform(0.1, 0.8) * pupil.scale
     center = tuple(rng.uniform(-0.5, 3.5, 2))
-    asked = {"center": center, "integrate": False, "dtype": np.float64, "method": lm.ChordalDebye(tol)}
+    asked = {"center": center, "integrate": False, "dtype": np.float64, "method": ChordalDebye(tol)}
     made = lm.psf(pupil, (4, 3), pixel, derivatives=("row", "column"), **asked)
     y, x = (pixel * (np.arange(side) - at) for side, at in zip((4, 3), center, strict=True))
 

@@ -14,6 +14,7 @@ import lommel as lm
 from lommel.methods import Bead, Confocal, Sted, TwoPhoton
 from lommel.methods.layers.chordal_debye import chord_error, chords_for
 from lommel.methods.layers.samples import SampledLight, disc_filter
+from lommel.optics.grid import Grid
 from lommel.optics.layers.emitter import Absorbed
 from lommel.special.legendre import gauss_legendre
 from objectives import FIVE, OIL
@@ -66,7 +67,7 @@ def test_errors_of_light_are_those_of_products_and_means():
     assert 0.5 * both.error[0] <= worst <= both.error[0]
     assert one.times(np.array([2.0])).error[0] == pytest.approx(2e-2)
     means = disc_filter(0.9, 3.83, 1e-6)
-    grid = means.samples(lm.Grid(3, 0.9))
+    grid = means.samples(Grid(3, 0.9))
     k = np.arange(grid.height) - grid.height // 2
     # SampledLight that are off by as much as they may be, each by the sign of its weight in the middle pixel.
     weight = 0.0
@@ -224,6 +225,8 @@ def test_one_set_of_aberrations_excites_and_depletes_all_planes():
 
 def test_measures_of_small_windows_take_what_wider_ones_do():
     pupil = OIL.pupil(depth=1e-6, z=0.2e-6, wavelength=525e-9, aberrations=FIVE)
-    one, other = (lm.psf(pupil, 15, PIXEL, method=way) for way in (lm.ChordalDebye(), lm.DebyeRings()))
+    one, other = (
+        lm.psf(pupil, 15, PIXEL, method=way) for way in (lm.methods.ChordalDebye(), lm.methods.DebyeRings())
+    )
     assert one.mtf(1e4) == pytest.approx(other.mtf(1e4), rel=1e-4)
     assert one.encircled_energy(3e-5) == pytest.approx(other.encircled_energy(3e-5), rel=1e-5)

@@ -10,8 +10,10 @@ import pytest
 import lommel as lm
 from lommel.core import engine
 from lommel.core.answers import Wanted
+from lommel.methods import DebyeWolf, Stratified
 from lommel.methods.layers import stratified
 from lommel.optics.grid import Grid
+from lommel.optics.layers.stratified import Design
 from objectives import OIL
 
 BRIEF = os.environ.get("HYPOTHESIS_PROFILE") != "thorough"
@@ -43,14 +45,14 @@ def compared(pupil, shape, tol, pixel=PIXEL, **options):
         made = lm.psf(pupil, shape, pixel, tol=tol, **options)
     except lm.ToleranceError:
         with pytest.raises(lm.ToleranceError):
-            lm.psf(pupil, shape, pixel, method=lm.DebyeWolf(tol), **options)
+            lm.psf(pupil, shape, pixel, method=DebyeWolf(tol), **options)
         return None
-    assert isinstance(made.method, lm.Stratified)
+    assert isinstance(made.method, Stratified)
     # Its own error is far below its bound: of rounding alone.
     try:
-        exact = lm.psf(pupil, shape, pixel, method=lm.DebyeWolf(tol), **options)
+        exact = lm.psf(pupil, shape, pixel, method=DebyeWolf(tol), **options)
     except lm.ToleranceError:
-        exact = lm.psf(pupil, shape, pixel, method=lm.DebyeWolf(10.0 * tol), **options)
+        exact = lm.psf(pupil, shape, pixel, method=DebyeWolf(10.0 * tol), **options)
     assert made.error_bound <= tol
     assert off(made, exact) <= made.error_bound
     return made
@@ -104,9 +106,7 @@ def test_each_emitter_has_an_axis_of_its_own(integrate, emitter):
     pupil, rows, columns = planes(n, emitter=emitter), RNG.uniform(3, 6, n), RNG.uniform(2, 6, n)
     made = lm.psf(pupil, 9, PIXEL, tol=1e-8, integrate=integrate, center=(rows, columns))
     for k in range(n):
-        alone = lm.psf(
-            pupil[k], 9, PIXEL, method=lm.DebyeWolf(1e-10), integrate=integrate, center=(rows[k], columns[k])
-        )
+        alone = lm.psf(pupil[k], 9, PIXEL, method=DebyeWolf(1e-10), integrate=integrate, center=(rows[k], columns[k]))
         assert np.abs(made.values[k] - alone.values).max() <= (made.error_bound + 1e-10) * alone.values.max()
     assert made.error_bound <= 1e-8
 
@@ -118,7 +118,7 @@ def test_scales_are_those_of_every_method(normalize, dtype):
     for integrate in (False, True):
         made, exact = (
             lm.psf(pupil, 11, PIXEL, method=way, integrate=integrate, normalize=normalize, dtype=dtype)
-            for way in (lm.Stratified(1e-6), lm.DebyeWolf(1e-6))
+            for way in (Stratified(1e-6), DebyeWolf(1e-6))
         )
         assert off(made, exact) <= made.error_bound + exact.error_bound
         assert made.scale == pytest.approx(exact.scale, rel=1e-5)
@@ -156,26 +156,26 @@ def test_where_rounding_is_too_much_the_reference_answers(monkeypatch):
     monkeypatch.setattr(stratified, "layered_images", lambda *_, **__: None)
     assert not asked_of_the_engine(pupil, Grid(9, PIXEL), 1e-6)
     monkeypatch.setattr(stratified, "_refine", lambda *_: None)
-    alone = lm.psf(pupil, 9, PIXEL, method=lm.Stratified(), integrate=False, dtype=np.float64).values
+    alone = lm.psf(pupil, 9, PIXEL, method="stratified", integrate=False, dtype=np.float64).values
     assert np.array_equal(
-        alone, lm.psf(pupil, 9, PIXEL, method=lm.DebyeWolf(), integrate=False, dtype=np.float64).values
+        alone, lm.psf(pupil, 9, PIXEL, method="debye-wolf", integrate=False, dtype=np.float64).values
     )
 
 
 def test_bounds_that_stay_above_the_tolerance_are_no_answer():
     assert not asked_of_the_engine(planes(2), Grid(9, PIXEL), 1e-17)
     with pytest.raises(lm.ToleranceError):
-        lm.Stratified(1e-12)._samples(planes(2), Grid(9, PIXEL), 1e-17, Wanted())
+        Stratified(1e-12)._samples(planes(2), Grid(9, PIXEL), 1e-17, Wanted())
 
 
 @pytest.mark.parametrize("emitter", ["isotropic", "scalar"])
 def test_profiles_are_those_of_the_reference(emitter):
     pupil, v = planes(3, emitter=emitter), np.linspace(0.0, 37.0, 23)
-    made, exact = lm.Stratified(1e-8).profile(pupil, v), lm.DebyeWolf(1e-11).profile(pupil, v)
+    made, exact = Stratified(1e-8).profile(pupil, v), DebyeWolf(1e-11).profile(pupil, v)
     wrong = np.abs(made.values - exact.values).max(axis=1) / exact.peak
     assert (wrong <= made.error + exact.error).all()
     assert made.error.max() <= 1e-8
-    assert lm.Stratified().profile(pupil, np.zeros(0)).values.shape == (3, 0)
+    assert Stratified().profile(pupil, np.zeros(0)).values.shape == (3, 0)
 
 
 def test_like_stacks_share_their_angles():
@@ -198,7 +198,7 @@ def test_angles_are_found_for_all_planes():
 
 
 def test_profiles_far_from_the_peak_are_exact_to_what_is_there():
-    made = lm.Stratified(1e-6).profile(planes(2, span=1e-7), np.linspace(50.0, 60.0, 5))
+    made = Stratified(1e-6).profile(planes(2, span=1e-7), np.linspace(50.0, 60.0, 5))
     assert made.peak.max() < 1e-3
     assert made.error.max() <= 1e-6
 
@@ -243,7 +243,7 @@ def random_system(rng):
         immersion=n_i,
         working_distance=0.4e-3,
         coverslip=glass,
-        design=lm.Design(n_i, design),
+        design=Design(n_i, design),
         sample=sample,
     )
     depth = rng.choice([0.0, 1e-7, 2e-6, 20e-6, 80e-6]) * rng.uniform(0.5, 1.0)

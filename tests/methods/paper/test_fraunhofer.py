@@ -9,7 +9,9 @@ import pytest
 from numpy.typing import NDArray
 
 import lommel as lm
-from lommel import Fraunhofer, Hankel, Pupil, Wavefront
+from lommel import Pupil, Wavefront
+from lommel.methods import Hankel
+from lommel.paper import Fraunhofer
 
 PUPILS = {
     "in focus": Pupil(),
@@ -19,7 +21,9 @@ PUPILS = {
 }
 
 
-def _image(pupil: Pupil, shape: int | tuple[int, int], pixel: float, method: lm.Method) -> NDArray[np.float64]:
+def _image(
+    pupil: Pupil, shape: int | tuple[int, int], pixel: float, method: lm.methods.Method
+) -> NDArray[np.float64]:
     return lm.psf(pupil, shape, pixel, method=method, normalize="strehl", dtype=np.float64, integrate=False).values
 
 

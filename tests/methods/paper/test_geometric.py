@@ -11,7 +11,8 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 import lommel as lm
-from lommel import Geometric, Pupil, Wavefront
+from lommel import Pupil, Wavefront
+from lommel.paper import Geometric
 
 
 def _image(pupil: Pupil, shape: int | tuple[int, int], pixel: float, rings: int = 8) -> NDArray[np.float64]:

@@ -11,8 +11,10 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 import lommel as lm
-from lommel import Hankel, HuygensFresnel, Lens, Pupil, Wavefront
+from lommel import Lens, Pupil, Wavefront
+from lommel.methods import Hankel
 from lommel.methods.paper.huygens import _nodes
+from lommel.paper import HuygensFresnel
 
 WAVELENGTH = 550e-9
 

@@ -11,8 +11,10 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 import lommel as lm
-from lommel import Hankel, LommelSeries, Pupil, Wavefront
+from lommel import Pupil, Wavefront
+from lommel.methods import Hankel
 from lommel.methods.paper import lommel_series
+from lommel.paper import LommelSeries
 from lommel.special.bessel import bessel_sequence
 
 defocuses = st.one_of(st.floats(-300, 300), st.floats(-1, 1), st.floats(-1e-6, 1e-6))

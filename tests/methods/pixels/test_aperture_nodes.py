@@ -28,7 +28,7 @@ def pupils(rng, count, waves, **more):
 
 def by_rows(pupil, grid, count):
     """Return averages of samples from rows of the aperture, for which one pupil at a time asks."""
-    method = lm.NonuniformFFT(1e-9)
+    method = lm.methods.NonuniformFFT(1e-9)
     return np.concatenate([averages_of_samples(pupil[i : i + 1], grid, count, method)[0] for i in range(len(pupil))])
 
 

@@ -33,7 +33,7 @@ def exact(pupil: lm.Pupil, v: np.ndarray) -> np.ndarray:
 def test_pixels_are_averages(shape, center, pixel, tol, obscuration):
     pupil = lm.Pupil(lm.Wavefront(6.0, -4.0), obscuration=obscuration)
     found = lm.psf(pupil, shape, pixel, center=center, integrate=True, tol=tol, normalize="strehl")
-    assert isinstance(found.method, lm.NijboerZernike)
+    assert isinstance(found.method, lm.methods.NijboerZernike)
     assert found.error_bound <= tol
     height, width = found.values.shape
     rng = np.random.default_rng(3)

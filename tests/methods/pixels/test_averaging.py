@@ -15,8 +15,10 @@ from disk_quadrature import exact_lattice
 from lommel._core import average_samples, limit_instructions
 from lommel.core.answers import Wanted
 from lommel.core.engine import least_average
-from lommel.methods import averaging, chordal_gauss
+from lommel.methods import ChordalGauss, Hankel, NijboerZernike, NonuniformFFT, averaging, chordal_gauss
 from lommel.methods.averaging import averaging_filter, fit_pair_weights
+from lommel.optics.grid import Grid
+from lommel.paper import Fraunhofer
 
 
 @given(st.floats(-2.0, 2.3), st.floats(-12.0, -2.0))
@@ -42,11 +44,11 @@ def test_the_bound_on_a_response_is_nearly_reached(step):
 
 @pytest.mark.parametrize("wave", [0.0, 0.3, 1.1, 2.0])
 def test_waves_within_the_band_are_averaged_over_each_pixel(wave):
-    grid, step = lm.Grid((5, 4), 1.0, center=(1.3, 2.2)), 3.7
+    grid, step = Grid((5, 4), 1.0, center=(1.3, 2.2)), 3.7
     taps = averaging_filter(step, 1e-9)
     sizes = []
 
-    def samples(fine: lm.Grid) -> list[np.ndarray]:
+    def samples(fine: Grid) -> list[np.ndarray]:
         sizes.append(fine.shape)
         return [1.0 + np.cos(wave * step * fine.x + 0.4) * np.cos(0.7 * wave * step * fine.y[:, None])[None]]
 
@@ -126,10 +128,10 @@ def test_sums_in_single_precision_cost_what_is_set_aside_for_them(monkeypatch):
         filtering(samples, weights, stride, threads, out, dark=dark)
 
     monkeypatch.setattr(averaging, "average_samples", recorded)
-    pupil, grid = lm.Pupil(lm.Wavefront(nonradial={(3, 1): 1.0})), lm.Grid((64, 8), 0.8, integrate=True)
+    pupil, grid = lm.Pupil(lm.Wavefront(nonradial={(3, 1): 1.0})), Grid((64, 8), 0.8, integrate=True)
     for tol, dtype in ((1e-5, np.float32), (1e-8, np.float64)):
         limits.clear()
-        found = lm.NijboerZernike(tol).images(pupil, grid, Wanted(dtype=dtype))
+        found = NijboerZernike(tol).images(pupil, grid, Wanted(dtype=dtype))
         dark, weights = limits[-1]
         cost = 2.0 * (weights.shape[1] + 4) * 2.0**-24 * np.abs(weights).sum(axis=1).max() ** 2
         # The tolerance without what storing takes, and a peak that is about that of the intensity.
@@ -195,7 +197,7 @@ def test_windows_take_few_samples(pixel):
 
     def side(n):
         taps = averaging._cheapest_filter(step, error, (n, n))
-        return averaging.sample_grid(lm.Grid(n, pixel), taps).height
+        return averaging.sample_grid(Grid(n, pixel), taps).height
 
     whole = averaging_filter(step, error)
     for n in (5, 40, 300):
@@ -230,7 +232,7 @@ def test_averages_of_pixels_that_share_samples_agree_with_quadrature(s, h, sizes
 
 
 @pytest.mark.parametrize(
-    "method", [None, lm.Fraunhofer(), lm.Hankel(), lm.NonuniformFFT(), lm.ChordalGauss(), lm.NijboerZernike(1e-3)]
+    "method", [None, Fraunhofer(), Hankel(), NonuniformFFT(), ChordalGauss(), NijboerZernike(1e-3)]
 )
 def test_no_average_is_negative(method):
     # Rings darker than what each method is off by.
@@ -256,8 +258,8 @@ def test_tiles_change_nothing(monkeypatch, s):
 def test_a_pixel_around_the_peak_averages_as_much_as_is_promised(step, defocus, spherical):
     pupil = lm.Pupil(lm.Wavefront(defocus, spherical))
     v = np.linspace(0.0, 60.0, 3001)
-    peak = (np.abs(lm.NijboerZernike().field(pupil, v)) ** 2).max()
-    at = v[int(np.argmax(np.abs(lm.NijboerZernike().field(pupil, v))))]
+    peak = (np.abs(NijboerZernike().field(pupil, v)) ** 2).max()
+    at = v[int(np.argmax(np.abs(NijboerZernike().field(pupil, v))))]
     pixel = step / math.pi
     around = lm.psf(pupil, 1, pixel, center=(0.0, at / step), integrate=True, normalize="strehl", dtype=np.float64)
     assert around.values[0, 0] >= (1.0 - 1e-4) * least_average(step) * peak
@@ -281,7 +283,7 @@ def test_pixels_too_wide_for_a_filter_are_refused_with_a_way_out():
 def test_a_tolerance_that_samples_cannot_meet_is_told_as_it_was_given():
     pupil = lm.Pupil(lm.Wavefront(nonradial={(3, 1): 1.0}))
     with pytest.raises(lm.ToleranceError, match=r"tol=1e-11 cannot be met by averages over pixels of 20 lambda\*N"):
-        lm.psf(pupil, 3, 20.0, integrate=True, method=lm.NijboerZernike(1e-11))
+        lm.psf(pupil, 3, 20.0, integrate=True, method=NijboerZernike(1e-11))
 
 
 def test_a_tolerance_beyond_double_precision_names_one_that_is_met():

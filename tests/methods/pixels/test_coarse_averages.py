@@ -13,7 +13,9 @@ import lommel as lm
 from core_tests import _core_tests
 from lommel import _core
 from lommel.core.engine import filters_pay
+from lommel.methods import NijboerZernike
 from lommel.methods.nijboer_zernike import radial_stack, window_of
+from lommel.optics.grid import Grid
 
 # Panels of I along the radius, each 4 wide in v.
 NODES = np.polynomial.chebyshev.chebpts1(26)
@@ -78,7 +80,7 @@ OPTIONS = {"dtype": np.float64, "integrate": True, "normalize": "energy"}
 @pytest.mark.parametrize("seed", range(40))
 def test_averages_over_coarse_pixels_are_within_their_bound(seed):
     pupil, side, step, center, tol = question(seed)
-    found = lm.psf(pupil, side, step / math.pi, center=center, method=lm.NijboerZernike(tol), **OPTIONS)
+    found = lm.psf(pupil, side, step / math.pi, center=center, method=NijboerZernike(tol), **OPTIONS)
     assert found.error_bound <= tol
     row, column = found.grid.center
     rng = np.random.default_rng(seed)
@@ -102,7 +104,7 @@ def test_averages_over_coarse_pixels_are_within_their_bound(seed):
 )
 def test_averages_of_many_pixels_are_within_their_bound_and_those_of_a_plan(side, step, center, defocus, tol):
     pupil = lm.Pupil(lm.Wavefront(defocus, -0.1 * defocus))
-    options = {"center": center, "method": lm.NijboerZernike(tol), **OPTIONS}
+    options = {"center": center, "method": NijboerZernike(tol), **OPTIONS}
     found = lm.psf(pupil, side, step / math.pi, **options)
     assert found.error_bound <= tol
     places = np.random.default_rng(side).integers(0, side, (9, 2)).tolist()
@@ -116,7 +118,7 @@ def test_averages_of_many_pixels_are_within_their_bound_and_those_of_a_plan(side
 
 
 def test_derivatives_of_many_coarse_pixels_leave_the_values_and_are_those_of_few():
-    pupil, options = lm.Pupil(lm.Wavefront(5.0, -0.5)), {"method": lm.NijboerZernike(1e-7), **OPTIONS}
+    pupil, options = lm.Pupil(lm.Wavefront(5.0, -0.5)), {"method": NijboerZernike(1e-7), **OPTIONS}
     peak = lm.psf(pupil, 9, 3.0, **options).values.max()  # which bounds are over, about
     for center in ((-30.3, 44.2), (40.3, 44.8)):
         plain = lm.psf(pupil, 80, 3.0, center=center, **options)
@@ -131,7 +133,7 @@ def test_derivatives_of_many_coarse_pixels_leave_the_values_and_are_those_of_few
 
 def test_what_u_is_off_by_counts_where_no_pixel_holds_the_axis_too():
     """An error of I all over a pixel is one of its average."""
-    pupil, options = lm.Pupil(lm.Wavefront(3.0)), {"method": lm.NijboerZernike(1e-11), **OPTIONS}
+    pupil, options = lm.Pupil(lm.Wavefront(3.0)), {"method": NijboerZernike(1e-11), **OPTIONS}
     around = lm.psf(pupil, 5, 3.0, center=(2.2, 1.9), **options)
     beside = lm.psf(pupil, 5, 3.0, center=(2.2, 8.9), **options)
     assert beside.error_bound > 0.03 * around.error_bound
@@ -148,7 +150,7 @@ def test_a_stack_makes_one_table_as_exact_as_its_faintest_image_needs():
 
 def test_no_table_is_made_that_would_have_to_be_as_exact_as_it_can():
     lm.clear_caches()
-    method = lm.NijboerZernike(1e-9)
+    method = NijboerZernike(1e-9)
     lm.psf(lm.Pupil(lm.Wavefront(60.0)), 33, 6.0 / math.pi, center=(16.3, 15.8), method=method, threads=1, **OPTIONS)
     assert _core.cached_bytes()[0] < 1_000_000
 
@@ -176,7 +178,7 @@ def test_a_stack_makes_weights_only_where_it_is_worth_it_and_then_uses_them(coun
     ],
 )
 def test_finer_samples_average_where_nothing_else_takes_less(side, center, step, tol, samples):
-    pupil, grid = lm.Pupil(lm.Wavefront(5.0)), lm.Grid(side, step / math.pi, integrate=True, center=center)
+    pupil, grid = lm.Pupil(lm.Wavefront(5.0)), Grid(side, step / math.pi, integrate=True, center=center)
     stack, window = radial_stack(pupil), window_of(pupil, grid)
     assert filters_pay(stack, window, tol) == samples
     # Of the light that crosses edges, derivatives take samples where weights would be many.

@@ -12,6 +12,7 @@ from disk_quadrature import exact_lattice
 from lommel.core.engine import FarPixels, far_averages
 from lommel.methods import averaging, nijboer_zernike
 from lommel.methods.nijboer_zernike import disk_stack, window_of
+from lommel.optics.grid import Grid
 
 
 def random_pupil(rng: np.random.Generator, size: float, *, tilt: float = 0.0) -> lm.Pupil:
@@ -21,11 +22,11 @@ def random_pupil(rng: np.random.Generator, size: float, *, tilt: float = 0.0) ->
     return lm.Pupil(lm.Wavefront.zernike(terms), obscuration=obscuration, apodization=rng.choice([0.0, 0.0, 0.8]))
 
 
-def far(pupil: lm.Pupil, grid: lm.Grid, tol: float) -> FarPixels:
+def far(pupil: lm.Pupil, grid: Grid, tol: float) -> FarPixels:
     return far_averages(disk_stack(pupil), window_of(pupil, grid), 1e6, tol, 1)
 
 
-def exact_average(pupil: lm.Pupil, grid: lm.Grid, row: int, column: int) -> float:
+def exact_average(pupil: lm.Pupil, grid: Grid, row: int, column: int) -> float:
     """Return the average of the intensity over a pixel by Gauss's rule, of direct sums over the pupil."""
     step = grid.step(pupil)
     x, w = np.polynomial.legendre.leggauss(int(0.7 * step) + 12)
@@ -48,7 +49,7 @@ def test_averages_far_from_the_axis_are_within_their_bound(seed):
     step = math.pi * pixel
     side = int(min(400, 2 * 450 / step)) + 1
     center = (side / 2 - 0.5, side / 2) if seed % 3 else (rng.uniform(-0.2, 0.3) * side, rng.uniform(0, 1) * side)
-    grid = lm.Grid((side, side + 3), pixel, center=center, integrate=True)
+    grid = Grid((side, side + 3), pixel, center=center, integrate=True)
     found = far(pupil, grid, tol)
     values = found.values[0]
     rows, columns = np.indices(values.shape)
@@ -73,7 +74,7 @@ def test_the_error_is_mostly_that_of_rings_as_they_cross_edges():
     # Along an axis of the pixels the bound on what two opposite edges leave is reached, but for the square root of 2,
     # that between points where waves are looked at, and where the phase of the rings happens to be.
     pupil = lm.Pupil(lm.Wavefront.zernike({(3, 1): 0.001}))
-    grid = lm.Grid((1, 161), 3.3, center=(0.0, 0.0), integrate=True)
+    grid = Grid((1, 161), 3.3, center=(0.0, 0.0), integrate=True)
     found = far(pupil, grid, 3e-8)
     first = math.ceil(found.nearest[0])
     off = [abs(found.values[0, 0, k] - exact_average(pupil, grid, 0, k)) for k in range(first, first + 4)]
@@ -81,7 +82,7 @@ def test_the_error_is_mostly_that_of_rings_as_they_cross_edges():
 
 
 def test_a_mirrored_pupil_has_a_mirrored_image():
-    grid = lm.Grid((61, 71), 4.0, center=(30.0, 35.0), integrate=True)
+    grid = Grid((61, 71), 4.0, center=(30.0, 35.0), integrate=True)
     terms = {(2, -2): 0.2, (3, 1): 0.3, (3, -1): -0.2, (4, -2): 0.1}
     plain = far(lm.Pupil(lm.Wavefront.zernike(terms)), grid, 1e-5).values[0]
     flipped = lm.Wavefront.zernike({(n, m): math.copysign(c, c * m) for (n, m), c in terms.items()})
@@ -93,7 +94,7 @@ def test_a_mirrored_pupil_has_a_mirrored_image():
 
 def test_the_side_with_more_of_the_light_far_away_is_that_of_samples(without_far):
     pupil = random_pupil(np.random.default_rng(5), 0.3)
-    grid = lm.Grid(161, 4.0, center=(80.0, 80.0), integrate=True)
+    grid = Grid(161, 4.0, center=(80.0, 80.0), integrate=True)
     found = far(pupil, grid, 1e-5).values[0]
     fine = without_far(pupil, 161, 4.0, integrate=True, center=(80.0, 80.0), dtype=np.float64, tol=1e-8)
     exact = np.where(found, fine.values / fine.scale, 0.0)
@@ -166,7 +167,7 @@ def test_where_too_few_samples_are_spared_there_are_samples():
     most = averaging.largest_far_start(4.0 * math.pi, (9, 2000))
     assert (9 * 2000 - 9 * 2.0 * most / (4.0 * math.pi)) * (4.0 * math.pi / 1.27) ** 2 == pytest.approx(250000)
     pupil = lm.Pupil(lm.Wavefront.zernike({(3, 1): 0.1}))
-    grid = lm.Grid(129, 4.0, integrate=True)
+    grid = Grid(129, 4.0, integrate=True)
     found = far_averages(disk_stack(pupil), window_of(pupil, grid), 50.0, 1e-6, 1)
     assert not found.values.any()
     assert found.nearest[0] > 64.0 * math.sqrt(2.0)
@@ -180,17 +181,17 @@ def test_where_many_samples_are_near_the_axis_the_chordal_rule_is_not_asked_firs
         lambda stack, *args: asked.append(len(stack.edge)) or far_averages(stack, *args),
     )
     pupil = lm.Pupil(lm.Wavefront.zernike({(3, 1): 0.1}))
-    assert lm.psf(pupil, 129, 4.0, integrate=True, tol=1e-6).method == lm.NijboerZernike(1e-6)
+    assert lm.psf(pupil, 129, 4.0, integrate=True, tol=1e-6).method == lm.methods.NijboerZernike(1e-6)
     assert asked == [1]
-    assert lm.psf(pupil, 129, 4.0, integrate=True, tol=1e-3).method == lm.ChordalGauss(1e-3)
+    assert lm.psf(pupil, 129, 4.0, integrate=True, tol=1e-3).method == lm.methods.ChordalGauss(1e-3)
     # Nowhere nearer than it is likely.
-    grid = lm.Grid(129, 4.0, integrate=True)
+    grid = Grid(129, 4.0, integrate=True)
     for tol in (1e-4, 1e-6):
         assert averaging.estimate_far_start(pupil, grid, tol) < 4.0 * math.pi * far(pupil, grid, tol).nearest[0]
     assert averaging.estimate_far_start(pupil, grid, 1e-6) == pytest.approx(
         10.0 ** (1 / 3) * averaging.estimate_far_start(pupil, grid, 1e-5)
     )
-    assert averaging.estimate_far_start(pupil, lm.Grid(33, 4.0, integrate=True), 1e-6) == 0.0
+    assert averaging.estimate_far_start(pupil, Grid(33, 4.0, integrate=True), 1e-6) == 0.0
 
 
 def test_windows_of_more_samples_than_an_image_may_have_are_averaged():

@@ -263,7 +263,7 @@ def test_pupils_that_fail_have_larger_boxes_and_then_nodes():
     assert max(made["sides"]) <= 0.7 * 33
     assert made["counts"][-1] == 5
     assert max(made["errors"]) <= 1e-4
-    method = lm.NijboerZernike(1e-6)
+    method = lm.methods.NijboerZernike(1e-6)
     exact = lm.psf(pupil, 33, 2.65, integrate=True, normalize="strehl", method=method).values
     assert (np.abs(values - exact).max(axis=(1, 2)) <= 1.01e-4 * exact.max(axis=(1, 2))).all()
     whole, _ = averages(pupil[::5], 33, 2.65, tol=1e-9)

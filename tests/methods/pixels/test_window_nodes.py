@@ -14,7 +14,7 @@ import lommel as lm
 from core_tests import _core_tests
 from lommel.core.answers import Wanted
 from lommel.core.engine import disk_averages
-from lommel.methods import averaging
+from lommel.methods import ChordalGauss, NijboerZernike, averaging
 from lommel.methods.nijboer_zernike import disk_stack, window_of
 from lommel.optics.grid import Grid
 from pixel_samples import averages_of_samples
@@ -115,10 +115,10 @@ def test_averages_at_nodes_are_within_their_bound(seed):
     pupil, grid, tol = question(seed)
     dtype = np.float32 if tol > 1e-5 else np.float64
     made = lm.psf(
-        pupil, grid.shape, grid.pixel, center=grid.center, integrate=True, method=lm.ChordalGauss(tol), dtype=dtype,
+        pupil, grid.shape, grid.pixel, center=grid.center, integrate=True, method=ChordalGauss(tol), dtype=dtype,
         normalize="strehl",
     )  # fmt: skip
-    exact = averages_of_samples(pupil, grid, 8 + int(2.2 * np.pi * grid.pixel), lm.NijboerZernike(1e-10))[0]
+    exact = averages_of_samples(pupil, grid, 8 + int(2.2 * np.pi * grid.pixel), NijboerZernike(1e-10))[0]
     # Bounds are over the largest average that there is, also beyond the window.
     wide = [41 + 2 * (n // 2) for n in grid.shape]
     middle = [(w - n) // 2 + np.asarray(c) for w, n, c in zip(wide, grid.shape, grid.center, strict=True)]
@@ -136,7 +136,7 @@ def test_sums_are_those_of_samples_in_either_precision(count, tol, off):
     pupil, grid = lm.Pupil(wavefront), Grid((6, 11), 1.0, integrate=True)
     made = disk_averages(disk_stack(pupil), window_of(pupil, grid), tol, Wanted(threads=1))
     # By filters, which take samples of a series.
-    method = lm.NijboerZernike(1e-9)
+    method = NijboerZernike(1e-9)
     exact = lm.psf(pupil, grid.shape, 1.0, integrate=True, method=method, normalize="strehl").values
     assert np.abs(made.values - exact).max() < off
 
@@ -172,7 +172,7 @@ def test_derivatives_at_nodes_are_within_their_bound(seed):
     names = ["noll 4", "noll 7", "noll 12"]
     more = {"center": grid.center, "integrate": True, "normalize": "strehl"}
     dtype = np.float32 if tol > 1e-5 else np.float64
-    made = lm.psf(pupil, grid.shape, grid.pixel, method=lm.ChordalGauss(tol), dtype=dtype, derivatives=names, **more)
+    made = lm.psf(pupil, grid.shape, grid.pixel, method=ChordalGauss(tol), dtype=dtype, derivatives=names, **more)
     wide = [41 + 2 * (n // 2) for n in grid.shape]
     middle = [(w - n) // 2 + np.asarray(c) for w, n, c in zip(wide, grid.shape, grid.center, strict=True)]
     around = lm.psf(pupil, tuple(wide), grid.pixel, **(more | {"center": tuple(middle)}))
@@ -189,7 +189,7 @@ def test_derivatives_at_nodes_are_within_their_bound(seed):
                     lm.Wavefront.zernike(moved, normalization="edge"), obscuration=pupil.obscuration,
                     apodization=pupil.apodization,
                 )  # fmt: skip
-                values = lm.psf(changed, grid.shape, grid.pixel, method=lm.NijboerZernike(3e-9), **more).values
+                values = lm.psf(changed, grid.shape, grid.pixel, method=NijboerZernike(3e-9), **more).values
                 differences = differences + sign * share * values / step
         off = np.abs(made.derivatives[name] - differences).max(axis=(1, 2))
         assert (off <= np.asarray(made.derivative_bounds[name]) * peak * 1.05 + 4e-7).all()

@@ -10,6 +10,7 @@ from scipy import integrate, special
 
 import lommel as lm
 from lommel import Mask, Pupil
+from lommel.optics.aperture import mask
 
 
 def test_the_rows_of_a_mask_rise_with_y_and_its_columns_with_x():
@@ -62,7 +63,7 @@ def test_cells_are_means_of_their_points():
 
 def test_many_points_are_taken_in_bands(monkeypatch):
     whole = lm.Mask.sample(lambda x, y: np.hypot(x, y) < 0.7, side=32, oversample=8)
-    monkeypatch.setattr(lm.optics.aperture.mask, "_MAX_EVALUATED", 5000)
+    monkeypatch.setattr(mask, "_MAX_EVALUATED", 5000)
     assert lm.Mask.sample(lambda x, y: np.hypot(x, y) < 0.7, side=32, oversample=8) == whole
 
 

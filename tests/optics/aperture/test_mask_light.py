@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 
 import lommel as lm
 from lommel import Mask, Pupil
+from lommel.methods import MatrixFourier, NonuniformFFT, Polychromatic
 
 SIDES = st.integers(3, 12)  # fewer samples are too coarse for these aberrations
 
@@ -81,8 +82,8 @@ ONES = Mask(np.ones((32, 32)))
         (lambda: lm.psf(Pupil(mask=ONES), 9, 0.5).encircled_energy(16.1), "radius reaches 16.1 lambda"),
         (lambda: lm.psf(Pupil(mask=ONES), 9, 0.5).ensquared_energy(16.1), "half_width reaches 16.1 lambda"),
         (lambda: lm.psf(Pupil(mask=ONES), 9, 0.5).energy_diameter(0.99999), "fraction must be reached within"),
-        (lambda: lm.psf(Pupil(), 9, 0.5, method=lm.MatrixFourier(32)).encircled_energy(16.1), "radius reaches 16.1"),
-        (lambda: lm.psf(Pupil(), 33, 1.0, method=lm.MatrixFourier(32)).energy, "the window reaches 16.5"),
+        (lambda: lm.psf(Pupil(), 9, 0.5, method=MatrixFourier(32)).encircled_energy(16.1), "radius reaches 16.1"),
+        (lambda: lm.psf(Pupil(), 33, 1.0, method=MatrixFourier(32)).energy, "the window reaches 16.5"),
         (lambda: lm.psf(Pupil(mask=ONES), 9, 0.5, blur=lm.Jitter(1.0)).encircled_energy(16.1), "radius reaches"),
     ],
 )
@@ -93,7 +94,7 @@ def test_light_of_a_repeated_image_is_not_counted(call, message):
 
 def test_in_other_light_the_period_is_in_proportion():
     pupil = Pupil(mask=ONES, wavelength=500e-9, f_number=4.0)
-    white = lm.psf(pupil, 9, 1e-6, method=lm.Polychromatic([400e-9, 500e-9]))
+    white = lm.psf(pupil, 9, 1e-6, method=Polychromatic([400e-9, 500e-9]))
     assert white.encircled_energy(16 * 0.79 * 2e-6) < 1.0
     with pytest.raises(ValueError, match=r"repeats every 25\.6 lambda"):
         white.encircled_energy(16 * 0.81 * 2e-6)
@@ -125,5 +126,5 @@ def test_energies_of_a_coarse_mask_are_those_of_its_samples(values):
     waves = np.exp(-1j * math.pi * (np.multiply.outer(across, x) + np.multiply.outer(down, y)))
     light = (np.abs(waves @ weight) ** 2).mean(axis=1)
     exact = 0.5 * math.pi**2 * 1.2 * float((light * r) @ w) / pupil.transmission
-    found = lm.psf(pupil, 5, 0.5, method=lm.NonuniformFFT(1e-9)).encircled_energy(2.4)
+    found = lm.psf(pupil, 5, 0.5, method=NonuniformFFT(1e-9)).encircled_energy(2.4)
     assert float(found) == pytest.approx(exact, abs=2e-7)

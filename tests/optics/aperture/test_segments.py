@@ -53,7 +53,7 @@ def test_in_other_light_paths_stay():
     assert there == lm.Pupil(stop=PHASED.scaled(0.5), wavelength=2e-6, f_number=20.0)
     lens = lm.Lens(focal_length=2.0, aperture_diameter=0.1, wavelength=1e-6, stop=PHASED)
     assert lens.in_light(2e-6).pupil().stop == there.stop
-    both = lm.psf(pupil, 9, 5e-6, method=lm.Polychromatic([1e-6, 2e-6]), dtype="float64")
+    both = lm.psf(pupil, 9, 5e-6, method=lm.methods.Polychromatic([1e-6, 2e-6]), dtype="float64")
     mean = np.mean([lm.psf(one, 9, 5e-6, dtype="float64").values for one in (pupil, there)], axis=0)
     np.testing.assert_allclose(both.values, mean, atol=2e-6 * mean.max())
 
@@ -79,7 +79,7 @@ def test_strehl_rms_and_centroid_are_of_wavefront_and_segments():
     assert lm.Pupil(stop=PHASED).geometric_radius() == pytest.approx(farthest)
 
 
-@pytest.mark.parametrize("method", [lm.MatrixFourier(samples=600), lm.Fraunhofer()])
+@pytest.mark.parametrize("method", [lm.methods.MatrixFourier(samples=600), lm.paper.Fraunhofer()])
 def test_sampled_pupils_have_the_phases(method):
     pupil = lm.Pupil(stop=PHASED)
     exact = lm.psf(pupil, 33, 0.5)

@@ -69,7 +69,7 @@ def test_a_psf_by_few_wavelengths_is_that_of_the_whole_spectrum():
     channels = lm.Channels.from_curves(WAVES, CURVES)
     found = lm.colour_psf(pupil, 15, 2e-6, channels, normalize="strehl", dtype=np.float64)
     for curve, answer in zip(CURVES, found, strict=True):
-        light = lm.Polychromatic(dense, np.interp(dense, WAVES, curve))
+        light = lm.methods.Polychromatic(dense, np.interp(dense, WAVES, curve))
         exact = lm.psf(pupil, 15, 2e-6, method=light, normalize="strehl", dtype=np.float64)
         assert np.abs(answer.values - exact.values).max() <= channels.error <= 1e-3
 
@@ -120,7 +120,7 @@ def test_no_wavelengths_are_refused_by_name():
     with pytest.raises(ValueError, match="wavelengths must not be empty"):
         lm.Channels((), [[1.0, 2.0]])
     with pytest.raises((TypeError, ValueError), match="tol"):
-        lm.Polychromatic([5e-7], [1.0], tol=np.array([1.0, -1.0]))
+        lm.methods.Polychromatic([5e-7], [1.0], tol=np.array([1.0, -1.0]))
 
 
 @pytest.mark.parametrize("model", ["paraxial", "aplanatic"])

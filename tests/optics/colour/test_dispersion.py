@@ -55,7 +55,7 @@ def test_a_pupil_in_other_light_is_that_of_the_lens_in_other_light(model):
 def test_huygens_sum_of_the_lens_in_other_light_agrees(model, f_number, off):
     camera = lens(f_number=f_number, **model)
     for wavelength in (450e-9, 650e-9):
-        there, exact = camera.in_light(wavelength).pupil(1.9), lm.HuygensFresnel()
+        there, exact = camera.in_light(wavelength).pupil(1.9), lm.paper.HuygensFresnel()
         known = lm.psf(there, 9, 4e-6, method=exact, integrate=False, dtype=np.float64)
         found = lm.psf(camera.pupil(1.9).in_light(wavelength), 9, 4e-6, tol=1e-9, integrate=False)
         assert lm.peak_error(found, known.values) < off
@@ -147,7 +147,7 @@ def test_what_is_not_known_is_not_guessed():
 
 
 def test_an_answer_keeps_the_colour_of_its_pupil_in_files(tmp_path):
-    light = lm.Polychromatic(WAVES, (1.0, 2.0, 1.0))
+    light = lm.methods.Polychromatic(WAVES, (1.0, 2.0, 1.0))
     answer = lm.psf(lens().pupil(2.0), 9, 3e-6, method=light)
     answer.save(tmp_path / "p.npz")
     again = lm.PSF.load(tmp_path / "p.npz")

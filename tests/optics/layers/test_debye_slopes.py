@@ -11,6 +11,7 @@ import pytest
 import lommel as lm
 from lommel.optics.layers import debye
 from lommel.optics.layers.debye import Model, Points, pieces
+from lommel.optics.layers.stratified import Design
 from lommel.special.disc_arithmetic import Disc
 from objectives import oil
 
@@ -22,7 +23,7 @@ MODELS = [Model(), Model("scalar"), Model("radial"), Model("azimuthal")]
 
 
 def layers(films=()):
-    return oil(design=lm.Design(1.515, lm.Layer(1.5255, 168e-6)), films=films)._layers(WAVE)
+    return oil(design=Design(1.515, lm.Layer(1.5255, 168e-6)), films=films)._layers(WAVE)
 
 
 def difference(at, h):

@@ -10,6 +10,8 @@ import pytest
 from scipy.special import j1, jv
 
 import lommel as lm
+from lommel.methods import ChordalDebye, DebyeRings, DebyeWolf, Stratified
+from lommel.optics.layers.stratified import Design
 
 GLASS = lm.Layer(1.5255, 170e-6)
 GIVEN = {
@@ -190,8 +192,8 @@ def test_fields_with_an_apodization_are_those_of_a_plain_quadrature():
 def test_methods_agree_on_an_apodized_objective_within_their_bounds(aberrations):
     objective = lm.Objective(**GIVEN, apodization=lm.Apodization(POWERS))
     pupil = objective.pupil(depth=0.5e-6, z=[-0.4e-6, 0.3e-6], wavelength=WAVE, aberrations=aberrations)
-    methods = (lm.methods.DebyeRings, lm.methods.ChordalDebye) if aberrations else (
-        lm.methods.DebyeWolf, lm.methods.Stratified, lm.methods.ChordalDebye
+    methods = (DebyeRings, ChordalDebye) if aberrations else (
+        DebyeWolf, Stratified, ChordalDebye
     )  # fmt: skip
     made = [lm.psf(pupil, 13, 6.5e-6, method=method(tol=1e-7)) for method in methods]
     for one in made[1:]:
@@ -256,7 +258,7 @@ def test_of_one_medium_aperture_and_index_say_all():
     [
         ({"coverslip": GLASS, "working_distance": 1e-4}, "sample must be given with a coverslip"),
         ({"coverslip": GLASS, "sample": 1.34}, "working_distance must be given, in metres, with a coverslip"),
-        ({"design": lm.Design(1.33, None)}, "working_distance must be given, .* with a coverslip or a design"),
+        ({"design": Design(1.33, None)}, "working_distance must be given, .* with a coverslip or a design"),
     ],
 )
 def test_what_the_layers_depend_on_must_be_given(given, message):
@@ -272,8 +274,8 @@ def test_what_the_layers_depend_on_must_be_given(given, message):
         ({"NA": 1.518}, r"NA must be below the index of immersion, 1.518, got 1.518"),
         ({"NA": 1.6}, r"NA must be below the index of immersion, 1.518, got 1.6"),
         ({"coverslip": lm.Layer(1.35, 17e-5)}, r"NA must be below the index of coverslip, 1.35, got 1.4"),
-        ({"design": lm.Design(1.33, GLASS)}, r"NA must be below the index of design.immersion, 1.33, got 1.4"),
-        ({"design": lm.Design(1.5, lm.Layer(1.4, 0.0))}, r"NA must be below the index of design.coverslip, 1.4"),
+        ({"design": Design(1.33, GLASS)}, r"NA must be below the index of design.immersion, 1.33, got 1.4"),
+        ({"design": Design(1.5, lm.Layer(1.4, 0.0))}, r"NA must be below the index of design.coverslip, 1.4"),
         ({"NA": 0.0}, r"NA must be >= 0.001, got 0"),
         ({"NA": -1.4}, r"NA must be >= 0.001, got -1.4"),
         ({"NA": math.nan}, r"NA must be finite, got nan"),
@@ -287,7 +289,7 @@ def test_what_the_layers_depend_on_must_be_given(given, message):
         ({"working_distance": 0.19}, r"working_distance is in metres .* 0.1, got 0.19; .* for 0.19 mm 0.19e-3"),
         ({"working_distance": 0.0}, r"working_distance is in metres and must be above 0"),
         ({"working_distance": -1e-4}, r"working_distance is in metres and must be above 0 .* got -0.0001"),
-        ({"working_distance": 1e-5, "design": lm.Design(1.518, None)}, "working_distance must leave room for"),
+        ({"working_distance": 1e-5, "design": Design(1.518, None)}, "working_distance must leave room for"),
         ({"coverslip": 170e-6}, r"coverslip must be of the type Layer, or None, got 0.00017"),
         ({"coverslip": (1.5, 170e-6)}, r"coverslip must be of the type Layer"),
         ({"films": lm.Layer(1.4, 1e-7)}, r"films must be a sequence of Layer"),
@@ -365,7 +367,7 @@ def test_fields_refuse_what_is_none_in_a_line(change, message):
         (lambda: OBJECTIVE.transmission(-0.1, wavelength=WAVE), r"rho must be finite and >= 0"),
         (lambda: OBJECTIVE.nyquist(wavelength=520), r"for 520 nm give 520e-9"),
         (lambda: OBJECTIVE.collected(5.0, wavelength=WAVE), r"depth is in metres"),
-        (lambda: lm.Design(1.5, 1.5), r"coverslip must be of the type Layer, or None"),
+        (lambda: Design(1.5, 1.5), r"coverslip must be of the type Layer, or None"),
     ],
 )
 def test_other_questions_refuse_what_is_none(ask, message):

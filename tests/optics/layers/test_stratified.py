@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.optics.layers.stratified import Layers, cosines
+from lommel.optics.layers.stratified import Design, Layers, cosines
 
 RHO = np.linspace(0.0, 1.0, 41)
 WAVE = 520e-9
@@ -101,7 +101,7 @@ OBJECTIVE = lm.Objective(
     working_distance=0.19e-3,
     coverslip=lm.Layer(1.52, 175e-6),
     sample=1.33,
-    design=lm.Design(1.518, lm.Layer(1.5255, 170e-6)),
+    design=Design(1.518, lm.Layer(1.5255, 170e-6)),
 )
 
 

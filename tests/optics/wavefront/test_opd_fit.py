@@ -12,7 +12,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import lommel as lm
-from lommel.optics.wavefront.opd_fit import _enclosing_circle
+from lommel.optics.wavefront.opd_fit import _enclosing_circle, fit_radial
 from lommel.special import zernike
 
 TERMS = [(n, m) for n in range(1, 9) for m in range(-n, n + 1, 2)]
@@ -149,9 +149,9 @@ def test_a_radial_function_gives_back_the_polynomial_it_is(powers, sampled):
     rho = np.linspace(0.0, 1.0, 50)
     highest = 2 * max(2, len(powers))
     fit = (
-        lm.fit_radial(wavefront.phase(rho) + 3.0, rho, degree=highest)
+        fit_radial(wavefront.phase(rho) + 3.0, rho, degree=highest)
         if sampled
-        else lm.fit_radial(lambda r: wavefront.phase(r) + 3.0, degree=highest)
+        else fit_radial(lambda r: wavefront.phase(r) + 3.0, degree=highest)
     )
     assert largest_difference(fit.wavefront, wavefront) < 1e-10 * (1 + max(map(abs, powers)))
     assert fit.wavefront.radial
@@ -160,17 +160,17 @@ def test_a_radial_function_gives_back_the_polynomial_it_is(powers, sampled):
 
 
 def test_a_smooth_function_is_fitted_to_rounding_and_a_kink_is_told():
-    axicon = lm.fit_radial(lambda r: 10 * r)
+    axicon = fit_radial(lambda r: 10 * r)
     assert axicon.rms > 1e-3
     with pytest.raises(ValueError, match=r"rms of 0.\d+ radians, above tol=0.001"):
-        lm.fit_radial(lambda r: 10 * r, tol=1e-3)
-    smooth = lm.fit_radial(lambda r: 5 * np.cos(4 * r), tol=1e-10)
+        fit_radial(lambda r: 10 * r, tol=1e-3)
+    smooth = fit_radial(lambda r: 5 * np.cos(4 * r), tol=1e-10)
     r = np.linspace(0, 1, 300)
     np.testing.assert_allclose(smooth.wavefront.phase(r), 5 * np.cos(4 * r) - 5, atol=1e-9)
 
 
 def test_the_rms_of_the_residual_bounds_the_error_of_the_field():
-    fit = lm.fit_radial(lambda r: 10 * r, degree=6)
+    fit = fit_radial(lambda r: 10 * r, degree=6)
     x, w = np.polynomial.legendre.leggauss(400)
     rho, w = np.sqrt(0.5 + 0.5 * x), 0.5 * w
     fitted = fit.wavefront.phase(rho)
@@ -182,8 +182,8 @@ def test_the_rms_of_the_residual_bounds_the_error_of_the_field():
 
 
 def test_fits_in_waves_and_metres_are_the_same_phase():
-    one = lm.fit_radial(lambda r: r**4, unit="waves").wavefront
-    two = lm.fit_radial(lambda r: 500e-9 * r**4, unit="metres", wavelength=500e-9).wavefront
+    one = fit_radial(lambda r: r**4, unit="waves").wavefront
+    two = fit_radial(lambda r: 500e-9 * r**4, unit="metres", wavelength=500e-9).wavefront
     assert largest_difference(one, lm.Wavefront.from_seidel(W040=1.0)) < 1e-9
     assert largest_difference(one, two) < 1e-9
 
@@ -267,7 +267,7 @@ def test_nan_outside_of_the_mask_or_of_the_circle_is_normal():
 )
 def test_a_radial_function_that_cannot_be_fitted_is_refused(arguments, options, message):
     with pytest.raises((ValueError, TypeError), match=message):
-        lm.fit_radial(*arguments, **options)
+        fit_radial(*arguments, **options)
 
 
 @pytest.mark.parametrize(

@@ -297,7 +297,12 @@ def test_powers_of_high_degree_that_cancel_are_counted():
 def test_what_powers_lose_is_in_the_bound_of_an_image(normalize, times):
     powers = 8.0 * zernike.powers_of_edge(np.eye(10)[9])
     one = Wavefront(0.5 * powers[0], powers[1], powers[2:].tolist())
-    asked = {"method": lm.NijboerZernike(1e-8), "dtype": np.float64, "normalize": normalize, "integrate": False}
+    asked = {
+        "method": lm.methods.NijboerZernike(1e-8),
+        "dtype": np.float64,
+        "normalize": normalize,
+        "integrate": False,
+    }
     found, exact = (
         lm.psf(lm.Pupil(w), 9, 0.5, **asked) for w in (one, Wavefront.trusted(one.terms, one.edge.copy()))
     )

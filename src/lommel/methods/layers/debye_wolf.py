@@ -75,7 +75,7 @@ class AberratedMethod(LayeredMethod):
         return self.images(pupil, grid, Wanted(threads=threads)).intensities
 
     def images(self, pupil: ObjectivePupil, grid: Grid, wanted: Wanted) -> Images:
-        """Return the images of the flattened stack; see :meth:`lommel.Method.images`."""
+        """Return the images of the flattened stack; see :meth:`lommel.methods.Method.images`."""
         if wanted.powers or wanted.terms:
             raise ValueError("derivatives by phases are not available for the pupils of an Objective")
         return averaged_images(self._samples, pupil, grid, self.tol, wanted)
@@ -130,7 +130,7 @@ class DebyeWolf(LayeredMethod, RadialMethod[ObjectivePupil]):
         return self._centres(pupil, grid, self.tol)
 
     def images(self, pupil: ObjectivePupil, grid: Grid, wanted: Wanted) -> Images:
-        """Return the images of the flattened stack; see :meth:`lommel.Method.images`."""
+        """Return the images of the flattened stack; see :meth:`lommel.methods.Method.images`."""
         if pupil.radial or not grid.integrate or wanted.terms or wanted.powers:
             return super().images(pupil, grid, wanted)
         return averaged_images(self._samples, pupil, grid, self.tol, wanted)

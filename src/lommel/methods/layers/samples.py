@@ -7,8 +7,8 @@ radius s multiplies the transfer function by
     \approx \frac{2}{N + 1} \sum_i \sin^2 a_i \cos(s\, w_x \cos a_i)\, \mathrm{sinc}(s\, w_y \sin a_i),
     \quad a_i = \frac{i \pi}{N + 1} ,
 
-the sum over N chords of :class:`lommel.ChordalGauss`. For ``abs(w) <= 2`` and every b > 0 its error is at most
-``(1 + exp(-4 b)) exp(2 s sinh(b) - 2 N b) / (1 - exp(-2 (N + 1) b))``. The cosine and the sinc are responses of
+the sum over N chords of :class:`lommel.methods.ChordalGauss`. For ``abs(w) <= 2`` and every b > 0 its error is at
+most ``(1 + exp(-4 b)) exp(2 s sinh(b) - 2 N b) / (1 - exp(-2 (N + 1) b))``. The cosine and the sinc are responses of
 filters of columns and rows.
 
 References

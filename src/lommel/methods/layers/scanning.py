@@ -221,7 +221,7 @@ class ProvenMethod(LayeredMethod, RadialMethod[ObjectivePupil]):
         return self.images(pupil, grid, Wanted(threads=threads)).intensities
 
     def images(self, pupil: ObjectivePupil, grid: Grid, wanted: Wanted) -> Images:
-        """Return the images of the flattened stack; see :meth:`lommel.Method.images`."""
+        """Return the images of the flattened stack; see :meth:`lommel.methods.Method.images`."""
         if self.along_radius(pupil) is not None or wanted.terms or wanted.powers:
             return super().images(pupil, grid, wanted)
         if not grid.integrate:

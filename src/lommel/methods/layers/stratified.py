@@ -39,8 +39,8 @@ _AnglesKey = tuple[Layers, Model, tuple[float, float], tuple[float, float], floa
 class Stratified(DebyeWolf):
     r"""Certified stacks through plane layers by matrix products: the default for an :class:`lommel.Objective`.
 
-    Supports the same pupils as :class:`lommel.DebyeWolf`, with the same error bound. Fields at few radii are sums
-    over angles, whose number follows from a proven error bound. Between these radii the intensity, which is of
+    Supports the same pupils as :class:`lommel.methods.DebyeWolf`, with the same error bound. Fields at few radii are
+    sums over angles, whose number follows from a proven error bound. Between these radii the intensity, which is of
     exponential type 2 in v, is interpolated with a proven error. For images that depend on the azimuth, samples are
     computed around any axis, and pixel integrals are computed from samples. Windows off the axis that extend beyond
     v = 110, and tolerances near rounding, are computed by the method of `DebyeWolf`.
@@ -76,7 +76,7 @@ class Stratified(DebyeWolf):
         return Intensities(values[:, 0], error / least_peak, least_peak)
 
     def images(self, pupil: ObjectivePupil, grid: Grid, wanted: Wanted) -> Images:
-        """Return the images of the flattened stack; see :meth:`lommel.Method.images`."""
+        """Return the images of the flattened stack; see :meth:`lommel.methods.Method.images`."""
         direct = not (wanted.terms or wanted.powers) and (pupil.radial or not grid.integrate)
         images = differentiated(pupil, grid, (), self.tol, wanted) if direct else None
         return super().images(pupil, grid, wanted) if images is None else images

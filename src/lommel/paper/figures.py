@@ -1,6 +1,6 @@
 """Reproduce figures and numbers of the paper on which this package is based, cited in `docs/paper.md`.
 
-The paper's closed form (CFIS) is :class:`lommel.methods.ClosedForm`. Its variant "printed" is Eq. (12) as printed;
+The paper's closed form (CFIS) is :class:`lommel.paper.ClosedForm`. Its variant "printed" is Eq. (12) as printed;
 the variant "corrected" has the missing factor sqrt(2 / pi). Equation numbers are those in the paper.
 C_d (defocus) and C_s (spherical aberration) are phase coefficients at the pupil edge in radians. The optical
 coordinate at the distance r from the axis is v = pi r / (lambda N). MSE is the mean squared error.
@@ -25,7 +25,7 @@ from typing import TYPE_CHECKING, NamedTuple, TypeAlias, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from lommel import methods
+from lommel import methods, paper
 from lommel.base import atomic
 from lommel.base.arrays import Json, Values
 from lommel.base.units import percent
@@ -35,7 +35,6 @@ from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.psf import psf
 from lommel.special.bessel import j0_asymptotic, j0_series, tangent_line
-from lommel.special.erf import AbramowitzErf, FresnelErf
 from lommel.special.piecewise import SPLITS, PiecewiseQuadratic, fit_quadratics
 
 if TYPE_CHECKING:
@@ -75,16 +74,16 @@ class Setting:
         """Optical coordinate v of the pixels from the centre of the image to its right edge."""
         return np.arange(self.shape - self.shape // 2, dtype=np.float64) * (self.window / (self.shape // 2))
 
-    def closed_form(self, variant: str) -> methods.ClosedForm:
+    def closed_form(self, variant: str) -> paper.ClosedForm:
         """Return the paper's closed form with these parameters."""
-        erf = FresnelErf() if self.terms is None else AbramowitzErf(self.terms)
-        return methods.ClosedForm(tangent=self.tangent, erf=erf, variant=variant)
+        erf = paper.FresnelErf() if self.terms is None else paper.AbramowitzErf(self.terms)
+        return paper.ClosedForm(tangent=self.tangent, erf=erf, variant=variant)
 
-    def fft(self) -> methods.Fraunhofer:
+    def fft(self) -> paper.Fraunhofer:
         """Return the FFT method of the paper's comparison: a transform of the image's size, without zero padding."""
         # With a pupil radius of R samples, a transform of n samples has the pixel pitch 2 pi R / n in v. Its n / 2
         # pixels from the centre to the edge span pi R, which must equal the window; `samples` is 2 R.
-        return methods.Fraunhofer(samples=math.floor(2.0 * self.window / math.pi), padding=1.0)
+        return paper.Fraunhofer(samples=math.floor(2.0 * self.window / math.pi), padding=1.0)
 
     def image(self, method: methods.Method) -> NDArray[np.float64]:
         """Return the intensity at the pixels, relative to the peak of the aperture without aberration."""
@@ -259,12 +258,12 @@ def _methods(n: int) -> dict[str, tuple[methods.Method, Pupil]]:
     # Use so many samples that the blur disc of the next period of the discrete transform is outside the window.
     min_samples = max(8, math.ceil((blur + window) / math.pi) + 1)
     return {
-        "Huygens, every pixel": (methods.HuygensFresnel(symmetry=False), defocused),
-        "Huygens, every radius": (methods.HuygensFresnel(), defocused),
-        "FFT of the pupil": (methods.Fraunhofer(samples=min_samples, padding=1.0), pupil),
+        "Huygens, every pixel": (paper.HuygensFresnel(symmetry=False), defocused),
+        "Huygens, every radius": (paper.HuygensFresnel(), defocused),
+        "FFT of the pupil": (paper.Fraunhofer(samples=min_samples, padding=1.0), pupil),
         "Hankel": (methods.Hankel(), pupil),
-        "CFIS, Eq. (14), N = 30": (methods.ClosedForm(erf=AbramowitzErf(30), variant="printed"), pupil),
-        "CFIS, Fresnel integrals": (methods.ClosedForm(erf=FresnelErf()), pupil),
+        "CFIS, Eq. (14), N = 30": (paper.ClosedForm(erf=paper.AbramowitzErf(30), variant="printed"), pupil),
+        "CFIS, Fresnel integrals": (paper.ClosedForm(erf=paper.FresnelErf()), pupil),
         "NijboerZernike": (methods.NijboerZernike(), pupil),
     }
 
@@ -557,10 +556,10 @@ def draw_quartic_phase(data: FigureData) -> Figure:
 
 
 _FORMS: dict[str, methods.RadialMethod] = {
-    "printed": methods.ClosedForm(tangent=100.0, erf=AbramowitzErf(30), variant="printed"),
-    "corrected": methods.ClosedForm(tangent=100.0, erf=AbramowitzErf(30)),
-    "corrected, exact erf": methods.ClosedForm(tangent=100.0),
-    "tuned to 1e-4": methods.TunedClosedForm(1e-4),
+    "printed": paper.ClosedForm(tangent=100.0, erf=paper.AbramowitzErf(30), variant="printed"),
+    "corrected": paper.ClosedForm(tangent=100.0, erf=paper.AbramowitzErf(30)),
+    "corrected, exact erf": paper.ClosedForm(tangent=100.0),
+    "tuned to 1e-4": paper.TunedClosedForm(1e-4),
 }
 
 

@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.methods import ChordalGauss, Hankel, NijboerZernike
+from lommel.methods import LAYERED, METHODS, ChordalGauss, Hankel, NijboerZernike
 from lommel.paper import Fraunhofer, Geometric, LommelSeries
 
 
@@ -274,3 +274,8 @@ def test_a_tolerance_for_a_method_without_one_is_refused():
             lm.psf(lm.Pupil(), 9, 0.5, tol=1e-3, method=method)
     with pytest.raises(ValueError, match="dtype float32 cannot hold tol=1e-09"):
         lm.psf(lm.Pupil(), 9, 0.5, tol=1e-9, dtype="float32")
+
+
+@pytest.mark.parametrize("name", [*METHODS, *LAYERED])
+def test_a_method_is_called_by_its_name_too(name):
+    assert lm.Plan(5, 0.5, method=name).method == (METHODS | LAYERED)[name]()

@@ -6,19 +6,17 @@ import math
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from os import PathLike
-from typing import TYPE_CHECKING, Any, Self, TypedDict, Unpack, cast
+from typing import TYPE_CHECKING, Any, Self, cast
 
 import numpy as np
-from numpy.typing import ArrayLike, DTypeLike, NDArray
+from numpy.typing import NDArray
 
 from lommel.base import display, validation
 from lommel.base.arrays import Array, Index, Values, largest
-from lommel.base.options import near
-from lommel.blur.blurs import Blur
 from lommel.core.answers import Wanted
 from lommel.measures.psf_like import ColourPSFLike
 from lommel.methods import question
-from lommel.methods.method import Method, storing, to_images, with_model_error
+from lommel.methods.method import storing, to_images, with_model_error
 from lommel.methods.polychromatic import Polychromatic, sum_spectra
 from lommel.methods.question import prepare
 from lommel.optics.base_pupil import BasePupil, imaged
@@ -29,34 +27,8 @@ from lommel.psf import PSF, Found, Measured, Plan
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from lommel.methods.derivative_names import Name
 
 _BLOCK_VALUES = 2**22  # number of values per channel that are computed in one block of pupils
-
-
-class SamplingKeywords(TypedDict, total=False):
-    """Options of :func:`lommel.psf` for method, tolerance, position and integration of pixels, and threads."""
-
-    method: Method | None
-    tol: float | None
-    center: tuple[ArrayLike, ArrayLike] | None
-    integrate: bool | None
-    threads: int | None
-
-
-class PSFKeywords(SamplingKeywords, total=False):
-    """Options of :func:`lommel.psf` that do not depend on the pupil."""
-
-    normalize: str
-    dtype: DTypeLike | None
-    fill: float | tuple[float, float]
-    blur: Blur | Sequence[Blur]
-
-
-class Keywords(PSFKeywords, total=False):
-    """Options of :func:`colour_psf`."""
-
-    derivatives: Sequence[Name]
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -192,7 +164,7 @@ def colour_psf(
     shape: int | tuple[int, int],
     pixel: float | tuple[float, float],
     channels: Channels | Sequence[float] | None = None,
-    **options: Unpack[Keywords],
+    **options: Any,
 ) -> ColourPSF:
     """Compute the PSF of a pupil in each colour channel of a sensor, or at each of several wavelengths.
 
@@ -232,24 +204,21 @@ def colour_psf(
     >>> answer.values.shape, answer["red"].values.shape
     ((3, 33, 33), (33, 33))
     """
-    if unknown := [name for name in options if name not in Keywords.__annotations__]:
-        raise TypeError(f"colour_psf() has no option {unknown[0]!r}; {near(unknown[0], Keywords.__annotations__)}")
     light = Channels.rgb() if channels is None else checked(channels)
     if imaged(pupil).wavelength is None:
         raise ValueError(
             "pupil must have a reference wavelength for colour, got none; use the pupil of a Lens, or a Pupil with "
             "wavelength and f_number"
         )
-    plan_options: dict[str, Any] = {**options}
-    derivatives = plan_options.pop("derivatives", ())
-    plan = Plan(shape, pixel, **plan_options)
+    derivatives = options.pop("derivatives", ())
+    plan = Plan(shape, pixel, **options)
     # A channel is an incoherent sum over its wavelengths.
     sums = [Polychromatic([w for w, _ in pairs], [s for _, s in pairs], plan.method, plan.tol) for _, pairs in light]
     # Derivatives, blur, fill factors and pixels that are not square are computed channel by channel.
     if derivatives or not plan.plain:
-        plan_options |= {"tol": None}
         psfs = [
-            Plan(shape, pixel, **plan_options | {"method": method})(pupil, derivatives=derivatives) for method in sums
+            Plan(shape, pixel, **options | {"method": method, "tol": None})(pupil, derivatives=derivatives)
+            for method in sums
         ]
         return ColourPSF(light, tuple(_at_single_wavelength(psf) for psf in psfs))
     if center_shape := plan.grid(pupil).stack:

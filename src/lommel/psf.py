@@ -40,7 +40,7 @@ def psf(
     shape: int | tuple[int, int],
     pixel: float | tuple[float, float],
     *,
-    method: Method | None = None,
+    method: Method | str | None = None,
     tol: float | None = None,
     normalize: str = "energy",
     dtype: DTypeLike | None = None,
@@ -64,11 +64,12 @@ def psf(
     pixel : float or (float, float)
         Pixel pitch, or height and width of pixels that are not square, in metres if the pupil has a wavelength, else
         in units of lambda*N.
-    method : Method, optional
-        Method that evaluates the diffraction integral. By default it is chosen for pupil and window: NijboerZernike
-        for circular apertures; ChordalGauss instead if the wavefront is not radially symmetric and ChordalGauss is
-        likely to be faster; NonuniformFFT for apertures with a spider, vignetting or a mask. `PSF.method` is the
-        method used.
+    method : str or Method, optional
+        Method that evaluates the diffraction integral, by its name in lower case, such as "hankel" or
+        "nijboer-zernike", or with options, such as ``lommel.methods.Hankel(tol=1e-12)``. By default it is chosen for
+        pupil and window: NijboerZernike for circular apertures; ChordalGauss instead if the wavefront is not radially
+        symmetric and ChordalGauss is likely to be faster; NonuniformFFT for apertures with a spider, vignetting or a
+        mask. `PSF.method` is the method used.
     tol : float, optional
         Tolerance relative to the peak of the PSF, which may lie outside the window; if `normalize` is "peak",
         relative to the largest value in the window. By default the tolerance of the method, or 1e-6 without a method.
@@ -190,7 +191,7 @@ class Plan:
         shape: int | tuple[int, int],
         pixel: float | tuple[float, float],
         *,
-        method: Method | None = None,
+        method: Method | str | None = None,
         tol: float | None = None,
         normalize: str = "energy",
         dtype: DTypeLike | None = None,

@@ -21,7 +21,7 @@ from contextlib import ExitStack, closing, contextmanager, nullcontext, suppress
 from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
-from typing import Any, Self, TypeAlias, Unpack
+from typing import Any, Self, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -32,9 +32,7 @@ from lommel.base.arrays import Index as ArrayIndex
 from lommel.base.atomic import checksum, crc32, plain, sealed
 from lommel.base.cached import cached_property
 from lommel.base.optional import library, version
-from lommel.base.options import near
 from lommel.blur.blurs import blurs_from_dicts
-from lommel.channel_psf import PSFKeywords
 from lommel.io import zarr_folders
 from lommel.io.psf_files import NORMALIZE, FileError, as_file_error
 from lommel.io.registry import Arrays, Description
@@ -681,7 +679,7 @@ def requested(
     methods = [method for k, method in enumerate(all_methods) if method not in all_methods[:k]]
     dtype = np.dtype(plan.dtype)
     # One thread for each chunk: sums by several threads may differ in their last bits from one computer to another.
-    keywords: PSFKeywords = {"normalize": plan.normalize, "dtype": dtype, "blur": plan.blur, "threads": 1}
+    keywords: dict[str, Any] = {"normalize": plan.normalize, "dtype": dtype, "blur": plan.blur, "threads": 1}
     keywords |= {"integrate": grid.integrate, "fill": grid.fill}
     prepare = partial(Plan, grid.shape, grid.pixel, **keywords)
     max_psfs = max(1, DEFAULT_CHUNK_BYTES // (dtype.itemsize * math.prod(grid.shape)))
@@ -810,7 +808,7 @@ def psf_to(
     chunk: int | None = None,
     progress: Callable[[int, int], object] | None = None,
     client: object = None,
-    **options: Unpack[PSFKeywords],
+    **options: Any,
 ) -> PSFStack:
     """Compute a stack of PSFs that may exceed memory, chunk by chunk, into a Zarr store.
 
@@ -878,8 +876,6 @@ def psf_to(
     >>> lens = lm.Lens(focal_length=50e-3, f_number=1.8, focus_distance=2.0, wavelength=550e-9)
     >>> stack = lm.psf_to("depths.zarr", lens.pupil(np.linspace(1.0, 3.0, 5000)), 33, 3e-6)  # doctest: +SKIP
     """
-    if unknown := [name for name in options if name not in PSFKeywords.__annotations__]:
-        raise TypeError(f"psf_to() has no option {unknown[0]!r}; {near(unknown[0], PSFKeywords.__annotations__)}")
     path = path_of(store)
     validation.function("progress", progress, required=False)
     plan, (pool, slots) = Plan(shape, pixel, **options), _executor(client)

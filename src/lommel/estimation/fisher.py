@@ -6,21 +6,19 @@ import math
 from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import dataclass
-from typing import Any, Self, Unpack
+from typing import Any, Self
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from lommel.base import validation
 from lommel.base.arrays import Array, Numbers, numbers, plain
-from lommel.base.options import require_known, shares
 from lommel.base.units import format_length
-from lommel.channel_psf import SamplingKeywords
 from lommel.core.answers import ToleranceError
 from lommel.methods.derivative_names import Name
 from lommel.methods.derivative_names import checked as checked_names
 from lommel.optics.base_pupil import BasePupil, imaged
-from lommel.psf import PSF, Plan, psf
+from lommel.psf import PSF, Plan
 from lommel.recorded.noise import Noise
 
 
@@ -177,7 +175,6 @@ _TOLERANCES = (1e-8, 1e-7, 1e-6)
 _EPS = float(np.finfo(np.float64).eps)
 
 
-@shares(SamplingKeywords, psf)
 def fisher(
     pupil: BasePupil | Sequence[BasePupil],
     shape: int | tuple[int, int],
@@ -188,7 +185,8 @@ def fisher(
     background: ArrayLike = 0.0,
     noise: Noise | None = None,
     together: bool = False,
-    **options: Unpack[SamplingKeywords],
+    center: tuple[ArrayLike, ArrayLike] | None = None,
+    tol: float | None = None,
 ) -> Information:
     """Return the Fisher information and Cramér-Rao bounds of parameters, from images of a point source.
 
@@ -198,7 +196,7 @@ def fisher(
         Pupil of the image. Each element of a stack is a scene with one image, and standard errors are arrays. A
         sequence of pupils describes several images of one scene, for example at several foci, whose information is
         added. If pupils in a sequence are stacks, they broadcast, and each element is a scene.
-    shape, pixel, method, center, integrate, threads
+    shape, pixel, center
         Arguments of :func:`lommel.psf`.
     of : sequence
         Parameters that are estimated jointly; all others are assumed to be known. Names are "photons", "background"
@@ -256,7 +254,6 @@ def fisher(
     >>> lm.fisher(lens.pupil(2.0), of=("object_distance", "row", "column"), **camera).unidentifiable
     ('object_distance',)
     """
-    require_known(fisher, options, SamplingKeywords)
     names = _names(of)
     flux = validation.real_array("photons", photons, least=0.0)
     if not np.all(flux > 0.0):
@@ -266,9 +263,8 @@ def fisher(
     validation.truth("together", together)
     camera = noise or Noise(read=0.0)
     excess, read = camera.excess, camera.poisson.variance(np.zeros(validation.image_shape(shape)))
-    method, tol = options.get("method"), options.get("tol")
-    tolerances = _TOLERANCES if method is None and tol is None else (tol,)
-    plans = [Plan(shape, pixel, dtype=np.float64, **options | {"tol": value}) for value in tolerances]
+    tolerances = _TOLERANCES if tol is None else (tol,)
+    plans = [Plan(shape, pixel, dtype=np.float64, center=center, tol=value) for value in tolerances]
     single_pupil = isinstance(pupil, BasePupil)
     psfs = [_most_accurate_psf(plans, value, names) for value in _pupils(pupil)]
     stack_shapes = validation.broadcast("stacks of pupils", *(np.empty(image_psf.pupil.shape) for image_psf in psfs))

@@ -18,7 +18,6 @@ from lommel.base.options import shares
 from lommel.base.units import format_length
 from lommel.channel_psf import colour_psf
 from lommel.field.psf_grid import PSFGrid, sides
-from lommel.methods import Method
 from lommel.optics.aperture.shapes import CatEye, Disc, Ellipse
 from lommel.optics.colour.spectrum import Channels
 from lommel.optics.lens import Lens
@@ -758,8 +757,6 @@ class FieldMap:
         y: ArrayLike,
         shape: int | tuple[int, int],
         pixel: float | tuple[float, float],
-        *,
-        method: Method | None = None,
         **options: Any,
     ) -> PSF:
         """Compute the PSF at a position of the sensor, or a stack of PSFs for arrays of positions.
@@ -768,7 +765,7 @@ class FieldMap:
         ----------
         x, y : array_like
             Positions, in :attr:`unit`, of broadcastable shapes. Each window is centred on its position.
-        shape, pixel, method, options
+        shape, pixel, options
             See :func:`lommel.psf`.
 
         Returns
@@ -782,9 +779,9 @@ class FieldMap:
         """
         x_values, y_values = positions(x, y)
         if self.vignetting is None or x_values.shape == ():
-            return psf(self.pupil(x, y), shape, pixel, method=method, **options)
+            return psf(self.pupil(x, y), shape, pixel, **options)
         pupils = tuple(self.pupil(float(a), float(b)) for a, b in zip(x_values.flat, y_values.flat, strict=True))
-        return psf(FieldPupil(pupils, x_values.shape), shape, pixel, method=method, **options)
+        return psf(FieldPupil(pupils, x_values.shape), shape, pixel, **options)
 
     def grid(
         self,

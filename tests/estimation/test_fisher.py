@@ -181,13 +181,6 @@ def test_deviations_fall_as_the_root_of_photons_where_there_is_nothing_else():
     assert errors(found) * [10.0, 100.0, 1000.0] == pytest.approx(np.tile(errors(found)[:, :1] * 10.0, 3), rel=1e-9)
 
 
-def test_a_pupil_in_metres_and_one_in_lambda_n_are_known_alike():
-    plain = lm.Pupil(COMA.wavefront)
-    question = {"of": ("defocus", "row", (3, 1)), "photons": 1e3, "background": 2.0, "integrate": True}
-    metric = lm.fisher(COMA, 11, 0.7 * COMA.scale, **question)
-    assert lm.fisher(plain, 11, 0.7, **question).covariance == pytest.approx(metric.covariance, rel=1e-9)
-
-
 def test_depth_is_known_by_defocus():
     lens = LENS.pupil(1.9)
     found = lm.fisher(lens, of=("object_distance",), **CAMERA).errors["object_distance"]

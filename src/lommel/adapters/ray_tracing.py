@@ -22,8 +22,8 @@ from dataclasses import dataclass, replace
 from functools import cache
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy.spatial import Delaunay
 
 from lommel.base import validation
 from lommel.base.arrays import Array
@@ -382,7 +382,7 @@ def _check_between_fields(
 ) -> None:
     """Raise ValueError if the map differs from traced wavefronts at the centres of triangles of field points."""
     extent = np.ptp(positions, axis=0).max()
-    triangulation = Delaunay(positions / extent)
+    triangulation = scipy.spatial.Delaunay(positions / extent)
     for hx, hy in fields[triangulation.simplices].mean(axis=1):
         traced = trace(float(hx), float(hy), *points)
         x, y = traced.position

@@ -12,6 +12,7 @@ from dataclasses import asdict, dataclass
 from typing import ClassVar
 
 import numpy as np
+import scipy
 from numpy.typing import ArrayLike
 
 from lommel.base import validation
@@ -247,20 +248,18 @@ def karman(air: Seeing, wavelength: float | None) -> tuple[float, float]:
 
 def _von_karman(argument: Array, factor: float) -> Array:
     """Return ``factor (limit - z^nu K_nu(z))`` at z, half of the structure function; see :func:`karman`."""
-    from scipy.special import gamma, kv
-
     z = np.atleast_1d(argument)
     # lim z^nu K_nu(z) = 2^(nu - 1) Gamma(nu) for z -> 0, nu - 1 = -1/6.
     limit = math.gamma(_NU) / 2.0 ** (1.0 / 6.0)
     # z is limited to 700, where K_nu has not underflowed, and the structure function equals its limit to all digits.
     large_z = np.minimum(np.maximum(z, 1.0), 700.0)
-    bessel = np.where(z > 1.0, limit - large_z**_NU * kv(_NU, large_z), 0.0)
+    bessel = np.where(z > 1.0, limit - large_z**_NU * scipy.special.kv(_NU, large_z), 0.0)
     # For small z the difference would lose digits: K_nu is replaced by two series in z^2 / 4 (DLMF 10.27.4, 10.25.2),
     # without the first term of the even series, which cancels the limit. 14 terms yield all digits for z <= 1.
     k, small_z = np.arange(14)[:, None], np.minimum(z, 1.0).ravel()
-    powers = (0.25 * small_z * small_z) ** k / gamma(k + 1.0)
-    fractional = (powers / gamma(k + 1.0 + _NU)).sum(axis=0) * small_z ** (2.0 * _NU) * 2.0**-_NU
-    even = (powers[1:] / gamma(k[1:] + 1.0 - _NU)).sum(axis=0) * 2.0**_NU
+    powers = (0.25 * small_z * small_z) ** k / scipy.special.gamma(k + 1.0)
+    fractional = (powers / scipy.special.gamma(k + 1.0 + _NU)).sum(axis=0) * small_z ** (2.0 * _NU) * 2.0**-_NU
+    even = (powers[1:] / scipy.special.gamma(k[1:] + 1.0 - _NU)).sum(axis=0) * 2.0**_NU
     series = 0.5 * math.pi / math.sin(math.pi * _NU) * (fractional - even)
     return np.asarray(factor * np.where(z > 1.0, bessel, series.reshape(z.shape))).reshape(argument.shape)
 

@@ -63,8 +63,6 @@ class Readout(NamedTuple):
 @lru_cache(maxsize=8)
 def readout(places: tuple[float, ...], active: float, gate: Gate) -> Readout:
     """Return the weights for averages over `active` (v) around ascending `places` (v); for point values if 0."""
-    from scipy import sparse
-
     centers = np.array(places)
     h, (truncation, cut_sum) = gate.h, ends(gate)
     # An odd number of taps, symmetric about the sample nearest to the centre of the pixel.
@@ -75,7 +73,7 @@ def readout(places: tuple[float, ...], active: float, gate: Gate) -> Readout:
     first = int(start.min())
     rows = np.repeat(np.arange(centers.size), taps)
     shape = centers.size, int(start.max()) + taps - first
-    matrix = sparse.csr_array((weights.ravel(), (rows, (k - first).ravel())), shape=shape)
+    matrix = scipy.sparse.csr_array((weights.ravel(), (rows, (k - first).ravel())), shape=shape)
     low, high = float(centers.min()) - 0.5 * active, float(centers.max()) + 0.5 * active
     # Rounding of the weights and of sums of `taps` products: errors of random sign grow like sqrt(taps).
     rounding = 2.0**-50 * math.sqrt(taps)
@@ -86,14 +84,12 @@ def readout(places: tuple[float, ...], active: float, gate: Gate) -> Readout:
 @lru_cache(maxsize=16)
 def ends(gate: Gate) -> tuple[float, float]:
     """Return a truncation distance in v, and a bound on h times the sum of abs(g) over the samples outside it."""
-    from scipy.special import exp1
-
     # The sum of exp(-(s x)^2 / 2) / (pi x) outside this distance is about the error of the gate: E1(y) ~ exp(-y) / y.
     log_inverse_error = -math.log(gate.error)
     s = _gaussian_rate(gate)
     distance = math.sqrt(2.0 * (log_inverse_error - math.log(log_inverse_error + 1.0))) / s
     # The sum on each side is at most the integral that starts one step earlier; abs(g) <= exp(-(s x)^2 / 2) / (pi x).
-    return distance + gate.h, float(exp1(0.5 * (s * distance) ** 2)) / math.pi
+    return distance + gate.h, float(scipy.special.exp1(0.5 * (s * distance) ** 2)) / math.pi
 
 
 @lru_cache(maxsize=16)

@@ -13,6 +13,7 @@ from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
+import scipy
 
 from lommel.base.arrays import Array
 from lommel.blur.blurs import FWHM, Blur, Seeing
@@ -63,7 +64,6 @@ def turbulence(outer: float | None = None, terms: int = TERMS) -> Mixture:
     """Return seeing as a mixture of at most `terms` Gaussians; `outer` is outer scale / r0, None for infinity."""
     if (stored := _STORED.get((outer, terms))) is not None:
         return Mixture(np.array(stored[0]), np.array(stored[1]), stored[2])
-    from scipy import optimize
 
     # Above q = 2.6 Kolmogorov's T is below 1e-7, and von Karman's T is nearly at its limit.
     q = np.append(np.linspace(1e-3, 2.6, 400), np.geomspace(2.6, 30.0, 40)[1:])
@@ -77,7 +77,7 @@ def turbulence(outer: float | None = None, terms: int = TERMS) -> Mixture:
     sum_weight = 30.0  # weight of the equation sum(weights) = 1, relative to the equations of the 439 frequencies
     design = np.vstack([gaussians(rates), np.full(len(rates), sum_weight)])
     # Non-negative least squares: negative weights could make images negative.
-    weights, _ = optimize.nnls(design, np.append(goal, sum_weight))
+    weights, _ = scipy.optimize.nnls(design, np.append(goal, sum_weight))
     indices = np.flatnonzero(weights > _MIN_WEIGHT)
     indices = indices[np.argsort(rates[indices])]
     w, r = _merge_terms(weights[indices], rates[indices], terms)
@@ -100,8 +100,6 @@ def _merge_terms(w: Array, r: Array, terms: int) -> tuple[Array, Array]:
 
 def _reduce_error(goal: Array, square: Array, w: Array, r: Array) -> tuple[Array, Array]:
     """Return terms with a smaller maximum error, by least squares with weights that increase with the error."""
-    from scipy import optimize
-
     count = len(w)
 
     def parts(x: Array) -> tuple[Array, Array, Array]:
@@ -124,7 +122,9 @@ def _reduce_error(goal: Array, square: Array, w: Array, r: Array) -> tuple[Array
     weight, least = np.ones(len(goal)), np.inf
     for _ in range(30):
         # Lawson's method: with weights that increase with the error, least squares approach the minimax fit.
-        x = optimize.least_squares(weighted_error, best_x, jacobian, args=(weight,), method="lm", max_nfev=200).x
+        x = scipy.optimize.least_squares(
+            weighted_error, best_x, jacobian, args=(weight,), method="lm", max_nfev=200
+        ).x
         error = np.abs(weighted_error(x, np.ones(1)))
         if not error.max() < least:
             break

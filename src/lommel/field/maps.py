@@ -10,6 +10,7 @@ from os import PathLike
 from typing import Any, TypedDict, Unpack
 
 import numpy as np
+import scipy
 from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import atomic, options, validation
@@ -1008,15 +1009,15 @@ class OnGrid(WavefrontsOnSensor):
     """Bicubic splines through a rectangular grid (FITPACK, not-a-knot)."""
 
     def __init__(self, x: ArrayLike, y: ArrayLike, wavefront: Wavefront) -> None:
-        from scipy.interpolate import RectBivariateSpline
-
         self.x, self.y = _increasing_array("x", x), _increasing_array("y", y)
         values, self.terms = _coefficients_and_terms(wavefront, (self.y.size, self.x.size), "(len(y), len(x))")
         degrees = {"kx": min(3, self.y.size - 1), "ky": min(3, self.x.size - 1)}
         # Positions are scaled to 0 to 1, because FITPACK uses absolute tolerances.
         y_scaled, x_scaled = self._scaled(self.x, self.y)[::-1]
         tables = np.moveaxis(values, -1, 0)
-        self.splines = [RectBivariateSpline(y_scaled, x_scaled, table, **degrees, s=0) for table in tables]
+        self.splines = [
+            scipy.interpolate.RectBivariateSpline(y_scaled, x_scaled, table, **degrees, s=0) for table in tables
+        ]
         self.reach = float(np.hypot(np.abs(self.x).max(), np.abs(self.y).max()))
         self.middle = float(self.x[[0, -1]].mean()), float(self.y[[0, -1]].mean())
 
@@ -1053,9 +1054,6 @@ class Scattered(WavefrontsOnSensor):
     """Cubic radial basis functions and a quadratic or linear polynomial, within the convex hull of the positions."""
 
     def __init__(self, x: ArrayLike, y: ArrayLike, wavefront: Wavefront) -> None:
-        from scipy.interpolate import RBFInterpolator
-        from scipy.spatial import ConvexHull, QhullError
-
         x_values, y_values = validation.real_array("x", x), validation.real_array("y", y)
         if x_values.ndim != 1 or x_values.shape != y_values.shape:
             raise ValueError(f"x and y must be of the same shape (n,), got {x_values.shape} and {y_values.shape}")
@@ -1071,13 +1069,13 @@ class Scattered(WavefrontsOnSensor):
         self.size = float(max(np.ptp(x_values), np.ptp(y_values)))
         points = self._scaled(x_values, y_values)
         try:
-            self.edges = ConvexHull(points).equations
-        except QhullError:
+            self.edges = scipy.spatial.ConvexHull(points).equations
+        except scipy.spatial.QhullError:
             raise ValueError(f"positions must not all lie on one line, got {count} positions on a line") from None
         monomials = np.stack([np.ones(count), *points.T, *points.T**2, points[:, 0] * points[:, 1]], axis=1)
         # Positions on a conic do not determine a quadratic polynomial.
         degree = 2 if np.linalg.matrix_rank(monomials, tol=1e-6) == 6 else 1
-        self.interpolate = RBFInterpolator(points, values, kernel="cubic", degree=degree)
+        self.interpolate = scipy.interpolate.RBFInterpolator(points, values, kernel="cubic", degree=degree)
         self.reach = float(np.hypot(x_values, y_values).max())
 
     def _scaled(self, x: Array, y: Array) -> Array:
@@ -1108,8 +1106,6 @@ class Radial(WavefrontsOnSensor):
     """Field of a rotationally symmetric lens: cubic splines of the field height, rotated to the azimuth."""
 
     def __init__(self, height: ArrayLike, wavefront: Wavefront, azimuth: float) -> None:
-        from scipy.interpolate import CubicSpline
-
         self.height, self.azimuth = _heights(height), validation.angle("azimuth", azimuth)
         values, self.terms = _coefficients_and_terms(wavefront, self.height.shape, "of height")
         orders = np.array([m for _, m in self.terms])
@@ -1124,7 +1120,7 @@ class Radial(WavefrontsOnSensor):
         mirrored = np.concatenate([parity * values[:0:-1], middle, values[1:]])
         self.reach = float(self.height[-1])
         scaled = self.height / self.reach
-        self.spline = CubicSpline(np.concatenate([-scaled[:0:-1], scaled]), mirrored)
+        self.spline = scipy.interpolate.CubicSpline(np.concatenate([-scaled[:0:-1], scaled]), mirrored)
 
     def nodes(self) -> dict[str, Array]:
         """Return the heights."""

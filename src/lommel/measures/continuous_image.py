@@ -28,9 +28,8 @@ from itertools import pairwise
 from typing import NamedTuple, cast
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy import fft
-from scipy.special import erfc, j0, j1
 
 from lommel.base import validation
 from lommel.base.arrays import Array
@@ -194,18 +193,15 @@ class SmallShifts(NamedTuple):
 
     def at(self, fx: Array, fy: Array) -> NDArray[np.complex128]:
         """Return the OTF at frequencies in units of the cutoff frequency."""
-        from scipy.ndimage import map_coordinates
-
         positions = [self.side * f + self.max_shift for f in (fy, fx)]
-        parts = [map_coordinates(spline, positions, order=3, prefilter=False) for spline in self.splines]
+        parts = [
+            scipy.ndimage.map_coordinates(spline, positions, order=3, prefilter=False) for spline in self.splines
+        ]
         return np.asarray(parts[0] if len(parts) == 1 else parts[0] + 1j * parts[1], dtype=np.complex128)
 
 
 @lru_cache(maxsize=4)
 def _small_shifts(pupil: Pupil, side: int, max_shift: int) -> SmallShifts:
-    from scipy import fft
-    from scipy.ndimage import spline_filter
-
     field = phased_cells(pupil.opening, side)
     rows, columns = np.nonzero(field)
     centers = cell_centers(side)
@@ -220,10 +216,10 @@ def _small_shifts(pupil: Pupil, side: int, max_shift: int) -> SmallShifts:
         amplitude *= np.prod(np.sinc(gradient(pupil.wavefront, rho, theta)[0] / (math.pi * side)), axis=0)
         field[rows, columns] *= amplitude * np.exp(1j * pupil.wavefront.phase(rho, theta))
     # Zero padding by the largest shift, so that no shifted product wraps around.
-    size = fft.next_fast_len(side + max_shift + 1)
-    spectrum = fft.fft2(field, (size, size))
+    size = scipy.fft.next_fast_len(side + max_shift + 1)
+    spectrum = scipy.fft.fft2(field, (size, size))
     shifts = np.arange(-max_shift - 1, max_shift + 2)
-    raw_otf = fft.ifft2(spectrum.real**2 + spectrum.imag**2)[np.ix_(shifts, shifts)].conj()
+    raw_otf = scipy.fft.ifft2(spectrum.real**2 + spectrum.imag**2)[np.ix_(shifts, shifts)].conj()
     # OTF = sum over cells * (area of a cell, (2 / side)^2) / (pi * transmission).
     raw_otf *= 4.0 / (math.pi * side**2 * pupil.transmission)
     otf = raw_otf[1:-1, 1:-1]
@@ -237,7 +233,7 @@ def _small_shifts(pupil: Pupil, side: int, max_shift: int) -> SmallShifts:
     slope = float(np.mean([1.0 - center[0, 2], 1.0 - center[4, 2], 1.0 - center[2, 0], 1.0 - center[2, 4]])) / 2.0
     otf[max_shift, max_shift] = 1.0 - 0.229 * slope
     parts = (otf.real, otf.imag) if np.abs(otf.imag).max() > 1e-12 else (otf.real,)
-    return SmallShifts(tuple(spline_filter(part, order=3) for part in parts), side, max_shift)
+    return SmallShifts(tuple(scipy.ndimage.spline_filter(part, order=3) for part in parts), side, max_shift)
 
 
 def transfer(pupil: Pupil, end: float, fx: Array, fy: Array) -> NDArray[np.complex128]:
@@ -393,7 +389,7 @@ class CartesianImage:
         # Fourier transform of a disc, pi r^2 at f = 0, else r J1(2 pi r f) / f: once for each distinct abs(f).
         fractions = np.empty(radius.size)
         for i, r in enumerate(radius):
-            fractions[i] = math.pi * r * r * sums[0] + (r * j1(2.0 * math.pi * r * f) / f) @ sums[1:]
+            fractions[i] = math.pi * r * r * sums[0] + (r * scipy.special.j1(2.0 * math.pi * r * f) / f) @ sums[1:]
         return fractions
 
     @cached_property
@@ -429,18 +425,23 @@ def cartesian_images(model: ImageModel, reach: float) -> Iterator[CartesianImage
     period = model.method.period(pupil)
     if reach <= 0.5 * period < half_side and period == pupil.period and not seeing_width:
         # The image of a sampled mask is periodic, with or without blur: one period is the whole image.
-        side = fft.next_fast_len(math.ceil(period / pitch), real=True)
+        side = scipy.fft.next_fast_len(math.ceil(period / pitch), real=True)
         pitch, half_side = period / side, 0.5 * period
     else:
-        side = fft.next_fast_len(2 * math.ceil(half_side / pitch) + 1, real=True)
+        side = scipy.fft.next_fast_len(2 * math.ceil(half_side / pitch) + 1, real=True)
     if half_side > (largest := 0.5 * pitch * MOST_SIDE):
         raise _radius_error(pupil, reach, reach - (half_side - largest))
     grid = Grid(side, pitch * pupil.scale, integrate=model.method.sampling == "pixel")
-    fy, fx = fft.fftfreq(side, pitch), fft.rfftfreq(side, pitch)
+    fy, fx = scipy.fft.fftfreq(side, pitch), scipy.fft.rfftfreq(side, pitch)
     in_band_y, in_band_x = np.abs(fy) <= 2.0 * band, fx <= 2.0 * band
     fy, fx = fy[in_band_y], fx[in_band_x]
     # Frequencies fx > 0 count twice, because rfft returns one wave of each conjugate pair.
-    decay = 0.5 * erfc((np.hypot(fy[:, None], fx) / band - _MIDDLE) / _WIDTH) * np.where(fx > 0.0, 2.0, 1.0) / side**2
+    decay = (
+        0.5
+        * scipy.special.erfc((np.hypot(fy[:, None], fx) / band - _MIDDLE) / _WIDTH)
+        * np.where(fx > 0.0, 2.0, 1.0)
+        / side**2
+    )
     parts = model.parts
     count = math.prod(pupil.shape)
     step = max(1, _MAX_VALUES // side**2)
@@ -459,7 +460,7 @@ def cartesian_images(model: ImageModel, reach: float) -> Iterator[CartesianImage
             factor = fraction * stretch**2 * math.pi / (4.0 * part.transmission)
             response = model.response(fx[None, :], fy[:, None], part.wavelength) * (factor * decay)
             for k, image in enumerate(images.values):
-                tables[k] += fft.rfft2(fft.ifftshift(image))[in_band_y][:, in_band_x] * response
+                tables[k] += scipy.fft.rfft2(scipy.fft.ifftshift(image))[in_band_y][:, in_band_x] * response
             tops = images.values.reshape(block.size, -1).max(axis=1) if images.peak is None else images.peak
             error += factor * (math.nan if images.error is None else images.error) * tops
         for k, table in enumerate(tables):
@@ -495,14 +496,16 @@ def sampled_transfer(model: ImageModel, fx: Array, fy: Array) -> NDArray[np.comp
     position = pitch * (np.arange(side) - side // 2)
 
     def weight(r: Array) -> Array:
-        return np.asarray(0.5 * erfc((r - radius + 0.5 * _TAPER) / (_TAPER / 8.0)))
+        return np.asarray(0.5 * scipy.special.erfc((r - radius + 0.5 * _TAPER) / (_TAPER / 8.0)))
 
     weights = weight(np.hypot(position, position[:, None]))
     columns = np.exp(-2j * math.pi * np.outer(position, fx))
     rows = np.exp(-2j * math.pi * np.outer(fy, position))
     # The light of the tail, r^-3 (2 pi r dr), has a constant density in u = 1 / r, and the range of u is finite.
     u, rule = gauss_legendre(4096, 0.0, 1.0 / (radius - _TAPER))
-    tail_transform = (rule * (1.0 - weight(1.0 / u))) @ j0(2.0 * math.pi * np.hypot(fx, fy) / u[:, None])
+    tail_transform = (rule * (1.0 - weight(1.0 / u))) @ scipy.special.j0(
+        2.0 * math.pi * np.hypot(fx, fy) / u[:, None]
+    )
     tail_transform /= rule @ (1.0 - weight(1.0 / u))
     otf = np.zeros((math.prod(pupil.shape), fx.size), dtype=np.complex128)
     parts = model.parts
@@ -546,7 +549,7 @@ class PolarImage:
         for f, fx, fy, waves in self._waves(math.hypot(*center)):
             shifted = waves * np.exp(2j * math.pi * (center[0] * fx + center[1] * fy)) if any(center) else waves
             radial = shifted.real.sum(axis=1) / f
-            total += [r * (j1(2.0 * math.pi * r * f) @ radial) for r in radius]
+            total += [r * (scipy.special.j1(2.0 * math.pi * r * f) @ radial) for r in radius]
         return total
 
     def rectangle(self, low: tuple[float, float], high: tuple[float, float]) -> float:
@@ -657,8 +660,6 @@ class RayImage(NamedTuple):
 
 def ray_images(model: ImageModel, reach: float) -> Iterator[RayImage]:
     """Yield the geometric images of a flattened stack up to `reach` lambda*N from the axis, in about 512^2 cells."""
-    from scipy.ndimage import uniform_filter
-
     pupil = model.pupil
     pixel = model.active[0] / pupil.scale
     side = (2.0 * reach + pixel + 1e-3) / _RAY_CELLS
@@ -668,7 +669,10 @@ def ray_images(model: ImageModel, reach: float) -> Iterator[RayImage]:
     grid = Grid(2 * half + 1, side * pupil.scale, integrate=True)
     for image in model.method.images(pupil, grid, Wanted()).values:
         fractions = image * (math.pi * side**2 / (4.0 * pupil.transmission))
-        yield RayImage(uniform_filter(fractions, round(pixel / side), mode="constant") if pixel else fractions, side)
+        yield RayImage(
+            scipy.ndimage.uniform_filter(fractions, round(pixel / side), mode="constant") if pixel else fractions,
+            side,
+        )
 
 
 Image = CartesianImage | PolarImage | RayImage

@@ -8,6 +8,7 @@ from dataclasses import replace
 from typing import NamedTuple, cast
 
 import numpy as np
+import scipy
 from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import validation
@@ -442,8 +443,6 @@ def best_focus(pupil: Pupil, radius: float, *, method: RadialMethod | None = Non
     The function scans defocus in steps of half a radian over the range in which some zone of the pupil is in focus,
     extended by 6 rad at both ends. Brent's method refines the maximum of the scan to 1e-6 rad.
     """
-    from scipy.optimize import minimize_scalar
-
     radial_method = validation.instance("method", of_profiles() if method is None else method, RadialMethod)
     valid_radius = validation.real("radius", radius, above=0.0)
     if checked_pupil(pupil).shape != ():
@@ -467,4 +466,8 @@ def best_focus(pupil: Pupil, radius: float, *, method: RadialMethod | None = Non
 
     start = float(scan[np.argmax(energy(scan))])
     bounds, options = (start - 0.5, start + 0.5), {"xatol": 1e-6}
-    return float(minimize_scalar(lambda c: -float(energy(c)), bounds=bounds, method="bounded", options=options).x)
+    return float(
+        scipy.optimize.minimize_scalar(
+            lambda c: -float(energy(c)), bounds=bounds, method="bounded", options=options
+        ).x
+    )

@@ -29,6 +29,7 @@ from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
 
 from lommel.base.arrays import Array, Values
@@ -60,11 +61,9 @@ class Cells:
 
     @cached_property
     def _table(self) -> NDArray[np.complex128]:
-        from scipy import fft
-
         # Zero padding to twice the side makes the correlation linear instead of circular.
-        spectrum = fft.fft2(self.field, (2 * len(self.field), 2 * len(self.field)))
-        return np.asarray(fft.ifft2(spectrum.real**2 + spectrum.imag**2).conj())
+        spectrum = scipy.fft.fft2(self.field, (2 * len(self.field), 2 * len(self.field)))
+        return np.asarray(scipy.fft.ifft2(spectrum.real**2 + spectrum.imag**2).conj())
 
     def at(self, x_shift: NDArray[np.int64], y_shift: NDArray[np.int64]) -> NDArray[np.complex128]:
         """Return the autocorrelation at shifts by whole cells along columns and rows."""

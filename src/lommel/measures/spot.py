@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterator
 
 import numpy as np
+import scipy
 
 from lommel.base import validation
 from lommel.base.arrays import Array, Numbers, numbers
@@ -328,8 +329,6 @@ def energy_diameter(psf: PSFLike, fraction: float, *, about: str = "axis", of: s
         If an argument is out of range, or if the diameter exceeds about 6000 lambda*N (1400 lambda*N for a pupil that
         is not radially symmetric).
     """
-    from scipy.optimize import brentq
-
     target = validation.real("fraction", fraction, above=0.0, below=1.0)
     model, pupil = ImageModel.of(psf, of), psf.pupil
     centers = energy_centers(psf, about) / pupil.scale
@@ -356,7 +355,7 @@ def energy_diameter(psf: PSFLike, fraction: float, *, about: str = "axis", of: s
                     "use a smaller fraction"
                 )
             reach = min(2.0 * reach, max_radius)
-        diameters.append(2.0 * brentq(excess, 0.0, reach, xtol=1e-10))
+        diameters.append(2.0 * scipy.optimize.brentq(excess, 0.0, reach, xtol=1e-10))
     return numbers(diameters, pupil.shape) * pupil.scale
 
 
@@ -398,9 +397,7 @@ class _EvenInterpolation:
 
     def falls_to(self, level: float, low: float, high: float) -> float:
         """Return the point between `low` and `high` at which the function falls to `level`."""
-        from scipy.optimize import brentq
-
-        return float(brentq(lambda x: float(self(np.array([x]))[0]) - level, low, high, xtol=1e-15))
+        return float(scipy.optimize.brentq(lambda x: float(self(np.array([x]))[0]) - level, low, high, xtol=1e-15))
 
 
 def stage(psf: PSFLike) -> Array:
@@ -457,15 +454,13 @@ def axial_fwhm(psf: PSFLike, *, of: str = "image") -> Numbers:
         If `psf` is not a stack as described, if `of` is unknown, or if the light does not fall to half of its maximum
         on both sides within the stack.
     """
-    from scipy.interpolate import CubicSpline
-
     model, z = ImageModel.of(psf, of), stage(psf)
     if z.shape[-1] < 4:
         raise ValueError(f"the width along z needs at least 4 planes, got {z.shape[-1]}")
     lines = _axial_lines(psf, model).reshape(-1, z.shape[-1])
     widths = []
     for points, line in zip(z.reshape(lines.shape), lines, strict=True):
-        spline = CubicSpline(points, line)
+        spline = scipy.interpolate.CubicSpline(points, line)
         extrema = spline.derivative().roots(extrapolate=False)
         tops = np.append(extrema[np.isfinite(extrema)], points[line.argmax()])
         top = float(tops[np.argmax(spline(tops))])
@@ -479,9 +474,9 @@ def axial_fwhm(psf: PSFLike, *, of: str = "image") -> Numbers:
 
 def profile_width(profile: Array) -> float:
     """Return the full width at half maximum of a profile about its maximum, in steps between its samples."""
-    from scipy.interpolate import CubicSpline
-
-    roots = CubicSpline(np.arange(profile.size), profile - 0.5 * profile.max()).roots(extrapolate=False)
+    roots = scipy.interpolate.CubicSpline(np.arange(profile.size), profile - 0.5 * profile.max()).roots(
+        extrapolate=False
+    )
     before, after = roots[roots < profile.argmax()], roots[roots > profile.argmax()]
     if not before.size or not after.size:
         raise ValueError("the focus is too wide to have a width at half maximum")

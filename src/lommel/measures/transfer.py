@@ -12,6 +12,7 @@ from dataclasses import replace
 from typing import TypedDict
 
 import numpy as np
+import scipy
 from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import validation
@@ -340,8 +341,6 @@ def focus_tolerance(
     >>> f"{1e6 * near:.1f} um to {1e6 * far:.1f} um"
     '-36.5 um to 36.5 um'
     """
-    from scipy.optimize import brentq
-
     f = validation.real("frequency", frequency, above=0.0)
     threshold = validation.real("least", least, above=0.0, below=1.0)
     wavelength, number = checked(pupil).wavelength, pupil.f_number
@@ -372,7 +371,8 @@ def focus_tolerance(
                 k = int(is_below.argmax())
                 # An error of 1e-5 rad in C_d is 2.5e-5 lambda N^2 in the displacement.
                 ends.append(
-                    metres_per_radian * float(brentq(lambda x: float(margin_at(x)), c[k], c[k + 1], xtol=1e-5))
+                    metres_per_radian
+                    * float(scipy.optimize.brentq(lambda x: float(margin_at(x)), c[k], c[k + 1], xtol=1e-5))
                 )
                 break
         else:
@@ -388,8 +388,6 @@ def _require_default(**options: bool) -> None:
 
 def _first_crossing(pupil: Pupil, threshold: float, angle: float, sensor: Sensor) -> Numbers:
     """Return the lowest frequency at which the MTF falls to `threshold`; see :func:`mtf_frequency`."""
-    from scipy.optimize import brentq
-
     cos, sin = math.cos(angle), math.sin(angle)
     cutoff = pupil.cutoff
     if spectrum := sensor.get("spectrum"):
@@ -422,7 +420,7 @@ def _first_crossing(pupil: Pupil, threshold: float, angle: float, sensor: Sensor
         if ends[0] <= 0.0 or ends[1] >= 0.0:
             results[i] = low if ends[0] <= 0.0 else high
         else:
-            results[i] = brentq(margin_at, low, high, xtol=1e-10 * cutoff)
+            results[i] = scipy.optimize.brentq(margin_at, low, high, xtol=1e-10 * cutoff)
     return numbers(results, pupil.shape)
 
 
@@ -487,12 +485,11 @@ def sampled_spectrum(psf: PSFLike) -> tuple[Array, Array, NDArray[np.complex128]
         Transfer function as in :func:`lommel.measures.transfer.sampled_otf`.
     """
     checked_answer(psf)
-    from scipy import fft
 
     grid = psf.grid
-    fx = fft.fftshift(fft.fftfreq(grid.width, grid.pitch[1]))
-    fy = fft.fftshift(fft.fftfreq(grid.height, grid.pitch[0]))
-    from_first_pixel = fft.fftshift(fft.fft2(energy_per_pixel(psf)), axes=(-2, -1))
+    fx = scipy.fft.fftshift(scipy.fft.fftfreq(grid.width, grid.pitch[1]))
+    fy = scipy.fft.fftshift(scipy.fft.fftfreq(grid.height, grid.pitch[0]))
+    from_first_pixel = scipy.fft.fftshift(scipy.fft.fft2(energy_per_pixel(psf)), axes=(-2, -1))
     # The FFT uses positions relative to the first pixel; the phase factor makes them relative to the axis.
     shift = np.exp(-2j * math.pi * (fy[:, None] * grid.y[..., :1, None] + fx * grid.x[..., :1, None]))
     return fx, fy, np.asarray(from_first_pixel * shift)

@@ -16,6 +16,7 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
 
 from lommel.base.arrays import Array
@@ -159,8 +160,6 @@ class Hankel(FieldMethod[Pupil]):
 
     def evaluate(self, pupil: Pupil, v: Array) -> FieldValues:
         """Return U at rising v, with the sum of the quadrature error bound and an estimate of the rounding error."""
-        from scipy.special import j0
-
         low = pupil.obscuration**2
         terms = pupil.radial_terms()
         largest_v = float(v[-1]) if v.size else 0.0
@@ -181,7 +180,7 @@ class Hankel(FieldMethod[Pupil]):
         rows = max(1, _BLOCK // n)
         for start in range(0, v.size, rows):
             block = slice(start, start + rows)
-            kernel = j0(root * v[block])
+            kernel = scipy.special.j0(root * v[block])
             values[:, block].real, values[:, block].imag = (engine.product(part, kernel, 1) for part in parts)
         error = quadrature_error(g, n, low) + rounding_error(terms, low, n)
         return FieldValues(values, error)

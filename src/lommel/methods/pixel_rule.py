@@ -8,6 +8,7 @@ from functools import lru_cache
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
 
 from lommel.base.arrays import Array
@@ -15,7 +16,7 @@ from lommel.core import engine
 from lommel.core.answers import Pixels
 
 if TYPE_CHECKING:
-    from scipy.sparse import csr_array
+    pass
 from lommel.special.legendre import gauss_legendre
 
 
@@ -203,7 +204,7 @@ class LocalRule(NamedTuple):
     """
 
     v: Array
-    matrix: csr_array
+    matrix: scipy.sparse.csr_array
 
 
 _SPACING, _STENCIL = 0.4, 16  # spacing of values in v, and number of values of an interpolation
@@ -229,8 +230,6 @@ def local_rule(half: int, step: float) -> LocalRule:
     -------
     LocalRule
     """
-    from scipy.sparse import csr_array
-
     radii, weights, starts = _nodes(half, step, 8)
     t = radii * (step / _SPACING)
     start = np.floor(t).astype(np.int64) - (_STENCIL // 2 - 1)
@@ -252,7 +251,7 @@ def local_rule(half: int, step: float) -> LocalRule:
     # I is even: a negative radius uses the value at the positive radius.
     column = np.abs(np.arange(ends[-1]) - np.repeat(ends - farthest, farthest - nearest))
     count = int(farthest.max())
-    matrix = csr_array((sums, column, np.concatenate([[0], ends])), shape=(starts.size, count))
+    matrix = scipy.sparse.csr_array((sums, column, np.concatenate([[0], ends])), shape=(starts.size, count))
     return LocalRule(_SPACING * np.arange(count, dtype=np.float64), matrix)
 
 

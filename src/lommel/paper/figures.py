@@ -23,6 +23,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple, TypeAlias, TypeVar
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
 
 from lommel import methods, paper
@@ -216,14 +217,12 @@ def methods_cost(sizes: Sequence[int] = (32, 64, 128, 256, 512, 1024), budget: f
         For each method and n, the time divided by the time of one complex FFT of n x n, and the largest error of the
         image divided by the exact peak; NaN if the method was not timed at this n.
     """
-    from scipy.fft import fft2
-
     ratios, errors = np.full((2, len(_STYLES), len(sizes)), np.nan)
     fft_seconds = np.empty(len(sizes))
     last_seconds = dict.fromkeys(_STYLES, 0.0)
     for k, n in enumerate(sizes):
         random_image = np.random.default_rng(n).normal(size=(n, n)) + 0j
-        fft_seconds[k] = _time(partial(fft2, random_image))[1]
+        fft_seconds[k] = _time(partial(scipy.fft.fft2, random_image))[1]
         for i, (name, (method, pupil)) in enumerate(_methods(n).items()):
             # If n doubles, there are 4 times as many pixels; "every pixel" also has 4 times as many sources.
             growth = 16.0 if name == "Huygens, every pixel" else 4.0
@@ -324,8 +323,6 @@ def bessel_forms(samples: int = 2001, max_a: float = 200.0, tangent: float = 100
     The columns "printed" and "corrected" are the approximation of J0 in Eq. (12): three terms of Eq. (6) if a <= 1,
     and Eq. (7) with Eq. (9) in place of the square root if a > 1. Only "corrected" has the factor sqrt(2 / pi).
     """
-    from scipy.special import j0
-
     a = np.geomspace(0.05, max_a, samples)
     slope, level = tangent_line(tangent)
     series, asymptotic = j0_series(a, 3), j0_asymptotic(a)
@@ -333,7 +330,7 @@ def bessel_forms(samples: int = 2001, max_a: float = 200.0, tangent: float = 100
     is_small = a <= 1.0
     columns = {
         "a": a,
-        "J0": np.asarray(j0(a)),
+        "J0": np.asarray(scipy.special.j0(a)),
         "series": series,
         "asymptotic": asymptotic,
         "piecewise": np.where(is_small, series, asymptotic),

@@ -8,8 +8,8 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy import ndimage
 
 from lommel.base.arrays import Array, Values
 from lommel.base.optional import library
@@ -247,7 +247,7 @@ def rendered(rows: NDArray[np.void], size: tuple[float, float], side: float, col
         place = row[group] * width + column[group]
         for channel, weights in enumerate((None, *colours[group].T)):
             sums = np.bincount(place, weights, height * width).astype(float).reshape(height, width)
-            light[channel] += ndimage.gaussian_filter(sums, _WIDTHS[k], mode="constant")
+            light[channel] += scipy.ndimage.gaussian_filter(sums, _WIDTHS[k], mode="constant")
     density = light[0]
     bright_values = density[density > 1e-3 * density.max(initial=0.0)]
     white = float(np.percentile(bright_values, 99.0)) if bright_values.size else 1.0

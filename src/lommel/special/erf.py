@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
+import scipy
 from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import validation
@@ -38,9 +39,7 @@ def fresnel_auxiliary(s: ArrayLike) -> NDArray[np.complex128]:
     -------
     ndarray of complex
     """
-    from scipy.special import wofz
-
-    return np.asarray(HALF * wofz(np.exp(0.25j * math.pi) * np.asarray(s, dtype=np.float64)))
+    return np.asarray(HALF * scipy.special.wofz(np.exp(0.25j * math.pi) * np.asarray(s, dtype=np.float64)))
 
 
 _RAY = np.exp(-0.25j * math.pi)  # direction of the ray
@@ -166,8 +165,6 @@ class AbramowitzErf(Erf):
         OverflowError
             If the value itself, about ``exp(Im(z)^2 - Re(z)^2)``, exceeds the range of doubles.
         """
-        from scipy.special import erf
-
         argument = validation.array("z", z)
         is_numeric = argument.dtype.kind in "iufc"
         with np.errstate(over="ignore"):  # a long double beyond the range becomes infinite: TypeError
@@ -183,7 +180,7 @@ class AbramowitzErf(Erf):
             decay = np.exp(-x * x)
             # (1 - cos 2xy + i sin 2xy) / (2 pi x), with the limit i y / pi at x = 0.
             quotient = np.where(x > 1e-150, (2.0 * np.sin(0.5 * xy2) ** 2 + 1j * np.sin(xy2)) / (2.0 * np.pi * x), 0)
-            total = erf(x) + decay * np.where(x > 1e-150, quotient, 1j * y / np.pi)
+            total = scipy.special.erf(x) + decay * np.where(x > 1e-150, quotient, 1j * y / np.pi)
             cos, sin = np.cos(xy2), np.sin(xy2)
             for n in range(1, self.terms + 1):
                 unit = np.exp(-0.25 * n * n - x * x)

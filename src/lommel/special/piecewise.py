@@ -9,6 +9,7 @@ from functools import lru_cache
 from itertools import pairwise, product
 
 import numpy as np
+import scipy
 from numpy.typing import ArrayLike
 
 from lommel.base import validation
@@ -205,8 +206,6 @@ def _match_value_and_slope(c: Array, edges: Array) -> Array:
 
 
 def _least_squares(c: Array, low: float, high: float, start: Array, piston: bool) -> Array:
-    from scipy.optimize import least_squares
-
     rho = low + (high - low) * (np.arange(_SAMPLES) + 0.5) / _SAMPLES
     phase = _derivative(c, rho, 0)
     # With powers of the distance from the middle of a segment, which are nearly orthogonal, the search converges.
@@ -220,14 +219,12 @@ def _least_squares(c: Array, low: float, high: float, start: Array, piston: bool
 
     a, b, g = start
     initial = np.array([a, b + 2 * a * m, g + (a * m + b) * m])[:count]
-    optimum = least_squares(residual, initial, x_scale="jac", xtol=1e-14, ftol=1e-14, gtol=1e-14).x
+    optimum = scipy.optimize.least_squares(residual, initial, x_scale="jac", xtol=1e-14, ftol=1e-14, gtol=1e-14).x
     a, b, g = np.append(optimum, np.zeros(3 - count))
     return np.array([a, b - 2 * a * m, g - (b - a * m) * m])
 
 
 def _sweep_coefficients(c: Array, low: float, high: float, piston: bool, ranges: tuple[float, float] | None) -> Array:
-    from scipy.ndimage import maximum_filter
-
     rho = low + (high - low) * (np.arange(_SAMPLES) + 0.5) / _SAMPLES
     wave = np.exp(1j * _derivative(c, rho, 0))
     if ranges is None:
@@ -256,7 +253,7 @@ def _sweep_coefficients(c: Array, low: float, high: float, piston: bool, ranges:
             f"|beta| <= {beta:.3g} lies on its border; use a larger sweep"
         )
     # The maximum of a coarse sweep need not be near the global maximum: the highest local maxima are all refined.
-    maxima = np.argwhere((score == maximum_filter(score, size=3)) & (score > 0.5 * score.max()))
+    maxima = np.argwhere((score == scipy.ndimage.maximum_filter(score, size=3)) & (score > 0.5 * score.max()))
     maxima = maxima[np.argsort(-score[tuple(maxima.T)])][:_MAXIMA]
     optimum, highest = np.zeros(3), -math.inf
     for i, j in maxima:

@@ -23,6 +23,7 @@ from functools import reduce
 from typing import NamedTuple
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
 
 from lommel.base.arrays import Array, Values
@@ -247,13 +248,11 @@ def _curve(name: str, b: float, first: Array, eta: Array, second: Array) -> tupl
 
 def polynomials(terms: tuple[tuple[int, int], ...], x: Values, y: Values) -> NDArray[np.complex128]:
     """Return Zernike terms with amplitude 1 at the edge, at complex points, shape ``(terms,) + x.shape``."""
-    from scipy.special import eval_jacobi
-
     # rho^m exp(+-i m theta) = (x +- i y)^m, also for complex x and y.
     argument, plus, minus = 2.0 * (x * x + y * y) - 1.0, x + 1j * y, x - 1j * y
     values = []
     for n, m in terms:
         order = abs(m)
         azimuthal = 0.5 * (plus**order + minus**order) if m >= 0 else -0.5j * (plus**order - minus**order)
-        values.append(eval_jacobi((n - order) // 2, 0.0, float(order), argument + 0j) * azimuthal)
+        values.append(scipy.special.eval_jacobi((n - order) // 2, 0.0, float(order), argument + 0j) * azimuthal)
     return np.stack(values)

@@ -18,6 +18,7 @@ from functools import cache
 from typing import Any, NamedTuple, cast
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
 
 from lommel.base.arrays import Array, Values
@@ -304,8 +305,6 @@ def make_radial(
     The error bound holds for all pupils in the box of a stack: each coefficient is between its extremes in the stack.
     `stretch` is (wavelength of the pupil) / (wavelength of the field). Raise ToleranceError for too many nodes.
     """
-    from scipy.special import j0
-
     low, light = pupil.obscuration**2, pupil.illumination
     terms, c = columns(pupil)
     c = c[:, [j for j, term in enumerate(terms) if isinstance(term, str) or term[1] == 0]]
@@ -327,7 +326,7 @@ def make_radial(
     widening = 1.0 / math.cos(0.5 * degree * math.pi / steps)
     curved = 0.0 if low == 0.0 else (degree * math.pi / steps) ** 2 / 8.0 * widening
     t, weights = gauss_legendre(nodes, low, 1.0)
-    table = (weights * light.at(t))[:, None] * j0(np.sqrt(t)[:, None] * v)
+    table = (weights * light.at(t))[:, None] * scipy.special.j0(np.sqrt(t)[:, None] * v)
     basis = stretch * _basis(powers, degree, t)
     largest = float(np.abs(c).max(axis=0, initial=0.0) @ np.abs(basis).max(axis=1))
     phase, tables = phase_tables(basis, degree, largest, precision)

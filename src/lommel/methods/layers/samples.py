@@ -23,6 +23,7 @@ from functools import lru_cache
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
 
 from lommel.base.arrays import Array
@@ -81,8 +82,6 @@ class DiscMeans(NamedTuple):
 
 def disc_means(v: Array, radius: float, error: float, order: int = 0) -> DiscMeans:
     """Return the rule for means of an intensity over discs of `radius`, centred at distances `v` from the axis."""
-    from scipy.sparse import coo_array
-
     # The table, the circles and the radii each use a third of the error: certificate, "Means over a disc".
     step = table_step(error / 3.0)
     (x, y), w = _points(radius, error / 1.5)
@@ -97,7 +96,9 @@ def disc_means(v: Array, radius: float, error: float, order: int = 0) -> DiscMea
     data, shape, matrices = w[:, None] * node_weights, (indices.size, v.size), []
     for m in range(order + 1):
         factor = np.cos(m * np.arctan2(y, x_distance))[..., None] * np.where(row < 0, (-1.0) ** m, 1.0) if m else 1.0
-        matrices.append(coo_array(((data * factor).ravel(), (column_of_use.ravel(), column)), shape=shape).tocsr())
+        matrices.append(
+            scipy.sparse.coo_array(((data * factor).ravel(), (column_of_use.ravel(), column)), shape=shape).tocsr()
+        )
     gain = float((w * np.abs(node_weights).sum(axis=-1)).sum(axis=-1).max(initial=1.0))
     return DiscMeans(np.asarray(step * indices), tuple(matrices), gain, error + _DISC_ROUNDING)
 

@@ -13,6 +13,7 @@ from dataclasses import dataclass, field, replace
 from typing import NamedTuple, cast
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
 
 from lommel.base import validation
@@ -159,8 +160,6 @@ class Table(NamedTuple):
 
     def interpolate(self, tabulated: Orders, radius: Array, turn: NDArray[np.complex128]) -> Array:
         """Interpolate the intensity from :attr:`radii` to pixels, ``(n, pixels)``; `turn` is ``exp(i phi)``."""
-        from scipy.sparse import csr_array
-
         orders = tabulated._nonnegative
         # At negative radii the azimuth changes by pi: F_m(-r) = (-1)^m F_m(r), certificate, "Scanning microscopes and
         # beads".
@@ -174,7 +173,9 @@ class Table(NamedTuple):
             start, weights = between(radii / self.step)
             columns = (start - self.positions[0])[:, None] + np.arange(2 * HALF)
             ends = np.arange(0, columns.size + 1, 2 * HALF)
-            matrix = csr_array((weights.ravel(), columns.ravel(), ends), shape=(radii.size, self.positions.size))
+            matrix = scipy.sparse.csr_array(
+                (weights.ravel(), columns.ravel(), ends), shape=(radii.size, self.positions.size)
+            )
             lines = (matrix @ table.reshape(-1, self.positions.size).T).T.reshape(*table.shape[:2], radii.size)
             values[:, part] = _sum_orders(lines[..., index], turn[part])
         return np.maximum(values, 0.0, out=values)
@@ -390,14 +391,12 @@ class Bead(ProvenMethod):
 
 def _height_rule(growth: Array, error: float) -> tuple[Array, Array, float]:
     """Return heights u, weights of sum 1, and the error bound; it exceeds `error` if `_MAX_HEIGHTS` are too few."""
-    from scipy.special import roots_jacobi
-
     nodes = 2
     # Factor 2: a sum of intensities is divided by a sum of powers, and the rule contributes an error to both sums.
     while (bound := 2.0 * gauss_error(growth, nodes)) > error and nodes < _MAX_HEIGHTS:
         nodes += 1
     # Gauss-Jacobi with the weight (1 - u)(1 + u), proportional to the area of the disc at the height u.
-    u, w = roots_jacobi(nodes, 1.0, 1.0)
+    u, w = scipy.special.roots_jacobi(nodes, 1.0, 1.0)
     return u, w / w.sum(), bound
 
 
@@ -701,13 +700,13 @@ class Sted(Confocal):
     @property
     def _degree(self) -> int:
         """Degree of the Chebyshev series of the depletion factor that has the error `_POLYNOMIAL_ERROR`."""
-        from scipy.special import ive
-
         # exp(-2 a D), D from 0 to 1, has the coefficients 2 exp(-a) I_k(a) in Chebyshev polynomials of 2 D - 1.
         a = 0.5 * math.log(2.0) * self.saturation
         # The sum over k > sqrt(80 a) + 40 is below 1e-17.
         k = np.arange(1, math.ceil(math.sqrt(80.0 * a)) + 41)
-        remainders = 2.0 * np.cumsum(ive(k, a)[::-1])[::-1]  # error of the series of degree 0, 1, 2, ...
+        remainders = (
+            2.0 * np.cumsum(scipy.special.ive(k, a)[::-1])[::-1]
+        )  # error of the series of degree 0, 1, 2, ...
         return int(np.argmax(remainders <= _POLYNOMIAL_ERROR * self.tol))
 
 
@@ -718,7 +717,6 @@ def crest(pupil: ObjectivePupil) -> float:
     """
     # The waves keep their transmission by interfaces and films and their decay with depth; the phase psi of
     # :meth:`lommel.Objective.phase` is omitted.
-    from scipy.special import jv
 
     model, depth, focus = pupil.light.model, pupil.depth.ravel(), pupil.focus.ravel()
     rule = debye.rule(pupil.layers, model, depth, focus, float(_RADII[-1] + _OFFSETS[-1]), 1e-10)
@@ -727,7 +725,10 @@ def crest(pupil: ObjectivePupil) -> float:
     def intensity(v: Array) -> Array:
         arguments = np.multiply.outer(rule.rho, v)
         components = zip(pupil.light.shares, model.orders, rule.parts, strict=True)
-        total = sum(weight * np.abs((waves * part) @ jv(order, arguments)) ** 2 for weight, order, part in components)
+        total = sum(
+            weight * np.abs((waves * part) @ scipy.special.jv(order, arguments)) ** 2
+            for weight, order, part in components
+        )
         return np.asarray((total / pupil.power[:, None]).max(axis=0))
 
     return float(intensity(_RADII[intensity(_RADII).argmax()] + _OFFSETS).max())

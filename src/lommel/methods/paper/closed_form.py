@@ -12,6 +12,7 @@ from functools import lru_cache
 from typing import Any
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
 
 from lommel.base import validation
@@ -139,8 +140,6 @@ class ClosedForm(FieldMethod[Pupil]):
         **options
             Other options of the form, except `tangent` and `erf`.
         """
-        from scipy.optimize import minimize_scalar
-
         if checked(pupil).shape != ():
             raise ValueError(f"pupil must be a single one, got a stack of shape {pupil.shape}")
         if {"tangent", "erf"} & set(options):
@@ -160,7 +159,7 @@ class ClosedForm(FieldMethod[Pupil]):
         scan = np.geomspace(1.0, 4.0 * max(1.0, float(v[-1])), 48)
         start = int(np.argmin([error(float(t), FresnelErf()) for t in scan]))
         bounds = np.log(scan[max(0, start - 1)]), np.log(scan[min(scan.size - 1, start + 1)])
-        optimum = minimize_scalar(
+        optimum = scipy.optimize.minimize_scalar(
             lambda x: error(math.exp(x), FresnelErf()), bounds=bounds, method="bounded", options={"xatol": 1e-3}
         )
         least_error, tangent = min((error(t, FresnelErf()), t) for t in (math.exp(optimum.x), float(scan[start])))

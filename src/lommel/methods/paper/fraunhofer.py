@@ -6,6 +6,7 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
+import scipy
 
 from lommel.base import validation
 from lommel.base.arrays import Array
@@ -69,8 +70,6 @@ class Fraunhofer(Method[Pupil]):
         ValueError
             If light would be aliased into the window, or if the FFT would be larger than 16384 x 16384.
         """
-        from scipy.fft import fft2
-
         stride, side, spacing = self._layout(pupil, grid)
         count = math.ceil(1.0 / spacing + 0.5)
         x = spacing * np.arange(-count, count + 1, dtype=np.float64)
@@ -85,7 +84,7 @@ class Fraunhofer(Method[Pupil]):
             padded = np.zeros((side, side), dtype=np.complex128)
             # Sum, not assignment: without padding the first and the last sample have the same index.
             np.add.at(padded, np.ix_(index, index), pupil_function * tilt)
-            field = fft2(padded, overwrite_x=True)
+            field = scipy.fft.fft2(padded, overwrite_x=True)
             field = field if grid.integrate else field[np.ix_(rows, columns)]
             intensity = (spacing**2 / math.pi) ** 2 * (field.real**2 + field.imag**2)
             image[:] = _average_squares(intensity, stride)[np.ix_(rows, columns)] if grid.integrate else intensity
@@ -107,8 +106,6 @@ class Fraunhofer(Method[Pupil]):
 
     def _layout(self, pupil: Pupil, grid: Grid) -> tuple[int, int, float]:
         """Return the number of FFT samples per pixel, the side of the FFT, and the sample spacing in rho."""
-        from scipy.fft import next_fast_len
-
         step = grid.step(pupil)
         # The intensity has twice the bandwidth of the field: pixel averages need a padding of at least 2.
         padding = max(self.padding, 2.0) if grid.integrate else self.padding
@@ -122,17 +119,15 @@ class Fraunhofer(Method[Pupil]):
                 f"{grid.side / pupil.scale:.4g} lambda*N, more than the limit of {_MAX_SIDE}^2; use fewer samples "
                 "or a smaller window"
             )
-        side = int(next_fast_len(math.ceil(length)))
+        side = int(scipy.fft.next_fast_len(math.ceil(length)))
         return stride, side, 2.0 * math.pi * stride / (side * step)
 
 
 def _average_squares(intensity: Array, stride: int) -> Array:
     """Return averages over squares of `stride` x `stride` samples: the spectrum is multiplied by sincs."""
-    from scipy.fft import irfft2, rfft2
-
     side = len(intensity)
     sinc_x = np.sinc(stride / side * np.arange(side // 2 + 1))
     sinc_y = np.sinc(stride * np.fft.fftfreq(side))
     # Clamp to 0: averages of an intensity are not negative.
-    averages: Array = irfft2(rfft2(intensity) * (sinc_y[:, None] * sinc_x), s=intensity.shape)
+    averages: Array = scipy.fft.irfft2(scipy.fft.rfft2(intensity) * (sinc_y[:, None] * sinc_x), s=intensity.shape)
     return np.maximum(averages, 0.0)

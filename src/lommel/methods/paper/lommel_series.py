@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
 
 from lommel.base.arrays import Array
@@ -96,11 +97,9 @@ def _geometric_image(u: float, v: Array) -> NDArray[np.complex128]:
 
 def _near_focus(u: float, v: Array) -> NDArray[np.complex128]:
     """Return the field for v, u <= 1 by U_1 and U_2 without division by v."""
-    from scipy.special import hyp0f1
-
     sums = [np.zeros(v.size), np.zeros(v.size)]
     for m in range(1, 17):
-        term = 0.5 * (0.5 * u) ** (m - 1) / math.factorial(m) * hyp0f1(m + 1, -0.25 * v * v)
+        term = 0.5 * (0.5 * u) ** (m - 1) / math.factorial(m) * scipy.special.hyp0f1(m + 1, -0.25 * v * v)
         sums[(m + 1) % 2] += (-1.0) ** ((m - 1) // 2) * term
     return _from_u(u, sums[0], sums[1])
 

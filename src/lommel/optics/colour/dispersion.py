@@ -7,6 +7,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass, replace
 
 import numpy as np
+import scipy
 from numpy.typing import ArrayLike
 
 from lommel.base import validation
@@ -294,8 +295,8 @@ def colour_from_dict(description: Json) -> PupilColour | TracedColour:
 
 def _interpolate(x: float | Array, points: Sequence[float] | Array, values: ArrayLike) -> Array:
     """Return a spline through `values` at `points`: cubic, or a line or parabola through two or three values."""
-    from scipy.interpolate import CubicSpline
-
     size = points[-1] - points[0]
-    spline: Array = CubicSpline((np.asarray(points) - points[0]) / size, values)((np.asarray(x) - points[0]) / size)
+    spline: Array = scipy.interpolate.CubicSpline((np.asarray(points) - points[0]) / size, values)(
+        (np.asarray(x) - points[0]) / size
+    )
     return spline

@@ -9,6 +9,7 @@ from itertools import pairwise
 from typing import Any, NamedTuple
 
 import numpy as np
+import scipy
 from numpy.typing import ArrayLike
 
 from lommel.base import validation
@@ -185,8 +186,6 @@ def _fit_weights(waves: Array, exact: Array, nodes: Array, mean_square: float) -
 
     `exact` (paths,) is the integral in E, and `mean_square` is the mean squared wavelength of the spectrum q.
     """
-    from scipy.optimize import nnls
-
     # A few paths for each unknown suffice for the fit; `fit_wavelengths` computes the error at all paths.
     sampled = waves[:: max(1, len(waves) // (8 * nodes.size + 32))]
     target = exact[:: max(1, len(waves) // (8 * nodes.size + 32))]
@@ -195,7 +194,9 @@ def _fit_weights(waves: Array, exact: Array, nodes: Array, mean_square: float) -
     sum_row = math.sqrt(len(sampled)) * np.ones((1, nodes.size))
     rows = np.concatenate([sampled.real * scale, sampled.imag * scale, sum_row])
     try:
-        weights = np.asarray(nnls(rows, np.concatenate([target.real, target.imag, [math.sqrt(len(sampled))]]))[0])
+        weights = np.asarray(
+            scipy.optimize.nnls(rows, np.concatenate([target.real, target.imag, [math.sqrt(len(sampled))]]))[0]
+        )
     except RuntimeError as error:  # too many iterations
         raise ValueError(f"the fit of weights for {nodes.size} wavelengths did not converge: {error}") from None
     return np.asarray(weights / weights.sum())

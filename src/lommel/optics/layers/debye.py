@@ -25,6 +25,7 @@ from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
 
 from lommel.base.arrays import Array
@@ -433,14 +434,12 @@ def tabulated(
 
 def fields(rule: Rule, model: Model, depth: Array, focus: Array, v: Array) -> tuple[Complex, ...]:
     """Return each part in each plane at each v, shape ``(planes, radii)``."""
-    from scipy.special import jv
-
     waves = rule.waves(depth, focus)
     integrals = tuple(np.empty((depth.size, v.size), np.complex128) for _ in model.orders)
     for start in range(0, v.size, _RADII):
         arguments = np.multiply.outer(rule.rho, v[start : start + _RADII])
         for order, part, values in zip(model.orders, rule.parts, integrals, strict=True):
-            values[:, start : start + _RADII] = (waves * part) @ jv(order, arguments)
+            values[:, start : start + _RADII] = (waves * part) @ scipy.special.jv(order, arguments)
     return integrals
 
 

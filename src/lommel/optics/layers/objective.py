@@ -9,6 +9,7 @@ from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
+import scipy
 from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import validation
@@ -664,8 +665,6 @@ def brightest(layers: Layers, depth: float) -> _Axial:
 
     The range of the search is enlarged until the intensity falls to half of the maximum on both sides.
     """
-    from scipy.optimize import brentq
-
     # Stage positions at which rays cross the axis, from paraxial rays up to 0.98 of the edge or the critical angle.
     rho = np.linspace(0.0, 0.98, 50) * min(1.0, layers.sample / layers.NA)
     length = np.zeros(rho.shape)
@@ -692,7 +691,9 @@ def brightest(layers: Layers, depth: float) -> _Axial:
     position = _maximum(axis, focus[brightest_index], focus[1] - focus[0])
     peak = axis.at(position)
     low, high = (
-        brentq(lambda f: axis.at(f) - 0.5 * peak, focus[k], focus[brightest_index], xtol=1e-16, rtol=1e-12)
+        scipy.optimize.brentq(
+            lambda f: axis.at(f) - 0.5 * peak, focus[k], focus[brightest_index], xtol=1e-16, rtol=1e-12
+        )
         for k in (before[-1], after[0])
     )
     return _Axial(position, peak, float(high) - float(low))
@@ -713,8 +714,6 @@ def _maximum(axis: _Axis, start: float, step: float) -> float:
 @lru_cache(maxsize=4096)
 def _lateral_width(layers: Layers, depth: float, focus: float) -> float:
     """Return the lateral full width at the first half maximum of a freely rotating dipole, metres in the sample."""
-    from scipy.optimize import brentq
-
     model, single = Model(), np.ones(1)
     unit = 2.0 * math.pi / _STEPS  # step of v = k NA r
     for count in (32, 256, 2048):
@@ -730,7 +729,9 @@ def _lateral_width(layers: Layers, depth: float, focus: float) -> float:
 
         below_half = np.flatnonzero(excess(v) < 0.0)
         if below_half.size:
-            end = brentq(lambda x: float(excess(single * x)[0]), v[below_half[0] - 1], v[below_half[0]], xtol=1e-13)
+            end = scipy.optimize.brentq(
+                lambda x: float(excess(single * x)[0]), v[below_half[0] - 1], v[below_half[0]], xtol=1e-13
+            )
             return float(2.0 * end / (layers.wavenumber * layers.NA))
     raise ValueError(
         f"depth must be small enough for a focus that falls to half of its maximum laterally, got {depth:g} m"

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from functools import lru_cache
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 import scipy
@@ -14,9 +14,6 @@ from numpy.typing import NDArray
 from lommel.base.arrays import Array
 from lommel.core import engine
 from lommel.core.answers import Pixels
-
-if TYPE_CHECKING:
-    pass
 from lommel.special.legendre import gauss_legendre
 
 

@@ -11,7 +11,7 @@ import lommel as lm
 from lommel import imaging, microscopy
 from lommel.measures.errors import mse
 from lommel.optics.wavefront.opd_fit import fit_radial
-from lommel.recorded.counts import Counts
+from lommel.recorded.counts import counts_of
 
 PUPIL = lm.Pupil(lm.Wavefront(1.0))
 PSF = lm.psf(PUPIL, 5, 0.5)
@@ -77,7 +77,7 @@ def test_masks_of_containers_count_one_by_one_and_in_lists(kind, interferogram):
 
 
 def counted(images, mask=None):
-    return Counts.of("images", images, sides=(2, 3), shape="(n, height, width)", mask=mask)
+    return counts_of("images", images, sides=(2, 3), shape="(n, height, width)", mask=mask)
 
 
 @pytest.mark.parametrize("kind", KINDS)

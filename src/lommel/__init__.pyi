@@ -70,6 +70,7 @@ from lommel.optics.wavefront.opd_fit import OPDMap as OPDMap, fit_opd as fit_opd
 from lommel.optics.wavefront.wavefront import Wavefront as Wavefront
 from lommel.page.server import live as live
 from lommel.psf import PSF as PSF, Plan as Plan, psf as psf
+from lommel.recorded.counts import Counts as Counts
 from lommel.recorded.noise import Noise as Noise
 from lommel.stacks import open_stack as open_stack, psf_to as psf_to
 

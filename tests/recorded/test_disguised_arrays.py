@@ -23,7 +23,7 @@ from astropy.utils.masked import Masked
 import lommel as lm
 from lommel import imaging, localize, microscopy
 from lommel.detection.targets import find_spots
-from lommel.recorded.counts import Counts
+from lommel.recorded.counts import Counts, counts_of
 from objectives import OIL
 from planes import NOISE as PHOTOS_NOISE
 from planes import PAIR, PIXEL
@@ -259,7 +259,7 @@ def without(door: str) -> np.ndarray | None:
 
 
 def counted(images: Any) -> Counts:
-    return Counts.of("images", images, sides=(3,), shape="(planes, height, width)")
+    return counts_of("images", images, sides=(3,), shape="(planes, height, width)")
 
 
 @pytest.mark.parametrize("kind", [kind for kind in PLAIN if kind != "objects"])

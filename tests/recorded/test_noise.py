@@ -11,7 +11,7 @@ import pytest
 import lommel as lm
 from lommel.fit import Findings
 from lommel.recorded import camera_noise
-from lommel.recorded.counts import Counts, flat_top, flat_tops, full_value, recording_findings
+from lommel.recorded.counts import counts_of, flat_top, flat_tops, full_value, recording_findings
 
 MAP = np.linspace(1.0, 3.0, 12).reshape(3, 4)
 
@@ -109,7 +109,7 @@ IMAGES = np.round(NOISE.record(np.full((3, 8, 9), 400.0), seed=1)).astype(np.uin
 
 
 def counted(images, **options):
-    return Counts.of("images", images, sides=(2, 3), shape="(height, width) or (n, height, width)", **options)
+    return counts_of("images", images, sides=(2, 3), shape="(height, width) or (n, height, width)", **options)
 
 
 def told(images):

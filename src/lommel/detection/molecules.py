@@ -31,7 +31,7 @@ from scipy.spatial import cKDTree
 from lommel.base import validation
 from lommel.base.arrays import Array, Values
 from lommel.base.threads import side_by_side
-from lommel.recorded.counts import Counts
+from lommel.recorded.counts import Counts, counts_of
 from lommel.recorded.noise import Noise
 
 _MIN_MEAN = 1e-3  # smallest mean of a pixel, electrons
@@ -212,7 +212,7 @@ def image_counts(
     ValueError if images are smaller than a box, or if an image has no valid pixel; `shape` is the required shape as
     text.
     """
-    counts = Counts.of(name, images, sides=(2, 3), shape=shape, saturation=saturation, **options)
+    counts = counts_of(name, images, sides=(2, 3), shape=shape, saturation=saturation, **options)
     if counts.values.shape[-2] < box[0] or counts.values.shape[-1] < box[1]:
         raise ValueError(f"{name} must have the shape {shape}, got {counts.values.shape}")
     if len(counts.values):

@@ -51,7 +51,7 @@ from lommel.optics.layers.objective import Objective
 from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.optics.layers.stratified import DEPTH_MOST, length
 from lommel.optics.wavefront.wavefront import Wavefront
-from lommel.recorded.counts import Counts, recording_findings
+from lommel.recorded.counts import Counts, counts_of, recording_findings
 from lommel.recorded.noise import Noise
 from lommel.special import zernike
 
@@ -521,7 +521,7 @@ def fit_beads(
     validation.instance("noise", noise, Noise)
     checked_terms = _terms(terms)
     shape = "(planes, height, width) or (beads, planes, height, width)"
-    counts = Counts.of(
+    counts = counts_of(
         "stacks", stacks, sides=(3, 4), shape=shape, mask=settings.mask, saturation=settings.saturation
     )
     counts.require_known("stacks").require_light("stacks", "a bead")

@@ -43,7 +43,7 @@ from lommel.methods.derivative_names import Name, Term, term_of
 from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.psf import Plan
-from lommel.recorded.counts import Counts, recording_findings
+from lommel.recorded.counts import Counts, counts_of, recording_findings
 from lommel.recorded.noise import Noise, random_numbers
 from lommel.special import zernike
 
@@ -623,7 +623,7 @@ def _start_pupils(start: FieldMap, pupil: Pupil, chip: Sensor, x: Array, y: Arra
 
 def _checked_windows(windows: Any, mask: ArrayLike | None, saturation: float | None) -> Counts:
     """Return the validated windows, with shape (n, exposures, height, width)."""
-    counts = Counts.of(
+    counts = counts_of(
         "windows", windows, sides=(3, 4), shape="(n, height, width) or (n, exposures, height, width)", mask=mask,
         saturation=saturation,
     )  # fmt: skip

@@ -38,7 +38,7 @@ from lommel.methods.derivative_names import SHIFTS, Name, term_of
 from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront.wavefront import Wavefront, radians_per
 from lommel.psf import PSF, Plan
-from lommel.recorded.counts import Counts, recording_findings
+from lommel.recorded.counts import Counts, counts_of, recording_findings
 from lommel.recorded.noise import Noise, random_numbers
 from lommel.special import zernike
 
@@ -448,7 +448,7 @@ def _checked_pupil(pupil: Pupil, unknowns: Unknowns) -> Pupil:
 def checked_images(images: Any, mask: ArrayLike | None, saturation: float | None) -> Counts:
     """Return the validated images of a star, with shape (n, height, width)."""
     shape = "(height, width) or (n, height, width)"
-    counts = Counts.of("images", images, sides=(2, 3), shape=shape, mask=mask, saturation=saturation)
+    counts = counts_of("images", images, sides=(2, 3), shape=shape, mask=mask, saturation=saturation)
     counts = counts if counts.values.ndim == 3 else counts[None]
     counts.require_known("images").require_light("images", "a star")
     return counts

@@ -36,7 +36,7 @@ from lommel.imaging.photograph import fill_missing, require_image
 from lommel.imaging.settings import Settings, Spectrum
 from lommel.io.depth_maps import write_depth
 from lommel.optics.lens import Lens, pixel_of
-from lommel.recorded.counts import Counts
+from lommel.recorded.counts import Counts, counts_of
 from lommel.recorded.noise import Noise
 from lommel.show import estimates
 
@@ -334,7 +334,7 @@ def _counts(photographs: list[object], saturation: float | None) -> list[Counts]
     shape = "(height, width) or (height, width, channels)"
     counts = []
     for k, photograph in enumerate(photographs):
-        counts.append(Counts.of(f"photographs[{k}]", photograph, sides=(2, 3), shape=shape, saturation=saturation))
+        counts.append(counts_of(f"photographs[{k}]", photograph, sides=(2, 3), shape=shape, saturation=saturation))
         require_image(f"photographs[{k}]", counts[k].values.shape)
     if len({photograph.values.shape for photograph in counts}) > 1:
         shapes = ", ".join(str(photograph.values.shape) for photograph in counts)

@@ -15,7 +15,7 @@ from lommel.base.arrays import Array, Index, Values
 from lommel.core import engine
 from lommel.detection.molecules import DEFECT, box_pixels
 from lommel.localize.table import Table
-from lommel.recorded.counts import Counts
+from lommel.recorded.counts import counts_of
 from lommel.recorded.noise import Noise
 
 STATES = ("converged", "border", "steps", "undetermined")
@@ -312,7 +312,7 @@ def _boxes(tables: list[Table], images: Any, saturation: float | None) -> list[V
     boxes = []
     for table, channel_images in zip(tables, images, strict=True):
         shape = "(n, height, width), of one box images[None]"
-        counts = Counts.of("images", channel_images, sides=(3,), shape=shape, saturation=saturation, empty=True)
+        counts = counts_of("images", channel_images, sides=(3,), shape=shape, saturation=saturation, empty=True)
         channel_boxes = counts.marked()
         if channel_boxes.shape[1:] != table.shape:
             raise ValueError(

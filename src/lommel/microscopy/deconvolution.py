@@ -20,7 +20,7 @@ from lommel.microscopy.depth_model import narrowed, spline_degrees
 from lommel.microscopy.held_out import MAX_VOXELS, Best, Halves, highest_level, stopping_rule
 from lommel.microscopy.stack_blur import TiledBlur, kernel_of
 from lommel.psf import PSF
-from lommel.recorded.counts import LARGEST, Counts, Stack, plane_of
+from lommel.recorded.counts import LARGEST, Stack, counts_of, plane_of
 from lommel.recorded.noise import Noise
 from lommel.recorded.recordings import Recording
 
@@ -115,7 +115,7 @@ def deconvolve(
     """
     validation.optional("method", method, RichardsonLucy, TotalVariation)
     voxels = stack.only("stack") if isinstance(stack, Recording) else stack
-    counts = Counts.of("stack", voxels, sides=(3,), shape="(planes, height, width)", saturation=saturation)
+    counts = counts_of("stack", voxels, sides=(3,), shape="(planes, height, width)", saturation=saturation)
     recorded = counts.marked()
     validation.instance("psf", psf, PSF)
     validation.instance("noise", noise, Noise).require_shape(recorded.shape)

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import Any, Protocol, Self
 
 import numpy as np
@@ -83,14 +84,26 @@ def flat_top(values: Values, valid: NDArray[np.bool_], noise: Noise) -> tuple[fl
 LARGEST = 1e15  # largest accepted value, counts: far above any camera's, and its square fits in float32
 
 
-@dataclass(frozen=True, eq=False)
+class OnDemand:
+    """Base class of stacks whose images are read on demand."""
+
+
+@dataclass(frozen=True, eq=False, repr=False)
 class Counts:
-    """Recorded images with masks of hidden and saturated pixels.
+    """Recorded images in counts of a camera, with its noise, and with masks of hidden and saturated pixels.
+
+    :meth:`Counts.of` returns them. Functions that take images with ``noise=`` also take counts, without it.
 
     Attributes
     ----------
-    values : ndarray, shape (..., height, width)
-        Values in counts of the camera, of the type that was stored.
+    values : array, shape (..., height, width)
+        Values in counts of the camera, of the type that was stored; a stack that is read on demand stays one.
+    mask : ndarray of bool or None
+        Pixels hidden by a mask; None without a mask.
+    stated : float or None
+        Smallest value of saturated pixels, if it was stated.
+    noise : Noise or None
+        Noise of the camera; None if it is unknown.
     hidden : ndarray of bool, shape (..., height, width)
         Pixels that are ignored: NaN, infinite, or masked.
     full : ndarray of bool, shape (..., height, width)
@@ -101,73 +114,108 @@ class Counts:
         Note on an assumed saturation, or "".
     """
 
-    values: Values
-    hidden: NDArray[np.bool_]
-    full: NDArray[np.bool_]
-    saturation: float
-    assumed: str
+    values: Any
+    mask: NDArray[np.bool_] | None
+    stated: float | None
+    noise: Noise | None
+    _whole: Counts | None = None  # images of which these are some: the assumed saturation is that of all
 
     @classmethod
     def of(
-        cls,
-        name: str,
-        images: object,
-        *,
-        sides: tuple[int, ...],
-        shape: str,
-        mask: ArrayLike | None = None,
-        saturation: float | None = None,
-        empty: bool = False,
-    ) -> Self:
-        """Return the counts of an argument: an array, a container with a mask, or a list of arrays.
+        cls, array: ArrayLike, *, noise: Noise, mask: ArrayLike | None = None, saturation: float | None = None
+    ) -> Counts:
+        """Return an array as counts, with the noise of its camera.
 
         Parameters
         ----------
-        name : str
-            Name of the argument in messages.
-        images : array_like or container
-            Integers or floats; the masks of NumPy's and astropy's containers apply.
-        sides : tuple of int
-            Allowed numbers of axes.
-        shape : str
-            Allowed shapes in words, for messages.
+        array : array_like, shape (..., height, width)
+            Integers or floats; NaN, infinite and masked values (NumPy, astropy) are hidden. Frames, and arrays in
+            chunks (dask, Zarr, h5py), are read when their images are needed.
+        noise : Noise
+            Gain, offset and read noise, each a number or a map (height, width).
         mask : array_like of bool, optional
-            True for pixels to ignore; its shape is the shape of `images`, or of their last two or more axes.
+            True for pixels to ignore; its shape is the shape of `array`, or of its last two or more axes.
         saturation : float, optional
-            Smallest value of saturated pixels; by default see :func:`lommel.recorded.counts.full_value`.
-        empty : bool, default False
-            Whether an array without images is allowed.
+            Pixels of this value or more are saturated. By default the largest value of the integer type or, if many
+            pixels have the largest value of 8 to 16 bits, this value.
+
+        Returns
+        -------
+        Counts
 
         Raises
         ------
         TypeError, ValueError
             If an argument is of another type or shape.
+
+        Examples
+        --------
+        The last row is dead, and the camera saturates at 4000:
+
+        >>> import lommel as lm
+        >>> star = np.array([[101, 130, 99], [140, 4007, 104], [0, 0, 0]], dtype=np.uint16)
+        >>> noise = lm.Noise(white=0.46, read=1.6, offset=100)
+        >>> dead = [[False] * 3, [False] * 3, [True] * 3]
+        >>> counts = lm.Counts.of(star, noise=noise, mask=dead, saturation=4000)
+        >>> counts.marked()[1].tolist(), int(counts.hidden.sum())
+        ([140.0, nan, 104.0], 3)
         """
-        shapes = {np.shape(part) for part in images} if isinstance(images, list | tuple) else set()
-        if len(shapes) > 1:
-            raise ValueError(f"{name} must have one shape {shape}, got {', '.join(map(str, sorted(shapes)))}")
-        values, container_mask = validation.parted(name, images)
-        if values.ndim not in sides or 0 in values.shape[-2:] or (values.size == 0 and not empty):
-            raise ValueError(f"{name} must have the shape {shape}, got {values.shape}")
-        ignored = np.zeros(values.shape, dtype=bool) if values.dtype.kind != "f" else ~np.isfinite(values)
-        _require_within(name, values)
-        if container_mask is not None:
-            ignored |= container_mask
-        if mask is not None:
-            mask_values = validation.array("mask", mask)
-            if (
-                mask_values.dtype != bool
-                or mask_values.ndim < 2
-                or mask_values.shape != values.shape[-mask_values.ndim :]
-            ):
-                raise ValueError(
-                    f"mask must be True or False for each pixel of {name} {values.shape}, got {mask_values.dtype} of "
-                    f"shape {mask_values.shape}"
-                )
-            ignored |= mask_values
-        limit, assumed = full_value([np.where(ignored, 0, values) if ignored.any() else values], saturation)
-        full = (values >= limit) & ~ignored
-        return cls(values, ignored, full, limit, assumed)
+        if isinstance(array, Counts):
+            raise TypeError("array must be an array without noise, got Counts")
+        validation.instance("noise", noise, Noise)
+        counts = _counts("array", array, mask, saturation, noise, is_read=not _is_on_demand(array))
+        if len(counts.shape) < 2 or 0 in counts.shape:
+            raise ValueError(f"array must have the shape (..., height, width), got {counts.shape}")
+        noise.require_shape(counts.shape)
+        return counts
+
+    @property
+    def shape(self) -> tuple[int, ...]:  # noqa: D102
+        return tuple(self.values.shape)
+
+    def __len__(self) -> int:
+        return self.shape[0]
+
+    def __repr__(self) -> str:
+        return f"<Counts: {' x '.join(map(str, self.shape))}, {self.values.dtype}>"
+
+    def __getitem__(self, index: Index) -> Counts:
+        """Return some of the images, by indices along the axes before the last two; they are read now, if not yet."""
+        mask = None if self.mask is None else self.mask[index]
+        if isinstance(self.values, np.ndarray):
+            return replace(self, values=self.values[index], mask=mask, _whole=self._whole or self)
+        part = _counts("array", self.values[index], mask, None, self.noise)
+        return replace(part, stated=self.stated, _whole=self._whole or self)
+
+    def read(self) -> Counts:
+        """Return the counts with all images in memory."""
+        return self if isinstance(self.values, np.ndarray) else self[...]
+
+    @cached_property
+    def hidden(self) -> NDArray[np.bool_]:  # noqa: D102
+        if not isinstance(self.values, np.ndarray):
+            return self.read().hidden
+        unmasked = np.zeros(self.shape, dtype=bool) if self.values.dtype.kind != "f" else ~np.isfinite(self.values)
+        return unmasked if self.mask is None else unmasked | self.mask
+
+    @cached_property
+    def full(self) -> NDArray[np.bool_]:  # noqa: D102
+        return np.asarray((self.read().values >= self.saturation) & ~self.hidden)
+
+    @cached_property
+    def _limit(self) -> tuple[float, str]:
+        """Smallest saturated value, and a note if it was assumed."""
+        if self._whole is not None:
+            return self._whole._limit
+        return full_value(_Unhidden(self), self.stated)
+
+    @property
+    def saturation(self) -> float:  # noqa: D102
+        return self._limit[0]
+
+    @property
+    def assumed(self) -> str:  # noqa: D102
+        return self._limit[1]
 
     @property
     def known(self) -> NDArray[np.bool_]:
@@ -195,7 +243,7 @@ class Counts:
     def marked(self) -> Values:
         """Return the values as stored if all pixels are known, else as floats with NaN at the other pixels."""
         if not (self.hidden.any() or self.full.any()):
-            return self.values
+            return np.asarray(self.values)
         # float32 represents all 16-bit integers exactly.
         kind = np.float32 if self.values.dtype.itemsize <= 2 or self.values.dtype == np.float32 else np.float64
         return np.where(self.known, self.values, kind(np.nan)).astype(kind, copy=False)
@@ -208,9 +256,104 @@ class Counts:
                 label = f"{name}{list(index) or ''}"
                 raise ValueError(f"{label} must show {content}, got the value {image[is_known][0]:g} everywhere")
 
-    def __getitem__(self, index: Index) -> Counts:
-        """Return some of the images, by indices along the axes before the last two."""
-        return Counts(self.values[index], self.hidden[index], self.full[index], self.saturation, self.assumed)
+
+class _Unhidden(Sequence[Values]):
+    """Images of counts with 0 at hidden pixels: an array as one, else one after the other as they are read."""
+
+    def __init__(self, counts: Counts) -> None:
+        self._counts = counts
+        self._places: list[Any] = (
+            [...] if isinstance(counts.values, np.ndarray) else list(np.ndindex(counts.shape[:-2]))
+        )
+
+    def __len__(self) -> int:
+        return len(self._places)
+
+    def __getitem__(self, number: Any) -> Any:
+        place, counts = self._places[number], self._counts  # an IndexError ends the sequence
+        image = counts if isinstance(counts.values, np.ndarray) else counts[place]
+        return np.where(image.hidden, 0, image.values) if image.hidden.any() else image.values
+
+
+def counts_of(
+    name: str,
+    images: object,
+    noise: Noise | None = None,
+    *,
+    sides: tuple[int, ...],
+    shape: str,
+    mask: ArrayLike | None = None,
+    saturation: float | None = None,
+    empty: bool = False,
+) -> Counts:
+    """Return the counts of an argument, read: counts, an array, a container with a mask, or a list of arrays.
+
+    Parameters
+    ----------
+    name : str
+        Name of the argument in messages.
+    images : array_like, container or Counts
+        Integers or floats; the masks of NumPy's and astropy's containers apply. Counts have their own noise, mask
+        and saturation.
+    noise : Noise, optional
+        Noise of an array; that of the result is None without it.
+    sides : tuple of int
+        Allowed numbers of axes.
+    shape : str
+        Allowed shapes in words, for messages.
+    mask : array_like of bool, optional
+        True for pixels to ignore; its shape is the shape of `images`, or of their last two or more axes.
+    saturation : float, optional
+        Smallest value of saturated pixels; by default see :func:`lommel.recorded.counts.full_value`.
+    empty : bool, default False
+        Whether an array without images is allowed.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is of another type or shape, or if counts are given with a noise, mask or saturation.
+    """
+    if isinstance(images, Counts):
+        for key, value in (("noise", noise), ("mask", mask), ("saturation", saturation)):
+            if value is not None:
+                raise TypeError(f"{key} must be omitted if {name} are Counts, which have their own")
+        counts = images.read()
+    else:
+        shapes = {np.shape(part) for part in images} if isinstance(images, list | tuple) else set()
+        if len(shapes) > 1:
+            raise ValueError(f"{name} must have one shape {shape}, got {', '.join(map(str, sorted(shapes)))}")
+        counts = _counts(name, images, mask, saturation, noise)
+    values = counts.values
+    if values.ndim not in sides or 0 in values.shape[-2:] or (values.size == 0 and not empty):
+        raise ValueError(f"{name} must have the shape {shape}, got {values.shape}")
+    return counts
+
+
+def _is_on_demand(array: object) -> bool:
+    has_chunks = not isinstance(array, np.ndarray) and getattr(array, "chunks", None) is not None
+    return isinstance(array, OnDemand) or has_chunks
+
+
+def _counts(
+    name: str, images: Any, mask: Any, saturation: float | None, noise: Noise | None, *, is_read: bool = True
+) -> Counts:
+    """Return counts of an array, which is kept as it is unless `is_read`; the mask of a container applies."""
+    values, hidden = validation.parted(name, images) if is_read else (images, None)
+    if is_read:
+        _require_within(name, values)
+    if mask is not None:
+        mask_values = validation.array("mask", mask)
+        if (
+            mask_values.dtype != bool
+            or mask_values.ndim < 2
+            or mask_values.shape != values.shape[-mask_values.ndim :]
+        ):
+            raise ValueError(
+                f"mask must be True or False for each pixel of {name} {values.shape}, got {mask_values.dtype} of "
+                f"shape {mask_values.shape}"
+            )
+        hidden = np.broadcast_to(mask_values, values.shape) if hidden is None else hidden | mask_values
+    return Counts(values, hidden, None if saturation is None else full_value([], saturation)[0], noise)
 
 
 def recording_findings(images: Sequence[Counts], noise: Noise, name: str) -> list[Finding]:

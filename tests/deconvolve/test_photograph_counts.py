@@ -97,7 +97,7 @@ def test_a_saturated_pixel_asks_for_at_least_so_much() -> None:
     model = np.full((20, 24), 0.5 + added)
     model[5:9, 5:9] = [[0.3, 0.8 + added, 2.0, 9.0]]
     misfit = np.empty((1, 20, 24))
-    found.discrepancies(found.operator, found.operator.parts(model - added), misfit)
+    found.discrepancies(found.operator, found.operator.planes(model - added), misfit)
     np.testing.assert_allclose(misfit[0, 5:9, 5:9], [[(0.8 + added) / 0.3 - 1.0, 0.0, 0.0, 0.0]] * 4)
     wanted = 4 * 2.0 * kl_div(1000.0 * (0.8 + added), 300.0) / found.known[0]
     assert _deviance(found, model)[0] == pytest.approx(wanted)

@@ -60,7 +60,7 @@ def test_the_scene_itself_is_where_steps_end() -> None:
     blur, scene = _blur(), _scene()
     observed = PhotographCounts(blur, blur.forward(scene), Noise(white=1e7, read=1.0))
     misfit = np.empty((1, *scene.shape))
-    observed.discrepancies(observed.operator, observed.operator.parts(scene), misfit)
+    observed.discrepancies(observed.operator, observed.operator.planes(scene), misfit)
     np.testing.assert_allclose(misfit, 0.0, atol=1e-12)
 
 

@@ -26,7 +26,7 @@ def test_a_point_anywhere_between_voxels_has_the_image_of_voxels_near_it(off):
     spread = np.ones(())
     for place in (z, 0.0, x):
         spread = np.multiply.outer(spread, np.nan_to_num(cubic(np.arange(-3.0, 4.0) - place)))
-    made = convolve(model.kernel(6e-6), spread, mode="constant")
+    made = convolve(next(model.kernels(np.array([6e-6]))), spread, mode="constant")
     whole = model.window_part(6e-6)
     between = 0.5 * (whole + np.roll(whole, 1, axis=2))
 

@@ -40,7 +40,7 @@ def stack():
     truth[BEAD] = 4e6
     blur, image = fine.blur(truth.shape, (0, 0), threads=1), np.zeros(truth.shape)
     blur.outside[...] = 0.0
-    blur.forward(lambda *at: truth[at], lambda p, r, c, v: image.__setitem__((p, r, c), v))
+    blur.forward(truth, lambda p, r, c, v: image.__setitem__((p, r, c), v))
     return CAMERA.record(np.maximum(image[::2], 0.0) + 10.0, seed=3)
 
 

@@ -168,7 +168,7 @@ def blurred(model, truth):
     blur = model.blur(truth.shape, (0, 0))
     blur.outside[...] = 0.0
     image = np.zeros(truth.shape)
-    blur.forward(lambda *at: truth[at], lambda p, r, c, v: image.__setitem__((p, r, c), v))
+    blur.forward(truth, lambda p, r, c, v: image.__setitem__((p, r, c), v))
     return np.maximum(image, 0.0)
 
 
@@ -227,17 +227,17 @@ def test_the_transpose_is_exact_and_a_flat_specimen_has_a_flat_recording(slabs):
     def into(out):
         return lambda plane, rows, columns, values: out.__setitem__((plane, rows, columns), values)
 
-    blur.forward(lambda *at: specimen[at].astype(np.float32), into(made))
-    blur.adjoint(lambda *at: recording[at].astype(np.float32), into(back))
+    blur.forward(specimen.astype(np.float32), into(made))
+    blur.adjoint(recording.astype(np.float32), into(back))
     assert np.vdot(made, recording) == pytest.approx(
         np.vdot(specimen, back) + np.vdot(blur.outside, blur.outside_back), rel=1e-6
     )
-    blur.adjoint(lambda *at: np.ones(blur.shape, np.float32)[at], into(seen))
+    blur.adjoint(np.ones(blur.shape, np.float32), into(seen))
     found = [blur.seen(plane, slice(0, blur.whole[1]), slice(0, blur.whole[2])) for plane in range(blur.whole[0])]
     np.testing.assert_allclose(found, seen, atol=2e-4)
     np.testing.assert_allclose(blur.outside_seen, blur.outside_back, rtol=1e-5)
     blur.outside = np.ones(blur.whole[0])
-    blur.forward(lambda *at: ones[at].astype(np.float32), into(flat))
+    blur.forward(ones.astype(np.float32), into(flat))
     np.testing.assert_allclose(flat, 1.0, atol=3e-3)
 
 

@@ -25,7 +25,7 @@ def _gathered(operator, values, shape):
         out[plane, rows, columns] = found
         times[plane, rows, columns] += 1
 
-    operator(lambda plane, rows, columns: values[plane, rows, columns], take)
+    operator(values, take)
     assert (times == 1).all()
     return out
 

@@ -31,7 +31,7 @@ def matrix():
     blur, columns = TiledBlur([KERNEL], SHAPE, (0, 0)), []
     for one in np.eye(int(np.prod(SHAPE)), dtype=np.float32).reshape(-1, *SHAPE):
         made = np.zeros(SHAPE)
-        blur.forward(lambda *at, one=one: one[at], lambda p, r, c, v, made=made: made.__setitem__((p, r, c), v))
+        blur.forward(one, lambda p, r, c, v, made=made: made.__setitem__((p, r, c), v))
         columns.append(made.ravel())
     return np.array(columns).T
 
@@ -80,7 +80,7 @@ def test_edges_at_low_light_are_restored_better_than_at_the_best_of_richardson_l
     truth = np.where((away < 9.0) & (away > 4.0), 40.0, 0.0).astype(np.float32)
     blur = TiledBlur([kernel], shape, (0, 0))
     image = np.zeros(shape)
-    blur.forward(lambda *at: truth[at], lambda p, r, c, v: image.__setitem__((p, r, c), v))
+    blur.forward(truth, lambda p, r, c, v: image.__setitem__((p, r, c), v))
     counted = PoissonCounts(NOISE.record(np.maximum(image, 0.0) + 1.0, seed=1), NOISE)
 
     def error(method):

@@ -68,16 +68,18 @@ def side_by_side(task: Callable[[Item], Result], items: Sequence[Item], threads:
 
 
 def product(a: Values, b: Values) -> Values:
-    """Return ``a @ b``, computed in blocks that are so small that OpenBLAS uses only the calling thread.
+    """Return ``a @ b`` of matrices, or of stacks of them, in blocks for which OpenBLAS uses only the calling thread.
 
     Threads of OpenBLAS wait for one another in busy loops. In tasks of :func:`side_by_side`, on a computer that runs
     other programs, they would wait twenty times as long as they compute.
     """
-    result = np.empty((a.shape[0], b.shape[1]), np.result_type(a, b))
-    columns = max(1, math.isqrt(_SINGLE_THREAD_PRODUCTS // a.shape[1]))
-    for first in range(0, b.shape[1], columns):
-        part = b[:, first : first + columns]
-        rows = max(1, _SINGLE_THREAD_PRODUCTS // part.size)
-        for top in range(0, a.shape[0], rows):
-            np.matmul(a[top : top + rows], part, out=result[top : top + rows, first : first + columns])
+    stacked = np.broadcast_shapes(a.shape[:-2], b.shape[:-2])
+    result = np.empty((*stacked, a.shape[-2], b.shape[-1]), np.result_type(a, b))
+    columns = max(1, math.isqrt(_SINGLE_THREAD_PRODUCTS // a.shape[-1]))
+    for first in range(0, b.shape[-1], columns):
+        part = b[..., first : first + columns]
+        rows = max(1, _SINGLE_THREAD_PRODUCTS // (part.shape[-2] * part.shape[-1]))
+        for top in range(0, a.shape[-2], rows):
+            block = np.s_[..., top : top + rows, first : first + columns]
+            np.matmul(a[..., top : top + rows, :], part, out=result[block])
     return result

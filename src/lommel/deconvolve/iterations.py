@@ -129,11 +129,11 @@ class Iteration:
     @property
     def state(self) -> State:
         """Copy of the extrapolated light, from which another iteration may start."""
-        return State(self._extrapolated.copy(), None if self._blur.outside is None else self._blur.outside.copy())
+        return State(self.guess.copy(), None if self._blur.outside is None else self._blur.outside.copy())
 
     @property
-    def _extrapolated(self) -> Values:
-        """Light from which the next step starts."""
+    def guess(self) -> Values:
+        """Extrapolated light, from which the next step starts."""
         return self._light if self._before is None else self._before
 
     def start_from(self, state: State) -> None:
@@ -192,17 +192,13 @@ class Iteration:
         # Compare with half as many steps, so that even a slow improvement is detected.
         return history[-1] <= target or history[(len(history) - 1) // 2] - history[-1] < slack
 
-    def guess(self, plane: int, rows: slice, columns: slice) -> Values:
-        """Return part of a plane of the extrapolated light."""
-        return self._extrapolated[plane, rows, columns]
-
     def _extrapolate(self, prescribed_background: Array) -> None:
         """Extrapolate light and background; the light overwrites the result of the step before the last."""
         factor, smallest = self._extrapolation, self._counted.smallest
         if self._outside is not None and self._outside_before is not None:
-            self._blur.outside = np.maximum(_extrapolate(self._outside, self._outside_before, factor), smallest)
+            self._blur.outside = _extrapolate(self._outside, self._outside_before, factor, smallest)
         if self._background_unknown:
-            estimate = np.maximum(_extrapolate(self._background, self._background_before, factor), smallest)
+            estimate = _extrapolate(self._background, self._background_before, factor, smallest)
             self._extrapolated_background = prescribed_background if self._background_prescribed else estimate
             self._counted.set_background(self._extrapolated_background)
         if self._before is None:
@@ -211,20 +207,20 @@ class Iteration:
             if factor == 0.0:
                 before[...] = light
                 continue
-            at_least(_extrapolate(light, before, factor, out=before), smallest)
+            _extrapolate(light, before, factor, smallest, out=before)
 
     def _step(self) -> float:
         """Take a step, and return the scalar product of its sampled change and the change before."""
         next_light = np.empty_like(self._light) if self._before is None else self._before
-        smallest = self._counted.smallest
+        light, smallest = self.guess, np.full(self._light.shape[-1], self._counted.smallest, self._light.dtype)
 
         def step_part(plane: int, rows: slice, columns: slice, correction: Values) -> float:
-            guess = self.guess(plane, rows, columns)
+            guess = light[plane, rows, columns]
             # x (1 + A^T[w (ratio - 1)] / A^T w). Light that is not recorded stays the same, because per_seen is 0.
             stepped = np.multiply(correction, self._blur.per_seen(plane, rows, columns), out=correction)
             stepped += 1.0
             stepped *= guess
-            at_least(stepped, smallest)
+            np.maximum(stepped, smallest[columns], out=stepped)  # a row of limits: see `at_least`
             overlap = self._update_change(plane, rows, columns, stepped, guess)
             next_light[plane, rows, columns] = stepped
             return overlap
@@ -241,7 +237,7 @@ class Iteration:
             means = self._counted.means(misfit, len(levels))
             self._background_before = self._background
             self._background = np.maximum(levels * (1.0 + means), smallest)
-        results = self._blur.adjoint(lambda plane, *part: misfit[(plane, *part)], consume)
+        results = self._blur.adjoint(misfit, consume)
         if self._outside is not None:
             stepped = self._blur.outside * np.maximum(1.0 + self._blur.outside_back * self._blur.per_outside, 0.0)
             self._outside_before, self._outside = self._outside, np.maximum(stepped, smallest)
@@ -264,15 +260,12 @@ class Iteration:
         """Return the light without its margin of `planes` and `pixels`; the iteration ends, as memory is freed."""
         self._misfit = np.empty((0, 0, 0), self._counted.dtype)
         self._blur.release()
-        rows, columns = (slice(pixels, side - pixels) for side in self._blur.whole[1:])
-        specimen = np.empty(self._blur.shape, self._counted.dtype)
-        for plane, values in enumerate(specimen):
-            values[...] = self.guess(planes + plane, rows, columns)
-        return specimen
+        count, height, width = self._blur.whole
+        return self.guess[planes : count - planes, pixels : height - pixels, pixels : width - pixels].copy()
 
 
-def _extrapolate(light: Values, before: Values, factor: float, out: Values | None = None) -> Values:
-    """Return ``light / (factor before / light + 1 - factor)``: extrapolated by a ratio, so that it stays positive.
+def _extrapolate(light: Values, before: Values, factor: float, least: float, out: Values | None = None) -> Values:
+    """Return ``light / (factor before / light + 1 - factor)``, extrapolated by a ratio to stay positive, or `least`.
 
     The ratio is a weighted harmonic mean of light / before and 1. It agrees with ``(light / before)^factor`` to first
     order, and is faster to compute.
@@ -283,7 +276,7 @@ def _extrapolate(light: Values, before: Values, factor: float, out: Values | Non
     # A row of limits: NumPy compares two arrays much faster than an array and a number here (see `at_least`).
     result = np.minimum(result, np.full(np.shape(result)[-1:], _MAX_GROWTH, np.asarray(result).dtype), out=out)
     result *= light
-    return result
+    return np.maximum(result, np.full(np.shape(result)[-1:], least, np.asarray(result).dtype), out=out)
 
 
 _ROUNDING = 0.01  # gradient, relative to the mean light, below which the norm of the total variation is rounded
@@ -406,7 +399,7 @@ class VariationIteration(Iteration):
 
     def _step(self) -> float:
         """Take a step, record the objective at its start, and return the scalar product of the last two changes."""
-        guess = self._extrapolated
+        guess = self.guess
         next_light = np.empty_like(guess) if self._spare is None else self._spare
         smallest = self._counted.smallest
 

@@ -151,13 +151,6 @@ Result = TypeVar("Result")
 Result_co = TypeVar("Result_co", covariant=True)
 
 
-class Part(Protocol):
-    """Function that returns rectangular parts of planes."""
-
-    def __call__(self, plane: int, rows: slice, columns: slice, /) -> Values:
-        """Return the values of a plane in the given rows and columns."""
-
-
 class PartConsumer(Protocol[Result_co]):
     """Function of a part of a plane and its values, called from several threads; it may overwrite the values."""
 
@@ -166,7 +159,7 @@ class PartConsumer(Protocol[Result_co]):
 
 
 class PlaneOperator(ABC):
-    """A blur of planes that are passed in parts, so that they need not all be in memory.
+    """A blur of planes, whose results are passed in parts, so that they need not all be in memory.
 
     Attributes
     ----------
@@ -184,11 +177,11 @@ class PlaneOperator(ABC):
     per_outside: Values
 
     @abstractmethod
-    def forward(self, specimen: Part, consume: PartConsumer[Result]) -> list[Result]:
+    def forward(self, specimen: Values, consume: PartConsumer[Result]) -> list[Result]:
         """Blur a scene, call `consume` once with each part of the image, and return its results."""
 
     @abstractmethod
-    def adjoint(self, recording: Part, consume: PartConsumer[Result]) -> list[Result]:
+    def adjoint(self, recording: Values, consume: PartConsumer[Result]) -> list[Result]:
         """Apply the transpose of :meth:`forward` to an image, call `consume` once with each part of the result."""
 
     @abstractmethod
@@ -224,35 +217,28 @@ class ImagePlanes(PlaneOperator):
         reciprocal = np.where(recorded > UNSEEN, 1.0 / np.maximum(recorded, UNSEEN), 0.0)
         self._per = np.moveaxis(reciprocal.astype(blur.dtype, copy=False).reshape(*blur.shape, -1), 2, 0)
 
-    def forward(self, specimen: Part, consume: PartConsumer[Result]) -> list[Result]:
+    def forward(self, specimen: Values, consume: PartConsumer[Result]) -> list[Result]:
         """Call `consume` with the blurred planes; see :meth:`PlaneOperator.forward`."""
         return self._apply(self._blur.forward, specimen, consume)
 
-    def adjoint(self, recording: Part, consume: PartConsumer[Result]) -> list[Result]:
+    def adjoint(self, recording: Values, consume: PartConsumer[Result]) -> list[Result]:
         """Call `consume` with the planes of the transpose; see :meth:`PlaneOperator.adjoint`."""
         return self._apply(self._blur.adjoint, recording, consume)
 
     def _apply(
-        self, operator: Callable[[Values], Values], values: Part, consume: PartConsumer[Result]
+        self, operator: Callable[[Values], Values], values: Values, consume: PartConsumer[Result]
     ) -> list[Result]:
         rows, columns = (slice(0, side) for side in self.shape[1:])
-        planes = self.planes(operator(self.image([values(k, rows, columns) for k in range(self.shape[0])])))
+        planes = self.planes(operator(self.image(values)))
         return [consume(k, rows, columns, np.ascontiguousarray(plane)) for k, plane in enumerate(planes)]
 
-    def image(self, planes: Sequence[Values] | Values) -> Values:
+    def image(self, planes: Values) -> Values:
         """Return planes as an image; a single plane shares its memory."""
-        if len(planes) == 1:
-            return np.asarray(planes[0], self._blur.dtype).reshape(self._image)
-        return np.stack(list(planes), axis=-1).astype(self._blur.dtype, copy=False).reshape(self._image)
+        return np.ascontiguousarray(np.moveaxis(planes, 0, 2), self._blur.dtype).reshape(self._image)
 
     def planes(self, image: Values) -> Values:
         """Return the planes of an image, as a view."""
         return np.moveaxis(image.reshape(*self.shape[1:], -1), 2, 0)
-
-    def parts(self, image: Values) -> Part:
-        """Return a function that returns parts of the planes of an image."""
-        planes = self.planes(image)
-        return lambda plane, rows, columns: planes[plane, rows, columns]
 
     def per_seen(self, plane: int, rows: slice, columns: slice, /) -> Values:
         """Return the reciprocal of the transposed blur of the weights; 0 where that is below UNSEEN."""

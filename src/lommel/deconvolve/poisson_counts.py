@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from lommel.base.arrays import Array, Values
 from lommel.deconvolve.algorithms import MISFIT
-from lommel.deconvolve.linear import ImagePlanes, LinearBlur, Part, PlaneOperator, overlap
+from lommel.deconvolve.linear import ImagePlanes, LinearBlur, PlaneOperator
 from lommel.fit.findings import Finding
 from lommel.recorded.counts import plane_of
 from lommel.recorded.noise import Noise
@@ -184,23 +184,21 @@ class PoissonCounts:
         residual = (counts - model) * np.sqrt(self.white * weight / model)
         return np.where(known, np.maximum(counts - added, 0.0), 0.0), residual, known.astype(np.float32)
 
-    def scene(self, planes: int, pixels: int) -> Part:
+    def scene(self, planes: int, pixels: int) -> Values:
         """Return the recorded light as a specimen with a margin of `planes` planes and `pixels` pixels.
 
         Margins and unknown voxels have the mean light.
         """
-
-        def part(plane: int, rows: slice, columns: slice) -> Values:
-            scene_part = np.full((rows.stop - rows.start, columns.stop - columns.start), self.level, dtype=np.float32)
-            if 0 <= plane - planes < len(self._recorded):
-                sides = zip((rows, columns), self._recorded.shape[1:], strict=True)
-                (y, down), (x, across) = (overlap(at.start - pixels, at.stop - pixels, side) for at, side in sides)
-                counts, weight = self.part(plane - planes, y, x)
-                light = np.maximum(counts - _map_part(self._added, y, x), 0.0)
-                scene_part[down, across] = np.where(weight > 0.0, light, self.level)
-            return scene_part
-
-        return part
+        count, *sides = self._recorded.shape
+        rows, columns = (slice(0, side) for side in sides)
+        scene = np.full((count + 2 * planes, *(side + 2 * pixels for side in sides)), self.level, self.dtype)
+        for plane in range(count):
+            counts, weight = self.part(plane, rows, columns)
+            light = np.maximum(counts - self._added, 0.0)
+            scene[planes + plane, pixels : pixels + sides[0], pixels : pixels + sides[1]] = np.where(
+                weight > 0.0, light, self.level
+            )
+        return scene
 
     def set_background(self, levels: Array) -> None:
         """Set the background from its levels (points, points) on a grid over the field, interpolated linearly."""
@@ -251,7 +249,7 @@ class PoissonCounts:
             sums[plane] = self._deviance_sums(plane, slice(0, sides[0]), slice(0, sides[1]), light, None)[0]
         return self.mean(self.per_pixel(sums))
 
-    def discrepancies(self, blur: PlaneOperator, specimen: Part, misfit: Values | None = None) -> Array:
+    def discrepancies(self, blur: PlaneOperator, specimen: Values, misfit: Values | None = None) -> Array:
         """Return the discrepancy of each plane of the blurred specimen, and set `of_specimen`.
 
         If given, `misfit` (planes, height, width) is overwritten by the weighted ratio of counts to model less 1.
@@ -429,7 +427,7 @@ class PhotographCounts(PoissonCounts):
 
     def discrepancies_of(self, light: Values) -> Array:
         """Return the discrepancy of each channel for a scene `light`."""
-        return self.discrepancies(self.operator, self.operator.parts(light))
+        return self.discrepancies(self.operator, self.operator.planes(light))
 
     @property
     def _flat(self) -> Values:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import NamedTuple
@@ -36,6 +37,7 @@ _SAMPLES_PER_NODE, _MAX_HALF_NODES = 3, 48  # coarse grid, along an axis: sample
 _SHEET_END = 4.0  # distance from a light sheet, in thicknesses, beyond which its intensity is treated as constant
 _FOCUS_TABLE = 33  # number of depths at which the best focus is computed
 _SPLINE_DEGREES = (3, 2)  # degrees of B-splines, in the order tried
+_BATCH = 2**21  # values of PSFs that are computed together
 _MAX_NEGATIVE = 0.015  # largest sum of the negative values of a narrowed PSF, as a fraction of its light
 
 
@@ -95,8 +97,11 @@ class DepthModel:
         terms[(4, 0)] = float(terms.get((4, 0), 0.0)) + value
         return replace(self, aberrations=Wavefront.zernike(terms, unit="waves"))
 
-    def psf(self, depth: float) -> PSF:
-        """Return the PSF of an emitter at a depth (m): a stack over z, with z = 0 at its brightest focus."""
+    def psf(self, depth: float | Array) -> PSF:
+        """Return the PSF of an emitter at a depth (m): a stack over z, with z = 0 at its brightest focus.
+
+        Of depths in an array (n, 1), the PSFs have the shape (n, planes, side, side).
+        """
         side = self.window[1]
         if self.modality == "two-photon":
             return two_photon(self._laser(depth, self._z, "brightest"), side, self.pixel, tol=_TOL)
@@ -116,25 +121,32 @@ class DepthModel:
         """Whether light out of focus is recorded, so that PSFs have tails beyond their window."""
         return self.modality in SPREADING
 
-    def window_part(self, depth: float) -> Array:
-        """Return the fraction of an emitter's light in each voxel of the PSF window.
+    def window_parts(self, depths: Array) -> Iterator[Array]:
+        """Yield the fraction of an emitter's light in each voxel of the PSF window, for each depth.
 
         For modalities that record light out of focus, the window is tapered towards its edge, and values are
         fractions of the light that the objective collects in all planes of the window. Otherwise the sum is 1.
         """
-        values = self.psf(depth).values.astype(np.float64)
-        if not self.spreads:
-            return np.asarray(values / values.sum())
-        # The taper leaves a remainder without edges, which the coarse grid can represent.
-        return np.asarray(values * taper(self.window[1], pitch_of(self.window[1])) / self._collected_light.sum())
+        planes, side = self.window
+        for some in _batches(depths, planes * side**2):
+            for values in self.psf(some).values.astype(np.float64):
+                if not self.spreads:
+                    yield np.asarray(values / values.sum())
+                else:
+                    # The taper leaves a remainder without edges, which the coarse grid can represent.
+                    yield np.asarray(values * taper(side, pitch_of(side)) / self._collected_light.sum())
 
-    def kernel(self, depth: float) -> Array:
-        """Return :meth:`window_part` for B-splines instead of points at the specimen's voxels: a narrower kernel.
+    def window_part(self, depth: float) -> Array:
+        """Return :meth:`window_parts` at a single depth."""
+        return next(self.window_parts(np.array([depth])))
+
+    def kernels(self, depths: Array) -> Iterator[Array]:
+        """Yield :meth:`window_parts` for B-splines instead of points at the specimen's voxels: narrower kernels.
 
         B-splines with positive light have the same image as a point between the voxels. Points at the voxels could
         only form a wider image (Magain et al. 1998, doi:10.1086/305187).
         """
-        return narrowed(self.window_part(depth), *self.splines)
+        return (narrowed(part, *self.splines) for part in self.window_parts(depths))
 
     @cached_property
     def splines(self) -> tuple[int, int]:
@@ -143,8 +155,8 @@ class DepthModel:
             return self.degrees
         return spline_degrees(self.window_part(self.depth))
 
-    def tail_part(self, depth: float, half_width: int) -> Array:
-        """Return the tail of the PSF (all light but :meth:`window_part`) at the nodes of the coarse grid.
+    def tail_parts(self, depths: Array, half_width: int) -> Iterator[Array]:
+        """Yield the tail of the PSF (all light but :meth:`window_parts`) at the nodes of the coarse grid, by depth.
 
         The shape is (planes, side, side) with ``side = 2 half_width + 1`` nodes, `pitch_of` pixels apart. Values are
         fractions of the light per pixel. Light beyond the outermost nodes is added to the nodes near the edge.
@@ -154,17 +166,24 @@ class DepthModel:
         samples = _SAMPLES_PER_NODE * side
         spacing = pitch / _SAMPLES_PER_NODE  # pixels
         sample_pixel = self.pixel * pitch / _SAMPLES_PER_NODE
-        sampled = psf(self._emission(depth), samples, sample_pixel, integrate=False, tol=_TOL)
         positions = np.asarray((np.arange(samples) - samples // 2) * spacing, np.float64)
-        values = sampled.values * (1.0 - taper(self.window[1], pitch, positions)) * (_SAMPLES_PER_NODE / pitch) ** 2
-        means = values.reshape(-1, side, _SAMPLES_PER_NODE, side, _SAMPLES_PER_NODE).mean(axis=(2, 4))
-        means *= plane_light[:, np.newaxis, np.newaxis]
+        outside = 1.0 - taper(self.window[1], pitch, positions)
         is_rim = np.maximum(*np.abs(np.indices((side, side)) - half_width)) >= 0.8 * half_width
-        # In each plane, window and tail must contain the collected light: the difference is added to the rim.
-        expected = np.maximum(plane_light - self.window_part(depth).sum(axis=(1, 2)), 0.0) / pitch**2
-        sums = np.maximum(means.sum(axis=(1, 2)), 1e-30)
-        means *= np.minimum(expected / sums, 1.0)[:, np.newaxis, np.newaxis]
-        return np.asarray(means + np.maximum(expected - sums, 0.0)[:, np.newaxis, np.newaxis] * is_rim / is_rim.sum())
+        sampled = (
+            values
+            for some in _batches(depths, self.window[0] * samples**2)
+            for values in psf(self._emission(some), samples, sample_pixel, integrate=False, tol=_TOL).values
+        )
+        for tail, window in zip(sampled, self.window_parts(depths), strict=True):
+            values = tail * outside * (_SAMPLES_PER_NODE / pitch) ** 2
+            means = values.reshape(-1, side, _SAMPLES_PER_NODE, side, _SAMPLES_PER_NODE).mean(axis=(2, 4))
+            means *= plane_light[:, np.newaxis, np.newaxis]
+            # In each plane, window and tail must contain the collected light: the difference is added to the rim.
+            expected = np.maximum(plane_light - window.sum(axis=(1, 2)), 0.0) / pitch**2
+            sums = np.maximum(means.sum(axis=(1, 2)), 1e-30)
+            means *= np.minimum(expected / sums, 1.0)[:, np.newaxis, np.newaxis]
+            missing = np.maximum(expected - sums, 0.0)[:, np.newaxis, np.newaxis]
+            yield np.asarray(means + missing * is_rim / is_rim.sum())
 
     def tail_half_width(self, shape: tuple[int, int], margin: int) -> int:
         """Return the half width of tails in nodes: the cone of light, or the field of view."""
@@ -188,7 +207,7 @@ class DepthModel:
         distance = np.clip(self._z / self.thickness, -_SHEET_END, _SHEET_END)
         return np.asarray(np.exp(-4.0 * math.log(2.0) * distance**2))
 
-    def _laser(self, depth: float, z: Array, origin: str) -> ObjectivePupil:
+    def _laser(self, depth: float | Array, z: Array, origin: str) -> ObjectivePupil:
         assert self.excitation is not None
         return self.objective.pupil(
             z=z,
@@ -199,7 +218,7 @@ class DepthModel:
             aberrations=self.aberrations,
         )
 
-    def _emission(self, depth: float) -> ObjectivePupil:
+    def _emission(self, depth: float | Array) -> ObjectivePupil:
         return self.objective.pupil(
             z=self._z,
             wavelength=self.wavelength,
@@ -247,9 +266,10 @@ class DepthModel:
         if slabs is not None:
             nodes = _nodes(low, high, slabs)
             return PSFs(depths, nodes, nodes, None)
-        if _relative_difference(self.window_part(low), self.window_part(high)) < _MAX_EQUAL:
+        ends = list(self.window_parts(np.array([low, high])))
+        if _relative_difference(*ends) < _MAX_EQUAL:
             return single_psf
-        radial = self._radial(low, high)
+        radial = self._radial(ends)
         if radial is not None:
             return PSFs(depths, depths, _nodes(low, high, _FAR_DEPTHS), radial)
         nodes = _nodes(low, high, self._slabs(low, high))
@@ -261,7 +281,7 @@ class DepthModel:
         """Return the blur of a stack of this shape, with a margin of planes and of pixels on each side."""
         depths = psfs or self.psfs(margin[0])
         weights = _weights(depths.planes, depths.nodes) if len(depths.nodes) > 1 else None
-        kernels = (self.kernel(float(depth)) for depth in depths.depths)
+        kernels = self.kernels(depths.depths)
         windows: TiledBlur
         if depths.radial is None:
             windows = TiledBlur(kernels, shape, margin, weights=weights, threads=threads)
@@ -270,15 +290,15 @@ class DepthModel:
         if not self.spreads:
             return windows
         half_width = self.tail_half_width((shape[1], shape[2]), margin[1])
-        tails = (self.tail_part(float(node), half_width) for node in depths.nodes)
+        tails = self.tail_parts(depths.nodes, half_width)
         return WideBlur(windows, tails, pitch_of(self.window[1]), weights=weights, threads=threads)
 
-    def _radial(self, *depths: float) -> RadialTransfer | None:
-        """Return the table of transfer functions if PSFs at these depths are rotationally symmetric, else None."""
+    def _radial(self, windows: Sequence[Array]) -> RadialTransfer | None:
+        """Return the table of transfer functions if these PSFs are rotationally symmetric, else None."""
         if self.aberrations is not None and any(order for _, order in self.aberrations.to_zernike(unit="waves")):
             return None
         transfer = RadialTransfer(self.window[1], pixels=self.spreads)
-        if not all(transfer.misfit(self.window_part(depth)) < _MAX_MISFIT for depth in depths):
+        if not all(transfer.misfit(window) < _MAX_MISFIT for window in windows):
             return None
         return RadialTransfer(self.window[1], pixels=self.spreads, spline=self.splines[1])
 
@@ -302,6 +322,12 @@ class DepthModel:
             # Doubling reuses the PSFs that are already computed.
             intervals *= 2
         return intervals + 1
+
+
+def _batches(depths: Array, values: int) -> Iterator[Array]:
+    """Yield depths (n, 1) whose PSFs, of so many `values` each, are computed together."""
+    count = max(1, _BATCH // values)
+    return (depths[first : first + count, np.newaxis] for first in range(0, len(depths), count))
 
 
 def _nodes(low: float, high: float, count: int) -> Array:

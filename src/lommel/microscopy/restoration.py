@@ -24,7 +24,7 @@ from lommel.base.units import format_length, with_error
 from lommel.base.validation import line, shown
 from lommel.deconvolve.algorithms import EARLIEST, STEPS, ProgressCallback, RichardsonLucy, TotalVariation, silent
 from lommel.deconvolve.iterations import Background, Iteration, StepSettings, iteration_of
-from lommel.deconvolve.linear import Part, PlaneOperator, tiles_of
+from lommel.deconvolve.linear import PlaneOperator, tiles_of
 from lommel.deconvolve.poisson_counts import PoissonCounts
 from lommel.fit.findings import Finding, Findings, FitReport
 from lommel.microscopy import depth_model
@@ -1423,7 +1423,7 @@ class ProjectionBuilder:
         corner: tuple[int, int],
         blur: PlaneOperator,
         counted: PoissonCounts,
-        light: Part,
+        light: Values,
         restored: Values,
     ) -> None:
         """Add a chunk, `restored` at `rows` and `columns`; `corner`: first row and column of its blurred part."""

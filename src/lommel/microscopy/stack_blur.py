@@ -15,7 +15,7 @@ from lommel.base import validation
 from lommel.base.arrays import Array, Values
 from lommel.base.threads import product, side_by_side
 from lommel.core import engine
-from lommel.deconvolve.linear import UNSEEN, LinearBlur, Part, PartConsumer, Plane, PlaneOperator, Result, overlap
+from lommel.deconvolve.linear import UNSEEN, LinearBlur, PartConsumer, Plane, PlaneOperator, Result, overlap
 from lommel.measures.spot import stage
 from lommel.psf import PSF
 
@@ -256,7 +256,7 @@ class TiledBlur(PlaneOperator):
             bands = sums[bottom] - sums[top]
             self._seen[plane] += weight * (bands[:, right] - bands[:, left])
 
-    def forward(self, specimen: Part, consume: PartConsumer[Result]) -> list[Result]:
+    def forward(self, specimen: Values, consume: PartConsumer[Result]) -> list[Result]:
         """Compute the recording of a specimen, call `consume` once with each part of it, and return its results."""
         results: list[Result] = []
         for job in self._tile_jobs(self.shape, self.whole, self._upper, self._margin[1]):
@@ -265,7 +265,7 @@ class TiledBlur(PlaneOperator):
             results += self._consume_planes(self.shape[0], job, consume)
         return results
 
-    def adjoint(self, recording: Part, consume: PartConsumer[Result]) -> list[Result]:
+    def adjoint(self, recording: Values, consume: PartConsumer[Result]) -> list[Result]:
         """Apply the transpose of :meth:`forward`, and call `consume` once with each part of the specimen."""
         results: list[Result] = []
         for job in self._tile_jobs(self.whole, self.shape, self._lower, -self._margin[1]):
@@ -324,7 +324,7 @@ class TiledBlur(PlaneOperator):
                 output_in_tile = _window(lower[1:], tuple(part.stop - part.start for part in output))
                 yield _TileJob(output, (rows, columns), (rows_in_tile, columns_in_tile), output_in_tile)
 
-    def _transform_planes(self, values: Part, planes: int, job: _TileJob) -> None:
+    def _transform_planes(self, values: Values, planes: int, job: _TileJob) -> None:
         """Transform the tile laterally in each of the first `planes` planes, into `_spectra`."""
         from scipy.fft import rfft2
 
@@ -335,7 +335,7 @@ class TiledBlur(PlaneOperator):
         def transform(plane: int) -> None:
             with spare_tiles.borrow() as tile:
                 # Other pixels of the tile stay 0, because all planes of a job are written to the same part of it.
-                tile[job.source_in_tile] = values(plane, *job.source)
+                tile[job.source_in_tile] = values[plane, *job.source]
                 spectra[plane] = rfft2(tile)
 
         side_by_side(transform, range(planes), self._threads)
@@ -441,7 +441,7 @@ def _window(start: tuple[int, ...], sides: tuple[int, ...]) -> Plane:
 
 
 _PHASE_STEP = 0.2  # radians: phase difference of neighbouring tabulated frequencies at the edge of the PSF
-_FREQUENCIES_TOGETHER = 16  # tabulated frequencies in a task of a thread
+_VALUES_TOGETHER = 2**16  # values (planes and frequencies) in a task of a thread
 _MAX_ON_AXIS = 0.4  # cycles per pixel: above, the table is along the diagonal, where aliases are farther away
 
 
@@ -540,11 +540,17 @@ class PlaneBlur(TiledBlur):
         self._matrices = np.zeros((len(transfer.frequencies), shape[0], planes), np.float32)
         super().__init__(kernels, shape, margin, weights=np.eye(planes), threads=threads)
         index, weight, sampling = transfer.interpolation(self._tile)
-        # Frequencies of a tile are grouped by the two tabulated frequencies between which they lie.
+        # Frequencies of a tile are grouped by the two tabulated frequencies between which they lie. Groups of about
+        # the same size are computed together: each is padded by its last frequency, whose result is written again.
         order = np.argsort(index, kind="stable")
-        boundaries = np.flatnonzero(np.diff(index[order])) + 1
-        self._groups = [group.astype(np.int32) for group in np.split(order, boundaries)]
-        self._tabulated_below = [int(index[group[0]]) for group in self._groups]
+        groups = np.split(order, np.flatnonzero(np.diff(index[order])) + 1)
+        groups.sort(key=len)
+        self._tasks: list[tuple[NDArray[np.intp], NDArray[np.intp]]] = []  # tabulated frequencies below; frequencies
+        while groups:
+            count = max(1, _VALUES_TOGETHER // (planes * len(groups[-1])))
+            some, groups = groups[-count:], groups[:-count]
+            padded = [np.pad(group, (0, len(some[-1]) - len(group)), "edge") for group in some]
+            self._tasks.append((index[[group[0] for group in some]], np.array(padded)))
         self._weight_above, self._weight_below = weight * sampling, (1.0 - weight) * sampling
 
     def _add_transfer(self, number: int, kernel: Array) -> None:
@@ -566,23 +572,18 @@ class PlaneBlur(TiledBlur):
         if transposed:
             planes_in, planes_out = planes_out, planes_in
 
-        def multiply_groups(begin: int) -> None:
-            for number in range(begin, min(begin + _FREQUENCIES_TOGETHER, len(self._groups))):
-                multiply_group(number)
+        def multiply(task: tuple[NDArray[np.intp], NDArray[np.intp]]) -> None:
+            below, frequencies = task
+            values = np.take(spectra[:planes_in], frequencies, axis=1)  # (planes, groups, frequencies of a group)
+            result: Values | float = 0.0
+            for tabulated, weights in ((below, self._weight_below), (below + 1, self._weight_above)):
+                matrices = self._matrices[tabulated]
+                # The matrices are real: complex values are multiplied as pairs of real values.
+                pairs = (values * weights[frequencies]).view(np.float32).swapaxes(0, 1)
+                result += product(matrices.swapaxes(1, 2) if transposed else matrices, pairs)
+            spectra[:planes_out, frequencies] = np.asarray(result).view(np.complex64).swapaxes(0, 1)
 
-        def multiply_group(number: int) -> None:
-            group, below = self._groups[number], self._tabulated_below[number]
-            values = np.take(spectra[:planes_in], group, axis=1)
-            matrix_below, matrix_above = self._matrices[below], self._matrices[below + 1]
-            if transposed:
-                matrix_below, matrix_above = matrix_below.T, matrix_above.T
-            # The matrices are real: complex values are multiplied as pairs of real values.
-            result = product(matrix_below, (values * self._weight_below[group]).view(np.float32))
-            values *= self._weight_above[group]
-            result += product(matrix_above, values.view(np.float32))
-            spectra[:planes_out, group] = result.view(np.complex64)
-
-        side_by_side(multiply_groups, range(0, len(self._groups), _FREQUENCIES_TOGETHER), self._threads)
+        side_by_side(multiply, self._tasks, self._threads)
 
 
 class WideBlur(PlaneOperator):
@@ -642,24 +643,25 @@ class WideBlur(PlaneOperator):
         # Recorded fraction of the light of tails, by node.
         self._seen = self._coarse_adjoint(np.broadcast_to(recorded, (windows.shape[0], *recorded.shape)))
         self.outside_seen = np.einsum("pyx,yx->p", self._seen, self._pixels_outside)
+        self._seen_lines = self._specimen_weights[0].interpolate(self._seen)
         self.outside_back = np.zeros(windows.whole[0], np.float32)
         self.weigh(1.0)
 
-    def forward(self, specimen: Part, consume: PartConsumer[Result]) -> list[Result]:
+    def forward(self, specimen: Values, consume: PartConsumer[Result]) -> list[Result]:
         """Call `consume` with the recording of a specimen, as :meth:`TiledBlur.forward` does."""
-        coarse = self._bin(specimen, self.whole, self._specimen_weights)
+        coarse = self._bin(specimen, self._specimen_weights)
         coarse += self.outside[:, np.newaxis, np.newaxis] * self._pixels_outside
         light = np.empty((self.shape[0], *(axis.nodes for axis in self._recording_weights)), np.float32)
 
         def store(plane: int, rows: slice, columns: slice, values: Values) -> None:
             light[plane, rows, columns] = values
 
-        self._tails.forward(lambda plane, *part: coarse[(plane, *part)], store)
+        self._tails.forward(coarse, store)
         return self._windows.forward(specimen, self._with_coarse(light, self._recording_weights, consume))
 
-    def adjoint(self, recording: Part, consume: PartConsumer[Result]) -> list[Result]:
+    def adjoint(self, recording: Values, consume: PartConsumer[Result]) -> list[Result]:
         """Call `consume` with the transpose of :meth:`forward`; set `outside_back`, the transpose for `outside`."""
-        light = self._coarse_adjoint(self._bin(recording, self.shape, self._recording_weights))
+        light = self._coarse_adjoint(self._bin(recording, self._recording_weights))
         self.outside_back = np.einsum("pyx,yx->p", light, self._pixels_outside)
         return self._windows.adjoint(recording, self._with_coarse(light, self._specimen_weights, consume))
 
@@ -670,8 +672,8 @@ class WideBlur(PlaneOperator):
 
     def seen(self, plane: int, rows: slice, columns: slice) -> Values:
         """Return the fraction of the light of each point in a part of the specimen that falls on the recording."""
-        fraction = _interpolate(self._seen[plane], self._specimen_weights, rows, columns)
-        fraction += self._windows.seen(plane, rows, columns)
+        fraction = self._windows.seen(plane, rows, columns)
+        self._specimen_weights[1].add_interpolated(self._seen_lines[plane, rows], columns, fraction)
         return fraction
 
     def weigh(self, weight: float) -> None:
@@ -694,34 +696,31 @@ class WideBlur(PlaneOperator):
         def store(plane: int, rows: slice, columns: slice, values: Values) -> None:
             result[plane, rows, columns] = values
 
-        self._tails.adjoint(lambda plane, *part: light[(plane, *part)], store)
+        self._tails.adjoint(light, store)
         return result
 
-    def _bin(self, values: Part, shape: tuple[int, ...], axes: list[_LinearWeights]) -> Values:
-        """Return planes (of `shape`) binned to the nodes of the coarse grid with linear weights."""
-        rows, columns = slice(0, shape[1]), slice(0, shape[2])
+    def _bin(self, values: Values, axes: list[_LinearWeights]) -> Values:
+        """Return planes binned to the nodes of the coarse grid with linear weights."""
         by_row, by_column = axes
-        binned = np.empty((shape[0], by_row.nodes, by_column.nodes), np.float32)
+        binned = np.empty((len(values), by_row.nodes, by_column.nodes), np.float32)
+        together = max(1, _PIXELS_BINNED // values[0].size)  # small planes are binned together
 
-        def bin_plane(plane: int) -> None:
-            pixels = values(plane, rows, columns)
-            binned_rows = np.zeros((by_row.nodes, shape[2]), np.float32)
-            for part, nodes in by_row.parts(rows):
-                binned_rows[nodes] += product(by_row.weights[part, nodes].T, pixels[part])
-            binned[plane] = 0.0
-            for part, nodes in by_column.parts(columns):
-                binned[plane, :, nodes] += product(binned_rows[:, part], by_column.weights[part, nodes])
+        def bin_planes(first: int) -> None:
+            planes = slice(first, first + together)
+            binned[planes] = by_column.bin(by_row.bin(values[planes]).swapaxes(1, 2)).swapaxes(1, 2)
 
-        side_by_side(bin_plane, range(shape[0]), self._threads)
+        side_by_side(bin_planes, range(0, len(values), together), self._threads)
         return binned
 
     def _with_coarse(
         self, light: Values, axes: list[_LinearWeights], consume: PartConsumer[Result]
     ) -> PartConsumer[Result]:
         """Return a consumer that adds interpolated coarse light to its values before it calls `consume`."""
+        by_row, by_column = axes
+        lines = by_row.interpolate(light)
 
         def add(plane: int, rows: slice, columns: slice, values: Values) -> Result:
-            values += _interpolate(light[plane], axes, rows, columns)
+            by_column.add_interpolated(lines[plane, rows], columns, values)
             return consume(plane, rows, columns, values)
 
         return add
@@ -741,24 +740,32 @@ class _LinearWeights:
         has_next = self._first + 1 < nodes
         self.weights[np.arange(side)[has_next], self._first[has_next] + 1] = (position - self._first)[has_next]
 
-    def parts(self, pixels: slice) -> Iterator[tuple[slice, slice]]:
-        """Yield parts of the pixels, each with the nodes that have nonzero weights there."""
-        for start in range(pixels.start, pixels.stop, _PIXELS_TOGETHER):
-            stop = min(start + _PIXELS_TOGETHER, pixels.stop)
-            yield slice(start, stop), slice(self._first[start], min(self._first[stop - 1] + 2, self.nodes))
+    def bin(self, values: Values) -> Values:
+        """Return values (..., pixels, n) summed at the nodes, (..., nodes, n)."""
+        result = np.zeros((*values.shape[:-2], self.nodes, values.shape[-1]), np.float32)
+        for part, nodes in self._parts(slice(0, len(self.weights))):
+            result[..., nodes, :] += product(self.weights[part, nodes].T, values[..., part, :])
+        return result
 
+    def interpolate(self, light: Values) -> Values:
+        """Return light at the nodes, (..., nodes, n), interpolated at all pixels, (..., pixels, n)."""
+        result = np.empty((*light.shape[:-2], len(self.weights), light.shape[-1]), np.float32)
+        for part, nodes in self._parts(slice(0, len(self.weights))):
+            result[..., part, :] = product(self.weights[part, nodes], light[..., nodes, :])
+        return result
 
-def _interpolate(light: Values, axes: list[_LinearWeights], rows: slice, columns: slice) -> Values:
-    """Return a part of a plane, interpolated linearly from light at nodes (rows, columns)."""
-    by_row, by_column = axes
-    lines = np.empty((rows.stop - rows.start, light.shape[1]), np.float32)
-    for part, nodes in by_row.parts(rows):
-        lines[part.start - rows.start : part.stop - rows.start] = product(by_row.weights[part, nodes], light[nodes])
-    pixels = np.empty((len(lines), columns.stop - columns.start), np.float32)
-    for part, nodes in by_column.parts(columns):
-        target = slice(part.start - columns.start, part.stop - columns.start)
-        pixels[:, target] = product(lines[:, nodes], by_column.weights[part, nodes].T)
-    return pixels
+    def add_interpolated(self, light: Values, pixels: slice, values: Values) -> None:
+        """Add light at the nodes, (n, nodes), interpolated at some pixels, to `values` (n, pixels)."""
+        for part, nodes in self._parts(pixels):
+            target = slice(part.start - pixels.start, part.stop - pixels.start)
+            values[:, target] += product(light[:, nodes], self.weights[part, nodes].T)
+
+    def _parts(self, pixels: slice) -> list[tuple[slice, slice]]:
+        """Return parts of the pixels, each with the nodes that have nonzero weights there."""
+        starts = range(pixels.start, pixels.stop, _PIXELS_TOGETHER)
+        parts = (slice(start, min(start + _PIXELS_TOGETHER, pixels.stop)) for start in starts)
+        first = self._first
+        return [(part, slice(first[part.start], min(first[part.stop - 1] + 2, self.nodes))) for part in parts]
 
 
 def reciprocal(seen: Values) -> Values:
@@ -767,6 +774,7 @@ def reciprocal(seen: Values) -> Values:
         return np.where(seen > UNSEEN, np.float32(1.0) / seen, np.float32(0.0))
 
 
+_PIXELS_BINNED = 2**16  # pixels of planes that are binned together
 _PIXELS_TOGETHER = 64  # pixels interpolated by one matrix product, from the few nodes between which they lie
 
 

@@ -25,10 +25,12 @@ def local_stacks(frames: Frames, place: Path | None, memory: float) -> Iterator[
 
     Chunks are copied to memory or, for an output in the folder `place`, to a temporary file beside it, which is
     removed at the end. As many chunks are read together as fit into `memory` bytes, and at least one. Images that are
-    not stored in chunks are not copied.
+    not stored in chunks are copied to memory if they fit into `memory` bytes together, else read on demand.
     """
     shape = frames.shape
-    if not frames.planes.chunk_sizes:
+    if not frames.planes.chunk_sizes and math.prod(shape) * frames.dtype.itemsize <= memory:
+        yield list(frames[...])
+    elif not frames.planes.chunk_sizes:
         yield [frames.one_of("C", channel) for channel in range(shape[0])]
     elif place is None:
         values = np.empty(shape, frames.dtype)

@@ -109,8 +109,7 @@ def planes(name: str, setup: Setup) -> list[str]:
                     [lommel_lens(lens) for lens in setup.lenses()],
                     distance,
                     setup.pixel,
-                    noise=lm.Noise(read=READ),
-                    photons=light,
+                    noise=lm.Noise(white=light, read=READ),
                     contrast=float(seen.std() / seen.mean()),
                 )
                 scatter = robust(result.depth[np.isfinite(result.errors)]) / bound if kind == "pink" else math.nan

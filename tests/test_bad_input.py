@@ -288,7 +288,6 @@ def test_a_wavelength_that_has_no_meaning_is_looked_at_all_the_same(value):
         (lambda: lm.measures.transfer.sampled_otf(None, 0.1), "psf must be a PSF, got None"),
         (lambda: lm.measures.energy.encircled(1, 1.0), "pupil must be a Pupil, got 1"),
         (lambda: lm.measures.energy.encircled(PUPIL, 1e-6, method="x"), "method must be a Method, got 'x'"),
-        (lambda: lm.best_focus(SPHERICAL, 1.0, method="x"), "method must be a RadialMethod, got 'x'"),
         (lambda: lm.psf(SPHERICAL, 3, 0.5).plot(ax=1), "ax must be axes of matplotlib or None, got 1"),
         (lambda: ZernikeTable(1, "noll", "nm", "rms"), "terms must map indices to coefficients, got 1"),
         (lambda: lm.PSF.load(1), "path must be a path, got 1"),

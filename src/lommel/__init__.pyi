@@ -18,7 +18,7 @@ from lommel.channel_psf import ColourPSF as ColourPSF, colour_psf as colour_psf
 from lommel.core.answers import ToleranceError as ToleranceError
 from lommel.core.engine import clear_caches as clear_caches
 from lommel.estimation.beads import fit_beads as fit_beads
-from lommel.estimation.depth_precision import best_foci as best_foci, depth_precision as depth_precision
+from lommel.estimation.depth_precision import best_depth_foci as best_depth_foci, depth_precision as depth_precision
 from lommel.estimation.field_fit import fit_field as fit_field
 from lommel.estimation.fisher import fisher as fisher
 from lommel.estimation.phase_retrieval import retrieve as retrieve

@@ -139,13 +139,12 @@ def test_precision_is_a_table_and_a_picture(folder, call_lommel):
     lens = PAIR[0]
     foci = [1.0 / (1.0 / 1.5 + 0.1), 1.0 / (1.0 / 1.5 - 0.1)]
     expected = lm.depth_precision(
-        [lens.focused(focus) for focus in foci], found["distance"], PIXEL, noise=lm.Noise(read=3.0), photons=1e4
+        [lens.focused(focus) for focus in foci], found["distance"], PIXEL, noise=lm.Noise(white=1e4, read=3.0)
     )
     assert found["errors"] == pytest.approx(expected.tolist(), rel=1e-6)
     best = json.loads(call_lommel("precision", *options, "--best", "--json", folder=folder).stdout)
-    assert best["focus_distances"] == pytest.approx(
-        lm.best_foci(lens, 1.5, PIXEL, noise=lm.Noise(read=3.0), photons=1e4)[:2]
-    )
+    foci = [one.focus_distance for one in lm.best_depth_foci(lens, 1.5, PIXEL, noise=lm.Noise(white=1e4, read=3.0))]
+    assert best["focus_distances"] == pytest.approx(foci)
 
 
 @pytest.mark.parametrize(

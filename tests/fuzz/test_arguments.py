@@ -212,7 +212,7 @@ def entries(folder: Path) -> list[tuple[str, object, dict[str, object]]]:
         tagged("load_zernike", lm.load_zernike, path=folder / "table.json"),
         tagged("save_zernike", lm.save_zernike, path=folder / "t.csv", table=lm.load_zernike(folder / "table.json")),
         tagged("load_instrument", lm.load_instrument, path=folder / "lens.toml", folder_only=False),
-        tagged("best_focus", lm.best_focus, pupil=PUPIL, radius=1.0, method=NijboerZernike()),
+        tagged("best_focus", lm.best_focus, pupil=PUPIL, radius=1.0),
         tagged("centroid", lm.centroid, pupil=COMA),
         tagged("marechal", lm.marechal, pupil=COMA),
         tagged("rms", lm.rms, pupil=COMA, unit="waves"),

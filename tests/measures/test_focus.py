@@ -11,7 +11,6 @@ import lommel as lm
 from lommel import Pupil, Wavefront
 from lommel.measures.energy import radial_energy
 from lommel.methods import NijboerZernike
-from lommel.paper import LommelSeries
 from lommel.show.curves import moved, section
 
 
@@ -29,7 +28,7 @@ def test_the_best_focus_of_a_defocused_lens_takes_the_defocus_away(
 def test_the_best_focus_of_little_spherical_aberration_balances_it(rms: float) -> None:
     """For small aberrations and a small spot, least variance is most light: the Zernike balance."""
     balanced = Wavefront.balanced_spherical(rms)
-    found = lm.best_focus(Pupil(Wavefront(0.0, balanced.spherical)), 0.05, method=NijboerZernike(1e-10))
+    found = lm.best_focus(Pupil(Wavefront(0.0, balanced.spherical)), 0.05)
     assert found == pytest.approx(float(balanced.defocus), rel=0.01)
 
 
@@ -41,15 +40,11 @@ def test_no_other_focus_puts_more_light_into_the_circle() -> None:
     assert np.all(radial_energy(NijboerZernike(), others, radius) <= best + 1e-6)
 
 
-def test_the_best_focus_is_found_with_the_method_that_is_given() -> None:
-    pupil = Pupil(Wavefront(5.0))
-    assert lm.best_focus(pupil, 1.0, method=LommelSeries()) == pytest.approx(-5.0, abs=2e-6)
-    with pytest.raises(ValueError, match="LommelSeries supports defocus only"):
-        lm.best_focus(Pupil(Wavefront(0.0, 1.0)), 1.0, method=LommelSeries())
+def test_a_stack_and_a_radius_of_0_have_no_best_focus() -> None:
     with pytest.raises(ValueError, match="a single one, got a stack of shape"):
         lm.best_focus(Pupil(Wavefront([1.0, 2.0])), 1.0)
     with pytest.raises(ValueError, match="radius must be > 0"):
-        lm.best_focus(pupil, 0.0)
+        lm.best_focus(Pupil(Wavefront(5.0)), 0.0)
 
 
 def test_other_apertures_have_no_best_focus_in_a_circle():

@@ -9,6 +9,7 @@ from __future__ import annotations
 import importlib
 import inspect
 import pkgutil
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -109,11 +110,12 @@ def fisher(noise):
 
 def precision(noise):
     pair = [LENS.focused(1.5), LENS.focused(1.8)]
-    return [lm.depth_precision(pair, 1.6, 8e-6, noise=noise, photons=1e3 if noise is EM else 500.0)], []
+    return [lm.depth_precision(pair, 1.6, 8e-6, noise=replace(noise, white=1e3 if noise is EM else 500.0))], []
 
 
 def foci(noise):
-    return [lm.best_foci(LENS, 1.5, 8e-6, noise=noise, photons=1e3 if noise is EM else 500.0)[1]], []
+    light = replace(noise, white=1e3 if noise is EM else 500.0)
+    return [lm.best_depth_foci(LENS, 1.5, 8e-6, noise=light)[1].focus_distance], []
 
 
 def scene(seed=0):
@@ -210,7 +212,7 @@ def traced(noise):
 HONOURED = {
     "lommel.retrieve": retrieve, "lommel.fit_beads": beads, "lommel.fit_field": field,
     "lommel.detection.find_spots": spots, "lommel.detection.find_crossings": crossings, "lommel.fisher": fisher,
-    "lommel.depth_precision": precision, "lommel.best_foci": foci, "lommel.imaging.depth_from_defocus": depths,
+    "lommel.depth_precision": precision, "lommel.best_depth_foci": foci, "lommel.imaging.depth_from_defocus": depths,
     "lommel.imaging.restore_with": restored, "lommel.imaging.restore": photograph,
     "lommel.microscopy.deconvolve": deconvolved, "lommel.microscopy.restore": deep,
     "lommel.localize.find": found_spots, "lommel.localize.fit": molecules, "lommel.localize.localize_movie": movie,

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import click
 import numpy as np
 
+from lommel.base import validation
 from lommel.base.arrays import plain
 from lommel.base.encoding import to_light
 from lommel.base.units import format_length
@@ -17,12 +18,12 @@ from lommel.cli.instruments import CAMERA, LENS, SQUARE_PIXEL, instrument_of, no
 from lommel.cli.options import FILE, JSON, OUTPUT, Group, argument, command, documented, option, plot_option
 from lommel.cli.output import progress, save_figure, written
 from lommel.cli.photo_commands import PhotoNoise, apply_mask, output_type, read_as
-from lommel.estimation.depth_precision import best_foci, depth_precision
+from lommel.estimation.depth_precision import CONTRAST, WINDOW, best_depth_foci, depth_precision
 from lommel.imaging import depth_from_defocus, read_photo, write_depth, write_photo
 from lommel.io import photos as photo_files
 from lommel.io.registry import suffixes
 from lommel.recorded.noise import Noise
-from lommel.report import Facts, Report, finite, table_of
+from lommel.report import Report, finite, table_of
 from lommel.report.optics import lens_facts
 from lommel.show.drawing import figure_of
 
@@ -239,10 +240,10 @@ class FocusChoice(Group):
         if (self.pair is not None) + self.best + (len(self.foci) > 1) != 1 or not self.foci:
             raise ValueError("give --focus twice or more, or --focus once with --pair or with --best")
 
-    def lenses(self, lens: Lens, pixel: float, texture: Facts) -> list[Lens]:
+    def lenses(self, lens: Lens, pixel: float, noise: Noise) -> list[Lens]:
         """Return the lens of each photo."""
         if self.best:
-            return list(best_foci(lens, self.foci[0], pixel, **texture).lenses)
+            return list(best_depth_foci(lens, self.foci[0], pixel, noise=noise))
         if self.pair is not None:
             return _lens_pair(lens, self.foci[0], self.pair)
         return [lens.focused(focus) for focus in self.foci]
@@ -252,7 +253,7 @@ class FocusChoice(Group):
 def precision(
     lens: Path = LENS,
     choice: FocusChoice = FocusChoice(),
-    photons: float = documented(depth_precision, "photons", type=float, required=True,
+    photons: float = option(type=float, required=True,
         help="Mean signal per pixel, in detected photons (electrons)."),
     f_number: float | None = option(type=float, help="F-number; overrides the lens file."),
     between: tuple[float, float] | None = option(length="m", nargs=2, metavar="NEAR FAR",
@@ -261,9 +262,6 @@ def precision(
     pixel: float | None = SQUARE_PIXEL,
     read: float | None = documented(Noise, "read", type=float, default=None,
         help=f"Read noise, rms electrons; by default from the camera, or {_READ:g}."),
-    contrast: float = documented(depth_precision, "contrast", type=float,
-        help="Texture contrast: rms divided by mean, for structures of 2 to 128 pixels."),
-    window: float = documented(depth_precision, "window", type=float),
     figure: Path | None = plot_option("Figure of the standard error against the distance"),
 ) -> Report:  # fmt: skip
     """Compute the achievable depth precision (Cramer-Rao bound).
@@ -283,17 +281,17 @@ def precision(
     if read is None:
         read = _READ if instrument.camera is None or instrument.camera.read is None else instrument.camera.read
     lens_in_use = instrument.lens if f_number is None else instrument.lens.stopped(f_number)
-    texture: Facts = {"noise": Noise(read=read), "photons": photons, "contrast": contrast, "window": window}
+    noise = Noise(white=validation.real("photons", photons, above=0.0), read=read)
     choice.require()
     start = time.perf_counter()
-    lenses = choice.lenses(lens_in_use, instrument.side, texture)
+    lenses = choice.lenses(lens_in_use, instrument.side, noise)
     nearest, *_, farthest = sorted(photo.focus_distance for photo in lenses)
     # The default range is from a little nearer than the nearest focus to a little farther than the farthest.
     near, far = between or (0.85 * nearest, 1.2 * farthest if math.isfinite(farthest) else 4.0 * nearest)
     if not 0.0 < near < far:
         raise ValueError(f"--between must be the nearest and the farthest distance, got {near:g} m and {far:g} m")
     distance = np.geomspace(near, far, _ROWS if figure is None else _POINTS)
-    errors = np.asarray(depth_precision(lenses, distance, instrument.side, **texture))
+    errors = np.asarray(depth_precision(lenses, distance, instrument.side, noise=noise))
     seconds = time.perf_counter() - start
     foci_in_words = ", ".join(format_length(photo.focus_distance) for photo in lenses)
     if figure is not None:
@@ -316,8 +314,8 @@ def precision(
         rows.append((format_length(d), *cells))
     lines = [
         f"f = {format_length(lens_in_use.focal_length)}, f/{lens_in_use.f_number:.3g}, focus {foci_in_words}",
-        f"pixels of {format_length(instrument.side)}, {photons:g} electrons, contrast {contrast:g}, windows of "
-        f"{window:g} pixels rms",
+        f"pixels of {format_length(instrument.side)}, {photons:g} electrons, contrast {CONTRAST:g}, windows of "
+        f"{WINDOW:g} pixels rms",
     ]
     table = table_of(("distance", "standard error", "relative"), rows)
     return Report(facts, [*lines, table]) + written([figure])

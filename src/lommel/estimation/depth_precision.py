@@ -1,7 +1,7 @@
 """The achievable precision of depth from defocus (Cramér-Rao bound), and the best focus distances.
 
 The Fisher information of one pixel is the second term of J in :mod:`lommel.estimation.focal_model`. A Gaussian window
-of rms width w (pixels) counts as ``4 pi w^2`` independent pixels.
+of rms width w (pixels) counts as ``4 pi w^2`` independent pixels; depth from defocus has windows of :data:`WINDOW`.
 """
 
 from __future__ import annotations
@@ -11,6 +11,7 @@ from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
 import numpy as np
+import scipy
 from numpy.typing import ArrayLike
 
 from lommel.base import validation
@@ -20,7 +21,13 @@ from lommel.optics.base_pupil import object_distances
 from lommel.optics.lens import Lens, pixel_of
 from lommel.recorded.noise import Noise
 
-_MOST_PHOTONS = 1e12
+WINDOW = 4.0
+"""Rms width, pixels, of the Gaussian windows in which depth from defocus assumes a constant depth."""
+
+CONTRAST = 0.35
+"""Texture contrast of natural scenes: rms / mean, for structures of 2 to 128 pixels."""
+
+_MOST_ELECTRONS = 1e12
 _STEP = 0.02  # step of the five-point derivatives, radians of defocus at the pupil edge
 # Information below this fraction of its upper limit is rounding error: the photographs change equally with depth.
 _ROUNDING = 1e-9
@@ -36,9 +43,7 @@ def depth_precision(
     pixel: float,
     *,
     noise: Noise,
-    photons: ArrayLike | None = None,
-    contrast: float = 0.35,
-    window: float = 4.0,
+    contrast: float = CONTRAST,
 ) -> Numbers:
     """Return the Cramér-Rao bound on the depth of a textured surface, as a standard error.
 
@@ -51,14 +56,10 @@ def depth_precision(
     pixel : float
         Pixel pitch, metres.
     noise : Noise
-        Noise of the photographs, the same for all pixels.
-    photons : array_like, optional
-        Mean electrons per pixel: a number, or one for each photograph. By default ``noise.white``.
+        Noise of the photographs, the same for all pixels; ``noise.white`` is the mean number of electrons per pixel.
     contrast : float, default 0.35
         Texture contrast: rms / mean of the structures with periods of 2 to 128 pixels, before any blur. The power
-        spectrum falls as the inverse square of the frequency, as in natural scenes.
-    window : float, default 4.0
-        Rms width of the Gaussian window of constant depth, pixels, at least 1.
+        spectrum falls as the inverse square of the frequency, as in natural scenes. Faint textures have 0.1 or less.
 
     Returns
     -------
@@ -80,7 +81,7 @@ def depth_precision(
     Derivatives are finite differences over 0.08 rad of defocus, with a relative error below 1e-3. Texture beyond the
     Nyquist frequency of the sensor is aliased and acts as noise. The power of the texture is assumed to be unknown,
     as in :func:`lommel.imaging.depth_from_defocus`: depth follows from differences between photographs, and a single
-    photograph does not determine it.
+    photograph does not determine it. Depth is assumed constant in Gaussian windows of 4 pixels rms, as there.
 
     Examples
     --------
@@ -92,41 +93,13 @@ def depth_precision(
     """
     pitch = pixel_of(lenses, pixel)
     metres = np.asarray(object_distances(distance))
-    surface = _surface(len(lenses), noise, photons, contrast, window)
+    surface = _surface(noise, contrast)
     errors = [_error(lenses, float(z), pitch, surface) for z in metres.ravel()]
     return numbers(np.array(errors), metres.shape)
 
 
-class Foci(NamedTuple):
-    """The best pair of focus distances, returned by :func:`best_foci`.
-
-    Attributes
-    ----------
-    near, far : float
-        The two focus distances, metres; `far` may be infinite.
-    error : float
-        Standard error of the distance of the surface, metres; see :func:`depth_precision`.
-    lenses : tuple of Lens
-        The lens, focused at `near` and at `far`.
-    """
-
-    near: float
-    far: float
-    error: float
-    lenses: tuple[Lens, Lens]
-
-
-def best_foci(
-    lens: Lens,
-    distance: float,
-    pixel: float,
-    *,
-    noise: Noise,
-    photons: float | None = None,
-    contrast: float = 0.35,
-    window: float = 4.0,
-) -> Foci:
-    """Return the two focus distances that give the best depth precision for a surface.
+def best_depth_foci(lens: Lens, distance: float, pixel: float, *, noise: Noise) -> tuple[Lens, Lens]:
+    """Return the lens at the two focus distances that give the best depth precision for a surface.
 
     Parameters
     ----------
@@ -134,15 +107,17 @@ def best_foci(
         The lens; its focus distance is ignored.
     distance : float
         Distance of the surface, metres.
-    pixel, noise, photons, contrast, window
-        See :func:`depth_precision`.
+    pixel : float
+        Pixel pitch, metres.
+    noise : Noise
+        As in :func:`depth_precision`.
 
     Returns
     -------
-    Foci
-        The best pair with one focus in front of the surface and one behind it. The offsets of the foci from the
-        surface are accurate to about 1 %. For a range of depths choose foci at or beyond its ends, and compare
-        :func:`depth_precision` in between.
+    (Lens, Lens)
+        The lens with its ``focus_distance`` in front of the surface and behind it; the latter may be infinite. The
+        offsets of the foci from the surface are accurate to about 1 %. For a range of depths choose foci at or beyond
+        its ends, and compare :func:`depth_precision` in between.
 
     Raises
     ------
@@ -152,15 +127,15 @@ def best_foci(
     Examples
     --------
     >>> lens = lm.Lens(focal_length=35e-3, f_number=8.0, focus_distance=1.5, wavelength=540e-9)
-    >>> best = lm.best_foci(lens, 1.5, 4e-6, noise=lm.Noise(white=1e4, read=3))
-    >>> f"{best.near:.2f} m and {best.far:.2f} m: {1e3 * best.error:.2f} mm"
+    >>> noise = lm.Noise(white=1e4, read=3)
+    >>> near, far = lm.best_depth_foci(lens, 1.5, 4e-6, noise=noise)
+    >>> error = lm.depth_precision([near, far], 1.5, 4e-6, noise=noise)
+    >>> f"{near.focus_distance:.2f} m and {far.focus_distance:.2f} m: {1e3 * error:.2f} mm"
     '1.33 m and 1.76 m: 1.44 mm'
     """
-    from scipy.optimize import minimize
-
     pitch = pixel_of([lens], pixel)
     metres = validation.real("distance", distance, above=0.0, unit="metres")
-    surface = _surface(2, noise, photons, contrast, window)
+    surface = _surface(noise, CONTRAST)
     # Vergence (1/m) per radian of the defocus coefficient C_d = pi a^2 / (2 lambda) * vergence, a the pupil radius.
     per_radian = 2.0 * lens.wavelength / (math.pi * (0.5 * lens.aperture_diameter) ** 2)
 
@@ -183,57 +158,49 @@ def best_foci(
             "distance between the focal length and infinity"
         )
     tolerances = {"xatol": 0.01, "fatol": 1e-4 * cost(best_trial)}
-    optimum = minimize(cost, best_trial, method="Nelder-Mead", options=tolerances)
+    optimum = scipy.optimize.minimize(cost, best_trial, method="Nelder-Mead", options=tolerances)
     pair = focused_lenses(optimum.x)
     assert pair is not None
-    return Foci(pair[0].focus_distance, pair[1].focus_distance, float(optimum.fun), (pair[0], pair[1]))
+    return pair[0], pair[1]
 
 
 class _Surface(NamedTuple):
-    """Electrons per pixel and rms read noise, both divided by the excess noise factor; contrast and window."""
+    """Electrons per pixel and rms read noise, both divided by the excess noise factor; texture contrast."""
 
-    light: Array
+    light: float
     read: float
     contrast: float
-    window: float
 
 
-def _surface(count: int, noise: Noise, photons: ArrayLike | None, contrast: float, window: float) -> _Surface:
+def _surface(noise: Noise, contrast: float) -> _Surface:
     validation.instance("noise", noise, Noise)
-    read = noise.read
-    if not isinstance(read, float) or not isinstance(noise.white, float | None):
+    if not isinstance(noise.read, float) or not isinstance(noise.white, float | None):
         raise ValueError("noise must be the same for all pixels: white and read must be numbers")
-    if (electrons := noise.white if photons is None else photons) is None:
-        raise ValueError("photons (mean electrons per pixel) must be given if noise has no white level, got None")
-    light = validation.real_array("photons", electrons, least=0.0, most=_MOST_PHOTONS)
-    if light.shape not in ((), (count,)):
-        raise ValueError(f"photons must be a number or an array of {count} numbers, got shape {light.shape}")
+    if noise.white is None:
+        raise ValueError("noise must have a white, here the mean number of electrons per pixel, such as 5000")
+    if not noise.white <= _MOST_ELECTRONS:
+        raise ValueError(f"noise.white must be <= {_MOST_ELECTRONS:g} electrons, got {noise.white:g}")
     contrast = validation.real("contrast", contrast, least=0.0, below=1e3)
-    window = validation.real("window", window, least=1.0, below=1e6, unit="pixels")
     # The excess noise factor multiplies the variance: electrons divided by it have the variance of a Poisson
     # variable.
-    light = np.broadcast_to(light / noise.excess, count)
-    return _Surface(light, read / noise.excess, contrast, window)
+    return _Surface(noise.white / noise.excess, noise.read / noise.excess, contrast)
 
 
 def _error(lenses: Sequence[Lens], distance: float, pixel: float, surface: _Surface) -> float:
     """Return the standard error of one distance, metres; inf if the photographs do not determine it."""
-    exposed_indices = np.flatnonzero(surface.light)
-    if math.isinf(distance) or not surface.contrast or not exposed_indices.size:
+    if math.isinf(distance) or not surface.contrast:
         return math.inf
-    exposed_lenses, electrons = [lenses[int(k)] for k in exposed_indices], surface.light[exposed_indices]
-    widest = max(lens.aperture_diameter for lens in exposed_lenses)
+    widest = max(lens.aperture_diameter for lens in lenses)
     # The step of vergence, 1/m, for the widest aperture, whose defocus changes fastest.
-    step = _STEP * 2.0 * min(lens.wavelength for lens in exposed_lenses) / (math.pi * (0.5 * widest) ** 2)
+    step = _STEP * 2.0 * min(lens.wavelength for lens in lenses) / (math.pi * (0.5 * widest) ** 2)
     step = min(step, 0.4 / distance)  # vergences must remain positive
     vergences = 1.0 / distance + step * np.array([-2.0, -1.0, 1.0, 2.0, 0.0])
-    exposures = tuple((electrons / electrons[0]).tolist())
-    light = FocalLight(float(electrons[0]), surface.read, exposures, surface.contrast)
+    light = FocalLight(surface.light, surface.read, (1.0,) * len(lenses), surface.contrast)
 
     def transfer(lens: Lens, vergence: Array, _: object, pitch: float) -> Callable[[Array], Array]:
         return transfer_curve(lens, vergence, [(lens.wavelength, 1.0)], pitch)
 
-    model = FocalModel.of(exposed_lenses, vergences, (), pixel, light, transfer=transfer)
+    model = FocalModel.of(lenses, vergences, (), pixel, light, transfer=transfer)
     h = model.transfer
     if np.abs(h[:2] - h[3:1:-1]).max() <= _TRANSFER_ROUNDING:
         return math.inf
@@ -244,4 +211,4 @@ def _error(lenses: Sequence[Lens], distance: float, pixel: float, surface: _Surf
     if information <= _ROUNDING * float(upper_limit @ model.band.share):
         return math.inf
     # From vergence V to distance z = 1 / V: abs(dz) = z^2 abs(dV).
-    return distance**2 / math.sqrt(information * (4.0 * math.pi * surface.window**2))
+    return distance**2 / math.sqrt(information * (4.0 * math.pi * WINDOW**2))

@@ -416,7 +416,7 @@ def optics(pupil: Pupil, method: Method | None = None) -> ImageModel:
 __all__ = ["MAX_RADIUS", "Encircled", "encircled", "optics"]
 
 
-def best_focus(pupil: Pupil, radius: float, *, method: RadialMethod | None = None) -> float:
+def best_focus(pupil: Pupil, radius: float) -> float:
     """Return the defocus C_d (radians) that, added to `pupil`, maximises the encircled energy within `radius`.
 
     Parameters
@@ -425,7 +425,6 @@ def best_focus(pupil: Pupil, radius: float, *, method: RadialMethod | None = Non
         A single pupil.
     radius : float
         Radius above 0, metres if the pupil has a wavelength, else units of lambda*N.
-    method : RadialMethod, default NijboerZernike(tol=1e-6)
 
     Returns
     -------
@@ -435,15 +434,13 @@ def best_focus(pupil: Pupil, radius: float, *, method: RadialMethod | None = Non
     Raises
     ------
     TypeError, ValueError
-        If an argument is out of range, or if the pupil is a stack, is not radially symmetric or is not supported by
-        the method.
+        If an argument is out of range, or if the pupil is a stack or not radially symmetric.
 
     Notes
     -----
     The function scans defocus in steps of half a radian over the range in which some zone of the pupil is in focus,
     extended by 6 rad at both ends. Brent's method refines the maximum of the scan to 1e-6 rad.
     """
-    radial_method = validation.instance("method", of_profiles() if method is None else method, RadialMethod)
     valid_radius = validation.real("radius", radius, above=0.0)
     if checked_pupil(pupil).shape != ():
         raise ValueError(f"pupil must be a single one, got a stack of shape {pupil.shape}")
@@ -452,7 +449,8 @@ def best_focus(pupil: Pupil, radius: float, *, method: RadialMethod | None = Non
             "pupil must be radially symmetric, got a wavefront or an aperture that depends on the direction; "
             "instead compare psf.encircled_energy at several values of defocus"
         )
-    require_radial(radial_method, pupil)
+    method = of_profiles()
+    require_radial(method, pupil)
     # A zone of the pupil is in focus if the slope dPhi/d(rho^2) of its phase and the slope 2 C_d of the added defocus
     # cancel.
     t = np.linspace(pupil.obscuration**2, 1.0, 257)
@@ -462,12 +460,9 @@ def best_focus(pupil: Pupil, radius: float, *, method: RadialMethod | None = Non
 
     def energy(defocus: ArrayLike) -> NDArray[np.float64]:
         defocused = replace(pupil, wavefront=pupil.wavefront + Wavefront(defocus), geometry=None)
-        return np.asarray(radial_energy(radial_method, defocused, valid_radius))
+        return np.asarray(radial_energy(method, defocused, valid_radius))
 
     start = float(scan[np.argmax(energy(scan))])
     bounds, options = (start - 0.5, start + 0.5), {"xatol": 1e-6}
-    return float(
-        scipy.optimize.minimize_scalar(
-            lambda c: -float(energy(c)), bounds=bounds, method="bounded", options=options
-        ).x
-    )
+    search = scipy.optimize.minimize_scalar
+    return float(search(lambda c: -float(energy(c)), bounds=bounds, method="bounded", options=options).x)

@@ -304,9 +304,6 @@ def focus_tolerance(
     *,
     least: float = 0.3,
     pixel: float | tuple[float, float] | None = None,
-    fill: float | tuple[float, float] = 1.0,
-    blur: Blur | Sequence[Blur] = (),
-    spectrum: Polychromatic | None = None,
 ) -> tuple[float, float]:
     """Return the focus tolerance, the largest sensor displacements in both directions that keep an MTF acceptable.
 
@@ -318,7 +315,7 @@ def focus_tolerance(
         Spatial frequency on the sensor, cycles per metre, along x and along y; the lower MTF is used.
     least : float, default 0.3
         Smallest acceptable MTF, above 0 and below 1.
-    pixel, fill, blur, spectrum
+    pixel : float or (float, float), optional
         As in :func:`lommel.otf`.
 
     Returns
@@ -341,12 +338,16 @@ def focus_tolerance(
     >>> f"{1e6 * near:.1f} um to {1e6 * far:.1f} um"
     '-36.5 um to 36.5 um'
     """
+    return displacements(pupil, frequency, least, {"pixel": pixel})
+
+
+def displacements(pupil: Pupil, frequency: float, least: float, sensor: Sensor) -> tuple[float, float]:
+    """Return the displacements of :func:`focus_tolerance` for a sensor."""
     f = validation.real("frequency", frequency, above=0.0)
     threshold = validation.real("least", least, above=0.0, below=1.0)
     wavelength, number = checked(pupil).wavelength, pupil.f_number
     if wavelength is None or number is None or pupil.shape:
         raise ValueError(f"pupil must be a single one with a wavelength and an f-number, got {pupil!r}")
-    sensor: Sensor = {"pixel": pixel, "fill": fill, "blur": blurs(blur), "spectrum": spectrum}
     metres_per_radian = -8.0 * wavelength * number**2 / math.pi  # displacement per defocus coefficient C_d
 
     def margin_at(c: ArrayLike) -> Array:
@@ -370,10 +371,8 @@ def focus_tolerance(
             if is_below.any():
                 k = int(is_below.argmax())
                 # An error of 1e-5 rad in C_d is 2.5e-5 lambda N^2 in the displacement.
-                ends.append(
-                    metres_per_radian
-                    * float(scipy.optimize.brentq(lambda x: float(margin_at(x)), c[k], c[k + 1], xtol=1e-5))
-                )
+                end = scipy.optimize.brentq(lambda x: float(margin_at(x)), c[k], c[k + 1], xtol=1e-5)
+                ends.append(metres_per_radian * float(end))
                 break
         else:
             raise ValueError(f"least must be an MTF that defocus reaches, got {threshold:g}; use a larger value")

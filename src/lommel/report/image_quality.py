@@ -277,7 +277,7 @@ class ImageQuality(PointQuality):
             raise ValueError(
                 f"the focus tolerance needs an MTF of {least:g} or more at half the Nyquist frequency, got {mtf:.3g}"
             )
-        return transfer.focus_tolerance(self.pupil, frequency, least=least, **sensor)
+        return transfer.displacements(self.pupil, frequency, least, sensor)
 
     def mtf50(self, angle: float = 0.0) -> float:
         """Return the frequency at which the MTF of the optics alone falls to 50 %.

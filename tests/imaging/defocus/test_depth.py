@@ -42,7 +42,7 @@ def test_a_plane_is_found_as_well_as_can_be_with_the_deviation_told(distance):
     assert 0.75 < robust(z) < 1.25
     seen = averaged(texture(seed=3))
     contrast = float(seen.std() / seen.mean())  # of structures of two pixels and more
-    bound = lm.depth_precision(PAIR, distance, PIXEL, noise=NOISE, photons=5e3, contrast=contrast)
+    bound = lm.depth_precision(PAIR, distance, PIXEL, noise=lm.Noise(white=5e3, read=NOISE.read), contrast=contrast)
     known = np.isfinite(found.errors)
     assert np.std(found.depth[known]) < 1.3 * bound
     assert np.median(found.errors[known]) == pytest.approx(bound, rel=0.3)

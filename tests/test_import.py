@@ -34,7 +34,7 @@ def python(code: str) -> str:
 def test_importing_the_package_imports_no_library_that_is_optional_or_slow():
     loaded = set(python("import sys, lommel; print(*sys.modules)").split())
     assert "lommel.psf" in loaded
-    assert not loaded & {"scipy", "matplotlib", "pydantic", "click", "rich", "tifffile", "PIL", "tomllib"}
+    assert not loaded & {"scipy", "matplotlib", "pydantic", "cyclopts", "rich", "tifffile", "PIL", "tomllib"}
 
 
 @pytest.mark.parametrize("code", ["lm.load_instrument", "lm.live('lens.toml')"])
@@ -56,7 +56,7 @@ def test_what_makes_pupils_waits_until_one_is_made():
 
 def test_a_psf_by_the_default_method_needs_no_optional_library():
     code = "import sys, lommel as lm; lm.psf(lm.Pupil(lm.Wavefront(9.0)), 9, 0.5); print(*sys.modules)"
-    assert not set(python(code).split()) & {"matplotlib", "pydantic", "click", "rich", "tifffile", "PIL"}
+    assert not set(python(code).split()) & {"matplotlib", "pydantic", "cyclopts", "rich", "tifffile", "PIL"}
 
 
 @pytest.mark.parametrize(

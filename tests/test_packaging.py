@@ -282,7 +282,7 @@ def test_the_live_page_is_made_and_its_compiler_fetched_only_where_its_sources_h
 
 # What the command line needs, and what these need: none of it has the sources of lommel.
 WITH = (
-    "numpy", "numpy.libs", "scipy", "scipy.libs", "click", "rich", "pygments", "markdown_it", "mdurl", "pydantic",
+    "numpy", "numpy.libs", "scipy", "scipy.libs", "attr", "attrs", "cyclopts", "docstring_parser", "rich_rst", "rich", "pygments", "markdown_it", "mdurl", "pydantic",
     "pydantic_core", "annotated_types", "typing_extensions.py", "typing_inspection",
 )  # fmt: skip
 SUFFIX = f"cp{sys.version_info.major}{sys.version_info.minor}"
@@ -431,7 +431,7 @@ def test_the_bill_of_materials_has_all_that_is_linked_and_required_at_the_versio
     assert "lommel-live.js" in where["linked/musl"]
     packages = {ref: part for ref, part in parts.items() if ref.startswith("package/")}
     assert {part["name"] for part in packages.values() if part["scope"] == "required"} == {"numpy", "scipy"}
-    assert {"package/matplotlib", "package/click", "package/h5py"} <= set(packages)
+    assert {"package/matplotlib", "package/cyclopts", "package/h5py"} <= set(packages)
     assert all(f"\n{part['name']}=={part['version']} " in lock for part in packages.values())
     assert bill["dependencies"] == [{"ref": "lommel", "dependsOn": sorted(parts)}]
 

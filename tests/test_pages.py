@@ -373,8 +373,6 @@ def test_other_commands_of_the_pages_are_targets_of_make_and_extras_of_the_packa
             assert words[1] == "install", (name, words)
             for extra in re.findall(r"\[(\w+)\]", words[2]):
                 assert extra in extras, (name, words)
-        elif "_LOMMEL_COMPLETE" in " ".join(words):
-            assert re.search(r"=(bash|zsh|fish)_source( |$)", words[-1] if words[0] == "eval" else words[0])
         elif words[0] in ("git", "cd"):
             assert words[:2] in (["git", "clone"], ["cd", "lommel"]), (name, words)
         elif words[0] == "cmake":

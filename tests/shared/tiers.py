@@ -34,7 +34,7 @@ DRAWN = 0.01  # the share of slow tests that is in the quick tier
 # Whatever each test takes: the live page needs a browser; costs of hostile files are measured for all at once.
 ELSEWHERE = ("tests/live/", "tests/base/test_cost_of_reading.py")
 # Their first import is no cost of the test that happens to come first.
-COMMON = ("astropy.io.fits", "click", "dask.array", "h5py", "jax.numpy", "matplotlib.pyplot", "pydantic")
+COMMON = ("astropy.io.fits", "cyclopts", "dask.array", "h5py", "jax.numpy", "matplotlib.pyplot", "pydantic")
 HEADER = """# Tests that take more than 0.15 s of a processor, with the seconds that they took; a function stands for
 # all of its cases. Written by `pytest --measure`; see tests/shared/tiers.py. Its loop took {:.1f} ms.
 """

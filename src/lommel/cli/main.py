@@ -84,6 +84,10 @@ def main(words: Sequence[str] | None = None) -> NoReturn:
         entry = command_of(name)
         entry.add_to(app, name)
         words[1:] = entry.with_flags(words[1:])
+    elif name == "--install-completion":
+        for other in GENERATED:
+            command_of(other).add_to(app, other)
+        app.register_install_completion_command()
     else:
         command.list_in(app, _summaries())
     code = command.call(app, words)

@@ -422,7 +422,7 @@ def describe_psf(answer: PSF, seconds: float) -> Report:
     if facts["sum"] is not None:
         notes.append(
             f"The sum of the values, {facts['sum']:.4g}, is not the light in the window, because point samples are "
-            "more than lambda*N apart. Use --integrate for pixel-integrated values."
+            "more than lambda*N apart; with integrate = true in the lens file values are pixel-integrated."
         )
     if not is_wide_enough:
         notes.append(f"The window holds {percent(energy)} of the light; --shape {side} would hold about 98 %.")

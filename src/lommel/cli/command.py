@@ -37,6 +37,7 @@ from __future__ import annotations
 import dataclasses
 import inspect
 import io
+import itertools
 import re
 import sys
 import textwrap
@@ -163,18 +164,27 @@ class Command:
         epilogue = "Examples:\n" + "\n".join(map(_continued, examples.rstrip().split("\n"))) if examples else None
         app.command(run, name=name, help_epilogue=epilogue, usage=f"Usage: {self.usage(name)}")
 
-    def with_flags(self, words: Sequence[str]) -> list[str]:
-        """Return the words of a command line, in which each of several numbers after a flag has its own flag."""
-        several = {f for _, field in self.options if _is_series(field.kind) for f in _flags(field)}
-        joined: list[str] = []
-        flag = ""
-        for word in words:
-            if flag and _is_number(word):
-                joined += [f"{flag}={word}"] if joined[-1] != flag else [joined.pop() + f"={word}"]
+    def arranged(self, words: Sequence[str]) -> list[str]:
+        """Return the words of a command line, files first; each of several numbers after a flag gets its own flag."""
+        fields = {flag: field for _, field in self.options for flag in (*_flags(field), field.shown.negative)}
+        options: list[str] = []
+        files: list[str] = []
+        rest = list(words)
+        while rest:
+            word = rest.pop(0)
+            if word == "--":
+                return [*options, word, *files, *rest]
+            if word in fields and _is_series(fields[word].kind):
+                numbers = list(itertools.takewhile(_is_number, rest))
+                options += [f"{word}={number}" for number in numbers] or [word]
+                del rest[: len(numbers)]
+            elif word in fields:
+                count = _count(fields[word])
+                options += [word, *rest[:count]]
+                del rest[:count]
             else:
-                flag = word if word in several else ""
-                joined.append(word)
-        return joined
+                (options if word.startswith("-") and not _is_number(word) else files).append(word)
+        return [*files, *options]
 
 
 def command(function: Callable[..., Report | None]) -> Command:
@@ -205,7 +215,7 @@ class _Formatter(PlainFormatter):
         for entry in panel.entries:
             notes = [f"[{', '.join(entry.choices)}]"] if entry.choices else []
             notes += [] if entry.default is None else [f"[default: {entry.default}]"]
-            text = " ".join([_plain(entry.description), *notes])
+            text = " ".join(filter(None, [_plain(entry.description), *notes]))
             rows.append((", ".join(entry.display_labels_with_metavar), text))
         indent = 2 + min(max(len(label) for label, _ in rows), _LABEL) + 2
         width = min(console.width, _HELP)
@@ -216,7 +226,7 @@ class _Formatter(PlainFormatter):
             first = f"  {label}".ljust(indent) if fits else " " * indent
             lines += textwrap.wrap(
                 text, width, initial_indent=first, subsequent_indent=" " * indent, break_on_hyphens=False
-            )
+            ) or [first.rstrip()]
         self._print_plain(console, "\n".join([*lines, ""]))
 
     def render_description(self, console: Console, options: ConsoleOptions, description: Any) -> None:
@@ -314,6 +324,14 @@ def _is_series(kind: Any) -> bool:
     return get_origin(kind) is tuple and get_args(kind)[0] in (int, float) and get_args(kind)[1:] == (...,)
 
 
+def _count(field: Field) -> int:
+    """Return the number of words of a value."""
+    if field.kind is bool:
+        return 0
+    several = get_origin(field.kind) is tuple and get_args(field.kind)[1:] != (...,)
+    return len(get_args(field.kind)) if several else 1
+
+
 def _parameter(heading: str | None, **settings: Any) -> Parameter:
     return Parameter(group=None if heading is None else _group(heading), **settings)
 
@@ -366,13 +384,12 @@ def _conversion(field: Field) -> dict[str, Any]:
     if parse is None:
         return {}
     several = get_origin(field.kind) is tuple
-    count = len(get_args(field.kind)) if several and get_args(field.kind)[1:] != (...,) else 1
 
     def convert(_: Any, tokens: Sequence[Any]) -> Any:
         values = tuple(parse(token.value) for token in tokens)
         return values if several else values[0]
 
-    return {"converter": convert, "n_tokens": count, "allow_leading_hyphen": True}  # of negative lengths
+    return {"converter": convert, "n_tokens": _count(field), "allow_leading_hyphen": True}  # of negative lengths
 
 
 def _require_distinct_files(fields: Iterable[Field], given: dict[str, Any]) -> None:

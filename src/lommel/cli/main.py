@@ -83,7 +83,7 @@ def main(words: Sequence[str] | None = None) -> NoReturn:
         # Only the module of this command is imported: importing all takes longer than most commands run.
         entry = command_of(name)
         entry.add_to(app, name)
-        words[1:] = entry.with_flags(words[1:])
+        words[1:] = entry.arranged(words[1:])
     elif name == "--install-completion":
         for other in GENERATED:
             command_of(other).add_to(app, other)

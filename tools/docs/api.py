@@ -57,6 +57,7 @@ SECTIONS = [
             "optics",
             "optics.wavefront.wavefront",
             "telescopes",
+            "report",
             "lensfiles.instrument",
             "lensfiles.lens",
         ),
@@ -223,6 +224,7 @@ SECTIONS = [
         "Special functions",
         "Each documents its published source.",
         "",
+        ("special",),
         more="special.bessel.bessel_sequence special.bessel.legendre_transforms special.bessel.j0_series"
         " special.bessel.j0_asymptotic special.bessel.tangent_line special.erf.chirp_moments"
         " special.erf.disk_moments special.erf.unit_moments optics.aperture.shapes.disk_overlap special.erf.Erf"

@@ -136,7 +136,7 @@ def test_an_unknown_method_is_refused_with_the_known_ones() -> None:
 
 
 def test_the_names_of_the_command_line_are_all_the_methods() -> None:
-    assert {kind.__name__ for kind in (*METHODS.values(), *ERFS.values())} <= set(lm.__all__)
+    assert {kind.__name__ for kind in (*METHODS.values(), *ERFS.values())} <= {*lm.methods.__all__, *lm.paper.__all__}
     assert {kind.sampling for name, kind in METHODS.items() if name != "geometric"} == {"center"}
     assert METHODS["geometric"].sampling == "pixel"
 

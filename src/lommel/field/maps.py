@@ -7,15 +7,15 @@ from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from os import PathLike
-from typing import Any, TypedDict, Unpack
+from typing import Any
 
 import numpy as np
 import scipy
 from numpy.typing import ArrayLike, NDArray
 
-from lommel.base import atomic, options, validation
+from lommel.base import atomic, validation
 from lommel.base.arrays import Array, Json, Numbers, numbers
-from lommel.base.options import shares
+from lommel.base.options import Options, listed
 from lommel.base.units import format_length
 from lommel.channel_psf import colour_psf
 from lommel.field.psf_grid import PSFGrid, sides
@@ -338,17 +338,8 @@ def positions(x: ArrayLike, y: ArrayLike) -> tuple[Array, Array]:
     return x_values, y_values
 
 
-class ApertureKeywords(TypedDict, total=False):
-    """The keywords of :class:`ApertureOptions`."""
-
-    aperture: Pupil | None
-    wavelength: float | None
-    f_number: float | None
-    obscuration: float | None
-
-
-@dataclass(frozen=True)
-class ApertureOptions:
+@dataclass(frozen=True, kw_only=True)
+class ApertureOptions(Options):
     """Options that define the aperture.
 
     Parameters
@@ -366,11 +357,12 @@ class ApertureOptions:
     obscuration: float | None = None
 
 
-def bare_pupil(constructor: Callable[..., FieldMap], keywords: ApertureKeywords) -> Pupil:
-    """Return the pupil without wavefront that a constructor's `keywords` define; raise TypeError or ValueError."""
-    options.require_known(constructor, keywords, ApertureKeywords)
-    numeric: Json = {name: v for name, v in keywords.items() if name != "aperture" and v is not None}
-    if (aperture := keywords.get("aperture")) is None:
+def bare_pupil(constructor: str, given: Json) -> Pupil:
+    """Return the pupil without wavefront that a constructor's options define; raise TypeError or ValueError."""
+    numeric = vars(ApertureOptions.of(f"FieldMap.{constructor}", None, given)).copy()
+    aperture = numeric.pop("aperture")
+    numeric = {name: value for name, value in numeric.items() if value is not None}
+    if aperture is None:
         return Pupil(**numeric)
     if not validation.instance("aperture", aperture, Pupil).wavefront.flat:
         raise ValueError(
@@ -425,10 +417,8 @@ class FieldMap:
     shading: Shading | None = None
 
     @classmethod
-    @shares(ApertureKeywords, ApertureOptions)
-    def on_grid(
-        cls, x: ArrayLike, y: ArrayLike, wavefront: Wavefront, **options: Unpack[ApertureKeywords]
-    ) -> FieldMap:
+    @listed(ApertureOptions)
+    def on_grid(cls, x: ArrayLike, y: ArrayLike, wavefront: Wavefront, **given: Any) -> FieldMap:
         """Build a map from wavefronts on a rectangular grid, by bicubic splines.
 
         Parameters
@@ -440,13 +430,11 @@ class FieldMap:
             Wavefront at each position.
         {options}
         """
-        return cls(bare_pupil(cls.on_grid, options), OnGrid(x, y, wavefront), Wavefront())
+        return cls(bare_pupil("on_grid", given), OnGrid(x, y, wavefront), Wavefront())
 
     @classmethod
-    @shares(ApertureKeywords, ApertureOptions)
-    def scattered(
-        cls, x: ArrayLike, y: ArrayLike, wavefront: Wavefront, **options: Unpack[ApertureKeywords]
-    ) -> FieldMap:
+    @listed(ApertureOptions)
+    def scattered(cls, x: ArrayLike, y: ArrayLike, wavefront: Wavefront, **given: Any) -> FieldMap:
         """Build a map from wavefronts at scattered positions, by cubic radial basis functions and a polynomial.
 
         The polynomial is quadratic if the positions determine its six coefficients, otherwise linear. A quadratic
@@ -461,13 +449,11 @@ class FieldMap:
             Wavefront at each position.
         {options}
         """
-        return cls(bare_pupil(cls.scattered, options), Scattered(x, y, wavefront), Wavefront())
+        return cls(bare_pupil("scattered", given), Scattered(x, y, wavefront), Wavefront())
 
     @classmethod
-    @shares(ApertureKeywords, ApertureOptions)
-    def radial(
-        cls, height: ArrayLike, wavefront: Wavefront, *, azimuth: float = 0.0, **options: Unpack[ApertureKeywords]
-    ) -> FieldMap:
+    @listed(ApertureOptions)
+    def radial(cls, height: ArrayLike, wavefront: Wavefront, *, azimuth: float = 0.0, **given: Any) -> FieldMap:
         """Build a map of a rotationally symmetric lens from wavefronts along one direction of the field.
 
         Coefficients are cubic splines of the field height: even functions for even azimuthal order m and odd
@@ -484,10 +470,10 @@ class FieldMap:
             Direction in radians from the axis to the positions: 0 along x, pi / 2 along y (downwards in an image).
         {options}
         """
-        return cls(bare_pupil(cls.radial, options), Radial(height, wavefront, azimuth), Wavefront())
+        return cls(bare_pupil("radial", given), Radial(height, wavefront, azimuth), Wavefront())
 
     @classmethod
-    @shares(ApertureKeywords, ApertureOptions)
+    @listed(ApertureOptions)
     def from_seidel(
         cls,
         edge: float,
@@ -500,7 +486,7 @@ class FieldMap:
         W222: float = 0.0,
         W220: float = 0.0,
         W311: float = 0.0,
-        **options: Unpack[ApertureKeywords],
+        **given: Any,
     ) -> FieldMap:
         """Build a map from Seidel coefficients in waves at the edge of the field.
 
@@ -514,7 +500,7 @@ class FieldMap:
         """
         waves = {"W020": W020, "W040": W040, "W060": W060, "W080": W080}
         waves |= {"W131": W131, "W222": W222, "W220": W220, "W311": W311}
-        return cls(bare_pupil(cls.from_seidel, options), Seidel(edge, waves), Wavefront())
+        return cls(bare_pupil("from_seidel", given), Seidel(edge, waves), Wavefront())
 
     @property
     def unit(self) -> str:

@@ -27,7 +27,7 @@ from scipy.special import erf
 import lommel as lm
 from lommel.base.encoding import from_light, to_light
 from lommel.deconvolve.iterations import iterated
-from lommel.deconvolve.poisson_counts import PhotographCounts
+from lommel.deconvolve.likelihood import PhotographLikelihood
 from lommel.imaging import DepthBlur, LinearBlur, Occlusion, RichardsonLucy, TotalVariation, restore_with
 from lommel.imaging.photograph import fill_missing
 
@@ -168,9 +168,9 @@ def cost(scene: Scene, rounds: int) -> Iterator[str]:
     blur = DepthBlur(scene.depth, scene.lens, PIXEL, threads=1)
     largest = 2 * blur.banks[0].half + 1
     for name, one in (("DepthBlur", blur), ("Occlusion", Occlusion(blur))):
-        observed = PhotographCounts(one, image, NOISE)
+        observed = PhotographLikelihood(one, image, NOISE)
 
-        def mine(observed: PhotographCounts = observed) -> Any:
+        def mine(observed: PhotographLikelihood = observed) -> Any:
             return iterated(method, observed, lambda *_: None)
 
         mine()

@@ -18,7 +18,7 @@ from benchmarks.contenders import engine, fft, over_abs, stack
 from benchmarks.peers import ducc0_single
 from benchmarks.timing import Contender, Measured, Settings, no_values, race, worst
 from benchmarks.truth import ALIGNED, RANDOM, Mixed, aperture_error, stack_error
-from lommel.core.answers import Images, Wanted
+from lommel.core.answers import Samples, Wanted
 from lommel.optics.grid import Grid
 from lommel.special import zernike
 from lommel.special.legendre import gauss_legendre
@@ -91,10 +91,10 @@ def stacks_against_fft(settings: Settings, *, each: bool, threads: int) -> Measu
 def _images(tol: float, dtype: Any, terms: tuple[tuple[int, int], ...]) -> Contender:
     grid, wanted = Grid(SIDE, PIXEL), Wanted(dtype=dtype, threads=1, terms=terms)
 
-    def call(pupils: lm.Pupil) -> Images:
+    def call(pupils: lm.Pupil) -> Samples:
         return lm.methods.ChordalGauss(tol).images(pupils, grid, wanted)
 
-    def first(made: Images) -> NDArray[np.float64]:
+    def first(made: Samples) -> NDArray[np.float64]:
         return np.asarray(made.values if made.slopes is None else made.slopes.values[-1], dtype=np.float64)
 
     name = "derivatives" if terms else "images"

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 import lommel as lm
 from core_tests import _core_tests
-from lommel.core.answers import Images, Slopes, Wanted
+from lommel.core.answers import Samples, Slopes, Wanted
 from lommel.core.engine import DiskStack, Window, chordal_images
 from lommel.methods.averaging import _cheapest_filter, averaged_images, pixel_averages
 from lommel.optics.grid import Grid
@@ -116,7 +116,7 @@ def test_averages_of_derivatives_claim_twice_what_those_of_the_intensity_do():
         values = np.full((1, *fine.shape), 0.5)
         sizes = np.stack([slope * np.ones_like(values), -slope * np.ones_like(values)])
         errors = 0.01 * least * np.array([[3.0], [5.0]])
-        return Images(values, np.ones(1), np.array([0.01 * least]), Slopes(sizes, errors), np.array([top]))
+        return Samples(values, np.ones(1), np.array([0.01 * least]), Slopes(sizes, errors), np.array([top]))
 
     made = pixel_averages(sample, pupil, grid, tol, Wanted(terms=terms))
     whole = averaged_images(sample, pupil, grid, tol, Wanted(2.0, np.float32, terms=terms))

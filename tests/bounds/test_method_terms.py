@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 import lommel as lm
 from core_tests import _core_tests
 from digits import same
-from lommel.core.answers import Images, Intensities, Wanted
+from lommel.core.answers import Intensities, Samples, Wanted
 from lommel.core.engine import least_average
 from lommel.methods import hankel
 from lommel.methods.averaging import _cheapest_filter, averaging_filter, pixel_averages
@@ -254,7 +254,7 @@ def test_an_average_claims_the_errors_of_samples_and_of_the_filter(step, value, 
 
     def sample(one, fine, least, wanted):
         asked.append(0.01 * least)
-        return Images(np.full((1, *fine.shape), value), np.ones(1), np.array(asked[-1:]), None, np.array([top]))
+        return Samples(np.full((1, *fine.shape), value), np.ones(1), np.array(asked[-1:]), None, np.array([top]))
 
     made = pixel_averages(sample, pupil, grid, tol, Wanted(scale=None if normalize else 1.0))
     lowest = least_average(step)

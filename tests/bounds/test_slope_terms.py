@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.core.answers import Images, Slopes, Wanted
+from lommel.core.answers import Samples, Slopes, Wanted
 from lommel.core.engine import least_average
 from lommel.methods import derivatives
 from lommel.methods.averaging import averaging_filter, pixel_averages, slope_filter
@@ -27,13 +27,13 @@ PUPIL = lm.Pupil(
 E = PUPIL.wavefront.left_out + 6e-10
 
 
-def images(rng: np.random.Generator, kind: type, shape: tuple[int, ...] = (2, 4, 5)) -> Images:
+def images(rng: np.random.Generator, kind: type, shape: tuple[int, ...] = (2, 4, 5)) -> Samples:
     """Made-up images, of which the second is brighter outside of the window."""
     values = rng.uniform(0.0, 1.0, shape).astype(kind)
     scale = np.full(len(values), 0.3)
     peak = np.array([values[0].max() / 0.3, 7.0])[: len(values)]
     made = Slopes(rng.normal(size=(3, *shape)).astype(kind), np.array([[1e-6, 2e-6], [3e-6, 4e-6], [5e-6, 1e-7]]))
-    return Images(values, scale, np.array([0.1, 0.2]), made, peak)
+    return Samples(values, scale, np.array([0.1, 0.2]), made, peak)
 
 
 @pytest.mark.parametrize("kind", [np.float32, np.float64])
@@ -101,7 +101,7 @@ class Engine(lm.methods.ChordalGauss):
     def images(self, pupil, grid, wanted):
         values = np.ones((2, *grid.shape))
         made = Slopes(np.full((len(wanted.terms), *values.shape), 0.5), np.full((len(wanted.terms), 2), 1e-5))
-        return Images(values, np.ones(2), np.array([1e-7, 2e-7]), made, np.array([1.5, 2.0]))
+        return Samples(values, np.ones(2), np.array([1e-7, 2e-7]), made, np.array([1.5, 2.0]))
 
 
 @pytest.mark.parametrize("integrate", [False, True])
@@ -128,7 +128,7 @@ def test_gradients_of_averages_are_off_by_what_their_filters_and_the_samples_are
     grid, tol, off = Grid((3, 5), 0.5, integrate=True), 1e-6, np.array([3e-10, 4e-10])
 
     def sample(pupil, fine, tol, wanted):
-        return Images(np.ones((2, *fine.shape)), np.ones(2), off / [1.5, 2.0], None, np.array([1.5, 2.0]))
+        return Samples(np.ones((2, *fine.shape)), np.ones(2), off / [1.5, 2.0], None, np.array([1.5, 2.0]))
 
     found = pixel_averages(sample, PUPIL, grid, tol, Wanted(), gradients=True)
     assert found.values.shape == (3, 2, 3, 5)
@@ -177,7 +177,7 @@ def test_the_rim_is_off_by_what_both_fields_are(integrate, error):
 def test_what_is_left_out_is_in_each_part():
     pupil = lm.Pupil(PUPIL.wavefront, obscuration=0.4, apodization=PUPIL.apodization, wavelength=5e-7, f_number=3.0)
     grid, engine = Grid(5, 1e-6), Engine(1e-6)
-    made = Images(np.ones((2, 5, 5)), np.full(2, 0.3), np.full(2, 0.1), None, np.full(2, 4.0))
+    made = Samples(np.ones((2, 5, 5)), np.full(2, 0.3), np.full(2, 0.1), None, np.full(2, 4.0))
     sums = [Parts({(3, 1): 1.0}, obscuration=1.0, unknown=1.0)]
     found = derivatives._sum_terms(engine, engine, pupil, grid, made, derivatives.Wanted(0.3), sums)
     left = E * pupil.amplitude**2

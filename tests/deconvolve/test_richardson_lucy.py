@@ -10,7 +10,7 @@ import pytest
 from lommel import Lens, Noise
 from lommel.deconvolve.algorithms import MISFIT, NOISE, STEPS, StoppingRule
 from lommel.deconvolve.iterations import Solution, iterated
-from lommel.deconvolve.poisson_counts import PhotographCounts
+from lommel.deconvolve.likelihood import PhotographLikelihood
 from lommel.imaging import DepthBlur, Occlusion, RichardsonLucy
 
 LENS = Lens(focal_length=50e-3, f_number=2.8, focus_distance=2.0, wavelength=550e-9)
@@ -29,12 +29,12 @@ def _scene(seed: int = 0) -> np.ndarray:
     return np.clip(scene, 0.02, 1.0)
 
 
-def _observed(blur: Occlusion, scene: np.ndarray, white: float = 4000.0, read: float = 3.0) -> PhotographCounts:
+def _observed(blur: Occlusion, scene: np.ndarray, white: float = 4000.0, read: float = 3.0) -> PhotographLikelihood:
     noise = Noise(white=white, read=read)
-    return PhotographCounts(blur, noise.record(white * blur.forward(scene), seed=1), noise)
+    return PhotographLikelihood(blur, noise.record(white * blur.forward(scene), seed=1), noise)
 
 
-def _solve(method: RichardsonLucy, observed: PhotographCounts) -> tuple[Solution, list[tuple[int, float, float]]]:
+def _solve(method: RichardsonLucy, observed: PhotographLikelihood) -> tuple[Solution, list[tuple[int, float, float]]]:
     told: list[tuple[int, float, float]] = []
     return iterated(method, observed, lambda *at: told.append(at)), told
 
@@ -45,7 +45,7 @@ def test_a_step_is_the_quotient_of_two_products_with_a_matrix() -> None:
     rng = np.random.default_rng(2)
     photo, noise = rng.random((9, 8)), Noise(white=50.0, read=2.0)
     photo[2, 3] = np.nan
-    observed = PhotographCounts(blur, photo, noise)
+    observed = PhotographLikelihood(blur, photo, noise)
     found, _ = _solve(RichardsonLucy(steps=2, target=0.0, accelerate=False), observed)
     known = np.isfinite(photo).ravel()
     y, s = np.where(known, photo.ravel(), 0.0), 4.0 / 50.0
@@ -58,7 +58,7 @@ def test_a_step_is_the_quotient_of_two_products_with_a_matrix() -> None:
 
 def test_the_scene_itself_is_where_steps_end() -> None:
     blur, scene = _blur(), _scene()
-    observed = PhotographCounts(blur, blur.forward(scene), Noise(white=1e7, read=1.0))
+    observed = PhotographLikelihood(blur, blur.forward(scene), Noise(white=1e7, read=1.0))
     misfit = np.empty((1, *scene.shape))
     observed.discrepancies(observed.operator, observed.operator.planes(scene), misfit)
     np.testing.assert_allclose(misfit, 0.0, atol=1e-12)
@@ -101,7 +101,7 @@ def test_the_noise_stops_it_nearer_to_the_scene_than_many_steps_come() -> None:
 @pytest.mark.parametrize("scale", [1.03, 1.1])
 def test_a_wrong_depth_is_told(scale: float) -> None:
     observed = _observed(_blur(), _scene(), white=40000.0)
-    wrong = PhotographCounts(_blur(scale), observed.image, Noise(white=40000.0, read=3.0))
+    wrong = PhotographLikelihood(_blur(scale), observed.image, Noise(white=40000.0, read=3.0))
     found, _ = _solve(RichardsonLucy(), wrong)
     assert found.stopped == MISFIT
     assert 20 <= found.steps <= 60

@@ -9,7 +9,7 @@ from scipy.optimize import minimize
 from lommel import Lens, Noise
 from lommel.deconvolve.algorithms import NOISE, STEPS, search
 from lommel.deconvolve.iterations import Background, VariationIteration, iterated
-from lommel.deconvolve.poisson_counts import PhotographCounts
+from lommel.deconvolve.likelihood import PhotographLikelihood
 from lommel.imaging import DepthBlur, TotalVariation, restore_with
 
 LENS = Lens(focal_length=50e-3, f_number=2.8, focus_distance=2.0, wavelength=550e-9)
@@ -35,7 +35,7 @@ def test_it_finds_the_minimum_that_another_solver_finds(channels: int) -> None:
     matrix = blur.as_linear_operator() @ np.eye(56 * channels)
     photo = np.clip(np.random.default_rng(2).random(shape), 0.05, None)
     photo[4, 4] = np.nan
-    counts = PhotographCounts(blur, photo, Noise(white=white, read=2.0))
+    counts = PhotographLikelihood(blur, photo, Noise(white=white, read=2.0))
     iteration = VariationIteration(counts.operator, counts, background=Background(0.0))
     iteration._converge(strength, 3000, _silent, final=True)
     light = counts.operator.image(iteration.inside(0, 0))
@@ -60,7 +60,7 @@ def test_it_finds_the_minimum_that_another_solver_finds(channels: int) -> None:
 
 
 def test_great_strength_leaves_a_flat_scene() -> None:
-    observed = PhotographCounts(
+    observed = PhotographLikelihood(
         _blur((10, 12)), np.random.default_rng(3).random((10, 12)), Noise(white=500.0, read=0.0)
     )
     light = iterated(TotalVariation(strength=1.0, steps=1500), observed, _silent).light
@@ -73,7 +73,7 @@ def test_the_noise_says_how_strong_it_is() -> None:
     blur, scene = _blur((48, 56)), _blocks()
     for white in (500.0, 20000.0):
         noise = Noise(white=white, read=3.0)
-        observed = PhotographCounts(blur, noise.record(white * blur.forward(scene), seed=4), noise)
+        observed = PhotographLikelihood(blur, noise.record(white * blur.forward(scene), seed=4), noise)
         told: list[tuple[int, float, float]] = []
         found = iterated(TotalVariation(), observed, lambda *at, told=told: told.append(at))
         assert observed.mean(observed.discrepancies_of(found.light)) == pytest.approx(0.9, abs=0.06)
@@ -94,7 +94,7 @@ def test_a_wrong_depth_is_told_and_the_result_is_the_photograph() -> None:
 
 def test_a_flat_scene_stays_flat() -> None:
     noise = Noise(white=1000.0, read=3.0)
-    observed = PhotographCounts(_blur((48, 56)), noise.record(np.full((48, 56), 400.0), seed=6), noise)
+    observed = PhotographLikelihood(_blur((48, 56)), noise.record(np.full((48, 56), 400.0), seed=6), noise)
     found = iterated(TotalVariation(), observed, _silent)
     assert (found.steps, found.stopped, found.strength) == (0, NOISE, None)
     assert not np.ptp(found.light)
@@ -109,7 +109,7 @@ def test_arguments_out_of_range_are_refused(name: str, value: object) -> None:
 def test_what_is_smoothed_beyond_the_noise_is_not_stopped_by_it() -> None:
     noise, scene = Noise(white=20000.0, read=3.0), _blocks()
     blur = _blur((48, 56))
-    observed = PhotographCounts(blur, noise.record(20000.0 * blur.forward(scene), seed=4), noise)
+    observed = PhotographLikelihood(blur, noise.record(20000.0 * blur.forward(scene), seed=4), noise)
     found = iterated(TotalVariation(strength=4.0 * 0.15 / np.sqrt(20000.0 * scene.mean())), observed, _silent)
     assert 1.0 + observed.slack < observed.mean(observed.discrepancies_of(found.light)) < 1.5
     assert found.stopped == STEPS

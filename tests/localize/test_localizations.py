@@ -12,7 +12,7 @@ import pytest
 import yaml
 
 import lommel as lm
-from lommel.localize import Localizations, Recording, writer
+from lommel.localize import Localizations, MovieInfo, writer
 from lommel.localize.localizations import columns, joined
 
 PIXEL = 103e-9
@@ -31,7 +31,7 @@ def made(count: int = 5, *, frames: int = 40, seed: int = 0, along: str = "z", f
         rows[f"{name}_error"], rows[f"sigma_{name}"] = 5e-9 * (1 + rows["frame"]), 130e-9
     rows["z"], rows["z_error"] = draw.uniform(-5e-7, 5e-7, count), 20e-9
     rows["state"][2:3] = 1
-    return Localizations(rows, Recording(frames, 64, 80, PIXEL, (15, 13), along, "movie.tif"), count, 1, 2)
+    return Localizations(rows, MovieInfo(frames, 64, 80, PIXEL, (15, 13), along, "movie.tif"), count, 1, 2)
 
 
 def test_the_table_is_what_thunderstorm_reads(tmp_path):

@@ -8,7 +8,7 @@ from scipy.optimize import minimize
 
 import lommel as lm
 from lommel.deconvolve.iterations import Background, VariationIteration, iteration_of
-from lommel.deconvolve.poisson_counts import PoissonCounts
+from lommel.deconvolve.likelihood import PoissonLikelihood
 from lommel.microscopy.stack_blur import TiledBlur
 
 NOISE = lm.Noise(read=1.0)
@@ -22,7 +22,7 @@ def small(aspect=0.5, seed=0):
     truth = np.full(SHAPE, 5.0)
     truth[1:3, 2:5, 1:4] = 60.0
     stack = np.random.default_rng(seed).poisson(truth).astype(np.float32)
-    blur, counted = TiledBlur([KERNEL], SHAPE, (0, 0)), PoissonCounts(stack, NOISE)
+    blur, counted = TiledBlur([KERNEL], SHAPE, (0, 0)), PoissonLikelihood(stack, NOISE)
     return VariationIteration(blur, counted, background=Background(0.0), aspect=aspect), stack
 
 
@@ -81,7 +81,7 @@ def test_edges_at_low_light_are_restored_better_than_at_the_best_of_richardson_l
     blur = TiledBlur([kernel], shape, (0, 0))
     image = np.zeros(shape)
     blur.forward(truth, lambda p, r, c, v: image.__setitem__((p, r, c), v))
-    counted = PoissonCounts(NOISE.record(np.maximum(image, 0.0) + 1.0, seed=1), NOISE)
+    counted = PoissonLikelihood(NOISE.record(np.maximum(image, 0.0) + 1.0, seed=1), NOISE)
 
     def error(method):
         walk = iteration_of(method, blur, counted, background=Background(1.0), aspect=0.5)

@@ -13,7 +13,7 @@ from lommel.base.arrays import Array, Values, largest
 from lommel.blur.blurs import Blur, Seeing, require_unit
 from lommel.blur.convolution import Gate, Halo, Readout, Short, Spread, ends, readout, spread
 from lommel.blur.transfer_integral import FURTHER, Fading, TransferIntegral
-from lommel.core.answers import Declined, DType, Images, ToleranceError, Wanted, not_met
+from lommel.core.answers import Declined, DType, Samples, ToleranceError, Wanted, not_met
 from lommel.core.engine import product
 from lommel.methods.choice import candidates, first_within_tolerance
 from lommel.methods.method import Method, normalized_error, stored, storing, with_model_error
@@ -358,14 +358,14 @@ def _sampled(request: Request, pupil: BasePupil, grid: Grid) -> tuple[Method, Ar
     methods[0].require(pupil)
     grid.require_reach(pupil)
 
-    def compute(method: Method) -> Images:
+    def compute(method: Method) -> Samples:
         images = method.intensity(pupil, grid, request.threads)
         values, scales = images.values, np.ones(len(images.values))
         if values.ndim == 2:
             values = np.empty((len(scales), *grid.shape))
             grid.paint(images.values, scales, values)
         peak = images.values.reshape(len(scales), -1).max(axis=1) if images.peak is None else images.peak
-        return with_model_error(Images(values, scales, images.error, None, peak), pupil, method, normalized=False)
+        return with_model_error(Samples(values, scales, images.error, None, peak), pupil, method, normalized=False)
 
     method, images = first_within_tolerance(methods, compute)
     assert images.peak is not None
@@ -408,7 +408,7 @@ def _lattice_seconds(request: Request, pupil: BasePupil, grid: Grid, blurs: tupl
     return 4e-3 + pixels + 4e-8 * samples * math.prod(pupil.shape)
 
 
-def transferred(method: Method, pupil: BasePupil, grid: Grid, wanted: Wanted) -> Images:
+def transferred(method: Method, pupil: BasePupil, grid: Grid, wanted: Wanted) -> Samples:
     """Return images of a stack by quadrature over transfer functions; each pupil may have its own axis."""
     if not grid.stack:
         return method.images(pupil, grid, wanted)
@@ -422,12 +422,12 @@ def transferred(method: Method, pupil: BasePupil, grid: Grid, wanted: Wanted) ->
         )
         images = method.images(pupil[index], grid[index], request)
         scales[k], errors[k] = images.scale[0], images.bound[0]
-    return Images(values, scales, errors)
+    return Samples(values, scales, errors)
 
 
 def recorded_images(
     method: Method | None, tol: float, pupil: BasePupil, grid: Grid, blurs: tuple[Blur, ...], wanted: Wanted
-) -> tuple[Method, Images]:
+) -> tuple[Method, Samples]:
     """Return the method of the samples, and the blurred images of a stack with errors below `tol` of the peak."""
     if method is not None and method.sampling == "pixel":
         raise ValueError(
@@ -481,14 +481,14 @@ def _refuse_seeing(request: Request, tol: float, pupil: BasePupil, blurs: tuple[
         ) from fault
 
 
-def _scaled(images: BlurredStack, wanted: Wanted, bounds: Array | None) -> Images:
+def _scaled(images: BlurredStack, wanted: Wanted, bounds: Array | None) -> Samples:
     """Return images divided by their largest values, or multiplied by the requested scale."""
     maxima = images.values.max(axis=(1, 2))
     scales = 1.0 / maxima if wanted.scale is None else np.broadcast_to(np.asarray(wanted.scale), maxima.shape)
     values = np.empty(images.values.shape, wanted.dtype) if wanted.out is None else wanted.out
     # Clamp to 0: averages of an intensity are not negative, and clamping does not increase the error.
     np.multiply(np.maximum(images.values, 0.0), scales[:, None, None], out=values, casting="same_kind")
-    return Images(values, scales, bounds)
+    return Samples(values, scales, bounds)
 
 
 def _seeing_ratio(pupil: BasePupil, blurs: tuple[Blur, ...]) -> float:

@@ -77,7 +77,7 @@ class Slopes(NamedTuple):
     error: Array  # (k, n), bounds on (error / peak of the intensity)
 
 
-class Images(NamedTuple):
+class Samples(NamedTuple):
     """Images of n pupils (a flattened stack), scaled and in their final type."""
 
     values: Pixels  # (n, height, width)

@@ -21,7 +21,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from lommel import _core
 from lommel.base.arrays import Array
-from lommel.core.answers import FieldValues, Images, Intensities, Pixels, Slopes, Wanted, not_met
+from lommel.core.answers import FieldValues, Intensities, Pixels, Samples, Slopes, Wanted, not_met
 
 # Functions and classes of the core that need no conversion of arguments or results.
 FocalScale = _core.FocalScale
@@ -105,7 +105,7 @@ def _require(bound: float, tol: float, relative_to: str) -> None:
 
 def radial_images(
     stack: RadialStack, window: Window, tol: float, wanted: Wanted, *, integrate: bool = False
-) -> Images:
+) -> Samples:
     """Return images of radially symmetric pupils: point samples, or averages over pixels with `integrate`."""
     scale, values, numbers = _outputs(len(stack.terms), window, wanted)
     slopes, arguments = None, _NO_DERIVATIVES
@@ -117,7 +117,7 @@ def radial_images(
     # Positional arguments: with keywords, a small image would take a sixth longer.
     bound = render(stack, window, integrate, (tol, wanted.threads, scale), values, numbers, **arguments)
     _require(bound, tol, _error_reference(wanted))
-    return Images(values, numbers[0], numbers[1], slopes, numbers[2])
+    return Samples(values, numbers[0], numbers[1], slopes, numbers[2])
 
 
 def filters_pay(stack: RadialStack, window: Window, tol: float, *, derivatives: bool = False) -> bool:
@@ -157,7 +157,7 @@ def _error_reference(wanted: Wanted) -> str:
     return 'the largest value in the window (normalize="peak")' if wanted.scale is None else "the peak"
 
 
-def series_images(stack: DiskStack, window: Window, tol: float, wanted: Wanted) -> Images:
+def series_images(stack: DiskStack, window: Window, tol: float, wanted: Wanted) -> Samples:
     """Return point samples of images of arbitrary wavefronts, computed by a series of Bessel functions."""
     return _disk_images(_core.series_images, "the peak", stack, window, tol, wanted)
 
@@ -189,7 +189,7 @@ def chordal_images(
     wanted: Wanted,
     *,
     if_cheaper: bool = False,
-) -> Images:
+) -> Samples:
     """Return point samples by the chordal rule, with errors relative to the largest value in the window.
 
     Errors of derivatives with respect to `wanted.terms` have bounds relative to this value, which may exceed `tol`.
@@ -206,18 +206,18 @@ def chordal_images(
     return images._replace(slopes=slopes)
 
 
-def _averages_outputs(count: int, window: Window, wanted: Wanted) -> tuple[Images, tuple[Any, ...]]:
+def _averages_outputs(count: int, window: Window, wanted: Wanted) -> tuple[Samples, tuple[Any, ...]]:
     """Return empty images with their derivatives, and the same arrays as arguments of the core."""
     scale, values, numbers = _outputs(count, window, wanted)
     terms = np.array(wanted.terms, dtype=np.int32).reshape(-1, 2)
     slopes = Slopes(np.empty((len(terms), *values.shape), wanted.dtype), np.empty((len(terms), count)))
-    images = Images(values, numbers[0], numbers[1], slopes if len(terms) else None, numbers[2])
+    images = Samples(values, numbers[0], numbers[1], slopes if len(terms) else None, numbers[2])
     return images, (scale, values, numbers, terms, slopes.values, slopes.error)
 
 
 def disk_averages(
     stack: DiskStack, window: Window, tol: float, wanted: Wanted, *, if_cheaper: bool = False
-) -> Images | None:
+) -> Samples | None:
     """Return averages over pixels, with errors relative to the largest average at any position of a pixel.
 
     None if another method suits better. With `if_cheaper`, Declined is raised if :func:`series_images` is likely to
@@ -245,7 +245,7 @@ def aperture_averages(
     tol: float,
     wanted: Wanted,
     rule: ApertureRule,
-) -> Images | None:
+) -> Samples | None:
     """Return averages over pixels for an arbitrary aperture, whose amplitude is part of the weights of `rule`.
 
     The weights have the shape (chords, nodes, 8): real and imaginary part at (x, y), (x, -y), (-x, y) and (-x, -y).
@@ -444,12 +444,12 @@ def _disk_images(
     tol: float,
     wanted: Wanted,
     **derivatives: object,
-) -> Images:
+) -> Samples:
     """Return images computed by a function of the core; ToleranceError if it cannot meet `tol`."""
     scale, values, numbers = _outputs(len(stack.edge), window, wanted)
     request = tol, wanted.threads, scale
     _require(compute(stack, window, request, values, numbers, **derivatives), tol, relative_to)
-    return Images(values, numbers[0], numbers[1], None, numbers[2])
+    return Samples(values, numbers[0], numbers[1], None, numbers[2])
 
 
 def radial_fields(stack: RadialStack, v: Array, tol: float) -> FieldValues:
@@ -522,7 +522,7 @@ def layered_images(
     *,
     integrate: bool = False,
     slopes: LayeredSlopes | None = None,
-) -> Images | None:
+) -> Samples | None:
     """Return images with error bounds relative to their peaks, or None; the caller checks the bounds."""
     count = layered.planes.shape[1]
     values = np.empty((count, *window.shape), wanted.dtype) if wanted.out is None else wanted.out
@@ -534,7 +534,7 @@ def layered_images(
     images: Callable[..., bool] = _core.layered_images
     computed = images(layered, window, integrate, allowed, wanted.threads, values, numbers, arguments)
     results = None if slopes is None else Slopes(derivatives, errors / numbers[2])
-    return Images(values, numbers[0], numbers[1], results, numbers[2]) if computed else None
+    return Samples(values, numbers[0], numbers[1], results, numbers[2]) if computed else None
 
 
 def layered_profiles(layered: Layered, v: Array, threads: int = 1) -> tuple[Array, Array]:

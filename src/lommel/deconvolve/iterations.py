@@ -23,8 +23,8 @@ from lommel.deconvolve.algorithms import (
     search,
     silent,
 )
+from lommel.deconvolve.likelihood import PhotographLikelihood, PoissonLikelihood, at_least
 from lommel.deconvolve.linear import PartConsumer, PlaneOperator, Result
-from lommel.deconvolve.poisson_counts import PhotographCounts, PoissonCounts, at_least
 
 _STRIDE = 2  # stride along each axis of the voxels from which the extrapolation factor is computed
 _MAX_GROWTH = 4.0  # largest factor by which extrapolation multiplies the light of a voxel
@@ -86,7 +86,7 @@ class Iteration:
     def __init__(
         self,
         blur: PlaneOperator,
-        counted: PoissonCounts,
+        counted: PoissonLikelihood,
         course: Sequence[StepSettings] | None = None,
         *,
         background: Background = _NO_BACKGROUND,
@@ -308,7 +308,7 @@ class VariationIteration(Iteration):
     def __init__(
         self,
         blur: PlaneOperator,
-        counted: PoissonCounts,
+        counted: PoissonLikelihood,
         course: Sequence[StepSettings] | None = None,
         *,
         background: Background,
@@ -364,7 +364,7 @@ class VariationIteration(Iteration):
     def _converge(self, strength: float, steps: int, report: ProgressCallback, *, final: bool) -> float:
         """Take at most `steps` steps with one strength, until they converge, and return the discrepancy.
 
-        With `final`, no other strength follows. Convergence is then tested for stacks only (`PoissonCounts.settles`).
+        With `final`, no other strength follows. Convergence is then tested for stacks only (`settles`).
         """
         self._strength, extrapolation = strength, 0.0
         self.objectives = []
@@ -477,7 +477,7 @@ def _root(e: Values, p: Values, q: Values) -> Values:
 def iteration_of(
     method: RichardsonLucy | TotalVariation,
     blur: PlaneOperator,
-    counted: PoissonCounts,
+    counted: PoissonLikelihood,
     course: Sequence[StepSettings] | None = None,
     *,
     background: Background,
@@ -500,13 +500,13 @@ class Solution(NamedTuple):
     light: Values
     steps: int
     stopped: str
-    alike: Callable[[PhotographCounts], Values]
+    alike: Callable[[PhotographLikelihood], Values]
     strength: float | None = None
 
 
 def iterated(
     method: RichardsonLucy | TotalVariation,
-    counts: PhotographCounts,
+    counts: PhotographLikelihood,
     report: ProgressCallback,
     course: Sequence[StepSettings] | None = None,
 ) -> Solution:
@@ -515,7 +515,7 @@ def iterated(
     steps, stopped, _ = iteration.solve(method, report)
     light = counts.operator.image(iteration.inside(0, 0))
 
-    def alike(other: PhotographCounts) -> Values:
+    def alike(other: PhotographLikelihood) -> Values:
         return iterated(method, other, silent, iteration.course).light
 
     return Solution(light, steps, stopped, alike, iteration.strength)

@@ -26,8 +26,8 @@ from lommel.base import validation
 from lommel.base.arrays import Array, Values
 from lommel.deconvolve.algorithms import ONE_PASS, ProgressCallback, silent
 from lommel.deconvolve.iterations import Solution
+from lommel.deconvolve.likelihood import PhotographLikelihood
 from lommel.deconvolve.linear import LinearBlur
-from lommel.deconvolve.poisson_counts import PhotographCounts
 from lommel.estimation.focal_model import LARGEST, Band, FocalLight, FocalModel, transfer_curve
 from lommel.imaging.blur import DepthBlur
 from lommel.imaging.focal_engine import processors
@@ -106,7 +106,7 @@ class OnePass:
     def __post_init__(self) -> None:
         validation.real("loss", self.loss, above=0.0, infinite=True)
 
-    def solve(self, observed: PhotographCounts, tell: ProgressCallback) -> Solution:
+    def solve(self, observed: PhotographLikelihood, tell: ProgressCallback) -> Solution:
         """Return the sharp image of the counts `observed`, and call `tell` once; ValueError for other blurs."""
         blur = lens_blur(observed.blur)
         if blur is None:
@@ -152,7 +152,7 @@ class OnePass:
 class _Scene:
     """A photograph taken with a lens: its channels, and the vergences (1 / distance) of the tables."""
 
-    def __init__(self, observed: PhotographCounts, blur: DepthBlur) -> None:
+    def __init__(self, observed: PhotographLikelihood, blur: DepthBlur) -> None:
         self._blur = blur
         self.vergence, self.places = _vergences(blur)
         shape = (*blur.shape, blur.channels)
@@ -196,7 +196,7 @@ class _Scene:
         return float((texture.noise**2 / (texture.noise + signal)) @ transmission.band.share)
 
 
-def wiener_target(observed: PhotographCounts) -> tuple[float, float] | None:
+def wiener_target(observed: PhotographLikelihood) -> tuple[float, float] | None:
     """Return the residual power expected of the Wiener filter, and the noise variance, both / the stated variance.
 
     Return None if the blur is too wide for the transfer functions, or is not the blur of a lens and a depth map.
@@ -260,7 +260,7 @@ def _near_edges(places: NDArray[np.float32]) -> NDArray[np.bool_]:
 
 
 def _blend_at_edges(
-    observed: PhotographCounts, light: Values, at_edges: NDArray[np.bool_], noise: list[float]
+    observed: PhotographLikelihood, light: Values, at_edges: NDArray[np.bool_], noise: list[float]
 ) -> Values:
     """Return `light`, blended with the photograph near depth edges where the blend explains the counts better.
 

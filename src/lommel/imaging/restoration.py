@@ -39,8 +39,8 @@ from lommel.deconvolve.algorithms import (
     silent,
 )
 from lommel.deconvolve.iterations import Solution, iterated
+from lommel.deconvolve.likelihood import PhotographLikelihood
 from lommel.deconvolve.linear import LinearBlur, Window, tiles_of
-from lommel.deconvolve.poisson_counts import PhotographCounts
 from lommel.field.maps import FieldMap
 from lommel.fit.findings import Finding, Findings
 from lommel.imaging.blur import DepthBlur, require_lens
@@ -75,7 +75,7 @@ _DIFFERENCE_STEP = 0.1  # change of the photograph / noise, for the difference q
 Method = RichardsonLucy | TotalVariation | OnePass
 
 
-def solve(method: Method, observed: PhotographCounts, tell: ProgressCallback) -> Solution:
+def solve(method: Method, observed: PhotographLikelihood, tell: ProgressCallback) -> Solution:
     """Return the sharp image of counts by a `method`, which stops at the discrepancy expected of the noise."""
     if isinstance(method, OnePass):
         return method.solve(observed, tell)
@@ -83,7 +83,7 @@ def solve(method: Method, observed: PhotographCounts, tell: ProgressCallback) ->
 
 
 def noise_aware(
-    method: RichardsonLucy | TotalVariation, observed: PhotographCounts
+    method: RichardsonLucy | TotalVariation, observed: PhotographLikelihood
 ) -> RichardsonLucy | TotalVariation:
     """Return the method with the target raised, if necessary, to the discrepancy of the Wiener filter."""
     if not 0.0 < method.target < 1.0 or (isinstance(method, TotalVariation) and method.strength is not None):
@@ -92,7 +92,7 @@ def noise_aware(
     return method if expected is None or expected[0] <= method.target else replace(method, target=expected[0])
 
 
-def check_result(observed: PhotographCounts, result: Solution, method: Method) -> tuple[float, str]:
+def check_result(observed: PhotographLikelihood, result: Solution, method: Method) -> tuple[float, str]:
     """Return the share of the photograph to blend into a result (1 if rejected), and the stopping reason."""
     after, before = (observed.mean(observed.discrepancies_of(light)) for light in (result.light, observed.image))
     # Richardson-Lucy that stopped at its maximum number of steps may not fit yet.
@@ -104,14 +104,14 @@ def check_result(observed: PhotographCounts, result: Solution, method: Method) -
     return _best_share(observed, result) if small_change and result.steps else 0.0, result.stopped
 
 
-def blend(observed: PhotographCounts, light: Values, share: float) -> Values:
+def blend(observed: PhotographLikelihood, light: Values, share: float) -> Values:
     """Return ``(1 - share) * light + share * photograph``, and `light` at unknown pixels of the photograph."""
     if share == 0.0:
         return light
     return np.asarray(light + light.dtype.type(share) * np.where(observed.weight > 0.0, observed.image - light, 0.0))
 
 
-def _is_overdone(observed: PhotographCounts, light: Values) -> bool:
+def _is_overdone(observed: PhotographLikelihood, light: Values) -> bool:
     """Return True if light differs from the photograph by more than the stated blur can explain."""
     certain, photo = observed.certain, observed.image
     # Standard deviation of the shot noise in units of light.
@@ -121,7 +121,7 @@ def _is_overdone(observed: PhotographCounts, light: Values) -> bool:
     return bool(np.abs(light - photo)[certain].mean(dtype=np.float64) > _MAX_CHANGE_RATIO * max(by_blur, min_change))
 
 
-def _best_share(observed: PhotographCounts, result: Solution) -> float:
+def _best_share(observed: PhotographLikelihood, result: Solution) -> float:
     """Return the share of the photograph with the smallest expected squared error of the blend.
 
     In comments x is the result, y the photograph, n its noise, A the blur, 1 - a the share, and E[] an expectation.
@@ -200,7 +200,7 @@ def restore_with(
     solver = _checked_method(method, progress)
     recorded = blur.require(light, "light", missing=True)
     limit = validation.real("saturation", saturation, infinite=True)
-    observed = PhotographCounts(blur, recorded, noise, limit)
+    observed = PhotographLikelihood(blur, recorded, noise, limit)
     with shown(progress) as tell:
         before = observed.mean(observed.discrepancies_of(observed.image))
         result = solve(solver, observed, tell)
@@ -406,7 +406,7 @@ def _by_tiles(
     """Restore a photograph tile by tile into `out`; `photo_and_mask` includes the mask of unknown pixels."""
     photo, unknown = photo_and_mask
 
-    def observed(window: Window) -> PhotographCounts:
+    def observed(window: Window) -> PhotographLikelihood:
         """Return counts of a part of the photograph."""
         try:
             window_mask = None if unknown is None else unknown[window]
@@ -418,7 +418,7 @@ def _by_tiles(
                 "larger tiles (tile=)"
             ) from None
         # `noise.part` crops noise parameters that are maps to the window as well.
-        return PhotographCounts(blur.operator(np.asarray(depth[window])), light, noise.part(*window), limit)
+        return PhotographLikelihood(blur.operator(np.asarray(depth[window])), light, noise.part(*window), limit)
 
     def centre_distance(tile: tuple[Window, Window, Window]) -> float:
         return math.hypot(*(part.start + part.stop - size for part, size in zip(tile[0], photo.shape, strict=False)))

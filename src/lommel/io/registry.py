@@ -103,7 +103,7 @@ class Format:
       (height, width) or (n, height, width), the header has the names of FITS
     - "opd": write(OPDMap) -> bytes; read(bytes) -> ``lommel.io.opd_files.Measured``
     - "molecules": write(path[, path beside]) -> context manager that yields a function of rows and a
-      ``lommel.localize.Recording``, which is called repeatedly
+      ``lommel.localize.MovieInfo``, which is called repeatedly
     - "video": write(path, seconds between frames, comment) -> context manager that yields a function of values and
       time (seconds) of a frame; ``lommel.io.videos`` reads videos
     - "zernike": write(settings, terms) -> text, both dicts by name; read(bytes) -> (ZernikeTable or None, errors)

@@ -2,7 +2,7 @@
 
 from lommel.detection.molecules import Spots, find
 from lommel.localize.fitting import Molecules, fit
-from lommel.localize.localizations import Localizations, Recording, writer
+from lommel.localize.localizations import Localizations, MovieInfo, writer
 from lommel.localize.movie_fits import localize_blocks, localize_movie
 from lommel.localize.table import Table
 from lommel.recorded.frames import Movie, MovieError, open_movie
@@ -12,7 +12,7 @@ __all__ = [
     "Molecules",
     "Movie",
     "MovieError",
-    "Recording",
+    "MovieInfo",
     "Spots",
     "Table",
     "find",

@@ -26,7 +26,7 @@ from lommel.fit.findings import Finding, Findings, Severity
 from lommel.fit.goodness_of_fit import excess_test
 from lommel.fit.score_tests import Candidate, ScoreTest, other_explanation, score_tests, seen
 from lommel.localize.fitting import Molecules, in_electrons
-from lommel.localize.localizations import DOUBTFUL, Localizations, Recording
+from lommel.localize.localizations import DOUBTFUL, Localizations, MovieInfo
 from lommel.localize.table import Table, Waves
 from lommel.optics.layers.objective import brightest
 from lommel.optics.layers.objective_pupil import ObjectivePupil
@@ -75,7 +75,7 @@ _MIN_GAIN = 10.0  # smallest gain of log-likelihood of a rival that is reported
 class Checks:
     """Checks of successive blocks of frames; `refit` is a function that fits boxes with a given table."""
 
-    def __init__(self, recording: Recording, table: Table, refit: partial[Molecules], background: str) -> None:
+    def __init__(self, recording: MovieInfo, table: Table, refit: partial[Molecules], background: str) -> None:
         self._recording, self._table, self._refit, self._background = recording, table, refit, background
         self._noise: Noise = refit.keywords["noise"]
         self._once: dict[str, Finding] = {}

@@ -38,7 +38,7 @@ MEDIANS = ("photons", "background", "x_error", "y_error", "z_error", "discrepanc
 
 
 @dataclass(frozen=True)
-class Recording:
+class MovieInfo:
     """The movie from which localisations were computed.
 
     Attributes
@@ -77,7 +77,7 @@ class Localizations(FitReport):
         ``sigma_x`` and ``sigma_y``, standard deviations of a Gaussian fitted to the PSF at this z, metres;
         ``discrepancy`` and ``log_likelihood`` of the fit; ``score`` of the spot; ``state``, an index into ``states``.
         ``pandas.DataFrame(localizations.table)`` converts the table to a data frame.
-    recording : Recording
+    recording : MovieInfo
         Size of the movie, pixel pitch and meaning of z.
     spots : int
         Number of spots that were fitted.
@@ -94,7 +94,7 @@ class Localizations(FitReport):
     """
 
     table: NDArray[np.void] = field(repr=False)
-    recording: Recording
+    recording: MovieInfo
     spots: int = 0
     borders: int = 0
     overlapping: int = 0
@@ -282,7 +282,7 @@ def writer(*paths: str | PathLike[str]) -> Iterator[Callable[[Localizations], No
 
 Rows: TypeAlias = NDArray[np.void]
 """Rows of the table of :class:`lommel.localize.Localizations`."""
-Write: TypeAlias = Callable[[Rows, Recording], None]
+Write: TypeAlias = Callable[[Rows, MovieInfo], None]
 """Function that appends rows to a file."""
 
 _TEXT = {"encoding": "utf-8", "newline": ""}
@@ -318,7 +318,7 @@ def thunderstorm(path: Path) -> Iterator[Write]:
 
     with atomic.opened(path, "w", **_TEXT) as file:
 
-        def write(rows: Rows, recording: Recording) -> None:
+        def write(rows: Rows, recording: MovieInfo) -> None:
             nonlocal row_count
             if not columns:
                 write_header(recording.along)
@@ -338,7 +338,7 @@ def thunderstorm(path: Path) -> Iterator[Write]:
 _FLOATS = ("x", "y", "z", "photons", "sx", "sy", "bg", "lpx", "lpy", "lpz", "log_likelihood")
 
 
-def _locs(recording: Recording) -> np.dtype[np.void]:
+def _locs(recording: MovieInfo) -> np.dtype[np.void]:
     """Return the type of a row of Picasso's data set, without z if it is not estimated."""
     names = [name for name in _FLOATS if recording.along != "none" or name not in ("z", "lpz")]
     return np.dtype([("frame", np.uint32), *((name, np.float32) for name in names)])
@@ -351,7 +351,7 @@ def picasso(path: Path, yaml_path: Path) -> Iterator[Write]:
     J. Schnitzbauer et al., doi:10.1038/nprot.2017.024. Rows are collected in a temporary file, since their number is
     needed at the beginning of the HDF5 file.
     """
-    h5py, movie = library("h5py", "files of Picasso need", "hdf5"), Recording(1, 1, 1, 1.0, (1, 1), "z")
+    h5py, movie = library("h5py", "files of Picasso need", "hdf5"), MovieInfo(1, 1, 1, 1.0, (1, 1), "z")
     row_count = 0
     with ExitStack() as stack:
         target = stack.enter_context(atomic.opened(path))
@@ -359,7 +359,7 @@ def picasso(path: Path, yaml_path: Path) -> Iterator[Write]:
             row_file = stack.enter_context(tempfile.TemporaryFile(dir=Path(target.name).parent, buffering=0))
         metadata = stack.enter_context(atomic.opened(yaml_path, "w", **_TEXT))
 
-        def write(rows: Rows, recording: Recording) -> None:
+        def write(rows: Rows, recording: MovieInfo) -> None:
             nonlocal movie, row_count
             movie, row_count = recording, row_count + rows.size
             locs = np.empty(rows.size, _locs(recording))
@@ -393,7 +393,7 @@ def picasso(path: Path, yaml_path: Path) -> Iterator[Write]:
         metadata.write(_yaml(movie))
 
 
-def _yaml(recording: Recording) -> str:
+def _yaml(recording: MovieInfo) -> str:
     """Return the metadata of a movie in the format of Picasso."""
     entries = {
         "Frames": recording.frames,

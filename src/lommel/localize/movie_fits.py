@@ -22,7 +22,7 @@ from lommel.base.arrays import Array, Values
 from lommel.detection.molecules import Spots, box_pixels, find, frame_counts
 from lommel.localize.checks import TILTED, Checks
 from lommel.localize.fitting import BACKGROUNDS, STATES, MoleculeErrors, Molecules, fit
-from lommel.localize.localizations import Localizations, Recording, columns, joined
+from lommel.localize.localizations import Localizations, MovieInfo, columns, joined
 from lommel.localize.table import Table
 from lommel.recorded.frames import BLOCK, Movie, open_movie
 from lommel.recorded.noise import Noise
@@ -181,7 +181,7 @@ def _blocks(
     with _open_blocks(movie, settings.block) as (shape, blocks, name):
         pixel = table.pixel / table.pupil.magnification  # in the sample
         along = "none" if settings.flat else table.along
-        recording = Recording(*shape, pixel, table.shape, along, name)
+        recording = MovieInfo(*shape, pixel, table.shape, along, name)
         # `counts.marked` replaces saturated pixels by NaN: fits need no test of saturation.
         fit_boxes = partial(fit, noise=camera, saturation=math.inf, starts=settings.starts, threads=threads)
         checks, count = Checks(recording, table, fit_boxes, background), 0
@@ -262,7 +262,7 @@ def _open_blocks(
 
 
 def _localizations(
-    spots: Spots, molecules: Molecules, recording: Recording, widths: tuple[Array, Array, Array], table: Table
+    spots: Spots, molecules: Molecules, recording: MovieInfo, widths: tuple[Array, Array, Array], table: Table
 ) -> Localizations:
     """Return the localisations, in metres in the sample; `widths` is the result of `gaussian_widths`."""
     rows, pixel = np.zeros(len(spots), columns()), recording.pixel

@@ -36,7 +36,7 @@ from lommel.base.arrays import Array
 from lommel.base.cached import cached_property
 from lommel.blur.blurs import Blur, Seeing
 from lommel.blur.convolution import Short
-from lommel.core.answers import Images, ToleranceError, Wanted
+from lommel.core.answers import Samples, ToleranceError, Wanted
 from lommel.core.engine import product
 from lommel.measures.aperture_means import gradient
 from lommel.measures.overlap import autocorrelation, cells
@@ -520,7 +520,7 @@ def sampled_transfer(model: ImageModel, fx: Array, fy: Array) -> NDArray[np.comp
     return otf
 
 
-def _sample(pupil: BasePupil, method: Method, grid: Grid, *, sum_spectrum: bool) -> Images:
+def _sample(pupil: BasePupil, method: Method, grid: Grid, *, sum_spectrum: bool) -> Samples:
     """Return samples of I, summed over the spectrum of a :class:`Polychromatic` method if `sum_spectrum`."""
     method_used = method.method if isinstance(method, Polychromatic) and not sum_spectrum else method
     methods: tuple[Method, ...] = () if method_used is None else (method_used,)
@@ -528,7 +528,7 @@ def _sample(pupil: BasePupil, method: Method, grid: Grid, *, sum_spectrum: bool)
     if method_used is None or isinstance(method_used, NijboerZernike | ChordalGauss | ChordalDebye):
         methods = candidates(pupil, grid, min(method.tol, Method.tol))
 
-    def compute(candidate: Method) -> Images:
+    def compute(candidate: Method) -> Samples:
         return with_model_error(candidate.images(pupil, grid, Wanted()), pupil, candidate, normalized=False)
 
     return first_within_tolerance(methods, compute)[1]

@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING, NamedTuple, TypeVar
 import numpy as np
 
 from lommel.base.arrays import Array, largest
-from lommel.core.answers import Declined, Images, Pixels, Slopes, ToleranceError, Wanted, not_met
+from lommel.core.answers import Declined, Pixels, Samples, Slopes, ToleranceError, Wanted, not_met
 from lommel.core.engine import (
     FarPixels,
     average_samples,
@@ -138,7 +138,7 @@ _DARK_PART = 0.1  # fraction of the tolerance that summation of dark samples in 
 _NO_LIMIT = 1e30  # brightness (relative to the peak) above the brightness of any sample
 
 # Signature: pupils, pixels, tolerance, specification -> intensity at the pixel centres.
-Sample = Callable[[P, Grid, float, Wanted], Images]
+Sample = Callable[[P, Grid, float, Wanted], Samples]
 # Signature: pupils, pixels, largest v at which far pixels may start, tolerance, threads -> averages of far pixels.
 Far = Callable[[P, Grid, float, float, int], FarPixels]
 
@@ -366,7 +366,7 @@ def averaged_images(
     wanted: Wanted,
     band: Band | None = None,
     far: Far[P] | None = None,
-) -> Images:
+) -> Samples:
     """Return point samples or, if `grid` integrates, pixel averages; `far` computes averages of far pixels."""
     if not grid.integrate:
         return sample(pupil, grid, tol, wanted)
@@ -374,7 +374,7 @@ def averaged_images(
     return to_images(pixel_averages(sample, pupil, grid, tol, wanted, band) if averages is None else averages, wanted)
 
 
-def to_images(averages: Averages, wanted: Wanted) -> Images:
+def to_images(averages: Averages, wanted: Wanted) -> Samples:
     """Return averages and their derivatives as images in the requested scale and type."""
     intensity = averages.values[0]
     scales = np.empty(len(intensity))
@@ -387,7 +387,7 @@ def to_images(averages: Averages, wanted: Wanted) -> Images:
         steepest = np.abs(averages.values[1:]).max(axis=(2, 3)) / averages.peak
         scaled = (averages.values[1:] * scales[:, None, None]).astype(wanted.dtype)
         slopes = Slopes(scaled, error + (steepest + error) * storing(wanted.dtype))
-    return Images(values, scales, averages.error[0], slopes, averages.peak)
+    return Samples(values, scales, averages.error[0], slopes, averages.peak)
 
 
 class Taps(NamedTuple):

@@ -9,7 +9,7 @@ from typing import ClassVar
 import numpy as np
 
 from lommel.base.arrays import Array
-from lommel.core.answers import Declined, Images, Intensities, Pixels, Wanted
+from lommel.core.answers import Declined, Intensities, Pixels, Samples, Wanted
 from lommel.core.engine import chordal_gradient, chordal_images, chordal_plan, disk_averages
 from lommel.methods.method import Method, Shortcut
 from lommel.methods.nijboer_zernike import disk_images, disk_stack, window_of
@@ -89,14 +89,14 @@ class ChordalGauss(Method[Pupil]):
 
         return shortcut
 
-    def images(self, pupil: Pupil, grid: Grid, wanted: Wanted) -> Images:
+    def images(self, pupil: Pupil, grid: Grid, wanted: Wanted) -> Samples:
         """Return the images of the flattened stack; see :meth:`lommel.methods.Method.images`."""
         if wanted.powers:
             raise ValueError("derivatives are not available from ChordalGauss; use NijboerZernike")
         if wanted.terms and wanted.scale is None:
             raise ValueError('derivatives of values divided by their largest one are not available: normalize="peak"')
 
-        def point_samples(part: Pupil, pixels: Grid, tol: float, wanted: Wanted) -> Images:
+        def point_samples(part: Pupil, pixels: Grid, tol: float, wanted: Wanted) -> Samples:
             stack, window = disk_stack(part), window_of(part, pixels)
             return chordal_images(stack, window, tol, wanted, if_cheaper=self._if_cheaper)
 
@@ -152,7 +152,7 @@ class ChordalIfCheaper(ChordalGauss):
 
     _if_cheaper = True
 
-    def images(self, pupil: Pupil, grid: Grid, wanted: Wanted) -> Images:
+    def images(self, pupil: Pupil, grid: Grid, wanted: Wanted) -> Samples:
         """Return the images of the flattened stack; see :meth:`lommel.methods.Method.images`."""
         if grid.integrate and not wanted.terms:
             from lommel.methods.averaging import estimate_far_start

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import DTypeLike, NDArray
 
 from lommel.base.arrays import Array
-from lommel.core.answers import Images, Pixels, Wanted
+from lommel.core.answers import Pixels, Samples, Wanted
 from lommel.core.engine import least_average
 from lommel.methods.averaging import (
     Taps,
@@ -45,7 +45,7 @@ TILTS = SHIFTS["column"], SHIFTS["row"]  # tilts along x and y; the derivatives 
 _SAMPLE_TOL = 0.1  # tolerance of samples / tolerance of the derivative, since filters multiply errors by about 4
 
 # Signature: method, pupils, pixels, specification -> samples with error bounds.
-Sampler = Callable[[Method, BasePupil, Grid, Wanted], Images]
+Sampler = Callable[[Method, BasePupil, Grid, Wanted], Samples]
 
 # A position in the pixel with the centre ``v_c`` is ``v_c + u``. The average of ``v . grad I`` is ``v_c`` times the
 # average of ``grad I`` plus the average of ``u . grad I``. Derivatives by tilts determine the first average. The
@@ -54,7 +54,7 @@ Sampler = Callable[[Method, BasePupil, Grid, Wanted], Images]
 # along y.
 
 
-def _images(method: Method, pupil: BasePupil, grid: Grid, wanted: Wanted) -> Images:
+def _images(method: Method, pupil: BasePupil, grid: Grid, wanted: Wanted) -> Samples:
     return method.images(pupil, grid, wanted)  # a function, since subclasses override `images`
 
 
@@ -258,7 +258,7 @@ def differentiated(
     tol: float,
     *,
     energy: bool,
-) -> tuple[Method, Images, list[Slope]]:
+) -> tuple[Method, Samples, list[Slope]]:
     """Return the method, the images, and their derivatives by checked `names`."""
     if (rule := _rule_of_terms(method, pupil, names, tol)) is not None:
         terms = cast("tuple[Term, ...]", tuple(names))
@@ -376,14 +376,14 @@ def translated(phases: Mapping[Key, Factor], *, powers: bool) -> dict[Key, Facto
     return converted
 
 
-def _compute(engine: Method, pupil: Pupil, grid: Grid, wanted: Wanted, keys: tuple[Key, ...] = ()) -> Images:
+def _compute(engine: Method, pupil: Pupil, grid: Grid, wanted: Wanted, keys: tuple[Key, ...] = ()) -> Samples:
     """Return images and their derivatives by coefficients of powers of rho or of Zernike terms."""
     powers = tuple(key for key in keys if isinstance(key, int))
     terms = tuple(key for key in keys if isinstance(key, tuple))
     return engine.images(pupil, grid, wanted._replace(powers=powers, terms=terms))
 
 
-def _least_peak(images: Images) -> Array:
+def _least_peak(images: Samples) -> Array:
     """Return a lower bound on the peak of each image, shape (n,), in the scale of the values."""
     largest = images.values.reshape(len(images.values), -1).max(axis=1).astype(np.float64)
     if images.peak is not None:
@@ -391,7 +391,7 @@ def _least_peak(images: Images) -> Array:
     return np.asarray(largest / (1.0 + images.bound))
 
 
-def _single_slopes(images: Images, sums: Sequence[Parts], keys: tuple[Key, ...]) -> list[Slope]:
+def _single_slopes(images: Samples, sums: Sequence[Parts], keys: tuple[Key, ...]) -> list[Slope]:
     """Return the derivatives that are multiples of the derivative by one coefficient."""
     results, seen = [], set[int]()
     for item in sums:
@@ -422,7 +422,7 @@ def _largest_moduli(values: Pixels) -> Array:
 
 
 def _sum_terms(
-    method: Method, engine: Method, pupil: Pupil, grid: Grid, images: Images, wanted: Wanted, sums: Sequence[Parts]
+    method: Method, engine: Method, pupil: Pupil, grid: Grid, images: Samples, wanted: Wanted, sums: Sequence[Parts]
 ) -> dict[object, Piece]:
     """Return the terms of sums of derivatives, in double precision, each summed over the wavelengths."""
     # Powers of rho in a radial term cancel: the moduli of their coefficients have a sum of up to 321.
@@ -471,7 +471,7 @@ def _sum_terms(
     return results
 
 
-def _combine(item: Parts, images: Images, pieces: Mapping[object, Piece], dtype: DTypeLike) -> Slope:
+def _combine(item: Parts, images: Samples, pieces: Mapping[object, Piece], dtype: DTypeLike) -> Slope:
     """Return the sum of images and terms, multiplied by their factors, rounded to `dtype`."""
     count, peak = len(images.values), _least_peak(images)
     factors: list[tuple[object, Factor]] = [*item.phases.items()]

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from lommel.base import validation
 from lommel.base.arrays import Array, Json
-from lommel.core.answers import Declined, FieldValues, Images, Intensities, Pixels, ToleranceError, Wanted, not_met
+from lommel.core.answers import Declined, FieldValues, Intensities, Pixels, Samples, ToleranceError, Wanted, not_met
 from lommel.core.engine import Window, pixel_radii, pixel_values
 from lommel.optics.base_pupil import BasePupil, imaged
 from lommel.optics.grid import Grid
@@ -139,7 +139,7 @@ class Method(ABC, Generic[P]):
         """Return the method if a radial profile describes the whole PSF of `pupil`, else None."""
         return None
 
-    def images(self, pupil: P, grid: Grid, wanted: Wanted) -> Images:
+    def images(self, pupil: P, grid: Grid, wanted: Wanted) -> Samples:
         """Return the images of the flattened stack of `pupil` on `grid`, as specified by `wanted`.
 
         Raises ValueError for unavailable derivatives, ToleranceError if the tolerance cannot be met.
@@ -255,7 +255,7 @@ class RadialMethod(Method[P]):
         """Return :meth:`profile` with at most `threads` threads; most methods use one thread."""
         return self.profile(pupil, v)
 
-    def images(self, pupil: P, grid: Grid, wanted: Wanted) -> Images:
+    def images(self, pupil: P, grid: Grid, wanted: Wanted) -> Samples:
         """Return the images of the flattened stack; see :meth:`Method.images`."""
         if grid.symmetric or wanted.scale is not None or wanted.powers or self.along_radius(pupil) is None:
             return super().images(pupil, grid, wanted)
@@ -411,7 +411,7 @@ def with_storage_rounding(result: Intensities, wanted: Wanted) -> Array | None:
     return stored(normalized_error(result.error) if wanted.scale is None else result.error, wanted.dtype)
 
 
-def to_images(result: Intensities, grid: Grid, wanted: Wanted) -> Images:
+def to_images(result: Intensities, grid: Grid, wanted: Wanted) -> Samples:
     """Return intensities, at the radii of `grid` or on its pixels, as images; see :meth:`Method.images`."""
     largest = result.values.reshape(len(result.values), -1).max(axis=1)
     if wanted.scale is None and not np.all(largest > 0):
@@ -419,7 +419,7 @@ def to_images(result: Intensities, grid: Grid, wanted: Wanted) -> Images:
     scales = np.broadcast_to(wanted.scale, largest.shape) if wanted.scale is not None else 1.0 / largest
     values = np.empty((len(largest), *grid.shape), wanted.dtype) if wanted.out is None else wanted.out
     grid.paint(result.values, scales, values, wanted.threads)
-    return Images(values, scales, with_storage_rounding(result, wanted), None, result.peak)
+    return Samples(values, scales, with_storage_rounding(result, wanted), None, result.peak)
 
 
 def normalized_error(relative: Array) -> Array:
@@ -429,7 +429,7 @@ def normalized_error(relative: Array) -> Array:
     return np.asarray(np.where(relative < 1.0 - 1e-9, 2.0 * clipped / (1.0 - clipped), np.inf))
 
 
-def with_model_error(result: Images, pupil: BasePupil, method: Method, *, normalized: bool) -> Images:
+def with_model_error(result: Samples, pupil: BasePupil, method: Method, *, normalized: bool) -> Samples:
     """Return images whose bounds include the truncation errors of the terms of wavefront and apodization."""
     # Certificate, "Model error of a wavefront": a phase error e changes U, and its derivatives, by at most e int A
     # dx dy / pi. At the shorter wavelengths of a spectrum both e and U are larger. An amplitude error e A has the

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from lommel.base.arrays import Array
-from lommel.core.answers import Declined, FieldValues, Images, Intensities, Pixels, ToleranceError, Wanted
+from lommel.core.answers import Declined, FieldValues, Intensities, Pixels, Samples, ToleranceError, Wanted
 from lommel.core.engine import (
     DiskStack,
     FarPixels,
@@ -108,7 +108,7 @@ class NijboerZernike(FieldMethod["Pupil"]):
 
         return shortcut
 
-    def images(self, pupil: Pupil, grid: Grid, wanted: Wanted) -> Images:
+    def images(self, pupil: Pupil, grid: Grid, wanted: Wanted) -> Samples:
         """Return the images of the flattened stack; see :meth:`lommel.methods.Method.images`."""
         if wanted.terms:
             raise ValueError("derivatives by Zernike terms are not available from NijboerZernike; use ChordalGauss")
@@ -118,10 +118,10 @@ class NijboerZernike(FieldMethod["Pupil"]):
             raise ValueError("derivatives by powers of rho are available for radially symmetric pupils only")
         return disk_images(_series_samples, pupil, grid, self.tol, wanted)
 
-    def _radial_images(self, pupil: Pupil, grid: Grid, wanted: Wanted) -> Images:
+    def _radial_images(self, pupil: Pupil, grid: Grid, wanted: Wanted) -> Samples:
         stack, window = radial_stack(pupil), window_of(pupil, grid)
 
-        def images(wanted: Wanted, *, sampled: bool) -> Images:
+        def images(wanted: Wanted, *, sampled: bool) -> Samples:
             if sampled:
                 try:
                     return disk_images(_radial_samples, pupil, grid, self.tol, wanted)
@@ -140,11 +140,11 @@ class NijboerZernike(FieldMethod["Pupil"]):
         return images(wanted, sampled=sampled)
 
 
-def _radial_samples(pupil: Pupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
+def _radial_samples(pupil: Pupil, grid: Grid, tol: float, wanted: Wanted) -> Samples:
     return radial_images(radial_stack(pupil), window_of(pupil, grid), tol, wanted)
 
 
-def _series_samples(pupil: Pupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
+def _series_samples(pupil: Pupil, grid: Grid, tol: float, wanted: Wanted) -> Samples:
     return series_images(disk_stack(pupil), window_of(pupil, grid), tol, wanted)
 
 
@@ -170,12 +170,12 @@ def window_of(pupil: Pupil, grid: Grid) -> Window:
 
 
 def disk_images(
-    sample: Callable[[Pupil, Grid, float, Wanted], Images],
+    sample: Callable[[Pupil, Grid, float, Wanted], Samples],
     pupil: Pupil,
     grid: Grid,
     tol: float,
     wanted: Wanted,
-) -> Images:
+) -> Samples:
     """Return images for any wavefront: values of `sample` at pixel centres, or pixel averages of finer samples."""
     if not grid.integrate:
         return sample(pupil, grid, tol, wanted)

@@ -22,7 +22,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lommel.base.arrays import Array
-from lommel.core.answers import Declined, Images, Intensities, Pixels, Slopes, Wanted, not_met
+from lommel.core.answers import Declined, Intensities, Pixels, Samples, Slopes, Wanted, not_met
 from lommel.core.engine import DiskStack, Window, aperture_averages, row_images
 from lommel.methods.averaging import averaged_images
 from lommel.methods.matrix_fourier import samples_needed
@@ -346,7 +346,7 @@ _MIN_NODE_ERROR = 1e-12  # error of the field below which rounding errors domina
 # therefore sums several pupils in parallel vector lanes, as for circular apertures.
 
 
-def averaged_apertures(pupil: Pupil, grid: Grid, tol: float, wanted: Wanted) -> Images | None:
+def averaged_apertures(pupil: Pupil, grid: Grid, tol: float, wanted: Wanted) -> Samples | None:
     """Return pixel averages with bounds below `tol`; None if not applicable, or slower than filtered samples."""
     highest = max((n for n, _ in wanted.terms), default=0)
     fields = math.prod(pupil.shape) * (1 + len(wanted.terms))
@@ -382,7 +382,7 @@ def averaged_apertures(pupil: Pupil, grid: Grid, tol: float, wanted: Wanted) -> 
     return None if images is None else _transposed_back(images, signs, wanted.out)
 
 
-def _transposed_back(images: Images, signs: Array, out: Pixels | None) -> Images:
+def _transposed_back(images: Samples, signs: Array, out: Pixels | None) -> Samples:
     """Return images with x and y exchanged, and derivatives multiplied by `signs`."""
     values = np.empty_like(images.values.swapaxes(1, 2), order="C") if out is None else out
     values[...] = images.values.swapaxes(1, 2)
@@ -481,7 +481,7 @@ class NonuniformFFT(Method[Pupil]):
         """Return I at pixel centres, or averaged over pixels, shape ``(n, height, width)``, with its error bound."""
         return self.images(pupil, grid, Wanted(threads=threads)).intensities
 
-    def images(self, pupil: Pupil, grid: Grid, wanted: Wanted) -> Images:
+    def images(self, pupil: Pupil, grid: Grid, wanted: Wanted) -> Samples:
         """Return the images of the flattened stack; see :meth:`lommel.methods.Method.images`."""
         if wanted.powers:
             raise ValueError("derivatives by powers of rho are not available from NonuniformFFT; use Zernike terms")
@@ -499,7 +499,7 @@ class NonuniformFFT(Method[Pupil]):
         return averaged_images(sample, pupil, grid, self.tol, wanted)
 
 
-def _sample_images(pupil: Pupil, grid: Grid, tol: float, wanted: Wanted, *, everywhere: bool = False) -> Images:
+def _sample_images(pupil: Pupil, grid: Grid, tol: float, wanted: Wanted, *, everywhere: bool = False) -> Samples:
     """Return samples of the flattened stack, with bounds below `tol` of the peak, including rounding of storage.
 
     With `everywhere`, the peak is the peak of the whole PSF, otherwise the largest value in the window.

@@ -9,7 +9,7 @@ import numpy as np
 
 from lommel.base import validation
 from lommel.base.arrays import Array
-from lommel.core.answers import Declined, Images, Intensities, ToleranceError, Wanted, not_met
+from lommel.core.answers import Declined, Intensities, Samples, ToleranceError, Wanted, not_met
 from lommel.methods.choice import candidates, first_within_tolerance, of_profiles
 from lommel.methods.method import Method, RadialMethod, storing, to_images
 from lommel.optics.base_pupil import BasePupil
@@ -209,7 +209,7 @@ class Polychromatic(Spectrum, RadialMethod[BasePupil]):
         """Return the weighted sum of I at the distinct radii or, if the grid is not symmetric, on the pixels."""
         return sum_spectra((self,), pupil, grid, threads, self.tol)[0]
 
-    def images(self, pupil: BasePupil, grid: Grid, wanted: Wanted) -> Images:
+    def images(self, pupil: BasePupil, grid: Grid, wanted: Wanted) -> Samples:
         """Return the images of the flattened stack; see :meth:`lommel.methods.Method.images`."""
         if wanted.powers or wanted.terms:
             raise ValueError(

@@ -11,7 +11,7 @@ from numpy.typing import DTypeLike
 
 from lommel.base import validation
 from lommel.base.arrays import Array
-from lommel.core.answers import Declined, DType, Images, Pixels, Wanted
+from lommel.core.answers import Declined, DType, Pixels, Samples, Wanted
 from lommel.methods.choice import candidates, first_within_tolerance, instead, of_derivatives
 from lommel.methods.method import Method, Shortcut, require_period, with_model_error
 from lommel.optics.base_pupil import BasePupil
@@ -39,7 +39,7 @@ class Prepared(NamedTuple):
 
     def images(
         self, pupil: BasePupil, names: tuple[Name, ...] = (), out: Pixels | None = None
-    ) -> tuple[Method, Images, list[Slope]]:
+    ) -> tuple[Method, Samples, list[Slope]]:
         """Return the method used, the images of a pupil, and their derivatives by `names`; ignores the shortcut."""
         self.methods[0].require(pupil)
         request = self.wanted._replace(out=None if out is None else out.reshape(self.flat_shape))
@@ -59,7 +59,7 @@ class Prepared(NamedTuple):
             lens_pupil, tol = checked(pupil), self.methods[0].tol
             return differentiated(chosen_method, lens_pupil, self.grid, names, request, tol, energy=self.energy)
 
-        def images_by(method: Method) -> Images:
+        def images_by(method: Method) -> Samples:
             images = method.images(pupil, self.grid, request)
             return with_model_error(images, pupil, method, normalized=request.scale is None)
 

@@ -13,7 +13,7 @@ from lommel.base.arrays import Array, Values
 from lommel.base.units import percent
 from lommel.deconvolve.algorithms import ProgressCallback, Restoration, RichardsonLucy, TotalVariation, shown, silent
 from lommel.deconvolve.iterations import Background, State, iteration_of
-from lommel.deconvolve.poisson_counts import PoissonCounts
+from lommel.deconvolve.likelihood import PoissonLikelihood
 from lommel.fit.findings import Finding, Findings
 from lommel.measures.spot import stage
 from lommel.microscopy.depth_model import narrowed, spline_degrees
@@ -123,7 +123,7 @@ def deconvolve(
     planes, pixels = default_margins if margin is None else margins_of(margin)
     level = background_of(background)
     validation.truth("diagnosis", diagnosis)
-    counted = PoissonCounts(recorded, noise)
+    counted = PoissonLikelihood(recorded, noise)
     shape = recorded.shape[0], recorded.shape[1], recorded.shape[2]
     light, point = kernel_of(psf)
     # Points may lie between voxels: voxels are B-splines, as wide as the PSF allows. A PSF that is cut off at the rim

@@ -17,8 +17,8 @@ import numpy as np
 from lommel.base.arrays import Array, Values
 from lommel.deconvolve.algorithms import RichardsonLucy, TotalVariation
 from lommel.deconvolve.iterations import Background, Iteration, State, StepSettings
+from lommel.deconvolve.likelihood import TINY, PoissonLikelihood
 from lommel.deconvolve.linear import PlaneOperator
-from lommel.deconvolve.poisson_counts import TINY, PoissonCounts
 from lommel.fit.findings import Finding
 from lommel.microscopy.depth_model import DepthModel
 from lommel.microscopy.refinement import Progress, StackContext, TrialDeconvolution, Work, brightest
@@ -51,7 +51,7 @@ class Best(NamedTuple):
     course: list[StepSettings]  # settings of all iterations
 
 
-class _Half(PoissonCounts):
+class _Half(PoissonLikelihood):
     """Counts of one half, and the deviance of its model from the other half."""
 
     def __init__(self, recorded: Values, validation: Values, noise: Noise) -> None:
@@ -127,7 +127,7 @@ class Halves:
 
 
 def stopping_rule(
-    method: RichardsonLucy | TotalVariation, steps: int, counted: PoissonCounts
+    method: RichardsonLucy | TotalVariation, steps: int, counted: PoissonLikelihood
 ) -> Callable[[int, float], bool] | None:
     """Return a stopping rule: at least `steps` iterations (best for held-out photons), and a residual within noise.
 

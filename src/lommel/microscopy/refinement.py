@@ -16,8 +16,8 @@ from lommel.base.arrays import Array
 from lommel.base.units import format_length
 from lommel.deconvolve.algorithms import RichardsonLucy
 from lommel.deconvolve.iterations import Background, Iteration, StepSettings
+from lommel.deconvolve.likelihood import PoissonLikelihood
 from lommel.deconvolve.linear import PlaneOperator
-from lommel.deconvolve.poisson_counts import PoissonCounts
 from lommel.microscopy.depth_model import DepthModel
 from lommel.recorded.counts import Stack, plane_of
 from lommel.recorded.noise import Noise
@@ -135,7 +135,7 @@ class TrialDeconvolution:
         self._values = np.stack([np.asarray(stack[plane, rows, columns]) for plane in range(stack.shape[0])])
         maps = {name: value if np.ndim(value) == 0 else value[rows, columns] for name, value in vars(camera).items()}
         self._camera = Noise(**maps)
-        self._counted = PoissonCounts(self._values, self._camera, context.saturation)
+        self._counted = PoissonLikelihood(self._values, self._camera, context.saturation)
         self._threads, self._widest = context.threads, widest
         self._degrees: tuple[int, int] | None = None  # degrees of the B-splines of the first model
         self._courses: dict[int, list[StepSettings]] = {}  # settings of the first trial with each number of steps

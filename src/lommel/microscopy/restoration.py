@@ -24,8 +24,8 @@ from lommel.base.units import format_length, with_error
 from lommel.base.validation import line, shown
 from lommel.deconvolve.algorithms import EARLIEST, STEPS, ProgressCallback, RichardsonLucy, TotalVariation, silent
 from lommel.deconvolve.iterations import Background, Iteration, StepSettings, iteration_of
+from lommel.deconvolve.likelihood import PoissonLikelihood
 from lommel.deconvolve.linear import PlaneOperator, tiles_of
-from lommel.deconvolve.poisson_counts import PoissonCounts
 from lommel.fit.findings import Finding, Findings, FitReport
 from lommel.microscopy import depth_model
 from lommel.microscopy.deconvolution import FLAT, Floor, background_of, margins_of, plane_light_findings
@@ -1213,7 +1213,7 @@ class _ChannelRestoration:
             chunk = np.s_[self._place, :, *place]
             if number and self._target.has(request, chunk):
                 continue
-            counted = PoissonCounts(_load(source.stack, *padded), source.camera.part(*padded), source.limit)
+            counted = PoissonLikelihood(_load(source.stack, *padded), source.camera.part(*padded), source.limit)
             counted.level = counted.level if mean_light is None else mean_light
             size = (planes, *(part.stop - part.start for part in padded))
             if size not in blurs:
@@ -1254,7 +1254,11 @@ class _ChannelRestoration:
         return outcome
 
     def _iteration(
-        self, blur: PlaneOperator, counted: PoissonCounts, course: list[StepSettings] | None, background: Background
+        self,
+        blur: PlaneOperator,
+        counted: PoissonLikelihood,
+        course: list[StepSettings] | None,
+        background: Background,
     ) -> Iteration:
         """Return the iteration of a chunk, which may end after the best number of steps for held-out photons."""
         model, method = self._model, self._options.method
@@ -1274,7 +1278,9 @@ class _ChannelRestoration:
                 raise
             return len(iteration.course) - 1, INTERRUPTED, iteration.discrepancies
 
-    def _central_finding(self, counted: PoissonCounts, reason: str, steps: int, discrepancy: float) -> Finding | None:
+    def _central_finding(
+        self, counted: PoissonLikelihood, reason: str, steps: int, discrepancy: float
+    ) -> Finding | None:
         """Return the finding on the convergence of the central chunk, None if there is none."""
         finding = counted.finding(reason, steps, discrepancy)
         is_settled = reason != STEPS or self._options.method.target <= 0.0 or discrepancy <= 1.0 + counted.slack
@@ -1422,7 +1428,7 @@ class ProjectionBuilder:
         columns: slice,
         corner: tuple[int, int],
         blur: PlaneOperator,
-        counted: PoissonCounts,
+        counted: PoissonLikelihood,
         light: Values,
         restored: Values,
     ) -> None:

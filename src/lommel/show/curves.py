@@ -12,7 +12,7 @@ import numpy as np
 from lommel.base import display, validation
 from lommel.base.arrays import Array
 from lommel.base.units import percent
-from lommel.core.answers import Images, Wanted
+from lommel.core.answers import Samples, Wanted
 from lommel.measures import transfer
 from lommel.measures.aperture_means import strehl
 from lommel.measures.energy import encircled_energy as within
@@ -134,7 +134,7 @@ def section(sweep: Moved, x: Array) -> Array:
         else:
             grid = Grid((1, x.size), step, center=(0.0, float(x.size // 2)))
 
-            def compute(method: Method, pupil: Pupil = pupil, grid: Grid = grid) -> Images:
+            def compute(method: Method, pupil: Pupil = pupil, grid: Grid = grid) -> Samples:
                 return method.images(pupil, grid, Wanted())
 
             method, images = first_within_tolerance(candidates(pupil, grid), compute)

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from lommel import Lens, Noise
-from lommel.deconvolve.poisson_counts import PhotographCounts
+from lommel.deconvolve.likelihood import PhotographLikelihood
 from lommel.imaging import DepthBlur, LinearBlur, OnePass, restore, restore_with
 from scenes import ThinLens, averaged, before, lommel_lens, plane, texture
 
@@ -78,7 +78,7 @@ def test_each_side_of_an_edge_is_filtered_by_its_own_depth():
     inside = averaged(mask) > 0.5
     truth = averaged(front * mask + back * (1.0 - mask)) / 3.0
     blur = DepthBlur(np.where(inside, 1.5, 1.9), lommel_lens(LENS), LENS.pixel)
-    found = OnePass().solve(PhotographCounts(blur, photo, NOISE), lambda *_: None)
+    found = OnePass().solve(PhotographLikelihood(blur, photo, NOISE), lambda *_: None)
     for part in (inside, ~inside):
         part = part[16:-16, 16:-16]
         errors = [np.square(image - truth)[16:-16, 16:-16][part].mean() for image in (found.light, photo)]

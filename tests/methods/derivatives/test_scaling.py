@@ -9,7 +9,7 @@ import pytest
 
 import lommel as lm
 from disk_quadrature import exact_lattice
-from lommel.core.answers import Images, Wanted
+from lommel.core.answers import Samples, Wanted
 from lommel.methods import ChordalGauss, NijboerZernike
 from lommel.methods.averaging import averaging_filter, slope_filter
 from lommel.methods.derivatives import TILTS, scaling_derivative, tilted
@@ -64,7 +64,7 @@ def slopes_of(light, off, integrate):
 
     def ask(method, pupil, grid, wanted):
         values = np.broadcast_to(light(np.arange(grid.width) - grid.axis[1], grid.step(pupil)), (1, *grid.shape))
-        return Images(np.ascontiguousarray(values), np.ones(1), np.array([off]), None, np.ones(1))
+        return Samples(np.ascontiguousarray(values), np.ones(1), np.array([off]), None, np.ones(1))
 
     grid = Grid(5, 0.5, integrate=integrate)
     (slope, error), _ = tilted(NijboerZernike(1e-4), lm.Pupil(lm.Wavefront(0.0)), grid, compute=ask)

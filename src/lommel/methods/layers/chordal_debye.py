@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lommel.base.arrays import Array
-from lommel.core.answers import Declined, Images, Wanted, not_met
+from lommel.core.answers import Declined, Samples, Wanted, not_met
 from lommel.core.engine import (
     NodeTables,
     NodeTerms,
@@ -115,12 +115,12 @@ class ChordalDebye(AberratedMethod):
         """Return None: all pupils are supported."""
         return None
 
-    def _samples(self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
+    def _samples(self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Samples:
         return self.differentiated(pupil, grid, tol, wanted)[0]
 
     def differentiated(
         self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted, by: By = _NO_DERIVATIVES
-    ) -> tuple[Images, Array, Array, Array]:
+    ) -> tuple[Samples, Array, Array, Array]:
         """Return the intensity I of a `pupil` at the pixel centres of `grid`, and its derivatives `by` parameters.
 
         Results: (1) images; (2) derivatives, shape (k, n, height, width), to which `tol` does not apply; (3) bounds
@@ -143,11 +143,11 @@ class ChordalDebye(AberratedMethod):
                 bounds = np.empty((2, len(part_derivatives), n))
             derivatives[:, indices], bounds[:, :, indices] = part_derivatives, part_bounds
         assert derivatives is not None
-        return Images(values, scalars[0], scalars[1], None, scalars[2]), derivatives, bounds[0], bounds[1]
+        return Samples(values, scalars[0], scalars[1], None, scalars[2]), derivatives, bounds[0], bounds[1]
 
     def _refine(
         self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted, by: By
-    ) -> tuple[Images, Array, Array, Array]:
+    ) -> tuple[Samples, Array, Array, Array]:
         """Return the result of :meth:`differentiated` for one axis, with the error of I below `tol` of its peak."""
 
         def compute(field_error: float) -> tuple[tuple[Array, Array, Array], Array, Array]:
@@ -160,7 +160,7 @@ class ChordalDebye(AberratedMethod):
         out = np.empty(values.shape[1:], wanted.dtype) if wanted.out is None else wanted.out
         np.multiply(values[0], scales[:, None, None], out=out, casting="same_kind")
         return (
-            Images(out, scales, stored(relative, wanted.dtype), None, peak - error[0]),
+            Samples(out, scales, stored(relative, wanted.dtype), None, peak - error[0]),
             values[1:],
             error[1:],
             largest[1:],
@@ -275,7 +275,7 @@ class ChordalDebyeIfCheaper(ChordalDebye):
 
     def differentiated(
         self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted, by: By = _NO_DERIVATIVES
-    ) -> tuple[Images, Array, Array, Array]:
+    ) -> tuple[Samples, Array, Array, Array]:
         """Return I at pixel centres and its derivatives; see :meth:`ChordalDebye.differentiated`."""
         planes, samples = pupil.depth.size, pupil.depth.size * math.prod(grid.shape)
         many_unaberrated = not pupil.aberrated and (planes > _PLAIN_PLANES or samples > _PLAIN_SAMPLES)

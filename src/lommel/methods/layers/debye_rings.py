@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lommel.base.arrays import Array
-from lommel.core.answers import Images, Wanted, not_met
+from lommel.core.answers import Samples, Wanted, not_met
 from lommel.core.engine import Ringed, Rings, Window, fft_length, ringed_images
 from lommel.methods.layers.debye_wolf import LEAST, AberratedMethod, likely_peak
 from lommel.methods.method import normalized_error, stored, storing
@@ -85,10 +85,10 @@ class DebyeRings(AberratedMethod):
 
     tol: float = 1e-6
 
-    def _samples(self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
+    def _samples(self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Samples:
         return self.refined(pupil, grid, tol, wanted)[0]
 
-    def refined(self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> tuple[Images, Accuracy]:
+    def refined(self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> tuple[Samples, Accuracy]:
         """Return I of a `pupil` at the pixel centres of `grid`, and the accuracy that `tol` required.
 
         Raises ToleranceError if rounding errors exceed `tol`.
@@ -128,7 +128,9 @@ class Turn(NamedTuple):
         return np.asarray(np.log(0.5 * (1.0 + abs(self.amount) * largest_rate)))
 
 
-def ringed(pupil: ObjectivePupil, grid: Grid, accuracy: Accuracy, wanted: Wanted, turn: Turn | None = None) -> Images:
+def ringed(
+    pupil: ObjectivePupil, grid: Grid, accuracy: Accuracy, wanted: Wanted, turn: Turn | None = None
+) -> Samples:
     """Return images computed with these allowed errors, and error bounds: certificate, section 16.
 
     A `turn` multiplies the waves by a further factor, for derivatives.
@@ -186,7 +188,7 @@ def ringed(pupil: ObjectivePupil, grid: Grid, accuracy: Accuracy, wanted: Wanted
         scales = 1.0 / tops
         np.multiply(values, scales[:, None, None], out=values, casting="same_kind")
         relative = stored(normalized_error(relative), wanted.dtype)
-    return Images(values, scales, stored(relative, wanted.dtype), None, peaks)
+    return Samples(values, scales, stored(relative, wanted.dtype), None, peaks)
 
 
 def _nodes(

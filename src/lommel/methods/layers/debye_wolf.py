@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from lommel.base.arrays import Array
-from lommel.core.answers import Images, Intensities, Wanted, not_met
+from lommel.core.answers import Intensities, Samples, Wanted, not_met
 from lommel.methods.averaging import averaged_images
 from lommel.methods.method import Method, RadialMethod, to_images
 from lommel.optics.grid import Grid
@@ -74,13 +74,13 @@ class AberratedMethod(LayeredMethod):
         """Return I on the pixels of `grid`."""
         return self.images(pupil, grid, Wanted(threads=threads)).intensities
 
-    def images(self, pupil: ObjectivePupil, grid: Grid, wanted: Wanted) -> Images:
+    def images(self, pupil: ObjectivePupil, grid: Grid, wanted: Wanted) -> Samples:
         """Return the images of the flattened stack; see :meth:`lommel.methods.Method.images`."""
         if wanted.powers or wanted.terms:
             raise ValueError("derivatives by phases are not available for the pupils of an Objective")
         return averaged_images(self._samples, pupil, grid, self.tol, wanted)
 
-    def _samples(self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
+    def _samples(self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Samples:
         """Return point samples at the centres of the pixels of `grid`, to `tol` of the peak."""
         raise NotImplementedError
 
@@ -129,13 +129,13 @@ class DebyeWolf(LayeredMethod, RadialMethod[ObjectivePupil]):
             return self.profile(pupil, grid.v(pupil))
         return self._centres(pupil, grid, self.tol)
 
-    def images(self, pupil: ObjectivePupil, grid: Grid, wanted: Wanted) -> Images:
+    def images(self, pupil: ObjectivePupil, grid: Grid, wanted: Wanted) -> Samples:
         """Return the images of the flattened stack; see :meth:`lommel.methods.Method.images`."""
         if pupil.radial or not grid.integrate or wanted.terms or wanted.powers:
             return super().images(pupil, grid, wanted)
         return averaged_images(self._samples, pupil, grid, self.tol, wanted)
 
-    def _samples(self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
+    def _samples(self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Samples:
         """Return point samples at the centres of the pixels of `grid`, to `tol` of the peak."""
         return to_images(self._centres(pupil, grid, max(tol, LEAST)), grid, wanted)
 

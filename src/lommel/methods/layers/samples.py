@@ -27,7 +27,7 @@ import scipy
 from numpy.typing import NDArray
 
 from lommel.base.arrays import Array
-from lommel.core.answers import Images, Wanted
+from lommel.core.answers import Samples, Wanted
 from lommel.methods.averaging import Taps, filter_axes, fit_taps, sample_grid, samples_across
 from lommel.methods.choice import candidates, first_within_tolerance
 from lommel.methods.layers.chordal_debye import chords_for
@@ -177,7 +177,7 @@ def light_samples(pupil: ObjectivePupil, grid: Grid, fraction: float, threads: i
     """Return the intensity of a pupil, for unit collected light in each plane, to `fraction` of the peak."""
     tol = max(fraction, _LEAST)
 
-    def compute(method: Method) -> Images:
+    def compute(method: Method) -> Samples:
         return method.images(pupil, grid, Wanted(1.0, np.dtype(np.float64), threads=threads))
 
     images = first_within_tolerance(candidates(pupil, grid, tol), compute)[1]

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from lommel.base import validation
 from lommel.base.arrays import Array
-from lommel.core.answers import Images, Intensities, Wanted
+from lommel.core.answers import Intensities, Samples, Wanted
 from lommel.methods.averaging import averaged_images
 from lommel.methods.layers.debye_wolf import BRIGHT_RING, LEAST, LayeredMethod, harmonics, refine_until
 from lommel.methods.layers.samples import (
@@ -221,7 +221,7 @@ class ProvenMethod(LayeredMethod, RadialMethod[ObjectivePupil]):
             return super().intensity(pupil, grid, threads)
         return self.images(pupil, grid, Wanted(threads=threads)).intensities
 
-    def images(self, pupil: ObjectivePupil, grid: Grid, wanted: Wanted) -> Images:
+    def images(self, pupil: ObjectivePupil, grid: Grid, wanted: Wanted) -> Samples:
         """Return the images of the flattened stack; see :meth:`lommel.methods.Method.images`."""
         if self.along_radius(pupil) is not None or wanted.terms or wanted.powers:
             return super().images(pupil, grid, wanted)
@@ -230,7 +230,7 @@ class ProvenMethod(LayeredMethod, RadialMethod[ObjectivePupil]):
         band = self.stretch(pupil), self._ceiling(pupil)
         return averaged_images(self._samples, pupil, grid, self.tol, wanted, band)
 
-    def _samples(self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
+    def _samples(self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Samples:
         """Return I at pixel centres, interpolated from a table of radii unless there are aberrations."""
         grid.require_one_axis()
         if self._aberrated(pupil):
@@ -264,7 +264,7 @@ class ProvenMethod(LayeredMethod, RadialMethod[ObjectivePupil]):
         values = pixels.reshape(-1, *grid.shape)
         return to_images(intensities._replace(values=values), grid, wanted)._replace(peak=intensities.peak)
 
-    def _aberrated_samples(self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
+    def _aberrated_samples(self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Samples:
         """Return I with aberrations at pixel centres, with an error relative to the largest value in the window."""
         allowed = (0.48 if wanted.scale is None else 1.0) * (max(tol, LEAST) - 1.1 * storing(wanted.dtype))
 
@@ -655,7 +655,7 @@ class Sted(Confocal):
         """Return the exponential type in v of a field whose square is E P times the depletion polynomial."""
         return super().stretch(pupil) + self._degree * pupil.scale / self.depletion.scale
 
-    def images(self, pupil: ObjectivePupil, grid: Grid, wanted: Wanted) -> Images:
+    def images(self, pupil: ObjectivePupil, grid: Grid, wanted: Wanted) -> Samples:
         """Return the images of the flattened stack; see ``Method.images``."""
         if grid.integrate and self.along_radius(pupil) is None:
             raise ValueError("integrate must be False for a Sted whose light depends on the azimuth, got True")

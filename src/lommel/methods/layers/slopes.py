@@ -17,7 +17,7 @@ import numpy as np
 
 from lommel.base.arrays import Array
 from lommel.core import engine
-from lommel.core.answers import Declined, Images, Slopes, Wanted
+from lommel.core.answers import Declined, Samples, Slopes, Wanted
 from lommel.methods.averaging import averaged_images, pixel_averages, to_images
 from lommel.methods.derivative_names import SHIFTS, Term, term_of
 from lommel.methods.derivatives import Slope, scaling_derivative, tilted
@@ -52,7 +52,7 @@ def sampled_slopes(
     terms: tuple[tuple[int, int], ...] = (),
     *,
     by_axis: bool = False,
-) -> Images:
+) -> Samples:
     """Return images and their derivatives; derivatives by Zernike `terms`, from ChordalDebye, follow the others.
 
     With `by_axis`, which requires pixel averages, the last two derivatives are by the row and the column of the axis.
@@ -74,7 +74,7 @@ def sampled_slopes(
     divisors = [abs(d.factor) * largest_rates[min(d.variable, 2)] + 0.5 * _largest(d.image_factor) for d in by]
     divisors += [1.0] * len(terms)
 
-    def sample(pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
+    def sample(pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Samples:
         pairs, images_only = list(zip(rates(pupil), divisors, strict=False)), wanted._replace(terms=())
         if isinstance(method, ChordalDebye):
             return _by_chords(method, pupil, grid, pairs, terms, tol, images_only)
@@ -107,8 +107,8 @@ def engine_slopes(
     by: Sequence[By],
     tol: float,
     wanted: Wanted,
-    compute: Callable[[], Images] | None,
-) -> Images | None:
+    compute: Callable[[], Samples] | None,
+) -> Samples | None:
     """Return images and derivatives by the engine, or None if it does not support the window."""
     # Derivatives have bounds but no tolerance. If rounding prevents the tolerance of the images, a larger one is used
     # for the derivatives; the images are then computed by `compute` or, if this is None, with the larger tolerance.
@@ -120,7 +120,7 @@ def engine_slopes(
 
 def _by_engine(
     pupil: ObjectivePupil, grid: Grid, pairs: Sequence[tuple[By, float]], tol: float, wanted: Wanted
-) -> Images:
+) -> Samples:
     """Return samples by Stratified, and derivatives, divided by the divisors in `pairs`."""
     by = [
         d._replace(factor=d.factor / divisor, image_factor=np.asarray(d.image_factor) / divisor)
@@ -144,7 +144,7 @@ def _by_circles(
     largest_rates: tuple[float, float, float],
     tol: float,
     wanted: Wanted,
-) -> Images:
+) -> Samples:
     """Return samples by DebyeRings, and derivatives, divided by the divisors in `pairs`."""
     images, accuracy = method.refined(pupil, grid, tol, wanted)
     values = np.empty((len(pairs), *images.values.shape), wanted.dtype)
@@ -177,7 +177,7 @@ def _by_chords(
     terms: tuple[tuple[int, int], ...],
     tol: float,
     wanted: Wanted,
-) -> Images:
+) -> Samples:
     """Return samples by ChordalDebye, and derivatives, divided by the divisors in `pairs`; Zernike terms are last."""
     by = chordal_debye.By(tuple(d.variable for d, _ in pairs), terms)
     images, values, error_bound, largest = method.differentiated(pupil, grid, tol, wanted, by)
@@ -209,7 +209,7 @@ _PARAMETERS = ("z", "depth", "wavelength")  # derivatives by parameters of the p
 
 def layered_slopes(
     method: Method, pupil: ObjectivePupil, grid: Grid, names: Sequence[Name], wanted: Wanted, *, energy: bool
-) -> tuple[Method, Images, list[Slope]]:
+) -> tuple[Method, Samples, list[Slope]]:
     """Return the method, images and their derivatives by checked names."""
     zernike_names = {name: term for name in names if (term := term_of(name)) is not None}
     _require_available(method, pupil, names, zernike_names)
@@ -267,7 +267,7 @@ def _require_available(
 
 
 def _axis_slopes(
-    method: Method, pupil: ObjectivePupil, grid: Grid, images: Images, wanted: Wanted, at_fixed_v: Slope | None
+    method: Method, pupil: ObjectivePupil, grid: Grid, images: Samples, wanted: Wanted, at_fixed_v: Slope | None
 ) -> dict[Name, Slope]:
     """Return derivatives by the axis and, from the derivative `at_fixed_v`, by the wavelength: section 12."""
     step = grid.step(pupil)
@@ -289,7 +289,7 @@ def _axis_slopes(
 
 def _radial(
     method: Method, pupil: ObjectivePupil, grid: Grid, kinds: list[str], by: Sequence[By], wanted: Wanted, axis: bool
-) -> Images:
+) -> Samples:
     """Return images and the derivatives that the engine supports in this window."""
     for rates in ([*by, By(engine.BY_AXIS)], by) if axis else (by,):
         if rates:
@@ -304,7 +304,7 @@ def _radial(
     return method.images(pupil, grid, wanted)
 
 
-def _samples(method: Method, pupil: BasePupil, grid: Grid, wanted: Wanted) -> Images:
+def _samples(method: Method, pupil: BasePupil, grid: Grid, wanted: Wanted) -> Samples:
     """Return samples with bounds; the engine may use a larger tolerance, to avoid the slow reference method."""
     if isinstance(method, Stratified):
         result = engine_slopes(cast("ObjectivePupil", pupil), grid, (), method.tol, wanted, None)
@@ -337,7 +337,7 @@ def by_name(name: str, pupil: ObjectivePupil, *, far: bool, energy: bool) -> By:
     )
 
 
-def _stored(values: Array, error_bound: Array, images: Images, wanted: Wanted) -> Slope:
+def _stored(values: Array, error_bound: Array, images: Samples, wanted: Wanted) -> Slope:
     """Return the derivative of stored images from `values`, the derivative of I, with its `error_bound`."""
     scale = np.broadcast_to(np.asarray(images.scale, dtype=np.float64), error_bound.shape)
     # Derivatives have the scale of the images.
@@ -347,7 +347,7 @@ def _stored(values: Array, error_bound: Array, images: Images, wanted: Wanted) -
     return Slope(stored, (error_bound + (storing(wanted.dtype) + 2.0**-48) * largest) / images.brightest)
 
 
-def _sum(a: Slope, b: Slope, images: Images, wanted: Wanted) -> Slope:
+def _sum(a: Slope, b: Slope, images: Samples, wanted: Wanted) -> Slope:
     """Return the stored sum of two derivatives."""
     values = a.values.astype(np.float64) + b.values
     largest = np.abs(values).reshape(len(values), -1).max(axis=1) / images.scale / images.brightest

@@ -15,7 +15,7 @@ from typing import NamedTuple, TypeVar
 import numpy as np
 
 from lommel.base.arrays import Array
-from lommel.core.answers import Images, Intensities, Wanted
+from lommel.core.answers import Intensities, Samples, Wanted
 from lommel.core.engine import Layered, LayeredSlopes, Window, layered_images, layered_profiles
 from lommel.methods.layers.debye_wolf import DebyeWolf, likely_peak
 from lommel.optics.grid import Grid
@@ -75,13 +75,13 @@ class Stratified(DebyeWolf):
         least_peak = values[:, 0].max(axis=1) - error
         return Intensities(values[:, 0], error / least_peak, least_peak)
 
-    def images(self, pupil: ObjectivePupil, grid: Grid, wanted: Wanted) -> Images:
+    def images(self, pupil: ObjectivePupil, grid: Grid, wanted: Wanted) -> Samples:
         """Return the images of the flattened stack; see :meth:`lommel.methods.Method.images`."""
         direct = not (wanted.terms or wanted.powers) and (pupil.radial or not grid.integrate)
         images = differentiated(pupil, grid, (), self.tol, wanted) if direct else None
         return super().images(pupil, grid, wanted) if images is None else images
 
-    def _samples(self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
+    def _samples(self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Samples:
         """Return point samples at the centres of the pixels of `grid`, to `tol` of the peak."""
         images = differentiated(pupil, grid, (), tol, wanted)
         return super()._samples(pupil, grid, tol, wanted) if images is None else images
@@ -136,7 +136,7 @@ def profiles(pupil: ObjectivePupil, v: Array, tol: float) -> tuple[Array, Array]
     return _refine(attempt, pupil, tol) if pupil.light.model.orders[0] == 0 else None
 
 
-def differentiated(pupil: ObjectivePupil, grid: Grid, by: Sequence[By], tol: float, wanted: Wanted) -> Images | None:
+def differentiated(pupil: ObjectivePupil, grid: Grid, by: Sequence[By], tol: float, wanted: Wanted) -> Samples | None:
     """Return images with errors of at most `tol` of the peak, and their derivatives `by`.
 
     None if the engine does not support the window or the tolerance; see :func:`lommel.core.engine.layered_images`.
@@ -146,7 +146,7 @@ def differentiated(pupil: ObjectivePupil, grid: Grid, by: Sequence[By], tol: flo
     step, largest_v = grid.step(pupil), grid._farthest * grid.step(pupil)
     window = Window(grid.shape, grid.axes, step)
 
-    def attempt(accuracy: _Accuracy) -> tuple[Images | None, float]:
+    def attempt(accuracy: _Accuracy) -> tuple[Samples | None, float]:
         # Pixel averages are sums over more values of fields than samples are.
         field = accuracy.field / 2.0 if grid.integrate else accuracy.field
         slopes = None

@@ -24,7 +24,7 @@ _MAX_RATIO = 1e3  # largest ratio of counts to model
 _BLOCK, _DARKEST = 8, 10.0  # side of blocks in pixels, and percentile of their means from which a background starts
 
 
-class PoissonCounts:
+class PoissonLikelihood:
     r"""Recorded planes as counts of a Poisson distribution, in units of light.
 
     For a gain of g electrons per unit of light, ``g y + read^2`` of the recorded light y is distributed approximately
@@ -330,7 +330,7 @@ def _map_part(values: Values, rows: slice, columns: slice) -> Values:
     return values[rows, columns] if values.ndim else values
 
 
-class PhotographCounts(PoissonCounts):
+class PhotographLikelihood(PoissonLikelihood):
     """Counts of a photograph in memory, with the blur of its scene; channels are planes.
 
     Parameters
@@ -370,9 +370,9 @@ class PhotographCounts(PoissonCounts):
         super().__init__(planes[0], noise, dtype=blur.dtype, full=None if self.full is None else planes[1])
         self.added = self._added[..., None] if self._added.ndim and light.ndim == 3 else self._added
 
-    def replaced(self, light: Values) -> PhotographCounts:
+    def replaced(self, light: Values) -> PhotographLikelihood:
         """Return the counts of other light with the same saturated pixels."""
-        return PhotographCounts(self.blur, light, self.noise, full=self._saturated)
+        return PhotographLikelihood(self.blur, light, self.noise, full=self._saturated)
 
     @cached_property
     def operator(self) -> ImagePlanes:

@@ -7,7 +7,7 @@ import pytest
 from scipy.special import kl_div
 
 from lommel import Lens, Noise
-from lommel.deconvolve.poisson_counts import PhotographCounts
+from lommel.deconvolve.likelihood import PhotographLikelihood
 from lommel.imaging import DepthBlur, LinearBlur
 
 LENS = Lens(focal_length=50e-3, f_number=4.0, focus_distance=2.0, wavelength=550e-9)
@@ -29,7 +29,7 @@ class Sharp(LinearBlur):
     adjoint = forward
 
 
-def _deviance(found: PhotographCounts, model: np.ndarray) -> np.ndarray:
+def _deviance(found: PhotographLikelihood, model: np.ndarray) -> np.ndarray:
     """Return the Poisson deviance of expected counts, of which reading noise is a part, of an unblurred scene."""
     return found.expected * found.discrepancies_of(model - found.added)
 
@@ -40,7 +40,7 @@ def test_the_discrepancy_is_the_poisson_deviance_a_pixel(dtype: type, rtol: floa
     rng = np.random.default_rng(0)
     light = rng.random((20, 24))
     mean = np.clip(light * (1.0 + rng.normal(size=light.shape) / np.sqrt(white)), 0.01, None)
-    found = PhotographCounts(Sharp(dtype=dtype), light, Noise(white=white, read=4.0, offset=-0.1))
+    found = PhotographLikelihood(Sharp(dtype=dtype), light, Noise(white=white, read=4.0, offset=-0.1))
     model = (mean + 16.0 / white).astype(dtype)
     wanted = 2.0 * kl_div(white * (light + 0.1 + 16.0 / white), white * model.astype(float)).mean()
     assert _deviance(found, model)[0] == pytest.approx(wanted, rel=rtol)
@@ -51,7 +51,7 @@ def test_what_is_right_has_a_discrepancy_of_one_for_each_channel() -> None:
     light = np.random.default_rng(1).random((120, 120, 3)) * [1.0, 0.3, 0.1]
     noise = Noise(white=900.0, read=5.0, offset=0.02)
     photo = noise.record(np.moveaxis(900.0 * light, 2, 0), seed=2)
-    found = PhotographCounts(blur, np.moveaxis(photo, 0, 2), noise)
+    found = PhotographLikelihood(blur, np.moveaxis(photo, 0, 2), noise)
     assert _deviance(found, light + found.added) == pytest.approx([1.0] * 3, abs=5 * np.sqrt(2.0 / 120**2))
 
 
@@ -60,7 +60,7 @@ def test_each_pixel_may_have_its_own_gain_and_noise() -> None:
     shape = (100, 100)
     noise = Noise(white=rng.uniform(200.0, 2000.0, shape), read=rng.uniform(0.0, 20.0, shape))
     light = rng.random(shape)
-    found = PhotographCounts(Sharp(shape), noise.record(light * noise.white, seed=4), noise)
+    found = PhotographLikelihood(Sharp(shape), noise.record(light * noise.white, seed=4), noise)
     assert found.white == pytest.approx(np.mean(noise.white))
     np.testing.assert_allclose(found.weight * found.white, noise.white, rtol=1e-12)
     assert _deviance(found, light + found.added)[0] == pytest.approx(1.0, abs=0.07)
@@ -71,14 +71,14 @@ def test_what_is_unknown_counts_nowhere() -> None:
     light, noise = rng.random((20, 24)), Noise(white=1000.0, read=2.0)
     hidden = light.copy()
     hidden[3:9, 4:11] = np.nan
-    whole, part = (PhotographCounts(Sharp(), image, noise) for image in (light, hidden))
+    whole, part = (PhotographLikelihood(Sharp(), image, noise) for image in (light, hidden))
     assert part.known.tolist() == [20 * 24 - 42]
     model = rng.random((20, 24)) + 0.1
     known = np.isfinite(hidden)
     each = kl_div(1000.0 * whole.counts[known], 1000.0 * model[known])
     assert _deviance(part, model)[0] == pytest.approx(2.0 * each.mean())
     assert part.start == pytest.approx(light[known].mean())
-    blurred = PhotographCounts(_blur(), hidden, noise)
+    blurred = PhotographLikelihood(_blur(), hidden, noise)
     seen = _blur().adjoint(known.astype(float))
     per = blurred.operator.per_seen(0, slice(0, 20), slice(0, 24))
     np.testing.assert_allclose(per * seen, np.where(seen > 1e-6, 1.0, 0.0), atol=1e-9)
@@ -90,7 +90,7 @@ def test_a_saturated_pixel_asks_for_at_least_so_much() -> None:
     light = np.full((20, 24), 0.5)
     light[5:9, 5:9] = [[0.8, 0.9, 1.0, 7.0]]
     noise = Noise(white=1000.0, read=2.0)
-    found = PhotographCounts(Sharp(), light, noise, 0.8)
+    found = PhotographLikelihood(Sharp(), light, noise, 0.8)
     added = 4.0 / 1000.0
     assert found.known.tolist() == [20 * 24 - 16]
     np.testing.assert_allclose(found.counts[5:9, 5:9], 0.8 + added)
@@ -106,26 +106,26 @@ def test_a_saturated_pixel_asks_for_at_least_so_much() -> None:
 
 
 def test_darkness_is_counted_without_a_fault() -> None:
-    found = PhotographCounts(_blur(), np.zeros((20, 24)), Noise(white=1000.0, read=0.0))
+    found = PhotographLikelihood(_blur(), np.zeros((20, 24)), Noise(white=1000.0, read=0.0))
     assert found.discrepancies_of(np.zeros((20, 24)))[0] == pytest.approx(0.0, abs=1e-20)
     # Less than nothing, which reading makes, is none.
-    below = PhotographCounts(_blur(), np.full((20, 24), -0.5), Noise(white=1000.0, read=3.0))
+    below = PhotographLikelihood(_blur(), np.full((20, 24), -0.5), Noise(white=1000.0, read=3.0))
     assert not below.counts.any()
     assert np.isfinite(below.flat())
 
 
 def test_a_photograph_of_which_nothing_is_known_is_refused() -> None:
     with pytest.raises(ValueError, match="no pixel"):
-        PhotographCounts(_blur(), np.full((20, 24), np.nan), Noise(read=1.0))
+        PhotographLikelihood(_blur(), np.full((20, 24), np.nan), Noise(read=1.0))
     with pytest.raises(ValueError, match="no pixel"):
-        PhotographCounts(_blur(), np.ones((20, 24)), Noise(read=1.0), 0.5)
+        PhotographLikelihood(_blur(), np.ones((20, 24)), Noise(read=1.0), 0.5)
     with pytest.raises(ValueError, match="read"):
-        PhotographCounts(_blur(), np.ones((20, 24)), Noise(read=np.ones((3, 3))))
+        PhotographLikelihood(_blur(), np.ones((20, 24)), Noise(read=np.ones((3, 3))))
 
 
 def test_a_channel_of_which_nothing_is_known_begins_as_bright_as_the_others() -> None:
     light = np.full((20, 24, 3), [0.2, np.nan, 0.4])
     light[:10, :, 2] = np.nan
-    found = PhotographCounts(_blur(channels=3), light, Noise(white=1000.0, read=2.0))
+    found = PhotographLikelihood(_blur(channels=3), light, Noise(white=1000.0, read=2.0))
     # Steps that multiply would never leave 0.
     np.testing.assert_allclose(found.start.ravel(), [0.2, (2 * 0.2 + 0.4) / 3, 0.4], rtol=1e-9)

@@ -28,6 +28,7 @@ from collections.abc import Callable, Iterator, Sequence
 from functools import cache
 from pathlib import Path
 from typing import Any, NamedTuple
+from unittest.mock import patch
 
 import numpy as np
 from numpy.typing import NDArray
@@ -73,12 +74,13 @@ SETUPS = {
 
 
 def live(
-    setup: Setup, shape: tuple[int, int] = (SIDE, SIDE), light: float = LIGHT, **options: Any
+    setup: Setup, shape: tuple[int, int] = (SIDE, SIDE), light: float = LIGHT, threads: int = 1, **options: Any
 ) -> lm.imaging.LiveDepth:
     """Return what finds depth in frames."""
     lenses = [lommel_lens(lens) for lens in setup.lenses()]
-    given: dict[str, Any] = {"between": setup.between, "noise": NOISE, "shape": shape, "light": light, "threads": 1}
-    return lm.imaging.LiveDepth(lenses, setup.pixel, **(given | options))
+    given: dict[str, Any] = {"between": setup.between, "noise": NOISE, "shape": shape, "light": light}
+    with patch("lommel.imaging.live.processors", lambda: threads):
+        return lm.imaging.LiveDepth(lenses, setup.pixel, **(given | options))
 
 
 def standard(depth: Array, errors: Array, truth: Array | float) -> Array:
@@ -262,8 +264,9 @@ def frames_of_known_depth(name: str, setup: Setup) -> str:
     depth = 1.0 / np.linspace(0.9 * near + 0.1 * far, 0.1 * near + 0.9 * far, 1_000_000).reshape(1000, 1000)
     frame = np.random.default_rng(0).poisson(LIGHT, (1000, 1000)).astype(np.uint16)
     out = np.empty((1000, 1000), np.float32)
-    options: dict[str, Any] = {"between": setup.between, "noise": NOISE, "shape": (1000, 1000), "threads": 1}
-    sharpen = lm.imaging.LiveSharpen(lommel_lens(setup.lenses()[0]), setup.pixel, **options)
+    options: dict[str, Any] = {"between": setup.between, "noise": NOISE, "shape": (1000, 1000)}
+    with patch("lommel.imaging.live.processors", lambda: 1):
+        sharpen = lm.imaging.LiveSharpen(lommel_lens(setup.lenses()[0]), setup.pixel, **options)
     maps = (np.ascontiguousarray(depth[::4, ::4]), depth.astype(np.float32))
     times = [fastest(lambda each=each: sharpen(frame, each, out)) for each in maps]  # type: ignore[misc]
     return f"| {name} | " + " | ".join(f"{1e3 * each:.1f} ms, {1.0 / each:.0f}" for each in times) + " |"
@@ -285,11 +288,10 @@ def speed(name: str, setup: Setup, distance: float, transform: float) -> str:
     pair = record(plane(texture("leaves", SIDE, 7), setup.lenses(), distance, LIGHT), seed=1)
     frames = [np.ascontiguousarray(np.tile(one, (2, 3))[:480, :640]) for one in pair]
     finder, both = live(setup, (480, 640)), live(setup, (480, 640), sharp=True)
-    out = np.empty((480, 640), np.float32)
 
     def with_image() -> None:
         both(*frames)
-        both.sharp(out)
+        both.sharp()
 
     alone, together = fastest(lambda: finder(*frames)), fastest(with_image)
     pairs = live(setup, (480, 640), threads=2)
@@ -403,7 +405,7 @@ def video_row(fault: Fault, folder: Path) -> str:
     """Return what the command finds of a video, beside the truth."""
     (folder / "lens.toml").write_text(LENS, encoding="utf-8")
     write_video(folder / "both.mkv", list(frames_of_video(fault)), rate=30, **(fault.compressed or {}))
-    words = ["lens.toml", "--source", "both.mkv", "--alternating", "--no-show", "--json"]
+    words = ["lens.toml", "--source", "both.mkv", "--alternating", "--json"]
     words += [*(f"--focus={focus}m" for focus in FOCI), "--between", *(f"{one}m" for one in BETWEEN)]
     words += [f"--white={WHITE}", f"--read={READ}", "--depth=depth.mkv", "--depth=error.mkv", *fault.options]
     run = subprocess.run(

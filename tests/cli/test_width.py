@@ -53,7 +53,7 @@ LONG = {
     "restore": ("restore", "photo.png", "depth.npy", "lens.toml", *NOISE, "--steps", "4", "-o", "out.png"),
     "depth": (
         "depth", "photo.png", "photo.png", "lens.toml", "--focus", "1.5m", "--focus", "1.8m",
-        "--between", "1.4m", "2m", "--candidates", "15", *NOISE,
+        "--between", "1.4m", "2m", *NOISE,
     ),
     "retrieve": ("retrieve", "star.tif", "lens.toml", "--read", "2", "--terms", "3"),
     "localize": ("localize", "movie.tif", "zeiss-63x-astigmatic.toml", "--read", "0", "--block", "2", "-o", "a.csv"),

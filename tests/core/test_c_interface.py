@@ -155,7 +155,7 @@ def test_live_depth_from_a_file_is_that_of_the_package(library, tmp_path, frames
     lens = lm.Lens(focal_length=35e-3, f_number=8.0, focus_distance=1.35, wavelength=540e-9)
     live = lm.imaging.LiveDepth(
         [lens, lens.focused(1.8)], 4e-6, between=(1.2, 2.0), noise=lm.Noise(read=3.0, offset=100.0), shape=(96, 128),
-        light=2500.0, sharp=True, threads=1,
+        light=2500.0, sharp=True,
     )  # fmt: skip
     live.save(tmp_path / "lens.lml")
     tables = (tmp_path / "lens.lml").read_bytes()

@@ -40,7 +40,7 @@ def program(tmp_path_factory) -> Path:
 def live() -> lm.imaging.LiveDepth:
     return lm.imaging.LiveDepth(
         [lommel_lens(lens) for lens in LENSES], 4e-6, between=(1.2, 2.0), noise=lm.Noise(read=3.0, offset=100.0),
-        shape=(HEIGHT, WIDTH), light=LIGHT, sharp=True, threads=1,
+        shape=(HEIGHT, WIDTH), light=LIGHT, sharp=True,
     )  # fmt: skip
 
 

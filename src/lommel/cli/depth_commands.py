@@ -4,24 +4,26 @@ from __future__ import annotations
 
 import math
 import time
+from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
 
-import click
 import numpy as np
 
-from lommel.base import validation
 from lommel.base.arrays import plain
 from lommel.base.encoding import to_light
+from lommel.base.options import In, Options, Shown
 from lommel.base.units import format_length
-from lommel.cli.instruments import CAMERA, LENS, SQUARE_PIXEL, instrument_of, noise_of, radial_instrument
-from lommel.cli.options import FILE, JSON, OUTPUT, Group, argument, command, documented, option, plot_option
+from lommel.cli.command import OUTPUT, PLOT, command, filled
+from lommel.cli.instruments import instrument_of, noise_of, radial_instrument
 from lommel.cli.output import progress, save_figure, written
-from lommel.cli.photo_commands import PhotoNoise, apply_mask, output_type, read_as
+from lommel.cli.photo_commands import apply_mask, output_type, read_as
+from lommel.cli.shared_options import CAMERA, PITCH, MaskedPhotoNoise
 from lommel.estimation.depth_precision import CONTRAST, WINDOW, best_depth_foci, depth_precision
-from lommel.imaging import depth_from_defocus, read_photo, write_depth, write_photo
+from lommel.imaging import DefocusOptions, depth_from_defocus, read_photo, write_depth, write_photo
 from lommel.io import photos as photo_files
 from lommel.io.registry import suffixes
+from lommel.lensfiles.instrument import Camera, Instrument
 from lommel.recorded.noise import Noise
 from lommel.report import Report, finite, table_of
 from lommel.report.optics import lens_facts
@@ -31,29 +33,43 @@ if TYPE_CHECKING:
     from lommel.imaging.defocus_depth import DefocusDepth
     from lommel.imaging.defocus_verdict import DefocusVerdict
     from lommel.io.photos import Picture
-    from lommel.lensfiles.instrument import Camera
     from lommel.optics.lens import Lens
 
 _READ = 3.0  # default read noise, rms electrons, without a camera
 _ROWS, _POINTS = 11, 121  # numbers of distances in the table and in the figure
 
 
-BETWEEN = option("--between", length="m", nargs=2, required=True, metavar="NEAR FAR",
-    help="Nearest and farthest distance to search, such as 1m 3m or 1m inf.")  # fmt: skip
+BETWEEN = Shown(length="m", metavar="NEAR FAR")
+"""Form of the nearest and the farthest distance."""
 
 
-def lens_options(images: str) -> list[Any]:
-    """Return the options for `foci` and `f_numbers` of :func:`each_lens`; their help names the `images`."""
-    repeat_text = f"once for {images}, or repeated for each; overrides the lens file."
-    return [
-        option(
-            "--focus",
-            length="m",
-            multiple=True,
-            help=f"Focus distance from the lens, not from the sensor, such as 1.35m: {repeat_text}",
-        ),
-        option("--f-number", type=float, multiple=True, help=f"F-number: {repeat_text}"),
-    ]
+@dataclass(frozen=True, kw_only=True)
+class PairCamera(Options):
+    """Lens settings and camera of images that differ in focus or aperture.
+
+    Parameters
+    ----------
+    foci
+        Focus distance from the lens, not from the sensor, such as 1.35m: once for all images, or repeated for each;
+        overrides the lens file.
+    f_numbers
+        F-number: once for all images, or repeated for each; overrides the lens file.
+    camera
+        Camera with the pixel pitch and the noise: the name of an example, which `lommel examples --find camera`
+        lists, or a file; overrides the file.
+    pixel
+        Pixel pitch on the camera, such as 6.5um; overrides the file and the camera.
+    """
+
+    heading: ClassVar[str] = "Camera"
+    foci: Annotated[tuple[float, ...], Shown(("--focus",), length="m")] = ()
+    f_numbers: Annotated[tuple[float, ...], Shown(("--f-number",))] = ()
+    camera: Annotated[Camera | None, CAMERA] = None
+    pixel: Annotated[float | None, PITCH] = None
+
+    def instrument(self, lens: Path) -> Instrument:
+        """Return the instrument of a lens file with this camera and pixel pitch."""
+        return radial_instrument(lens, "depth from defocus", camera=self.camera, pixel=self.pixel)
 
 
 def each_lens(
@@ -82,70 +98,42 @@ def verdict_report(verdict: DefocusVerdict) -> Report:
     return Report(facts, [*lines, *(finding.text for finding in verdict.findings)], verdict.converged)
 
 
-class PhotoLens(Group, heading="Camera"):
-    """Lens and camera of photographs."""
-
-    # fmt: off
-    foci, f_numbers = lens_options("all photos")
-    exposures: tuple[float, ...] = option("--exposure", type=float, multiple=True,
-        help="Exposure of each photo relative to the first (1); repeat for each photo, the first too. By default the "
-        "ratio of their mean values.")
-    f_number_error: float = documented(depth_from_defocus, "f_number_error", type=float,
-        help="Relative standard error of the f-numbers, all alike, such as 0.05: part of the standard error of "
-        "depth. 0 if they are as stated.")
-    focus_error: float = documented(depth_from_defocus, "focus_error", type=float,
-        help="Standard error of each focus distance, dioptres (1/m): part of the standard error of depth.")
-    camera: Camera | None = CAMERA
-    pixel: float | None = SQUARE_PIXEL
-    encoding: str | None = option(type=click.Choice(["srgb", "linear"]),
-        help="Encoding of the photos' values; by default integers are sRGB and floats are linear.")
-    magnification: str = documented(depth_from_defocus, "magnification", type=click.Choice(["registered", "lens"]),
-        help="registered: points are at the same pixels in all photos; lens: the photos differ in magnification, as "
-        "with a thin lens at each focus distance, and are resampled to the scale of the first.")
-    # fmt: on
-
-
-class RecordedNoise(PhotoNoise, heading="Noise"):
-    """Noise of photographs, and pixels to ignore."""
-
-    # fmt: off
-    saturation: float | None = option(type=float,
-        help="Value in the file at which pixels saturate, such as 60000; the largest integer always counts as "
-        "saturated.")
-    masked: Path | None = option("--mask", type=FILE,
-        help="Image that is not 0 at pixels to ignore; one for all photos, or one for each.")
-    # fmt: on
-
-
-class Estimation(Group, heading="Estimation"):
-    """Size of the windows and number of candidate distances."""
-
-    # fmt: off
-    window: float = documented(depth_from_defocus, "window", type=float)
-    candidates: int | None = documented(depth_from_defocus, "candidates", type=int,
-        help="Number of candidate distances, equally spaced in 1 / distance; by default enough to resolve the blur, "
-        "at least 61.")
-    # fmt: on
-
-
-@command(JSON)
+@command
+@filled(depths=suffixes("depth map"), photos=suffixes("photo"))
 def depth(
-    photos: tuple[Path, ...] = argument("photos", type=FILE, nargs=-1, required=True),
-    lens: Path = LENS,
-    between: tuple[float, float] = BETWEEN,
-    outputs: tuple[Path, ...] = option("-o", "--output", type=OUTPUT, multiple=True,
-        help=f"Depth map in metres; given a second time, its standard error: {suffixes('depth map')}."),
-    sharp: Path | None = option(type=OUTPUT, help=f"All-in-focus image, encoded as PHOTOS: {suffixes('photo')}."),
-    figure: Path | None = plot_option("Figure of depth map, standard error and all-in-focus image"),
-    photo_lens: PhotoLens = PhotoLens(),
-    noise_options: RecordedNoise = RecordedNoise(),
-    estimation: Estimation = Estimation(),
-) -> Report:  # fmt: skip
+    photos: list[Path],
+    lens: Path,
+    /,
+    *,
+    between: Annotated[tuple[float, float], BETWEEN],
+    outputs: Annotated[tuple[Path, ...], OUTPUT] = (),
+    sharp: Annotated[Path | None, Shown(metavar="FILE", writes=True)] = None,
+    figure: Annotated[Path | None, PLOT] = None,
+    encoding: Literal["srgb", "linear"] | None = None,
+    cameras: PairCamera = PairCamera(),
+    options: DefocusOptions = DefocusOptions(),
+    photo_noise: MaskedPhotoNoise = MaskedPhotoNoise(),
+) -> Report:
     """Estimate a depth map from photos (depth from defocus).
 
     PHOTOS are two or more PNG, JPEG or TIFF files of one size, taken from the same place with different focus or
     aperture, neither denoised nor sharpened. LENS is a lens file. Areas without texture have no depth: NaN, with an
     infinite standard error.
+
+    Parameters
+    ----------
+    between
+        Nearest and farthest distance to search, such as 1m 3m or 1m inf.
+    outputs
+        Depth map in metres; given a second time, its standard error: {depths}.
+    sharp
+        All-in-focus image, encoded as PHOTOS: {photos}.
+    figure
+        Figure of depth map, standard error and all-in-focus image: .png, .pdf or .svg.
+    encoding
+        Encoding of the photos' values; by default integers are sRGB and floats are linear.
+    masked
+        Image that is not 0 at pixels to ignore; one for all photos, or one for each.
 
     Examples
     --------
@@ -157,16 +145,16 @@ def depth(
         photo_files.find_depth(path, "--output")
     if sharp is not None:
         photo_files.find(sharp, "--sharp")
-    instrument = radial_instrument(lens, "depth from defocus", camera=photo_lens.camera, pixel=photo_lens.pixel)
-    noise = noise_of(vars(noise_options), instrument.camera, photographs=True)
-    lenses = each_lens(instrument.lens, len(photos), photo_lens.foci, photo_lens.f_numbers)
+    instrument = cameras.instrument(lens)
+    noise = noise_of(vars(photo_noise), instrument.camera, photographs=True)
+    lenses = each_lens(instrument.lens, len(photos), cameras.foci, cameras.f_numbers)
     with progress("reading") as status:
-        pictures = [read_photo(path, photo_lens.encoding) for path in photos]
+        pictures = [read_photo(path, encoding) for path in photos]
         if len({(picture.values.dtype, picture.encoding) for picture in pictures}) > 1:
             raise ValueError("the photos must have one type and one encoding; give --encoding or convert them")
         images = [picture.values for picture in pictures]
-        if noise_options.masked is not None:
-            images = apply_mask(images, noise_options.masked)
+        if photo_noise.masked is not None:
+            images = apply_mask(images, photo_noise.masked)
         status("computing the PSFs of every distance")
         start = time.perf_counter()
         estimate = depth_from_defocus(
@@ -175,14 +163,9 @@ def depth(
             instrument.side,
             encoding=pictures[0].encoding,
             noise=noise,
-            exposures=photo_lens.exposures or None,
             between=between,
-            magnification=photo_lens.magnification,
-            f_number_error=photo_lens.f_number_error,
-            focus_error=photo_lens.focus_error,
-            saturation=noise_options.saturation,
             progress=lambda finished, tiles: status(f"tile {finished} of {tiles}", finished / tiles),
-            **vars(estimation),
+            options=options,
         )
         seconds = time.perf_counter() - start
         status("comparing the blur with the blur of other apertures")
@@ -201,17 +184,16 @@ def depth(
             f"depth known at {100.0 * estimate.known:.3g} % of the pixels: {low} to {high} (5 to 95 %), "
             f"median {middle}, standard error {format_length(facts['error'], digits=2)}"
         )
-    files, encoding_text = written([*outputs, sharp, figure]), read_as(pictures[0], photo_lens.encoding)
+    files, encoding_text = written([*outputs, sharp, figure]), read_as(pictures[0], encoding)
     (height, width), (near, far) = estimate.depth.shape, map(format_length, between)
     facts |= focus_facts | {"seconds": seconds, "pixel": instrument.side, **files.facts, "read": encoding_text}
     lines = [
         encoding_text,
         f"{width} x {height} pixels of {format_length(instrument.side)}; {focus_text}",
-        f"{len(estimate.candidates)} distances from {near} to {far}, windows of {estimation.window:g} pixels rms",
+        f"{len(estimate.candidates)} distances from {near} to {far}, windows of {WINDOW:g} pixels rms",
+        f"exposures measured: {', '.join(f'{exposure:.4g}' for exposure in estimate.exposures)}",
         text,
     ]
-    if not photo_lens.exposures:
-        lines.insert(3, f"exposures measured: {', '.join(f'{exposure:.4g}' for exposure in estimate.exposures)}")
     return Report(facts, lines) + verdict_report(estimate.verdict) + files
 
 
@@ -222,48 +204,22 @@ def _write_sharp(path: Path, estimate: DefocusDepth, photo: Picture) -> None:
     write_photo(path, image, encoding=encoding, dtype=dtype)
 
 
-class FocusChoice(Group):
-    """Focus distances of photos that have not been taken yet."""
-
-    # fmt: off
-    foci: tuple[float, ...] = option("--focus", length="m", multiple=True,
-        help="Focus distance, such as 1.5m; repeat for each photo (two or more), or give once with --pair or "
-        "--best.")
-    pair: float | None = option(type=float,
-        help="Two photos, one focused this many dioptres (1/m) nearer than --focus, the other that many farther.")
-    best: bool = option(is_flag=True,
-        help="Find the two focus distances that give the best precision for a surface at --focus.")
-    # fmt: on
-
-    def require(self) -> None:
-        """Raise ValueError unless the focus distances are given in exactly one of three ways."""
-        if (self.pair is not None) + self.best + (len(self.foci) > 1) != 1 or not self.foci:
-            raise ValueError("give --focus twice or more, or --focus once with --pair or with --best")
-
-    def lenses(self, lens: Lens, pixel: float, noise: Noise) -> list[Lens]:
-        """Return the lens of each photo."""
-        if self.best:
-            return list(best_depth_foci(lens, self.foci[0], pixel, noise=noise))
-        if self.pair is not None:
-            return _lens_pair(lens, self.foci[0], self.pair)
-        return [lens.focused(focus) for focus in self.foci]
-
-
-@command(JSON)
+@command
 def precision(
-    lens: Path = LENS,
-    choice: FocusChoice = FocusChoice(),
-    photons: float = option(type=float, required=True,
-        help="Mean signal per pixel, in detected photons (electrons)."),
-    f_number: float | None = option(type=float, help="F-number; overrides the lens file."),
-    between: tuple[float, float] | None = option(length="m", nargs=2, metavar="NEAR FAR",
-        help="Nearest and farthest distance to list; by default around the focus distances."),
-    camera: Camera | None = CAMERA,
-    pixel: float | None = SQUARE_PIXEL,
-    read: float | None = documented(Noise, "read", type=float, default=None,
-        help=f"Read noise, rms electrons; by default from the camera, or {_READ:g}."),
-    figure: Path | None = plot_option("Figure of the standard error against the distance"),
-) -> Report:  # fmt: skip
+    lens: Path,
+    /,
+    *,
+    foci: Annotated[tuple[float, ...], Shown(("--focus",), length="m")],
+    photons: Annotated[float, In(above=0.0)],
+    pair: float | None = None,
+    best: bool = False,
+    f_number: float | None = None,
+    between: Annotated[tuple[float, float] | None, BETWEEN] = None,
+    camera: Annotated[Camera | None, CAMERA] = None,
+    pixel: Annotated[float | None, PITCH] = None,
+    read: float | None = None,
+    figure: Annotated[Path | None, PLOT] = None,
+) -> Report:
     """Compute the achievable depth precision (Cramer-Rao bound).
 
     The bound is the least standard error of the distance of a textured surface, estimated from photos with
@@ -271,20 +227,50 @@ def precision(
     unbiased estimator without knowledge of the texture; strong edges allow better precision. Use it to choose
     aperture, focus distances and exposure before taking the photos.
 
+    Parameters
+    ----------
+    foci
+        Focus distance, such as 1.5m; repeat for each photo (two or more), or give once with --pair or --best.
+    photons
+        Mean signal per pixel, in detected photons (electrons).
+    pair
+        Two photos, one focused this many dioptres (1/m) nearer than --focus, the other that many farther.
+    best
+        Find the two focus distances that give the best precision for a surface at --focus.
+    f_number
+        F-number; overrides the lens file.
+    between
+        Nearest and farthest distance to list; by default around the focus distances.
+    camera
+        Camera with the pixel pitch and the noise: the name of an example, which `lommel examples --find camera`
+        lists, or a file; overrides the file.
+    pixel
+        Pixel pitch on the camera, such as 6.5um; overrides the file and the camera.
+    read
+        Read noise, rms electrons; by default from the camera, or 3.
+    figure
+        Figure of the standard error against the distance: .png, .pdf or .svg.
+
     Examples
     --------
       lommel precision phone.toml --focus 1.5m --pair 0.1 --photons 1e4 --plot precision.png
       lommel precision nifty-fifty.toml --focus 1.5m --best --f-number 4 --photons 5000
       lommel precision phone.toml --focus 1.35m --focus 1.8m --photons 1e4 --between 1.2m 2.5m
     """
+    if (pair is not None) + best + (len(foci) > 1) != 1:
+        raise ValueError("give --focus twice or more, or --focus once with --pair or with --best")
     instrument = instrument_of(lens, camera=camera, pixel=pixel)
     if read is None:
         read = _READ if instrument.camera is None or instrument.camera.read is None else instrument.camera.read
     lens_in_use = instrument.lens if f_number is None else instrument.lens.stopped(f_number)
-    noise = Noise(white=validation.real("photons", photons, above=0.0), read=read)
-    choice.require()
+    noise = Noise(white=photons, read=read)
     start = time.perf_counter()
-    lenses = choice.lenses(lens_in_use, instrument.side, noise)
+    if best:
+        lenses = list(best_depth_foci(lens_in_use, foci[0], instrument.side, noise=noise))
+    elif pair is not None:
+        lenses = _lens_pair(lens_in_use, foci[0], pair)
+    else:
+        lenses = [lens_in_use.focused(focus) for focus in foci]
     nearest, *_, farthest = sorted(photo.focus_distance for photo in lenses)
     # The default range is from a little nearer than the nearest focus to a little farther than the farthest.
     near, far = between or (0.85 * nearest, 1.2 * farthest if math.isfinite(farthest) else 4.0 * nearest)

@@ -170,6 +170,54 @@ class CameraNoise(Options):
         return None if self.masked is None else mask_of(self.masked, images)
 
 
+@dataclass(frozen=True, kw_only=True)
+class PhotoNoise(Options):
+    """Options for the noise of photographs.
+
+    Parameters
+    ----------
+    white
+        Number of electrons at white, such as 5000; by default the full well of the camera. White is the largest
+        integer, or 1.0 in floats.
+    read
+        Read noise, rms electrons; 0 for none; by default from the camera.
+    offset
+        Black level, as a fraction of white.
+    """
+
+    heading: ClassVar[str] = "Noise"
+    white: float | None = None
+    read: float | None = None
+    offset: float = 0.0
+
+
+@dataclass(frozen=True, kw_only=True)
+class MaskedPhotoNoise(PhotoNoise):
+    """Options for the noise of photographs, and pixels to ignore.
+
+    Parameters
+    ----------
+    masked
+        Image whose nonzero pixels mark the pixels of the photo to ignore.
+    """
+
+    masked: Annotated[Path | None, Shown(("--mask",), metavar="FILE")] = None
+
+
+@dataclass(frozen=True, kw_only=True)
+class FrameNoise(PhotoNoise):
+    """Options for the noise and the saturation of frames of video.
+
+    Parameters
+    ----------
+    saturation
+        Level at which pixels saturate: a fraction of white in linear light (after decoding sRGB), such as 0.95; the
+        largest integer always counts as saturated.
+    """
+
+    saturation: float | None = None
+
+
 def _number_or_path(text: str) -> float | str:
     try:
         return float(text)

@@ -12,13 +12,14 @@ from typing import TYPE_CHECKING, NamedTuple, TypeVar
 
 import click
 import numpy as np
-from scipy.ndimage import gaussian_filter1d
+import scipy
 
 from lommel.base.arrays import Values
 from lommel.base.encoding import from_light, to_light
 from lommel.cli.instruments import noise_of
 from lommel.cli.options import option
 from lommel.cli.photo_commands import PhotoNoise
+from lommel.cli.shared_options import FrameNoise
 from lommel.recorded.noise import Noise
 from lommel.report import Facts
 
@@ -97,7 +98,8 @@ def equalize_rows(first: Values, second: Values, coding: Coding) -> list[Values]
     valid = np.logical_and(*(frame < limit for frame in frames))
     if not valid.all():
         frames = [np.where(valid, frame, np.float32(np.nan)) for frame in frames]
-    rows = [gaussian_filter1d(np.nansum(frame, axis=1, dtype=np.float64), _ROW_SMOOTHING) for frame in frames]
+    sums = [np.nansum(frame, axis=1, dtype=np.float64) for frame in frames]
+    rows = [scipy.ndimage.gaussian_filter1d(row_sums, _ROW_SMOOTHING) for row_sums in sums]
     equalized = np.minimum(*rows) > _DARK_ROW * max(rows[0].mean(), rows[1].mean())
     if equalized.any():
         ratio = np.ones(len(rows[0]))
@@ -113,7 +115,7 @@ def coding_of(
     levels: int,
     dtype: np.dtype[np.generic],
     default_encoding: str,
-    video_noise: VideoNoise,
+    video_noise: VideoNoise | FrameNoise,
     camera: Camera | None,
     encoding: str | None,
 ) -> Coding:

@@ -12,31 +12,29 @@ from contextlib import ExitStack
 from dataclasses import dataclass, field
 from pathlib import Path
 from types import TracebackType
-from typing import TYPE_CHECKING, NamedTuple, Self
+from typing import Annotated, ClassVar, Literal, NamedTuple, Self
 
-import click
 import numpy as np
 from numpy.typing import NDArray
 
 from lommel.base import atomic, optional, validation
 from lommel.base.encoding import from_light
+from lommel.base.options import In, Options, Shown
 from lommel.base.units import format_length, percent
-from lommel.cli.depth_commands import BETWEEN, each_lens, lens_options, verdict_report
-from lommel.cli.instruments import CAMERA, LENS, SQUARE_PIXEL, radial_instrument
-from lommel.cli.options import JSON, OUTPUT, Group, command, documented, option, with_options
+from lommel.cli.command import OUTPUT, command
+from lommel.cli.depth_commands import BETWEEN, PairCamera, each_lens, verdict_report
+from lommel.cli.messages import with_options
 from lommel.cli.output import Steps, progress, require_folder, written
-from lommel.cli.video_input import ENCODING, Coding, Stop, VideoNoise, coding_of, equalize_rows
+from lommel.cli.shared_options import FrameNoise
+from lommel.cli.video_input import Coding, Stop, coding_of, equalize_rows
+from lommel.estimation.depth_precision import WINDOW
 from lommel.imaging import LiveDepth
 from lommel.imaging.defocus_verdict import DefocusVerdict
-from lommel.imaging.focal_engine import BLOCK
+from lommel.imaging.focal_engine import BLOCK, Magnified
 from lommel.io import videos
-from lommel.io.registry import suffixes
 from lommel.report import Report, finite
 from lommel.report.optics import lens_facts
 from lommel.show.estimates import DepthColours
-
-if TYPE_CHECKING:
-    from lommel.lensfiles.instrument import Camera
 
 Map = NDArray[np.float32]
 
@@ -66,28 +64,32 @@ class PairResult(NamedTuple):
     electrons: float  # mean electrons per pixel
 
 
-class Files(Group):
-    """Output files and window; `scale` is the size of a level of lossless depth, metres."""
+@dataclass(frozen=True, kw_only=True)
+class Files(Options):
+    """Output files.
 
-    # fmt: off
-    output: Path | None = option("-o", "--output", type=OUTPUT,
-        help=f"Video of the depth in colours: {suffixes('video')}.")
-    sharp: bool = option(is_flag=True, help="Show the all-in-focus image beside the depth.")
-    depths: tuple[Path, ...] = option("--depth", type=OUTPUT, multiple=True,
-        help="Lossless video of the depth, .mkv: a pixel for each block of 4 x 4 pixels, in levels of --depth-scale, "
-        "0 where it is not known; given a second time, its standard error.")
-    table: Path | None = option(type=OUTPUT, help="Table with a row for each pair: .csv.")
-    show: bool | None = option("--show/--no-show", default=None,
-        help="Show a window, which q or Esc closes; by default where there is a display and no --output.")
-    # fmt: on
-    scale: float
+    Parameters
+    ----------
+    output
+        Video of the depth in colours: .mkv or .mp4; without it a window opens where there is a display, which q or
+        Esc closes.
+    sharp
+        Show the all-in-focus image beside the depth.
+    depths
+        Lossless video of the depth, .mkv: a pixel for each block of 4 x 4 pixels, in levels of the power of ten
+        metres that the report states, 0 where it is not known; given a second time, its standard error.
+    table
+        Table with a row for each pair: .csv.
+    """
+
+    heading: ClassVar[str] = "Output"
+    output: Annotated[Path | None, OUTPUT] = None
+    sharp: bool = False
+    depths: Annotated[tuple[Path, ...], Shown(("--depth",), metavar="FILE", writes=True)] = ()
+    table: Annotated[Path | None, Shown(metavar="FILE", writes=True)] = None
 
     def require(self) -> None:
-        """Raise ValueError or OSError if an output cannot be shown or written, before any source is opened."""
-        windowless = "" if self.show is False else no_window()
-        if self.show and windowless:
-            raise ValueError(f"--show is not possible: {windowless}")
-        self.show = self.show or (self.show is None and self.output is None and not windowless)
+        """Raise ValueError or OSError if an output cannot be written, before any source is opened."""
         if self.output is not None:
             videos.find(self.output, "--output", holding="of uint8")
         if len(self.depths) > 2:
@@ -105,47 +107,24 @@ class Files(Group):
         return [path for path in (self.output, *self.depths, self.table) if path is not None]
 
 
-class FrameCamera(Group, heading="Camera"):
-    """Lens settings and camera of the two frames of a pair."""
-
-    # fmt: off
-    foci, f_numbers = lens_options("both frames")
-    exposures: tuple[float, ...] = option("--exposure", type=float, multiple=True,
-        help="Exposure of each frame relative to the first (1); repeat for each, the first too. By default a ratio "
-        "that changes over the frame, smoothly and from row to row, measured pair by pair.")
-    magnification: str = documented(LiveDepth, "magnification", type=click.Choice(["registered", "lens"]))
-    camera: Camera | None = CAMERA
-    pixel: float | None = SQUARE_PIXEL
-    encoding: str | None = ENCODING
-    # fmt: on
+Misfit = Annotated[float, In(least=1.0, infinite=True)]
 
 
-class Estimation(Group, heading="Estimation"):
-    """Window size, misfit limit, and scale of the depth."""
-
-    # fmt: off
-    window: float = documented(LiveDepth, "window", type=float)
-    misfit: float = option(type=float, default=2.0,
-        help="Largest misfit of blocks whose depth counts as known: 1 where only noise is left; inf for all.")
-    depth_scale: float | None = option(type=float,
-        help="Metres per level of --depth, such as 0.0001; by default the finest power of ten that holds the "
-        "farthest distance.")
-    # fmt: on
-
-
-@command(JSON)
+@command
 def watch(
-    lens: Path = LENS,
-    sources: tuple[str, ...] = option("--source", multiple=True, required=True, metavar="SOURCE",
-        help="Number of a camera, a video file, an address such as rtsp://camera/stream, or numbered images: a "
-        "folder or a pattern such as frames/%04d.tif. Given twice, frames of the same time are pairs."),
-    alternating: bool = option(is_flag=True, help="The frames of one source alternate between two focus settings."),
-    between: tuple[float, float] = BETWEEN,
+    lens: Path,
+    /,
+    *,
+    sources: Annotated[tuple[str, ...], Shown(("--source",), metavar="SOURCE")],
+    between: Annotated[tuple[float, float], BETWEEN],
+    alternating: bool = False,
+    encoding: Literal["srgb", "linear"] | None = None,
+    misfit: Misfit = 2.0,
     files: Files = Files(),
-    cameras: FrameCamera = FrameCamera(),
-    noise: VideoNoise = VideoNoise(),
-    estimation: Estimation = Estimation(),
-) -> Report:  # fmt: skip
+    cameras: PairCamera = PairCamera(),
+    registration: Magnified = Magnified(),
+    video_noise: FrameNoise = FrameNoise(),
+) -> Report:
     """Estimate depth of video from frames with different focus.
 
     LENS is a lens file. The frames come from two cameras or files, or from one whose focus alternates. Depth and its
@@ -153,39 +132,74 @@ def watch(
     terminal ends the command and leaves complete files. Until then depth.mkv is depth.unfinished.mkv, which plays if
     the process is killed.
 
+    Parameters
+    ----------
+    sources
+        Number of a camera, a video file, an address such as rtsp://camera/stream, or numbered images: a folder or a
+        pattern such as frames/%04d.tif. Given twice, frames of the same time are pairs.
+    between
+        Nearest and farthest distance to search, such as 1m 3m or 1m inf.
+    alternating
+        The frames of one source alternate between two focus settings.
+    encoding
+        Encoding of the values; by default grey of more than 8 bits and floats are linear, all else is sRGB.
+    misfit
+        Largest misfit of blocks whose depth counts as known: 1 where only noise is left; inf for all.
+
     Examples
     --------
       lommel watch phone.toml --source near.mkv --source far.mkv --focus 1.3m --focus 2m --between 1m 3m -o depth.mkv
       lommel watch phone.toml --source both.mp4 --alternating --focus 1.3m --focus 2m --between 1m 3m --table d.csv
     """
     stop = Stop()
-    click.get_current_context().with_resource(stop.signals())
+    with stop.signals():
+        return _watched(
+            stop, lens, sources, between, alternating, encoding, misfit, files, cameras, registration, video_noise
+        )
+
+
+def _watched(
+    stop: Stop,
+    lens: Path,
+    sources: tuple[str, ...],
+    between: tuple[float, float],
+    alternating: bool,
+    encoding: str | None,
+    limit: float,
+    files: Files,
+    cameras: PairCamera,
+    registration: Magnified,
+    video_noise: FrameNoise,
+) -> Report:
+    """Estimate depth until the sources end or `stop` is requested; `limit` is the largest misfit of known blocks."""
     _require_two(sources, alternating=alternating)
-    instrument = radial_instrument(lens, camera=cameras.camera, pixel=cameras.pixel)
+    instrument = cameras.instrument(lens)
     lenses = each_lens(instrument.lens, 2, cameras.foci, cameras.f_numbers, "frames")
     if lenses[0] == lenses[1]:
         raise ValueError(
             "--focus must be given for each of two frames, or --f-number: the frames must differ in one of these"
         )
-    limit = validation.real("misfit", estimation.misfit, least=1.0, infinite=True)
-    files.scale = _default_scale(between[1])
-    if estimation.depth_scale is not None:
-        files.scale = validation.real("depth_scale", estimation.depth_scale, above=0.0)
     files.require()
     tally = Tally()
     with progress("opening the sources", endless=True) as status, ExitStack() as stack:
         other = None if alternating else sources[1]
         pairs = stack.enter_context(videos.frame_pairs(sources[0], other, alternating=alternating, tell=status.tell))
-        coding = coding_of(pairs.levels, pairs.dtype, pairs.encoding, noise, instrument.camera, cameras.encoding)
+        coding = coding_of(pairs.levels, pairs.dtype, pairs.encoding, video_noise, instrument.camera, encoding)
         if coding.guess:
             status.tell(coding.guess)
         status("computing the filters of every distance")
         live = LiveDepth(
-            lenses, instrument.side, between=between, noise=coding.noise, shape=pairs.shape, window=estimation.window,
-            exposures=cameras.exposures or "smooth", magnification=cameras.magnification,
-            saturation=coding.saturation, sharp=files.sharp,
-        )  # fmt: skip
-        estimator = Estimator(live, coding, limit, sharp=files.sharp, equalize=not cameras.exposures)
+            lenses,
+            instrument.side,
+            between=between,
+            noise=coding.noise,
+            shape=pairs.shape,
+            exposures="smooth",
+            magnification=registration.magnification,
+            saturation=coding.saturation,
+            sharp=files.sharp,
+        )
+        estimator = Estimator(live, coding, limit, sharp=files.sharp)
         outputs = stack.enter_context(Outputs(files, between, pairs, coding))
         end_reason = _estimate_all(pairs, estimator, outputs, tally, status, stop, alternating=alternating)
         status("finishing")
@@ -206,15 +220,15 @@ def watch(
             "pixel": instrument.side,
             **of_lenses,
             "between": [finite(distance) for distance in between],
-            "magnification": cameras.magnification,
+            "magnification": registration.magnification,
             "design_error": live.design_error,
         },
         [
             f"{width} x {height} pixels of {format_length(instrument.side)}; {focus}",
-            f"distances from {near} to {far}, windows of {estimation.window:g} pixels rms",
+            f"distances from {near} to {far}, windows of {WINDOW:g} pixels rms",
         ],
     )
-    result = tally.summary(limit, cameras.magnification == "registered", verdict) + outputs.report()
+    result = tally.summary(limit, registration.magnification == "registered", verdict) + outputs.report()
     return (
         read_report + setting_report + _counts(tally, pairs, end_reason) + result + Report({}, [], pairs.lost is None)
     )
@@ -273,7 +287,6 @@ class Estimator:
     coding: Coding
     limit: float  # largest misfit of blocks whose depth is known
     sharp: bool  # True to compute all-in-focus images
-    equalize: bool  # True to equalize the brightness of the two frames row by row
     first_time: float = math.nan  # time of the first pair
 
     def __call__(self, pair: videos.FramePair) -> tuple[PairResult, str]:
@@ -282,7 +295,7 @@ class Estimator:
         elapsed, start = pair.time - self.first_time, time.perf_counter()
         try:
             frames = self.coding.light(pair.first), self.coding.light(pair.second)
-            estimate = self.live(*(equalize_rows(*frames, self.coding) if self.equalize else frames))
+            estimate = self.live(*equalize_rows(*frames, self.coding))
         except ValueError as error:
             duration = time.perf_counter() - start
             failure = with_options(str(error))
@@ -410,7 +423,9 @@ class Outputs:
         height, width = pairs.shape
         self._files, self._between, self._pairs = files, between, pairs
         self._blocks = height // BLOCK, width // BLOCK
-        coloured = files.output is not None or files.show
+        self._scale = _default_scale(between[1])  # metres per level
+        self._shows = files.output is None and not no_window()
+        coloured = files.output is not None or self._shows
         self._colours = DepthColours(between, (height, width), BLOCK, files.sharp) if coloured else None
         self._curve = from_light(np.linspace(0.0, 1.0, _CURVE_LEVELS, dtype=np.float32), "srgb", np.uint8)
         # Linear video may be far darker than its white: `_grey` then sets the white from the first image.
@@ -424,12 +439,12 @@ class Outputs:
             writer: videos.VideoWriter = self._stack.enter_context(videos.find(path).write(path, interval, title))
             return writer
 
-        level = f"metres per level {files.scale:g}, 0 where not known"
+        level = f"metres per level {self._scale:g}, 0 where not known"
         self._colour_video = None if files.output is None else open_writer(files.output, "depth")
         titles = (f"depth: {level}", f"standard error of depth: {level}")
         self._lossless = [open_writer(*arguments) for arguments in zip(files.depths, titles, strict=False)]
         self._table = None if files.table is None else Table(files.table, self._stack)
-        self._window = Window("lommel watch", self._stack) if files.show else None
+        self._window = Window("lommel watch", self._stack) if self._shows else None
         return self
 
     def __exit__(
@@ -459,7 +474,7 @@ class Outputs:
         if metres is None:
             return np.zeros(self._blocks, np.uint16)
         is_known = np.isfinite(metres)
-        levels = np.rint(np.where(is_known, metres, 0.0) / self._files.scale)
+        levels = np.rint(np.where(is_known, metres, 0.0) / self._scale)
         self._clipped += int(np.count_nonzero(levels > _MAX_LEVEL))
         return np.where(is_known, np.clip(levels, 1, _MAX_LEVEL), 0).astype(np.uint16)
 
@@ -478,8 +493,8 @@ class Outputs:
             lines.append(f"colours: yellow at {near} to violet at {far}, even in 1 / distance; grey: not known")
         if files.depths:
             clipped = f"; {self._clipped} values beyond the last one" if self._clipped else ""
-            lines.append(f"--depth: levels of {format_length(files.scale)}, 0 where not known{clipped}")
-        facts = {"depth_scale": files.scale, "beyond_scale": self._clipped} if files.depths else {}
+            lines.append(f"--depth: levels of {format_length(self._scale)}, 0 where not known{clipped}")
+        facts = {"depth_scale": self._scale, "beyond_scale": self._clipped} if files.depths else {}
         return Report(facts, lines) + written(files.all)
 
 

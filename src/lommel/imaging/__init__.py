@@ -4,10 +4,10 @@ from lommel.deconvolve.algorithms import Restoration, RichardsonLucy, TotalVaria
 from lommel.deconvolve.linear import LinearBlur
 from lommel.imaging.blur import BlurSlopes, DepthBlur
 from lommel.imaging.datasets import LensRanges, Rendered, render_dataset
-from lommel.imaging.defocus_depth import DefocusDepth, depth_from_defocus
+from lommel.imaging.defocus_depth import DefocusDepth, DefocusOptions, depth_from_defocus
 from lommel.imaging.defocus_verdict import DefocusVerdict
 from lommel.imaging.field_blur import FieldBlur
-from lommel.imaging.live import LiveDepth, LiveDepthMap, LiveSharpen
+from lommel.imaging.live import LiveDepth, LiveDepthMap, LiveDepthOptions, LiveSharpen
 from lommel.imaging.occlusion import Occlusion
 from lommel.imaging.one_pass import OnePass
 from lommel.imaging.photograph import FocusPlan, Photograph, depth_of_field, field_photograph
@@ -23,6 +23,7 @@ __all__ = [
     "RED_GREEN_BLUE",
     "BlurSlopes",
     "DefocusDepth",
+    "DefocusOptions",
     "DefocusVerdict",
     "DepthBlur",
     "Exif",
@@ -32,6 +33,7 @@ __all__ = [
     "LinearBlur",
     "LiveDepth",
     "LiveDepthMap",
+    "LiveDepthOptions",
     "LiveSharpen",
     "Occlusion",
     "OnePass",

@@ -8,33 +8,34 @@ from dataclasses import dataclass
 from functools import partial
 from os import PathLike
 from pathlib import Path
-from typing import TYPE_CHECKING, Unpack
+from typing import TYPE_CHECKING, Annotated, Any
 
 import numpy as np
+import scipy
 from numpy.typing import ArrayLike, NDArray
 
-from lommel.base import options, validation
+from lommel.base import validation
 from lommel.base.arrays import Array, Json, Values, plain
 from lommel.base.cached import cached_property
 from lommel.base.encoding import from_light, to_light
+from lommel.base.options import In, listed
 from lommel.core.engine import FocalStream
-from lommel.estimation.focal_model import FocalLight, Transfer, transfer_curve
+from lommel.estimation.depth_precision import WINDOW
+from lommel.estimation.focal_model import FocalLight, Spectrum, Transfer, transfer_curve
 from lommel.imaging.defocus_verdict import DefocusVerdict, judge_frames, squared_slopes
 from lommel.imaging.focal_engine import (
     BLOCK,
     CONTRAST,
-    DefocusKeywords,
-    DefocusOptions,
     FocalEngine,
     FocalTask,
+    Magnified,
     Registration,
     checked_range,
     processors,
-    relative_exposures,
 )
 from lommel.imaging.photograph import fill_missing, require_image
-from lommel.imaging.settings import Settings, Spectrum
 from lommel.io.depth_maps import write_depth
+from lommel.optics.colour.spectrum import RED_GREEN_BLUE
 from lommel.optics.lens import Lens, pixel_of
 from lommel.recorded.counts import Counts, counts_of
 from lommel.recorded.noise import Noise
@@ -44,9 +45,8 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 _MAX_CANDIDATES = 2001  # largest number of candidates
-_WIDE_WINDOW = 2.0  # rms width of windows, pixels, from which blocks are 4 pixels wide; below it, 2 pixels
 _ROWS = 1024  # number of rows computed together
-_MULTIPLE = 16  # pixels: a common multiple of the sides of all blocks and of all squares that are binned
+_MULTIPLE = 16  # pixels: a common multiple of the sides of blocks and of all squares that are binned
 _MIN_SIDE = 160  # pixels, smallest height and width; smaller photographs are padded with mirrored pixels
 _MIN_UNMIXED = 0.2  # least fraction of pixels, away from unknown ones and borders, that measure exposures
 _TEXTURE_REACH = 3.0  # distance from which texture determines depth in flat areas / window
@@ -69,7 +69,7 @@ class DefocusDepth:
     candidates : ndarray, shape (count,)
         Candidate distances, metres.
     exposures : tuple of float
-        Exposure of each photograph relative to the first, as given or measured.
+        Exposure of each photograph relative to the first, as measured.
     encoding : {"srgb", "linear"}
         Encoding of the photographs and of `sharp`.
     """
@@ -144,7 +144,24 @@ class DefocusDepth:
         )
 
 
-@options.shares(DefocusKeywords, DefocusOptions)
+@dataclass(frozen=True, kw_only=True)
+class DefocusOptions(Magnified):
+    """Options of :func:`lommel.imaging.depth_from_defocus`.
+
+    Parameters
+    ----------
+    f_number_error : float, default 0.0
+        Common relative standard error of all f-numbers, below 0.5; for example 0.05 for a lens that was not measured.
+        A relative error of the pixel pitch has the same effect, an error of the focal length twice this effect.
+    focus_error : float, default 0.0
+        Standard error of each focus distance, independent of the other distances, dioptres (1 / m).
+    """
+
+    f_number_error: Annotated[float, In(least=0.0, below=0.5)] = 0.0
+    focus_error: Annotated[float, In(least=0.0, unit="dioptres")] = 0.0
+
+
+@listed(DefocusOptions)
 def depth_from_defocus(
     photographs: Sequence[ArrayLike],
     lenses: Sequence[Lens],
@@ -153,22 +170,20 @@ def depth_from_defocus(
     encoding: str,
     noise: Noise,
     between: tuple[float, float],
-    candidates: int | None = None,
-    wavelengths: Sequence[Spectrum] | None = None,
-    f_number_error: float = 0.0,
-    focus_error: float = 0.0,
     transfer: Transfer = transfer_curve,
     progress: Callable[[int, int], object] | None = None,
-    **keywords: Unpack[DefocusKeywords],
+    options: DefocusOptions | None = None,
+    **given: Any,
 ) -> DefocusDepth:
     """Estimate a depth map from photographs of a scene that differ in focus or aperture (depth from defocus).
 
     Parameters
     ----------
     photographs : sequence of array_like, shape (height, width) or (height, width, channels)
-        Two or more photographs of one scene from one position: floats, or unsigned integers with the largest value as
-        white. NaN, and the largest value of integers, mark unknown pixels. Do not denoise or sharpen photographs, and
-        do not use low-quality JPEG: depth is estimated relative to the noise.
+        Two or more photographs of one scene from one position, grey or in RGB: floats, or unsigned integers with the
+        largest value as white. NaN, masked pixels, and the largest value of integers are unknown. Channels have
+        separate textures and one depth. Do not denoise or sharpen photographs, and do not use low-quality JPEG: depth
+        is estimated relative to the noise.
     lenses : sequence of Lens
         Lens of each photograph, at its focus distance and f-number; circular apertures and radially symmetric
         aberrations only.
@@ -180,23 +195,14 @@ def depth_from_defocus(
         Noise of the linear photographs, where white is 1: ``noise.white`` is the number of electrons at white.
     between : (float, float)
         Nearest and farthest candidate distance, metres; the farthest may be infinite.
-    candidates : int, optional
-        Number of candidate distances, equally spaced in 1 / distance; rounded up to a multiple of four plus one. By
-        default 61, or more if defocus would change by more than 0.75 rad between neighbouring candidates. The
-        candidates extend slightly beyond the range; depth is interpolated between candidates.
-    wavelengths : sequence, optional
-        See :func:`lommel.imaging.depth_of_field`. Channels have separate textures and one depth.
-    f_number_error : float, default 0.0
-        Common relative standard error of all f-numbers, below 0.5; for example 0.05 for a lens that was not measured.
-        A relative error of the pixel pitch has the same effect, an error of the focal length twice this effect.
-    focus_error : float, default 0.0
-        Standard error of each focus distance, independent of the other distances, dioptres (1 / m).
     transfer : callable, optional
         ``transfer(lens, vergence, spectrum, pixel)``, for PSFs other than those of the lenses. It returns a function
         that maps `frequency` (cycles per pixel) to the transfer function of the optics, without the pixel, of shape
         ``(len(vergence), *frequency.shape)``. `spectrum` is a sequence of pairs (wavelength in metres, weight).
     progress : callable, optional
         Called as ``progress(done, bands)`` after each band of rows, with the numbers of complete and of all bands.
+    options : DefocusOptions, optional
+        All options below in one object; keywords override it.
     {options}
 
     Returns
@@ -207,10 +213,14 @@ def depth_from_defocus(
     ------
     TypeError, ValueError
         If an argument is out of range or of another shape, if a lens is not radially symmetric, if there are fewer
-        than two photographs, or if neighbouring `candidates` are more than 2 rad of defocus apart.
+        than two photographs, or if the range spans too much defocus.
 
     Notes
     -----
+    Candidate distances are equally spaced in 1 / distance, at least 61, and 0.75 rad of defocus apart at most; depth
+    is interpolated between them. Exposures are measured by the mean values of pixels whose light neither saturated
+    pixels nor the border reach. Depth is assumed constant in Gaussian windows of 4 pixels rms.
+
     If two photographs are each filtered by the transfer function of the other, their difference (residual) at the
     true depth is noise, whatever the texture. A wrong assumption about the texture therefore does not bias depth
     (compare Subbarao and Surya 1994, doi:10.1007/BF02028349, and Favaro and Soatto 2005,
@@ -233,32 +243,29 @@ def depth_from_defocus(
     ...     for one in lenses
     ... ]
     >>> found = lm.imaging.depth_from_defocus(
-    ...     pair, lenses, 4e-6, encoding="linear", noise=lm.Noise(white=1e4, read=3), between=(1.2, 2.0)
+    ...     pair,
+    ...     lenses,
+    ...     4e-6,
+    ...     encoding="linear",
+    ...     noise=lm.Noise(white=1e4, read=3),
+    ...     between=(1.2, 2.0),
+    ...     progress=lambda done, bands: print(f"{done} of {bands} bands of rows"),
     ... )
+    1 of 1 bands of rows
     >>> round(float(np.median(found.depth)), 2)
     1.5
     """
-    options.require_known(depth_from_defocus, keywords, DefocusKeywords)
-    chosen = DefocusOptions(**keywords)
-    exposures, saturation = chosen.exposures, chosen.saturation
-    if isinstance(exposures, str):
-        text = validation.shown(exposures)
-        raise TypeError(f'exposures must be numbers, got {text}; only LiveDepth accepts "smooth"')
+    o = DefocusOptions.of("depth_from_defocus", options, given)
     pitch = pixel_of(lenses, pixel)
     photos = _list_photographs(photographs, lenses)
     if transfer is transfer_curve and all(lens == lenses[0] for lens in lenses):
         raise ValueError("lenses must differ in focus or aperture: photographs with one setting have one blur")
     noise = validation.instance("noise", noise, Noise).poisson
-    width = validation.real("window", chosen.window, least=1.0, below=64.0 + 1e-9, unit="pixels")
     validation.function("progress", progress, required=False)
-    ends, vergence = checked_range(between, lenses, pitch, candidates, _MAX_CANDIDATES)
-    if saturation is not None:
-        validation.real("saturation", saturation, above=0.0)
-    validation.real("f_number_error", f_number_error, least=0.0, below=0.5)
-    validation.real("focus_error", focus_error, least=0.0, unit="dioptres")
-    counts = _counts(photos, saturation)
+    ends, vergence = checked_range(between, lenses, pitch, _MAX_CANDIDATES)
+    counts = _counts(photos)
     scene = counts[0].values
-    if wavelengths is None and all(_is_grey(photo.values) for photo in counts):  # three copies of one channel
+    if all(_is_grey(photo.values) for photo in counts):  # three copies of one channel
         counts = [photo[..., 0] for photo in counts]
     electrons, known = zip(
         *(_electrons(f"photographs[{k}]", photo, encoding, noise) for k, photo in enumerate(counts)), strict=True
@@ -269,22 +276,18 @@ def depth_from_defocus(
     )
     if not valid.any():
         raise ValueError("photographs have no pixel that is known in all of them: they are NaN or saturated")
-    registered = Registration(chosen.magnification, lenses, valid.shape, processors())
+    registered = Registration(o.magnification, lenses, valid.shape, processors())
     for channel in images if registered else ():
         channel[1:] = registered(list(channel), math.inf, valid.view(np.uint8))[1:]
     # Registration returns NaN for pixels that depend on unknown pixels.
     valid = np.isfinite(images).all(axis=(0, 1)) & valid
-    channels = Settings(wavelengths=wavelengths).channels(counts[0].values.shape, lenses[0].wavelength)
-    spectra = [((value, 1.0),) if isinstance(value, float) else tuple(value) for value in channels]
-    block = BLOCK if width >= _WIDE_WINDOW else BLOCK // 2
-    sizes = width, block, block, processors()
-    task = FocalTask(lenses, vergence, spectra, pitch, ends, *sizes, transfer, registered.scales)
+    spectra = _spectra(counts[0].values.shape, lenses[0].wavelength)
+    task = FocalTask(lenses, vergence, spectra, pitch, ends, BLOCK, processors(), transfer, registered.scales)
     means = images[..., _unmixed(valid, task.blur)].mean(axis=(0, 2), dtype=np.float64)
     if not np.all(means > 0.0):
         text = ", ".join(f"{value:.4g}" for value in means)
         raise ValueError(f"photographs must have a mean above 0, got {text} electrons per pixel")
     mean, ratios = float(means[0]), tuple((means / means[0]).tolist())
-    ratios = ratios if exposures is None else relative_exposures(exposures, len(lenses))
     # Scale all frames to the exposure of the first: the tables assume one light level.
     images /= np.asarray(ratios, dtype=np.float32)[:, None, None]
     read = math.sqrt(float(np.mean(np.square(noise.read))) + _ADDED_VARIANCE * mean)
@@ -292,11 +295,11 @@ def depth_from_defocus(
     position, index_errors, misfit = _search(engine, images, valid, progress)
     # Blur is linear in 1 / distance: the candidates are equally spaced in it.
     step = float(vergence[1] - vergence[0])
-    _add_slope_errors(position, index_errors, width, engine.known / step)
+    _add_slope_errors(position, index_errors, WINDOW, engine.known / step)
     estimate, errors = vergence[0] + step * position.astype(np.float64), step * index_errors
-    scale_error = f_number_error
-    if f_number_error or focus_error:
-        scale_error = _add_lens_errors(engine, lenses, (f_number_error, focus_error), estimate, errors, index_errors)
+    scale_error = o.f_number_error
+    if o.f_number_error or o.focus_error:
+        scale_error = _add_lens_errors(engine, lenses, o, estimate, errors, index_errors)
     with np.errstate(invalid="ignore", divide="ignore"):
         depth, distances = 1.0 / estimate, 1.0 / vergence
         # Depth is 1 / v at the vergence v: d(1 / v) = -dv / v^2.
@@ -329,12 +332,22 @@ def _list_photographs(photographs: object, lenses: Sequence[Lens]) -> list[objec
     return images
 
 
-def _counts(photographs: list[object], saturation: float | None) -> list[Counts]:
+def _spectra(shape: tuple[int, ...], wavelength: float) -> list[Spectrum]:
+    """Return the spectrum of each channel of photographs of a shape."""
+    if len(shape) == 2 or shape[2] == 1:
+        return [((wavelength, 1.0),)]
+    if shape[2] != len(RED_GREEN_BLUE):
+        hint = "; drop the alpha channel" if shape[2] in (2, 4) else ""
+        raise ValueError(f"photographs must be grey or have three channels (RGB), got {shape[2]}{hint}")
+    return [((value, 1.0),) for value in RED_GREEN_BLUE]
+
+
+def _counts(photographs: list[object]) -> list[Counts]:
     """Return photographs as counts; ValueError unless they are images of one shape."""
     shape = "(height, width) or (height, width, channels)"
     counts = []
     for k, photograph in enumerate(photographs):
-        counts.append(counts_of(f"photographs[{k}]", photograph, sides=(2, 3), shape=shape, saturation=saturation))
+        counts.append(counts_of(f"photographs[{k}]", photograph, sides=(2, 3), shape=shape))
         require_image(f"photographs[{k}]", counts[k].values.shape)
     if len({photograph.values.shape for photograph in counts}) > 1:
         shapes = ", ".join(str(photograph.values.shape) for photograph in counts)
@@ -344,19 +357,15 @@ def _counts(photographs: list[object], saturation: float | None) -> list[Counts]
 
 def _unmixed(valid: NDArray[np.bool_], blur: float) -> NDArray[np.bool_]:
     """Return the pixels that no light of unknown ones or from outside reaches; `valid` if few are left."""
-    from scipy.ndimage import minimum_filter
-
     # The light that clipped pixels or the border hide differs between photographs of different blur.
-    unmixed = minimum_filter(valid, 2 * math.ceil(blur) + 1, mode="constant", cval=False)
+    unmixed = scipy.ndimage.minimum_filter(valid, 2 * math.ceil(blur) + 1, mode="constant", cval=False)
     return unmixed if unmixed.sum() > _MIN_UNMIXED * valid.sum() else valid
 
 
 def _add_slope_errors(position: Values, errors: Values, window: float, limit: float) -> None:
     """Increase `errors` on slopes without texture, in place: the depth there is that of texture some pixels away."""
-    from scipy.ndimage import minimum_filter
-
     known, reach = np.isfinite(errors), _TEXTURE_REACH * window
-    least = minimum_filter(errors, 2 * round(reach) + 1)
+    least = scipy.ndimage.minimum_filter(errors, 2 * round(reach) + 1)
     # Errors that are more than twice the least error around come from texture that is on average reach / 2 away.
     borrowed = np.maximum(0.0, 1.0 - np.square(2.0 * least[known] / errors[known]))
     errors[known] = np.sqrt(errors[known] ** 2 + 0.25 * reach**2 * borrowed * squared_slopes(position, window)[known])
@@ -367,7 +376,7 @@ def _add_slope_errors(position: Values, errors: Values, window: float, limit: fl
 def _add_lens_errors(
     engine: FocalEngine,
     lenses: Sequence[Lens],
-    lens_errors: tuple[float, float],
+    stated: DefocusOptions,
     estimate: Array,
     errors: Array,
     index_errors: Values,
@@ -377,7 +386,7 @@ def _add_lens_errors(
     `index_errors` are standard errors in steps between candidates. Where the combined standard error is too large,
     depth becomes unknown in all three arrays. Return the relative standard error of the scale of blur.
     """
-    f_number_error, focus_error = lens_errors
+    f_number_error, focus_error = stated.f_number_error, stated.focus_error
     foci = [1.0 / lens.focus_distance for lens in lenses]
     inner = np.isfinite(errors)
     of_f_number, *of_foci = engine.lens_derivatives(estimate[inner])

@@ -18,12 +18,14 @@ from functools import cache, partial
 from typing import NamedTuple, Self
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
 
 from lommel.base.arrays import Array, Values
 from lommel.base.units import format_length, percent
+from lommel.estimation.depth_precision import WINDOW
 from lommel.fit.findings import Finding, Findings, FitReport
-from lommel.imaging.focal_engine import FocalEngine
+from lommel.imaging.focal_engine import BLOCK, FocalEngine
 from lommel.imaging.focal_tables import residual_filters
 
 # Misfit below which noise is overstated, above which agreement is doubtful, and above which the images disagree.
@@ -289,7 +291,7 @@ def _judged_misfit(
 ) -> tuple[float, float] | None:
     """Return the median misfit of blocks in which depth varies little, and their fraction; None for few blocks."""
     variation, filters = _depth_variation(engine, vergence), _Filters(engine, channel, 1.0)
-    block, misfits, predictions = engine.task.block, list[Array](), list[Array]()
+    block, misfits, predictions = BLOCK, list[Array](), list[Array]()
     for tile in tiles:
         misfit, curvature = filters.minimum(tile)
         parts = len(misfit), block, len(misfit), block
@@ -309,10 +311,9 @@ def _judged_misfit(
 
 def _smoothed(values: Array, known: NDArray[np.bool_], sigma: float) -> Array:
     """Return the mean of the known values in a Gaussian window around each pixel."""
-    from scipy.ndimage import gaussian_filter
-
-    sums = gaussian_filter(np.where(known, values, 0.0), sigma)
-    return np.asarray(sums / np.maximum(gaussian_filter(known.astype(values.dtype), sigma), 1e-6))
+    smooth = scipy.ndimage.gaussian_filter
+    sums = smooth(np.where(known, values, 0.0), sigma)
+    return np.asarray(sums / np.maximum(smooth(known.astype(values.dtype), sigma), 1e-6))
 
 
 def squared_slopes(depth: Array, width: float) -> Array:
@@ -323,7 +324,7 @@ def squared_slopes(depth: Array, width: float) -> Array:
 
 def _depth_variation(engine: FocalEngine, vergence: Array) -> Array:
     """Return the variance of depth, in candidates^2, within the window and the blur of each pixel."""
-    known, width = np.isfinite(vergence), engine.task.window
+    known, width = np.isfinite(vergence), WINDOW
     # Slopes around a pixel count as well: at creases and in the middle of an edge its own slope may vanish.
     squares = _smoothed(squared_slopes(vergence / engine.channels[0].step, width), known, 2.0 * width)
     # Radii of the geometric blur, in pixels: (aperture radius) (vergence - focus vergence) (sensor distance) / pitch.
@@ -454,17 +455,15 @@ class _Tile(NamedTuple):
 
 def _tiles(images: Values, valid: NDArray[np.bool_], weight: Array, engine: FocalEngine) -> Iterator[_Tile]:
     """Yield the tiles with the smallest standard errors of depth."""
-    from scipy.fft import dctn
-    from scipy.ndimage import maximum_filter
-
-    block, binning = engine.task.block, engine.binning
+    block, binning = BLOCK, engine.binning
     side = min(_TILE_SIDE, *(length // (_CELL * block) * (_CELL * block) for length in valid.shape))
     blocks, reach = side // block, 2 * (math.ceil(engine.task.blur) + _MARGIN) + 1
     corners = [range(0, length - side + 1, side) if side else () for length in valid.shape]
     squares = [(slice(top, top + side), slice(left, left + side)) for top in corners[0] for left in corners[1]]
     squares.sort(key=lambda inside: -float(weight[inside].sum()))
     for inside in squares[:_MAX_TILES]:
-        affected = maximum_filter(np.pad(~valid[inside], 1, constant_values=True), reach, mode="nearest")
+        unusable = np.pad(~valid[inside], 1, constant_values=True)
+        affected = scipy.ndimage.maximum_filter(unusable, reach, mode="nearest")
         usable = ~affected[1:-1, 1:-1] & (weight[inside] > 0.0)
         used_blocks = usable.reshape(blocks, block, blocks, block).mean(axis=(1, 3)) > 0.5
         if used_blocks.any():
@@ -472,7 +471,8 @@ def _tiles(images: Values, valid: NDArray[np.bool_], weight: Array, engine: Foca
             planes = images[(slice(None), *inside)].reshape(shape).sum(axis=(2, 4), dtype=np.float64)
             light = planes.mean(axis=0).reshape(blocks, block // binning, blocks, -1).mean(axis=(1, 3))
             variance = np.maximum(engine.window_means(light), 0.0) + (engine.light.read * binning) ** 2
-            yield _Tile(inside, dctn(planes, axes=(1, 2), norm="ortho"), np.where(used_blocks, variance, np.nan))
+            spectra = scipy.fft.dctn(planes, axes=(1, 2), norm="ortho")
+            yield _Tile(inside, spectra, np.where(used_blocks, variance, np.nan))
 
 
 class _Filters:
@@ -494,8 +494,6 @@ class _Filters:
 
     def minimum(self, tile: _Tile) -> tuple[Array, Array]:
         """Return the misfit of each block, and half its second derivative by the index of the candidate."""
-        from scipy.fft import idctn
-
         blocks, side, count = len(tile.variance), tile.spectra.shape[1], self._filters.shape[-1]
         # A tile has more frequencies than the filters, which are therefore interpolated linearly.
         positions = np.clip(np.arange(side) * (count / side) - 0.5, 0.0, count - 1.0)
@@ -503,7 +501,7 @@ class _Filters:
         energies, noise = np.empty((len(self._filters), blocks, blocks)), np.empty(len(self._filters))
         for c, pairs in enumerate(self._filters):
             filters = interpolation @ pairs @ interpolation.T
-            residuals = idctn((filters * tile.spectra).sum(axis=1), axes=(1, 2), norm="ortho")
+            residuals = scipy.fft.idctn((filters * tile.spectra).sum(axis=1), axes=(1, 2), norm="ortho")
             energy = (residuals**2).sum(axis=0).reshape(blocks, side // blocks, blocks, -1).mean(axis=(1, 3))
             noise[c] = (filters**2).mean(axis=(2, 3)).sum(axis=0) @ self._white
             # The energy expected of noise is the mean square of the filters times the variance of each frame.

@@ -6,16 +6,19 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache, partial
-from typing import NamedTuple, TypedDict
+from typing import ClassVar, Literal, NamedTuple
 
 import numpy as np
+import scipy
 from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import validation
 from lommel.base.arrays import Array, Values
 from lommel.base.cached import cached_property
+from lommel.base.options import Options
 from lommel.core.answers import DType
 from lommel.core.engine import FocalScale, FocalStream
+from lommel.estimation.depth_precision import WINDOW
 from lommel.estimation.focal_model import FocalLight, FocalModel, Spectrum, Transfer, transfer_curve
 from lommel.imaging.focal_tables import SharpTables, Taps, candidates, focal_tables, shifts
 from lommel.optics.lens import Lens
@@ -23,53 +26,20 @@ from lommel.recorded.noise import Noise
 
 Frame = Values
 
-MAGNIFICATIONS = ("registered", "lens")
-"""Magnification of frames of different focus: equal (registered), or proportional to the sensor distances."""
 
-
-class DefocusKeywords(TypedDict, total=False):
-    """Options of depth from defocus."""
-
-    exposures: Sequence[float] | str | None
-    magnification: str
-    window: float
-    saturation: float | None
-
-
-@dataclass(frozen=True)
-class DefocusOptions:
-    """Options of depth from defocus, with their defaults.
+@dataclass(frozen=True, kw_only=True)
+class Magnified(Options):
+    """Magnification of images that differ in focus.
 
     Parameters
     ----------
-    exposures : sequence of float, optional
-        Exposure of each image relative to the first: (exposure time) / f_number^2, for example. By default the ratio
-        of the mean values; in photographs, of pixels whose light neither saturated pixels nor the border reach.
-        "smooth", for :class:`lommel.imaging.LiveDepth` only: a polynomial of second order over the image, fitted in
-        each call, for frames with different vignetting.
     magnification : {"registered", "lens"}, default "registered"
         "registered": points are at the same pixels in all images. "lens": each image is magnified as by a thin lens
         at its sensor distance, and is resampled to the scale of the first, about the centre.
-    window : float, default 4.0
-        Rms width, in pixels, of the Gaussian windows in which depth is assumed constant: 1 to 64, or 2 to 16 for
-        :class:`lommel.imaging.LiveDepth`. Larger windows are more precise on flat surfaces, but have less spatial
-        resolution.
-    saturation : float, optional
-        Pixel value at and above which pixels are saturated and ignored; by default the largest unsigned integer.
     """
 
-    exposures: Sequence[float] | str | None = None
-    magnification: str = "registered"
-    window: float = 4.0
-    saturation: float | None = None
-
-
-def relative_exposures(exposures: Sequence[float], count: int) -> tuple[float, ...]:
-    """Return exposures relative to the first; TypeError or ValueError unless they are `count` positive numbers."""
-    values = validation.real_array("exposures", exposures, least=1e-6, most=1e6)
-    if values.shape != (count,):
-        raise ValueError(f"exposures must be {count} numbers > 0, one per lens, got {validation.shown(exposures)}")
-    return tuple((values / values[0]).tolist())
+    heading: ClassVar[str] = "Camera"
+    magnification: Literal["registered", "lens"] = "registered"
 
 
 class Registration:
@@ -78,7 +48,7 @@ class Registration:
     Parameters
     ----------
     magnification : {"registered", "lens"}
-        Magnification of the frames; see MAGNIFICATIONS.
+        Magnification of the frames; see :class:`Magnified`.
     lenses : sequence of Lens
     size : (int, int)
         Height and width, pixels.
@@ -92,7 +62,7 @@ class Registration:
 
     def __init__(self, magnification: str, lenses: Sequence[Lens], size: tuple[int, int], threads: int) -> None:
         self.scales = (1.0,) * len(lenses)
-        if validation.choice("magnification", magnification, MAGNIFICATIONS) == "lens":
+        if magnification == "lens":
             # Image height is proportional to the distance from pupil to sensor.
             self.scales = tuple(lens.sensor_distance / lenses[0].sensor_distance for lens in lenses)
         self._scales = [FocalScale(*size, scale, threads) if scale != 1.0 else None for scale in self.scales]
@@ -123,13 +93,9 @@ class FrameForm:
         Noise, the same for all pixels.
     saturation : float or None
         Pixel value at and above which pixels are saturated. The largest unsigned integer is always saturated.
-    known : array_like of bool, or None
-        True for working pixels of the sensor, False for defective pixels.
     """
 
-    def __init__(
-        self, shape: tuple[int, ...], noise: Noise, saturation: float | None, known: ArrayLike | None
-    ) -> None:
+    def __init__(self, shape: tuple[int, ...], noise: Noise, saturation: float | None) -> None:
         if not isinstance(shape, Sequence) or len(shape) not in (2, 3):
             raise TypeError(f"shape must be height and width, and optionally channels, got {validation.shown(shape)}")
         height, width = (
@@ -146,21 +112,15 @@ class FrameForm:
             if not isinstance(getattr(noise, name), float | None):
                 raise ValueError(
                     f"noise.{name} must be a number for live frames, not a map of the sensor; use its median, and "
-                    "exclude pixels that differ much by known="
+                    "make pixels that differ much NaN"
                 )
         self.white, self.read, self.offset = float(noise.white or 1.0), float(noise.read), float(noise.offset)
         self._saturation = math.inf if saturation is None else validation.real("saturation", saturation)
-        self._known = None if known is None else self._mask(known)
 
     @property
     def shape(self) -> tuple[int, ...]:
         """The shape of frames."""
         return self.size if self.channels == 1 else (*self.size, self.channels)
-
-    @property
-    def masked(self) -> bool:
-        """True if some pixels of the sensor are defective."""
-        return self._known is not None
 
     def checked(self, name: str, frame: Frame) -> Frame:
         """Return a frame as the C++ core expects it."""
@@ -180,8 +140,8 @@ class FrameForm:
         return min(self._saturation, float(np.iinfo(dtype).max) if dtype.kind == "u" else math.inf)
 
     def known(self, frames: Sequence[Frame], saturation: float, valid: ArrayLike | None) -> NDArray[np.uint8] | None:
-        """Return a mask of pixels that work, are True in `valid`, and are not saturated; None if all are valid."""
-        masks = [] if self._known is None else [self._known]
+        """Return a mask of pixels that are True in `valid` and not saturated; None if all are valid."""
+        masks = []
         if valid is not None:
             masks.append(self._mask(valid))
         # If one channel of a pixel is saturated, the pixel is invalid in all channels.
@@ -215,7 +175,7 @@ CONTRAST = 0.2
 """Texture contrast for which filters are designed: rms / mean, for structures of 2 to 128 pixels."""
 
 _MIN_CANDIDATES = 61  # smallest default number of candidate depths
-_STEP, _LARGEST_STEP = 0.75, 2.0  # defocus between neighbouring candidates, radians at the pupil edge
+_STEP = 0.75  # defocus between neighbouring candidates, radians at the pupil edge
 _EDGE = 0.3  # pixels: if the blur radius changes by less per radian, a change by this much counts as 1 rad of defocus
 _MAX_RANK = 48  # largest number of filtered images per channel
 _MAX_KNOWN_ERROR = 0.17  # largest standard error of a known depth / vergence range
@@ -223,7 +183,6 @@ _MARGIN = 0.02  # distance outside the range at which depths are accepted / verg
 _CHANGE = 0.01  # finite difference for derivatives by lenses: relative change of f-numbers, or fraction of a step
 _DERIVATIVE_CANDIDATES = 15  # number of candidates at which derivatives by lenses are computed
 _FOCI = 5  # number of foci from which the basis of refocused images is computed
-_MAX_WEIGHTS = 30  # largest number of block weights on each side of a window
 
 
 class FocalTask(NamedTuple):
@@ -234,8 +193,6 @@ class FocalTask(NamedTuple):
     spectra: Sequence[Spectrum]  # spectrum of each channel
     pixel: float  # pixel pitch, metres
     between: tuple[float, float]  # nearest and farthest distance, metres
-    window: float  # rms width of windows, pixels
-    block: int  # side of blocks, pixels
     subdivision: int  # number of depths along each side of a block
     threads: int
     transfer: Transfer = transfer_curve
@@ -264,7 +221,7 @@ class FocalTask(NamedTuple):
 
 
 def checked_range(
-    between: tuple[float, float], lenses: Sequence[Lens], pixel: float, count: int | None, limit: int
+    between: tuple[float, float], lenses: Sequence[Lens], pixel: float, limit: int
 ) -> tuple[tuple[float, float], Array]:
     """Return `between` after checks, and the vergences (1/m) of the candidate depths, at most `limit`."""
     if not isinstance(between, Sequence | np.ndarray) or len(between) != 2:
@@ -278,15 +235,12 @@ def checked_range(
         # The blur radius changes by 4 lambda N / pi per radian of defocus.
         radius_rate = 4.0 * lens.wavelength * lens.working_f_number / (math.pi * pixel)
         span = max(span, float(abs(np.diff(lens.defocus([nearest, farthest]))[0])) * min(1.0, radius_rate / _EDGE))
-    if count is None:
-        count = max(_MIN_CANDIDATES, math.ceil(span / _STEP) + 1)
-        if count > limit:
-            raise ValueError(
-                f"between spans so much defocus that {count} candidates are needed, more than {limit}: choose a "
-                "smaller range, stop down, or bin pixels"
-            )
-    else:
-        count = validation.integer("candidates", count, least=max(9, math.ceil(span / _LARGEST_STEP) + 1), most=limit)
+    count = max(_MIN_CANDIDATES, math.ceil(span / _STEP) + 1)
+    if count > limit:
+        raise ValueError(
+            f"between spans so much defocus that {count} candidates are needed, more than {limit}: choose a "
+            "smaller range, stop down, or bin pixels"
+        )
     return (nearest, farthest), candidates((nearest, farthest), count + -(count - 1) % 4, lenses)
 
 
@@ -302,8 +256,8 @@ class FocalEngine:
 
     def __init__(self, task: FocalTask, light: FocalLight) -> None:
         self.task, self.light = task, light
-        self._weights, self._pixels = block_weights(task.window, task.block)
-        blocks = self._weights, task.block
+        self._weights, self._pixels = block_weights(WINDOW, BLOCK)
+        blocks = self._weights, BLOCK
         first = focal_tables(partial(task.model, light, 0), light, blocks)
         other_channels = [
             focal_tables(partial(task.model, light, channel), light, blocks, like=first)
@@ -335,7 +289,7 @@ class FocalEngine:
         """Radius, in pixels, of the neighbourhood in the frames that determines the depth of a pixel."""
         tables = self.channels[0]
         filters = tables.degree * (len(tables.taps.values) - 1) * tables.binning
-        return filters + math.ceil(self.task.blur) + (len(self._weights) + 1) * self.task.block
+        return filters + math.ceil(self.task.blur) + (len(self._weights) + 1) * BLOCK
 
     @property
     def design_error(self) -> float:
@@ -386,10 +340,9 @@ class FocalEngine:
 
     def window_means(self, blocks: Array) -> Array:
         """Return weighted means of blocks, (rows, columns), over the window of each block."""
-        from scipy.ndimage import correlate1d
-
         weights = np.append(self._weights[:0:-1], self._weights)
-        return np.asarray(correlate1d(correlate1d(blocks, weights, 0), weights, 1))
+        correlate = scipy.ndimage.correlate1d
+        return np.asarray(correlate(correlate(blocks, weights, 0), weights, 1))
 
     def sharpen(self, *, refocus: bool = False, stream_filter: bool = False) -> None:
         """Compute tables of sharp and, if `refocus`, of refocused images.
@@ -440,7 +393,7 @@ class FocalEngine:
             0x464D4C4C,  # the letters LLMF, little-endian
             1,
             channel.binning,
-            self.task.block // channel.binning,
+            BLOCK // channel.binning,
             math.ceil(self.task.blur / channel.binning),
             channel.basis.shape[1],
             channel.degree,
@@ -484,7 +437,7 @@ class FocalEngine:
     ) -> FocalStream:
         task = self.task
         height, width = (side // binning for side in shape)
-        block, blur = task.block // binning, math.ceil(task.blur / binning)
+        block, blur = BLOCK // binning, math.ceil(task.blur / binning)
         sizes = height, width, binning, block, task.subdivision, blur, task.threads
         return FocalStream(
             sizes,
@@ -518,7 +471,7 @@ def block_weights(window: float, block: int) -> tuple[Array, float]:
     """Return block weights for an rms width `window`, and the number of independent pixels."""
     # The variance of the window includes the variance of a block, side^2 / 12.
     rms = math.sqrt(max(window**2 - block**2 / 12.0, 0.04)) / block
-    distances = np.arange(min(math.ceil(2.0 * rms), _MAX_WEIGHTS) + 1)
+    distances = np.arange(math.ceil(2.0 * rms) + 1)
     weights = np.exp(-0.5 * (distances / rms) ** 2)
     weights /= weights[0] + 2.0 * weights[1:].sum()
     squares = float(weights[0] ** 2 + 2.0 * (weights[1:] ** 2).sum()) / block

@@ -6,35 +6,33 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from os import PathLike
-from typing import NamedTuple, Unpack
+from typing import Annotated, Any, Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from lommel.base import atomic, options, validation
+from lommel.base import atomic, validation
 from lommel.base.arrays import Array, Values
+from lommel.base.options import listed
 from lommel.estimation.focal_model import FocalLight, FocalModel
 from lommel.imaging.defocus_verdict import DefocusVerdict, judge_frames
 from lommel.imaging.focal_engine import (
     BLOCK,
     CONTRAST,
-    DefocusKeywords,
-    DefocusOptions,
     FocalEngine,
     FocalTask,
     FrameForm,
+    Magnified,
     Registration,
     checked_range,
     processors,
-    relative_exposures,
 )
 from lommel.imaging.focal_tables import SharpTables, Taps
-from lommel.imaging.settings import spectra
 from lommel.optics.lens import Lens, pixel_of
 from lommel.recorded.noise import Noise
 
 _MAX_CANDIDATES_SHARPEN = 961  # largest number of candidate depths of LiveSharpen
-_DEFAULT_ELECTRONS = 5000.0  # default mean number of electrons per pixel
+_ELECTRONS = 5000.0  # default mean number of electrons per pixel
 
 
 class LiveSharpen:
@@ -53,15 +51,11 @@ class LiveSharpen:
         Noise of the frames, with numbers (not maps) for `white`, `read` and `offset`.
     shape : (int, int) or (int, int, int)
         Height and width of the frames, at least 64 pixels each, and optionally the number of channels.
-    light : float, optional
-        Mean number of electrons per pixel, by default 5000. A smaller number yields a smoother image.
-    wavelengths : sequence of (float, float), optional
-        Spectrum of the light: wavelengths, metres, and weights. By default the wavelength of the lens.
+    light : float, default 5000
+        Mean number of electrons per pixel. A smaller number yields a smoother image.
     saturation : float, optional
         Value at and above which pixels are saturated; by default the largest value of unsigned integers. Saturated
         pixels are filled from their neighbours.
-    threads : int, optional
-        Number of threads; by default the number of processors. It does not change the result.
 
     Raises
     ------
@@ -77,8 +71,11 @@ class LiveSharpen:
     Examples
     --------
     >>> lens = lm.Lens(focal_length=35e-3, f_number=8.0, focus_distance=1.35, wavelength=540e-9)
-    >>> sharpen = lm.imaging.LiveSharpen(lens, 4e-6, between=(1.2, 2.0), noise=lm.Noise(read=3), shape=(64, 96))
-    >>> sharpen(np.full((64, 96), 1000, np.uint16), 1.7).round(3).max()
+    >>> sharpen = lm.imaging.LiveSharpen(
+    ...     lens, 4e-6, between=(1.2, 2.0), noise=lm.Noise(read=3), shape=(64, 96), light=1000, saturation=4095
+    ... )
+    >>> out = np.empty((64, 96), np.float32)  # for all frames, where allocation would take too long
+    >>> sharpen(np.full((64, 96), 1000, np.uint16), 1.7, out=out).round(3).max()
     np.float32(1000.0)
     """
 
@@ -90,21 +87,18 @@ class LiveSharpen:
         between: tuple[float, float],
         noise: Noise,
         shape: tuple[int, ...],
-        light: float | None = None,
-        wavelengths: Sequence[tuple[float, float]] | None = None,
+        light: float = _ELECTRONS,
         saturation: float | None = None,
-        threads: int | None = None,
     ) -> None:
         pitch = pixel_of([lens], pixel)
-        self._form = form = FrameForm(shape, noise, saturation, None)
-        mean = _DEFAULT_ELECTRONS if light is None else validation.real("light", light, least=1.0, below=1e9)
-        count = validation.integer("threads", threads, least=1, most=1024) if threads is not None else processors()
-        spectrum = spectra("wavelengths", [tuple(wavelengths)])[0] if wavelengths else ((lens.wavelength, 1.0),)
-        self._between, self._vergence = checked_range(between, [lens], pitch, None, _MAX_CANDIDATES_SHARPEN)
+        self._form = form = FrameForm(shape, noise, saturation)
+        mean = validation.real("light", light, least=1.0, below=1e9)
+        spectrum = ((lens.wavelength, 1.0),)
+        self._between, self._vergence = checked_range(between, [lens], pitch, _MAX_CANDIDATES_SHARPEN)
         model = FocalModel.of([lens], self._vergence, spectrum, pitch, FocalLight(mean, form.read, (1.0,), CONTRAST))
         self._tables = tables = SharpTables(model, Taps.of(5), 12)
         self._factors = _float32(tables.mixes(tables.pixel))
-        self._stream = tables.stream(form.size, count)
+        self._stream = tables.stream(form.size, processors())
         self._gains = _float32([[form.white, 0.0, 0.0, 0.0, 0.0, 0.0]])
 
     def __repr__(self) -> str:
@@ -177,7 +171,7 @@ _LEVELS = (500.0, 5000.0, 50_000.0)  # mean electrons per pixel for which tables
 _MAX_CANDIDATES = 241  # largest number of candidate depths of LiveDepth
 _CELLS = 8  # number of parts of a frame along each side; light is summed in each part
 _MIN_MEAN = 0.05  # mean of a frame / mean of the brightest frame, below which the frame counts as black
-_MAX_RATIO = 2.0  # largest ratio of exposures that is measured; larger ratios must be stated
+_MAX_RATIO = 2.0  # largest ratio of exposures: the tables are for equal ones
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -195,7 +189,7 @@ class LiveDepthMap:
         as stated. Larger values indicate motion, misregistration or depth edges. Values below 0.7 indicate overstated
         noise or denoised frames.
     exposures : tuple of float
-        Exposure of each frame relative to the first, as stated or as measured.
+        Exposure of each frame relative to the first, as measured.
     light : float
         Mean number of electrons per pixel in the first frame.
     """
@@ -222,7 +216,41 @@ class LiveDepthMap:
         )
 
 
-@options.shares(DefocusKeywords, DefocusOptions)
+def _light(name: str, value: float | Sequence[float]) -> tuple[float, ...]:
+    """Return levels of light in ascending order."""
+    values = validation.real_array(name, value, least=1.0, most=1e9)
+    if values.ndim > 1 or not 1 <= values.size <= 16:
+        raise ValueError(f"{name} must be one number or a sequence of 1 to 16 numbers, got shape {values.shape}")
+    return tuple(sorted(set(np.atleast_1d(values).tolist())))
+
+
+@dataclass(frozen=True, kw_only=True)
+class LiveDepthOptions(Magnified):
+    """Options of :class:`lommel.imaging.LiveDepth`.
+
+    Parameters
+    ----------
+    exposures : {"uniform", "smooth"}, default "uniform"
+        Exposures of the frames relative to the first, measured in each call: "uniform": the ratio of the mean values.
+        "smooth": a polynomial of second order over the image, for frames with different vignetting.
+    saturation : float, optional
+        Value at and above which pixels are saturated and ignored, such as 4095 in frames of 12 bits; by default the
+        largest unsigned integer.
+    light : float or sequence of float, optional
+        Mean electrons per pixel for which tables are computed; by default 500, 5000 and 50 000. The tables nearest to
+        the light of a frame are used. Light that differs by a factor of up to three hardly increases errors.
+    sharp, refocus : bool, default False
+        `sharp` prepares tables for :meth:`LiveDepth.sharp`; `refocus` for this and :meth:`LiveDepth.refocus`.
+    """
+
+    exposures: Literal["uniform", "smooth"] = "uniform"
+    saturation: float | None = None
+    light: Annotated[tuple[float, ...] | None, _light] = None
+    sharp: bool = False
+    refocus: bool = False
+
+
+@listed(LiveDepthOptions)
 class LiveDepth:
     """Depth maps in blocks of 4 x 4 pixels, at video rate, from frames that differ in focus.
 
@@ -241,17 +269,8 @@ class LiveDepth:
     shape : (int, int) or (int, int, int)
         Height and width of the frames, at least 64 pixels each, and optionally the number of channels, which are
         summed to estimate depth.
-    wavelengths : sequence of (float, float), optional
-        Spectrum of the light: wavelengths, metres, and weights. By default the wavelength of the lenses.
-    light : float or sequence of float, optional
-        Mean electrons per pixel for which tables are computed; by default 500, 5000 and 50 000. The tables nearest to
-        the light of a frame are used. Light that differs by a factor of up to three hardly increases errors.
-    known : array_like of bool, shape (height, width), optional
-        True for working pixels of the sensor, False for defective pixels.
-    sharp, refocus : bool, default False
-        `sharp` prepares tables for :meth:`sharp`; `refocus` prepares tables for :meth:`sharp` and :meth:`refocus`.
-    threads : int, optional
-        Number of threads; by default the number of processors. It does not change the result.
+    options : LiveDepthOptions, optional
+        All options below in one object; keywords override it.
     {options}
 
     Attributes
@@ -301,40 +320,26 @@ class LiveDepth:
         between: tuple[float, float],
         noise: Noise,
         shape: tuple[int, ...],
-        wavelengths: Sequence[tuple[float, float]] | None = None,
-        light: float | Sequence[float] | None = None,
-        known: ArrayLike | None = None,
-        sharp: bool = False,
-        refocus: bool = False,
-        threads: int | None = None,
-        **keywords: Unpack[DefocusKeywords],
+        options: LiveDepthOptions | None = None,
+        **given: Any,
     ) -> None:
-        options.require_known(LiveDepth, keywords, DefocusKeywords)
-        chosen = DefocusOptions(**keywords)
-        exposures = chosen.exposures
+        o = LiveDepthOptions.of("LiveDepth", options, given)
         pitch = pixel_of(lenses, pixel)
         if len(lenses) < 2:
             raise ValueError(f"lenses must be two or more, of frames that differ in focus; got {len(lenses)}")
-        self._form = form = FrameForm(shape, noise, chosen.saturation, known)
-        self._smooth, self._stated_exposures = False, None
-        if isinstance(exposures, str):
-            self._smooth = validation.choice("exposures", exposures, ("smooth",)) == "smooth"
-        elif exposures is not None:
-            self._stated_exposures = relative_exposures(exposures, len(lenses))
-        width = validation.real("window", chosen.window, least=2.0, below=16.0 + 1e-9, unit="pixels")
-        count = validation.integer("threads", threads, least=1, most=1024) if threads is not None else processors()
-        spectrum = spectra("wavelengths", [tuple(wavelengths)])[0] if wavelengths else ((lenses[0].wavelength, 1.0),)
-        self._between, vergence = checked_range(between, lenses, pitch, None, _MAX_CANDIDATES)
-        sharp, refocus = validation.truth("sharp", sharp), validation.truth("refocus", refocus)
-        self._registered = Registration(chosen.magnification, lenses, form.size, count)
+        self._form = form = FrameForm(shape, noise, o.saturation)
+        self._smooth, count = o.exposures == "smooth", processors()
+        spectrum = ((lenses[0].wavelength, 1.0),)
+        self._between, vergence = checked_range(between, lenses, pitch, _MAX_CANDIDATES)
+        self._registered = Registration(o.magnification, lenses, form.size, count)
         scales = self._registered.scales
-        task = FocalTask(lenses, vergence, [spectrum], pitch, self._between, width, BLOCK, 1, count, scales=scales)
+        task = FocalTask(lenses, vergence, [spectrum], pitch, self._between, 1, count, scales=scales)
         # Depth is estimated from the sum of the channels: their read-noise variances add.
         read = form.read * math.sqrt(form.channels)
-        ratios = self._stated_exposures or (1.0,) * len(lenses)
+        ratios = (1.0,) * len(lenses)
         self._levels = [
-            _Level(task, FocalLight(mean, read, ratios, CONTRAST), form, sharp or refocus, refocus)
-            for mean in _levels(light, form.channels)
+            _Level(task, FocalLight(mean, read, ratios, CONTRAST), form, o.sharp or o.refocus, o.refocus)
+            for mean in o.light or (electrons * form.channels for electrons in _LEVELS)
         ]
         blocks = self._form.size[0] // BLOCK, self._form.size[1] // BLOCK
         # Every call writes to these arrays: allocation would take too long at video rate.
@@ -346,7 +351,7 @@ class LiveDepth:
         self._planes = (
             [np.empty(self._form.size, dtype=np.float32) for _ in lenses] if self._form.channels > 1 else None
         )
-        self._refocus = refocus
+        self._refocus = o.refocus
         self._last: _Call | None = None
 
     @property
@@ -422,13 +427,12 @@ class LiveDepth:
         Raises
         ------
         TypeError, ValueError
-            For colour frames, stated exposures, magnification, several levels of light, or defective pixels.
+            For colour frames, smooth exposures, magnification, or several levels of light.
         """
-        special = self._stated_exposures is not None or self._smooth or self._form.masked or bool(self._registered)
-        if len(self._levels) != 1 or self._form.channels != 1 or special:
+        if len(self._levels) != 1 or self._form.channels != 1 or self._smooth or self._registered:
             raise ValueError(
-                "tables are saved of grey frames for one level of light (light=), without exposures=, magnification= "
-                "and known=; the file format has no fields for other options"
+                "tables are saved of grey frames for one level of light (light=), without exposures= and "
+                "magnification=; the file format has no fields for other options"
             )
         form, name = self._form, validation.path("path", path)
         limit = form.saturation(np.dtype(np.float32))
@@ -452,7 +456,7 @@ class LiveDepth:
         return self._form.offset * self._form.channels
 
     def _measure_exposures(self) -> tuple[tuple[float, ...], float]:
-        """Return the relative exposures, stated or measured, and the mean electrons per pixel of the first frame."""
+        """Return the relative exposures, and the mean electrons per pixel of the first frame."""
         counts = float(self._sums[-1].sum())
         if counts == 0.0:
             raise ValueError("frames have no pixel that is known in all of them: pixels are saturated, NaN or masked")
@@ -464,8 +468,6 @@ class LiveDepth:
                     f"frames[{k}] must hold light, got a mean of {mean:.4g} electrons above the offset "
                     f"{self._form.offset:g} of the noise"
                 )
-        if self._stated_exposures is not None:
-            return self._stated_exposures, float(means[0])
         ratios = tuple((means / means[0]).tolist())
         darkest = int(np.argmin(means))
         if means[darkest] < _MIN_MEAN * means.max():
@@ -475,7 +477,7 @@ class LiveDepth:
             )
         if not 1.0 / _MAX_RATIO <= min(ratios) <= max(ratios) <= _MAX_RATIO:
             raise ValueError(
-                "exposures must be stated where frames differ by more than a factor of 2: their means are "
+                "frames must not differ in exposure by more than a factor of 2: their means are "
                 + ", ".join(f"{mean:.4g}" for mean in means)
                 + " electrons"
             )
@@ -509,58 +511,50 @@ class LiveDepth:
         errors = np.where(np.isnan(errors), np.inf, errors)
         return judge_frames(level.engine, images, valid, errors, misfit, vergence)
 
-    def sharp(self, out: NDArray[np.float32] | None = None) -> NDArray[np.float32]:
+    def sharp(self) -> NDArray[np.float32]:
         """Return the sharp image of the frames of the last call, whose arrays must not have changed.
 
         Pixels are filtered by the Wiener filter of their depth; unknown depth is filled from neighbouring blocks.
 
-        Parameters
-        ----------
-        out : ndarray of float32, of the shape of a frame, optional
-            Array for the result; without it an array is allocated.
-
         Returns
         -------
         ndarray of float32
-            Electrons of each pixel at the exposure of the first frame.
+            Electrons of each pixel at the exposure of the first frame, with the shape of a frame.
 
         Raises
         ------
         ValueError
-            If there was no call yet, if `out` is of another shape or type, or without ``sharp=True``.
+            If there was no call yet, or without ``sharp=True``.
         """
-        return self._filter_images(None, out)
+        return self._filter_images(None)
 
-    def refocus(self, distance: float, out: NDArray[np.float32] | None = None) -> NDArray[np.float32]:
+    def refocus(self, distance: float) -> NDArray[np.float32]:
         """Return the image that the first lens would record at another focus, from the frames of the last call.
 
         Parameters
         ----------
         distance : float
             Distance in focus, metres. The first call for a distance takes longer, since it computes a table.
-        out : ndarray of float32, optional
-            Array for the result, which has the shape and unit of the result of :meth:`sharp`.
 
         Raises
         ------
         TypeError, ValueError
             As :meth:`sharp`; if `distance` is not above 0; or without ``refocus=True``.
         """
-        distance = validation.real("distance", distance, above=0.0, infinite=True, unit="metres")
-        return self._filter_images(distance, out)
+        return self._filter_images(validation.real("distance", distance, above=0.0, infinite=True, unit="metres"))
 
     def _last_call(self) -> _Call:
         if self._last is None:
             raise ValueError("there are no frames yet: call the LiveDepth object with frames first")
         return self._last
 
-    def _filter_images(self, distance: float | None, out: NDArray[np.float32] | None) -> NDArray[np.float32]:
+    def _filter_images(self, distance: float | None) -> NDArray[np.float32]:
         level, planes, limit, mask = self._last_call()
         if level.pictures is None:
             raise ValueError("sharp images need tables: use LiveDepth(..., sharp=True), or refocus=True")
         if distance is not None and not self._refocus:
             raise ValueError("refocused images need tables: use LiveDepth(..., refocus=True)")
-        out = self._form.image(out)
+        out = self._form.image(None)
         factors = level.engine.factors(0, None if distance is None else self._lenses[0].focused(distance))
         level.stream.positions(self._positions)
         if self._form.channels == 1:
@@ -620,12 +614,3 @@ class _Call(NamedTuple):
     frames: list[Values]
     saturation: float
     known: NDArray[np.uint8] | None
-
-
-def _levels(light: float | Sequence[float] | None, channels: int) -> list[float]:
-    if light is None:
-        return [electrons * channels for electrons in _LEVELS]
-    values = validation.real_array("light", light, least=1.0, most=1e9)
-    if values.ndim > 1 or not 1 <= values.size <= 16:
-        raise ValueError(f"light must be one number or a sequence of 1 to 16 numbers, got shape {values.shape}")
-    return sorted(set(np.atleast_1d(values).tolist()))

@@ -199,8 +199,9 @@ def test_the_deviation_grows_with_the_misfit(images, whole):
 def test_unknown_pixels_have_no_depth_and_spoil_none(images, whole):
     holed = [one.copy() for one in images]
     holed[0][30:50, 30:50] = np.nan
-    holed[1][10, 60] = 3.0
-    found = lm.imaging.depth_from_defocus(holed, PAIR, PIXEL, saturation=2.0, **CAMERA)
+    full = np.ma.masked_array(holed[1], np.zeros(holed[1].shape, bool))
+    full[10, 60] = np.ma.masked
+    found = lm.imaging.depth_from_defocus([holed[0], full], PAIR, PIXEL, **CAMERA)
     assert np.all(np.isinf(found.errors[32:48, 32:48]))
     assert np.isnan(found.depth[40, 40])
     away = np.s_[68:-8, 8:-8]
@@ -215,8 +216,8 @@ def test_light_that_unknown_pixels_may_have_spread_is_left_out():
     fast = [lens.stopped(2.8) for lens in PAIR]
     scene = texture()
     scene[pixels(np.s_[56:60], np.s_[56:60])] = 6.0  # a lamp, which is clipped
-    images = [np.minimum(one, 1.8) for one in shoot(scene, 1.6, fast)]
-    found = lm.imaging.depth_from_defocus(images, fast, PIXEL, saturation=1.7, **CAMERA)
+    images = [np.ma.masked_greater_equal(one, 1.7) for one in shoot(scene, 1.6, fast)]
+    found = lm.imaging.depth_from_defocus(images, fast, PIXEL, **CAMERA)
     # Without the pixels around the lamp the scenes are equally bright.
     assert found.exposures[1] == pytest.approx(1.0, abs=2e-3)
     z = errors(found, 1.6)
@@ -241,9 +242,6 @@ def test_two_apertures_tell_depth_and_exposures_are_measured():
     assert found.exposures == pytest.approx(light, rel=5e-3)
     assert 0.6 < robust(errors(found, 1.6)) < 1.4
     assert np.nanmedian(found.errors) < 0.02
-    stated = lm.imaging.depth_from_defocus(images, lenses, PIXEL, exposures=light, **camera)
-    assert stated.exposures == pytest.approx(light)
-    assert np.nanmax(np.abs(stated.depth - found.depth)) < 5e-3
 
 
 def test_colours_have_their_own_blur_and_one_depth(whole):
@@ -354,14 +352,9 @@ def test_another_transfer_function_is_taken(images, whole):
         ({"between": 1.5}, "between must be the nearest and the farthest distance"),
         ({"between": (2.0, 1.2)}, "between must be the nearest and the farthest distance, got 2 and 1.2 m"),
         ({"between": (1.2, np.nan)}, "must be finite"),
-        ({"window": 0.5}, "window must be >= 1"),
-        ({"candidates": 8}, "candidates must be from 9"),
-        ({"exposures": (1.0,)}, "exposures must be 2 numbers > 0"),
-        ({"exposures": (1.0, -1.0)}, "exposures must be finite and >= 1e-06"),
         ({"magnification": "zoom"}, "magnification must be"),
-        ({"saturation": -1.0}, "saturation must be > 0"),
         ({"progress": 3}, "progress must be callable"),
-        ({"wavelengths": (5e-7, 6e-7)}, "wavelengths must have one entry for each of the 1 channels"),
+        ({"photographs": [np.ones((40, 40, 5))] * 2}, r"must be grey or have three channels \(RGB\), got 5"),
     ],
 )
 def test_what_is_out_of_range_is_told(change, message):
@@ -370,7 +363,7 @@ def test_what_is_out_of_range_is_told(change, message):
         lm.imaging.depth_from_defocus(given.pop("photographs"), given.pop("lenses"), given.pop("pixel"), **given)
 
 
-def test_lenses_must_be_round_and_candidates_near_enough():
+def test_lenses_must_be_round():
     images = [np.ones((40, 40))] * 2
     comatic = lm.Lens(
         focal_length=35e-3, f_number=8.0, wavelength=540e-9, aberrations=lm.Wavefront(nonradial={(3, 1): 1.0})
@@ -380,9 +373,6 @@ def test_lenses_must_be_round_and_candidates_near_enough():
     spiders = lm.Lens(focal_length=35e-3, f_number=8.0, wavelength=540e-9, spider=lm.Spider(0.02, angles=(0.0, 1.5)))
     with pytest.raises(ValueError, match=r"lenses\[0\] must have a round aperture"):
         lm.imaging.depth_from_defocus(images, [spiders, LENS], PIXEL, **CAMERA)
-    fast = [lens.stopped(1.4) for lens in PAIR]
-    with pytest.raises(ValueError, match="candidates must be from"):
-        lm.imaging.depth_from_defocus(images, fast, PIXEL, candidates=61, **CAMERA)
 
 
 def test_a_slope_is_found_with_a_deviation_that_knows_of_it():
@@ -414,8 +404,3 @@ def test_a_slope_is_found_with_a_deviation_that_knows_of_it():
     assert known[24:-24, 24:-24].mean() > 0.75
     assert 0.5 < 1.4826 * np.median(np.abs(error / found.errors[known])) < 1.4
     assert abs(np.median(error / found.errors[known])) < 0.5
-
-
-def test_the_fewest_candidates_that_may_be_asked_for_will_do():
-    images = shoot(texture(72), 1.5, PAIR)
-    assert lm.imaging.depth_from_defocus(images, PAIR, PIXEL, candidates=9, **CAMERA).depth.shape == (40, 40)

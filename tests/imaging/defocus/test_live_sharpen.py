@@ -17,7 +17,6 @@ def made(**options):
         "between": (1.2, 2.0),
         "noise": lm.Noise(read=3.0, offset=100.0),
         "shape": (SIDE, SIDE),
-        "threads": 1,
     } | options
     return lm.imaging.LiveSharpen(lommel_lens(LENS), 4e-6, **given)
 

@@ -79,7 +79,6 @@ def test_depth_is_that_of_python_by_the_same_tables(engine: Any, tmp_path: Path)
         shape=shape,
         light=3000,
         sharp=True,
-        threads=1,
     )
     live.save(tmp_path / "tables.lml")
     tables = list((tmp_path / "tables.lml").read_bytes())

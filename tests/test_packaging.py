@@ -282,7 +282,8 @@ def test_the_live_page_is_made_and_its_compiler_fetched_only_where_its_sources_h
 
 # What the command line needs, and what these need: none of it has the sources of lommel.
 WITH = (
-    "numpy", "numpy.libs", "scipy", "scipy.libs", "attr", "attrs", "cyclopts", "docstring_parser", "rich_rst", "rich", "pygments", "markdown_it", "mdurl", "pydantic",
+    "numpy", "numpy.libs", "scipy", "scipy.libs", "attr", "attrs", "cyclopts", "docstring_parser",
+    "rich_rst", "rich", "pygments", "markdown_it", "mdurl", "pydantic",
     "pydantic_core", "annotated_types", "typing_extensions.py", "typing_inspection",
 )  # fmt: skip
 SUFFIX = f"cp{sys.version_info.major}{sys.version_info.minor}"

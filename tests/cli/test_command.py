@@ -53,6 +53,7 @@ def grind(
     *,
     options: Grinding = Grinding(grit=120),
     output: Annotated[Path | None, OUTPUT] = None,
+    radii: Annotated[tuple[float, ...], Shown(("--radius",), length="m")] = (),
     span: Annotated[tuple[float, float] | None, Shown(length="m", metavar="FROM TO")] = None,
     finish: Literal["rough", "fine"] = "rough",
     names: tuple[str, ...] = (),
@@ -79,7 +80,13 @@ def grind(
     if options.grit == 666:
         raise ValueError("grit must be even, got 666; or span=(1, 2)")
     facts = {"blanks": [*map(str, blanks)], "drawing": str(drawing), "grit": options.grit, "depth": options.depth}
-    facts |= {"strokes": list(options.strokes), "seed": options.seed, "output": output and str(output), "span": span}
+    facts |= {
+        "radii": radii,
+        "strokes": list(options.strokes),
+        "seed": options.seed,
+        "output": output and str(output),
+        "span": span,
+    }
     return Report(facts | {"finish": finish, "names": list(names), "dry": dry, "wet": wet, "tag": tag}, ["ground"])
 
 
@@ -123,9 +130,11 @@ def test_numbers_follow_one_flag_or_several(run, line):
 
 
 def test_values_with_a_unit_of_their_own_syntax_and_three_states(run):
-    found = facts(run, "a d --sagitta 2mm --span -1m 3cm --tag x --names p --names q --dry --not-wet --finish fine")
+    lengths = "--sagitta 2mm --span -1m 3cm --radius 1m --radius 2m"
+    found = facts(run, f"a d {lengths} --tag x --names p --names q --dry --not-wet --finish fine")
     assert (found["depth"], found["span"], found["tag"]) == (pytest.approx(2e-3), [-1.0, pytest.approx(0.03)], "xx")
     assert (found["names"], found["dry"], found["wet"], found["finish"]) == (["p", "q"], True, False, "fine")
+    assert found["radii"] == [1.0, 2.0]
     assert facts(run, "a d --wet")["wet"] is True
 
 

@@ -122,9 +122,10 @@ def test_info_shows_every_example(call_lommel, lens_file, tmp_path):
     assert (result.returncode, result.stderr) == (0, "")
     assert result.stdout.startswith(instrument.name + "\n")
     rows = dict(LINE.findall(result.stdout))
-    assert format_length(instrument.lens.focal_length) in rows["lens"]
+    assert rows["focal length"] == format_length(instrument.lens.focal_length, digits=5)
+    energies = result.stdout.partition("encircled energy\n")[2].splitlines()
     for name, radius in instrument.radii.items():
-        assert format_length(radius) in rows[name]
+        assert any(line.startswith(name) and format_length(radius, digits=5) in line for line in energies)
 
 
 def test_compare_has_a_row_for_every_method(compared):
@@ -163,7 +164,7 @@ def test_methods_and_their_options_are_chosen_by_name(call_lommel, lenses, tmp_p
     result = call_lommel("psf", lenses["phone"], "--shape", 5, "-o", "a.npy", *arguments, folder=tmp_path)
     assert result.returncode == 0, result.stderr
     assert lm.PSF.load(tmp_path / "a.npy").method == method
-    assert repr(method)[:40] in result.stdout
+    assert re.search(rf"^method +{type(method).__name__}\b", result.stdout, re.MULTILINE)
 
 
 def test_the_version_is_that_of_the_package(run_lommel, tmp_path):
@@ -256,7 +257,7 @@ def test_an_mtf_that_is_not_given_is_said_to_be_missing(call_lommel, tmp_path, a
     assert (facts["mtf50"] is None) == (reason is not None)
     assert facts["mtf_at_nyquist"] is not None
     shown = " ".join(call_lommel("info", "lens.toml", folder=tmp_path).stdout.split())
-    assert "MTF at Nyquist" in shown
+    assert "MTF at nyquist" in shown
     if reason is None:
         assert facts["mtf50"] == lm.mtf_frequency(lm.load_instrument(tmp_path / "lens.toml").pupil())
     else:

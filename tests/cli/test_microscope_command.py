@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+import re
 import shutil
 from pathlib import Path
 
@@ -14,6 +15,7 @@ import tifffile
 from PIL import Image
 
 import lommel as lm
+from lommel.base.units import format_length
 
 ROOT = Path(__file__).resolve().parents[2]
 EXAMPLE = ROOT / "examples" / "objectives" / "zeiss-63x-1.4-oil.toml"
@@ -99,23 +101,21 @@ def test_info_shows_what_the_file_of_an_objective_has(name, folder, call_lommel)
     assert (result.returncode, result.stderr) == (0, "")
     found, out = lm.load_microscope(path), result.stdout
     assert out.splitlines()[0] == found.name
-    rows = [line.split() for line in out.splitlines() if line[:9].strip().isdigit()]
-    assert all(len(row) == 9 for row in rows)
-    depth = f"{1e6 * found.depth:g}"
-    (row,) = (row for row in rows if row[0] == depth)
+    rows = [re.split(r"\s{2,}", line) for line in out.partition("\nfocus\n")[2].splitlines()]
+    (row,) = (row for row in rows if row[0] == (format_length(found.depth, digits=5) if found.depth else "0"))
     best = found.objective.focus(found.depth, wavelength=found.wavelength)
-    assert float(row[2]) == pytest.approx(1e6 * best.brightest, abs=6e-4)
-    assert float(row[4]) == pytest.approx(1e9 * best.axial_fwhm, abs=0.6)
+    assert row[2] == format_length(best.brightest, digits=5)
+    assert row[4] == format_length(best.axial_fwhm, digits=5)
     coarse = found.pixel > found.objective.nyquist(wavelength=found.wavelength).pixel
     assert ("is coarser than Nyquist sampling" in out) == coarse
-    assert ("critical angle    none" in out) == (found.objective.critical_angle is None)
+    assert ("\ncritical angle" in out) == (found.objective.critical_angle is not None)
 
 
 def test_the_measured_wavefront_is_told_and_shapes_the_image(folder, call_lommel):
     file = ROOT / "examples" / "objectives" / "zeiss-63x-astigmatic.toml"
     out = call_lommel("info", file, folder=folder).stdout
-    assert "rms wavefront error 0.15 waves over the pupil" in " ".join(out.split())
-    assert "+0.15" in next(line for line in out.splitlines() if "(2, 2)" in line)
+    assert "\nrms waves " in out
+    assert "astigmatism 0" in out.partition("\nzernike\n")[2]
     facts = json.loads(call_lommel("info", file, "--json", folder=folder).stdout)
     assert facts["rms_waves"] == pytest.approx(0.15)
     assert [(term["n"], term["m"]) for term in facts["zernike"]] == [(2, 2)]

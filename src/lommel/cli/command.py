@@ -174,10 +174,12 @@ class Command:
             word = rest.pop(0)
             if word == "--":
                 return [*options, word, *files, *rest]
+            numbers = []
             if word in fields and _is_series(fields[word].kind):
                 numbers = list(itertools.takewhile(_is_number, rest))
-                options += [f"{word}={number}" for number in numbers] or [word]
                 del rest[: len(numbers)]
+            if numbers:
+                options += [f"{word}={number}" for number in numbers]
             elif word in fields:
                 count = _count(fields[word])
                 options += [word, *rest[:count]]

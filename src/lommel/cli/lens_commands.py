@@ -24,6 +24,7 @@ from lommel.lensfiles import KINDS, example_files
 from lommel.methods import ERFS, METHODS
 from lommel.paper import ClosedForm
 from lommel.report import Parts, Report, Wrapped, table_of
+from lommel.report.table import described, records_of
 from lommel.show.drawing import SAMPLING
 
 
@@ -246,7 +247,6 @@ def compare(
       lommel compare phone.toml --figure methods.png
     """
     from lommel.report.image_quality import compare_methods, other_model
-    from lommel.report.optics import model_in_words
 
     instrument = instrument_of(lens, **given(optics))
     pupil = instrument.pupil()
@@ -272,7 +272,6 @@ def compare(
                     left_out.setdefault(reason, []).append(_command_line_name(row["method"]))
             save_figure(plot.compare(answers_by_name, _command_line_name(reference), left_out), figure)
     other_model_facts = other_model(instrument)
-    table = table_of(("method", "time", "MSE", "peak error", "error bound"), (), no_wrap=True)
     notes = []
     for row in rows:
         row["name"] = name = _command_line_name(row["method"])
@@ -283,9 +282,7 @@ def compare(
             note = f"{SAMPLING[row['sampling']]}; {note}"
         if note:
             notes.append(Wrapped(f"{name}: {note}", "dim"))
-        time_text = "-" if row["seconds"] is None else f"{1e3 * row['seconds']:.1f} ms"
-        errors = ("-" if row[key] is None else f"{row[key]:.2g}" for key in ("mse", "peak_error", "error_bound"))
-        table.add_row(name, time_text, *errors)
+    table = records_of("", rows, ("name", "seconds", "mse", "peak_error", "error_bound"))
     height, width = instrument.window
     size = f"{height} x {width} pixels of {pitch_in_words(instrument.pixel)}, {SAMPLING[sampling]}"
     if all(row["method"] != reference for row in rows):  # the reference is then not marked in the table
@@ -297,9 +294,9 @@ def compare(
         "rows": rows,
         "other_model": other_model_facts,
     }
-    model = f"model: {instrument.lens.model}; {model_in_words(other_model_facts)}"
+    model = described({"model": instrument.lens.model, "other_model": other_model_facts})
     files = written([figure], lambda _: ": the reference, maps of the errors, and slices").parts
-    return Report(facts, [Text(instrument.name, "bold"), Wrapped(size), table, *notes, model, *files])
+    return Report(facts, [Text(instrument.name, "bold"), Wrapped(size), table, *notes, *model, *files])
 
 
 def _reason(row: dict[str, Any]) -> str:

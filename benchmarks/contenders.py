@@ -6,7 +6,7 @@ import math
 import time
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
-from functools import lru_cache
+from functools import lru_cache, partial
 from importlib.util import find_spec
 from itertools import pairwise
 from typing import Any
@@ -285,7 +285,7 @@ def engine(
     dtype: Any = None,
     **options: Any,
 ) -> Contender:
-    """Make one PSF by ``lm.psf``, each time of a new pupil; with `out`, into an array that is there already."""
+    """Make one PSF, each time of a new pupil: by ``lm.psf`` or, into an array that is there already, by a plan."""
     q = question
     if method is not None:
         options["method"] = method
@@ -293,14 +293,12 @@ def engine(
         options["center"] = q.center
     if dtype is not None:
         options["dtype"] = dtype
-    if out:
-        options["out"] = np.zeros((q.n, q.n), dtype or np.float32)
-        options.pop("dtype", None)
+    call = _into(np.zeros((q.n, q.n), dtype or np.float32), q.n, q.pixel, threads, options) if out else None
 
-    def call(pupil: lm.Pupil) -> lm.PSF:
+    def fresh_array(pupil: lm.Pupil) -> lm.PSF:
         return lm.psf(pupil, q.n, q.pixel, threads=threads, **options)
 
-    return Contender(name, call, describe(method, threads, out, dtype), q.fresh, intensity)
+    return Contender(name, call or fresh_array, describe(method, threads, out, dtype), q.fresh, intensity)
 
 
 def stack(
@@ -314,20 +312,25 @@ def stack(
     out: bool = False,
     dtype: Any = np.float64,
 ) -> Contender:
-    """Make a stack of PSFs by one ``lm.psf``, each time of a new stack of pupils."""
+    """Make a stack of PSFs at once, each time of a new stack of pupils; with `out`, by a plan."""
     options: dict[str, Any] = {"dtype": dtype} if method is None else {"dtype": dtype, "method": method}
-    if out:
-        options["out"] = np.zeros((*fresh(1)[0].shape, n, n), dtype)
+    call = _into(np.zeros((*fresh(1)[0].shape, n, n), dtype), n, pixel, threads, options) if out else None
 
-    def call(pupils: lm.Pupil) -> lm.PSF:
+    def fresh_array(pupils: lm.Pupil) -> lm.PSF:
         return lm.psf(pupils, n, pixel, threads=threads, **options)
 
-    return Contender(name, call, describe(method, threads, out, dtype), fresh, intensity)
+    return Contender(name, call or fresh_array, describe(method, threads, out, dtype), fresh, intensity)
+
+
+def _into(out: NDArray[Any], n: int, pixel: float, threads: int, options: dict[str, Any]) -> Callable[[Any], lm.PSF]:
+    """Return a function that computes PSFs into an array that is there already."""
+    plan = lm.Plan(n, pixel, threads=threads, **{k: v for k, v in options.items() if k != "derivatives"})
+    return partial(plan, out=out, derivatives=options.get("derivatives", ()))
 
 
 def describe(method: lm.methods.Method | None, threads: int, out: bool, dtype: Any) -> str:
     """Say in words what was asked for."""
-    parts = ["lm.psf(...)", "default method, tol 1e-6" if method is None else repr(method)]
+    parts = ["lm.Plan(...)" if out else "lm.psf(...)", "default method, tol 1e-6" if method is None else repr(method)]
     parts += [] if dtype is None else [str(np.dtype(dtype))]
     parts += ["out= given"] if out else []
     return ", ".join([*parts, f"threads={threads}"])

@@ -18,7 +18,6 @@ from lommel.measures.errors import mse
 from lommel.methods import METHODS, Hankel, NijboerZernike
 from lommel.optics.aperture.opening import Opening
 from lommel.optics.base_pupil import Geometry
-from lommel.optics.wavefront.opd_fit import fit_radial
 from lommel.paper import FresnelErf
 
 BAD = (ValueError, TypeError)
@@ -221,10 +220,7 @@ COUNT = [
     ("NijboerZernike.tol", [*NOT_FINITE, *NOT_REAL, (0, "0"), (1e-13, "1e-13"), (0.1, "0.1"), (-1e-6, "-1e-06")]),
     ("Hankel.tol", [*NOT_FINITE, *NOT_REAL, (0, "0"), (1e-16, "1e-16"), (0.01, "0.01")]),
     ("ClosedForm.tangent", [*NOT_FINITE, *NOT_REAL, *NOT_POSITIVE]),
-    ("ClosedForm.transition", [*NOT_FINITE, *NOT_REAL, *NOT_POSITIVE, (50, "50")]),
-    ("ClosedForm.terms", [*COUNT, (61, "61")]),
     ("ClosedForm.variant", [("Printed", "'Printed'"), (None, "None"), (1, "1")]),
-    ("ClosedForm.truncate", [*NOT_FINITE, *NOT_POSITIVE, ("1", "'1'"), (True, "True")]),
     ("ClosedForm.erf", [("fresnel", "'fresnel'"), (None, "None"), (math.erf, "erf"), (FresnelErf, "FresnelErf")]),
     ("AbramowitzErf.terms", COUNT),
     ("TableErf.samples", [*COUNT, (1, "1")]),
@@ -273,7 +269,6 @@ def test_a_wavelength_that_has_no_meaning_is_looked_at_all_the_same(value):
         lambda: lm.Wavefront.zernike({4: 1.0}, order="noll", unit="waves", wavelength=value),
         lambda: lm.Wavefront(1.0).to_zernike(unit="waves", wavelength=value),
         lambda: lm.fit_opd(np.zeros((9, 9)), unit="waves", degree=2, wavelength=value),
-        lambda: fit_radial(lambda rho: rho**2, unit="waves", wavelength=value),
         lambda: lm.opd_map(lm.Wavefront(), 5, unit="radians", wavelength=value),
     ]
     for call in calls:

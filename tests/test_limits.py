@@ -58,7 +58,7 @@ def test_out_must_be_writable():
     out = np.zeros((9, 9), np.float32)
     out.flags.writeable = False
     with pytest.raises(ValueError, match="out must be C-contiguous and writable"):
-        lm.psf(lm.Pupil(), 9, 0.5, out=out)
+        lm.Plan(9, 0.5)(lm.Pupil(), out=out)
 
 
 @pytest.mark.parametrize("bound", [-1e-9, "1e-6", True])

@@ -10,7 +10,6 @@ import pytest
 import lommel as lm
 from lommel import imaging, microscopy
 from lommel.measures.errors import mse
-from lommel.optics.wavefront.opd_fit import fit_radial
 from lommel.recorded.counts import counts_of
 
 PUPIL = lm.Pupil(lm.Wavefront(1.0))
@@ -172,7 +171,6 @@ def test_a_masked_array_that_masks_nothing_is_an_array():
         ("v", lambda: lm.methods.NijboerZernike().field(PUPIL, PAIR)),
         ("values", lambda: mse(SQUARE, PLAIN)),
         ("reference", lambda: lm.peak_error(PLAIN, SQUARE)),
-        ("phase", lambda: fit_radial(SQUARE[0], PLAIN[0])),
         ("x", lambda: lm.FieldMap.scattered(PAIR, PLAIN[0, :2], lm.Wavefront([1.0, 2.0]))),
         ("image", lambda: imaging.depth_of_field(SQUARE, PLAIN, LENS, 8e-6, encoding="linear")),
         ("depth", lambda: imaging.depth_of_field(PLAIN, 4 * SQUARE, LENS, 8e-6, encoding="linear")),

@@ -125,17 +125,16 @@ def check(aperture, pupil, unit, integrate, pixel, spectrum):
             wavefront, **{k: v for k, v in PUPILS[pupil].items() if k != "wavefront"}, **APERTURES[aperture], **metric
         )
     out = np.empty((2, *SHAPE) if stacked else SHAPE, dtype) if turn % 4 == 0 else None
-    answer = lm.psf(
-        made,
+    plan = lm.Plan(
         SHAPE,
         pixel * made.scale,
         integrate=integrate,
         center=center,
         normalize=normalize,
         dtype=dtype,
-        out=out,
         method=SPECTRUM if spectrum else None,
     )
+    answer = plan(made, out=out)
     averages = unit == "m" if integrate is None else integrate
     assert answer.sampling == ("pixel" if averages else "center")
     assert answer.values.dtype == dtype

@@ -208,11 +208,6 @@ def test_out_receives_the_values_and_is_the_answer():
     assert np.array_equal(out, lm.psf(pupil, 33, 0.5).values)
 
 
-def test_psf_takes_the_type_of_out():
-    out = np.empty((9, 9), np.float64)
-    assert lm.psf(lm.Pupil(), 9, 0.5, out=out).values is out
-
-
 def test_after_the_first_call_nothing_large_is_allocated():
     plan, out = lm.Plan(512, 0.5, threads=1), np.empty((512, 512), np.float32)
     pupils = [lm.Pupil(lm.Wavefront(c)) for c in (10.0, 11.0, 12.0)]

@@ -49,7 +49,6 @@ def psf(
     fill: float | tuple[float, float] = 1.0,
     blur: Blur | Sequence[Blur] = (),
     derivatives: Sequence[Name] = (),
-    out: Values | None = None,
     threads: int | None = None,
 ) -> PSF:
     """Compute the point spread function of a pupil.
@@ -79,7 +78,7 @@ def psf(
         relative to the light that the objective would collect if the emitter were far from the glass. "strehl": the
         peak of the same aperture without aberration is 1. "peak": the largest value in the window is 1.
     dtype : float32 or float64, optional
-        Type of the values; by default the type of `out`, or float64 for tolerances below 1e-6 and float32 otherwise.
+        Type of the values; by default float64 for tolerances below 1e-6 and float32 otherwise.
     center : (float, float) or (array_like, array_like), optional
         Row and column of the optical axis, in pixels from the centre of the first pixel; by default the centre of
         pixel ``(height // 2, width // 2)``. Arrays of rows and columns, broadcast with the stack of pupils, give each
@@ -111,8 +110,6 @@ def psf(
         them; Zernike terms, and with aberrations the wavelength, require `ChordalDebye` and a small window.
         Not supported for ``normalize="peak"``. `tol` applies to the values, which may differ from the values without
         derivatives within their error bound; ``PSF.derivative_bounds`` bounds the errors of the derivatives.
-    out : ndarray, shape ``pupil.shape + (height, width)``, optional
-        C-contiguous, writable array for the values.
     threads : int, optional
         Maximum number of threads; by default the number of processors, which all calls share.
 
@@ -137,11 +134,6 @@ def psf(
     >>> answer.values.shape
     (512, 512)
     """
-    # `dtype` defaults to the type of `out`, so that callers need not pass it twice.
-    if out is not None and dtype is None:
-        dtype = question.array("out", out).dtype
-        if dtype != np.float32 and dtype != np.float64:
-            validation.kind("out.dtype", dtype, np.float32, np.float64)  # its error names out.dtype
     imaged(pupil)  # checked first, in case the caller passes arguments in the wrong order
     # Recent plans are cached, so that calls with the same options check them and build tables only once.
     options: dict[str, Any] = {"method": method, "tol": tol, "normalize": normalize, "dtype": dtype}
@@ -155,7 +147,7 @@ def psf(
             prepared = _cached_plan(shape, pixel, center=center, **options)
     if prepared is None:
         prepared = Plan(shape, pixel, center=center, fill=fill, blur=blur, **options)
-    return prepared(pupil, derivatives=derivatives, out=out)
+    return prepared(pupil, derivatives=derivatives)
 
 
 class Plan:
@@ -166,10 +158,8 @@ class Plan:
 
     Parameters
     ----------
-    shape, pixel, method, tol, normalize, center, integrate, fill, blur, threads
+    shape, pixel, method, tol, normalize, dtype, center, integrate, fill, blur, threads
         As for :func:`psf`.
-    dtype : float32 or float64, optional
-        Type of the values and of `out`; by default float64 for tolerances below 1e-6 and float32 otherwise.
 
     Raises
     ------
@@ -227,7 +217,7 @@ class Plan:
         self._prepared: Prepared | None = None
 
     def __call__(self, pupil: BasePupil, *, derivatives: Sequence[Name] = (), out: Values | None = None) -> PSF:
-        """Compute the PSF of `pupil`; see :func:`psf`."""
+        """Compute the PSF of `pupil`; see :func:`psf`. `out` is a C-contiguous, writable array for the values."""
         pupil = imaged(pupil)
         if not pupil.one_aperture:
             return self._aperture_by_aperture(cast("FieldPupil", pupil), derivatives, out)

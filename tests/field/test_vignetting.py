@@ -98,7 +98,7 @@ def test_a_stack_of_different_apertures_is_a_pupil_of_psf_too():
     stack = FIELD.psf([0.0, 15e-3], [[1e-3], [-8e-3]], 7, 2e-6)
     assert stack.pupil.shape == (2, 2)
     place = np.empty((2, 2, 9, 9), np.float32)
-    again = lm.psf(stack.pupil, 9, 2e-6, out=place)
+    again = lm.Plan(9, 2e-6)(stack.pupil, out=place)
     assert again.values is place
     assert np.array_equal(again.values[1, 1], FIELD.psf(15e-3, -8e-3, 9, 2e-6).values)
     assert again.pupil == stack.pupil

@@ -25,7 +25,6 @@ from lommel.measures.errors import mse
 from lommel.methods import METHODS, Hankel, NijboerZernike, Polychromatic
 from lommel.optics.aperture.opening import Opening, degree_needed
 from lommel.optics.grid import Grid
-from lommel.optics.wavefront.opd_fit import fit_radial
 from lommel.paper import AbramowitzErf, ClosedForm, LommelSeries, TableErf
 from lommel.recorded.frames import RecordingError
 
@@ -100,15 +99,14 @@ def entries(folder: Path) -> list[tuple[str, object, dict[str, object]]]:
     of_voxels |= {"psf_shape": (5, 9), "margin": (0, 0), "threads": 1, "method": ONCE, "refine": (), "channel": 0}
     psf_parts = {f.name: getattr(PSF, f.name) for f in dataclasses.fields(PSF) if f.init}
     found = [
-        tagged("psf", lm.psf, pupil=PUPIL, method=None, derivatives=(), out=None, **window | {"integrate": True}),
+        tagged("psf", lm.psf, pupil=PUPIL, method=None, derivatives=(), **window | {"integrate": True}),
         tagged("psf", lm.psf, pupil=COMA, method=NijboerZernike(), **window),
         tagged("psf", lm.psf, pupil=VANES, **window),
         tagged("psf", lm.psf, pupil=CAMERA, **window | {"pixel": 1e-6, "integrate": True}),
         tagged("psf", lm.psf, pupil=PUPIL, shape=5, pixel=0.5, derivatives=["defocus"]),
-        tagged("psf", lm.psf, pupil=PUPIL, shape=5, pixel=0.5, out=np.empty((5, 5))),
         tagged("psf", lm.psf, pupil=CAMERA, shape=5, pixel=1e-6, method=Polychromatic([5e-7, 6e-7], [1, 2])),
         tagged("Plan", lm.Plan, **window),
-        tagged("Plan()", lm.Plan(5, 0.5), pupil=PUPIL, derivatives=(), out=None),
+        tagged("Plan()", lm.Plan(5, 0.5), pupil=PUPIL, derivatives=(), out=np.empty((5, 5), np.float32)),
         tagged("PSF", lm.PSF, **psf_parts),
         tagged("Grid", Grid, shape=5, pixel=0.5, center=(1, 2), integrate=False),
         tagged("Wavefront", lm.Wavefront, defocus=1.0, spherical=[1.0, 2.0], higher=[0.1], nonradial={(3, 1): 0.5}),
@@ -192,12 +190,9 @@ def entries(folder: Path) -> list[tuple[str, object, dict[str, object]]]:
                order="noll"),
         tagged("read_csv", tables.read_csv, path=folder / "field.csv", order="noll"),
         tagged("fit_opd", lm.fit_opd, opd=CHART, unit="metres", wavelength=550e-9, mask=None, degree=3,
-               center=(11.5, 11.5), radius=12.0, tol=1.0),
+               center=(11.5, 11.5), radius=12.0),
         tagged("fit_opd", lm.fit_opd, opd=np.nan_to_num(CHART), unit="waves", wavelength=550e-9,
                mask=~np.isnan(CHART)),
-        tagged("fit_radial", fit_radial, phase=SQUARE[0], rho=np.linspace(0, 1, 24), degree=4, unit="waves",
-               wavelength=550e-9, tol=10.0),
-        tagged("fit_radial", fit_radial, phase=lambda rho: rho**2, degree=4),
         tagged("opd_map", lm.opd_map, wavefront=lm.Wavefront(1.0), shape=8, unit="waves", wavelength=550e-9,
                center=(3.0, 3.0), radius=3.0),
         tagged("ZernikeTable", ZernikeTable, terms={4: 0.1}, **units_of),

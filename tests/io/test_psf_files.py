@@ -100,7 +100,7 @@ def computed(method: Method) -> tuple[lm.PSF, float]:
         Geometric(rings=3),
         HuygensFresnel(nodes=(24, 48), symmetry=False),
         HuygensFresnel(),
-        ClosedForm(erf=AbramowitzErf(7), truncate=9.0),
+        ClosedForm(erf=AbramowitzErf(7)),
         ClosedForm(erf=TableErf(64), variant="printed"),
         LommelSeries(),
     ],

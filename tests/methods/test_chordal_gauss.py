@@ -217,7 +217,7 @@ def test_precisions_and_given_arrays_hold_the_same_values(normalize):
     fine = lm.psf(pupil, 12, 0.5, method=method, normalize=normalize, dtype=np.float64)
     coarse = lm.psf(pupil, 12, 0.5, method=method, normalize=normalize)
     out = np.zeros((12, 12), np.float32)
-    given_back = lm.psf(pupil, 12, 0.5, method=method, normalize=normalize, out=out)
+    given_back = lm.Plan(12, 0.5, method=method, normalize=normalize)(pupil, out=out)
     assert coarse.values.dtype == np.float32
     assert given_back.values is out
     assert np.array_equal(out, coarse.values)

@@ -38,7 +38,7 @@ OPTIONED = [
     Fraunhofer(samples=64, padding=2.5, edge="grey"),
     MatrixFourier(samples=99, edge="binary"),
     NonuniformFFT(tol=1e-9),
-    ClosedForm(tangent=50, erf=AbramowitzErf(17), transition=3, terms=9, variant="printed", truncate=40.0),
+    ClosedForm(tangent=50, erf=AbramowitzErf(17), variant="printed"),
     ClosedForm(erf=TableErf(99)),
     Geometric(rings=3),
 ]

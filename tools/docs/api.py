@@ -71,8 +71,8 @@ SECTIONS = [
         "Read and write OPD maps and Zernike tables, and fit Zernike terms.",
         "See [](../formats.md#measured-wavefronts).",
         ("optics.wavefront", "io.opd_files", "io.zernike_tables"),
-        more="optics.wavefront.opd_fit.fit_radial optics.wavefront.opd_fit.WavefrontFit"
-        " io.zernike_tables.ZernikeTable io.opd_files.OPDFileError io.zernike_tables.ZernikeFileError",
+        more="optics.wavefront.opd_fit.WavefrontFit io.zernike_tables.ZernikeTable"
+        " io.opd_files.OPDFileError io.zernike_tables.ZernikeFileError",
     ),
     Section(
         "Cameras and example files",

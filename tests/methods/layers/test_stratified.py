@@ -127,7 +127,7 @@ def test_scales_are_those_of_every_method(normalize, dtype):
 
 def test_values_go_where_they_are_wanted():
     pupil, out = planes(4), np.empty((4, 9, 9), np.float32)
-    made = lm.psf(pupil, 9, PIXEL, out=out)
+    made = lm.Plan(9, PIXEL)(pupil, out=out)
     assert made.values is out
     assert np.array_equal(out, lm.psf(pupil, 9, PIXEL, dtype=np.float32).values)
     assert out.min() >= 0.0

@@ -25,6 +25,11 @@ DEFOCUS = [0.0, 1e-6, 1e-3, 0.049, 0.051, 0.1, 1.0, 10.0, 50.0, -50.0, 200.0]
 V = np.array([1e-8, 1e-3, 0.5, 1.0, 1.0001, 2.9, 7.9, 8.1, 20.0, 57.3, 145.0, 333.3, 569.0, 800.0])
 
 
+def formed(transition: float, terms: int, segments: int = 16) -> type[ClosedForm]:
+    """Return the closed form with other constants, with which it tends to the exact integral."""
+    return type("Formed", (ClosedForm,), {"transition": transition, "terms": terms, "segments": segments})
+
+
 def _panels(low: float, high: float, rate: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Return nodes and weights of a composite rule: 20 points for every three radians of phase."""
     x, w = np.polynomial.legendre.leggauss(20)
@@ -50,9 +55,9 @@ def _integrals(defocus: float, v: float, method: ClosedForm) -> NDArray[np.compl
     "method",
     [
         *(ClosedForm(tangent=t) for t in (50, 100, 200)),
-        ClosedForm(transition=3, terms=10),
-        ClosedForm(transition=8, terms=28),
-        ClosedForm(tangent=50, transition=8, terms=10),
+        formed(3, 10)(),
+        formed(8, 28)(),
+        formed(8, 10)(tangent=50),
     ],
     ids=lambda m: f"tangent={m.tangent:g},transition={m.transition:g},terms={m.terms}",
 )
@@ -83,12 +88,12 @@ def test_on_the_axis_nothing_is_approximated(defocus: float) -> None:
 @pytest.mark.parametrize("defocus", DEFOCUS)
 def test_a_long_power_series_is_exact_up_to_the_transition(defocus: float) -> None:
     pupil, v = Pupil(Wavefront(defocus)), np.linspace(0.0, 8.0, 33)
-    difference = ClosedForm(transition=8, terms=28).field(pupil, v) - Hankel().field(pupil, v)
+    difference = formed(8, 28)().field(pupil, v) - Hankel().field(pupil, v)
     assert np.abs(difference).max() <= 1e-12
 
 
 def test_a_series_too_long_for_the_powers_of_a_double_stays_finite() -> None:
-    method, pupil = ClosedForm(transition=20, terms=60), Pupil(Wavefront(5.0))
+    method, pupil = formed(20, 60)(), Pupil(Wavefront(5.0))
     assert np.all(np.isfinite(method.field(pupil, np.array([800.0, 1200.0, 5000.0]))))
 
 
@@ -107,24 +112,14 @@ def test_an_obscured_aperture_is_the_difference_of_two(defocus: float, obscurati
     assert abs(field - (whole - area * hole)) <= 1e-13
 
 
-def test_beyond_the_truncation_there_is_no_light_and_within_it_nothing_changes() -> None:
-    pupil, v = Pupil(Wavefront(10.0)), np.linspace(0.0, 80.0, 161)
-    whole = ClosedForm().field(pupil, v)
-    cut = ClosedForm(truncate=41.25).field(pupil, v)
-    assert np.array_equal(cut[v <= 41.25], whole[v <= 41.25])
-    assert np.all(cut[v > 41.25] == 0)
-    assert np.all(whole[v > 41.25] != 0)
-
-
 FORMS = [
     ClosedForm(),
-    ClosedForm(transition=8, terms=28, tangent=40, segments=5),
-    ClosedForm(piston=False, split="linear", segments=7),
+    formed(8, 28, 5)(tangent=40),
 ]
 
 
 @pytest.mark.parametrize("wavefront", [Wavefront(10.0), Wavefront(-30.0, 60.0), Wavefront(200.0, 10.0)])
-@pytest.mark.parametrize("method", FORMS, ids=["paper", "tuned", "linear"])
+@pytest.mark.parametrize("method", FORMS, ids=["paper", "tuned"])
 def test_many_radii_are_interpolated_to_rounding(method: ClosedForm, wavefront: Wavefront) -> None:
     """By polynomials of values at fewer; the closed form itself serves where few are asked for."""
     pupil, v = Pupil(wavefront), np.linspace(0.0, 400.0, 5001)
@@ -197,14 +192,12 @@ def test_as_printed_the_error_falls_with_the_tangent_as_in_the_paper(tangent: fl
     assert mse(answer, exact) == pytest.approx(reported, rel=0.03)
 
 
-@pytest.mark.parametrize("piston", [True, False])
-@pytest.mark.parametrize("split", ["linear", "sqrt", "log", "optimal"])
 @pytest.mark.parametrize("wavefront", [Wavefront(0.0, 10.0), Wavefront(-20.0, 20.0), Wavefront(50.0, -100.0)])
-def test_piecewise_phases_are_integrated_exactly(wavefront: Wavefront, split: str, piston: bool) -> None:
+def test_piecewise_phases_are_integrated_exactly(wavefront: Wavefront) -> None:
     """Against quadrature of the surrogate of J0 with the same pieces, inflection points included."""
-    method = ClosedForm(segments=7, split=split, piston=piston, tangent=60.0, transition=2.0, terms=6)
+    method = formed(2, 6, 7)(tangent=60.0)
     c = wavefront.coefficients
-    pieces = fit_quadratics(c.tolist(), 7, split=split, piston=piston)
+    pieces = fit_quadratics(c.tolist(), 7)
     v = np.array([0.0, 0.3, 1.9999, 2.5, 17.0, 90.0, 250.0])
     a, b = tangent_line(60.0)
     for at, value in zip(v, method.field(Pupil(wavefront), v), strict=True):
@@ -230,7 +223,7 @@ def test_more_segments_bring_it_to_what_it_makes_of_the_exact_phase(defocus: flo
     pupil = Pupil(Wavefront(defocus, spherical))
 
     def field(segments: int) -> NDArray[np.complex128]:
-        return ClosedForm(segments=segments, transition=8.0, terms=28, tangent=40.0).field(pupil, v)
+        return formed(8, 28, segments)(tangent=40.0).field(pupil, v)
 
     exact = field(400)
     for segments in (8, 32):
@@ -266,5 +259,3 @@ def test_the_best_form_of_a_window_is_better_than_any_other_centre(
 def test_the_best_form_of_what_is_no_single_window_is_refused() -> None:
     with pytest.raises(ValueError, match="pupil must be a single one"):
         ClosedForm.best(Pupil(Wavefront([1.0, 2.0])), 9, 0.5)
-    with pytest.raises(TypeError, match="tangent or erf"):
-        ClosedForm.best(Pupil(Wavefront(1.0)), 9, 0.5, tangent=3.0)

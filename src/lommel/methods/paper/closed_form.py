@@ -9,7 +9,7 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import lru_cache
-from typing import Any
+from typing import ClassVar
 
 import numpy as np
 import scipy
@@ -27,7 +27,7 @@ from lommel.optics.pupil import Pupil, checked
 from lommel.special.bessel import tangent_line
 from lommel.special.erf import AbramowitzErf, Erf, FresnelErf, chirp_moments, unit_moments
 from lommel.special.interpolation import chebyshev_powers
-from lommel.special.piecewise import FITS, SPLITS, fit_quadratics, fit_stack
+from lommel.special.piecewise import fit_quadratics, fit_stack
 
 _WIDTH, _POINTS = 8.0, 24  # width (v) and number of points of an interpolation of U with an error below 1e-15
 _MIN_SAVED = 400  # number of radii that interpolation must save, times the number of quadratic phases
@@ -53,23 +53,9 @@ class ClosedForm(FieldMethod[Pupil]):
     erf : Erf, default FresnelErf()
         `AbramowitzErf` (Eq. 14), `TableErf` (the lookup table that the paper proposes) or `FresnelErf` (exact to
         about 1e-13).
-    transition : float, default 1
-        Argument at which the asymptotic form (7) replaces the power series (6).
-    terms : int, default 3
-        Number of terms of the power series (6), 1 to 60.
     variant : {"corrected", "printed"}, default "corrected"
         "corrected" keeps the factor ``sqrt(2/pi)`` of Eq. (7) in the outer integral of Eq. (12); "printed"
         drops it, as Eq. (12) is printed and as the paper's own figures were made.
-    truncate : float, optional
-        Optical coordinate v beyond which the PSF is set to zero, as the paper's section 3 suggests.
-    segments : int, default 16
-        Number N of quadratic phases in Eq. (17), for pupils with aberrations other than defocus.
-    split : {"optimal", "linear", "sqrt", "log"}, default "optimal"
-        Boundaries between quadratic phases; see :func:`lommel.special.piecewise.split_edges`.
-    fit : {"interpolation", "least-squares", "sweep"}, default "interpolation"
-        Fitting method of quadratic phases; see :func:`lommel.special.piecewise.fit_quadratics`.
-    piston : bool, default True
-        True if quadratic phases include the constants gamma_i, which Eq. (17) omits.
 
     Raises
     ------
@@ -100,31 +86,22 @@ class ClosedForm(FieldMethod[Pupil]):
 
     tangent: float = 100.0
     erf: Erf = field(default_factory=FresnelErf)
-    transition: float = 1.0
-    terms: int = 3
     variant: str = "corrected"
-    truncate: float | None = None
-    segments: int = 16
-    split: str = "optimal"
-    fit: str = "interpolation"
-    piston: bool = True
+    transition: ClassVar[float] = 1.0
+    """Argument at which the asymptotic form (7) replaces the power series (6)."""
+    terms: ClassVar[int] = 3
+    """Number of terms of the power series (6)."""
+    segments: ClassVar[int] = 16
+    """Number of quadratic phases in Eq. (17), for pupils with aberrations other than defocus."""
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "tangent", validation.real("tangent", self.tangent, above=0.0))
-        object.__setattr__(self, "transition", validation.real("transition", self.transition, above=0.0, below=50.0))
-        object.__setattr__(self, "terms", validation.integer("terms", self.terms, least=1, most=60))
         validation.choice("variant", self.variant, ("corrected", "printed"))
         if not isinstance(self.erf, Erf):
             raise TypeError(f"erf must be AbramowitzErf, TableErf or FresnelErf, got {validation.shown(self.erf)}")
-        if self.truncate is not None:
-            object.__setattr__(self, "truncate", validation.real("truncate", self.truncate, above=0.0))
-        object.__setattr__(self, "segments", validation.integer("segments", self.segments, least=1, most=4096))
-        validation.choice("split", self.split, SPLITS)
-        validation.choice("fit", self.fit, FITS)
-        validation.truth("piston", self.piston)
 
     @classmethod
-    def best(cls, pupil: Pupil, shape: int | tuple[int, int], pixel: float, **options: Any) -> ClosedForm:
+    def best(cls, pupil: Pupil, shape: int | tuple[int, int], pixel: float, variant: str = "corrected") -> ClosedForm:
         """Return the form with the best tangent-line centre, and the best number of erf terms, for a window.
 
         The centre minimizes the mean squared difference from :class:`NijboerZernike` over the window. It is searched
@@ -137,13 +114,11 @@ class ClosedForm(FieldMethod[Pupil]):
             A single pupil.
         shape, pixel
             As for :func:`lommel.psf`.
-        **options
-            Other options of the form, except `tangent` and `erf`.
+        variant : {"corrected", "printed"}, default "corrected"
+            As for the form.
         """
         if checked(pupil).shape != ():
             raise ValueError(f"pupil must be a single one, got a stack of shape {pupil.shape}")
-        if {"tangent", "erf"} & set(options):
-            raise TypeError("options must not include tangent or erf, which this method optimizes")
         grid = Grid(shape, pixel)
         grid.require_reach(pupil)
         # At most 600 radii of the window; the weight of a radius is the number of pixels up to the next radius.
@@ -153,7 +128,7 @@ class ClosedForm(FieldMethod[Pupil]):
         exact = NijboerZernike().profile(pupil, v).values[0]
 
         def error(tangent: float, erf: Erf) -> float:
-            values = cls(tangent=tangent, erf=erf, **options).profile(pupil, v).values[0]
+            values = cls(tangent, erf, variant).profile(pupil, v).values[0]
             return float(np.average((values - exact) ** 2, weights=weight) / exact.max() ** 2)
 
         scan = np.geomspace(1.0, 4.0 * max(1.0, float(v[-1])), 48)
@@ -165,8 +140,8 @@ class ClosedForm(FieldMethod[Pupil]):
         least_error, tangent = min((error(t, FresnelErf()), t) for t in (math.exp(optimum.x), float(scan[start])))
         for terms in range(5, 205, 5):
             if error(tangent, AbramowitzErf(terms)) <= 1.01 * least_error:
-                return cls(tangent=tangent, erf=AbramowitzErf(terms), **options)
-        return cls(tangent=tangent, erf=FresnelErf(), **options)
+                return cls(tangent, AbramowitzErf(terms), variant)
+        return cls(tangent, FresnelErf(), variant)
 
     def stretch(self, pupil: Pupil) -> float:
         """Return 8, a nominal value: U is not band-limited, as it jumps at `transition` and between pieces."""
@@ -187,10 +162,7 @@ class ClosedForm(FieldMethod[Pupil]):
         def disk(coefficients: Array, points: Array) -> FieldValues:
             return FieldValues(self._disk(coefficients, points, threads), None)
 
-        result = annulus(disk, pupil, v)
-        if self.truncate is not None:
-            result.values[:, v > self.truncate] = 0.0
-        return result
+        return annulus(disk, pupil, v)
 
     def sub_integrals(self, defocus: float, v: Array) -> NDArray[np.complex128]:
         r"""Return the integrals of the paper's appendix for a `defocus` C_d at `v` above 0; U is twice their sum.
@@ -229,7 +201,7 @@ class ClosedForm(FieldMethod[Pupil]):
                 field[subset] = self._disk(coefficients[subset], v, threads)
             return field
         if any_aberrated:
-            edges, rows = fit_stack(coefficients, self.segments, self.split, self.fit, self.piston)
+            edges, rows = fit_stack(coefficients, self.segments, "optimal", "interpolation", piston=True)
         else:
             edges, rows = np.array([0.0, 1.0]), coefficients[:, None, :1] * [1.0, 0.0, 0.0]
         phase, bessel = _phase(edges, rows), self._bessel

@@ -1,4 +1,4 @@
-"""Least-squares fits of wavefronts to radial phase functions or to maps of optical path difference (OPD).
+"""Least-squares fits of wavefronts to maps of optical path difference (OPD).
 
 The inverse, sampling a wavefront as an OPD map, is :func:`opd_map`.
 """
@@ -6,7 +6,7 @@ The inverse, sampling a wavefront as an OPD map, is :func:`opd_map`.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from itertools import combinations
 from typing import Self
@@ -21,7 +21,7 @@ from lommel.optics.wavefront.wavefront import MAX_HIGHER, Wavefront, radians_per
 from lommel.special import zernike
 
 MAX_RADIAL = 2 * (2 + MAX_HIGHER)
-"""Highest power of rho in a radial fit, and highest degree n of a fit to a map."""
+"""Highest degree n of a fit."""
 
 MAX_GROWTH = 1e4
 """Largest accepted amplification of measurement errors in coefficients or, for ill-conditioned fits, in the phase."""
@@ -35,7 +35,6 @@ _RESIDUE = 1e-9
 # count is at least this number, this fraction of the pupil's pixels, and this multiple of every other count.
 _MIN_BLANK_PIXELS, _MIN_BLANK_FRACTION, _MIN_BLANK_RATIO = 8, 0.002, 8
 _BLOCK = 16384  # samples processed together; bounds the memory of fits to large maps
-_RADIAL_NODES = 400  # Gauss-Legendre nodes at which a radial phase function is sampled
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -155,69 +154,6 @@ class WavefrontFit:
     unit: str
 
 
-def fit_radial(
-    phase: Callable[[Array], ArrayLike] | ArrayLike,
-    rho: ArrayLike | None = None,
-    *,
-    degree: int = MAX_RADIAL,
-    unit: str = "radians",
-    wavelength: float | None = None,
-    tol: float | None = None,
-) -> WavefrontFit:
-    """Fit a radially symmetric wavefront, a polynomial in the square of the pupil radius rho, by least squares.
-
-    Parameters
-    ----------
-    phase : callable, or array_like of shape (samples,)
-        A function that maps an array of pupil radii in [0, 1] to an array of phases, or phases at the radii `rho`.
-    rho : array_like, shape (samples,), optional
-        Pupil radii, 0 to 1, of the values in an array `phase`; all values have equal weights. Omit it for a function,
-        which is sampled at 400 Gauss-Legendre nodes in rho^2, with weights proportional to pupil area.
-    degree : int, default 20
-        Highest power of rho, even, 2 to 20.
-    unit : str, default "radians"
-        Unit of `phase`: "radians", "waves", "metres" or another length of optical path, which needs `wavelength`.
-    wavelength : float, optional
-        Wavelength, metres.
-    tol : float, optional
-        Largest accepted rms residual, in `unit`. In radians it bounds the error dU of the field U relative to the
-        field at an unaberrated peak: ``abs(dU) <= mean(abs(residual)) <= rms``.
-
-    Returns
-    -------
-    WavefrontFit
-        Its `residual` is evaluated at `rho`, or at the Gauss-Legendre nodes of a function.
-
-    Raises
-    ------
-    TypeError, ValueError
-        If values are not finite, if the samples are too few or too close together to determine the terms, or if the
-        rms residual exceeds `tol`.
-    """
-    scale = radians_per(unit, wavelength)
-    limit = math.inf if tol is None else validation.real("tol", tol, above=0.0)
-    highest = validation.integer("degree", degree, least=2, most=MAX_RADIAL)
-    if highest % 2:
-        raise ValueError(f"degree must be even, since the fit has even powers of rho only, got {highest}")
-    weights = None
-    if callable(phase):
-        if rho is not None:
-            raise TypeError("rho must be omitted if phase is a function")
-        # Pupil area is proportional to rho^2, so that Gauss-Legendre weights in rho^2 are weights by area.
-        x, w = np.polynomial.legendre.leggauss(_RADIAL_NODES)
-        radii, weights = np.sqrt(0.5 + 0.5 * x), 0.5 * w
-        values = validation.real_array("phase", phase(radii))
-    else:
-        if rho is None:
-            raise TypeError("rho, the pupil radii of the values, must be given if phase is an array")
-        radii, values = validation.real_array("rho", rho, least=0.0, most=1.0), validation.real_array("phase", phase)
-    if values.shape != radii.shape or radii.ndim != 1:
-        raise ValueError(f"phase must have one value for each rho, got shapes {values.shape} and {radii.shape}")
-    terms = [(n, 0) for n in range(0, highest + 1, 2)]
-    coefficients, residual, condition = _least_squares(radii, np.zeros(radii.size), values[None], terms, weights)
-    return _fit_result(terms, coefficients, residual, condition, (), unit, scale, limit, weights)
-
-
 def fit_opd(
     opd: ArrayLike | OPDMap,
     *,
@@ -227,9 +163,7 @@ def fit_opd(
     degree: int = 8,
     center: tuple[float, float] | None = None,
     radius: float | None = None,
-    tol: float | None = None,
     obscuration: float = 0.0,
-    within: str = "pupil",
 ) -> WavefrontFit:
     """Fit Zernike terms to a measured map of optical path differences, or to a stack of maps.
 
@@ -254,15 +188,10 @@ def fit_opd(
     radius : float, optional
         Radius of the pupil in pixels. Default: half the smaller side of the map. If the samples do not fill that
         circle, the function raises an error that states the smallest circle around the samples.
-    tol : float, optional
-        Largest accepted rms residual, in `unit`.
     obscuration : float, default 0
         Radius of the central obscuration divided by the radius of the pupil, 0 to below 1. The fit omits pixels whose
         centre lies within the obscuration and uses annular Zernike terms (:meth:`lommel.Wavefront.zernike`), which
         stay well conditioned to high degrees.
-    within : {"pupil", "samples"}, default "pupil"
-        Area in which the samples must determine the phase. "samples" is for a vignetted pupil: the phase is
-        determined between the samples, and arbitrary in the vignetted part.
 
     Returns
     -------
@@ -273,8 +202,8 @@ def fit_opd(
     Raises
     ------
     TypeError, ValueError
-        If the map is empty or not finite inside the mask; if the samples are too few or do not determine the terms;
-        if the rms residual exceeds `tol`; if, without a `mask`, a whole area of the map has one value; or if, without
+        If the map is empty or not finite inside the mask; if the samples are too few or do not determine the terms
+        over the whole pupil; if, without a `mask`, a whole area of the map has one value; or if, without
         a `radius`, the circle around the samples is smaller than the pupil by more than a pixel and 2 %.
     """
     if isinstance(opd, OPDMap):
@@ -286,17 +215,16 @@ def fit_opd(
     elif unit is None:
         raise TypeError("unit must be given, 'radians', 'waves' or 'metres', unless opd is an OPDMap")
     scale = radians_per(unit, wavelength)
-    limit = math.inf if tol is None else validation.real("tol", tol, above=0.0)
     highest = validation.integer("degree", degree, least=1, most=MAX_RADIAL)
     eps = validation.real("obscuration", obscuration, least=0.0, below=1.0)
-    validation.choice("within", within, ("pupil", "samples"))
     # Outside the mask values may be arbitrary, even NaN.
     maps, valid = _maps(opd, mask)
     height, width = maps.shape[-2:]
     x, y = _pupil_coordinates((height, width), center, radius)
     # A pixel belongs to the pupil if its centre lies in the pupil.
     square = x * x + y * y
-    in_pupil = valid & (square <= 1.0) & (square >= eps * eps)
+    clear = (square <= 1.0) & (square >= eps * eps)
+    in_pupil = valid & clear
     wrong = np.argwhere(in_pupil & ~np.isfinite(maps))
     if len(wrong):
         listed = ", ".join(str(tuple(place.tolist())) for place in wrong[:3]) + (", ..." if len(wrong) > 3 else "")
@@ -320,13 +248,12 @@ def fit_opd(
     for members in groups.values():
         pixels = in_pupil.reshape(flat_maps.shape)[members[0]]
         rho, theta = np.hypot(x[pixels], y[pixels]), np.arctan2(y[pixels], x[pixels])
-        test_points = _test_points(x, y, pixels if within == "samples" else (square <= 1.0) & (square >= eps * eps))
-        group_fit = _least_squares(rho, theta, flat_maps[members][:, pixels], terms, None, eps, test_points)
+        group_fit = _least_squares(rho, theta, flat_maps[members][:, pixels], terms, eps, _test_points(x, y, clear))
         coefficients[members], group_residuals, group_condition = group_fit
         for member, map_residual in zip(members, group_residuals, strict=True):
             residual[member][pixels] = map_residual
         condition = max(condition, group_condition)
-    return _fit_result(terms, coefficients, residual, condition, maps.shape[:-2], unit, scale, limit)
+    return _fit_result(terms, coefficients, residual, condition, maps.shape[:-2], unit, scale)
 
 
 def opd_map(
@@ -374,9 +301,8 @@ def _least_squares(
     theta: Array,
     values: Array,
     terms: list[tuple[int, int]],
-    weights: Array | None = None,
-    obscuration: float = 0.0,
-    test_points: tuple[Array, Array] | None = None,
+    obscuration: float,
+    test_points: tuple[Array, Array],
 ) -> tuple[Array, Array, float]:
     """Return rms-normalized coefficients (maps, terms), residuals (maps, samples) and the condition number.
 
@@ -388,21 +314,20 @@ def _least_squares(
     over_disc = _over_disc(terms, obscuration)
     if rho.size < len(terms):
         raise ValueError(f"{len(terms)} terms need at least as many samples, got {rho.size}; lower degree")
-    sample_weights = np.full(rho.size, 1.0 / rho.size) if weights is None else weights
+    weight = 1.0 / rho.size
     # The Gram matrix of orthonormal terms over a full pupil is near the unit matrix.
     gram = np.zeros((len(terms), len(terms)))
-    for block, basis in _basis(rho, theta, terms, over_disc):
-        gram += (basis * sample_weights[block]) @ basis.T
+    for _, basis in _basis(rho, theta, terms, over_disc):
+        gram += (basis * weight) @ basis.T
     eigenvalues = np.linalg.eigvalsh(gram)
     # The condition number of the terms is the square root of the condition number of the Gram matrix.
     low, high = float(eigenvalues[0]), float(eigenvalues[-1])
     condition = math.sqrt(high / low) if low > 0.0 else math.inf
     if not condition <= MAX_GROWTH:
-        if test_points is None:
-            raise _undetermined(rho.size, terms, condition, "", "")
-        hints = "" if obscuration else ", state the obscuration of an annular pupil"
-        undetermined = _undetermined(
-            rho.size, terms, condition, " over the pupil", f'{hints}, or pass within="samples" for a vignetted pupil'
+        hint = "" if obscuration else ", or state the obscuration of an annular pupil"
+        undetermined = ValueError(
+            f"the {rho.size} samples do not determine {len(terms)} terms over the pupil (condition {condition:.2g}); "
+            f"lower degree{hint}"
         )
         if not condition <= MAX_ROUNDING:
             raise undetermined
@@ -413,14 +338,14 @@ def _least_squares(
         if not 0.0 < _largest_norm(test_points, terms, over_disc) <= MAX_GROWTH * norm_before:
             raise undetermined
         gram = np.zeros_like(gram)
-        for block, basis in _basis(rho, theta, terms, over_disc):
-            gram += (basis * sample_weights[block]) @ basis.T
+        for _, basis in _basis(rho, theta, terms, over_disc):
+            gram += (basis * weight) @ basis.T
     coefficients, residual = np.zeros((len(values), len(terms))), values.copy()
     # The second pass fits the residual of the first, which removes most of its rounding error.
     for _ in range(2):
         moments = np.zeros_like(coefficients)
         for block, basis in _basis(rho, theta, terms, over_disc):
-            moments += (residual[:, block] * sample_weights[block]) @ basis.T
+            moments += (residual[:, block] * weight) @ basis.T
         coefficients += np.linalg.solve(gram, moments.T).T
         for block, basis in _basis(rho, theta, terms, over_disc):
             residual[:, block] = values[:, block] - coefficients @ basis
@@ -440,13 +365,6 @@ def _largest_norm(test_points: tuple[Array, Array], terms: list[tuple[int, int]]
     """Return the largest ``sqrt(sum of term^2)`` among the test points; 0 without test points."""
     squares = [(basis**2).sum(axis=0).max() for _, basis in _basis(*test_points, terms, over_disc)]
     return math.sqrt(max(squares, default=0.0))
-
-
-def _undetermined(samples: int, terms: list[tuple[int, int]], condition: float, area: str, hints: str) -> ValueError:
-    return ValueError(
-        f"the {samples} samples do not determine {len(terms)} terms{area} (condition {condition:.2g}); lower "
-        f"degree{hints}"
-    )
 
 
 def _over_disc(terms: list[tuple[int, int]], obscuration: float) -> Array | None:
@@ -481,18 +399,12 @@ def _fit_result(
     stack: tuple[int, ...],
     unit: str,
     scale: float,
-    tol: float,
-    weights: Array | None = None,
 ) -> WavefrontFit:
-    """Return the fit from residuals of maps (axis 0; NaN: unused); ValueError if an rms residual exceeds `tol`."""
+    """Return the fit from residuals of maps (axis 0; NaN: unused)."""
     flat_residual = residual.reshape(len(residual), -1)
     count = np.isfinite(flat_residual).sum(axis=1)
     # The constant is among the terms, so that the mean of the residual is 0.
-    rms = np.sqrt(np.nanmean(flat_residual**2, axis=1) if weights is None else flat_residual**2 @ weights)
-    k = int(rms.argmax())
-    if not rms[k] <= tol:
-        map_name = f" of map {k}" if len(rms) > 1 else ""
-        raise ValueError(f"the residual{map_name} has an rms of {rms[k]:.3g} {unit}, above tol={tol:g}")
+    rms = np.sqrt(np.nanmean(flat_residual**2, axis=1))
     radians = {t: scale * c.reshape(stack) for t, c in zip(terms, coefficients.T, strict=True)}
     return WavefrontFit(
         wavefront=Wavefront.zernike(radians),

@@ -656,12 +656,12 @@ class PSF(Measured, PSFLike, display.Shown):
         axes: Axes = display.named("mtf", "plot")(self, ax)
         return axes
 
-    def plot_encircled_energy(self, ax: Axes | None = None, *, radius: float | None = None) -> Axes:
-        """Draw the encircled energy up to a `radius`; see :func:`lommel.show.curves.encircled_energy`."""
-        axes: Axes = display.named("encircled energy", "plot")(self, ax, radius=radius)
+    def plot_encircled_energy(self, ax: Axes | None = None) -> Axes:
+        """Draw the encircled energy; see :func:`lommel.show.curves.encircled_energy`."""
+        axes: Axes = display.named("encircled energy", "plot")(self, ax)
         return axes
 
-    def plot_spots(self, ax: Axes | None = None, *, rings: int = 12, stretch: str = "sqrt") -> Axes:
+    def plot_spots(self, ax: Axes | None = None) -> Axes:
         """Draw the spot diagram over the PSF; see :func:`lommel.show.plot.spots`."""
-        axes: Axes = display.named("spots", "plot")(self, ax, rings=rings, stretch=stretch)
+        axes: Axes = display.named("spots", "plot")(self, ax)
         return axes

@@ -12,7 +12,7 @@ from scipy.special import j0, j1
 
 import lommel as lm
 from lommel.measures.errors import mse
-from lommel.show import plot
+from lommel.show import curves, plot
 from lommel.show.curves import moved, section
 
 CAMERA = {"wavelength": 550e-9, "f_number": 4.0}
@@ -26,6 +26,11 @@ def lines(axes) -> dict[str, tuple[np.ndarray, np.ndarray]]:
 @pytest.fixture
 def psf() -> lm.PSF:
     return lm.psf(lm.Pupil(COMA, **CAMERA), (31, 41), 0.5e-6)
+
+
+@pytest.fixture
+def few(monkeypatch) -> None:
+    monkeypatch.setattr(curves, "_PLANES", 9)
 
 
 # Differences.
@@ -164,13 +169,13 @@ def test_the_light_within_circles_is_that_of_airy():
 @pytest.mark.parametrize("options", [{}, {"spider": lm.Spider.equal(3, width=0.1)}], ids=["round", "spider"])
 def test_of_any_other_psf_it_is_that_of_its_pixels(options):
     psf = lm.psf(lm.Pupil(COMA, **CAMERA, **options), 41, 0.5e-6)
-    axes = psf.plot_encircled_energy(radius=5e-6)
+    axes = psf.plot_encircled_energy()
     found = lines(axes)
     radius, values = found["PSF"]
     np.testing.assert_allclose(values, psf.encircled_energy(1e-6 * radius), rtol=1e-9)
     ideal = lm.psf(psf.pupil.unaberrated(), 41, 0.5e-6, method=psf.method)
     np.testing.assert_allclose(found["without aberration"][1], ideal.encircled_energy(1e-6 * radius), atol=1e-5)
-    assert axes.get_xlim() == pytest.approx((0.0, 5.0))
+    assert axes.get_xlim() == pytest.approx((0.0, 10.25))
     half = float(axes.get_title().split("50 % within ")[1].split()[0])
     assert psf.encircled_energy(1e-6 * half) == pytest.approx(0.5, abs=3e-3)
 
@@ -187,9 +192,9 @@ def test_a_stack_has_a_curve_of_light_for_each(camera):
 
 
 def test_rays_are_drawn_over_the_psf_where_they_meet_the_sensor(psf):
-    axes = psf.plot_spots(rings=5)
+    axes = psf.plot_spots()
     (dots,) = axes.collections
-    np.testing.assert_allclose(dots.get_offsets(), 1e6 * plot.ray_positions(psf.pupil, 5))
+    np.testing.assert_allclose(dots.get_offsets(), 1e6 * plot.ray_positions(psf.pupil))
     np.testing.assert_array_equal(axes.get_images()[0].get_array(), psf.values)
     circle = next(line for line in axes.get_lines() if line.get_label() == "Airy circle")
     np.testing.assert_allclose(np.hypot(*circle.get_data()), 1e6 * psf.pupil.airy_radius)
@@ -213,70 +218,54 @@ def test_rays_are_those_of_one_lens():
 
 
 def test_the_section_through_the_focus_is_drawn_with_the_sensor_at_0(camera):
-    axes = lm.show.through_focus(camera, object_distance=1.95, reach=60e-6, half_width=10e-6, planes=9)
+    pupil = camera.pupil(1.95)
+    axes = lm.show.through_focus(pupil)
     (image,) = axes.get_images()
-    through = moved(camera, 1.95, reach=60e-6, count=9)
-    x = np.linspace(-10e-6, 10e-6, 241)
-    np.testing.assert_allclose(image.get_array(), section(through, x).T, atol=1e-12)
+    shifts, stack = moved(pupil)
     left, right, low, high = image.get_extent()
-    assert (left, right) == pytest.approx((-67.5, 67.5))
-    assert (low, high) == pytest.approx((-10.0 - 1 / 24, 10.0 + 1 / 24))
+    x = np.linspace(-240.0, 240.0, 241) / 241.0 * 0.5e-6 * (high - low)
+    np.testing.assert_allclose(image.get_array(), section(stack, x).T, atol=1e-12)
+    half = 0.5e6 * (shifts[1] - shifts[0])
+    assert (left, right) == pytest.approx((1e6 * shifts[0] - half, 1e6 * shifts[-1] + half))
     assert axes.get_ylim() == pytest.approx((low, high))  # x rises upwards
     assert image.origin == "lower"
     assert (axes.get_xlabel(), axes.get_ylabel()) == ("sensor moved away from the lens (µm)", "x (µm)")
-    assert axes.get_title() == "f/1.8, 550 nm, object at 1.95 m; dashed: the sensor"
+    assert axes.get_title() == f"f/{pupil.f_number:.3g}, 550 nm; dashed: the sensor"
     assert axes.figure.axes[1].get_ylabel() == "irradiance (1 = unaberrated peak)\n(colours: square root)"
     # The object is nearer than what is in focus: its image is behind the sensor.
-    middle = image.get_array()[120]
-    assert np.linspace(-60.0, 60.0, 9)[int(middle.argmax())] > 0.0
+    assert shifts[int(image.get_array()[120].argmax())] > 0.0
     axes.figure.canvas.draw()
 
 
 def test_a_pupil_without_a_wavelength_is_drawn_over_its_defocus():
-    axes = lm.show.through_focus(lm.Pupil(lm.Wavefront(2.0)), planes=41)
+    axes = lm.show.through_focus(lm.Pupil(lm.Wavefront(2.0)))
     assert (axes.get_xlabel(), axes.get_ylabel()) == ("added defocus C_d (rad)", "x (λN)")
     (image,) = axes.get_images()
     left, right, *_ = image.get_extent()
-    places = left + (np.arange(41) + 0.5) * (right - left) / 41
+    places = left + (np.arange(161) + 0.5) * (right - left) / 161
     assert places[int(image.get_array()[120].argmax())] == pytest.approx(-2.0, abs=0.5)
 
 
 def test_curves_about_the_focus_are_those_of_strehl_and_mtf():
-    axes = lm.show.focus_curves(lm.Pupil(), reach=3.0, frequency=[0.2, 0.4], planes=7)
+    axes = lm.show.focus_curves(lm.Pupil())
     found = lines(axes)
-    c = np.linspace(-3.0, 3.0, 7)
-    np.testing.assert_allclose(found["Strehl ratio"][0], c)
-    np.testing.assert_allclose(found["Strehl ratio"][1], np.sinc(c / math.pi) ** 2, atol=1e-9)
-    exact = lm.mtf(lm.Pupil(lm.Wavefront(c)), [0.2, 0.4])
-    np.testing.assert_allclose(found["MTF at 0.2 cycles/λN"][1], exact[:, 0], atol=2e-6)
-    np.testing.assert_allclose(found["MTF at 0.4 cycles/λN"][1], exact[:, 1], atol=2e-6)
+    c, values = found["Strehl ratio"]
+    np.testing.assert_allclose(values, np.sinc(c / math.pi) ** 2, atol=1e-9)
+    exact = lm.mtf(lm.Pupil(lm.Wavefront(c)), [0.1, 0.5])
+    np.testing.assert_allclose(found["MTF at 0.1 cycles/λN"][1], exact[:, 0], atol=2e-6)
+    np.testing.assert_allclose(found["MTF at 0.5 cycles/λN"][1], exact[:, 1], atol=2e-6)
     assert axes.get_ylabel() == "Strehl ratio, MTF"
+    metric = lm.show.focus_curves(lm.Pupil(wavelength=550e-9, f_number=32.0))
+    assert metric.get_xlabel() == "sensor moved away from the lens (mm)"
+    assert metric.get_title() == "f/32, 550 nm; dashed: the sensor"
 
 
-def test_curves_of_a_lens_are_over_the_places_of_its_sensor(camera):
-    axes = lm.show.focus_curves(camera, frequency=50e3, reach=2e-3, planes=5)
-    found = lines(axes)
-    shift, values = found["MTF at 50 cycles/mm"]
-    np.testing.assert_allclose(shift, np.linspace(-2.0, 2.0, 5))
-    for z, value in zip(shift, values, strict=True):
-        lens = lm.Lens(
-            focal_length=50e-3,
-            aperture_diameter=camera.aperture_diameter,
-            sensor_distance=camera.sensor_distance + 1e-3 * z,
-            wavelength=550e-9,
-        )
-        assert value == pytest.approx(float(lm.mtf(lens.pupil(2.0), 50e3)), abs=3e-6)
-    assert axes.get_xlabel() == "sensor moved away from the lens (mm)"
-    assert axes.get_title() == "f/1.8, 550 nm, object at 2 m; dashed: the sensor"
-
-
+@pytest.mark.usefixtures("few")
 def test_of_coma_both_directions_are_drawn_and_of_a_mask_the_strehl_ratio_alone():
-    both = lines(lm.show.focus_curves(lm.Pupil(COMA), frequency=0.3, reach=1.0, planes=3))
-    assert [*both] == ["Strehl ratio", "MTF at 0.3 cycles/λN", "MTF at 0.3 cycles/λN, along y"]
-    star = lm.Pupil(COMA, spider=lm.Spider.equal(3, width=0.1))
-    assert [*lines(lm.show.focus_curves(star, frequency=0.3, reach=1.0, planes=3))] == [*both]
+    both = [*lines(lm.show.focus_curves(lm.Pupil(COMA)))]
+    assert both[1::3] == ["MTF at 0.1 cycles/λN", "MTF at 0.1 cycles/λN, along y"]
     masked = lm.Pupil(COMA, mask=lm.Mask(np.ones((64, 64))))
-    assert [*lines(lm.show.focus_curves(masked, reach=1.0, planes=3))] == ["Strehl ratio"]
+    assert [*lines(lm.show.focus_curves(masked))] == ["Strehl ratio"]
 
 
 # What all have.
@@ -284,17 +273,17 @@ def test_of_coma_both_directions_are_drawn_and_of_a_mask_the_strehl_ratio_alone(
 
 def draw(psf: lm.PSF) -> dict[str, object]:
     pupil = psf.pupil
-    few = {"reach": 10e-6, "planes": 3}
     return {
         "difference": lambda ax: lm.show.difference(psf, psf, ax),
         "mtf": lambda ax: lm.show.mtf(psf, ax),
         "encircled_energy": lambda ax: lm.show.encircled_energy(psf, ax),
-        "spots": lambda ax: lm.show.spots(psf, ax, rings=2),
-        "through_focus": lambda ax: lm.show.through_focus(pupil, ax, **few),
-        "focus_curves": lambda ax: lm.show.focus_curves(pupil, ax, frequency=1e5, **few),
+        "spots": lambda ax: lm.show.spots(psf, ax),
+        "through_focus": lambda ax: lm.show.through_focus(pupil, ax),
+        "focus_curves": lambda ax: lm.show.focus_curves(pupil, ax),
     }
 
 
+@pytest.mark.usefixtures("few")
 @pytest.mark.parametrize("name", ["difference", "mtf", "encircled_energy", "spots", "through_focus", "focus_curves"])
 def test_each_draws_on_axes_of_ones_own_and_leaves_their_figure_as_it_is(name, psf):
     figure, own = plt.subplots()

@@ -200,8 +200,7 @@ SECTIONS = [
         ("show",),
         more="show.plot.plot show.plot.sections show.plot.compare show.pupils.pupil show.pupils.wavefront"
         " show.plot.difference show.curves.mtf show.curves.encircled_energy show.plot.spots"
-        " show.curves.through_focus show.curves.focus_curves show.plot.ray_positions show.curves.moved"
-        " show.curves.Moved show.curves.section",
+        " show.curves.through_focus show.curves.focus_curves show.plot.ray_positions",
     ),
     Section(
         "Files and units",

@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from lommel.base import display, validation
 from lommel.base.arrays import Array
 from lommel.base.units import percent
-from lommel.core.answers import Samples, Wanted
+from lommel.core.answers import Wanted
 from lommel.measures import transfer
 from lommel.measures.aperture_means import strehl
 from lommel.measures.energy import encircled_energy as within
@@ -21,7 +20,6 @@ from lommel.methods.choice import candidates, first_within_tolerance, of_profile
 from lommel.methods.method import Method
 from lommel.optics.base_pupil import BasePupil
 from lommel.optics.grid import Grid
-from lommel.optics.lens import Lens
 from lommel.optics.pupil import Pupil
 from lommel.optics.pupil import checked as checked_pupil
 from lommel.optics.wavefront.wavefront import Wavefront
@@ -31,116 +29,42 @@ from lommel.special import zernike
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
+_PLANES = 161  # number of sensor positions
 _MARGIN = 8.0  # smallest additional defocus drawn beyond the outermost foci, radians
-_NEAREST = 0.05  # smallest drawn distance from lens to sensor, as a fraction of the actual distance
 
 
-class Moved(NamedTuple):
-    """Pupils for several sensor positions.
+def moved(pupil: Pupil, *, reach: float | None = None, count: int | None = None) -> tuple[Array, Pupil]:
+    """Return shifts of the sensor away from the lens, and a stack of pupils for these shifts.
 
-    Attributes
-    ----------
-    at : ndarray, shape (n,)
-        Shift of the sensor away from the lens, metres; for pupils in units of lambda*N instead the added defocus
-        coefficient C_d, radians at the pupil edge.
-    metric : bool
-        True if `at` is in metres.
-    pupils : tuple of Pupil
-        For a lens, one pupil for each position, with the working f-number at this position; for a pupil, one stack.
+    Shifts are in metres or, for a pupil in units of lambda*N, instead the added defocus C_d, radians, up to `reach`
+    in both directions; by default the range includes the focus of each zone of the aperture and the initial sensor
+    position, with a margin. The pupil keeps its f-number N: a shift by z adds ``C_d = -pi z / (8 lambda N^2)``.
     """
-
-    at: Array
-    metric: bool
-    pupils: tuple[Pupil, ...]
-
-
-def moved(
-    thing: Lens | Pupil, object_distance: float | None = None, *, reach: float | None = None, count: int = 161
-) -> Moved:
-    """Return the pupils of a lens, or of a pupil, for sensor positions through focus.
-
-    Parameters
-    ----------
-    thing : Lens or Pupil
-        Lens or single pupil. A lens is recomputed for each sensor distance. A pupil with a wavelength keeps its
-        f-number N: a shift by z adds ``C_d = -pi z / (8 lambda N^2)``, valid for z small compared with the sensor
-        distance.
-    object_distance : float, optional
-        Object distance of a lens, metres; by default the focus distance.
-    reach : float, optional
-        Largest shift in both directions, metres, or radians for a pupil in units of lambda*N. By default the range
-        includes the focus of each zone of the aperture and the initial sensor position, with a margin.
-    count : int, default 161
-        Number of positions, 3 to 4096.
-
-    Returns
-    -------
-    Moved
-        Shifts of the sensor and the pupils at these shifts.
-
-    Raises
-    ------
-    TypeError, ValueError
-        If an argument is out of range, or if `thing` is a stack.
-    """
-    n = validation.integer("count", count, least=3, most=4096)
-    lens = thing if isinstance(thing, Lens) else None
-    if lens is None and object_distance is not None:
-        raise ValueError("object_distance must be None for a pupil, whose object distance is fixed; pass the lens")
-    pupil = checked_pupil(thing if lens is None else lens.pupil(object_distance))
-    if pupil.shape != ():
-        raise ValueError(
-            f"thing and object_distance must describe a single pupil, got a stack of shape {pupil.shape}"
-        )
-    low, high = _foci(pupil)
-    if lens is not None:
-        shifts = _shift_range(lens, low, high) if reach is None else _even_shifts(reach, lens.sensor_distance, n)
-        shifts = np.linspace(shifts[0], shifts[-1], n)
-        lenses = (replace(lens, sensor_distance=lens.sensor_distance + float(z)) for z in shifts)
-        distance = pupil.geometry.object_distance[0] if pupil.geometry else object_distance
-        return Moved(shifts, True, tuple(shifted.pupil(distance) for shifted in lenses))
+    if checked_pupil(pupil).shape != ():
+        raise ValueError(f"pupil must be a single one, got a stack of shape {pupil.shape}; index it")
     step = 1.0 if pupil.wavelength is None else -8.0 * pupil.scale**2 / (math.pi * pupil.wavelength)
-    smallest, largest = sorted((step * low, step * high))
-    shifts = np.linspace(smallest, largest, n) if reach is None else _even_shifts(reach, math.inf, n)
-    stack = replace(pupil, wavefront=pupil.wavefront + Wavefront(shifts / step), geometry=None)
-    return Moved(shifts, pupil.wavelength is not None, (stack,))
+    ends = (step * focus for focus in _foci(pupil)) if reach is None else (-reach, reach)
+    shifts = np.linspace(*sorted(ends), count or _PLANES)
+    return shifts, replace(pupil, wavefront=pupil.wavefront + Wavefront(shifts / step), geometry=None)
 
 
-def section(sweep: Moved, x: Array) -> Array:
-    """Return the intensity along x, on a line through the axis, for each sensor position.
+def section(pupil: Pupil, x: Array) -> Array:
+    """Return the intensity along x, on a line through the axis, for each pupil of a stack, shape (n, len(x)).
 
-    Parameters
-    ----------
-    sweep : Moved
-    x : ndarray, shape (m,)
-        Equally spaced positions, odd in number, with 0 at the centre; metres or units of lambda*N.
-
-    Returns
-    -------
-    ndarray, shape (n, m)
-        Intensity relative to the peak of the same aperture without aberrations, in focus at the initial sensor
-        position. For each sensor position the error is below 1e-6 of the largest value at this position.
+    `x`, metres or units of lambda*N, has equally spaced positions, odd in number, with 0 at the centre. Intensity is
+    relative to the peak of the aperture without aberrations; its error is below 1e-6 of the largest value of a pupil.
     """
-    middle = sweep.pupils[len(sweep.pupils) // 2]
-    step = float(x[-1] - x[0]) / max(x.size - 1, 1)
-    rows = []
-    for pupil in sweep.pupils:
-        # Irradiance is inversely proportional to the square of the scale lambda*N.
-        irradiance_ratio = (middle.scale / pupil.scale) ** 2
-        if pupil.radial:
-            method: Method = of_profiles()
-            v, inverse = np.unique(pupil.v(np.abs(x)), return_inverse=True)
-            values = of_profiles().profile(pupil, v).values[:, inverse.ravel()]
-        else:
-            grid = Grid((1, x.size), step, center=(0.0, float(x.size // 2)))
-
-            def compute(method: Method, pupil: Pupil = pupil, grid: Grid = grid) -> Samples:
-                return method.images(pupil, grid, Wanted())
-
-            method, images = first_within_tolerance(candidates(pupil, grid), compute)
-            values = images.values[:, 0]
-        rows.append(values * (irradiance_ratio / method.unaberrated_peak(pupil)))
-    return np.concatenate(rows).astype(np.float64)
+    if pupil.radial:
+        method: Method = of_profiles()
+        v, inverse = np.unique(pupil.v(np.abs(x)), return_inverse=True)
+        values = of_profiles().profile(pupil, v).values[:, inverse.ravel()]
+    else:
+        grid = Grid((1, x.size), float(x[-1] - x[0]) / (x.size - 1), center=(0.0, float(x.size // 2)))
+        method, images = first_within_tolerance(
+            candidates(pupil, grid), lambda method: method.images(pupil, grid, Wanted())
+        )
+        values = images.values[:, 0]
+    return np.asarray(values / method.unaberrated_peak(pupil), dtype=np.float64)
 
 
 def _foci(pupil: Pupil) -> tuple[float, float]:
@@ -154,63 +78,21 @@ def _foci(pupil: Pupil) -> tuple[float, float]:
     return low - margin, high + margin
 
 
-def _shift_range(lens: Lens, low: float, high: float) -> Array:
-    """Return the sensor shifts, metres, that add the defocus C_d = `high` and C_d = `low`, radians.
-
-    ``C_d = (pi / (2 lambda)) (1/d' - 1/d) R^2`` for the aperture radius R and the sensor distances d before and d'
-    after the shift.
-    """
-    d, radius = lens.sensor_distance, 0.5 * lens.aperture_diameter
-    vergence = 1.0 / d + np.array([high, low]) * (2.0 * lens.wavelength / (math.pi * radius**2))
-    # A focus may lie at infinity: sensor distances are limited to 0.05 d to 3 d.
-    return np.asarray(1.0 / np.clip(vergence, 1.0 / (3.0 * d), 1.0 / (_NEAREST * d)) - d)
+_X_POINTS = 241  # number of positions along x in a section through focus
+_TOL = 1e-6  # tolerance of the drawn MTFs
+_CUTOFF_FRACTIONS = (0.1, 0.25, 0.5)  # default frequencies, as fractions of the cutoff
 
 
-def _even_shifts(reach: float, sensor_distance: float, count: int) -> Array:
-    """Return `count` equally spaced shifts from -reach to reach; ValueError unless reach < sensor_distance."""
-    limit = validation.real("reach", reach, above=0.0)
-    if limit >= sensor_distance:
-        raise ValueError(f"reach must be below the distance of the sensor, {sensor_distance:g} m, got {limit:g}")
-    return np.linspace(-limit, limit, count)
-
-
-_X_POINTS = 241  # number of points along x in a section
-_CUTOFF_FRACTIONS = (0.1, 0.25, 0.5)  # default frequencies of focus_curves(), as fractions of the cutoff
-_TOL = 1e-6  # tolerance of drawn MTFs
-
-
-def through_focus(
-    thing: Lens | Pupil,
-    ax: Axes | None = None,
-    *,
-    object_distance: float | None = None,
-    reach: float | None = None,
-    half_width: float | None = None,
-    planes: int = 161,
-    stretch: str = "sqrt",
-) -> Axes:
+def through_focus(pupil: Pupil, ax: Axes | None = None) -> Axes:
     """Draw a section along the axis through focus: x against the shift of the sensor away from the lens.
 
     Parameters
     ----------
-    thing : Lens or Pupil
-        Lens or single pupil. For a pupil in units of lambda*N the horizontal axis is the added defocus coefficient
-        C_d (radians at the pupil edge), which decreases as the sensor moves away from the lens.
+    pupil : Pupil
+        Single pupil. In units of lambda*N the horizontal axis is the added defocus coefficient C_d (radians at the
+        pupil edge), which decreases as the sensor moves away from the lens.
     ax : matplotlib Axes, optional
         By default a new figure with a title and a colour bar.
-    object_distance : float, optional
-        Object distance of a lens, metres; by default the focus distance.
-    reach : float, optional
-        Largest shift of the sensor in both directions, metres, or largest added defocus C_d, radians, for a pupil in
-        units of lambda*N; see :func:`lommel.show.curves.moved`.
-    half_width : float, optional
-        Half width in x, metres or units of lambda*N; by default slightly more than the radius of the geometric blur.
-        If the range is long, a sharp focus may be missed between the 241 points along x: then set a smaller
-        `half_width` and `reach`.
-    planes : int, default 161
-        Number of sensor positions.
-    stretch : {"sqrt", "linear", "log"}
-        Brightness scale of the values; "log" shows values down to 1e-5 of the largest value.
 
     Returns
     -------
@@ -224,17 +106,12 @@ def through_focus(
         If matplotlib is not installed.
     """
     validation.axes("ax", ax)
-    validation.choice("stretch", stretch, drawing.STRETCHES)
-    sweep = moved(thing, object_distance, reach=reach, count=planes)
-    unshifted = sweep.pupils[len(sweep.pupils) // 2]
-    if half_width is None:
-        blur = max(float(pupil.geometric_radius().max()) for pupil in (sweep.pupils[0], sweep.pupils[-1]))
-        half_width = 1.1 * blur + unshifted.airy_radius
-    half_x = validation.real("half_width", half_width, above=0.0)
+    shifts, stack = moved(pupil)
+    half_x = 1.1 * float(stack.geometric_radius().max()) + pupil.airy_radius
     x = np.linspace(-half_x, half_x, _X_POINTS)
-    values = np.maximum(section(sweep, x), 0.0)
-    factor, unit = drawing.lengths(unshifted.unit)
-    shift, label = _shift(sweep)
+    values = np.maximum(section(stack, x), 0.0)
+    factor, unit = drawing.lengths(pupil.unit)
+    shift, label = _shift(pupil, shifts)
     step = x[1] - x[0], shift[1] - shift[0]
     axes = drawing.new_axes(ax, figsize=(7.2, 4.2))
     top = (half_x + 0.5 * step[0]) * factor
@@ -244,41 +121,28 @@ def through_focus(
         origin="lower",
         aspect="auto",
         cmap=drawing.COLOURS,
-        norm=drawing.norm_of(stretch, values),
+        norm=drawing.norm_of("sqrt", values),
         interpolation="bilinear",
     )
     axes.axvline(0.0, color="C0", linewidth=0.8, linestyle="--")
     axes.set(xlabel=label, ylabel=f"x ({unit})")
     if ax is None:
-        label = drawing.bar_label("irradiance (1 = unaberrated peak)", stretch)
-        drawing.caption(axes, _through_focus_title(thing, unshifted, object_distance), label)
+        drawing.caption(
+            axes, _through_focus_title(pupil), drawing.bar_label("irradiance (1 = unaberrated peak)", "sqrt")
+        )
     return axes
 
 
-def focus_curves(
-    thing: Lens | Pupil,
-    ax: Axes | None = None,
-    *,
-    object_distance: float | None = None,
-    reach: float | None = None,
-    frequency: float | Sequence[float] | None = None,
-    planes: int = 161,
-) -> Axes:
-    """Draw the Strehl ratio and the MTF at several frequencies against the shift of the sensor.
+def focus_curves(pupil: Pupil, ax: Axes | None = None) -> Axes:
+    """Draw the Strehl ratio and the MTF at a tenth, a quarter and half of the cutoff against the sensor's shift.
 
     Parameters
     ----------
-    thing : Lens or Pupil
-        Lens or single pupil. For a pupil with a mask only the Strehl ratio is drawn.
+    pupil : Pupil
+        Single pupil. For a pupil with a mask only the Strehl ratio is drawn. If the MTF is not radially symmetric,
+        dashed curves show the MTF along y.
     ax : matplotlib Axes, optional
         By default a new figure with a title.
-    object_distance, reach
-        See :func:`lommel.show.curves.through_focus`.
-    frequency : float or sequence of float, optional
-        Frequencies in cycles per metre or cycles per lambda*N; by default a tenth, a quarter and half of the cutoff.
-        If the MTF is not radially symmetric, dashed curves show the MTF along y.
-    planes : int, default 161
-        Number of sensor positions.
 
     Returns
     -------
@@ -292,46 +156,38 @@ def focus_curves(
         If matplotlib is not installed.
     """
     validation.axes("ax", ax)
-    sweep = moved(thing, object_distance, reach=reach, count=planes)
-    unshifted = sweep.pupils[len(sweep.pupils) // 2]
-    values = np.array(_CUTOFF_FRACTIONS) * unshifted.cutoff if frequency is None else frequency
-    f = np.atleast_1d(validation.real_array("frequency", values, least=0.0))
+    shifts, stack = moved(pupil)
+    f = np.array(_CUTOFF_FRACTIONS) * pupil.cutoff
     axes = drawing.new_axes(ax, figsize=(6.4, 4.2))
-    shift, label = _shift(sweep)
-    ratios = np.concatenate([np.atleast_1d(strehl(pupil)) for pupil in sweep.pupils])
-    axes.plot(shift, ratios, color=axes.xaxis.label.get_color(), label="Strehl ratio")  # white in dark styles
-    if unshifted.mask is None:
-        factor, unit = drawing.frequencies(unshifted.unit)
-        directions = {"-": (f, np.zeros(f.size))} | ({} if unshifted.radial else {"--": (np.zeros(f.size), f)})
+    shift, label = _shift(pupil, shifts)
+    axes.plot(shift, strehl(stack), color=axes.xaxis.label.get_color(), label="Strehl ratio")  # white in dark styles
+    if pupil.mask is None:
+        factor, unit = drawing.frequencies(pupil.unit)
+        directions = {"-": (f, np.zeros(f.size))} | ({} if pupil.radial else {"--": (np.zeros(f.size), f)})
         for style, (fx, fy) in directions.items():
-            curves = np.concatenate([np.atleast_2d(transfer.mtf(p, fx, fy, tol=_TOL)) for p in sweep.pupils])
+            curves = transfer.mtf(stack, fx, fy, tol=_TOL)
             for k, value in enumerate(f):
                 name = f"MTF at {value * factor:.3g} {unit}" + (", along y" if style == "--" else "")
                 axes.plot(shift, curves[:, k], style, color=f"C{k}", label=name)
     axes.axvline(0.0, color="0.5", linewidth=0.8, linestyle="--")
-    title = _through_focus_title(thing, unshifted, object_distance) if ax is None else None
+    title = _through_focus_title(pupil) if ax is None else None
     drawing.complete_curves(axes, title, (shift[0], shift[-1]), xlabel=label, ylabel="Strehl ratio, MTF")
     return axes
 
 
-def _shift(sweep: Moved) -> tuple[Array, str]:
+def _shift(pupil: Pupil, shifts: Array) -> tuple[Array, str]:
     """Return the sensor shifts, or the added defocus, in the unit of the horizontal axis, and the axis label."""
-    if not sweep.metric:
-        return sweep.at, "added defocus C_d (rad)"
-    millimetres = float(np.abs(sweep.at).max()) >= 1e-3
-    unit, factor = ("mm", 1e3) if millimetres else ("µm", 1e6)
-    return sweep.at * factor, f"sensor moved away from the lens ({unit})"
+    if pupil.wavelength is None:
+        return shifts, "added defocus C_d (rad)"
+    unit, factor = ("mm", 1e3) if float(np.abs(shifts).max()) >= 1e-3 else ("µm", 1e6)
+    return shifts * factor, f"sensor moved away from the lens ({unit})"
 
 
-def _through_focus_title(thing: Lens | Pupil, pupil: Pupil, object_distance: float | None) -> str:
-    """Return a title: f-number, wavelength, object distance, and the meaning of the dashed line."""
+def _through_focus_title(pupil: Pupil) -> str:
+    """Return a title: f-number, wavelength, and the meaning of the dashed line."""
     text = "through focus"
     if pupil.wavelength is not None:
-        f_number = (thing if isinstance(thing, Lens) else pupil).f_number  # of a lens as engraved
-        text = f"f/{f_number:.3g}, {drawing.length_in_words(pupil.wavelength)}"
-        if isinstance(thing, Lens):
-            distance = thing.focus_distance if object_distance is None else object_distance
-            text = f"{text}, object at {drawing.length_in_words(distance)}"
+        text = f"f/{pupil.f_number:.3g}, {drawing.length_in_words(pupil.wavelength)}"
     return f"{text}; dashed: the sensor"
 
 
@@ -441,8 +297,8 @@ _FRACTIONS = (0.5, 0.8)  # fractions of the light whose radii are marked
 
 
 @display.register("encircled energy")
-def encircled_energy(psf: PSFLike, ax: Axes | None = None, *, radius: float | None = None) -> Axes:
-    """Draw the encircled energy about the axis, and for comparison the curve of the unaberrated aperture.
+def encircled_energy(psf: PSFLike, ax: Axes | None = None) -> Axes:
+    """Draw the encircled energy about the axis, up to the largest circle in the window.
 
     Parameters
     ----------
@@ -450,8 +306,6 @@ def encircled_energy(psf: PSFLike, ax: Axes | None = None, *, radius: float | No
         Single PSF or stack. At most eight evenly spaced members of a stack are drawn.
     ax : matplotlib Axes, optional
         By default a new figure, whose title states the radii that contain 50 % and 80 % of the light of a single PSF.
-    radius : float, optional
-        Largest radius, metres or units of lambda*N; by default the radius of the largest circle in the window.
 
     Returns
     -------
@@ -471,7 +325,7 @@ def encircled_energy(psf: PSFLike, ax: Axes | None = None, *, radius: float | No
     """
     pupil = checked(psf, "psf").pupil
     validation.axes("ax", ax)
-    max_radius = _window_radius(psf) if radius is None else validation.real("radius", radius, above=0.0)
+    max_radius = _window_radius(psf)
     radii = np.linspace(0.0, max_radius, _RADII)
     factor, unit = drawing.lengths(psf.unit)
     title = "encircled energy"

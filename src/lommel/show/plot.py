@@ -646,7 +646,7 @@ def ray_positions(pupil: Pupil, rings: int = 12) -> Array:
 
 
 @display.register("spots")
-def spots(psf: PSFLike, ax: Axes | None = None, *, rings: int = 12, stretch: str = "sqrt") -> Axes:
+def spots(psf: PSFLike, ax: Axes | None = None) -> Axes:
     """Draw a PSF with the spot diagram of its rays and the Airy circle of the aperture about the axis.
 
     Parameters
@@ -656,10 +656,6 @@ def spots(psf: PSFLike, ax: Axes | None = None, *, rings: int = 12, stretch: str
     ax : matplotlib Axes, optional
         By default the axes of a new figure with a colour bar and a title, which states the rms radius of the rays
         (:func:`lommel.spot_radius`).
-    rings : int, default 12
-        Number of circles of pupil points; see :func:`lommel.show.plot.ray_positions`.
-    stretch : {"sqrt", "linear", "log"}
-        Brightness scale of the PSF.
 
     Returns
     -------
@@ -679,8 +675,8 @@ def spots(psf: PSFLike, ax: Axes | None = None, *, rings: int = 12, stretch: str
         raise ValueError(f"psf must be a single one for a spot diagram, got a stack of shape {pupil.shape}; index it")
     validation.axes("ax", ax)
     factor, unit = drawing.lengths(psf.unit)
-    x, y = ray_positions(pupil, rings).T * factor
-    axes = cast("Axes", plot(psf, ax, stretch=stretch))  # of a single PSF
+    x, y = ray_positions(pupil).T * factor
+    axes = cast("Axes", plot(psf, ax))  # of a single PSF
     limits = axes.get_xlim(), axes.get_ylim()
     axes.scatter(x, y, s=4.0, color="deepskyblue", linewidths=0.0, label=f"{x.size} rays")
     airy = pupil.airy_radius * factor

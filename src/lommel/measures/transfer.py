@@ -217,34 +217,25 @@ def mtf(
     return numbers(np.abs(value), value.shape)
 
 
-def ptf(
-    pupil: Pupil | Measurable,
-    fx: ArrayLike,
-    fy: ArrayLike = 0.0,
-    *,
-    spectrum: Polychromatic | None = None,
-    tol: float = 1e-10,
-) -> Numbers:
+def ptf(pupil: Pupil | Measurable, fx: ArrayLike, fy: ArrayLike = 0.0) -> Numbers:
     """Return the phase transfer function, the argument of the OTF in radians, above -pi and up to pi.
 
-    The error of the phase is about ``tol / MTF``. If the MTF is at most `tol`, the phase is undefined and the result
-    is 0. See :func:`lommel.otf`.
+    The error of the phase is about ``1e-10 / MTF``. If the MTF is at most 1e-10, the phase is undefined and the
+    result is 0. See :func:`lommel.otf`.
 
     Parameters
     ----------
     pupil : Pupil, PSF, ColourPSF or PSFGrid
     fx, fy : array_like
         Spatial frequencies, cycles per metre if the pupil has a wavelength, else cycles per lambda*N.
-    spectrum, tol
-        As in :func:`lommel.otf`.
 
     Returns
     -------
     float or ndarray, shape ``pupil.shape + s``
         Phase in radians; s is the shape to which `fx` and `fy` broadcast.
     """
-    value = otf(pupil, fx, fy, spectrum=spectrum, tol=tol)
-    return numbers(np.where(np.abs(value) > tol, np.angle(value), 0.0), value.shape)
+    value = otf(pupil, fx, fy)
+    return numbers(np.where(np.abs(value) > 1e-10, np.angle(value), 0.0), value.shape)
 
 
 def mtf_frequency(

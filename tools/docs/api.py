@@ -155,7 +155,7 @@ SECTIONS = [
         "See [](../estimation.md) and [](../retrieve.md).",
         ("estimation", "detection"),
         package="detection",
-        more="estimation.fisher.Information estimation.depth_precision.Foci estimation.phase_retrieval.Retrieval"
+        more="estimation.fisher.Information estimation.phase_retrieval.Retrieval"
         " estimation.beads.BeadFit estimation.beads.FittedBead estimation.field_fit.FieldFit"
         " estimation.field_fit.FittedStars estimation.distortion.Distortion",
     ),

@@ -31,6 +31,7 @@ from itertools import product
 from typing import Self
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
 
 from lommel.base.arrays import Array
@@ -236,8 +237,6 @@ def transfer_curve(lens: Lens, vergence: Array, spectrum: Spectrum, pixel: float
     The argument of the function is an array of frequencies up to `_MAX_FREQUENCY`. The result has the shape
     (vergences,) followed by the shape of this array.
     """
-    from scipy.interpolate import CubicSpline
-
     with np.errstate(divide="ignore"):
         pupil = lens.pupil(1.0 / np.asarray(vergence))
     total = sum(weight for _, weight in spectrum)
@@ -256,7 +255,7 @@ def transfer_curve(lens: Lens, vergence: Array, spectrum: Spectrum, pixel: float
             )
         nodes = np.linspace(0.0, end, max(_MIN_NODES, math.ceil(phase_change / _STEP)))
         values = otf(coloured, nodes / pixel, tol=_TOL).real
-        parts.append((end, CubicSpline(nodes, values, axis=1), weight / total))
+        parts.append((end, scipy.interpolate.CubicSpline(nodes, values, axis=1), weight / total))
 
     def curve(f: Array) -> Array:
         """Return the weighted sum of the splines of all wavelengths, each 0 beyond its last node."""

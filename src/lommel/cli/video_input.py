@@ -8,7 +8,7 @@ import signal
 from collections.abc import Iterator
 from contextlib import contextmanager
 from types import FrameType
-from typing import TYPE_CHECKING, NamedTuple, TypeVar
+from typing import TYPE_CHECKING, NamedTuple, Self, TypeVar
 
 import click
 import numpy as np
@@ -184,7 +184,7 @@ class Stop:
         self._waiting = True  # no frame is being written, and no file is open before the first one
 
     @contextmanager
-    def signals(self) -> Iterator[None]:
+    def signals(self) -> Iterator[Self]:
         """Handle the signals within a ``with`` block; a second Ctrl-C interrupts without waiting for the frame."""
 
         def handle(number: int, _frame: FrameType | None) -> None:
@@ -201,7 +201,7 @@ class Stop:
             numbers.append(_HANGUP)
         handlers = {number: signal.signal(number, handle) for number in numbers}
         try:
-            yield
+            yield self
         finally:
             for number, handler in handlers.items():
                 signal.signal(number, handler)

@@ -107,9 +107,6 @@ class Files(Options):
         return [path for path in (self.output, *self.depths, self.table) if path is not None]
 
 
-Misfit = Annotated[float, In(least=1.0, infinite=True)]
-
-
 @command
 def watch(
     lens: Path,
@@ -119,7 +116,7 @@ def watch(
     between: Annotated[tuple[float, float], BETWEEN],
     alternating: bool = False,
     encoding: Literal["srgb", "linear"] | None = None,
-    misfit: Misfit = 2.0,
+    misfit: Annotated[float, In(least=1.0, infinite=True)] = 2.0,
     files: Files = Files(),
     cameras: PairCamera = PairCamera(),
     registration: Magnified = Magnified(),
@@ -151,87 +148,75 @@ def watch(
       lommel watch phone.toml --source near.mkv --source far.mkv --focus 1.3m --focus 2m --between 1m 3m -o depth.mkv
       lommel watch phone.toml --source both.mp4 --alternating --focus 1.3m --focus 2m --between 1m 3m --table d.csv
     """
-    stop = Stop()
-    with stop.signals():
-        return _watched(
-            stop, lens, sources, between, alternating, encoding, misfit, files, cameras, registration, video_noise
+    with Stop().signals() as stop:
+        _require_two(sources, alternating=alternating)
+        instrument = cameras.instrument(lens)
+        lenses = each_lens(instrument.lens, 2, cameras.foci, cameras.f_numbers, "frames")
+        if lenses[0] == lenses[1]:
+            raise ValueError(
+                "--focus must be given for each of two frames, or --f-number: the frames must differ in one of these"
+            )
+        files.require()
+        tally = Tally()
+        with progress("opening the sources", endless=True) as status, ExitStack() as stack:
+            other = None if alternating else sources[1]
+            pairs = stack.enter_context(
+                videos.frame_pairs(sources[0], other, alternating=alternating, tell=status.tell)
+            )
+            coding = coding_of(pairs.levels, pairs.dtype, pairs.encoding, video_noise, instrument.camera, encoding)
+            if coding.guess:
+                status.tell(coding.guess)
+            status("computing the filters of every distance")
+            live = LiveDepth(
+                lenses,
+                instrument.side,
+                between=between,
+                noise=coding.noise,
+                shape=pairs.shape,
+                exposures="smooth",
+                magnification=registration.magnification,
+                saturation=coding.saturation,
+                sharp=files.sharp,
+            )
+            estimator = Estimator(live, coding, misfit, sharp=files.sharp)
+            outputs = stack.enter_context(Outputs(files, between, pairs, coding))
+            end_reason = _estimate_all(pairs, estimator, outputs, tally, status, stop, alternating=alternating)
+            status("finishing")
+            bits, compression = coding.check_compression(pairs.bits, tally.electrons)
+            if compression and tally.pairs < _COMPRESSION_PAIRS:
+                status.tell(compression)
+            if not tally.pairs:
+                if stop.requested:
+                    raise KeyboardInterrupt
+                raise ValueError(f"no pair of frames came: {end_reason}; check that the times of the sources overlap")
+        verdict = DefocusVerdict.of(math.nan) if tally.failed == tally.pairs else live.verdict()
+        read_report = Report(
+            coding.facts | bits, [text for text in (coding.words, coding.guess, compression) if text]
         )
-
-
-def _watched(
-    stop: Stop,
-    lens: Path,
-    sources: tuple[str, ...],
-    between: tuple[float, float],
-    alternating: bool,
-    encoding: str | None,
-    limit: float,
-    files: Files,
-    cameras: PairCamera,
-    registration: Magnified,
-    video_noise: FrameNoise,
-) -> Report:
-    """Estimate depth until the sources end or `stop` is requested; `limit` is the largest misfit of known blocks."""
-    _require_two(sources, alternating=alternating)
-    instrument = cameras.instrument(lens)
-    lenses = each_lens(instrument.lens, 2, cameras.foci, cameras.f_numbers, "frames")
-    if lenses[0] == lenses[1]:
-        raise ValueError(
-            "--focus must be given for each of two frames, or --f-number: the frames must differ in one of these"
+        height, width = pairs.shape
+        (of_lenses, focus), (near, far) = lens_facts(lenses), map(format_length, between)
+        setting_report = Report(
+            {
+                "shape": [height, width],
+                "pixel": instrument.side,
+                **of_lenses,
+                "between": [finite(distance) for distance in between],
+                "magnification": registration.magnification,
+                "design_error": live.design_error,
+            },
+            [
+                f"{width} x {height} pixels of {format_length(instrument.side)}; {focus}",
+                f"distances from {near} to {far}, windows of {WINDOW:g} pixels rms",
+            ],
         )
-    files.require()
-    tally = Tally()
-    with progress("opening the sources", endless=True) as status, ExitStack() as stack:
-        other = None if alternating else sources[1]
-        pairs = stack.enter_context(videos.frame_pairs(sources[0], other, alternating=alternating, tell=status.tell))
-        coding = coding_of(pairs.levels, pairs.dtype, pairs.encoding, video_noise, instrument.camera, encoding)
-        if coding.guess:
-            status.tell(coding.guess)
-        status("computing the filters of every distance")
-        live = LiveDepth(
-            lenses,
-            instrument.side,
-            between=between,
-            noise=coding.noise,
-            shape=pairs.shape,
-            exposures="smooth",
-            magnification=registration.magnification,
-            saturation=coding.saturation,
-            sharp=files.sharp,
+        result = tally.summary(misfit, registration.magnification == "registered", verdict) + outputs.report()
+        return (
+            read_report
+            + setting_report
+            + _counts(tally, pairs, end_reason)
+            + result
+            + Report({}, [], pairs.lost is None)
         )
-        estimator = Estimator(live, coding, limit, sharp=files.sharp)
-        outputs = stack.enter_context(Outputs(files, between, pairs, coding))
-        end_reason = _estimate_all(pairs, estimator, outputs, tally, status, stop, alternating=alternating)
-        status("finishing")
-        bits, compression = coding.check_compression(pairs.bits, tally.electrons)
-        if compression and tally.pairs < _COMPRESSION_PAIRS:
-            status.tell(compression)
-        if not tally.pairs:
-            if stop.requested:
-                raise KeyboardInterrupt
-            raise ValueError(f"no pair of frames came: {end_reason}; check that the times of the sources overlap")
-    verdict = DefocusVerdict.of(math.nan) if tally.failed == tally.pairs else live.verdict()
-    read_report = Report(coding.facts | bits, [text for text in (coding.words, coding.guess, compression) if text])
-    height, width = pairs.shape
-    (of_lenses, focus), (near, far) = lens_facts(lenses), map(format_length, between)
-    setting_report = Report(
-        {
-            "shape": [height, width],
-            "pixel": instrument.side,
-            **of_lenses,
-            "between": [finite(distance) for distance in between],
-            "magnification": registration.magnification,
-            "design_error": live.design_error,
-        },
-        [
-            f"{width} x {height} pixels of {format_length(instrument.side)}; {focus}",
-            f"distances from {near} to {far}, windows of {WINDOW:g} pixels rms",
-        ],
-    )
-    result = tally.summary(limit, registration.magnification == "registered", verdict) + outputs.report()
-    return (
-        read_report + setting_report + _counts(tally, pairs, end_reason) + result + Report({}, [], pairs.lost is None)
-    )
 
 
 def _require_two(sources: tuple[str, ...], *, alternating: bool) -> None:

@@ -12,7 +12,7 @@ blocks, independent of other cells.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cache, partial
 from typing import NamedTuple, Self
@@ -24,7 +24,7 @@ from numpy.typing import NDArray
 from lommel.base.arrays import Array, Values
 from lommel.base.units import format_length, percent
 from lommel.estimation.depth_precision import WINDOW
-from lommel.fit.findings import Finding, Findings, FitReport
+from lommel.fit.findings import Finding, Findings, FitReport, Severity
 from lommel.imaging.focal_engine import BLOCK, FocalEngine
 from lommel.imaging.focal_tables import residual_filters
 
@@ -47,6 +47,16 @@ _TILE_SIDE, _MAX_TILES = 256, 4  # side of a tile in pixels, number of tiles
 _MARGIN = 16  # pixels: least distance of a used block from unknown pixels, in addition to the blur radius
 _CELL = 8  # number of blocks along a side of a cell
 _MIN_CELLS = 8  # least number of cells from which a scale is estimated
+# Errors that these images, or any images, cannot reveal.
+_UNTESTED = (
+    "which image is focused nearer (without spherical aberration exchanged images agree as well, and with it where "
+    "noise hides its effect)",
+    "a shift of all foci or of one focus",
+    "motion blur or other additional blur of one image",
+    "chromatic differences of focus",
+    "aberrations that the lenses do not state, such as spherical aberration, which may look like another f-number",
+    "additional light in one image, such as glare, or vignetting",
+)
 _NEWTON_STEPS = 5  # number of Newton steps to the minimum of an energy
 
 
@@ -114,71 +124,40 @@ class DefocusVerdict(FitReport):
         -------
         DefocusVerdict
         """
-        findings, agreements = [], []
+        findings, agreements = list[Finding](), list[str]()
+
+        def add(code: str, severity: Severity, text: str, numbers: Mapping[str, object] | None = None) -> None:
+            findings.append(Finding(code, severity, text, numbers or {}))
+
         numbers = {"misfit": misfit, "least": _MIN_MISFIT, "limit": _DOUBTFUL_MISFIT, "judged": judged}
         where = f" at the {percent(judged)} of pixels away from edges and slopes of depth" if judged < 0.995 else ""
         value = f"misfit {misfit:.3g}{where}"
         if math.isnan(misfit):
-            findings.append(
-                Finding("no_depth", "error", "no depth is known: there is no texture, or every depth is out of range")
-            )
+            add("no_depth", "error", "no depth is known: there is no texture, or every depth is out of range")
         elif judged < _MIN_JUDGED:
-            findings.append(
-                Finding(
-                    "left_out",
-                    "doubt",
-                    (
-                        f"registration and noise cannot be judged: {percent(1.0 - judged)} of the pixels are near "
-                        "edges or slopes of depth; to test them, photograph a flat surface parallel to the sensor"
-                    ),
-                    numbers,
-                )
+            text = (
+                f"registration and noise cannot be judged: {percent(1.0 - judged)} of the pixels are near edges or "
+                "slopes of depth; to test them, photograph a flat surface parallel to the sensor"
             )
+            add("left_out", "doubt", text, numbers)
         elif misfit > _WRONG_MISFIT:
-            findings.append(
-                Finding(
-                    "misfit",
-                    "error",
-                    (
-                        f"the images differ by more than noise ({value}): something moved, they are not registered "
-                        "or not encoded as stated, noise is understated, or the lens or its foci are wrong"
-                    ),
-                    numbers,
-                )
+            text = (
+                f"the images differ by more than noise ({value}): something moved, they are not registered or not "
+                "encoded as stated, noise is understated, or the lens or its foci are wrong"
             )
+            add("misfit", "error", text, numbers)
         elif misfit > _DOUBTFUL_MISFIT:
-            findings.append(
-                Finding(
-                    "misfit",
-                    "doubt",
-                    (f"registration, noise or lenses are in doubt ({value}; 1 if only noise is left)"),
-                    numbers,
-                )
-            )
+            text = f"registration, noise or lenses are in doubt ({value}; 1 if only noise is left)"
+            add("misfit", "doubt", text, numbers)
         elif misfit < _MIN_MISFIT:
-            findings.append(
-                Finding(
-                    "too_quiet",
-                    "error",
-                    (f"the images differ by less than noise ({value}): they were denoised, or noise is overstated"),
-                    numbers,
-                )
-            )
+            text = f"the images differ by less than noise ({value}): they were denoised, or noise is overstated"
+            add("too_quiet", "error", text, numbers)
         else:
             agreements.append(f"registration and noise agree ({value}; 1 if only noise is left)")
-        untested = [
-            "which image is focused nearer (without spherical aberration exchanged images agree as well, and with it "
-            "where noise hides its effect)",
-            "a shift of all foci or of one focus",
-            "motion blur or other additional blur of one image",
-            "chromatic differences of focus",
-            "aberrations that the lenses do not state, such as spherical aberration, which may look "
-            "like another f-number",
-            "additional light in one image, such as glare, or vignetting",
-        ]
+        untested = [*_UNTESTED]
         deviation = min(abs(s - 1.0) / math.hypot(scale_error, stated) for s in (scale, *others))
         ratio = f"{scale:.2f} +- {scale_error:.2f}"
-        numbers_of_scale = {"scale": scale, "error": scale_error}
+        numbers = {"scale": scale, "error": scale_error}
         if math.isnan(scale) or (bool(others) and deviation <= _WRONG_DEVIATION):
             if not math.isnan(scale):
                 scale, scale_error, others = math.nan, math.inf, (scale, *others)
@@ -186,27 +165,15 @@ class DefocusVerdict(FitReport):
             hint = f" ({scales} times the stated blur difference fit equally well)" if others else ""
             untested.insert(0, "the size of blur" + hint)
         elif deviation > _WRONG_DEVIATION:
-            findings.append(
-                Finding(
-                    "lens_scale",
-                    "error",
-                    (
-                        f"blurs differ by {ratio} times the stated difference: f-number, focal length, pixel pitch "
-                        "or a focus distance is wrong, or an aberration is not stated, which cannot be told apart; "
-                        "state the errors of rounded ones (f_number_error, focus_error)"
-                    ),
-                    numbers_of_scale,
-                )
+            text = (
+                f"blurs differ by {ratio} times the stated difference: f-number, focal length, pixel pitch or a "
+                "focus distance is wrong, or an aberration is not stated, which cannot be told apart; state the "
+                "errors of rounded ones (f_number_error, focus_error)"
             )
+            add("lens_scale", "error", text, numbers)
         elif deviation > _DOUBTFUL_DEVIATION:
-            findings.append(
-                Finding(
-                    "lens_scale",
-                    "doubt",
-                    (f"the size of blur is in doubt: blurs differ by {ratio} times the stated difference"),
-                    numbers_of_scale,
-                )
-            )
+            text = f"the size of blur is in doubt: blurs differ by {ratio} times the stated difference"
+            add("lens_scale", "doubt", text, numbers)
         else:
             errors = " within their stated errors" if stated > scale_error else ""
             unseen = percent(_DOUBTFUL_DEVIATION * math.hypot(scale_error, stated))
@@ -219,11 +186,10 @@ class DefocusVerdict(FitReport):
             details |= {"by_f_number": changes[0], "by_foci": changes[1]}
             by_f_number, by_foci = (format_length(abs(change), digits=2) for change in changes)
             text += f"; 1 % of the f-number changes depth by {by_f_number}, 0.01 dioptre of all foci by {by_foci}"
-        findings.append(Finding("untested", "note", text, details))
-        summary = "; ".join(agreements) or "nothing that was tested agrees"
+        add("untested", "note", text, details)
         return cls(
             findings=Findings(findings),
-            summary=summary,
+            summary="; ".join(agreements) or "nothing that was tested agrees",
             misfit=misfit,
             scale=scale,
             scale_error=scale_error,

@@ -43,6 +43,13 @@ class Camera:
         Counts of a pixel without electrons.
     excess : float
         Excess noise factor of electron multiplication, as in :class:`lommel.Noise`; 1 without multiplication.
+
+    Examples
+    --------
+    >>> import lommel as lm
+    >>> camera = lm.Camera("mine", "data sheet", 6.5e-6, read=1.6, full_well=3e4, gain=0.46, offset=100.0, excess=1.0)
+    >>> camera.noise.read
+    1.6
     """
 
     name: str
@@ -139,6 +146,31 @@ class Instrument:
         Colour channels of the sensor, if the file states them.
     camera : Camera or None
         Camera, if the file names one.
+
+    Examples
+    --------
+    A lens with its sensor, without a file:
+
+    >>> import lommel as lm
+    >>> lens = lm.Lens(focal_length=50e-3, f_number=2.8, focus_distance=2.0, wavelength=550e-9)
+    >>> corners = lm.FieldMap.from_seidel(22e-3, W131=1.0, aperture=lens.pupil().unaberrated())
+    >>> mine = lm.Instrument(
+    ...     "mine",
+    ...     "",
+    ...     lens,
+    ...     2.0,
+    ...     4e-6,
+    ...     (33, 33),
+    ...     {},
+    ...     sensor=(24e-3, 36e-3),
+    ...     integrate=True,
+    ...     fill=(0.9, 0.9),
+    ...     aberrations_of_field=corners,
+    ...     channels=lm.Channels.rgb(),
+    ...     camera=None,
+    ... )
+    >>> lm.psf(mine.field().pupil(18e-3, 12e-3), mine.window, mine.pixel, **mine.sensor_options).shape
+    (33, 33)
     """
 
     pupil_hint = "an Instrument; instrument.pupil() is its pupil"

@@ -93,6 +93,32 @@ class Microscope:
     ------
     TypeError, ValueError
         If `planes` is not from 1 to 4096, or if there are several planes and `step` is 0 or at least 10 mm.
+
+    Examples
+    --------
+    A microscope without a file, and its PSF; `errors` come from :meth:`fitted`:
+
+    >>> import lommel as lm
+    >>> oil = lm.Objective(NA=1.3, magnification=60, immersion=1.515, working_distance=1.5e-4, sample=1.38)
+    >>> light = {"wavelength": 520e-9, "depth": 2e-6, "emitter": lm.Dipole(0.0, 0.0, wobble=1.0)}
+    >>> coma = lm.Wavefront.zernike({(3, 1): 0.05}, unit="waves")
+    >>> mine = lm.Microscope(
+    ...     "mine",
+    ...     "",
+    ...     oil,
+    ...     pixel=6.5e-6,
+    ...     **light,
+    ...     planes=3,
+    ...     step=2e-7,
+    ...     origin="paraxial",
+    ...     shape=(33, 33),
+    ...     integrate=True,
+    ...     aberrations=coma,
+    ...     camera=lm.load_camera("andor-zyla-5.5"),
+    ...     errors={},
+    ... )
+    >>> lm.psf(mine.pupil(), mine.window, mine.pixel, integrate=mine.integrate).shape
+    (3, 33, 33)
     """
 
     pupil_hint = "a Microscope; microscope.pupil() is its pupil"

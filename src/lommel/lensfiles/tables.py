@@ -330,6 +330,15 @@ def load_channels(
         common, if a channel has no light, or if :meth:`lommel.Channels.from_curves` raises an error.
     OSError
         If a file cannot be read.
+
+    Examples
+    --------
+    A star of a measured spectrum in energy, through a filter, on a detector that counts energy:
+
+    >>> import lommel as lm
+    >>> band = lm.load_channels(  # doctest: +SKIP
+    ...     "V.dat", illuminant="vega.fits", light="energy", detector="energy", unit="angstrom"
+    ... )
     """
     checked_paths(paths, tol)
     power = {"photons": 0.0, "energy": 1.0, "frequency": -1.0}[

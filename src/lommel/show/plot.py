@@ -20,7 +20,7 @@ from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.optics.pupil import Pupil
 from lommel.optics.pupil import checked as checked_pupil
 from lommel.show import drawing
-from lommel.show.curves import encircled_energy, focus_curves, mtf, through_focus
+from lommel.show.curves import focus_curves, mtf, through_focus
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from matplotlib.image import AxesImage
 
-__all__ = ["difference", "encircled_energy", "focus_curves", "mtf", "spots", "through_focus"]
+__all__ = ["difference", "focus_curves", "mtf", "through_focus"]
 
 _MAX_RATIO = 3.0  # largest ratio of the sides of a z stack that are drawn on one length scale
 _SIDE = 3.4  # length of the longest drawn side, inches

@@ -112,7 +112,7 @@ def test_masked_images_of_two_shapes_are_told():
     ("name", "call"),
     [
         ("stack", microscopy.estimate_noise),
-        ("stack", microscopy.open_recording),
+        ("images", lm.recorded.open_frames),
         ("image", lambda given: traced()(given, 2.0)),
         ("distance", lambda given: traced()(np.full(STACK.shape, 0.5), given)),
         ("values", lm.Mask),
@@ -129,8 +129,8 @@ def test_masks_that_are_known_plane_by_plane_are_refused_there():
             return np.ma.masked_array(self.data[at], HIDDEN[at])
 
     lazy = Lazy(STACK, None)
-    with pytest.raises(TypeError, match="stack must not be masked"):
-        microscopy.open_recording(lazy).stack(0)[2]
+    with pytest.raises(TypeError, match="images must not be masked"):
+        lm.recorded.open_frames(lazy)[2]
     with pytest.raises(TypeError, match="stack must not be masked"):
         microscopy.estimate_noise(lazy)
 

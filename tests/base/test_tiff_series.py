@@ -139,7 +139,7 @@ def lines_run(path: Path) -> int:
     before = sys.gettrace()
     sys.settrace(trace)
     try:
-        with open_frames(path, image=0 if path.stem in ("two sizes", "last smaller") else None) as images:
+        with open_frames(f"{path}[0]" if path.stem in ("two sizes", "last smaller") else path) as images:
             images[...]
     finally:
         sys.settrace(before)

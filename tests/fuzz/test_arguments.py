@@ -460,7 +460,7 @@ def test_a_stack_of_what_no_camera_counts_is_refused_at_once(value, kind):
     stack = VOXELS.astype(np.float64)
     stack[1, 5, 5] = value
     given = {"depth": 2e-6, "wavelength": 520e-9, "pixel": 6.5e-6, "step": 3e-7, "method": ONCE}
-    held = stack if kind == "array" else lm.microscopy.open_recording(stack)
+    held = stack if kind == "array" else lm.recorded.open_frames(stack).as_channels()
     for noise in (lm.Noise(read=1.0), None):
         with pytest.raises(ValueError, match=r"^stack must be within 1e\+15, or NaN where a value is unknown"):
             lm.microscopy.restore(held, MICROSCOPE, noise=noise, **given)

@@ -23,11 +23,11 @@ from PIL import Image
 
 import lommel as lm
 import readers
-from lommel import imaging, localize, microscopy, stacks
+from lommel import imaging, stacks
 from lommel.io import fits_images, psf_files, psf_formats
 from lommel.io.zernike_tables import ZernikeTable
 from lommel.lensfiles.tables import read_csv
-from lommel.recorded.frames import read_images
+from lommel.recorded.frames import open_frames, read_images
 
 DEPTH = np.linspace(1.0, 3.0, 12 * 15).reshape(12, 15).astype(np.float32)
 GREY = np.arange(12 * 15, dtype=np.uint8).reshape(12, 15)
@@ -251,11 +251,11 @@ def _recordings(folder: Path) -> dict[str, tuple[Path, object, object]]:
         group.create_array("0", data=stack, **options)
 
     def planes(path: Path) -> object:
-        with microscopy.open_recording(path) as one:
-            return repr(one), [one.stack(0)[k].tobytes() for k in range(min(one.shape[1], 8))]
+        with open_frames(path).as_channels() as one:
+            return repr(one), [one[0, k].tobytes() for k in range(min(one.shape[1], 8))]
 
     def frames(path: Path) -> object:
-        with localize.open_movie(path) as movie:
+        with open_frames(path).as_stack() as movie:
             return movie.shape, [block.tobytes() for block in movie.blocks(1)]
 
     names = ("plain.ome.tif", "tiles.ome.tif", "imagej.tif", "chunks.zarr", "shards.zarr")
@@ -362,10 +362,10 @@ RESEALED = [
 BY_OTHERS = {
     "imaging.render_dataset": "read_photo and read_depth; of its own folder what is made of these",
     "live": "load_instrument",
-    "localize.localize_blocks": "open_movie",
-    "localize.localize_movie": "open_movie",
+    "localize.localize_blocks": "open_frames",
+    "localize.localize_movie": "open_frames",
     "microscopy.RestoredStack.save": "to write; whether a folder is its own",
-    "microscopy.restore": "open_recording; of its own folder what is made of this",
+    "microscopy.restore": "open_frames; of its own folder what is made of this",
     "psf_to": "open_stack",
 }
 

@@ -12,8 +12,9 @@ import tifffile
 
 import lommel as lm
 import simulated_movies as simulated
-from lommel.localize import Table, localize_blocks, localize_movie, open_movie, writer
+from lommel.localize import Table, localize_blocks, localize_movie, writer
 from lommel.localize.movie_fits import gaussian_widths
+from lommel.recorded.frames import open_frames
 
 PIXEL = simulated.PIXEL / simulated.MAGNIFICATION
 CAMERA = lm.Noise(white=0.46, read=1.6, offset=100.0)
@@ -97,7 +98,7 @@ def test_a_file_in_blocks_gives_what_the_array_gives(table, counts, tmp_path):
     assert (found.spots, found.overlapping) == (whole.spots, whole.overlapping)
     assert told == [(7, 25), (14, 25), (21, 25), (25, 25)]
     assert (found.recording.name, whole.recording.name) == ("movie.tif", "")
-    with open_movie(tmp_path / "movie.tif") as movie:
+    with open_frames(tmp_path / "movie.tif").as_stack() as movie:
         parts = list(localize_blocks(movie, table, noise=CAMERA, block=10))
     assert [len(part.table) for part in parts] == [int((whole.table["frame"] // 10 == k).sum()) for k in range(3)]
     with writer(tmp_path / "a.csv") as write:

@@ -377,7 +377,7 @@ def test_the_only_channel_of_a_recording_is_the_stack():
     stack = record(beads()).astype(np.float32)
     few = lm.imaging.RichardsonLucy(steps=2)
     expected = lm.microscopy.deconvolve(stack, PSF, NOISE, method=few).values
-    one, two = (lm.microscopy.open_recording(np.stack([stack] * count)) for count in (1, 2))
+    one, two = (lm.recorded.open_frames(np.stack([stack] * count)).as_channels() for count in (1, 2))
     np.testing.assert_array_equal(lm.microscopy.deconvolve(one, PSF, NOISE, method=few).values, expected)
     with pytest.raises(ValueError, match="stack must be one channel, got a recording of 2:"):
         lm.microscopy.deconvolve(two, PSF, NOISE)

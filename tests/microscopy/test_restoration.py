@@ -87,9 +87,9 @@ def quick(stack, **options):
 def test_a_file_is_restored_with_what_it_says(file):
     found = lm.microscopy.restore(file, OIL_60X, depth=12e-6, psf_shape=WINDOW, diagnosis=False)
     (channel,) = found.channels
-    assert found.recording.pixel == pytest.approx(0.1e-6)
-    assert found.recording.step == pytest.approx(0.3e-6)
-    assert found.recording.emission == (pytest.approx(WAVE),)
+    assert found.recording.metadata["pixel"] == pytest.approx(0.1e-6)
+    assert found.recording.metadata["step"] == pytest.approx(0.3e-6)
+    assert found.recording.metadata["emission"] == (pytest.approx(WAVE),)
     assert channel.direction == "up"
     assert channel.discrepancy < 0.5 * channel.before
     assert len(channel.psf_depths) > 1
@@ -255,8 +255,8 @@ def test_out_of_core_and_in_memory_are_the_same_to_the_last_bit(tmp_path, file, 
     chunked = zarr.create_array(str(tmp_path / "raw.zarr"), shape=deep.shape, chunks=(4, 32, 32), dtype=deep.dtype)
     chunked[...] = deep
     np.testing.assert_array_equal(quick(chunked, **sizes).values, known)
-    again = lm.microscopy.open_recording(there)
-    assert (again.pixel, again.step) == (pytest.approx(0.1e-6), pytest.approx(0.3e-6))
+    again = lm.recorded.open_frames(there).as_channels()
+    assert (again.metadata["pixel"], again.metadata["step"]) == (pytest.approx(0.1e-6), pytest.approx(0.3e-6))
 
 
 def test_chunks_are_like_the_whole_and_go_on_where_they_were_interrupted(tmp_path, deep):

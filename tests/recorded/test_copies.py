@@ -15,7 +15,7 @@ import xarray
 import zarr
 
 from lommel.recorded import copies
-from lommel.recorded.recordings import open_recording
+from lommel.recorded.frames import open_frames
 
 VALUES = np.random.default_rng(0).integers(0, 60000, (2, 3, 9, 20, 26)).astype(np.uint16)  # T, C, Z, Y, X
 LARGE = 2.0**20
@@ -41,8 +41,8 @@ class Counted:
 def copied(source, place, memory=LARGE, **options):
     """Return all planes of the stacks of a source, and how these planes were read: whole, and in parts."""
     with (
-        open_recording(source, **options) as recording,
-        copies.local_stacks(recording.frames, place, memory) as stacks,
+        open_frames(source).as_channels(**options) as recording,
+        copies.local_stacks(recording, place, memory) as stacks,
     ):
         whole = np.array([[stack[plane] for plane in range(len(stack))] for stack in stacks])
         for rows, columns in (
@@ -74,8 +74,8 @@ def test_each_chunk_is_read_once_and_only_those_of_the_time_point(tmp_path, chun
 
 def test_channels_that_are_left_out_are_not_read():
     array = Counted((1, 1, 4, 20, 26))
-    with open_recording(array, time=0, axes="TCZYX") as recording:
-        frames = replace(recording.frames, numbers=recording.frames.numbers[1:2])
+    with open_frames(array).as_channels(time=0, axes="TCZYX") as recording:
+        frames = replace(recording, numbers=recording.numbers[1:2])
         with copies.local_stacks(frames, None, LARGE) as (stack,):
             np.testing.assert_array_equal(stack, VALUES[0, 1])
     assert {place[1] for place in array.loads} == {1}
@@ -127,7 +127,7 @@ def test_planes_are_those_of_every_kind_of_array(tmp_path, source, to_file):
 
 def test_an_array_in_memory_is_not_copied():
     values = VALUES[0, 0]
-    with open_recording(values) as recording, copies.local_stacks(recording.frames, None, LARGE) as (stack,):
+    with open_frames(values).as_channels() as recording, copies.local_stacks(recording, None, LARGE) as (stack,):
         assert np.shares_memory(stack[3], values)
 
 

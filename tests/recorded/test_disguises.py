@@ -219,10 +219,13 @@ def handed(monkeypatch: pytest.MonkeyPatch) -> list[dict[str, Any]]:
         raise SystemExit(0)
 
     def restore(stack: Path, microscope: lm.Microscope, *, axes: str | None, **options: Any) -> None:
-        with lm.microscopy.open_recording(stack, axes=axes) as recording:
+        with lm.recorded.open_frames(stack).as_channels(axes=axes) as recording:
             if options["pixel"] is None:
-                options |= {"pixel": recording.pixel * microscope.objective.magnification, "step": recording.step}
-            estimate(np.asarray(recording), **options)
+                options |= {
+                    "pixel": recording.metadata["pixel"] * microscope.objective.magnification,
+                    "step": recording.metadata["step"],
+                }
+            estimate(np.asarray(recording.only_channel("stack")), **options)
 
     for module, name, stub in (
         (retrieve_command, "fit", estimate),
@@ -232,7 +235,7 @@ def handed(monkeypatch: pytest.MonkeyPatch) -> list[dict[str, Any]]:
         (
             localize_command,
             "localize_blocks",
-            lambda movie, _, **options: estimate(movie.frames(0, len(movie)), **options),
+            lambda movie, _, **options: estimate(movie[...], **options),
         ),
         (deconvolve_command, "restore", restore),
     ):

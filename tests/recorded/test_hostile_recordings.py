@@ -11,8 +11,7 @@ import pytest
 import tifffile
 from PIL import Image
 
-from lommel.localize import MovieError, open_movie
-from lommel.recorded.recordings import RecordingError, open_recording
+from lommel.recorded.frames import RecordingError, open_frames
 
 BOMB = zlib.compress(bytes(2**23), 9)
 PLANE = zlib.compress(bytes(64 * 64))
@@ -52,16 +51,16 @@ def ome(width=64, planes=3, inside=""):
 
 
 def all_planes(path):
-    with open_recording(path) as found:
-        return [found.stack()[k] for k in range(found.shape[1])]
+    with open_frames(path).as_channels() as found:
+        return [found[0, k] for k in range(found.shape[1])]
 
 
 def all_frames(path):
-    with open_movie(path) as movie:
+    with open_frames(path).as_stack() as movie:
         return list(movie.blocks(1))
 
 
-READERS = [(all_planes, RecordingError), (all_frames, MovieError)]
+READERS = [(all_planes, RecordingError), (all_frames, RecordingError)]
 
 
 def refused(path, message):
@@ -183,7 +182,7 @@ def test_libtiff_prints_nothing_of_damage(tmp_path, capfd):
     data = bytearray(path.read_bytes())
     data[place : place + held] = b"\xff" * held
     path.write_bytes(data)
-    with pytest.raises(MovieError, match=r"a\.tif: page 1: its LZW data cannot be unpacked"):
+    with pytest.raises(RecordingError, match=r"a\.tif: page 1: its LZW data cannot be unpacked"):
         all_frames(path)
     os.write(2, b"what comes next")
     assert capfd.readouterr() == ("", "what comes next")

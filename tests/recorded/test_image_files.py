@@ -20,13 +20,13 @@ def test_pages_stacks_and_single_images_follow_each_other(tmp_path):
     np.save(tmp_path / "stack.npy", STACK)
     np.save(tmp_path / "one.npy", STACK[1])
     Image.fromarray(STACK[0]).save(tmp_path / "one.png")
-    found = read_images([tmp_path / name for name in ("pages.tif", "one.npy", "stack.npy", "one.png")]).values
+    found = read_images([tmp_path / name for name in ("pages.tif", "one.npy", "stack.npy", "one.png")])[...]
     assert found.dtype == np.uint16
     assert np.array_equal(found, [*STACK, STACK[1], *STACK, STACK[0]])
     # What some programs make of three images.
     three = np.concatenate([STACK, STACK[:1]])
     tifffile.imwrite(tmp_path / "planes.tif", three, photometric="rgb", planarconfig="separate")
-    assert np.array_equal(read_images([tmp_path / "planes.tif"]).values, three)
+    assert np.array_equal(read_images([tmp_path / "planes.tif"])[...], three)
     tifffile.imwrite(tmp_path / "colour.tif", np.moveaxis(three, 0, 2), photometric="rgb")
     with pytest.raises(RecordingError, match=r"it holds colours \(RGB\), 3 x 4 x 3 along YXS"):
         read_images([tmp_path / "colour.tif"])
@@ -39,7 +39,7 @@ def test_pages_stacks_and_single_images_follow_each_other(tmp_path):
 def test_values_are_those_that_are_stored(tmp_path, dtype):
     values = (STACK[0] - 50.0).astype(dtype) if "u" not in dtype else STACK[0].astype(dtype)
     tifffile.imwrite(tmp_path / "x.tif", values, byteorder=">" if dtype.startswith(">") else "<")
-    found = read_images([str(tmp_path / "x.tif")]).values
+    found = read_images([str(tmp_path / "x.tif")])[...]
     assert np.array_equal(found[0], values)
     assert found.dtype.isnative
 
@@ -47,7 +47,7 @@ def test_values_are_those_that_are_stored(tmp_path, dtype):
 def test_images_of_telescopes_are_read_from_fits(tmp_path):
     fits.PrimaryHDU(STACK).writeto(tmp_path / "stack.fits")
     fits.HDUList([fits.PrimaryHDU(), fits.ImageHDU(STACK[0])]).writeto(tmp_path / "one.fit")
-    found = read_images([tmp_path / "stack.fits", tmp_path / "one.fit"]).values
+    found = read_images([tmp_path / "stack.fits", tmp_path / "one.fit"])[...]
     assert found.dtype == np.uint16  # which FITS stores as integers with a sign
     assert np.array_equal(found, [*STACK, STACK[0]])
     (tmp_path / "cut.fits").write_bytes((tmp_path / "stack.fits").read_bytes()[:2000])
@@ -76,7 +76,7 @@ def test_what_is_no_grey_image_is_refused(tmp_path):
     ]:
         with pytest.raises(RecordingError, match=said):
             read_images([tmp_path / name for name in names])
-    assert np.array_equal(read_images([f"{tmp_path}/sizes.tif[1]"]).values, STACK[:1, :, :3])
+    assert np.array_equal(read_images([f"{tmp_path}/sizes.tif[1]"])[...], STACK[:1, :, :3])
     with pytest.raises(ValueError, match=r"has images by number, as in sizes.tif\[0\], got 'SCI'"):
         read_images([f"{tmp_path}/sizes.tif[SCI]"])
     with pytest.raises(RecordingError):
@@ -101,14 +101,14 @@ def ome(path, planes, ifds, c=1):
 def test_planes_are_in_the_order_that_ome_and_imagej_state(tmp_path):
     planes = np.arange(4 * 5 * 6, dtype=np.uint16).reshape(4, 5, 6)
     ome(tmp_path / "last.ome.tif", planes[::-1], [3, 2, 1, 0])
-    assert np.array_equal(read_images([tmp_path / "last.ome.tif"]).values, planes)
+    assert np.array_equal(read_images([tmp_path / "last.ome.tif"])[...], planes)
     ome(tmp_path / "mixed.ome.tif", planes[[2, 0, 3, 1]], [1, 3, 0, 2])
-    assert np.array_equal(read_images([tmp_path / "mixed.ome.tif"]).values, planes)
+    assert np.array_equal(read_images([tmp_path / "mixed.ome.tif"])[...], planes)
     # ImageJ keeps stacks above 4 GB behind one page, as this does.
     tifffile.imwrite(tmp_path / "one.tif", planes, imagej=True, truncate=True, metadata={"axes": "ZYX"})
     with tifffile.TiffFile(tmp_path / "one.tif") as file:
         assert len(file.pages) == 1
-    assert np.array_equal(read_images([tmp_path / "one.tif"]).values, planes)
+    assert np.array_equal(read_images([tmp_path / "one.tif"])[...], planes)
 
 
 def test_planes_of_several_channels_and_planes_that_are_not_there_are_refused(tmp_path):
@@ -131,12 +131,12 @@ def test_fits_images_are_packed_and_one_of_several_is_named(tmp_path):
     fits.HDUList(units).writeto(tmp_path / "three.fits")
     with pytest.raises(RecordingError, match=r"it holds 2 images, \[SCI\] of 3 x 4, \[ERR\] of 3 x 4: name one,"):
         read_images([tmp_path / "three.fits"])
-    assert np.array_equal(read_images([f"{tmp_path}/three.fits[err]"]).values, STACK[1:])
-    assert np.array_equal(read_images([tmp_path / "three.fits[SCI]"]).values, STACK[:1])
+    assert np.array_equal(read_images([f"{tmp_path}/three.fits[err]"])[...], STACK[1:])
+    assert np.array_equal(read_images([tmp_path / "three.fits[SCI]"])[...], STACK[:1])
     with pytest.raises(RecordingError, match="it holds 2 images"):
         read_images([tmp_path / "three.fits[DQ]"])
     fits.PrimaryHDU(STACK).writeto(tmp_path / "one.fits.gz")
-    assert np.array_equal(read_images([tmp_path / "one.fits.gz"]).values, STACK)
+    assert np.array_equal(read_images([tmp_path / "one.fits.gz"])[...], STACK)
 
 
 def test_a_card_that_is_not_standard_does_no_harm_and_a_file_that_is_cut_off_is_refused(tmp_path):
@@ -145,7 +145,7 @@ def test_a_card_that_is_not_standard_does_no_harm_and_a_file_that_is_cut_off_is_
     at = data.index(b"END" + b" " * 77)
     data[at : at + 160] = b"HISTOGRAM 'of 1992".ljust(80) + b"END".ljust(80)
     (tmp_path / "odd.fits").write_bytes(data)
-    assert np.array_equal(read_images([tmp_path / "odd.fits"]).values, STACK)
+    assert np.array_equal(read_images([tmp_path / "odd.fits"])[...], STACK)
     (tmp_path / "cut.fits").write_bytes(data[:2900])
     with pytest.raises(RecordingError, match=r"cut\.fits: "):
         read_images([tmp_path / "cut.fits"])
@@ -200,8 +200,8 @@ def test_pages_that_were_written_one_by_one_are_a_stack(options, tmp_path):
     with tifffile.TiffWriter(tmp_path / "pages.tif") as file:
         for one in MANY[0, 0]:
             file.write(one, **options)
-    np.testing.assert_array_equal(read_images([tmp_path / "pages.tif"]).values, MANY[0, 0])
-    np.testing.assert_array_equal(read_images([f"{tmp_path}/pages.tif[2]"]).values[0], MANY[0, 0, 2])
+    np.testing.assert_array_equal(read_images([tmp_path / "pages.tif"])[...], MANY[0, 0])
+    np.testing.assert_array_equal(read_images([f"{tmp_path}/pages.tif[2]"])[...][0], MANY[0, 0, 2])
     with tifffile.TiffWriter(tmp_path / "complex.tif") as file:
         for one in MANY[0, 0]:
             file.write(one.astype(np.complex64), photometric="minisblack", **options)

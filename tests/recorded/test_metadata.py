@@ -8,8 +8,7 @@ from types import SimpleNamespace
 import pytest
 
 from lommel.recorded import frames
-from lommel.recorded.frames import Unusable
-from lommel.recorded.recordings import open_recording
+from lommel.recorded.frames import Unusable, open_frames
 
 OME = """<?xml version="1.0"?><OME xmlns="http://www.openmicroscopy.org/Schemas/OME/2016-06">
 <Instrument ID="Instrument:0">
@@ -69,9 +68,9 @@ def test_a_wavelength_in_the_wrong_unit_is_no_wavelength(tmp_path):
     for value, unit in ((0.52, "nm"), (520, "µm"), (0, "nm")):
         meta = {"axes": "ZYX", **sizes, "Channel": {"EmissionWavelength": value, "EmissionWavelengthUnit": unit}}
         tifffile.imwrite(tmp_path / "a.ome.tif", [[[1, 2], [3, 4]]] * 3, metadata=meta, dtype="uint16")
-        with open_recording(tmp_path / "a.ome.tif") as found:
-            assert found.emission == (None,)
-            assert "emission 0" in found.unusable
+        with open_frames(tmp_path / "a.ome.tif").as_channels() as found:
+            assert found.metadata["emission"] == (None,)
+            assert "emission 0" in found.metadata["unusable"]
             assert any("the emission of channel 0 is" in note and "cannot be used" in note for note in found.notes)
 
 

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 import tifffile
 
-from lommel.localize import MovieError, open_movie
+from lommel.recorded.frames import RecordingError, open_frames
 
 COUNTS = np.random.default_rng(1).integers(0, 4000, (7, 5, 6))
 
@@ -43,13 +43,13 @@ WRITERS = {
 def test_every_way_to_write_a_movie_is_read_in_blocks(way, tmp_path):
     path, frames = tmp_path / "movie.tif", COUNTS.astype(np.uint16)
     WRITERS[way](path, frames)
-    with open_movie(path) as movie:
+    with open_frames(path).as_stack() as movie:
         assert (movie.shape, movie.dtype, len(movie)) == ((7, 5, 6), np.uint16, 7)
         blocks = list(movie.blocks(3))
         assert [len(block) for block in blocks] == [3, 3, 1]
         np.testing.assert_array_equal(np.concatenate(blocks), frames)
-        np.testing.assert_array_equal(movie.frames(2, 4), frames[2:4])
-        assert movie.frames(7, 7).shape == (0, 5, 6)
+        np.testing.assert_array_equal(movie[2:4], frames[2:4])
+        assert movie[7:7].shape == (0, 5, 6)
         (whole,) = movie.blocks()
         assert whole.dtype == movie.dtype
         whole[:] = 0  # its own copy
@@ -60,7 +60,7 @@ def test_every_way_to_write_a_movie_is_read_in_blocks(way, tmp_path):
 def test_frames_hold_integers_or_floats_of_any_width(way, kind, tmp_path):
     frames = (COUNTS // 20).astype(kind)
     WRITERS[way](tmp_path / "movie.tif", frames)
-    with open_movie(str(tmp_path / "movie.tif")) as movie:
+    with open_frames(str(tmp_path / "movie.tif")).as_stack() as movie:
         (found,) = movie.blocks()
         assert found.dtype == movie.dtype == np.dtype(kind)
         np.testing.assert_array_equal(found, frames)
@@ -72,7 +72,7 @@ def test_a_movie_is_never_in_memory_as_a_whole(way, tmp_path):
     WRITERS[way](tmp_path / "movie.tif", frames)
     tracemalloc.start()
     try:
-        with open_movie(tmp_path / "movie.tif") as movie:
+        with open_frames(tmp_path / "movie.tif").as_stack() as movie:
             for _ in movie.blocks(10):
                 pass
         _, most = tracemalloc.get_traced_memory()
@@ -82,7 +82,7 @@ def test_a_movie_is_never_in_memory_as_a_whole(way, tmp_path):
 
 
 def refused(path: Path) -> str:
-    with pytest.raises(MovieError) as caught, open_movie(path) as movie:
+    with pytest.raises(RecordingError) as caught, open_frames(path).as_stack() as movie:
         for _ in movie.blocks(2):
             pass
     assert str(path) in str(caught.value)
@@ -118,11 +118,11 @@ def test_what_is_no_movie_is_told(tmp_path):
             file.write(np.zeros((8, side), np.uint8), contiguous=False, photometric="minisblack")
     assert "it holds 14 images (13 of 8 x 8, 1 of 8 x 9): name one, as in movie.tif[0]" in refused(path)
     with pytest.raises(FileNotFoundError, match="nowhere"):
-        open_movie(tmp_path / "nowhere.tif")
-    with pytest.raises(MovieError, match="no OME-Zarr"):
-        open_movie(tmp_path)
-    with pytest.raises(TypeError, match="path must be"):
-        open_movie(5)
+        open_frames(tmp_path / "nowhere.tif").as_stack()
+    with pytest.raises(RecordingError, match="no OME-Zarr"):
+        open_frames(tmp_path).as_stack()
+    with pytest.raises(ValueError, match="images must have images of one pixel or more"):
+        open_frames(5)
 
 
 @pytest.mark.parametrize("way", ["stack", "imagej", "ome", "pages", "deflate"])
@@ -188,17 +188,19 @@ def test_a_first_page_that_claims_too_much_is_refused_before_it_is_read(tmp_path
     assert "more than the file holds" in refused(path)
 
 
-@pytest.mark.parametrize(
-    ("call", "message"),
-    [
-        (lambda movie: movie.frames(0, 8), "last must be"),
-        (lambda movie: movie.frames(4, 2), "last must be"),
-        (lambda movie: movie.frames(-1, 2), "first must be"),
-        (lambda movie: movie.frames(0.5, 2), "first must be an integer"),
-        (lambda movie: list(movie.blocks(0)), "size must be"),
-    ],
-)
-def test_frames_that_are_not_there_are_refused(call, message, tmp_path):
-    WRITERS["stack"](tmp_path / "movie.tif", COUNTS.astype(np.uint16))
-    with open_movie(tmp_path / "movie.tif") as movie, pytest.raises((TypeError, ValueError), match=message):
-        call(movie)
+def test_blocks_have_one_frame_or_more():
+    with pytest.raises(ValueError, match="size must be"):
+        list(open_frames(COUNTS).blocks(0))
+
+
+def test_several_files_are_one_stack_with_names(tmp_path):
+    paths = [tmp_path / f"{name}.tif" for name in "ab"]
+    for path, frames in zip(paths, (COUNTS[:1], COUNTS[1:4]), strict=True):
+        tifffile.imwrite(path, frames.astype(np.uint16), photometric="minisblack")
+    found = open_frames(*paths)
+    np.testing.assert_array_equal(found, COUNTS[:4])
+    assert found.names == ("a.tif", "b.tif [0]", "b.tif [1]", "b.tif [2]")
+    with open_frames(paths[1]) as alone:
+        assert alone.names == found.names[1:]
+    with pytest.raises(ValueError, match="paths must name a file or several, got none"):
+        open_frames()

@@ -15,8 +15,8 @@ from PIL import Image
 
 from lommel.base import reading
 from lommel.io import fits_images
-from lommel.localize import open_movie
-from lommel.recorded.recordings import open_recording, save_stack
+from lommel.recorded.frames import open_frames
+from lommel.recorded.stack_files import save_stack
 
 STACK = np.random.default_rng(0).integers(0, 60000, (24, 64, 64)).astype(np.uint16)
 
@@ -49,7 +49,7 @@ def several(path, **options):
 
 
 def folder(path):
-    with open_recording(STACK) as first:
+    with open_frames(STACK).as_channels() as first:
         save_stack(path, STACK[np.newaxis].astype(np.float32), first)
 
 
@@ -113,20 +113,20 @@ def wrong(read, each=40):
 @pytest.mark.parametrize("name", RECORDINGS)
 def test_a_recording_that_16_threads_read_has_no_wrong_plane(name, tmp_path, often):
     RECORDINGS[name](tmp_path / name)
-    with open_recording(tmp_path / name) as found:
-        stack = found.stack()
+    with open_frames(tmp_path / name).as_channels() as found:
+        stack = found.one_of("C", 0)
         assert wrong(lambda k: stack[k]) == 0
 
 
 @pytest.mark.parametrize("compression", [None, "zlib"])
 def test_nothing_of_a_library_is_told_of_an_image_in_several_files(compression, tmp_path, capfd, caplog):
     several(tmp_path / "a.ome.tif", compression=compression)
-    with open_recording(tmp_path / "a.ome.tif") as found:
-        np.testing.assert_array_equal(np.asarray(found.stack()), STACK)
-        held = found.stack()
+    with open_frames(tmp_path / "a.ome.tif").as_channels() as found:
+        np.testing.assert_array_equal(found[0], STACK)
+        held = found.one_of("C", 0)
     np.testing.assert_array_equal(held[20], STACK[20])  # of files that are closed
-    with open_movie(tmp_path / "a.ome.tif") as movie:
-        np.testing.assert_array_equal(movie.frames(0, 24), STACK)
+    with open_frames(tmp_path / "a.ome.tif").as_stack() as movie:
+        np.testing.assert_array_equal(movie[0:24], STACK)
     assert capfd.readouterr() == ("", "")
     assert not caplog.records
 
@@ -134,8 +134,8 @@ def test_nothing_of_a_library_is_told_of_an_image_in_several_files(compression, 
 @pytest.mark.parametrize("name", MOVIES)
 def test_a_movie_that_16_threads_read_has_no_wrong_frame(name, tmp_path, often):
     MOVIES[name](tmp_path / name)
-    with open_movie(tmp_path / name) as found:
-        assert wrong(lambda k: found.frames(k, k + 1)[0], 5 if name in COSTLY else 40) == 0
+    with open_frames(tmp_path / name).as_stack() as found:
+        assert wrong(lambda k: found[k : k + 1][0], 5 if name in COSTLY else 40) == 0
 
 
 def test_what_is_wrong_with_a_file_is_not_told_of_another_in_another_thread():
@@ -148,8 +148,8 @@ def test_what_is_wrong_with_a_file_is_not_told_of_another_in_another_thread():
 
 def test_a_part_of_a_stack_is_read_as_that_of_an_array(tmp_path):
     tiff(tmp_path / "a.ome.tif")
-    with open_recording(tmp_path / "a.ome.tif") as found:
-        stack = found.stack()
+    with open_frames(tmp_path / "a.ome.tif").as_channels() as found:
+        stack = found.one_of("C", 0)
         for at in (slice(2, 9, 3), (slice(None, None, -5), slice(3, 7), 2), (-1, slice(0, 5)), np.int64(3)):
             np.testing.assert_array_equal(stack[at], STACK[at])
         assert sum(1 for _ in stack) == 24

@@ -13,7 +13,7 @@ import pytest
 import zarr
 
 from lommel.io import zarr_folders
-from lommel.recorded.recordings import RecordingError, open_recording
+from lommel.recorded.frames import RecordingError, open_frames
 
 STACK = np.random.default_rng(0).integers(1, 60000, (4, 16, 20)).astype(np.uint16)
 PACKERS = {
@@ -39,7 +39,7 @@ def chunks(path):
 
 def refused(path, message):
     with pytest.raises(RecordingError, match=message) as caught:
-        np.asarray(open_recording(path).stack())
+        open_frames(path).as_channels()[0]
     assert str(path) in str(caught.value)
 
 
@@ -47,8 +47,8 @@ def refused(path, message):
 @pytest.mark.parametrize("shards", [None, (4, 16, 32)])
 def test_chunks_of_every_kind_are_read(packer, shards, tmp_path):
     path = made(tmp_path / "a.zarr", compressors=PACKERS[packer], shards=shards)
-    found = open_recording(path)
-    np.testing.assert_array_equal(np.asarray(found.stack()), STACK)
+    found = open_frames(path).as_channels()
+    np.testing.assert_array_equal(found[0], STACK)
     assert len(found.notes) == 1
 
 
@@ -56,7 +56,7 @@ def test_chunks_of_every_kind_are_read(packer, shards, tmp_path):
                                     numcodecs.LZ4()], ids=str)  # fmt: skip
 def test_chunks_of_version_two_are_read(packer, tmp_path):
     path = made(tmp_path / "a.zarr", 2, compressors=packer)
-    np.testing.assert_array_equal(np.asarray(open_recording(path).stack()), STACK)
+    np.testing.assert_array_equal(open_frames(path).as_channels()[0], STACK)
 
 
 def test_compressions_whose_size_is_not_known_are_refused(tmp_path):
@@ -67,9 +67,9 @@ def test_chunks_that_are_missing_are_counted(tmp_path):
     path = made(tmp_path / "a.zarr")
     for chunk in chunks(path)[:3]:
         chunk.unlink()
-    found = open_recording(path)
+    found = open_frames(path).as_channels()
     assert found.notes[0].startswith("3 of the 4 chunks of the folder are missing and count as 0: ")
-    assert not np.asarray(found.stack())[:2].any()
+    assert not found[0][:2].any()
 
 
 @pytest.mark.parametrize("packer", PACKERS)
@@ -100,11 +100,11 @@ def frames_of_zstd(data):
 def test_a_chunk_that_unpacks_to_more_than_it_should_is_refused(packer, bomb, tmp_path):
     path = made(tmp_path / "a.zarr", compressors=PACKERS[packer])
     chunks(path)[0].write_bytes(bytes(bomb))
-    found = open_recording(path)
+    found = open_frames(path).as_channels()
     tracemalloc.start()
     try:
         with pytest.raises(RecordingError, match="unpacks to more than its 1024 bytes"):
-            found.stack()[0]
+            found[0, 0]
         assert tracemalloc.get_traced_memory()[1] < 5e6
     finally:
         tracemalloc.stop()
@@ -144,12 +144,12 @@ def test_links_and_pipes_are_not_followed(tmp_path):
         change(path / "0" / "zarr.json")
         refused(path, message)
         path = made(tmp_path / f"{len(list(tmp_path.iterdir()))}.zarr", compressors=None)
-        found = open_recording(path)  # what is changed after it was opened
+        found = open_frames(path).as_channels()  # what is changed after it was opened
         chunk = chunks(path)[0]
         chunk.unlink()
         change(chunk)
         with pytest.raises(RecordingError, match=message):
-            found.stack()[0]
+            found[0, 0]
 
 
 def test_an_array_outside_of_the_folder_is_not_read(tmp_path):
@@ -169,7 +169,7 @@ def test_sizes_far_beyond_the_files_are_refused(version, tmp_path):
     refused(path, "100000 x 100000 pixels; the limit is")
     array = group.create_array("0", shape=(4096, 512, 512), chunks=(4096, 512, 512), **options)
     with pytest.raises(RecordingError, match="it lacks all of its 1 chunks: copy the whole folder"):
-        open_recording(path)
+        open_frames(path).as_channels()
     key = array.metadata.encode_chunk_key((0, 0, 0))
     (path / "0" / key).parent.mkdir(parents=True, exist_ok=True)
     (path / "0" / key).write_bytes(bytes(1000))

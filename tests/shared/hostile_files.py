@@ -204,7 +204,7 @@ def files() -> dict[str, tuple[str, Callable[[], bytes], Callable[[Path], object
         return read_images([path])
 
     def movie(path: Path) -> object:
-        with lm.localize.open_movie(path) as opened:
+        with lm.recorded.open_frames(path).as_stack() as opened:
             return next(opened.blocks())
 
     def field(path: Path) -> object:

@@ -128,7 +128,7 @@ def beads(
         recorded, camera_text = camera.recorded(lens, microscope.camera, noise)
         notes += [f"Camera: {camera_text}.", *header]
         windows, pitches, findings = list[_Bead](), dict[str, Finding](), list[Finding]()
-        arguments = model.arguments(len(read[0].values), step)
+        arguments = model.arguments(len(read[0]), step)
         sharpest = _sharpest(microscope, arguments)
         for stack in read:
             file = stack.names[0].removesuffix(" [0]")
@@ -136,7 +136,8 @@ def beads(
             if (pitch := differences.pop("pixel", None)) and pitch not in pitches:
                 pitches[pitch] = _pitch_finding(pitch, stack.metadata.get("pixel"), microscope)
             notes += [*stack.notes, *(note for note in differences.values() if note not in notes)]
-            values, mask = stack.values, camera.mask(stack.values)
+            values = stack[...]
+            mask = camera.mask(values)
             ignored = np.broadcast_to(False if mask is None else mask, values.shape)
             masked = MaskedStack(values, math.inf if saturation is None else saturation, mask=ignored)
             hot = hot_pixels(masked, noise, sharpest, masked.limit)

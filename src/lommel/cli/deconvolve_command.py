@@ -32,7 +32,8 @@ from lommel.microscopy.deconvolution import FLAT
 from lommel.microscopy.depth_model import MODALITIES
 from lommel.microscopy.refinement import PARAMETERS
 from lommel.microscopy.restoration import INTERRUPTED, MISFIT, format_depth_range
-from lommel.recorded import recordings
+from lommel.recorded import stack_files
+from lommel.recorded.frames import open_frames
 from lommel.report import Facts, Report, list_of
 
 if TYPE_CHECKING:
@@ -165,16 +166,17 @@ def deconvolve(
     for path in outputs:
         if path.suffix.lower() in (".png", ".pdf", ".svg"):
             raise ValueError(f"a stack must end in .ome.tif or .ome.zarr, got {line(path)}; --plot writes a picture")
-        recordings.kind_of(path, stack)
+        stack_files.kind_of(path, stack)
         require_folder(path)
     require_order("STACK LENS, the stack first", stack, lens)
     microscope = require_microscope("deconvolve", lens)
     noise, mask = camera.noise(), None
     if camera.masked is not None:
-        with recordings.open_recording(stack, time=restoration.time, axes=restoration.axes) as recording:
+        with open_frames(stack) as frames:
+            recording = frames.as_channels(time=restoration.time, axes=restoration.axes)
             mask = camera.mask(np.broadcast_to(False, recording.shape[1:]))
     arguments = vars(recording_options) | {"pixel": camera.pixel} | restoration.arguments()
-    zarr_output = outputs[0] if len(outputs) == 1 and recordings.kind_of(outputs[0]) == "zarr" else None
+    zarr_output = outputs[0] if len(outputs) == 1 and stack_files.kind_of(outputs[0]) == "zarr" else None
     start = time.perf_counter()
     try:
         with progress("reading") as report_progress:

@@ -193,14 +193,14 @@ def fit_field(
         read = read_images(list(images))
         noise, saturation, header = camera.resolve(read.metadata, instrument.camera)
         pupil, focal_length = instrument.pupil(), instrument.lens.focal_length
-        arguments = model.arguments(len(read.values), instrument)
+        arguments = model.arguments(len(read), instrument)
         status(f"finding {chart.targets}s")
         pitch = float(min(np.atleast_1d(instrument.side)))
         hole = 0.0 if chart.targets == "crossing" or chart.size is None else chart.size / pitch
         defocused = Pupil(Wavefront(float(np.abs(arguments["defocus"]).max())))
         radius = float(defocused.geometric_radius()) * pupil.scale / pitch + 0.5 * hole  # pixels
-        recorded = {"noise": noise, "mask": camera.mask(read.values), "saturation": saturation}
-        targets = search.find(read.values, chart.targets, radius, recorded)
+        recorded = {"noise": noise, "mask": camera.mask(read[...]), "saturation": saturation}
+        targets = search.find(read[...], chart.targets, radius, recorded)
         if files.spots is not None:
             save_figure(figure_of(targets.plot()), files.spots)
         if len(targets) < 4:

@@ -53,7 +53,7 @@ def camera_map(text: str, name: str) -> float | Array:
         path = Path(text)
     if not path.suffix:
         raise ValueError(f"{flag} must be a number or the file of a map (.tif, .npy), got {validation.shown(text)}")
-    images = read_images([path]).values
+    images = read_images([path])[...]
     if len(images) != 1:
         raise ValueError(f"{flag} must be one image, got {len(images)} in {validation.line(path)}")
     values = np.asarray(images[0], np.float64)
@@ -68,7 +68,7 @@ def mask_of(path: Path, images: Values) -> NDArray[np.bool_]:
     """Return a mask of the pixels to ignore, read from an image file."""
     from lommel.recorded.frames import read_images
 
-    masks = read_images([path]).values
+    masks = read_images([path])[...]
     if masks.shape[1:] != images.shape[1:] or len(masks) not in (1, len(images)):
         raise ValueError(
             f"--mask must have the shape of the images, {images.shape[1]} x {images.shape[2]}, one or {len(images)}, "

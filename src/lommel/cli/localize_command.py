@@ -35,9 +35,10 @@ from lommel.cli.options import (
 )
 from lommel.cli.output import progress, require_folder, save_figure, written
 from lommel.io import registry
-from lommel.localize import Localizations, Table, find, fit, localize_blocks, open_movie, writer
+from lommel.localize import Localizations, Table, find, fit, localize_blocks, writer
 from lommel.localize.fitting import BACKGROUNDS
 from lommel.localize.localizations import MEDIANS, joined
+from lommel.recorded.frames import open_frames
 from lommel.report import Facts, Parts, Report, Wrapped, list_of
 from lommel.show.drawing import figure_of
 
@@ -122,7 +123,8 @@ def localize(
     microscope = require_microscope("localize", lens, camera=camera.camera, pixel=camera.pixel, depth=molecules.depth)
     start = time.perf_counter()
     parts: list[Localizations] = []
-    with progress("table of images") as report_progress, open_movie(movie) as frames:
+    with progress("table of images") as report_progress, open_frames(movie) as movie_file:
+        frames = movie_file.as_stack()
         noise, saturation, header = camera.resolve(frames.metadata, microscope.camera)
         header = [*frames.notes, *header, *header_differences(frames.metadata, microscope).values()]
         mask = camera.mask(np.broadcast_to(False, (1, *frames.shape[1:])))

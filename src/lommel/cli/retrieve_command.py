@@ -82,7 +82,7 @@ def retrieve(
     instrument = camera.instrument_of_file(lens)
     with progress("reading") as status:
         read = read_images(_files(images))
-        stars = read.values
+        stars = read[...]
         noise, saturation, header = camera.resolve(read.metadata, instrument.camera)
         if defocus is None and len(stars) > 1:
             raise ValueError(f"--defocus must be given for {len(stars)} images: one number for each, such as -4 0 4")

@@ -5,13 +5,10 @@ from lommel.localize.fitting import Molecules, fit
 from lommel.localize.localizations import Localizations, MovieInfo, writer
 from lommel.localize.movie_fits import localize_blocks, localize_movie
 from lommel.localize.table import Table
-from lommel.recorded.frames import Movie, MovieError, open_movie
 
 __all__ = [
     "Localizations",
     "Molecules",
-    "Movie",
-    "MovieError",
     "MovieInfo",
     "Spots",
     "Table",
@@ -19,6 +16,5 @@ __all__ = [
     "fit",
     "localize_blocks",
     "localize_movie",
-    "open_movie",
     "writer",
 ]

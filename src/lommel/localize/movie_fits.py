@@ -7,11 +7,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, nullcontext
 from dataclasses import dataclass, fields, replace
 from functools import partial
 from os import PathLike
-from pathlib import Path
 from typing import TypedDict, Unpack
 
 import numpy as np
@@ -24,7 +23,7 @@ from lommel.localize.checks import TILTED, Checks
 from lommel.localize.fitting import BACKGROUNDS, STATES, MoleculeErrors, Molecules, fit
 from lommel.localize.localizations import Localizations, MovieInfo, columns, joined
 from lommel.localize.table import Table
-from lommel.recorded.frames import BLOCK, Movie, open_movie
+from lommel.recorded.frames import Frames, blocks_of, frames_of
 from lommel.recorded.noise import Noise
 
 _HEIGHTS, _ITERATIONS = 65, 100  # fit of Gaussians: number of heights z, and number of iterations
@@ -102,7 +101,7 @@ class MovieOptions:
 
 @options.shares(MovieKeywords, MovieOptions)
 def localize_movie(
-    movie: Movie | str | PathLike[str] | ArrayLike, table: Table, **given: Unpack[MovieKeywords]
+    movie: Frames | str | PathLike[str] | ArrayLike, table: Table, **given: Unpack[MovieKeywords]
 ) -> Localizations:
     """Find the molecules of a movie and estimate their positions.
 
@@ -111,7 +110,7 @@ def localize_movie(
 
     Parameters
     ----------
-    movie : Movie, path or array_like of shape (frames, rows, columns)
+    movie : Frames, path or array_like of shape (frames, rows, columns)
         Recorded frames, in the unit of `noise`.
     table : Table
         Table of the images of a molecule, for the pixel pitch of the camera. Boxes have the shape of these images.
@@ -125,7 +124,7 @@ def localize_movie(
     ------
     TypeError, ValueError
         If an argument is out of range, or frames are smaller than the boxes. A file that is not a movie raises
-        MovieError, which is a ValueError.
+        RecordingError, which is a ValueError.
     OSError
         If a file cannot be read.
 
@@ -141,7 +140,7 @@ def localize_movie(
 
 @options.shares(MovieKeywords, MovieOptions)
 def localize_blocks(
-    movie: Movie | str | PathLike[str] | ArrayLike, table: Table, **given: Unpack[MovieKeywords]
+    movie: Frames | str | PathLike[str] | ArrayLike, table: Table, **given: Unpack[MovieKeywords]
 ) -> Iterator[Localizations]:
     """Yield the localisations of a movie block by block, for movies with more molecules than fit in memory.
 
@@ -168,7 +167,7 @@ def localize_blocks(
 
 
 def _blocks(
-    movie: Movie | str | PathLike[str] | ArrayLike, table: Table, settings: MovieOptions
+    movie: Frames | str | PathLike[str] | ArrayLike, table: Table, settings: MovieOptions
 ) -> Iterator[Localizations]:
     """Yield the localisations of a movie block by block."""
     camera, width, background = settings.noise or Noise(read=0.0), settings.width, settings.background
@@ -242,23 +241,22 @@ def _recentred(
 
 @contextmanager
 def _open_blocks(
-    movie: Movie | str | PathLike[str] | ArrayLike, block: int | None
+    movie: Frames | str | PathLike[str] | ArrayLike, block: int | None
 ) -> Iterator[tuple[tuple[int, int, int], Iterator[Values], str]]:
     """Yield the shape of a movie, an iterator over its blocks of frames, and its file name ("" for an array)."""
-    if isinstance(movie, str | PathLike):
-        with open_movie(movie) as movie_file:
-            yield movie_file.shape, movie_file.blocks(block), movie_file.path.name
-    elif isinstance(movie, Movie):
-        yield movie.shape, movie.blocks(block), Path(movie.path).name
-    else:
-        values, mask = validation.parted("movie", movie)
-        frames = values if mask is None else np.ma.masked_array(values, mask=mask)
-        if frames.ndim != 3 or not frames.size:
-            raise ValueError(f"movie must have the shape (frames, rows, columns), got {frames.shape}")
-        count, rows, columns = frames.shape
-        block_size = max(1, BLOCK // (rows * columns)) if block is None else block
-        validation.integer("block", block_size, least=1, most=validation.MAX_VALUES)
-        yield (count, rows, columns), (frames[k : k + block_size] for k in range(0, count, block_size)), ""
+    if block is not None:
+        validation.integer("block", block, least=1, most=validation.MAX_VALUES)
+    if isinstance(movie, str | PathLike | Frames):
+        with nullcontext(movie) if isinstance(movie, Frames) else frames_of("movie", movie) as frames:
+            stack = frames.as_stack()
+            count, rows, columns = stack.shape
+            yield (count, rows, columns), stack.blocks(block), "" if stack.path is None else stack.path.name
+        return
+    values, mask = validation.parted("movie", movie)
+    if values.ndim != 3 or not values.size:
+        raise ValueError(f"movie must have the shape (frames, rows, columns), got {values.shape}")
+    count, rows, columns = values.shape
+    yield (count, rows, columns), blocks_of(values if mask is None else np.ma.masked_array(values, mask), block), ""
 
 
 def _localizations(

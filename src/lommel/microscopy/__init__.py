@@ -5,12 +5,8 @@ from lommel.microscopy.modalities import bead, confocal, light_sheet, sted, two_
 from lommel.microscopy.restoration import RestoredChannel, RestoredStack, restore
 from lommel.microscopy.stack_blur import StackBlur
 from lommel.recorded.camera_noise import estimate_noise
-from lommel.recorded.frames import RecordingError
-from lommel.recorded.recordings import Recording, open_recording
 
 __all__ = [
-    "Recording",
-    "RecordingError",
     "RestoredChannel",
     "RestoredStack",
     "StackBlur",
@@ -19,7 +15,6 @@ __all__ = [
     "deconvolve",
     "estimate_noise",
     "light_sheet",
-    "open_recording",
     "restore",
     "sted",
     "two_photon",

@@ -21,8 +21,8 @@ from lommel.microscopy.held_out import MAX_VOXELS, Best, Halves, highest_level, 
 from lommel.microscopy.stack_blur import TiledBlur, kernel_of
 from lommel.psf import PSF
 from lommel.recorded.counts import LARGEST, Stack, counts_of, plane_of
+from lommel.recorded.frames import Frames
 from lommel.recorded.noise import Noise
-from lommel.recorded.recordings import Recording
 
 FLAT = "flat"
 _BACKGROUNDS = {FLAT: 1, "uneven": 3}  # points along each side of the field at which levels are estimated
@@ -43,7 +43,7 @@ _RIM = 0.02  # fraction of the light of a PSF on the rim of its window above whi
 
 
 def deconvolve(
-    stack: ArrayLike | Recording,
+    stack: ArrayLike | Frames,
     psf: PSF,
     noise: Noise,
     *,
@@ -58,7 +58,7 @@ def deconvolve(
 
     Parameters
     ----------
-    stack : array_like, shape (planes, height, width), or Recording of one channel
+    stack : array_like, shape (planes, height, width), or Frames of one channel
         Recorded stack, in the unit of `noise`: integers or floats; NaN, infinite and masked values are ignored.
     psf : PSF
         PSF, as in :class:`lommel.microscopy.StackBlur`, with the step, pixels and direction of z of the recording.
@@ -114,7 +114,7 @@ def deconvolve(
     same image as a point anywhere between them (Magain et al. 1998, doi:10.1086/305187).
     """
     validation.optional("method", method, RichardsonLucy, TotalVariation)
-    voxels = stack.only("stack") if isinstance(stack, Recording) else stack
+    voxels = stack.only_channel("stack") if isinstance(stack, Frames) else stack
     counts = counts_of("stack", voxels, sides=(3,), shape="(planes, height, width)", saturation=saturation)
     recorded = counts.marked()
     validation.instance("psf", psf, PSF)

@@ -43,7 +43,7 @@ from lommel.microscopy.refinement import (
 from lommel.optics.layers.emitter import Emitter, emitter_of
 from lommel.optics.layers.objective import Objective
 from lommel.optics.wavefront.wavefront import Wavefront
-from lommel.recorded import recordings
+from lommel.recorded import stack_files
 from lommel.recorded.camera_noise import (
     MAX_HOT_FRACTION,
     MaskedStack,
@@ -56,8 +56,8 @@ from lommel.recorded.camera_noise import (
 )
 from lommel.recorded.copies import local_stacks
 from lommel.recorded.counts import PlanePart, Stack, full_value, plane_of
+from lommel.recorded.frames import Frames, frames_of
 from lommel.recorded.noise import Noise
-from lommel.recorded.recordings import Recording
 from lommel.show import estimates as pictures
 
 if TYPE_CHECKING:
@@ -144,8 +144,8 @@ class RestoredStack(FitReport):
         recording; the shape is (planes, height, width), or (channels, planes, height, width) for several channels and
         with `out`.
     channels : tuple of RestoredChannel
-    recording : Recording
-        The recording, with the voxel sizes and wavelengths that were used.
+    recording : Frames
+        The recording along C, Z, Y and X, with the voxel sizes and wavelengths that were used in its metadata.
     notes : tuple of str
         Sentences on the values that were taken from the file, estimated or assumed.
     findings : Findings
@@ -159,7 +159,7 @@ class RestoredStack(FitReport):
 
     values: Any = field(repr=False)
     channels: tuple[RestoredChannel, ...]
-    recording: Recording = field(repr=False)
+    recording: Frames = field(repr=False)
     notes: tuple[str, ...]
 
     def __array__(self, dtype: DTypeLike | None = None, copy: bool | None = None) -> Values:
@@ -185,12 +185,13 @@ class RestoredStack(FitReport):
             name, wavelength, smallest and largest depth, number of PSFs, and mean background.
         """
         result = super().to_dict()
-        channels = zip(result["channels"], self.channels, self.recording.names, self.recording.emission, strict=False)
+        stated = self.recording.metadata
+        channels = zip(result["channels"], self.channels, stated["names"], stated["emission"], strict=False)
         for entry, channel, name, wave in channels:
             entry |= {"name": name, "wavelength": wave, "psfs": len(channel.psf_depths)}
             entry["depths"] = [float(channel.depths.min()), float(channel.depths.max())]
             entry["background"] = float(np.mean(channel.background))
-        sizes = {"pixel_in_sample": self.recording.pixel, "step": self.recording.step}
+        sizes = {"pixel_in_sample": stated["pixel"], "step": stated["step"]}
         return {"shape": list(self.values.shape[-3:])} | sizes | result
 
     def plot(self) -> Figure:
@@ -212,15 +213,14 @@ class RestoredStack(FitReport):
         show_names = len(self.channels) > 1
         labelled = [
             (f"{name}: " if show_names else "", channel.projections)
-            for name, channel in zip(self.recording.names, self.channels, strict=False)
+            for name, channel in zip(self.recording.metadata["names"], self.channels, strict=False)
         ]
-        assert self.recording.pixel is not None
-        assert self.recording.step is not None
         caption = "; ".join(
             f"{name}discrepancy {channel.before:#.3g} before, {channel.discrepancy:#.3g} after {channel.steps} steps"
             for (name, _), channel in zip(labelled, self.channels, strict=True)
         )
-        return pictures.projections(labelled, (self.recording.step, self.recording.pixel), caption)
+        sides = self.recording.metadata["step"], self.recording.metadata["pixel"]
+        return pictures.projections(labelled, sides, caption)
 
     def save(self, *paths: str | PathLike[str]) -> None:
         """Write the stack with its voxel sizes, channels and wavelengths.
@@ -240,15 +240,15 @@ class RestoredStack(FitReport):
         """
         places = [validation.path("paths", path) for path in paths]
         for place in places:
-            recordings.kind_of(place, self.recording.path)
+            stack_files.kind_of(place, self.recording.path)
         values = np.asarray(self.values[...], np.float32)
         values = values[np.newaxis] if values.ndim == 3 else values
         for place in places:
-            recordings.save_stack(place, values, self.recording, " ".join(self.notes))
+            stack_files.save_stack(place, values, self.recording, " ".join(self.notes))
 
 
 def restore(
-    stack: str | PathLike[str] | ArrayLike | Recording,
+    stack: str | PathLike[str] | ArrayLike | Frames,
     objective: Any,
     *,
     depth: float | None = None,
@@ -285,7 +285,7 @@ def restore(
     Parameters
     ----------
     stack : path or array_like
-        Recording, as in :func:`lommel.microscopy.open_recording`: OME-TIFF, TIFF of ImageJ, OME-Zarr; arrays of
+        Recording, as in :func:`lommel.recorded.open_frames`: OME-TIFF, TIFF of ImageJ, OME-Zarr; arrays of
         NumPy, dask or Zarr, of shape (planes, height, width) or (channels, planes, height, width), of any real type.
     objective : Objective or Microscope
         Objective, or microscope from :func:`lommel.load_microscope`. A Microscope also sets emitter and aberrations,
@@ -302,7 +302,7 @@ def restore(
     channel, time : int, optional
         Channel and time point to restore; by default all channels, and the only time point.
     axes : str, optional
-        Axes of the stack, as in :func:`lommel.microscopy.open_recording`.
+        Axes of the stack, such as "ZYX" or "CZYX", if the file does not state them or states wrong letters.
     noise : Noise, optional
         Noise of the camera, in the unit of the file; maps per pixel apply to each plane. By default estimated from
         each channel by :func:`lommel.microscopy.estimate_noise`.
@@ -377,7 +377,7 @@ def restore(
     TypeError, ValueError
         If an argument is of another type or out of range; if the voxel sizes or the wavelength are unknown, or the
         stack is thinner than three planes; if another call writes to `out`. For unreadable files
-        :class:`lommel.recorded.frames.RecordingError`.
+        :class:`lommel.recorded.RecordingError`.
     OSError, ImportError
         If a file cannot be read or written, or a library for it is not installed.
 
@@ -403,7 +403,8 @@ def restore(
     array_mask: NDArray[np.bool_] | bool | None = False
     if isinstance(stack, np.ma.MaskedArray):
         stack, array_mask = validation.parted("stack", stack)
-    with recordings.open_recording(stack, time=time, axes=axes) as recording, ExitStack() as cleanup:
+    with frames_of("stack", stack) as frames, ExitStack() as cleanup:
+        recording = frames.as_channels(time=time, axes=axes)
         numbers = range(recording.shape[0])
         if channel is not None:
             number = validation.integer("channel", channel, least=0, most=recording.shape[0] - 1)
@@ -422,20 +423,14 @@ def restore(
                 f"{format_length(models[0].depth, digits=3)}, as if the stack began at the cover glass; set depth= "
                 "if not."
             )
-        used_recording = replace(
-            recording,
-            pixel=sizes.pixel / lens.magnification,
-            step=sizes.step,
-            names=tuple(recording.names[k] for k in numbers),
-            emission=tuple(waves),
-            excitation=tuple(recording.excitation[k] for k in numbers),
-            path=recording.path,
-        )
+        used = {"pixel": sizes.pixel / lens.magnification, "step": sizes.step, "emission": tuple(waves)}
+        used |= {name: tuple(recording.metadata[name][k] for k in numbers) for name in ("names", "excitation")}
+        used_recording = replace(recording, metadata=recording.metadata | used)
         ignored = _mask_of(mask, array_mask, recording.shape)
         target = cleanup.enter_context(_destination(out, (len(numbers), *recording.shape[1:]), used_recording))
         report = progress or silent
         report(0.0, "reading the stack")
-        frames = replace(recording.frames, numbers=recording.frames.numbers[numbers.start : numbers.stop])
+        frames = replace(recording, numbers=recording.numbers[numbers.start : numbers.stop])
         place = None if target.unfinished is None else target.unfinished.place
         stacks = cleanup.enter_context(local_stacks(frames, place, options.memory * _READ_SHARE))
         results = _restore_channels(
@@ -444,7 +439,7 @@ def restore(
         values = target.finish(" ".join(notes), len(results))
     findings = Findings(
         finding if len(numbers) == 1 else replace(finding, text=f"{name}: {finding.text}")
-        for name, result in zip(used_recording.names, results, strict=False)
+        for name, result in zip(used_recording.metadata["names"], results, strict=False)
         for finding in result.findings
     )
     summary = ", ".join(f"discrepancy {result.discrepancy:.4g} after {result.steps} steps" for result in results)
@@ -485,7 +480,7 @@ class _Options:
 
 
 def _restore_channels(
-    recording: Recording,
+    recording: Frames,
     stacks: Sequence[Stack],
     numbers: range,
     models: Sequence[DepthModel],
@@ -502,7 +497,7 @@ def _restore_channels(
         channel_notes = notes if place == 0 else []
         job = _ChannelRestoration(stacks[place], model, options, channel_notes, target, place, pixel_doubt)
         report_part = _within(report, place / len(numbers), (place + 1) / len(numbers))
-        name = "" if len(numbers) == 1 else f"{recording.names[number]}: "
+        name = "" if len(numbers) == 1 else f"{recording.metadata['names'][number]}: "
 
         def report_named(part: float, message: str, report_part: Report = report_part, name: str = name) -> None:
             report_part(part, name + message)
@@ -514,7 +509,7 @@ def _restore_channels(
 
 
 def _mask_of(
-    mask: ArrayLike | None, array_mask: NDArray[np.bool_] | bool | None, shape: tuple[int, int, int, int]
+    mask: ArrayLike | None, array_mask: NDArray[np.bool_] | bool | None, shape: tuple[int, ...]
 ) -> NDArray[np.bool_] | None:
     """Return the voxels to ignore (True), in the given `shape` of four axes; None if there are none."""
     ignored = np.asarray(False if array_mask is None else array_mask)
@@ -563,7 +558,7 @@ class _Sizes:
 
     def __init__(
         self,
-        recording: Recording,
+        recording: Frames,
         lens: Objective,
         microscope: MicroscopeData | None,
         pixel: float | None,
@@ -571,10 +566,11 @@ class _Sizes:
         notes: list[str],
     ) -> None:
         self.pixel_doubt = ""  # note on a pixel of the stack that contradicts the objective file
-        of_file = None if recording.pixel is None else recording.pixel * lens.magnification
+        stated = recording.metadata
+        of_file = None if stated["pixel"] is None else stated["pixel"] * lens.magnification
         sizes = (None, None) if microscope is None else (microscope.pixel, abs(microscope.step) or None)
         self.pixel = self._length("pixel", pixel, of_file, sizes[0], recording, notes)
-        self.step = self._length("step", step, recording.step, sizes[1], recording, notes)
+        self.step = self._length("step", step, stated["step"], sizes[1], recording, notes)
         if pixel is not None:
             validation.pixel(self.pixel, metric=True)
             if self.pixel < _FINEST / lens.NA * lens.magnification:
@@ -587,8 +583,8 @@ class _Sizes:
                 )
         if not 0.0 < self.step < 1e-4:
             raise ValueError(f"step must be a stage displacement, above 0 and below 1e-4 metres, got {self.step:g}")
-        if recording.NA is not None and abs(recording.NA - lens.NA) > _TOLERANCE * lens.NA:
-            notes.append(f"NA {lens.NA:g} of the objective was used; the file states NA {recording.NA:g}.")
+        if stated["NA"] is not None and abs(stated["NA"] - lens.NA) > _TOLERANCE * lens.NA:
+            notes.append(f"NA {lens.NA:g} of the objective was used; the file states NA {stated['NA']:g}.")
 
     def _length(
         self,
@@ -596,7 +592,7 @@ class _Sizes:
         argument: float | None,
         of_file: float | None,
         of_microscope: float | None,
-        recording: Recording,
+        recording: Frames,
         notes: list[str],
     ) -> float:
         """Return the length in the argument, else in the file, else of the microscope; note differences."""
@@ -606,10 +602,10 @@ class _Sizes:
                 notes.append(f"The argument {name}={format_length(value)} was used, not the value of the file.")
             return value
         source = "an array" if recording.path is None else line(recording.path)
-        if name in recording.unusable:
+        if words := recording.metadata["unusable"].get(name):
             place = "in the sample" if name == "pixel" else "between planes"
             raise ValueError(
-                f"{source} states {recording.unusable[name]} {place}, which cannot be used: give {name}=, in metres"
+                f"{source} states {words} {place}, which cannot be used: give {name}=, in metres"
                 + (" on the camera" if name == "pixel" else "")
             )
         if of_file is None and of_microscope is None:
@@ -632,7 +628,7 @@ class _Sizes:
 
 
 def _wavelengths(
-    recording: Recording,
+    recording: Frames,
     microscope: MicroscopeData | None,
     argument: float | Sequence[float] | None,
     numbers: range,
@@ -649,18 +645,18 @@ def _wavelengths(
         return [
             validation.wavelength(float(wave)) for wave in (stated * len(numbers) if len(stated) == 1 else stated)
         ]
-    waves = []
+    waves, names = [], recording.metadata["names"]
     for number in numbers:
-        wave = recording.emission[number]
+        wave = recording.metadata["emission"][number]
         if wave is None:
-            if text := recording.unusable.get(f"emission {number}"):
+            if text := recording.metadata["unusable"].get(f"emission {number}"):
                 raise ValueError(
-                    f"the stack states that the emission wavelength of {recording.names[number]!r} is {text}, which "
+                    f"the stack states that the emission wavelength of {names[number]!r} is {text}, which "
                     "cannot be used: give wavelength=, in metres, such as 520e-9"
                 )
             if microscope is None or len(numbers) > 1:
                 raise ValueError(
-                    f"the stack does not state the emission wavelength of {recording.names[number]!r}: give "
+                    f"the stack does not state the emission wavelength of {names[number]!r}: give "
                     "wavelength=, in metres, such as 520e-9"
                 )
             wave = microscope.wavelength
@@ -675,7 +671,7 @@ def _wavelengths(
 
 
 def _model(
-    recording: Recording,
+    recording: Frames,
     lens: Objective,
     microscope: MicroscopeData | None,
     sizes: _Sizes,
@@ -694,7 +690,7 @@ def _model(
         raise ValueError(
             f"stack must have 3 planes or more, got {planes}; for single images use lommel.imaging.restore_with"
         )
-    laser = excitation if excitation is not None else recording.excitation[number]
+    laser = excitation if excitation is not None else recording.metadata["excitation"][number]
     if modality in ("confocal", "spinning disc", "two-photon") and laser is None:
         raise ValueError(f"excitation must be given for modality={modality!r}: its vacuum wavelength in metres")
     if modality == "light sheet" and thickness is None:
@@ -796,7 +792,7 @@ class _Target:
         # Check again: another process may have replaced chunks since this call checked or wrote them.
         if not all(self._is_unchanged(*entry) for entry in self._complete_chunks):
             raise ValueError(f"chunks in {line(self.unfinished.scratch)} were changed by another process; call again")
-        recordings.require_own(self.unfinished.place)
+        stack_files.require_own(self.unfinished.place)
         with _zarr_errors(self.unfinished):
             _open_group(self.unfinished.new, "r+").attrs["lommel"] = {"description": description}
         self.unfinished.finish()
@@ -820,20 +816,20 @@ def _chunk_name(chunk: Chunk) -> str:
 
 
 @contextmanager
-def _destination(out: str | PathLike[str] | None, shape: tuple[int, ...], recording: Recording) -> Iterator[_Target]:
+def _destination(out: str | PathLike[str] | None, shape: tuple[int, ...], recording: Frames) -> Iterator[_Target]:
     """Yield the destination of values: an array, or with `out` a folder that an earlier call may have begun."""
     if out is None:
         yield _Target(shape, None)
         return
     place = validation.path("out", out)
-    if recordings.kind_of(place, recording.path) != "zarr":
+    if stack_files.kind_of(place, recording.path) != "zarr":
         raise ValueError(f"out must end in .zarr, which is written chunk by chunk, got {shown(place.name)}")
     if not place.parent.is_dir():
         raise FileNotFoundError(2, "No such file or directory", str(place.parent))
-    metadata = {name: getattr(recording, name) for name in ("pixel", "step", "names", "emission")}
+    metadata = {name: recording.metadata[name] for name in ("pixel", "step", "names", "emission")}
     request = {"software": f"lommel {version()}", "shape": shape} | metadata
     with atomic.unfinished_folder(
-        place, request, lambda folder: recordings.new_zarr(folder, shape, recording, place.stem)
+        place, request, lambda folder: stack_files.new_zarr(folder, shape, recording, place.stem)
     ) as unfinished:
         yield _Target(shape, unfinished)
 

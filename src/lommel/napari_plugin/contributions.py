@@ -21,8 +21,8 @@ from lommel.microscopy.stack_blur import StackBlur
 from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.psf import PSF
 from lommel.psf import psf as compute
+from lommel.recorded.frames import open_frames
 from lommel.recorded.noise import Noise
-from lommel.recorded.recordings import open_recording
 
 if TYPE_CHECKING:
     from magicgui.widgets import Container, Widget
@@ -86,20 +86,21 @@ def reader(path: str | Sequence[str]) -> Callable[[str | Sequence[str]], list[La
 def _channels(path: str) -> list[LayerData] | None:
     """Return the channels of a recorded stack as layers; None if the file has no voxel size."""
     try:
-        with open_recording(path) as recording:
-            count, planes = recording.shape[:2]
-            if recording.pixel is None or recording.step is None or planes < 2:
+        with open_frames(path) as frames:
+            recording = frames.as_channels()
+            (count, planes), metadata = recording.shape[:2], recording.metadata
+            if metadata["pixel"] is None or metadata["step"] is None or planes < 2:
                 return None
             name = Path(path).name.partition(".")[0]
-            scale = tuple(1e6 * side for side in (recording.step, recording.pixel, recording.pixel))
+            scale = tuple(1e6 * metadata[side] for side in ("step", "pixel", "pixel"))
             options = {"scale": scale, "units": ("um",) * 3, "blending": "additive"}
             return [
                 (
-                    np.asarray(recording.stack(k)),
+                    recording[k],
                     options
                     | {
-                        "name": name if count == 1 else f"{name} {recording.names[k]}",
-                        "metadata": {EMISSION: recording.emission[k]},
+                        "name": name if count == 1 else f"{name} {metadata['names'][k]}",
+                        "metadata": {EMISSION: metadata["emission"][k]},
                     },
                     "image",
                 )

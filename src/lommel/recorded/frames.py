@@ -12,13 +12,13 @@ import math
 import re
 import threading
 from collections import Counter
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from functools import partial
 from os import PathLike
 from pathlib import Path
-from types import SimpleNamespace, TracebackType
+from types import SimpleNamespace
 from typing import TYPE_CHECKING, Any, Protocol, Self, cast
 
 import numpy as np
@@ -26,9 +26,12 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from lommel.base import optional, reading, validation
 from lommel.base.arrays import Index, Json, Values
+from lommel.base.units import format_length
 from lommel.base.validation import line, shown
 from lommel.io import fits_images, photos, registry, zarr_folders
 from lommel.io.registry import Format
+from lommel.recorded.counts import Counts, OnDemand
+from lommel.recorded.noise import Noise
 
 if TYPE_CHECKING:
     from tifffile import FileHandle, TiffFile, TiffPageSeries
@@ -70,7 +73,13 @@ _FINEST_PRINT = 1e-3  # centimetres: pixels of prints are larger (2540 per inch)
 
 @dataclass(frozen=True)
 class Unusable:
-    """A metadata value that cannot be used, such as a length without unit, in the words of the file."""
+    """A metadata value that cannot be used, such as a length without unit.
+
+    Parameters
+    ----------
+    words : str
+        The words of the file.
+    """
 
     words: str
 
@@ -228,13 +237,20 @@ def combined_metadata(files: Sequence[Metadata]) -> Metadata:
     return combined
 
 
-__all__ = ["Frames", "RecordingError", "open_frames"]
+__all__ = ["Counts", "Frames", "RecordingError", "Unusable", "open_frames"]
 
 _MAX_JSON = 2**24  # largest size of a JSON file that is parsed, bytes
 _DESCRIPTIONS = ("zarr.json", ".zattrs", ".zgroup", ".zarray", ".zmetadata")
 _NUMPY = b"\x93NUMPY"
 _MAX_CHANNELS = 4096  # largest number of channels of an OME-Zarr
 _PART = re.compile(r"(?P<file>.+\.(?:fits?(?:\.gz|\.bz2)?|tiff?))\[(?P<part>[^\[\]]+)\]", re.IGNORECASE)
+_TOLERANCE = 1e-4  # relative difference up to which lengths count as equal
+# Lengths in files, in the words of messages; "down" is the height of a pixel.
+_LENGTHS = {"pixel": "a pixel size of", "down": "a pixel height of", "step": "a plane spacing of"}
+_SIDES = 1e-12, 1e-4  # metres, range of voxel sides in the sample
+_WAVES = 1e-7, 1e-4  # metres, range of wavelengths: 0.52 nm is a wavelength in micrometres with a wrong unit
+BLOCK = 2**22
+"""Default number of pixels of a block of frames: 32 MB in float64."""
 UNKNOWN = "Q"
 """Letter of an axis whose meaning the file does not state."""
 
@@ -243,63 +259,65 @@ class RecordingError(ValueError):
     """Error for a file that cannot be read as images; the message names the file."""
 
 
-class Planes(Protocol):
+class Planes:
     """Images of equal size, read one by one."""
 
     sides: tuple[int, int]
     dtype: np.dtype[np.generic]
-    chunk_sizes: tuple[tuple[int, ...], ...]  # sizes of the chunks along each axis of the array, () without chunks
+    chunk_sizes: tuple[tuple[int, ...], ...] = ()  # along each axis of the array; () without chunks
+    path: Path | None = None
+    names: tuple[str, ...] = ()  # of each image, if they are of several files
 
     @property
     def stored(self) -> int:
         """Size of the files of the images, bytes, which limits the memory for reading them."""
+        return 2**62  # no limit for arrays, which are in memory or mapped
 
     def plane(self, number: int) -> Values:
         """Return one image, of type `dtype` and shape `sides`."""
+        raise NotImplementedError
 
     def block(self, part: tuple[slice, ...]) -> Values:
         """Return a part of the array, by a slice along each of its axes."""
+        raise NotImplementedError
+
+    def close(self) -> None:
+        """Close the file."""
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Frames:
+class Frames(OnDemand):
     """Images along named axes, read on demand by indices and slices along all axes, or by NumPy and dask.
 
-    :func:`open_frames` returns them.
+    :func:`open_frames` returns them; ``with`` or `close` closes their file.
 
     Attributes
     ----------
     axes : str
         A letter for each axis: T, C, Z, or Q if unknown, and YX at the end.
-    planes : Planes
-        Reader of single images.
-    numbers : ndarray of int
-        Numbers of the images in `planes`, along the axes before YX.
-    closed : callable or None
-        Function that closes the file.
     shape : tuple of int
     dtype : dtype
         Type of the stored values, in the byte order of this machine.
     metadata : dict
-        Metadata by name: "pixel", "step", "emission", "gain" and others, in metres and electrons.
-    metadata_format : str
-        Source of the metadata: "OME", "ImageJ", "OME-Zarr", "FITS", or "".
-    path : Path or None
+        Metadata by name: "pixel", "step", "emission", "gain" and others, in metres and electrons; "format" is their
+        source: "OME", "ImageJ", "OME-Zarr" or "FITS".
     notes : tuple of str
         Sentences on the image that was chosen and on data that were left out.
-    left_out : str
-        Message on pages that the description of the file does not count, or "".
+    path : Path or None
+        File of the images; None for an array, or for several files.
+    names : tuple of str
+        Name of each image: its file, and its number in a stack.
+    planes : Planes
+        Reader of single images.
+    numbers : ndarray of int
+        Numbers of the images in `planes`, along the axes before YX.
     """
 
     planes: Planes
     numbers: NDArray[np.intp]
     axes: str
     metadata: Metadata = field(default_factory=dict)
-    metadata_format: str = ""
-    path: Path | None = None
     notes: tuple[str, ...] = ()
-    left_out: str = ""
-    closed: Callable[[], None] | None = None
 
     @property
     def shape(self) -> tuple[int, ...]:  # noqa: D102
@@ -313,6 +331,27 @@ class Frames:
     def ndim(self) -> int:
         """Number of axes."""
         return self.numbers.ndim + 2
+
+    @property
+    def path(self) -> Path | None:  # noqa: D102
+        return self.planes.path
+
+    @property
+    def names(self) -> tuple[str, ...]:  # noqa: D102
+        if self.planes.names:
+            return tuple(self.planes.names[number] for number in self.numbers.ravel())
+        file_name = "array" if self.path is None else self.path.name
+        return (
+            tuple(f"{file_name} [{k}]" for k in range(self.numbers.size)) if self.numbers.size > 1 else (file_name,)
+        )
+
+    def __repr__(self) -> str:
+        name = "array" if self.path is None else self.path.name
+        texts = [f"{' x '.join(map(str, self.shape))} along {self.axes}", str(self.dtype)]
+        for key, text in (("pixel", "pixels of {}"), ("step", "planes {} apart")):
+            if isinstance(side := self.metadata.get(key), float):
+                texts.append(text.format(format_length(side)))
+        return f"<Frames {name!r}: {', '.join(texts)}>"
 
     def __len__(self) -> int:
         return self.shape[0]
@@ -347,26 +386,36 @@ class Frames:
 
     def close(self) -> None:
         """Close the file."""
-        if self.closed is not None:
-            self.closed()
+        self.planes.close()
 
-    def along(self, order: str) -> Frames:
-        """Return the images with their axes in a given order.
+    def counts(self, *, noise: Noise, mask: ArrayLike | None = None, saturation: float | None = None) -> Counts:
+        """Return the images, read on demand, with the noise of their camera: see :meth:`Counts.of`."""
+        return Counts.of(self, noise=noise, mask=mask, saturation=saturation)
+
+    def blocks(self, size: int | None = None) -> Iterator[Values]:
+        """Yield all images in blocks of consecutive ones along the first axis.
 
         Parameters
         ----------
-        order : str
-            Letters of axes, which end in YX; axes that the images lack are added with length 1.
+        size : int, optional
+            Number of images per block; the last block may have fewer. By default 4194304 pixels per block.
 
-        Returns
-        -------
-        Frames
+        Yields
+        ------
+        ndarray
+
+        Raises
+        ------
+        TypeError, ValueError
+            If `size` is out of range; RecordingError if an image is damaged or missing.
+
+        Examples
+        --------
+        >>> frames = open_frames(np.zeros((250, 64, 64), np.uint16))
+        >>> [len(block) for block in frames.blocks(100)]
+        [100, 100, 50]
         """
-        numbers, axes = self.numbers, self.axes[:-2]
-        for letter in order[:-2]:
-            if letter not in axes:
-                numbers, axes = numbers[..., None], axes + letter
-        return replace(self, numbers=numbers.transpose([axes.index(letter) for letter in order[:-2]]), axes=order)
+        return blocks_of(self, size)
 
     def one_of(self, letter: str, place: int) -> Frames:
         """Return the images at one index of an axis.
@@ -383,8 +432,8 @@ class Frames:
         Frames
         """
         axis = self.axes.index(letter)
-        numbers = np.take(self.numbers, place, axis=axis)
-        return replace(self, numbers=numbers, axes=self.axes.replace(letter, ""))
+        number = validation.integer(letter, place, least=0, most=self.shape[axis] - 1)
+        return replace(self, numbers=np.take(self.numbers, number, axis=axis), axes=self.axes.replace(letter, ""))
 
     def as_stack(self) -> Frames:
         """Return the images as a stack along one axis.
@@ -396,8 +445,10 @@ class Frames:
         Raises
         ------
         RecordingError
-            If several axes before YX are longer than 1.
+            If several axes before YX are longer than 1, or the file has more pages than its description counts.
         """
+        if uncounted := self.metadata.get("left_out"):
+            raise RecordingError(f"{self.name}: it holds {uncounted}; save it again")
         if sum(side > 1 for side in self.numbers.shape) > 1:
             sizes = " x ".join(map(str, self.shape))
             raise RecordingError(
@@ -406,6 +457,45 @@ class Frames:
             )
         long_axes = [letter for letter, side in zip(self.axes, self.numbers.shape, strict=False) if side > 1]
         return replace(self, numbers=self.numbers.reshape(-1), axes=f"{long_axes[0] if long_axes else UNKNOWN}YX")
+
+    def as_channels(self, *, time: int | None = None, axes: str | None = None) -> Frames:
+        """Return the images of a microscope along C, Z, Y and X, with metadata that can be used.
+
+        Parameters
+        ----------
+        time : int, optional
+            Number of the time point, from 0; required if the file holds several time points.
+        axes : str, optional
+            Letters of the axes, such as "ZYX" or "CZYX", if the file does not state them or states wrong letters.
+
+        Returns
+        -------
+        Frames
+            The metadata have "pixel" and "step", metres in the sample, "NA", "magnification" and "immersion" (None
+            where the file states none), and for each channel "names", "emission" and "excitation". Values that cannot
+            be used, such as 0, are in "unusable", in the words of the file, by these names, for a channel "emission
+            0". Notes state what was taken from the file.
+
+        Raises
+        ------
+        RecordingError
+            If there are several time points without `time`, axes that are unknown, or pixels that are not square.
+        TypeError, ValueError
+            If an argument is out of range.
+        """
+        if "unusable" in self.metadata:
+            return self
+        return _with_used_metadata(_along_channels(self, time, axes))
+
+    def only_channel(self, name: str) -> Frames:
+        """Return the only channel as a stack; ValueError about the argument `name` if there are several."""
+        frames = self.as_channels()
+        if frames.shape[0] > 1:
+            raise ValueError(
+                f"{name} must be one channel, got {frames.shape[0]}: {', '.join(frames.metadata['names'])}; "
+                'use frames.one_of("C", 0) for the first'
+            )
+        return frames.one_of("C", 0)
 
     @property
     def files(self) -> set[str]:
@@ -416,6 +506,19 @@ class Frames:
     def name(self) -> str:
         """Name of the images in messages."""
         return "the array" if self.path is None else line(self.path)
+
+
+def blocks_of(images: Frames | Values, size: int | None) -> Iterator[Values]:
+    """Yield images in blocks of consecutive ones along the first axis, by default of 4194304 pixels."""
+    length_of_block = max(1, BLOCK // math.prod(images.shape[1:])) if size is None else size
+    validation.integer("size", length_of_block, least=1, most=validation.MAX_VALUES)
+    for first in range(0, len(images), length_of_block):
+        yield images[first : first + length_of_block]
+
+
+def names_of(file: str, count: int) -> tuple[str, ...]:
+    """Return a name for each image of a file."""
+    return (file,) if count == 1 else tuple(f"{file} [{k}]" for k in range(count))
 
 
 class ArrayLikeImages(Protocol):
@@ -433,13 +536,13 @@ class ArrayLikeImages(Protocol):
         """Return a part."""
 
 
-class _ArrayPlanes:
+class _ArrayPlanes(Planes):
     """Images in an array of any package from which NumPy can read parts."""
 
-    stored = 2**62  # bytes: no limit, as the array is in memory or mapped
-
-    def __init__(self, values: ArrayLikeImages, name: str) -> None:
-        self._values, self._name = values, name
+    def __init__(
+        self, values: ArrayLikeImages, name: str, path: Path | None = None, names: tuple[str, ...] = ()
+    ) -> None:
+        self._values, self._name, self.path, self.names = values, name, path, names
         self._stack_shape = tuple(values.shape[:-2])
         self.sides: tuple[int, int] = (int(values.shape[-2]), int(values.shape[-1]))
         self.dtype = np.dtype(values.dtype).newbyteorder("=")
@@ -467,11 +570,13 @@ def _sizes_of_chunks(
     )
 
 
-class _TiffPlanes:
+class _TiffPlanes(Planes):
     """Images in the pages of a TIFF file."""
 
-    def __init__(self, path: Path, series: TiffPageSeries) -> None:
-        self._path, self._pages, self._is_multifile = path, series.pages, series.is_multifile
+    path: Path
+
+    def __init__(self, path: Path, file: TiffFile, series: TiffPageSeries) -> None:
+        self.path, self._file, self._pages, self._is_multifile = path, file, series.pages, series.is_multifile
         self.sides: tuple[int, int] = (series.shape[-2], series.shape[-1])
         is_compressed = series.keyframe.compression != 1
         self.chunk_sizes = ((1,) * len(series.pages), *((side,) for side in self.sides)) if is_compressed else ()
@@ -489,6 +594,10 @@ class _TiffPlanes:
         paths = {str(handle.path) for handle in self._handles()} if self._is_multifile else set()
         return paths if len(paths) > 1 else set()
 
+    def close(self) -> None:
+        """Close the file."""
+        self._file.close()
+
     def block(self, part: tuple[slice, ...]) -> Values:
         """Return some pages, or a part of their rows and columns."""
         images, rows, columns = part
@@ -499,7 +608,7 @@ class _TiffPlanes:
 
     def plane(self, number: int) -> Values:
         """Return one image."""
-        with errors_of(self._path, f"page {number}: "), self._lock:
+        with errors_of(self.path, f"page {number}: "), self._lock:
             page = self._pages[number]
             if page is None:
                 raise ValueError(
@@ -508,11 +617,13 @@ class _TiffPlanes:
             return reading.tiff_values(page, self.sides, self.dtype)
 
 
-class _ZarrPlanes:
+class _ZarrPlanes(Planes):
     """Images in a Zarr array; a chunk of several images is read once and kept for the following images."""
 
+    path: Path
+
     def __init__(self, path: Path, array: Any) -> None:
-        self._path, self._array = path, array
+        self.path, self._array = path, array
         self._stack_shape = tuple(array.shape[:-2])
         self.sides: tuple[int, int] = (int(array.shape[-2]), int(array.shape[-1]))
         self.dtype = np.dtype(array.dtype).newbyteorder("=")
@@ -531,12 +642,12 @@ class _ZarrPlanes:
 
     def plane(self, number: int) -> Values:
         """Return one image."""
-        with errors_of(self._path, f"plane {number}: "), self._lock:  # each chunk is read once
+        with errors_of(self.path, f"plane {number}: "), self._lock:  # each chunk is read once
             return self._read(number)
 
     def block(self, part: tuple[slice, ...]) -> Values:
         """Return a part of the array."""
-        with errors_of(self._path), self._lock:
+        with errors_of(self.path), self._lock:
             reading.afford(*self.chunks.check([range(one.start, one.stop) for one in part]))
             return np.asarray(self._array[part], self.dtype)
 
@@ -562,19 +673,16 @@ class _ZarrPlanes:
         return np.array(block[1][number - key])
 
 
-def open_frames(path: str | PathLike[str] | ArrayLike, *, image: int | None = None, name: str = "images") -> Frames:
-    """Open the images of a file, or of an array.
+def open_frames(*paths: str | PathLike[str] | ArrayLike) -> Frames:
+    """Open the images of files, or of an array.
 
     Parameters
     ----------
-    path : path, array_like or Frames
+    *paths : path, array_like or Frames
         A TIFF, FITS, NPY or PNG file or a folder of OME-Zarr (0.4 or 0.5), recognized by its content;
-        ``file.fits[SCI]`` or ``file.tif[1]`` selects one of several images in a file. Or an array of NumPy, dask,
-        Zarr or xarray.
-    image : int, optional
-        Number, from 0, of the image in a TIFF file with several; by default, in OME-TIFF, the one with most values.
-    name : str, default "images"
-        Name of an array in messages.
+        ``file.fits[SCI]`` or ``file.tif[1]`` selects one of several images in a file, by default, in OME-TIFF, the
+        one with most values. Or an array of NumPy, dask, Zarr or xarray. Several files, of images of one size and
+        type, are one stack, and are read at once.
 
     Returns
     -------
@@ -583,21 +691,32 @@ def open_frames(path: str | PathLike[str] | ArrayLike, *, image: int | None = No
     Raises
     ------
     RecordingError
-        If the file is damaged, too large when decompressed, holds colours (RGB), or holds several images and none is
+        If a file is damaged, too large when decompressed, holds colours (RGB), or holds several images and none is
         selected.
     TypeError, ValueError
         If an argument is out of range.
     OSError, ImportError
-        If the file cannot be read, or a library for it is not installed.
+        If a file cannot be read, or a library for it is not installed.
+
+    Examples
+    --------
+    >>> with open_frames("movie.tif") as movie:  # doctest: +SKIP
+    ...     print(movie.axes, movie.shape, movie.metadata)
+    ...     first = movie[:100]
     """
-    if isinstance(path, Frames):
-        return path
-    if not isinstance(path, str | PathLike):
-        is_array = hasattr(path, "shape") and hasattr(path, "dtype")
-        values = cast(ArrayLikeImages, path) if is_array else validation.array(name, path)
+    return frames_of("images", paths[0]) if len(paths) == 1 else read_images([*paths])  # type: ignore[list-item]
+
+
+def frames_of(name: str, images: str | PathLike[str] | ArrayLike) -> Frames:
+    """Return the images of a file or of an array, the argument `name` in messages."""
+    if isinstance(images, Frames):
+        return images
+    if not isinstance(images, str | PathLike):
+        is_array = hasattr(images, "shape") and hasattr(images, "dtype")
+        values = cast(ArrayLikeImages, images) if is_array else validation.array(name, images)
         validation.refuse_masked(name, values)
         return _array_frames(values, name)
-    file_path, part = part_of(path)
+    file_path, part = part_of(images)
     source = validation.path("path", file_path)
     if source.is_dir():
         with errors_of(source):
@@ -606,13 +725,11 @@ def open_frames(path: str | PathLike[str] | ArrayLike, *, image: int | None = No
     photos.require_developed(source, start)
     if start.startswith(_NUMPY):
         with errors_of(source):
-            return replace(_array_frames(_grey(reading.npy_mapped(source)), "it"), path=source)
+            return _array_frames(_grey(reading.npy_mapped(source)), "it", source)
     if start.startswith(photos.TIFF):
-        if part is not None:
-            if not part.isdecimal():
-                raise ValueError(f"{line(source)} has images by number, as in {source.name}[0], got {shown(part)}")
-            image = int(part)
-        return _open_tiff(source, image)
+        if part is not None and not part.isdecimal():
+            raise ValueError(f"{line(source)} has images by number, as in {source.name}[0], got {shown(part)}")
+        return _open_tiff(source, None if part is None else int(part))
     with errors_of(source):
         return _fits_or_png_frames(source, part)
 
@@ -637,7 +754,7 @@ def errors_of(path: Path, part: str = "") -> Iterator[None]:
         raise RecordingError(f"{line(path)}: {part}{reading.reason(error)}") from None
 
 
-def _array_frames(values: ArrayLikeImages, name: str) -> Frames:
+def _array_frames(values: ArrayLikeImages, name: str, path: Path | None = None, **described: Any) -> Frames:
     """Return the images of an array, whose axes are unknown."""
     sides = tuple(int(side) for side in values.shape)
     require_numbers(name, values.dtype)
@@ -645,7 +762,7 @@ def _array_frames(values: ArrayLikeImages, name: str) -> Frames:
         raise ValueError(f"{name} must have images of one pixel or more, (..., height, width), got the shape {sides}")
     stack_shape = sides[:-2]
     numbers = np.arange(math.prod(stack_shape)).reshape(stack_shape)
-    return Frames(_ArrayPlanes(values, name), numbers, f"{UNKNOWN * len(stack_shape)}YX")
+    return Frames(_ArrayPlanes(values, name, path), numbers, f"{UNKNOWN * len(stack_shape)}YX", **described)
 
 
 def require_numbers(name: str, dtype: DTypeLike) -> None:
@@ -667,9 +784,8 @@ def _fits_or_png_frames(path: Path, part: str | None) -> Frames:
         )
         raise RecordingError(f"{line(path)} {problem}") from None
     values, header = file_format.read(data, part)
-    frames, notes = _array_frames(_grey(values), "it"), tuple(fits_notes(header))
-    metadata, kind = fits_metadata(header), "FITS" if header else ""
-    return replace(frames, metadata=metadata, metadata_format=kind, path=path, notes=notes)
+    metadata = fits_metadata(header) | ({"format": "FITS"} if header else {})
+    return _array_frames(_grey(values), "it", path, metadata=metadata, notes=tuple(fits_notes(header)))
 
 
 def _open_tiff(path: Path, image: int | None) -> Frames:
@@ -707,23 +823,24 @@ def _tiff_frames(path: Path, file: TiffFile, image: int | None) -> Frames:
         if "S" in letters
         else reading.tiff_mapped(file, series, path, count)
     )
-    metadata_format, metadata = "", {}
+    metadata: Metadata = {}
     if file.is_ome:
-        metadata_format, metadata = "OME", ome_metadata(file, place)
+        metadata = ome_metadata(file, place) | {"format": "OME"}
     elif file.is_imagej:
-        metadata_format, metadata = "ImageJ", imagej_metadata(file)
-    planes = _TiffPlanes(path, series) if mapped is None else _ArrayPlanes(mapped, "it")
+        metadata = imagej_metadata(file) | {"format": "ImageJ"}
+    planes = _TiffPlanes(path, file, series) if mapped is None else _ArrayPlanes(mapped, "it", path)
     orientation = page.tags.get("Orientation")
     if orientation is not None and orientation.value != 1:
         notes.append(f"The file states the orientation {orientation.value}, which was not applied.")
     uncounted = reading.tiff_left_out(file)
     if uncounted:
         notes.append(f"The file holds {uncounted}; the others were left out.")
+        metadata["left_out"] = uncounted
     axes = "".join(letter for letter, _ in sizes) + "YX"
     numbers = np.arange(count).reshape(stack_shape)
     if mapped is not None:  # the mapping remains valid after the file is closed
         file.close()
-    return Frames(planes, numbers, axes, metadata, metadata_format, path, tuple(notes), uncounted, file.close)
+    return Frames(planes, numbers, axes, metadata, tuple(notes))
 
 
 def _series_of(path: Path, file: TiffFile, image: int | None, notes: list[str]) -> tuple[Any, int]:
@@ -816,7 +933,7 @@ def _zarr_frames(path: Path) -> Frames:
     stack_shape = array.shape[:-2]
     reading.afford(64 * math.prod(stack_shape), reading.MEMORY)  # 64 bytes for the number of each image
     numbers = np.arange(math.prod(stack_shape)).reshape(stack_shape)
-    return Frames(planes, numbers, order, metadata, "OME-Zarr", path, tuple(notes))
+    return Frames(planes, numbers, order, metadata | {"format": "OME-Zarr"}, tuple(notes))
 
 
 def _check_descriptions(folder: Path, prefix: str) -> None:
@@ -859,217 +976,144 @@ registry.register(
 )
 
 
-@dataclass(frozen=True, eq=False)
-class Images:
-    """Images of several files of one size and type.
-
-    Attributes
-    ----------
-    values : ndarray, shape (n, height, width)
-    names : tuple of str
-        Name of each image: its file, and its number in a stack.
-    metadata : dict
-        Metadata of the files; Unusable where they contradict each other.
-    notes : tuple of str
-    """
-
-    values: Values
-    names: tuple[str, ...]
-    metadata: Metadata
-    notes: tuple[str, ...]
-
-
-def read_each(paths: Sequence[str | PathLike[str]]) -> Iterator[Images]:
-    """Yield the grey images of each file, one image or a stack in the order of the file.
+def read_each(paths: Sequence[str | PathLike[str]]) -> Iterator[Frames]:
+    """Yield the grey images of each file in memory, one image or a stack in the order of the file.
 
     For a multi-file OME-TIFF, its first file yields all images, and its other files none. Raises RecordingError,
     OSError or ImportError as :func:`open_frames`.
     """
     read_files: set[str] = set()
     for path in paths:
-        with open_frames(path) as frames:
+        with frames_of("path", validation.path("path", path)) as frames:
             files = frames.files
             if files and files <= read_files:
                 continue
             read_files |= files
             stack = frames.as_stack()
-            if stack.left_out:
-                raise RecordingError(f"{stack.name}: it holds {stack.left_out}; save it again")
             with errors_of(stack.path or Path()):
                 # Twice the size: the array of values, and a copy that is made while reading.
                 reading.afford(2.0 * math.prod(stack.shape) * stack.dtype.itemsize, stack.planes.stored)
             values = stack[...]
         if values.dtype == bool:  # a mask
             values = values.astype(np.uint8)
-        file_name = Path(path).name
-        names = [file_name] if len(values) == 1 else [f"{file_name} [{k}]" for k in range(len(values))]
-        yield Images(values, tuple(names), stack.metadata, stack.notes)
+        names = names_of(Path(path).name, len(values))
+        yield replace(stack, planes=_ArrayPlanes(values, "it", stack.path, names))
 
 
-def read_images(paths: Sequence[str | PathLike[str]]) -> Images:
+def read_images(paths: Sequence[str | PathLike[str]]) -> Frames:
     """Return the images of all files, as by :func:`read_each`; ValueError unless all have one size and type."""
-    images = list(read_each(paths))
-    if not images:
+    files = list(read_each(paths))
+    if not files:
         raise ValueError("paths must name a file or several, got none")
-    kinds = [(file.values.shape[1:], file.values.dtype) for file in images]
-    for file, ((height, width), dtype) in zip(images, kinds, strict=True):
+    kinds = [(file.planes.sides, file.dtype) for file in files]
+    for file, ((height, width), dtype) in zip(files, kinds, strict=True):
         if ((height, width), dtype) != kinds[0]:
             (first_height, first_width), first_dtype = kinds[0]
             raise RecordingError(
                 f"{file.names[0]}: images of {height} x {width} {dtype}, but the first images are of "
                 f"{first_height} x {first_width} {first_dtype}"
             )
-    return Images(
-        np.concatenate([file.values for file in images]),
-        tuple(name for file in images for name in file.names),
-        combined_metadata([file.metadata for file in images]),
-        tuple(dict.fromkeys(note for file in images for note in file.notes)),
+    if len(files) == 1:
+        return files[0]
+    names = tuple(name for file in files for name in file.names)
+    planes = _ArrayPlanes(np.concatenate([file[...] for file in files]), "images", None, names)
+    notes = tuple(dict.fromkeys(note for file in files for note in file.notes))
+    metadata = combined_metadata([file.metadata for file in files])
+    return Frames(planes, np.arange(len(names)), f"{UNKNOWN}YX", metadata, notes)
+
+
+def _along_channels(frames: Frames, time: int | None, axes: str | None) -> Frames:
+    """Return images along C, Z, Y and X, at a single time."""
+    if axes is not None and (not isinstance(axes, str) or not re.fullmatch(r"[TCZ]*YX", axes)):
+        raise ValueError(f'axes must be letters of TCZYX that end in YX, such as "ZYX", got {shown(axes)}')
+    if time is not None:
+        validation.integer("time", time, least=0, most=validation.MAX_VALUES)
+    name, lengths = frames.name, frames.numbers.shape  # sizes of all axes before rows and columns
+    if axes is None and frames.path is None and set(frames.axes[:-2]) <= {UNKNOWN}:
+        if len(lengths) not in (1, 2):
+            raise ValueError(
+                "stack must have the shape (planes, height, width) or (channels, planes, height, width), got "
+                f"{frames.shape}"
+            )
+        axes = "CZYX"[-frames.ndim :]
+    if axes is not None:
+        sizes = lengths if len(lengths) == len(axes) - 2 else tuple(side for side in lengths if side != 1)
+        if len(sizes) != len(axes) - 2:
+            raise RecordingError(f"{name}: axes={axes!r} does not match its shape {frames.shape}")
+        frames = replace(frames, numbers=frames.numbers.reshape(sizes), axes=axes)
+    long_axes = [letter for letter, side in zip(frames.axes, frames.numbers.shape, strict=False) if side != 1]
+    if UNKNOWN in long_axes:
+        count = frames.numbers.shape[frames.axes.index(UNKNOWN)]
+        raise RecordingError(
+            f"{name}: the file does not state the meaning of its axis of {count} images; state it, such as "
+            'axes="ZYX" for planes along z'
+        )
+    if "T" in frames.axes:
+        count = frames.numbers.shape[frames.axes.index("T")]
+        if "T" in long_axes and "Z" not in long_axes and time is None:
+            raise RecordingError(
+                f"{name}: it is a time series of {count} images without planes along z; if these are planes, "
+                'state axes="ZYX"'
+            )
+        if count > 1 and time is None:
+            raise RecordingError(
+                f"{name}: it holds {count} time points; select one with time=, from 0 to {count - 1}, or restore "
+                "each in turn"
+            )
+        frames = frames.one_of("T", validation.integer("time", time or 0, least=0, most=count - 1))
+    numbers, order = frames.numbers, frames.axes[:-2]
+    for letter in "CZ":
+        if letter not in order:
+            numbers, order = numbers[..., None], order + letter
+    return replace(frames, numbers=numbers.transpose([order.index(letter) for letter in "CZ"]), axes="CZYX")
+
+
+def _with_used_metadata(frames: Frames) -> Frames:
+    """Return images along C, Z, Y and X with the metadata of their file, without values that cannot be used."""
+    count, metadata, notes = frames.numbers.shape[0], frames.metadata, list(frames.notes)
+    unusable: dict[str, str] = {}
+
+    def usable_value(
+        key: str, subject: str, value: float | Unusable | None, limits: tuple[float, float] | None
+    ) -> float | None:
+        if isinstance(value, float) and limits is not None and not limits[0] < value < limits[1]:
+            value = Unusable(f"{value:g} m")
+        if not isinstance(value, Unusable):
+            return None if value is None else float(value)
+        unusable[key] = value.words
+        notes.append(f"The file states {subject} {value.words}, which cannot be used.")
+        return None
+
+    sides = {
+        key: usable_value("pixel" if key == "down" else key, subject, metadata.get(key), _SIDES)
+        for key, subject in _LENGTHS.items()
+    }
+    width, height = sides["pixel"], sides["down"]
+    if width and height and abs(width - height) > _TOLERANCE * width:
+        raise RecordingError(
+            f"{frames.name}: its pixels are {format_length(height)} high and {format_length(width)} wide; resample "
+            "it to square pixels"
+        )
+    lengths: Metadata = {"pixel": None if "pixel" in unusable else width, "step": sides["step"]}
+    parts = (("pixel", "pixels"), ("step", "planes apart"))
+    used_values = [f"{format_length(length)} {noun}" for key, noun in parts if (length := lengths[key]) is not None]
+    if used_values:
+        notes.append(f"From the {metadata['format']} metadata of the file: {', '.join(used_values)}.")
+    if metadata.get("is_step_negative"):
+        notes.append(
+            "The file states a negative plane spacing, of which the magnitude was used: its sign does not set the "
+            "direction of z."
+        )
+    waves: Metadata = {}
+    for key in ("emission", "excitation"):
+        wavelengths = (list(metadata.get(key, [])) + [None] * count)[:count]
+        waves[key] = tuple(
+            usable_value(f"{key} {k}", f"that the {key} of channel {k} is", wave, _WAVES)
+            for k, wave in enumerate(wavelengths)
+        )
+    lens = {key: usable_value(key, key, metadata.get(key), None) for key in ("NA", "magnification", "immersion")}
+    stated_names = metadata.get("names", [])
+    names = tuple((stated_names[k] if k < len(stated_names) else None) or f"channel {k}" for k in range(count))
+    return replace(
+        frames, metadata=lengths | {"names": names, "unusable": unusable} | waves | lens, notes=tuple(notes)
     )
-
-
-BLOCK = 2**22
-"""Default number of pixels of a block of frames: 32 MB in float64."""
-
-
-MovieError = RecordingError
-
-
-class Movie:
-    """Frames of a file, read on demand.
-
-    :func:`lommel.localize.open_movie` opens a movie; ``with`` or `close` closes it.
-
-    Parameters
-    ----------
-    frames : Frames
-        Images with one axis before YX.
-    path : Path
-
-    Attributes
-    ----------
-    shape : tuple of int
-        Frames, rows, columns.
-    dtype : dtype
-        Integers or floats, as they are stored, in the byte order of this machine.
-    path : Path
-    metadata : dict
-        Metadata of the camera.
-    notes : tuple of str
-        Sentences on the image that was chosen and on data that were left out.
-
-    Raises
-    ------
-    MovieError
-        From all methods that read frames, if the file is damaged.
-    """
-
-    def __init__(self, frames: Frames, path: Path) -> None:
-        self._frames = frames
-        self.path, self.dtype, self.metadata, self.notes = path, frames.dtype, frames.metadata, frames.notes
-        self.shape: tuple[int, int, int] = (len(frames), *frames.planes.sides)
-
-    def __repr__(self) -> str:
-        count, rows, columns = self.shape
-        return f"<Movie {self.path.name!r}: {count} frames of {rows} x {columns}, {self.dtype}>"
-
-    def __len__(self) -> int:
-        return self.shape[0]
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
-        self.close()
-
-    def close(self) -> None:
-        """Close the file."""
-        self._frames.close()
-
-    def frames(self, first: int, last: int) -> Values:
-        """Return the frames `first` to ``last - 1``, shape ``(last - first, rows, columns)``.
-
-        Parameters
-        ----------
-        first, last : int
-            Numbers of frames, counted from 0.
-
-        Returns
-        -------
-        ndarray
-            Copy of the frames.
-
-        Raises
-        ------
-        TypeError, ValueError
-            If a number is out of range; MovieError if a frame is damaged or missing.
-        """
-        begin = validation.integer("first", first, least=0, most=len(self))
-        end = validation.integer("last", last, least=begin, most=len(self))
-        return self._frames[begin:end]
-
-    def blocks(self, size: int | None = None) -> Iterator[Values]:
-        """Yield all frames in blocks of consecutive frames.
-
-        Parameters
-        ----------
-        size : int, optional
-            Number of frames per block; the last block may have fewer. By default 4194304 pixels per block.
-
-        Yields
-        ------
-        ndarray, shape (size, rows, columns)
-
-        Raises
-        ------
-        TypeError, ValueError
-            If `size` is out of range; MovieError if a frame is damaged or missing.
-        """
-        count, rows, columns = self.shape
-        length_of_block = max(1, BLOCK // (rows * columns)) if size is None else size
-        validation.integer("size", length_of_block, least=1, most=validation.MAX_VALUES)
-        for first in range(0, count, length_of_block):
-            yield self.frames(first, min(first + length_of_block, count))
-
-
-def open_movie(path: str | PathLike[str]) -> Movie:
-    """Open a movie: a file of grey frames, which are read on demand.
-
-    Formats: TIFF and OME-TIFF of any length, also BigTIFF and ImageJ's stacks above 4 GB, uncompressed or with
-    deflate, PackBits or LZW; OME-Zarr, FITS and NPY. Contiguous uncompressed frames are mapped into memory.
-
-    Parameters
-    ----------
-    path : path
-
-    Returns
-    -------
-    Movie
-
-    Raises
-    ------
-    MovieError
-        If the file is of another format or damaged, or holds colours or several series of images.
-    OSError
-        If the file cannot be read.
-    ImportError
-        If tifffile, or another library for the format, is not installed.
-
-    Examples
-    --------
-    >>> with open_movie("movie.tif") as movie:  # doctest: +SKIP
-    ...     for block in movie.blocks(100):
-    ...         print(block.shape)
-    """
-    source = validation.path("path", path)
-    frames = open_frames(source)
-    try:
-        if frames.left_out:
-            raise MovieError(f"{frames.name} cannot be read as a movie: it holds {frames.left_out}; save it again")
-        if frames.dtype.kind not in "iuf":
-            raise MovieError(f"{frames.name} cannot be read as a movie: it holds {frames.dtype}, no numbers")
-        return Movie(frames.as_stack(), source)
-    except BaseException:
-        frames.close()
-        raise

@@ -1,14 +1,14 @@
 // Error bounds for pupils with arbitrary aberrations.
 #include <algorithm>
+#include <cmath>
 #include <memory>
-#include <numeric>
 #include <utility>
 #include <vector>
 
 #include "lommel/chordal/error_samples.hpp"
 #include "lommel/special/fft.hpp"
 #include "lommel/special/gridding.hpp"
-#include "lommel/zernike/image.hpp"
+#include "lommel/zernike/polar_zones.hpp"
 
 #include "tests.hpp"
 
@@ -78,41 +78,24 @@ Named sampled_growth(Terms terms, Doubles1 coefficients, std::size_t curve) {
     return named("mean"_a = found.mean, "margin"_a = found.margin);
 }
 
-// Bounds of one piece for a requested error `wanted` of U, as in an image.
-Named zernike_field_bounds(Terms terms, Doubles1 outer, Doubles1 inner, double obscuration, Doubles1 amplitude, double reach,
-                           double error, double wanted, std::size_t piece, std::size_t groups) {
+// Expansion of a pupil, and errors of the field on the circles of a window from the axis to v = reach, in pixels of pitch `step`.
+Named circle_errors(Terms terms, Doubles1 outer, Doubles1 inner, double obscuration, Doubles1 amplitude, double reach,
+                    double error, double step, double tol) {
     const lommel::Amplitude light = powers_of_amplitude(amplitude);
-    lommel::ZernikeField field;
     const lommel::TermPairs pairs(terms_of(terms, outer.size()));
     require(inner.shape(0) == outer.shape(0), "both disks must have all terms");
+    lommel::ZernikeField field;
     field.expand({pairs, outer.data(), light}, {pairs, inner.data(), light.scaled(obscuration * obscuration)}, obscuration,
                  reach, error);
-    const double expanded = field.base();
-    std::size_t pieces = 0;
-    field.prepare(wanted, 1, [&](std::size_t count) {
-        std::vector<std::size_t> all(pieces = count);
-        std::iota(all.begin(), all.end(), std::size_t{0});
-        return all;
-    });
-    require(piece < pieces, "no such piece");
-    const lommel::PiecePlan plan = field.plan(piece, wanted, groups);
-    nb::list singles;
-    lommel::Doubles ring;
-    for (std::size_t r = 0; r < plan.rings; ++r) {
-        lommel::dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA { field.ring(isa, plan, piece, r, ring); });
-        singles.append(lommel::single_rounding(plan, ring));
+    lommel::PolarZones zones;
+    const lommel::PolarPupil pupil(field);
+    const bool likely = zones.plan(pupil, step, 0, std::llround(reach * reach / (step * step)), tol, 0.0, 1);
+    zones.fill(pupil, 1);
+    nb::list errors;
+    for (std::size_t z = 0; z < zones.size(); ++z) {
+        errors.append(zones[z].errors);
     }
-    return named("expanded"_a = expanded, "prepared"_a = field.base(), "width"_a = field.width(), "rings"_a = plan.rings,
-                 "error"_a = plan.error, "singles"_a = singles);
-}
-
-double single_rounding(In<std::int64_t, 1> orders, std::size_t rows, Doubles1 coefficients) {
-    lommel::PiecePlan plan;
-    for (std::size_t i = 0; i < orders.shape(0); ++i) {
-        plan.orders.add(static_cast<std::size_t>(orders.data()[i]));
-    }
-    plan.rows.resize(rows);
-    return lommel::single_rounding(plan, {coefficients.data(), coefficients.data() + coefficients.shape(0)});
+    return named("expanded"_a = field.base(), "likely"_a = likely, "errors"_a = errors);
 }
 
 // One pupil as the disk engines receive it: terms, coefficients on both disks, and the error of this conversion.
@@ -232,16 +215,13 @@ void bindings::define_disk_tests(nb::module_& m) {
           "Degrees, orders and rule of a Zernike series, and bounds on what they leave.");
     m.def("sampled_growth", &sampled_growth, "terms"_a, "coefficients"_a, "curve"_a,
           "The logarithm of the mean of a pupil function on a curve, by samples, and what it may be more.");
-    m.def("zernike_field_bounds", &zernike_field_bounds, "terms"_a, "outer"_a, "inner"_a, "obscuration"_a, "amplitude"_a,
-          "reach"_a, "error"_a, "wanted"_a, "piece"_a, "groups"_a,
-          "Bounds on the error of U: of the series, of every piece, of one, and of its rings in single precision.");
     m.def("row_fft", &row_fft<double>, "rows"_a,
           "Their transforms but for the last pass, and the bound on an error over the sum of the magnitudes.");
     m.def("row_fft_single", &row_fft<float>, "rows"_a, "The same in single precision.");
     m.def("gridding_bounds", &gridding_bounds, "taps"_a, "oversampling"_a, "step"_a, "x"_a, "omega"_a,
           "A kernel that interpolates between equal steps, its transform, and bounds on what it does.");
-    m.def("single_rounding", &single_rounding, "orders"_a, "rows"_a, "coefficients"_a,
-          "Bound on what single precision does to U on a ring.");
+    m.def("circle_errors", &circle_errors, "terms"_a, "outer"_a, "inner"_a, "obscuration"_a, "amplitude"_a, "reach"_a,
+          "error"_a, "step"_a, "tol"_a, "Bounds on U of an expansion, and of each circle that a window takes.");
     m.def("disk_stack", &disk_stack, "terms"_a, "edge"_a, "obscuration"_a, "row"_a, "column"_a, "step"_a, "moved"_a,
           "A wavefront on the whole disk and on the obscured one, and what roundings do to U on the way.");
     m.def("chordal_bounds", &chordal_bounds, "terms"_a, "coefficients"_a, "amplitude"_a, "low"_a, "high"_a,

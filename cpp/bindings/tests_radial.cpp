@@ -7,7 +7,6 @@
 #include "lommel/radial/field.hpp"
 #include "lommel/special/bessel_table.hpp"
 #include "lommel/special/fresnel.hpp"
-#include "lommel/zernike/rings.hpp"
 
 #include "tests.hpp"
 
@@ -60,14 +59,12 @@ Named window_bounds(std::size_t count, double reach) {
                  "spacing"_a = static_cast<double>(std::numeric_limits<lommel::wide>::epsilon()));
 }
 
-Named piece_bounds(std::size_t width, std::size_t piece, std::size_t terms, std::size_t parity) {
-    require(width < lommel::widths.size() && parity < 2 && piece < 1000 && terms < 1000, "no such piece");
-    const auto table = (parity == 0 ? lommel::even_pieces : lommel::odd_pieces).get(width, {piece + 1, {}}, terms);
+Named piece_bounds(std::size_t width, std::size_t piece, std::size_t terms) {
+    require(width < lommel::widths.size() && piece < 1000 && terms < 1000, "no such piece");
+    const auto table = lommel::piece_tables.get(width, {piece + 1, {}}, terms);
     const lommel::Piece& one = *table->pieces[piece];
-    return named("width"_a = table->width, "error"_a = lommel::piece_error(table->width),
-                 "ring_error"_a = lommel::ring_error(table->width), "rows"_a = listed(one.rows), "magnitude"_a = one.magnitude,
-                 "azimuthal"_a = one.azimuthal, "largest_magnitude"_a = table->magnitude,
-                 "largest_azimuthal"_a = table->azimuthal);
+    return named("width"_a = table->width, "error"_a = lommel::piece_error(table->width), "rows"_a = listed(one.rows),
+                 "magnitude"_a = one.magnitude, "largest_magnitude"_a = table->magnitude);
 }
 
 double field_bound(Doubles1 coefficients, Doubles1 amplitude, std::size_t power, double obscuration, double reach,
@@ -150,7 +147,7 @@ void bindings::define_radial_tests(nb::module_& m) {
           "Bounds on U beyond so many terms and nodes, for one pupil or for all between two.");
     m.def("window_bounds", &window_bounds, "count"_a, "reach"_a,
           "Bounds on U beyond so many Legendre terms, or degrees on the disk, whatever the pupil, up to v = reach.");
-    m.def("piece_bounds", &piece_bounds, "width"_a, "piece"_a, "terms"_a, "parity"_a,
+    m.def("piece_bounds", &piece_bounds, "width"_a, "piece"_a, "terms"_a,
           "A piece of the table of Bessel functions, the error of its interpolation and the size of its coefficients.");
     m.def("field_bound", &field_bound, "coefficients"_a, "amplitude"_a, "power"_a, "obscuration"_a, "reach"_a, "error"_a,
           "Bound on the error of U, all terms together.");

@@ -35,8 +35,4 @@ void bindings::define_zernike(nb::module_& m) {
         "Averages over pixels far from the axis, 0 nearer to it; none where those `most` from it, in v, are not within `tol` "
         "of the largest average that is likely. Of each pupil: the distance in pixels from which on they are there, the bound "
         "on their error, that largest average, and the row and the column of the axis.");
-    m.def(
-        "interpolation_worth", [](double share) { lommel::interpolation_worth() = share; }, "share"_a,
-        "Interpolate between circles where that is predicted to take at most this share of the series' time: 1, or 0 for "
-        "never.");
 }

@@ -10,7 +10,3 @@
 #include "lommel/zernike/disk_stack.hpp"
 #include "lommel/zernike/far_averages.hpp"
 #include "lommel/zernike/field.hpp"
-#include "lommel/zernike/image.hpp"
-
-template void lommel::ZernikeImage::paint<float>(double, float*);
-template void lommel::ZernikeImage::paint<double>(double, double*);

@@ -54,13 +54,13 @@ void legendre_rule(std::size_t nodes) {
 
 // By Cauchy, as the size of the coefficients is counted, over places in a piece: the Bessel functions at its points, against
 // Miller's recurrence in extended precision; and what becomes of them.
-void bessel_piece(double width, std::size_t s, std::size_t parity) {
+void bessel_piece(double width, std::size_t s) {
     constexpr std::size_t m = lommel::degree_count, places = 81;
     const lommel::ChebyshevToMonomials<m, extended> exactly;
     const std::size_t terms = lommel::Piece::most(width, s);
-    const lommel::Piece piece = lommel::made_piece(parity, width, s, terms);
+    const lommel::Piece piece = lommel::made_piece(width, s, terms);
     for (std::size_t fewer : {terms / 8, terms / 3, terms / 2, terms - 1}) {
-        const lommel::Piece first = lommel::made_piece(parity, width, s, fewer);
+        const lommel::Piece first = lommel::made_piece(width, s, fewer);
         check(std::equal(first.rows.begin(), first.rows.end(), piece.rows.begin()), "rows that depend on their number",
               static_cast<double>(fewer));
     }
@@ -69,11 +69,10 @@ void bessel_piece(double width, std::size_t s, std::size_t parity) {
         points[j] = width * (static_cast<double>(s) + 0.5 * (1.0 + lommel::piece_rule.point(j)));
     }
     lommel::Doubles values(m * (terms + lommel::row_lanes));
-    lommel::dispatch([&](auto isa)
-                         LOMMEL_INLINE_LAMBDA { lommel::piece_values(isa, parity, points, terms, terms, values.data()); });
+    lommel::dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA { lommel::piece_values(isa, points, terms, terms, values.data()); });
     double off = 0.0;
     for (std::size_t j = 0; j < m; ++j) {
-        std::vector<extended> orders(2 * terms + parity + 300);
+        std::vector<extended> orders(2 * terms + 300);
         std::size_t k = orders.size() - 1;
         for (orders[k - 1] = 1e-2000L; --k > 0;) {
             orders[k - 1] = 2 * static_cast<extended>(k) / points[j] * orders[k] - orders[k + 1];
@@ -83,7 +82,7 @@ void bessel_piece(double width, std::size_t s, std::size_t parity) {
             sum += 2 * orders[k];
         }
         for (std::size_t n = 0; n < terms; ++n) {
-            const extended exact = (n % 2 == 0 ? 2 : -2) * orders[2 * n + 1 + parity] / (sum * points[j]);
+            const extended exact = (n % 2 == 0 ? 2 : -2) * orders[2 * n + 1] / (sum * points[j]);
             square += static_cast<extended>(2 * n + 1) * (values[n * m + j] - exact) * (values[n * m + j] - exact);
         }
         off = std::max(off, units(std::sqrt(square)));
@@ -102,8 +101,8 @@ void bessel_piece(double width, std::size_t s, std::size_t parity) {
         }
     }
     const double worst = units(std::sqrt(*std::max_element(errors.begin(), errors.end())) / piece.magnitude);
-    std::printf("width %4.1f, piece %3zu, parity %zu: off by %.2f, then by %.2f units of size %.3g\n", width, s, parity, off,
-                worst, piece.magnitude);
+    std::printf("width %4.1f, piece %3zu: off by %.2f, then by %.2f units of size %.3g\n", width, s, off, worst,
+                piece.magnitude);
     check(off < 4.0, "Bessel functions of a piece", off);
     check(worst < 1.0, "conversion of a piece", worst);
 }
@@ -156,8 +155,7 @@ int main() {
     }
     for (const double width : lommel::widths) {
         for (const std::size_t s : {1, 4, 30, 200}) {
-            bessel_piece(width, s, 0);
-            bessel_piece(width, s, 1);
+            bessel_piece(width, s);
         }
     }
     for (const std::size_t chords : {4, 16, 64, 256}) {

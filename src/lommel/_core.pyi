@@ -112,11 +112,6 @@ def far_averages(stack: tuple[Annotated[NDArray[numpy.int32], dict(shape=(None, 
     Averages over pixels far from the axis, 0 nearer to it; none where those `most` from it, in v, are not within `tol` of the largest average that is likely. Of each pupil: the distance in pixels from which on they are there, the bound on their error, that largest average, and the row and the column of the axis.
     """
 
-def interpolation_worth(share: float) -> None:
-    """
-    Interpolate between circles where that is predicted to take at most this share of the series' time: 1, or 0 for never.
-    """
-
 class RowRule:
     """
     Quadrature over a region of ellipses and convex polygons within the unit disc.

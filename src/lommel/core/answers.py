@@ -26,13 +26,19 @@ class ToleranceError(ArithmeticError):
     bound: float | None = None
 
 
-def not_met(tol: float, bound: float, reference: str, conditions: str = "in double precision") -> ToleranceError:
-    """Return the exception for a method whose error bound, relative to `reference`, exceeds `tol`."""
+def not_met(
+    tol: float, bound: float, reference: str, conditions: str = "in double precision", other: str = ""
+) -> ToleranceError:
+    """Return the exception for a method whose error bound, relative to `reference`, exceeds `tol`.
+
+    `other` names a method that may meet it.
+    """
     error_size = f"{bound:.2g} of {reference}" if bound < 1.0 else f"as large as {reference}"
     # Suggest twice the bound, since the bound may increase with the tolerance.
     sufficient = _rounded_up(2.0 * bound) if 1e-300 < bound < 0.05 else 1.0
-    advice = f"; give tol={sufficient:g}" if tol < sufficient < 1.0 else ""
-    error = ToleranceError(f"tol={tol:g} cannot be met {conditions}: the proven error bound is {error_size}{advice}")
+    advice = " or ".join([f"tol={sufficient:g}"] * (tol < sufficient < 1.0) + [f"method={other}"] * bool(other))
+    reached = f"the proven error bound is {error_size}" + (f"; give {advice}" if advice else "")
+    error = ToleranceError(f"tol={tol:g} cannot be met {conditions}: {reached}")
     error.bound = bound
     return error
 

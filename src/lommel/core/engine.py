@@ -97,10 +97,10 @@ def _outputs(count: int, window: Window, wanted: Wanted) -> tuple[float, Pixels,
     return _common_scale(wanted), values, np.empty((3, count))
 
 
-def _require(bound: float, tol: float, relative_to: str) -> None:
+def _require(bound: float, tol: float, relative_to: str, other: str = "") -> None:
     """Raise ToleranceError if `bound`, an error bound that exceeds `tol`, is not 0."""
     if bound:
-        raise not_met(tol, bound, relative_to)
+        raise not_met(tol, bound, relative_to, other=other)
 
 
 def radial_images(
@@ -158,8 +158,9 @@ def _error_reference(wanted: Wanted) -> str:
 
 
 def series_images(stack: DiskStack, window: Window, tol: float, wanted: Wanted) -> Samples:
-    """Return point samples of images of arbitrary wavefronts, computed by a series of Bessel functions."""
-    return _disk_images(_core.series_images, "the peak", stack, window, tol, wanted)
+    """Return point samples of images of arbitrary wavefronts, by interpolation between circles."""
+    other = f"ChordalGauss({tol:g})"
+    return _disk_images(_core.series_images, "the peak", stack, window, tol, wanted, other)
 
 
 class FarPixels(NamedTuple):
@@ -443,12 +444,13 @@ def _disk_images(
     window: Window,
     tol: float,
     wanted: Wanted,
+    other: str = "",
     **derivatives: object,
 ) -> Samples:
-    """Return images computed by a function of the core; ToleranceError if it cannot meet `tol`."""
+    """Return images by a function of the core; ToleranceError if it cannot meet `tol`, as `other` methods may."""
     scale, values, numbers = _outputs(len(stack.edge), window, wanted)
     request = tol, wanted.threads, scale
-    _require(compute(stack, window, request, values, numbers, **derivatives), tol, relative_to)
+    _require(compute(stack, window, request, values, numbers, **derivatives), tol, relative_to, other)
     return Samples(values, numbers[0], numbers[1], None, numbers[2])
 
 

@@ -88,7 +88,7 @@ RULES = (
         "circular or annular, by whichever is likely to take less time",
         lambda pupil, _: pupil.circular,
         _disk_methods,
-        "two matrix products; or a sum over azimuthal orders for an eighth of the pixels",
+        "two matrix products; or FFTs on circles, and interpolation for an eighth of the pixels",
     ),
     Rule(
         "any other aperture",

@@ -41,7 +41,8 @@ class NijboerZernike(FieldMethod["Pupil"]):
     tol : float, default 1e-6
         Bound on ``max|I - I_exact| / max I`` over the window, max I being the peak of the PSF, 1e-12 to 1e-1. The
         errors of truncation, quadrature, interpolation and rounding are bounded, and :class:`ToleranceError` is
-        raised if their sum, divided by the computed peak, cannot be brought below `tol`.
+        raised if their sum, divided by the computed peak, cannot be brought below `tol`. Without radial symmetry
+        this is so below about 1e-9; :class:`ChordalGauss` then reaches about 1e-11.
 
     Raises
     ------
@@ -58,7 +59,7 @@ class NijboerZernike(FieldMethod["Pupil"]):
 
     A pupil with any Zernike terms is ``P = sum beta_n^m R_n^|m| exp(i m theta)``, and its field is
     ``U(v, psi) = 2 sum_n (-i)^n sum_m beta_n^m J_{n+1}(v)/v exp(i m psi)``: all azimuthal orders m use the same
-    radial functions J_{n+1}(v)/v, and the sum over m is computed for eight pixels together.
+    radial functions J_{n+1}(v)/v. FFTs over m give U on circles, and interpolation between them eight pixels at once.
 
     References
     ----------

@@ -46,8 +46,8 @@ class Tiles {
     std::vector<Tile> all() const {
         std::vector<Tile> made;
         const std::int64_t low = std::min(near_x_, near_y_) / side * side, high = std::max(far_x_, far_y_);
-        for (std::int64_t a = low; a <= high; a += side) {
-            for (std::int64_t b = low; b <= a; b += side) {
+        for (std::int64_t a = std::max(near_x_, near_y_) / side * side; a <= high; a += side) {
+            for (std::int64_t b = low; b <= std::min(a, std::min(far_x_, far_y_)); b += side) {
                 const bool tall = a <= far_x_ && a + side > near_x_ && b <= far_y_ && b + side > near_y_;
                 const bool wide = a <= far_y_ && a + side > near_y_ && b <= far_x_ && b + side > near_x_;
                 if (tall || wide) {

@@ -219,7 +219,7 @@ LOMMEL_ONCE double Field::prepare(const Phase& phase, std::size_t power, double 
     table_ = nullptr;
     if (width < widths.size()) {
         const WantedPieces wanted = pieces_for(places, reach, widths[width], terms);
-        table_ = wanted.end() > 0 ? even_pieces.get(width, wanted, terms) : nullptr;
+        table_ = wanted.end() > 0 ? piece_tables.get(width, wanted, terms) : nullptr;
     }
     if (table_ == nullptr) {
         return bound + (1.0 + weight_) * by_series;

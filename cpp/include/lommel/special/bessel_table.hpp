@@ -1,6 +1,5 @@
 // Table of the Bessel functions 2 (-1)^n J_{2n+1}(v) / v as polynomials on pieces of the axis of v, the radius in units of
-// lambda / (2 pi NA). It depends only on the width of the pieces, so one table serves all pupils, wavelengths and pixels. A
-// second table, of 2 (-1)^n J_{2n+2}(v) / v, serves the odd azimuthal orders of pupils without radial symmetry.
+// lambda / (2 pi NA). It depends only on the width of the pieces, so one table serves all pupils, wavelengths and pixels.
 #pragma once
 
 #include <algorithm>
@@ -33,9 +32,6 @@ struct PieceTable {
     // (certificate, identity A). magnitude: bound on the sum of the moduli of all terms of U, which bounds the rounding of U:
     // maximum over pieces of sum_k sqrt(sum_n (2n+1) C_nk^2).
     double magnitude = 0.0;
-    // Bound on the sum of the moduli of all terms of the field, for pupils without radial symmetry: maximum over pieces of
-    // sum_k sqrt(sum_n (n+1)^2 C_nk^2), with C_nk the coefficient of x^k in the row for the Zernike degree n.
-    double azimuthal = 0.0;
     std::vector<std::shared_ptr<const Piece>> pieces;  // [index of the piece along v]; null if never requested
     std::size_t leading = 0;  // number of pieces before the first null
 
@@ -51,8 +47,6 @@ struct WantedPieces {
 
 class PieceTables final : Shared {
    public:
-    explicit PieceTables(std::size_t parity) : parity_(parity) {}
-
     // Return a table with at least the wanted pieces and `terms` rows. Missing pieces are computed once for all threads and
     // kept; all pieces are dropped when together they exceed `most_bytes`.
     std::shared_ptr<const PieceTable> get(std::size_t width_index, const WantedPieces& wanted, std::size_t terms) {
@@ -111,7 +105,6 @@ class PieceTables final : Shared {
     std::shared_ptr<const PieceTable> extended(const PieceTable* old, double width, const WantedPieces& wanted,
                                                std::size_t terms);
 
-    std::size_t parity_;
     Tables tables_;
 };
 
@@ -133,7 +126,7 @@ LOMMEL_ONCE std::shared_ptr<const PieceTable> PieceTables::extended(const PieceT
     const auto need = [&](std::size_t s) {
         if (!table->pieces[s]) {
             look();
-            table->pieces[s] = std::make_shared<const Piece>(made_piece(parity_, width, s, rows(s)));
+            table->pieces[s] = std::make_shared<const Piece>(made_piece(width, s, rows(s)));
         }
     };
     for (std::size_t s = 0; s < wanted.leading; ++s) {
@@ -148,26 +141,24 @@ LOMMEL_ONCE std::shared_ptr<const PieceTable> PieceTables::extended(const PieceT
     for (const auto& piece : table->pieces) {
         if (piece) {
             table->magnitude = std::max(table->magnitude, piece->magnitude);
-            table->azimuthal = std::max(table->azimuthal, piece->azimuthal);
         }
     }
     return table;
 }
 #endif
-inline PieceTables& even_pieces = *new PieceTables(0);
-inline PieceTables& odd_pieces = *new PieceTables(1);
+inline PieceTables& piece_tables = *new PieceTables;
 
 // The 16 complex coefficients of the field U on one piece, in powers of x (-1 to 1 on the piece): sum over n < terms of the
-// pupil coefficient beta_n times table row first + n. Speed is limited by reading the table, which is read once.
+// pupil coefficient beta_n times table row n. Speed is limited by reading the table, which is read once.
 template <class I>
 LOMMEL_INLINE void combine(I, const Piece& piece, std::size_t terms, const double* beta_re, const double* beta_im, double* re,
-                           double* im, std::size_t first = 0) {
+                           double* im) {
     using V = typename I::pack;
     constexpr std::size_t at_once = 2 * I::lanes < degree_count ? 2 * I::lanes : degree_count;
     constexpr std::size_t packs = at_once / I::lanes;
-    terms = std::min(terms, piece.terms() - std::min(first, piece.terms()));
+    terms = std::min(terms, piece.terms());
     for (std::size_t k = 0; k < degree_count; k += at_once) {
-        const double* column = piece.rows.data() + first * degree_count + k;
+        const double* column = piece.rows.data() + k;
         V a[2][packs] = {}, b[2][packs] = {};  // two rows at once, so that their chains of multiply-adds overlap
         const auto add = [&](std::size_t j, std::size_t n) LOMMEL_INLINE_LAMBDA {
             for (std::size_t p = 0; p < packs; ++p) {

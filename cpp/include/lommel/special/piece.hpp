@@ -19,13 +19,12 @@ namespace lommel {
 
 constexpr std::size_t degree_count = 16;  // coefficients of each polynomial
 
-// Piece of the Bessel table (bessel_table.hpp). Row n: 2 (-1)^n J_{2n+1}(v) / v, or with J_{2n+2} in the table for odd azimuthal
-// orders, as 16 coefficients of powers of x = -1 .. 1 on the piece; negligible functions have no row. magnitude, azimuthal: bounds
-// on the sum of the moduli of all terms of the field U on the piece (see PieceTable), for radially symmetric pupils and for sums
-// over azimuthal orders.
+// Piece of the Bessel table (bessel_table.hpp). Row n: 2 (-1)^n J_{2n+1}(v) / v as 16 coefficients of powers of x = -1 .. 1 on the
+// piece; negligible functions have no row. magnitude: bound on the sum of the moduli of all terms of the field U on the piece (see
+// PieceTable).
 struct Piece {
     Doubles rows;
-    double magnitude = 0.0, azimuthal = 0.0;
+    double magnitude = 0.0;
     std::size_t terms() const { return rows.size() / degree_count; }
 
     // left_out: bound on the contribution of the omitted rows to the field U, for any pupil; most(): number of rows that piece s
@@ -131,16 +130,15 @@ class PieceRule {
 };
 inline constexpr PieceRule piece_rule;
 
-// Compute values[16 n + point] = 2 (-1)^n J_{2n+1+parity}(v) / v, as zernike_transforms() does, at the 16 points v of a piece, in
+// Compute values[16 n + point] = 2 (-1)^n J_{2n+1}(v) / v, as zernike_transforms() does, at the 16 points v of a piece, in
 // descending order, for n < `terms`. The last point must be at least half the first, or else the backward recurrence overflows for
 // orders that matter. `most`: number of terms that the piece needs; the recurrence starts beyond it whatever `terms` is, so that
 // a value does not depend on `terms`.
 template <class I>
-LOMMEL_INLINE void piece_values(I isa, std::size_t parity, const double* points, std::size_t terms, std::size_t most,
-                                double* values) {
+LOMMEL_INLINE void piece_values(I isa, const double* points, std::size_t terms, std::size_t most, double* values) {
     using V = typename I::pack;
     constexpr std::size_t packs = degree_count / I::lanes;  // enough vectors at once to hide the latency of the recurrence
-    const std::size_t count = 2 * terms + parity, upwards = rising(points[degree_count - 1]);
+    const std::size_t count = 2 * terms, upwards = rising(points[degree_count - 1]);
     V at[packs], turn[packs], before[packs], here[packs];
     for (std::size_t p = 0; p < packs; ++p) {
         at[p] = load<V>(points + p * I::lanes);
@@ -155,10 +153,10 @@ LOMMEL_INLINE void piece_values(I isa, std::size_t parity, const double* points,
             here[p] = next;
         }
     };
-    // Store every second order, 2n + 1 + parity, as row n.
+    // Store every second order, 2n + 1, as row n.
     const auto keep = [&](std::size_t order) LOMMEL_INLINE_LAMBDA {
-        if (order % 2 != parity && order > parity) {
-            const std::size_t n = (order - 1 - parity) / 2;
+        if (order % 2 != 0) {
+            const std::size_t n = (order - 1) / 2;
             for (std::size_t p = 0; p < packs; ++p) {
                 store(values + n * degree_count + p * I::lanes, (n % 2 == 0 ? turn[p] : splat<V>(0.0) - turn[p]) * here[p]);
             }
@@ -188,7 +186,7 @@ LOMMEL_INLINE void piece_values(I isa, std::size_t parity, const double* points,
         before[p] = sum[p] = splat<V>(0.0);
         here[p] = splat<V>(1e-280);
     }
-    for (std::size_t k = bessel_start(points[0], 2 * most + parity); k > 0; --k) {
+    for (std::size_t k = bessel_start(points[0], 2 * most); k > 0; --k) {
         if (upwards <= k && k < count) {
             keep(k);
         }
@@ -199,17 +197,17 @@ LOMMEL_INLINE void piece_values(I isa, std::size_t parity, const double* points,
     }
     for (std::size_t p = 0; p < packs; ++p) {
         const V unit = splat<V>(1.0) / (here[p] + splat<V>(2.0) * sum[p]);
-        for (std::size_t n = upwards > parity ? (upwards - parity) / 2 : 0; n < terms; ++n) {
+        for (std::size_t n = upwards / 2; n < terms; ++n) {
             double* value = values + n * degree_count + p * I::lanes;
             store(value, load<V>(value) * unit);
         }
     }
 }
 
-// Compute piece s of the Bessel table of this parity, width * s <= v <= width * (s + 1), with rows for the first `terms` functions.
-Piece made_piece(std::size_t parity, double width, std::size_t s, std::size_t terms);
+// Compute piece s of the Bessel table, width * s <= v <= width * (s + 1), with rows for the first `terms` functions.
+Piece made_piece(double width, std::size_t s, std::size_t terms);
 #if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE Piece made_piece(std::size_t parity, double width, std::size_t s, std::size_t terms) {
+LOMMEL_ONCE Piece made_piece(double width, std::size_t s, std::size_t terms) {
     constexpr std::size_t m = degree_count;
     thread_local Doubles values;
     thread_local std::vector<double> scratch;
@@ -223,7 +221,7 @@ LOMMEL_ONCE Piece made_piece(std::size_t parity, double width, std::size_t s, st
     }
     for (std::size_t j = 0; s == 0 && j < m; ++j) {  // near v = 0 the recurrence of piece_values() overflows
         std::vector<double> one(most);
-        zernike_transforms(parity, points[j], most, one.data(), scratch);
+        zernike_transforms(0, points[j], most, one.data(), scratch);
         for (std::size_t n = 0; n < terms; ++n) {
             values[n * m + j] = one[n];
         }
@@ -232,20 +230,18 @@ LOMMEL_ONCE Piece made_piece(std::size_t parity, double width, std::size_t s, st
         using I = decltype(isa);
         using V = typename I::pack;
         if (s > 0) {
-            piece_values(isa, parity, points, terms, most, values.data());
+            piece_values(isa, points, terms, most, values.data());
         }
-        V sums[m], all[m];
+        V sums[m];
         for (std::size_t k = 0; k < m; ++k) {
-            sums[k] = all[k] = splat<V>(0.0);
+            sums[k] = splat<V>(0.0);
         }
         for (std::size_t n = 0; n < terms; n += I::lanes) {
             alignas(64) double block[m][I::lanes];
-            alignas(64) double weights[2][I::lanes];
+            alignas(64) double weights[I::lanes];
             V in[m], out[m];
             for (std::size_t i = 0; i < I::lanes; ++i) {
-                const double order = static_cast<double>(n + i);
-                weights[0][i] = 2.0 * order + 1.0;
-                weights[1][i] = 2.0 * order + static_cast<double>(parity) + 1.0;
+                weights[i] = 2.0 * static_cast<double>(n + i) + 1.0;
                 for (std::size_t j = 0; j < m; ++j) {
                     block[j][i] = values[(n + i) * m + j];
                 }
@@ -254,11 +250,8 @@ LOMMEL_ONCE Piece made_piece(std::size_t parity, double width, std::size_t s, st
                 in[j] = load<V>(block[j]);
             }
             piece_rule(in, out);
-            const V orders = load<V>(weights[1]);
             for (std::size_t k = 0; k < m; ++k) {
-                const V square = out[k] * out[k];
-                sums[k] = sums[k] + load<V>(weights[0]) * square;
-                all[k] = all[k] + orders * orders * square;
+                sums[k] = sums[k] + load<V>(weights) * (out[k] * out[k]);
                 store(block[k], out[k]);
             }
             for (std::size_t i = 0; i < std::min(I::lanes, terms - n); ++i) {
@@ -269,7 +262,6 @@ LOMMEL_ONCE Piece made_piece(std::size_t parity, double width, std::size_t s, st
         }
         for (std::size_t k = 0; k < m; ++k) {
             piece.magnitude += std::sqrt(lane_sum(sums[k]));
-            piece.azimuthal += std::sqrt(lane_sum(all[k]));
         }
     });
     return piece;

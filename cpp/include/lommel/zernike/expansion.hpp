@@ -26,28 +26,14 @@ struct ZernikeBudget {
     // are omitted, too. orders: omitted orders. quadrature: distance of the pupil function from polynomials, which counts twice.
     static constexpr double degrees = 0.16, fourier = 5.0, orders = 0.05, quadrature = 0.05;
     static_assert((outer + inner) * (fourier * degrees + orders + 2.0 * quadrature) + 2.0 * small <= 1.0);
-    // Shares of the allowed error of U at the brightest point, for errors that all radial pieces have in common. trimmed: omitted
-    // coefficients of each disk; dropped: omitted azimuthal orders; pieces: interpolation in the radius on a piece.
-    static constexpr double trimmed = 0.1, dropped = 0.1, pieces = 0.1;
-    static_assert(2.0 * trimmed + dropped + pieces <= 1.0);
-    // Shares of (allowed error of U on a radial piece - error common to all pieces). own_orders: orders omitted on this piece. All
-    // its sin(m psi) terms are omitted, too, if their error is at most sines * own_orders; it counts in own_orders. rings:
-    // interpolation on rings. The rest: for single precision.
-    static constexpr double own_orders = 0.3, sines = 0.3, rings = 0.3;
-    static_assert(own_orders + rings <= 1.0 && sines <= 1.0);
-    // Interpolation on rings is always allowed an error of rings_least * (error of U that all radial pieces have in common).
-    static constexpr double rings_least = 0.05;
-    // Shares of the tolerance. field: error of U in the first expansion; it counts twice in I. image: error of I on a piece. most:
-    // error of I above which a piece is computed again. 1 - most is a margin, as the brightness is only estimated.
-    static constexpr double field = 0.1, image = 0.5, most = 0.7;
-    static_assert(2.0 * field <= image && image <= most && most <= 1.0);
+    // Share of the tolerance for the error of U in the first expansion; it counts twice in I.
+    static constexpr double field = 0.1;
     // Share of the tolerance for values that are divided by their maximum: if value and maximum each have a relative error r, the
     // quotient has an error of up to 2 r / (1 - r).
     static constexpr double divided = 0.4;
     static_assert(2.0 * divided <= 1.0);
-    // Factors on the allowed error if a computation is repeated: `retry` for the expansion, `piece_retry` for a radial piece. The
-    // expansion, not the piece, is repeated if blame * (error of U common to all pieces) exceeds the error of U on the piece.
-    static constexpr double retry = 0.1, piece_retry = 0.2, blame = 3.0;
+    // Factor on the allowed error if the expansion is repeated.
+    static constexpr double retry = 0.1;
 };
 
 // Expansion of a disk: degrees, orders, quadrature and error bounds for an allowed error of U at all radii v up to `reach`.

@@ -19,27 +19,13 @@
 
 namespace lommel {
 
-// Factor f: interpolation is tried if its estimated time is below f * time of sums over orders. Only tests change f; 0: never.
-inline double& interpolation_worth() {
-    static double share = 1.0;
-    return share;
-}
-
 class PolarImage : public PaintedParts<PaintedPart> {  // each part: one tile in one zone
    public:
-    // Return whether interpolation is estimated to be faster than a sum over orders at each pixel, with tables of acceptable size.
-    // Unit of time: one order at one pixel. Interpolation takes a fixed time per pixel and an FFT per circle; both methods need the
-    // sums over degrees at equal steps of v.
-    static bool pays(const ZernikeField& field, const Tiles& tiles) {
-        return pays(field.reach(), static_cast<double>(field.outer().orders), static_cast<double>(field.outer().degrees),
-                    static_cast<double>(tiles.height * tiles.width), field.obscured());
+    // Estimated work, in units of one azimuthal order at one pixel: a fixed time per pixel and an FFT per circle.
+    static double work(const ZernikeField& field, const Tiles& tiles) {
+        return 28.0 * static_cast<double>(tiles.height * tiles.width) +
+               6.0 * static_cast<double>(field.outer().orders) * field.reach();
     }
-    // The alternative to interpolation, sums over orders, takes 1.3 times as long with an obscuration, a second disk to sum.
-    static bool pays(double reach, double orders, double degrees, double pixels, bool obscured) {
-        const double sums = (obscured ? 1.3 : 1.0) * orders * pixels;
-        return reach * degrees < 1e6 && work(reach, orders, pixels) < interpolation_worth() * sums;
-    }
-    static double work(double reach, double orders, double pixels) { return 28.0 * pixels + 6.0 * orders * reach; }
 
     // Begin an image of these pixels at a pitch of `step` in v. Memory is reused by the next image.
     void begin(const Tiles& tiles, double step, int threads) {
@@ -49,13 +35,12 @@ class PolarImage : public PaintedParts<PaintedPart> {  // each part: one tile in
         threads_ = threads;
     }
 
-    // Compute the circles for an error of I of at most `tol` times the peak; return false if they are unlikely to meet it.
-    bool prepare(const PolarPupil& pupil, double tol) {
-        if (!zones_.plan(pupil, step_, tiles_->nearest(), tiles_->farthest(), tol, threads_)) {
-            return false;
-        }
+    // Compute the circles for an error of I of at most `tol` times its maximum, in this window or `outside` of it. Returns false if
+    // they are unlikely to meet it.
+    bool prepare(const PolarPupil& pupil, double tol, double outside = 0.0) {
+        const bool likely = zones_.plan(pupil, step_, tiles_->nearest(), tiles_->farthest(), tol, outside, threads_);
         zones_.fill(pupil, threads_);
-        return true;
+        return likely;
     }
 
     // Compute I times `scale` at all pixels of the image.

@@ -9,7 +9,6 @@
 
 #include "lommel/base/parallel.hpp"
 #include "lommel/zernike/error_check.hpp"
-#include "lommel/zernike/orders.hpp"
 #include "lommel/zernike/polar_pupil.hpp"
 
 namespace lommel {
@@ -100,6 +99,27 @@ class PolarLooks : public Looks {
     std::size_t blocks_;
     Aligned<float> sizes_;  // [block][order][radius]: upper bound on the modulus of the order
 };
+
+// Bound on the contribution of an azimuthal order to U. near: valid at all radii v, from |2 (n+1) J_{n+1}(v) / v| <= 1; far: factor
+// of a bound that falls as v^(-4/3), from |J_n(v)| < 0.7858 v^(-1/3) (Landau 2000).
+struct OrderSize {
+    double near = 0.0, far = 0.0;
+    static double fall(double v) { return v > 0.0 ? 1.572 / (v * std::cbrt(v)) : 1e200; }
+    double fallen(double by) const { return std::min(near, far * by); }
+};
+
+// Add bounds on each order m of a disk's field to sizes[2 m] (cosine) and sizes[2 m + 1] (sine). weight: factor of this field;
+// shrunk: radius of the disk relative to the full disk, so that its field depends on shrunk * v.
+inline void add_sizes(const ZernikeSeries& series, double weight, double shrunk, std::vector<OrderSize>& sizes) {
+    const double stretch = 1.0 / (shrunk * std::cbrt(shrunk));
+    for (std::size_t m = 0; m < series.orders; ++m) {
+        for (std::size_t j = 0; j < 2 * series.used[m]; ++j) {
+            const double size = weight * series.size(series.start[m] + j / 2, j % 2);
+            sizes[2 * m + j % 2].near += size / static_cast<double>(m + j / 2 * 2 + 1);
+            sizes[2 * m + j % 2].far += size * stretch;
+        }
+    }
+}
 
 // Bounds on the contribution to U of all azimuthal orders from m on, for each m.
 class PolarOrders {

@@ -48,8 +48,10 @@ struct PolarZone {
 class PolarZones {
    public:
     // Plan zones for pixels at a pitch of `step` in v whose squared distances from the axis, in pixels^2, are `nearest` to
-    // `farthest`, for an error of I of at most `tol` times its maximum there. Returns false if no PolarStyle is likely to suffice.
-    bool plan(const PolarPupil& pupil, double step, std::int64_t nearest, std::int64_t farthest, double tol, int threads);
+    // `farthest`, for an error of I of at most `tol` times its maximum there, or times `outside` if that is larger. Returns false if
+    // the most accurate PolarStyle is unlikely to suffice; it is used nevertheless.
+    bool plan(const PolarPupil& pupil, double step, std::int64_t nearest, std::int64_t farthest, double tol, double outside,
+              int threads);
 
     // Compute the field on the circles of all zones.
     void fill(const PolarPupil& pupil, int threads);
@@ -125,11 +127,11 @@ class PolarZones {
 
 #if defined(LOMMEL_DEFINES)
 LOMMEL_ONCE bool PolarZones::plan(const PolarPupil& pupil, double step, std::int64_t nearest, std::int64_t farthest, double tol,
-                                  int threads) {
+                                  double outside, int threads) {
     const double near = step * std::sqrt(static_cast<double>(nearest)), reach = step * std::sqrt(static_cast<double>(farthest));
     const PolarOrders orders(pupil);
     const PolarLooks looks(pupil, reach, threads);
-    const double all = PolarBudget::image * tol * looks.brightest(near, reach);
+    const double all = PolarBudget::image * tol * std::max(outside, looks.brightest(near, reach));
     // Allowed error of U at this intensity.
     const auto allowed = [&](double intensity) { return allowed_error(all, intensity, PolarBudget::brighter); };
     std::array<double, polar_styles.size() + 1> starts;
@@ -143,9 +145,8 @@ LOMMEL_ONCE bool PolarZones::plan(const PolarPupil& pupil, double step, std::int
         first = start(pupil, polar_styles[s], *kernels[s], looks, orders, first, allowed);
         starts[s] = first == looks.v.size() ? starts.back() : looks.v[first];
     } while (starts[most_exact] > near && most_exact > 0);
-    if (starts[most_exact] > near) {
-        return false;
-    }
+    const bool likely = starts[most_exact] <= near;
+    starts[most_exact] = std::min(starts[most_exact], near);
     const auto end = [&](std::size_t s) {
         return std::min(reach, *std::min_element(starts.begin() + static_cast<std::ptrdiff_t>(s) + 1, starts.end()));
     };
@@ -180,7 +181,7 @@ LOMMEL_ONCE bool PolarZones::plan(const PolarPupil& pupil, double step, std::int
         zone.errors.resize((zone.last - zone.first) * PolarTable::block);
         from = to;
     }
-    return true;
+    return likely;
 }
 
 LOMMEL_ONCE void PolarZones::fill(const PolarPupil& pupil, int threads) {

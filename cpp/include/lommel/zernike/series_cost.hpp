@@ -18,12 +18,12 @@ struct SeriesCost {
     static constexpr double declined = 20000.0;  // time of the chordal rule's estimates, added if this rule declines
     // (Error of interpolation between circles) / (peak intensity) without aberrations. Aberrations that dim the field by an
     // estimated factor `dim` may increase this ratio up to 2 * dim - 1 times.
-    static constexpr double circles = 1.2e-10;
-    // Limits of (rounding error of the expansion) / (allowed error). Above `rounded`, interpolation between circles cannot be used,
-    // and the image may have to be computed twice; above `lost`, possibly no method meets the tolerance.
-    static constexpr double rounded = 0.17, lost = 0.25;
+    static constexpr double least_error = 1.2e-10;
+    // Limit of (rounding error of the expansion) / (allowed error), beyond which interpolation between circles may miss the
+    // tolerance.
+    static constexpr double rounded = 0.17;
 
-    // Estimated time for the image of one pupil of the stack, by interpolation between circles or on rings.
+    // Estimated time for the image of one pupil of the stack; 1e300 if its tolerance is unlikely to be met.
     static double nanoseconds(const DiskStack& stack, const DiskWindow& window, std::size_t pupil, double tol) {
         const TermPairs terms(stack.terms);
         const std::size_t count = stack.terms.size();
@@ -55,18 +55,26 @@ struct SeriesCost {
         const double near = std::max(0.0, std::min(rows, columns));
         const double groups = std::min(pixels, (std::max(rows, columns) + 1.0) * (near + 1.0) - 0.5 * near * (near + 1.0));
         const double orders = cost.orders_, wide = widths();
-        const bool serve = circles * (2.0 * dim - 1.0) <= tol && rounding <= rounded;
-        if (serve && PolarImage::pays(reach, orders, cost.degrees_, pixels, area > 1e-18)) {
-            // Time of interpolation: taps and oversampling grow with the number of digits required.
-            const double digits = std::log10(std::max(10.0, dim / tol));
-            return cost.calls_ + 24000.0 +
-                   wide * (cost.sum_ + (0.1 + 0.55 * digits) * reach * orders + (3.15 + 3.04 * digits) * groups);
+        const bool serve = least_error * (2.0 * dim - 1.0) <= tol && rounding <= rounded;
+        if (!circles(reach, cost.degrees_, orders, pixels)) {
+            return cost.calls_ + cost.sum_ + directly(reach, cost.degrees_ * orders, pixels);
         }
-        // Time of rings: with an obscuration, both disks are interpolated on every ring.
-        const double within = area > 1e-18 ? 18.4 / ring_width(ZernikeBudget::rings * 0.45 * tol / dim) : 0.0;
-        const double each = tol >= 1e-6 ? 0.354 : 0.554;
-        const double image = 9.7 * orders * cost.degrees_ + (2.63 + within) * reach * orders + (5.2 + each * orders) * groups;
-        return cost.calls_ + 12400.0 + wide * (cost.sum_ + image) * (rounding > lost ? 20.0 : rounding > rounded ? 1.5 : 1.0);
+        if (!serve) {
+            return 1e300;
+        }
+        // Time of interpolation: taps and oversampling grow with the number of digits required.
+        const double digits = std::log10(std::max(10.0, dim / tol));
+        return cost.calls_ + 24000.0 +
+               wide * (cost.sum_ + (0.1 + 0.55 * digits) * reach * orders + (3.15 + 3.04 * digits) * groups);
+    }
+
+    // Estimated time of `pixels` computed one by one. coefficients: their number.
+    static double directly(double reach, double coefficients, double pixels) { return pixels * (4.0 * reach + coefficients); }
+    // Return whether to interpolate between circles: not where their tables take more than a second or 100 MB, and not for so few
+    // pixels so far from the axis that pixels one by one take a tenth of the time of the tables.
+    static bool circles(double reach, double degrees, double orders, double pixels) {
+        const double tables = 0.025 * reach * reach * degrees;
+        return tables < 1e9 && tables < 10.0 * directly(reach, degrees * orders, pixels);
     }
 
    private:

@@ -1,4 +1,4 @@
-"""Terms of the bounds of microscope light, computed a second time: docs/certificate.md, sections 8 and 16."""
+"""Terms of the bounds of microscope light, a second time: docs/certificate.md, sections 8 and 16."""
 
 from __future__ import annotations
 

@@ -112,14 +112,6 @@ def test_the_scale_of_blur_is_as_uncertain_as_two_foci_and_the_f_number_make_it(
     assert seen == [pytest.approx(np.std(scales), rel=0.02)]
 
 
-@pytest.mark.parametrize(
-    ("name", "value"), [("f_number_error", 0.5), ("f_number_error", -0.1), ("focus_error", -1.0)]
-)
-def test_errors_of_lenses_are_checked(near_focus, name, value):
-    with pytest.raises(ValueError, match=name):
-        near_focus[0](**{name: value})
-
-
 def test_where_a_photograph_is_nearly_sharp_on_large_pixels_there_is_no_bias():
     from scenes import ThinLens, lommel_lens, plane, record
     from scenes import texture as points
@@ -352,7 +344,6 @@ def test_another_transfer_function_is_taken(images, whole):
         ({"between": 1.5}, "between must be the nearest and the farthest distance"),
         ({"between": (2.0, 1.2)}, "between must be the nearest and the farthest distance, got 2 and 1.2 m"),
         ({"between": (1.2, np.nan)}, "must be finite"),
-        ({"magnification": "zoom"}, "magnification must be"),
         ({"progress": 3}, "progress must be callable"),
         ({"photographs": [np.ones((40, 40, 5))] * 2}, r"must be grey or have three channels \(RGB\), got 5"),
     ],

@@ -84,7 +84,7 @@ def test_frames_of_one_source_alternate_and_a_dropped_one_moves_no_other_to_the_
     kept = [k for k in range(13) if k not in (4, 8)]
     path = write_video(tmp_path / "a.mkv", [frames[k] for k in kept], 0.04 * np.array(kept))
     said: list[str] = []
-    with frame_pairs(path, alternating=True, tell=said.append) as pairs:
+    with frame_pairs(path, tell=said.append) as pairs:
         found = [(numbers(frames, a), numbers(frames, b), seconds) for a, b, seconds in pairs]
         assert [each[:2] for each in found] == [(0, 1), (2, 3), (6, 7), (10, 11)]
         assert [each[2] for each in found] == pytest.approx([0.0, 0.08, 0.24, 0.4])
@@ -249,9 +249,6 @@ def test_arguments_out_of_range_are_told(tmp_path, monkeypatch):
     with pytest.raises(VideoError, match=r"rtsp://127\.0\.0\.1:9/a cannot be read as video: Connection refused"):
         video_frames("rtsp://user:secret@127.0.0.1:9/a")
     path = write_video(tmp_path / "a.mkv", noise(2, (64, 64)))
-    for given in ({"b": path, "alternating": True}, {}):
-        with pytest.raises(ValueError, match="two sources, or from one with alternating=True"):
-            frame_pairs(path, **given)
     with pytest.raises(TypeError, match="tell"):
         frame_pairs(path, path, tell="aloud")
     monkeypatch.setattr(videos, "MAX_FRAME", 4000)

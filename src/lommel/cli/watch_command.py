@@ -159,10 +159,7 @@ def watch(
         files.require()
         tally = Tally()
         with progress("opening the sources", endless=True) as status, ExitStack() as stack:
-            other = None if alternating else sources[1]
-            pairs = stack.enter_context(
-                videos.frame_pairs(sources[0], other, alternating=alternating, tell=status.tell)
-            )
+            pairs = stack.enter_context(videos.frame_pairs(*sources, tell=status.tell))
             coding = coding_of(pairs.levels, pairs.dtype, pairs.encoding, video_noise, instrument.camera, encoding)
             if coding.guess:
                 status.tell(coding.guess)

@@ -453,6 +453,11 @@ def video_frames(source: Source, *, grey: bool = False, tell: Report | None = No
         If an argument is of another type.
     OSError, ImportError
         If the source cannot be read, or PyAV (files, streams) or OpenCV (cameras) is not installed.
+
+    Examples
+    --------
+    >>> with lm.io.video_frames("clip.mkv", grey=True, tell=print) as video:  # doctest: +SKIP
+    ...     brightness = [frame.values.mean() for frame in video]
     """
     grey = validation.truth("grey", grey)
     report = _warner(tell)
@@ -473,21 +478,18 @@ def video_frames(source: Source, *, grey: bool = False, tell: Report | None = No
     return VideoFrames(_PyavReader(fspath(path), validation.line(path), False, grey, report), report)
 
 
-def frame_pairs(
-    a: Source, b: Source | None = None, *, alternating: bool = False, tell: Report | None = None
-) -> FramePairs:
+def frame_pairs(a: Source, b: Source | None = None, *, tell: Report | None = None) -> FramePairs:
     """Open pairs of grey frames that differ in focus, from two sources or from one with alternating focus.
 
     Parameters
     ----------
     a : int or path
-        A source, as for :func:`video_frames`.
+        A source, as for :func:`video_frames`. Without a second source its frames alternate between two focus
+        settings, beginning with that of the first lens. If the times show that a frame was dropped, the other frame
+        of its pair is skipped.
     b : int or path, optional
         A second source: frames whose times differ by at most half a frame interval are pairs. Files state the times
         of their frames. Camera frames have their arrival times; stream frames have arrival times without jitter.
-    alternating : bool, default False
-        The frames of `a` alternate between two focus settings, beginning with that of the first lens. If the times
-        show that a frame was dropped, the other frame of its pair is skipped.
     tell : callable, optional
         As for :func:`video_frames`.
 
@@ -500,7 +502,7 @@ def frame_pairs(
     VideoError
         As for :func:`video_frames`, or if the frames of the two sources differ in size or type.
     TypeError, ValueError
-        If an argument is of another type, or `b` and `alternating` are both given or both missing.
+        If an argument is of another type.
     OSError, ImportError
         As for :func:`video_frames`.
 
@@ -509,10 +511,11 @@ def frame_pairs(
     >>> with lm.io.frame_pairs("near.mkv", "far.mkv") as pairs:  # doctest: +SKIP
     ...     for near, far, seconds in pairs:
     ...         found = live(near, far)
+
+    Of one camera whose focus alternates, in a program that has a log:
+
+    >>> pairs = lm.io.frame_pairs(0, tell=logging.getLogger("depth").warning)  # doctest: +SKIP
     """
-    if validation.truth("alternating", alternating) is (b is not None):
-        got = "two sources" if alternating else "one source"
-        raise ValueError(f"frames must come from two sources, or from one with alternating=True, got {got}")
     report = _warner(tell)
     with ExitStack() as stack:
         sources = tuple(stack.enter_context(video_frames(x, grey=True, tell=report)) for x in (a, b) if x is not None)

@@ -54,15 +54,6 @@ def test_depth_deviation_sharp_image_and_picture_are_written_and_told(folder, ca
     )  # fmt: skip
     assert result.returncode == 0, result.stderr
     lines = result.stdout.splitlines()
-    assert lines[0] == "float values, assumed linear; if they are sRGB, give --encoding srgb"
-    assert lines[1] == "112 x 112 pixels of 4 um; focus 1.35 m at f/8, 1.8 m at f/8"
-    assert lines[2] == "61 distances from 1.2 m to 2 m, windows of 4 pixels rms"
-    assert lines[3] == "exposures measured: 1, 1"
-    assert lines[4].startswith("depth known at ")
-    assert lines[5].startswith("registration and noise agree (misfit ")
-    assert lines[6].startswith(
-        "not tested: the size of blur, which image is focused nearer (without spherical aberration exchanged "
-    )
     assert "0.01 dioptre of all foci by 23 mm" in " ".join(lines)
     assert lines[-4:] == [f"wrote {name}" for name in ("depth.tif", "error.npy", "sharp.tif", "found.png")]
     depth, errors = lm.imaging.read_depth(folder / "depth.tif"), lm.imaging.read_depth(folder / "error.npy")

@@ -36,7 +36,7 @@ def folder(tmp_path_factory) -> Path:
     z = 100e-9 * (np.arange(31) - 15)
     pupil = microscope.objective.pupil(depth=2e-6, z=z, wavelength=520e-9, origin="brightest")
     psf = lm.psf(pupil, 33, microscope.pixel)
-    for suffix in ("ome.tif", "mat", "fits", "raw"):
+    for suffix in ("ome.tif", "mat", "fits"):
         psf.save(made / f"psf.{suffix}")
     return made
 
@@ -58,14 +58,13 @@ def in_imagej(folder: Path, name: str) -> list[str]:
 
 @octave
 def test_octave_reads_the_values_by_row_column_and_plane(folder):
-    told = in_octave(folder, "octave-load", "octave-raw")
+    told = in_octave(folder, "octave-load")
     psf = lm.PSF.load(folder / "psf.ome.tif")
     assert "rows = 33" in told
     assert "planes = 31" in told
     assert float(re.search(r"step = +(\S+)", told)[1]) == pytest.approx(1e-7)
     peak, at = re.search(r"peak (\S+) at the centre: (\d)", told).groups()
     assert (float(peak), at) == (pytest.approx(float(psf.values.max()), rel=1e-5), "1")
-    assert "largest difference 0" in told
 
 
 @imagej

@@ -630,7 +630,7 @@ class PSF(Measured, PSFLike, display.Shown):
         return {name: slope.reshape(self.pupil.shape) for name, slope in gradient.items()}
 
     def save(self, path: str | PathLike[str]) -> None:
-        """Write ``.tif``, ``.fits``, ``.h5``, ``.mat``, ``.raw``, ...; see :func:`lommel.io.psf_files.save`."""
+        """Write ``.tif``, ``.fits``, ``.h5``, ``.mat``, ...; see :func:`lommel.io.psf_files.save`."""
         display.save(self, path)
 
     @classmethod

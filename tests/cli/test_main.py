@@ -23,7 +23,7 @@ from lommel.paper import AbramowitzErf, ClosedForm, Fraunhofer, Geometric, Huyge
 from lommel.show.drawing import SAMPLING
 
 LINE = re.compile(r"^(\S.*?)\s{2,}(\S.*?)\s*$", re.MULTILINE)
-SUFFIXES = (".tif", ".npy", ".npz", ".png", ".fits", ".h5", ".mat", ".raw")
+SUFFIXES = (".tif", ".npy", ".npz", ".png", ".fits", ".h5", ".mat")
 OPTIONS = [
     "--object-distance",
     "1.2 m",

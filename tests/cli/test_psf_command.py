@@ -161,7 +161,7 @@ def test_a_field_is_in_colour(call_lommel, lenses, tmp_path):
 @pytest.mark.parametrize(
     ("options", "message"),
     [
-        (["-o", "a.jpg"], ".raw, .tif, .tiff, .png for a PSF in channels, got"),
+        (["-o", "a.jpg"], ".mat, .tif, .tiff, .png for a PSF in channels, got"),
         (["--field", "2x3"], "must have a section [field]"),
         (["--normalize", "emitted"], "for the pupils of an Objective"),
     ],
@@ -178,7 +178,7 @@ def test_a_field_in_colour_in_a_file_that_holds_none_is_refused_before_it_is_com
         options = ["--colour", "--field", "64x64", "--shape", "1025", "-o", name]
         result = call_lommel("psf", lenses["camera-field"], *options, folder=tmp_path)
         assert result.returncode == 2
-        assert ".hdf5, .mat, .raw for a grid of PSFs at several distances or in channels, got" in result.stderr
+        assert ".hdf5, .mat for a grid of PSFs at several distances or in channels, got" in result.stderr
         assert result.stderr.count("\n") == 1
 
 

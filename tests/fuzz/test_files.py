@@ -125,7 +125,7 @@ def kinds(folder: Path) -> dict[str, tuple[Path, object, object]]:
         stack = lm.open_stack(path)
         return stack[:].values.tobytes(), repr(stack[:]), repr(stack[0].pupil.to_dict()), stack.done, stack.dask.shape
 
-    for suffix in (".tif", ".npy", ".npz", ".png", ".fits", ".fits.gz", ".h5", ".mat", ".raw"):
+    for suffix in (".tif", ".npy", ".npz", ".png", ".fits", ".fits.gz", ".h5", ".mat"):
         psf.save(folder / f"psf{suffix}")
         found[f"psf{suffix}"] = (folder / f"psf{suffix}", of_psf, True)
     (folder / "objective.toml").write_text(OBJECTIVE)
@@ -316,7 +316,6 @@ KINDS = [
     "psf.fits.gz",
     "psf.h5",
     "psf.mat",
-    "psf.raw",
     "stack.tif",
     "stack.npz",
     "objective.toml",
@@ -355,7 +354,7 @@ KINDS = [
 # Kinds with a checksum of ours, which says that a file is as it was written; it keeps out damage, not those who can
 # make it, too.
 RESEALED = [
-    *("psf.tif", "psf.npy", "psf.npz", "psf.fits", "psf.fits.gz", "psf.h5", "psf.mat", "psf.raw", "stack.npz"),
+    *("psf.tif", "psf.npy", "psf.npz", "psf.fits", "psf.fits.gz", "psf.h5", "psf.mat", "stack.npz"),
     *("grid.tif", "grid.npz", "grid.fits", "grid.zarr", "store.zarr", "colour.npz"),
 ]
 # Public functions that read files by others, which are fuzzed.
@@ -462,12 +461,7 @@ def copied(kind, good, tmp_path):
     shutil.copytree(folder, tmp_path, dirs_exist_ok=True)
     path, read, sealed = found[kind]
     path = tmp_path / path.relative_to(folder)
-    others = [other for other in tmp_path.glob(f"{path.stem}.*") if {path.suffix, other.suffix} == {".raw", ".json"}]
-    end = "".join(path.suffixes)
-    path = path.rename(tmp_path / f"mutated{end}")
-    for other in others:  # that which lies beside
-        other.rename(tmp_path / f"mutated{other.suffix}")
-    return path, read, sealed
+    return path.rename(tmp_path / f"mutated{''.join(path.suffixes)}"), read, sealed
 
 
 def contents(path: Path) -> dict[Path, bytes]:

@@ -19,7 +19,7 @@ from lommel.io.psf_files import FileError
 
 zarr = pytest.importorskip("zarr")
 
-SUFFIXES = (".tif", ".tiff", ".zarr", ".npy", ".npz", ".fits", ".fits.gz", ".h5", ".hdf5", ".mat", ".raw")
+SUFFIXES = (".tif", ".tiff", ".zarr", ".npy", ".npz", ".fits", ".fits.gz", ".h5", ".hdf5", ".mat")
 METHOD = lm.paper.Fraunhofer(samples=64)
 
 

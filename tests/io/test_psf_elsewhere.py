@@ -5,7 +5,6 @@ from __future__ import annotations
 import dataclasses
 import json
 import math
-import re
 import shutil
 import struct
 import subprocess
@@ -23,7 +22,6 @@ from scipy.io.matlab import matfile_version
 import lommel as lm
 from lommel.base.atomic import sealed
 from lommel.io import psf_files
-from lommel.io.psf_files import FileError
 
 TELESCOPE = lm.Lens(focal_length=57.6, f_number=24.0, wavelength=550e-9, obscuration=0.33)
 WHITE = lm.methods.Polychromatic([450e-9, 550e-9, 650e-9], [1.0, 2.0, 1.0], lm.methods.NijboerZernike(tol=1e-4))
@@ -121,7 +119,7 @@ def test_derivatives_go_into_hdf5(tmp_path):
     loaded = lm.PSF.load(tmp_path / "a.h5")
     assert loaded.derivative_bounds == psf.derivative_bounds
     np.testing.assert_array_equal(loaded.derivatives["defocus"], psf.derivatives["defocus"])
-    for suffix in (".mat", ".fits", ".raw"):
+    for suffix in (".mat", ".fits"):
         with pytest.raises(ValueError, match=r"must end in \.npz, \.h5, \.hdf5 for a PSF with derivatives"):
             psf.save(tmp_path / f"a{suffix}")
 
@@ -149,42 +147,6 @@ def test_a_mat_file_is_one_of_matlab_whose_first_axis_is_rows(psf, tmp_path):
         assert text == psf.unit
 
 
-@each
-def test_bare_numbers_are_told_by_the_text_beside_them(psf, tmp_path):
-    psf.save(tmp_path / "a.raw")
-    said = json.loads((tmp_path / "a.json").read_text())
-    data = (tmp_path / "a.raw").read_bytes()
-    kind = {"float32": "f", "float64": "d"}[said["dtype"]]
-    values = struct.unpack(f"<{math.prod(said['shape'])}{kind}", data)
-    np.testing.assert_array_equal(np.reshape(values, said["shape"]), psf.values)
-    assert (said["byte_order"], said["order"], said["pixel"], said["unit"]) == ("little", "C", psf.pixel, psf.unit)
-    assert said["axes"][-2:] == ["y", "x"]
-
-
-def test_bare_numbers_without_their_text_or_of_another_size_are_told(tmp_path):
-    SINGLE.save(tmp_path / "a.raw")
-    (tmp_path / "b.raw").write_bytes((tmp_path / "a.raw").read_bytes())
-    with pytest.raises(FileNotFoundError, match=r"b\.json"):
-        lm.PSF.load(tmp_path / "b.raw")
-    (tmp_path / "b.json").write_bytes((tmp_path / "a.json").read_bytes())
-    for size, why in ((280, "it holds 70 values, but its .json file states"), (281, "multiple of element size")):
-        (tmp_path / "b.raw").write_bytes((tmp_path / "a.raw").read_bytes()[:size])
-        with pytest.raises(FileError, match=rf"b\.raw is not a PSF written by lommel: .*{why}"):
-            lm.PSF.load(tmp_path / "b.raw")
-    turned = bytearray((tmp_path / "a.raw").read_bytes())
-    turned[5] ^= 1
-    (tmp_path / "b.raw").write_bytes(turned)
-    with pytest.raises(FileError, match="its checksum does not match"):
-        lm.PSF.load(tmp_path / "b.raw")
-
-
-def test_the_text_beside_bare_numbers_is_no_file_of_its_own(tmp_path):
-    SINGLE.save(tmp_path / "a.raw")
-    for call in (lm.PSF.load, SINGLE.save):
-        with pytest.raises(ValueError, match=r"path must be the \.raw file to which '.*a\.json' belongs"):
-            call(tmp_path / "a.json")
-
-
 def test_the_same_psf_gives_the_same_bytes_at_any_time(tmp_path, monkeypatch):
     written = []
     for when in (1e9, 1.5e9):
@@ -195,19 +157,7 @@ def test_the_same_psf_gives_the_same_bytes_at_any_time(tmp_path, monkeypatch):
     assert written[:5] == written[5:]
 
 
-PAGE = (Path(__file__).parents[2] / "docs" / "formats.md").read_text(encoding="utf-8")
 compiler = pytest.mark.skipif(shutil.which("c++") is None, reason="no compiler of C++")
-
-
-@compiler
-def test_the_program_of_the_page_reads_the_middle_of_bare_numbers(tmp_path):
-    psf = lm.psf(lm.Pupil(lm.Wavefront(1.0, nonradial={(3, 1): 0.5})), 81, 0.25)
-    psf.save(tmp_path / "psf.raw")
-    (code,) = re.findall(r"^```cpp\n(.*?)^```", PAGE, flags=re.MULTILINE | re.DOTALL)
-    (tmp_path / "read.cpp").write_text(code)
-    subprocess.run(["c++", "-std=c++17", "-Wall", "-o", "read", "read.cpp"], cwd=tmp_path, check=True)
-    found = subprocess.run(["./read"], cwd=tmp_path, capture_output=True, text=True, check=True).stdout
-    assert float(found) == pytest.approx(float(psf.values[40, 40]), rel=1e-5)
 
 
 @compiler

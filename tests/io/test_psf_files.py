@@ -29,7 +29,6 @@ EXACT = [
     ".h5",
     ".hdf5",
     ".mat",
-    ".raw",
 ]
 SUFFIXES = [*EXACT, ".png"]
 LENS = lm.Lens(

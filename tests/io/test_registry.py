@@ -78,7 +78,7 @@ def test_a_format_of_another_package_is_loaded_when_its_suffix_is_met_and_not_be
     np.testing.assert_array_equal(again.values, PSF.values)
     assert (again.pupil, again.method, again.grid) == (PSF.pupil, PSF.method, PSF.grid)
     assert loaded == ["JSON"]
-    with pytest.raises(ValueError, match=r"\.raw, \.list for a PSF, got '\.xyz' in '.*a\.xyz'"):
+    with pytest.raises(ValueError, match=r"\.mat, \.list for a PSF, got '\.xyz' in '.*a\.xyz'"):
         PSF.save(tmp_path / "a.xyz")
 
 

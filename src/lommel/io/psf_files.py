@@ -50,8 +50,6 @@ registry.register(
           what="HDF5", readers="h5py, MATLAB, Julia"),
     _form((".mat",), psf_formats.write_mat, psf_formats.read_mat, library="h5py",
           what="MATLAB 7.3", readers="MATLAB since R2006b, h5py; not SciPy"),
-    _form((".raw",), psf_formats.write_raw, psf_formats.read_raw, beside=".json",
-          what="bare little-endian numbers, described by a .json beside it", readers="any program"),
 )  # fmt: skip
 find = partial(registry.find, "psf")
 
@@ -93,11 +91,8 @@ def save(psf: PSFLike, path: str | PathLike[str]) -> None:
 
 
 def write(form: Format, target: Path, psf: PSFLike | ColourPSFLike, description: Description) -> None:
-    """Write PSFs and their description, in two files if the format has a second file."""
-    parts = form.write(psf, description)
-    with atomic.whole_files() as write_file:
-        for place, data in zip(form.places(target), parts if form.beside else (parts,), strict=True):
-            write_file(place, data)
+    """Write PSFs and their description."""
+    atomic.write(target, form.write(psf, description))
 
 
 @display.register("load PSF")
@@ -108,9 +103,9 @@ def load(path: str | PathLike[str], kind: Callable[..., Made]) -> Made:
 
 def read(form: Format, source: Path, contents: str, rebuild: Callable[[Arrays, Description], _Result]) -> _Result:
     """Return ``rebuild(arrays, description)`` for a file with `contents`, such as "a PSF"; FileError if damaged."""
-    data = [reading.contents(place) for place in form.places(source)]
+    data = reading.contents(source)
     with as_file_error(source, contents):
-        arrays, text = form.read(*data)
+        arrays, text = form.read(data)
         return rebuild(arrays, reading.json(text))
 
 

@@ -1,4 +1,4 @@
-"""Read and write PSFs: NumPy, TIFF, PNG, FITS, HDF5, MATLAB and raw numbers, with metadata for other programs."""
+"""Read and write PSFs: NumPy, TIFF, PNG, FITS, HDF5 and MATLAB, with metadata for other programs."""
 
 from __future__ import annotations
 
@@ -168,39 +168,6 @@ def read_npz(data: bytes) -> tuple[Arrays, str]:
     record = array.tobytes().decode() if array.dtype == np.uint8 else str(array)  # text in files of early versions
     max_values = math.prod(reading.json(record)["shape"])
     return {name: read(max_values) for name, read in arrays.items()}, record
-
-
-def write_raw(psf: StoredPSF, description: Description) -> tuple[bytes, bytes]:
-    """Return the values as little-endian bytes in C order, and the contents of the .json file that describes them."""
-    waves, shares = light(psf)
-    stored = psf.values.astype(psf.values.dtype.newbyteorder("<"))
-    header = {
-        "shape": list(psf.shape),
-        "axes": [axis.name for axis in axes(psf, description)],
-        "dtype": str(psf.values.dtype),
-        "byte_order": "little",
-        "order": "C",
-        "pixel": psf.pixel,
-        "unit": psf.unit,
-        "wavelength": waves.tolist(),
-        "weight": shares.tolist(),
-        "lommel": sealed(description, {"values": psf.values}),
-    }
-    if isinstance(psf, ColourPSFLike):
-        header["channel"] = list(psf.channels.names)
-    return stored.tobytes(), (json.dumps(header, indent=1, allow_nan=False) + "\n").encode()
-
-
-def read_raw(data: bytes, json_data: bytes) -> tuple[Arrays, str]:
-    """Return the values and the description."""
-    if len(json_data) > reading.MAX_PIXELS:
-        raise ValueError(f"its .json file has {len(json_data)} bytes; the limit is {reading.MAX_PIXELS}")
-    description = reading.json(json_data)["lommel"]
-    kind = validation.choice("dtype", description["dtype"], ("float32", "float64"))
-    values = np.frombuffer(data, np.dtype(kind).newbyteorder("<"))
-    if values.size != math.prod(description["shape"]):
-        raise ValueError(f"it holds {values.size} values, but its .json file states the shape {description['shape']}")
-    return {"values": values.astype(kind)}, json.dumps(description)
 
 
 def enlargement(psf: PSFLike) -> int:

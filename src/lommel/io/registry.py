@@ -91,7 +91,7 @@ class Format:
     Signatures of ``write`` and ``read`` for each kind:
 
     - "psf": write(PSF, description) -> bytes; read(bytes) -> (dict of arrays: "values" and derivatives, description
-      as text). With a second file: write returns (bytes, bytes), and read has two arguments.
+      as text)
     - "colours": as "psf", for a ColourPSF; pictures are not read
     - "field": write(PSFGrid, description, path), which writes the file itself; read(path, class of PSF) -> (PSF,
       description)

@@ -508,7 +508,9 @@ def frame_pairs(a: Source, b: Source | None = None, *, tell: Report | None = Non
 
     Examples
     --------
-    >>> with lm.io.frame_pairs("near.mkv", "far.mkv") as pairs:  # doctest: +SKIP
+    A robot logs frames that its cameras lost:
+
+    >>> with lm.io.frame_pairs(0, 1, tell=logging.warning) as pairs:  # doctest: +SKIP
     ...     for near, far, seconds in pairs:
     ...         found = live(near, far)
 

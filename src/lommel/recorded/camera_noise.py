@@ -6,6 +6,7 @@ import math
 from itertools import product
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
 
 from lommel.base import validation
@@ -282,8 +283,6 @@ def contradiction(stack: Stack, noise: Noise) -> str | None:
 
 def _local_variances(stack: Stack) -> tuple[Array, Array, float]:
     """Return local means, squares of the noise at the same points, and the fraction of independent squares."""
-    from scipy.ndimage import convolve1d, uniform_filter
-
     stack = validation.computed(stack)
     validation.refuse_masked("stack", stack)
     shape = np.shape(stack)
@@ -302,11 +301,13 @@ def _local_variances(stack: Stack) -> tuple[Array, Array, float]:
         for axis in axes:
             # Second differences along each axis remove smooth light; divided by the norm, the noise keeps its
             # variance.
-            differences = convolve1d(differences, _KERNEL, axis=axis) / math.sqrt(float(_KERNEL @ _KERNEL))
-        mean = uniform_filter(planes, (1, _WINDOW, _WINDOW))
+            differences = scipy.ndimage.convolve1d(differences, _KERNEL, axis=axis) / math.sqrt(
+                float(_KERNEL @ _KERNEL)
+            )
+        mean = scipy.ndimage.uniform_filter(planes, (1, _WINDOW, _WINDOW))
         if adjacent:
             # Second differences weight the variances of three planes by 1, 4, 1: weight the mean in the same way.
-            mean = convolve1d(mean, _KERNEL**2 / (_KERNEL @ _KERNEL), axis=0)
+            mean = scipy.ndimage.convolve1d(mean, _KERNEL**2 / (_KERNEL @ _KERNEL), axis=0)
         pair = np.stack([mean[adjacent, 2:-2, 2:-2], differences[adjacent, 2:-2, 2:-2] ** 2])
         known = pair[:, np.isfinite(pair).all(axis=0)]
         pairs.append(known[:, :: max(1, math.ceil(known.shape[1] * len(places) / _POINTS))].copy())

@@ -118,7 +118,6 @@ class Counts:
     mask: NDArray[np.bool_] | None
     stated: float | None
     noise: Noise | None
-    _whole: Counts | None = None  # images of which these are some: the assumed saturation is that of all
 
     @classmethod
     def of(
@@ -183,9 +182,11 @@ class Counts:
         """Return some of the images, by indices along the axes before the last two; they are read now, if not yet."""
         mask = None if self.mask is None else self.mask[index]
         if isinstance(self.values, np.ndarray):
-            return replace(self, values=self.values[index], mask=mask, _whole=self._whole or self)
-        part = _counts("array", self.values[index], mask, None, self.noise)
-        return replace(part, stated=self.stated, _whole=self._whole or self)
+            part = replace(self, values=self.values[index], mask=mask)
+        else:
+            part = replace(_counts("array", self.values[index], mask, None, self.noise), stated=self.stated)
+        vars(part)["_whole"] = self._whole
+        return part
 
     def read(self) -> Counts:
         """Return the counts with all images in memory."""
@@ -203,11 +204,14 @@ class Counts:
         return np.asarray((self.read().values >= self.saturation) & ~self.hidden)
 
     @cached_property
+    def _whole(self) -> Counts:
+        """All images, of which these may be some: the assumed saturation is that of all."""
+        return self
+
+    @cached_property
     def _limit(self) -> tuple[float, str]:
         """Smallest saturated value, and a note if it was assumed."""
-        if self._whole is not None:
-            return self._whole._limit
-        return full_value(_Unhidden(self), self.stated)
+        return full_value(_Unhidden(self), self.stated) if self._whole is self else self._whole._limit
 
     @property
     def saturation(self) -> float:  # noqa: D102

@@ -389,7 +389,33 @@ class Frames(OnDemand):
         self.planes.close()
 
     def counts(self, *, noise: Noise, mask: ArrayLike | None = None, saturation: float | None = None) -> Counts:
-        """Return the images, read on demand, with the noise of their camera: see :meth:`Counts.of`."""
+        """Return the images, read on demand, with the noise of their camera.
+
+        Parameters
+        ----------
+        noise, mask, saturation
+            See :meth:`Counts.of`.
+
+        Returns
+        -------
+        Counts
+
+        Raises
+        ------
+        TypeError, ValueError
+            See :meth:`Counts.of`.
+
+        Examples
+        --------
+        A camera with a column that does not work, which saturates below the largest value of its 12 bits:
+
+        >>> import lommel as lm
+        >>> frames, dead = open_frames(np.full((3, 4, 5), 200, np.uint16)), np.zeros((4, 5), bool)
+        >>> dead[:, 2] = True
+        >>> counts = frames.counts(noise=lm.Noise(white=0.46, read=1.6, offset=100), mask=dead, saturation=4000)
+        >>> counts[0].marked()[0].tolist()
+        [200.0, 200.0, nan, 200.0, 200.0]
+        """
         return Counts.of(self, noise=noise, mask=mask, saturation=saturation)
 
     def blocks(self, size: int | None = None) -> Iterator[Values]:
@@ -482,6 +508,14 @@ class Frames(OnDemand):
             If there are several time points without `time`, axes that are unknown, or pixels that are not square.
         TypeError, ValueError
             If an argument is out of range.
+
+        Examples
+        --------
+        An array does not state its axes; of an embryo, the last of six time points is restored:
+
+        >>> frames = open_frames(np.zeros((6, 2, 9, 8, 8), np.uint16))
+        >>> frames.as_channels(time=5, axes="TCZYX")
+        <Frames 'array': 2 x 9 x 8 x 8 along CZYX, uint16>
         """
         if "unusable" in self.metadata:
             return self

@@ -359,10 +359,10 @@ class ApertureOptions(Options):
 
 def bare_pupil(constructor: str, given: Json) -> Pupil:
     """Return the pupil without wavefront that a constructor's options define; raise TypeError or ValueError."""
-    numeric = vars(ApertureOptions.of(f"FieldMap.{constructor}", None, given)).copy()
-    aperture = numeric.pop("aperture")
-    numeric = {name: value for name, value in numeric.items() if value is not None}
-    if aperture is None:
+    o = ApertureOptions.of(f"FieldMap.{constructor}", None, given)
+    named = {"wavelength": o.wavelength, "f_number": o.f_number, "obscuration": o.obscuration}
+    numeric: Json = {name: value for name, value in named.items() if value is not None}
+    if (aperture := o.aperture) is None:
         return Pupil(**numeric)
     if not validation.instance("aperture", aperture, Pupil).wavefront.flat:
         raise ValueError(

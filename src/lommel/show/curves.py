@@ -43,8 +43,8 @@ def moved(pupil: Pupil, *, reach: float | None = None, count: int | None = None)
     if checked_pupil(pupil).shape != ():
         raise ValueError(f"pupil must be a single one, got a stack of shape {pupil.shape}; index it")
     step = 1.0 if pupil.wavelength is None else -8.0 * pupil.scale**2 / (math.pi * pupil.wavelength)
-    ends = (step * focus for focus in _foci(pupil)) if reach is None else (-reach, reach)
-    shifts = np.linspace(*sorted(ends), count or _PLANES)
+    low, high = sorted(step * focus for focus in _foci(pupil)) if reach is None else (-reach, reach)
+    shifts = np.linspace(low, high, count or _PLANES)
     return shifts, replace(pupil, wavefront=pupil.wavefront + Wavefront(shifts / step), geometry=None)
 
 
@@ -165,7 +165,7 @@ def focus_curves(pupil: Pupil, ax: Axes | None = None) -> Axes:
         factor, unit = drawing.frequencies(pupil.unit)
         directions = {"-": (f, np.zeros(f.size))} | ({} if pupil.radial else {"--": (np.zeros(f.size), f)})
         for style, (fx, fy) in directions.items():
-            curves = transfer.mtf(stack, fx, fy, tol=_TOL)
+            curves = np.asarray(transfer.mtf(stack, fx, fy, tol=_TOL))
             for k, value in enumerate(f):
                 name = f"MTF at {value * factor:.3g} {unit}" + (", along y" if style == "--" else "")
                 axes.plot(shift, curves[:, k], style, color=f"C{k}", label=name)

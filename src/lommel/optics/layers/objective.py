@@ -431,15 +431,6 @@ class Objective:
         constant, by_depth, by_focus = self._rates(rho, wavelength)
         return np.asarray(constant + d[0] * by_depth + f[0] * by_focus)
 
-    def phase_derivatives(self, rho: ArrayLike, *, wavelength: float) -> tuple[NDArray[np.complex128], Array]:
-        """Return the derivatives of :meth:`phase` at `rho` by depth and by focus, radians per metre.
-
-        They are ``k n_s c_s`` and ``-k n_i c_i``, since the phase is linear in depth and focus. `wavelength` is in
-        metres.
-        """
-        _, by_depth, by_focus = self._rates(rho, wavelength)
-        return np.asarray(by_depth), np.asarray(by_focus.real)
-
     def transmission(self, rho: ArrayLike, *, wavelength: float) -> tuple[NDArray[np.complex128], ...]:
         """Return the transmitted amplitudes ``(t_s, t_p)`` of plane waves from immersion to sample.
 

@@ -84,18 +84,6 @@ def test_axes_for_a_z_stack_and_an_unknown_stretch_are_refused():
         psf.plot(stretch="cube")
 
 
-def test_the_fourth_axes_have_the_lines_through_the_brightest_voxel():
-    psf = stack(center=(2, 5))
-    psf.plot()
-    profiles = plt.gcf().axes[3]
-    found = {line.get_label(): line.get_xydata() for line in profiles.get_lines()}
-    expected = {"x": psf.values[3, 2], "y": psf.values[3, :, 5], "z": psf.values[:, 2, 5]}
-    assert found.keys() == expected.keys()
-    for name, values in expected.items():
-        np.testing.assert_allclose(found[name][:, 1], values / psf.values.max())
-        assert found[name][values.argmax(), 0] == 0.0
-
-
 def test_dark_surroundings_of_a_stack_are_cut_off_and_the_title_says_so():
     psf = stack(shape=(49, 61))
     xy, xz, yz = psf.plot()

@@ -63,8 +63,7 @@ def voxels(psf: PSFLike) -> Voxels:
 def sections(psf: PSFLike, *, stretch: str = "sqrt") -> NDArray[np.object_]:
     """Draw the sections xy, yz (right of xy) and xz (below xy) through the brightest voxel of a z stack.
 
-    Surroundings that are dark in all sections are cropped. A fourth graph shows the values along x, y and z through
-    the brightest voxel.
+    Surroundings that are dark in all sections are cropped.
 
     Parameters
     ----------
@@ -98,7 +97,8 @@ def sections(psf: PSFLike, *, stretch: str = "sqrt") -> NDArray[np.object_]:
     )
     drawing.with_margins(figure)
     grid = figure.subplots(2, 2, width_ratios=(width, depth), height_ratios=(height, depth))
-    xy, yz, xz, profiles = grid.flat
+    xy, yz, xz, empty = grid.flat
+    empty.set_axis_off()
     norm = drawing.norm_of(stretch, values)
     x_text = drawing.true_minus(f"{x[column] + 0.0:.3g}")
     scales = [inch * side / length for side, length in zip((width, height, depth), lengths, strict=True)]
@@ -117,7 +117,6 @@ def sections(psf: PSFLike, *, stretch: str = "sqrt") -> NDArray[np.object_]:
     xy.set_ylabel("y in the sample (µm)")
     xz.set(xlabel="x in the sample (µm)", ylabel="z of the stage (µm)")
     yz.set(xlabel="z of the stage (µm)", yticklabels=[])
-    _draw_profiles(profiles, (x - x[column], y - y[row], z - z[plane]), levels, (row, column), lengths)
     locator = library("matplotlib.ticker", *drawing.USER).MaxNLocator
     xz.yaxis.set_major_locator(locator(4))
     yz.xaxis.set_major_locator(locator(3 if depth > 0.6 * width else 2, symmetric=True))
@@ -126,40 +125,6 @@ def sections(psf: PSFLike, *, stretch: str = "sqrt") -> NDArray[np.object_]:
     label = drawing.bar_label(drawing.MEANING[psf.normalize], stretch)
     figure.colorbar(mesh, ax=grid).set_label(label, fontsize=9)
     return np.array([xy, xz, yz])
-
-
-def _draw_profiles(
-    axes: Axes,
-    distances: tuple[Array, Array, Array],
-    levels: tuple[Values, Values, Values],
-    peak: tuple[int, int],
-    lengths: Sequence[float],
-) -> None:
-    """Draw the values along x, y and z through the brightest voxel.
-
-    `distances` from this voxel and `lengths` of the sections, both along x, y and z, are in micrometres. `levels` are
-    the values of the sections xy, xz, yz, and `peak` is the row and column of the voxel in xy.
-    """
-    xy, xz, _ = levels
-    row, column = peak
-    for name, style, d, line in zip(
-        "xyz", ("-", "--", "-"), distances, (xy[row], xy[:, column], xz[:, column]), strict=True
-    ):
-        axes.plot(d, line / (float(xy.max()) or 1.0), style, marker=".", markersize=3, linewidth=0.9, label=name)
-    half = 0.5 * max(lengths)
-    axes.set(xlim=(-half, half), ylim=(0.0, 1.05), xlabel="from the peak (µm)")
-    axes.legend(
-        title="value / peak along",
-        loc="lower center",
-        bbox_to_anchor=(0.5, 0.98),
-        ncols=3,
-        fontsize=8,
-        title_fontsize=9,
-        frameon=False,
-        handlelength=1.2,
-        columnspacing=0.8,
-        borderaxespad=0.0,
-    )
 
 
 _MAX_DARK = 0.05  # largest brightness (0 to 1) of surroundings that are cropped
@@ -409,7 +374,6 @@ def compare(
     slices, errors = graphs.subplots(1, 2, width_ratios=(1.0, 1.35))
     radius, expected = exact.profile()
     max_radius = max(float(radius[-1]), 0.5 * exact.grid.pitch[1]) * factor
-    curve_ends: list[tuple[float, str, str]] = []
     # Pixel averages are drawn as steps, point samples as markers.
     style: dict[str, Any] = (
         {"drawstyle": "steps-mid"} if exact.sampling == "pixel" else {"marker": ".", "markersize": 4}
@@ -419,50 +383,19 @@ def compare(
     slices.set(ylabel="intensity / peak", xlabel=f"distance from the centre ({unit})", xlim=(0.0, max_radius))
     for k, (name, psf) in enumerate(others.items()):
         difference = np.maximum(np.abs(psf.profile()[1] - expected) / peak, 1e-17)
-        errors.semilogy(radius * factor, difference, ".-", color=f"C{k}", linewidth=0.9, markersize=4)
-        curve_ends.append((float(np.median(difference[-max(1, difference.size // 8) :])), name, f"C{k}"))
+        errors.semilogy(radius * factor, difference, ".-", color=f"C{k}", linewidth=0.9, markersize=4, label=name)
     errors.set_title("errors along the same line", fontsize=9)
     errors.set(ylabel="error / peak of the reference", ylim=(1e-17, 3.0), xlim=(0.0, max_radius))
     errors.set(xlabel=f"distance from the centre ({unit})")
     errors.grid(alpha=0.3)
-    _label_ends(errors, curve_ends)
+    if others:
+        errors.legend(fontsize=8, loc="center left", bbox_to_anchor=(1.0, 0.5), frameon=False)
     return figure
 
 
 _MAX_COLUMNS = 6  # largest number of pictures in a row of a comparison
 _MAX_LETTERS = 27  # largest number of letters in a line of the title above a picture of a comparison
 _ERRORS = (1e-12, 1.0)  # range of the colour scale of errors, relative to the peak
-
-
-def _label_ends(axes: Axes, curve_ends: list[tuple[float, str, str]]) -> None:
-    """Write names beside the right ends of curves (value, name, colour) on a logarithmic axis without overlap."""
-    low, high = np.log10(axes.get_ylim())
-    heights = [float((np.log10(value) - low) / (high - low)) for value, _, _ in curve_ends]
-    order = np.argsort(heights)
-    gap, height = 0.055, -1.0
-    places = {}
-    for k in order:
-        height = max(heights[k], height + gap)
-        places[int(k)] = height
-    # Move names above the top of the axes down, and also the names below them where they would overlap.
-    top = 1.0
-    for k in order[::-1]:
-        places[int(k)] = min(places[int(k)], top)
-        top = places[int(k)] - gap
-    for k, (_, name, colour) in enumerate(curve_ends):
-        # The line starts at the left end of the name, so that it crosses no letters.
-        line = {
-            "arrowstyle": "-",
-            "color": colour,
-            "linewidth": 0.6,
-            "relpos": (0.0, 0.5),
-            "shrinkA": 2,
-            "shrinkB": 0,
-        }
-        axes.annotate(
-            name, (1.0, heights[k]), (1.04, places[k]), "axes fraction", "axes fraction", fontsize=8, color=colour,
-            va="center", arrowprops=line,
-        )  # fmt: skip
 
 
 def field(grid: PSFGridLike, ax: Axes | None = None, *, stretch: str = "sqrt") -> Axes:

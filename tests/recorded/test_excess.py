@@ -219,7 +219,13 @@ HONOURED = {
     "lommel.localize.localize_blocks": blocks, "lommel.imaging.traced_noise": traced,
 }  # fmt: skip
 REFUSED = ("lommel.imaging.LiveDepth", "lommel.imaging.LiveSharpen")
-OTHERS = {"lommel.microscopy.RestoredChannel", "lommel.imaging.render_dataset"}  # a result; and what only records
+# A result, what only records, and images with their noise.
+OTHERS = {
+    "lommel.microscopy.RestoredChannel",
+    "lommel.imaging.render_dataset",
+    "lommel.Counts",
+    "lommel.recorded.Counts",
+}
 
 
 def takers() -> set[str]:

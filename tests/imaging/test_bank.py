@@ -314,7 +314,7 @@ STEP, HALF = 16.0, 14
 def exact_of_defocus_nodes(phase, obscuration, defocus):
     rule = pixel_rule(HALF, STEP)
     pupil = lm.Pupil(phase(defocus), obscuration=obscuration)
-    means = NijboerZernike(1e-8).means(pupil, STEP * rule.radii, rule.matrix)
+    means = NijboerZernike(1e-8).means(pupil, STEP * rule.radii, rule.matrix, 1)
     return STEP**2 / (4.0 * np.pi * (1.0 - obscuration**2)) * means
 
 

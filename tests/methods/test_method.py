@@ -162,7 +162,7 @@ def test_where_no_light_was_found_no_relative_bound_holds() -> None:
 def test_the_bound_of_a_stack_is_that_of_its_worst_pupil() -> None:
     pupils = Pupil(Wavefront([0.0, 100.0]))
     together = lm.psf(pupils, 9, 0.5, method=Hankel(tol=1e-6), dtype=np.float64)
-    bounds = Hankel(tol=1e-6).intensity(pupils, together.grid).error
+    bounds = Hankel(tol=1e-6).intensity(pupils, together.grid, 1).error
     assert bounds is not None
     assert bounds[1] > bounds[0]
     assert together.error_bound == pytest.approx(bounds.max() + 2.0**-53, rel=1e-12)

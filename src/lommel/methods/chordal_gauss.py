@@ -66,7 +66,7 @@ class ChordalGauss(Method[Pupil]):
     tol: float = 1e-6
     _if_cheaper: ClassVar[bool] = False
 
-    def intensity(self, pupil: Pupil, grid: Grid, threads: int = 0) -> Intensities:
+    def intensity(self, pupil: Pupil, grid: Grid, threads: int) -> Intensities:
         """Return I at pixel centres, or averaged over pixels, shape ``(n, height, width)``, with its error bound."""
         return self.images(pupil, grid, Wanted(threads=threads)).intensities
 
@@ -109,9 +109,7 @@ class ChordalGauss(Method[Pupil]):
                 return averages
         return disk_images(point_samples, pupil, grid, self.tol, wanted)
 
-    def gradient(
-        self, pupil: Pupil, grid: Grid, weights: Array, terms: tuple[tuple[int, int], ...], threads: int = 0
-    ) -> Array:
+    def gradient(self, pupil: Pupil, grid: Grid, weights: Array, terms: tuple[tuple[int, int], ...]) -> Array:
         """Return derivatives of weighted sums of the values by the coefficients of Zernike terms, shape ``(n, k)``.
 
         The transpose of the derivatives of :meth:`images`: it takes the time of two images, for any number of terms.
@@ -124,8 +122,6 @@ class ChordalGauss(Method[Pupil]):
             Weights of the pixels of each image of the flattened stack.
         terms : tuple of (int, int)
             n and m of each term. Coefficients are in radians at the edge of the pupil.
-        threads : int, default 0
-            Maximum number of threads; 0 for the number of processors.
 
         Raises
         ------
@@ -134,7 +130,7 @@ class ChordalGauss(Method[Pupil]):
         """
 
         def gradient_of_samples(part: Pupil, pixels: Grid, tol: float, pixel_weights: Array) -> Array:
-            return chordal_gradient(disk_stack(part), window_of(part, pixels), tol, pixel_weights, terms, threads)
+            return chordal_gradient(disk_stack(part), window_of(part, pixels), tol, pixel_weights, terms, 0)
 
         weights = np.ascontiguousarray(weights, dtype=np.float64)
         if not grid.integrate:

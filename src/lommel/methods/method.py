@@ -86,7 +86,7 @@ class Method(ABC, Generic[P]):
         return None
 
     @abstractmethod
-    def intensity(self, pupil: P, grid: Grid, threads: int = 0) -> Intensities:
+    def intensity(self, pupil: P, grid: Grid, threads: int) -> Intensities:
         """Return I on `grid` for the flattened stack of `pupil`, with at most `threads` threads.
 
         The shape is ``(n, len(grid.radii))`` for values at the distinct radii, else ``(n, height, width)``.
@@ -245,7 +245,7 @@ class RadialMethod(Method[P]):
         """Estimate the lowest peak of the pupils of a stack."""
         return pupil.likely_peak
 
-    def intensity(self, pupil: P, grid: Grid, threads: int = 0) -> Intensities:
+    def intensity(self, pupil: P, grid: Grid, threads: int) -> Intensities:
         """Return I at the distinct radii of `grid` or, if the grid is not symmetric, on its pixels."""
         if not grid.symmetric:
             return self.on_pixels(pupil, grid, threads)

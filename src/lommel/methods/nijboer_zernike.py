@@ -80,7 +80,7 @@ class NijboerZernike(FieldMethod["Pupil"]):
         """Return the intensity I at increasing v; its error bound is checked against the computed peak."""
         return radial_profiles(radial_stack(pupil), v, self.tol)
 
-    def means(self, pupil: Pupil, v: Array, matrix: Array, threads: int = 0) -> Array:
+    def means(self, pupil: Pupil, v: Array, matrix: Array, threads: int) -> Array:
         """Return ``I(v) @ matrix``, shape ``(pupils, sums)``, for the flattened stack of a `pupil`.
 
         `v` is increasing, and `matrix` has the shape ``(len(v), sums)``; `threads` is the largest number of threads.
@@ -88,7 +88,7 @@ class NijboerZernike(FieldMethod["Pupil"]):
         profiles = radial_profiles(radial_stack(pupil), v, self.tol, threads)
         return product(profiles.values, matrix, threads)
 
-    def intensity(self, pupil: Pupil, grid: Grid, threads: int = 0) -> Intensities:
+    def intensity(self, pupil: Pupil, grid: Grid, threads: int) -> Intensities:
         """Return I at the distinct radii of `grid` if pupil and grid are symmetric, otherwise at its pixels."""
         if pupil.radial and grid.symmetric:
             return super().intensity(pupil, grid, threads)

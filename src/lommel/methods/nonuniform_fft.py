@@ -477,7 +477,7 @@ class NonuniformFFT(Method[Pupil]):
     apodized = nonradial = any_aperture = True
     tol: float = 1e-6
 
-    def intensity(self, pupil: Pupil, grid: Grid, threads: int = 0) -> Intensities:
+    def intensity(self, pupil: Pupil, grid: Grid, threads: int) -> Intensities:
         """Return I at pixel centres, or averaged over pixels, shape ``(n, height, width)``, with its error bound."""
         return self.images(pupil, grid, Wanted(threads=threads)).intensities
 

@@ -205,7 +205,7 @@ class Polychromatic(Spectrum, RadialMethod[BasePupil]):
         parts = self.components(pupil)
         return sum_wavelengths(parts, np.array([self.weights]), compute, self, self.tol)[0]
 
-    def intensity(self, pupil: BasePupil, grid: Grid, threads: int = 0) -> Intensities:
+    def intensity(self, pupil: BasePupil, grid: Grid, threads: int) -> Intensities:
         """Return the weighted sum of I at the distinct radii or, if the grid is not symmetric, on the pixels."""
         return sum_spectra((self,), pupil, grid, threads, self.tol)[0]
 

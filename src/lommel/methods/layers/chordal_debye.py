@@ -194,7 +194,7 @@ class ChordalDebye(AberratedMethod):
             # The peak is lower than assumed, or the bound is less tight: reduce the error of fields.
             assumed_peak, target = assumed_peak * 0.25, target * max(1e-3, min(0.5, 0.5 * tol / worst_error))
 
-    def gradient(self, pupil: ObjectivePupil, grid: Grid, weights: Array, by: By, threads: int = 0) -> Array:
+    def gradient(self, pupil: ObjectivePupil, grid: Grid, weights: Array, by: By) -> Array:
         """Return weighted sums of I over the pixels of `grid` and their derivatives `by` parameters, (n, 1 + k).
 
         The transpose of :meth:`differentiated`: it takes little more time than an image, for any number of terms.
@@ -206,15 +206,13 @@ class ChordalDebye(AberratedMethod):
         weights : ndarray, shape (n, height, width)
             Weights of the pixels in each image of the flattened stack.
         by : By
-        threads : int, default 0
-            Maximum number of threads; 0 for the number of processors.
 
         Raises
         ------
         ToleranceError, ValueError
             If the tolerance cannot be met, or too many nodes are required.
         """
-        wanted = Wanted(1.0, np.dtype(np.float64), threads=threads)
+        wanted = Wanted(1.0, np.dtype(np.float64))
 
         def gradient_of_samples(pupil: ObjectivePupil, grid: Grid, tol: float, weights: Array) -> Array:
             if grid.stack:
@@ -222,7 +220,7 @@ class ChordalDebye(AberratedMethod):
                 for indices, planes, subgrid in axis_groups(pupil, grid, separate=projection.WAVENUMBER in by.rates):
                     result[indices] = gradient_of_samples(planes, subgrid, tol, weights[indices])
                 return result
-            return self._prove(pupil, tol, wanted, lambda error: sums(pupil, grid, error, weights, threads, by))[0]
+            return self._prove(pupil, tol, wanted, lambda error: sums(pupil, grid, error, weights, 0, by))[0]
 
         weights = np.ascontiguousarray(weights, dtype=np.float64)
         if not grid.integrate:

@@ -70,7 +70,7 @@ class AberratedMethod(LayeredMethod):
         """Return the reason why `pupil` is not supported, or None."""
         return None if pupil.aberrated else "supports pupils with aberrations only; use Stratified or DebyeWolf"
 
-    def intensity(self, pupil: ObjectivePupil, grid: Grid, threads: int = 0) -> Intensities:
+    def intensity(self, pupil: ObjectivePupil, grid: Grid, threads: int) -> Intensities:
         """Return I on the pixels of `grid`."""
         return self.images(pupil, grid, Wanted(threads=threads)).intensities
 
@@ -119,7 +119,7 @@ class DebyeWolf(LayeredMethod, RadialMethod[ObjectivePupil]):
         profile = self._refine(pupil, np.append(v, BRIGHT_RING), lambda orders: orders[0], self.tol)
         return profile._replace(values=profile.values[:, :-1])
 
-    def intensity(self, pupil: ObjectivePupil, grid: Grid, threads: int = 0) -> Intensities:
+    def intensity(self, pupil: ObjectivePupil, grid: Grid, threads: int) -> Intensities:
         """Return I at the distinct radii of `grid` if I is radially symmetric and centred, else at its pixels."""
         if grid.integrate and pupil.radial:
             return self.on_pixels(pupil, grid, threads)

@@ -215,7 +215,7 @@ class ProvenMethod(LayeredMethod, RadialMethod[ObjectivePupil]):
         intensities = refine_until(compute, self.tol, start=0.1 * self.tol, floor=_MIN_ERROR, tol=self.tol)
         return intensities._replace(values=intensities.values[:, index[: v.size]])
 
-    def intensity(self, pupil: ObjectivePupil, grid: Grid, threads: int = 0) -> Intensities:
+    def intensity(self, pupil: ObjectivePupil, grid: Grid, threads: int) -> Intensities:
         """Return I at the distinct radii of the pixels if it is radially symmetric, else at every pixel."""
         if self.along_radius(pupil) is not None:
             return super().intensity(pupil, grid, threads)

@@ -62,7 +62,7 @@ class Fraunhofer(Method[Pupil]):
         """Return the period of the image in units of lambda*N, which is `samples` for any `pupil`."""
         return float(self.samples)
 
-    def intensity(self, pupil: Pupil, grid: Grid, threads: int = 0) -> Intensities:
+    def intensity(self, pupil: Pupil, grid: Grid, threads: int) -> Intensities:
         """Return I at pixel centres, or averaged over pixels, shape ``(n, height, width)``.
 
         Raises

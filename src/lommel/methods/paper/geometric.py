@@ -45,7 +45,7 @@ class Geometric(Method[Pupil]):
     def __post_init__(self) -> None:
         object.__setattr__(self, "rings", validation.integer("rings", self.rings, least=1, most=64))
 
-    def intensity(self, pupil: Pupil, grid: Grid, threads: int = 0) -> Intensities:
+    def intensity(self, pupil: Pupil, grid: Grid, threads: int) -> Intensities:
         """Return I averaged over pixels, shape ``(n, height, width)``."""
         grid.require_one_axis()
         step = grid.step(pupil)

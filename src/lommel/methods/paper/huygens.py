@@ -95,7 +95,7 @@ class HuygensFresnel(FieldMethod[Pupil]):
         radii = v * pupil.scale / math.pi
         return FieldValues(self._sums(pupil, radii, np.zeros_like(radii), half=True), None)
 
-    def intensity(self, pupil: Pupil, grid: Grid, threads: int = 0) -> Intensities:
+    def intensity(self, pupil: Pupil, grid: Grid, threads: int) -> Intensities:
         """Return I at the distinct radii of the pixels, or at every pixel if not `symmetry`."""
         if self.symmetry:
             return super().intensity(pupil, grid, threads)

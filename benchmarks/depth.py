@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from functools import lru_cache, partial
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -11,14 +11,13 @@ from numpy.typing import NDArray
 
 import lommel as lm
 from benchmarks.timing import Contender, Measured, Settings, Spread, race
-from lommel.imaging import RED_GREEN_BLUE, DepthBlur, FocusPlan, Occlusion, depth_of_field
+from lommel.imaging import RED_GREEN_BLUE, DepthBlur, FocusPlan, Occlusion
 
 TOL = 1e-4
 HEIGHT, WIDTH, SIDE, PIXEL = 500, 741, 33, 6.6e-6
 _THREADS = 2
 _FRAMES = 30
 _PATCH = 8  # side of what is judged, pixels
-_SMALL = (24, 30)  # sides of scenes whose PSFs are summed
 _PART = 300  # points whose PSF the FFT computes
 _LENS = lm.Lens(focal_length=50e-3, f_number=4.0, focus_distance=1.7, wavelength=550e-9)
 
@@ -185,27 +184,26 @@ def occluded_once(settings: Settings) -> Measured:
     image, found = scene()[0], {}
     for name, depth in _depths().items():
 
-        def photograph(occlusion: bool, depth: NDArray[np.float64] = depth) -> Contender:
-            run = partial(
-                depth_of_field, image, depth, _LENS, PIXEL, encoding="linear", tol=TOL, threads=_THREADS,
-                occlusion=occlusion,
-            )  # fmt: skip
-            name = "occluded" if occlusion else "added"
-            return Contender(name, lambda _: run().values, f"depth_of_field(..., occlusion={occlusion})")
+        def blurred(occlusion: bool, depth: NDArray[np.float64] = depth) -> NDArray[np.floating]:
+            blur = DepthBlur(depth, _LENS, PIXEL, channels=RED_GREEN_BLUE, tol=TOL, threads=_THREADS)
+            return (Occlusion(blur) if occlusion else blur).forward(image)
 
-        result = race([photograph(True), photograph(False)], settings.rounds)
+        contenders = [
+            Contender("occluded", lambda _, run=blurred: run(True), "Occlusion(DepthBlur(...)).forward"),
+            Contender("added", lambda _, run=blurred: run(False), "DepthBlur(...).forward"),
+        ]
+        result = race(contenders, settings.rounds)
         found[name] = result.ratio("occluded", "added")
     worst = max(found.values(), key=lambda ratio: ratio.median)
     each = ", ".join(f"{name} {ratio.median:.1f}" for name, ratio in found.items())
-    return Measured(worst, None, f"depth_of_field of {HEIGHT} x {WIDTH} RGB, linear, {_THREADS} threads: {each}")
+    return Measured(worst, None, f"blur of {HEIGHT} x {WIDTH} RGB, {_THREADS} threads: {each}")
 
 
 def focus_pull(settings: Settings) -> Measured:
     """Measure a frame of a pull of the focus, every one with windows of its own, against one fixed kernel."""
     image, depth = scene()
     stored = (200.0 * image).astype(np.uint8)
-    given = {"encoding": "srgb", "occlusion": False, "tol": TOL, "threads": _THREADS, "largest": 64, "keep": 1}
-    plan = FocusPlan(stored, depth, _LENS, PIXEL, **given)
+    plan = FocusPlan(stored, depth, _LENS, PIXEL, encoding="srgb", occlusion=False)
     out, sides = np.empty_like(stored), set()
 
     def pull(_: Any) -> NDArray[np.uint8]:
@@ -220,53 +218,8 @@ def focus_pull(settings: Settings) -> Measured:
     took = result.ratio(mine.name, other.name)
     each = Spread(took.median / _FRAMES, took.low / _FRAMES, took.high / _FRAMES, took.rounds)
     note = (
-        f"FocusPlan(..., occlusion=False)(focus_distance=..., out=out), sRGB uint8, {_THREADS} threads, "
+        f"FocusPlan(..., occlusion=False)(focus_distance=..., out=out), sRGB uint8, all processors, "
         f"{_FRAMES} frames from 1.6 to 1.9 m, {1e3 * result.median(mine.name) / _FRAMES:.0f} ms each; windows of "
         f"{min(sides)}² to {max(sides)}²; {other.config}"
     )
     return Measured(each, None, note)
-
-
-def whole(settings: Settings) -> Measured:
-    """Measure the blur of which nothing is lost against one that holds 98 % of the light."""
-    image, blur = scene()[0], _ready()
-    made = DepthBlur(scene()[1], _LENS, PIXEL, channels=RED_GREEN_BLUE, tol=TOL, threads=_THREADS, energy=1.0)
-    mine = Contender("whole", lambda _: made.forward(image), "DepthBlur(energy=1).forward(image)")
-    other = Contender("cut", lambda _: blur.forward(image), "DepthBlur(energy=0.98).forward(image)")
-    result = race([mine, other], settings.rounds)
-    errors = [_error_of_whole(f_number) for f_number in ((8.0,) if settings.quick else (2.0, 4.0, 8.0))]
-    note = (
-        f"{mine.config}, {_THREADS} threads, {1e3 * result.median(mine.name):.0f} ms, the first call aside; "
-        f"{other.config}, {1e3 * result.median(other.name):.0f} ms; error over the brightest pixel of random scenes "
-        f"of {_SMALL[0]} x {_SMALL[1]} random depths, f/8 (and f/2, f/4), 6 µm, against the sum of whole PSFs: "
-        f"{', '.join(f'{error:.1e}' for error, _ in errors)}; DepthBlur.error bounds these by "
-        f"{', '.join(f'{bound:.1e}' for _, bound in errors)}"
-    )
-    return Measured(result.ratio(mine.name, other.name), max(error for error, _ in errors), note)
-
-
-def _error_of_whole(f_number: float) -> tuple[float, float]:
-    """Return how far off a random scene is, over its brightest pixel, and the bound on that."""
-    lens = lm.Lens(focal_length=35e-3, f_number=f_number, focus_distance=2.2, wavelength=540e-9)
-    rng = np.random.default_rng(0)
-    image, depth, pixel, half = rng.random(_SMALL), rng.uniform(2.0, 5.0, _SMALL), 6e-6, 128
-    blur = DepthBlur(depth, lens, pixel, energy=1.0, largest=64)
-    total: Any = 0.0
-    for y in range(_SMALL[0]):
-        psfs = lm.psf(lens.pupil(depth[y]), 2 * half + 1, pixel, integrate=True, dtype=np.float64).values
-        for x, psf in enumerate(psfs):
-            spread = _mirrored(_mirrored(psf, y, _SMALL[0]).T, x, _SMALL[1]).T
-            # Light so far away has been mirrored so often that it lies anywhere.
-            total = total + image[y, x] * (spread + (1.0 - psf.sum()) / image.size)
-    off = np.abs(blur.forward(image) - total).max()
-    if off > blur.error * image.max():
-        raise AssertionError(f"the error, {off:.2e}, must be less than its bound, {blur.error:.2e}")
-    return float(off / total.max()), blur.error
-
-
-def _mirrored(rows: NDArray[np.float64], middle: int, count: int) -> NDArray[np.float64]:
-    """Return rows of an image, from those of a window around `middle`, mirrored at the edges of the image."""
-    place = np.arange(middle - len(rows) // 2, middle + len(rows) // 2 + 1) % (2 * count)
-    onto = np.zeros((count, rows.shape[1]))
-    np.add.at(onto, np.where(place < count, place, 2 * count - 1 - place), rows)
-    return onto

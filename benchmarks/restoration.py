@@ -28,8 +28,8 @@ import lommel as lm
 from lommel.base.encoding import from_light, to_light
 from lommel.deconvolve.iterations import iterated
 from lommel.deconvolve.likelihood import PhotographLikelihood
-from lommel.imaging import DepthBlur, LinearBlur, Occlusion, RichardsonLucy, TotalVariation, restore_with
-from lommel.imaging.photograph import fill_missing
+from lommel.imaging import DepthBlur, LinearBlur, Occlusion, RichardsonLucy, TotalVariation, restore
+from lommel.io.depth_maps import fill_missing
 
 Array = NDArray[np.float64]
 
@@ -117,7 +117,7 @@ def pictures(scene: Scene, occlusion: bool, seeds: range) -> Iterator[str]:
     for kind in PSFS:
         blur = operator(scene, occlusion, kind)
         for name, method in METHODS.items():
-            found = [restore_with(y, blur, NOISE, method=method) for y in photos]
+            found = [restore(y, None, blur, encoding="linear", noise=NOISE, method=method) for y in photos]
             quality = f"{_mean(psnr(f.light, truth) for f in found)} | {_mean(f.discrepancy for f in found)}"
             yield f"| {light} | {kind} | {name} | {quality} | {found[0].stopped.split(':')[0]}, {found[0].steps} |"
 
@@ -145,7 +145,9 @@ def odd(scene: Scene) -> Iterator[str]:
     photo = scene.photograph(True, 1)
     for scale in (0.95, 0.98, 1.02, 1.05):
         for name, method in METHODS.items():
-            found = restore_with(photo, operator(scene, True, scale=scale), NOISE, method=method)
+            found = restore(
+                photo, None, operator(scene, True, scale=scale), encoding="linear", noise=NOISE, method=method
+            )
             quality = f"{found.discrepancy:.2f} | {psnr(found.light, truth):.2f}"
             yield f"| depth x {scale} | {name} | {quality} | {found.stopped} |"
     holes = photo.copy()
@@ -153,7 +155,9 @@ def odd(scene: Scene) -> Iterator[str]:
     for said, image in (("black", 0.0 * photo), ("a third is saturated", photo), ("a hole of 30 x 50", holes)):
         limit = float(np.quantile(photo, 2 / 3)) if "third" in said else np.inf
         for name, method in METHODS.items():
-            found = restore_with(image, operator(scene, True), NOISE, method=method, saturation=limit)
+            found = restore(
+                image, None, operator(scene, True), encoding="linear", noise=NOISE, method=method, saturation=limit
+            )
             finite = "finite" if np.isfinite(found.light).all() else "NOT FINITE"
             yield f"| {said} | {name} | {found.discrepancy:.2f} | {finite} | {found.stopped} |"
 

@@ -404,13 +404,6 @@ TARGETS = [
         depth.TOL,
     ),
     Target(
-        "the same, its windows made, without truncating the PSF (energy=1)",
-        "energy=0.98",
-        *(2, 1.3, "", False),
-        depth.whole,
-        1e-5,
-    ),
-    Target(
         "the same through focus, a frame of 30",
         "scipy.signal.oaconvolve with one fixed 33²",
         *(4, 2, "", False),

@@ -24,6 +24,7 @@ import lommel as lm
 import organisation
 from lommel import imaging, methods
 from lommel.base import validation
+from lommel.base.options import Options
 
 LISTED = [name for _, listed, more in api.groups().values() for name in (*listed, *more)]
 MODULES = {module.__name__.removeprefix("lommel."): module.__all__ for module in (imaging, methods)}
@@ -101,7 +102,10 @@ def lacking(thing: Any) -> list[str]:
     made = [made_by(thing, part) for part in ("__init__", "__post_init__")] if inspect.isclass(thing) else [thing]
     # What a base class checks of options that a class does not have is not an error of that class.
     made = made if parameters(thing) or not inspect.isclass(thing) else []
-    found = sorted(parameters(thing) - explained(told))
+    # Options classes have the parameters of their base classes, too.
+    bases = thing.__mro__[1:] if inspect.isclass(thing) and issubclass(thing, Options) else ()
+    inherited = {name for base in bases for name in explained(sections(base.__doc__))}
+    found = sorted(parameters(thing) - explained(told) - inherited)
     if not inspect.isclass(thing):
         found += sorted(explained(told) - parameters(thing))
         found += ["Returns"] if returns(thing) and not told.keys() & {"Returns", "Yields"} else []

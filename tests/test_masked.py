@@ -137,7 +137,7 @@ def test_masks_that_are_known_plane_by_plane_are_refused_there():
 
 @functools.cache
 def traced() -> imaging.TracedBlur:
-    return imaging.traced_blur(LENS, [1.0, 3.0], 2e-5, largest=64)
+    return imaging.traced_blur(LENS, [1.0, 3.0], 2e-5)
 
 
 def test_a_masked_array_that_masks_nothing_is_an_array():

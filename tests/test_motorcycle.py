@@ -36,11 +36,14 @@ def test_what_was_blurred_is_restored(call_lommel, scene, tmp_path):
     picture = read_photo(scene / "motorcycle.png")
     tifffile.imwrite(tmp_path / "depth.tif", depth, photometric="minisblack")
     write_photo(tmp_path / "photo.png", picture.light()[rows, columns])
-    camera = ("--focal-length", "48.34mm", "--pixel", "48.58um", "--missing", "nearest", "--f-number", 0.95)
+    (tmp_path / "lens.toml").write_text(
+        '[lens]\nfocal_length = "48.34 mm"\nf_number = 0.95\nwavelength = "540 nm"\n[sensor]\npixel = "48.58 um"\n'
+    )
+    camera = ("lens.toml", "--missing", "nearest")
     noise = ("--focus", "2.4m", "--white", 50000, "--read", 3)
-    for command in (("blur", "photo.png", "depth.tif", "-o", "near.png", *noise[:2]),
-                    ("restore", "near.png", "depth.tif", "-o", "sharp.png", *noise)):  # fmt: skip
-        result = call_lommel(*command, *camera, folder=tmp_path)
+    for command in (("blur", "photo.png", "depth.tif", *camera, "-o", "near.png", *noise[:2]),
+                    ("restore", "near.png", "depth.tif", *camera, "-o", "sharp.png", *noise)):  # fmt: skip
+        result = call_lommel(*command, folder=tmp_path)
         assert result.returncode == 0, result.stderr
     assert "the rest is noise" in result.stdout
     truth = picture.values[rows, columns].astype(float)

@@ -62,7 +62,7 @@ BAD = [
     ("info {phone} --wavelength 0.55", "'0.55' is a length without a unit; write for example '0.55 um'"),
     ("info {phone} --wavelength 550", "'550' is a length without a unit; write for example '550 nm'"),
     ("info {phone} --object-distance 3", "'3' is a length without a unit; write for example '3 m'"),
-    ("blur {phone} {phone} --focal-length 50 -o a.png", "write for example '50 mm'"),
+    ("blur {phone} {phone} --pixel 50 -o a.png", "write for example '50 um'"),
     ("info {phone} --object-distance=-1m", "--object-distance must be > 0 metres, got -1"),
     ("psf {phone} --tol small", "'small' is not a valid float"),
     ("psf {phone} -m geometric --tol 1e-3", "--tol 0.001 must be left out for Geometric, which has no tolerance"),
@@ -160,7 +160,7 @@ def test_an_error_names_the_options_of_the_command_and_not_the_arguments_of_pyth
     np.save(folder / "gaps.npy", np.where(x + y, 2.0, np.nan))
     np.save(folder / "near.npy", np.full((20, 20), 0.3))
     photo = ("blur", "photo.png", "gaps.npy", lenses["nifty-fifty"], "-o", "a.png")
-    refused(call_lommel(*photo, folder=folder), 'fill them by --missing "nearest"')
+    refused(call_lommel(*photo, folder=folder), 'give --missing "nearest" (')
     np.save(folder / "zeros.npy", np.pad(np.full((20, 19), 1.9), ((0, 0), (1, 0))))
     refused(call_lommel(*photo[:2], "zeros.npy", *photo[3:], folder=folder), "unknown, give --zero-unknown")
     Image.fromarray(np.full((20, 20), 1900, np.uint16)).save(folder / "levels.png")
@@ -174,7 +174,7 @@ def test_an_error_names_the_options_of_the_command_and_not_the_arguments_of_pyth
         "must be one of 'defocus', 'spherical', 'rho^6', 'rho^8', or a Zernike term",
     )
     photo = (*photo[:2], "near.npy", *photo[3:])
-    refused(call_lommel(*photo, folder=folder), "allow larger windows (--largest")
+    refused(call_lommel(*photo, folder=folder), "windows of more than 21 pixels a side to hold 0.98 of the light; stop down")
     refused(call_lommel(*photo, "--focus", "10 mm", folder=folder), "--focus must exceed the focal length")
     field = ("psf", lenses["camera-field"], "--tol", "1e-9", "--set", "tol=1e-3")
     refused(call_lommel(*field, folder=folder), "got --set tol=1e-3")

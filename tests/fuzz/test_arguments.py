@@ -16,7 +16,6 @@ import pytest
 import lommel as lm
 from lommel import imaging
 from lommel.base import units, validation
-from lommel.io import photos
 from lommel.io.psf_files import FileError
 from lommel.io.zernike_tables import ZernikeTable
 from lommel.lensfiles import tables
@@ -72,8 +71,7 @@ def entries(folder: Path) -> list[tuple[str, object, dict[str, object]]]:
     """Every public callable, as its name, what calls it, and arguments that are right."""
     lens = {"focal_length": 50e-3, "wavelength": 550e-9, "f_number": 4.0, "focus_distance": 2.0, "obscuration": 0.1}
     image = {"image": SQUARE, "depth": DEPTH, "lens": LENS, "pixel": 8e-6}
-    blur = image | {"encoding": "linear", "wavelengths": [550e-9], "missing": "raise", "border": "reflect"}
-    blur |= {"energy": 0.95, "tol": 1e-3, "largest": 11, "dtype": np.float32, "threads": 1}
+    scene = image | {"encoding": "linear"}
     window = {"shape": 5, "pixel": 0.5, "normalize": "energy", "dtype": "float32", "center": (2.0, 2.5), "threads": 1}
     window |= {"integrate": False, "tol": 1e-6}
     at = {"fx": [0.1, 0.2], "fy": 0.1}
@@ -230,28 +228,23 @@ def entries(folder: Path) -> list[tuple[str, object, dict[str, object]]]:
         tagged("sampled_spectrum", transfer.sampled_spectrum, psf=PSF),
         tagged("aperture_means.rms", aperture_means.rms, pupil=lm.Wavefront(1.0), unit="radians"),
         tagged("DepthBlur", imaging.DepthBlur, lens=LENS, depth=DEPTH, pixel=8e-6, channels=[550e-9],
-               border="zero", energy=0.9, tol=1e-3, largest=11, dtype=np.float64, threads=1),
+               energy=0.9, tol=1e-3, largest=11, dtype=np.float64, threads=1),
         tagged("DepthBlur.forward", BLUR.forward, image=SQUARE, weight=None),
         tagged("DepthBlur.adjoint", BLUR.adjoint, image=SQUARE),
-        tagged("FocusPlan", imaging.FocusPlan, **blur, occlusion=True, keep=2),
+        tagged("FocusPlan", imaging.FocusPlan, **scene, occlusion=True),
         tagged("FocusPlan()", PLAN, focus_distance=2.0, f_number=5.6, out=None),
-        tagged("depth_of_field", imaging.depth_of_field, **blur, occlusion=False),
-        tagged("by_tiles", imaging.depth_of_field, **blur, tile=16, depths=None, out=None, progress=None),
+        tagged("depth_of_field", imaging.depth_of_field, **scene, energy=0.9, tol=1e-3),
+        tagged("by_tiles", imaging.depth_of_field, **scene, tile=16, out=None, progress=None),
         tagged("read_depth", imaging.read_depth, path=folder / "depth.npy", scale=0.5, zero_is_unknown=False),
         tagged("read_photo", imaging.read_photo, path=folder / "photo.png", encoding="srgb"),
         tagged("write_photo", imaging.write_photo, path=folder / "p.png", light=SQUARE, encoding="srgb",
-               dtype=np.uint8, quality=90, profile=None),
-        tagged("write_frames", photos.write_frames, path=folder / "f.gif", frames=[(255 * SQUARE).astype(np.uint8)],
-               fps=10.0, quality=90),
-        tagged("Picture.light", imaging.Picture(SQUARE, "linear", imaging.Exif()).light, dtype=np.float32),
-        tagged("Exif.pixel", imaging.Exif(5e-3, 2.0, 26e-3).pixel, shape=(10, 20)),
+               dtype=np.uint8, like=None),
         tagged("Apodization.zernike", lm.Apodization.zernike, terms={2: 0.1}),
         tagged("Channels.rgb", lm.Channels.rgb, width=5e-8, count=2),
         tagged("LensRanges", imaging.LensRanges, focal_length=50e-3, f_number=(2.0, 4.0),
                focus_distance=(1.0, math.inf), pixel=8e-6, spherical=0.1, wavelength=550e-9),
         tagged("render_dataset", rendered, photos=[folder / "photo.png"], depths=[folder / "depth.npy"],
-               out=folder / "set", lenses=RANGES, seed=1, copies=1, form="png", shard=None, psfs=2,
-               depth_scale=None, on_error="raise", workers=1),
+               out=folder / "set", lenses=RANGES, seed=1, copies=1, on_error="raise", workers=1),
         tagged("localize.fit", lm.localize.fit, table=SPOTS, images=np.ones((2, 9, 9)), noise=lm.Noise(read=1.0),
                starts=1, threads=1),
         tagged("localize.fit", lm.localize.fit, table=[SPOTS, SPOTS], images=[np.ones((2, 9, 9))] * 2, starts=1),
@@ -370,7 +363,6 @@ NAMES: dict[str, tuple[str, ...]] = {
     "out": ("dtype",),
     "dtype": ("bits",),
     "focal_length": ("focal length",),
-    "frames": ("frame",),
     "rows": ("row",),
     "nonradial": ("a term",),
     "focus_distance": ("windows",),

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import re
-
 import numpy as np
 import pytest
 from hypothesis import given
@@ -204,27 +202,6 @@ def test_one_distance_makes_a_bank_too():
         dtype=np.float64,
     )
     assert off(made, 5.0, exact(PUPILS["plain"], 5.0, 2 * made.half + 1)) <= 2e-6
-
-
-@pytest.mark.parametrize("energy", [0.98, 0.9999])
-@pytest.mark.parametrize("obscuration", [0.0, 0.4])
-@pytest.mark.parametrize("distances", [(0.7, 3.0), (1.0, 1.01), (0.3, 1.0)], ids=str)
-def test_windows_as_large_as_the_refusal_of_smaller_ones_says_hold_the_light(distances, obscuration, energy):
-    lens = lm.Lens(focal_length=26e-3, f_number=1.78, focus_distance=1.0, wavelength=550e-9, obscuration=obscuration)
-    white = [(wavelength, 1 / 5) for wavelength in np.linspace(430e-9, 650e-9, 5)]
-    light = SensorLight.of(lens, white, 2.5e-6)
-    low, high = sorted(lens.defocus(np.array(distances)))
-    with pytest.raises(ValueError, match=r"allow larger windows \(largest=\d+ or more\)") as refused:
-        light.sufficient_half((low, high), energy, 2 if energy < 0.99 else 90)
-    enough = int(re.search(r"largest=(\d+)", str(refused.value))[1])
-    side = (enough + 0.5) * light.pixel
-    held = 0.0
-    for wavelength, weight in white:
-        pupil = light.defocused(np.array([low, 0.5 * (low + high), high])).in_light(wavelength)
-        held += weight * lm.psf(pupil, 1, 1e-6, integrate=False).ensquared_energy(side)
-    assert held.min() >= energy
-    if energy < 0.99 and distances[0] > 0.5:
-        assert light.sufficient_half((low, high), energy, enough)[0] <= enough + 1
 
 
 def test_windows_that_cannot_hold_the_light_are_refused_before_they_are_computed(monkeypatch):

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.imaging import BlurSlopes, DepthBlur, depth_of_field, restore_with
+from lommel.imaging import DepthBlur, depth_of_field
 
 LENS = lm.Lens(focal_length=50e-3, f_number=4.0, focus_distance=2.0, wavelength=550e-9)
 PIXEL = 8e-6
@@ -19,25 +19,29 @@ def scene(height: int = 20, width: int = 26, seed: int = 0) -> tuple[np.ndarray,
 
 def test_every_point_spreads_the_psf_of_its_own_depth():
     image, depth = scene()
-    blur = DepthBlur(depth, LENS, PIXEL, border="zero", dtype=np.float64, tol=1e-6, energy=0.95, largest=30)
+    blur = DepthBlur(depth, LENS, PIXEL, dtype=np.float64, tol=1e-6, energy=0.95, largest=30)
     half = blur.banks[0].half
-    total = np.zeros((20 + 2 * half, 26 + 2 * half))
-    for y in range(20):
-        for x in range(26):
-            exact = lm.psf(LENS.pupil(depth[y, x]), 2 * half + 1, PIXEL, integrate=True, dtype=np.float64).values
-            window = blur.banks[0].pixel_weights(LENS.defocus(depth[y, x])) * exact
-            total[y : y + 2 * half + 1, x : x + 2 * half + 1] += image[y, x] * window / window.sum()
+    rows, columns = (np.pad(np.arange(side), half, mode="symmetric") for side in blur.shape)  # mirrored at the edges
+    total = np.zeros((20 + 4 * half, 26 + 4 * half))
+    windows = {}
+    for y, row in enumerate(rows):
+        for x, column in enumerate(columns):
+            if (row, column) not in windows:
+                distance = depth[row, column]
+                exact = lm.psf(LENS.pupil(distance), 2 * half + 1, PIXEL, integrate=True, dtype=np.float64).values
+                window = blur.banks[0].pixel_weights(LENS.defocus(distance)) * exact
+                windows[row, column] = window / window.sum()
+            total[y : y + 2 * half + 1, x : x + 2 * half + 1] += image[row, column] * windows[row, column]
     out = blur.forward(image)
-    assert np.abs(out - total[half:-half, half:-half]).max() <= 1e-5 * out.max()
+    assert np.abs(out - total[2 * half : -2 * half, 2 * half : -2 * half]).max() <= 1e-5 * out.max()
 
 
-@pytest.mark.parametrize("border", ["zero", "reflect", "extend"])
 @pytest.mark.parametrize("dtype", [np.float32, np.float64])
 @pytest.mark.parametrize("weighted", [False, True])
-def test_the_adjoint_is_the_transpose(border, dtype, weighted):
+def test_the_adjoint_is_the_transpose(dtype, weighted):
     rng = np.random.default_rng(1)
     _, depth = scene()
-    blur = DepthBlur(depth, LENS, PIXEL, border=border, dtype=dtype, energy=0.95, channels=(600e-9, 500e-9))
+    blur = DepthBlur(depth, LENS, PIXEL, dtype=dtype, energy=0.95, channels=(600e-9, 500e-9))
     a, b = (rng.random((20, 26, 2)).astype(dtype) for _ in range(2))
     weight = rng.random((20, 26)) < 0.6 if weighted else None
     one, two = np.vdot(blur.forward(a, weight), b), np.vdot(a, blur.adjoint(b, weight))
@@ -59,15 +63,10 @@ def test_the_light_of_one_plane_is_conserved_and_a_white_wall_stays_white():
 
 
 def test_the_order_of_arguments_is_that_of_photographs_and_another_is_refused():
-    image, depth = scene()
-    blur = DepthBlur(depth, LENS, PIXEL, dtype=np.float64)
+    _, depth = scene()
     for turned in ((PIXEL, depth, LENS), (LENS, depth, PIXEL)):
         with pytest.raises(TypeError, match=r"^lens must be a Lens, got ndarray; .* is depth, lens, pixel$"):
             DepthBlur(*turned)
-    with pytest.raises(TypeError, match=r"^blur must be a DepthBlur"):
-        BlurSlopes(blur, image)
-    with pytest.raises(TypeError, match=r"^blur must be a LinearBlur"):
-        restore_with(blur, image, lm.Noise(white=1000.0, read=1.0))
 
 
 @pytest.mark.parametrize("threads", [1, 2, 5])
@@ -99,15 +98,13 @@ def test_an_object_in_focus_stays_sharp_and_one_out_of_focus_does_not():
         ({"depth": np.full((5, 6), -1.0)}, "depth must be > 0 metres, got -1.0"),
         ({"depth": np.zeros((5, 6))}, "depth must be > 0 metres, got 0.0"),
         ({"depth": np.full((5, 6), np.nan)}, "depth is NaN at 30 of 30 points"),
-        ({"depth": np.full((5, 6), np.nan), "missing": "nearest"}, "depth is NaN everywhere"),
         ({"depth": np.ones((5, 7))}, r"depth must have the shape of the image, \(5, 6\), got \(5, 7\)"),
         ({"image": np.zeros((5, 6, 4), np.uint8)}, "drop the alpha channel"),
         ({"image": np.full((5, 6), np.inf)}, "image must be finite, got inf"),
         ({"image": np.zeros(5)}, "image must have the shape"),
         ({"encoding": "gamma"}, "encoding must be one of"),
-        ({"border": "wrap"}, "border must be one of"),
         ({"depth": np.full((5, 6), 0.2)}, "windows of more than 5 pixels"),
-        ({"wavelengths": (5e-7, 6e-7)}, "wavelengths must have one entry for each of the 1 channels"),
+        ({"image": np.zeros((5, 6, 5))}, "images must have one channel or three, got 5"),
     ],
 )
 def test_what_makes_no_photograph_is_refused_by_name(change, message):

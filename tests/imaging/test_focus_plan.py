@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.imaging import FocusPlan, depth_of_field
+from lommel.imaging import RED_GREEN_BLUE, DepthBlur, FocusPlan, depth_of_field
 
 LENS = lm.Lens(focal_length=50e-3, f_number=4.0, focus_distance=2.0, wavelength=550e-9)
 PIXEL = 8e-6
@@ -25,14 +25,12 @@ def scene(dtype=np.uint8):
 )
 def test_a_plan_gives_what_depth_of_field_gives_bit_for_bit(dtype, encoding, change):
     image, depth = scene(dtype)
-    plan = FocusPlan(image, depth, LENS, PIXEL, encoding=encoding, border="extend", energy=0.97)
+    plan = FocusPlan(image, depth, LENS, PIXEL, encoding=encoding)
     plan(focus_distance=2.1)
     settings = {"focal_length": 50e-3, "wavelength": 550e-9, "f_number": 4.0} | change
     if "focus_distance" not in change:
         settings["sensor_distance"] = LENS.sensor_distance
-    expected = depth_of_field(
-        image, depth, lm.Lens(**settings), PIXEL, encoding=encoding, border="extend", energy=0.97
-    )
+    expected = depth_of_field(image, depth, lm.Lens(**settings), PIXEL, encoding=encoding)
     for out in (None, np.empty_like(image)):
         made = plan(**change, out=out)
         assert made.values.tobytes() == expected.values.tobytes()
@@ -42,14 +40,14 @@ def test_a_plan_gives_what_depth_of_field_gives_bit_for_bit(dtype, encoding, cha
 
 def test_settings_are_remembered_and_the_oldest_is_dropped():
     image, depth = scene()
-    plan = FocusPlan(image, depth, LENS, PIXEL, encoding="srgb", keep=2)
-    first, second = plan.blur(), plan.blur(focus_distance=2.2)
-    assert plan.blur() is first
-    assert plan.blur(focus_distance=2.2) is second
-    third = plan.blur(f_number=8.0)
-    assert plan.blur(focus_distance=2.2) is second
-    assert plan.blur(f_number=8.0) is third
-    assert plan.blur() is not first
+    plan = FocusPlan(image, depth, LENS, PIXEL, encoding="srgb")
+    lenses = [LENS, *(LENS.focused(distance) for distance in (2.1, 2.2, 2.3))]
+    kept = [plan._blur(lens) for lens in lenses]
+    assert all(plan._blur(lens) is blur for lens, blur in zip(lenses, kept, strict=True))
+    fifth = plan._blur(LENS.stopped(8.0))
+    assert plan._blur(lenses[3]) is kept[3]
+    assert plan._blur(LENS.stopped(8.0)) is fifth
+    assert plan._blur(LENS) is not kept[0]
 
 
 def test_what_is_done_to_the_inputs_afterwards_does_not_matter():
@@ -61,13 +59,12 @@ def test_what_is_done_to_the_inputs_afterwards_does_not_matter():
     assert plan(f_number=5.6).values.max() > 0.5
 
 
-def test_missing_depths_are_filled_once():
-    image, depth = scene()
-    holes = depth.copy()
-    holes[3:6, 7] = np.nan
-    plan = FocusPlan(image, holes, LENS, PIXEL, encoding="srgb", missing="nearest")
-    expected = depth_of_field(image, holes, plan.lens_at(f_number=5.6), PIXEL, encoding="srgb", missing="nearest")
-    assert np.array_equal(plan(f_number=5.6).values, expected.values)
+def test_light_is_added_without_occlusion():
+    image, depth = scene(np.float32)
+    plan = FocusPlan(image, depth, LENS, PIXEL, encoding="linear", occlusion=False)
+    blur = DepthBlur(depth, LENS, PIXEL, channels=RED_GREEN_BLUE)
+    assert np.array_equal(plan().values, blur.forward(image))
+    assert np.abs(plan().values - depth_of_field(image, depth, LENS, PIXEL, encoding="linear").values).max() > 0.1
 
 
 @pytest.mark.parametrize(
@@ -92,9 +89,8 @@ def test_what_makes_no_frame_is_refused_by_name(change, error, message):
 @pytest.mark.parametrize(
     ("change", "error", "message"),
     [
-        ({"keep": 0}, ValueError, "keep must be from 1 to 1000, got 0"),
+        ({"occlusion": 1}, TypeError, "occlusion must be True or False, got 1"),
         ({"encoding": "gamma"}, ValueError, "encoding must be one of"),
-        ({"border": "wrap"}, ValueError, "border must be one of"),
         ({"lens": 3}, TypeError, "lens must be a Lens, got int"),
         ({"depth": np.ones((5, 5))}, ValueError, "depth must have the shape of the image"),
         ({"image": np.ones(5)}, ValueError, "image must have the shape"),

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.imaging import FocusPlan, depth_of_field
+from lommel.imaging import depth_of_field
 
 LENS = lm.Lens(focal_length=50e-3, f_number=4.0, focus_distance=2.0, wavelength=550e-9)
 PIXEL = 6e-6
@@ -23,13 +23,12 @@ def test_a_point_is_the_psf_over_the_pixels_of_the_sensor():
         PIXEL,
         encoding="linear",
         supersample=4,
-        energy=1.0,
-        tol=1e-2,
-        border="zero",
+        energy=0.995,
     )
     # Three eighths of a pixel down and left of the middle; a point has the light of a sixteenth of a pixel.
     expected = lm.psf(LENS.pupil(1.95), 31, PIXEL, center=(15.375, 14.625)).values / 16.0
-    np.testing.assert_allclose(made.values, expected, atol=2e-3 * expected.max())
+    # The light outside the window is spread over the window.
+    np.testing.assert_allclose((1.0 - made.lost) * made.values, expected, atol=2e-3 * expected.max())
 
 
 def test_all_ways_agree():
@@ -38,7 +37,6 @@ def test_all_ways_agree():
     options = {"encoding": "srgb", "supersample": 2}
     made = depth_of_field(scene, depth, LENS, PIXEL, **options)
     assert made.values.shape == (24, 32, 3)
-    np.testing.assert_array_equal(FocusPlan(scene, depth, LENS, PIXEL, **options)().values, made.values)
     out = np.empty((24, 32, 3))
     depth_of_field(scene, depth, LENS, PIXEL, out=out, **options)
     np.testing.assert_array_equal(out, made.values)
@@ -50,7 +48,6 @@ def test_all_ways_agree():
         ({"supersample": 5}, "divide the height and the width"),
         ({"supersample": 17}, "supersample must"),
         ({"supersample": 2, "tile": 16}, "supersample must be 1 with tile"),
-        ({"supersample": 2, "depths": (1.0, 3.0)}, "supersample must be 1 with tile or depths"),
     ],
 )
 def test_what_does_not_fit_is_refused(options, words):

@@ -10,7 +10,7 @@ import pytest
 from PIL import Image, TiffImagePlugin
 
 from lommel.imaging import Exif, PhotoError, read_photo, write_photo
-from lommel.io.photos import parsed, write_like
+from lommel.io.photos import parsed
 
 OWN = {0x010F: "Canon", 0x0110: "EOS R5", 0x0132: "2026:01:02 03:04:05", 0x013B: "An Artist", 0x8298: "(c) Somebody"}
 LENS = {
@@ -58,7 +58,7 @@ def test_a_photograph_made_of_another_has_its_camera_date_lens_and_place(tmp_pat
     Image.fromarray(VALUES).save(tmp_path / source, exif=block())
     read = read_photo(tmp_path / source)
     assert read.values.shape == (36, 24, 3)  # upright
-    write_like(read, tmp_path / output, read.light(), encoding="srgb", dtype=dtype)
+    write_photo(tmp_path / output, read.light(), dtype=dtype, like=read)
     first, lens, place = found((tmp_path / output).read_bytes())
     assert {tag: first.get(tag) for tag in OWN} == OWN
     assert {tag: float(lens[tag]) if isinstance(text, float | TiffImagePlugin.IFDRational) else lens[tag]
@@ -84,7 +84,7 @@ def test_damaged_exif_is_left_out_or_refused_and_never_grows(tmp_path):
             read = read_photo(tmp_path / "a.png")
         except PhotoError:
             continue
-        write_photo(tmp_path / "b.jpg", read.light(), exif=read.exif)
+        write_photo(tmp_path / "b.jpg", read.light(), like=read)
         assert len(read.exif.block or b"") < 2 * len(data)
     # Entries that all point to the same bytes.
     entry = struct.pack("<HHII", 0x8769, 4, 1, 26)
@@ -93,13 +93,10 @@ def test_damaged_exif_is_left_out_or_refused_and_never_grows(tmp_path):
     assert parsed({}, data).block is None
 
 
-def test_exif_is_refused_where_it_cannot_be_written(tmp_path):
-    exif = Exif(block=block()[6:])
-    with pytest.raises(ValueError, match=r"\.png, \.jpg, .* for a photograph with EXIF, got '\.exr'"):
-        write_photo(tmp_path / "a.exr", np.zeros((4, 5)), encoding="linear", dtype=np.float32, exif=exif)
-    with pytest.raises(TypeError, match="exif must be"):
-        write_photo(tmp_path / "a.png", np.zeros((4, 5)), exif=block())
+def test_exif_is_left_out_where_it_cannot_be_written(tmp_path):
+    with pytest.raises(TypeError, match="like must be"):
+        write_photo(tmp_path / "a.png", np.zeros((4, 5)), like=block())
     Image.fromarray(VALUES).save(tmp_path / "a.jpg", exif=block())
     read = read_photo(tmp_path / "a.jpg")
-    write_like(read, tmp_path / "a.exr", read.light(), encoding="linear", dtype=np.float32)
+    write_photo(tmp_path / "a.exr", read.light(), encoding="linear", dtype=np.float32, like=read)
     assert [file.name for file in sorted(tmp_path.iterdir())] == ["a.exr", "a.jpg"]

@@ -122,7 +122,7 @@ def test_a_photograph_of_another_package_is_told_by_how_it_starts(other, tmp_pat
 
 
 def test_a_kind_of_files_that_there_is_not_is_refused():
-    kinds = "'psf', 'colours', 'field', 'photo', 'frames', 'depth map', 'images', 'zernike', 'opd', 'molecules', "
+    kinds = "'psf', 'colours', 'field', 'photo', 'depth map', 'images', 'zernike', 'opd', 'molecules', "
     kinds += "'video'"
     with pytest.raises(ValueError, match=f"kind must be one of {kinds}, got"):
         Format("film", (".mov",))

@@ -262,7 +262,7 @@ def test_it_is_the_iteration_of_richardson_and_lucy(monkeypatch):
     stack = NOISE.record(np.maximum(light, 0.0), seed=5)
     way = lm.imaging.RichardsonLucy(steps=8, target=0.0, accelerate=False)
     found = lm.microscopy.deconvolve(stack, PSF, NOISE, method=way, margin=(0, 0), background=0.0)
-    other = lm.imaging.restore_with(np.moveaxis(stack, 0, -1), blur, NOISE, method=way)
+    other = lm.imaging.restore(np.moveaxis(stack, 0, -1), None, blur, encoding="linear", noise=NOISE, method=way)
     near = (slice(7, 18), slice(12, 40), slice(12, 40))
     np.testing.assert_allclose(found.values[near].sum(), np.moveaxis(other.light, -1, 0)[near].sum(), rtol=0.01)
     np.testing.assert_allclose(found.before, other.before, rtol=0.1)  # over that of the true scene

@@ -137,7 +137,9 @@ def depths(noise):
 def restored(noise):
     blur = lm.imaging.DepthBlur(np.full((32, 40), 2.1), LENS, 8e-6)
     photo = PHOTOS[EM].record(5e3 * blur.forward(scene()[:32, :40]), 0)
-    found = lm.imaging.restore_with(photo, blur, PHOTOS[noise], method=lm.imaging.RichardsonLucy(steps=3))
+    found = lm.imaging.restore(
+        photo, None, blur, encoding="linear", noise=PHOTOS[noise], method=lm.imaging.RichardsonLucy(steps=3)
+    )
     return [found.values, found.discrepancy, found.before], []
 
 
@@ -147,7 +149,7 @@ def photograph(noise):
     found = lm.imaging.restore(
         photo, np.full((32, 40), 2.1), LENS, 8e-6, encoding="linear", noise=PHOTOS[noise], method=way, energy=0.9
     )
-    return [found.discrepancy, found.before], []
+    return [found.discrepancy, found.before, *restored(noise)[0]], []
 
 
 def stack():
@@ -213,15 +215,16 @@ HONOURED = {
     "lommel.retrieve": retrieve, "lommel.fit_beads": beads, "lommel.fit_field": field,
     "lommel.detection.find_spots": spots, "lommel.detection.find_crossings": crossings, "lommel.fisher": fisher,
     "lommel.depth_precision": precision, "lommel.best_depth_foci": foci, "lommel.imaging.depth_from_defocus": depths,
-    "lommel.imaging.restore_with": restored, "lommel.imaging.restore": photograph,
+    "lommel.imaging.restore": photograph,
     "lommel.microscopy.deconvolve": deconvolved, "lommel.microscopy.restore": deep,
     "lommel.localize.find": found_spots, "lommel.localize.fit": molecules, "lommel.localize.localize_movie": movie,
     "lommel.localize.localize_blocks": blocks, "lommel.imaging.traced_noise": traced,
 }  # fmt: skip
 REFUSED = ("lommel.imaging.LiveDepth", "lommel.imaging.LiveSharpen")
-# A result, what only records, and images with their noise.
+# Results, options, what only records, and images with their noise.
 OTHERS = {
     "lommel.microscopy.RestoredChannel",
+    "lommel.imaging.DatasetOptions",
     "lommel.imaging.render_dataset",
     "lommel.Counts",
     "lommel.recorded.Counts",

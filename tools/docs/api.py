@@ -179,12 +179,12 @@ SECTIONS = [
         "See [](../imaging.md), [](../restore.md) and [](../depth.md).",
         ("imaging",),
         package="imaging",
-        more="imaging.settings.Settings imaging.traced_blur.TracedBlur adapters.deepinv.blur_physics"
+        more="imaging.settings.WindowOptions imaging.traced_blur.TracedBlur adapters.deepinv.blur_physics"
         " adapters.deepinv.psf_generator imaging.field_blur.FieldBank"
         " imaging.bank.Bank"
         " methods.pixel_rule.pixel_rule methods.pixel_rule.PixelRule methods.pixel_rule.octant"
         " methods.pixel_rule.sums_of_windows methods.pixel_rule.quarters base.encoding.to_light"
-        " base.encoding.from_light base.encoding.clipped_fraction io.photos.write_frames",
+        " base.encoding.from_light base.encoding.clipped_fraction",
     ),
     Section(
         "Video",

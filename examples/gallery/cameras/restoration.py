@@ -21,7 +21,7 @@ from skimage.data import stereo_motorcycle
 
 import lommel as lm
 from lommel.base.encoding import from_light, to_light
-from lommel.imaging import DepthBlur, Occlusion, RichardsonLucy, TotalVariation, restore_with
+from lommel.imaging import DepthBlur, Occlusion, RichardsonLucy, TotalVariation, restore
 from lommel.imaging.photograph import fill_missing
 
 left, _, disparity = stereo_motorcycle()
@@ -68,7 +68,7 @@ photo = photographed(perfect)
 seen = Occlusion(blur(perfect, depth[part]))
 pictures = {"sharp": truth, f"photographed, {quality(photo)}": photo}
 for method in (RichardsonLucy(), TotalVariation()):
-    found = restore_with(photo, seen, noise, method=method)
+    found = restore(photo, None, seen, encoding="linear", noise=noise, method=method)
     name = "Richardson-Lucy" if isinstance(method, RichardsonLucy) else "total variation"
     pictures[f"{name}, {quality(found.light)}"] = found.light
     print(
@@ -118,7 +118,9 @@ for name, lens in (("no aberration", perfect), ("3 waves of spherical aberration
     rows[name] = [(f"photographed\n{quality(taken)}", taken)]
     for kind in ("exact", "disc", "Gaussian", "average"):
         operator = exact if kind == "exact" else imitated(exact, kind)
-        found = restore_with(taken, operator if kind == "average" else Occlusion(operator), noise)
+        found = restore(
+            taken, None, operator if kind == "average" else Occlusion(operator), encoding="linear", noise=noise
+        )
         verdict = "" if found.stopped == "noise" else f", {found.stopped.split(':')[0]}"
         rows[name].append((f"{kind}\n{quality(found.light)}{verdict}", found.light))
         print(f"{name}, {kind}: {quality(found.light)}, discrepancy {found.discrepancy:.2f}, {found.stopped}")

@@ -32,7 +32,7 @@ from lommel.show.drawing import figure_of
 if TYPE_CHECKING:
     from lommel.imaging.defocus_depth import DefocusDepth
     from lommel.imaging.defocus_verdict import DefocusVerdict
-    from lommel.io.photos import Picture
+    from lommel.io.photos import Photograph
     from lommel.optics.lens import Lens
 
 _READ = 3.0  # default read noise, rms electrons, without a camera
@@ -197,10 +197,10 @@ def depth(
     return Report(facts, lines) + verdict_report(estimate.verdict) + files
 
 
-def _write_sharp(path: Path, estimate: DefocusDepth, photo: Picture) -> None:
+def _write_sharp(path: Path, estimate: DefocusDepth, photo: Photograph) -> None:
     """Write the all-in-focus image in the type and encoding of `photo` if the format can store them."""
     image = to_light("sharp", estimate.sharp, estimate.encoding, np.float32)
-    dtype, encoding = output_type(photo, path, None)
+    dtype, encoding = output_type(photo, path)
     write_photo(path, image, encoding=encoding, dtype=dtype)
 
 

@@ -152,6 +152,11 @@ def with_options(message: str) -> str:
     return _METHOD.sub(lambda match: f"--method {_METHOD_NAMES.get(match[1], match[1])}", with_units(message))
 
 
+def given_flags() -> dict[str, str]:
+    """Return the options that the command line states, by the names of arguments."""
+    return {name: _flags[name] for name in sorted(_given) if name in _flags}
+
+
 def flag_of(name: str) -> str:
     """Return the option of the running command for an argument, as messages state it."""
     return _flags.get(name, name)

@@ -4,80 +4,119 @@ from __future__ import annotations
 
 import math
 import signal
+import sys
 import time
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
-from functools import partial
 from pathlib import Path
 from types import FrameType
-from typing import TYPE_CHECKING, cast
+from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
 
-import click
 import numpy as np
-from click.core import ParameterSource
 from numpy.typing import NDArray
 
 from lommel.base.arrays import Values
+from lommel.base.options import Options, Shown
 from lommel.base.units import format_length
-from lommel.cli.instruments import CAMERA, instrument_of, mask_of, noise_of, radial_instrument
-from lommel.cli.options import (
-    FILE,
-    JSON,
-    LENGTHS,
-    OUTPUT,
-    OUTPUT_PATH,
-    PATH,
-    Group,
-    argument,
-    command,
-    documented,
-    flag_of,
-    option,
-    with_options,
-)
+from lommel.cli.command import OUTPUT, command, filled
+from lommel.cli.instruments import instrument_of, mask_of, noise_of, radial_instrument
+from lommel.cli.messages import given_flags, with_options
 from lommel.cli.output import progress, written
+from lommel.cli.shared_options import CAMERA, MaskedPhotoNoise, given
 from lommel.imaging import (
-    FocusPlan,
+    BlurOptions,
+    DatasetOptions,
+    DepthOptions,
+    LensRanges,
     OnePass,
     Photograph,
-    Picture,
+    Rendered,
+    RestoreOptions,
     RichardsonLucy,
     TotalVariation,
+    depth_of_field,
     field_photograph,
     read_depth,
     read_photo,
+    render_dataset,
+    write_photo,
 )
 from lommel.imaging import restore as restored
-from lommel.imaging.datasets import FORMATS, LensRanges, render_dataset
-from lommel.imaging.settings import BORDERS, MISSING, Settings
-from lommel.io.depth_maps import RESAMPLE, DepthValues
-from lommel.io.photos import check_pattern, find, is_animation, stored, write_frames, write_like
+from lommel.imaging.photograph import FieldPhotographOptions
+from lommel.io.depth_maps import fill_missing
+from lommel.io.photos import find
 from lommel.io.registry import suffixes
+from lommel.lensfiles.instrument import Camera
 from lommel.optics.lens import Lens
 from lommel.recorded.noise import Noise
 from lommel.report import Facts, Report, finite
 
 if TYPE_CHECKING:
     from lommel.imaging.photograph import Pixels
-    from lommel.io.depth_maps import DepthKeywords
-    from lommel.lensfiles.instrument import Camera
+
+_TOLERANCE = 0.02  # largest relative difference from the EXIF, which has rounded nominal values
+Encoding = Literal["srgb", "linear"]
 
 
-class DepthMap(Group):
-    """Meaning of the values of a depth map, as in :class:`lommel.io.depth_maps.DepthKeywords`."""
+@dataclass(frozen=True, kw_only=True)
+class PhotoCamera(Options):
+    """Lens and camera of a photograph, where no file states them.
 
-    # fmt: off
-    scale: float | None = documented(DepthValues, "scale", "--depth-scale", type=float)
-    inverse: tuple[float, float] | None = documented(DepthValues, "inverse", "--inverse-depth", length="m", nargs=2,
-        metavar="NEAR FAR")
-    disparity: tuple[float, float] | None = documented(DepthValues, "disparity", type=float, nargs=2,
-        metavar="FB OFFSET")
-    zero_is_unknown: bool = documented(DepthValues, "zero_is_unknown", "--zero-unknown", is_flag=True)
-    unknown: tuple[float, ...] = option(type=float, multiple=True,
-        help="Treat this stored value of the depth map, such as -1 or 255, as unknown.")
-    resample: str | None = documented(DepthValues, "resample", type=click.Choice(RESAMPLE))
-    # fmt: on
+    Parameters
+    ----------
+    focus_distance
+        Focus distance, such as 1.5m or inf; overrides the lens file.
+    f_number
+        F-number; by default from the lens file or the EXIF.
+    camera
+        Camera with the pixel pitch, and the noise where a command needs it: the name of an example, which `lommel
+        examples --find camera` lists, or a file; overrides the file.
+    pixel
+        Pixel pitch; overrides the lens file and the camera.
+    """
+
+    heading: ClassVar[str] = "Camera"
+    focus_distance: Annotated[float | None, Shown(("--focus",), length="m")] = None
+    f_number: float | None = None
+    camera: Annotated[Camera | None, CAMERA] = None
+    pixel: Annotated[float | None, Shown(length="um")] = None
+
+
+@dataclass(frozen=True, kw_only=True)
+class DepthMap(DepthOptions):
+    """Meaning of the values of a depth map."""
+
+    heading: ClassVar[str] = "Depth map"
+
+
+@dataclass(frozen=True, kw_only=True)
+class DataSet(DatasetOptions):
+    """Options for a data set instead of a single photograph.
+
+    Parameters
+    ----------
+    seed
+        Seed of the lenses and of the noise.
+    white
+        Electrons at white, such as 5000, for photon noise.
+    read
+        Read noise, rms electrons; needs --white.
+    """
+
+    heading: ClassVar[str] = "Data set"
+    seed: int = 0
+    white: float | None = None
+    read: float | None = None
+
+    def options(self, depth: DepthOptions) -> DatasetOptions:
+        """Return the options of :func:`lommel.imaging.render_dataset`."""
+        if self.white is None and self.read is not None:
+            raise ValueError("--read needs --white, the electrons at white")
+        noise = None if self.white is None else Noise(white=self.white, read=self.read or 0.0)
+        return DatasetOptions(
+            copies=self.copies, workers=self.workers, noise=noise, depth_options=depth, on_error="skip"
+        )
 
 
 def depth_facts(distance: NDArray[np.float64]) -> tuple[Facts, Callable[[str], str]]:
@@ -95,68 +134,127 @@ def depth_line(low: float, high: float, unknown: float, focus: str) -> str:
     return f"depth {range_text}, {focus}" + (f", {100.0 * unknown:.2g} % unknown" if unknown else "")
 
 
-class DataSet(Group, heading="Data set"):
-    """Options for a data set instead of a single photograph."""
+@command
+@filled(photo=suffixes("photo"))
+def blur(
+    photo: Path,
+    depth: Path,
+    lens: Path | None = None,
+    /,
+    *,
+    output: Annotated[Path, OUTPUT],
+    encoding: Encoding | None = None,
+    over_field: bool = False,
+    batch: bool = False,
+    camera_options: PhotoCamera = PhotoCamera(),
+    depth_map: DepthMap = DepthMap(),
+    blurring: BlurOptions = BlurOptions(),
+    data: DataSet = DataSet(),
+) -> Report:
+    """Blur a photo by its depth map or over a lens field.
 
-    # fmt: off
-    batch: bool = option(is_flag=True,
-        help="Blur all photos of the folder PHOTO by the depth maps of the same names in the folder DEPTH into the "
-        "folder --output, with ground truth. LENS may have pairs in place of numbers: ranges from which the lens of "
-        "each picture is drawn. After an interruption, the same command resumes. Files that cannot be used are "
-        "reported and left out, with exit code 3.")
-    seed: int = option(type=int, default=0, help="Seed of the lenses and of the noise.")
-    copies: int = documented(render_dataset, "copies", type=int)
-    workers: int = documented(render_dataset, "workers", type=int, help="Number of processes.")
-    form: str = documented(render_dataset, "form", type=click.Choice(FORMATS),
-        help="Format of the images: png has 16 bits and the encoding of the photo, the others are linear.")
-    shard: int | None = documented(render_dataset, "shard", type=int,
-        help="Number of pictures in each tar file, as WebDataset reads them; by default a file for each.")
-    psfs: int = documented(render_dataset, "psfs", type=int,
-        help="Number of PSFs stored with each picture, to which its pixels refer by an index; 0 for none.")
-    white: float | None = option(type=float, default=None, help="Electrons at white, such as 5000, for photon noise.")
-    read: float | None = option(type=float, default=None, help="Read noise, rms electrons; needs --white.")
-    # fmt: on
+    PHOTO is a PNG, JPEG, TIFF, EXR, WebP, BMP or HEIC, grey or RGB. DEPTH is a depth map of the same size, the
+    distance of each point from the lens along the optical axis, in metres: a grey TIFF, NPY, PFM, PNG or EXR. Without
+    a lens file LENS, focal length and f-number come from the photo's EXIF; an option that contradicts the EXIF is
+    rejected.
 
-    def arguments(self) -> Facts:
-        """Return the arguments of :func:`lommel.imaging.render_dataset`."""
-        arguments = vars(self).copy()
-        white, read = arguments.pop("white"), arguments.pop("read")
-        if white is None and read is not None:
-            raise ValueError("--read needs --white, the electrons at white")
-        del arguments["batch"]
-        return arguments | {"noise": None if white is None else Noise(white=white, read=read or 0.0)}
+    The aberrations of the lens must be radially symmetric (defocus, spherical), and its aperture round: leave out
+    coma, astigmatism and other terms with a direction.
+
+    Integer values are clipped at white, as on a sensor, and the clipped fraction is printed.
+
+    Parameters
+    ----------
+    output
+        Blurred photo: {photo}. With --batch: a folder.
+    encoding
+        Encoding of the photo's values; by default integers are sRGB and floats are linear.
+    over_field
+        Render PHOTO, as an ideal lens would record it, through the lens file given in place of DEPTH, which needs a
+        section [field]: blur over the field, distortion, lateral colour and shading. The axis is in the middle of the
+        photo. --tol is then 0.001 by default.
+    batch
+        Blur all photos of the folder PHOTO by the depth maps of the same names in the folder DEPTH into the folder
+        --output, with ground truth. LENS may have pairs in place of numbers: ranges from which the lens of each
+        picture is drawn. After an interruption, the same command resumes. Files that cannot be used are reported and
+        left out, with exit code 3.
+    supersample
+        Points of PHOTO and DEPTH along each side of a pixel of the output, which averages them.
+    workers
+        Number of processes.
+
+    Examples
+    --------
+      lommel blur photo.jpg depth.tif --focus 1.2m --pixel 4um -o out.jpg
+      lommel blur photo.png depth.png phone.toml --depth-scale 0.001 --zero-unknown --missing nearest -o out.tif
+      lommel blur photo.png camera-field.toml --over-field --pixel 6um -o out.png
+      lommel blur --batch photos/ depths/ phone.toml --seed 1 --workers 2 -o set/
+    """
+    if over_field:
+        return _through_field(photo, (depth, lens), output, encoding, camera_options, blurring)
+    if batch:
+        return _render(output, (photo, depth, lens), camera_options, depth_map, data)
+    _refuse_others(set(given(DataSet())), "is an option for data sets, and needs --batch")
+    find(output, "--output")
+    with terminated_as_interrupted(), progress("reading") as status:
+        job = Job((photo, depth, lens), output, encoding, camera_options, depth_map)
+        status("computing PSFs")
+        start = time.perf_counter()
+        rendered = depth_of_field(
+            job.photograph.light(),
+            job.filled_depth,
+            job.lens,
+            job.pixel,
+            encoding="linear",
+            progress=lambda done, total: status("blurring", done / total),
+            options=blurring,
+        )
+        seconds = time.perf_counter() - start
+        clipped = job.write(rendered.values)
+    facts, line = _errors(rendered, clipped)
+    facts = {"focus_distance": finite(job.lens.focus_distance), "seconds": seconds} | facts
+    return job.report(facts, [line], blurring.supersample)
 
 
-_SINGLE_PHOTO_OPTIONS = ("bits", "pixel_from_exif", "no_exif", "last", "frames", "fps", "camera")
+def _refuse_others(names: set[str], reason: str) -> None:
+    """Raise ValueError if the command line states one of the options with these names."""
+    for name, flag in given_flags().items():
+        if name in names:
+            raise ValueError(f"{flag} {reason}")
 
 
-def render(
+def _errors(rendered: Rendered, clipped: float) -> tuple[Facts, str]:
+    """Return (1) interpolation error, window and clipped fraction of a photograph, (2) text on them."""
+    text = (
+        f"PSFs up to {rendered.window} pixels wide, with all but {100.0 * rendered.lost:.2g} % of their light; "
+        f"interpolation error {rendered.error:.2g} of their peak"
+    )
+    facts = {"largest_window": rendered.window, "light_beyond_windows": rendered.lost}
+    return facts | {"interpolation_error": rendered.error, "clipped": clipped}, text
+
+
+def _render(
     folder: Path,
     files: tuple[Path, Path, Path | None],
-    focus: float | None,
-    pull: Facts,
+    camera: PhotoCamera,
+    depth_map: DepthOptions,
     data: DataSet,
-    options: PhotoOptions,
 ) -> Report:
     """Render a data set into a folder, from folders of photos and of depth maps and from a file of lenses."""
     photos, depths, lens = files
-    stated = vars(options.output_file) | vars(options.photo_camera) | pull
-    for name in _SINGLE_PHOTO_OPTIONS:
-        if stated[name]:
-            raise ValueError(f"{flag_of(name)} is an option for a single photo; it cannot be combined with --batch")
-    lenses = _lenses(lens, stated | {"focus_distance": focus})
-    arguments = data.arguments() | {"encoding": options.encoding}
-    values: Facts = {**options.depth_values}
-    arguments |= {"depth_scale": values.pop("scale"), "inverse_depth": values.pop("inverse"), **values}
-    Settings(**options.settings)
-    arguments |= options.settings
+    _refuse_others(
+        {"camera", "encoding", *given(BlurOptions())},
+        "is an option for a single photo; it cannot be combined with --batch",
+    )
+    lenses = _lenses(lens, camera)
     start, rendered = time.perf_counter(), 0
     finished = total = 0
     failed: list[Facts] = []
     rendered_facts: list[Facts] = []
     try:
         with progress("reading") as status:
-            for picture in render_dataset(photos, depths, folder, lenses, on_error="skip", **arguments):
+            pictures = render_dataset(photos, depths, folder, lenses, seed=data.seed, options=data.options(depth_map))
+            for picture in pictures:
                 finished, total = picture.done, picture.total
                 if picture.failure is None:
                     rendered += 1
@@ -165,11 +263,11 @@ def render(
                     continue
                 reason = with_options(picture.failure)
                 if reason not in [failure["reason"] for failure in failed]:  # not yet reported for another copy
-                    click.echo(f"Left out: {reason}", err=True)
+                    print(f"Left out: {reason}", file=sys.stderr)
                 failed.append({"number": picture.number, **picture.facts, "reason": reason})
     except KeyboardInterrupt:
         finished_text = f"{finished} of {total} pictures are finished" if rendered else "no picture was finished"
-        click.echo(f"Interrupted: {finished_text}; the same command resumes.", err=True)
+        print(f"Interrupted: {finished_text}; the same command resumes.", file=sys.stderr)
         raise
     seconds = time.perf_counter() - start
     if failed and not finished:
@@ -192,390 +290,116 @@ def render(
     return Report(facts, lines, succeeded=not failed)
 
 
-def _lenses(file: Path | None, stated: Facts) -> LensRanges:
-    """Return the lenses of a file, whose values options override; without a file, the lenses of the options."""
+def _lenses(file: Path | None, camera: PhotoCamera) -> LensRanges:
+    """Return the lenses of a file, whose values options override."""
     from lommel.lensfiles.lens_files import load_lens_ranges
 
-    values = {name: stated[name] for name in ("focal_length", "f_number", "focus_distance", "pixel")}
+    if file is None:
+        raise ValueError("LENS is missing: give a file with the lens, or with ranges from which lenses are drawn")
+    values = {name: getattr(camera, name) for name in ("f_number", "focus_distance", "pixel")}
     overrides = {name: value for name, value in values.items() if value is not None}
-    if file is not None:
-        return LensRanges(**{**vars(load_lens_ranges(file)), **overrides})
-    if missing_flags := [flag_of(name) for name in values if name not in overrides]:
-        raise ValueError(f"give a lens file or {', '.join(missing_flags)}")
-    return LensRanges(**overrides)
+    return LensRanges(**{**vars(load_lens_ranges(file)), **overrides})
 
 
-_TOLERANCE = 0.02  # largest relative difference from the EXIF, which has rounded nominal values
-_TYPES: dict[str, np.dtype[np.generic]] = {
-    "8": np.dtype(np.uint8),
-    "16": np.dtype(np.uint16),
-    "float": np.dtype(np.float32),
-}
-
-_FRAMES, _FPS = 24, 12.0
-
-FOCUS = option("--focus", length="m", help="Focus distance, such as 1.5m or inf; overrides the lens file.")
+_FIELD_OPTIONS = {"output", "over_field", "camera", "pixel", "encoding", "tol"}
 
 
-class PhotoNoise(Group, heading="Noise"):
-    """Options for the noise of photographs."""
-
-    # fmt: off
-    white: float | None = option(type=float,
-        help="Number of electrons at white, such as 5000; by default the full well of the camera. White is the "
-        "largest integer, or 1.0 in floats.")
-    read: float | None = documented(Noise, "read", type=float, default=None,
-        help="Read noise, rms electrons; 0 for none; by default from the camera.")
-    offset: float = option(type=float, default=0.0, help="Black level, as a fraction of white.")
-    # fmt: on
-
-
-class PhotoCamera(Group, heading="Camera"):
-    """Lens and camera of a photograph, if no file states them."""
-
-    # fmt: off
-    f_number: float | None = option(type=float, help="F-number; by default from the lens file or the EXIF.")
-    focal_length: float | None = option(length="mm",
-        help="Focal length, where there is no lens file; by default from the EXIF.")
-    camera: Camera | None = CAMERA
-    pixel: float | None = option(length="um", help="Pixel pitch; overrides the lens file and the camera.")
-    pixel_from_exif: bool = option(is_flag=True,
-        help="Pixel pitch from the 35 mm equivalent focal length in the EXIF, for uncropped photos; accurate to a "
-        "few %.")
-    no_exif: bool = option(is_flag=True, help="Ignore the lens data of the EXIF.")
-    wavelengths: tuple[float, ...] | None = option(type=LENGTHS,
-        help="Wavelength of each channel; by default 600nm,540nm,460nm, and for a grey photo from the lens file, "
-        "or 550nm.")
-    # fmt: on
-
-
-class PhotoDepth(DepthMap, heading="Photo and depth map"):
-    """Meaning of the values of a depth map, and treatment of missing values."""
-
-    missing: str = documented(Settings, "missing", type=click.Choice(MISSING))
-
-
-class Blurring(Group, heading="Blur"):
-    """Settings of the blur."""
-
-    border: str = documented(Settings, "border", type=click.Choice(BORDERS))
-    occlusion: bool = documented(Settings, "occlusion", "--occlusion/--no-occlusion", sentences=2)
-    energy: float = documented(Settings, "energy", type=float, sentences=3)
-    tol: float = documented(Settings, "tol", type=float)
-    largest: int | None = documented(Settings, "largest", type=int)
-
-
-class OutputFile(Group, heading="Output file"):
-    """Format of the result."""
-
-    # fmt: off
-    bits: str | None = option(type=click.Choice(list(_TYPES)),
-        help="Bits of the output; by default as in the photo.")
-    quality: int = option(type=int, default=95, help="Quality of JPEG and WebP, 1 to 100.")
-    # fmt: on
-
-
-class PhotoOptions(Group, heading="Photo and depth map"):
-    """Options common to the commands on one photograph with a depth map."""
-
-    # fmt: off
-    photo_camera: PhotoCamera = PhotoCamera()
-    encoding: str | None = option(type=click.Choice(["srgb", "linear"]),
-        help="Encoding of the photo's values; by default integers are sRGB and floats are linear.")
-    depth_map: PhotoDepth = PhotoDepth()
-    blurring: Blurring = Blurring()
-    output_file: OutputFile = OutputFile()
-    # fmt: on
-
-    @property
-    def depth_values(self) -> DepthKeywords:
-        """Keyword arguments for the values of the depth map."""
-        return cast("DepthKeywords", {k: v for k, v in vars(self.depth_map).items() if k != "missing"})
-
-    @property
-    def settings(self) -> Facts:
-        """Arguments of :class:`lommel.imaging.settings.Settings`."""
-        return {"wavelengths": self.photo_camera.wavelengths, "missing": self.depth_map.missing} | vars(self.blurring)
-
-
-class FocusPull(Group, heading="Focus pull"):
-    """The end and the frames of a focus pull."""
-
-    # fmt: off
-    last: float | None = option("--focus-to", length="m",
-        help="Focus distance of the last frame: a focus pull from --focus in equal steps of dioptres.")
-    frames: int | None = option(type=click.IntRange(2, 9999),
-        help=f"Number of frames; by default {_FRAMES}.")
-    fps: float | None = option(type=float, help=f"Frames per second of an animation; by default {_FPS:g}.")
-    # fmt: on
-
-
-class FieldOfView(Group, heading="Field of view"):
-    """Rendering of a photograph over the field of a lens."""
-
-    # fmt: off
-    over: bool = option("--over-field", is_flag=True,
-        help="Render PHOTO, as an ideal lens would record it, through the lens file given in place of DEPTH, which "
-        "needs a section [field]: blur over the field, distortion, lateral colour and shading. The axis is in the "
-        "middle of the photo. --tol is then 0.001 by default.")
-    # fmt: on
-
-
-@command(JSON)
-def blur(
-    photo: Path = argument("photo", type=PATH),
-    depth: Path = argument("depth", type=PATH),
-    lens: Path | None = argument("lens", type=FILE, required=False),
-    output: Path = option("-o", "--output", required=True, type=OUTPUT_PATH, metavar="FILE",
-        help=f"Blurred photo: {suffixes('photo')}. With --focus-to: numbered photos, such as out-%03d.png, or one "
-        f"animation or stack: {suffixes('frames')}."),
-    focus_distance: float | None = FOCUS,
-    supersample: int = option(type=click.IntRange(1, 16), default=1,
-        help="Points of PHOTO and DEPTH along each side of a pixel of the output, which averages them."),
-    pull: FocusPull = FocusPull(),
-    field: FieldOfView = FieldOfView(),
-    data: DataSet = DataSet(),
-    options: PhotoOptions = PhotoOptions(),
-) -> Report:  # fmt: skip
-    """Blur a photo by its depth map or over a lens field.
-
-    PHOTO is a PNG, JPEG, TIFF, EXR, WebP, BMP or HEIC, grey or RGB. DEPTH is a depth map of the same size, the
-    distance of each point from the lens along the optical axis, in metres: a grey TIFF, NPY, PFM, PNG or EXR. Without
-    a lens file LENS, focal length and f-number come from the options or from the photo's EXIF; an option that
-    contradicts the EXIF is rejected.
-
-    The aberrations of the lens must be radially symmetric (defocus, spherical), and its aperture round: leave out
-    coma, astigmatism and other terms with a direction.
-
-    Integer values are clipped at white, as on a sensor, and the clipped fraction is printed.
-
-    Examples
-    --------
-      lommel blur photo.jpg depth.tif --focus 1.2m --pixel 4um -o out.jpg
-      lommel blur photo.png depth.png phone.toml --depth-scale 0.001 --zero-unknown --missing nearest -o out.tif
-      lommel blur photo.png depth.tif phone.toml --focus 0.8m --focus-to 4m --frames 48 -o pull-%03d.png
-      lommel blur photo.png depth.tif phone.toml --focus 0.8m --focus-to inf --fps 24 -o pull.webp
-      lommel blur photo.png camera-field.toml --over-field --pixel 6um -o out.png
-      lommel blur --batch photos/ depths/ phone.toml --seed 1 --workers 2 -o set/
-    """
-    for flag, is_set in (
-        ("--over-field", field.over),
-        ("--batch", data.batch),
-        ("--pixel-from-exif", options.photo_camera.pixel_from_exif),
-    ):
-        if supersample > 1 and is_set:
-            raise ValueError(f"--supersample cannot be combined with {flag}, got {supersample}")
-    if field.over:
-        return _through_field(photo, depth, output, options)
-    if data.batch:
-        return render(output, (photo, depth, lens), focus_distance, vars(pull), data, options)
-    for param in DataSet.options():
-        if param.name != "batch" and getattr(data, param.name or "") != param.default:
-            raise ValueError(f"--{param.name} is an option for data sets, and needs --batch")
-    open_job = partial(Job, photo, depth, lens, output, options, supersample=supersample)
-    if pull.last is not None:
-        return _pull_focus(open_job, output, (focus_distance, pull.last), pull)
-    if pull.frames is not None or pull.fps is not None:
-        name = "fps" if pull.frames is None else "frames"
-        raise ValueError(f"--{name} needs --focus-to, the end of a focus pull")
-    find(output, "--output")
-    with terminated_as_interrupted(), progress("reading") as status:
-        job = open_job()
-        focused_lens = job.focused(focus_distance)
-        status("computing PSFs")
-        start = time.perf_counter()
-        photograph = job.photograph(focused_lens, lambda share: status("blurring", share))
-        seconds = time.perf_counter() - start
-        clipped = job.write(photograph.values)
-    facts, lines = _largest_errors([photograph], [clipped])
-    facts = {"focus_distance": finite(focused_lens.focus_distance), "seconds": seconds} | facts
-    return job.report(focused_lens, facts, lines, [output])
-
-
-_FIELD_OPTIONS = ("photo", "depth", "output", "over", "as_json", "camera", "pixel", "encoding", "bits", "quality")
-_BLUR_OPTIONS = ("wavelengths", "border", "energy", "tol", "largest")
-
-
-def _through_field(photo: Path, path: Path, output: Path, options: PhotoOptions) -> Report:
+def _through_field(
+    photo: Path,
+    files: tuple[Path, Path | None],
+    output: Path,
+    encoding: Encoding | None,
+    camera_options: PhotoCamera,
+    blurring: BlurOptions,
+) -> Report:
     """Render a photograph through the lens of a file: blur over its field, distortion, lateral colour, shading."""
-    context = click.get_current_context()
-    stated = {
-        param.name or "": "DEPTH" if param.name == "lens" else param.opts[0]
-        for param in context.command.params
-        if context.get_parameter_source(param.name or "") is ParameterSource.COMMANDLINE
-    }
+    path, other = files
+    stated = given_flags() | ({} if other is None else {"lens": "DEPTH"})
     for name, flag in stated.items():
-        if name not in (*_FIELD_OPTIONS, *_BLUR_OPTIONS):
+        if name not in _FIELD_OPTIONS:
             raise ValueError(f"{flag} cannot be combined with --over-field, which takes PHOTO and the lens file")
     find(output, "--output")
-    photo_camera, stored_as = options.photo_camera, options.output_file
     with terminated_as_interrupted(), progress("reading") as status:
-        picture = read_photo(photo, options.encoding)
-        light = picture.light()
+        photograph = read_photo(photo, encoding)
+        light = photograph.light()
         instrument = instrument_of(path)
         field = instrument.field()
         if field.vignetting is not None:
             raise ValueError(
                 f"{path} must have no [field.vignetting]: state the whole relative illumination in [field.shading]"
             )
-        camera = photo_camera.camera or instrument.camera
-        pitch = photo_camera.pixel or (instrument.side if camera is None else camera.side)
-        dtype, encoding = output_type(picture, output, stored_as.bits)
+        camera = camera_options.camera or instrument.camera
+        pitch = camera_options.pixel or (instrument.side if camera is None else camera.side)
+        dtype, stored_as = output_type(photograph, output)
         status("computing PSFs and blurring")
         start = time.perf_counter()
-        stated_settings = {name: value for name, value in options.settings.items() if name in stated}
-        photograph = field_photograph(light, field, pitch, encoding="linear", **stated_settings)
+        tol = FieldPhotographOptions(tol=blurring.tol) if "tol" in stated else None
+        rendered = field_photograph(light, field, pitch, encoding="linear", options=tol)
         seconds = time.perf_counter() - start
-        clipped = write_like(
-            picture, output, photograph.values, encoding=encoding, dtype=dtype, quality=stored_as.quality
-        )
+        clipped = write_photo(output, rendered.values, encoding=stored_as, dtype=dtype, like=photograph)
     height, width = light.shape[:2]
     x, y = (0.5 * (side - 1) * pitch for side in (width, height))
     shift = math.hypot(*(float(part) for part in field.displacement(x, y))) / pitch
-    facts, lines = _largest_errors([photograph], [clipped])
-    read = read_as(picture, options.encoding)
+    facts, line = _errors(rendered, clipped)
+    read = read_as(photograph, encoding)
     facts |= {
         "shape": list(light.shape),
-        "encoding": {"photo": picture.encoding, "output": encoding},
+        "encoding": {"photo": photograph.encoding, "output": stored_as},
         "read": read,
         "pixel": pitch,
         "moved": shift,
         "seconds": seconds,
     }
-    lines = [
-        read,
-        f"{width} x {height} pixels of {format_length(pitch)}; the lower right corner is moved by {shift:.3g} pixels",
-        *lines,
-    ]
+    size = f"{width} x {height} pixels of {format_length(pitch)}"
+    lines = [read, f"{size}; the lower right corner is moved by {shift:.3g} pixels", line]
     if clipped:
         lines.append(f"clipped at white: {100.0 * clipped:.2g} % of the values")
     return Report(facts, lines) + written([output])
 
 
-def _pull_focus(
-    open_job: Callable[..., Job], output: Path, ends: tuple[float | None, float], pull: FocusPull
-) -> Report:
-    """Blur a photograph once for each focus distance of a focus pull; a failure leaves no file."""
-    first, last = ends
-    frames, fps = pull.frames or _FRAMES, _FPS if pull.fps is None else pull.fps
-    check_pattern(output, "--output")
-    for name, distance in (("--focus", first), ("--focus-to", last)):
-        if distance is not None and not distance > 0.0:
-            raise ValueError(f"{name} must be > 0 metres, got {distance:g}")
-    photographs: list[Photograph] = []
-    clipped_fractions: list[float] = []
-    with terminated_as_interrupted(), progress("reading", total=frames) as status:
-        job = open_job(one_file="%" not in output.name)
-        first_dioptres = 1.0 / (job.focused(None).focus_distance if first is None else first)
-        # Equal steps of 1 / distance are equal movements of a lens.
-        steps = [first_dioptres + (1.0 / last - first_dioptres) * k / (frames - 1) for k in range(frames)]
-        lenses = [job.focused(1.0 / step if step else math.inf) for step in steps]
-        start = time.perf_counter()
-
-        def frame_values() -> Iterator[NDArray[np.generic]]:
-            for number, lens in enumerate(lenses, 1):
-                status(f"frame {number} of {frames}, focus {format_length(lens.focus_distance)}")
-                photograph = job.photograph(lens)
-                values, clipped = stored(photograph.values, job.stored_as, job.dtype)
-                photographs.append(replace(photograph, values=np.empty(0)))  # a view would keep all values in memory
-                clipped_fractions.append(clipped)
-                yield values
-
-        files = write_frames(
-            output, frame_values(), fps=fps, quality=job.options.output_file.quality, exif=job.picture.exif
-        )
-        seconds = time.perf_counter() - start
-    distances = [finite(lens.focus_distance) for lens in lenses]
-    facts, lines = _largest_errors(photographs, clipped_fractions)
-    facts = {"frames": frames, "focus_distances": distances, "seconds": seconds} | facts
-    return job.report(lenses[0], facts, lines, files, until=lenses[-1])
+_METHODS = {"richardson-lucy": RichardsonLucy, "total-variation": TotalVariation, "one-pass": OnePass}
+METHOD = Shown(("--method",))
 
 
-def _largest_errors(photographs: list[Photograph], clipped: list[float]) -> tuple[Facts, list[str]]:
-    """Return (1) the largest interpolation error, window and clipped fraction of photographs, (2) text on them."""
-    side, light_beyond, error = (max(getattr(p, name) for p in photographs) for name in ("window", "lost", "error"))
-    if light_beyond:
-        text = (
-            f"PSFs up to {side} pixels wide, with all but {100.0 * light_beyond:.2g} % of their light; interpolation "
-            f"error {error:.2g} of their peak"
-        )
-    else:
-        text = (
-            f"PSFs up to {side} pixels wide and all their light beyond; interpolation error {error:.2g} of the "
-            "brightest point"
-        )
-    facts = {"largest_window": side, "light_beyond_windows": light_beyond, "interpolation_error": error}
-    return facts | {"clipped": max(clipped)}, [text]
-
-
-_METHODS = ("richardson-lucy", "total-variation", "one-pass")
-
-
-class RestoredNoise(PhotoNoise, heading="Noise"):
-    """Noise of a photograph, and pixels to ignore."""
-
-    # fmt: off
-    saturation: float | None = option(type=float,
-        help="Level at which pixels saturate, as a fraction of white in linear light (after decoding sRGB), such as "
-        "0.95.")
-    masked: Path | None = option("--mask", type=FILE,
-        help="Image whose nonzero pixels mark the pixels of the photo to ignore.")
-    # fmt: on
-
-
-class Restoring(Group, heading="Restoration"):
-    """Method of the restoration and its settings."""
-
-    # fmt: off
-    method: str = option(type=click.Choice(_METHODS), default=_METHODS[0],
-        help="Richardson-Lucy maximises the likelihood; total variation also smooths and preserves edges: usually "
-        "less noise at the same sharpness, but ten to forty times slower; one-pass applies Wiener filters, and is as "
-        "good where depth has few edges.")
-    steps: int | None = option(type=int,
-        help=f"Maximum number of steps; by default {RichardsonLucy.steps}, with total-variation "
-        f"{TotalVariation.steps} for each strength tried.")
-    target: float = documented(RichardsonLucy, "target", type=float,
-        help="Discrepancy at which to stop. The default is below 1 because the restored photo also fits part of the "
-        "noise.")
-    strength: float | None = option(type=float,
-        help="Weight of the total variation; by default such that the discrepancy is --target.")
-    # fmt: on
-
-    def restoration_method(self) -> RichardsonLucy | TotalVariation | OnePass:
-        """Return the restoration method."""
-        if self.method == _METHODS[2]:
-            if self.steps is not None or self.strength is not None:
-                raise ValueError(f"--steps and --strength need --method {_METHODS[0]} or {_METHODS[1]}")
-            return OnePass()
-        if self.method == _METHODS[1]:
-            steps = TotalVariation.steps if self.steps is None else self.steps
-            return TotalVariation(strength=self.strength, steps=steps, target=self.target)
-        if self.strength is not None:
-            raise ValueError(f"--strength needs --method {_METHODS[1]}")
-        return RichardsonLucy(steps=RichardsonLucy.steps if self.steps is None else self.steps, target=self.target)
-
-
-@command(JSON)
+@command
+@filled(photo=suffixes("photo"))
 def restore(
-    photo: Path = argument("photo", type=FILE),
-    depth: Path = argument("depth", type=FILE),
-    lens: Path | None = argument("lens", type=FILE, required=False),
-    output: Path = option("-o", "--output", required=True, type=OUTPUT, help=f"Restored photo: {suffixes('photo')}."),
-    focus_distance: float | None = FOCUS,
-    noise_options: RestoredNoise = RestoredNoise(),
-    restoring: Restoring = Restoring(),
-    options: PhotoOptions = PhotoOptions(),
-) -> Report:  # fmt: skip
+    photo: Path,
+    depth: Path,
+    lens: Path | None = None,
+    /,
+    *,
+    output: Annotated[Path, OUTPUT],
+    encoding: Encoding | None = None,
+    algorithm: Annotated[Literal["richardson-lucy", "total-variation", "one-pass"], METHOD] = "richardson-lucy",
+    restoring: RestoreOptions = RestoreOptions(),
+    noise_options: MaskedPhotoNoise = MaskedPhotoNoise(),
+    camera_options: PhotoCamera = PhotoCamera(),
+    depth_map: DepthMap = DepthMap(),
+) -> Report:
     """Deblur a photo with a known depth map and lens.
 
     PHOTO is a PNG, JPEG, TIFF, EXR, WebP, BMP or HEIC, grey or RGB, neither sharpened nor denoised. DEPTH is a depth
     map of the same size, the distance of each point from the lens along the optical axis, in metres: a grey TIFF,
-    NPY, PFM, PNG or EXR. Without a lens file LENS, focal length and f-number come from the options or from the
-    photo's EXIF.
+    NPY, PFM, PNG or EXR. Without a lens file LENS, focal length and f-number come from the photo's EXIF.
 
     The printed discrepancy is the Poisson deviance per pixel between the photo and the restored photo, blurred again:
     about 1 where they differ only by noise. A larger value means that depth, lens or noise do not fit the photo: the
     exit code is then 3.
+
+    Parameters
+    ----------
+    output
+        Restored photo: {photo}.
+    encoding
+        Encoding of the photo's values, such as linear for 16 bits developed from a raw file; by default integers are
+        sRGB and floats are linear.
+    algorithm
+        Richardson-Lucy maximises the likelihood; total variation also smooths and preserves edges: usually less noise
+        at the same sharpness, but ten to forty times slower; one-pass applies Wiener filters, and is as good where
+        depth has few edges.
+    saturation
+        Level at which pixels saturate, as a fraction of white in linear light (after decoding sRGB), such as 0.95.
 
     Examples
     --------
@@ -583,11 +407,9 @@ def restore(
       lommel restore photo.tif depth.tif phone.toml --white 5000 --read 3 --method total-variation -o sharp.png
     """
     find(output, "--output")
-    method = restoring.restoration_method()
     with terminated_as_interrupted(), progress("reading") as status:
-        job = Job(photo, depth, lens, output, options)
-        focused_lens = job.focused(focus_distance)
-        values = job.picture.values
+        job = Job((photo, depth, lens), output, encoding, camera_options, depth_map)
+        values = job.photograph.values
         if noise_options.masked is not None:
             (values,) = apply_mask([values], noise_options.masked)
         status("computing PSFs")
@@ -599,19 +421,17 @@ def restore(
 
         result = restored(
             values,
-            job.distance,
-            focused_lens,
-            job.pitch,
-            encoding=job.picture.encoding,
-            noise=noise_of(vars(noise_options), job.camera, photographs=True),
-            method=method,
-            saturation=noise_options.saturation,
+            job.filled_depth,
+            job.lens,
+            job.pixel,
+            encoding=job.photograph.encoding,
+            noise=noise_of(given(noise_options), job.camera, photographs=True),
             progress=step_done,
-            **options.settings,
+            options=replace(restoring, method=_METHODS[algorithm]()),
         )
         seconds = time.perf_counter() - start
         clipped = job.write(np.asarray(result.light))
-    facts = {"focus_distance": finite(focused_lens.focus_distance), "seconds": seconds, "method": restoring.method}
+    facts = {"focus_distance": finite(job.lens.focus_distance), "seconds": seconds, "method": algorithm}
     facts |= result.to_dict() | {"clipped": clipped}
     lines = [f"discrepancy {result.before:.3g} of the photo, {result.discrepancy:.3g} of the result"]
     if result.strength is not None:
@@ -620,7 +440,7 @@ def restore(
     lines.append(f"stopped after {result.steps} steps: {reason}")
     if result.unknown:
         lines.append(f"saturated or unknown: {100.0 * result.unknown:.2g} % of the values")
-    return job.report(focused_lens, facts, lines, [output]) + Report({}, [], result.converged)
+    return job.report(facts, lines) + Report({}, [], result.converged)
 
 
 def apply_mask(photos: Sequence[Pixels], masked: Path) -> list[Pixels]:
@@ -647,173 +467,111 @@ def terminated_as_interrupted() -> Iterator[None]:
         signal.signal(signal.SIGTERM, old_handler)
 
 
-@dataclass
 class Job:
-    """A photograph, its depth map and its lens from the options of a command, and the format of the result.
+    """A photograph, its depth map and its lens from the options of a command, and the format of the result."""
 
-    The lens is focused as in its file, or at infinity without a file. With `one_file` all frames of the result are
-    written to one file.
-    """
+    def __init__(
+        self,
+        files: tuple[Path, Path, Path | None],
+        output: Path,
+        encoding: Encoding | None,
+        stated: PhotoCamera,
+        depth_map: DepthOptions,
+    ) -> None:
+        self._photo, depth, lens = files
+        self._output, self._encoding = output, encoding
+        self.photograph = read_photo(self._photo, encoding)
+        shape = self.photograph.values.shape
+        self._depth = read_depth(depth, shape=shape, options=replace(depth_map, missing=None))
+        self.filled_depth = fill_missing(self._depth, depth_map.missing)
+        self.camera = stated.camera
+        pixel = stated.pixel if stated.pixel is not None or self.camera is None else self.camera.side
+        if lens is None:
+            optics = self._lens_of_exif(stated.f_number)
+            if pixel is None:
+                raise ValueError("without a lens file give --camera or --pixel")
+            if stated.focus_distance is None:
+                raise ValueError("without a lens file give --focus")
+        else:
+            instrument = radial_instrument(lens)
+            optics = instrument.lens
+            pixel = instrument.side if pixel is None else pixel
+            self.camera = self.camera or instrument.camera
+            try:
+                optics = optics if stated.f_number is None else optics.stopped(stated.f_number)
+            except ValueError as error:
+                raise ValueError(f"--f-number of {lens}: {error}") from None
+        self.lens = optics if stated.focus_distance is None else optics.focused(stated.focus_distance)
+        self.pixel = pixel
+        self._dtype, self._stored_as = output_type(self.photograph, output)
+        find(output, "--output", holding=f"of {self._dtype}")
 
-    photo: Path
-    depth: Path
-    lens: Path | None
-    output: Path
-    options: PhotoOptions
-    one_file: bool = False
-    supersample: int = 1
-
-    def __post_init__(self) -> None:
-        options, photo_camera = self.options, self.options.photo_camera
-        self.settings = Settings(**options.settings)
-        self.picture = read_photo(self.photo, options.encoding)
-        self.distance = read_depth(self.depth, shape=self.picture.values.shape, **options.depth_values)
-        self.pixel, self.camera = photo_camera.pixel, photo_camera.camera
-        if photo_camera.pixel_from_exif:
-            if self.pixel is not None:
-                raise ValueError("give one of --pixel and --pixel-from-exif")
-            if photo_camera.no_exif:
-                raise ValueError("--pixel-from-exif contradicts --no-exif")
-            self.pixel = self.picture.exif.pixel(self.picture.values.shape)
-        if self.pixel is None and self.camera is not None:
-            self.pixel = self.camera.side
-        self.optics = self._lens_of_options() if self.lens is None else self._lens_of_file(self.lens)
-        if self.pixel is None:
-            raise ValueError("without a lens file give --camera, --pixel or --pixel-from-exif")
-        self.pitch = self.pixel
-        self.dtype, self.stored_as = output_type(self.picture, self.output, options.output_file.bits)
-        if not self.one_file:
-            find(self.output, "--output", holding=f"of {self.dtype}")
-        elif is_animation(self.output) and self.dtype.itemsize > 1:
-            raise ValueError(f"{self.output.suffix} holds 8 bits; give --bits 8, a .tif, or a number such as %03d")
-
-    def _lens_of_options(self) -> Lens:
-        """Return a lens with the data of the options or the EXIF, focused at infinity."""
-        exif, photo_camera = self.picture.exif, self.options.photo_camera
-        return Lens(
-            focal_length=self._resolve("--focal-length", photo_camera.focal_length, exif.focal_length, format_length),
-            f_number=self._resolve("--f-number", photo_camera.f_number, exif.f_number, lambda n: f"f/{n:g}"),
-            wavelength=540e-9 if self.picture.values.ndim == 3 else 550e-9,
-        )
-
-    def _resolve(self, option: str, value: float | None, exif: float | None, show: Callable[[float], str]) -> float:
-        """Return the value of an option, or else of the EXIF; ValueError if the two contradict each other."""
-        is_ignored = self.options.photo_camera.no_exif
-        exif_value = None if is_ignored else exif
-        if value is None:
-            if exif_value is None:
-                reason = "the EXIF is ignored" if is_ignored else f"{self.photo} has none in its EXIF"
-                raise ValueError(f"give a lens file or {option}: {reason}")
-            return exif_value
-        if exif_value is not None and not math.isclose(value, exif_value, rel_tol=_TOLERANCE):
+    def _lens_of_exif(self, f_number: float | None) -> Lens:
+        """Return a lens with the data of the EXIF, focused at infinity."""
+        exif = self.photograph.exif
+        number = exif.f_number if f_number is None else f_number
+        if exif.focal_length is None or number is None:
+            missing = "focal length" if exif.focal_length is None else "f-number"
+            raise ValueError(f"give a lens file: the EXIF of {self._photo} has no {missing}")
+        if exif.f_number is not None and not math.isclose(number, exif.f_number, rel_tol=_TOLERANCE):
             raise ValueError(
-                f"{option} {show(value)} contradicts the EXIF of {self.photo}, {show(exif_value)}; "
-                "give --no-exif to ignore the EXIF"
+                f"--f-number f/{number:g} contradicts the EXIF of {self._photo}, f/{exif.f_number:g}; give a lens "
+                "file"
             )
-        return value
-
-    def _lens_of_file(self, path: Path) -> Lens:
-        """Return the lens of a file, stopped down to --f-number, and keep the pixel pitch of the file."""
-        photo_camera = self.options.photo_camera
-        if photo_camera.focal_length is not None or photo_camera.pixel_from_exif:
-            flag = "--focal-length" if photo_camera.focal_length is not None else "--pixel-from-exif"
-            raise ValueError(f"{flag} cannot be combined with a lens file, which states this value")
-        instrument = radial_instrument(path)
-        side = instrument.side
-        self.pixel = side if self.pixel is None else self.pixel
-        self.camera = self.camera or instrument.camera
-        try:
-            stop = photo_camera.f_number
-            return instrument.lens if stop is None else instrument.lens.stopped(stop)
-        except ValueError as error:
-            raise ValueError(f"--f-number of {path}: {error}") from None
-
-    def focused(self, focus: float | None) -> Lens:
-        """Return the lens focused at a distance, or for None at the focus distance in its file."""
-        if focus is None and self.lens is None:
-            raise ValueError("without a lens file give --focus")
-        return self.optics if focus is None else self.optics.focused(focus)
-
-    def photograph(self, lens: Lens, progress: Callable[[float], object] | None = None) -> Photograph:
-        """Return the blurred light; `progress` is called with the fraction of the work done."""
-        settings = self.settings
-        arguments: Facts = {"keep": 1, "supersample": self.supersample} | vars(settings)
-        plan = FocusPlan(self.picture.light(), self.distance, lens, self.pitch, encoding="linear", **arguments)
-        if progress is not None:
-            blur = plan.blur()
-            # If the whole PSF is kept, occlusion also blurs white images: twice for each spectrum.
-            occlusion_passes = 2 * len(set(blur.spectra)) if settings.occlusion and settings.energy == 1.0 else 0
-            total, done_points = self.distance.size * (blur.channels + occlusion_passes), 0
-
-            def watch(points: int) -> None:
-                nonlocal done_points
-                done_points += points
-                progress(min(done_points / total, 1.0))
-
-            blur.watch = watch
-        return plan()
+        wavelength = 540e-9 if self.photograph.values.ndim == 3 else 550e-9
+        return Lens(focal_length=exif.focal_length, f_number=number, wavelength=wavelength)
 
     def write(self, light: Values) -> float:
         """Write the result and return the clipped fraction of its values."""
-        quality = self.options.output_file.quality
-        return write_like(
-            self.picture, self.output, light, encoding=self.stored_as, dtype=self.dtype, quality=quality
-        )
+        return write_photo(self._output, light, encoding=self._stored_as, dtype=self._dtype, like=self.photograph)
 
-    def report(
-        self, lens: Lens, facts: Facts, lines: list[str], files: Iterable[Path], until: Lens | None = None
-    ) -> Report:
-        """Return the report of the job: facts and lines of the command, after those common to all commands."""
-        read, (height, width, *_) = read_as(self.picture, self.options.encoding), self.picture.values.shape
-        height, width = height // self.supersample, width // self.supersample
+    def report(self, facts: Facts, lines: Iterable[str], points: int = 1) -> Report:
+        """Return the report: facts and lines of the command, after those common to all commands.
+
+        `points` is the number of points of the photograph along each side of a pixel of the result.
+        """
+        photograph, lens = self.photograph, self.lens
+        read, (height, width, *channels) = read_as(photograph, self._encoding), photograph.values.shape
+        height, width = height // points, width // points
         common = {
-            "shape": [height, width, *self.picture.values.shape[2:]],
-            "encoding": {"photo": self.picture.encoding, "output": self.stored_as},
+            "shape": [height, width, *channels],
+            "encoding": {"photo": photograph.encoding, "output": self._stored_as},
             "read": read,
-            "bits": "float" if self.dtype.kind == "f" else str(8 * self.dtype.itemsize),
+            "bits": "float" if self._dtype.kind == "f" else str(8 * self._dtype.itemsize),
             "focal_length": lens.focal_length,
             "f_number": lens.f_number,
-            "pixel": self.pitch,
+            "pixel": self.pixel,
         }
-        facts_of_depth, depth_text = depth_facts(self.distance)
-        common |= facts_of_depth
-        end = f" to {format_length(until.focus_distance)}" if until else ""
-        focus = f"focus {format_length(lens.focus_distance)}{end}"
-        pixels = f"{width} x {height} pixels of {format_length(self.pitch)}"
+        facts_of_depth, depth_text = depth_facts(self._depth)
+        pixels = f"{width} x {height} pixels of {format_length(self.pixel)}"
         lines = [
             read,
             f"{pixels}; f = {format_length(lens.focal_length)}, f/{lens.f_number:.3g}",
-            depth_text(focus),
+            depth_text(f"focus {format_length(lens.focus_distance)}"),
             *lines,
         ]
         if facts["clipped"]:
             lines.append(f"clipped at white: {100.0 * facts['clipped']:.2g} % of the values")
-        return Report(common | facts, lines) + written(files)
+        return Report(common | facts_of_depth | facts, lines) + written([self._output])
 
 
-def read_as(picture: Picture, encoding: str | None) -> str:
+def read_as(photograph: Photograph, encoding: str | None) -> str:
     """Return a description of the encoding of a photograph, as `encoding` or assumed."""
-    kind = "float" if picture.values.dtype.kind == "f" else f"{8 * picture.values.dtype.itemsize}-bit"
+    kind = "float" if photograph.values.dtype.kind == "f" else f"{8 * photograph.values.dtype.itemsize}-bit"
     names = {"srgb": "sRGB", "linear": "linear"}
     if encoding is not None:
         return f"{kind} values, {names[encoding]}"
-    other = "linear" if picture.encoding == "srgb" else "srgb"
-    return f"{kind} values, assumed {names[picture.encoding]}; if they are {names[other]}, give --encoding {other}"
+    other = "linear" if photograph.encoding == "srgb" else "srgb"
+    return f"{kind} values, assumed {names[photograph.encoding]}; if they are {names[other]}, give --encoding {other}"
 
 
-def output_type(picture: Picture, output: Path, bits: str | None) -> tuple[np.dtype[np.generic], str]:
-    """Return the type and the encoding of the output, by default as in the photo."""
-    kind = picture.values.dtype
-    dtype = _TYPES[bits or _bits(kind, output.suffix.lower())]
-    # Values of the same kind keep their encoding; others get the encoding that readers assume for them.
-    same_kind = (dtype.kind == "f") == (kind.kind == "f")
-    return dtype, picture.encoding if same_kind else "linear" if dtype.kind == "f" else "srgb"
-
-
-def _bits(photo: np.dtype[np.generic], suffix: str) -> str:
-    """Return the default bits of the output: the bits of the photo, if the format can store them."""
+def output_type(photograph: Photograph, output: Path) -> tuple[np.dtype[np.generic], str]:
+    """Return the type and the encoding of the output, as in the photo if the format can store them."""
+    kind, suffix = photograph.values.dtype, output.suffix.lower()
+    dtype: np.dtype[np.generic] = kind
     if suffix in (".jpg", ".jpeg"):
-        return "8"
-    if photo.kind != "f":
-        return str(8 * photo.itemsize)
-    return "float" if suffix in (".tif", ".tiff") else "16"
+        dtype = np.dtype(np.uint8)
+    elif kind.kind == "f":
+        dtype = np.dtype(np.float32 if suffix in (".tif", ".tiff") else np.uint16)
+    # Values of the same kind keep their encoding; others get the encoding that readers assume for them.
+    return dtype, photograph.encoding if (dtype.kind == "f") == (kind.kind == "f") else "srgb"

@@ -5,33 +5,33 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, NamedTuple, cast
+from typing import TYPE_CHECKING, Annotated, NamedTuple
 
-import click
 import numpy as np
 
 from lommel.base import validation
 from lommel.base.arrays import Array, Values
 from lommel.base.encoding import from_light, warn_if_bright
+from lommel.base.options import Shown
 from lommel.base.units import format_length
-from lommel.cli.instruments import CAMERA, LENS, SQUARE_PIXEL, radial_instrument
-from lommel.cli.options import FILE, JSON, OUTPUT, PATH, Group, argument, command, option
+from lommel.cli.command import OUTPUT, command, filled
+from lommel.cli.instruments import radial_instrument
 from lommel.cli.output import Steps, progress, require_folder, written
-from lommel.cli.photo_commands import DepthMap, depth_facts, output_type
-from lommel.cli.video_input import ENCODING, Coding, Stop, VideoNoise, coding_of
-from lommel.imaging import LiveSharpen, read_depth, read_photo
+from lommel.cli.photo_commands import DepthMap, Encoding, PhotoCamera, depth_facts, output_type
+from lommel.cli.shared_options import FrameNoise
+from lommel.cli.video_input import Coding, Stop, coding_of
+from lommel.imaging import DepthOptions, LiveSharpen, read_depth, read_photo, write_photo
 from lommel.imaging.blur import warn_of_depths
 from lommel.imaging.focal_engine import BLOCK
-from lommel.imaging.photograph import fill_missing
 from lommel.io import photos, videos
+from lommel.io.depth_maps import fill_missing
 from lommel.io.registry import formats, suffixes
 from lommel.report import Report, finite
 
 if TYPE_CHECKING:
-    from lommel.io.depth_maps import DepthKeywords
-    from lommel.lensfiles.instrument import Camera
     from lommel.optics.lens import Lens
 
 _RANGE_MARGIN = 1e-3  # relative margin of the range of the filters beyond the distances
@@ -48,32 +48,21 @@ class Clip(NamedTuple):
     video: videos.VideoFrames | None
 
 
-class ClipCamera(Group, heading="Camera"):
-    """Lens and camera of frames."""
-
-    # fmt: off
-    focus: float | None = option(length="m", help="Focus distance, such as 1.5m or inf; overrides the lens file.")
-    f_number: float | None = option(type=float, help="F-number; overrides the lens file.")
-    camera: Camera | None = CAMERA
-    pixel: float | None = SQUARE_PIXEL
-    encoding: str | None = ENCODING
-    # fmt: on
-
-
-@command(JSON)
+@command
+@filled(video=suffixes("video"), photo=suffixes("photo"))
 def sharpen(
-    clip: Path = argument("clip", type=PATH),
-    lens: Path = LENS,
-    output: Path = option("-o", "--output", required=True, type=OUTPUT,
-        help=f"Sharp video: {suffixes('video')}; of a photo: {suffixes('photo')}."),
-    at: float | None = option(length="m", help="Distance of the whole scene, such as 1.5m."),
-    map_: Path | None = option("--depth", type=FILE, metavar="FILE",
-        help="Depth map instead, of the size of the frames or of their blocks of 4 x 4 pixels; unknown depth is "
-        "that of the nearest known pixel."),
-    values: DepthMap = DepthMap(),
-    clip_camera: ClipCamera = ClipCamera(),
-    video_noise: VideoNoise = VideoNoise(),
-) -> Report:  # fmt: skip
+    clip: Path,
+    lens: Path,
+    /,
+    *,
+    output: Annotated[Path, OUTPUT],
+    at: Annotated[float | None, Shown(length="m")] = None,
+    map_: Annotated[Path | None, Shown(("--depth",), metavar="FILE")] = None,
+    encoding: Encoding | None = None,
+    clip_camera: PhotoCamera = PhotoCamera(),
+    video_noise: FrameNoise = FrameNoise(),
+    depth_map: DepthMap = DepthMap(missing="nearest"),
+) -> Report:
     """Sharpen video or a photo of known depth.
 
     Wiener filters in one pass, at video rate. CLIP is a video file, numbered images (a folder or frames/%04d.tif)
@@ -81,25 +70,55 @@ def sharpen(
     `lommel restore` takes longer and removes more. Ctrl-C, SIGTERM or a closed terminal ends the command and leaves a
     complete file.
 
+    Parameters
+    ----------
+    output
+        Sharp video: {video}; of a photo: {photo}.
+    at
+        Distance of the whole scene, such as 1.5m.
+    map_
+        Depth map instead, of the size of the frames or of their blocks of 4 x 4 pixels.
+    encoding
+        Encoding of the values; by default grey of more than 8 bits and floats are linear, all else is sRGB.
+    f_number
+        F-number; overrides the lens file.
+
     Examples
     --------
       lommel sharpen clip.mp4 phone.toml --focus 2m --at 1.5m -o sharp.mp4
       lommel sharpen photo.png phone.toml --focus 1.5m --depth depth.tif --white 5000 --read 3 -o sharp.png
     """
     stop = Stop()
-    click.get_current_context().with_resource(stop.signals())
+    with stop.signals():
+        return _sharpened(stop, clip, lens, output, at, map_, encoding, clip_camera, video_noise, depth_map)
+
+
+def _sharpened(
+    stop: Stop,
+    clip: Path,
+    lens: Path,
+    output: Path,
+    at: float | None,
+    map_: Path | None,
+    encoding: Encoding | None,
+    clip_camera: PhotoCamera,
+    video_noise: FrameNoise,
+    depth_map: DepthMap,
+) -> Report:
+    """Sharpen a clip until a signal requests to stop."""
     if (at is None) == (map_ is None):
         raise ValueError(f"give one of --at and --depth, got {'neither' if at is None else 'both'}")
     require_folder(output)
     instrument = radial_instrument(lens, camera=clip_camera.camera, pixel=clip_camera.pixel)
     lens_in_use = instrument.lens if clip_camera.f_number is None else instrument.lens.stopped(clip_camera.f_number)
-    lens_in_use = lens_in_use if clip_camera.focus is None else lens_in_use.focused(clip_camera.focus)
+    focus = clip_camera.focus_distance
+    lens_in_use = lens_in_use if focus is None else lens_in_use.focused(focus)
     count = 0
     with progress("reading", endless=True) as status, ExitStack() as stack:
-        coder = partial(coding_of, video_noise=video_noise, camera=instrument.camera, encoding=clip_camera.encoding)
-        shape, coding, frames, write, video = _clip(clip, output, coder, clip_camera.encoding, status, stack)
-        depth_map = np.array([[at]]) if map_ is None else _map(map_, cast("DepthKeywords", vars(values)), shape[:2])
-        distance: float | Array = fill_missing(depth_map, "nearest") if at is None else at
+        coder = partial(coding_of, video_noise=video_noise, camera=instrument.camera, encoding=encoding)
+        shape, coding, frames, write, video = _clip(clip, output, coder, encoding, status, stack)
+        metres = np.array([[at]]) if map_ is None else _map(map_, depth_map, shape[:2])
+        distance: float | Array = fill_missing(metres, depth_map.missing or "nearest") if at is None else at
         if map_ is not None:
             warn_of_depths(lens_in_use, instrument.side, distance)
         if coding.guess:
@@ -124,7 +143,7 @@ def sharpen(
                 raise KeyboardInterrupt
             raise ValueError(f"no frame was read: {end_reason}")
     height, width = shape[:2]
-    depth_values, line = depth_facts(depth_map)
+    depth_values, line = depth_facts(metres)
     ends = [float(np.min(distance)), float(np.max(distance))]
     blur = float(np.max(2.0 * lens_in_use.pupil(np.array(ends)).geometric_radius())) / instrument.side
     facts = {
@@ -159,9 +178,11 @@ def sharpen(
     return Report(facts | files.facts, [*lines, *files.parts], succeeded=failure is None)
 
 
-def _map(path: Path, values: DepthKeywords, shape: tuple[int, ...]) -> Array:
+def _map(path: Path, values: DepthOptions, shape: tuple[int, ...]) -> Array:
     """Return a depth map of the size of frames or, unless it is to be resampled, of their blocks."""
-    depth_map = read_depth(path, shape=None if values["resample"] is None else shape, **values)
+    depth_map = read_depth(
+        path, shape=None if values.resample is None else shape, options=replace(values, missing=None)
+    )
     sizes = shape, (shape[0] // BLOCK, shape[1] // BLOCK)
     if depth_map.shape not in sizes:
         raise ValueError(
@@ -200,10 +221,10 @@ def _clip(
             warn_if_bright(values)
         levels = 0 if values.dtype.kind == "f" else 2 ** (8 * values.dtype.itemsize)
         coding = coder(levels, values.dtype, picture.encoding)
-        dtype, stored_as = output_type(picture, output, None)
+        dtype, stored_as = output_type(picture, output)
 
         def save(light: Values, _: float) -> None:
-            photos.write_like(picture, output, light, encoding=stored_as, dtype=dtype)
+            write_photo(output, light, encoding=stored_as, dtype=dtype, like=picture)
 
         return Clip(values.shape, coding, iter([videos.VideoFrame(values, 0.0)]), save, None)
     form = videos.find(output, "--output")

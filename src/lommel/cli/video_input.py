@@ -10,15 +10,12 @@ from contextlib import contextmanager
 from types import FrameType
 from typing import TYPE_CHECKING, NamedTuple, Self, TypeVar
 
-import click
 import numpy as np
 import scipy
 
 from lommel.base.arrays import Values
 from lommel.base.encoding import from_light, to_light
 from lommel.cli.instruments import noise_of
-from lommel.cli.options import option
-from lommel.cli.photo_commands import PhotoNoise
 from lommel.cli.shared_options import FrameNoise
 from lommel.recorded.noise import Noise
 from lommel.report import Facts
@@ -35,20 +32,6 @@ _FIT_ABOVE = 0.02  # fraction of white: darker levels are left out of the fit of
 _ROW_SMOOTHING = 6.0  # standard deviation, rows, of the Gaussian that smooths the brightness of rows
 _DARK_ROW = 0.1  # fraction of the mean brightness of rows: darker rows are not equalized
 _HANGUP: signal.Signals | None = getattr(signal, "SIGHUP", None)  # None on Windows
-
-ENCODING = option(type=click.Choice(["srgb", "linear"]),
-    help="Encoding of the values; by default grey of more than 8 bits and floats are linear, all else is "
-    "sRGB.")  # fmt: skip
-
-
-class VideoNoise(PhotoNoise, heading="Noise"):
-    """Options for the noise and the saturation of frames."""
-
-    # fmt: off
-    saturation: float | None = option(type=float,
-        help="Level at which pixels saturate: a fraction of white in linear light (after decoding sRGB), such as "
-        "0.95; the largest integer always counts as saturated.")
-    # fmt: on
 
 
 class Coding(NamedTuple):
@@ -115,7 +98,7 @@ def coding_of(
     levels: int,
     dtype: np.dtype[np.generic],
     default_encoding: str,
-    video_noise: VideoNoise | FrameNoise,
+    video_noise: FrameNoise,
     camera: Camera | None,
     encoding: str | None,
 ) -> Coding:

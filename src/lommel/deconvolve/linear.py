@@ -6,7 +6,7 @@ import math
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator, Sequence
 from functools import cached_property
-from typing import TYPE_CHECKING, Literal, Protocol, TypeVar
+from typing import TYPE_CHECKING, Protocol, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -355,8 +355,6 @@ class WindowBlur:
         Positions of the rows and columns.
     defocus : ndarray, shape (height, width)
         Defocus of each point.
-    border : {"reflect", "extend", "zero"}
-        Continuation of the image beyond its edges.
     threads : int
         Maximum number of threads.
     allowed : float
@@ -376,7 +374,6 @@ class WindowBlur:
         x: Array,
         defocus: Array,
         *,
-        border: str,
         threads: int,
         allowed: float,
     ) -> None:
@@ -397,12 +394,12 @@ class WindowBlur:
         )
         self._splines = padded, side, row_weights, point_nodes, point_weights
         self._defocus, self._threads = (tiles, positions, used_breaks, powers), threads
-        self._side, self._margin, self._border = side, 0 if border == "zero" else side // 2, border
+        self._side, self._margin = side, side // 2
         self._shape = defocus.shape
 
     @cached_property
     def _places(self) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
-        rows, columns = (copies(count, self._margin, self._border) for count in self._shape)
+        rows, columns = (copies(count, self._margin) for count in self._shape)
         return rows, columns
 
     @property
@@ -435,10 +432,9 @@ class WindowBlur:
         return without_copies(padded_light, rows, columns, self._shape)
 
 
-def copies(count: int, margin: int, border: str) -> NDArray[np.int64]:
-    """Return the index of the original row (or column) for each row of the image with its border copies."""
-    mode: Literal["symmetric", "edge"] = "symmetric" if border == "reflect" else "edge"
-    return np.pad(np.arange(count, dtype=np.int64), margin, mode=mode)
+def copies(count: int, margin: int) -> NDArray[np.int64]:
+    """Return the index of the original row (or column) for each row of the image with its mirrored border."""
+    return np.pad(np.arange(count, dtype=np.int64), margin, mode="symmetric")
 
 
 def _nonzero_columns(weights: Array) -> tuple[Array, slice]:

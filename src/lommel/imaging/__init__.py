@@ -2,30 +2,33 @@
 
 from lommel.deconvolve.algorithms import Restoration, RichardsonLucy, TotalVariation
 from lommel.deconvolve.linear import LinearBlur
-from lommel.imaging.blur import BlurSlopes, DepthBlur
-from lommel.imaging.datasets import LensRanges, Rendered, render_dataset
+from lommel.imaging.blur import DepthBlur
+from lommel.imaging.datasets import DatasetOptions, DatasetPicture, LensRanges, render_dataset
 from lommel.imaging.defocus_depth import DefocusDepth, DefocusOptions, depth_from_defocus
 from lommel.imaging.defocus_verdict import DefocusVerdict
 from lommel.imaging.field_blur import FieldBlur
 from lommel.imaging.live import LiveDepth, LiveDepthMap, LiveDepthOptions, LiveSharpen
 from lommel.imaging.occlusion import Occlusion
 from lommel.imaging.one_pass import OnePass
-from lommel.imaging.photograph import FocusPlan, Photograph, depth_of_field, field_photograph
-from lommel.imaging.restoration import restore, restore_with
+from lommel.imaging.photograph import BlurOptions, FocusPlan, Rendered, depth_of_field, field_photograph
+from lommel.imaging.restoration import RestoreOptions, restore
 from lommel.imaging.traced_blur import traced_blur
 from lommel.imaging.traced_sensor import traced_demosaic, traced_mosaic, traced_noise
-from lommel.io.depth_maps import read_depth, write_depth
-from lommel.io.photos import Exif, PhotoError, Picture, read_photo, write_photo
+from lommel.io.depth_maps import DepthOptions, read_depth, write_depth
+from lommel.io.photos import Exif, PhotoError, Photograph, read_photo, write_photo
 from lommel.measures.slanted_edge import slanted_edge
 from lommel.optics.colour.spectrum import RED_GREEN_BLUE
 
 __all__ = [
     "RED_GREEN_BLUE",
-    "BlurSlopes",
+    "BlurOptions",
+    "DatasetOptions",
+    "DatasetPicture",
     "DefocusDepth",
     "DefocusOptions",
     "DefocusVerdict",
     "DepthBlur",
+    "DepthOptions",
     "Exif",
     "FieldBlur",
     "FocusPlan",
@@ -39,9 +42,9 @@ __all__ = [
     "OnePass",
     "PhotoError",
     "Photograph",
-    "Picture",
     "Rendered",
     "Restoration",
+    "RestoreOptions",
     "RichardsonLucy",
     "TotalVariation",
     "depth_from_defocus",
@@ -51,7 +54,6 @@ __all__ = [
     "read_photo",
     "render_dataset",
     "restore",
-    "restore_with",
     "slanted_edge",
     "traced_blur",
     "traced_demosaic",

@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-import io
 import json
 import math
 import os
-import re
 import signal
-import tarfile
 import threading
 import warnings
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
@@ -18,38 +15,27 @@ from dataclasses import asdict, dataclass, field, replace
 from functools import cache, partial
 from os import PathLike
 from pathlib import Path
-from typing import Any, Unpack
+from typing import Annotated, Any, Literal, NamedTuple
 
 import numpy as np
 
 from lommel.base import atomic, reading, validation
 from lommel.base.arrays import Array, Json, Values
 from lommel.base.atomic import plain, size_and_checksum_of_bytes, size_and_checksum_of_file
-from lommel.base.encoding import ENCODINGS, from_light
-from lommel.base.optional import library
-from lommel.base.options import shares
+from lommel.base.encoding import from_light
+from lommel.base.options import HIDDEN, In, Options, listed
 from lommel.imaging.blur import DepthBlur
 from lommel.imaging.occlusion import Occlusion
-from lommel.imaging.photograph import fill_missing
-from lommel.imaging.settings import Keywords, Settings, spectra
-from lommel.io import photos
-from lommel.io.depth_maps import DepthValues, read_depth
-from lommel.io.photos import PhotoError, Picture, png_of_16_bits, read_photo, write_tiff
+from lommel.imaging.settings import channel_spectra, spectra
+from lommel.io.depth_maps import DepthOptions, fill_missing, read_depth
+from lommel.io.photos import PhotoError, Photograph, png_of_16_bits, read_photo
 from lommel.optics.lens import Lens
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.recorded.noise import Noise
 
-FORMATS = ("png", "tif", "exr", "zarr")
-"""Formats of the images: "png" has 16 bits in the encoding of the photo, the others linear light in float32."""
-
-ON_ERROR = ("raise", "skip")
-"""Options for a photo or depth map that cannot be used: raise an error, or skip it."""
-
-# Field of DepthValues -> name of the argument of render_dataset.
-_ARGUMENT_NAMES = {"scale": "depth_scale", "inverse": "inverse_depth"}
 _RECORD = "dataset.json"  # file with the arguments of a data set
-_FORMAT = 3  # version of the format of a data set
-_PARTS = "parts"  # folder for the pictures of incomplete shards; a shard is a tar file of several pictures
+_FORMAT = 4  # version of the format of a data set
+_PSFS = 32  # number of PSFs that are stored with a picture
 
 Range = float | tuple[float, float]
 PathOf = str | PathLike[str]
@@ -144,7 +130,7 @@ def _interpolate(value: Range, fraction: float) -> float:
 
 
 @dataclass(frozen=True)
-class Rendered:
+class DatasetPicture:
     """One picture of a data set, written or skipped by :func:`lommel.imaging.render_dataset`.
 
     Attributes
@@ -154,7 +140,7 @@ class Rendered:
     done, total : int
         Number of complete pictures, and number of all pictures of the data set.
     files : tuple of path
-        The files of the picture, or with `shard` the tar file that contains them; empty for a skipped picture.
+        The files of the picture; empty for a skipped picture.
     facts : dict
         Content of ``NUMBER.json``: names of the photo and the depth map, lens (metres, radians), noise, errors of the
         PSFs. For a skipped picture, the names of the photo and the depth map only.
@@ -209,40 +195,68 @@ def pair_files(photos: PathOf | Sequence[PathOf], depths: PathOf | Sequence[Path
     return [(photo_of[key], depth_of[key]) for key in photo_of]
 
 
+def _with_white(_: str, noise: Noise) -> Noise:
+    validation.instance("noise", noise, Noise)
+    if noise.white is None:
+        raise ValueError("noise must have a white: the number of electrons at the value 1.0, such as 5000")
+    return noise
+
+
+def _depth_options(name: str, value: DepthOptions) -> DepthOptions:
+    validation.instance(name, value, DepthOptions)
+    return value
+
+
 @dataclass(frozen=True, kw_only=True)
-class _Job:
-    """Arguments common to all pictures of a data set."""
+class DatasetOptions(Options):
+    """Options of data sets.
+
+    Parameters
+    ----------
+    copies : int, default 1
+        Number of pictures of each photo, each with another random lens.
+    noise : Noise, optional
+        Photon and read noise of the blurred image; ``noise.white`` is the number of electrons at the value 1.0.
+    depth_options : DepthOptions, optional
+        Conversion of depth maps to metres, and treatment of unknown depth; see :func:`lommel.imaging.read_depth`.
+    on_error : {"raise", "skip"}, default "raise"
+        Handling of a photo or depth map that cannot be used: raise an error, or yield the picture with the reason as
+        `failure` and continue. The next call tries a skipped picture again.
+    workers : int, default 1
+        Number of processes, among which the processors are divided; 1 renders in this process. More processes are
+        spawned: a script must then call this function below ``if __name__ == "__main__":``.
+    """
+
+    copies: Annotated[int, In(least=1, most=1_000_000)] = 1
+    noise: Annotated[Noise | None, _with_white, HIDDEN] = None
+    depth_options: Annotated[DepthOptions | None, _depth_options, HIDDEN] = None
+    on_error: Annotated[Literal["raise", "skip"], HIDDEN] = "raise"
+    workers: Annotated[int, In(least=1, most=1024)] = 1
+
+
+class _Job(NamedTuple):
+    """What all pictures of a data set have in common."""
 
     lenses: LensRanges
     seed: int
-    copies: int
-    noise: Noise | None
-    form: str
-    encoding: str | None
-    psfs: int
-    values: DepthValues
-    settings: Settings
+    o: DatasetOptions
+    threads: int | None = None
 
-    def record(self, pairs: Sequence[tuple[Path, Path]], shard: int | None) -> Json:
+    def record(self, pairs: Sequence[tuple[Path, Path]]) -> Json:
         """Return the arguments that determine the pictures, in JSON types."""
-        nested = ("lenses", "noise", "settings", "values")
-        arguments = {name: value for name, value in vars(self).items() if name not in nested}
-        arguments |= {_ARGUMENT_NAMES.get(name, name): value for name, value in vars(self.values).items()}
-        # The pictures do not depend on the number of threads.
-        settings = {name: value for name, value in vars(self.settings).items() if name != "threads"}
-        settings["dtype"] = np.dtype(self.settings.dtype).name
-        arguments |= {
+        noise = self.o.noise
+        return plain({
             "format": _FORMAT,
+            "seed": self.seed,
+            "copies": self.o.copies,
             "lenses": asdict(self.lenses),
-            "noise": None if self.noise is None else self.noise.to_dict(),
-            "settings": settings,
-            "shard": shard,
+            "noise": None if noise is None else noise.to_dict(),
+            "depth_options": asdict(self.o.depth_options or DepthOptions()),
             "pairs": [[photo.name, depth.name] for photo, depth in pairs],
-        }
-        return plain(arguments)
+        })  # fmt: skip
 
 
-@shares(Keywords, Settings)
+@listed(DatasetOptions)
 def render_dataset(
     photos: PathOf | Sequence[PathOf],
     depths: PathOf | Sequence[PathOf],
@@ -250,22 +264,9 @@ def render_dataset(
     lenses: LensRanges,
     *,
     seed: int,
-    copies: int = 1,
-    noise: Noise | None = None,
-    form: str = "png",
-    shard: int | None = None,
-    encoding: str | None = None,
-    psfs: int = 32,
-    depth_scale: float | None = None,
-    inverse_depth: tuple[float, float] | None = None,
-    disparity: tuple[float, float] | None = None,
-    zero_is_unknown: bool = False,
-    unknown: Sequence[float] = (),
-    resample: str | None = None,
-    on_error: str = "raise",
-    workers: int = 1,
-    **options: Unpack[Keywords],
-) -> Iterator[Rendered]:
+    options: DatasetOptions | None = None,
+    **given: Any,
+) -> Iterator[DatasetPicture]:
     """Render photos with depth maps through random lenses into a folder, with ground truth; yield each picture.
 
     Complete pictures are not rendered again: after an interruption, repeat the call to continue. The random lens and
@@ -292,36 +293,13 @@ def render_dataset(
         Ranges from which the lens and the pixel pitch of each picture are drawn.
     seed : int
         Random seed of the lenses and of the noise.
-    copies : int, default 1
-        Number of pictures of each photo, each with another random lens.
-    noise : Noise, optional
-        Photon and read noise of the blurred image; ``noise.white`` is the number of electrons at the value 1.0.
-    form : {"png", "tif", "exr", "zarr"}, default "png"
-        Format of the images. "png": 16 bits in the encoding of the photo. The other formats: linear light in float32;
-        "exr" requires the package OpenEXR, "zarr" is a group of arrays for each picture, in chunks of 512 by 512
-        pixels.
-    shard : int, optional
-        Number of pictures in each tar file ``shard-000000.tar`` for WebDataset; by default no tar files are written.
-    encoding : {"srgb", "linear"}, optional
-        Encoding of the photos; by default integers are sRGB and floats are linear.
-    psfs : int, default 32
-        Number of PSFs of a picture, 2 to 4096, equally spaced over the scene's range of C_d; 0 for no PSFs.
-    depth_scale, inverse_depth : optional
-        Conversion of depth maps to metres; see `scale` and `inverse` of :func:`lommel.imaging.read_depth`.
-    disparity, zero_is_unknown, unknown, resample : optional
-        See :func:`lommel.imaging.read_depth`; see `missing` for pixels of unknown depth.
-    on_error : {"raise", "skip"}, default "raise"
-        Handling of a photo or depth map that cannot be used: raise an error, or yield the picture with the reason as
-        `failure` and continue. The next call tries a skipped picture again; until then the other pictures of the same
-        shard stay in the folder ``parts``, one tar file each.
-    workers : int, default 1
-        Number of processes, among which the processors are divided; 1 renders in this process. More processes are
-        spawned: a script must then call this function below ``if __name__ == "__main__":``.
+    options : DatasetOptions, optional
+        Options as an object, which keywords change.
     {options}
 
     Yields
     ------
-    Rendered
+    DatasetPicture
         The pictures, in the order of completion.
 
     Raises
@@ -329,7 +307,7 @@ def render_dataset(
     TypeError, ValueError
         If an argument is out of range, a file has no partner, or the data set in `out` is damaged, locked by another
         call, or made from other arguments or files. With ``on_error="raise"``, during the iteration, if a photo or
-        depth map cannot be used or the blur exceeds `largest`; complete pictures are kept.
+        depth map cannot be used or the blur is too large; complete pictures are kept.
     OSError
         If a file cannot be written or, with ``on_error="raise"``, cannot be read.
 
@@ -348,48 +326,13 @@ def render_dataset(
     >>> [picture.number for picture in made]
     [0, 1]
     """
+    o = DatasetOptions.of("render_dataset", options, given)
     validation.instance("lenses", lenses, LensRanges)
-    validation.optional("noise", noise, Noise)
-    skip = validation.choice("on_error", on_error, ON_ERROR) == "skip"
-    if noise is not None and noise.white is None:
-        raise ValueError("noise must have a white: the number of electrons at the value 1.0, such as 5000")
-    if validation.integer("psfs", psfs, least=0, most=4096) == 1:
-        raise ValueError("psfs must be 0, for none, or from 2 to 4096, got 1")
-    validation.choice("form", form, FORMATS)
-    if encoding is not None:
-        validation.choice("encoding", encoding, ENCODINGS)
-    settings = Settings.of(render_dataset, options, Keywords)
-    if psfs and settings.energy == 1.0:
-        raise ValueError(
-            "psfs must be 0 with energy=1, because a PSF covers the whole image, or energy must be below 1"
-        )
-    if shard is not None:
-        validation.integer("shard", shard, least=1, most=1_000_000)
-    if form == "exr":
-        library("OpenEXR", "EXR files need", "exr")
-    if form == "zarr":
-        library("zarr", "Zarr groups need", "zarr")
-    try:
-        values = DepthValues(depth_scale, inverse_depth, disparity, zero_is_unknown, unknown, resample)
-    except (TypeError, ValueError) as error:
-        message = re.sub(r"\b(scale|inverse)\b", lambda match: _ARGUMENT_NAMES[match[0]], str(error))
-        raise type(error)(message) from None
-    job = _Job(
-        lenses=lenses,
-        seed=validation.integer("seed", seed, least=0, most=2**63 - 1),
-        copies=validation.integer("copies", copies, least=1, most=1_000_000),
-        noise=noise,
-        form=form,
-        encoding=encoding,
-        psfs=psfs,
-        values=values,
-        settings=settings,
-    )
+    job = _Job(lenses, validation.integer("seed", seed, least=0, most=2**63 - 1), o)
     pairs = pair_files(photos, depths)
-    count = validation.integer("workers", workers, least=1, most=1024)
     folder = validation.path("out", out)
-    _create_folder(folder, job.record(pairs, shard))
-    return _render_missing(folder, job, pairs, shard, count, skip)
+    _create_folder(folder, job.record(pairs))
+    return _render_missing(folder, job, pairs)
 
 
 def _create_folder(folder: Path, record: Json) -> None:
@@ -422,65 +365,28 @@ def _read(file: Path) -> Any:
         return None
 
 
-def _complete_pictures(folder: Path, shard: int | None, total: int) -> Iterator[tuple[int, Json]]:
+def _complete_pictures(folder: Path, total: int) -> Iterator[tuple[int, Json]]:
     """Yield the numbers and facts of the complete pictures: all their files exist with unchanged checksums."""
-    if shard is None:
-        for number in range(total):
-            facts = _read(folder / f"{number:06d}.json")
-            with suppress(FileNotFoundError):
-                if isinstance(facts, dict) and all(
-                    size_and_checksum_of_file(folder / f"{number:06d}.{name}") == checksum
-                    for name, checksum in facts.get("files", {"": ""}).items()
-                ):
-                    yield number, facts
-        return
-    for index in range(-(-total // shard)):
-        numbers = range(index * shard, min(total, (index + 1) * shard))
-        packed = _shard_path(folder, index)
-        # Until all pictures of a shard are rendered, each picture is a separate tar file.
-        tars = {packed: numbers} if packed.exists() else {_tar_path(folder, number): [number] for number in numbers}
-        for tar, contents in tars.items():
-            if tar.exists():
-                yield from _in_tar(tar, contents)
-
-
-def _in_tar(path: Path, numbers: Sequence[int]) -> Iterator[tuple[int, Json]]:
-    """Yield the numbers and facts of the pictures in a tar file."""
-    try:
-        with tarfile.open(path) as tar:
-            members = {member.name: member for member in tar}
-
-            def content(number: int, name: str) -> bytes:
-                file = tar.extractfile(members[f"{number:06d}.{name}"])
-                assert file is not None
-                return file.read()
-
-            for number in numbers:
-                facts = reading.json(content(number, "json"))
-                if any(
-                    size_and_checksum_of_bytes(content(number, name)) != checksum
-                    for name, checksum in facts["files"].items()
-                ):
-                    raise ValueError(f"the files of picture {number} were changed after they were written")
+    for number in range(total):
+        facts = _read(folder / f"{number:06d}.json")
+        with suppress(FileNotFoundError):
+            if isinstance(facts, dict) and all(
+                size_and_checksum_of_file(folder / f"{number:06d}.{name}") == checksum
+                for name, checksum in facts.get("files", {"": ""}).items()
+            ):
                 yield number, facts
-    except (tarfile.TarError, KeyError, AssertionError, ValueError) as error:
-        reason = reading.reason(error)
-        raise ValueError(f"{validation.line(path)} is damaged ({reason}); remove it, and call again") from None
 
 
-def _render_missing(
-    folder: Path, job: _Job, pairs: list[tuple[Path, Path]], shard: int | None, workers: int, skip: bool
-) -> Iterator[Rendered]:
+def _render_missing(folder: Path, job: _Job, pairs: list[tuple[Path, Path]]) -> Iterator[DatasetPicture]:
     """Render the missing pictures, and yield each picture after its files are written."""
+    copies, workers = job.o.copies, job.o.workers
     # Without the lock, two processes in one folder would render the same pictures.
     with atomic.locked(folder / _RECORD, folder):
-        total = len(pairs) * job.copies
-        target = folder if shard is None else folder / _PARTS
-        target.mkdir(exist_ok=True)
+        total = len(pairs) * copies
         # Several pictures may have the same photo: its checksum is computed once.
         complete, checksum_of = set(), cache(size_and_checksum_of_file)
-        for number, facts in _complete_pictures(folder, shard, total):
-            for file, checksum in zip(pairs[number // job.copies], facts["checksums"], strict=True):
+        for number, facts in _complete_pictures(folder, total):
+            for file, checksum in zip(pairs[number // copies], facts["checksums"], strict=True):
                 if checksum_of(file) != checksum:
                     raise ValueError(
                         f"{validation.line(folder)} holds pictures of another {validation.line(file.name)} "
@@ -489,33 +395,23 @@ def _render_missing(
             complete.add(number)
         missing = [number for number in range(total) if number not in complete]
         done = len(complete)
-        if shard is not None:
-            for index in range(-(-total // shard)):
-                _pack(folder, index, shard, total)
-        render = partial(_write, job, target, shard is not None, skip)
 
-        def finish(number: int, files: list[str], facts: Json, failure: str | None, notes: list[str]) -> Rendered:
+        def finish(
+            number: int, files: list[str], facts: Json, failure: str | None, notes: list[str]
+        ) -> DatasetPicture:
             nonlocal done
             for note in notes:
                 validation.tell(note)
-            if failure is not None:
-                return Rendered(number, done, total, (), facts, failure)
-            done += 1
-            paths = tuple(folder / name for name in files)
-            if shard is not None:
-                paths = (_shard_path(folder, number // shard),)
-                _pack(folder, number // shard, shard, total)
-            return Rendered(number, done, total, paths, facts)
+            done += failure is None
+            return DatasetPicture(number, done, total, tuple(folder / name for name in files), facts, failure)
 
         if workers == 1:
             for number in missing:
-                yield finish(number, *render(number, *pairs[number // job.copies]))
+                yield finish(number, *_write(job, folder, number, *pairs[number // copies]))
             return
-        # Number of threads per process: the processors are divided among the processes.
-        threads = job.settings.threads or max(1, (os.cpu_count() or 1) // workers)
-        worker_job = replace(job, settings=replace(job.settings, threads=threads))
-        render = partial(_write, worker_job, target, shard is not None, skip)
-        results = _run_processes(render, missing, pairs, job.copies, workers)
+        # The processors are divided among the processes.
+        worker_job = job._replace(threads=max(1, (os.cpu_count() or 1) // workers))
+        results = _run_processes(partial(_write, worker_job, folder), missing, pairs, copies, workers)
         yield from (finish(number, *written) for number, written in results)
 
 
@@ -565,36 +461,7 @@ def _set_up_worker() -> None:
         threading.Thread(target=exit_with_parent, daemon=True).start()
 
 
-def _shard_path(folder: Path, index: int) -> Path:
-    return folder / f"shard-{index:06d}.tar"
-
-
-def _tar_path(folder: Path, number: int) -> Path:
-    return folder / _PARTS / f"{number:06d}.tar"
-
-
-def _pack(folder: Path, index: int, shard: int, total: int) -> None:
-    """If all pictures of a shard are rendered, pack them into its tar file and delete their separate tar files."""
-    target = _shard_path(folder, index)
-    numbers = range(index * shard, min(total, (index + 1) * shard))
-    parts = [_tar_path(folder, number) for number in numbers]
-    if not target.exists():
-        if not all(part.exists() for part in parts):
-            return
-
-        def fill(path: Path) -> None:
-            with tarfile.open(path, "w") as packed:
-                for part in parts:
-                    with tarfile.open(part) as read:
-                        for member in read:
-                            packed.addfile(member, read.extractfile(member))
-
-        atomic.write_by(target, fill)
-    for part in parts:
-        part.unlink(missing_ok=True)
-
-
-def _write(job: _Job, folder: Path, packed: bool, skip: bool, number: int, photo: Path, depth: Path) -> _Output:
+def _write(job: _Job, folder: Path, number: int, photo: Path, depth: Path) -> _Output:
     """Render a picture and write its files; return file names, facts, failure and warnings (see `_Output`)."""
     notes: list[str] = []
     try:
@@ -607,7 +474,7 @@ def _write(job: _Job, folder: Path, packed: bool, skip: bool, number: int, photo
                 notes += [f"{validation.line(photo)}: {each.message}" for each in caught]
     except (ValueError, OSError) as error:
         names_file = isinstance(error, PhotoError | OSError) or str(depth) in str(error)
-        if skip:
+        if job.o.on_error == "skip":
             reason = str(error) if names_file else f"{validation.line(photo)}: {error}"
             if isinstance(error, OSError) and error.filename:
                 reason = f"{validation.line(error.filename)}: {error.strerror}"
@@ -615,27 +482,10 @@ def _write(job: _Job, folder: Path, packed: bool, skip: bool, number: int, photo
         if names_file:
             raise
         raise ValueError(f"{validation.line(photo)}: {error}") from None
-    key = f"{number:06d}"
-    if packed:
-        atomic.write(folder / f"{key}.tar", _tar({f"{key}.{name}": data for name, data in files.items()}))
-    else:
-        with atomic.whole_files() as write:
-            for name, data in files.items():
-                target = folder / f"{key}.{name}"
-                target.parent.mkdir(parents=True, exist_ok=True)  # Zarr arrays are folders
-                write(target, data)
-    return list(dict.fromkeys(f"{key}.{name.partition('/')[0]}" for name in files)), facts, None, notes
-
-
-def _tar(files: dict[str, bytes]) -> bytes:
-    """Return the content of a tar file of `files`, a mapping from names to contents."""
-    buffer = io.BytesIO()
-    with tarfile.open(fileobj=buffer, mode="w") as tar:
+    with atomic.whole_files() as write:
         for name, data in files.items():
-            entry = tarfile.TarInfo(name)
-            entry.size = len(data)
-            tar.addfile(entry, io.BytesIO(data))
-    return buffer.getvalue()
+            write(folder / f"{number:06d}.{name}", data)
+    return [f"{number:06d}.{name}" for name in files], facts, None, notes
 
 
 def _render(job: _Job, number: int, photo: Path, depth: Path) -> tuple[dict[str, bytes], Json]:
@@ -643,19 +493,20 @@ def _render(job: _Job, number: int, photo: Path, depth: Path) -> tuple[dict[str,
     random = np.random.default_rng([job.seed, number])
     lens, pixel = job.lenses.draw(random)
     checksums = [size_and_checksum_of_file(photo), size_and_checksum_of_file(depth)]
-    picture = read_photo(photo, job.encoding)
-    light = picture.light(job.settings.dtype)
-    metres = read_depth(depth, shape=light.shape, **vars(job.values))
+    picture = read_photo(photo)
+    light, o = picture.light(), job.o.depth_options or DepthOptions()
+    metres = read_depth(depth, shape=light.shape, options=replace(o, missing=None))
     known_depths = metres[~np.isnan(metres)]
     ends = [float(end(known_depths)) for end in (np.min, np.max)] if known_depths.size else []
-    metres = np.asarray(fill_missing(metres, job.settings.missing), dtype=np.float64)
-    channels = job.settings.channels(light.shape, lens.wavelength)
-    blur = DepthBlur(metres, lens, pixel, channels=channels, **job.settings.of_blur)
-    image = (Occlusion(blur) if job.settings.occlusion else blur).forward(light)
-    if job.noise is not None:
-        electrons = np.multiply(np.maximum(image, 0.0), np.asarray(job.noise.white), dtype=np.float64)
-        image = job.noise.record(electrons, random).astype(image.dtype)
-    table = _psfs(blur, job.psfs) if job.psfs else None
+    unknown_fraction = 1.0 - known_depths.size / metres.size
+    metres = fill_missing(metres, o.missing)
+    channels = channel_spectra(light.shape, lens.wavelength)
+    blur = DepthBlur(metres, lens, pixel, channels=channels, threads=job.threads)
+    image = Occlusion(blur).forward(light)
+    if (noise := job.o.noise) is not None:
+        electrons = np.multiply(np.maximum(image, 0.0), np.asarray(noise.white), dtype=np.float64)
+        image = noise.record(electrons, random).astype(image.dtype)
+    defocus, index, psfs = _psfs(blur)
     facts = {
         "photo": photo.name,
         "depth": depth.name,
@@ -668,63 +519,37 @@ def _render(job: _Job, number: int, photo: Path, depth: Path) -> tuple[dict[str,
         "spherical": float(np.asarray(lens.aberrations.spherical)),
         "pixel": pixel,
         "depth_range": [end if math.isfinite(end) else "infinity" for end in ends],
-        "depth_unknown": 1.0 - known_depths.size / metres.size,
+        "depth_unknown": unknown_fraction,
         "wavelength": lens.wavelength,
         "channels": [[list(line) for line in channel] for channel in spectra("channels", channels)],
-        "encoding": picture.encoding if job.form == "png" else "linear",
-        "noise": None if job.noise is None else job.noise.to_dict(),
+        "encoding": picture.encoding,
+        "noise": None if noise is None else noise.to_dict(),
         "window": 2 * max(bank.half for bank in blur.banks) + 1,
         "lost": float(f"{blur.lost:.4g}"),
         "error": float(f"{blur.error:.2g}"),
+        "psfs_error": float(f"{_nearest_psf_error(psfs):.2g}"),
     }
-    if table:
-        facts["psfs_error"] = float(f"{_nearest_psf_error(table[2]):.2g}")
-    if job.form == "zarr":
-        arrays = {"image": image, "sharp": light, "depth": metres}
-        if table:
-            arrays |= dict(zip(("defocus", "index", "psfs"), table, strict=True))
-        files = _zarr(arrays, facts)
-    else:
-        files = {
-            f"image.{job.form}": _encode(job.form, image, picture.encoding),
-            f"sharp.{job.form}": _encode_photo(job.form, picture, light),
-            "depth.npy": atomic.contents(np.save, metres.astype(np.float32)),
-        }
-        if table:
-            defocus, index, psfs = table
-            files["index.png"] = png_of_16_bits(index, None, 1)
-            files["psfs.npz"] = atomic.contents(np.savez_compressed, defocus=defocus, psfs=psfs)
+    files = {
+        "image.png": _png(image, picture.encoding),
+        "sharp.png": _png_of_photo(picture, light),
+        "depth.npy": atomic.contents(np.save, metres.astype(np.float32)),
+        "index.png": png_of_16_bits(index, None, 1),
+        "psfs.npz": atomic.contents(np.savez_compressed, defocus=defocus, psfs=psfs),
+    }
     # The JSON file is written last: it lists the checksums of the other files.
     facts_with_checksums = facts | {"files": {name: size_and_checksum_of_bytes(data) for name, data in files.items()}}
     files["json"] = json.dumps(facts_with_checksums, indent=1).encode()
     return files, facts
 
 
-_CHUNK = 512  # side of the chunks of Zarr images, pixels
-_AXES = {"defocus": ("step",), "psfs": ("step", "channel", "row", "column")}
-
-
-def _zarr(arrays: dict[str, Values], facts: Json) -> dict[str, bytes]:
-    """Return the files of a Zarr group of arrays, in single precision except for unsigned integers."""
-    zarr = library("zarr", "Zarr groups need", "zarr")
-    files: Json = {}
-    group = zarr.open_group(zarr.storage.MemoryStore(files), mode="w", attributes=facts)
-    for name, values in arrays.items():
-        data = values if values.dtype.kind == "u" else values.astype(np.float32)
-        sides = data.shape if name in _AXES else (*(min(side, _CHUNK) for side in data.shape[:2]), *data.shape[2:])
-        axes = _AXES.get(name, ("y", "x", "channel")[: data.ndim])
-        group.create_array(name, data=data, chunks=sides, dimension_names=axes)
-    return {f"zarr/{name}": part.to_bytes() for name, part in files.items()}
-
-
-def _psfs(blur: DepthBlur, count: int) -> tuple[Array, Values, Values]:
+def _psfs(blur: DepthBlur) -> tuple[Array, Values, Values]:
     """Return (1) equally spaced values of C_d, (2) for each pixel the index of the nearest value, (3) the PSFs."""
     low, high = float(blur.defocus.min()), float(blur.defocus.max())
-    defocus = np.linspace(low, high, count)
-    step = (high - low) / (count - 1)
+    defocus = np.linspace(low, high, _PSFS)
+    step = (high - low) / (_PSFS - 1)
     index = np.rint((blur.defocus - low) / step if step > 0.0 else np.zeros(blur.shape)).astype(np.uint16)
     max_half = max(bank.half for bank in blur.banks)
-    table = np.zeros((count, blur.channels, 2 * max_half + 1, 2 * max_half + 1), dtype=np.float32)
+    table = np.zeros((_PSFS, blur.channels, 2 * max_half + 1, 2 * max_half + 1), dtype=np.float32)
     for channel, bank in enumerate(blur.banks):
         centre = slice(max_half - bank.half, max_half + bank.half + 1)
         for number, radians in enumerate(defocus):
@@ -739,19 +564,15 @@ def _nearest_psf_error(psfs: Values) -> float:
     return float((0.5 * differences / np.minimum(peaks[1:], peaks[:-1])).max())
 
 
-def _encode_photo(form: str, picture: Picture, light: Values) -> bytes:
-    """Return the unblurred photo as the content of an image file."""
+def _png_of_photo(picture: Photograph, light: Values) -> bytes:
+    """Return the unblurred photo as a 16-bit PNG."""
     stored = picture.values
-    if form != "png" or stored.dtype.kind != "u" or stored.dtype.itemsize > 2:
-        return _encode(form, light, picture.encoding)
+    if stored.dtype.kind != "u":
+        return _png(light, picture.encoding)
     # 8-bit values times 257: white, 255, becomes 65535.
     return png_of_16_bits(stored.astype(np.uint16) * np.uint16(257 if stored.itemsize == 1 else 1), None, 1)
 
 
-def _encode(form: str, light: Values, encoding: str) -> bytes:
-    """Return linear light as the content of an image file, for the formats "png", "tif" and "exr"."""
-    if form == "png":
-        # Compression level 1: a higher level takes longer than the blur.
-        return png_of_16_bits(from_light(light, encoding, np.uint16), None, 1)
-    values = light.astype(np.float32, copy=False)
-    return write_tiff(values, 100, None) if form == "tif" else photos.write_exr(values, 100, None)
+def _png(light: Values, encoding: str) -> bytes:
+    """Return linear light as a 16-bit PNG. Compression level 1: a higher level takes longer than the blur."""
+    return png_of_16_bits(from_light(light, encoding, np.uint16), None, 1)

@@ -33,8 +33,8 @@ from lommel.imaging.focal_engine import (
     checked_range,
     processors,
 )
-from lommel.imaging.photograph import fill_missing, require_image
-from lommel.io.depth_maps import write_depth
+from lommel.imaging.photograph import require_image
+from lommel.io.depth_maps import fill_missing, write_depth
 from lommel.optics.colour.spectrum import RED_GREEN_BLUE
 from lommel.optics.lens import Lens, pixel_of
 from lommel.recorded.counts import Counts, counts_of

@@ -4,28 +4,28 @@ from __future__ import annotations
 
 import copy
 import math
-from bisect import bisect_left
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
-from functools import cache, partial, reduce
+from functools import cache, reduce
 from itertools import pairwise
-from typing import TYPE_CHECKING, Any, NamedTuple, Unpack, cast
+from typing import TYPE_CHECKING, Annotated, Any, NamedTuple, cast
 
 import numpy as np
+import scipy
 from numpy.typing import ArrayLike
 
 from lommel.base import validation
 from lommel.base.arrays import Array, Values
 from lommel.base.cached import cached_property
-from lommel.base.options import shares
+from lommel.base.options import In, listed
 from lommel.base.threads import side_by_side
 from lommel.deconvolve.linear import LARGEST, LinearBlur, WindowBlur, copies, without_copies
 from lommel.field.maps import FieldMap, require_light, require_one_aperture
 from lommel.field.psf_grid import sides
 from lommel.imaging.blur import require_depth, require_lens, warn_of_depths
 from lommel.imaging.sensor_light import too_large
-from lommel.imaging.settings import FieldKeywords, Settings, Spectrum, spectra
+from lommel.imaging.settings import OperatorOptions, Spectrum, spectra
 from lommel.optics.lens import Lens
 from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront.wavefront import Wavefront
@@ -36,15 +36,28 @@ if TYPE_CHECKING:
     from scipy.sparse import csr_array
 
 
-@shares(FieldKeywords, Settings)
+@dataclass(frozen=True, kw_only=True)
+class FieldOptions(OperatorOptions):
+    """Options of a blur that varies over the field.
+
+    Parameters
+    ----------
+    tol : float, default 1e-3
+        Largest sum of absolute differences between an interpolated and an exact window, both of sum 1; 1e-6 to 1e-1.
+        Checked half-way between nodes.
+    """
+
+    tol: Annotated[float, In(least=1e-6, most=0.1)] = 1e-3
+
+
+@listed(FieldOptions)
 class FieldBlur(LinearBlur):
     """Blur that varies over the field and with depth, a linear operator: ``out[q] = sum_p image[p] K_p(q - p)``.
 
     K_p is the pixel-integrated PSF of the source point p, at its field position and, if `depth` is given, at its
     distance. It is truncated to a window (a square of pixels, of one size for all points) that contains at least the
     fraction `energy` of the light, and normalised to sum 1. Windows are computed at nodes (positions over the field
-    and over defocus) and interpolated by splines; the number of nodes follows from `tol`. With ``energy=1`` K_p is
-    not truncated: outside the windows all points have one common kernel, scaled to the light that remains.
+    and over defocus) and interpolated by splines; the number of nodes follows from `tol`.
 
     Parameters
     ----------
@@ -68,9 +81,8 @@ class FieldBlur(LinearBlur):
         ``shape * pixel``. A larger sensor exaggerates the blur, to illustrate a lens over its whole field.
     channels : sequence, default (wavelength of the map,)
         For each channel a wavelength (metres), or a spectrum: pairs of wavelength and weight.
-    tol : float, default 1e-3
-        Largest sum of absolute differences between an interpolated and an exact window, both of sum 1; 1e-6 to 1e-1.
-        Checked half-way between nodes.
+    options : FieldOptions, optional
+        Options as an object, which keywords change.
     {options}
 
     Attributes
@@ -96,7 +108,7 @@ class FieldBlur(LinearBlur):
     PSF of that pixel (gather) would be the transpose. Light is conserved: for a lens with vignetting, multiply the
     image by the relative illumination first.
 
-    Beyond the edges ("reflect", "extend"), the copy of a point has the PSF of the original.
+    At its edges the image is mirrored; the copy of a point has the PSF of the original.
 
     Examples
     --------
@@ -119,8 +131,8 @@ class FieldBlur(LinearBlur):
         center: tuple[float, float] | None = None,
         sensor: tuple[float, float] | None = None,
         channels: Sequence[Spectrum] | None = None,
-        tol: float = 1e-3,
-        **options: Unpack[FieldKeywords],
+        options: FieldOptions | None = None,
+        **given: Any,
     ) -> None:
         validation.instance("field_map", field_map, FieldMap)
         require_one_aperture(field_map)
@@ -129,10 +141,9 @@ class FieldBlur(LinearBlur):
         self.field_map, self.shape = field_map, validation.image_shape(shape)
         self.pixel = validation.pixel(pixel, metric=metric)
         validation.pixel_on(self.pixel, pupil.scale, metric=metric)
-        self.tol = validation.real("tol", tol, least=1e-6, below=0.1 + 1e-12)
-        settings = Settings.of(FieldBlur, options, FieldKeywords)
-        self.border, self.dtype = settings.border, cast("np.dtype[np.floating]", settings.dtype)
-        self.threads = settings.threads or 0
+        o = FieldOptions.of("FieldBlur", options, given)
+        self.tol, self.dtype = o.tol, cast("np.dtype[np.floating]", o.dtype)
+        self.threads = o.threads or 0
         self._scaled = sensor is not None  # the pixels of the image are not those of the PSFs
         if channels is not None and not metric:
             raise ValueError("channels need a map with a wavelength; make the map with wavelength= and f_number=")
@@ -145,23 +156,22 @@ class FieldBlur(LinearBlur):
 
         # Channels with equal spectra share a bank: computing windows takes most of the time.
         @cache
-        def bank_and_operators(
+        def bank_and_operator(
             spectrum: tuple[tuple[float, float], ...] | None,
-        ) -> tuple[FieldBank, tuple[WindowBlur | MixedBlur, ...]]:
+        ) -> tuple[FieldBank, WindowBlur | MixedBlur]:
             # The tolerance of PSFs is 1e-3 of the tolerance of the blur, but no less than double precision allows.
-            phase, psf_tol = None if lens is None else lens.phase, min(1e-6, max(1e-10, 1e-3 * tol))
-            source = self._point_light(field_map, phase, spectrum, self.pixel, psf_tol, settings.threads)
-            bank = build_field_bank(source, spans, self.shape, settings, tol)
-            return bank, self._operators(bank)
+            phase, psf_tol = None if lens is None else lens.phase, min(1e-6, max(1e-10, 1e-3 * o.tol))
+            source = self._point_light(field_map, phase, spectrum, self.pixel, psf_tol, o.threads)
+            bank = build_field_bank(source, spans, self.shape, o)
+            return bank, self._operator(bank)
 
-        self.banks: tuple[FieldBank, ...] = tuple(bank_and_operators(spectrum)[0] for spectrum in self.spectra)
-        # Operators of each channel; the image is the sum of their results.
-        self._parts = tuple(bank_and_operators(spectrum)[1] for spectrum in self.spectra)
+        self.banks: tuple[FieldBank, ...] = tuple(bank_and_operator(spectrum)[0] for spectrum in self.spectra)
+        self._operators = tuple(bank_and_operator(spectrum)[1] for spectrum in self.spectra)
 
     @property
     def error(self) -> float:
         """Largest sum of absolute differences between interpolated and exact windows, at the checked positions."""
-        return max(bank.error + parts[0].error for bank, parts in zip(self.banks, self._parts, strict=True))
+        return max(bank.error + blur.error for bank, blur in zip(self.banks, self._operators, strict=True))
 
     @property
     def lost(self) -> float:
@@ -228,8 +238,8 @@ class FieldBlur(LinearBlur):
                     f"{positions.max():.6g} {unit}, the {name} of the blur {first:.6g} to {last:.6g} {unit}"
                 )
         # Channels with equal spectra share a bank.
-        operators = {id(bank): crop._operators(bank) for bank in {id(bank): bank for bank in self.banks}.values()}
-        crop._parts = tuple(operators[id(bank)] for bank in self.banks)
+        operators = {id(bank): crop._operator(bank) for bank in {id(bank): bank for bank in self.banks}.values()}
+        crop._operators = tuple(operators[id(bank)] for bank in self.banks)
         return crop
 
     @property
@@ -250,15 +260,11 @@ class FieldBlur(LinearBlur):
 
     def forward(self, image: Values) -> Values:
         """Return the blurred `image`: see :meth:`lommel.imaging.LinearBlur.forward`."""
-        return self.by_channel(
-            image, lambda channel, plane: reduce(np.add, (part.forward(plane) for part in self._parts[channel]))
-        )
+        return self.by_channel(image, lambda channel, plane: self._operators[channel].forward(plane))
 
     def adjoint(self, image: Values) -> Values:
         """Return the transpose of :meth:`forward` of `image`: see :meth:`lommel.imaging.LinearBlur.adjoint`."""
-        return self.by_channel(
-            image, lambda channel, plane: reduce(np.add, (part.adjoint(plane) for part in self._parts[channel]))
-        )
+        return self.by_channel(image, lambda channel, plane: self._operators[channel].adjoint(plane))
 
     def _field_positions(
         self, center: tuple[float, float] | None, sensor: tuple[float, float] | None
@@ -306,30 +312,19 @@ class FieldBlur(LinearBlur):
         defocus.flags.writeable = False
         return defocus
 
-    def _operators(self, bank: FieldBank) -> tuple[WindowBlur | MixedBlur, ...]:
-        """Return the operators of a channel: for its windows and, with ``energy=1``, for the light outside them."""
-        mixed_blur = partial(MixedBlur, border=self.border, threads=self.threads)
-        focus, down, across = bank.axes[2], bank.axes[0].weights(self.y), bank.axes[1].weights(self.x)
-        blur: WindowBlur | MixedBlur | None = None
+    def _operator(self, bank: FieldBank) -> WindowBlur | MixedBlur:
+        """Return the operator of a channel."""
         # Small windows are interpolated for each point directly; for large windows Fourier transforms are faster.
+        focus = bank.axes[2]
         if bank.coefficients.shape[-1] <= LARGEST[min(2, focus.count)]:
             # ArithmeticError: WindowBlur replaces the splines by parabolas, and would need too many pieces.
             with suppress(ArithmeticError):
-                blur = WindowBlur(
+                return WindowBlur(
                     bank.coefficients, bank.axes, self.y, self.x, self.defocus,
-                    border=self.border, threads=self.threads, allowed=self.tol - bank.error,
+                    threads=self.threads, allowed=self.tol - bank.error,
                 )  # fmt: skip
-        blur = blur or mixed_blur(bank.coefficients, (down, across), focus, self.defocus)
-        if bank.far is None:
-            return (blur,)
-        # The common kernel spreads the light outside the window of each point: 1 - (sum of the window). The sum is a
-        # spline through the sums at the nodes.
-        sums = np.asarray(bank.coefficients, dtype=np.float64).sum(axis=(-2, -1))
-        sums_at_points = [down @ plane @ across.T for plane in np.moveaxis(sums, 2, 0)]
-        outside = 1.0 - sum(weight * sums_at_points[node] for node, weight in focus.nonzero_weights(self.defocus))
-        kernel, uniform = bank.far.kernel.astype(self.dtype), (np.ones((len(self.y), 1)), np.ones((len(self.x), 1)))
-        scale = np.asarray(outside, dtype=self.dtype)
-        return blur, mixed_blur(kernel[None, None, None], uniform, Nodes(0.0, 0.0, 1), self.defocus, scale=scale)
+        weights = bank.axes[0].weights(self.y), bank.axes[1].weights(self.x)
+        return MixedBlur(bank.coefficients, weights, focus, self.defocus, threads=self.threads)
 
 
 _MAX_KEPT_BYTES = 2**29  # transforms of all windows are cached up to this size, 512 MiB
@@ -363,10 +358,7 @@ class MixedBlur:
         Nodes over defocus, with the weights c.
     defocus : ndarray, shape (height, width)
         C_d in radians.
-    border : {"reflect", "extend", "zero"}
     threads : int
-    scale : ndarray or float
-        Factor on the light of each point, shape (height, width).
     """
 
     error = 0.0  # the splines are evaluated exactly
@@ -378,15 +370,13 @@ class MixedBlur:
         focus: Nodes,
         defocus: Array,
         *,
-        border: str,
         threads: int,
-        scale: Values | float = 1.0,
     ) -> None:
-        self.windows, self.focus, self.defocus, self.threads, self.scale = windows, focus, defocus, threads, scale
+        self.windows, self.focus, self.defocus, self.threads = windows, focus, defocus, threads
         self.excess = windows.shape[-1] - 1  # rows and columns by which the result of a block exceeds the block
-        margin = 0 if border == "zero" else self.excess // 2
-        self.image_start = margin + self.excess // 2  # index of the image's first pixel in the padded result
-        self.rows, self.columns = (copies(len(part), margin, border) for part in weights)
+        margin = self.excess // 2
+        self.image_start = 2 * margin  # index of the image's first pixel in the padded result
+        self.rows, self.columns = (copies(len(part), margin) for part in weights)
         self.down, self.across = weights[0][self.rows], weights[1][self.columns]
         self.down, self.across = (part.astype(windows.dtype) for part in (self.down, self.across))
         self.sides = _sides(self.down.shape, self.across.shape, self.excess + 1)
@@ -398,7 +388,7 @@ class MixedBlur:
 
     def forward(self, plane: Values) -> Values:
         """Return the blurred image of a plane of light."""
-        light = (self.scale * plane)[self.rows[:, None], self.columns]
+        light = plane[self.rows[:, None], self.columns]
         # The results of neighbouring blocks overlap by the size of a window, and are added (overlap-add).
         padded = np.zeros([side + self.excess for side in light.shape], dtype=light.dtype)
 
@@ -426,7 +416,7 @@ class MixedBlur:
 
         for block, part in self._results(correlated):
             result[block.rows, block.columns] = part
-        return self.scale * without_copies(result, self.rows, self.columns, (plane.shape[0], plane.shape[1]))
+        return without_copies(result, self.rows, self.columns, (plane.shape[0], plane.shape[1]))
 
     def _results(self, function: Callable[[Block], Values]) -> Iterator[tuple[Block, Values]]:
         """Yield pairs (block, function(block)); the blocks of one row of blocks are computed in parallel."""
@@ -446,34 +436,28 @@ class MixedBlur:
 
     def _blurred_spectrum(self, block: Block, points: Values, node: int) -> Values:
         """Return the transform of the image of points (rows, columns), with the windows at one node over defocus."""
-        from scipy.fft import fft, rfft
-
         down, across = self.down[block.rows, block.row_nodes], self.across[block.columns, block.column_nodes]
         # Rows are transformed once for each node across; weights down the image multiply the result.
-        lines = rfft(across.T[:, None, :] * points, n=self.sides[1], axis=-1)
+        lines = scipy.fft.rfft(across.T[:, None, :] * points, n=self.sides[1], axis=-1)
         planes = down.T[:, None, :, None] * lines
-        spectra = fft(planes, n=self.sides[0], axis=-2, overwrite_x=True)
+        spectra = scipy.fft.fft(planes, n=self.sides[0], axis=-2, overwrite_x=True)
         # Sum over nodes before the inverse transform: one inverse transform is enough.
         spectra *= self._window_spectra(block, node)
         return np.asarray(spectra.sum(axis=(0, 1)))
 
     def _inverse_transform(self, spectrum: Values, shape: Sequence[int]) -> Values:
         """Return the first rows and columns of the inverse transform."""
-        from scipy.fft import ifft, irfft
-
-        lines = ifft(spectrum, axis=0, overwrite_x=True)[: shape[0]]
-        return np.asarray(irfft(lines, n=self.sides[1], axis=1)[:, : shape[1]])
+        lines = scipy.fft.ifft(spectrum, axis=0, overwrite_x=True)[: shape[0]]
+        return np.asarray(scipy.fft.irfft(lines, n=self.sides[1], axis=1)[:, : shape[1]])
 
     def _correlated(self, block: Block, spectrum: Values, node: int) -> Values:
         """Return the transpose of :meth:`_blurred_spectrum` and :meth:`_inverse_transform`."""
-        from scipy.fft import ifft, irfft
-
         down, across = self.down[block.rows, block.row_nodes], self.across[block.columns, block.column_nodes]
         spectra = np.conj(self._window_spectra(block, node))
         spectra *= spectrum
-        planes = ifft(spectra, axis=-2, overwrite_x=True)[..., : len(down), :]
+        planes = scipy.fft.ifft(spectra, axis=-2, overwrite_x=True)[..., : len(down), :]
         planes = planes * down.T[:, None, :, None]
-        lines = irfft(planes.sum(axis=0), n=self.sides[1], axis=-1)[..., : len(across)]
+        lines = scipy.fft.irfft(planes.sum(axis=0), n=self.sides[1], axis=-1)[..., : len(across)]
         return np.asarray((lines * across.T[:, None, :]).sum(axis=0))
 
     def _window_spectra(self, block: Block, node: int) -> Values:
@@ -487,10 +471,8 @@ class MixedBlur:
 
     def _transform(self, images: Values) -> Values:
         """Return the Fourier transforms over the last two axes, zero-padded to the sides of a block."""
-        from scipy.fft import fft, rfft
-
-        lines = rfft(images, n=self.sides[1], axis=-1)
-        return np.asarray(fft(lines, n=self.sides[0], axis=-2, overwrite_x=True))
+        lines = scipy.fft.rfft(images, n=self.sides[1], axis=-1)
+        return np.asarray(scipy.fft.fft(lines, n=self.sides[0], axis=-2, overwrite_x=True))
 
 
 def _sides(down: tuple[int, ...], across: tuple[int, ...], window: int) -> tuple[int, int]:
@@ -515,12 +497,10 @@ def _sides(down: tuple[int, ...], across: tuple[int, ...], window: int) -> tuple
 
 def _candidates(points: int, window: int) -> list[tuple[int, int]]:
     """Return pairs: a length for which the transform is fast, and the number of points of a block of this length."""
-    from scipy.fft import next_fast_len
-
-    longest = next_fast_len(min(points + window - 1, max(_LONGEST, 4 * window)), real=True)
+    longest = scipy.fft.next_fast_len(min(points + window - 1, max(_LONGEST, 4 * window)), real=True)
     sides, side = [], window
     while side <= longest:
-        side = next_fast_len(side, real=True)
+        side = scipy.fft.next_fast_len(side, real=True)
         sides.append((side, side - window + 1))
         side += 1
     return [pair for pair in sides if pair[1] >= min(points, 8)] or sides[-1:]
@@ -540,91 +520,13 @@ def _parts(weights: Values, length: int) -> list[tuple[slice, slice]]:
     return parts
 
 
-_TABLE_SIDE = 2.5  # side of the table of light computed outside the windows / side of the windows
-_MARGIN = 1.2  # safety factor on errors at the checked positions: errors between these positions may be larger
-
-
-@dataclass(frozen=True)
-class FarLight:
-    """Light outside the windows: one kernel for all points, scaled to the light of each point outside its window.
-
-    `half` is the half width of the windows (pixels). `error` is the largest sum of absolute differences between the
-    scaled kernel and the light of a point, with a margin for positions that were not checked. `lost` is the largest
-    fraction of the light outside the kernel; the kernel is scaled up by this light.
-    """
-
-    kernel: Array  # mean over the field, of sum 1; 0 within the window
-    half: int
-    error: float
-    lost: float
-
-
-def far_light(source: PointLight, spans: Sequence[Span], tol: float, largest: int, farthest: int) -> FarLight:
-    """Return the far light for the smallest windows outside which the light of all points agrees within `tol`.
-
-    `spans` are the ranges of y, x and C_d. `largest` and `farthest` are the largest half widths of windows and of the
-    kernel, in pixels. Light is compared after division by its sum outside the window.
-    """
-    places = overview(spans)
-    half = 8
-    while True:
-        half = min(half, largest)
-        table_half = int(np.ceil(_TABLE_SIDE * half))
-        windows = source.windows(places, table_half)
-        if _tail_error(windows, half) <= tol:
-            break
-        if half == largest:
-            raise ValueError(
-                f"light farther than {largest} pixels from its point varies by more than {tol:.2g} over the field; "
-                f"increase largest={largest} or tol, or reduce energy below 1"
-            )
-        half *= 2
-    # Bisection for the smallest window: the error decreases with the size of windows.
-    half = 1 + bisect_left(range(1, half), True, key=lambda smaller: _tail_error(windows, smaller) <= tol)
-    error, tails = _tail_error(windows, half), windows.copy()
-    tails[:, table_half - half : table_half + half + 1, table_half - half : table_half + half + 1] = 0.0
-    outside = 1.0 - windows.sum(axis=(1, 2))
-    # Light diffracted at edges falls like r^-3, and the light outside a square like 1 / side. Outside the computed
-    # table the kernel is continued by r^-3, until the light outside the kernel is a quarter of the tolerance.
-    sufficient_half = int(np.ceil(4.0 * float(outside.max()) / tol * (table_half + 0.5)))
-    kernel_half = max(table_half, min(farthest, sufficient_half))
-    kernel = np.pad(tails.sum(axis=0), kernel_half - table_half)
-    if kernel_half > table_half:
-        offsets = np.arange(-kernel_half, kernel_half + 1.0)
-        radius = np.hypot(offsets[:, None], offsets)
-        table = slice(kernel_half - table_half, kernel_half + table_half + 1)
-        radius[table, table] = np.inf
-        tail = radius**-3.0
-        kernel += tail * (float(outside.sum()) * (1.0 - (table_half + 0.5) / (kernel_half + 0.5)) / tail.sum())
-    # The light outside the kernel is proportional to 1 / side.
-    lost = float(outside.max()) * (table_half + 0.5) / (kernel_half + 0.5)
-    return FarLight(kernel / kernel.sum(), half, error, lost)
-
-
-def _tail_error(windows: Array, half: int) -> float:
-    """Return the largest sum of absolute differences between tails and their scaled mean, times a safety factor.
-
-    `windows` (points, side, side) contain the light of points; their tails are the pixels farther than `half` pixels
-    from the centre in rows or columns.
-    """
-    table_half = windows.shape[-1] // 2
-    inner = slice(table_half - half, table_half + half + 1)
-    tail_mask = np.ones(windows.shape[1:], dtype=np.bool_)
-    tail_mask[inner, inner] = False
-    tails: Values = windows[:, tail_mask]
-    sums = tails.sum(axis=1)
-    mean = tails.sum(axis=0) / sums.sum()
-    return _MARGIN * float(np.abs(tails - sums[:, None] * mean).sum(axis=1).max())
-
-
 _MAX_VALUES = 2**27  # numbers in a bank: 1 GiB in double precision
 _MAX_CHECKED = 1500  # largest number of positions half-way between nodes at which windows are checked
 _QUINTIC_BELOW = 3e-4  # tolerance below which splines of degree 5 are faster than cubic ones
 # Fractions of the tolerance. First, for splines along 1, 2 or 3 axes in total: above 1, since the errors of different
-# axes peak at different positions. Second, for splines replaced by parabolas; third, for light outside the windows.
+# axes peak at different positions. Second, for splines replaced by parabolas.
 _SPLINE_SHARES = (0.9, 1.2, 1.4)
 _PARABOLA_SHARE = 0.03
-_FAR_SHARE = 0.4
 
 
 @dataclass(frozen=True)
@@ -636,19 +538,15 @@ class FieldBank:
     axes : tuple of three Nodes
         Nodes along y and x in the field, and along defocus (radians at the wavelength of the map).
     coefficients : ndarray, shape (y, x, defocus, side, side)
-        Spline coefficients along these axes. Every interpolated window has the sum 1, or with `far` the fraction of
-        the light within the window.
-    far : FarLight or None
-        Light outside the windows, for ``energy=1``.
+        Spline coefficients along these axes. Every interpolated window has the sum 1.
     lost : float
-        Largest fraction of the light outside a window, or with `far` outside its kernel.
+        Largest fraction of the light outside a window.
     error : float
         Largest sum of absolute differences between interpolated and exact windows, checked half-way between nodes.
     """
 
     axes: tuple[Nodes, ...]
     coefficients: Values
-    far: FarLight | None
     lost: float
     error: float
 
@@ -664,33 +562,17 @@ class FieldBank:
 
     def window(self, y: float, x: float, defocus: float = 0.0) -> Array:
         """Return the light of a point at `y`, `x` in the field and `defocus` C_d in radians, shape (side, side)."""
-        window = next(_interpolated_windows(self.axes, self.coefficients, np.array([[y, x, defocus]])))
-        if self.far is None:
-            return window
-        start = len(self.far.kernel) // 2 - self.half
-        light = np.asarray((1.0 - window.sum()) * self.far.kernel)
-        light[start : start + len(window), start : start + len(window)] += window
-        return light
+        return next(_interpolated_windows(self.axes, self.coefficients, np.array([[y, x, defocus]])))
 
 
-def build_field_bank(
-    source: PointLight,
-    spans: Sequence[Span],
-    shape: tuple[int, int],
-    settings: Settings,
-    tol: float,
-) -> FieldBank:
+def build_field_bank(source: PointLight, spans: Sequence[Span], shape: tuple[int, int], o: FieldOptions) -> FieldBank:
     """Return the bank of one channel for images of this shape; ValueError if windows or bank would be too large.
 
-    `spans` are the ranges of y, x and C_d. `tol` is divided among splines, parabolas and light outside the windows.
+    `spans` are the ranges of y, x and C_d. The tolerance is divided among splines and parabolas.
     """
-    energy, largest = settings.energy, settings.largest or max(1, min(shape) // 2)
-    half, core_half = source.half_widths(spans, CORE if energy == 1.0 else energy, largest)
-    far = far_light(source, spans, _FAR_SHARE * tol, largest, max(shape)) if energy == 1.0 else None
-    far_error = 0.0
-    if far is not None:
-        half, far_error = far.half, far.error
-    spline_tol = (1.0 - _PARABOLA_SHARE) * tol - far_error
+    energy, tol, largest = o.energy, o.tol, o.largest or max(1, min(shape) // 2)
+    half, core_half = source.half_widths(spans, energy, largest)
+    spline_tol = (1.0 - _PARABOLA_SHARE) * tol
     axes = _axes(source, spans, min(core_half, half), spline_tol)
     previous_error = 0.0 if all(nodes.count == 1 for nodes in axes) else math.inf
     while True:
@@ -699,20 +581,19 @@ def build_field_bank(
         windows = source.windows(lattice([nodes.places for nodes in axes]), half)
         energies = windows.sum(axis=(1, 2))
         # The half width was estimated at a few positions, and PSFs between these positions may be wider.
-        if far is None and energies.min() < energy:
+        if energies.min() < energy:
             if half == largest:
-                raise source.too_large(lattice([nodes.places for nodes in axes]), energy, largest, energies)
+                raise too_large(largest, energy, float(energies.min()))
             half = min(largest, math.ceil(1.05 * half) + 1)
             continue
-        if far is None:
-            windows /= energies[:, None, None]
+        windows /= energies[:, None, None]
         coefficients: Values = windows.reshape(*(nodes.count for nodes in axes), side, side)
         for axis, nodes in enumerate(axes):
             coefficients = nodes.coefficients(coefficients, axis)
-        error, least_energy = _error_between(source, axes, coefficients, normalise=far is None)
+        error, least_energy = _error_between(source, axes, coefficients)
         if error <= spline_tol:
-            lost = 1.0 - min(float(energies.min()), least_energy) if far is None else far.lost
-            return FieldBank(axes, coefficients.astype(settings.dtype), far, lost, error + far_error)
+            lost = 1.0 - min(float(energies.min()), least_energy)
+            return FieldBank(axes, coefficients.astype(cast("np.dtype[np.floating]", o.dtype)), lost, error)
         degree = axes[0].degree
         # The error of a spline of degree d is proportional to spacing^(d + 1); the aim is 0.9 spline_tol.
         factor = max(1.02, (error / (0.9 * spline_tol)) ** (1.0 / (degree + 1)))
@@ -740,12 +621,10 @@ def _require_few(axes: Sequence[Nodes], side: int, tol: float) -> None:
         )
 
 
-def _error_between(
-    source: PointLight, axes: Sequence[Nodes], coefficients: Values, *, normalise: bool
-) -> tuple[float, float]:
+def _error_between(source: PointLight, axes: Sequence[Nodes], coefficients: Values) -> tuple[float, float]:
     """Return the largest error of interpolated windows half-way between nodes, and the smallest sum of exact windows.
 
-    With `normalise`, exact windows are divided by their sums before the comparison.
+    Exact windows are divided by their sums before the comparison.
     """
     places = lattice([nodes.between if nodes.count > 1 else np.unique([nodes.first, nodes.last]) for nodes in axes])
     # A fixed seed: equal arguments yield equal errors.
@@ -753,8 +632,7 @@ def _error_between(
         places = places[np.random.default_rng(0).choice(len(places), _MAX_CHECKED, replace=False)]
     exact = source.windows(places, coefficients.shape[-1] // 2)
     energies = exact.sum(axis=(1, 2))
-    if normalise:
-        exact /= energies[:, None, None]
+    exact /= energies[:, None, None]
     # An error of the sum of a window causes an equal error of the light outside, and therefore counts twice.
     error = ERROR_RATIO * max(
         window_difference(window, exact_window) + abs(float((window - exact_window).sum()))
@@ -857,14 +735,9 @@ class PointLight:
             if energies.min() >= energy:
                 return _smallest_half(windows, energy), _smallest_half(windows, min(energy, CORE))
             if half == largest:
-                raise self.too_large(places, energy, largest, energies)
+                raise too_large(largest, energy, float(energies.min()))
             # Growth by 30 %: several windows that are too small take less time than one that is far too large.
             half = math.ceil(1.3 * half) + 1
-
-    def too_large(self, places: Array, energy: float, largest: int, energies: Array) -> ValueError:
-        """Return the ValueError for windows of the `largest` half width, which hold only `energies` of the light."""
-        spectrum = self.spectrum or ((None, 1.0),)
-        return too_large(largest, energy, self.pupil(*places.T), spectrum, self.pixel, float(energies.min()))
 
 
 def lattice(ticks: Sequence[Array]) -> Array:
@@ -929,9 +802,9 @@ class Nodes:
     @cached_property
     def _spline(self) -> BSpline:
         """Cardinal splines: 1 at one node and 0 at all others."""
-        from scipy.interpolate import make_interp_spline
-
-        return make_interp_spline(self._along, np.eye(self.count), k=min(self.degree, self.count - 1))
+        return scipy.interpolate.make_interp_spline(
+            self._along, np.eye(self.count), k=min(self.degree, self.count - 1)
+        )
 
     @property
     def knots(self) -> tuple[Array, int]:
@@ -967,10 +840,8 @@ class Nodes:
 
     def _matrix(self, places: Array) -> csr_array:
         """Return the sparse matrix of weights, shape (places, nodes)."""
-        from scipy.interpolate import BSpline
-
         positions = np.clip((places - self.first) / (self.last - self.first), 0.0, 1.0)
-        return BSpline.design_matrix(positions, self._spline.t, self._spline.k)
+        return scipy.interpolate.BSpline.design_matrix(positions, self._spline.t, self._spline.k)
 
     def finer(self, factor: float) -> Nodes:
         """Return nodes with the number of gaps multiplied by `factor`, and at least one more node."""

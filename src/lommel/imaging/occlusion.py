@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-import copy
 import math
-from collections.abc import Sequence
-from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
@@ -16,33 +13,7 @@ from lommel.core import engine
 from lommel.deconvolve.linear import LinearBlur
 from lommel.imaging.bank import Bank
 from lommel.imaging.blur import DepthBlur, Points, parts
-from lommel.imaging.sensor_light import sums_of_quarters
 from lommel.optics.pupil import ray_height
-
-
-class Group(NamedTuple):
-    """Points that spread light by the windows of one bank."""
-
-    sources: list[tuple[int, Points]]  # 0: visible points of the scene; 1: hidden points, behind its edges
-    bank: Bank | None = None  # None: the bank of the channel
-    occluded: bool = True  # nearer layers occlude the light of the points
-    negative: bool = False  # the image of the group is subtracted
-
-
-def spread_groups(
-    blur: DepthBlur, channel: int, planes: Sequence[Values], seen: Values, groups: list[Group]
-) -> Values:
-    """Return the blurred image of `groups` in one channel; `planes` are the light of visible and of hidden points."""
-    total = np.zeros(blur.shape, dtype=blur.dtype)
-    for group in groups:
-        sources = [(planes[kind], points) for kind, points in group.sources]
-        image = blur.spread(channel, sources, seen if group.occluded else None, bank=group.bank)
-        total += -image if group.negative else image
-    # Light outside the windows is not occluded: certificate, section 13, last paragraph.
-    if blur.beyond is not None:
-        total += blur.beyond.act(blur, [channel], [planes[0]])[0]
-    return total
-
 
 MAX_LAYERS = 64  # largest number of layers; for a larger range of blur, layers are thicker
 
@@ -105,11 +76,8 @@ class Occlusion(LinearBlur):
     1.3 to 2.7 times as long as :meth:`lommel.imaging.DepthBlur.forward`. The second call, or :meth:`adjoint`, stores
     it; later calls take 1.1 to 1.5 times as long. All calls return the same image to the last bit.
 
-    With ``energy=1`` light inside the windows is occluded; light outside them, about one percent, is not. Partly
-    occluded points then take twice as long.
-
     Memory: 5 bytes per point, and 8 bytes per point and channel (16 in float64) during a call, which are kept after
-    the second call; :meth:`adjoint` and ``energy=1`` need up to 32 bytes more.
+    the second call; :meth:`adjoint` needs up to 32 bytes more.
 
     Parameters
     ----------
@@ -134,8 +102,8 @@ class Occlusion(LinearBlur):
     True
     """
 
-    # Cache for one defocus map and its banks: the layers, and for each bank the visibility and the groups of points.
-    _cache: tuple[Array, tuple[Bank, ...], Layering, dict[Bank, Shares], dict[Bank, list[Group]]] | None = None
+    # Cache for one defocus map and its banks: the layers, and for each bank the visibility and the points.
+    _cache: tuple[Array, tuple[Bank, ...], Layering, dict[Bank, Shares], dict[Bank, list[Points]]] | None = None
 
     def __init__(self, blur: DepthBlur, reach: tuple[float, float] | None = None) -> None:
         if not isinstance(blur, DepthBlur):
@@ -150,22 +118,14 @@ class Occlusion(LinearBlur):
 
     def forward(self, image: Values) -> Values:
         """Return the blurred `image`: see :meth:`lommel.imaging.LinearBlur.forward`."""
-        whole_psf, second_call = self.blur.beyond is not None, self._cache is not None and self._current()
-        layering, shares_of, _ = self._cached_data()
+        second_call = self._cache is not None and self._current()
+        _, shares_of, _ = self._cached_data()
 
         def render(channel: int, plane: Values) -> Values:
-            if whole_psf:
-                shares, groups = self._shares(channel), self._groups(channel)
-                points, sources = layering.edges()
-                blurred = spread_groups(
-                    self.blur, channel, (plane, _copy_values(plane, points, sources)), shares.seen, groups
-                )
-            else:
-                bank = self.blur.banks[channel]
-                blurred = np.zeros(self.shape, dtype=self.dtype)
-                shares = self._composite(channel, plane, blurred, shares_of.get(bank))
-                if second_call:  # most depth maps are used once: `shares` are cached only from the second call on
-                    shares_of[bank] = shares
+            bank, blurred = self.blur.banks[channel], np.zeros(self.shape, dtype=self.dtype)
+            shares = self._composite(channel, plane, blurred, shares_of.get(bank))
+            if second_call:  # most depth maps are used once: `shares` are cached only from the second call on
+                shares_of[bank] = shares
             blurred += _SHARP_FRACTION * plane
             # Division by the image of a white scene: partly occluded neighbourhoods keep their brightness.
             blurred /= shares.total + _SHARP_FRACTION
@@ -175,26 +135,20 @@ class Occlusion(LinearBlur):
 
     def adjoint(self, image: Values) -> Values:
         """Return the transpose of :meth:`forward` of `image`: see :meth:`lommel.imaging.LinearBlur.adjoint`."""
-        points, sources = self._cached_data()[0].edges()
+        layering, shares_of, _ = self._cached_data()
+        points, sources = layering.edges()
 
         def transpose(channel: int, plane: Values) -> Values:
-            shares, groups = self._shares(channel), self._groups(channel)
+            bank = self.blur.banks[channel]
+            if bank not in shares_of:
+                shares_of[bank] = self._composite(channel)
+            shares = shares_of[bank]
             normalised = plane / (shares.total + _SHARP_FRACTION)
-            # The transpose of `spread_groups`: sums for the visible points and for the hidden points.
-            sums = np.zeros((2, *self.shape), dtype=self.dtype)
-            for group in groups:
-                layers = shares.seen if group.occluded else None
-                transposes = self.blur.collect(
-                    channel, normalised, [part for _, part in group.sources], layers, bank=group.bank
-                )
-                for (kind, _), part_sum in zip(group.sources, transposes, strict=True):
-                    sums[kind] += -part_sum if group.negative else part_sum
-            scene: Values = sums[0]
-            if self.blur.beyond is not None:
-                scene += self.blur.beyond.act(self.blur, [channel], [normalised], transposed=True)[0]
+            scene, *hidden = self.blur.collect(channel, normalised, self._points(channel), shares.seen)
             scene += _SHARP_FRACTION * normalised
-            # One point may be the source of several hidden points: add.at sums repeated indices.
-            np.add.at(scene.reshape(-1), sources, sums[1].reshape(-1)[points])
+            for behind in hidden:
+                # One point may be the source of several hidden points: add.at sums repeated indices.
+                np.add.at(scene.reshape(-1), sources, behind.reshape(-1)[points])
             return scene
 
         return self.by_channel(image, transpose)
@@ -204,53 +158,27 @@ class Occlusion(LinearBlur):
         cache = self._cache
         return cache is not None and cache[0] is self.blur.defocus and cache[1] is self.blur.banks
 
-    def _cached_data(self) -> tuple[Layering, dict[Bank, Shares], dict[Bank, list[Group]]]:
-        """Return the layers, the visibility by bank, and the groups by bank; cached for one depth map."""
+    def _cached_data(self) -> tuple[Layering, dict[Bank, Shares], dict[Bank, list[Points]]]:
+        """Return the layers, the visibility by bank, and the points by bank; cached for one depth map."""
         if not self._current():
             self._cache = self.blur.defocus, self.blur.banks, _layering(self.blur, self._reach), {}, {}
         assert self._cache is not None
         return self._cache[2:]
 
-    def _shares(self, channel: int) -> Shares:
-        """Return the visibility of layers in a channel; cached."""
-        blur, bank, shares_of = self.blur, self.blur.banks[channel], self._cached_data()[1]
-        if bank not in shares_of and blur.beyond is None:
-            shares_of[bank] = self._composite(channel)
-        elif bank not in shares_of:
-            # Coverage follows from windows of the whole PSF, not of the PSF minus the remainder.
-            whole_psf, _ = bank.split()
-            seen, total = self._composite(
-                channel, bank=replace(whole_psf, energies=sums_of_quarters(whole_psf.windows[:-1]))
-            )
-            groups = self._groups(channel, seen)
-            hidden_light, covered = np.zeros(blur.shape, dtype=blur.dtype), copy.copy(blur)
-            hidden_light.reshape(-1)[self._cached_data()[0].edges()[0]] = 1.0
-            # A dark border counts as covered: it has the depth of the outermost points of the image.
-            covered.border = "extend" if blur.border == "zero" else blur.border
-            total = spread_groups(covered, channel, (np.ones_like(hidden_light), hidden_light), seen, groups)
-            shares_of[bank] = Shares(seen, total)
-        return shares_of[bank]
-
-    def _groups(self, channel: int, seen: Values | None = None) -> list[Group]:
-        """Return the groups of points of a channel; cached.
-
-        With ``energy=1`` the first call requires `seen`, the number of layers that each pixel sees.
-        """
-        blur, (layering, _, groups_of) = self.blur, self._cached_data()
+    def _points(self, channel: int) -> list[Points]:
+        """Return the visible points of a channel and, if there are any, the points hidden behind its edges."""
+        blur, (layering, _, points_of) = self.blur, self._cached_data()
         bank = blur.banks[channel]
-        if bank not in groups_of:
+        if bank not in points_of:
             positions, (points, sources) = blur.positions(channel), layering.edges()
             layers = (layering.layers.astype(np.int8) + layering.level).astype(blur.dtype)
-            kinds = [Points(positions, layers)]
+            points_of[bank] = [Points(positions, layers)]
             if points.size:
-                behind = np.full(blur.shape, -1.0)
-                behind.reshape(-1)[points] = positions.reshape(-1)[sources]
-                kinds.append(Points(behind, _copy_values(layers, points, sources)))
-            if seen is None:
-                groups_of[bank] = [Group(list(enumerate(kinds)))]
-            else:
-                groups_of[bank] = _split_by_visibility(blur, channel, kinds, seen)
-        return groups_of[bank]
+                behind, layers_behind = np.full(blur.shape, -1.0), np.zeros(blur.shape, dtype=blur.dtype)
+                behind.reshape(-1)[points] = positions.take(sources)
+                layers_behind.reshape(-1)[points] = layers.take(sources)
+                points_of[bank].append(Points(behind, layers_behind))
+        return points_of[bank]
 
     def _composite(
         self,
@@ -258,13 +186,11 @@ class Occlusion(LinearBlur):
         plane: Values | None = None,
         out: Values | None = None,
         shares: Shares | None = None,
-        bank: Bank | None = None,
     ) -> Shares:
         """Add the blurred visible light of `plane` to `out`; return `shares`, which are computed if None."""
         blur, layering = self.blur, self._cached_data()[0]
-        bank_used, has_shares = bank or blur.banks[channel], shares is not None
-        margin = 0 if blur.border == "reflect" else bank_used.half
-        rows, columns = (np.pad(np.arange(side, dtype=np.int64), margin, mode="edge") for side in blur.shape)
+        has_shares = shares is not None
+        rows, columns = (np.arange(side, dtype=np.int64) for side in blur.shape)
         if shares is None:
             all_visible = np.full(blur.shape, layering.number + layering.level, dtype=blur.dtype)
             shares = Shares(all_visible, np.zeros_like(all_visible))
@@ -272,10 +198,10 @@ class Occlusion(LinearBlur):
         ranges = [(0, layering.number)] if blur.watch is None else [(k, k + 1) for k in range(layering.number)]
         for first, last in ranges:
             engine.composite(
-                parts(bank_used),
+                parts(blur.banks[channel]),
                 (blur.positions(channel), rows, columns),
                 (layering.layers, layering.behind, layering.number),
-                blur.border,
+                "reflect",
                 plane,
                 (first, last),
                 has_shares,
@@ -286,35 +212,6 @@ class Occlusion(LinearBlur):
             if blur.watch is not None:
                 blur.watch(int(np.count_nonzero(layering.layers == first)))
         return shares
-
-
-def _copy_values(plane: Values, points: NDArray[np.int64], sources: NDArray[np.int64]) -> Values:
-    """Return zeros, except for ``plane[sources]`` at the flat indices `points`."""
-    behind = np.zeros(plane.shape, dtype=plane.dtype)
-    behind.reshape(-1)[points] = plane.take(sources)
-    return behind
-
-
-def _split_by_visibility(blur: DepthBlur, channel: int, sources: list[Points], seen: Values) -> list[Group]:
-    """Return the groups of points for ``energy=1``.
-
-    Windows hold the PSF minus the remainder, and the remainder is never occluded. A point that is hidden from a pixel
-    of its window therefore spreads the whole PSF with occlusion, minus the remainder in the window without occlusion.
-    """
-    from scipy.ndimage import minimum_filter
-
-    whole, remainder = blur.banks[channel].split()
-    scene, *hidden = sources
-    assert scene.layers is not None
-    # A point in a layer before the minimum of `seen` over its window is visible in the whole window.
-    min_seen = minimum_filter(seen, 2 * whole.half + 1, mode="reflect" if blur.border == "reflect" else "nearest")
-    visible = min_seen >= scene.layers + 1
-    groups = [Group([(0, Points(np.where(visible, scene.positions, -1.0)))], occluded=False)]
-    if hidden or not visible.all():
-        positions = np.where(visible, -1.0, scene.positions)
-        groups.append(Group([(0, Points(positions, scene.layers)), *((1, points) for points in hidden)], whole))
-        groups.append(Group([(0, Points(positions))], remainder, occluded=False, negative=True))
-    return groups
 
 
 def reach_behind(blur: DepthBlur, reach: tuple[float, float]) -> int:

@@ -15,14 +15,14 @@ are transmitted at no depth; without such frequencies nu is at most 1.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from typing import NamedTuple, Self
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
 
-from lommel.base import validation
 from lommel.base.arrays import Array, Values
 from lommel.deconvolve.algorithms import ONE_PASS, ProgressCallback, silent
 from lommel.deconvolve.iterations import Solution
@@ -78,36 +78,25 @@ class _Light(FocalLight):
         return self.texture.over_noise(f)
 
 
-@dataclass(frozen=True, kw_only=True)
+_MAX_LOSS = 1.0  # largest loss (dB), over all distances, of the polynomials relative to the exact Wiener filter
+
+
 class OnePass:
     """Deblurring in one pass by the Wiener filter of each depth, for the texture and noise of the photograph.
 
     The filters are those of :class:`lommel.imaging.LiveSharpen`: polynomials of one small filter, interpolated in
     depth. They take much less time than iterative deblurring. Occlusion is not modelled. The result estimates the
-    pixel-averaged scene, and keeps its mean. The pupil must be circular or annular.
-
-    Parameters
-    ----------
-    loss : float, default 1.0
-        Largest loss in decibels, over all distances, of the polynomials relative to the exact Wiener filter. A blur
-        that is too wide for this loss raises ValueError.
-    textures : tuple, optional
-        Power, slope and noise of each channel; estimated from the photograph by default.
-
-    Raises
-    ------
-    TypeError, ValueError
-        If an argument is of another type or out of range.
+    pixel-averaged scene, and keeps its mean. The pupil must be circular or annular. A blur that is too wide for the
+    filters raises ValueError.
     """
 
-    loss: float = 1.0
-    textures: tuple[Texture, ...] | None = None
+    def solve(
+        self, observed: PhotographLikelihood, tell: ProgressCallback, textures: Sequence[Texture] | None = None
+    ) -> Solution:
+        """Return the sharp image of the counts `observed`, and call `tell` once; ValueError for other blurs.
 
-    def __post_init__(self) -> None:
-        validation.real("loss", self.loss, above=0.0, infinite=True)
-
-    def solve(self, observed: PhotographLikelihood, tell: ProgressCallback) -> Solution:
-        """Return the sharp image of the counts `observed`, and call `tell` once; ValueError for other blurs."""
+        `textures` are those of the channels; by default they are estimated from the photograph.
+        """
         blur = lens_blur(observed.blur)
         if blur is None:
             raise ValueError(
@@ -116,8 +105,8 @@ class OnePass:
             )
         scene = _Scene(observed, blur)
         light = np.empty((*blur.shape, blur.channels), dtype=blur.dtype)
-        textures = self.textures or tuple(scene.texture(c) for c in range(blur.channels))
-        for c, texture in enumerate(textures):
+        of_channels = textures or tuple(scene.texture(c) for c in range(blur.channels))
+        for c, texture in enumerate(of_channels):
             tables = self._tables(scene.model(c, texture))
             light[..., c] = _filter_plane(tables, scene.planes[c], scene.places, blur.threads)
         # Light is not negative, but the output of a linear filter can be negative.
@@ -125,25 +114,24 @@ class OnePass:
         # Filters assume one depth: near depth edges they include light with another blur.
         at_edges = _near_edges(scene.places)
         if at_edges.any():
-            sharp = _blend_at_edges(observed, sharp, at_edges, [texture.noise for texture in textures])
+            sharp = _blend_at_edges(observed, sharp, at_edges, [texture.noise for texture in of_channels])
         tell(1, math.nan, 0.0)
-        with_textures = replace(self, textures=textures)
-        return Solution(sharp, 1, ONE_PASS, lambda other: with_textures.solve(other, silent).light)
+        return Solution(sharp, 1, ONE_PASS, lambda other: self.solve(other, silent, of_channels).light)
 
     def _tables(self, model: FocalModel) -> SharpTables:
-        """Return filters of the lowest degree with a small loss; ValueError if all losses exceed ``self.loss``."""
+        """Return filters of the lowest degree with a small loss; ValueError if all losses exceed `_MAX_LOSS`."""
         for degree in _DEGREES:
             tables = SharpTables(model, Taps.of(5), degree)
             exact, approximate = tables.errors(tables.pixel)
             losses = 10.0 * np.log10((approximate + _MIN_ERROR) / (exact + _MIN_ERROR))
             if losses.max() <= _GOOD_LOSS:
                 return tables
-        if losses.max() > self.loss:
+        if losses.max() > _MAX_LOSS:
             k = int(np.argmax(losses))
             with np.errstate(divide="ignore"):
                 distance = 1.0 / model.vergence[k]
             raise ValueError(
-                f"method=OnePass() loses {losses[k]:.2g} dB at {distance:.4g} m, more than loss={self.loss:g}, "
+                f"method=OnePass() loses {losses[k]:.2g} dB at {distance:.4g} m, "
                 "because the blur is too wide for its polynomial filters; use RichardsonLucy()"
             )
         return tables
@@ -253,10 +241,10 @@ def _stray_power(transfer: Array, power: Array, shares: Array) -> Array:
 
 def _near_edges(places: NDArray[np.float32]) -> NDArray[np.bool_]:
     """Return a map of the pixels near depth edges, where filters collect light from other depths."""
-    from scipy.ndimage import maximum_filter, minimum_filter
-
     side = 2 * max(_DISTANCES) + 1
-    return np.asarray(maximum_filter(places, side) - minimum_filter(places, side) > _EDGE_STEP)
+    return np.asarray(
+        scipy.ndimage.maximum_filter(places, side) - scipy.ndimage.minimum_filter(places, side) > _EDGE_STEP
+    )
 
 
 def _blend_at_edges(
@@ -266,8 +254,6 @@ def _blend_at_edges(
 
     The fraction of the photograph is smaller where noise explains a part of the residual.
     """
-    from scipy.ndimage import gaussian_filter
-
     shape = (*observed.blur.shape, -1)
     photo = observed.image
     model = observed.model(light)
@@ -279,7 +265,7 @@ def _blend_at_edges(
     change = (observed.model(photo) - model) * scale
 
     def local(values: Values) -> Values:
-        return np.asarray(gaussian_filter(values.reshape(shape), (_LOCAL_RMS, _LOCAL_RMS, 0.0)))
+        return np.asarray(scipy.ndimage.gaussian_filter(values.reshape(shape), (_LOCAL_RMS, _LOCAL_RMS, 0.0)))
 
     # Local least-squares fraction of the photograph: projection of the residual on the change.
     power, product, square = local(residual**2), local(residual * change), local(change**2)
@@ -293,9 +279,7 @@ def _fill_unknown(plane: Values, known: NDArray[np.bool_]) -> Array:
     """Return a plane in which each unknown pixel has the value of the nearest known pixel."""
     if known.all():
         return np.asarray(plane, dtype=np.float64)
-    from scipy.ndimage import distance_transform_edt
-
-    nearest = distance_transform_edt(~known, return_distances=False, return_indices=True)
+    nearest = scipy.ndimage.distance_transform_edt(~known, return_distances=False, return_indices=True)
     return np.asarray(plane[tuple(nearest)], dtype=np.float64)
 
 

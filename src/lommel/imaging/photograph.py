@@ -6,26 +6,27 @@ import copy
 import sys
 from collections import OrderedDict
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import lru_cache
-from typing import Any, Protocol, TypeAlias, Unpack, cast, overload
+from typing import Annotated, Any, Protocol, Self, TypeAlias, cast, overload
 
 import numpy as np
+import scipy
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from lommel.base import validation
 from lommel.base.arrays import Array, Values
 from lommel.base.encoding import clipped_fraction, from_light, scene_light, to_light
 from lommel.base.optional import library
-from lommel.base.options import require_known, shares
+from lommel.base.options import HIDDEN, In, listed
 from lommel.core import engine
-from lommel.deconvolve.linear import LinearBlur, tiles_of
+from lommel.deconvolve.linear import tiles_of
 from lommel.field.maps import FieldMap, require_one_aperture
 from lommel.imaging.blur import DepthBlur, require_lens, require_metres
 from lommel.imaging.field_blur import FieldBlur, PointLight
 from lommel.imaging.occlusion import Occlusion, reach_behind
-from lommel.imaging.settings import FILL, MISSING, FieldKeywords, Keywords, Settings, Spectrum
-from lommel.optics.colour.spectrum import Channels
+from lommel.imaging.settings import FILL, Spectrum, WindowOptions, channel_spectra
+from lommel.io.photos import Photograph
 from lommel.optics.lens import Lens
 from lommel.optics.pupil import Pupil
 
@@ -49,59 +50,44 @@ class LazyArray(Protocol):
 
 
 @dataclass(frozen=True, eq=False)
-class Photograph:
-    """Photograph computed from a sharp image, in the encoding of the image; ``np.asarray`` returns `values`.
+class Rendered:
+    """Photograph computed from a sharp image; ``np.asarray`` returns its values.
 
     Attributes
     ----------
-    values : ndarray
+    photograph : Photograph
         Stored values, in the type and encoding of the image.
     lost : float
         Largest fraction of a point's light that falls outside the PSF's window, and is spread over the window
-        instead; 0 with ``energy=1``.
+        instead.
     error : float
-        Largest error of interpolated PSFs relative to their peak, checked half-way between computed PSFs. With
-        ``energy=1``, the sum over all pixels of the largest error of a PSF at any depth and in any channel: without
-        occlusion, the error of the light of a pixel is at most this sum times the brightest point of the scene. The
-        sum includes estimates of errors outside the window and of floating-point rounding, but not of rounding to
-        integers.
+        Largest error of interpolated PSFs relative to their peak, checked half-way between computed PSFs.
     window : int
         Side of the largest PSF window, pixels.
     clipped : float
         Fraction of the values that were clipped to the range of their integer type; 0 for floats.
     """
 
-    values: Pixels
+    photograph: Photograph
     lost: float
     error: float
     window: int
     clipped: float = 0.0
 
+    @property
+    def values(self) -> Values:
+        """Stored values of the photograph."""
+        return self.photograph.values
+
     def __array__(self, dtype: DTypeLike | None = None, copy: bool | None = None) -> Pixels:
         """Return the values."""
         return np.array(self.values, dtype=dtype, copy=copy)
 
-
-def _make_photograph(values: Pixels, blur: DepthBlur, clipped: float) -> Photograph:
-    """Return a photograph from stored values, the blur by which they were computed, and the fraction clipped."""
-    return Photograph(values, blur.lost, blur.error, 2 * max(bank.half for bank in blur.banks) + 1, clipped)
-
-
-def fill_missing(depth: ArrayLike, missing: str) -> Values:
-    """Return a depth map with NaN replaced by the nearest depth or infinity; unchanged if `missing` is "raise"."""
-    validation.choice("missing", missing, MISSING)
-    distances = validation.array("depth", depth)
-    if distances.dtype.kind != "f" or missing == "raise" or not np.isnan(distances).any():
-        return distances
-    unknown = np.isnan(distances)
-    if missing == "infinity":
-        return np.where(unknown, np.inf, distances)
-    if unknown.all():
-        raise ValueError('depth is NaN everywhere; pass a map with depths, or missing="infinity"')
-    from scipy.ndimage import distance_transform_edt
-
-    indices = distance_transform_edt(unknown, return_distances=False, return_indices=True)
-    return np.asarray(distances[tuple(indices)])
+    @classmethod
+    def by(cls, blur: DepthBlur, values: Pixels, encoding: str, clipped: float) -> Self:
+        """Return a photograph from stored values, the blur that made them, and the fraction clipped."""
+        side = 2 * max(bank.half for bank in blur.banks) + 1
+        return cls(Photograph(values, encoding), blur.lost, blur.error, side, clipped)
 
 
 def encode_light(light: Values, encoding: str, dtype: DTypeLike, threads: int = 0) -> tuple[Pixels, float]:
@@ -156,31 +142,91 @@ def require_scene(name: str, shape: tuple[int, ...], depth: tuple[int, ...]) -> 
         raise ValueError(f"depth must have the shape of the {name}, {shape[:2]}, got {depth}")
 
 
-@shares(Keywords, Settings)
+@dataclass(frozen=True, kw_only=True)
+class BlurOptions(WindowOptions):
+    """Options of depth-of-field rendering.
+
+    Parameters
+    ----------
+    supersample : int, default 1
+        Number of points of `image` and `depth` along each side of a pixel of the result, 1 to 16: the points are
+        ``pixel / supersample`` apart, and each pixel of the result is the mean light of its points. The `window` of
+        the result is in points, not pixels. Not available with `tile` or for dask arrays; memory maps are rendered
+        as a whole.
+    tile : int, optional
+        Side of the tiles, pixels, 16 to 16384; by default 1024 for memory maps. A tile requires several hundred bytes
+        per pixel and channel. For dask arrays, the side of the chunks; by default the chunks are unchanged.
+    """
+
+    tol: Annotated[float, In(least=1e-7, most=0.1)] = 1e-4
+    supersample: Annotated[int, In(least=1, most=16)] = 1
+    tile: Annotated[int | None, In(least=16, most=validation.MAX_SIDE), HIDDEN] = None
+
+
+class Scene:
+    """A sharp image with its depth map, whose photographs are computed through any lens."""
+
+    def __init__(
+        self, image: ArrayLike, depth: ArrayLike, lens: Lens, pixel: float, encoding: str, o: BlurOptions
+    ) -> None:
+        require_lens(lens, "image, depth, lens, pixel")
+        scene = validation.array("image", image)
+        # A copy: the caller may change the map between frames.
+        self._depth = np.array(validation.array("depth", depth))
+        require_scene("image", scene.shape, self._depth.shape)
+        height, width = (side // o.supersample for side in scene.shape[:2])
+        if (height * o.supersample, width * o.supersample) != scene.shape[:2]:
+            raise ValueError(
+                f"supersample must divide the height and the width of the image, {scene.shape[:2]}, "
+                f"got {o.supersample}"
+            )
+        self.shape, self.dtype, self.encoding = (height, width, *scene.shape[2:]), scene.dtype, encoding
+        self._light = scene_light("image", scene, encoding, np.float32)
+        self._pixel = validation.pixel(pixel, metric=True) / o.supersample
+        self._channels, self._o = channel_spectra(self.shape, lens.wavelength), o
+
+    def blur(self, lens: Lens) -> Occlusion:
+        """Return the blur by a lens; ValueError if it is too large."""
+        o = self._o
+        return Occlusion(
+            DepthBlur(self._depth, lens, self._pixel, channels=self._channels, energy=o.energy, tol=o.tol)
+        )
+
+    def photograph(self, blur: Occlusion, out: Pixels | None = None, *, occlusion: bool = True) -> Rendered:
+        """Return the photograph with the blur of this scene; `out` is written last, and unchanged after errors."""
+        light, points = (blur if occlusion else blur.blur).forward(self._light), self._o.supersample
+        if points > 1:
+            height, width, *channels = self.shape
+            light = light.reshape(height, points, width, points, *channels).mean(axis=(1, 3))
+        values, clipped = encode_light(light, self.encoding, self.dtype)
+        if out is not None:
+            np.copyto(out, values)
+            values = out
+        return Rendered.by(blur.blur, values, self.encoding, clipped)
+
+
+_KEPT = 4  # number of lens settings whose PSF windows and occlusion a FocusPlan keeps
+
+
 class FocusPlan:
     """Depth-of-field rendering of one scene, for live use: focus and f-number change from frame to frame.
 
-    The options are checked and the image is decoded once. For each frame, the PSF windows and the occlusion for the
-    lens setting are computed, unless they are kept from an earlier frame; then the image is blurred and encoded. The
-    stored values equal those of :func:`lommel.imaging.depth_of_field` with the same arguments, bit for bit.
+    The image is decoded once. For each frame, the PSF windows and the occlusion for the lens setting are computed,
+    unless they are kept from one of the last four settings; then the image is blurred and encoded. The stored values
+    equal those of :func:`lommel.imaging.depth_of_field` with the same arguments, bit for bit.
 
     Parameters
     ----------
     image, depth, lens, pixel, encoding
         See :func:`lommel.imaging.depth_of_field`. The image and the depth are copied.
-    keep : int, default 4
-        Number of lens settings whose PSF windows and occlusion are kept, 1 to 1000. Each setting requires a few MiB
-        plus 8 bytes per point and channel, and with `occlusion` the memory of :class:`lommel.imaging.Occlusion`; with
-        ``energy=1`` up to five times as much.
-    supersample : int, default 1
-        See :func:`lommel.imaging.depth_of_field`.
-    {options}
+    occlusion : bool, default True
+        Near objects occlude far objects. Without occlusion, frames take less time, but light of the background
+        spreads over the edges of near objects.
 
     Raises
     ------
     TypeError, ValueError
-        See :func:`lommel.imaging.depth_of_field`; also if PSF windows of `lens` exceed `largest`, because the
-        constructor computes these windows.
+        See :func:`lommel.imaging.depth_of_field`.
 
     Examples
     --------
@@ -198,61 +244,28 @@ class FocusPlan:
         pixel: float,
         *,
         encoding: str,
-        keep: int = 4,
-        supersample: int = 1,
-        **options: Unpack[Keywords],
+        occlusion: bool = True,
     ) -> None:
-        require_lens(lens, "image, depth, lens, pixel")
-        self.settings = Settings.of(FocusPlan, options, Keywords)
-        scene = validation.array("image", image)
-        # A copy: the caller may change the map between frames.
-        distances = np.array(fill_missing(depth, self.settings.missing))
-        require_scene("image", scene.shape, distances.shape)
-        self._supersample = validation.integer("supersample", supersample, least=1, most=16)
-        height, width = (side // self._supersample for side in scene.shape[:2])
-        if (height * self._supersample, width * self._supersample) != scene.shape[:2]:
-            raise ValueError(
-                f"supersample must divide the height and the width of the image, {scene.shape[:2]}, got {supersample}"
-            )
-        self.lens, self.shape, self.dtype = lens, (height, width, *scene.shape[2:]), scene.dtype
-        self._encoding = encoding
-        self._light = scene_light("image", scene, encoding, self.settings.dtype)
-        self._depth = distances
-        self._keep = validation.integer("keep", keep, least=1, most=1000)
-        self._pixel = validation.pixel(pixel, metric=True) / self._supersample
-        self._channels = self.settings.channels(self.shape, lens.wavelength)
+        self._occlusion, self.lens = validation.truth("occlusion", occlusion), lens
+        self._scene = Scene(image, depth, lens, pixel, encoding, BlurOptions())
         self._cache: OrderedDict[tuple[float, float], Occlusion] = OrderedDict()
-        self.blur()
+        self._blur(lens)  # checks the depth, and whether windows are too large
 
-    def lens_at(self, *, focus_distance: float | None = None, f_number: float | None = None) -> Lens:
-        """Return the lens at another `focus_distance` (metres) or `f_number`; None keeps the value of `lens`.
-
-        Raise the errors of :meth:`lommel.Lens.focused` and :meth:`lommel.Lens.stopped`.
-        """
-        lens = self.lens if f_number is None else self.lens.stopped(f_number)
-        return lens if focus_distance is None else lens.focused(focus_distance)
-
-    def blur(self, *, focus_distance: float | None = None, f_number: float | None = None) -> DepthBlur:
-        """Return the linear operator at a `focus_distance` and `f_number`; ValueError if the blur is too large."""
-        return self._occlusion_at(focus_distance, f_number).blur
-
-    def _occlusion_at(self, focus_distance: float | None, f_number: float | None) -> Occlusion:
-        """Return the blur with occlusion at a focus distance and f-number, from the cache if possible."""
-        lens = self.lens_at(focus_distance=focus_distance, f_number=f_number)
+    def _blur(self, lens: Lens) -> Occlusion:
+        """Return the blur by a lens, from the cache if possible."""
         # Sensor distance and aperture diameter identify a lens setting, however it was specified.
         key = (lens.sensor_distance, lens.aperture_diameter)
         if key in self._cache:
             self._cache.move_to_end(key)
             return self._cache[key]
-        blur = DepthBlur(self._depth, lens, self._pixel, channels=self._channels, **self.settings.of_blur)
-        self._cache[key] = occlusion = Occlusion(blur)
-        if len(self._cache) > self._keep:
+        self._cache[key] = blur = self._scene.blur(lens)
+        if len(self._cache) > _KEPT:
             self._cache.popitem(last=False)
-        return occlusion
+        return blur
 
     def __call__(
         self, *, focus_distance: float | None = None, f_number: float | None = None, out: Pixels | None = None
-    ) -> Photograph:
+    ) -> Rendered:
         """Return the photograph at a focus distance and f-number.
 
         Parameters
@@ -267,57 +280,33 @@ class FocusPlan:
 
         Returns
         -------
-        Photograph
+        Rendered
 
         Raises
         ------
         TypeError, ValueError
-            If an argument is out of range, or a window exceeds `largest`; `out` is then unchanged.
+            If an argument is out of range, or a window is too large; `out` is then unchanged.
         """
         if out is not None:
-            output_array(out, "image", self.shape, self.dtype)
-        occlusion = self._occlusion_at(focus_distance, f_number)
-        light = (occlusion if self.settings.occlusion else occlusion.blur).forward(self._light)
-        if self._supersample > 1:
-            height, width, *channels = self.shape
-            light = light.reshape(height, self._supersample, width, self._supersample, *channels).mean(axis=(1, 3))
-        values, clipped = encode_light(light, self._encoding, self.dtype, self.settings.threads or 0)
-        photograph = _make_photograph(values, occlusion.blur, clipped)
-        if out is None:
-            return photograph
-        # `out` is written last: it is unchanged if an error is raised.
-        np.copyto(out, photograph.values)
-        return replace(photograph, values=out)
-
-
-class ChunkKeywords(Keywords, total=False):
-    """Options of depth-of-field rendering by tiles or chunks."""
-
-    tile: int | None
-    depths: tuple[float, float] | None
-
-
-class SceneKeywords(ChunkKeywords, total=False):
-    """Options of depth-of-field rendering of arrays and memory maps."""
-
-    supersample: int
-    out: Pixels | None
-    progress: Callable[[int, int], object] | None
+            output_array(out, "image", self._scene.shape, self._scene.dtype)
+        lens = self.lens if f_number is None else self.lens.stopped(f_number)
+        lens = lens if focus_distance is None else lens.focused(focus_distance)
+        return self._scene.photograph(self._blur(lens), out, occlusion=self._occlusion)
 
 
 @overload
 def depth_of_field(
-    image: LazyArray, depth: LazyArray, lens: Lens, pixel: float, *, encoding: str, **options: Unpack[ChunkKeywords]
+    image: LazyArray, depth: LazyArray, lens: Lens, pixel: float, *, encoding: str, **given: Any
 ) -> LazyArray: ...
 
 
 @overload
 def depth_of_field(
-    image: ArrayLike, depth: ArrayLike, lens: Lens, pixel: float, *, encoding: str, **options: Unpack[SceneKeywords]
-) -> Photograph: ...
+    image: ArrayLike, depth: ArrayLike, lens: Lens, pixel: float, *, encoding: str, **given: Any
+) -> Rendered: ...
 
 
-@shares(Keywords, Settings)
+@listed(BlurOptions)
 def depth_of_field(
     image: ArrayLike | LazyArray,
     depth: ArrayLike | LazyArray,
@@ -325,21 +314,20 @@ def depth_of_field(
     pixel: float,
     *,
     encoding: str,
-    supersample: int = 1,
-    tile: int | None = None,
-    depths: tuple[float, float] | None = None,
     out: Pixels | None = None,
     progress: Callable[[int, int], object] | None = None,
-    **options: Unpack[Keywords],
-) -> Photograph | LazyArray:
+    options: BlurOptions | None = None,
+    **given: Any,
+) -> Rendered | LazyArray:
     """Render the depth of field of a lens: blur each point of a sharp image by the PSF at its distance.
 
     The PSFs are pixel-integrated, with diffraction, aberrations and colour (:class:`lommel.imaging.DepthBlur`), and
-    near points occlude far points (:class:`lommel.imaging.Occlusion`). Arrays are rendered as a whole. Memory maps,
-    and arrays with `tile`, are rendered in overlapping tiles, with little memory. Dask arrays are rendered lazily, by
-    chunks. Tiles and chunks use the PSF windows of the whole image; the result agrees with that of the whole image
-    except for rounding. Tiles overlap by half a window and, with `occlusion`, in addition by twice the range of blur
-    radii: the largest distance of an occluded point from an edge.
+    near points occlude far points (:class:`lommel.imaging.Occlusion`). A grey image has the wavelength of the lens,
+    the three channels of a colour image 600, 540 and 460 nm. Arrays are rendered as a whole. Memory maps, and arrays
+    with `tile`, are rendered in overlapping tiles, with little memory. Dask arrays are rendered lazily, by chunks.
+    Tiles and chunks use the PSF windows of the whole image; the result agrees with that of the whole image except for
+    rounding. Tiles overlap by half a window and twice the range of blur radii: the largest distance of an occluded
+    point from an edge.
 
     Parameters
     ----------
@@ -347,72 +335,74 @@ def depth_of_field(
         Unsigned integers (white is their largest value) or floats (white is 1).
     depth : array_like, memory map or dask array, shape (height, width)
         Distance of each point from the lens along the axis, metres; may be infinite. Tiles and chunks read the map
-        twice, first for its range; ``missing="nearest"`` reads the whole map into memory.
+        twice, first for its range.
     lens : Lens
         Lens with radially symmetric aberrations.
     pixel : float
         Pixel pitch of the result, metres.
     encoding : {"srgb", "linear"}
         Encoding of `image` and of the result.
-    supersample : int, default 1
-        Number of points of `image` and `depth` along each side of a pixel of the result, 1 to 16: the points are
-        ``pixel / supersample`` apart, and each pixel of the result is the mean light of its points. `largest` and
-        the `window` of the result are in points, not pixels. Not available with `tile`, `depths` or dask arrays;
-        memory maps are rendered as a whole.
-    tile : int, optional
-        Side of the tiles, pixels, 16 to 16384; by default 1024 for memory maps. A tile requires about a
-        hundred bytes per pixel, with `occlusion` several hundred bytes per pixel and channel. For dask arrays, the
-        side of the chunks; by default the chunks are unchanged.
-    depths : (float, float), optional
-        Nearest and farthest distance in the scene, metres; by default they are read from `depth`.
     out : ndarray, optional
         Array or memory map that receives the values, with the shape and type of the result. Not for dask arrays.
     progress : callable, optional
-        Called as ``progress(done, tiles)``, with the numbers of complete and of all tiles. Not for dask arrays.
+        Called as ``progress(done, total)``, with the numbers of complete and of all tiles, or of blurred points where
+        there are no tiles. Not for dask arrays.
+    options : BlurOptions, optional
+        Options as an object, which keywords change.
     {options}
 
     Returns
     -------
-    Photograph or dask.array.Array
+    Rendered or dask.array.Array
         For dask arrays, a dask array of the shape and type of `image`: the PSF windows are computed immediately, the
-        chunks lazily, each chunk by one thread unless `threads` is given.
+        chunks lazily, each chunk by one thread.
 
     Raises
     ------
     TypeError, ValueError
-        If an argument is unknown or out of range, if shapes do not match, if the lens is not radially symmetric, if
-        a window exceeds `largest`, if the image has neither one nor three channels and no `wavelengths` are given, or
-        if `out` has another shape or type. After an error, `out` contains the tiles that were written before. Chunks
-        are checked when they are computed.
+        If an argument is unknown or out of range, if shapes do not match, if a depth is unknown (NaN), if the lens is
+        not radially symmetric, if a window is wider than the shorter side of the image, if the image has neither one
+        nor three channels, or if `out` has another shape or type. After an error, `out` contains the tiles that were
+        written before. Chunks are checked when they are computed.
     """
-    require_known(depth_of_field, options, Keywords)
+    o = BlurOptions.of("depth_of_field", options, given)
     require_lens(lens, "image, depth, lens, pixel")
-    if tile is not None:
-        validation.integer("tile", tile, least=16, most=validation.MAX_SIDE)
     validation.function("progress", progress, required=False)
     lazy = _are_dask(image, depth)
-    if supersample != 1 and (tile is not None or depths is not None or lazy):
-        raise ValueError(f"supersample must be 1 with tile or depths and for dask arrays, got {supersample}")
+    if o.supersample != 1 and (o.tile is not None or lazy):
+        raise ValueError(f"supersample must be 1 with tile and for dask arrays, got {o.supersample}")
     if lazy:
         if out is not None or progress is not None:
             raise ValueError(
                 "out and progress are not for dask arrays, which are computed later: use "
                 "dask.array.store(result, out) and dask.diagnostics.ProgressBar"
             )
-        # dask computes chunks in parallel: by default each chunk has one thread.
-        chunk_options: Keywords = {"threads": 1, **options}
-        return _render_chunks(image, depth, lens, pixel, encoding, tile, depths, Settings(**chunk_options))
-    if tile is None and supersample == 1 and any(isinstance(part, np.memmap) for part in (image, depth, out)):
-        tile = TILE
+        return _render_chunks(image, depth, lens, pixel, encoding, o)
+    mapped = any(isinstance(part, np.memmap) for part in (image, depth, out))
+    side = o.tile or (TILE if mapped and o.supersample == 1 else None)
     values = validation.array("image", cast("ArrayLike", image))
     distances = validation.array("depth", cast("ArrayLike", depth))
-    if tile is None and depths is None:
-        plan = FocusPlan(values, distances, lens, pixel, encoding=encoding, supersample=supersample, **options)
-        photograph = plan(out=out)
-        if progress is not None:
-            progress(1, 1)
-        return photograph
-    return _render_tiles(values, distances, lens, pixel, encoding, tile, depths, Settings(**options), out, progress)
+    if side is not None:
+        return _render_tiles(values, distances, lens, pixel, encoding, side, o, out, progress)
+    scene = Scene(values, distances, lens, pixel, encoding, o)
+    if out is not None:
+        output_array(out, "image", scene.shape, scene.dtype)
+    blur = scene.blur(lens)
+    if progress is not None:
+        blur.blur.watch = _counted(progress, distances.size * blur.channels)
+    return scene.photograph(blur, out)
+
+
+def _counted(progress: Callable[[int, int], object], total: int) -> Callable[[int], None]:
+    """Return a function that adds numbers, and calls `progress` with their sum and the `total`."""
+    done = 0
+
+    def count(points: int) -> None:
+        nonlocal done
+        done += points
+        progress(min(done, total), total)
+
+    return count
 
 
 def _render_tiles(
@@ -421,28 +411,24 @@ def _render_tiles(
     lens: Lens,
     pixel: float,
     encoding: str,
-    tile: int | None,
-    depths: tuple[float, float] | None,
-    settings: Settings,
+    side: int,
+    o: BlurOptions,
     out: Pixels | None,
     progress: Callable[[int, int], object] | None,
-) -> Photograph:
+) -> Rendered:
     """Return the photograph for arrays or memory maps, rendered tile by tile."""
     require_scene("image", values.shape, distances.shape)
     out = output_array(out, "image", values.shape, values.dtype, values, distances)
-    if settings.missing == "nearest":
-        distances = fill_missing(distances, "nearest")
-    depths = depth_range(distances, settings.missing) if depths is None else depths
-    blur = TileBlur(values.shape, depths, lens, pixel, encoding, settings)
-    tiles = list(tiles_of(values.shape, tile or max(values.shape[:2]), blur.overlap))
+    blur = TileBlur(values.shape, depth_range(distances), lens, pixel, encoding, o)
+    tiles = list(tiles_of(values.shape, side, blur.overlap))
     clipped = 0.0
     for count, (region, overlapping, inner) in enumerate(tiles, 1):
         light = blur.light(values[overlapping], np.asarray(distances[overlapping]))[inner]
-        out[region], fraction = encode_light(light, encoding, values.dtype, settings.threads or 0)
+        out[region], fraction = encode_light(light, encoding, values.dtype)
         clipped += fraction * light.size / out.size
         if progress is not None:
             progress(count, len(tiles))
-    return _make_photograph(out, blur.whole, clipped)
+    return Rendered.by(blur.whole, out, encoding, clipped)
 
 
 def _are_dask(image: object, depth: object) -> bool:
@@ -458,32 +444,20 @@ def _are_dask(image: object, depth: object) -> bool:
 
 
 def _render_chunks(
-    image: _DaskArray,
-    depth: _DaskArray,
-    lens: Lens,
-    pixel: float,
-    encoding: str,
-    tile: int | None,
-    depths: tuple[float, float] | None,
-    settings: Settings,
+    image: _DaskArray, depth: _DaskArray, lens: Lens, pixel: float, encoding: str, o: BlurOptions
 ) -> LazyArray:
     """Return the photograph for dask arrays as a dask array, computed chunk by chunk."""
     dask, da = (library(name, "chunks need", "dask") for name in ("dask", "dask.array"))
     require_scene("image", image.shape, depth.shape)
     require_metres(depth.dtype)
-    if tile is not None:
-        image = image.rechunk({0: tile, 1: tile})
+    if o.tile is not None:
+        image = image.rechunk({0: o.tile, 1: o.tile})
     # A chunk contains all channels, which are blurred and encoded together.
     if image.ndim == 3:
         image = image.rechunk({2: -1})
-    if settings.missing == "nearest":
-        # The nearest depth may lie in any chunk.
-        depth = depth.rechunk(-1).map_blocks(fill_missing, "nearest", dtype=depth.dtype, meta=depth._meta)
-    if depths is None:
-        without_nan = da.where(da.isnan(depth), float("inf"), depth) if settings.missing == "infinity" else depth
-        low, high = dask.compute(without_nan.min(), without_nan.max())
-        depths = _require_range(float(low), float(high))
-    blur = TileBlur(image.shape, depths, lens, pixel, encoding, settings)
+    low, high = dask.compute(depth.min(), depth.max())
+    # dask computes chunks in parallel: each chunk has one thread.
+    blur = TileBlur(image.shape, _require_range(float(low), float(high)), lens, pixel, encoding, o, threads=1)
     distances = depth.rechunk(image.chunks[:2])
     # dask raises an error if the overlap exceeds the side of the array.
     overlap = {axis: min(blur.overlap, image.shape[axis]) for axis in (0, 1)}
@@ -513,44 +487,31 @@ class TileBlur:
         lens: Lens,
         pixel: float,
         encoding: str,
-        settings: Settings,
+        o: WindowOptions,
+        *,
+        threads: int | None = None,
     ) -> None:
-        if settings.energy == 1.0:
-            raise ValueError(
-                "energy must be below 1 for tiles and chunks, since with energy=1 a point spreads over the whole "
-                "image: give a smaller energy such as 0.99, or the whole image as an array, such as np.array(image)"
-            )
-        # With "nearest", callers fill the depth map of the whole scene before they cut it into parts.
-        self.missing = "raise" if settings.missing == "nearest" else settings.missing
-        self.encoding, self._occlusion = encoding, settings.occlusion
-        keywords = settings.of_blur | {"largest": settings.largest or max(1, min(shape[:2]) // 2)}
-        with np.errstate(over="ignore"):  # long doubles above the range of float64 become infinite distances
-            # The two ends of the depth range determine the windows of all parts.
-            extremes = np.array(validation.number_array("depths", depths), dtype=np.float64)[None]
-        if extremes.shape != (1, 2) or np.isnan(extremes).any():
-            raise ValueError(f"depths must be the nearest and the farthest distance, got {validation.shown(depths)}")
-        self.whole = DepthBlur(extremes, lens, pixel, channels=settings.channels(shape, lens.wavelength), **keywords)
+        self.encoding = encoding
+        # The two ends of the depth range determine the windows of all parts.
+        self.whole = DepthBlur(
+            np.array([depths]), lens, pixel, channels=channel_spectra(shape, lens.wavelength), energy=o.energy,
+            tol=o.tol, largest=min(2048, max(1, min(shape[:2]) // 2)), threads=threads,
+        )  # fmt: skip
         self._defocus_range = (float(self.whole.defocus.min()), float(self.whole.defocus.max()))
         self.half = max(bank.half for bank in self.whole.banks)
         # Width of the margin, in pixels: points in the margin of a part contribute light to the part.
-        self.overlap = self.half + (reach_behind(self.whole, self._defocus_range) if self._occlusion else 0)
+        self.overlap = self.half + reach_behind(self.whole, self._defocus_range)
 
     def light(self, image: Pixels, depth: Pixels) -> Values:
         """Return the blurred light of a part of the scene; within `overlap` pixels of cut edges, light is missing."""
         image, depth = validation.array("image", image), validation.array("depth", depth)
         return self.operator(depth).forward(scene_light("image", image, self.encoding, self.whole.dtype))
 
-    def operator(self, depth: Pixels) -> LinearBlur:
-        """Return the blur of a part of the scene, with occlusion if `occlusion` is True in the settings."""
+    def operator(self, depth: Pixels) -> Occlusion:
+        """Return the blur of a part of the scene."""
         blur = copy.copy(self.whole)
-        blur.place(fill_missing(depth, self.missing))
-        low, high = self._defocus_range
-        if blur.defocus.min() < low or blur.defocus.max() > high:
-            raise ValueError(
-                f"depth must be within depths=, the range of the whole image: C_d from {low:.6g} to {high:.6g} rad, "
-                f"got {blur.defocus.min():.6g} to {blur.defocus.max():.6g}; pass a wider range as depths="
-            )
-        return Occlusion(blur, self._defocus_range) if self._occlusion else blur
+        blur.place(depth)
+        return Occlusion(blur, self._defocus_range)
 
     def chunk(self, image: Pixels, depth: Pixels) -> Pixels:
         """Return the stored values of a part of the scene; `depth` may have a third axis of length 1, for dask."""
@@ -558,13 +519,13 @@ class TileBlur:
         return encode_light(light, self.encoding, image.dtype, self.whole.threads)[0]
 
 
-def depth_range(depth: Pixels, missing: str = "raise") -> tuple[float, float]:
+def depth_range(depth: Pixels) -> tuple[float, float]:
     """Return the nearest and the farthest distance, metres; read the depth in strips of rows."""
     require_metres(depth.dtype)
     rows = max(1, _STRIP // depth.shape[1])
     low, high = np.inf, -np.inf
     for first in range(0, depth.shape[0], rows):
-        part = fill_missing(np.asarray(depth[first : first + rows]), missing)
+        part = np.asarray(depth[first : first + rows])
         low, high = np.minimum(low, part.min()), np.maximum(high, part.max())
     return _require_range(float(low), float(high))
 
@@ -581,22 +542,33 @@ POSITION_TOL = 1e-3
 
 _MAX_UNINTERPOLATED = 4096  # largest number of pixels whose positions are all computed without interpolation
 _MAX_NODES = 257  # largest number of interpolation nodes along a side
-_MODES = {"reflect": "reflect", "extend": "nearest", "zero": "grid-constant"}  # SciPy's modes for the option `border`
 
 
-@shares(FieldKeywords, Settings)
+@dataclass(frozen=True, kw_only=True)
+class FieldPhotographOptions(WindowOptions):
+    """Options of photographs through a field map.
+
+    Parameters
+    ----------
+    tol : float, default 1e-3
+        Largest sum of absolute differences between an interpolated and an exact PSF window, both of sum 1; 1e-6 to
+        1e-1. Checked half-way between nodes.
+    """
+
+    tol: Annotated[float, In(least=1e-6, most=0.1)] = 1e-3
+
+
+@listed(FieldPhotographOptions)
 def field_photograph(
     image: ArrayLike,
     field_map: FieldMap,
     pixel: float,
     *,
     encoding: str,
-    center: tuple[float, float] | None = None,
     sensor: tuple[float, float] | None = None,
-    wavelengths: Channels | Sequence[Spectrum] | None = None,
-    tol: float = 1e-3,
-    **options: Unpack[FieldKeywords],
-) -> Photograph:
+    options: FieldPhotographOptions | None = None,
+    **given: Any,
+) -> Rendered:
     """Render a sharp image as a lens records it: blur over the field, distortion, lateral colour, shading.
 
     `image` is the image of an ideal lens. The wavefront tilts of the map displace light
@@ -614,18 +586,15 @@ def field_photograph(
         Pixel pitch, in the unit of the map (metres if it has a wavelength).
     encoding : {"srgb", "linear"}
         Encoding of `image` and of the result.
-    center, sensor
+    sensor : (float, float), optional
         See :class:`lommel.imaging.FieldBlur`. A `sensor` larger than the image enlarges the PSFs, not the distortion.
-    wavelengths : Channels or sequence, optional
-        :class:`lommel.Channels`, or for each channel a wavelength (metres) or pairs of wavelength and weight. By
-        default the wavelength of the map for a grey image, and 600, 540 and 460 nm for three channels.
-    tol : float, default 1e-3
-        See :class:`lommel.imaging.FieldBlur`.
+    options : FieldPhotographOptions, optional
+        Options as an object, which keywords change.
     {options}
 
     Returns
     -------
-    Photograph
+    Rendered
         Apart from resampling, the error of the light of a pixel is at most ``error + 2 * lost`` times the brightest
         point; `error` is the largest sum of absolute differences between an interpolated and an exact PSF window.
 
@@ -657,17 +626,18 @@ def field_photograph(
     scene = validation.array("image", image)
     require_image("image", scene.shape)
     require_one_aperture(field_map)
-    settings = Settings.of(field_photograph, dict(options), FieldKeywords)
+    o = FieldPhotographOptions.of("field_photograph", options, given)
     wavelength = field_map.pupil_without_wavefront.wavelength
     spectra: Sequence[Spectrum] | None = None
     if wavelength is not None:
-        spectra = Settings(wavelengths=wavelengths).channels(scene.shape, wavelength)
-    elif wavelengths is not None or scene.ndim == 3:
-        raise ValueError("image must be grey, without wavelengths=, for a map without a wavelength; make the map "
-                         "with wavelength= and f_number=")  # fmt: skip
-    light = scene_light("image", scene, encoding, settings.dtype)
+        spectra = channel_spectra(scene.shape, wavelength)
+    elif scene.ndim == 3:
+        raise ValueError(
+            "image must be grey for a map without a wavelength; make the map with wavelength= and f_number="
+        )
+    light = scene_light("image", scene, encoding, np.float32)
     shape = (scene.shape[0], scene.shape[1])
-    blur = UntiltedBlur(field_map, shape, pixel, center=center, sensor=sensor, channels=spectra, tol=tol, **options)
+    blur = UntiltedBlur(field_map, shape, pixel, sensor=sensor, channels=spectra, energy=o.energy, tol=o.tol)
     planes = light.reshape(*shape, -1)
     distorted = np.empty_like(planes)
     for k, spectrum in enumerate(blur.spectra):
@@ -677,9 +647,9 @@ def field_photograph(
         shading = np.asarray(field_map.illumination(blur.x, blur.y[:, None]), dtype=blurred.dtype)
         # Shading multiplies the blurred light, at its position on the sensor.
         blurred = blurred * shading.reshape(*shape, *(1,) * (blurred.ndim - 2))
-    values, clipped = encode_light(blurred, encoding, scene.dtype, settings.threads or 0)
-    side = max(bank.window(blur.y[0], blur.x[0]).shape[0] for bank in blur.banks)
-    return Photograph(values, blur.lost, blur.error, side, clipped)
+    values, clipped = encode_light(blurred, encoding, scene.dtype)
+    side = max(2 * bank.half + 1 for bank in blur.banks)
+    return Rendered(Photograph(values, encoding), blur.lost, blur.error, side, clipped)
 
 
 class UntiltedLight(PointLight):
@@ -705,15 +675,13 @@ class UntiltedBlur(FieldBlur):
 
 def distort(plane: Values, blur: UntiltedBlur, spectrum: Spectrum | None) -> Values:
     """Return a plane of light with the distortion of the field map, resampled by quintic splines."""
-    from scipy.ndimage import map_coordinates
-
     pitch = [float(axis[1] - axis[0]) if len(axis) > 1 else blur.pixel for axis in (blur.y, blur.x)]
     y, x = undistorted_positions(blur.field_map, blur.y, blur.x, spectrum, POSITION_TOL * min(pitch))
     source = np.stack([(y - blur.y[0]) / pitch[0], (x - blur.x[0]) / pitch[1]])  # row and column, pixels
     # Without distortion the image is not resampled.
     if np.abs(source - np.indices(plane.shape)).max() <= POSITION_TOL:
         return plane
-    distorted: Values = map_coordinates(plane, source, order=5, mode=_MODES[blur.border], output=plane.dtype)
+    distorted: Values = scipy.ndimage.map_coordinates(plane, source, order=5, mode="reflect", output=plane.dtype)
     # Splines overshoot at edges; light is not negative.
     return np.maximum(distorted, 0.0) if plane.min() >= 0.0 else distorted
 
@@ -722,8 +690,6 @@ def undistorted_positions(
     field_map: FieldMap, y: Array, x: Array, spectrum: Spectrum | None, tol: float
 ) -> tuple[Array, Array]:
     """Return the undistorted coordinates (y, x) of light that arrives at rows y and columns x, accurate to `tol`."""
-    from scipy.interpolate import RectBivariateSpline
-
     if len(y) * len(x) <= _MAX_UNINTERPOLATED or min(len(y), len(x)) < 16:
         source_x, source_y = field_map.undistorted(x, y[:, None], spectrum)
         return source_y, source_x
@@ -735,7 +701,9 @@ def undistorted_positions(
             field_map.undistorted(x[0] + part * (x[-1] - x[0]), y[0] + part[:, None] * (y[-1] - y[0]), spectrum)[::-1]
             for part in (nodes, middles)
         )
-        splines = [RectBivariateSpline(nodes, nodes, values, kx=5, ky=5, s=0) for values in at_nodes]
+        splines = [
+            scipy.interpolate.RectBivariateSpline(nodes, nodes, values, kx=5, ky=5, s=0) for values in at_nodes
+        ]
         error = max(float(np.abs(s(middles, middles) - e).max()) for s, e in zip(splines, at_middles, strict=True))
         if error <= tol:
             source_y, source_x = (s(*(np.linspace(0.0, 1.0, len(axis)) for axis in (y, x))) for s in splines)

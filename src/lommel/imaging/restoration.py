@@ -17,8 +17,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import replace
-from typing import Unpack
+from dataclasses import dataclass, replace
+from typing import Annotated, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -26,7 +26,7 @@ from numpy.typing import ArrayLike, NDArray
 from lommel.base import validation
 from lommel.base.arrays import Array, Values
 from lommel.base.encoding import to_light, warn_if_bright
-from lommel.base.options import shares
+from lommel.base.options import HIDDEN, In, listed
 from lommel.deconvolve.algorithms import (
     MISFIT,
     NOISE,
@@ -41,10 +41,8 @@ from lommel.deconvolve.algorithms import (
 from lommel.deconvolve.iterations import Solution, iterated
 from lommel.deconvolve.likelihood import PhotographLikelihood
 from lommel.deconvolve.linear import LinearBlur, Window, tiles_of
-from lommel.field.maps import FieldMap
 from lommel.fit.findings import Finding, Findings
 from lommel.imaging.blur import DepthBlur, require_lens
-from lommel.imaging.field_blur import FieldBlur
 from lommel.imaging.occlusion import Occlusion
 from lommel.imaging.one_pass import OnePass, wiener_target
 from lommel.imaging.photograph import (
@@ -53,12 +51,11 @@ from lommel.imaging.photograph import (
     TileBlur,
     depth_range,
     encode_light,
-    fill_missing,
     output_array,
     require_image,
     require_scene,
 )
-from lommel.imaging.settings import Keywords, Settings
+from lommel.imaging.settings import WindowOptions, channel_spectra
 from lommel.optics.lens import Lens
 from lommel.recorded.counts import full_value
 from lommel.recorded.noise import Noise
@@ -145,99 +142,56 @@ def _best_share(observed: PhotographLikelihood, result: Solution) -> float:
     return min(max(1.0 - (float(d @ sharpened) - float(covariance)) / square, 0.0), 1.0)
 
 
-def restore_with(
-    light: ArrayLike,
-    blur: LinearBlur,
-    noise: Noise,
-    *,
-    method: Method | None = None,
-    saturation: float = math.inf,
-    progress: ProgressCallback | None = None,
-) -> Restoration:
-    """Deblur an image with a given linear blur operator.
+def _checked_method(name: str, method: object) -> Method:
+    if not isinstance(method, RichardsonLucy | TotalVariation | OnePass):
+        hint = "; add parentheses to the class name" if isinstance(method, type) else ""
+        raise TypeError(
+            f"{name} must be RichardsonLucy(...), TotalVariation(...) or OnePass(), got "
+            f"{validation.shown(method)}{hint}"
+        )
+    return method
+
+
+@dataclass(frozen=True, kw_only=True)
+class RestoreOptions(WindowOptions):
+    """Options of the restoration of photographs.
 
     Parameters
     ----------
-    light : array_like of float, shape (height, width) or (height, width, channels)
-        Recorded image: offset + a multiple of the light. NaN marks unknown pixels.
-    blur : LinearBlur
-        :class:`lommel.imaging.Occlusion`, :class:`lommel.imaging.DepthBlur`, or a subclass of your own, whose matrix
-        must not have negative elements.
-    noise : Noise
-        Noise of `light`.
     method : RichardsonLucy, TotalVariation or OnePass, optional
         By default ``RichardsonLucy()``.
-    saturation : float, default infinity
-        Value at which pixels saturate; saturated pixels are lower limits of the light.
-    progress : callable, optional
-        Called as ``progress(step, discrepancy, seconds_left)`` at each step; an exception that it raises ends the
-        restoration. By default progress is printed after two seconds, if standard error is a terminal.
-
-    Returns
-    -------
-    Restoration
-        Both `values` and `light` are the restored light, in the dtype of `blur`.
-
-    Raises
-    ------
-    TypeError, ValueError
-        If an argument is of another type, or `light` is not of the shape of `blur`, infinite, or NaN everywhere.
-
-    Examples
-    --------
-    >>> lens = lm.Lens(focal_length=50e-3, f_number=4.0, focus_distance=2.0, wavelength=550e-9)
-    >>> blur = lm.imaging.DepthBlur(np.full((40, 60), 2.3), lens, 8e-6)
-    >>> scene = np.full((40, 60), 0.1)
-    >>> scene[10:30, 20:40] = 0.7
-    >>> noise = lm.Noise(white=5000, read=3.0)
-    >>> photo = noise.record(5000 * blur.forward(scene), seed=0)
-    >>> found = lm.imaging.restore_with(photo, blur, noise)
-    >>> found.stopped, bool(abs(found.light - scene).mean() < 0.5 * abs(photo - scene).mean())
-    ('noise', True)
+    saturation : float, optional
+        Level at which pixels saturate, as a fraction of white in linear light, such as 0.95; saturated pixels are
+        lower limits of the light. By default 1, for a blur operator infinity; the largest integer is always
+        saturated. Use infinity for floats that are valid beyond white.
     """
-    validation.instance("blur", blur, LinearBlur)
-    validation.instance("noise", noise, Noise)
-    solver = _checked_method(method, progress)
-    recorded = blur.require(light, "light", missing=True)
-    limit = validation.real("saturation", saturation, infinite=True)
-    observed = PhotographLikelihood(blur, recorded, noise, limit)
-    with shown(progress) as tell:
-        before = observed.mean(observed.discrepancies_of(observed.image))
-        result = solve(solver, observed, tell)
-    share, stopped = check_result(observed, result, solver)
-    restored = blend(observed, result.light, share)
-    after = observed.discrepancies_of(restored)
-    return Restoration(
-        restored, restored, observed.mean(after), tuple(map(float, after)), before, result.steps, stopped,
-        result.strength, 1.0 - float(observed.known.sum()) / recorded.size, photograph=share,
-        findings=_findings(stopped, observed.mean(after)),
-    )  # fmt: skip
+
+    method: Annotated[Method | None, _checked_method, HIDDEN] = None
+    saturation: Annotated[float | None, In(above=0.0, infinite=True)] = None
 
 
-@shares(Keywords, Settings)
+@listed(RestoreOptions)
 def restore(
     photo: ArrayLike,
     depth: ArrayLike | None,
-    lens: Lens | FieldMap,
-    pixel: float,
+    lens: Lens | LinearBlur,
+    pixel: float | None = None,
     *,
     encoding: str,
     noise: Noise,
-    method: Method | None = None,
-    saturation: float | None = None,
-    tile: int | None = None,
     out: Pixels | None = None,
     progress: Callable[..., object] | None = None,
-    **options: Unpack[Keywords],
+    options: RestoreOptions | None = None,
+    **given: Any,
 ) -> Restoration:
-    """Deblur a photograph with a known depth map and lens, as far as its noise allows.
+    """Deblur a photograph with a known depth map and lens, or a known blur operator, as far as its noise allows.
 
     Invert :func:`lommel.imaging.depth_of_field`, with the operator of that function (occlusion included) and its
-    exact transpose. Arrays are restored as a whole; memory maps, and arrays with `tile`, in tiles with little
-    memory. The central tile determines the number of steps, or the strength; all other tiles use this value, which
-    avoids seams. Tiles overlap by one window plus twice the overlap of :func:`lommel.imaging.depth_of_field`. In
-    tests, tiles differed from the whole image, at equal steps or strength, by 3e-4 of white rms; with total variation
-    by 1.5e-3, and without `occlusion` by up to 1e-2.
+    exact transpose. Arrays are restored as a whole; memory maps in tiles of 1024 pixels, with about a hundred bytes
+    per pixel and channel of a tile. The central tile determines the number of steps, or the strength; all other tiles
+    use this value, which avoids seams. Tiles overlap by one window plus twice the overlap of
+    :func:`lommel.imaging.depth_of_field`. In tests, tiles differed from the whole image, at equal steps or strength,
+    by 3e-4 of white rms; with total variation by 1.5e-3.
 
     Parameters
     ----------
@@ -245,28 +199,24 @@ def restore(
         Unsigned integers (white is their largest value) or floats (white is 1), neither sharpened nor denoised. NaN
         and masked elements of a masked array mark unknown pixels.
     depth : array_like or memory map, shape (height, width), or None
-        Distance of each point from the lens along the axis, metres; may be infinite. None for a FieldMap.
-    lens : Lens or FieldMap
-        A lens with radially symmetric aberrations; or a field map for a scene at one distance, with the optical axis
-        at the centre of the photograph: see :class:`lommel.imaging.FieldBlur`.
-    pixel : float
-        Pixel pitch, metres.
+        Distance of each point from the lens along the axis, metres; may be infinite. None for a blur operator.
+    lens : Lens or LinearBlur
+        A lens with radially symmetric aberrations; or a blur operator, such as :class:`lommel.imaging.FieldBlur` or a
+        subclass of your own, whose matrix must not have negative elements.
+    pixel : float, optional
+        Pixel pitch, metres. Not for a blur operator.
     encoding : {"srgb", "linear"}
         Encoding of `photo` and of the result.
     noise : Noise
         Noise of linear values with white at 1, for any type of `photo`: ``white=`` is in electrons at white.
-    method : RichardsonLucy, TotalVariation or OnePass, optional
-        By default ``RichardsonLucy()``.
-    saturation : float, optional
-        Linear value (1 is white) at which pixels saturate; saturated pixels are lower limits of the light. By default
-        1; the largest integer is always saturated. Use infinity for floats that are valid beyond white.
-    tile : int, optional
-        Side of the tiles, pixels, 16 to 16384; by default 1024 for memory maps. Memory beyond input and output is
-        about a hundred bytes per pixel and channel of a tile. Not for a FieldMap.
     out : ndarray, optional
         Array or memory map for the values, with the shape and type of `photo`; must not share memory with `photo`.
     progress : callable, optional
-        See :func:`lommel.imaging.restore_with`. For tiles, called as ``progress(done, tiles)`` after each tile.
+        Called as ``progress(step, discrepancy, seconds_left)`` at each step, for tiles as ``progress(done, tiles)``;
+        an exception that it raises ends the restoration. By default progress is printed after two seconds, if
+        standard error is a terminal.
+    options : RestoreOptions, optional
+        Options as an object, which keywords change.
     {options}
 
     Returns
@@ -277,9 +227,9 @@ def restore(
     Raises
     ------
     TypeError, ValueError
-        If an argument is unknown or out of range, if shapes do not match, if the lens is not radially symmetric, if
-        a window exceeds `largest`, if no pixel (of a tile) is known, or if `out` has another shape or type. `out`
-        keeps tiles that were written before an error.
+        If an argument is unknown or out of range, if shapes do not match, if a depth is unknown (NaN), if the lens is
+        not radially symmetric, if a window is wider than the shorter side of the photograph, if no pixel (of a tile)
+        is known, or if `out` has another shape or type. `out` keeps tiles that were written before an error.
 
     Examples
     --------
@@ -293,55 +243,49 @@ def restore(
     >>> sharp.values.dtype, sharp.discrepancy < sharp.before
     (dtype('uint16'), True)
     """
-    settings = Settings.of(restore, options, Keywords)
-    solver = _checked_method(method, progress)
+    o = RestoreOptions.of("restore", options, given)
     validation.instance("noise", noise, Noise)
+    validation.function("progress", progress, required=False)
     image, mask = validation.parted("photo", photo)
-    over_field = isinstance(lens, FieldMap)
-    if tile is not None:
-        validation.integer("tile", tile, least=16, most=validation.MAX_SIDE)
-        if over_field:
-            raise ValueError(
-                "tile is for a Lens, got a FieldMap; leave it out, or restore crops with FieldBlur(center=)"
-            )
-    # Memory-mapped files may be larger than memory.
-    elif not over_field and any(isinstance(source, np.memmap) for source in (photo, depth, out)):
-        tile = TILE
-    if out is not None:
-        output_array(out, "photo", image.shape, image.dtype, image, np.asarray(depth))
-    limit = full_light(image, encoding, saturation)
-    if isinstance(lens, FieldMap):
-        light = recorded(image, encoding, limit, mask)
-        if depth is not None:
-            raise ValueError(
-                "depth must be None with a FieldMap, which has the defocus of one distance; for a depth map, pass "
-                "FieldBlur(field_map, shape, pixel, depth=, lens=) to lommel.imaging.restore_with"
-            )
-        blur: LinearBlur = _field_blur(image.shape, lens, pixel, settings, options)
+    method = o.method or RichardsonLucy()
+    if isinstance(lens, LinearBlur):
+        if depth is not None or pixel is not None:
+            raise ValueError("depth and pixel are for a Lens, got a blur operator, which has its own")
+        limit = full_light(image, encoding, math.inf if o.saturation is None else o.saturation)
+        light, blur = recorded(image, encoding, limit, mask), lens
+        blur.require(light, "photo", missing=True)
     else:
         require_lens(lens, "photo, depth, lens, pixel")
-        if depth is None:
-            raise ValueError("depth must be the distance of each point, metres, if lens is a Lens, got None")
+        if depth is None or pixel is None:
+            raise ValueError("depth and pixel must be given with a Lens, both in metres, got None")
+        limit = full_light(image, encoding, o.saturation)
         distances = validation.array("depth", depth)
-        if tile is not None:
-            require_scene("photo", image.shape, distances.shape)
-            if settings.missing == "nearest":
-                distances = fill_missing(distances, "nearest")
-            parts = TileBlur(image.shape, depth_range(distances, settings.missing), lens, pixel, encoding, settings)
-            out = output_array(out, "photo", image.shape, image.dtype)
-            return _by_tiles((image, mask), distances, parts, tile, noise, limit, solver, out, progress)
-        light = recorded(image, encoding, limit, mask)
-        distances = fill_missing(distances, settings.missing)
         require_scene("photo", image.shape, distances.shape)
-        channels = settings.channels(image.shape, lens.wavelength)
-        depth_blur = DepthBlur(distances, lens, pixel, channels=channels, **settings.of_blur)
-        blur = Occlusion(depth_blur) if settings.occlusion else depth_blur
-    result = restore_with(light, blur, noise, method=solver, saturation=limit, progress=progress)
-    assert result.light is not None
-    values, clipped = encode_light(result.light, encoding, image.dtype, settings.threads or 0)
+        # Memory-mapped files may be larger than memory.
+        if any(isinstance(source, np.memmap) for source in (photo, depth, out)):
+            out = output_array(out, "photo", image.shape, image.dtype, image, distances)
+            parts = TileBlur(image.shape, depth_range(distances), lens, pixel, encoding, o)
+            return _by_tiles((image, mask), distances, parts, TILE, noise, limit, method, out, progress)
+        light, channels = recorded(image, encoding, limit, mask), channel_spectra(image.shape, lens.wavelength)
+        blur = Occlusion(DepthBlur(distances, lens, pixel, channels=channels, energy=o.energy, tol=o.tol))
+    if out is not None:
+        output_array(out, "photo", image.shape, image.dtype, image)
+    observed = PhotographLikelihood(blur, light, noise, limit)
+    with shown(progress) as tell:
+        before = observed.mean(observed.discrepancies_of(observed.image))
+        result = solve(method, observed, tell)
+    share, stopped = check_result(observed, result, method)
+    restored = blend(observed, result.light, share)
+    after = observed.discrepancies_of(restored)
+    discrepancy = observed.mean(after)
+    values, clipped = encode_light(restored, encoding, image.dtype)
     if out is not None:
         np.copyto(out, values)
-    return replace(result, values=values if out is None else out, clipped=clipped)
+    return Restoration(
+        values if out is None else out, restored, discrepancy, tuple(map(float, after)), before, result.steps,
+        stopped, result.strength, 1.0 - float(observed.known.sum()) / light.size, clipped, photograph=share,
+        findings=_findings(stopped, discrepancy),
+    )  # fmt: skip
 
 
 def recorded(photo: Pixels, encoding: str, limit: float, mask: NDArray[np.bool_] | None = None) -> Array:
@@ -365,31 +309,14 @@ def recorded(photo: Pixels, encoding: str, limit: float, mask: NDArray[np.bool_]
 def full_light(photo: Pixels, encoding: str, saturation: float | None) -> float:
     """Return the light at and above which pixels of a photograph are saturated."""
     if saturation is not None:
-        value = validation.real("saturation", saturation, above=0.0, infinite=True)
         # The stated value may be rounded down in the type of the photograph.
-        return min(value, 1.0) if photo.dtype.kind == "u" else min(value, float(photo.dtype.type(value)))
+        return (
+            min(saturation, 1.0) if photo.dtype.kind == "u" else min(saturation, float(photo.dtype.type(saturation)))
+        )
     if photo.dtype.kind != "u":
         return 1.0
     full, _ = full_value([photo], None)
     return float(to_light("photo", np.array([full], dtype=photo.dtype), encoding, np.float64)[0])
-
-
-def _field_blur(
-    shape: tuple[int, ...], field_map: FieldMap, pixel: float, settings: Settings, options_given: Keywords
-) -> FieldBlur:
-    """Return the blur by a field map whose optical axis is at the centre of a photograph of this shape."""
-    for name in ("occlusion", "missing", "tol"):
-        if name in options_given:
-            raise ValueError(
-                f"{name} is for photographs with a depth, got a FieldMap; leave it out, or pass a FieldBlur to "
-                "lommel.imaging.restore_with"
-            )
-    wavelength = field_map.pupil_without_wavefront.wavelength
-    channels = None
-    if wavelength is not None or len(shape) == 3 or settings.wavelengths is not None:
-        channels = settings.channels(shape, wavelength)
-    options = {name: option for name, option in settings.of_blur.items() if name != "tol"}
-    return FieldBlur(field_map, (shape[0], shape[1]), pixel, channels=channels, **options)  # type: ignore[arg-type]
 
 
 def _by_tiles(
@@ -414,8 +341,8 @@ def _by_tiles(
         except ValueError as error:
             rows, columns = window
             raise ValueError(
-                f"in rows {rows.start} to {rows.stop} and columns {columns.start} to {columns.stop}, {error}; or use "
-                "larger tiles (tile=)"
+                f"in rows {rows.start} to {rows.stop} and columns {columns.start} to {columns.stop}, {error}; or "
+                "pass an array in memory, which is restored as a whole"
             ) from None
         # `noise.part` crops noise parameters that are maps to the window as well.
         return PhotographLikelihood(blur.operator(np.asarray(depth[window])), light, noise.part(*window), limit)
@@ -443,7 +370,7 @@ def _by_tiles(
         for total, scene in ((after, light), (before, counts.image)):
             total += inner_counts.discrepancies_of(scene) * np.maximum(inner_counts.known, 1)
         values = np.ascontiguousarray(light[inner])
-        out[region], clipped_fraction = encode_light(values, blur.encoding, out.dtype, blur.whole.threads)
+        out[region], clipped_fraction = encode_light(values, blur.encoding, out.dtype)
         clipped += clipped_fraction * values.size / out.size
         if progress is not None:
             progress(done, len(tiles))
@@ -469,17 +396,3 @@ def _findings(stopped: str, discrepancy: float) -> Findings:
         text = f"the maximum number of steps was reached at a discrepancy of {discrepancy:.3g}: more steps fit better"
         return Findings([Finding("not_settled", "doubt", text, numbers)])
     return Findings()
-
-
-def _checked_method(method: object, progress: object) -> Method:
-    """Return the method, RichardsonLucy() for None; TypeError for another type, or if `progress` is not callable."""
-    validation.function("progress", progress, required=False)
-    if method is None:
-        return RichardsonLucy()
-    if not isinstance(method, RichardsonLucy | TotalVariation | OnePass):
-        hint = "; add parentheses to the class name" if isinstance(method, type) else ""
-        raise TypeError(
-            "method must be RichardsonLucy(...), TotalVariation(...) or OnePass(...), got "
-            f"{validation.shown(method)}{hint}"
-        )
-    return method

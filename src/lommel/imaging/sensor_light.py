@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import lru_cache
 from typing import Self
 
@@ -15,7 +15,6 @@ from lommel.core import engine
 from lommel.methods.choice import of_large_phases, of_profiles
 from lommel.methods.hankel import growth, quadrature_nodes
 from lommel.methods.pixel_rule import local_rule, pixel_rule, quarters, sums_of_windows
-from lommel.optics.aperture.shapes import Segments
 from lommel.optics.lens import Lens
 from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront.wavefront import Wavefront
@@ -77,7 +76,7 @@ class SensorLight:
         pupil = self.defocused(ends)
         half = math.ceil(float(pupil.geometric_radius().max()) / self.pixel) + 1
         if half > largest:
-            raise too_large(largest, energy, pupil, self.spectrum, self.pixel)
+            raise too_large(largest, energy)
         while True:
             shares = self.shares(pupil, half)
             sums = sums_of_windows(shares, half)
@@ -89,7 +88,7 @@ class SensorLight:
             # `_enclosed` computes the light in a square much faster than `shares` the light on each of its pixels.
             likely_half = (half + 0.5) * (1.0 - enclosed) / (1.0 - energy)
             if half == largest or (likely_half > largest and (enclosed := self._enclosed(pupil, largest)) < energy):
-                raise too_large(largest, energy, pupil, self.spectrum, self.pixel, enclosed)
+                raise too_large(largest, energy, enclosed)
             # Growth by 30 %: few iterations, and few pixels that are not needed.
             half = min(math.ceil(1.3 * half) + 1, largest)
 
@@ -156,39 +155,12 @@ def _interpolation_weights(spacing: float) -> tuple[Array, Array]:
     return np.ascontiguousarray(weights[:_TAPS]), np.ascontiguousarray(weights[_TAPS:])
 
 
-MAX_HALF = 2048
-"""Largest value of the option `largest`, the maximum half width of a window in pixels."""
-
-
-def too_large(
-    largest: int,
-    energy: float,
-    pupil: Pupil,
-    spectrum: Sequence[tuple[float | None, float]],
-    pixel: float,
-    enclosed: float | None = None,
-) -> ValueError:
-    """Return the ValueError for windows larger than `largest`; the message suggests a half width that is enough."""
-    # Outside the shadow, each edge of the pupil adds diffracted light that falls like r^-3 on average. The edge of a
-    # circular aperture adds lambda N / (pi^3 r^3), in total 8 sin(pi / 4) lambda N / (pi^3 a) outside a square of
-    # side 2 a.
-    edges = 1.0 + pupil.obscuration + (len(pupil.spider.angles) / math.pi if pupil.spider else 0.0)
-    stops = pupil.stop.shapes if isinstance(pupil.stop, Segments) else (pupil.stop,)
-    for line in (line for stop in stops if stop is not None for line in stop.outline(256)):
-        edges += float(np.hypot(*(line - np.roll(line, 1, axis=0)).T).sum()) / (2.0 * math.pi)
-    diffracted = shadow = 0.0
-    for wavelength, weight in spectrum:
-        coloured = pupil if wavelength is None else pupil.in_light(wavelength)
-        shadow = max(shadow, float(coloured.geometric_radius().max()))
-        diffracted += weight * coloured.scale * edges / float(np.min(coloured.transmission))
-    # Radius of the geometric shadow, plus the half width that the diffracted light requires.
-    radius = shadow + 1.05 * 8.0 * math.sin(0.25 * math.pi) / math.pi**3 * diffracted / (1.0 - energy)
-    sufficient = max(math.ceil(radius / pixel), largest) + 1
-    hint = f"allow larger windows (largest={sufficient} or more), " if sufficient <= MAX_HALF else ""
+def too_large(largest: int, energy: float, enclosed: float | None = None) -> ValueError:
+    """Return the ValueError for windows of the `largest` half width, which hold only `enclosed` of the light."""
     share = "" if enclosed is None else f" (windows of this size hold {math.floor(1e6 * enclosed) / 1e6:g})"
     return ValueError(
         f"the blur needs windows of more than {2 * largest + 1} pixels a side to hold {energy:g} of the light{share}"
-        f"; stop down, {hint}or reduce this fraction (energy=)"
+        "; stop down, or reduce this fraction (energy=)"
     )
 
 
@@ -291,15 +263,6 @@ class DefocusNodes:
         basis = _cosines(angle, len(self.coefficients))
         basis /= self.parabola(defocus)
         return engine.product(np.ascontiguousarray(basis.T), self.coefficients, self.threads)
-
-    def first_cells(self, cells: int) -> Self:
-        """Return the interpolation restricted to the first `cells` pixels."""
-        return replace(self, coefficients=np.ascontiguousarray(self.coefficients[:, :cells]))
-
-    def sums(self, weights: Array) -> Self:
-        """Return the interpolation of ``windows[:, -pixels:] @ weights.T``, for `weights` of shape (sums, pixels)."""
-        coefficients = self.coefficients[:, self.coefficients.shape[1] - weights.shape[1] :]
-        return replace(self, coefficients=np.ascontiguousarray(coefficients @ weights.T))
 
 
 def _cosines(angle: Array, count: int) -> Array:

@@ -17,7 +17,7 @@ from lommel.base.optional import library
 from lommel.imaging import traced_windows
 from lommel.imaging.blur import require_lens
 from lommel.imaging.sensor_light import SensorLight
-from lommel.imaging.settings import BORDERS, Spectrum, spectra
+from lommel.imaging.settings import Spectrum, spectra
 from lommel.imaging.traced_windows import (
     AberratedWindows,
     DefocusLayer,
@@ -32,6 +32,9 @@ from lommel.optics.lens import Lens, require_round
 from lommel.traced.namespaces import ArrayFunctions, Namespace, Operand, Tables, Tensor
 
 _WINDOW_SETS = (4, 6, 8, 12, 16, 24, 32)  # numbers of PSF sizes, in the order tried; each size has a set of windows
+_TOL = 1e-4  # tolerance of each pixel of a PSF / the peak of the PSF
+_ENERGY = 0.98  # smallest fraction of the light of a PSF inside its window
+_MAX_HALF = 256  # largest half width of windows, pixels
 _MAX_SCREENS = 16  # largest number of occlusion layers
 _MIN_COVERAGE = 1e-6  # coverage added to denominators to avoid division by 0
 _SLACK = 1e-5  # margin of a valid range / its width, for rounding to float32
@@ -79,7 +82,6 @@ class Blur(NamedTuple):
     ----------
     namespace : Namespace
     optics : Optics
-    border : str
     channels : int
     half : int
         Half width of windows, pixels.
@@ -101,7 +103,6 @@ class Blur(NamedTuple):
 
     namespace: Namespace
     optics: Optics
-    border: str
     channels: int
     half: int
     edges: tuple[float, ...]
@@ -318,10 +319,8 @@ class TracedBlur:
         invalid = (c < low - slack) | (c > high + slack) | xp.isnan(c)
         image = image + xp.expand_dims(xp.where(invalid, float("nan"), xp.zeros_like(c)), axis=-3)
         rows, columns = (self._padding(c, axis) for axis in (-2, -1))
-        c = xp.take(xp.take(c, rows[0], axis=-2), columns[0], axis=-1)
-        image = xp.take(xp.take(image, rows[0], axis=-2), columns[0], axis=-1)
-        if static.border == "zero":
-            image = image * xp.expand_dims(rows[1], axis=-1) * columns[1]
+        c = xp.take(xp.take(c, rows, axis=-2), columns, axis=-1)
+        image = xp.take(xp.take(image, rows, axis=-2), columns, axis=-1)
         fft_shape = tuple(_fft_length(side) for side in c.shape[-2:])
         kernels = self._kernels(fft_shape, size_ratio, lens["zernike"])
         blurred = self._cropped(self._spectrum(image, c, fft_shape, kernels), shape, fft_shape)
@@ -453,18 +452,14 @@ class TracedBlur:
                 listed = (f"{n} within {valid[n]}, got {v.min():.6g} to {v.max():.6g}" for n, v in values.items())
                 raise ValueError(f"the blur is valid for {' and '.join(listed)}; clamp parameters to these ranges")
 
-    def _padding(self, c: Operand, axis: int) -> tuple[Tensor, Tensor]:
-        """Return source indices of an axis padded by half a window on both sides, and a mask: 1 inside the image."""
-        static = self._static
-        xp, count, half = static.namespace.xp, c.shape[axis], static.half
-        placement = {} if static.namespace.name in ("jax", "numpy") else {"device": c.device}
-        position = xp.arange(-half, count + half, **placement)
-        inside = xp.astype((position >= 0) & (position < count), c.dtype)
-        if static.border != "reflect":
-            return xp.clip(position, 0, count - 1), inside
-        # Mirrored at the edges, with the edge pixel repeated: period 2 count.
-        reflected = position % (2 * count)
-        return xp.where(reflected < count, reflected, 2 * count - 1 - reflected), inside
+    def _padding(self, c: Operand, axis: int) -> Tensor:
+        """Return source indices of an axis mirrored at the edges, by half a window on both sides."""
+        xp, count, half = self._static.namespace.xp, c.shape[axis], self._static.half
+        placement = {} if self._static.namespace.name in ("jax", "numpy") else {"device": c.device}
+        # The edge pixel is repeated: the period is 2 count.
+        reflected = xp.arange(-half, count + half, **placement) % (2 * count)
+        indices: Tensor = xp.where(reflected < count, reflected, 2 * count - 1 - reflected)
+        return indices
 
     def _weights(self, c: Operand) -> list[Tensor]:
         """Return the weights of the windows of each layer, shape (rank, points), for C_d (points,)."""
@@ -676,19 +671,16 @@ def traced_blur(
     f_numbers: tuple[float, float] | None = None,
     defocus: float = 0.0,
     zernike: Mapping[Term, float] | None = None,
-    border: str = "reflect",
     device: object = None,
     precision: str = "float32",
-    tol: float = 1e-4,
-    energy: float = 0.98,
-    largest: int = 256,
 ) -> TracedBlur:
     r"""Return the blur of a lens as a differentiable function of an image, its depth and the lens.
 
     The range of C_d is divided into layers. Within a layer, each pixel-integrated PSF is a weighted sum of a few PSFs
     (windows), with polynomials of C_d as weights; the blur is then a few convolutions per layer. All windows have
-    equal sides and are divided by their sums: truncation does not contribute to derivatives by depth. See
-    docs/certificate.md.
+    equal sides, hold at least 98 % of the light of their PSF, and are divided by their sums: truncation does not
+    contribute to derivatives by depth. The tolerance of each pixel of a PSF is 1e-4 of its peak, at any defocus in
+    the valid range. See docs/certificate.md.
 
     Parameters
     ----------
@@ -711,16 +703,8 @@ def traced_blur(
     zernike : mapping of (n, m) to float, optional
         Terms of the argument `zernike` of the blur, each with the largest magnitude of its coefficient: radians at
         the edge of the pupil and the wavelength of the lens. Each call with `zernike` recomputes the windows.
-    border : {"reflect", "extend", "zero"}, default "reflect"
-        Continuation of image and depth beyond the edges: mirrored, the last pixels repeated, or dark.
     precision : {"float32", "float64"}, default "float32"
         Precision of the tables and of the computation.
-    tol : float, default 1e-4
-        Tolerance of each pixel of a PSF, relative to the peak of the PSF, at any defocus in the valid range.
-    energy : float, default 0.98
-        Smallest fraction of the light of a PSF inside its window, before windows are divided by their sums.
-    largest : int, default 256
-        Largest half width of windows, pixels.
 
     Returns
     -------
@@ -729,7 +713,7 @@ def traced_blur(
     Raises
     ------
     TypeError, ValueError
-        If an argument is out of range, or windows exceed `largest`.
+        If an argument is out of range, or windows would be wider than 513 pixels.
 
     References
     ----------
@@ -741,18 +725,14 @@ def traced_blur(
     if lens.model != "paraxial":
         raise ValueError(f'lens must be paraxial, with model="paraxial", got {lens.model!r}')
     pitch = validation.pixel(pixel, metric=True)
-    fraction = validation.real("energy", energy, above=0.0, below=1.0)
-    psf_tol = validation.real("tol", tol, least=1e-9, below=1e-1)
     ns = _namespace(xp, device, precision)
-    validation.choice("border", border, BORDERS)
     colours = spectra("wavelengths", [lens.wavelength] if wavelengths is None else wavelengths)
     optics = _optics(lens, focus_distances, f_numbers, defocus, zernike)
     low, high, log_ratios = _ranges(lens, optics, distances)
     # The largest PSF determines the half width of all windows.
     lights = [SensorLight.of(lens, colour, pitch) for colour in colours]
     widest = [replace(light, pixel=pitch / math.exp(log_ratios[1])) for light in lights]
-    max_half = validation.integer("largest", largest, least=1, most=4096)
-    half = max(light.sufficient_half((low, high), fraction, max_half)[0] for light in widest)
+    half = max(light.sufficient_half((low, high), _ENERGY, _MAX_HALF)[0] for light in widest)
     exact = _ExactWindows(lights, half)
     logs = chebyshev_nodes(3)[0] if log_ratios[1] > log_ratios[0] else np.zeros(1)
     logs = 0.5 * (log_ratios[0] + log_ratios[1]) + 0.5 * (log_ratios[1] - log_ratios[0]) * logs
@@ -762,7 +742,7 @@ def traced_blur(
     if optics.zernike:
         window = half, step / math.exp(log_ratios[0])
         aberrated, zernike_tables = traced_windows.build_windows(
-            lens, dict(optics.zernike), (low, high), colours, window, psf_tol
+            lens, dict(optics.zernike), (low, high), colours, window, _TOL
         )
         zernike_tables["lattice"] = zernike_tables["lattice"] * math.exp(log_ratios[0])
     numpy, draw = Namespace.of(None), np.random.default_rng(0)
@@ -783,10 +763,10 @@ def traced_blur(
 
     values = exact.cells * len(colours) * len(logs)
     rate = lens.wavelength / min(wavelength for colour in colours for wavelength, _ in colour)
-    layers = defocus_layers(all_windows, low, high, psf_tol, _LAYER_WIDTH, rate, max(1, _MAX_VALUES // values))
+    layers = defocus_layers(all_windows, low, high, _TOL, _LAYER_WIDTH, rate, max(1, _MAX_VALUES // values))
     nodes = np.concatenate([layer.nodes for layer in layers])
     given_windows = np.concatenate([layer.windows[:, : len(colours), : exact.cells] for layer in layers])
-    windows_by_size, transform = _windows_by_size(exact, nodes, given_windows, log_ratios, psf_tol)
+    windows_by_size, transform = _windows_by_size(exact, nodes, given_windows, log_ratios, _TOL)
     # Per radian of C_d the marginal ray moves by 4 in the optical coordinate v; a pixel is `step` wide in v.
     screens = np.linspace(high, low, int(np.clip(math.ceil((high - low) * 4.0 / step), 2, _MAX_SCREENS)))
     tables: dict[str, Values] = {
@@ -803,7 +783,7 @@ def traced_blur(
     edges = (layers[0].low, *(layer.high for layer in layers))
     ranks, degrees = (tuple(layer.weights.shape[axis] for layer in layers) for axis in (0, 1))
     static = Blur(
-        namespace=ns, optics=optics, border=border, channels=len(colours), half=half, edges=edges, ranks=ranks,
+        namespace=ns, optics=optics, channels=len(colours), half=half, edges=edges, ranks=ranks,
         degrees=degrees, log_ratios=log_ratios, screens=tuple(screens.tolist()), aberrated=aberrated, error=0.0,
         precision=precision,
     )  # fmt: skip

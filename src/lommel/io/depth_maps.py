@@ -3,35 +3,44 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from dataclasses import dataclass
 from os import PathLike
-from typing import TypedDict, Unpack
+from typing import Annotated, Any, Literal
 
 import numpy as np
+import scipy
 from numpy.typing import ArrayLike
 
-from lommel.base import atomic, options, reading, validation
-from lommel.base.arrays import Array, Json, Values
+from lommel.base import atomic, reading, validation
+from lommel.base.arrays import Array, Values
+from lommel.base.options import In, Options, Shown, listed
 from lommel.core.answers import DType
 from lommel.io.photos import JPEG, PhotoError, find_depth, recognized
 
-RESAMPLE = ("nearest",)
+
+def _inverse(name: str, value: object) -> tuple[float, float]:
+    near, far = _pair(name, value)
+    near = validation.real(name, near, above=0.0, unit="metres")
+    return near, validation.real(name, far, above=near, infinite=True, unit="metres")
 
 
-class DepthKeywords(TypedDict, total=False):
-    """Options for the conversion of stored values to metres; see :class:`DepthValues`."""
-
-    scale: float | None
-    inverse: tuple[float, float] | None
-    disparity: tuple[float, float] | None
-    zero_is_unknown: bool
-    unknown: Sequence[float]
-    resample: str | None
+def _disparity(name: str, value: object) -> tuple[float, float]:
+    product, offset = _pair(name, value)
+    return validation.real(name, product, above=0.0, unit="metres times pixels"), validation.real(name, offset)
 
 
-@dataclass(frozen=True)
-class DepthValues:
+def _pair(name: str, value: object) -> tuple[object, object]:
+    if not isinstance(value, tuple | list) or len(value) != 2:
+        raise TypeError(f"{name} must be two numbers, got {validation.shown(value)}")
+    return value[0], value[1]
+
+
+def _numbers(name: str, value: ArrayLike) -> tuple[float, ...]:
+    return tuple(np.atleast_1d(validation.number_array(name, value)).astype(float).tolist())
+
+
+@dataclass(frozen=True, kw_only=True)
+class DepthOptions(Options):
     """Conversion of the stored values of a depth map to metres; at most one of the first three options is given.
 
     Parameters
@@ -52,6 +61,8 @@ class DepthValues:
     resample : {"nearest"}, optional
         Resample a map of another size and the same aspect ratio. Each pixel of the photograph gets the value of the
         map pixel that contains its centre, so that distances are not averaged across edges.
+    missing : {"nearest", "infinity"}, optional
+        Replace unknown depth by that of the nearest pixel with a known depth, or by infinity.
 
     Raises
     ------
@@ -59,33 +70,22 @@ class DepthValues:
         If an argument is of another type or out of range, or if two of `scale`, `inverse` and `disparity` are given.
     """
 
-    scale: float | None = None
-    inverse: tuple[float, float] | None = None
-    disparity: tuple[float, float] | None = None
-    zero_is_unknown: bool = False
-    unknown: Sequence[float] = ()
-    resample: str | None = None
+    scale: Annotated[
+        float | None, In(least=1e-12, most=1e12, unit="metres per level"), Shown(flags=("--depth-scale",))
+    ] = None
+    inverse: Annotated[
+        tuple[float, float] | None, _inverse, Shown(("--inverse-depth",), length="m", metavar="NEAR FAR")
+    ] = None
+    disparity: Annotated[tuple[float, float] | None, _disparity, Shown(metavar="FB OFFSET")] = None
+    zero_is_unknown: Annotated[bool, Shown(("--zero-unknown",))] = False
+    unknown: Annotated[tuple[float, ...], _numbers] = ()
+    resample: Literal["nearest"] | None = None
+    missing: Literal["nearest", "infinity"] | None = None
 
     def __post_init__(self) -> None:
-        valid: Json = {"zero_is_unknown": validation.truth("zero_is_unknown", self.zero_is_unknown)}
+        super().__post_init__()
         if sum(option is not None for option in (self.scale, self.inverse, self.disparity)) > 1:
             raise ValueError("give only one of `scale`, `inverse` and `disparity`, which state how metres are stored")
-        if self.scale is not None:
-            valid["scale"] = validation.real("scale", self.scale, least=1e-12, most=1e12, unit="metres per level")
-        if self.inverse is not None:
-            near, far = _check_pair("inverse", self.inverse)
-            near = validation.real("inverse", near, above=0.0, unit="metres")
-            valid["inverse"] = near, validation.real("inverse", far, above=near, infinite=True, unit="metres")
-        if self.disparity is not None:
-            product, offset = _check_pair("disparity", self.disparity)
-            product = validation.real("disparity", product, above=0.0, unit="metres times pixels")
-            valid["disparity"] = product, validation.real("disparity", offset)
-        valid["unknown"] = tuple(
-            np.atleast_1d(validation.number_array("unknown", self.unknown)).astype(float).tolist()
-        )
-        if self.resample is not None:
-            validation.choice("resample", self.resample, RESAMPLE)
-        vars(self).update(valid)
 
     @property
     def states_metres(self) -> bool:
@@ -188,15 +188,26 @@ class DepthValues:
         return values[np.ix_(row_index, column_index)]
 
 
-def _check_pair(name: str, value: object) -> tuple[object, object]:
-    if not isinstance(value, tuple | list) or len(value) != 2:
-        raise TypeError(f"{name} must be two numbers, got {validation.shown(value)}")
-    return value[0], value[1]
+def fill_missing(depth: Values, missing: str | None) -> Values:
+    """Return a depth map with NaN replaced by the nearest depth or infinity; unchanged for None."""
+    unknown = np.isnan(depth)
+    if missing is None or not unknown.any():
+        return depth
+    if missing == "infinity":
+        return np.where(unknown, np.inf, depth)
+    if unknown.all():
+        raise ValueError('depth is unknown everywhere; pass a map with depths, or missing="infinity"')
+    indices = scipy.ndimage.distance_transform_edt(unknown, return_distances=False, return_indices=True)
+    return np.asarray(depth[tuple(indices)])
 
 
-@options.shares(DepthKeywords, DepthValues)
+@listed(DepthOptions)
 def read_depth(
-    path: str | PathLike[str], *, shape: tuple[int, ...] | None = None, **keywords: Unpack[DepthKeywords]
+    path: str | PathLike[str],
+    *,
+    shape: tuple[int, ...] | None = None,
+    options: DepthOptions | None = None,
+    **given: Any,
 ) -> Array:
     """Read a depth map: the distance of every point from the lens, NaN where it is unknown.
 
@@ -207,12 +218,14 @@ def read_depth(
         equal channels count as grey, and an alpha channel that is opaque everywhere is ignored.
     shape : tuple of int, optional
         Shape of the photograph, height and width first, which the map must have or to which it is resampled.
+    options : DepthOptions, optional
+        Options as an object, which keywords change.
     {options}
 
     Returns
     -------
     ndarray, shape (height, width)
-        Metres; may hold infinity and NaN.
+        Metres; may hold infinity, and NaN without `missing`.
 
     Raises
     ------
@@ -230,8 +243,7 @@ def read_depth(
     UserWarning
         If the largest value of floats without a conversion is 1, or the highest level for `inverse` is very low.
     """
-    options.require_known(read_depth, keywords, DepthKeywords)
-    source, conversion = validation.path("path", path), DepthValues(**keywords)
+    source, conversion = validation.path("path", path), DepthOptions.of("read_depth", options, given)
     size = None if shape is None else validation.image_shape(tuple(shape[:2]))
     if size is None and conversion.resample is not None:
         raise ValueError("resample needs the shape to resample to")
@@ -247,7 +259,8 @@ def read_depth(
         raise PhotoError(f"{name} has the shape {values.shape}; a depth map has (height, width)")
     if values.dtype.kind not in "iuf":
         raise PhotoError(f"{name} holds {values.dtype}; a depth map holds numbers")
-    return conversion.metres(values if size is None else conversion.fitted(values, size, name), name)
+    metres = conversion.metres(values if size is None else conversion.fitted(values, size, name), name)
+    return fill_missing(metres, conversion.missing)
 
 
 def write_depth(path: str | PathLike[str], depth: ArrayLike) -> None:

@@ -1,16 +1,14 @@
-"""Read and write photographs with their EXIF, sequences of frames, and the file formats of depth maps."""
+"""Read and write photographs with their EXIF, and the file formats of depth maps."""
 
 from __future__ import annotations
 
-import errno
 import io
 import math
-import os
 import re
 import struct
 import warnings
 import zlib
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from functools import partial
@@ -26,7 +24,7 @@ from lommel.base.arrays import Values
 from lommel.base.encoding import ENCODINGS, from_light, scene_light
 from lommel.base.optional import library, version
 from lommel.io import registry
-from lommel.io.registry import Description, Format
+from lommel.io.registry import Format
 
 if TYPE_CHECKING:
     from PIL.Image import Exif as Tags
@@ -38,7 +36,6 @@ PREFIX = b"Exif\0\0"
 Entry = tuple[int, int, bytes]  # type, number of values, and values as little-endian bytes
 Directory = dict[int, Entry]
 
-_FILM_DIAGONAL = math.hypot(36e-3, 24e-3)
 _TYPE_BYTES = {1: 1, 2: 1, 3: 2, 4: 4, 5: 8, 6: 1, 7: 1, 8: 2, 9: 4, 10: 8, 11: 4, 12: 8, 129: 1}  # bytes per type
 # Types of more than one byte, whose byte order matters.
 _WORD_TYPES = {3: "u2", 8: "u2", 12: "u8", **dict.fromkeys((4, 5, 9, 10, 11), "u4")}
@@ -58,8 +55,6 @@ class Exif:
     focal_length : float or None
         Focal length of the lens, metres.
     f_number : float or None
-    film_focal_length : float or None
-        Focal length (metres) that has the same angle of view on film of 36 mm x 24 mm.
     block : bytes or None
         EXIF that :func:`lommel.imaging.write_photo` stores: camera, lens, exposure, dates, place, artist and
         copyright, without orientation, thumbnail and maker's notes.
@@ -67,36 +62,7 @@ class Exif:
 
     focal_length: float | None = None
     f_number: float | None = None
-    film_focal_length: float | None = None
     block: bytes | None = field(default=None, repr=False, compare=False)
-
-    def pixel(self, shape: tuple[int, ...]) -> float:
-        """Return the pixel pitch (metres) of an image of `shape` that covers the diagonal of the sensor.
-
-        EXIF rounds the film equivalent to whole millimetres, so that the pitch may be wrong by a few per cent.
-
-        Parameters
-        ----------
-        shape : tuple of int
-            Begins with height and width, in pixels.
-
-        Returns
-        -------
-        float
-
-        Raises
-        ------
-        TypeError
-            If `shape` is not the shape of an image.
-        ValueError
-            If `focal_length` or `film_focal_length` is None, or a side is out of range.
-        """
-        if not isinstance(shape, tuple | list) or len(shape) < 2:
-            raise TypeError(f"shape must be (height, width), got {validation.shown(shape)}")
-        validation.image_shape(tuple(shape[:2]))
-        if self.focal_length is None or self.film_focal_length is None:
-            raise ValueError("the EXIF does not state a focal length and its 35 mm equivalent; give the pixel pitch")
-        return _FILM_DIAGONAL * self.focal_length / self.film_focal_length / math.hypot(*shape[:2])
 
 
 def parsed(tags: dict[int, Any], stored: bytes | None) -> Exif:
@@ -107,9 +73,9 @@ def parsed(tags: dict[int, Any], stored: bytes | None) -> Exif:
         number = math.nan if value is None else float(value)
         return number if 0.0 < number < math.inf else None
 
-    # FocalLength and FocalLengthIn35mmFilm (both in millimetres) and FNumber of EXIF 2.32.
-    focal, film = positive_value(0x920A), positive_value(0xA405)
-    return Exif(focal and 1e-3 * focal, positive_value(0x829D), film and 1e-3 * film, stored and _copy_tags(stored))
+    # FocalLength (millimetres) and FNumber of EXIF 2.32.
+    focal = positive_value(0x920A)
+    return Exif(focal and 1e-3 * focal, positive_value(0x829D), stored and _copy_tags(stored))
 
 
 def _copy_tags(stored: bytes) -> bytes | None:
@@ -263,10 +229,8 @@ def _exr_bytes(channels: dict[str, Values]) -> bytes:
     return buffer.getvalue()
 
 
-def write_exr(values: Values, _quality: int, profile: bytes | None) -> bytes:
+def write_exr(values: Values, _profile: None = None) -> bytes:
     """Return a photograph as an EXR file, without loss."""
-    if profile is not None:
-        raise ValueError("EXR files have no ICC profile; write .tif, or leave the profile out")
     return _exr_bytes({"RGB" if values.ndim == 3 else "Y": values})
 
 
@@ -299,50 +263,41 @@ _SAMPLE_BYTES = 2**17  # bytes of the sample from which the compression strategy
 
 
 @dataclass(frozen=True, eq=False)
-class Picture:
-    """Stored values of a photograph, rotated upright.
+class Photograph:
+    """Stored values of a photograph, upright.
 
     Attributes
     ----------
     values : ndarray, shape (height, width) or (height, width, 3)
-        uint8, uint16 or float.
+        Unsigned integers or floats.
     encoding : {"srgb", "linear"}
-    exif : Exif
+    exif : Exif, optional
     profile : bytes or None
         ICC profile, passed on without interpretation.
     """
 
     values: Values
     encoding: str
-    exif: Exif
+    exif: Exif = field(default_factory=Exif)
     profile: bytes | None = None
 
-    def light(self, dtype: DTypeLike = np.float32) -> Values:
+    def light(self) -> Values:
         """Return linear light; 1 is white.
-
-        Parameters
-        ----------
-        dtype : float32 or float64, default float32
 
         Returns
         -------
-        ndarray
+        ndarray of float32
             Light, of the shape of `values`.
-
-        Raises
-        ------
-        TypeError
-            If `dtype` is another type.
 
         Warns
         -----
         UserWarning
             If a value of the light exceeds 10, ten times white.
         """
-        return scene_light("the photograph", self.values, self.encoding, dtype)
+        return scene_light("the photograph", self.values, self.encoding, np.float32)
 
 
-def read_photo(path: str | PathLike[str], encoding: str | None = None) -> Picture:
+def read_photo(path: str | PathLike[str], encoding: str | None = None) -> Photograph:
     """Read a photograph (PNG, JPEG, TIFF, EXR, WebP, BMP, HEIC) and rotate it upright as its EXIF states.
 
     Parameters
@@ -353,7 +308,7 @@ def read_photo(path: str | PathLike[str], encoding: str | None = None) -> Pictur
 
     Returns
     -------
-    Picture
+    Photograph
         Holds uint8, uint16 or, from TIFF and EXR, floats.
 
     Raises
@@ -370,7 +325,7 @@ def read_photo(path: str | PathLike[str], encoding: str | None = None) -> Pictur
     if encoding is not None:
         validation.choice("encoding", encoding, ENCODINGS)
     values, exif, profile = read_raster(path)
-    return Picture(values, encoding or ("linear" if values.dtype.kind == "f" else "srgb"), exif, profile)
+    return Photograph(values, encoding or ("linear" if values.dtype.kind == "f" else "srgb"), exif, profile)
 
 
 def read_raster(path: str | PathLike[str]) -> tuple[Values, Exif, bytes | None]:
@@ -433,30 +388,25 @@ def write_photo(
     *,
     encoding: str = "srgb",
     dtype: DTypeLike = np.uint8,
-    quality: int = 95,
-    profile: bytes | None = None,
-    exif: Exif | None = None,
+    like: Photograph | None = None,
 ) -> float:
     """Write light as a photograph; the suffix chooses PNG, JPEG, TIFF or EXR.
 
-    Integers are clipped at black and white, as on a sensor; floats are not. The file is written under a temporary
-    name and moved into place.
+    Integers are clipped at black and white, as on a sensor; floats are not. A JPEG has the quality 95 and no chroma
+    subsampling. The file is written under a temporary name and moved into place.
 
     Parameters
     ----------
     path : path
-        .png (uint8, uint16), .jpg (uint8), .tif (uint8, uint16, float32) or .exr (float32, without profile).
+        .png (uint8, uint16), .jpg (uint8), .tif (uint8, uint16, float32) or .exr (float32).
     light : ndarray of float, shape (height, width) or (height, width, 3)
         1 is white.
     encoding : {"srgb", "linear"}, default "srgb"
         Encoding of the stored values.
     dtype : uint8, uint16 or float32, default uint8
-    quality : int, default 95
-        Quality of a JPEG, 1 to 100; there is no chroma subsampling.
-    profile : bytes, optional
-        An ICC profile to store.
-    exif : Exif, optional
-        EXIF of the source photograph, whose `block` is stored; EXR files cannot hold it (ValueError).
+    like : Photograph, optional
+        Source photograph, whose EXIF is stored, and its ICC profile if the encoding is the same, since a profile
+        describes the stored values. EXR files hold neither.
 
     Returns
     -------
@@ -470,26 +420,15 @@ def write_photo(
     OSError
         If the file cannot be written.
     """
-    find(path)
-    if profile is not None:
-        validation.instance("profile", profile, bytes)
-    validation.optional("exif", exif, Exif)
+    form = find(path)
+    validation.optional("like", like, Photograph)
     values, clipped = stored(light, encoding, dtype)
-    validation.integer("quality", quality, least=1, most=100)
-    atomic.write(Path(path), encoded(path, values, quality, profile, exif.block if exif else None))
+    find(path, holding=f"of {values.dtype.name}")
+    profile, block = None, None
+    if like is not None and _EXIF in form.holds:
+        profile, block = like.profile if encoding == like.encoding else None, like.exif.block
+    atomic.write(Path(path), form.write(values, profile, *([] if block is None else [block])))
     return clipped
-
-
-def write_like(
-    picture: Picture, path: str | PathLike[str], light: Values, *, encoding: str, dtype: DTypeLike, quality: int = 95
-) -> float:
-    """Write light by :func:`write_photo`, with the EXIF of the source photograph if the format can hold it.
-
-    The ICC profile is copied only if the encoding is that of the source, since it describes the stored values.
-    """
-    profile = picture.profile if encoding == picture.encoding else None
-    exif = picture.exif if _EXIF in find(path).holds else None
-    return write_photo(path, light, encoding=encoding, dtype=dtype, quality=quality, profile=profile, exif=exif)
 
 
 def stored(light: Values, encoding: str, dtype: DTypeLike) -> tuple[Values, float]:
@@ -511,17 +450,6 @@ def stored(light: Values, encoding: str, dtype: DTypeLike) -> tuple[Values, floa
     low, high = (half_level / 12.92, half_level * 2.4 / 1.055) if encoding == "srgb" else (half_level, half_level)
     clipped_fraction = float(np.mean((light < -low) | (light > 1.0 + high)))
     return from_light(clipped_light, encoding, kind), clipped_fraction
-
-
-def encoded(
-    path: str | PathLike[str], values: Values, quality: int, profile: bytes | None = None, block: bytes | None = None
-) -> bytes:
-    """Return the bytes of a photograph in the format of the suffix of `path`, with the EXIF `block` if given."""
-    form = find(path, holding=f"of {values.dtype.name}")
-    if block is not None:
-        find(path, holding=_EXIF)
-    written: bytes = form.write(values, quality, profile, *([] if block is None else [block]))
-    return written
 
 
 _BAND_PIXELS = 2**20  # number of pixels that are converted to an array in one step
@@ -626,7 +554,7 @@ def read_tiff(data: bytes, *, levels: bool = False) -> tuple[Values, Tags, bytes
     return values.astype(values.dtype.newbyteorder("="), copy=False), tags, profile, data
 
 
-def write_png(values: Values, _quality: int, profile: bytes | None, block: bytes | None = None) -> bytes:
+def write_png(values: Values, profile: bytes | None, block: bytes | None = None) -> bytes:
     """Return a PNG file, uncompressed if :mod:`lommel.base.reading` would refuse to inflate the compressed file."""
     bits = 8 * values.dtype.itemsize
     memory = reading.png_takes(values.shape[0] * values.shape[1], bits, values.ndim == 3)
@@ -640,11 +568,11 @@ def write_png(values: Values, _quality: int, profile: bytes | None, block: bytes
     return contents
 
 
-def _write_jpeg(values: Values, quality: int, profile: bytes | None, block: bytes | None = None) -> bytes:
-    return _encode("jpeg", values, profile, block, quality=quality, subsampling=0)
+def _write_jpeg(values: Values, profile: bytes | None, block: bytes | None = None) -> bytes:
+    return _encode("jpeg", values, profile, block, quality=95, subsampling=0)
 
 
-def write_tiff(values: Values, _quality: int, profile: bytes | None, block: bytes | None = None) -> bytes:
+def write_tiff(values: Values, profile: bytes | None, block: bytes | None = None) -> bytes:
     """Return a TIFF file, without loss."""
     import tifffile
 
@@ -744,138 +672,8 @@ registry.register(
     _photo((".heic", ".heif"), read=partial(_decode, reading.heic), starts=reading.HEIC, library="pillow_heif"),
     _depth((".npy",), partial(atomic.contents, np.save), _read_npy, (b"\x93NUMPY",)),
     _depth((".pfm",), _write_pfm, _read_pfm, (b"Pf", b"PF")),
-    _depth(
-        (".tif", ".tiff"), partial(write_tiff, _quality=100, profile=None), _read_raster, TIFF, library="tifffile"
-    ),
+    _depth((".tif", ".tiff"), partial(write_tiff, profile=None), _read_raster, TIFF, library="tifffile"),
     _depth((".png",), read=_read_raster, starts=PNG),
     _depth((".exr",), write_depth, read_depth, START, library="OpenEXR"),
 )
 find, find_depth = partial(registry.find, "photo"), partial(registry.find, "depth map")
-
-_NUMBER = re.compile(r"%0?\d?d")
-
-
-def check_pattern(path: str | PathLike[str], name: str = "path") -> Path:
-    """Check and return a path for frames: with a number such as ``%03d``, or without it for an animation or stack."""
-    target = validation.path("path", path)
-    numbers = _NUMBER.findall(target.name)
-    if len(numbers) != target.name.count("%") or len(numbers) > 1 or "%" in str(target.parent):
-        raise ValueError(
-            f"{name} may have one number such as %03d in its last part and no other %, "
-            f"got {validation.shown(str(path))}"
-        )
-    if numbers:
-        find(target, name)
-        return target
-    try:
-        registry.find("frames", target, name)
-    except ValueError as error:
-        raise ValueError(f"{error}; with a number such as %03d each frame becomes a photograph") from None
-    return target
-
-
-def is_animation(path: str | PathLike[str]) -> bool:
-    """Return True if frames are written to a single animation, which has 8 bits per channel."""
-    target = validation.path("path", path)
-    return not _NUMBER.search(target.name) and registry.find("frames", target).holds == (_8,)
-
-
-def write_frames(
-    path: str | PathLike[str],
-    frames: Iterable[Values],
-    *,
-    fps: float = 12.0,
-    quality: int = 95,
-    exif: Exif | None = None,
-) -> list[Path]:
-    """Write frames and return the paths of the files; an error leaves no new file.
-
-    Parameters
-    ----------
-    path : path
-        With a number such as ``%03d``: one photograph per frame, counted from 1. Without: an 8-bit animation, .gif
-        (256 colours per frame), .png or .apng (lossless) or .webp; or a TIFF stack.
-    frames : iterable of ndarray
-        Stored values of each frame; all frames have the same shape and type.
-    fps : float, default 12
-        Frames per second of an animation, which repeats forever.
-    quality : int, default 95
-        Quality of JPEG and WebP, 1 to 100.
-    exif : Exif, optional
-        EXIF, stored in photographs if the format can hold it; omitted from animations and stacks.
-
-    Returns
-    -------
-    list of path
-
-    Raises
-    ------
-    TypeError, ValueError
-        If an argument is out of range, or if the frames are none or differ in shape or type.
-    OSError
-        If a file cannot be written.
-    """
-    target = check_pattern(path)
-    duration = 1000.0 / validation.real("fps", fps, least=1e-3, below=1000.0)
-    validation.integer("quality", quality, least=1, most=100)
-    if not _NUMBER.search(target.name):
-        stored_frames = list(_check_frames(frames))
-        form = registry.find("frames", target, holding=f"of {stored_frames[0].dtype.name}")
-        atomic.write(target, form.write(stored_frames, duration, quality))
-        return [target]
-    if not target.parent.is_dir():  # checked before the first frame is computed
-        raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), str(target))
-    paths, block = [], exif.block if exif is not None and _EXIF in find(target).holds else None
-    with atomic.whole_files() as write:
-        for number, frame in enumerate(_check_frames(frames), 1):
-            paths.append(target.with_name(target.name % number))
-            write(paths[-1], encoded(target, frame, quality, None, block))
-    return paths
-
-
-def _check_frames(frames: Iterable[Values]) -> Iterable[Values]:
-    first_frame = None
-    if not isinstance(frames, Iterable) or getattr(frames, "ndim", 1) == 0 or np.ma.is_masked(frames):
-        raise TypeError(f"frames must be arrays, got {validation.shown(frames)}")
-    for frame in frames:
-        if not isinstance(frame, np.ndarray) or frame.ndim not in (2, 3):
-            raise TypeError(
-                f"frames must be arrays of shape (height, width) or with 3 channels, got {validation.shown(frame)}"
-            )
-        first_frame = frame if first_frame is None else first_frame
-        if (frame.shape, frame.dtype) != (first_frame.shape, first_frame.dtype):
-            raise ValueError(
-                f"frames must have the same shape and type, "
-                f"got {first_frame.shape} {first_frame.dtype} and {frame.shape} {frame.dtype}"
-            )
-        yield frame
-    if first_frame is None:
-        raise ValueError("there must be at least one frame")
-
-
-def _write_stack(frames: list[Values], _duration: float, _quality: int) -> bytes:
-    import tifffile
-
-    photometric = "rgb" if frames[0].ndim == 3 else "minisblack"
-    return atomic.contents(tifffile.imwrite, np.stack(frames), photometric=photometric, metadata=None)
-
-
-def _write_animation(form: str, frames: list[Values], duration: float, quality: int) -> bytes:
-    from PIL import Image, features
-
-    if form == "webp" and not features.check("webp"):
-        raise ImportError("this Pillow has no WebP; write .png, .gif or .tif")
-    first_image, *other_images = map(Image.fromarray, frames)
-    options: Description = {"quality": quality} if form == "webp" else {}
-    options["duration"] = duration if form == "png" else round(duration)
-    return atomic.contents(first_image.save, form, save_all=True, append_images=other_images, loop=0, **options)
-
-
-_MORE_BITS = ("of uint16", "of float32", "of float64")
-_animated = partial(Format, "frames", library="PIL.Image", holds=(_8,))
-registry.register(
-    _animated((".gif",), partial(_write_animation, "gif"), what="256 colours per frame"),
-    _animated((".png", ".apng"), partial(_write_animation, "png")),
-    _animated((".webp",), partial(_write_animation, "webp")),
-    Format("frames", (".tif", ".tiff"), _write_stack, library="tifffile", holds=(_8, *_MORE_BITS)),
-)

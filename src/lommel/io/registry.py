@@ -18,7 +18,6 @@ KINDS = {
     "colours": "a PSF in channels",
     "field": "a grid of PSFs",
     "photo": "a photograph",
-    "frames": "frames",
     "depth map": "depth",
     "images": "images",
     "zernike": "Zernike coefficients",
@@ -61,7 +60,7 @@ class Format:
     Parameters
     ----------
     kind : str
-        "psf", "colours", "field", "photo", "frames", "depth map", "images", "zernike", "opd", "molecules" or "video".
+        "psf", "colours", "field", "photo", "depth map", "images", "zernike", "opd", "molecules" or "video".
     suffixes : tuple of str
         Suffixes of the files, in lower case and with a dot.
     write, read : callable, optional
@@ -95,9 +94,8 @@ class Format:
     - "colours": as "psf", for a ColourPSF; pictures are not read
     - "field": write(PSFGrid, description, path), which writes the file itself; read(path, class of PSF) -> (PSF,
       description)
-    - "photo": write(values, quality, ICC profile or None) -> bytes, and if `holds` has "with EXIF" a fourth argument,
+    - "photo": write(values, ICC profile or None) -> bytes, and if `holds` has "with EXIF" a third argument,
       the EXIF bytes; read(bytes) -> (values, EXIF tags, ICC profile or None), optionally followed by the EXIF bytes
-    - "frames": write(list of values, milliseconds of each frame, quality) -> bytes
     - "depth map": write(float32 values) -> bytes; read(bytes, metres per level or None) -> values
     - "images": read(bytes, name of one of several images or None) -> (values, header); the values have the shape
       (height, width) or (n, height, width), the header has the names of FITS

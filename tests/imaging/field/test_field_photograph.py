@@ -19,14 +19,8 @@ LENS = lm.Lens(focal_length=8e-3, f_number=N, focus_distance=np.inf, wavelength=
 WAVES = {"W131": 0.8, "W222": 0.5, "W311": -16 * PIXEL / (2 * 540e-9 * N)}
 BENT = lm.FieldMap.from_seidel(EDGE, W311=WAVES["W311"], aperture=LENS.pupil(np.inf).unaberrated())
 FIELD = lm.FieldMap.from_seidel(EDGE, **WAVES, aperture=LENS.pupil(np.inf).unaberrated())
-OPTIONS = {
-    "encoding": "linear",
-    "energy": 0.98,
-    "largest": 30,
-    "border": "zero",
-    "wavelengths": (600e-9, 540e-9, 460e-9),
-}
-SPOTS = [(29.0, 45.0), (9.0, 12.0), (52.0, 78.0)]
+CHANNELS = (600e-9, 540e-9, 460e-9)
+SPOTS = [(29.0, 45.0), (14.0, 12.0), (46.0, 76.0)]
 
 
 def coordinates(rows: np.ndarray, columns: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -64,9 +58,9 @@ def stretch(field: lm.FieldMap, wavelength: float) -> np.ndarray:
 def test_spots_are_those_of_the_sum_of_all_psfs_in_every_colour():
     """Only the 2 % of the light that windows lack, and the spline, may differ."""
     image = spots()
-    made = field_photograph(image, FIELD, PIXEL, **OPTIONS)
+    made = field_photograph(image, FIELD, PIXEL, encoding="linear")
     assert made.values.shape == image.shape
-    for k, wavelength in enumerate(OPTIONS["wavelengths"]):
+    for k, wavelength in enumerate(CHANNELS):
         # The sum conserves the light of points, the photograph the brightness of surfaces.
         true = summed(image[..., k] * stretch(FIELD, wavelength), FIELD, wavelength)
         assert np.abs(made.values[..., k] - true).max() < (made.error + 2.0 * made.lost) * image.max()
@@ -80,7 +74,7 @@ def test_spots_are_those_of_the_sum_of_all_psfs_in_every_colour():
 
 def test_distortion_and_lateral_colour_move_spots_by_as_much_as_formulas_say():
     """Third-order distortion moves light by 2 N lambda W311 H^3, the lateral colour of this table by H times it."""
-    made = field_photograph(spots(), BENT, PIXEL, **OPTIONS).values.astype(float)
+    made = field_photograph(spots(), BENT, PIXEL, encoding="linear").values.astype(float)
     for row, column in SPOTS:
         x, y = coordinates(row, column)
         h = np.hypot(x, y) / EDGE
@@ -121,10 +115,9 @@ def test_a_map_without_tilts_gives_the_blur_of_the_field_and_its_shading():
         assert (made.lost, made.error, made.window) == (blur.lost, blur.error, blur.window(0, 0).shape[0])
 
 
-@pytest.mark.parametrize("border", ["reflect", "extend"])
-def test_a_white_wall_stays_white_and_bytes_stay_bytes(border):
+def test_a_white_wall_stays_white_and_bytes_stay_bytes():
     white = np.full((70, 80, 3), 255, np.uint8)
-    made = field_photograph(white, BENT, PIXEL, encoding="srgb", energy=0.9, border=border)
+    made = field_photograph(white, BENT, PIXEL, encoding="srgb", energy=0.9)
     assert made.values.dtype == np.uint8
     np.testing.assert_array_equal(made.values, white)
 
@@ -163,7 +156,7 @@ def test_bad_questions_are_refused():
     with pytest.raises(ValueError, match="image must be grey"):
         field_photograph(np.zeros((20, 30, 3)), bare, 0.5, encoding="linear")
     assert field_photograph(image, bare, 0.5, encoding="linear", energy=0.9).values.shape == image.shape
-    with pytest.raises(ValueError, match="one entry for each of the 3 channels"):
-        field_photograph(np.zeros((20, 30, 3)), BENT, PIXEL, encoding="linear", wavelengths=(550e-9,))
+    with pytest.raises(ValueError, match="images must have one channel or three, got 2"):
+        field_photograph(np.zeros((20, 30, 2)), BENT, PIXEL, encoding="linear")
     with pytest.raises(TypeError, match="has no option"):
         field_photograph(image, BENT, PIXEL, encoding="linear", depth=None)

@@ -95,17 +95,19 @@ def made(deep: bool, dtype: type = np.float64, threads: int = 2) -> tuple[MixedB
     column = np.arange(WIDTH) + 0.0 * np.arange(HEIGHT)[:, None]
     defocus = np.where(column < WIDTH / 2, 0.0, column / WIDTH)
     focus, defocus = (Nodes(0.0, 1.0, 3), defocus) if deep else (Nodes(0.0, 0.0, 1), 0.0 * defocus)
-    return MixedBlur(windows, (down, across), focus, defocus, border="zero", threads=threads), down, across
+    return MixedBlur(windows, (down, across), focus, defocus, threads=threads), down, across
 
 
 def direct(engine: MixedBlur, down: np.ndarray, across: np.ndarray, light: np.ndarray) -> np.ndarray:
-    out = np.zeros((HEIGHT + SIDE - 1, WIDTH + SIDE - 1))
-    for y in range(HEIGHT):
-        for x in range(WIDTH):
+    half = SIDE // 2
+    rows, columns = (np.pad(np.arange(side), half, mode="symmetric") for side in (HEIGHT, WIDTH))
+    out = np.zeros((len(rows) + SIDE - 1, len(columns) + SIDE - 1))
+    for i, y in enumerate(rows):
+        for j, x in enumerate(columns):
             shares = engine.focus.weights(engine.defocus[y, x, None])[0]
             window = np.einsum("a,b,k,abkuv->uv", down[y], across[x], shares, engine.windows[:, :, : len(shares)])
-            out[y : y + SIDE, x : x + SIDE] += light[y, x] * window
-    return out[SIDE // 2 :, SIDE // 2 :][:HEIGHT, :WIDTH]
+            out[i : i + SIDE, j : j + SIDE] += light[y, x] * window
+    return out[2 * half :, 2 * half :][:HEIGHT, :WIDTH]
 
 
 @pytest.mark.parametrize("deep", [False, True])

@@ -7,7 +7,7 @@ import pytest
 
 from lommel import Lens, Noise
 from lommel.deconvolve.likelihood import PhotographLikelihood
-from lommel.imaging import DepthBlur, LinearBlur, OnePass, restore, restore_with
+from lommel.imaging import DepthBlur, LinearBlur, Occlusion, OnePass, restore
 from scenes import ThinLens, averaged, before, lommel_lens, plane, texture
 
 SIDE, LIGHT, READ = 128, 5000.0, 3.0
@@ -89,34 +89,36 @@ def test_colours_and_unknown_pixels_are_taken():
     photo, truth = photograph(1.7)
     colour = np.stack([photo, 0.5 * photo], axis=2)
     colour[60:64, 60:64, 0] = np.nan
-    found = restored(colour, np.full((SIDE, SIDE), 1.7), method=OnePass(), wavelengths=[[(540e-9, 1.0)]] * 2)
+    blur = Occlusion(DepthBlur(np.full((SIDE, SIDE), 1.7), lommel_lens(LENS), LENS.pixel, channels=[540e-9] * 2))
+    found = restore(colour, None, blur, encoding="linear", noise=NOISE, saturation=1.0, method=OnePass())
     alone = restored(photo, np.full((SIDE, SIDE), 1.7), method=OnePass())
     assert np.isfinite(found.light).all()
     assert found.unknown == pytest.approx(16 / colour.size)
     assert decibels(found.light[..., 0], truth) == pytest.approx(decibels(alone.light, truth), abs=0.3)
 
 
-def test_tiles_are_filtered_alike():
+def test_tiles_are_filtered_alike(monkeypatch):
+    monkeypatch.setattr("lommel.imaging.restoration.TILE", 64)
     photo, _ = photograph(1.7)
     depth = np.full((SIDE, SIDE), 1.7)
-    whole, tiled = (restored(photo, depth, method=OnePass(), tile=tile) for tile in (None, 64))
+    whole, tiled = (restored(photo, one, method=OnePass()) for one in (depth, depth.view(np.memmap)))
     assert tiled.stopped == "one pass"
     assert np.sqrt(np.mean(np.square(whole.values - tiled.values))) < 3e-3
 
 
-def test_blur_that_filters_do_not_reach_is_refused():
+def test_blur_that_filters_do_not_reach_is_refused(monkeypatch):
+    monkeypatch.setattr("lommel.imaging.one_pass._MAX_LOSS", 1e-3)
     wide = Lens(focal_length=35e-3, f_number=2.0, focus_distance=2.0, wavelength=540e-9)
     photo = 0.5 + 0.3 * texture("text", SIDE, 1)[::8, ::8]
-    with pytest.raises(ValueError, match=r"method=OnePass\(\) loses .* dB at 1.4 m, more than loss=0.001"):
-        restore(photo, np.full((SIDE, SIDE), 1.4), wide, 4e-6, encoding="linear", noise=Noise(white=1e5, read=3.0),
-                saturation=np.inf, largest=513, method=OnePass(loss=1e-3))  # fmt: skip
+    with pytest.raises(ValueError, match=r"method=OnePass\(\) loses .* dB at 1.4 m, because the blur is too wide"):
+        restore(photo, None, DepthBlur(np.full((SIDE, SIDE), 1.4), wide, 4e-6, largest=513), encoding="linear",
+                noise=Noise(white=1e5, read=3.0), method=OnePass())  # fmt: skip
 
 
 def test_other_operators_are_refused_by_name():
     with pytest.raises(ValueError, match=r"got the blur Identity; use RichardsonLucy\(\)"):
-        restore_with(np.ones((64, 64)), Identity(), NOISE, method=OnePass())
-    with pytest.raises(ValueError, match="loss must be > 0"):
-        OnePass(loss=0.0)
+        restore(np.ones((64, 64)), None, Identity(), encoding="linear", noise=NOISE, method=OnePass())
     depth = np.full((64, 64), 1.5)
     blur = DepthBlur(depth, lommel_lens(LENS), LENS.pixel)
-    assert restore_with(np.ones((64, 64)), blur, NOISE, method=OnePass()).light == pytest.approx(1.0, rel=1e-5)
+    found = restore(np.ones((64, 64)), None, blur, encoding="linear", noise=NOISE, method=OnePass())
+    assert found.light == pytest.approx(1.0, rel=1e-5)

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 import numpy as np
 import pytest
 
-from lommel import FieldMap, Lens, Noise
+from lommel import Lens, Noise
 from lommel.imaging import RichardsonLucy, TotalVariation, depth_of_field, restore
 
 LENS = Lens(focal_length=50e-3, f_number=2.8, focus_distance=2.0, wavelength=550e-9)
@@ -15,39 +17,35 @@ DEPTH[30:70, 40:80] = 2.0
 SCENE = np.random.default_rng(0).uniform(0.05, 0.8, (12, 14)).repeat(8, axis=0).repeat(8, axis=1)
 
 
-def photographed(occlusion: bool) -> np.ndarray:
-    light = depth_of_field(SCENE, DEPTH, LENS, PIXEL, encoding="linear", energy=0.995, occlusion=occlusion).values
-    return NOISE.record(5000.0 * np.maximum(light, 0.0), seed=1).astype(np.float32)
-
-
-PHOTO = photographed(True)
+LIGHT = depth_of_field(SCENE, DEPTH, LENS, PIXEL, encoding="linear", energy=0.995).values
+PHOTO = NOISE.record(5000.0 * np.maximum(LIGHT, 0.0), seed=1).astype(np.float32)
 GIVEN = {"encoding": "linear", "noise": NOISE}
+
+
+@pytest.fixture
+def by_tiles(monkeypatch):
+    """Restore as a memory map is restored, in tiles of some side."""
+
+    def restored(photo, depth, *arguments, side, **options):
+        monkeypatch.setattr("lommel.imaging.restoration.TILE", side)
+        return restore(photo, np.asarray(depth).view(np.memmap), *arguments, **options)
+
+    return restored
 
 
 @pytest.mark.parametrize(
     ("way", "name"), [(RichardsonLucy(), "steps"), (TotalVariation(), "strength")], ids=["likelihood", "variation"]
 )
-@pytest.mark.parametrize("occlusion", [True, False])
-def test_tiles_are_those_of_the_whole_done_as_far(way, name, occlusion):
-    told, photo = [], photographed(occlusion)
-    found = restore(
-        photo,
-        DEPTH,
-        LENS,
-        PIXEL,
-        method=way,
-        tile=48,
-        occlusion=occlusion,
-        progress=lambda *at: told.append(at),
-        **GIVEN,
-    )
+def test_tiles_are_those_of_the_whole_done_as_far(way, name, by_tiles):
+    told: list[tuple[int, int]] = []
+    found = by_tiles(PHOTO, DEPTH, LENS, PIXEL, method=way, side=48, progress=lambda *at: told.append(at), **GIVEN)
     assert told == [(k, 6) for k in range(1, 7)]
     fixed = (
         RichardsonLucy(steps=found.steps, target=0.0) if name == "steps" else TotalVariation(strength=found.strength)
     )
-    whole = restore(photo, DEPTH, LENS, PIXEL, method=fixed, occlusion=occlusion, **GIVEN)
+    whole = restore(PHOTO, DEPTH, LENS, PIXEL, method=fixed, **GIVEN)
     # A search passes other strengths, from which light of the same strength keeps a little.
-    limit = 1e-2 if not occlusion else 1e-3 if name == "steps" else 2e-3
+    limit = 1e-3 if name == "steps" else 2e-3
     assert np.sqrt(np.mean((found.values - whole.values) ** 2)) < limit
     # No seams: the difference, small as it is, is not much larger where tiles meet.
     off = np.abs(found.values - whole.values)
@@ -58,37 +56,39 @@ def test_tiles_are_those_of_the_whole_done_as_far(way, name, occlusion):
 
 
 @pytest.mark.parametrize("side", [None, 64])
-def test_what_a_mask_hides_is_unknown_as_nan_is(side):
+def test_what_a_mask_hides_is_unknown_as_nan_is(side, by_tiles):
+    restored = partial(by_tiles, side=side) if side else restore
     hidden = np.zeros(PHOTO.shape, dtype=bool)
     hidden[40:43, 60:70] = True
-    given = GIVEN | {"method": RichardsonLucy(steps=3), "tile": side}
-    masked = restore(np.ma.masked_array(PHOTO, hidden), DEPTH, LENS, PIXEL, **given)
-    unknown = restore(np.where(hidden, np.float32(np.nan), PHOTO), DEPTH, LENS, PIXEL, **given)
+    given = GIVEN | {"method": RichardsonLucy(steps=3)}
+    masked = restored(np.ma.masked_array(PHOTO, hidden), DEPTH, LENS, PIXEL, **given)
+    unknown = restored(np.where(hidden, np.float32(np.nan), PHOTO), DEPTH, LENS, PIXEL, **given)
     np.testing.assert_array_equal(masked.values, unknown.values)
     assert masked.unknown == pytest.approx(hidden.mean())
     assert set(masked.to_dict()) >= {"status", "discrepancy", "findings"}
     assert "values" not in masked.to_dict()
 
 
-def test_files_are_read_and_written_as_they_are(tmp_path):
+def test_files_are_read_and_written_as_they_are(tmp_path, monkeypatch):
+    monkeypatch.setattr("lommel.imaging.restoration.TILE", 64)
     srgb = np.clip(np.rint(255 * PHOTO[..., None].repeat(3, axis=2)), 0, 255).astype(np.uint8)
     stored = {name: tmp_path / f"{name}.npy" for name in ("photo", "depth", "out")}
     np.save(stored["photo"], srgb)
-    np.save(stored["depth"], np.where(DEPTH == 2.0, np.nan, DEPTH))
+    np.save(stored["depth"], DEPTH)
     out = np.lib.format.open_memmap(stored["out"], "w+", srgb.dtype, srgb.shape)
     photo, depth = (np.load(stored[name], mmap_mode="r") for name in ("photo", "depth"))
-    given = {"encoding": "srgb", "noise": NOISE, "missing": "nearest"}
-    found = restore(photo, depth, LENS, PIXEL, tile=64, out=out, **given)
+    given = {"encoding": "srgb", "noise": NOISE}
+    found = restore(photo, depth, LENS, PIXEL, out=out, **given)
     assert found.values is out
     whole = restore(srgb, np.array(depth), LENS, PIXEL, **given)
     assert np.abs(out.astype(int) - whole.values).mean() < 2.0
 
 
-def test_each_pixel_keeps_its_own_noise():
+def test_each_pixel_keeps_its_own_noise(by_tiles):
     gains = np.random.default_rng(2).uniform(3000.0, 8000.0, DEPTH.shape)
     noise = Noise(white=gains, read=3.0)
     whole = restore(PHOTO, DEPTH, LENS, PIXEL, encoding="linear", noise=noise)
-    found = restore(PHOTO, DEPTH, LENS, PIXEL, encoding="linear", noise=noise, tile=48)
+    found = by_tiles(PHOTO, DEPTH, LENS, PIXEL, encoding="linear", noise=noise, side=48)
     assert np.abs(found.values - whole.values).mean() < 0.02
 
 
@@ -97,30 +97,27 @@ def test_each_pixel_keeps_its_own_noise():
     [
         ({"photo": PHOTO[0]}, "photo must have the shape"),
         ({"depth": DEPTH[1:]}, "depth must have the shape of the photo"),
-        ({"tile": 8}, "tile must be"),
         ({"out": np.empty((3, 3))}, "out must have the shape of the photo"),
         ({"out": PHOTO}, "share memory"),
-        ({"depth": np.where(DEPTH == 2.0, np.nan, DEPTH)}, "fill them by missing="),
-        ({"photo": np.where(np.arange(112) < 90, 1.0, PHOTO)}, r"columns \d+ to \d+, photo must have pixels .*tile="),
+        (
+            {"depth": np.where(DEPTH == 2.0, np.nan, DEPTH)},
+            "depth is NaN at some points; where the map is read, give missing=",
+        ),
+        (
+            {"photo": np.where(np.arange(112) < 90, 1.0, PHOTO)},
+            r"columns \d+ to \d+, photo must have pixels .*restored as a whole",
+        ),
     ],
 )
-def test_bad_arguments_are_refused_by_name(changes, said):
-    given = {"photo": PHOTO, "depth": DEPTH, "tile": 16, **GIVEN} | changes
+def test_bad_arguments_are_refused_by_name(changes, said, by_tiles):
+    given = {"photo": PHOTO, "depth": DEPTH, "side": 16, **GIVEN} | changes
     with pytest.raises(ValueError, match=said):
-        restore(given.pop("photo"), given.pop("depth"), LENS, PIXEL, **given)
+        by_tiles(given.pop("photo"), given.pop("depth"), LENS, PIXEL, **given)
 
 
-@pytest.mark.parametrize("field", [True, False])
-def test_the_whole_is_written_where_it_is_asked_for(field):
-    lens, depth = (FieldMap.from_seidel(2e-3, wavelength=550e-9, f_number=2.8), None) if field else (LENS, DEPTH)
+def test_the_whole_is_written_where_it_is_asked_for():
     given = GIVEN | {"method": RichardsonLucy(steps=2)}
     out = np.empty_like(PHOTO)
-    found = restore(PHOTO, depth, lens, PIXEL, out=out, **given)
+    found = restore(PHOTO, DEPTH, LENS, PIXEL, out=out, **given)
     assert found.values is out
-    assert np.array_equal(out, restore(PHOTO, depth, lens, PIXEL, **given).values)
-
-
-def test_a_field_map_has_no_tiles():
-    field = FieldMap.from_seidel(2e-3, wavelength=550e-9, f_number=2.8)
-    with pytest.raises(ValueError, match=r"tile is for a Lens, got a FieldMap; leave it out"):
-        restore(PHOTO, None, field, PIXEL, tile=64, **GIVEN)
+    assert np.array_equal(out, restore(PHOTO, DEPTH, LENS, PIXEL, **given).values)

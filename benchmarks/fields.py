@@ -26,6 +26,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "tests" / "share
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
 import lommel as lm
+import searches
 import simulated_fields as simulated
 from benchmarks.report import Table
 from benchmarks.timing import Settings
@@ -70,7 +71,7 @@ def one(row: Row, seed: int, telescope: simulated.Telescope) -> dict[str, float]
     options = {"pixel": row.pixel, "sigma": row.sigma, "defocus": row.defocus, "doubles": row.doubles}
     places, images, true = simulated.stars(draw, row.stars, waves, telescope, **options)
     began = time.process_time()
-    fit = lm.fit_field(
+    fit = searches.fit_field(
         images, places, lm.Pupil(), sensor=SENSOR, pixel=row.pixel, noise=NOISE, defocus=row.defocus, integrate=True
     )
     seconds = time.process_time() - began
@@ -95,7 +96,7 @@ def pixels(seed: int, stars: int, telescope: simulated.Telescope) -> tuple[float
     waves = simulated.field(draw)
     side = 33
     places, images, _ = simulated.stars(draw, stars, waves, telescope)
-    fit = lm.fit_field(images, places, lm.Pupil(), sensor=SENSOR, pixel=0.5, noise=NOISE, integrate=True)
+    fit = searches.fit_field(images, places, lm.Pupil(), sensor=SENSOR, pixel=0.5, noise=NOISE, integrate=True)
     u, v = draw.uniform(-0.95, 0.95, (2, 20))
     fresh = waves(u, v)
     exact = np.stack([telescope.image(one, (0.0, 0.0), 0.5, side, 0.6) for one in fresh])
@@ -134,7 +135,7 @@ def charts(count: int) -> list[str]:
             draw, 5, 7, waves, telescope, side=33, pixel=0.5, sigma=0.6, pitch=40.0
         )
         began = time.process_time()
-        fit = lm.fit_field(
+        fit = searches.fit_field(
             images, places, lm.Pupil(), sensor=SENSOR, pixel=0.5, noise=NOISE, degree=2, terms=5, targets="crossing",
             size=20.0, integrate=True,
         )  # fmt: skip
@@ -172,7 +173,7 @@ def donuts(count: int) -> list[str]:
         image = draw.poisson(image) + draw.normal(size=shape) * 2.0
         spots = lm.detection.find_spots(image, noise=NOISE, window=side, width=9.0)
         began = time.process_time()
-        fit = lm.fit_field(
+        fit = searches.fit_field(
             spots.windows, spots.places, pupil, sensor=shape, pixel=pixel, noise=NOISE, degree=1, terms=8,
             defocus=stated + draw.uniform(-1.0, 1.0), integrate=True,
         )  # fmt: skip
@@ -272,7 +273,7 @@ def traced(given: argparse.Namespace) -> None:
         true.append(2 * np.pi * terms[3 : 3 + given.terms])
     at = np.rint((np.stack([y, x], axis=1) + 1) * SENSOR[0] / 2 - 0.5)
     began = time.process_time()
-    fit = lm.fit_field(
+    fit = searches.fit_field(
         np.array(images), at, lm.Pupil(obscuration=inner), sensor=SENSOR, pixel=PIXEL, integrate=True,
         noise=lm.Noise(read=2.0), degree=given.degree, terms=given.terms, threads=1,
     )  # fmt: skip

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from scipy import ndimage
 
 import lommel as lm
+import searches
 from benchmarks.report import Table
 from benchmarks.timing import Contender, Settings, race
 from benchmarks.truth import intensity
@@ -262,9 +263,10 @@ def case(
 
 def fitted(given: Case, objective: lm.Objective, **more: Any) -> tuple[BeadFit, float]:
     """Return the fit from nothing, and seconds of CPU."""
-    asked = {"z": Z, "wavelength": WAVE, "pixel": PIXEL, "noise": NOISE, "priors": {}, "threads": 1} | STATED
+    asked = {"z": Z, "noise": NOISE, "priors": {}, "threads": 1} | STATED | more
+    microscope = lm.Microscope(objective, WAVE, asked.pop("pixel", PIXEL))
     begun = time.process_time()
-    found = lm.fit_beads(given.images, objective, **asked | more)
+    found = searches.fit_beads(given.images, microscope, **asked)
     return found, time.process_time() - begun
 
 

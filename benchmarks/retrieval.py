@@ -19,6 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import lommel as lm
+import searches
 from lommel.estimation.phase_retrieval import Retrieval
 
 Array = NDArray[np.float64]
@@ -63,7 +64,7 @@ def case(
 
 def ours(one: Case) -> Retrieval:
     """Fit by lommel."""
-    return lm.retrieve(
+    return searches.retrieve(
         one.images, lm.Pupil(), pixel=PIXEL, noise=NOISE, defocus=DEFOCUS, terms=one.names,
         also=("center",) if one.first > 3 else (), threads=1,
     )  # fmt: skip

@@ -170,6 +170,7 @@ def print_calls() -> None:
         depth=50e-9, z=z, wavelength=600e-9, aberrations=lm.Wavefront.zernike({5: 0.4, 7: -0.3}, order="noll")
     )
     bead = noise.record(2e4 * lm.microscopy.bead(light, 100e-9, 17, 6.5e-6).values + 10, seed=1)
+    microscope = lm.Microscope(objective, 600e-9, 6.5e-6)
     camera: dict[str, Any] = {"wavelength": 600e-9, "pixel": 6.5e-6, "noise": noise}
 
     rng, pupil = np.random.default_rng(5), lm.Pupil(lm.Wavefront(defocus=6.0))
@@ -199,7 +200,7 @@ def print_calls() -> None:
         ("depth of field, 64^2", lambda: lm.imaging.depth_of_field(photo, depth, lens, 8e-6, encoding="linear"), 1),
         (
             "a fit of a bead, 9 planes of 17^2, 5 terms",
-            lambda: lm.fit_beads(bead, objective, z=z, diameter=100e-9, terms=5, **camera),
+            lambda: lm.fit_beads(bead, microscope, z=z, noise=noise, diameter=100e-9, terms=5),
             1,
         ),
         (

@@ -21,6 +21,11 @@ from lommel.estimation.beads import fit_beads as fit_beads
 from lommel.estimation.depth_precision import best_depth_foci as best_depth_foci, depth_precision as depth_precision
 from lommel.estimation.field_fit import fit_field as fit_field
 from lommel.estimation.fisher import fisher as fisher
+from lommel.estimation.options import (
+    BeadOptions as BeadOptions,
+    FieldFitOptions as FieldFitOptions,
+    RetrieveOptions as RetrieveOptions,
+)
 from lommel.estimation.phase_retrieval import retrieve as retrieve
 from lommel.field.maps import FieldMap as FieldMap
 from lommel.field.psf_grid import PSFGrid as PSFGrid

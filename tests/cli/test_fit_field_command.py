@@ -61,8 +61,7 @@ def night(tmp_path_factory):
 
 
 def test_images_become_a_table_that_the_lens_file_reads(night, call_lommel):
-    moved = ("--defocus", -224.09, 224.09, "--defocus-unit", "um")  # dz / (8 N^2) is 2.5 / pi waves
-    call = ("fit-field", "stars.npy", "lens.toml", *moved, "--read", 2, "--window", 25, "--degree", 2)
+    call = ("fit-field", "stars.npy", "lens.toml", "--defocus", -2.5, 2.5, "--read", 2, "--window", 25, "--degree", 2)
     written = ("-o", "field.csv", "--plot", "field.png", "--spots", "spots.png")
     options = (*call, "--terms", 5, "--known-blur", 0, *written)
     text = call_lommel(*options, folder=night).stdout
@@ -100,7 +99,7 @@ def test_pixels_that_are_masked_or_nan_are_left_out_and_counted(night, call_lomm
     assert "33 of 16250 pixels left out" in found["message"]
     text = call_lommel(*call, folder=night).stdout
     assert "13 spots found; refused: 3 masked; 7635 pixels left out (masked or NaN)" in text
-    assert "- row 29, column 29: refused, masked" in text
+    assert re.search(r"^ *29 +29 +masked$", text, re.MULTILINE)
     np.save(night / "wrong.npy", np.zeros((10, 10), np.uint8))
     told = call_lommel("fit-field", "stars.npy", "lens.toml", *FOCI, "--mask", "wrong.npy", folder=night)
     assert "--mask must have the shape of the images, 220 x 220, one or 2" in told.stderr
@@ -128,7 +127,7 @@ def test_coma_and_focus_in_the_middle_come_first(night, call_lommel):
     assert abs(focus["shift"] - shift) < 4.0 * focus["error"] < 0.05 * abs(shift)
     assert coma["waves"] < 5.0 * coma["error"]
     lines = call_lommel(*call, folder=night).stdout.splitlines()
-    at = next(k for k, line in enumerate(lines) if line.startswith("term, waves rms"))
+    at = next(k for k, line in enumerate(lines) if line.startswith("waves rms, middle"))
     assert any(line.startswith("coma in the middle: 0.0") for line in lines[:at])
     assert any(
         re.fullmatch(r"focus in the middle: the sensor is 0\.22\d* \+- 0\.000\d\d mm away from the lens", line)
@@ -226,7 +225,7 @@ def test_a_picture_of_pinholes_becomes_a_table(tmp_path, call_lommel):
         (("blank.npy", "--targets", "crossing"), "0 crossings found; refused: none: squares must be larger than"),
         (("chart.npy", "--targets", "crossing", "--saturation", 3000), "17 saturated: expose less, below saturation"),
         (("chart.npy", "--targets", "crossing", "--window", 61), "at least 4 crossings of a checkerboard; "),
-        (("chart.npy", "--targets", "pinhole"), "--size must be the diameter of the pinholes"),
+        (("chart.npy", "--targets", "pinhole"), "size must be the diameter of the pinholes"),
         (("blank.npy", "--distortion", 3), "--distortion must be left out for stars"),
         (("chart.npy", "--size", "8um"), "--size must be left out for stars"),
     ],

@@ -127,7 +127,7 @@ def test_compare_takes_the_instrument_as_it_is_told_to_be(lenses):
 
 
 def microscope(**planes) -> Microscope:
-    return Microscope("oil", "", MATCHED, 610e-9, 5e-6, 6.5e-6, lm.Scalar(), shape=(5, 6), **planes)
+    return Microscope(MATCHED, 610e-9, 6.5e-6, depth=5e-6, emitter=lm.Scalar(), shape=(5, 6), name="oil", **planes)
 
 
 def test_a_stack_is_described_plane_by_plane():

@@ -19,7 +19,7 @@ wavelength = "550 nm"
 pixel = "1.1 um"
 shape = 33
 """
-NOISE = ["--read", "2", "--white", "0.5", "--offset", "100"]
+NOISE = ["--read", "2", "--gain", "0.5", "--offset", "100"]
 
 
 @pytest.fixture
@@ -36,15 +36,17 @@ def folder(tmp_path):
     return tmp_path
 
 
-def test_terms_come_with_deviations_and_the_verdict_last(folder, call_lommel):
+def test_terms_come_with_deviations_after_the_verdict(folder, call_lommel):
     result = call_lommel("retrieve", "star-*.tif", "lens.toml", "--defocus", -4, 0, 4, *NOISE, "--terms", 6,
                          "-o", "wave.json", "--plot", "fit.png", folder=folder)  # fmt: skip
     assert result.returncode == 0, result.stderr
     lines = result.stdout.splitlines()
     (coma,) = [line.split() for line in lines if "noll 8 coma x" in line]
     true = 0.6 / np.sqrt(8.0)
-    assert float(coma[-2]) == pytest.approx(true, abs=5 * float(coma[-1]))
-    assert any(line.startswith("converged: chi2 ") for line in lines)
+    value, error, unit = coma[-3:]
+    assert float(value) == pytest.approx(true, abs=5 * float(error))
+    assert unit == "rad"
+    assert lines[0].startswith("converged: chi2 ")
     assert lines[-2:] == ["wrote wave.json", "wrote fit.png: square roots of images and model"]
     assert (folder / "fit.png").stat().st_size > 10_000
     # A lens file reads it back, and what it makes has the coma.
@@ -52,14 +54,14 @@ def test_terms_come_with_deviations_and_the_verdict_last(folder, call_lommel):
     assert call_lommel("psf", "again.toml", "-o", "psf.npz", folder=folder).returncode == 0
     saved = json.loads((folder / "wave.json").read_text(encoding="utf-8"))
     assert list(saved["terms"]) == list(saved["standard_errors"]) == [str(j) for j in range(4, 10)]
-    assert saved["standard_errors"]["8"] == pytest.approx(float(coma[-1]) / (2 * np.pi), rel=0.1)
+    assert saved["standard_errors"]["8"] == pytest.approx(float(error) / (2 * np.pi), rel=0.1)
     kept = lm.PSF.load(folder / "psf.npz").pupil.wavefront.to_zernike(order="noll")
     assert float(kept[8]) == pytest.approx(true, abs=0.02)
 
 
 @pytest.mark.parametrize("files", [["pages.tif"], ["stack.npy"], ["star-0.tif", "star-1.tif", "star-2.tif"]])
 def test_the_same_images_have_the_same_answer_whatever_holds_them(files, folder, call_lommel):
-    options = ["lens.toml", "--defocus=-4 0 4", *NOISE, "--terms", "noll 4, noll 8", "--json"]
+    options = ["lens.toml", "--defocus", -4, 0, 4, *NOISE, "--terms", "noll 4, noll 8", "--json"]
     found = json.loads(call_lommel("retrieve", *files, *options, folder=folder).stdout)
     expected = json.loads(call_lommel("retrieve", "star-*.tif", *options, folder=folder).stdout)
     names = [f"pages.tif [{k}]" for k in range(3)] if files == ["pages.tif"] else files
@@ -78,7 +80,7 @@ def test_doubtful_standard_errors_are_said_in_the_verdict(folder, call_lommel):
     light = lm.Pupil(lm.Wavefront([-4.0, 0.0, 4.0], nonradial={(3, 1): 0.6}), wavelength=550e-9, f_number=4.0)
     mean = 1000.0 * lm.psf(light, 25, 1.1e-6).values + 20.0
     np.save(folder / "dim.npy", lm.Noise(read=2.0).record(mean, seed=4))
-    options = ["dim.npy", "lens.toml", "--defocus=-4 0 4", "--read", 2]
+    options = ["dim.npy", "lens.toml", "--defocus", -4, 0, 4, "--read", 2]
     shown = " ".join(call_lommel("retrieve", *options, folder=folder).stdout.split())
     said = "converged, but in doubt: chi2"
     assert said in shown
@@ -87,11 +89,11 @@ def test_doubtful_standard_errors_are_said_in_the_verdict(folder, call_lommel):
     assert not found["reliable"]
     assert found["message"].startswith(said)
     assert [each["code"] for each in found["findings"]] == ["too_dim", "untested"]
-    assert shown.endswith(found["message"])
+    assert "too dim: " in shown
 
 
 def test_what_images_do_not_tell_is_null(folder, call_lommel):
-    options = [*NOISE, "--terms", "spherical", "--also", "f_number, wavelength", "--json", "--starts", 1]
+    options = [*NOISE, "--terms", "spherical", "--also", "f_number, wavelength", "--json"]
     found = json.loads(call_lommel("retrieve", "star-2.tif", "lens.toml", *options, folder=folder).stdout)
     assert found["errors"]["wavelength"] is None
 
@@ -106,34 +108,21 @@ def test_terms_are_taken_by_the_names_that_are_printed(folder, call_lommel):
     assert list(plain["coefficients"]) == ["defocus", "spherical"]
 
 
-def test_defocus_may_be_given_in_waves_or_as_displacements_of_the_sensor(folder, call_lommel):
-    options = [*NOISE, "--terms", "noll 8", "--json"]
-    found = [
-        json.loads(call_lommel("retrieve", "pages.tif", "lens.toml", *given, *options, folder=folder).stdout)
-        for given in (
-            ["--defocus", "-4 0 4"],
-            ["--defocus", f"{-4 / np.pi} 0 {4 / np.pi}", "--defocus-unit", "waves"],
-            # The path from the edge of the pupil changes by dz (1 - cos) = dz / (8 N^2), to first order.
-            ["--defocus", "-89.63606 0 89.63606", "--defocus-unit", "um"],
-        )
-    ]
-    for other in found[1:]:
-        assert other["coefficients"]["noll 8"] == pytest.approx(found[0]["coefficients"]["noll 8"], rel=1e-6)
-        assert other["converged"]
-
-
 @pytest.mark.parametrize(
     ("words", "said"),
     [
         (["star-0.tif", "lens.toml"], "--read is missing: the read noise"),
         (["nix-*.tif", "lens.toml", "--read", "2"], "nix-*.tif: No file matches"),
         (["pages.tif", "lens.toml", "--read", "2", "--defocus", "-4", "0"], "one for each of 3 images"),
-        (["pages.tif", "lens.toml", "--read", "2", "--defocus", "a b c"], "defocus must be numbers, one for each"),
-        (["pages.tif", "lens.toml", "--read", "2", "--defocus", "0 2 4", "--terms", "coma"], "terms must be one"),
+        (["pages.tif", "lens.toml", "--read", "2", "--defocus", "a"], "--defocus"),
+        (
+            ["pages.tif", "lens.toml", "--read", "2", "--defocus", "0", "2", "4", "--terms", "coma"],
+            "terms must be one",
+        ),
         (["pages.tif", "lens.toml", "--read", "2", "-o", "wave.txt"], "--output must end in .json, .toml, .csv"),
         (
-            ["star-0.tif", "lens.toml", "--read", "2", "--blur", "--also", "f_number", "--starts", "3"],
-            "--blur must be left out with --also ['f_number'] and --starts 3: it is fitted with their defaults alone",
+            ["star-0.tif", "lens.toml", "--read", "2", "--blur", "--also", "f_number"],
+            "--blur must be left out with --also ['f_number']: it is fitted with center alone",
         ),
         (
             ["star-0.tif", "lens.toml", "--read", "2", "--terms", "center"],

@@ -70,7 +70,7 @@ def test_reasons_of_refusal():
     glare = image.copy()
     row, column = whole.places[7]
     glare[row + 9, column - 9] = 51_000.0
-    told = find_crossings(glare, noise=NOISE, window=21, saturation=50_000)
+    told = find_crossings(lm.Counts.of(glare, noise=NOISE, saturation=50_000), window=21)
     assert [(row, column)] == [(each.row, each.column) for each in told.refused if each.reason == "saturated"]
     close = find_crossings(image, noise=NOISE, window=41)
     assert "neighbor" in {each.reason for each in close.refused}

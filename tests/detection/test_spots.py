@@ -53,7 +53,7 @@ def test_each_reason_of_refusal_is_told():
     stars = [(60, 60, 4e4), (60, 72, 3e4), (120, 5, 4e4), (180, 200, 6e6)]
     image = NOISE.record(sky(stars), seed=3)
     image[100, 250] += 3000.0  # a hot pixel
-    found = find_spots(image, noise=NOISE, window=21, saturation=5e5, faintest=0.1)
+    found = find_spots(lm.Counts.of(image, noise=NOISE, saturation=5e5), window=21)
     told = reasons(found)
     assert told[60, 60] == told[60, 72] == "neighbor"
     assert told[120, 5] == "edge"
@@ -75,15 +75,14 @@ def test_a_hot_pixel_is_a_neighbor_in_the_window_alone(beside, kept):
 def test_a_dim_neighbor_is_one_of_the_dim_star_alone():
     stars = [(60, 60, 1e6), (60, 78, 8e3)]
     image = NOISE.record(sky(stars), seed=1)
-    found = find_spots(image, noise=NOISE, window=21, faintest=0.02)
+    found = find_spots(image, noise=NOISE, window=21)
     assert found.places.tolist() == [[60, 60]]
     assert reasons(found).get((60, 78)) == "neighbor"
 
 
-def test_neighbors_farther_than_apart_are_none():
-    stars = [(60, 60, 4e4), (60, 75, 4e4)]
-    assert len(found_in(stars, apart=1.0)) == 0
-    assert len(found_in(stars, apart=0.5)) == 2
+@pytest.mark.parametrize(("distance", "count"), [(15, 0), (22, 2)])
+def test_windows_of_spots_do_not_overlap(distance, count):
+    assert len(found_in([(60, 60, 4e4), (60, 60 + distance, 4e4)])) == count
 
 
 @pytest.mark.parametrize("plane", [0, 2])
@@ -133,14 +132,15 @@ def test_pixels_left_out_do_not_hide_stars_and_are_masked_in_their_windows(kind)
     image = NOISE.record(sky([(60, 60, 4e4), (60, 200, 1e5), (180, 120, 2e4)]), seed=1)
     out = np.zeros(image.shape, dtype=bool)
     out[60, 60] = out[64:67, 58:62] = out[150:200, 118:180] = out[0] = True
-    given, options = image.copy(), {}
+    given = image.copy()
     if kind == "nan":
         given[out] = np.nan
     elif kind == "masked":
         given = np.ma.MaskedArray(np.where(out, 1e9, image), mask=out)
     else:
-        given[out], options = 1e9, {"mask": out, "saturation": 1e8}
-    found = find_spots(given, noise=NOISE, window=21, **options)
+        given[out] = 1e9
+        given = lm.Counts.of(given, noise=NOISE, mask=out, saturation=1e8)
+    found = find_spots(given, noise=None if kind == "mask" else NOISE, window=21)
     assert found.places.tolist() == [[60, 200], [60, 60]]
     assert [each.reason for each in found.refused] == ["masked"]
     np.testing.assert_array_equal(np.ma.getmaskarray(found.windows)[1], out[50:71, 50:71])
@@ -153,12 +153,11 @@ def test_pixels_left_out_do_not_hide_stars_and_are_masked_in_their_windows(kind)
     [
         ({"images": np.zeros((20, 20))}, "images must have the shape .*, at least the window of 33 x 33, got"),
         ({"images": np.full((60, 60), np.nan)}, "images must have pixels that are neither"),
-        ({"mask": np.zeros((60, 60))}, "mask must be True or False for each pixel of images"),
+        ({"images": lm.Counts.of(np.zeros((60, 60)), noise=NOISE)}, "noise must be omitted if images are Counts"),
         ({"noise": 2.0}, "noise must be a Noise"),
         ({"window": 3}, "window must be at least 5 x 5"),
         ({"width": 20.0}, "width must be"),
         ({"threshold": 1.0}, "threshold must be"),
-        ({"apart": -1.0}, "apart must be"),
         ({"most": 0}, "most must be"),
     ],
 )

@@ -11,6 +11,7 @@ import pytest
 
 import lommel as lm
 import plane_waves
+import searches
 from lommel.estimation import bead_checks
 from lommel.estimation.bead_checks import _NEVER_TESTED, is_possible, missing_findings
 from lommel.estimation.bead_images import AMPLITUDES, CONSTANTS, BeadImages, Place, Setup, Stack, changed_objective
@@ -23,8 +24,14 @@ from objectives import OIL, oil
 WAVE, PIXEL = 600e-9, 6.5e-6
 Z = np.linspace(-0.9e-6, 0.9e-6, 9)
 NOISE = lm.Noise(read=1.6, offset=100)
-GIVEN = {"z": Z, "wavelength": WAVE, "pixel": PIXEL, "noise": NOISE, "diameter": 0.1e-6, "threads": 1, "starts": 1}
+GIVEN = {"z": Z, "noise": NOISE, "diameter": 0.1e-6, "threads": 1, "starts": 1}
 TERMS = tuple(zernike.term(5 + k, "noll") for k in range(7))
+
+
+def fitted(stacks, objective, *, aberrations=None, **given):
+    """Return the fit of stacks of beads through an objective."""
+    microscope = lm.Microscope(objective, WAVE, PIXEL, aberrations=aberrations)
+    return searches.fit_beads(stacks, microscope, **given)
 
 
 class _AskedError(Exception):
@@ -100,13 +107,13 @@ def test_dry_samples_are_fitted_and_the_index_of_air_is_known():
     )
     true, z = waves(2), np.linspace(-2e-6, 2e-6, 5)
     image, _ = recorded(2, true, dry, z=z, light=4e4)
-    found = lm.fit_beads(image, dry, **(GIVEN | {"z": z}), terms=TERMS)
+    found = fitted(image, dry, **(GIVEN | {"z": z}), terms=TERMS)
     assert found.converged
     assert not {"sample", "immersion"} & set(found.coefficients)
     errors = np.array([found.coefficients[term] for term in TERMS]) - true
     assert np.sqrt(np.mean((errors / np.sqrt(np.diag(found.covariance))[: len(TERMS)]) ** 2)) < 2.0
     with pytest.raises(ValueError, match=r"priors must be without 'sample': .* or the medium is air"):
-        lm.fit_beads(image, dry, **(GIVEN | {"z": z}), terms=TERMS, priors={"sample": 0.01})
+        fitted(image, dry, **(GIVEN | {"z": z}), terms=TERMS, priors={"sample": 0.01})
 
 
 @pytest.mark.parametrize("diameter", [0.1e-6, 0.25e-6])
@@ -168,7 +175,7 @@ def test_derivatives_are_differences_of_images(name):
 def test_aberrations_and_places_are_found_from_nothing_within_their_standard_errors():
     given = waves(1, 0.28)
     images, (row, column, up) = recorded(1, given, size=17)
-    found = lm.fit_beads(images, OIL, **GIVEN | {"starts": 5}, terms=TERMS, priors={})
+    found = fitted(images, OIL, **GIVEN | {"starts": 5}, terms=TERMS, priors={})
     assert found.converged, found.message
     off = [(found.coefficients[t] - c) / found.errors[t] for t, c in zip(TERMS, given, strict=True)]
     assert np.abs(off).max() < 4.5
@@ -192,7 +199,7 @@ def test_a_stack_of_plane_waves_is_fitted_within_its_standard_errors():
     cell = (2.0 * np.pi * OIL.NA * PIXEL / (WAVE * OIL.magnification)) ** 2 / (4.0 * np.pi)
     light = cell * made @ np.outer(weight, weight).ravel() / 4.0 / pupil.power[:, None, None]
     images = NOISE.record(1e5 * light + 20.0, seed=1)
-    found = lm.fit_beads(images, OIL, **GIVEN | {"diameter": 0.0}, depth=50e-9, terms=TERMS, priors={})
+    found = fitted(images, OIL, **GIVEN | {"diameter": 0.0}, depth=50e-9, terms=TERMS, priors={})
     assert found.reliable, found.message
     off = [(found.coefficients[t] - c) / found.errors[t] for t, c in zip(TERMS, given, strict=True)]
     assert np.abs(off).max() < 4.0
@@ -204,7 +211,7 @@ def test_standard_errors_hold_for_dim_beads():
     for seed in range(2):
         given = waves(20 + seed, 0.1)
         images, _ = recorded(seed, given, light=1000.0)
-        found = lm.fit_beads(images, OIL, **GIVEN, terms=TERMS, priors={})
+        found = fitted(images, OIL, **GIVEN, terms=TERMS, priors={})
         assert found.converged, found.message
         off += [(found.coefficients[t] - c) / found.errors[t] for t, c in zip(TERMS, given, strict=True)]
     assert 0.7 < np.sqrt(np.mean(np.square(off))) < 1.35
@@ -222,7 +229,7 @@ WRONG = {
 def test_light_too_dim_for_the_standard_errors_is_told():
     for light, dim in ((250.0, True), (3e3, False)):
         stack, _ = recorded(4, waves(4), light=light)
-        found = lm.fit_beads(stack, OIL, terms=TERMS, priors={}, **GIVEN)
+        found = fitted(stack, OIL, terms=TERMS, priors={}, **GIVEN)
         assert found.converged, found.message
         total = np.sqrt(sum(error**2 for error in found.errors.values()))
         assert ("too_dim" in found.findings.codes) == dim == (total > 0.22)
@@ -233,7 +240,7 @@ def test_light_too_dim_for_the_standard_errors_is_told():
 def test_score_tests_name_the_constant_that_is_wrong(name):
     images, _ = recorded(3, waves(3, 0.1), **WRONG[name], light=3e4)
     asked = GIVEN | ({"depth": 0.1e-6} if name == "diameter" else {})
-    found = lm.fit_beads(images, OIL, **asked, terms=TERMS, priors={})
+    found = fitted(images, OIL, **asked, terms=TERMS, priors={})
     named = {one.name: one for one in found.tests[:2]}  # a larger bead and a blur have nearly the same images
     assert abs(named[name].sigmas) > 5.0
     assert not found.reliable
@@ -247,7 +254,7 @@ def test_a_constant_that_would_leave_physics_is_named_without_a_value():
     given = waves(3, 0.1)
     pupil = OIL.pupil(depth=50e-9, z=Z, wavelength=WAVE, aberrations=wavefront(given))
     images = NOISE.record(1e5 * lm.psf(pupil, 17, PIXEL, integrate=False).values.astype(float) + 10.0, seed=1)
-    found = lm.fit_beads(images, OIL, **GIVEN | {"diameter": 0.0}, depth=50e-9, terms=TERMS, priors={})
+    found = fitted(images, OIL, **GIVEN | {"diameter": 0.0}, depth=50e-9, terms=TERMS, priors={})
     blur = next(one for one in found.tests if one.name == "blur")
     assert (blur.size[0] < 0.0, abs(blur.sigmas) > 5.0) == (True, True)
     assert "blur lower than 0 pixels^2, beyond what is possible (" in found.message
@@ -258,12 +265,12 @@ def test_a_constant_that_would_leave_physics_is_named_without_a_value():
 
 
 def test_what_is_held_and_not_tested_is_named():
-    found = lm.fit_beads(recorded(3, waves(3, 0.1), light=3e3)[0], OIL, **GIVEN, terms=TERMS, priors={})
+    found = fitted(recorded(3, waves(3, 0.1), light=3e3)[0], OIL, **GIVEN, terms=TERMS, priors={})
     told = found.findings.get("untested")
     assert (told.severity, found.reliable, [*told.numbers]) == ("note", True, ["coverslip", *_NEVER_TESTED])
     assert "not tested: coverslip (5 um of it changes noll 11 spherical by " in told.text
     bright = [
-        lm.fit_beads(recorded(3, waves(3, 0.1), one, light=1e5)[0], OIL, **GIVEN, terms=TERMS, priors={})
+        fitted(recorded(3, waves(3, 0.1), one, light=1e5)[0], OIL, **GIVEN, terms=TERMS, priors={})
         for one in (changed_objective(OIL, "coverslip", 165e-6), changed_objective(OIL, "coverslip", 175e-6))
     ]
     change = 0.5 * abs(bright[1].coefficients[4, 0] - bright[0].coefficients[4, 0])
@@ -272,7 +279,7 @@ def test_what_is_held_and_not_tested_is_named():
 
 def test_unknowns_that_are_as_their_priors_say_are_named():
     images, _ = recorded(3, waves(3, 0.1), changed_objective(OIL, "sample", 1.345), light=3e3)
-    found = lm.fit_beads(images, OIL, **GIVEN, terms=TERMS, priors={"sample": (1.33, 0.003), "depth": 5e-9})
+    found = fitted(images, OIL, **GIVEN, terms=TERMS, priors={"sample": (1.33, 0.003), "depth": 5e-9})
     told = found.findings.get("untested")
     assert told.text.endswith(f"sample, depth (known by their priors), {', '.join(_NEVER_TESTED)}")
     assert told.numbers["sample"] == {}
@@ -282,7 +289,7 @@ def test_priors_that_the_beads_contradict_within_chance_are_widened():
     pulls = []
     for seed in range(3):
         images, _ = recorded(seed, given := waves(seed, 0.1), light=1e4, depth=85e-9)
-        found = lm.fit_beads(images, OIL, **GIVEN, terms=TERMS, priors={"depth": 10e-9})
+        found = fitted(images, OIL, **GIVEN, terms=TERMS, priors={"depth": 10e-9})
         assert found.reliable
         assert next(one for one in found.tests if one.name == "depth").log_bayes > 0.0
         pulls += [(found.coefficients[t] - a) / found.errors[t] for t, a in zip(TERMS, given, strict=True)]
@@ -293,7 +300,7 @@ def test_errors_allow_for_a_constant_that_the_beads_favour_within_chance():
     pulls = []
     for seed in range(4):
         images, _ = recorded(seed, given := waves(seed, 0.1), light=1e4, depth=90e-9)
-        found = lm.fit_beads(images, OIL, **GIVEN, terms=TERMS, priors={})
+        found = fitted(images, OIL, **GIVEN, terms=TERMS, priors={})
         assert found.reliable
         assert next(one for one in found.tests if one.name == "depth").log_bayes > 0.0
         pulls += [(found.coefficients[t] - a) / found.errors[t] for t, a in zip(TERMS, given, strict=True)]
@@ -306,10 +313,10 @@ def test_terms_of_the_amplitude_are_found_and_named_where_they_are_not_estimated
     light = {2: -0.15, 4: 0.04}
     given = waves(4, 0.1)
     images, _ = recorded(6, given, oil(apodization=lm.Apodization.zernike(light)), light=3e4)
-    plain = lm.fit_beads(images, OIL, **GIVEN, terms=TERMS, priors={})
+    plain = fitted(images, OIL, **GIVEN, terms=TERMS, priors={})
     assert plain.tests[0].name == "apodization_2"
     assert "the data favour apodization_2 = -0.1" in plain.message
-    found = lm.fit_beads(images, OIL, **GIVEN, terms=TERMS, priors={}, apodization=2)
+    found = fitted(images, OIL, **GIVEN, terms=TERMS, priors={}, apodization=2)
     assert found.reliable, found.message
     for n, b in light.items():
         name = f"apodization_{n}"
@@ -349,36 +356,36 @@ def test_immersion_and_cover_glass_are_named_together():
     images, _ = recorded(4, waves(3, 0.1), oil(design=Design(1.515, OIL.coverslip)))
     other = oil(design=Design(1.515, OIL.coverslip))
     stated = changed_objective(other, "immersion", 1.516)
-    found = lm.fit_beads(images, stated, **GIVEN, terms=TERMS, priors={})
+    found = fitted(images, stated, **GIVEN, terms=TERMS, priors={})
     assert {"immersion", "coverslip"} < {one.name for one in found.tests[:3]}
 
 
 def test_constants_with_priors_are_estimated_and_right_ones_not_suspected():
     images, _ = recorded(5, waves(5), changed_objective(OIL, "sample", 1.335), light=3e4)
-    found = lm.fit_beads(images, OIL, **GIVEN, terms=TERMS, priors={"sample": (1.33, 0.02), "depth": 5e-9})
+    found = fitted(images, OIL, **GIVEN, terms=TERMS, priors={"sample": (1.33, 0.02), "depth": 5e-9})
     assert found.reliable, found.message
     assert found.objective.sample == pytest.approx(1.335, abs=4.0 * found.errors["sample"])
     assert found.errors["sample"] < 0.01
     assert float(re.search(r"sample: (\S+)", repr(found))[1]) == pytest.approx(found.objective.sample, abs=1e-3)
-    sure = lm.fit_beads(images, OIL, **GIVEN, terms=TERMS, priors={"sample": (1.33, 1e-6), "depth": 5e-9})
+    sure = fitted(images, OIL, **GIVEN, terms=TERMS, priors={"sample": (1.33, 1e-6), "depth": 5e-9})
     assert sure.objective.sample == pytest.approx(1.33, abs=1e-5)
 
 
 def test_a_stack_in_reversed_order_is_told_before_constants():
     images, _ = recorded(6, waves(6), light=2e4)
-    found = lm.fit_beads(images[::-1], OIL, **GIVEN, terms=TERMS, priors={})
+    found = fitted(images[::-1], OIL, **GIVEN, terms=TERMS, priors={})
     assert not found.converged
     assert "reversed_z" in found.findings.codes
     assert "other_explanation" not in found.findings.codes
-    again = lm.fit_beads(images[::-1], OIL, **GIVEN | {"z": -Z}, terms=TERMS, priors={})
+    again = fitted(images[::-1], OIL, **GIVEN | {"z": -Z}, terms=TERMS, priors={})
     assert again.converged
 
 
 def test_several_beads_share_the_microscope():
     given = waves(7)
     stacks = [recorded(30 + k, given, depth=depth)[0] for k, depth in enumerate((50e-9, 1e-6))]
-    alone = lm.fit_beads(stacks[0], OIL, **GIVEN, terms=TERMS, priors={})
-    found = lm.fit_beads(stacks, OIL, **GIVEN, depth=[50e-9, 1e-6], terms=TERMS, priors={})
+    alone = fitted(stacks[0], OIL, **GIVEN, terms=TERMS, priors={})
+    found = fitted(stacks, OIL, **GIVEN, depth=[50e-9, 1e-6], terms=TERMS, priors={})
     assert found.converged
     for term, c in zip(TERMS, given, strict=True):
         assert abs(found.coefficients[term] - c) < 4.5 * found.errors[term]
@@ -389,14 +396,14 @@ def test_several_beads_share_the_microscope():
 def test_a_bead_left_out_of_the_fit_tells_whether_its_answer_holds_for_others():
     given = waves(7)
     stacks = [recorded(30 + k, given, light=2e4)[0] for k in range(3)]
-    found = lm.fit_beads(stacks, OIL, **GIVEN, terms=TERMS, priors={})
+    found = fitted(stacks, OIL, **GIVEN, terms=TERMS, priors={})
     assert found.converged
     assert abs(found.held_out - 1.0) < 0.1
     assert f"held-out bead {found.held_out:.4g}" in found.message
     other = given + 0.15 * waves(11)
-    mixed = lm.fit_beads([*stacks[:2], recorded(33, other, light=2e4)[0]], OIL, **GIVEN, terms=TERMS, priors={})
+    mixed = fitted([*stacks[:2], recorded(33, other, light=2e4)[0]], OIL, **GIVEN, terms=TERMS, priors={})
     assert mixed.held_out > max(1.2, mixed.chi2)
-    alone = lm.fit_beads(stacks[0], OIL, **GIVEN, terms=TERMS, priors={})
+    alone = fitted(stacks[0], OIL, **GIVEN, terms=TERMS, priors={})
     assert math.isnan(alone.held_out)
     assert "held-out" not in alone.message
 
@@ -406,7 +413,7 @@ def test_the_deviation_of_the_psf_elsewhere_is_what_fits_differ_by():
     z, off = np.array([-0.3e-6, 0.3e-6]), []
     for seed in range(2):
         images, _ = recorded(50 + seed, given)
-        found = lm.fit_beads(images, OIL, **GIVEN, terms=TERMS, priors={})
+        found = fitted(images, OIL, **GIVEN, terms=TERMS, priors={})
         sd = found.psf_errors(depth=2e-6, z=z, shape=15)
         if truth is None:
             aberrations = wavefront(given)
@@ -423,13 +430,13 @@ def test_a_plane_that_moved_is_named():
     given = waves(9, 0.1)
     images, _ = recorded(70, given, size=17)
     images[3] = np.roll(recorded(70, given, size=17)[0][3], 1, axis=1)  # by a pixel
-    found = lm.fit_beads(images, OIL, **GIVEN, terms=TERMS, priors={})
+    found = fitted(images, OIL, **GIVEN, terms=TERMS, priors={})
     assert list(found.beads[0].moved) == [3]
     row, column = found.beads[0].moved[3]
     assert abs(row) < 0.3
     assert 0.5 < column < 1.2
     assert 3 in found.findings.get("moved").numbers["bead 0"]
-    still = lm.fit_beads(recorded(70, given, size=17)[0], OIL, **GIVEN, terms=TERMS, priors={})
+    still = fitted(recorded(70, given, size=17)[0], OIL, **GIVEN, terms=TERMS, priors={})
     assert still.beads[0].moved == {}
 
 
@@ -442,7 +449,7 @@ def test_drift_is_estimated():
         bead = lm.methods.Bead(0.1e-6, 1e-4)
         light.append(lm.psf(pupil, 17, PIXEL, method=bead, integrate=True, center=(8 + 0.3 * t, 8 - 0.2 * t)).values)
     images = NOISE.record(1e4 * np.array(light) + 10.0, seed=rng)
-    found = lm.fit_beads(images, OIL, **GIVEN, terms=TERMS, priors={}, drift=True)
+    found = fitted(images, OIL, **GIVEN, terms=TERMS, priors={}, drift=True)
     assert found.converged, found.message
     for value, true, name in zip(found.beads[0].drift, (0.3, -0.2), ("drift_row", "drift_column"), strict=True):
         assert abs(value - true) < 5.0 * found.beads[0].errors[name]
@@ -458,14 +465,14 @@ def test_progress_rises_and_an_interrupt_ends_the_fit():
             raise KeyboardInterrupt
 
     with pytest.raises(KeyboardInterrupt):
-        lm.fit_beads(images, OIL, **GIVEN, terms=TERMS, priors={}, progress=stop)
+        fitted(images, OIL, **GIVEN, terms=TERMS, priors={}, progress=stop)
     assert calls == sorted(calls)
 
 
 def test_a_search_that_ends_at_very_strong_aberrations_is_a_misfit():
     images, _ = recorded(1, waves(1))
     start = lm.Wavefront.zernike({(3, 3): 35.0})
-    found = lm.fit_beads(images, OIL, **GIVEN, terms=[(3, 3)], priors={}, aberrations=start, steps=1)
+    found = fitted(images, OIL, **GIVEN, terms=[(3, 3)], priors={}, aberrations=start, steps=1)
     assert (found.converged, found.reliable, found.model_error) == (False, False, math.inf)
     assert found.status == "misfit"
     assert found.findings.get("model_error").numbers == {"error": math.inf}
@@ -473,7 +480,7 @@ def test_a_search_that_ends_at_very_strong_aberrations_is_a_misfit():
 
 def test_a_sloping_background_alone_is_no_bead_without_a_search():
     slope = 20.0 + 15.0 * np.linspace(-0.5, 0.5, 15)[None, :, None] * np.ones((9, 15, 15))
-    found = lm.fit_beads(NOISE.record(slope, seed=3), OIL, terms=TERMS, **(GIVEN | {"starts": 5}))
+    found = fitted(NOISE.record(slope, seed=3), OIL, terms=TERMS, **(GIVEN | {"starts": 5}))
     assert (found.status, found.steps) == ("no_light", 0)
 
 
@@ -481,7 +488,7 @@ def test_the_progress_moves_with_each_step_and_ends_below_one():
     disc = 20.0 + 400.0 * (np.hypot(*(np.indices((15, 15)) - 7.0)) < 4.0) * np.ones((9, 1, 1))
     shares = []
     options = GIVEN | {"starts": 5, "progress": lambda share, chi2: shares.append(share)}
-    found = lm.fit_beads(NOISE.record(disc, seed=3), OIL, terms=TERMS[:3], **options)
+    found = fitted(NOISE.record(disc, seed=3), OIL, terms=TERMS[:3], **options)
     assert found.status == "misfit"
     assert len(shares) > 10
     assert (np.diff(shares) > 0.0).all()
@@ -492,14 +499,14 @@ def test_several_beads_that_no_model_fits_are_a_misfit_and_not_a_search_that_did
     away = np.hypot(*(np.indices((15, 15)) - 7.0))
     stacks = [20.0 + light * (away < radius) * np.ones((9, 1, 1)) for light, radius in ((400, 4), (500, 3), (300, 4))]
     images = [NOISE.record(stack, seed=seed) for seed, stack in enumerate(stacks)]
-    found = lm.fit_beads(images, OIL, terms=TERMS[:3], **GIVEN)
+    found = fitted(images, OIL, terms=TERMS[:3], **GIVEN)
     assert found.status == "misfit"
     assert "not_settled" not in found.findings.codes
 
 
 def test_noise_alone_is_no_bead():
     images = NOISE.record(np.full((9, 17, 17), 20.0), seed=1)
-    found = lm.fit_beads(images, OIL, **GIVEN, terms=TERMS, priors={})
+    found = fitted(images, OIL, **GIVEN, terms=TERMS, priors={})
     assert not found.converged
     assert found.status == "no_light"
 
@@ -526,25 +533,31 @@ STACK = recorded(11, waves(11), light=2e3)[0]
         ({"priors": {"depth": (1e-6, 1e-9)}}, "a standard error alone"),
         ({"diameter": 1.0}, "diameter must be"),
         ({"stacks": np.full((9, 17, 17), 100.0)}, "must show a bead"),
-        ({"saturation": 50.0}, "saturated"),
+        ({"stacks": lm.Counts.of(STACK, noise=NOISE, saturation=50.0), "noise": None}, "saturated"),
+        ({"stacks": lm.Counts.of(STACK, noise=NOISE)}, "noise must be omitted if stacks are Counts"),
         ({"stacks": [STACK, STACK[:, :13, :13]]}, "stacks must have one shape"),
     ],
 )
 def test_what_cannot_be_fitted_is_refused_with_a_sentence(more, told):
     given = {"stacks": STACK, "terms": TERMS} | GIVEN | more
     with pytest.raises((ValueError, TypeError), match=told) as caught:
-        lm.fit_beads(given.pop("stacks"), OIL, **given)
+        fitted(given.pop("stacks"), OIL, **given)
     assert len(str(caught.value)) < 300
+
+
+def test_an_objective_alone_is_no_microscope():
+    with pytest.raises(TypeError, match="microscope must be a Microscope, got Objective"):
+        lm.fit_beads(STACK, OIL, z=Z, noise=NOISE)
 
 
 def test_a_term_that_is_missing_is_named_as_one():
     images, _ = recorded(8, np.append(waves(8, 0.1), 0.1), light=3e4, terms=(*TERMS, (6, 0)))
-    found = lm.fit_beads(images, OIL, **GIVEN, terms=TERMS, priors={})
+    found = fitted(images, OIL, **GIVEN, terms=TERMS, priors={})
     assert not found.reliable
     numbers = found.findings.get("other_explanation").numbers
     test = numbers["noll 22 secondary spherical"]
     assert abs(test["size"][0] - 0.1) < 4.0 * test["errors"][0] + 0.02
-    again = lm.fit_beads(images, OIL, **GIVEN, terms=(*TERMS, (6, 0)), priors={})
+    again = fitted(images, OIL, **GIVEN, terms=(*TERMS, (6, 0)), priors={})
     assert again.reliable, again.message
 
 
@@ -552,24 +565,24 @@ def test_what_the_camera_and_the_stage_do_is_named():
     given = waves(9, 0.1)
     electrons = NOISE.electrons(recorded(9, given, light=1e5)[0])
     bent = NOISE.image(electrons - 0.1 * electrons**2 / 1e4)
-    found = lm.fit_beads(bent, OIL, **GIVEN, terms=TERMS, priors={})
+    found = fitted(bent, OIL, **GIVEN, terms=TERMS, priors={})
     assert "non-linear gain" in found.findings.get("other_explanation").numbers
     moving = [
         recorded(9, given, light=3e4, z=Z[[k]], moved=(0.05 * (k - 4), 0.0), draw=k)[0][0] for k in range(len(Z))
     ]
-    found = lm.fit_beads(np.stack(moving), OIL, **GIVEN, terms=TERMS, priors={})
+    found = fitted(np.stack(moving), OIL, **GIVEN, terms=TERMS, priors={})
     assert "drift" in found.findings.get("other_explanation").numbers
-    assert lm.fit_beads(np.stack(moving), OIL, **GIVEN, terms=TERMS, priors={}, drift=True).reliable
+    assert fitted(np.stack(moving), OIL, **GIVEN, terms=TERMS, priors={}, drift=True).reliable
 
 
 def test_a_background_that_slopes_is_estimated():
     true, planes = waves(9, 0.1), np.linspace(-10.0, 10.0, 15)
     first, second = recorded(9, true, light=3e4)[0], recorded(12, true, light=2e4)[0]
-    found = lm.fit_beads([first + planes, second - 0.5 * planes[:, None]], OIL, **GIVEN, terms=TERMS, priors={})
+    found = fitted([first + planes, second - 0.5 * planes[:, None]], OIL, **GIVEN, terms=TERMS, priors={})
     assert found.reliable, found.message
     assert "backgrounds slope" in found.findings.get("tilted_background").text
     # The planes are added to the recorded images: estimates are those of level images.
-    level = lm.fit_beads([first, second], OIL, **GIVEN, terms=TERMS, priors={})
+    level = fitted([first, second], OIL, **GIVEN, terms=TERMS, priors={})
     assert level.findings.get("tilted_background") is None
     assert [bead.gradient for bead in level.beads] == [(0.0, 0.0)] * 2
     for term, value in level.coefficients.items():
@@ -586,7 +599,7 @@ def test_a_bead_beside_is_named():
     images, _ = recorded(10, waves(10, 0.1), light=3e4, size=25)
     beside = np.zeros_like(images)
     beside[:, :, 10:] = 0.3 * (NOISE.electrons(images) - 10.0)[:, :, :-10]
-    found = lm.fit_beads(images + beside, OIL, **GIVEN, terms=TERMS, priors={})
+    found = fitted(images + beside, OIL, **GIVEN, terms=TERMS, priors={})
     assert not found.reliable
     first = next(iter(found.findings.get("other_explanation").numbers))
     assert first.startswith("a neighbor of bead 0 by 0 rows and 10 columns"), found.message

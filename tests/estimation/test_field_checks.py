@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 import lommel as lm
+import searches
 from lommel.blur.mixtures import BlurProfile
 from lommel.estimation import field_fit
 from lommel.estimation.field_checks import negated
@@ -41,7 +42,9 @@ def fitted(mean, seed=0, pupil=None, **more):
     windows = Camera(gain=0.0, read=3.0).record(mean, seed)
     pupil = pupil or lm.Pupil(obscuration=0.3, wavelength=600e-9, f_number=8.0)
     options = {"degree": 0, "terms": ["noll 4", "noll 8"], "blur": True, "tol": 1e-4, "threads": 1} | more
-    return lm.fit_field(windows, PLACES, pupil, sensor=(400, 500), pixel=4.5e-6, noise=lm.Noise(read=3.0), **options)
+    return searches.fit_field(
+        windows, PLACES, pupil, sensor=(400, 500), pixel=4.5e-6, noise=lm.Noise(read=3.0), **options
+    )
 
 
 def seen(fit):

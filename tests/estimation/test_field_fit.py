@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 import lommel as lm
+import searches
 import simulated_fields as simulated
 from lommel.blur.mixtures import BlurProfile
 from lommel.estimation import field_fit
@@ -47,7 +48,7 @@ def fitted(images, places, pupil=None, **options):
         "terms": TERMS,
         "integrate": True,
     } | options
-    return lm.fit_field(images, places, pupil or lm.Pupil(), **options)
+    return searches.fit_field(images, places, pupil or lm.Pupil(), **options)
 
 
 @pytest.fixture

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import lommel as lm
+import searches
 from lommel.core.answers import Declined
 from lommel.estimation import star_checks
 from lommel.fit.score_tests import Candidate, ScoreTest
@@ -49,7 +50,7 @@ def recorded(
 def found(images, **more):
     pupil = lm.Pupil(obscuration=0.2, wavelength=600e-9, f_number=8.0)
     options = {"defocus": [0.0, 3.0], "terms": TERMS, "tol": 1e-4, "threads": 1, "starts": 2} | more
-    return lm.retrieve(images, pupil, pixel=2.4e-6, noise=lm.Noise(read=3.0), **options)
+    return searches.retrieve(images, pupil, pixel=2.4e-6, noise=lm.Noise(read=3.0), **options)
 
 
 def seen(fit):

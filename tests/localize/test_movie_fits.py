@@ -186,10 +186,8 @@ def test_the_wavefront_of_a_bead_on_the_glass_serves_for_molecules_deep_in_the_s
     camera = lm.Noise(read=1.6, offset=100.0)
     bead = lm.fit_beads(
         [camera.record(of_bead, seed=1)],
-        objective=simulated.OBJECTIVE,
+        lm.Microscope(simulated.OBJECTIVE, 600e-9, simulated.PIXEL),
         z=planes["z"],
-        wavelength=600e-9,
-        pixel=simulated.PIXEL,
         noise=camera,
         diameter=1e-9,
         depth=0.1e-6,

@@ -37,15 +37,15 @@ FEW = imaging.RichardsonLucy(steps=2, target=0.0)
 def retrieve(images: Any) -> np.ndarray:
     found = lm.retrieve(
         images, lm.Pupil(wavelength=550e-9, f_number=4.0), pixel=1.1e-6, noise=NOISES["retrieve"],
-        terms=["noll 4", "noll 8"], defocus=[-4.0, 0.0, 4.0], starts=1,
+        terms=["noll 4", "noll 8"], defocus=[-4.0, 0.0, 4.0],
     )  # fmt: skip
     return np.array([*found.coefficients.values(), found.chi2])
 
 
 def fit_beads(images: Any) -> np.ndarray:
     found = lm.fit_beads(
-        images, objective=OIL, z=(np.arange(5) - 2) * 250e-9, wavelength=600e-9, pixel=6.5e-6, noise=NOISES["beads"],
-        terms=1, priors={},
+        images, lm.Microscope(OIL, 600e-9, 6.5e-6), z=(np.arange(5) - 2) * 250e-9, noise=NOISES["beads"], terms=1,
+        priors={},
     )  # fmt: skip
     return np.array([*found.coefficients.values(), found.chi2])
 

@@ -53,7 +53,7 @@ def star(seed=1, flux=2e4, side=25):
 
 
 def retrieve(noise):
-    found = lm.retrieve(star(), lm.Pupil(), pixel=0.5, noise=noise, terms=2, starts=2)
+    found = lm.retrieve(star(), lm.Pupil(), pixel=0.5, noise=noise, terms=2)
     light = [found.flux, found.background, found.errors["flux"], found.errors["background"]]
     return [found.coefficients[2, -2], found.errors[2, -2], found.chi2, found.model], light
 
@@ -61,10 +61,8 @@ def retrieve(noise):
 def beads(noise):
     z = np.arange(-2, 3) * 250e-9
     images = lm.psf(OIL_60X.pupil(depth=50e-9, z=z, wavelength=520e-9), 11, 6e-6, tol=1e-4).values
-    found = lm.fit_beads(
-        EM.record(2e4 * images + 5.0, 1), OIL_60X, z=z, wavelength=520e-9, pixel=6e-6, noise=noise, diameter=0.0,
-        terms=2, priors={}, starts=1,
-    )  # fmt: skip
+    microscope = lm.Microscope(OIL_60X, 520e-9, 6e-6)
+    found = lm.fit_beads(EM.record(2e4 * images + 5.0, 1), microscope, z=z, noise=noise, terms=2, priors={})
     one = found.beads[0]
     light = [one.flux, one.background, one.flux_errors, one.background_errors]
     light += [one.errors["flux"], one.errors["background"]]

@@ -56,7 +56,7 @@ def test_telescopes_and_microscopes_have_no_depth_of_field(lenses):
 
 
 def microscope(**changes) -> Microscope:
-    plain = Microscope("oil", "", MATCHED, 610e-9, 5e-6, 6.5e-6, lm.Dipole(0.0, 0.0, wobble=1.0), shape=(5, 6))
+    plain = Microscope(MATCHED, 610e-9, 6.5e-6, depth=5e-6, shape=(5, 6), name="oil")
     return dataclasses.replace(plain, **changes)
 
 

@@ -18,7 +18,7 @@ from lommel.show import notebook
 
 CAMERA = {"wavelength": 550e-9, "f_number": 4.0}
 WAVEFRONT = lm.Wavefront(1.0, nonradial={(3, 1): 1.5})
-ASKED = {"pixel": 0.5, "terms": [(3, 1)], "defocus": [-2.0, 2.0], "starts": 2}
+ASKED = {"pixel": 0.5, "terms": [(3, 1)], "defocus": [-2.0, 2.0]}
 LENS = lm.Lens(focal_length=50e-3, f_number=1.8, focus_distance=2.0, wavelength=550e-9)
 OIL = Path(__file__).parents[2] / "examples" / "objectives" / "zeiss-63x-1.4-oil.toml"
 OBJECTIVE = lm.Objective(

@@ -12,6 +12,7 @@ import numpy as np
 from scipy import ndimage
 
 import lommel as lm
+import searches
 from tests.world import air, camera, scene, stage
 from tests.world.camera import Camera
 from tests.world.optics import Objective, Telescope, Transfer, Waves, as_waves, disc, noll, zernike
@@ -110,8 +111,9 @@ def field(
         windows[5, :, 9] = np.nan
     places = [(60 + 110 * (k // 4), 60 + 110 * (k % 4)) for k in range(12)]
     fit, seconds = timed(
-        lm.fit_field, windows, places, lm.Pupil(obscuration=0.3, wavelength=600e-9, f_number=8.0), sensor=(400, 500),
-        pixel=PIXEL, noise=lm.Noise(read=3.0), degree=0, terms=terms, blur=True, tol=1e-4, threads=1,
+        searches.fit_field, windows, places,
+        lm.Pupil(obscuration=0.3, wavelength=600e-9, f_number=8.0), sensor=(400, 500), pixel=PIXEL,
+        noise=lm.Noise(read=3.0), degree=0, terms=terms, blur=True, tol=1e-4, threads=1,
     )  # fmt: skip
     found, error = fit.at(0.0, 0.0)
     names, truth = range(4, 4 + terms), dict(waves)
@@ -129,9 +131,9 @@ def astrograph(seed: int, fwhm: float) -> Trial:
     places, mean, waves = _astrograph(fwhm, seed % 3)
     windows = Camera(0.8, 500.0, 2.0).record(mean, seed)
     fit, seconds = timed(
-        lm.fit_field, windows, places, lm.Pupil(obscuration=0.35, wavelength=550e-9, f_number=4.0), sensor=(600, 600),
-        pixel=3.76e-6, noise=lm.Noise(white=0.8, read=2.0, offset=500.0), degree=2, terms=8, blur=True, tol=1e-4,
-        threads=1,
+        searches.fit_field, windows, places, lm.Pupil(obscuration=0.35, wavelength=550e-9, f_number=4.0),
+        sensor=(600, 600), pixel=3.76e-6, noise=lm.Noise(white=0.8, read=2.0, offset=500.0), degree=2, terms=8,
+        blur=True, tol=1e-4, threads=1,
     )  # fmt: skip
     u = np.array([-0.7, 0.0, 0.7])
     v, u = (one.ravel() for one in np.meshgrid(u, u, indexing="ij"))
@@ -143,8 +145,9 @@ def bent(seed: int, kind: str, size: float) -> Trial:
     """Fit 30 stars, of degree 1 over the field, where one term has a cubic part or a bump in a corner (radians)."""
     places, mean, waves = _bent(kind, size)
     fit, seconds = timed(
-        lm.fit_field, STARS.record(mean, seed), places, lm.Pupil(obscuration=0.3, wavelength=600e-9, f_number=8.0),
-        sensor=(600, 600), pixel=PIXEL, noise=lm.Noise(read=3.0), degree=1, terms=5, blur=True, tol=1e-4, threads=1,
+        searches.fit_field, STARS.record(mean, seed), places,
+        lm.Pupil(obscuration=0.3, wavelength=600e-9, f_number=8.0), sensor=(600, 600), pixel=PIXEL,
+        noise=lm.Noise(read=3.0), degree=1, terms=5, blur=True, tol=1e-4, threads=1,
     )  # fmt: skip
     u = np.array([-0.7, 0.0, 0.7])
     v, u = (one.ravel() for one in np.meshgrid(u, u, indexing="ij"))
@@ -220,7 +223,7 @@ def star(
         mean.append(3e4 * transfer.image(33, 0.5, *(16 + draw.uniform(-0.4, 0.4, 2))) + sky)
     images = recorder.record(camera.trailed(np.array(mean), trail), seed)
     found, seconds = timed(
-        lm.retrieve, images, lm.Pupil(), pixel=0.5, noise=lm.Noise(read=3.0), defocus=list(defocus),
+        searches.retrieve, images, lm.Pupil(), pixel=0.5, noise=lm.Noise(read=3.0), defocus=list(defocus),
         terms=[f"noll {j}" for j in names], integrate=True, tol=1e-4, threads=1, blur=bool(fwhm),
     )  # fmt: skip
     error = errors(found)
@@ -264,7 +267,7 @@ def bead(
     mean = 1e4 * bead_light(waves, diameter, Objective(thicker=thicker, axial=axial), drift, beside) + 10.0
     stack = recorder.record(stage.backwards(mean) if turned else mean, seed)
     fit, seconds = timed(
-        lm.fit_beads, stack, OBJECTIVE, z=PLANES, wavelength=600e-9, pixel=6.5e-6, terms=terms, diameter=stated,
+        searches.fit_beads, stack, lm.Microscope(OBJECTIVE, 600e-9, 6.5e-6), z=PLANES, terms=terms, diameter=stated,
         noise=noise or lm.Noise(white=0.46, read=1.6, offset=100.0), threads=1,
     )  # fmt: skip
     truth: dict[Any, float] = {noll(j): size for j, size in waves}

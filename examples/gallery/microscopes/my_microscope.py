@@ -12,7 +12,7 @@ import numpy as np
 import lommel as lm
 
 
-def microscope(sample):
+def objective(sample):
     """Return the objective before a sample of an index."""
     return lm.Objective(
         NA=1.4,
@@ -27,20 +27,21 @@ def microscope(sample):
 z, pixel, camera = (np.arange(13) - 6) * 150e-9, 6.5e-6, lm.Noise(read=1.6, offset=100)
 wave = lm.Wavefront.zernike({5: 0.05, 6: -0.06, 7: 0.04, 8: -0.03, 11: 0.05}, unit="waves", order="noll")
 true = {"wavelength": 600e-9, "aberrations": wave}
-light = lm.microscopy.bead(microscope(1.36).pupil(depth=50e-9, z=z, **true), 100e-9, 19, pixel, tol=1e-4).values
+light = lm.microscopy.bead(objective(1.36).pupil(depth=50e-9, z=z, **true), 100e-9, 19, pixel, tol=1e-4).values
 stack = camera.record(2e4 * light + 10.0, seed=3)
 
 # %%
 # All constants held at what is stated, water: chi2 is near 1, and yet the index is wrong.
 
-asked = {"z": z, "wavelength": 600e-9, "pixel": pixel, "noise": camera, "diameter": 100e-9, "terms": 7}
-held = lm.fit_beads(stack, microscope(1.33), **asked, priors={})
+stated = lm.Microscope(objective(1.33), wavelength=600e-9, pixel=pixel)
+asked = {"z": z, "noise": camera, "diameter": 100e-9, "terms": 7}
+held = lm.fit_beads(stack, stated, **asked, priors={})
 print(held.message)
 
 # %%
 # With the index unknown, and depth known to 10 nm:
 
-found = lm.fit_beads(stack, microscope(1.33), **asked, priors={"sample": (1.33, 0.05), "depth": 10e-9})
+found = lm.fit_beads(stack, stated, **asked, priors={"sample": (1.33, 0.05), "depth": 10e-9})
 print(found)
 found.plot()
 
@@ -49,7 +50,7 @@ found.plot()
 
 deep = {"depth": 3e-6, "z": [-0.3e-6]}
 profiles = {
-    "truth": lm.psf(microscope(1.36).pupil(**deep, **true), 25, pixel).values[0, 12],
+    "truth": lm.psf(objective(1.36).pupil(**deep, **true), 25, pixel).values[0, 12],
     "index held at 1.33": lm.psf(held.pupil(**deep), 25, pixel).values[0, 12],
     "index estimated": lm.psf(found.pupil(**deep), 25, pixel).values[0, 12],
 }

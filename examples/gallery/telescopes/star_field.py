@@ -13,6 +13,8 @@ import numpy as np
 import lommel as lm
 
 side, window, pixel, count = 900, 25, 0.5, 36  # pixels; the pitch is in units of lambda*N
+telescope = lm.Pupil(wavelength=550e-9, f_number=8.0)
+pitch = pixel * telescope.scale  # metres
 camera = lm.Noise(read=3.0)
 draw = np.random.default_rng(8)
 
@@ -62,8 +64,8 @@ image = camera.record(sky, seed=1885)
 
 stars = lm.detection.find_spots(image, noise=camera, window=window)
 print(stars.message)
-options = {"sensor": stars.shape, "pixel": pixel, "noise": camera, "integrate": True}
-fit = lm.fit_field(stars.windows, stars.places, lm.Pupil(), terms=5, degree=2, blur=False, **options)
+known = {"sensor": stars.shape, "pixel": pitch, "noise": camera}
+fit = lm.fit_field(stars.windows, stars.places, telescope, terms=5, degree=2, blur=False, **known)
 print(fit.message)
 fit.plot()
 
@@ -90,8 +92,8 @@ extent = (-half - 0.5, half + 0.5, half + 0.5, -half - 0.5)
 figure, axes = plt.subplots(5, 5, figsize=(8.5, 8.8), sharex=True, sharey=True, layout="constrained")
 for j, (u, v) in enumerate(places):
     exact = star(u, v)
-    position = [at * side / 2 * pixel for at in (u, v)]
-    fitted = fit.field.psf(*position, window, pixel, integrate=True).values
+    position = [at * side / 2 * pitch for at in (u, v)]
+    fitted = fit.field.psf(*position, window, pitch).values
     mean = average(u, v)
     parts = [exact, fitted, mean, 5 * (fitted - exact), 5 * (mean - exact)]
     for i, (ax, part) in enumerate(zip(axes[:, j], parts, strict=True)):

@@ -12,8 +12,7 @@ import numpy as np
 
 from lommel.base import validation
 from lommel.base.units import format_length
-from lommel.cli.options import FILE, PATH, SIDES, WINDOW, Command, Group, Option, Parsed, argument, flag_of, option
-from lommel.recorded.frames import Metadata, Unusable
+from lommel.cli.options import FILE, PATH, SIDES, WINDOW, Group, Option, Parsed, argument, flag_of, option
 from lommel.recorded.noise import Noise
 from lommel.report import Facts
 
@@ -23,6 +22,7 @@ if TYPE_CHECKING:
     from lommel.base.arrays import Array, Values
     from lommel.lensfiles.instrument import Camera, Instrument
     from lommel.lensfiles.microscope_files import Microscope
+    from lommel.recorded.frames import Metadata
 
 
 def _camera(text: str) -> Camera:
@@ -80,7 +80,6 @@ def mask_of(path: Path, images: Values) -> NDArray[np.bool_]:
     return mask[0] if len(mask) == 1 else mask
 
 
-IMAGES = argument("images", type=PATH, nargs=-1, required=True)
 STACK_FILE = argument("stack", type=PATH)
 LENS = argument("lens", type=FILE)
 OBJECT_DISTANCE = option(length="m", help="Object distance, such as 1.5m or inf; overrides the file.")
@@ -94,9 +93,6 @@ SHAPE = option(type=WINDOW, help="Window in pixels, such as 65 or 64x128 (height
 STEP = option(length="nm", help="Stage step between planes, such as 100nm; by default from the file.")
 DEPTH = option(length="um", heading="Microscopes",
     help="Depth of the emitter below the cover glass, such as 2um; by default from the file.")  # fmt: skip
-DEFOCUS_UNIT = option(type=click.Choice(("radians", "waves", "um")), default="radians",
-    help="Unit of --defocus: radians (C_d), waves of W020 at the edge of the pupil, or um by which the sensor was "
-    "moved towards the lens, 8 N^2 W020 with the f-number N.")  # fmt: skip
 
 
 class Optics(Group):
@@ -297,6 +293,8 @@ def take_header(options: Facts, header: Metadata, camera: Camera | None = None) 
 
     Options have priority over the camera, and the camera over the header. Notes state header values that differ.
     """
+    from lommel.recorded.frames import Unusable
+
     camera_values, notes = camera_facts(camera), []
     for name, (key, phrase) in _HEADER_VALUES.items():
         value = header.get(key)
@@ -323,6 +321,8 @@ def take_header(options: Facts, header: Metadata, camera: Camera | None = None) 
 
 def header_differences(header: Metadata, microscope: Microscope, step: float | None = None) -> dict[str, str]:
     """Return a note on each header value of images (pixel, emission, `step`) that differs from the value in use."""
+    from lommel.recorded.frames import Unusable
+
     pixel, emission = header.get("pixel"), next(iter(header.get("emission") or ()), None)
     comparisons = {
         "pixel": ("pixels of {} in the sample", pixel, microscope.pixel / microscope.objective.magnification),
@@ -446,61 +446,3 @@ class CameraMaps(CameraOptions, heading="Camera"):
         texts = {"white": self.white, "read": self.read, "offset": self.offset}
         maps = {name: None if text is None else camera_map(text, name) for name, text in texts.items()}
         return maps | {"excess": self.excess}
-
-
-class SeveralNumbers(Command):
-    """A command whose option ``--defocus`` takes all numbers that follow it."""
-
-    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
-        """Join the numbers after ``--defocus`` to one word."""
-        words: list[str] = []
-        for word, previous in zip(args, ["", *args], strict=False):
-            if previous == "--defocus" and words[-1] == previous:
-                words[-1] = f"--defocus={word}"
-            elif words and words[-1].startswith("--defocus=") and _is_number(word):
-                words[-1] += f" {word}"
-            else:
-                words.append(word)
-        return super().parse_args(ctx, words)
-
-
-def _is_number(word: str) -> bool:
-    try:
-        float(word)
-    except ValueError:
-        return False
-    return True
-
-
-class StarCamera(CameraOptions, heading="Camera and noise"):
-    """Options for the camera of star images, which may be in electrons."""
-
-    # fmt: off
-    white: float | None = option(type=float,
-        help="Electrons per unit of image value; for images in counts this is the gain, electrons per count. "
-        "By default from the camera, or 1 for images in electrons.")
-    object_distance: float | None = OBJECT_DISTANCE
-    # fmt: on
-
-    def instrument_of_file(self, lens: Path) -> Instrument:
-        """Return the instrument of a lens file with this camera; ValueError if its noise is out of range."""
-        instrument = instrument_of(lens, camera=self.camera, pixel=self.pixel, object_distance=self.object_distance)
-        self.require()
-        return instrument
-
-
-def defocus_coefficients(text: str, unit: str, instrument: Instrument) -> Array:
-    """Return the defocus coefficients C_d in the text of ``--defocus``, in radians; a scalar if there is one.
-
-    The unit is "radians" (C_d), "waves" (W020), or "um" (displacement of the sensor towards the lens).
-    """
-    numbers = text.replace(",", " ").split()
-    if not numbers or not all(map(_is_number, numbers)):
-        raise ValueError(f"--defocus must be numbers, one for each image, got {text!r}")
-    values = np.array(numbers, dtype=float)
-    if unit == "um":
-        # W020 in waves is displacement / (8 N^2 wavelength), and the scale is N times the wavelength.
-        values *= 1e-6 * instrument.lens.wavelength / (8.0 * instrument.pupil().scale ** 2)
-    if unit != "radians":
-        values *= math.pi
-    return values if len(values) > 1 else values[0]

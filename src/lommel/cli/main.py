@@ -38,8 +38,7 @@ COMMANDS = {
 }
 """Module of each command, in the order of the help; a command is the function of that name in the module."""
 
-GENERATED = {"examples", "info", "live", "compare", "methods", "paper", "psf", "stack", "depth", "watch", "precision"}
-GENERATED |= {"blur", "restore", "sharpen"}
+GENERATED = set(COMMANDS) - {"deconvolve", "localize"}
 
 _TEXT = """\
 Point spread functions (PSFs) of defocused and aberrated lenses, telescopes and microscopes.

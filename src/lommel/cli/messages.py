@@ -9,13 +9,13 @@ import sys
 import warnings
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager, suppress
+from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from lommel.base.units import with_units
 from lommel.base.validation import brief, line
 from lommel.lensfiles import example_files
-from lommel.methods import METHODS
 from lommel.report import Facts, Report, Wrapped
 from lommel.report.table import tables
 
@@ -133,8 +133,15 @@ def _hint(error: OSError) -> str:
 # "`missing`", "largest=", "tol=1e-9", "f_number"; but not --set tol=1, lens.f_number (of a file) or words in quotes.
 _NAMES = re.compile(r"[A-Z]\w*\([^()]*\)|`([a-z_]+)`|(?<!--set )(?<![.'])\b([a-z][a-z_]*)(=)?(?=([\w'\"(\[])?)")
 _METHOD = re.compile(r"--method (\w+)\(.*?\)")
-_METHOD_NAMES = {kind.__name__: name for name, kind in METHODS.items()}
-_METHOD_OPTIONS = {item.name for kind in METHODS.values() for item in dataclasses.fields(kind)}  # type: ignore[arg-type]
+
+
+@cache
+def _methods() -> tuple[dict[str, str], set[str]]:
+    """Return the names of methods on the command line by those of their classes, and the names of their options."""
+    from lommel.methods import METHODS  # late: only messages need it
+
+    options = {item.name for kind in METHODS.values() for item in dataclasses.fields(kind)}  # type: ignore[arg-type]
+    return {kind.__name__: name for name, kind in METHODS.items()}, options
 
 
 def with_options(message: str) -> str:
@@ -149,7 +156,7 @@ def with_options(message: str) -> str:
     message = re.sub(r", in metres, such as (\d+)e-9", r", such as \1nm", message).replace(
         ", in metres", ", with a unit"
     )
-    return _METHOD.sub(lambda match: f"--method {_METHOD_NAMES.get(match[1], match[1])}", with_units(message))
+    return _METHOD.sub(lambda match: f"--method {_methods()[0].get(match[1], match[1])}", with_units(message))
 
 
 def given_flags() -> dict[str, str]:
@@ -168,7 +175,7 @@ def _flag_in(match: re.Match[str]) -> str:
     word = quoted or name
     if word in _flags and (quoted or equals or "_" in word):
         return _flags[word] + (" " if equals and value else "")
-    if equals and value and word in _METHOD_OPTIONS and "settings" in _flags:
+    if equals and value and "settings" in _flags and word in _methods()[1]:
         return f"--set {match[0]}"
     return match[0]
 

@@ -6,7 +6,7 @@ import dataclasses
 import re
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Annotated, Any, ClassVar
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar
 
 from lommel.base.options import In, Options, Shown
 from lommel.base.validation import shown
@@ -20,9 +20,11 @@ from lommel.cli.instruments import (
     take_header,
 )
 from lommel.lensfiles.instrument import Camera, Instrument
-from lommel.recorded.frames import Metadata
 from lommel.recorded.noise import Noise
 from lommel.report import Facts
+
+if TYPE_CHECKING:
+    from lommel.recorded.frames import Metadata
 
 
 def _camera(text: str) -> Camera:

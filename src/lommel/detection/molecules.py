@@ -24,9 +24,8 @@ from functools import lru_cache
 from typing import Any
 
 import numpy as np
+import scipy
 from numpy.typing import ArrayLike, NDArray
-from scipy import ndimage
-from scipy.spatial import cKDTree
 
 from lommel.base import validation
 from lommel.base.arrays import Array, Values
@@ -205,14 +204,19 @@ def frame_counts(frames: ArrayLike, box: tuple[int, int], **options: Any) -> Cou
 
 
 def image_counts(
-    name: str, images: ArrayLike, shape: str, box: tuple[int, int], *, saturation: float | None, **options: Any
+    name: str,
+    images: ArrayLike | Counts,
+    shape: str,
+    box: tuple[int, int],
+    noise: Noise | None = None,
+    **options: Any,
 ) -> tuple[Counts, bool]:
     """Return images as counts (n, rows, columns), and whether `images` is a single image of shape (rows, columns).
 
     ValueError if images are smaller than a box, or if an image has no valid pixel; `shape` is the required shape as
     text.
     """
-    counts = counts_of(name, images, sides=(2, 3), shape=shape, saturation=saturation, **options)
+    counts = counts_of(name, images, noise, sides=(2, 3), shape=shape, **options)
     if counts.values.shape[-2] < box[0] or counts.values.shape[-1] < box[1]:
         raise ValueError(f"{name} must have the shape {shape}, got {counts.values.shape}")
     if len(counts.values):
@@ -286,7 +290,7 @@ def _heights(excess: Array, mean: Array, squares: Array, cubes: Array) -> Array:
 
 def smoothed(light: Array, sigma: float) -> Array:
     """Return an image convolved with a Gaussian of this standard deviation, with reflection at the edges."""
-    return np.asarray(ndimage.gaussian_filter(light, sigma, mode="reflect", truncate=_TRUNCATION))
+    return np.asarray(scipy.ndimage.gaussian_filter(light, sigma, mode="reflect", truncate=_TRUNCATION))
 
 
 @lru_cache(maxsize=16)
@@ -307,7 +311,7 @@ def _sums(side: int, narrow: float, wide: float) -> dict[tuple[int, int], Array]
     reach = math.ceil(_TRUNCATION * wide) + 1
     count = min(side, 2 * reach + 1)
     narrow_weights, wide_weights = (
-        ndimage.gaussian_filter1d(np.eye(count), sigma, axis=0, mode="reflect", truncate=_TRUNCATION)
+        scipy.ndimage.gaussian_filter1d(np.eye(count), sigma, axis=0, mode="reflect", truncate=_TRUNCATION)
         for sigma in (narrow, wide)
     )
     # Pixels farther than `reach` from both edges have equal sums.
@@ -331,7 +335,7 @@ def brightest(places: Array, score: Array, near: float) -> NDArray[np.bool_]:
     `near` is the distance along each axis.
     """
     kept = np.ones(score.size, bool)
-    neighbors = cKDTree(places).query_ball_point(places, near, p=np.inf) if score.size > 1 else []
+    neighbors = scipy.spatial.cKDTree(places).query_ball_point(places, near, p=np.inf) if score.size > 1 else []
     isolated = np.array([len(indices) < 2 for indices in neighbors], bool)
     for spot in np.argsort(-score, kind="stable")[: len(neighbors)].tolist():
         if kept[spot] and not isolated[spot]:

@@ -13,9 +13,8 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
+import scipy
 from numpy.typing import ArrayLike, NDArray
-from scipy import ndimage
-from scipy.spatial import cKDTree
 
 from lommel import show
 from lommel.base import validation
@@ -33,6 +32,7 @@ if TYPE_CHECKING:
 # masked or NaN; another target is too near; one pixel has nearly all the light.
 _REASONS = ("saturated", "edge", "masked", "neighbor", "defect")
 _STRUCTURE = 0.25  # windows: maxima closer than this belong to one image
+_FAINTEST = 0.02  # spots dimmer than this fraction of another spot do not count as its neighbours
 _INSIDE = 0.55  # windows: a target farther than this from the middle of a window is outside it
 _ONE_PIXEL = 0.8  # fraction of a spot's light in one pixel above which it is a defect; the sharpest images have less
 _MAX_MASKED = 0.25  # largest fraction of masked pixels of a usable window, and of its middle half
@@ -160,27 +160,24 @@ class PointSources(Targets):
 
 
 def find_spots(
-    images: ArrayLike,
+    images: ArrayLike | Counts,
     *,
-    noise: Noise,
+    noise: Noise | None = None,
     window: int | tuple[int, int] = 33,
     threshold: float = 8.0,
     width: float = 2.0,
-    apart: float = 1.0,
-    faintest: float = 0.02,
-    mask: ArrayLike | None = None,
-    saturation: float | None = None,
     most: int | None = None,
 ) -> PointSources:
     """Find isolated stars, beads or pinholes, and cut a window around each.
 
     Parameters
     ----------
-    images : array_like, shape (height, width) or (planes, height, width)
+    images : array_like or Counts, shape (height, width) or (planes, height, width)
         Recorded images, in the unit of `noise`. A stack shows one field, such as the planes of a z stack or exposures
         at several defoci; spots are detected in the sum of its images. NaN, infinite and masked values are left out.
-    noise : Noise
-        Gain, offset and read noise of the camera, each a number or a map of the image.
+        The largest value of an integer type is saturated; :class:`lommel.Counts` state a mask and a saturation.
+    noise : Noise, optional
+        Gain, offset and read noise of arrays, each a number or a map of the image; Counts have their own.
     window : int or (int, int), default 33
         Rows and columns of the windows, at least 5. A window should contain the image of a point and some background.
     threshold : float, default 8.0
@@ -189,17 +186,6 @@ def find_spots(
         Standard deviation of the smoothing in pixels, at most a quarter of the window. It should be about that of the
         images. For a defocused star, whose image is a ring, it should be about the radius of the ring: the ring is
         then detected as one spot.
-    apart : float, default 1.0
-        Minimum distance from the middle of a window to other spots, along rows or columns, relative to the sides of
-        the window. With 0.5 other spots are outside the window; with 1.0 windows do not overlap.
-    faintest : float, default 0.02
-        Spots dimmer than this fraction of another spot do not count as its neighbours. Maxima within a quarter of a
-        window are parts of one image.
-    mask : array_like of bool, shape of `images` or (height, width), optional
-        True for pixels to leave out, such as defects.
-    saturation : float, optional
-        Values greater than or equal to this, in the unit of the images, are saturated. The largest value of an
-        integer type always counts as saturated.
     most : int, optional
         Maximum number of spots; those of the highest score are kept.
 
@@ -218,7 +204,9 @@ def find_spots(
     Spots are detected by a difference of Gaussians, as in :func:`lommel.localize.find`; the standard deviation of the
     wide Gaussian is a third of the window. A window is centred on the pixel nearest to the centroid of the spot. The
     centroid includes pixels within a quarter of a window of the maximum that are more than three standard deviations
-    above the background. For detection, pixels that are left out are replaced by the mean of pixels around them.
+    above the background. Maxima within a quarter of a window are parts of one image. A spot is refused if its window
+    overlaps that of another spot with at least 2 % of its brightness. For detection, pixels that are left out are
+    replaced by the mean of pixels around them.
 
     Examples
     --------
@@ -231,14 +219,12 @@ def find_spots(
     (array([[50, 62]]), '1 spot found; refused: 1 edge')
     """
     rows, columns = box = checked_window(window)
-    validation.instance("noise", noise, Noise)
     level = validation.real("threshold", threshold, least=3.0, most=1e3)
     sigma = validation.real("width", width, least=0.5, most=min(rows, columns) / 4.0)
-    distance = validation.real("apart", apart, least=0.0, most=100.0)
-    faint = validation.real("faintest", faintest, least=0.0, most=1.0)
     count = None if most is None else validation.integer("most", most, least=1, most=10**9)
     shape = f"(height, width) or (planes, height, width), at least the window of {rows} x {columns}"
-    counts, single = image_counts("images", images, shape, box, mask=mask, saturation=saturation)
+    counts, single = image_counts("images", images, shape, box, noise)
+    noise = validation.instance("noise", counts.noise, Noise)
     camera = noise.poisson
     electrons = camera.electrons(filled(counts.values, counts.hidden, sigma))
     variance = camera.variance(np.zeros_like(electrons)).sum(axis=0)
@@ -259,7 +245,7 @@ def find_spots(
     for k, pixel in enumerate(zip(row.tolist(), column.tolist(), strict=True)):
         center[k], flux[k], peak[k] = _centroid(signal, background, variance, pixel, box)
     middle = np.rint(center).astype(np.int64)
-    neighbor = _neighbors(middle / box, brightness, peak > _ONE_PIXEL, distance, faint)
+    neighbor = _neighbors(middle / box, brightness, peak > _ONE_PIXEL)
     reasons = unusable(middle, counts, box)
     for k, fraction in enumerate(peak.tolist()):
         reasons[k] = reasons[k] or ("defect" if fraction > _ONE_PIXEL else "neighbor" if neighbor[k] else "")
@@ -330,9 +316,11 @@ def _background(signal: Array, box: tuple[int, int]) -> Array:
          for a, b in zip(edges[0], edges[0][1:], strict=False)]
     )  # fmt: skip
     # A cell that a spot fills has the background of its neighbours.
-    smooth = ndimage.median_filter(medians, size=3, mode="nearest")
+    smooth = scipy.ndimage.median_filter(medians, size=3, mode="nearest")
     cells_at = [(np.arange(side) + 0.5) * n / side - 0.5 for side, n in zip(signal.shape, cells, strict=True)]
-    return np.asarray(ndimage.map_coordinates(smooth, np.meshgrid(*cells_at, indexing="ij"), order=1, mode="nearest"))
+    return np.asarray(
+        scipy.ndimage.map_coordinates(smooth, np.meshgrid(*cells_at, indexing="ij"), order=1, mode="nearest")
+    )
 
 
 def _centroid(
@@ -357,17 +345,17 @@ def _centroid(
     return middle, float(excess.sum()), float(significant.max()) / total if total > 0.0 else 0.0
 
 
-def _neighbors(places: Array, light: Array, defect: NDArray[np.bool_], distance: float, faint: float) -> list[bool]:
-    """Return for each place whether another one is nearer than `distance` and not dimmer than the fraction `faint`.
+def _neighbors(places: Array, light: Array, defect: NDArray[np.bool_]) -> list[bool]:
+    """Return for each place, in windows, whether the window of another one overlaps that is not far dimmer.
 
-    Places and distance are in windows. A `defect` counts only inside a window because it has no light around it.
+    A `defect` counts only inside a window because it has no light around it.
     """
     has_neighbor = [False] * len(places)
-    if len(places) > 1 and distance > 0.0:
-        for pair in cKDTree(places).query_pairs(distance * (1.0 - 1e-9), p=math.inf):
+    if len(places) > 1:
+        for pair in scipy.spatial.cKDTree(places).query_pairs(APART, p=math.inf):
             outside = np.abs(places[pair[0]] - places[pair[1]]).max() > _INSIDE
             for k, other in (pair, pair[::-1]):
-                has_neighbor[k] |= bool(light[other] >= faint * light[k]) and not (defect[other] and outside)
+                has_neighbor[k] |= bool(light[other] >= _FAINTEST * light[k]) and not (defect[other] and outside)
     return has_neighbor
 
 
@@ -411,25 +399,24 @@ class Crossings(Targets):
 
 
 def find_crossings(
-    images: ArrayLike,
+    images: ArrayLike | Counts,
     *,
-    noise: Noise,
+    noise: Noise | None = None,
     window: int | tuple[int, int] | None = None,
     threshold: float = 8.0,
     width: float = 2.0,
-    mask: ArrayLike | None = None,
-    saturation: float | None = None,
     most: int | None = None,
 ) -> Crossings:
     """Find the crossings of a checkerboard, where four squares meet, and cut a window around each.
 
     Parameters
     ----------
-    images : array_like, shape (height, width) or (exposures, height, width)
+    images : array_like or Counts, shape (height, width) or (exposures, height, width)
         Recorded images, in the unit of `noise`; several exposures show one chart that did not move. NaN, infinite and
-        masked values are left out.
-    noise : Noise
-        Gain, offset and read noise of the camera, each a number or a map of the image.
+        masked values are left out. The largest value of an integer type is saturated; :class:`lommel.Counts` state a
+        mask and a saturation.
+    noise : Noise, optional
+        Gain, offset and read noise of arrays, each a number or a map of the image; Counts have their own.
     window : int or (int, int), optional
         Rows and columns of the windows, at least 5. The default is a square of 9 to 21 pixels, chosen so that at
         most about a tenth of the windows overlap.
@@ -438,11 +425,6 @@ def find_crossings(
     width : float, default 2.0
         Standard deviation of the smoothing in pixels, at least 1. It should be about that of the blur of edges; the
         sides of squares must be larger than four of these.
-    mask : array_like of bool, shape of `images` or (height, width), optional
-        True for pixels to leave out, such as defects.
-    saturation : float, optional
-        Values greater than or equal to this, in the unit of the images, are saturated. The largest value of an
-        integer type always counts as saturated.
     most : int, optional
         Maximum number of crossings, which are chosen evenly over the image.
 
@@ -473,13 +455,13 @@ def find_crossings(
     '15 crossings found, 30 pixels apart; refused: none'
     """
     box = None if window is None else checked_window(window)
-    validation.instance("noise", noise, Noise)
     level = validation.real("threshold", threshold, least=3.0, most=1e3)
     sigma = validation.real("width", width, least=1.0, most=50.0)
     count = None if most is None else validation.integer("most", most, least=1, most=10**9)
     rows, columns = smallest = box or (_MIN_WINDOW, _MIN_WINDOW)
     shape = f"(height, width) or (exposures, height, width), at least the window of {rows} x {columns}"
-    counts, single = image_counts("images", images, shape, smallest, mask=mask, saturation=saturation)
+    counts, single = image_counts("images", images, shape, smallest, noise)
+    noise = validation.instance("noise", counts.noise, Noise)
     electrons = noise.electrons(filled(counts.values, counts.hidden, sigma))
     signal, variance = electrons.sum(axis=0), noise.variance(np.maximum(electrons, 0.0)).sum(axis=0)
     center, score, contrast = _saddles(signal, variance, sigma, level)
@@ -514,15 +496,17 @@ def _saddles(signal: Array, variance: Array, sigma: float, level: float) -> tupl
     """Return places (n, 2) of crossings, heights in standard deviations of the noise, and contrasts in electrons."""
 
     def derivative(rows: int, columns: int) -> Array:
-        return np.asarray(ndimage.gaussian_filter(signal, sigma, order=(rows, columns), mode="nearest"))
+        return np.asarray(scipy.ndimage.gaussian_filter(signal, sigma, order=(rows, columns), mode="nearest"))
 
     xx, yy, xy = derivative(0, 2), derivative(2, 0), derivative(1, 1)
     # White noise of variance v gives the mixed derivative a variance of v / (16 pi sigma^6).
-    noise = ndimage.gaussian_filter(variance, sigma / math.sqrt(2.0), mode="nearest") / (16.0 * math.pi * sigma**6)
+    noise = scipy.ndimage.gaussian_filter(variance, sigma / math.sqrt(2.0), mode="nearest") / (
+        16.0 * math.pi * sigma**6
+    )
     saddle = np.maximum(xy * xy - xx * yy, 0.0)
     height = np.sqrt(saddle / np.maximum(noise, 1e-12))
     size = 2 * math.ceil(sigma) + 1
-    peak = (saddle == ndimage.maximum_filter(saddle, size=size, mode="nearest")) & (height >= level)
+    peak = (saddle == scipy.ndimage.maximum_filter(saddle, size=size, mode="nearest")) & (height >= level)
     peak[[0, -1]] = peak[:, [0, -1]] = False
     row, column = np.nonzero(peak)
     center = np.column_stack([row, column]).astype(np.float64)
@@ -533,8 +517,11 @@ def _saddles(signal: Array, variance: Array, sigma: float, level: float) -> tupl
     angle = 2.0 * math.pi * np.arange(_POINTS) / _POINTS
     points = center[:, :, None] + _CIRCLE * sigma * np.stack([np.sin(angle), np.cos(angle)])
     # Points outside the image have the brightness of the nearest pixel at its border.
-    circle = ndimage.map_coordinates(
-        ndimage.gaussian_filter(signal, 0.5 * sigma, mode="nearest"), points.swapaxes(0, 1), order=1, mode="nearest"
+    circle = scipy.ndimage.map_coordinates(
+        scipy.ndimage.gaussian_filter(signal, 0.5 * sigma, mode="nearest"),
+        points.swapaxes(0, 1),
+        order=1,
+        mode="nearest",
     )
     power = np.abs(np.fft.rfft(circle, axis=1)[:, 1:]) ** 2 if len(circle) else np.zeros((0, _POINTS // 2))
     power[:, -1:] *= 0.5  # the highest frequency has no negative counterpart
@@ -562,7 +549,7 @@ def _nearest_offsets(center: Array) -> Array:
     """Return the offset (row, column) from each place to its nearest neighbour, shape (n, 2)."""
     if len(center) < 2:
         return np.zeros_like(center)
-    _, nearest = cKDTree(center).query(center, k=2)
+    _, nearest = scipy.spatial.cKDTree(center).query(center, k=2)
     return np.asarray(center[nearest[:, 1]] - center)
 
 
@@ -601,7 +588,7 @@ def grid_indices(places: ArrayLike) -> Array:
     points = validation.real_array("places", places)
     if points.ndim != 2 or points.shape[1] != 2 or len(points) < 4:
         raise ValueError(f"places must be the rows and columns of at least 4 points, got shape {points.shape}")
-    tree = cKDTree(points)
+    tree = scipy.spatial.cKDTree(points)
     largest: dict[int, tuple[int, int]] = {}
     for seed in np.argsort(((points - np.median(points, axis=0)) ** 2).sum(axis=1))[:_SEEDS].tolist():
         if seed in largest or (steps := _steps(points, tree, seed)) is None:
@@ -618,7 +605,7 @@ def grid_indices(places: ArrayLike) -> Array:
     return np.asarray(indices - np.nanmin(indices, axis=0))
 
 
-def _steps(places: Array, tree: cKDTree, seed: int) -> Array | None:
+def _steps(places: Array, tree: scipy.spatial.cKDTree, seed: int) -> Array | None:
     """Return the steps (2, 2) from a point to the next one downwards and to the right.
 
     Return None if no two of the nearest points are at about right angles.
@@ -636,7 +623,7 @@ def _steps(places: Array, tree: cKDTree, seed: int) -> Array | None:
     return np.asarray(steps)
 
 
-def _grow_grid(places: Array, tree: cKDTree, seed: int, steps: Array) -> dict[int, tuple[int, int]]:
+def _grow_grid(places: Array, tree: scipy.spatial.cKDTree, seed: int, steps: Array) -> dict[int, tuple[int, int]]:
     """Return the grid indices of all points that are connected to the point `seed` by steps of the grid."""
     indices, occupied = {seed: (0, 0)}, {(0, 0)}
     queue = deque([(seed, steps)])

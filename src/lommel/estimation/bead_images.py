@@ -14,8 +14,8 @@ from functools import lru_cache, partial
 from typing import Any, NamedTuple
 
 import numpy as np
+import scipy
 from numpy.typing import ArrayLike, NDArray
-from scipy import special
 
 from lommel.base.arrays import Array
 from lommel.core.answers import Declined
@@ -244,7 +244,7 @@ def heights(radius: float) -> tuple[Array, Array]:
     if radius == 0.0:
         return np.zeros(1), np.ones(1)
     # The area of the cross-section at height u is proportional to 1 - u^2, the weight of this Gauss-Jacobi rule.
-    u, w = special.roots_jacobi(max(2, math.ceil(1.0 + 1.35 * radius)), 1.0, 1.0)
+    u, w = scipy.special.roots_jacobi(max(2, math.ceil(1.0 + 1.35 * radius)), 1.0, 1.0)
     return u, w / w.sum()
 
 

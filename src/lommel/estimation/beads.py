@@ -6,7 +6,7 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import partial
-from typing import TYPE_CHECKING, Any, Unpack, cast
+from typing import TYPE_CHECKING, Any, Protocol, cast, runtime_checkable
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -14,9 +14,9 @@ from numpy.typing import ArrayLike
 from lommel import show
 from lommel.base import validation
 from lommel.base.arrays import Array, fields_of, plain
-from lommel.base.options import require_known, shares
+from lommel.base.options import listed
 from lommel.base.units import with_error
-from lommel.estimation import FitKeywords, FitOptions, bead_checks
+from lommel.estimation import Effort, bead_checks
 from lommel.estimation.bead_images import (
     AMPLITUDES,
     CONSTANTS,
@@ -30,7 +30,6 @@ from lommel.estimation.bead_images import (
 )
 from lommel.estimation.bead_search import (
     MIN_FLUX_SIGMAS,
-    ORIGINS,
     SHARES,
     BeadModel,
     Evaluation,
@@ -40,13 +39,14 @@ from lommel.estimation.bead_search import (
     brightest,
     start_of,
 )
+from lommel.estimation.options import BeadOptions
 from lommel.estimation.star_images import MAX_LINEAR_ERROR, label
 from lommel.fit import goodness_of_fit
 from lommel.fit.findings import Finding, Findings, FitReport
 from lommel.fit.score_tests import ScoreTest, causes_of_misfit
 from lommel.measures.spot import profile_width
 from lommel.methods.derivative_names import SHIFTS, Term, checked, term_of
-from lommel.optics.layers.emitter import Beam, Dipole, Scalar, emitter_of
+from lommel.optics.layers.emitter import Beam, Dipole, Emitter, Scalar, emitter_of
 from lommel.optics.layers.objective import Objective
 from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.optics.layers.stratified import DEPTH_MOST, length
@@ -64,6 +64,8 @@ _CAUSES = "pixel, noise, z or the objective are wrong, terms are missing, or bea
 _NOT_OF_POINTS = "diameter", "blur", "step"  # constants that do not affect the image of a point at exact z
 _FWHM_SIDE = 33  # side of the images of a point whose widths are measured, quarters of the Nyquist sampling
 _FIRST_NOLL = 5  # Noll's index of the first term after defocus
+# Starts differ in focus: the search ends at the first that leads to a good fit.
+EFFORT = Effort(starts=5)
 
 
 @dataclass(frozen=True, eq=False)
@@ -370,75 +372,44 @@ def _focused(setup: Setup, depth: float) -> Place:
     return Place(0.0, 0.0, brightest(setup, depth), depth)
 
 
-class BeadKeywords(FitKeywords, total=False):
-    """Options of :func:`fit_beads`."""
+@runtime_checkable
+class Microscope(Protocol):
+    """The attributes of :class:`lommel.Microscope` that a fit uses."""
 
-    priors: Mapping[str, float | tuple[float, float]] | None
-    apodization: int
-    drift: bool
-    integrate: bool
-    starts: int
-    steps: int
+    @property
+    def objective(self) -> Objective:
+        """Objective with its nominal constants."""
 
+    @property
+    def wavelength(self) -> float:
+        """Emission wavelength in vacuum, metres."""
 
-@dataclass(frozen=True)
-class UnknownsOptions:
-    """Options that select the parameters to estimate in addition to the wavefront.
+    @property
+    def pixel(self) -> float:
+        """Pixel pitch of the camera, metres."""
 
-    Parameters
-    ----------
-    priors : mapping, optional
-        Constants to estimate: name -> standard error of the prior, or (value, standard error); inf means no prior
-        knowledge. Names are "sample" and "immersion" (refractive indices), "coverslip" (thickness), "NA", "pixel",
-        "diameter", "blur" (variance of a Gaussian, pixels squared), "step" (factor of z), "depth" (separate for each
-        bead). The default is depth 20 nm, sample 0.003, coverslip 5 um, pixel 1 %, diameter 10 %, and NA 0.02 if a
-        bead is within a wavelength of the cover glass. An empty mapping fixes all constants.
-    apodization : int, default 0
-        Number of terms of the pupil amplitude to estimate, 0 to 4: radial Zernike terms of degree 2, 4, 6, 8 of the
-        logarithm of the amplitude, see :meth:`lommel.Apodization.zernike`. Their names, in `priors` and in the
-        result, are "apodization_2" to "apodization_8".
-    drift : bool, default False
-        Estimate a lateral drift of each bead, linear in time.
-    """
+    @property
+    def emitter(self) -> Emitter:
+        """Emission of the dye."""
 
-    priors: Mapping[str, float | tuple[float, float]] | None = None
-    apodization: int = 0
-    drift: bool = False
+    @property
+    def aberrations(self) -> Wavefront | None:
+        """Initial wavefront."""
+
+    @property
+    def integrate(self) -> bool | None:
+        """False for point-sampled images."""
 
 
-@dataclass(frozen=True)
-class BeadOptions(FitOptions, UnknownsOptions):
-    """Options of :func:`fit_beads`: parameters to estimate, then options of all fits, with two other defaults.
-
-    Parameters
-    ----------
-    integrate : bool, default True
-        Pixel-integrated (True) or point-sampled (False) images.
-    starts : int, default 5
-        Maximum number of starts, which differ in focus; the search ends at the first start that leads to a good fit.
-    """
-
-    integrate: bool = True
-    starts: int = 5
-
-    max_starts = len(ORIGINS)
-
-
-@shares(BeadKeywords, BeadOptions)
+@listed(BeadOptions)
 def fit_beads(
     stacks: ArrayLike | Sequence[ArrayLike],
-    objective: Objective,
+    microscope: Microscope,
     *,
     z: ArrayLike,
-    wavelength: float,
-    pixel: float,
-    noise: Noise,
-    diameter: float = 0.0,
-    depth: float | Sequence[float] | None = None,
-    emitter: str | Dipole | Beam | Scalar = "isotropic",
-    terms: int | Sequence[tuple[int, int] | str] = 18,
-    aberrations: Wavefront | None = None,
-    **options: Unpack[BeadKeywords],
+    noise: Noise | None = None,
+    options: BeadOptions | None = None,
+    **given: Any,
 ) -> BeadFit:
     """Estimate the aberrations and constants of a microscope from stacks of fluorescent beads.
 
@@ -448,30 +419,20 @@ def fit_beads(
 
     Parameters
     ----------
-    stacks : array_like, shape (planes, height, width), or a sequence of stacks
+    stacks : array_like or Counts, shape (planes, height, width), or a sequence of stacks
         Recorded z stacks, each a window around one bead; linear in the light, with the gain and offset of `noise`.
         NaN, infinite and masked values are left out, and so are saturated pixels of integer images.
-    objective : Objective
-        The objective with its nominal constants.
+        :class:`lommel.Counts` state a mask and a saturation.
+    microscope : Microscope
+        Objective with its nominal constants, emission wavelength, pixel pitch of the camera, and emission of the dye.
+        Its `aberrations` are the initial wavefront of the search; terms that are not estimated are fixed. Images are
+        pixel-integrated unless its `integrate` is False.
     z : array_like, shape (planes,)
         Position of the stage in each plane, metres, positive towards the sample; either increasing or decreasing.
-    wavelength : float
-        Emission wavelength in vacuum, metres.
-    pixel : float
-        Pixel pitch of the camera, metres.
-    noise : Noise
-        Gain, offset and read noise.
-    diameter : float, default 0
-        Diameter of the beads, metres; 0 for points.
-    depth : float or sequence, optional
-        Depth of the centre of each bead below the cover glass, metres; by default the radius (beads on the glass).
-    emitter : default "isotropic"
-        Emission of the dye, see :meth:`lommel.Objective.pupil`.
-    terms : int or sequence, default 18
-        Zernike terms to estimate: a number of terms from Noll's index 5 on, or a sequence of pairs (n, m) or names
-        such as "noll 11". Piston, tilts and defocus are excluded: the positions of the beads replace them.
-    aberrations : Wavefront, optional
-        Initial wavefront of the search. Its terms that are not estimated are fixed.
+    noise : Noise, optional
+        Gain, offset and read noise of arrays; :class:`lommel.Counts` have their own.
+    options : BeadOptions, optional
+        Options in one object; keywords change single ones.
     {options}
 
     Returns
@@ -509,25 +470,28 @@ def fit_beads(
     >>> truth = oil.pupil(depth=50e-9, z=z, wavelength=600e-9, aberrations=wave)
     >>> camera = lm.Noise(read=1.6)
     >>> bead = camera.record(2e4 * lm.microscopy.bead(truth, 100e-9, 17, 6.5e-6).values + 10, seed=1)
-    >>> fit = lm.fit_beads(
-    ...     bead, oil, z=z, wavelength=600e-9, pixel=6.5e-6, noise=camera, diameter=100e-9, terms=5, priors={}
-    ... )
+    >>> microscope = lm.Microscope(oil, wavelength=600e-9, pixel=6.5e-6)
+    >>> fit = lm.fit_beads(bead, microscope, z=z, noise=camera, diameter=100e-9, terms=5, priors={})
     >>> fit.converged, abs(fit.coefficients[2, -2] - 0.4) < 0.02
     (True, True)
     """
-    require_known(fit_beads, options, BeadKeywords)
-    settings = BeadOptions(**options)
-    validation.instance("objective", objective, Objective)
-    validation.instance("noise", noise, Noise)
-    checked_terms = _terms(terms)
+    return fit_stacks(stacks, microscope, z=z, noise=noise, options=BeadOptions.of("fit_beads", options, given))
+
+
+def fit_stacks(
+    stacks: Any, microscope: Microscope, *, z: ArrayLike, noise: Noise | None, options: BeadOptions,
+    effort: Effort = EFFORT,
+) -> BeadFit:  # fmt: skip
+    """Return aberrations and constants of a microscope from stacks of beads, see :func:`lommel.fit_beads`."""
+    validation.instance("microscope", microscope, Microscope)
+    objective, aberrations = microscope.objective, microscope.aberrations
+    checked_terms = _terms(options.terms)
     shape = "(planes, height, width) or (beads, planes, height, width)"
-    counts = counts_of(
-        "stacks", stacks, sides=(3, 4), shape=shape, mask=settings.mask, saturation=settings.saturation
-    )
+    counts = counts_of("stacks", stacks, noise, sides=(3, 4), shape=shape)
+    noise = validation.instance("noise", counts.noise, Noise)
     counts.require_known("stacks").require_light("stacks", "a bead")
     recorded = [counts[k] for k in range(len(counts.values))] if counts.values.ndim == 4 else [counts]
-    size = validation.real("diameter", diameter, least=0.0, most=1e-5, unit="metres")
-    depth_values = _depths(depth, 0.5 * size, len(recorded))
+    depth_values = _depths(options.depth, 0.5 * options.diameter, len(recorded))
     stage_positions, planes = np.atleast_1d(validation.real_array("z", z)), len(recorded[0].values)
     if planes < _PLANES:
         raise ValueError(
@@ -541,25 +505,24 @@ def fit_beads(
         raise ValueError("z must increase from plane to plane, or decrease: order planes by the stage")
     if np.abs(spacing).max() > 1e-4:
         raise ValueError(f"z must be in metres, got planes {np.abs(spacing).max():g} m apart")
-    validation.optional("aberrations", aberrations, Wavefront)
-    pitch = validation.real("pixel", pixel, above=0.0, unit="metres")
-    integrate, wavelength = validation.truth("integrate", settings.integrate), validation.wavelength(wavelength)
-    setup = Setup(objective, wavelength, emitter_of(emitter), pitch, size, integrate=integrate)
-    setup, priors, depth_error, notes = _priors(settings.priors, setup, depth_values)
-    apodization_count = validation.integer("apodization", settings.apodization, least=0, most=len(AMPLITUDES))
-    amplitudes = (name for name in list(AMPLITUDES)[:apodization_count] if name not in priors)
+    pitch = validation.real("pixel", microscope.pixel, above=0.0, unit="metres")
+    wavelength, emitter = validation.wavelength(microscope.wavelength), emitter_of(microscope.emitter)
+    integrate = microscope.integrate is not False
+    setup = Setup(objective, wavelength, emitter, pitch, options.diameter, integrate=integrate)
+    setup, priors, depth_error, notes = _priors(options.priors, setup, depth_values)
+    amplitudes = (name for name in list(AMPLITUDES)[: options.apodization] if name not in priors)
     priors |= {name: Prior(setup.value(name), math.inf) for name in amplitudes}
     start = {term: float(c) for term, c in (aberrations or Wavefront()).edge_terms().items()}
     if start.get((2, 0)):
         notes.append(Finding("stated", "note", "defocus (Noll 4) of aberrations is fixed: z of the beads adds to it"))
-    images = BeadImages(checked_terms, start, settings.threads or 0)
+    images = BeadImages(checked_terms, start, effort.threads or 0)
     waves = np.array([start.get(term, 0.0) for term in checked_terms]) / images.factors
     bead_stacks = tuple(Stack.of(counts_of_bead, noise, stage_positions) for counts_of_bead in recorded)
-    depths, drifts = tuple(Prior(d, depth_error) for d in depth_values), validation.truth("drift", settings.drift)
-    model = BeadModel(images, bead_stacks, priors, depths, drifts)
+    depths = tuple(Prior(d, depth_error) for d in depth_values)
+    model = BeadModel(images, bead_stacks, priors, depths, options.drift)
     if model.degrees_of_freedom < 1:
         raise ValueError(f"stacks must have more pixels than there are unknowns, {model.size}")
-    search = Search(model, setup, waves, settings.starts, settings.steps, settings.progress)
+    search = Search(model, setup, waves, effort.starts, effort.steps, options.progress)
     return _build_bead_fit(search, recorded, noise, notes)
 
 

@@ -11,9 +11,8 @@ from itertools import product
 from typing import TypeAlias
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy import ndimage
-from scipy.stats import norm
 
 from lommel.base.arrays import Array
 from lommel.optics.pupil import Pupil
@@ -37,7 +36,8 @@ _DARK_QUANTILE = 0.02  # fraction of pixels of a window that is assumed to conta
 _MAX_PASSES = 8  # maximum number of passes; tracks grow by a pixel in each pass
 _MAX_FRACTION = 0.06  # largest fraction of pixels of a window that cosmic rays are assumed to hit
 # Masks of a pixel with its eight neighbours, and of a pixel with its four edge neighbours.
-_EIGHT_NEIGHBOURS, _FOUR_NEIGHBOURS = (ndimage.generate_binary_structure(2, n)[None] for n in (2, 1))
+_EIGHT_NEIGHBOURS = np.ones((1, 3, 3), dtype=bool)
+_FOUR_NEIGHBOURS = np.array([[[0, 1, 0], [1, 1, 1], [0, 1, 0]]], dtype=bool)
 _OFFSETS = [offset for offset in product(range(3), range(3)) if offset != (1, 1)]
 
 
@@ -74,12 +74,12 @@ def cosmic_ray_mask(electrons: Array, variance: Array, valid: Mask, sharpest: fl
     dark_level = np.nanquantile(values, _DARK_QUANTILE, axis=(1, 2), method="lower", keepdims=True)
     noise = np.maximum(dark_level, 0.0) + read.mean(axis=(1, 2), keepdims=True)
     # The quantile `dark_level` differs from the sky by the same quantile of normal noise, which is negative.
-    sky = dark_level - norm.ppf(_DARK_QUANTILE) * np.sqrt(noise)
+    sky = dark_level - scipy.special.ndtri(_DARK_QUANTILE) * np.sqrt(noise)
     excess, noise = values - sky, read + np.maximum(sky, 0.0)
     tracks, ratio = np.zeros(valid_windows.shape, dtype=bool), max(_RATIO_FACTOR * sharpest, _MIN_RATIO)
     for _ in range(_MAX_PASSES):
         median = np.maximum(_neighbour_median(excess, valid_windows & ~tracks), 0.0)
-        is_adjacent = ndimage.binary_dilation(tracks, _EIGHT_NEIGHBOURS)
+        is_adjacent = scipy.ndimage.binary_dilation(tracks, _EIGHT_NEIGHBOURS)
         threshold = np.where(is_adjacent, 0.5, 1.0) * ratio
         # Variance of the pixel, and of the threshold times the median of its neighbours.
         total_variance = noise + threshold * median + (_NEIGHBOUR_SIGMA * threshold) ** 2 * (noise + median)
@@ -92,7 +92,7 @@ def cosmic_ray_mask(electrons: Array, variance: Array, valid: Mask, sharpest: fl
         tracks |= is_added
     is_plausible = tracks.sum(axis=(1, 2)) <= _MAX_FRACTION * valid_windows.sum(axis=(1, 2))
     tracks &= is_plausible[:, None, None]
-    return np.asarray(valid_windows & ndimage.binary_dilation(tracks, _FOUR_NEIGHBOURS)).reshape(valid.shape)
+    return np.asarray(valid_windows & scipy.ndimage.binary_dilation(tracks, _FOUR_NEIGHBOURS)).reshape(valid.shape)
 
 
 def _neighbour_median(images: Array, valid: Mask) -> Array:

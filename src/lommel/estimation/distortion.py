@@ -20,7 +20,6 @@ from lommel.estimation.field_stars import Blocks
 from lommel.fit import goodness_of_fit
 from lommel.fit.findings import Finding, Findings, FitReport
 
-POSES = ("free", "known")
 _MAX_RELATIVE_RMS = 0.2  # largest (rms distortion) / (rms distance of places from their mean)
 _POSE_FITS = 4  # number of alternating fits of polynomials and pose
 _HALVINGS = 40  # bisection steps for the scatter
@@ -93,10 +92,10 @@ class Distortion(FitReport):
         return with_errors(*self._sensor.relative(across, down), self.degree, self.coefficients, self.covariance)
 
 
-def checked_ideal(ideal: ArrayLike, places: Array, *, free: bool) -> Array:
+def checked_ideal(ideal: ArrayLike, places: Array) -> Array:
     """Return the argument `ideal` as an array (n, 2), NaN where unknown; ValueError if it is far from `places`.
 
-    If `free`, the distance is that after the best shift, rotation and magnification.
+    The distance is that after the best shift, rotation and magnification.
     """
     array = validation.number_array("ideal", ideal).astype(np.float64)
     if array.shape != places.shape:
@@ -106,17 +105,16 @@ def checked_ideal(ideal: ArrayLike, places: Array, *, free: bool) -> Array:
         raise ValueError(
             f"ideal must have at least 4 finite places, and NaN elsewhere, got {is_known.sum()} finite places"
         )
-    if free and np.linalg.matrix_rank(array[is_known] - array[is_known].mean(axis=0)) < 2:
+    if np.linalg.matrix_rank(array[is_known] - array[is_known].mean(axis=0)) < 2:
         raise ValueError("ideal must be places that are not all on one line")
     known_ideal, known_places = array[is_known], places[is_known]
-    predicted = _transformed(_similarity(known_ideal, known_places) if free else np.eye(2, 3), known_ideal)
+    predicted = _transformed(_similarity(known_ideal, known_places), known_ideal)
     rms = float(np.sqrt(((predicted - known_places) ** 2).sum(axis=1).mean()))
     place_rms = float(np.sqrt(((known_places - known_places.mean(axis=0)) ** 2).sum(axis=1).mean()))
     if rms > _MAX_RELATIVE_RMS * place_rms:
-        up_to_pose = ", up to a shift, rotation and magnification" if free else ""
         raise ValueError(
-            f"ideal must be near the windows{up_to_pose}, got an rms distance of {rms:.3g} pixels: places may be in "
-            "another order, mirrored, or have rows and columns exchanged"
+            "ideal must be near the windows, up to a shift, rotation and magnification, got an rms distance of "
+            f"{rms:.3g} pixels: places may be in another order, mirrored, or have rows and columns exchanged"
         )
     return array
 
@@ -181,7 +179,7 @@ def places_of(blocks: Blocks, centers: Array, tilt_of_pixel: float) -> Places:
 
 
 def fit_distortion(
-    ideal: Array, used: NDArray[np.intp], places: Places, *, pose: str, degree: int, sensor: Sensor
+    ideal: Array, used: NDArray[np.intp], places: Places, *, degree: int, sensor: Sensor
 ) -> Distortion:
     """Return the distortion, given the `ideal` places (n, 2) of all targets and the fitted `places` of r targets.
 
@@ -191,9 +189,9 @@ def fit_distortion(
     chart_places, fitted_places = ideal[used[indices]], places.fitted[indices]
     first_places = fitted_places[:, 0]
     degree = highest_degree(degree, len(indices))
-    transform = _similarity(chart_places, first_places) if pose == "free" else np.eye(2, 3)
+    transform = _similarity(chart_places, first_places)
     m = (degree + 1) * (degree + 2) // 2
-    pose_basis = _pose_basis(m, sensor.shape) if pose == "free" else np.zeros((0, 2 * m))
+    pose_basis = _pose_basis(m, sensor.shape)
     for iteration in range(_POSE_FITS):
         ideal_places = _transformed(transform, chart_places)
         basis = monomials(*sensor.relative(*sensor.positions(ideal_places)), degree)
@@ -204,7 +202,7 @@ def fit_distortion(
         if inliers.mean() < 1.0 - _MAX_OUTLIERS:
             inliers[:] = True
             polynomials = np.asarray(np.linalg.lstsq(basis, first_places - ideal_places, rcond=None)[0].T, np.float64)
-        if pose == "known" or iteration == _POSE_FITS - 1:
+        if iteration == _POSE_FITS - 1:
             break
         # The shift, rotation and magnification in the polynomials are moved to the pose.
         pose_part = (pose_basis.T @ (pose_basis @ polynomials.ravel())).reshape(2, m)

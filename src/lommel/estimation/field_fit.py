@@ -7,7 +7,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from dataclasses import field as attribute
 from os import PathLike
-from typing import TYPE_CHECKING, Any, NamedTuple, Unpack
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -15,13 +15,12 @@ from numpy.typing import ArrayLike, NDArray
 from lommel import show
 from lommel.base import validation
 from lommel.base.arrays import Array
-from lommel.base.options import require_known, shares
+from lommel.base.options import listed
 from lommel.blur.blurs import FWHM, Blur, Jitter, Seeing, blurs, require_unit
 from lommel.blur.mixtures import SIGMAS, BlurProfile
-from lommel.estimation import FitOptions, StarKeywords
+from lommel.estimation import EFFORT, Effort
 from lommel.estimation.cosmic_rays import cosmic_ray_mask, sharpness
 from lommel.estimation.distortion import (
-    POSES,
     Distortion,
     Sensor,
     checked_ideal,
@@ -33,6 +32,7 @@ from lommel.estimation.field_checks import negated
 from lommel.estimation.field_search import Outcome, Search, Solution
 from lommel.estimation.field_signs import highest_degree, monomials, with_errors
 from lommel.estimation.field_stars import FieldStars
+from lommel.estimation.options import FieldFitOptions
 from lommel.estimation.star_checks import missing_findings
 from lommel.estimation.star_images import MAX_LINEAR_ERROR, StarImages, Unknowns, known_defocus, label, single
 from lommel.estimation.target_readout import Target, relative_light
@@ -50,10 +50,8 @@ from lommel.special import zernike
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-_MAX_DEGREE, _MAX_DISTORTION = 6, 9  # largest degrees of the polynomials of the wavefront and of the distortion
+_DISTORTION = 3  # default degree of the polynomials of the distortion
 _MAX_SIDE = 10**6  # largest number of rows or columns of a sensor
-TARGET_KINDS = "star", "pinhole", "crossing"
-"""Kinds of targets in the windows."""
 _AXES = "rows", "columns"
 _MAX_SEARCHES = 3  # maximum number of searches, each with other random starts, until one converges
 _MAX_LISTED = 3  # maximum number of rejected stars whose places a message lists
@@ -331,66 +329,17 @@ class FieldFit(FitReport):
         )
 
 
-class FieldKeywords(StarKeywords, total=False):
-    """Options of :func:`fit_field`, for stars and for targets of a chart."""
-
-    targets: str
-    size: float | None
-    ideal: ArrayLike | None
-    pose: str
-    distortion: int
-
-
-@dataclass(frozen=True)
-class ChartOptions:
-    """Options for the targets in the windows.
-
-    Parameters
-    ----------
-    targets : {"star", "pinhole", "crossing"}, default "star"
-        Point sources, circular holes of one diameter, or corners of a checkerboard, where two lines cross. For each
-        corner the position, the directions of the two lines and the brightness of black and white are estimated. The
-        lines must be straight within a window, but need not be perpendicular.
-    size : float, optional
-        Diameter of the image of a pinhole (required), or side of the image of a square, in the unit of `pixel`. By
-        default, the lines between squares are infinitely long.
-    ideal : array_like, shape (n, 2), optional
-        Row and column of each target without distortion, for example the nominal positions of pinholes, or catalogue
-        positions of stars in the tangent plane; NaN if unknown. If given, distortion is estimated.
-    pose : {"free", "known"}, default "free"
-        "free": the shift, rotation and magnification of `ideal` are estimated, and `ideal` may have any unit and
-        origin. "known": `ideal` has rows and columns of the sensor, and any shift is distortion.
-    distortion : int, default 3
-        Total degree, 0 to 9, of the polynomials in x and y that describe the displacement: 3 for third-order
-        distortion (W311), 5 for fifth order. It is lowered if there are fewer than two known places per coefficient.
-    """
-
-    targets: str = "star"
-    size: float | None = None
-    ideal: ArrayLike | None = None
-    pose: str = "free"
-    distortion: int = 3
-
-    def target(self, pixel: float) -> Target | None:
-        """Return the target in the windows, for a pixel pitch `pixel`; None for stars."""
-        kind, size = validation.choice("targets", self.targets, TARGET_KINDS), self.size
-        if size is not None:
-            size = validation.real("size", size, above=0.0, unit="the unit of pixel") / pixel
-        if kind == "star" and size is not None:
-            raise ValueError(
-                "size must be left out for stars, which are points; set `targets` for pinholes or corners"
-            )
-        if kind == "pinhole" and size is None:
-            raise ValueError("size must be the diameter of the pinholes in the image, in the unit of pixel, got None")
-        return None if kind == "star" else Target(kind, math.inf if size is None else size)
+def target_of(options: FieldFitOptions, pixel: float) -> Target | None:
+    """Return the target in the windows, for a pixel pitch `pixel`; None for stars."""
+    kind, size = options.targets, options.size
+    if kind == "star" and size is not None:
+        raise ValueError("size must be left out for stars, which are points; set `targets` for pinholes or corners")
+    if kind == "pinhole" and size is None:
+        raise ValueError("size must be the diameter of the pinholes in the image, in the unit of pixel, got None")
+    return None if kind == "star" else Target(kind, math.inf if size is None else size / pixel)
 
 
-@dataclass(frozen=True)
-class FieldOptions(FitOptions, ChartOptions):
-    """Options of :func:`fit_field`: options of targets, then options common to all fits."""
-
-
-@shares(FieldKeywords, FieldOptions)
+@listed(FieldFitOptions)
 def fit_field(
     windows: ArrayLike,
     places: ArrayLike,
@@ -398,13 +347,9 @@ def fit_field(
     *,
     sensor: tuple[int, int],
     pixel: float,
-    noise: Noise,
-    degree: int = 3,
-    terms: int | Sequence[tuple[int, int] | str] = 11,
-    defocus: ArrayLike = 0.0,
-    blur: bool | float | Blur | Iterable[Blur] = True,
-    start: FieldMap | None = None,
-    **options: Unpack[FieldKeywords],
+    noise: Noise | None = None,
+    options: FieldFitOptions | None = None,
+    **given: Any,
 ) -> FieldFit:
     """Estimate the wavefront over the field of a camera or telescope from an image of stars or of a test chart.
 
@@ -413,10 +358,11 @@ def fit_field(
 
     Parameters
     ----------
-    windows : array_like, shape (n, height, width) or (n, e, height, width)
+    windows : array_like or Counts, shape (n, height, width) or (n, e, height, width)
         Images of n stars in e exposures, for example from :func:`lommel.detection.find_spots`; linear in the light,
         with the gain and offset of `noise`. NaN, infinite and masked values are left out, and so are saturated pixels
-        of integer images and, for stars, pixels hit by cosmic rays.
+        of integer images and, for stars, pixels hit by cosmic rays. :class:`lommel.Counts` state a mask and a
+        saturation.
     places : array_like, shape (n, 2)
         Row and column of the middle pixel ``(height // 2, width // 2)`` of each window on the sensor.
     pupil : Pupil
@@ -425,23 +371,10 @@ def fit_field(
         Rows and columns of the sensor.
     pixel : float
         Pixel pitch, in metres if the pupil has a wavelength, else in units of lambda*N.
-    noise : Noise
-        Gain, offset and read noise; numbers, not maps.
-    degree : int, default 3
-        Total degree of the polynomials in x and y, 0 to 6. It is lowered if there are fewer than two stars for each
-        coefficient.
-    terms : int or sequence, default 11
-        Terms to estimate, see :func:`lommel.retrieve`: 11 means Noll's indices 4 to 14.
-    defocus : float or array_like, shape (e,), default 0
-        Known additional defocus C_d of each exposure, radians; positive if the sensor was moved towards the lens.
-    blur : bool, float, Blur or iterable of Blur, default True
-        True: estimate the blur of each exposure. For stars it is seeing (Kolmogorov, or von Karman with an outer
-        scale of 1000, 240 or 60 r0), a Gaussian (jitter or charge diffusion), or both, whichever is most likely; for
-        pinholes and corners it is a Gaussian. False: no blur. A number is the known standard deviation of a Gaussian
-        in pixels. Known isotropic blurs may be given, such as :class:`lommel.Seeing` and :class:`lommel.Jitter`.
-    start : FieldMap, optional
-        Initial wavefronts of the search, for example those of the lens design. They determine the sign of the even
-        terms.
+    noise : Noise, optional
+        Gain, offset and read noise of arrays, numbers, not maps; :class:`lommel.Counts` have their own.
+    options : FieldFitOptions, optional
+        Options in one object; keywords change single ones.
     {options}
 
     Returns
@@ -489,8 +422,8 @@ def fit_field(
 
     Distortion requires `ideal` places. The displacement is a polynomial of the ideal position, fitted to the
     estimated places by generalised least squares, because errors of places and of coma are correlated. Tilts of the
-    map displace the images accordingly (W311 of :meth:`lommel.Wavefront.from_seidel`). A free `pose` minimizes the
-    displacement over the whole sensor, and absorbs the mean magnification. Standard errors include ``scatter``, the
+    map displace the images accordingly (W311 of :meth:`lommel.Wavefront.from_seidel`). The shift, rotation and
+    magnification of `ideal` minimize the displacement over the whole sensor. Standard errors include ``scatter``, the
     rms deviation of places in excess of noise. Later exposures may be shifted, rotated and magnified.
 
     Examples
@@ -506,11 +439,18 @@ def fit_field(
     >>> fit.converged
     True
     """
-    require_known(fit_field, options, FieldKeywords)
-    settings = FieldOptions(**options)
-    unknowns = Unknowns(terms, ("center",))
-    validation.instance("noise", noise, Noise)
-    counts = _checked_windows(windows, settings.mask, settings.saturation)
+    fit_options = FieldFitOptions.of("fit_field", options, given)
+    return fit_windows(windows, places, pupil, sensor=sensor, pixel=pixel, noise=noise, options=fit_options)
+
+
+def fit_windows(
+    windows: Any, places: ArrayLike, pupil: Pupil, *, sensor: tuple[int, int], pixel: float, noise: Noise | None,
+    options: FieldFitOptions, effort: Effort = EFFORT,
+) -> FieldFit:  # fmt: skip
+    """Return the wavefront over the field from windows around stars or targets, see :func:`lommel.fit_field`."""
+    unknowns = Unknowns(options.terms, ("center",))
+    counts = _checked_windows(windows, noise)
+    noise = validation.instance("noise", counts.noise, Noise)
     images, valid = counts.filled(), counts.known
     count, exposures, height, width = images.shape
     lens = single(pupil, "for the whole field")
@@ -518,25 +458,23 @@ def fit_field(
         raise TypeError(f"sensor must be a pair (rows, columns), got {validation.shown(sensor)}")
     rows, columns = (validation.integer("sensor", side, least=1, most=_MAX_SIDE) for side in sensor)
     star_places = _checked_places(places, (rows, columns), (count, height, width))
-    defoci = known_defocus(defocus, exposures, "exposures")
-    max_degree = validation.integer("degree", degree, least=0, most=_MAX_DEGREE)
+    defoci = known_defocus(options.defocus, exposures, "exposures")
+    start, blur = options.start, options.blur
     validation.optional("start", start, FieldMap)
-    distortion_degree = validation.integer("distortion", settings.distortion, least=0, most=_MAX_DISTORTION)
-    free_pose = validation.choice("pose", settings.pose, POSES) == "free"
-    ideal = None if settings.ideal is None else checked_ideal(settings.ideal, star_places, free=free_pose)
-    draw = random_numbers(settings.seed)
+    ideal = None if options.ideal is None else checked_ideal(options.ideal, star_places)
+    draw = random_numbers(options.seed)
     pitch = validation.pixel(pixel, metric=lens.wavelength is not None)
     chip = Sensor((rows, columns), pitch)
     poisson = noise.poisson
     electrons, read = poisson.electrons(images), poisson.variance(np.zeros_like(images))
-    plan = Plan((height, width), pitch, tol=settings.tol, integrate=settings.integrate, threads=settings.threads)
+    plan = Plan((height, width), pitch, tol=effort.tol, integrate=effort.integrate, threads=effort.threads)
     x, y = chip.positions(star_places)
     start_pupils = lens if start is None else _start_pupils(start, lens, chip, x, y)
-    target = settings.target(pitch)
+    target = target_of(options, pitch)
     if not isinstance(blur, bool | Blur | Iterable):
         blur = Jitter(validation.real("blur", blur, least=0.0, below=0.25 * min(height, width)) * pitch)
     illumination = np.ones(1)
-    if settings.targets == "crossing":
+    if options.targets == "crossing":
         across = chip.relative(x[:, None] + pitch * (np.arange(width) - width // 2), y[:, None])[0]
         down = chip.relative(x[:, None], y[:, None] + pitch * (np.arange(height) - height // 2))[1]
         illumination = relative_light(electrons, valid, across, down)
@@ -553,14 +491,14 @@ def fit_field(
         raise ValueError(
             f"windows must have more pixels than a star has unknowns, {stars.size}, got {pixels}: use larger windows"
         )
-    if count < 4 and max_degree > 0:
+    if count < 4 and options.degree > 0:
         raise ValueError(f"windows must show at least 4 stars unless degree is 0, got {count}")
-    report = settings.progress or (lambda *_: None)
+    report = options.progress or (lambda *_: None)
     u, v = chip.relative(x, y)
     pixel_size = np.array([2.0 / columns, 2.0 / rows])
-    search = Search(stars, np.stack([u, v], axis=1), pixel_size, highest_degree(max_degree, count), draw, report)
+    search = Search(stars, np.stack([u, v], axis=1), pixel_size, highest_degree(options.degree, count), draw, report)
     outcome = _search_repeatedly(search, start is not None)
-    distortion_settings = ideal, settings.pose, distortion_degree
+    distortion_settings = ideal, _DISTORTION if options.distortion is None else options.distortion
     known_blurs = blur_model if isinstance(blur_model, tuple) else ()
     camera = noise, illumination
     return _build_field_fit(
@@ -621,12 +559,10 @@ def _start_pupils(start: FieldMap, pupil: Pupil, chip: Sensor, x: Array, y: Arra
     return pupil.carrying(start.pupil(x, y).wavefront, None)
 
 
-def _checked_windows(windows: Any, mask: ArrayLike | None, saturation: float | None) -> Counts:
+def _checked_windows(windows: Any, noise: Noise | None) -> Counts:
     """Return the validated windows, with shape (n, exposures, height, width)."""
-    counts = counts_of(
-        "windows", windows, sides=(3, 4), shape="(n, height, width) or (n, exposures, height, width)", mask=mask,
-        saturation=saturation,
-    )  # fmt: skip
+    shape = "(n, height, width) or (n, exposures, height, width)"
+    counts = counts_of("windows", windows, noise, sides=(3, 4), shape=shape)
     counts.require_known("windows", 0.5).require_light("windows", "a star")
     return counts if counts.values.ndim == 4 else counts[:, None]
 
@@ -649,7 +585,7 @@ def _checked_places(places: ArrayLike, sensor: tuple[int, int], windows: tuple[i
         i, j = np.argwhere(overlaps)[0]
         raise ValueError(
             f"windows must not overlap, or light would count twice, got windows {i} and {j} at ({values[i, 0]:g}, "
-            f"{values[i, 1]:g}) and ({values[j, 0]:g}, {values[j, 1]:g}); use apart=1 in find_spots"
+            f"{values[i, 1]:g}) and ({values[j, 0]:g}, {values[j, 1]:g})"
         )
     return values
 
@@ -663,7 +599,7 @@ def _build_field_fit(
     places: Array,
     counts: Counts,
     camera: tuple[Noise, Array],
-    distortion_settings: tuple[Array | None, str, int],
+    distortion_settings: tuple[Array | None, int],
     known_blurs: tuple[Blur, ...],
 ) -> FieldFit:
     """Return the result of a search as a FieldFit."""
@@ -895,10 +831,10 @@ def _map_positions(chip: Sensor, degree: int, distortion: Distortion | None) -> 
 
 
 def _estimated_distortion(
-    fit: Solution, chip: Sensor, places: Array, distortion_settings: tuple[Array | None, str, int]
+    fit: Solution, chip: Sensor, places: Array, distortion_settings: tuple[Array | None, int]
 ) -> Distortion | None:
     """Return the distortion relative to the ideal places; None without ideal places."""
-    ideal, pose, degree = distortion_settings
+    ideal, degree = distortion_settings
     if ideal is None:
         return None
     used, tilt = fit.model.chosen, fit.model.stars.first_star.tilt_of_pixel
@@ -907,7 +843,7 @@ def _estimated_distortion(
         raise ValueError(f"ideal must be known for at least 4 of {len(used)} accepted windows, got {is_known.sum()}")
     fitted_places = fit.nuisance()[:, :2].swapaxes(1, 2) / tilt + places[used][:, None]
     blocks = fit.scores.information[0]
-    return fit_distortion(ideal, used, places_of(blocks, fitted_places, tilt), pose=pose, degree=degree, sensor=chip)
+    return fit_distortion(ideal, used, places_of(blocks, fitted_places, tilt), degree=degree, sensor=chip)
 
 
 def _twin_is_nearer(search: Search, fit: Solution, polynomials: Array, twin: Array) -> bool:

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 from os import PathLike
-from typing import TYPE_CHECKING, Any, Unpack, cast
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -13,11 +13,12 @@ from numpy.typing import ArrayLike
 from lommel import show
 from lommel.base import validation
 from lommel.base.arrays import Array, Numbers
-from lommel.base.options import require_known, shares
+from lommel.base.options import listed
 from lommel.blur.blurs import Blur
 from lommel.core.answers import Declined, ToleranceError
-from lommel.estimation import FitOptions, RetrievalKeywords
-from lommel.estimation.field_fit import FieldFit, fit_field
+from lommel.estimation import EFFORT, Effort
+from lommel.estimation.field_fit import FieldFit, fit_windows
+from lommel.estimation.options import FieldFitOptions, RetrieveOptions
 from lommel.estimation.star_checks import error_findings, missing_findings, star_tests
 from lommel.estimation.star_images import (
     MAX_LINEAR_ERROR,
@@ -231,18 +232,15 @@ class Retrieval(FitReport):
         return [(label(n), f"{c:.4g} {sign} {self.errors[n]:.2g} {self.units[n]}") for n, c in values]
 
 
-@shares(RetrievalKeywords, FitOptions)
+@listed(RetrieveOptions)
 def retrieve(
     images: ArrayLike | Sequence[ArrayLike],
     pupil: Pupil,
     *,
     pixel: float,
-    noise: Noise,
-    terms: int | Sequence[tuple[int, int] | str] = 15,
-    defocus: ArrayLike = 0.0,
-    also: str | Sequence[str] = ("center",),
-    blur: bool | float | Blur | Iterable[Blur] = False,
-    **options: Unpack[RetrievalKeywords],
+    noise: Noise | None = None,
+    options: RetrieveOptions | None = None,
+    **given: Any,
 ) -> Retrieval:
     """Estimate the wavefront of a lens from star images (phase retrieval).
 
@@ -251,32 +249,17 @@ def retrieve(
 
     Parameters
     ----------
-    images : array_like, shape (height, width) or (n, height, width), or a sequence of (height, width)
+    images : array_like or Counts, shape (height, width) or (n, height, width), or a sequence of (height, width)
         Recorded images, linear in the light, with the gain and offset of `noise`. NaN, infinite and masked values are
-        left out, and so are saturated pixels of integer images.
+        left out, and so are saturated pixels of integer images. :class:`lommel.Counts` state a mask and a saturation.
     pupil : Pupil
         Single pupil (no stack): aperture, scale and initial wavefront. Phases of segments and masks are fixed.
     pixel : float
         Pixel pitch, in metres if the pupil has a wavelength, else in units of lambda*N.
-    noise : Noise
-        Gain, offset and read noise.
-    terms : int or sequence, default 15
-        Terms to estimate: a number of Zernike terms from defocus on (15: Noll's indices 4 to 18), or a sequence of
-        pairs (n, m) or names such as "noll 11", "ansi 12", "fringe 9" (radians rms), "defocus" (C_d), "spherical"
-        (C_s), "rho^6", "rho^8" (radians, see :class:`lommel.Wavefront`). May be empty. Other terms of `pupil` are
-        fixed.
-    defocus : float or array_like, shape (n,), default 0
-        Known additional defocus C_d of each image, radians; positive if the sensor was moved towards the lens. See
-        :attr:`lommel.Wavefront.defocus`.
-    also : str or sequence of str, default ("center",)
-        Nuisance parameters: "center" ("row" and "column" of each image) and, common to all images, "f_number",
-        "obscuration" and "wavelength" (at fixed path differences). Pass an empty sequence if the axis is known to be
-        in the middle of pixel ``(height // 2, width // 2)``.
-    blur : bool, float, Blur or iterable of Blur, default False
-        Blur of each image. True: estimate seeing and a Gaussian (vibration, charge diffusion), as
-        :func:`lommel.fit_field` does. A number is the known standard deviation of a Gaussian in pixels. Known
-        isotropic blurs may be given, such as :class:`lommel.Seeing` and :class:`lommel.Jitter`. Unless `blur` is
-        False, `also` must be "center", and `starts` and `steps` must have their default values.
+    noise : Noise, optional
+        Gain, offset and read noise of arrays; :class:`lommel.Counts` have their own.
+    options : RetrieveOptions, optional
+        Options in one object; keywords change single ones.
     {options}
 
     Returns
@@ -341,31 +324,39 @@ def retrieve(
     >>> fit.converged, abs(fit.coefficients["noll 5"] - 0.4) < 0.01
     (True, True)
     """
-    require_known(retrieve, options, RetrievalKeywords)
-    settings = FitOptions(**options)
-    unknowns = Unknowns(terms, also)
-    validation.instance("noise", noise, Noise)
-    counts = checked_images(images, settings.mask, settings.saturation)
+    return fit_stars(images, pupil, pixel=pixel, noise=noise, options=RetrieveOptions.of("retrieve", options, given))
+
+
+def fit_stars(
+    images: Any,
+    pupil: Pupil,
+    *,
+    pixel: float,
+    noise: Noise | None,
+    options: RetrieveOptions,
+    effort: Effort = EFFORT,
+) -> Retrieval:
+    """Return the wavefront of a lens from star images, see :func:`lommel.retrieve`."""
+    unknowns = Unknowns(options.terms, options.also)
+    counts = checked_images(images, noise)
+    noise = validation.instance("noise", counts.noise, Noise)
     values, valid = counts.filled(), counts.known
     start = _checked_pupil(pupil, unknowns)
     poisson = noise.poisson
     electrons, read = poisson.electrons(values), poisson.variance(np.zeros_like(values))
-    defoci = known_defocus(defocus, len(values), "images")
-    draw = random_numbers(settings.seed)
-    plan = Plan(values.shape[1:], pixel, tol=settings.tol, integrate=settings.integrate, threads=settings.threads)
-    if blur is not False:
-        others = [f"also={validation.shown(also)}"] if {*unknowns.places} != {*SHIFTS} or unknowns.pupil else []
-        limits = ((name, getattr(settings, name)) for name in ("starts", "steps"))
-        others += [f"{name}={value}" for name, value in limits if value != getattr(FitOptions, name)]
-        if others:
+    defoci = known_defocus(options.defocus, len(values), "images")
+    draw = random_numbers(options.seed)
+    plan = Plan(values.shape[1:], pixel, tol=effort.tol, integrate=effort.integrate, threads=effort.threads)
+    if options.blur is not False:
+        if {*unknowns.places} != {*SHIFTS} or unknowns.pupil:
             raise ValueError(
-                f"blur must be False with {' and '.join(others)}: it is fitted with their defaults alone"
+                f"blur must be False with also={validation.shown(options.also)}: it is fitted with center alone"
             )
         height, width = values.shape[1:]
-        field_fit = fit_field(
+        given = {name: getattr(options, name) for name in ("terms", "defocus", "blur", "progress")}
+        field_fit = fit_windows(
             np.where(valid, values, np.nan)[None], [[height // 2, width // 2]], start, sensor=(height, width),
-            pixel=pixel, noise=noise, degree=0, terms=terms, defocus=defoci, blur=blur, integrate=settings.integrate,
-            tol=settings.tol, seed=draw, threads=settings.threads, progress=settings.progress,
+            pixel=pixel, noise=noise, options=FieldFitOptions(degree=0, seed=draw, **given), effort=effort,
         )  # fmt: skip
         return _build_blurred_retrieval(field_fit, counts, noise, plan, pixel, start, defoci)
     model = StarImages(electrons, read, valid, start, defoci, unknowns, plan, pixel)
@@ -373,21 +364,19 @@ def retrieve(
         raise ValueError(
             f"images must have more pixels than there are unknowns, {model.size}, got {int(valid.sum())} valid pixels"
         )
-    best_x, scores, settled, effort = _search(
-        model, draw, settings.progress, starts=settings.starts, steps=settings.steps
-    )
-    return _build_retrieval(model, best_x, scores, settled, counts, noise, effort)
+    best_x, scores, settled, extent = _search(model, draw, options.progress, effort)
+    return _build_retrieval(model, best_x, scores, settled, counts, noise, extent)
 
 
 def _search(
-    model: StarImages, draw: np.random.Generator, progress: Callable[[float, float], object] | None, *, starts: int,
-    steps: int,
-) -> tuple[Array, Scores, bool, tuple[int, int]]:  # fmt: skip
+    model: StarImages, draw: np.random.Generator, progress: Callable[[float, float], object] | None, effort: Effort
+) -> tuple[Array, Scores, bool, tuple[int, int]]:
     """Return the best parameters (1, p), their scores, whether the fit settled, and the numbers of steps and starts.
 
-    The search ends when noise explains chi2, when three starts agree within the standard errors, or after `starts`
-    starts.
+    The search ends when noise explains chi2, when three starts agree within the standard errors, or after the last
+    start.
     """
+    starts, steps = effort.starts, effort.steps
     centroid_starts = _centroid_starts(model)
     best_scores: Scores | None = None
     best_x, best_settled, end_points = centroid_starts[:1], False, centroid_starts[:0]
@@ -445,10 +434,9 @@ def _checked_pupil(pupil: Pupil, unknowns: Unknowns) -> Pupil:
     return pupil
 
 
-def checked_images(images: Any, mask: ArrayLike | None, saturation: float | None) -> Counts:
+def checked_images(images: Any, noise: Noise | None) -> Counts:
     """Return the validated images of a star, with shape (n, height, width)."""
-    shape = "(height, width) or (n, height, width)"
-    counts = counts_of("images", images, sides=(2, 3), shape=shape, mask=mask, saturation=saturation)
+    counts = counts_of("images", images, noise, sides=(2, 3), shape="(height, width) or (n, height, width)")
     counts = counts if counts.values.ndim == 3 else counts[None]
     counts.require_known("images").require_light("images", "a star")
     return counts

@@ -19,7 +19,7 @@ import math
 from collections.abc import Sequence
 
 import numpy as np
-from scipy import fft
+import scipy
 
 from lommel.base.arrays import Array, Values
 from lommel.estimation.star_readout import products, unfolded
@@ -60,7 +60,7 @@ class SampledPupil:
         side = max(_MIN_SIDE, _STEP * math.ceil(window / _STEP))
         width = 2.0 / side  # of a cell, pupil radii
         # Length of Fourier transforms; 0 for products of matrices, which are faster for small images.
-        self._length = fft.next_fast_len(max(grid.shape)) if max(grid.shape) > SMALL else 0
+        self._length = scipy.fft.next_fast_len(max(grid.shape)) if max(grid.shape) > SMALL else 0
         if self._length:
             width = 2.0 * math.pi / (self._length * grid.step(pupil))
             side = 2 * math.ceil(1.0 / width)
@@ -114,7 +114,7 @@ class SampledPupil:
         """Return the real and imaginary parts of fields (n, h, w) of pupils, shape (n, real and imaginary, y, x)."""
         if self._length:
             # The origin of the transform is the first cell: this multiplies all fields by the same phase factor.
-            field = fft.fft2(planes[:, 0] + np.complex64(1j) * planes[:, 1], (self._length, self._length))
+            field = scipy.fft.fft2(planes[:, 0] + np.complex64(1j) * planes[:, 1], (self._length, self._length))
             rows, columns = (np.arange(side) - side // 2 for side in self._shape)
             field = field[:, rows[:, None], columns]
             return field.real, field.imag

@@ -8,7 +8,7 @@ from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
-from scipy import ndimage
+import scipy
 
 from lommel.base.arrays import Array
 from lommel.base.units import with_error
@@ -206,7 +206,9 @@ def missing_charge_transfer(image: Array) -> Iterator[MissingEffect]:
     for name, axis, step in zip(_TRAILS.values(), (1, 1, 2, 2), (1, -1, 1, -1), strict=True):
         kernel = np.concatenate([np.zeros(_TRAIL_LENGTH + 1), trail / trail.sum()])[::step]
         # The deferred charge moves to pixels read out later: the sum is conserved.
-        yield MissingEffect(name, _TRAIL, (ndimage.correlate1d(image, kernel[::-1], axis, mode="constant") - image,))
+        yield MissingEffect(
+            name, _TRAIL, (scipy.ndimage.correlate1d(image, kernel[::-1], axis, mode="constant") - image,)
+        )
 
 
 def missing_blurs(blurs: Mapping[str, Array], exposures: int, *, gaussian: bool) -> Iterator[MissingEffect]:

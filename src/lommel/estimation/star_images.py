@@ -18,7 +18,7 @@ from functools import cached_property, lru_cache
 from typing import Any, cast
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from lommel.base import validation
 from lommel.base.arrays import Array
@@ -162,12 +162,11 @@ def single(pupil: Pupil, reason: str) -> Pupil:
     return pupil
 
 
-def known_defocus(defocus: ArrayLike, count: int, noun: str) -> Array:
-    """Return the known C_d, radians, of each of `count` images or exposures; `noun` is their name in the message."""
-    defoci = validation.real_array("defocus", defocus)
-    if defoci.shape not in ((), (count,)):
-        raise ValueError(f"defocus must be a number, or one for each of {count} {noun}, got shape {defoci.shape}")
-    return np.broadcast_to(defoci, count)
+def known_defocus(defoci: tuple[float, ...], count: int, noun: str) -> Array:
+    """Return the known C_d, radians, of each of `count` images or exposures, 0 by default; `noun` is their name."""
+    if len(defoci) not in (0, 1, count):
+        raise ValueError(f"defocus must be a number, or one for each of {count} {noun}, got {len(defoci)} numbers")
+    return np.broadcast_to(defoci or (0.0,), count)
 
 
 def pixel_coordinates(images: int, shape: tuple[int, int]) -> list[Array]:

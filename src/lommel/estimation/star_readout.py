@@ -20,7 +20,7 @@ from collections.abc import Iterator, Sequence
 from itertools import product
 
 import numpy as np
-from scipy import special
+import scipy
 
 from lommel.base.arrays import Array, Values
 from lommel.blur.mixtures import BlurProfile
@@ -79,7 +79,7 @@ class StarReadout:
         nodes, weights = gauss_legendre(math.ceil(0.5 * math.pi * cutoff * (2.0 * length)) + 30)
         self._f: Array = cutoff * nodes
         middle = 0.5 * (band + cutoff)
-        taper = 0.5 * special.erfc(_ERF_ARGUMENT * (self._f - middle) / (cutoff - middle))
+        taper = 0.5 * scipy.special.erfc(_ERF_ARGUMENT * (self._f - middle) / (cutoff - middle))
         area = np.sinc(pixel * self._f) if integrate else 1.0
         self._f_weights = 2.0 * pixel * cutoff * weights * taper * area
         self._window = window

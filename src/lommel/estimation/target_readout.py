@@ -28,8 +28,8 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy import fft, ndimage, special
 
 from lommel.base.arrays import Array, Values
 from lommel.base.threads import side_by_side
@@ -93,11 +93,11 @@ class TargetReadout:
         self.shape = (2 * half_sides[0] + 1, 2 * half_sides[1] + 1)
         pad = 2 * math.ceil(_PAD / self.step)
         self._fft_sides = [
-            fft.next_fast_len(side * self._samples_per_pixel + samples + pad, real=True)
+            scipy.fft.next_fast_len(side * self._samples_per_pixel + samples + pad, real=True)
             for side, samples in zip(window, self.shape, strict=True)
         ]
-        f_row = fft.fftfreq(self._fft_sides[0], self.step)[:, None]
-        f_column = fft.rfftfreq(self._fft_sides[1], self.step)[None]
+        f_row = scipy.fft.fftfreq(self._fft_sides[0], self.step)[:, None]
+        f_column = scipy.fft.rfftfreq(self._fft_sides[1], self.step)[None]
         f_squared = f_row**2 + f_column**2
         in_band = f_squared <= 1.1  # the spectrum of the PSF is 0 beyond the frequency 1; 0.1 is for rounding
         # Single precision is sufficient: errors of images are 1e-6 of the peak, and noise is a thousand times larger.
@@ -112,7 +112,7 @@ class TargetReadout:
         if target.kind == "pinhole":
             x = math.pi * target.size * pixel * np.sqrt(f_squared)
             # The spectrum of a uniform disc of unit light: 2 J1(x) / x.
-            disc = np.where(x > 1e-6, 2.0 * special.j1(x) / np.maximum(x, 1e-6), 1.0)
+            disc = np.where(x > 1e-6, 2.0 * scipy.special.j1(x) / np.maximum(x, 1e-6), 1.0)
             self._transfer: Values = (transfer * disc * self._samples_per_pixel**2).astype(np.complex64)
             return
         self._object_samples = math.ceil(self.step / _OBJECT_STEP)  # number per PSF sample, along each axis
@@ -123,7 +123,7 @@ class TargetReadout:
         transfer *= np.exp(2.0 * math.pi**2 * variance * np.where(in_band, f_squared, 0.0)) / self._object_samples**2
         self._transfer = transfer.astype(np.complex64)
         y, x = (
-            object_step * self._object_samples * side * fft.fftfreq(self._object_samples * side)
+            object_step * self._object_samples * side * scipy.fft.fftfreq(self._object_samples * side)
             for side in self._fft_sides
         )
         self._x, self._y = x[None].astype(np.float32), y[:, None].astype(np.float32)
@@ -162,7 +162,7 @@ class TargetReadout:
 
     def _coarse_spectrum(self, fine_object: Values) -> Values:
         """Return the spectrum of a finely sampled object at the frequencies of the coarser lattice of PSF samples."""
-        spectrum = fft.rfft2(fine_object)
+        spectrum = scipy.fft.rfft2(fine_object)
         rows, columns = self._fft_sides
         half = (rows + 1) // 2
         coarse_rows = np.concatenate([spectrum[:half], spectrum[len(spectrum) - (rows - half) :]])
@@ -204,11 +204,13 @@ class TargetReadout:
 
         def read_one(k: int) -> None:
             transfer, *transfer_derivatives = self._spectra(squared_widths[k], angles[k], derivatives=derivatives)
-            sample_spectra = [fft.rfft2(np.asarray(values[k], np.float32), self._fft_sides) for values in samples]
+            sample_spectra = [
+                scipy.fft.rfft2(np.asarray(values[k], np.float32), self._fft_sides) for values in samples
+            ]
             spectra = [transfer * spectrum for spectrum in sample_spectra]
             spectra += [sample_spectra[0] * derivative for derivative in transfer_derivatives]
             for image, spectrum in zip(images, spectra, strict=True):
-                fine_image = fft.irfft2(spectrum, self._fft_sides)
+                fine_image = scipy.fft.irfft2(spectrum, self._fft_sides)
                 step = self._samples_per_pixel
                 image[k] = fine_image[tuple(slice(0, side * step, step) for side in self._window)]
 
@@ -219,7 +221,7 @@ class TargetReadout:
 def _edge(distance: Values, sign: Values | float) -> tuple[Values, Values, Values]:
     """Return e, g, g1 (module docstring) of an edge at a distance in standard deviations of the narrow Gaussian."""
     density = np.exp(-0.5 * distance * distance) * (sign / math.sqrt(2.0 * math.pi))
-    return sign * special.erf(distance * math.sqrt(0.5)), density, distance * density
+    return sign * scipy.special.erf(distance * math.sqrt(0.5)), density, distance * density
 
 
 def start_of_crossing(image: Array) -> tuple[float, float, float, float]:
@@ -238,8 +240,10 @@ def start_of_crossing(image: Array) -> tuple[float, float, float, float]:
         patterns.append(pattern - pattern.mean())
     pattern_stack = np.array(patterns)
     # Zero padding to twice the sides: the correlation must not wrap around.
-    size = [fft.next_fast_len(2 * side, real=True) for side in (height, width)]
-    correlation = fft.irfft2(fft.rfft2(contrast, size) * np.conj(fft.rfft2(pattern_stack, size)), size)
+    size = [scipy.fft.next_fast_len(2 * side, real=True) for side in (height, width)]
+    correlation = scipy.fft.irfft2(
+        scipy.fft.rfft2(contrast, size) * np.conj(scipy.fft.rfft2(pattern_stack, size)), size
+    )
     largest_shift = [max(2, side // 5) for side in (height, width)]
     rows, columns = (np.arange(-n, n + 1) for n in largest_shift)
     central_correlation = correlation[:, rows[:, None], columns]
@@ -281,6 +285,8 @@ def relative_light(electrons: Array, valid: NDArray[np.bool_], u: Array, v: Arra
 def _white_pixels(image: Array, valid: NDArray[np.bool_]) -> NDArray[np.bool_]:
     """Return a mask of the pixels in white squares away from edges; all False if these are too few."""
     dark_level, bright_level = np.percentile(image[valid], [5.0, 95.0])
-    is_bright = ndimage.median_filter(image, size=3, mode="nearest") > 0.5 * (dark_level + bright_level)
-    is_white = ndimage.binary_erosion(is_bright, iterations=_EDGE_PIXELS, border_value=True) & valid & (image > 0.0)
+    is_bright = scipy.ndimage.median_filter(image, size=3, mode="nearest") > 0.5 * (dark_level + bright_level)
+    is_white = (
+        scipy.ndimage.binary_erosion(is_bright, iterations=_EDGE_PIXELS, border_value=True) & valid & (image > 0.0)
+    )
     return is_white if is_white.sum() >= _MIN_WHITE else np.zeros_like(is_white)

@@ -27,8 +27,8 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+import scipy
 from numpy.typing import ArrayLike, NDArray
-from scipy import special
 
 from lommel.base.arrays import Array
 from lommel.fit.findings import Finding, Severity
@@ -55,19 +55,19 @@ def largest_plausible_chi2(spread: Any, probability: float = BY_CHANCE) -> Array
     """Return the chi2 that noise exceeds with this probability, for a standard deviation `spread` of chi2."""
     # The gamma distribution of mean 1 and standard deviation s has the shape 1 / s^2.
     shape = 1.0 / np.square(np.maximum(spread, 1e-9))
-    return np.asarray(special.gammainccinv(shape, probability) / shape)
+    return np.asarray(scipy.special.gammainccinv(shape, probability) / shape)
 
 
 def smallest_plausible_chi2(spread: Any, probability: float = BY_CHANCE) -> Array:
     """Return the chi2 that noise falls below with this probability."""
     shape = 1.0 / np.square(np.maximum(spread, 1e-9))
-    return np.asarray(special.gammaincinv(shape, probability) / shape)
+    return np.asarray(scipy.special.gammaincinv(shape, probability) / shape)
 
 
 def chance(chi2: float, spread: float) -> float:
     """Return the probability that noise alone causes a chi2 of this value or more."""
     shape = 1.0 / max(spread, 1e-9) ** 2
-    return float(special.gammaincc(shape, shape * chi2))
+    return float(scipy.special.gammaincc(shape, shape * chi2))
 
 
 def chi2_findings(chi2: float, spread: float, causes: str) -> list[Finding]:
@@ -215,9 +215,9 @@ def stripe_findings(residual: Array, variance: Array, excess: float = 1.0) -> li
     w_2k = np.fft.fft2(weight)[:, np.arange(2 * height)[:, None] % height, np.arange(width + 1) % width]
     squares, freedom = _wave_squares(f, w_2k, total)
     # If the noise is larger than stated, the power of all wave vectors is increased: normalize by the median.
-    dispersion = max(1.0, float(np.median(squares / (2.0 * special.gammaincinv(0.5 * freedom, 0.5)))))
+    dispersion = max(1.0, float(np.median(squares / (2.0 * scipy.special.gammaincinv(0.5 * freedom, 0.5)))))
     squares /= dispersion
-    probability = special.gammaincc(0.5 * freedom, 0.5 * squares)
+    probability = scipy.special.gammaincc(0.5 * freedom, 0.5 * squares)
     # Periods as long as the window are backgrounds, not stripes.
     probability[np.ix_(np.minimum(rows, height - rows) < 2.0, columns < 2.0)] = 1.0
     # Of strong stripes, several probabilities are 0.
@@ -227,7 +227,7 @@ def stripe_findings(residual: Array, variance: Array, excess: float = 1.0) -> li
     chances, power = {"stripes": float(probability[i, j]) * probability.size}, {}
     for name, line, side in (("rows", np.s_[4 : height + 1 : 2, 0], height), ("columns", np.s_[0, 4::2], width)):
         square_sum, degrees = float(squares[line].sum()), float(freedom[line].sum())
-        chances[name] = float(special.gammaincc(0.5 * degrees, 0.5 * square_sum))
+        chances[name] = float(scipy.special.gammaincc(0.5 * degrees, 0.5 * square_sum))
         power[name] = square_sum - degrees, 2.0 * len(squares[line]) / side
     kind = min(chances, key=chances.__getitem__)
     if (chance := len(chances) * chances[kind]) >= SURE:

@@ -19,7 +19,7 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
-from scipy import special
+import scipy
 
 from lommel.base.arrays import Array
 from lommel.base.units import with_error
@@ -258,5 +258,5 @@ def sigmas_of(square: float, count: int) -> float:
 
     The chi-squared distribution has `count` degrees of freedom.
     """
-    probability = special.gammaincc(0.5 * count, 0.5 * square)
-    return float(-special.ndtri(0.5 * probability)) if probability > 1e-300 else math.sqrt(square)
+    probability = scipy.special.gammaincc(0.5 * count, 0.5 * square)
+    return float(-scipy.special.ndtri(0.5 * probability)) if probability > 1e-300 else math.sqrt(square)

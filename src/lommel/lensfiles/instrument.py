@@ -4,21 +4,20 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, field, replace
-from typing import TypedDict
+from typing import TYPE_CHECKING, TypedDict
 
 from lommel.base import validation
 from lommel.base.arrays import Json
 from lommel.base.units import format_length
-from lommel.field.maps import FieldMap
-from lommel.measures.aperture_means import strehl
-from lommel.optics.colour.spectrum import Channels
 from lommel.optics.lens import Lens
-from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront.wavefront import Wavefront
-from lommel.psf import PSF, psf
 from lommel.recorded.noise import Noise
-from lommel.show import notebook
-from lommel.show.drawing import length_in_words, name_in_words, true_minus
+
+if TYPE_CHECKING:
+    from lommel.field.maps import FieldMap
+    from lommel.optics.colour.spectrum import Channels
+    from lommel.optics.pupil import Pupil
+    from lommel.psf import PSF
 
 
 @dataclass(frozen=True)
@@ -195,6 +194,10 @@ class Instrument:
         return f"<Instrument {self.name!r}: {self.lens!r}, object at {distance}, pixels of {pixel}>"
 
     def _repr_html_(self) -> str:
+        # Late: commands print their help without plots and measures.
+        from lommel.show import notebook
+        from lommel.show.drawing import length_in_words, name_in_words, true_minus
+
         lens = self.lens
         obscuration = f", obscuration {lens.obscuration:.4g}" if lens.obscuration else ""
         pixel = " × ".join(length_in_words(side) for side in dict.fromkeys(self.pitch))
@@ -204,6 +207,11 @@ class Instrument:
             terms = list(self.pupil().wavefront.waves.items())[:4]
             return true_minus(", ".join(f"{name} = {float(value):.4g}" for name, value in terms))
 
+        def strehl_text() -> str:
+            from lommel.measures.aperture_means import strehl
+
+            return f"{float(strehl(self.pupil())):.4g} on the axis"
+
         rows: list[notebook.Row] = [
             ("lens", f"f = {length_in_words(lens.focal_length)}, f/{lens.f_number:.4g}{obscuration}"),
             ("wavelength", length_in_words(lens.wavelength)),
@@ -212,13 +220,15 @@ class Instrument:
             ("pixels", pixel),
             ("sensor", sensor),
             ("aberrations (waves)", waves),
-            ("Strehl ratio", lambda: f"{float(strehl(self.pupil())):.4g} on the axis"),
+            ("Strehl ratio", strehl_text),
             ("radii of interest", ", ".join(self.radii) or None),
             ("channels", None if self.channels is None else ", ".join(self.channels.names)),
             ("source", self.source or None),
         ]
 
         def image() -> PSF:
+            from lommel.psf import psf
+
             height, width = self.window
             shape = min(height, _MAX_SHOWN), min(width, _MAX_SHOWN)
             return psf(self.pupil(), shape, self.pixel, **self.sensor_options)

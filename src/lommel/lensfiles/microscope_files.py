@@ -45,6 +45,7 @@ from lommel.special import zernike
 
 PLANES_MOST = 4096
 _LEAST_SIDE, _MOST_SIDE = 33, 513
+_ISOTROPIC = emitter_of("isotropic")
 _NOTEBOOK_SIDE = 65  # largest side of the image in notebooks, pixels
 
 
@@ -61,16 +62,16 @@ class Microscope:
 
     Attributes
     ----------
-    name, source : str
-        Name of the microscope, and source of its numbers.
     objective : Objective
         Objective with immersion, cover glass and sample.
-    wavelength, depth : float
-        Vacuum wavelength, and depth of the emitter below the cover glass, metres.
+    wavelength : float
+        Vacuum wavelength, metres.
     pixel : float
         Pixel pitch on the camera, metres.
+    depth : float
+        Depth of the emitter below the cover glass, metres.
     emitter : Dipole, Beam or Scalar
-        Emitter or excitation beam.
+        Emitter or excitation beam, by default a freely rotating dipole; see :meth:`lommel.Objective.pupil`.
     planes : int
         Number of planes; 1 for a single image.
     step : float
@@ -88,6 +89,8 @@ class Microscope:
     errors : mapping
         Standard errors of fitted parameters, by name: "noll 5" in waves rms, "sample" and other constants in the
         units of :func:`lommel.fit_beads`.
+    name, source : str
+        Name of the microscope, and source of its numbers.
 
     Raises
     ------
@@ -123,13 +126,11 @@ class Microscope:
 
     pupil_hint = "a Microscope; microscope.pupil() is its pupil"
 
-    name: str
-    source: str
     objective: Objective
     wavelength: float
-    depth: float
     pixel: float
-    emitter: Emitter
+    depth: float = 0.0
+    emitter: Emitter = _ISOTROPIC
     planes: int = 1
     step: float = 0.0
     origin: str = "brightest"
@@ -138,6 +139,8 @@ class Microscope:
     aberrations: Wavefront | None = None
     camera: Camera | None = None
     errors: Mapping[str, float] = field(default_factory=dict)
+    name: str = ""
+    source: str = ""
 
     def __post_init__(self) -> None:
         validation.integer("planes", self.planes, least=1, most=PLANES_MOST)
@@ -545,11 +548,11 @@ def _microscope(file: _File, *, table: ZernikeTable | None, stem: str) -> Micros
     objective = Objective(**entries, coverslip=coverslip, sample=file.sample.index, films=films, design=design)
     stack = dict(file.stack) if file.stack is not None else {}
     microscope = Microscope(
-        stem if file.name is None else file.name,
-        file.source,
         objective,
         file.emission.wavelength,
-        file.sample.depth,
+        name=stem if file.name is None else file.name,
+        source=file.source,
+        depth=file.sample.depth,
         emitter=file.emission.build(),
         aberrations=None if table is None else camera_files.wavefront_of(table, file.emission.wavelength),
         errors=file.errors,

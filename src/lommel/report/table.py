@@ -149,7 +149,12 @@ def tables(facts: Facts, titles: Mapping[str, str] | None = None, first: str = "
     errors, units, titles = facts.get("errors", {}), facts.get("units", {}), titles or {}
     found: list[Table] = []
     for name, values in facts.items():
-        if isinstance(values, Mapping) and values and name != "errors" and _is_number(*map(errors.get, values)):
+        if (
+            isinstance(values, Mapping)
+            and values
+            and name not in ("errors", "units")
+            and _is_number(*map(errors.get, values))
+        ):
             rows = [(titles.get(k, k), *with_error(v, errors[k]), units.get(k, "")) for k, v in values.items()]
             found.append(table_of((name, "value", "std. error", "unit"), rows))
     columns = {k: v for k, v in facts.items() if isinstance(v, list) and isinstance(errors.get(k), list)}

@@ -27,6 +27,7 @@ from scipy.sparse import csr_matrix
 from scipy.special import jv
 
 import lommel as lm
+from lommel.microscopy.deconvolution import DeconvolveOptions, Tuning, run
 from lommel.microscopy.depth_model import DepthModel, usual_window
 
 Array = NDArray[np.float64]
@@ -69,13 +70,14 @@ def speed(shape: tuple[int, int, int], turns: int) -> dict[str, float]:
     marks: list[float] = []
     ours, theirs = [], []
 
-    def mark(*_: object) -> None:
-        marks.append(time.process_time())
+    def mark(_: float, message: str) -> None:
+        if message.startswith("step"):
+            marks.append(time.process_time())
 
     for turn in range(turns):
         before = most()
         marks.clear()
-        lm.microscopy.deconvolve(stack, kernel, noise, method=way, progress=mark)
+        lm.microscopy.deconvolve(stack, kernel, noise=noise, method=way, progress=mark)
         memory = memory if turn else most() - before
         ours.append(float(np.diff(marks).min()))
         spent = []
@@ -207,21 +209,22 @@ def deep(planes: int, side: int, step: float, beads: int, threads: int) -> dict[
             found *= (found * smooth).sum() / (found**2).sum()
         return float(np.sqrt(((found - smooth) ** 2).sum() / (smooth**2).sum()))
 
-    given: dict[str, Any] = {"pixel": PIXEL, "step": step, "wavelength": WAVE, "noise": camera, "threads": threads}
+    given: dict[str, Any] = {"pixel": PIXEL, "step": step, "wavelength": WAVE}
     given |= {"direction": "up", "diagnosis": False}
     found, most = {"recording": {"error": error(light)}}, 1
-    for name, more in (
-        ("PSFs by depth", {"depth": middle}),
-        ("one PSF", {"depth": middle, "slabs": 1}),
-        ("one PSF, as many steps", {"depth": middle, "slabs": 1}),
-        ("one PSF, of the glass", {"depth": 0.0, "slabs": 1}),
+    for name, depth in (
+        ("PSFs by depth", middle),
+        ("one PSF", middle),
+        ("one PSF, as many steps", middle),
+        ("one PSF, of the glass", 0.0),
     ):
         method = lm.imaging.RichardsonLucy(steps=most, target=0.0) if "many" in name else None
-        made = lm.microscopy.restore(stack, OIL, method=method, **given, **more)
+        options = DeconvolveOptions(method=method, depth=depth, **given)
+        made = run(stack, OIL, camera, options, Tuning(slabs=1 if "one" in name else None, threads=threads))
         (channel,) = made.channels
         most = max(most, channel.steps)
         found[name] = {
-            "error": error(0.46 * (np.asarray(made.values) + channel.background), more["depth"]),
+            "error": error(0.46 * (np.asarray(made.values) + channel.background), depth),
             "steps": channel.steps,
             "discrepancy": channel.discrepancy,
             "PSFs": len(channel.psf_depths),

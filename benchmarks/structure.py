@@ -205,7 +205,7 @@ def print_calls() -> None:
         ),
         (
             "a deconvolution of 9 planes of 17^2, 5 steps",
-            lambda: lm.microscopy.restore(
+            lambda: lm.microscopy.deconvolve(
                 bead, objective, depth=1e-6, step=200e-9, direction="up", method=steps, diagnosis=False, **camera
             ),
             1,

@@ -58,10 +58,10 @@ stack = noise.record(np.maximum(light, 0.0), seed=3)
 # %%
 steps = 30
 way = lm.imaging.RichardsonLucy(steps=steps, target=0.0)
-found = {name: lm.microscopy.deconvolve(stack, psf, noise, method=way, margin=(4, 8)) for name, psf in psfs.items()}
+found = {name: lm.microscopy.deconvolve(stack, psf, noise=noise, method=way) for name, psf in psfs.items()}
 for name, one in found.items():
     error = np.sqrt(((one.values - specimen) ** 2).sum() / (specimen**2).sum())
-    print(f"PSF of {name}: error {error:.2f} of the specimen, discrepancy {one.discrepancy:.2f}")
+    print(f"PSF of {name}: error {error:.2f} of the specimen, discrepancy {one.channels[0].discrepancy:.2f}")
 
 shown = {"specimen": specimen, "recorded": stack}
 shown |= {f"PSF of {name}": one.values for name, one in found.items()}

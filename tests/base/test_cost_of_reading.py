@@ -57,7 +57,7 @@ ARGUED = {
     ("imaging/datasets.py", "open"): "to write, and pictures that it wrote itself",
     ("io/photos.py", "File"): "its header alone first, whose size is looked at",
     ("recorded/frames.py", "open"): "a folder whose descriptions were parsed by reading",
-    ("microscopy/restoration.py", "open"): "a folder that it wrote itself",
+    ("microscopy/store.py", "open"): "a folder that it wrote itself",
     ("io/videos.py", "open"): "frame by frame, and to write",
     ("localize/localizations.py", "File"): "to write, in memory",
     ("stacks.py", "open"): "a store, by its own reader",

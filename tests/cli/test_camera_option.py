@@ -5,10 +5,10 @@ from __future__ import annotations
 import dataclasses
 import json
 import shutil
+from typing import Any
 
 import numpy as np
 import pytest
-from click.testing import CliRunner
 
 import lommel as lm
 from lommel.cli import deconvolve_command
@@ -101,16 +101,17 @@ def test_precision_takes_the_read_noise_of_the_camera(call_lommel, tmp_path):
     assert errors("--camera", "google-pixel-4", "--read", "3") == errors() == errors("--read", "3")
 
 
-def test_deconvolve_takes_the_noise_of_a_camera_that_is_named(monkeypatch, tmp_path):
+def test_deconvolve_takes_the_noise_of_a_camera_that_is_named(call_lommel, monkeypatch, tmp_path):
     seen = []
 
-    def restore(*_: object, noise: object, pixel: object, **more: object) -> None:
-        seen.append((noise, pixel))
+    def restore(_: object, microscope: object, noise: object, options: Any, **more: object) -> None:
+        seen.append((noise, options.pixel))
         raise ValueError("enough")
 
-    monkeypatch.setattr(deconvolve_command, "restore", restore)
-    call = ["stack.tif", str(example_files()["nikon-60x-1.4-oil"]), "-o", str(tmp_path / "out.ome.tif")]
+    monkeypatch.setattr(deconvolve_command, "run", restore)
+    np.save(tmp_path / "stack.npy", np.ones((3, 9, 9)))
+    call = ["deconvolve", "stack.npy", example_files()["nikon-60x-1.4-oil"], "--axes", "ZYX", "-o", "out.ome.tif"]
     for more in (["--camera", "andor-zyla-4.2", "--offset", "100"], []):
-        assert "enough" in CliRunner().invoke(deconvolve_command.deconvolve, [*call, *more]).output
+        assert "enough" in call_lommel(*call, *more, folder=tmp_path).stderr
     # The voxels are those of the stack; a camera that is only an example in the file of the objective is not taken.
     assert seen == [(lm.Noise(white=0.45, read=0.9, offset=100.0), None), (None, None)]

@@ -84,17 +84,13 @@ def entries(folder: Path) -> list[tuple[str, object, dict[str, object]]]:
         "pixel": 6.5e-6,
         "step": 3e-7,
         "noise": lm.Noise(read=1.0),
-        "saturation": None,
-    }
-    of_voxels |= {
-        "modality": "widefield",
-        "pinhole": 1.0,
         "direction": "up",
-        "slabs": 1,
         "background": 0.0,
-        "tile": None,
+        "method": ONCE,
+        "refine": (),
+        "diagnosis": False,
+        "memory": 1e9,
     }
-    of_voxels |= {"psf_shape": (5, 9), "margin": (0, 0), "threads": 1, "method": ONCE, "refine": (), "channel": 0}
     psf_parts = {f.name: getattr(PSF, f.name) for f in dataclasses.fields(PSF) if f.init}
     found = [
         tagged("psf", lm.psf, pupil=PUPIL, method=None, derivatives=(), **window | {"integrate": True}),
@@ -248,9 +244,9 @@ def entries(folder: Path) -> list[tuple[str, object, dict[str, object]]]:
         tagged("localize.fit", lm.localize.fit, table=SPOTS, images=np.ones((2, 9, 9)), noise=lm.Noise(read=1.0),
                starts=1, threads=1),
         tagged("localize.fit", lm.localize.fit, table=[SPOTS, SPOTS], images=[np.ones((2, 9, 9))] * 2, starts=1),
-        tagged("restore", lm.microscopy.restore, stack=VOXELS, objective=MICROSCOPE, **of_voxels),
-        tagged("deconvolve", lm.microscopy.deconvolve, stack=VOXELS, psf=PLANES, noise=lm.Noise(read=1.0),
-               method=ONCE, background=0.0, margin=(0, 0)),
+        tagged("deconvolve", lm.microscopy.deconvolve, stack=VOXELS, microscope=MICROSCOPE, **of_voxels),
+        tagged("deconvolve", lm.microscopy.deconvolve, stack=VOXELS, microscope=PLANES, noise=lm.Noise(read=1.0),
+               method=ONCE, background=0.0),
         tagged("load_camera", lm.load_camera, path="andor-zyla-5.5"),
         tagged("Polychromatic", Polychromatic, wavelengths=[5e-7, 6e-7], weights=[1.0, 2.0], method=Hankel(),
                tol=1e-6),
@@ -455,16 +451,6 @@ def test_a_stack_of_what_no_camera_counts_is_refused_at_once(value, kind):
     held = stack if kind == "array" else lm.recorded.open_frames(stack).as_channels()
     for noise in (lm.Noise(read=1.0), None):
         with pytest.raises(ValueError, match=r"^stack must be within 1e\+15, or NaN where a value is unknown"):
-            lm.microscopy.restore(held, MICROSCOPE, noise=noise, **given)
+            lm.microscopy.deconvolve(held, MICROSCOPE, noise=noise, **given)
     with pytest.raises(ValueError, match=r"^stack must be within 1e\+15"):
-        lm.microscopy.deconvolve(held, PLANES, lm.Noise(read=1.0), method=ONCE)
-
-
-def test_a_window_far_larger_than_the_stack_is_refused_with_what_is_enough():
-    given = {"depth": 2e-6, "wavelength": 520e-9, "pixel": 6.5e-6, "step": 3e-7, "noise": lm.Noise(read=1.0)}
-    with pytest.raises(ValueError, match=r"^psf_shape must be at most \(\d+, \d+\), which is enough") as caught:
-        lm.microscopy.restore(VOXELS, MICROSCOPE, psf_shape=(513, 513), method=ONCE, **given)
-    enough = tuple(map(int, str(caught.value).partition("(")[2].partition(")")[0].split(",")))
-    assert enough[0] < 30
-    assert enough[1] < 200
-    lm.microscopy.restore(VOXELS, MICROSCOPE, psf_shape=enough, method=ONCE, **given)
+        lm.microscopy.deconvolve(held, PLANES, noise=lm.Noise(read=1.0), method=ONCE)

@@ -364,7 +364,7 @@ BY_OTHERS = {
     "localize.localize_blocks": "open_frames",
     "localize.localize_movie": "open_frames",
     "microscopy.RestoredStack.save": "to write; whether a folder is its own",
-    "microscopy.restore": "open_frames; of its own folder what is made of this",
+    "microscopy.deconvolve": "open_frames; of its own folder what is made of this",
     "psf_to": "open_stack",
 }
 

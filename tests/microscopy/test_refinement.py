@@ -17,6 +17,7 @@ from lommel.microscopy.held_out import Best, HeldOut
 from lommel.microscopy.refinement import StackContext
 from lommel.recorded.camera_noise import MaskedStack, hot_pixels, hot_voxels, sharpness
 from objectives import OIL_60X
+from restored_stacks import deconvolved
 
 CAMERA = lm.Noise(white=0.5, read=1.5, offset=100.0)
 RIGHT = DepthModel(OIL_60X, 520e-9, 6e-6, 0.3e-6, 8e-6, 8, (15, 15))
@@ -183,7 +184,7 @@ def test_the_right_index_is_compared_and_stays(monkeypatch):
 
 def test_of_a_flat_stack_nothing_is_compared():
     given = {"pixel": 6.5e-6, "step": 0.3e-6, "wavelength": 520e-9, "direction": "up", "noise": NOISE}
-    found = lm.microscopy.restore(flat(planes=6)[:, :16, :16], OIL_60X, psf_shape=(5, 9), **given)
+    found = deconvolved(flat(planes=6)[:, :16, :16], OIL_60X, window=(5, 9), **given)
     assert found.findings.codes == ("untested",)
 
 
@@ -284,7 +285,7 @@ GIVEN = {
     "wavelength": 520e-9,
     "depth": 8e-6,
     "noise": CAMERA,
-    "psf_shape": (9, 15),
+    "window": (9, 15),
 }
 
 
@@ -297,7 +298,7 @@ def stack_of_projections():
 
 def restored(stack_of_projections, **more):
     way = lm.imaging.RichardsonLucy(steps=3, target=0.0)
-    return lm.microscopy.restore(
+    return deconvolved(
         stack_of_projections, OIL_60X, method=way, **(GIVEN | {"direction": "up", "diagnosis": False} | more)
     )
 

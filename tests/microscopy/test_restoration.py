@@ -16,12 +16,13 @@ from scipy.ndimage import gaussian_filter
 
 import lommel as lm
 from lommel.fit.findings import Finding
-from lommel.microscopy import refinement, restoration
+from lommel.microscopy import preparation, refinement
 from lommel.microscopy.depth_model import DepthModel
 from lommel.microscopy.held_out import HeldOut
-from lommel.microscopy.restoration import INTERRUPTED
+from lommel.microscopy.restored_stack import INTERRUPTED
 from lommel.recorded.camera_noise import contradiction, measured_noise
 from objectives import OIL_60X
+from restored_stacks import deconvolved, scanning
 
 WAVE, PIXEL, STEP, SIDE, PLANES = 520e-9, 6e-6, 0.3e-6, 40, 18
 CAMERA = lm.Noise(white=0.5, read=1.5, offset=100.0)
@@ -78,14 +79,14 @@ def file(tmp_path, deep):
 
 def quick(stack, **options):
     way = lm.imaging.RichardsonLucy(steps=4, target=0.0)
-    given = {"depth": 12e-6, "noise": CAMERA, "direction": "up", "method": way, "psf_shape": WINDOW}
+    given = {"depth": 12e-6, "noise": CAMERA, "direction": "up", "method": way, "window": WINDOW}
     given |= {"background": 0.0, "diagnosis": False} | options
-    return lm.microscopy.restore(stack, OIL_60X, **given)
+    return deconvolved(stack, given.pop("lens", OIL_60X), **given)
 
 
 @pytest.mark.usefixtures("few_trials")
 def test_a_file_is_restored_with_what_it_says(file):
-    found = lm.microscopy.restore(file, OIL_60X, depth=12e-6, psf_shape=WINDOW, diagnosis=False)
+    found = deconvolved(file, OIL_60X, depth=12e-6, window=WINDOW, diagnosis=False)
     (channel,) = found.channels
     assert found.recording.metadata["pixel"] == pytest.approx(0.1e-6)
     assert found.recording.metadata["step"] == pytest.approx(0.3e-6)
@@ -129,7 +130,8 @@ def test_light_that_falls_along_a_wide_field_stack_is_named_in_the_order_of_its_
     told = channel.findings.get("plane_light")
     assert told.numbers["change"] == pytest.approx(slope / planes.mean(), rel=1e-3)
     assert told.severity == "note"
-    sections = quick(fading, modality="spinning disc", pinhole=1.0, excitation=488e-9, **given)
+    disc = scanning(OIL_60X, "spinning disc", pinhole=1.0, excitation=488e-9)
+    sections = quick(fading, lens=disc, **given)
     assert sections.channels[0].findings.get("plane_light") is None
 
 
@@ -137,21 +139,24 @@ def test_the_stack_is_restored_with_what_was_estimated_from_it(monkeypatch, deep
     def estimated(context, *_):
         return context.model.changed("sample", 1.36), {"sample": 1.36}, {"sample": 1e-3}
 
-    monkeypatch.setattr(restoration, "refined", estimated)
+    monkeypatch.setattr(preparation, "refined", estimated)
     given = {"pixel": PIXEL, "step": STEP, "wavelength": WAVE}
     found = quick(deep, refine=["sample"], **given)
     watery = replace(OIL_60X, sample=1.36)
-    usual = {"depth": 12e-6, "noise": CAMERA, "direction": "up", "psf_shape": WINDOW, "background": 0.0}
+    usual = {"depth": 12e-6, "noise": CAMERA, "direction": "up", "window": WINDOW, "background": 0.0}
     usual["diagnosis"] = False
     way = lm.imaging.RichardsonLucy(steps=4, target=0.0)
-    expected = lm.microscopy.restore(deep, watery, method=way, **usual, **given)
+    expected = deconvolved(deep, watery, method=way, **usual, **given)
     np.testing.assert_array_equal(found.values, expected.values)
     assert not np.array_equal(found.values, quick(deep, **given).values)
 
 
 def test_voxels_at_a_saturation_that_is_stated_are_counted(deep):
     limit = int(np.sort(deep, axis=None)[-7])
-    found = quick(deep, saturation=limit, pixel=PIXEL, step=STEP, wavelength=WAVE)
+    sizes = {"pixel": PIXEL, "step": STEP, "wavelength": WAVE}
+    found = quick(deep, saturation=limit, **sizes)
+    counts = quick(lm.Counts.of(deep, noise=CAMERA, saturation=limit), noise=None, **sizes)
+    np.testing.assert_array_equal(counts.values, found.values)
     count = int((deep >= limit).sum())
     told = f"have the saturation that was stated, {limit}, or more, and were left out."
     assert any(note.startswith(f"{count} voxels (") and note.endswith(told) for note in found.notes)
@@ -181,7 +186,7 @@ def test_psfs_by_depth_are_better_than_one_where_every_point_has_its_own():
     errors = []
     for slabs in (None, 1):
         way = lm.imaging.RichardsonLucy(steps=36, target=0.0)
-        given = {"pixel": PIXEL, "step": 1e-6, "wavelength": WAVE, "depth": 10e-6, "psf_shape": (31, 41)}
+        given = {"pixel": PIXEL, "step": 1e-6, "wavelength": WAVE, "depth": 10e-6, "window": (31, 41)}
         found = quick(stack, slabs=slabs, method=way, **(given | {"margin": (1, 2)})).values * 0.5 - 20.0
         near, right = (gaussian_filter(values, (0.5, 1.0, 1.0)) for values in (found, truth))
         errors.append(np.linalg.norm(near - right))
@@ -420,7 +425,7 @@ def test_all_real_types_are_taken(deep, kind):
 @pytest.mark.parametrize("modality", ["confocal", "light sheet", "two-photon"])
 def test_other_microscopes_have_psfs_of_their_own(modality):
     more = {"thickness": 1.5e-6, "excitation": 800e-9 if modality == "two-photon" else 488e-9}
-    model = DepthModel(OIL_60X, WAVE, PIXEL, STEP, 8e-6, 7, (7, 9), modality, **more)
+    model = DepthModel(OIL_60X, WAVE, PIXEL, STEP, 8e-6, 7, (7, 9), lm.microscopy.Modality(modality, **more))
     nodes = model.psfs(2, 2).depths
     assert len(nodes) == 2
     assert nodes[0] < 8e-6 < nodes[1]
@@ -459,26 +464,23 @@ def test_the_middle_plane_is_the_same_in_both_directions(planes):
         ({"stack": np.ones((2, 9, 9))}, ValueError, "3 planes or more, got 2"),
         ({"stack": np.ones((9, 9))}, ValueError, r"must have the shape \(planes, height, width\)"),
         ({"stack": np.ones((3, 9, 9), complex)}, TypeError, "must hold real numbers"),
-        ({"objective": "oil"}, TypeError, "objective must be an Objective, or a Microscope"),
-        ({"modality": "confocal"}, ValueError, "excitation must be given"),
-        ({"modality": "light sheet"}, ValueError, "thickness must be given"),
-        ({"modality": "brightfield"}, ValueError, "modality"),
+        ({"microscope": "oil"}, TypeError, "microscope must be an Objective, a Microscope from"),
+        ({"microscope": scanning(OIL_60X, "confocal")}, ValueError, "excitation must be given"),
         ({"direction": "sideways"}, ValueError, "direction"),
         ({"refine": "depth"}, TypeError, "refine must be a sequence"),
         ({"refine": ("tilt",)}, ValueError, "refine"),
         ({"step": 200.0}, ValueError, "step must be a stage displacement"),
-        ({"psf_shape": (4, 9)}, ValueError, r"psf_shape must be \(planes, pixels\), both odd"),
-        ({"channel": 1}, ValueError, "channel"),
         ({"noise": 1.0}, TypeError, "noise"),
         ({"out": "restored.tif"}, ValueError, "out must end in .zarr"),
-        ({"axes": "YX"}, ValueError, "axes"),
+        ({"depht": 1e-6}, TypeError, "has no option 'depht'; did you mean depth"),
+        ({"stack": lm.Counts.of(np.ones((4, 9, 9)), noise=CAMERA)}, TypeError, "noise must be omitted"),
     ],
 )
 def test_what_cannot_be_restored_is_refused_with_the_way_out(changes, kind, said):
-    given = {"stack": np.ones((4, 9, 9)), "objective": OIL_60X, "pixel": PIXEL, "step": STEP, "wavelength": WAVE}
+    given = {"stack": np.ones((4, 9, 9)), "microscope": OIL_60X, "pixel": PIXEL, "step": STEP, "wavelength": WAVE}
     given |= {"noise": CAMERA} | changes
     with pytest.raises(kind, match=said):
-        lm.microscopy.restore(given.pop("stack"), given.pop("objective"), **given)
+        lm.microscopy.deconvolve(given.pop("stack"), given.pop("microscope"), **given)
 
 
 def test_a_spherical_aberration_is_found_from_the_stack(monkeypatch):
@@ -546,10 +548,10 @@ def test_points_between_planes_follow_the_right_psf_better_than_others(monkeypat
 
 @pytest.mark.parametrize("found", [[], ["a smaller depth"], ["a larger NA", "a smaller depth"]])
 def test_a_misfit_is_one_of_the_psf_where_another_one_is_better(monkeypatch, deep, found):
-    monkeypatch.setattr("lommel.microscopy.restoration.rank_alternatives", lambda *_, **__: found)
+    monkeypatch.setattr("lommel.microscopy.deconvolution.rank_alternatives", lambda *_, **__: found)
     way = lm.imaging.RichardsonLucy(target=1.0)
     sizes = {"pixel": PIXEL, "step": STEP, "wavelength": WAVE}
-    monkeypatch.setattr(restoration.HeldOut, "is_uniform", True)
+    monkeypatch.setattr(HeldOut, "is_uniform", True)
     made = quick(deep, direction="down", method=way, diagnosis=True, **sizes)
     assert made.channels[0].stopped == "misfit"
     finding = made.findings.get("misfit")
@@ -565,17 +567,17 @@ def test_a_misfit_is_one_of_the_psf_where_another_one_is_better(monkeypatch, dee
 
 def test_a_stack_without_voxel_sizes_takes_those_of_the_objective_file_and_says_so(deep):
     microscope = lm.load_microscope(lm.example_files()["zeiss-63x-1.4-oil"])
-    given = {"noise": CAMERA, "direction": "up", "slabs": 1, "wavelength": WAVE, "psf_shape": (5, 9)}
+    given = {"noise": CAMERA, "direction": "up", "slabs": 1, "wavelength": WAVE, "window": (5, 9)}
     given["diagnosis"] = False
     way = lm.imaging.RichardsonLucy(steps=1, target=0.0)
-    said = " ".join(lm.microscopy.restore(deep[:5], microscope, method=way, **given).notes)
+    said = " ".join(deconvolved(deep[:5], microscope, method=way, **given).notes)
     pixel = 1e6 * microscope.pixel
     assert (
         f"does not state its pixel: the value of the objective file was used, {pixel:g} um on the camera; set pixel="
         in said
     )
     assert "does not state its step: the value of the objective file was used" in said
-    sized = lm.microscopy.restore(deep[:5], microscope, method=way, pixel=PIXEL, step=STEP, **given)
+    sized = deconvolved(deep[:5], microscope, method=way, pixel=PIXEL, step=STEP, **given)
     assert "objective file" not in " ".join(sized.notes)
 
 
@@ -585,8 +587,8 @@ def test_a_doubtful_psf_names_a_pixel_that_differs_and_advises_no_more_steps(mon
     monkeypatch.setattr(HeldOut, "finding", lambda *_: doubt)
     microscope = lm.load_microscope(lm.example_files()["zeiss-63x-1.4-oil"])
     way = lm.imaging.RichardsonLucy(steps=1, target=1.0)
-    given = {"depth": 12e-6, "noise": CAMERA, "direction": "up", "psf_shape": (5, 9), "background": 0.0}
-    found = lm.microscopy.restore(written(tmp_path / "p.ome.tif", deep), microscope, method=way, **given)
+    given = {"depth": 12e-6, "noise": CAMERA, "direction": "up", "window": (5, 9), "background": 0.0}
+    found = deconvolved(written(tmp_path / "p.ome.tif", deep), microscope, method=way, **given)
     said = found.findings.get("psf_doubtful").text
     assert said.startswith("another index (The pixel of the stack, 6.3 um, was used; the objective file states ")
     assert "correct the PSF first" in found.findings.get("not_settled").text

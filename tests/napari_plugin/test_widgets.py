@@ -107,7 +107,7 @@ def test_the_deconvolution_widget_restores_the_sample_by_depth_as_the_command_do
     microscope = lm.load_microscope(lm.example_files()["zeiss-63x-1.4-oil"])
     given = {"pixel": 6.5e-6, "step": 200e-9, "depth": 6e-6, "wavelength": microscope.wavelength}
     way = lm.imaging.RichardsonLucy(steps=4, target=1.0)
-    truth = lm.microscopy.restore(viewer.layers["beads"].data, microscope, method=way, **given)
+    truth = lm.microscopy.deconvolve(viewer.layers["beads"].data, microscope, method=way, **given)
     np.testing.assert_allclose(found.data, truth.values, rtol=1e-3, atol=1e-2)
     viewer.layers.clear()
 
@@ -136,8 +136,6 @@ def test_the_deconvolution_widget_takes_a_psf_of_its_own_and_can_be_stopped(view
     fields = {one.label: one for one in panel.widget if hasattr(one, "label")}
     assert fields["stack"].value == "beads"
     fields["PSF"].value = "PSF of the beads"
-    panel.start()
-    assert panel.status.value.startswith("choose a camera")
     fields["camera"].value = "hamamatsu-orca-flash4-v3"
     assert fields["offset (counts)"].value == 100.0
     fields["steps at most"].value = 12
@@ -153,7 +151,7 @@ def test_the_deconvolution_widget_takes_a_psf_of_its_own_and_can_be_stopped(view
     noise = lm.load_camera("hamamatsu-orca-flash4-v3").noise
     kernel = viewer.layers["PSF of the beads"].metadata["lommel"]
     method = lm.imaging.RichardsonLucy(steps=12, target=1.0)
-    truth = lm.microscopy.deconvolve(viewer.layers["beads"].data, kernel, noise, method=method)
+    truth = lm.microscopy.deconvolve(viewer.layers["beads"].data, kernel, noise=noise, method=method)
     np.testing.assert_allclose(found.data, truth.values, rtol=1e-4, atol=1e-3)
     fields["steps at most"].value = 1000
     panel.start()

@@ -72,9 +72,9 @@ def localize_movie(frames: Any) -> np.ndarray:
 
 
 def restore_stack(images: Any) -> np.ndarray:
-    return microscopy.restore(
+    return microscopy.deconvolve(
         images, OIL, depth=2e-6, wavelength=600e-9, pixel=6.3e-6, step=250e-9, noise=NOISES["deconvolve"],
-        direction="up", slabs=1, background=0.0, method=FEW, diagnosis=False,
+        direction="up", background=0.0, method=FEW, diagnosis=False,
     ).values  # fmt: skip
 
 
@@ -127,8 +127,8 @@ DOORS = {
     "lommel.fit_field": Door(fit_field, sky, (1, 18, 18)),
     "localize.localize_movie": Door(localize_movie, movie, (slice(None), 24, 24)),
     # As bright as what is beside it, for single voxels of others are left out as hot.
-    "microscopy.restore": Door(restore_stack, stack, (2, *SOME), 300.0),
-    "microscopy.deconvolve": Door(deconvolve, stack, (2, *SOME), 300.0),
+    "microscopy.deconvolve": Door(restore_stack, stack, (2, *SOME), 300.0),
+    "microscopy.deconvolve, PSF": Door(deconvolve, stack, (2, *SOME), 300.0),
     "microscopy.estimate_noise": Door(estimate_noise, lambda: np.tile(movie(), (2, 1, 1)), (slice(None), 24, 24)),
     "imaging.depth_from_defocus": Door(depth_from_defocus, light_of_pair, (0, slice(18, 22), slice(18, 22)), 0.9),
     "imaging.restore, photo": Door(restore, photo, SOME, 0.95),
@@ -277,7 +277,7 @@ def test_arrays_of_objects_are_refused():
 
 @pytest.mark.parametrize("kind", MASKS)
 def test_the_mask_of_any_array_hides_the_same_counts(kind):
-    values, mask = spoilt("microscopy.restore")
+    values, mask = spoilt("microscopy.deconvolve")
     found, refusal = None, ""
     try:
         found = counted(MASKS[kind](values, mask))

@@ -63,7 +63,7 @@ IMAGES = {"retrieve": stars, "beads": bead, "deconvolve": stack, "fit-field": sk
 OPTIONS = {
     "retrieve": "star.toml --defocus=-4,0,4 --white 0.5 --read 2 --offset 100 --terms 5 --starts 1",
     "beads": "oil.toml --pixel 6.3um --step 250nm --read 1.6 --offset 100 --terms 1 --fixed",
-    "deconvolve": "oil.toml --gain 1 --read 1.6 --offset 100 --steps 2 --direction up --background 0 --slabs 1 "
+    "deconvolve": "oil.toml --gain 1 --read 1.6 --offset 100 --steps 2 --direction up --background 0 "
     "--no-diagnosis -o restored.ome.tif",
     "fit-field": "sky.toml --defocus=-2.5,0,2.5 --read 2 --offset 50 --window 17 --degree 0 --terms 5 --known-blur 0",
     "localize": "glass.toml --gain 0.46 --read 1.6 --offset 100 --z -300nm 300nm --box 11 --reach 1 -o table.csv",
@@ -218,14 +218,13 @@ def handed(monkeypatch: pytest.MonkeyPatch) -> list[dict[str, Any]]:
         )
         raise SystemExit(0)
 
-    def restore(stack: Path, microscope: lm.Microscope, *, axes: str | None, **options: Any) -> None:
-        with lm.recorded.open_frames(stack).as_channels(axes=axes) as recording:
-            if options["pixel"] is None:
-                options |= {
-                    "pixel": recording.metadata["pixel"] * microscope.objective.magnification,
-                    "step": recording.metadata["step"],
-                }
-            estimate(np.asarray(recording.only_channel("stack")), **options)
+    def restore(
+        recording: Any, microscope: lm.Microscope, noise: Any, options: Any, *, mask: Any, saturation: Any
+    ) -> None:
+        sizes = recording.metadata
+        pixel = options.pixel or sizes["pixel"] * microscope.objective.magnification
+        given = vars(options) | {"pixel": pixel, "step": options.step or sizes["step"]}
+        estimate(np.asarray(recording.only_channel("stack")), noise=noise, mask=mask, saturation=saturation, **given)
 
     for module, name, stub in (
         (retrieve_command, "fit", estimate),
@@ -237,7 +236,7 @@ def handed(monkeypatch: pytest.MonkeyPatch) -> list[dict[str, Any]]:
             "localize_blocks",
             lambda movie, _, **options: estimate(movie[...], **options),
         ),
-        (deconvolve_command, "restore", restore),
+        (deconvolve_command, "run", restore),
     ):
         monkeypatch.setattr(module, name, stub)
     return calls

@@ -167,11 +167,11 @@ def test_a_length_that_is_stated_but_unusable_is_not_replaced_by_another(value, 
         assert f"The file states a plane spacing of {words}, which cannot be used." in found.notes
     objective = load_microscope(example_files()["zeiss-63x-1.4-oil"])
     with pytest.raises(ValueError, match=rf"a\.ome\.tif states {words} between planes, .*: give step=, in metres"):
-        microscopy.restore(path, objective, channel=0)
+        microscopy.deconvolve(path, objective)
     bad = {"Name": ["a", "b"], "EmissionWavelength": [0, 520]}
     path = write(tmp_path / "b.ome.tif", STACK, "CZYX", Channel=bad)
     with pytest.raises(ValueError, match="emission wavelength of 'a' is 0 nm, which cannot be used: give"):
-        microscopy.restore(path, objective, channel=0)
+        microscopy.deconvolve(path, objective)
 
 
 def test_imagej_has_units_of_its_own_for_each_axis(tmp_path):

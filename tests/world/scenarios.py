@@ -383,8 +383,8 @@ def stack(
         coverslip=lm.Layer(1.5255, 170e-6),
     )  # fmt: skip
     found, seconds = timed(
-        lm.microscopy.restore, counts, objective, depth=DEEP, wavelength=520e-9, pixel=6.5e-6, step=STEP,
-        noise=lm.Noise(white=0.46, read=1.6, offset=100.0), direction="up", threads=1,
+        lm.microscopy.deconvolve, counts, objective, depth=DEEP, wavelength=520e-9, pixel=6.5e-6, step=STEP,
+        noise=lm.Noise(white=0.46, read=1.6, offset=100.0), direction="up",
     )  # fmt: skip
     ratio = float(np.sum(found.values, dtype=float)) * 0.46 / total / 39  # planes that a point sends light to
     off = wrong or not 0.8 < ratio < 1.25

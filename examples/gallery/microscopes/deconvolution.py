@@ -58,12 +58,10 @@ def error(values):
 
 way = lm.imaging.RichardsonLucy(steps=40, target=0.0)
 psfs = {"the right one": right, "of depth 0": psf_at(0.0), "of depth 20 µm": psf_at(20e-6)}
-restored = {
-    name: lm.microscopy.deconvolve(stack, psf, noise, method=way, margin=(4, 8)) for name, psf in psfs.items()
-}
+restored = {name: lm.microscopy.deconvolve(stack, psf, noise=noise, method=way) for name, psf in psfs.items()}
 print(f"before: {error(stack):.2f} of the specimen")
 for name, found in restored.items():
-    print(f"with the PSF {name}: {error(found.values):.2f}, discrepancy {found.discrepancy:.2f}")
+    print(f"with the PSF {name}: {error(found.values):.2f}, discrepancy {found.channels[0].discrepancy:.2f}")
 
 shown = {"specimen": specimen, "recording": stack} | {name: found.values for name, found in restored.items()}
 figure, panels = plt.subplots(2, 5, figsize=(10.5, 4.6), layout="constrained", height_ratios=(1.0, 0.8))
@@ -83,13 +81,11 @@ counts = [5, 10, 20, 40]
 figure, (left, middle) = plt.subplots(1, 2, figsize=(9.0, 3.4), layout="constrained")
 for name, psf in psfs.items():
     found = [
-        lm.microscopy.deconvolve(
-            stack, psf, noise, method=lm.imaging.RichardsonLucy(steps=n, target=0.0), margin=(4, 8)
-        )
+        lm.microscopy.deconvolve(stack, psf, noise=noise, method=lm.imaging.RichardsonLucy(steps=n, target=0.0))
         for n in counts[:-1]
     ] + [restored[name]]
     left.plot(counts, [error(one.values) for one in found], "o-", label=name)
-    middle.semilogy(counts, [one.discrepancy for one in found], "o-")
+    middle.semilogy(counts, [one.channels[0].discrepancy for one in found], "o-")
 left.axhline(error(stack), color="0.6", label="recording")
 left.set_ylabel("rms error over that of nothing")
 left.legend(fontsize=9)

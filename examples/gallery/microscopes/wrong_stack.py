@@ -59,7 +59,9 @@ tries = {
     "sample of 1.40, not 1.33": (replace(objective, sample=1.40), "up"),
     "z reversed": (objective, "down"),
 }
-restored = {name: lm.microscopy.restore(stack, lens, direction=way, **given) for name, (lens, way) in tries.items()}
+restored = {
+    name: lm.microscopy.deconvolve(stack, lens, direction=way, **given) for name, (lens, way) in tries.items()
+}
 for name, found in restored.items():
     print(f"{name}: discrepancy {found.channels[0].discrepancy:.2f}")
 

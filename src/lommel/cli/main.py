@@ -38,7 +38,7 @@ COMMANDS = {
 }
 """Module of each command, in the order of the help; a command is the function of that name in the module."""
 
-GENERATED = set(COMMANDS) - {"deconvolve", "localize"}
+GENERATED = set(COMMANDS) - {"localize"}
 
 _TEXT = """\
 Point spread functions (PSFs) of defocused and aberrated lenses, telescopes and microscopes.

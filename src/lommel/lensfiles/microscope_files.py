@@ -34,6 +34,7 @@ from lommel.lensfiles.toml_files import (
 )
 from lommel.optics.aperture.apodization import Apodization, illumination
 from lommel.optics.layers.emitter import Beam, Dipole, Emitter, emitter_of
+from lommel.optics.layers.modality import WIDEFIELD, Kind, Modality
 from lommel.optics.layers.objective import Objective
 from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.optics.layers.stratified import DEPTH_MOST, Design, Layer, length, refractive_index
@@ -86,6 +87,8 @@ class Microscope:
         Measured phase at `wavelength`, added to the aberrations of the layers.
     camera : Camera, or None
         Camera, if the file names one.
+    modality : Modality
+        Illumination and detection, for :func:`lommel.microscopy.deconvolve`.
     errors : mapping
         Standard errors of fitted parameters, by name: "noll 5" in waves rms, "sample" and other constants in the
         units of :func:`lommel.fit_beads`.
@@ -138,6 +141,7 @@ class Microscope:
     integrate: bool | None = None
     aberrations: Wavefront | None = None
     camera: Camera | None = None
+    modality: Modality = WIDEFIELD
     errors: Mapping[str, float] = field(default_factory=dict)
     name: str = ""
     source: str = ""
@@ -345,6 +349,17 @@ class _Emission(BuiltSection):
         return emitter_of(self.emitter) if self.beam is None else Beam(self.beam.polarization)
 
 
+class _Modality(BuiltSection):
+    kind: Kind = "widefield"
+    excitation: Annotated[Length, AfterValidator(validation.wavelength)] | None = None
+    pinhole: Annotated[Number, Field(gt=0)] = 1.0
+    thickness: Length | None = None
+
+    def build(self) -> Modality:
+        """Return the modality."""
+        return Modality(**dict(self))
+
+
 class _Aberrations(Section):
     zernike: Toml | None = None  # validated by `camera_files.read_zernike`
 
@@ -364,6 +379,7 @@ class _File(Section):
     design: _Design | None = None
     sample: _Sample
     emission: _Emission
+    modality: _Modality = _Modality()
     aberrations: _Aberrations = _Aberrations()
     errors: dict[str, Annotated[Number, Field(ge=0)]] = Field(default_factory=dict)
     stack: _Stack | None = None
@@ -438,6 +454,13 @@ def _light_sections(microscope: Microscope) -> _Sections:
     yield "sample", {"index": microscope.objective.sample, "depth": _micrometres(microscope.depth)}
     name = next((name for name in ("isotropic", "scalar") if emitter_of(name) == emitter), None)
     yield "emission", {"wavelength": _micrometres(microscope.wavelength), "emitter": name}
+    if microscope.modality != WIDEFIELD:
+        lengths = {key: getattr(microscope.modality, key) for key in ("excitation", "thickness")}
+        yield (
+            "modality",
+            vars(microscope.modality)
+            | {key: None if metres is None else _micrometres(metres) for key, metres in lengths.items()},
+        )
     if name is not None:
         return
     if isinstance(emitter, Dipole):
@@ -491,6 +514,9 @@ def load_microscope(path: str | PathLike[str], *, folder_only: bool = False) -> 
     - ``[emission]``: wavelength, emitter ("isotropic", the default, or "scalar"). The key emitter may be replaced by
       a section ``[emission.dipole]`` (polar, azimuth, wobble) or, for an excitation beam, ``[emission.beam]``
       (polarization)
+    - ``[modality]``: kind ("widefield", the default, "confocal", "spinning disc", "light sheet" or "two-photon"),
+      excitation (wavelength), pinhole (Airy units) and thickness (of the light sheet), as in
+      :class:`lommel.microscopy.Modality`
     - ``[aberrations.zernike]``: measured wavefront, as in :func:`lommel.load_instrument`; by default its wavelength
       is the emission wavelength
     - ``[errors]``: standard errors of fitted parameters, by name
@@ -556,6 +582,7 @@ def _microscope(file: _File, *, table: ZernikeTable | None, stem: str) -> Micros
         emitter=file.emission.build(),
         aberrations=None if table is None else camera_files.wavefront_of(table, file.emission.wavelength),
         errors=file.errors,
+        modality=file.modality.build(),
         **stack,
         **dict(file.sensor),
     )

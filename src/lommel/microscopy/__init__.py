@@ -1,12 +1,15 @@
 """Microscopy: confocal, two-photon, STED and light-sheet PSFs, images of beads, and deconvolution of stacks."""
 
-from lommel.microscopy.deconvolution import deconvolve
+from lommel.microscopy.deconvolution import DeconvolveOptions, deconvolve
 from lommel.microscopy.modalities import bead, confocal, light_sheet, sted, two_photon
-from lommel.microscopy.restoration import RestoredChannel, RestoredStack, restore
+from lommel.microscopy.restored_stack import RestoredChannel, RestoredStack
 from lommel.microscopy.stack_blur import StackBlur
+from lommel.optics.layers.modality import Modality
 from lommel.recorded.camera_noise import estimate_noise
 
 __all__ = [
+    "DeconvolveOptions",
+    "Modality",
     "RestoredChannel",
     "RestoredStack",
     "StackBlur",
@@ -15,7 +18,6 @@ __all__ = [
     "deconvolve",
     "estimate_noise",
     "light_sheet",
-    "restore",
     "sted",
     "two_photon",
 ]

@@ -6,24 +6,32 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
+import scipy
 
 from lommel.base import validation
-from lommel.base.arrays import Array
+from lommel.base.arrays import Array, Values
+from lommel.measures.spot import stage
 from lommel.microscopy.modalities import confocal, light_sheet, two_photon
-from lommel.microscopy.stack_blur import PlaneBlur, RadialTransfer, TiledBlur, WideBlur, pitch_of, taper
+from lommel.microscopy.stack_blur import (
+    PlaneBlur,
+    RadialTransfer,
+    TiledBlur,
+    WideBlur,
+    kernel_of,
+    pitch_of,
+    taper,
+)
 from lommel.optics.layers.emitter import Beam, Emitter, emitter_of
+from lommel.optics.layers.modality import WIDEFIELD, Modality
 from lommel.optics.layers.objective import Objective
 from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.optics.layers.stratified import DEPTH_MOST
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.psf import PSF, psf
 
-MODALITIES = ("widefield", "confocal", "spinning disc", "light sheet", "two-photon")
-SPREADING = ("widefield", "light sheet")
-"""Modalities that record light out of focus."""
 _ISOTROPIC = emitter_of("isotropic")
 _TOL = 1e-4  # tolerance of PSFs, relative to their peaks
 # Differences between PSFs as fractions of their light: _MAX_EQUAL, between both ends of a stack, below which
@@ -38,6 +46,9 @@ _SHEET_END = 4.0  # distance from a light sheet, in thicknesses, beyond which it
 _FOCUS_TABLE = 33  # number of depths at which the best focus is computed
 _SPLINE_DEGREES = (3, 2)  # degrees of B-splines, in the order tried
 _BATCH = 2**21  # values of PSFs that are computed together
+MAX_RIM = 0.02
+"""Fraction of the light of a PSF on the rim of its window from which the light cone counts as cut off."""
+_EQUAL_LIGHT = 0.9  # least ratio of the light of any two planes of a wide-field PSF
 _MAX_NEGATIVE = 0.015  # largest sum of the negative values of a narrowed PSF, as a fraction of its light
 
 
@@ -70,10 +81,7 @@ class DepthModel:
     depth: float
     planes: int
     window: tuple[int, int]  # planes and pixels of the PSF, odd
-    modality: str = "widefield"
-    excitation: float | None = None
-    pinhole: float = 1.0
-    thickness: float | None = None
+    modality: Modality = WIDEFIELD
     emitter: Emitter = _ISOTROPIC
     aberrations: Wavefront | None = None
     degrees: tuple[int, int] | None = None  # degrees of the B-splines along z and across; None: the highest possible
@@ -102,24 +110,38 @@ class DepthModel:
 
         Of depths in an array (n, 1), the PSFs have the shape (n, planes, side, side).
         """
-        side = self.window[1]
-        if self.modality == "two-photon":
+        side, modality = self.window[1], self.modality
+        if modality.kind == "two-photon":
             return two_photon(self._laser(depth, self._z, "brightest"), side, self.pixel, tol=_TOL)
         emission = self._emission(depth)
-        if self.modality == "light sheet":
-            assert self.thickness is not None
-            offset = np.clip(self._z, -_SHEET_END * self.thickness, _SHEET_END * self.thickness)
-            return light_sheet(emission, self.thickness, side, self.pixel, offset=offset, tol=_TOL)
-        if self.modality in ("confocal", "spinning disc"):
+        if modality.kind == "light sheet":
+            assert modality.thickness is not None
+            offset = np.clip(self._z, -_SHEET_END * modality.thickness, _SHEET_END * modality.thickness)
+            return light_sheet(emission, modality.thickness, side, self.pixel, offset=offset, tol=_TOL)
+        if modality.kind in ("confocal", "spinning disc"):
             # Excitation and detection share the objective: the same stage position relative to the cover glass.
             beam = self._laser(depth, emission.focus, "coverslip")
-            return confocal(beam, emission, side, self.pixel, pinhole=self.pinhole, tol=_TOL)
+            return confocal(beam, emission, side, self.pixel, pinhole=modality.pinhole, tol=_TOL)
         return psf(emission, side, self.pixel, tol=_TOL)
+
+    def point_image(self, depth: float = 0.0) -> Values:
+        """Return the image of a point at a depth, by default at the cover glass, where it is sharpest."""
+        return self.psf(depth).values
+
+    @property
+    def aspect(self) -> float:
+        """Pixel size in the sample divided by the step: the factor of differences along z in the total variation."""
+        return self.pixel / self.objective.magnification / self.step
+
+    @property
+    def keeps_light(self) -> bool:
+        """Whether all planes of the PSF have equal light."""
+        return self.modality.kind == "widefield"
 
     @property
     def spreads(self) -> bool:
         """Whether light out of focus is recorded, so that PSFs have tails beyond their window."""
-        return self.modality in SPREADING
+        return self.modality.spreads
 
     def window_parts(self, depths: Array) -> Iterator[Array]:
         """Yield the fraction of an emitter's light in each voxel of the PSF window, for each depth.
@@ -200,18 +222,18 @@ class DepthModel:
     @property
     def _collected_light(self) -> Array:
         """Collected light in each plane of the window, relative to the plane in focus."""
-        if self.modality != "light sheet":
+        if self.modality.kind != "light sheet":
             return np.ones(self.window[0])
-        assert self.thickness is not None
+        assert self.modality.thickness is not None
         # Gaussian profile of a light sheet, whose thickness is the full width at half maximum.
-        distance = np.clip(self._z / self.thickness, -_SHEET_END, _SHEET_END)
+        distance = np.clip(self._z / self.modality.thickness, -_SHEET_END, _SHEET_END)
         return np.asarray(np.exp(-4.0 * math.log(2.0) * distance**2))
 
     def _laser(self, depth: float | Array, z: Array, origin: str) -> ObjectivePupil:
-        assert self.excitation is not None
+        assert self.modality.excitation is not None
         return self.objective.pupil(
             z=z,
-            wavelength=self.excitation,
+            wavelength=self.modality.excitation,
             emitter=Beam("circular"),
             depth=depth,
             origin=origin,
@@ -238,7 +260,8 @@ class DepthModel:
         # Without a mismatch of refractive indices the focus and the stage move by equal distances.
         if self.objective.coverslip is None and self.objective.sample == self.objective.immersion:
             return np.asarray(np.clip(self.depth + offset, 0.0, DEPTH_MOST))
-        wave = self.wavelength if self.modality != "two-photon" else float(self.excitation or self.wavelength)
+        excitation = self.modality.excitation if self.modality.kind == "two-photon" else None
+        wave = self.wavelength if excitation is None else excitation
         # Tabulate the best focus over depth, and invert the table by interpolation. Its range is 1.6 times the
         # paraxial range, which is the range of the stage multiplied by the ratio of the indices.
         span = float(np.abs(offset).max()) * self.objective.sample / self.objective.immersion
@@ -324,6 +347,45 @@ class DepthModel:
         return intervals + 1
 
 
+class GivenPSF:
+    """A PSF that is the same in all planes of a stack, with the attributes of :class:`DepthModel`."""
+
+    spreads, depth, is_reversed = False, math.nan, False
+
+    def __init__(self, psf: PSF, planes: int) -> None:
+        self._light, self._point = kernel_of(psf)
+        pupil: Any = psf.pupil
+        self.pixel, self.step = psf.grid.side, float(abs(np.diff(stage(psf))[0]))  # metres
+        self.aspect = self.pixel / pupil.magnification / self.step
+        self.planes, self.window = planes, (psf.shape[0], max(psf.grid.shape))
+        self.rim = 1.0 - float(self._light[:, 1:-1, 1:-1].sum())  # fraction of the light on the rim of the window
+        plane_light = self._light.sum(axis=(1, 2))
+        self.keeps_light = bool(plane_light.min() > _EQUAL_LIGHT * plane_light.max())
+
+    @property
+    def is_contained(self) -> bool:
+        """Whether the window contains the cone of light."""
+        return self.rim < MAX_RIM
+
+    def point_image(self, depth: float = 0.0) -> Array:
+        """Return the image of a point, the same at all depths."""
+        return self._light
+
+    def psfs(self, margin: int, slabs: int | None = None) -> PSFs:
+        """Return the depth of the PSF, which is not known."""
+        planes = np.full(self.planes + 2 * margin, self.depth)
+        return PSFs(planes, planes[:1], planes[:1], None)
+
+    def blur(
+        self, shape: tuple[int, int, int], margin: tuple[int, int], psfs: PSFs | None = None, *, threads: int = 0
+    ) -> TiledBlur:
+        """Return the blur of a stack of this shape, with a margin of planes and of pixels on each side."""
+        # Points may lie between voxels: voxels are B-splines, as wide as the PSF allows. A PSF that is cut off at the
+        # rim of its window has no such splines.
+        light = narrowed(self._light, *spline_degrees(self._light)) if self.is_contained else self._light
+        return TiledBlur([(light, self._point)], shape, margin, threads=threads)
+
+
 def _batches(depths: Array, values: int) -> Iterator[Array]:
     """Yield depths (n, 1) whose PSFs, of so many `values` each, are computed together."""
     count = max(1, _BATCH // values)
@@ -349,11 +411,9 @@ def spline_degrees(kernel: Array) -> tuple[int, int]:
 
 def narrowed(kernel: Array, z_degree: int, lateral_degree: int) -> Array:
     """Return the kernel whose convolution with B-splines of these degrees, along z and across, is `kernel`."""
-    from scipy.ndimage import spline_filter1d
-
     for axis, degree in enumerate((z_degree, lateral_degree, lateral_degree)):
         if degree:
-            kernel = spline_filter1d(kernel, degree, axis, mode="reflect")  # keeps the sum
+            kernel = scipy.ndimage.spline_filter1d(kernel, degree, axis, mode="reflect")  # keeps the sum
     return kernel
 
 

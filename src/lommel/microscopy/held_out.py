@@ -10,17 +10,17 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from typing import NamedTuple
+from typing import NamedTuple, cast
 
 import numpy as np
 
 from lommel.base.arrays import Array, Values
-from lommel.deconvolve.algorithms import RichardsonLucy, TotalVariation
+from lommel.deconvolve.algorithms import RichardsonLucy, TotalVariation, silent
 from lommel.deconvolve.iterations import Background, Iteration, State, StepSettings
 from lommel.deconvolve.likelihood import TINY, PoissonLikelihood
 from lommel.deconvolve.linear import PlaneOperator
 from lommel.fit.findings import Finding
-from lommel.microscopy.depth_model import DepthModel
+from lommel.microscopy.depth_model import DepthModel, GivenPSF
 from lommel.microscopy.refinement import Progress, StackContext, TrialDeconvolution, Work, brightest
 from lommel.recorded.noise import Noise
 
@@ -162,12 +162,30 @@ def highest_level(joint: Best, continue_iteration: Callable[[Background, State, 
     return 2.0 * levels[-1]
 
 
+def held_out_background(context: StackContext, model: GivenPSF, margin: tuple[int, int]) -> tuple[float | None, int]:
+    """Return the flat background and the number of steps for one PSF, by held-out photons of the whole stack.
+
+    Return None and 0 if a uniform specimen agrees with the stack within its noise.
+    """
+    values = np.stack([np.asarray(context.stack[plane]) for plane in range(len(context.stack))])
+    counted = PoissonLikelihood(values, context.camera, context.saturation)
+    if counted.flat() <= 1.0 + counted.slack:
+        return None, 0
+    halves, blur = Halves(values, context.camera.poisson, context.saturation), model.blur(values.shape, margin)
+
+    def continue_iteration(background: Background, start: State, steps: int) -> Best:
+        return halves.deconvolve_half(blur, silent, background=background, start=start, steps=steps)
+
+    joint = halves.deconvolve_half(blur, silent)
+    return highest_level(joint, continue_iteration), joint.steps
+
+
 class HeldOut(TrialDeconvolution):
     """Region of a stack with its counts split into two halves."""
 
     def __init__(self, context: StackContext, progress: Progress, *, side: int = SIDE) -> None:
         super().__init__(context, brightest(context.stack, side, context.saturation))
-        self._model, self._work = context.model, Work(progress, _USUAL_RUNS * _USUAL_STEPS)
+        self._model, self._work = cast("DepthModel", context.model), Work(progress, _USUAL_RUNS * _USUAL_STEPS)
         self._halves = Halves(self._values, self._camera, context.saturation)
 
     @property

@@ -8,9 +8,10 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import replace
-from typing import NamedTuple
+from typing import NamedTuple, cast
 
 import numpy as np
+import scipy
 
 from lommel.base.arrays import Array
 from lommel.base.units import format_length
@@ -18,7 +19,7 @@ from lommel.deconvolve.algorithms import RichardsonLucy
 from lommel.deconvolve.iterations import Background, Iteration, StepSettings
 from lommel.deconvolve.likelihood import PoissonLikelihood
 from lommel.deconvolve.linear import PlaneOperator
-from lommel.microscopy.depth_model import DepthModel
+from lommel.microscopy.depth_model import DepthModel, GivenPSF
 from lommel.recorded.counts import Stack, plane_of
 from lommel.recorded.noise import Noise
 
@@ -61,9 +62,8 @@ def select_crop(stack: Stack, side: int, saturation: float) -> tuple[slice, slic
 
 def brightest(stack: Stack, size: int, saturation: float) -> tuple[slice, slice]:
     """Return rows and columns of a part of `size` pixels (side) around the brightest detail of the stack."""
-    from scipy.ndimage import uniform_filter
-
     planes, height, width = stack.shape
+    uniform_filter = scipy.ndimage.uniform_filter
     detail = np.zeros((height, width))  # maximum over planes
     for plane in np.unique(np.linspace(0, planes - 1, min(planes, 16)).astype(int)):
         values = np.asarray(plane_of(stack, int(plane)), np.float64)
@@ -98,7 +98,7 @@ class StackContext(NamedTuple):
     """A stack with its model, camera and saturation."""
 
     stack: Stack
-    model: DepthModel
+    model: DepthModel | GivenPSF
     camera: Noise
     saturation: float
     threads: int
@@ -191,8 +191,9 @@ class TrialDeconvolution:
 def estimate_z_direction(context: StackContext, crop: tuple[slice, slice], progress: Progress) -> tuple[str, str]:
     """Return "up" or "down", the direction with the lower discrepancy, and a sentence on the result."""
     trial, track = TrialDeconvolution(context, crop), Work(progress, 2.0 * _STEPS)
+    model = cast("DepthModel", context.model)
     up_discrepancy, down_discrepancy = (
-        trial.discrepancies(context.model, _STEPS, track(f"direction of z, {label}", _STEPS), reverse=reverse)[-1]
+        trial.discrepancies(model, _STEPS, track(f"direction of z, {label}", _STEPS), reverse=reverse)[-1]
         for reverse, label in ((False, "planes in the order of the file"), (True, "planes in reverse order"))
     )
     lower, higher = min(up_discrepancy, down_discrepancy), max(up_discrepancy, down_discrepancy)
@@ -218,7 +219,7 @@ def rank_alternatives(context: StackContext, progress: Progress, *, try_reversed
     index, depth and step have similar effects: all PSFs are returned that lower the discrepancy by at least half
     as much as the best PSF.
     """
-    model, steps = context.model, _STEPS
+    model, steps = cast("DepthModel", context.model), _STEPS
     crop = brightest(context.stack, _FIRST_SIDE, context.saturation)
     trial = TrialDeconvolution(context, crop, widest=_NARROWEST)
     track = Work(progress, steps * (1.0 + try_reversed + _USUAL_CHANGES * len(_ALTERNATIVES)))
@@ -297,7 +298,7 @@ def refined(
     context: StackContext, crop: tuple[slice, slice], names: Sequence[str], progress: Progress
 ) -> tuple[DepthModel, dict[str, float], dict[str, float]]:
     """Estimate parameters of a stack; return the model with the estimates, their values and standard errors."""
-    model = context.model
+    model = cast("DepthModel", context.model)
     start = np.array([_start_value(model, name) for name in names])
     spacing = np.array([_RANGE[name] * _SPACING for name in names])
     lower, upper = np.array([_limits(name, value) for name, value in zip(names, start, strict=True)]).T

@@ -9,6 +9,7 @@ from itertools import chain
 from typing import NamedTuple
 
 import numpy as np
+import scipy
 from numpy.typing import DTypeLike, NDArray
 
 from lommel.base import validation
@@ -41,18 +42,16 @@ class StackBlur(LinearBlur):
     """
 
     def __init__(self, psf: PSF, shape: tuple[int, int, int], dtype: DTypeLike = np.float32) -> None:
-        from scipy.fft import next_fast_len, rfftn
-
         values, middle = kernel_of(psf)
         if not isinstance(shape, tuple | list) or len(shape) != 3:
             raise ValueError(f"shape must be (planes, height, width), got {validation.shown(shape)}")
         sides = [validation.integer("shape", side, least=1, most=validation.MAX_SIDE) for side in shape]
         self.dtype = validation.kind("dtype", dtype, np.float32, np.float64)
         self.channels, self.shape = sides[0], (sides[1], sides[2])
-        fft_shape = [next_fast_len(n + k - 1, real=True) for n, k in zip(sides, values.shape, strict=True)]
+        fft_shape = [scipy.fft.next_fast_len(n + k - 1, real=True) for n, k in zip(sides, values.shape, strict=True)]
         kernel = np.zeros(fft_shape, self.dtype)
         kernel[tuple(slice(k) for k in values.shape)] = values
-        self._size, self._transfer = fft_shape, rfftn(np.roll(kernel, [-m for m in middle], axis=(0, 1, 2)))
+        self._size, self._transfer = fft_shape, scipy.fft.rfftn(np.roll(kernel, [-m for m in middle], axis=(0, 1, 2)))
 
     def forward(self, image: Values) -> Values:
         """Return the recording of a specimen `image`: see :meth:`lommel.imaging.LinearBlur.forward`."""
@@ -63,9 +62,7 @@ class StackBlur(LinearBlur):
         return self._filtered(image, self._transfer.conj())
 
     def _filtered(self, image: Values, transfer: Values) -> Values:
-        from scipy.fft import irfftn, rfftn
-
-        stack = irfftn(rfftn(self.planes(image), self._size) * transfer, self._size)
+        stack = scipy.fft.irfftn(scipy.fft.rfftn(self.planes(image), self._size) * transfer, self._size)
         stack = stack[: self.channels, : self.shape[0], : self.shape[1]]
         return np.ascontiguousarray(np.moveaxis(stack, 0, 2), self.dtype).reshape(image.shape)
 
@@ -142,8 +139,6 @@ class TiledBlur(PlaneOperator):
         weights: Array | None = None,
         threads: int = 0,
     ) -> None:
-        from scipy.fft import next_fast_len
-
         kernels = iter([psf] if isinstance(psf, PSF) else psf)
         first_kernel, middle = _kernel(next(kernels))
         self.shape, self._margin, self._threads = shape, (margin[0], margin[1], margin[1]), threads
@@ -165,7 +160,7 @@ class TiledBlur(PlaneOperator):
                 self.whole[1:], shape[1:], self._margin[1:], self._lower[1:], self._upper[1:], strict=True
             )
         ]
-        single_sides = [int(next_fast_len(side, real=True)) for side in sufficient_sides]
+        single_sides = [int(scipy.fft.next_fast_len(side, real=True)) for side in sufficient_sides]
         self._is_single_tile = math.prod(single_sides) <= max_values
         self._tile = (single_sides[0], single_sides[1])
         if not self._is_single_tile:
@@ -196,8 +191,6 @@ class TiledBlur(PlaneOperator):
         and half of the frequencies along z suffice. The shape is (rows, groups of eight columns, frequencies along z,
         values): the real parts of a group, then the imaginary parts.
         """
-        from scipy.fft import fft, rfft, rfft2
-
         middle = self._lower
         rows = self._tile[0] // 2 + 1 if is_even else self._tile[0]
         planes = self._depth // 2 + 1 if is_even else self._depth
@@ -205,7 +198,7 @@ class TiledBlur(PlaneOperator):
         tile = np.zeros(self._tile, dtype=np.float32)
         for plane, values in enumerate(kernel):
             tile[: values.shape[0], : values.shape[1]] = values
-            spectrum = rfft2(np.roll(tile, [-index for index in middle[1:]], axis=(0, 1)))[:rows]
+            spectrum = scipy.fft.rfft2(np.roll(tile, [-index for index in middle[1:]], axis=(0, 1)))[:rows]
             lateral[plane] = spectrum.real if is_even else spectrum
         groups = -(-lateral.shape[2] // len(_COLUMNS))
         ordered = np.empty((rows, groups, planes, 2, len(_COLUMNS)), np.float32)
@@ -214,7 +207,8 @@ class TiledBlur(PlaneOperator):
         for row in range(rows):
             along_z[order, : lateral.shape[2]] = lateral[:, row]
             # Divided by the length here, because the core does not scale its inverse transform along z.
-            spectrum = (rfft(along_z, axis=0) if is_even else fft(along_z, axis=0)) / np.float32(self._depth)
+            transform = scipy.fft.rfft if is_even else scipy.fft.fft
+            spectrum = transform(along_z, axis=0) / np.float32(self._depth)
             parts = spectrum.reshape(planes, groups, -1)[:, :, _COLUMNS].transpose(1, 0, 2)
             ordered[row, :, :, 0], ordered[row, :, :, 1] = parts.real, parts.imag
         return ordered.reshape(rows, groups, planes, -1)
@@ -326,8 +320,6 @@ class TiledBlur(PlaneOperator):
 
     def _transform_planes(self, values: Values, planes: int, job: _TileJob) -> None:
         """Transform the tile laterally in each of the first `planes` planes, into `_spectra`."""
-        from scipy.fft import rfft2
-
         if self._spectra is None:
             self._spectra = np.empty((self.whole[0], self._tile[0], self._tile[1] // 2 + 1), np.complex64)
         spectra, spare_tiles = self._spectra, _SpareTiles(self._tile)
@@ -336,20 +328,19 @@ class TiledBlur(PlaneOperator):
             with spare_tiles.borrow() as tile:
                 # Other pixels of the tile stay 0, because all planes of a job are written to the same part of it.
                 tile[job.source_in_tile] = values[plane, *job.source]
-                spectra[plane] = rfft2(tile)
+                spectra[plane] = scipy.fft.rfft2(tile)
 
         side_by_side(transform, range(planes), self._threads)
 
     def _consume_planes(self, planes: int, job: _TileJob, consume: PartConsumer[Result]) -> list[Result]:
         """Transform the first `planes` spectra back, and call `consume` with the output of the tile in each plane."""
-        from scipy.fft import irfft2
-
         spectra = self._spectra
         assert spectra is not None
 
         def transform_back(plane: int) -> Result:
             # Consumers are faster in contiguous memory.
-            light = np.ascontiguousarray(irfft2(spectra[plane], self._tile, overwrite_x=True)[job.output_in_tile])
+            tile = scipy.fft.irfft2(spectra[plane], self._tile, overwrite_x=True)
+            light = np.ascontiguousarray(tile[job.output_in_tile])
             return consume(plane, *job.output, light)
 
         return side_by_side(transform_back, range(planes), self._threads)
@@ -426,12 +417,10 @@ def _expand(table: Values, row_indices: _TableIndices, column_indices: _TableInd
 
 def _tile_side(side: int, kernel: int, target: int) -> int:
     """Return the side (about `target` pixels) of tiles, so that as few tiles as possible cover `side` pixels."""
-    from scipy.fft import next_fast_len
-
     # Tiles of less than twice the kernel would mostly consist of overlap.
     core = max(target, 2 * kernel) - kernel + 1
     pieces = math.ceil(side / core)
-    return int(next_fast_len(math.ceil(side / pieces) + kernel - 1, real=True))
+    return int(scipy.fft.next_fast_len(math.ceil(side / pieces) + kernel - 1, real=True))
 
 
 def _window(start: tuple[int, ...], sides: tuple[int, ...]) -> Plane:
@@ -491,12 +480,10 @@ class RadialTransfer:
 
     def misfit(self, kernel: Array) -> float:
         """Return the rms difference between a kernel's transfer function and its table, relative to the function."""
-        from scipy.fft import rfft2
-
         sides = 2 * kernel.shape[1], 2 * kernel.shape[2]
         half_side = kernel.shape[1] // 2
         # The phase factor shifts the middle pixel to the first position.
-        exact = rfft2(kernel, sides) * np.exp(
+        exact = scipy.fft.rfft2(kernel, sides) * np.exp(
             2j * math.pi * half_side * (np.fft.fftfreq(sides[0])[:, np.newaxis] + np.fft.rfftfreq(sides[1]))
         )
         index, weight, sampling = self.interpolation(sides)
@@ -550,7 +537,8 @@ class PlaneBlur(TiledBlur):
             count = max(1, _VALUES_TOGETHER // (planes * len(groups[-1])))
             some, groups = groups[-count:], groups[:-count]
             padded = [np.pad(group, (0, len(some[-1]) - len(group)), "edge") for group in some]
-            self._tasks.append((index[[group[0] for group in some]], np.array(padded)))
+            below = index[[group[0] for group in some]].astype(np.intp)
+            self._tasks.append((below, np.array(padded)))
         self._weight_above, self._weight_below = weight * sampling, (1.0 - weight) * sampling
 
     def _add_transfer(self, number: int, kernel: Array) -> None:

@@ -16,7 +16,6 @@ from lommel.lensfiles import example_files, of_kind
 from lommel.lensfiles.camera_files import load_camera
 from lommel.lensfiles.microscope_files import Microscope, load_microscope
 from lommel.microscopy.deconvolution import deconvolve
-from lommel.microscopy.restoration import restore
 from lommel.microscopy.stack_blur import StackBlur
 from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.psf import PSF
@@ -395,34 +394,35 @@ def deconvolution_widget() -> Container[Widget]:
         camera_noise = None
         if camera.value != _ESTIMATED:
             camera_noise = Noise(white=gain.value, read=read.value, offset=offset.value)
-        elif kernel is not None:
-            raise ValueError(f"choose a camera: noise is estimated only with the PSF {_BY_DEPTH!r}")
         microscope = objective.load()
         method = RichardsonLucy(steps=max_steps, target=1.0)
 
-        def restore_by_depth(report: Callable[[float], None]) -> Restored:
-            values = np.asarray(source.data)
-            result = restore(
-                values, microscope, depth=1e-6 * depth.value, wavelength=1e-9 * emission.value,
-                step=1e-9 * step.value, pixel=1e-9 * pixel.value * microscope.objective.magnification,
-                noise=camera_noise, method=method, progress=lambda fraction, _: report(fraction),
-            )  # fmt: skip
+        # A PSF has the sampling of its stack.
+        sampling = (
+            {}
+            if kernel is not None
+            else {
+                "depth": 1e-6 * depth.value,
+                "wavelength": 1e-9 * emission.value,
+                "step": 1e-9 * step.value,
+                "pixel": 1e-9 * pixel.value * microscope.objective.magnification,
+            }
+        )
+
+        def restore(report: Callable[[float], None]) -> Restored:
+            result = deconvolve(
+                np.asarray(source.data),
+                microscope if kernel is None else kernel,
+                noise=camera_noise,
+                method=method,
+                progress=lambda fraction, _: report(fraction),
+                **sampling,
+            )
             (channel,) = result.channels
             summary = f"{channel.steps} steps, discrepancy {channel.discrepancy:.3g}, stopped: {channel.stopped}"
             return source, result.values, summary, result.notes
 
-        def deconvolve_with_psf(report: Callable[[float], None]) -> Restored:
-            assert kernel is not None
-            assert camera_noise is not None
-            values = np.asarray(source.data)
-            # Progress relative to the maximum number of steps, as the final number is unknown.
-            result = deconvolve(
-                values, kernel, camera_noise, method=method, progress=lambda count, _d, _l: report(count / max_steps)
-            )
-            summary = f"{result.steps} steps, discrepancy {result.discrepancy:.3g}, stopped: {result.stopped}"
-            return source, result.values, summary, ()
-
-        return restore_by_depth if kernel is None else deconvolve_with_psf
+        return restore
 
     def done(result: Restored) -> str:
         source, values, summary, notes = result

@@ -294,7 +294,7 @@ def _local_variances(stack: Stack) -> tuple[Array, Array, float]:
     pairs: list[Array] = []
     for place in np.unique(places):
         planes = np.array([plane_of(stack, int(k)) for k in range(place - adjacent, place + adjacent + 1)], float)
-        top = np.nanmax(planes)
+        top = np.fmax.reduce(planes, axis=None)  # NaN if all values are unknown
         if (planes == top).sum() >= _SATURATED:
             planes[planes == top] = np.nan
         differences = planes

@@ -1,0 +1,234 @@
+"""Voxel sizes, wavelengths and PSF models of a stack, from arguments, the file of the stack and the microscope."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any, NamedTuple, Protocol
+
+from lommel.base import validation
+from lommel.base.units import format_length
+from lommel.base.validation import line, shown
+from lommel.microscopy.depth_model import DepthModel, GivenPSF, usual_window
+from lommel.optics.layers.emitter import Emitter, emitter_of
+from lommel.optics.layers.modality import Modality
+from lommel.optics.layers.objective import Objective
+from lommel.optics.wavefront.wavefront import Wavefront
+from lommel.psf import PSF
+from lommel.recorded.frames import Frames
+
+_TOLERANCE = 0.02  # relative difference between values of the file and of the objective above which a note is added
+_FINEST = 5e-9  # finest pixel in the sample times NA, metres: a twentieth of Nyquist sampling at 400 nm
+_LEAST_PLANES = 3  # a single plane has no depth to restore
+
+
+class MicroscopeData(Protocol):
+    """Result of :func:`lommel.load_microscope`: an objective and its recording parameters (lengths in metres)."""
+
+    objective: Objective
+    wavelength: float
+    depth: float
+    pixel: float
+    step: float
+    emitter: Emitter
+    aberrations: Wavefront | None
+    modality: Modality
+
+
+class Stated(NamedTuple):
+    """What the arguments state, metres: see :class:`lommel.microscopy.DeconvolveOptions`."""
+
+    depth: float | None
+    wavelength: tuple[float, ...] | None
+    pixel: float | None
+    step: float | None
+
+
+class Sampled(NamedTuple):
+    """A recording with the voxel sizes and wavelengths that are used, and the PSF model of each channel."""
+
+    recording: Frames
+    models: list[DepthModel | GivenPSF]
+    pixel_doubt: str  # note on a pixel of the stack that contradicts the file of the objective
+
+
+def sampled(
+    recording: Frames,
+    microscope: Any,
+    stated: Stated,
+    window: tuple[int, int] | None,
+    notes: list[str],
+) -> Sampled:
+    """Return a recording with all that its file does not state; each assumption is added to the notes.
+
+    `microscope` is an Objective, a Microscope, or the PSF of the recording; `window` are planes and pixels of PSFs.
+    """
+    if isinstance(microscope, PSF):
+        return _with_psf(recording, microscope, stated)
+    lens, device = _objective(microscope)
+    planes = recording.shape[1]
+    if planes < _LEAST_PLANES:
+        raise ValueError(
+            f"stack must have 3 planes or more, got {planes}; for single images use lommel.imaging.restore_with"
+        )
+    first_note = len(notes)
+    pixel = _pixel(recording, lens, device, stated.pixel, notes)
+    doubt = notes[-1] if len(notes) > first_note and "objective file states" in notes[-1] else ""
+    of_device = None if device is None else abs(device.step) or None
+    step = _length("step", recording, stated.step, recording.metadata["step"], of_device, notes)
+    if not 0.0 < step < 1e-4:
+        raise ValueError(f"step must be a stage displacement, above 0 and below 1e-4 metres, got {step:g}")
+    file_NA = recording.metadata["NA"]
+    if file_NA is not None and abs(file_NA - lens.NA) > _TOLERANCE * lens.NA:
+        notes.append(f"NA {lens.NA:g} of the objective was used; the file states NA {file_NA:g}.")
+    waves = _wavelengths(recording, device, stated.wavelength, notes)
+    depth = stated.depth
+    if depth is None:
+        depth = planes // 2 * step if device is None else device.depth
+    validation.real("depth", depth, least=0.0, most=1e-2)
+    modality = Modality() if device is None else device.modality
+    models: list[DepthModel | GivenPSF] = []
+    for wave, laser in zip(waves, recording.metadata["excitation"], strict=True):
+        excitation = modality.excitation or laser
+        if modality.kind in ("confocal", "spinning disc", "two-photon") and excitation is None:
+            raise ValueError(
+                f"excitation must be given for a {modality.kind!r} microscope: its vacuum wavelength in metres"
+            )
+        models.append(
+            DepthModel(
+                lens,
+                wave,
+                pixel,
+                step,
+                depth,
+                planes,
+                window or usual_window(lens, wave, pixel, step, recording.shape[1:]),
+                replace(modality, excitation=excitation),
+                emitter_of("isotropic") if device is None else device.emitter,
+                None if device is None else device.aberrations,
+            )
+        )
+    if stated.depth is None and device is None:
+        notes.append(
+            f"The middle plane was assumed to be focused at a depth of {format_length(depth, digits=3)}, as if the "
+            "stack began at the cover glass; set depth= if not."
+        )
+    sizes = {"pixel": pixel / lens.magnification, "step": step, "emission": tuple(waves)}
+    used = replace(recording, metadata=recording.metadata | sizes)
+    return Sampled(used, models, doubt)
+
+
+def _with_psf(recording: Frames, psf: PSF, stated: Stated) -> Sampled:
+    """Return a recording with the voxels of its PSF."""
+    for name, value in stated._asdict().items():
+        if value is not None:
+            raise ValueError(f"{name} must not be given with a PSF, which has the sampling of the stack")
+    recording.only_channel("stack")
+    model = GivenPSF(psf, recording.shape[1])
+    pupil: Any = psf.pupil
+    sizes = {"pixel": model.pixel / pupil.magnification, "step": model.step, "emission": (float(pupil.wavelength),)}
+    used = replace(recording, metadata=recording.metadata | sizes)
+    return Sampled(used, [model], "")
+
+
+def _objective(argument: Any) -> tuple[Objective, MicroscopeData | None]:
+    """Return the objective, and the microscope, None for an Objective."""
+    if isinstance(argument, Objective):
+        return argument, None
+    if isinstance(getattr(argument, "objective", None), Objective):
+        return argument.objective, argument
+    raise TypeError(
+        "microscope must be an Objective, a Microscope from lommel.load_microscope, or the PSF of the stack, got "
+        f"{shown(argument)}"
+    )
+
+
+def _pixel(
+    recording: Frames, lens: Objective, device: MicroscopeData | None, argument: float | None, notes: list[str]
+) -> float:
+    """Return the pixel pitch on the camera, metres."""
+    of_file = recording.metadata["pixel"]
+    of_file = None if of_file is None else of_file * lens.magnification
+    pixel = _length("pixel", recording, argument, of_file, None if device is None else device.pixel, notes)
+    if argument is None:
+        return pixel
+    validation.pixel(pixel, metric=True)
+    if pixel < _FINEST / lens.NA * lens.magnification:
+        # The usual cause is a pixel size in the sample, instead of the pitch on the camera.
+        value, camera, in_sample = map(format_length, (pixel, pixel * lens.magnification, pixel / lens.magnification))
+        raise ValueError(
+            f"pixel must be the pitch on the camera, got {value}, which is {in_sample} in the sample; for {value} in "
+            f"the sample give pixel={camera}"
+        )
+    return pixel
+
+
+def _length(
+    name: str,
+    recording: Frames,
+    argument: float | None,
+    of_file: float | None,
+    of_microscope: float | None,
+    notes: list[str],
+) -> float:
+    """Return the length in the argument, else in the file, else of the microscope; note differences."""
+    if argument is not None:
+        if of_file is not None and abs(argument - of_file) > _TOLERANCE * of_file:
+            notes.append(f"The argument {name}={format_length(argument)} was used, not the value of the file.")
+        return argument
+    source = "an array" if recording.path is None else line(recording.path)
+    if words := recording.metadata["unusable"].get(name):
+        place = "in the sample" if name == "pixel" else "between planes"
+        raise ValueError(
+            f"{source} states {words} {place}, which cannot be used: give {name}=, in metres"
+            + (" on the camera" if name == "pixel" else "")
+        )
+    if of_file is not None:
+        if of_microscope is not None and abs(of_microscope - of_file) > _TOLERANCE * of_file:
+            text = f"The {name} of the stack, {format_length(of_file)}, was used; the objective file states "
+            notes.append(f"{text}{format_length(of_microscope)}.")
+        return of_file
+    if of_microscope is None:
+        raise ValueError(
+            f"{source} states no voxel size: give pixel= (on the camera) and step= (of the stage), in metres"
+        )
+    place = "on the camera" if name == "pixel" else "of the stage"
+    notes.append(
+        f"The stack does not state its {name}: the value of the objective file was used, "
+        f"{format_length(of_microscope)} {place}; set {name}= if it differs."
+    )
+    return of_microscope
+
+
+def _wavelengths(
+    recording: Frames, device: MicroscopeData | None, stated: tuple[float, ...] | None, notes: list[str]
+) -> list[float]:
+    """Return the emission wavelength of each channel, from the argument, else the file, else the microscope."""
+    count = recording.shape[0]
+    if stated is not None:
+        if len(stated) not in (1, count):
+            raise ValueError(f"wavelength must be one, or one for each of {count} channels, got {len(stated)}")
+        return list(stated) * (count if len(stated) == 1 else 1)
+    waves = []
+    for number, (name, wave) in enumerate(
+        zip(recording.metadata["names"], recording.metadata["emission"], strict=True)
+    ):
+        if wave is None:
+            if text := recording.metadata["unusable"].get(f"emission {number}"):
+                raise ValueError(
+                    f"the stack states that the emission wavelength of {name!r} is {text}, which cannot be used: "
+                    "give wavelength=, in metres, such as 520e-9"
+                )
+            if device is None or count > 1:
+                raise ValueError(
+                    f"the stack does not state the emission wavelength of {name!r}: give wavelength=, in metres, "
+                    "such as 520e-9"
+                )
+            wave = device.wavelength
+            notes.append(f"The wavelength of the objective file, {format_length(wave)}, was used.")
+        elif count == 1 and device is not None and abs(wave - device.wavelength) > _TOLERANCE * wave:
+            notes.append(
+                f"The emission wavelength of the stack, {format_length(wave)}, was used; the objective file "
+                f"states {format_length(device.wavelength)}; set wavelength= if it differs."
+            )
+        waves.append(validation.wavelength(float(wave)))
+    return waves

@@ -99,23 +99,8 @@ def test_maps_of_the_camera_and_other_options(folder, call_lommel):
     shape = (SIDE, SIDE)
     np.save(folder / "gain.npy", np.full(shape, 0.46))
     tifffile.imwrite(folder / "offset.tif", np.full(shape, 100, np.uint16))
-    options = ["--gain", "gain.npy", "--offset", "offset.tif", "--read", 1.6, "--z", "-600nm", "600nm", "--box", 13]
-    options += [
-        "--threshold",
-        8,
-        "--width",
-        2,
-        "--reach",
-        2.5,
-        "--block",
-        3,
-        "--threads",
-        1,
-        "--starts",
-        2,
-        "--depth",
-        "1.1um",
-    ]
+    options = ["--gain", "gain.npy", "--offset", "offset.tif", "--read", 1.6, "--z", "-600nm", "600nm"]
+    options += ["--reach", 2.5, "--depth", "1.1um"]
     result = call_lommel("localize", "movie.tif", "objective.toml", *options, "-o", "a.csv", "--json", folder=folder)
     assert result.returncode == 0, result.stderr
     facts = json.loads(result.stdout)
@@ -153,7 +138,9 @@ def test_a_mask_and_a_stated_background(folder, call_lommel):
     arguments = ["movie.tif", "objective.toml", *NOISE, "--mask", "mask.tif", "--background", "tilted", "-o", "a.csv"]
     facts = json.loads(call_lommel("localize", *arguments, "--json", folder=folder).stdout)
     table = lm.localize.Table(simulated.pupil(), shape=15, pixel=6.5e-6, z=(-0.7e-6, 0.7e-6), reach=3.0)
-    found = lm.localize.localize_movie(folder / "movie.tif", table, noise=CAMERA, mask=out > 0, background="tilted")
+    found = lm.localize.localize_movie(
+        lm.Counts.of(tifffile.imread(folder / "movie.tif"), noise=CAMERA, mask=out > 0), table, background="tilted"
+    )
     assert (facts["written"], facts["left_out"]) == (int(found.kept.sum()), found.left_out)
     assert found.left_out > 0
     tifffile.imwrite(folder / "mask.tif", out[1:])
@@ -165,24 +152,25 @@ def test_a_movie_without_spots_is_told(folder, call_lommel):
     tifffile.imwrite(folder / "dark.tif", np.full((3, 40, 40), 100, np.uint16), photometric="minisblack")
     result = call_lommel("localize", "dark.tif", "objective.toml", *NOISE, "-o", "a.csv", folder=folder)
     assert result.returncode == 3
-    assert "no spot is above --threshold: check --offset, --gain and --read" in " ".join(result.stdout.split())
+    assert "no spot is six standard deviations above the noise: check --offset, --gain and --read" in " ".join(
+        result.stdout.split()
+    )
 
 
 @pytest.mark.parametrize(
     ("arguments", "told"),
     [
         (["movie.tif", "objective.toml", "-o", "a.csv"], "--read is missing: the read noise"),
-        (["movie.tif", "objective.toml", "--read", 1], "Missing option '-o' / '--output'"),
+        (["movie.tif", "objective.toml", "--read", 1], "Error: --output needs a value"),
         (["movie.tif", "objective.toml", "--read", 1, "-o", "a.txt"], "Error: --output must end in .csv, .hdf5"),
         (["objective.toml", *GIVEN[1:], "-o", "a.csv"], "Error: objective.toml is not a TIFF, FITS, NPY or PNG"),
         (["movie.tif", "lens.toml", "--read", 1, "-o", "a.csv"], "Error: lommel localize needs a microscope,"),
         (["movie.tif", "objective.toml", "--read", "some", "-o", "a.csv"], "Error: --read must be a number or"),
         (["movie.tif", "objective.toml", "--read", "movie.tif", "-o", "a.csv"], "Error: --read must be one image"),
         ([*GIVEN, "--z", "1um", "0um", "-o", "a.csv"], "Error: --z must be (lowest, highest)"),
-        ([*GIVEN, "--threshold", 1, "-o", "a.csv"], "Error: --threshold must be >= 3"),
-        ([*GIVEN, "--box", 4, "-o", "a.csv"], "Error: --box must be 5 to 64 pixels a side, 15 is usual, got (4, 4)"),
+        ([*GIVEN, "--reach", 0, "-o", "a.csv"], "Error: --reach must be > 0"),
         (["objective.toml", "movie.tif", "--read", 1, "-o", "a.csv"], "Error: the order is MOVIE LENS, the movie"),
-        ([*GIVEN, "--read", "unknown.npy", "-o", "a.csv"], "Error: --read must be finite, got nan at (1, 2)"),
+        ([*GIVEN[:2], "--read", "unknown.npy", "-o", "a.csv"], "Error: --read must be finite, got nan at (1, 2)"),
     ],
 )  # fmt: skip
 def test_faults_are_one_line_and_leave_no_file(arguments, told, folder, call_lommel):

@@ -9,7 +9,9 @@ import pytest
 
 import lommel as lm
 import simulated_movies as simulated
-from lommel.localize import Table, checks, localize_blocks, localize_movie
+from lommel.localize import LocalizeOptions, Table, checks, localize_movie
+from lommel.localize.localizations import joined
+from lommel.localize.movie_fits import movie_blocks
 
 CAMERA = lm.Noise(white=0.5, read=1.5, offset=100.0)
 
@@ -98,7 +100,7 @@ CHANGED = {
 
 
 def test_changes_are_differences_of_tables(table):
-    made = checks.ChangeImages(table, None)
+    made = checks.ChangeImages(table)
     places = np.array([7.3, 6.1]), np.array([6.6, 8.2]), np.array([-0.35e-6, 0.41e-6])
     images = made(*places)
     for k, name in enumerate(made.names):
@@ -172,7 +174,7 @@ def test_a_wrong_camera_is_told(changes, code, severity, table, mean):
 
 def test_full_pixels_are_left_out_and_told(table, mean):
     counts = np.minimum(CAMERA.record(10.0 * mean, 1), 700.0)
-    found = localize_movie(counts, table, noise=CAMERA, saturation=700.0)
+    found = localize_movie(lm.Counts.of(counts, noise=CAMERA, saturation=700.0), table)
     assert found.findings.get("left_out").numbers == {"saturated": found.saturated, "left_out": 0}
     assert found.saturated > 100
     assert found.converged
@@ -186,12 +188,12 @@ def test_a_wavefront_that_leaves_the_sign_of_z_open_is_told(mean):
 
 def test_a_pixel_that_is_not_of_the_camera_is_told(mean):
     one = Table(simulated.pupil(), 15, 0.1e-6, z=(-0.7e-6, 0.7e-6), tol=1e-3)
-    assert localize_movie(mean[:1], one, width=2.0).findings.get("pixel_pitch").severity == "doubt"
+    assert localize_movie(mean[:1], one).findings.get("pixel_pitch").severity == "doubt"
 
 
 def test_fits_at_the_ends_of_z_are_told(mean):
     one = Table(simulated.pupil(), 15, 6.5e-6, z=(-0.2e-6, 0.2e-6), tol=1e-3)
-    found = localize_movie(CAMERA.record(mean[:5], 1), one, noise=CAMERA, block=2)
+    found = joined(list(movie_blocks(CAMERA.record(mean[:5], 1), one, CAMERA, LocalizeOptions(), block=2)))
     assert found.findings.get("z_range").numbers == {"ends": found.ends, "spots": found.spots}
     assert found.ends > 0.3 * found.spots
 
@@ -202,7 +204,7 @@ def test_spots_in_the_same_place_of_many_frames_are_counted(table):
     frames[:, 20, 33] += 400.0
     frames[::2, 50, 30] += 400.0
     frames[::5, 50, 55] += 400.0
-    *_, last = localize_blocks(frames, table, block=6)
+    *_, last = movie_blocks(frames, table, None, LocalizeOptions(), block=6)
     (one, other) = last.findings.get("recurring").numbers["places"]
     assert one[2] == 40
     assert abs(np.subtract(one[:2], (20, 33))).max() <= 2
@@ -219,6 +221,6 @@ def test_a_movie_without_molecules_has_no_answer(table):
 
 def test_findings_of_blocks_are_of_the_movie_so_far(table, mean):
     counts = CAMERA.record(mean, 1)
-    *parts, last = localize_blocks(counts, table, noise=CAMERA, block=6)
+    *parts, last = movie_blocks(counts, table, CAMERA, LocalizeOptions(), block=6)
     assert last.summary == localize_movie(counts, table, noise=CAMERA).summary
     assert [part.summary.split(" in ")[0] for part in parts] != [last.summary.split(" in ")[0]] * 3

@@ -12,8 +12,9 @@ import tifffile
 
 import lommel as lm
 import simulated_movies as simulated
-from lommel.localize import Table, localize_blocks, localize_movie, writer
-from lommel.localize.movie_fits import gaussian_widths
+from lommel.localize import LocalizeOptions, Table, localize_movie, writer
+from lommel.localize.localizations import joined
+from lommel.localize.movie_fits import gaussian_widths, movie_blocks
 from lommel.recorded.frames import open_frames
 
 PIXEL = simulated.PIXEL / simulated.MAGNIFICATION
@@ -34,6 +35,11 @@ def molecules() -> simulated.Molecules:
 @pytest.fixture(scope="module")
 def counts(molecules) -> np.ndarray:
     return simulated.recorded(simulated.light(molecules, FRAMES, SIDE, 8.0), CAMERA, 2)
+
+
+def in_blocks(movie, table, block, **options):
+    """Return the localisations of blocks of so many frames."""
+    return list(movie_blocks(movie, table, CAMERA, LocalizeOptions(**options), block=block))
 
 
 def errors(found: lm.localize.Localizations, true: simulated.Molecules) -> pd.DataFrame:
@@ -91,15 +97,13 @@ def test_molecules_are_where_they_were_put_within_the_stated_deviations(table, m
 def test_a_file_in_blocks_gives_what_the_array_gives(table, counts, tmp_path):
     tifffile.imwrite(tmp_path / "movie.tif", counts, photometric="minisblack")
     whole, told = localize_movie(counts, table, noise=CAMERA), []
-    found = localize_movie(
-        tmp_path / "movie.tif", table, noise=CAMERA, block=7, progress=lambda done, total: told.append((done, total))
-    )
+    found = joined(in_blocks(tmp_path / "movie.tif", table, 7, progress=lambda *at: told.append(at)))
     np.testing.assert_array_equal(found.table, whole.table)
     assert (found.spots, found.overlapping) == (whole.spots, whole.overlapping)
     assert told == [(7, 25), (14, 25), (21, 25), (25, 25)]
     assert (found.recording.name, whole.recording.name) == ("movie.tif", "")
     with open_frames(tmp_path / "movie.tif").as_stack() as movie:
-        parts = list(localize_blocks(movie, table, noise=CAMERA, block=10))
+        parts = in_blocks(movie, table, 10)
     assert [len(part.table) for part in parts] == [int((whole.table["frame"] // 10 == k).sum()) for k in range(3)]
     with writer(tmp_path / "a.csv") as write:
         for part in parts:
@@ -122,11 +126,11 @@ def test_saturated_pixels_do_not_move_molecules(bits, kind, table):
     most = 2**bits - 1
     raw = bright((most - 100) * 0.46)
     movie = np.minimum(raw, most).astype(kind)
-    found = localize_movie(movie, table, noise=CAMERA, block=7)
+    found = joined(in_blocks(movie, table, 7))
     known = np.where(movie < most, raw, np.nan)
     for other in (
         localize_movie(known, table, noise=CAMERA),
-        localize_movie(movie, table, noise=CAMERA, saturation=most),
+        localize_movie(lm.Counts.of(movie, noise=CAMERA, saturation=most), table),
     ):
         assert len(found) == len(other) == found.kept.sum() == 40
         for name in ("x", "y", "z", "photons"):
@@ -238,7 +242,7 @@ def test_frames_without_molecules_have_none(table):
 
 
 def test_blocks_of_one_frame_are_those_of_the_whole(table, counts):
-    whole, single = (localize_movie(counts[:3], table, noise=CAMERA, block=block) for block in (3, 1))
+    whole, single = (joined(in_blocks(counts[:3], table, block)) for block in (3, 1))
     assert len(whole)
     np.testing.assert_array_equal(single.table, whole.table)
 
@@ -251,13 +255,11 @@ def test_blocks_of_one_frame_are_those_of_the_whole(table, counts):
         ({"movie": np.zeros((2, 10, 40))}, "frames must have the shape .* box of 15 x 15, got .2, 10, 40."),
         ({"movie": "movie.png"}, "No such file"),
         ({"table": 5}, "table must be"),
-        ({"block": 0}, "block must be"),
-        ({"threshold": 1.0}, "threshold must be"),
-        ({"starts": 0}, "starts must be"),
+        ({"background": "uneven"}, "background must be"),
+        ({"treshold": 8.0}, "has no option 'treshold'"),
         ({"progress": 5}, "progress must be"),
-        ({"mask": np.zeros((3, 3), bool)}, r"mask must be True or False for each pixel of frames \(2, 40, 40\)"),
-        ({"mask": np.zeros((40, 40))}, "mask must be True or False"),
-        ({"mask": np.ones((40, 40), bool)}, "must have pixels that are neither masked"),
+        ({"movie": lm.Counts.of(np.ones((2, 40, 40)), noise=CAMERA, mask=np.ones((40, 40), bool))}, "neither masked"),
+        ({"movie": lm.Counts.of(np.ones((2, 40, 40)), noise=CAMERA), "noise": CAMERA}, "noise must be omitted"),
     ],
 )
 def test_bad_arguments_are_told(changes, message, table):
@@ -286,7 +288,7 @@ def test_pixels_of_a_mask_are_left_out(table, counts, molecules):
     hot = np.zeros((SIDE, SIDE), bool)
     hot[int(molecules.row[0]) + 3, int(molecules.column[0])] = True
     seen = counts[:1] + np.where(hot, 900, 0).astype(counts.dtype)
-    found = localize_movie(seen, table, noise=CAMERA, mask=hot)
+    found = localize_movie(lm.Counts.of(seen, noise=CAMERA, mask=hot), table)
     hidden = localize_movie(np.ma.masked_array(seen, hot[None]), table, noise=CAMERA)
     np.testing.assert_array_equal(found.table, hidden.table)
     assert found.left_out == 1

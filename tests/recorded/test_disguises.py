@@ -66,7 +66,7 @@ OPTIONS = {
     "deconvolve": "oil.toml --gain 1 --read 1.6 --offset 100 --steps 2 --direction up --background 0 "
     "--no-diagnosis -o restored.ome.tif",
     "fit-field": "sky.toml --defocus=-2.5,0,2.5 --read 2 --offset 50 --window 17 --degree 0 --terms 5 --known-blur 0",
-    "localize": "glass.toml --gain 0.46 --read 1.6 --offset 100 --z -300nm 300nm --box 11 --reach 1 -o table.csv",
+    "localize": "glass.toml --gain 0.46 --read 1.6 --offset 100 --z -300nm 300nm --reach 1 -o table.csv",
 }
 SIZES = "--axes ZYX --pixel 6.3um --step 250nm"  # of a stack whose file does not state them
 NAMED = (
@@ -233,8 +233,8 @@ def handed(monkeypatch: pytest.MonkeyPatch) -> list[dict[str, Any]]:
         (localize_command, "Table", lambda *arguments, **options: None),
         (
             localize_command,
-            "localize_blocks",
-            lambda movie, _, **options: estimate(movie[...], **options),
+            "movie_blocks",
+            lambda movie, _, noise, options, **given: estimate(movie[...], noise=noise, **vars(options), **given),
         ),
         (deconvolve_command, "run", restore),
     ):

@@ -201,7 +201,7 @@ def movie(noise):
 
 
 def blocks(noise):
-    parts = list(lm.localize.localize_blocks(frames(), table(), noise=noise, block=2))
+    parts = list(lm.localize.localize_blocks(frames(), table(), noise=noise))
     return [part.table["x"] for part in parts], [part.table["photons"] for part in parts]
 
 

@@ -321,7 +321,7 @@ def movie(
     frames = recorder.record(light + 15.0 + slope * (np.arange(64) - 31.5), seed)
     known = noise or lm.Noise(white=0.46, read=1.6, offset=100.0)
     images = table(sign, shift)
-    found, seconds = timed(lm.localize.localize_movie, frames, images, noise=known, threads=1)
+    found, seconds = timed(lm.localize.localize_movie, frames, images, noise=known)
     good = found.kept
     for name in ("reliable", "doubtful"):  # flags of single molecules
         flags = getattr(found, name, None)

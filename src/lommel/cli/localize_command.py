@@ -5,97 +5,69 @@ from __future__ import annotations
 import dataclasses
 import math
 import time
+from dataclasses import dataclass
 from pathlib import Path
+from typing import Annotated, ClassVar, Literal
 
-import click
 import numpy as np
 from rich.text import Text
 
+from lommel.base.options import In, Options, Shown
 from lommel.base.units import format_length
-from lommel.cli.instruments import (
-    DEPTH,
-    LENS,
-    STACK_FILE,
-    CameraMaps,
-    header_differences,
-    require_microscope,
-    require_order,
-)
-from lommel.cli.options import (
-    JSON,
-    OUTPUT,
-    PATH,
-    WINDOW,
-    Group,
-    command,
-    documented,
-    finding_lines,
-    option,
-    plot_option,
-)
+from lommel.cli.command import OUTPUT, PLOT, command, filled
+from lommel.cli.instruments import header_differences, require_microscope, require_order
+from lommel.cli.messages import finding_lines
 from lommel.cli.output import progress, require_folder, save_figure, written
+from lommel.cli.shared_options import CameraMaps
 from lommel.io import registry
-from lommel.localize import Localizations, Table, find, fit, localize_blocks, writer
-from lommel.localize.fitting import BACKGROUNDS
+from lommel.localize import Localizations, LocalizeOptions, Table, writer
 from lommel.localize.localizations import MEDIANS, joined
+from lommel.localize.movie_fits import movie_blocks
 from lommel.recorded.frames import open_frames
 from lommel.report import Facts, Parts, Report, Wrapped, list_of
 from lommel.show.drawing import figure_of
 
 _Z_RANGES = {"z": (-0.7e-6, 0.7e-6), "depth": (0.0, 1e-6)}
+_SIDE = 15  # rows and columns of the boxes that are fitted
 
 
-class MovieCamera(CameraMaps, heading="Camera"):
-    """Options for the camera of a movie."""
+@dataclass(frozen=True, kw_only=True)
+class MoleculeImages(Options):
+    """Options for the images of molecules.
 
-    masked: Path | None = option("--mask", type=PATH, help="Image that is not 0 at pixels to ignore.")
+    Parameters
+    ----------
+    z
+        Range of z; by default -0.7um 0.7um, or with --along depth 0um 1um.
+    along
+        z: the stage moves; depth: z is the depth of a molecule below the cover glass.
+    depth
+        Depth of the molecules below the cover glass, such as 2um; by default from the file.
+    reach
+        Largest distance of a molecule from the middle of its box along rows and columns, pixels.
+    """
 
+    heading: ClassVar[str] = "Molecules"
 
-class Molecules(Group, heading="Molecules"):
-    """Options for the images of molecules, and for finding them."""
-
-    # fmt: off
-    z: tuple[float, float] | None = option(length="um", nargs=2, metavar="FROM TO",
-        help="Range of z; by default -0.7um 0.7um, or with --along depth 0um 1um.")
-    along: str = documented(Table, "along", type=click.Choice(("z", "depth")))
-    flat: bool = option(is_flag=True,
-        help="Estimate only x and y, for images that do not determine z, as without astigmatism.")
-    depth: float | None = DEPTH
-    shape: int | tuple[int, int] = option("--box", type=WINDOW, default="15",
-        help="Pixels of the boxes that are fitted, such as 15 or 15x17, at least 5 a side.")
-    threshold: float = documented(find, "threshold", type=float)
-    width: float | None = documented(localize_blocks, "width", type=float,
-        help="Standard deviation in pixels by which frames are smoothed to find spots; by default the standard "
-        "deviation of the images of molecules.")
-    # fmt: on
-
-
-class Fits(Group, heading="Fits"):
-    """Options for the fits of positions."""
-
-    # fmt: off
-    reach: float = documented(Table, "reach", type=float, default=3.0)
-    tol: float = documented(Table, "tol", type=float)
-    starts: int = documented(fit, "starts", type=int)
-    background: str = option(type=click.Choice(("auto", *BACKGROUNDS)), default="auto",
-        help="Background of each box: the same in all pixels, or with slopes; auto decides from the data.")
-    threads: int | None = documented(fit, "threads", type=int)
-    block: int | None = documented(localize_blocks, "block", type=int,
-        help="Frames in memory at once; by default at most four million pixels.")
-    # fmt: on
+    z: Annotated[tuple[float, float] | None, Shown(length="um", metavar="FROM TO")] = None
+    along: Literal["z", "depth"] = "z"
+    depth: Annotated[float | None, Shown(length="um")] = None
+    reach: Annotated[float, In(above=0.0)] = 3.0
 
 
-@command(JSON)
+@command
+@filled(formats=registry.suffixes("molecules", described=True))
 def localize(
-    movie: Path = STACK_FILE,
-    lens: Path = LENS,
-    outputs: tuple[Path, ...] = option("-o", "--output", type=OUTPUT, required=True, multiple=True,
-        help=f"Table of molecules: {registry.suffixes('molecules', described=True)}; may be repeated."),
-    figure: Path | None = plot_option("Picture of the molecules, coloured by z"),
-    camera: MovieCamera = MovieCamera(),
-    molecules: Molecules = Molecules(),
-    fits: Fits = Fits(),
-) -> Report:  # fmt: skip
+    movie: Path,
+    lens: Path,
+    /,
+    *,
+    outputs: Annotated[tuple[Path, ...], OUTPUT],
+    figure: Annotated[Path | None, PLOT] = None,
+    camera: CameraMaps = CameraMaps(),
+    molecules: MoleculeImages = MoleculeImages(),
+    options: LocalizeOptions = LocalizeOptions(),
+) -> Report:
     """Localise the molecules of a movie in three dimensions.
 
     MOVIE is a TIFF, OME-TIFF, OME-Zarr, FITS or NPY file of any length, as the camera recorded it. LENS is the file
@@ -110,6 +82,19 @@ def localize(
     for each. The exit code is 3 if a check finds an error: no molecule, images that disagree with PSF and noise, the
     opposite sign of the astigmatism.
 
+    Parameters
+    ----------
+    outputs
+        Table of molecules: {formats}; may be repeated.
+    figure
+        Picture of the molecules, coloured by z: .png, .pdf or .svg.
+    masked
+        Image that is not 0 at pixels to ignore.
+    flat
+        Estimate only x and y, for images that do not determine z, as without astigmatism.
+    background
+        Background of each box: the same in all pixels, or with slopes; auto decides from the data.
+
     Examples
     --------
       lommel localize movie.tif zeiss-63x-astigmatic.toml --read 1.6 --offset 100 -o found.csv --plot found.png
@@ -119,7 +104,7 @@ def localize(
         registry.find("molecules", path, "--output")
         require_folder(path)
     require_order("MOVIE LENS, the movie first", movie, lens)
-    shape, z, along = molecules.shape, molecules.z or _Z_RANGES[molecules.along], molecules.along
+    z, along = molecules.z or _Z_RANGES[molecules.along], molecules.along
     microscope = require_microscope("localize", lens, camera=camera.camera, pixel=camera.pixel, depth=molecules.depth)
     start = time.perf_counter()
     parts: list[Localizations] = []
@@ -129,13 +114,12 @@ def localize(
         header = [*frames.notes, *header, *header_differences(frames.metadata, microscope).values()]
         mask = camera.mask(np.broadcast_to(False, (1, *frames.shape[1:])))
         pupil, pixel = dataclasses.replace(microscope, planes=1).pupil(), microscope.pixel
-        table = Table(pupil, shape, pixel, z=z, along=along, reach=fits.reach, tol=fits.tol, threads=fits.threads)
-        arguments: Facts = {"noise": noise, "mask": mask, "saturation": saturation}
-        arguments["progress"] = lambda count, total: report_progress(f"frame {count} of {total}", count / total)
-        for name in ("flat", "threshold", "width", "starts", "background", "threads", "block"):
-            arguments[name] = (vars(molecules) | vars(fits))[name]
+        table = Table(pupil, _SIDE, pixel, z=z, along=along, reach=molecules.reach)
+        told = dataclasses.replace(
+            options, progress=lambda count, total: report_progress(f"frame {count} of {total}", count / total)
+        )
         with writer(*outputs) as write:
-            for part in localize_blocks(frames, table, **arguments):
+            for part in movie_blocks(frames, table, noise, told, mask=mask, saturation=saturation):
                 write(part)
                 parts.append(part if figure is not None else _keep_report_columns(part))
     molecules_found = joined(parts)

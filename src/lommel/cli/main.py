@@ -38,8 +38,6 @@ COMMANDS = {
 }
 """Module of each command, in the order of the help; a command is the function of that name in the module."""
 
-GENERATED = set(COMMANDS) - {"localize"}
-
 _TEXT = """\
 Point spread functions (PSFs) of defocused and aberrated lenses, telescopes and microscopes.
 
@@ -74,10 +72,6 @@ def main(words: Sequence[str] | None = None) -> NoReturn:
             stream.reconfigure(errors="backslashreplace")
     words = list(sys.argv[1:] if words is None else words)
     name = words[0] if words else ""
-    if name in COMMANDS and name not in GENERATED:
-        from lommel.cli.legacy import old_main
-
-        old_main(words, prog_name="lommel")
     app = command.application("lommel", _TEXT, metadata.version("lommel"), EXAMPLES)
     if name in COMMANDS:
         # Only the module of this command is imported: importing all takes longer than most commands run.
@@ -85,7 +79,7 @@ def main(words: Sequence[str] | None = None) -> NoReturn:
         entry.add_to(app, name)
         words[1:] = entry.arranged(words[1:])
     elif name == "--install-completion":
-        for other in GENERATED:
+        for other in COMMANDS:
             command_of(other).add_to(app, other)
         app.register_install_completion_command()
     else:

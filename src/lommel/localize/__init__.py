@@ -3,11 +3,12 @@
 from lommel.detection.molecules import Spots, find
 from lommel.localize.fitting import Molecules, fit
 from lommel.localize.localizations import Localizations, MovieInfo, writer
-from lommel.localize.movie_fits import localize_blocks, localize_movie
+from lommel.localize.movie_fits import LocalizeOptions, localize_blocks, localize_movie
 from lommel.localize.table import Table
 
 __all__ = [
     "Localizations",
+    "LocalizeOptions",
     "Molecules",
     "MovieInfo",
     "Spots",

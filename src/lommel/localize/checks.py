@@ -84,10 +84,10 @@ class Checks:
         self._discrepancies = np.zeros(2 * _WIDEST * _PER_UNIT + 1, np.int64)
         self._residuals: list[tuple[Array, ...]] = []
         self._excess: list[Finding] = []
-        self._rivals = {} if recording.along == "none" else rivals(table, refit.keywords["threads"])
+        self._rivals = {} if recording.along == "none" else rivals(table)
         self._gains: dict[str, list[float]] = {name: [] for name in self._rivals}
         self._compared = 0
-        self._changes = TableTest(table, refit.keywords["threads"])
+        self._changes = TableTest(table)
         pupil, pixel = table.pupil, recording.pixel
         if (finest := pupil.wavelength / (4.0 * pupil.layers.NA)) * _MIN_NYQUIST_RATIO > pixel:
             text = (
@@ -243,7 +243,7 @@ class Checks:
     def _fit_findings(self) -> Iterator[Finding]:
         sums, n = self._sums, self.molecules
         if not sums["spots"]:
-            text = "no spot is above `threshold`: check `offset`, `white` and `read`, or lower `threshold`"
+            text = "no spot is six standard deviations above the noise: check `offset`, `white` and `read`"
             yield Finding("no_light", "error", text)
         elif not n:
             yield Finding("not_settled", "error", f"none of {sums['spots']} fits converged within the table")
@@ -341,16 +341,14 @@ class ChangeImages:
         Expected size of each term and of the error of each constant.
     """
 
-    def __init__(self, table: Table, threads: int | None) -> None:
+    def __init__(self, table: Table) -> None:
         self._table, waves = table, Waves(table.pupil, table.along)
         low, high = table.z
         planes = max(4, math.ceil((high - low) * waves.rate / _PHASE_STEP) + 1)
         self._per_plane = (planes - 1) / (high - low)
         height, width = (_SUBPIXELS * (2 * (side // 2 + math.ceil(table.reach) + 1) + 1) for side in table.shape)
         self._middle = height // 2, width // 2
-        image = partial(
-            psf, shape=(height, width), pixel=table.pixel / _SUBPIXELS, tol=1e-3, integrate=True, threads=threads
-        )
+        image = partial(psf, shape=(height, width), pixel=table.pixel / _SUBPIXELS, tol=1e-3, integrate=True)
         pupil = waves.at(np.linspace(low, high, planes))
         images, derivatives = image(pupil).values, image(pupil, derivatives=_TERMS).derivatives
         changes = [derivatives[term] * zernike.rms_factor(*term) for term in _TERMS]
@@ -489,8 +487,8 @@ def scored(
 class TableTest:
     """Score tests of changes of a table's images with the first molecules, allowing for tilted backgrounds."""
 
-    def __init__(self, table: Table, threads: int | None) -> None:
-        self._table, self._threads = table, threads
+    def __init__(self, table: Table) -> None:
+        self._table = table
         self._square, self._pull, self._bias = np.zeros((0, 0)), np.zeros(0), np.zeros((0, len(_BIASES), 0))
         self._sizes: Array = np.zeros(0)
         self._sum: ChangeImages | None = None
@@ -504,7 +502,7 @@ class TableTest:
     def _images(self) -> ChangeImages:
         cache = vars(self._table)
         if "_changes" not in cache:
-            cache["_changes"] = ChangeImages(self._table, self._threads)
+            cache["_changes"] = ChangeImages(self._table)
         images: ChangeImages = cache["_changes"]
         return images
 
@@ -594,14 +592,14 @@ class TableTest:
         return result
 
 
-def rivals(table: Table, threads: int | None = None) -> dict[str, Table]:
+def rivals(table: Table) -> dict[str, Table]:
     """Return tables for another sign of astigmatism or depth, by name ("sign" or shift); cached in `table`."""
     cache: dict[str, Table] = vars(table).setdefault("_rivals", {})
     if not cache:
         settings: dict[str, Any] = {name: getattr(table, name) for name in ("along", "reach", "tol")}
         for name, pupil, shift in _other_pupils(table.pupil, table):
             low, high = (max(0.0, end + shift) if shift else end for end in table.z)
-            cache[name] = Table(pupil, table.shape, table.pixel, z=(low, high), threads=threads, **settings)
+            cache[name] = Table(pupil, table.shape, table.pixel, z=(low, high), **settings)
     return cache
 
 

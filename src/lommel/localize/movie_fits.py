@@ -11,58 +11,32 @@ from contextlib import contextmanager, nullcontext
 from dataclasses import dataclass, fields, replace
 from functools import partial
 from os import PathLike
-from typing import TypedDict, Unpack
+from typing import Annotated, Any, ClassVar, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from lommel.base import options, validation
+from lommel.base import validation
 from lommel.base.arrays import Array, Values
+from lommel.base.options import HIDDEN, Options, listed
 from lommel.detection.molecules import Spots, box_pixels, find, frame_counts
 from lommel.localize.checks import TILTED, Checks
-from lommel.localize.fitting import BACKGROUNDS, STATES, MoleculeErrors, Molecules, fit
+from lommel.localize.fitting import STATES, MoleculeErrors, Molecules, fit
 from lommel.localize.localizations import Localizations, MovieInfo, columns, joined
 from lommel.localize.table import Table
+from lommel.recorded.counts import Counts
 from lommel.recorded.frames import Frames, blocks_of, frames_of
 from lommel.recorded.noise import Noise
 
 _HEIGHTS, _ITERATIONS = 65, 100  # fit of Gaussians: number of heights z, and number of iterations
 
 
-class MovieKeywords(TypedDict, total=False):
-    """Options of the localisation of a movie."""
-
-    noise: Noise | None
-    threshold: float
-    width: float | None
-    saturation: float | None
-    starts: int
-    flat: bool
-    background: str
-    mask: ArrayLike | None
-    block: int | None
-    threads: int | None
-    progress: Callable[[int, int], object] | None
-
-
-@dataclass(frozen=True)
-class MovieOptions:
-    """Options of the localisation of a movie, with their defaults.
+@dataclass(frozen=True, kw_only=True)
+class LocalizeOptions(Options):
+    """Options of the localisation of a movie.
 
     Parameters
     ----------
-    noise : Noise, optional
-        Gain, offset and read noise of the camera, each a number or a map of the frame; by default frames are in
-        electrons without read noise.
-    threshold : float, default 6.0
-        Minimum height of a spot in standard deviations of the background noise, at least 3.
-    width : float, optional
-        Standard deviation in pixels of the Gaussian by which frames are smoothed to find spots. By default the median
-        over z of the standard deviation of the images in the table.
-    saturation : float, optional
-        Value of a saturated pixel, see :func:`lommel.localize.find`; saturated pixels are ignored in fits.
-    starts : int, default 4
-        Number of starts of a fit whose first estimate is doubtful, see :func:`lommel.localize.fit`.
     flat : bool, default False
         Estimate x and y only, for PSFs from which z cannot be determined, for example without astigmatism. A fit that
         reaches an end of the range of z then counts as converged, and z is NaN.
@@ -70,50 +44,45 @@ class MovieOptions:
         Background of each box, see :func:`lommel.localize.fit`. "auto" starts with a flat background. It changes to a
         tilted background if the mean slope of the residuals exceeds five standard deviations, and the block is fitted
         again. The mean is over up to a thousand molecules of a block, in the whole frame or in a part of it.
-    mask : array_like of bool, shape (rows, columns), optional
-        True for pixels to be ignored, for example hot pixels of the camera.
-    block : int, optional
-        Number of frames in a block, which are in memory together; by default a block has about four million pixels.
-    threads : int, optional
-        Maximum number of threads; by default the number of processors.
     progress : callable, optional
         Function that is called after each block, with the number of processed frames and the total number.
     """
 
-    noise: Noise | None = None
-    threshold: float = 6.0
-    width: float | None = None
-    saturation: float | None = None
-    starts: int = 4
+    heading: ClassVar[str] = "Fits"
+
     flat: bool = False
-    background: str = "auto"
-    mask: ArrayLike | None = None
-    block: int | None = None
-    threads: int | None = None
-    progress: Callable[[int, int], object] | None = None
-
-    def __post_init__(self) -> None:
-        validation.function("progress", self.progress, required=False)
-        validation.optional("noise", self.noise, Noise)
-        validation.choice("background", self.background, ("auto", *BACKGROUNDS))
-        validation.truth("flat", self.flat)
+    background: Literal["auto", "flat", "tilted"] = "auto"
+    progress: Annotated[Callable[[int, int], object] | None, HIDDEN] = None
 
 
-@options.shares(MovieKeywords, MovieOptions)
+@listed(LocalizeOptions)
 def localize_movie(
-    movie: Frames | str | PathLike[str] | ArrayLike, table: Table, **given: Unpack[MovieKeywords]
+    movie: Frames | str | PathLike[str] | ArrayLike | Counts,
+    table: Table,
+    *,
+    noise: Noise | None = None,
+    options: LocalizeOptions | None = None,
+    **given: Any,
 ) -> Localizations:
     """Find the molecules of a movie and estimate their positions.
 
-    Blocks of frames are searched by :func:`lommel.localize.find` and fitted by :func:`lommel.localize.fit`. Drift of
-    the sample is not corrected. A molecule that emits in several frames has one row for each frame.
+    Blocks of frames are searched by :func:`lommel.localize.find`, smoothed with the median over z of the width of the
+    images in the table, and fitted by :func:`lommel.localize.fit`. Drift of the sample is not corrected. A molecule
+    that emits in several frames has one row for each frame.
 
     Parameters
     ----------
-    movie : Frames, path or array_like of shape (frames, rows, columns)
-        Recorded frames, in the unit of `noise`.
+    movie : Frames, path, Counts or array_like of shape (frames, rows, columns)
+        Recorded frames, in the unit of `noise`. Saturated pixels are ignored in fits: by default those with the
+        largest value of the integer type or, if many pixels have the largest value of 8 to 16 bits, with this value.
+        :meth:`lommel.Counts.of` states them, and a mask of pixels to ignore, such as hot pixels.
     table : Table
         Table of the images of a molecule, for the pixel pitch of the camera. Boxes have the shape of these images.
+    noise : Noise, optional
+        Gain, offset and read noise of the camera, each a number or a map of the frame; by default frames are in
+        electrons without read noise. Counts have their own.
+    options : LocalizeOptions, optional
+        Options as an object, changed by the following ones.
     {options}
 
     Returns
@@ -133,59 +102,94 @@ def localize_movie(
     >>> camera = lm.Noise(white=0.46, read=1.6, offset=100)  # doctest: +SKIP
     >>> found = localize_movie("movie.tif", table, noise=camera)  # doctest: +SKIP
     >>> found.save("molecules.csv")  # doctest: +SKIP
+
+    Without the hot pixels of the camera, and without z, which the images do not determine:
+
+    >>> counts = lm.Counts.of(frames, noise=camera, mask=hot)  # doctest: +SKIP
+    >>> found = localize_movie(counts, table, flat=True, background="flat")  # doctest: +SKIP
     """
-    options.require_known(localize_movie, given, MovieKeywords)
-    return joined(list(localize_blocks(movie, table, **given)))
+    return joined(list(localize_blocks(movie, table, noise=noise, options=options, **given)))
 
 
-@options.shares(MovieKeywords, MovieOptions)
+@listed(LocalizeOptions)
 def localize_blocks(
-    movie: Frames | str | PathLike[str] | ArrayLike, table: Table, **given: Unpack[MovieKeywords]
+    movie: Frames | str | PathLike[str] | ArrayLike | Counts,
+    table: Table,
+    *,
+    noise: Noise | None = None,
+    options: LocalizeOptions | None = None,
+    **given: Any,
 ) -> Iterator[Localizations]:
     """Yield the localisations of a movie block by block, for movies with more molecules than fit in memory.
 
     Parameters
     ----------
-    movie, table
+    movie, table, noise
         See :func:`lommel.localize.localize_movie`.
+    options : LocalizeOptions, optional
+        Options as an object, changed by the following ones.
     {options}
 
     Yields
     ------
     Localizations
-        The localisations of a block of frames; the table of a block without molecules is empty. They can be written
-        to files by :func:`lommel.localize.writer`.
+        The localisations of a block of frames, of about four million pixels; the table of a block without molecules
+        is empty. They can be written to files by :func:`lommel.localize.writer`.
 
     Raises
     ------
     TypeError, ValueError, OSError
         See :func:`lommel.localize.localize_movie`.
     """
-    options.require_known(localize_blocks, given, MovieKeywords)
+    o = LocalizeOptions.of("localize_blocks", options, given)
+    mask, saturation = None, None
+    if isinstance(movie, Counts):
+        if noise is not None:
+            raise TypeError("noise must be omitted if movie are Counts, which have their own")
+        noise, mask, saturation = movie.noise, movie.mask, movie.stated
+    return movie_blocks(movie, table, noise, o, mask=mask, saturation=saturation)
+
+
+def movie_blocks(
+    movie: Frames | str | PathLike[str] | ArrayLike | Counts,
+    table: Table,
+    noise: Noise | None,
+    options: LocalizeOptions,
+    *,
+    mask: ArrayLike | None = None,
+    saturation: float | None = None,
+    block: int | None = None,
+) -> Iterator[Localizations]:
+    """Return an iterator over the localisations of a movie by blocks of `block` frames."""
     validation.instance("table", table, Table)
-    return _blocks(movie, table, MovieOptions(**given))
+    validation.optional("noise", noise, Noise)
+    return _blocks(movie, table, noise or Noise(read=0.0), options, mask, saturation, block)
 
 
 def _blocks(
-    movie: Frames | str | PathLike[str] | ArrayLike, table: Table, settings: MovieOptions
+    movie: Frames | str | PathLike[str] | ArrayLike | Counts,
+    table: Table,
+    camera: Noise,
+    options: LocalizeOptions,
+    mask: Any,
+    saturation: float | None,
+    block: int | None,
 ) -> Iterator[Localizations]:
     """Yield the localisations of a movie block by block."""
-    camera, width, background = settings.noise or Noise(read=0.0), settings.width, settings.background
-    saturation, threads = settings.saturation, settings.threads
-    widths = gaussian_widths(table)
-    if width is None:
-        # Median over z of the geometric mean of the widths along y and x.
-        width = float(np.clip(np.median(np.sqrt(widths[1] * widths[2])), 0.5, min(table.shape) / 4.0))
-    search = partial(find, box=table.shape, noise=camera, threshold=settings.threshold, width=width, threads=threads)
-    with _open_blocks(movie, settings.block) as (shape, blocks, name):
+    background, widths = options.background, gaussian_widths(table)
+    # Median over z of the geometric mean of the widths along y and x.
+    width = float(np.clip(np.median(np.sqrt(widths[1] * widths[2])), 0.5, min(table.shape) / 4.0))
+    search = partial(find, box=table.shape, noise=camera, width=width)
+    with _open_blocks(movie, block) as (shape, blocks, name):
         pixel = table.pixel / table.pupil.magnification  # in the sample
-        along = "none" if settings.flat else table.along
+        along = "none" if options.flat else table.along
         recording = MovieInfo(*shape, pixel, table.shape, along, name)
         # `counts.marked` replaces saturated pixels by NaN: fits need no test of saturation.
-        fit_boxes = partial(fit, noise=camera, saturation=math.inf, starts=settings.starts, threads=threads)
+        fit_boxes = partial(fit, noise=camera, saturation=math.inf)
         checks, count = Checks(recording, table, fit_boxes, background), 0
         for frames in blocks:
-            counts = frame_counts(frames, table.shape, saturation=saturation, mask=settings.mask)
+            part = mask if np.ndim(mask) < 3 else mask[count : count + len(frames)]
+            counts = frame_counts(frames, table.shape, saturation=saturation, mask=part)
             if not count:
                 checks.first(counts)
             if counts.assumed:
@@ -202,8 +206,8 @@ def _blocks(
             checks.count(localizations)
             yield replace(localizations, findings=checks.findings, summary=checks.summary)
             count += len(frames)
-            if settings.progress is not None:
-                settings.progress(count, shape[0])
+            if options.progress is not None:
+                options.progress(count, shape[0])
 
 
 _MAX_MOVES = 3  # largest number of times that a box is moved
@@ -241,7 +245,7 @@ def _recentred(
 
 @contextmanager
 def _open_blocks(
-    movie: Frames | str | PathLike[str] | ArrayLike, block: int | None
+    movie: Frames | str | PathLike[str] | ArrayLike | Counts, block: int | None
 ) -> Iterator[tuple[tuple[int, int, int], Iterator[Values], str]]:
     """Yield the shape of a movie, an iterator over its blocks of frames, and its file name ("" for an array)."""
     if block is not None:
@@ -252,11 +256,15 @@ def _open_blocks(
             count, rows, columns = stack.shape
             yield (count, rows, columns), stack.blocks(block), "" if stack.path is None else stack.path.name
         return
-    values, mask = validation.parted("movie", movie)
-    if values.ndim != 3 or not values.size:
+    if isinstance(movie, Counts):
+        values = movie.values  # perhaps read on demand
+    else:
+        values, mask = validation.parted("movie", movie)
+        values = values if mask is None else np.ma.masked_array(values, mask)
+    if len(values.shape) != 3 or 0 in values.shape:
         raise ValueError(f"movie must have the shape (frames, rows, columns), got {values.shape}")
     count, rows, columns = values.shape
-    yield (count, rows, columns), blocks_of(values if mask is None else np.ma.masked_array(values, mask), block), ""
+    yield (count, rows, columns), blocks_of(values, block), ""
 
 
 def _localizations(

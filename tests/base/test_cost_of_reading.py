@@ -43,7 +43,7 @@ ARGUED = {
     ("cli/main.py", "read_text"): "the package's own commands",
     ("cli/lens_commands.py", "read_bytes"): "the package's own examples",
     ("cli/lens_commands.py", "loads"): "the package's own notebooks",
-    ("cli/options.py", "open"): "the null device, to write to",
+    ("cli/messages.py", "open"): "the null device, to write to",
     ("cli/lens_commands.py", "open"): "a browser",
     ("base/atomic.py", "open"): "to write, and a store to lock it",
     ("base/atomic.py", "loads"): "of what was just written as JSON",

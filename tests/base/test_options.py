@@ -4,28 +4,21 @@ from __future__ import annotations
 
 import inspect
 import warnings
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import singledispatch
-from typing import TypedDict, Unpack
+from typing import Annotated, Any, Literal
 
 import numpy as np
 import pytest
 
 import lommel as lm
 from lommel.base import display, optional
-from lommel.base.options import near, require_known, sentence, shares
+from lommel.base.options import In, Options, listed, near, sentences
 
 
-class Keywords(TypedDict, total=False):
-    """Of a tailor."""
-
-    length: float
-    width: float
-    colour: str
-
-
-@dataclass
-class Cloth:
+@dataclass(frozen=True, kw_only=True)
+class Cloth(Options):
     """What a tailor asks.
 
     Parameters
@@ -34,9 +27,8 @@ class Cloth:
         Metres,
         before it is washed.
     colour : str, default "blue"
-        Of the cloth.
-    thread : str
-        Not asked.
+        Of the cloth, see :func:`lommel.psf`.
+    shrink : callable, optional
 
     Raises
     ------
@@ -44,14 +36,29 @@ class Cloth:
         If there is none.
     """
 
-    length: float = 1.0
-    width: float = 1.0
-    colour: str = "blue"
-    thread: str = "cotton"
+    length: Annotated[float, In(above=0.0, unit="metres")] = 1.0
+    width: Annotated[float, In(above=0.0, unit="metres")] = 1.0
+    colour: Literal["blue", "red"] = "blue"
+    shrink: Callable[[float], float] | None = None
 
 
-@shares(Keywords, Cloth, width=2.0)
-def sew(pattern: str, *, by: str = "hand", **options: Unpack[Keywords]) -> None:
+@dataclass(frozen=True, kw_only=True)
+class Silk(Cloth):
+    """What a tailor of silk asks.
+
+    Parameters
+    ----------
+    colour : str, default "red"
+        Dyed.
+    shine : bool, default True
+    """
+
+    colour: Literal["blue", "red"] = "red"
+    shine: bool = True
+
+
+@listed(Cloth, width=2.0)
+def sew(pattern: str, *, by: str = "hand", options: Cloth | None = None, **given: Any) -> Cloth:
     """Sew.
 
     Parameters
@@ -64,10 +71,10 @@ def sew(pattern: str, *, by: str = "hand", **options: Unpack[Keywords]) -> None:
     -----
     Slowly.
     """
-    require_known(sew, options, Keywords)
+    return Cloth.of("sew", options, given)
 
 
-@shares(Keywords, Cloth)
+@listed(Silk)
 class Tailor:
     """Sews.
 
@@ -76,81 +83,51 @@ class Tailor:
     {options}
     """
 
-    def __init__(self, **options: Unpack[Keywords]) -> None:
-        require_known(Tailor, options, Keywords)
-
-
-class SilkKeywords(Keywords, total=False):
-    """Of a tailor of silk."""
-
-    shine: bool
-
-
-@dataclass
-class Silk(Cloth):
-    """What a tailor of silk asks.
-
-    Parameters
-    ----------
-    colour : str, default "red"
-        Dyed.
-    shine : bool, default True
-    """
-
-    colour: str = "red"
-    shine: bool = True
-
-
-@shares(SilkKeywords, Silk)
-def sew_silk(**options: Unpack[SilkKeywords]) -> None:
-    """Sew silk.
-
-    Parameters
-    ----------
-    {options}
-    """
-
-
-@shares(Keywords, sew)
-def mend(**options: Unpack[Keywords]) -> None:
-    """Mend."""
+    def __init__(self, *, options: Silk | None = None, **given: Any) -> None:
+        self.options = Silk.of("Tailor", options, given)
 
 
 def test_a_subclass_restates_an_option_in_its_place_and_adds_others():
-    shown = [(name, p.default) for name, p in inspect.signature(sew_silk).parameters.items()]
-    assert shown == [("length", 1.0), ("width", 1.0), ("colour", "red"), ("shine", True)]
-    assert 'before it is washed.\ncolour : str, default "red"\n    Dyed.\nshine : bool' in inspect.getdoc(sew_silk)
-    assert sentence(Silk, "colour") == "Dyed."
-    assert sentence(Silk, "width") == "Metres, before it is washed."
-
-
-def test_options_may_be_those_of_another_function():
-    shown = [(name, p.default) for name, p in inspect.signature(mend).parameters.items()]
-    assert shown == [("length", 1.0), ("width", 2.0), ("colour", "blue")]
+    shown = [(name, p.default) for name, p in inspect.signature(Tailor).parameters.items()][1:]
+    assert shown == [("length", 1.0), ("width", 1.0), ("colour", "red"), ("shrink", None), ("shine", True)]
+    assert 'before it is washed.\ncolour : str, default "red"\n    Dyed.\nshrink' in inspect.getdoc(Tailor)
+    assert sentences(Silk, "colour") == "Dyed."
+    assert sentences(Silk, "width") == "Metres, before it is washed."
+    assert sentences(Cloth, "colour") == "Of the cloth, see psf."
 
 
 def test_a_signature_shows_each_option_with_its_default():
     shown = {name: p.default for name, p in inspect.signature(sew).parameters.items() if p.kind is p.KEYWORD_ONLY}
-    assert shown == {"by": "hand", "length": 1.0, "width": 2.0, "colour": "blue"}
-    assert inspect.signature(sew).parameters["colour"].annotation == "str"
-    assert list(inspect.signature(Tailor).parameters) == ["length", "width", "colour"]
+    assert shown == {"by": "hand", "options": None, "length": 1.0, "width": 2.0, "colour": "blue", "shrink": None}
 
 
-def test_a_docstring_has_the_text_of_the_options_that_are_shared_and_of_no_other():
+def test_a_docstring_has_the_text_of_the_options():
     assert inspect.getdoc(sew) == (
         'Sew.\n\nParameters\n----------\npattern : str\nby : str, default "hand"\n'
         "length, width : float, default 1\n    Metres,\n    before it is washed.\n"
-        'colour : str, default "blue"\n    Of the cloth.\n\nNotes\n-----\nSlowly.'
+        'colour : str, default "blue"\n    Of the cloth, see :func:`lommel.psf`.\nshrink : callable, optional\n\n'
+        "Notes\n-----\nSlowly."
     )
-    assert Tailor.__doc__.count("colour : ") == 1
-    assert sentence(Cloth, "width") == "Metres, before it is washed."
+
+
+def test_keywords_change_an_object_which_is_checked_and_stays():
+    wide = Cloth(width=3)
+    assert sew("coat") == Cloth()
+    assert sew("coat", options=wide, colour="red") == Cloth(width=3.0, colour="red")
+    assert (wide.width, wide.colour) == (3.0, "blue")
+    assert isinstance(wide.width, float)
+    with pytest.raises(TypeError, match=r"^options must be a Silk, got Cloth\("):
+        Tailor(options=wide)
+    with pytest.raises(ValueError, match=r"^width must be > 0 metres, got 0$"):
+        sew("coat", width=0.0)
+    with pytest.raises(TypeError, match=r"^shrink must be callable, got 3$"):
+        sew("coat", shrink=3)
 
 
 def test_what_is_no_option_is_named_with_those_that_are():
-    sew("coat", width=1.5, by="machine")
     with pytest.raises(TypeError, match=r"^sew\(\) has no option 'color'; did you mean colour\?$"):
         sew("coat", color="red")
-    with pytest.raises(TypeError, match=r"^Tailor\(\) has no option 'x'; known are length, width, colour$"):
+    with pytest.raises(TypeError, match=r"^Tailor\(\) has no option 'x'; known are length, width, colour, shrink, "):
         Tailor(x=1)
 
 

@@ -174,7 +174,10 @@ def test_an_error_names_the_options_of_the_command_and_not_the_arguments_of_pyth
         "must be one of 'defocus', 'spherical', 'rho^6', 'rho^8', or a Zernike term",
     )
     photo = (*photo[:2], "near.npy", *photo[3:])
-    refused(call_lommel(*photo, folder=folder), "windows of more than 21 pixels a side to hold 0.98 of the light; stop down")
+    refused(
+        call_lommel(*photo, folder=folder),
+        "windows of more than 21 pixels a side to hold 0.98 of the light; stop down",
+    )
     refused(call_lommel(*photo, "--focus", "10 mm", folder=folder), "--focus must exceed the focal length")
     field = ("psf", lenses["camera-field"], "--tol", "1e-9", "--set", "tol=1e-3")
     refused(call_lommel(*field, folder=folder), "got --set tol=1e-3")

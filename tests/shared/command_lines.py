@@ -7,7 +7,6 @@ import subprocess
 from contextlib import redirect_stderr, redirect_stdout
 
 from lommel.cli import main
-from lommel.cli.legacy import commands as legacy
 
 
 def lommel(*words: object) -> subprocess.CompletedProcess[str]:
@@ -24,7 +23,6 @@ def lommel(*words: object) -> subprocess.CompletedProcess[str]:
 def help_lines() -> list[str]:
     """Return the examples in the help of all commands."""
     texts = [main.EXAMPLES]
-    texts += [main.command_of(name).function.__doc__ if name in main.GENERATED else "" for name in main.COMMANDS]
-    texts += [command.help for command in legacy().values()]
+    texts += [main.command_of(name).function.__doc__ for name in main.COMMANDS]
     lines = (line.strip() for text in texts for line in (text or "").replace("\\\n", " ").splitlines())
     return [line for line in lines if line.startswith("lommel ")]

@@ -7,12 +7,11 @@ import math
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-import click
 import numpy as np
 
 from lommel.base import validation
 from lommel.base.units import format_length
-from lommel.cli.options import FILE, PATH, SIDES, WINDOW, Group, Option, Parsed, argument, flag_of, option
+from lommel.cli.messages import flag_of
 from lommel.recorded.noise import Noise
 from lommel.report import Facts
 
@@ -23,23 +22,6 @@ if TYPE_CHECKING:
     from lommel.lensfiles.instrument import Camera, Instrument
     from lommel.lensfiles.microscope_files import Microscope
     from lommel.recorded.frames import Metadata
-
-
-def _camera(text: str) -> Camera:
-    """Return the camera of a name, or of a file."""
-    from lommel.lensfiles.camera_files import load_camera
-
-    return load_camera(text)
-
-
-def camera_option(help_text: str) -> Any:
-    """Return the option for a camera, with its help."""
-    return Option("--camera", metavar="NAME|FILE", type=Parsed("camera", _camera), help=help_text)
-
-
-EXCESS = option(type=float,
-    help="Excess noise factor of electron multiplication, 2 for an EMCCD; gain and read noise then refer to "
-    "electrons before multiplication; by default from the camera or the file, or 1.")  # fmt: skip
 
 
 def camera_map(text: str, name: str) -> float | Array:
@@ -80,54 +62,6 @@ def mask_of(path: Path, images: Values) -> NDArray[np.bool_]:
     return mask[0] if len(mask) == 1 else mask
 
 
-STACK_FILE = argument("stack", type=PATH)
-LENS = argument("lens", type=FILE)
-OBJECT_DISTANCE = option(length="m", help="Object distance, such as 1.5m or inf; overrides the file.")
-CAMERA = camera_option(
-    "Camera with the pixel pitch, and the noise where a command needs it: the name of an example, which "
-    "`lommel examples --find camera` lists, or a file; overrides the file."
-)
-SQUARE_PIXEL = option(length="um",
-    help="Pixel pitch on the camera, such as 6.5um; overrides the file and the camera.")  # fmt: skip
-SHAPE = option(type=WINDOW, help="Window in pixels, such as 65 or 64x128 (height x width); overrides the file.")
-STEP = option(length="nm", help="Stage step between planes, such as 100nm; by default from the file.")
-DEPTH = option(length="um", heading="Microscopes",
-    help="Depth of the emitter below the cover glass, such as 2um; by default from the file.")  # fmt: skip
-
-
-class Optics(Group):
-    """Options for lens, object and sensor, which override the file."""
-
-    # fmt: off
-    object_distance: float | None = OBJECT_DISTANCE
-    focus_distance: float | None = option("--focus", length="m",
-        help="Focus distance, such as 1.5m or inf; overrides the file. An object that was in focus stays in focus.")
-    f_number: float | None = option(type=float,
-        help="F-number to which the lens is stopped, with the same sensor and aberrations; overrides the file.")
-    wavelength: float | None = option(length="nm",
-        help="Wavelength, such as 450nm, with the path differences of the file; overrides the file.")
-    focal_length: float | None = option(length="mm",
-        help="Focal length, such as 35mm, with the same f-number, focus distance, aberrations; overrides the file.")
-    camera: Camera | None = CAMERA
-    pixel: float | tuple[float, ...] | None = option(type=SIDES,
-        help="Pixel pitch, such as 3.45um, or height x width: 4umx3um; overrides the file and the camera.")
-    shape: int | tuple[int, int] | None = SHAPE
-    integrate: bool | None = option("--integrate/--sample", default=None,
-        help="Pixel-integrated values, as a sensor records them, or values at the pixel centres; overrides the file.")
-    # fmt: on
-
-
-class Planes(Group, heading="Microscopes"):
-    """Options for the planes of a microscope, which override the file."""
-
-    # fmt: off
-    stack: int | None = option(type=click.IntRange(1, 4096), metavar="PLANES",
-        help="Number of planes along the optical axis; by default from the file.")
-    # fmt: on
-    step: float | None = STEP
-    depth: float | None = DEPTH
-
-
 def instrument_of(lens: Path, **options: object) -> Instrument:
     """Return the instrument of a lens file, changed by the options of a command."""
     from lommel.lensfiles.lens_files import load_instrument
@@ -142,11 +76,11 @@ def instrument_of(lens: Path, **options: object) -> Instrument:
     return dataclasses.replace(_with_lens_options(base, lens_values, lens) if lens_values else base, **changes)
 
 
-_LENS_OPTIONS = "focal_length", "f_number", "wavelength", "focus_distance"
+_LENS_OPTIONS = "f_number", "wavelength", "focus_distance"
 
 
 def _with_lens_options(instrument: Instrument, stated: Facts, path: Path) -> Instrument:
-    """Return an instrument whose lens has the focal length, f-number, wavelength and focus that options state."""
+    """Return an instrument whose lens has the f-number, wavelength and focus that options state."""
     if instrument.aberrations_of_field is not None and (forbidden := stated.keys() - {"focus_distance"}):
         flags = ", ".join(flag_of(name) for name in _LENS_OPTIONS if name in forbidden)
         raise ValueError(
@@ -155,11 +89,6 @@ def _with_lens_options(instrument: Instrument, stated: Facts, path: Path) -> Ins
         )
     lens, focus = instrument.lens, instrument.lens.focus_distance
     in_focus = math.isclose(instrument.object_distance, focus, rel_tol=1e-9)
-    if "focal_length" in stated:
-        length = validation.real("focal_length", stated["focal_length"], above=0.0, unit="metres")
-        changed: Facts = {"focal_length": length, "aperture_diameter": length / lens.f_number}
-        changed |= {"focus_distance": focus, "sensor_distance": None}
-        lens = dataclasses.replace(lens, **changed)
     if "f_number" in stated:
         lens = lens.stopped(stated["f_number"])
     if "wavelength" in stated:
@@ -191,12 +120,10 @@ _LENS_ONLY_OPTIONS = {
     "object_distance": "--depth sets the position of the emitter",
     "focus_distance": "--depth sets the position of the emitter",
     "f_number": "its aperture is the NA of the file",
-    "focal_length": "its magnification is that of the file",
     "field": "its PSF is the on-axis PSF",
     "mtf": "use PSF.mtf in Python for the MTF of a stack",
     "colour": "its emitter has one wavelength; use lommel.colour_psf with its pupil",
     "seeing": "there is no atmosphere before it",
-    "outer_scale": "there is no atmosphere before it",
     "jitter": "blur its images by lommel.Jitter in Python",
     "at": "its PSF is the on-axis PSF",
 }
@@ -375,74 +302,3 @@ def recorded_noise(
         if key != "excess" or value != 1.0:
             texts.append(f"{quantity} {'by a map' if by_map else f'{value:g}{unit}'} ({sources[source]})")
     return facts, ", ".join(texts)
-
-
-class CameraOptions(Group, heading="Camera and noise"):
-    """Options for the camera, its noise, and the pixels to ignore."""
-
-    camera: Camera | None = CAMERA
-    # fmt: off
-    white: float | None = option("--gain", type=float,
-        help="Electrons per count; by default from the camera, or 1.")
-    read: float | None = option(type=float,
-        help="Read noise, rms electrons; 0 for none; by default from the camera.")
-    offset: float | None = option(type=float,
-        help="Black level, in the unit of the images; by default from the camera, or 0.")
-    excess: float | None = EXCESS
-    saturation: float | None = option(type=float,
-        help="Value in the file at which pixels saturate, such as 60000; the largest integer always counts as "
-        "saturated.")
-    masked: Path | None = option("--mask", type=PATH,
-        help="Image that is not 0 at pixels to ignore; one for all images, or one for each.")
-    # fmt: on
-    pixel: float | None = SQUARE_PIXEL
-
-    def require(self) -> None:
-        """Raise ValueError if a noise parameter is out of range, before files are read."""
-        values = {name: value for name, value in self.values().items() if value is not None}
-        Noise(**{"read": 0.0} | values)
-
-    def values(self) -> Facts:
-        """Return gain, read noise, offset and excess, None without an option."""
-        return {name: getattr(self, name) for name in ("white", "read", "offset", "excess")}
-
-    def resolve(self, header: Metadata, camera: Camera | None) -> tuple[Noise, float | None, list[str]]:
-        """Return (1) noise, (2) saturation, (3) notes; options override the camera, and the camera the header."""
-        options = self.values() | {"saturation": self.saturation}
-        notes = take_header(options, header, camera)
-        noise = noise_of(options, camera)
-        # The files of such cameras do not state whether the electron multiplication was on.
-        if camera is not None and "EMCCD" in camera.name and noise.excess == 1.0 and options["excess"] is None:
-            notes.append(
-                f"{camera.name}: if its electron multiplication was on, give --excess 2, and gain and read noise "
-                "divided by the EM gain."
-            )
-        return noise, options["saturation"], notes
-
-    def recorded(self, lens: Path, camera: Camera | None, noise: Noise) -> tuple[Facts, str]:
-        """Return gain, offset, read noise and excess of a fit with their sources, (1) as facts, (2) as text."""
-        return recorded_noise(self.values(), self.camera is None, lens, camera, noise)
-
-    def mask(self, images: Values) -> NDArray[np.bool_] | None:
-        """Return a mask of the pixels of images to ignore, or None."""
-        return None if self.masked is None else mask_of(self.masked, images)
-
-
-class CameraMaps(CameraOptions, heading="Camera"):
-    """Options for the camera, whose gain, read noise and offset may be maps in files."""
-
-    # fmt: off
-    white: Any = option("--gain", metavar="NUMBER|FILE",
-        help="Electrons per count; by default from the camera, or 1. A file (.tif, .npy) is a map with a value "
-        "for each pixel, also of --read and --offset.")
-    read: Any = option("--read", metavar="NUMBER|FILE",
-        help="Read noise, rms electrons; 0 for none; by default from the camera.")
-    offset: Any = option("--offset", metavar="NUMBER|FILE",
-        help="Counts of a pixel without electrons, such as 100; by default from the camera, or 0.")
-    # fmt: on
-
-    def values(self) -> Facts:
-        """Return gain, read noise, offset and excess, None without an option."""
-        texts = {"white": self.white, "read": self.read, "offset": self.offset}
-        maps = {name: None if text is None else camera_map(text, name) for name, text in texts.items()}
-        return maps | {"excess": self.excess}

@@ -757,7 +757,7 @@ def light(
 
 
 def collected(layers: Layers, emitter: Emitter, depth: Array) -> Array:
-    """Return the collected light at each depth; see :attr:`lommel.ObjectivePupil.power`."""
+    """Return the collected light at each depth; see :attr:`ObjectivePupil.power`."""
     depths, index = np.unique(depth, return_inverse=True)
     power, _ = debye.power(layers, depths, emitter.light.model)
     return np.asarray((power @ emitter.light.shares)[index.ravel()])

@@ -25,8 +25,7 @@ from lommel.io import photos as photo_files
 from lommel.io.registry import suffixes
 from lommel.lensfiles.instrument import Camera, Instrument
 from lommel.recorded.noise import Noise
-from lommel.report import Report, finite, table_of
-from lommel.report.optics import lens_facts
+from lommel.report import Facts, Report, finite, table_of
 from lommel.show.drawing import figure_of
 
 if TYPE_CHECKING:
@@ -86,6 +85,17 @@ def each_lens(
     if foci:
         lenses = [copy.focused(focus) for copy, focus in zip(lenses, foci * (count // len(foci)), strict=True)]
     return lenses
+
+
+def lens_facts(lenses: list[Lens]) -> tuple[Facts, str]:
+    """Return focus distances and f-numbers of several frames as facts and as a text."""
+    facts = {
+        "focus_distances": [finite(lens.focus_distance) for lens in lenses],
+        "f_numbers": [lens.f_number for lens in lenses],
+        "focal_length": lenses[0].focal_length,
+    }
+    frames = (f"{format_length(lens.focus_distance)} at f/{lens.f_number:.3g}" for lens in lenses)
+    return facts, f"focus {', '.join(frames)}"
 
 
 def verdict_report(verdict: DefocusVerdict) -> Report:

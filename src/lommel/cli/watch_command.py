@@ -22,7 +22,7 @@ from lommel.base.encoding import from_light
 from lommel.base.options import In, Options, Shown
 from lommel.base.units import format_length, percent
 from lommel.cli.command import OUTPUT, command
-from lommel.cli.depth_commands import BETWEEN, PairCamera, each_lens, verdict_report
+from lommel.cli.depth_commands import BETWEEN, PairCamera, each_lens, lens_facts, verdict_report
 from lommel.cli.messages import with_options
 from lommel.cli.output import Steps, progress, require_folder, written
 from lommel.cli.shared_options import FrameNoise
@@ -33,7 +33,6 @@ from lommel.imaging.defocus_verdict import DefocusVerdict
 from lommel.imaging.focal_engine import BLOCK, Magnified
 from lommel.io import videos
 from lommel.report import Report, finite
-from lommel.report.optics import lens_facts
 from lommel.show.estimates import DepthColours
 
 Map = NDArray[np.float32]

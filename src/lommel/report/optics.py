@@ -18,7 +18,7 @@ from lommel.measures.psf_like import PSFLike, checked
 from lommel.optics.colour.spectrum import Channels
 from lommel.optics.pupil import checked as lens_pupil
 from lommel.psf import PSF
-from lommel.report import Facts, Parts, Report, Wrapped, finite, table_of
+from lommel.report import Facts, Parts, Report, Wrapped, table_of
 from lommel.report.image_quality import ImageQuality, microscope_quality, sensor_mtf
 from lommel.report.table import described
 from lommel.show.drawing import MEANING, SAMPLING
@@ -26,7 +26,6 @@ from lommel.show.drawing import MEANING, SAMPLING
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from lommel.optics.lens import Lens
     from lommel.report.image_quality import Place
 
 _MEANINGS = {**MEANING, **SAMPLING}
@@ -92,17 +91,6 @@ def camera_in_words(facts: Facts) -> str | None:
     texts = [text.format(camera[name]) for name, text in units.items() if camera[name]]
     texts += [f"excess noise {camera['excess']:g}"] if camera["excess"] > 1.0 else []
     return ", ".join([camera["name"], *texts])
-
-
-def lens_facts(lenses: list[Lens]) -> tuple[Facts, str]:
-    """Return focus distances and f-numbers of several frames as facts and as a text."""
-    facts = {
-        "focus_distances": [finite(lens.focus_distance) for lens in lenses],
-        "f_numbers": [lens.f_number for lens in lenses],
-        "focal_length": lenses[0].focal_length,
-    }
-    frames = (f"{format_length(lens.focus_distance)} at f/{lens.f_number:.3g}" for lens in lenses)
-    return facts, f"focus {', '.join(frames)}"
 
 
 def describe_psf(answer: PSF, seconds: float) -> Report:

@@ -162,7 +162,7 @@ def test_an_error_names_the_options_of_the_command_and_not_the_arguments_of_pyth
     photo = ("blur", "photo.png", "gaps.npy", lenses["nifty-fifty"], "-o", "a.png")
     refused(call_lommel(*photo, folder=folder), 'give --missing "nearest" (')
     np.save(folder / "zeros.npy", np.pad(np.full((20, 19), 1.9), ((0, 0), (1, 0))))
-    refused(call_lommel(*photo[:2], "zeros.npy", *photo[3:], folder=folder), "unknown, give --zero-unknown")
+    refused(call_lommel(*photo[:2], "zeros.npy", *photo[3:], folder=folder), "unknown, state it as --unknown")
     Image.fromarray(np.full((20, 20), 1900, np.uint16)).save(folder / "levels.png")
     refused(
         call_lommel(*photo[:2], "levels.png", *photo[3:], folder=folder),

@@ -231,7 +231,7 @@ def entries(folder: Path) -> list[tuple[str, object, dict[str, object]]]:
         tagged("FocusPlan()", PLAN, focus_distance=2.0, f_number=5.6, out=None),
         tagged("depth_of_field", imaging.depth_of_field, **scene, energy=0.9, tol=1e-3),
         tagged("by_tiles", imaging.depth_of_field, **scene, tile=16, out=None, progress=None),
-        tagged("read_depth", imaging.read_depth, path=folder / "depth.npy", scale=0.5, zero_is_unknown=False),
+        tagged("read_depth", imaging.read_depth, path=folder / "depth.npy", scale=0.5, unknown=(0.0,)),
         tagged("read_photo", imaging.read_photo, path=folder / "photo.png", encoding="srgb"),
         tagged("write_photo", imaging.write_photo, path=folder / "p.png", light=SQUARE, encoding="srgb",
                dtype=np.uint8, like=None),

@@ -11,7 +11,7 @@ import pytest
 from PIL import Image
 
 import lommel as lm
-from lommel.imaging import DepthBlur, DepthOptions, LensRanges, Occlusion, datasets, render_dataset
+from lommel.imaging import DepthBlur, DepthMapOptions, LensRanges, Occlusion, datasets, render_dataset
 from lommel.imaging.datasets import pair_files
 from lommel.io import registry
 
@@ -128,7 +128,7 @@ def test_what_does_not_fit_is_refused(files, tmp_path):
         rendered(files, "photos")
     with pytest.raises(ValueError, match="noise must have a white"):
         rendered(files, "x", noise=lm.Noise(read=1.0))
-    with pytest.raises(TypeError, match=r"depth_options must be a DepthOptions, got 0\.001"):
+    with pytest.raises(TypeError, match=r"depth_options must be a DepthMapOptions, got 0\.001"):
         rendered(files, "x", depth_options=0.001)
     with pytest.raises(ValueError, match="f_number must be a pair"):
         LensRanges(focal_length=50e-3, f_number=(4, 2), focus_distance=1.0, pixel=4e-6)
@@ -221,16 +221,16 @@ def test_maps_of_inverse_depth_and_half_the_size_are_rendered(files):
         (files / "depths" / f"{stem}.tif").unlink()
         Image.fromarray(np.full((10, 13), 51, np.uint8)).save(files / "depths" / f"{stem}.png")
     with pytest.raises(ValueError, match=r'26 x 20, got 13 x 10, of the same aspect ratio; resample="nearest"'):
-        rendered(files, "refused", depth_options=DepthOptions(inverse=(1.0, 4.0)))
+        rendered(files, "refused", depth_options=DepthMapOptions(inverse=(1.0, 4.0)))
     with pytest.warns(UserWarning, match=r"[ab]\.png: all of the depth, 400 m, is beyond the hyperfocal"):
-        rendered(files, "far", depth_options=DepthOptions(disparity=(51 * 400.0, 0.0), resample="nearest"))
-    made = rendered(files, depth_options=DepthOptions(inverse=(1.0, 4.0), resample="nearest"))
+        rendered(files, "far", depth_options=DepthMapOptions(disparity=(51 * 400.0, 0.0), resample="nearest"))
+    made = rendered(files, depth_options=DepthMapOptions(inverse=(1.0, 4.0), resample="nearest"))
     metres = 1.0 / (0.2 / 1.0 + 0.8 / 4.0)  # a fifth of the way in dioptres
     for picture in made:
         np.testing.assert_allclose(np.load(picture.files[2]), np.full(SHAPE, metres), rtol=1e-6)
     assert json.loads((files / "set" / "dataset.json").read_text())["depth_options"]["inverse"] == [1.0, 4.0]
     with pytest.raises(ValueError, match=r"other arguments \(depth_options\)"):
-        rendered(files, depth_options=DepthOptions(inverse=(1.0, 5.0), resample="nearest"))
+        rendered(files, depth_options=DepthMapOptions(inverse=(1.0, 5.0), resample="nearest"))
 
 
 def test_unknown_depth_is_filled_and_counted(files):
@@ -240,7 +240,7 @@ def test_unknown_depth_is_filled_and_counted(files):
         )
     with pytest.raises(ValueError, match="depth is NaN at 260 of 520 points"):
         rendered(files, "refused")
-    for picture in rendered(files, depth_options=DepthOptions(missing="nearest")):
+    for picture in rendered(files, depth_options=DepthMapOptions(missing="nearest")):
         assert (picture.facts["depth_unknown"], picture.facts["depth_range"]) == (0.5, [1.5, 1.5])
         assert np.all(np.load(picture.files[2]) == 1.5)
 

@@ -58,7 +58,7 @@ def test_inverse_depth_is_linear_in_dioptres(tmp_path, name, stored, top, far):
                 for row in stored.tolist()]  # fmt: skip
     np.testing.assert_allclose(found, expected, rtol=1e-6)
     assert found[0, 1] == far
-    marked = read_depth(tmp_path / name, inverse=(0.5, far), zero_is_unknown=True, unknown=[stored[0, 2]])
+    marked = read_depth(tmp_path / name, inverse=(0.5, far), unknown=[0, stored[0, 2]])
     assert np.isnan(marked).tolist() == [[False, True, True], [False, False, False]]
     np.testing.assert_array_equal(marked[1], found[1])
 
@@ -88,9 +88,9 @@ def test_disparity_is_what_stereo_has(tmp_path, name):
     for at in ((0, 1), (0, 2), (1, 0), (1, 2)):
         assert found[at] == pytest.approx(0.193 * 3997.7 / (float(stored[at]) + 131.1))
     assert np.isnan(found[0, 0]) == (stored.dtype.kind == "f")
-    with pytest.raises(ValueError, match=r"disparities > 0 \(the offset is 0\), got 0; .* give `zero_is_unknown`"):
+    with pytest.raises(ValueError, match=r"disparities > 0 \(the offset is 0\), got 0; .* state it as `unknown`"):
         read_depth(tmp_path / name, disparity=(product, 0.0), unknown=[np.inf])
-    known = read_depth(tmp_path / name, disparity=(product, 0), zero_is_unknown=True, unknown=[np.inf])
+    known = read_depth(tmp_path / name, disparity=(product, 0), unknown=[0, np.inf])
     assert np.isnan(known[0, 1])
     assert known[1, 1] == pytest.approx(product / 64.0)
     with pytest.raises(ValueError, match=r"disparities > 1 \(the offset is -1\), got 0; if that means"):
@@ -124,7 +124,6 @@ def test_levels_of_32_bits_are_scaled(tmp_path, kind):
         ({"resample": "nearest"}, ValueError, "resample needs the shape"),
         ({"resample": "linear", "shape": (4, 6)}, ValueError, "resample must be one of"),
         ({"depth_scale": 1.0}, TypeError, r"read_depth\(\) has no option 'depth_scale'"),
-        ({"zero_is_unknown": 1}, TypeError, "zero_is_unknown must be"),
         ({}, PhotoError, "give the scale, e.g. scale=0.001 for millimetres, or `inverse` or `disparity`"),
     ],
 )
@@ -161,7 +160,7 @@ def test_grey_in_three_channels_is_grey(tmp_path):
                 tifffile.imwrite(path, three, photometric="rgb")
             else:
                 path.write_bytes(png(three, 2))
-            found = read_depth(path, scale=0.5, zero_is_unknown=True)
+            found = read_depth(path, scale=0.5, unknown=0)
             np.testing.assert_array_equal(found, np.where(stored == 0, np.nan, 0.5 * stored))
             three[1, 2, 1] += 1
             if suffix == ".tif":
@@ -169,7 +168,7 @@ def test_grey_in_three_channels_is_grey(tmp_path):
             else:
                 path.write_bytes(png(three, 2))
             with pytest.raises(PhotoError, match="it is in colour: its three channels differ, and a depth map"):
-                read_depth(path, scale=0.5, zero_is_unknown=True)
+                read_depth(path, scale=0.5, unknown=0)
 
 
 def png(values: np.ndarray, kind: int) -> bytes:

@@ -356,9 +356,9 @@ def test_depth_comes_in_metres_from_every_format(tmp_path):
 def test_zero_is_unknown_only_where_one_says_so(tmp_path):
     levels = np.array([[0, 1000], [2000, 0]], np.uint16)
     Image.fromarray(levels).save(tmp_path / "a.png")
-    with pytest.raises(ValueError, match=r"is 0 at 2 of 4 points; if .*, give `zero_is_unknown`"):
+    with pytest.raises(ValueError, match=r"is 0 at 2 of 4 points; if .*, state it as `unknown`"):
         read_depth(tmp_path / "a.png", scale=1e-3)
-    found = read_depth(tmp_path / "a.png", scale=1e-3, zero_is_unknown=True)
+    found = read_depth(tmp_path / "a.png", scale=1e-3, unknown=0)
     np.testing.assert_array_equal(found, [[np.nan, 1.0], [2.0, np.nan]])
 
 

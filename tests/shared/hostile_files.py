@@ -198,7 +198,7 @@ def files() -> dict[str, tuple[str, Callable[[], bytes], Callable[[Path], object
     photo, depth, psf, opd = imaging.read_photo, imaging.read_depth, lm.PSF.load, lm.load_opd
 
     def depth_of_levels(path: Path) -> object:
-        return depth(path, scale=1.0, zero_is_unknown=True)
+        return depth(path, scale=1.0, unknown=0)
 
     def stars(path: Path) -> object:
         return read_images([path])

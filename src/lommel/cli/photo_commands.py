@@ -27,7 +27,7 @@ from lommel.cli.shared_options import CAMERA, MaskedPhotoNoise, given
 from lommel.imaging import (
     BlurOptions,
     DatasetOptions,
-    DepthOptions,
+    DepthMapOptions,
     LensRanges,
     OnePass,
     Photograph,
@@ -84,7 +84,7 @@ class PhotoCamera(Options):
 
 
 @dataclass(frozen=True, kw_only=True)
-class DepthMap(DepthOptions):
+class DepthMap(DepthMapOptions):
     """Meaning of the values of a depth map."""
 
     heading: ClassVar[str] = "Depth map"
@@ -109,7 +109,7 @@ class DataSet(DatasetOptions):
     white: float | None = None
     read: float | None = None
 
-    def options(self, depth: DepthOptions) -> DatasetOptions:
+    def options(self, depth: DepthMapOptions) -> DatasetOptions:
         """Return the options of :func:`lommel.imaging.render_dataset`."""
         if self.white is None and self.read is not None:
             raise ValueError("--read needs --white, the electrons at white")
@@ -186,7 +186,7 @@ def blur(
     Examples
     --------
       lommel blur photo.jpg depth.tif --focus 1.2m --pixel 4um -o out.jpg
-      lommel blur photo.png depth.png phone.toml --depth-scale 0.001 --zero-unknown --missing nearest -o out.tif
+      lommel blur photo.png depth.png phone.toml --depth-scale 0.001 --unknown 0 --missing nearest -o out.tif
       lommel blur photo.png camera-field.toml --over-field --pixel 6um -o out.png
       lommel blur --batch photos/ depths/ phone.toml --seed 1 --workers 2 -o set/
     """
@@ -237,7 +237,7 @@ def _render(
     folder: Path,
     files: tuple[Path, Path, Path | None],
     camera: PhotoCamera,
-    depth_map: DepthOptions,
+    depth_map: DepthMapOptions,
     data: DataSet,
 ) -> Report:
     """Render a data set into a folder, from folders of photos and of depth maps and from a file of lenses."""
@@ -476,7 +476,7 @@ class Job:
         output: Path,
         encoding: Encoding | None,
         stated: PhotoCamera,
-        depth_map: DepthOptions,
+        depth_map: DepthMapOptions,
     ) -> None:
         self._photo, depth, lens = files
         self._output, self._encoding = output, encoding

@@ -23,7 +23,7 @@ from lommel.cli.output import Steps, progress, require_folder, written
 from lommel.cli.photo_commands import DepthMap, Encoding, PhotoCamera, depth_facts, output_type
 from lommel.cli.shared_options import FrameNoise
 from lommel.cli.video_input import Coding, Stop, coding_of
-from lommel.imaging import DepthOptions, LiveSharpen, read_depth, read_photo, write_photo
+from lommel.imaging import DepthMapOptions, LiveSharpen, read_depth, read_photo, write_photo
 from lommel.imaging.blur import warn_of_depths
 from lommel.imaging.focal_engine import BLOCK
 from lommel.io import photos, videos
@@ -178,7 +178,7 @@ def _sharpened(
     return Report(facts | files.facts, [*lines, *files.parts], succeeded=failure is None)
 
 
-def _map(path: Path, values: DepthOptions, shape: tuple[int, ...]) -> Array:
+def _map(path: Path, values: DepthMapOptions, shape: tuple[int, ...]) -> Array:
     """Return a depth map of the size of frames or, unless it is to be resampled, of their blocks."""
     depth_map = read_depth(
         path, shape=None if values.resample is None else shape, options=replace(values, missing=None)

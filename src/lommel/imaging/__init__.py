@@ -14,7 +14,7 @@ from lommel.imaging.photograph import BlurOptions, FocusPlan, Rendered, depth_of
 from lommel.imaging.restoration import RestoreOptions, restore
 from lommel.imaging.traced_blur import traced_blur
 from lommel.imaging.traced_sensor import traced_demosaic, traced_mosaic, traced_noise
-from lommel.io.depth_maps import DepthOptions, read_depth, write_depth
+from lommel.io.depth_maps import DepthMapOptions, read_depth, write_depth
 from lommel.io.photos import Exif, PhotoError, Photograph, read_photo, write_photo
 from lommel.measures.slanted_edge import slanted_edge
 from lommel.optics.colour.spectrum import RED_GREEN_BLUE
@@ -28,7 +28,7 @@ __all__ = [
     "DefocusOptions",
     "DefocusVerdict",
     "DepthBlur",
-    "DepthOptions",
+    "DepthMapOptions",
     "Exif",
     "FieldBlur",
     "FocusPlan",

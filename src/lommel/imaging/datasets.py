@@ -27,7 +27,7 @@ from lommel.base.options import HIDDEN, In, Options, listed
 from lommel.imaging.blur import DepthBlur
 from lommel.imaging.occlusion import Occlusion
 from lommel.imaging.settings import channel_spectra, spectra
-from lommel.io.depth_maps import DepthOptions, fill_missing, read_depth
+from lommel.io.depth_maps import DepthMapOptions, fill_missing, read_depth
 from lommel.io.photos import PhotoError, Photograph, png_of_16_bits, read_photo
 from lommel.optics.lens import Lens
 from lommel.optics.wavefront.wavefront import Wavefront
@@ -202,8 +202,8 @@ def _with_white(_: str, noise: Noise) -> Noise:
     return noise
 
 
-def _depth_options(name: str, value: DepthOptions) -> DepthOptions:
-    validation.instance(name, value, DepthOptions)
+def _depth_options(name: str, value: DepthMapOptions) -> DepthMapOptions:
+    validation.instance(name, value, DepthMapOptions)
     return value
 
 
@@ -217,7 +217,7 @@ class DatasetOptions(Options):
         Number of pictures of each photo, each with another random lens.
     noise : Noise, optional
         Photon and read noise of the blurred image; ``noise.white`` is the number of electrons at the value 1.0.
-    depth_options : DepthOptions, optional
+    depth_options : DepthMapOptions, optional
         Conversion of depth maps to metres, and treatment of unknown depth; see :func:`lommel.imaging.read_depth`.
     on_error : {"raise", "skip"}, default "raise"
         Handling of a photo or depth map that cannot be used: raise an error, or yield the picture with the reason as
@@ -229,7 +229,7 @@ class DatasetOptions(Options):
 
     copies: Annotated[int, In(least=1, most=1_000_000)] = 1
     noise: Annotated[Noise | None, _with_white, HIDDEN] = None
-    depth_options: Annotated[DepthOptions | None, _depth_options, HIDDEN] = None
+    depth_options: Annotated[DepthMapOptions | None, _depth_options, HIDDEN] = None
     on_error: Annotated[Literal["raise", "skip"], HIDDEN] = "raise"
     workers: Annotated[int, In(least=1, most=1024)] = 1
 
@@ -251,7 +251,7 @@ class _Job(NamedTuple):
             "copies": self.o.copies,
             "lenses": asdict(self.lenses),
             "noise": None if noise is None else noise.to_dict(),
-            "depth_options": asdict(self.o.depth_options or DepthOptions()),
+            "depth_options": asdict(self.o.depth_options or DepthMapOptions()),
             "pairs": [[photo.name, depth.name] for photo, depth in pairs],
         })  # fmt: skip
 
@@ -494,7 +494,7 @@ def _render(job: _Job, number: int, photo: Path, depth: Path) -> tuple[dict[str,
     lens, pixel = job.lenses.draw(random)
     checksums = [size_and_checksum_of_file(photo), size_and_checksum_of_file(depth)]
     picture = read_photo(photo)
-    light, o = picture.light(), job.o.depth_options or DepthOptions()
+    light, o = picture.light(), job.o.depth_options or DepthMapOptions()
     metres = read_depth(depth, shape=light.shape, options=replace(o, missing=None))
     known_depths = metres[~np.isnan(metres)]
     ends = [float(end(known_depths)) for end in (np.min, np.max)] if known_depths.size else []

@@ -40,7 +40,7 @@ def _numbers(name: str, value: ArrayLike) -> tuple[float, ...]:
 
 
 @dataclass(frozen=True, kw_only=True)
-class DepthOptions(Options):
+class DepthMapOptions(Options):
     """Conversion of the stored values of a depth map to metres; at most one of the first three options is given.
 
     Parameters
@@ -54,10 +54,8 @@ class DepthOptions(Options):
     disparity : (float, float), optional
         (product, offset) for a stereo disparity map: product of focal length (pixels) and baseline (metres), and an
         offset in pixels. The distance is product / (stored value + offset).
-    zero_is_unknown : bool, default False
-        Treat the stored value 0 as unknown.
-    unknown : sequence of float, optional
-        Other stored values to be treated as unknown, such as (-1, 255).
+    unknown : float or sequence of float, optional
+        Stored values to be treated as unknown, such as 0, or (-1, 255).
     resample : {"nearest"}, optional
         Resample a map of another size and the same aspect ratio. Each pixel of the photograph gets the value of the
         map pixel that contains its centre, so that distances are not averaged across edges.
@@ -77,7 +75,6 @@ class DepthOptions(Options):
         tuple[float, float] | None, _inverse, Shown(("--inverse-depth",), length="m", metavar="NEAR FAR")
     ] = None
     disparity: Annotated[tuple[float, float] | None, _disparity, Shown(metavar="FB OFFSET")] = None
-    zero_is_unknown: Annotated[bool, Shown(("--zero-unknown",))] = False
     unknown: Annotated[tuple[float, ...], _numbers] = ()
     resample: Literal["nearest"] | None = None
     missing: Literal["nearest", "infinity"] | None = None
@@ -103,8 +100,6 @@ class DepthOptions(Options):
         with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
             distances: Array = values.astype(np.float64)  # stored values, converted in place
             distances[np.isin(values, self.unknown)] = np.nan
-            if self.zero_is_unknown:
-                distances[values == 0] = np.nan
             lowest, highest = (float(extremum.reduce(distances, axis=None)) for extremum in (np.fmin, np.fmax))
             if self.inverse is not None:
                 self._from_inverse(distances, values.dtype, (lowest, highest), name)
@@ -114,8 +109,8 @@ class DepthOptions(Options):
                 distances *= self.scale or 1.0
                 if zeros := distances.size - np.count_nonzero(distances):
                     raise ValueError(
-                        f"{name} is 0 at {zeros} of {distances.size} points; if that means unknown, give "
-                        "`zero_is_unknown`"
+                        f"{name} is 0 at {zeros} of {distances.size} points; if that means unknown, state it "
+                        "as `unknown`"
                     )
                 if lowest < 0.0:
                     raise ValueError(
@@ -159,10 +154,9 @@ class DepthOptions(Options):
         product, offset = self.disparity
         for value in (ends[0], ends[1] if ends[1] == math.inf else ends[0]):
             if not 0.0 < value + offset < math.inf and not math.isnan(value):
-                option = "give `zero_is_unknown`" if value == 0.0 else "state it as `unknown`"
                 raise ValueError(
                     f"{name} must hold finite disparities > {0.0 - offset:g} (the offset is {offset:g}), "
-                    f"got {value:g}; if that means unknown, {option}"
+                    f"got {value:g}; if that means unknown, state it as `unknown`"
                 )
         disparities += offset
         np.divide(product, disparities, out=disparities)
@@ -201,12 +195,12 @@ def fill_missing(depth: Values, missing: str | None) -> Values:
     return np.asarray(depth[tuple(indices)])
 
 
-@listed(DepthOptions)
+@listed(DepthMapOptions)
 def read_depth(
     path: str | PathLike[str],
     *,
     shape: tuple[int, ...] | None = None,
-    options: DepthOptions | None = None,
+    options: DepthMapOptions | None = None,
     **given: Any,
 ) -> Array:
     """Read a depth map: the distance of every point from the lens, NaN where it is unknown.
@@ -218,7 +212,7 @@ def read_depth(
         equal channels count as grey, and an alpha channel that is opaque everywhere is ignored.
     shape : tuple of int, optional
         Shape of the photograph, height and width first, which the map must have or to which it is resampled.
-    options : DepthOptions, optional
+    options : DepthMapOptions, optional
         Options as an object, which keywords change.
     {options}
 
@@ -233,8 +227,8 @@ def read_depth(
         If the file is damaged, of another format, has several channels, or contains integers without an option on
         their conversion to metres.
     TypeError, ValueError
-        If the map contains a distance that is not positive, 0 without `zero_is_unknown`, or values that `inverse` or
-        `disparity` does not convert to a distance; if its shape is not `shape`; or if an argument is out of range.
+        If the map contains a distance that is not positive, or values that `inverse` or `disparity` does not convert
+        to a distance, and that are not `unknown`; if its shape is not `shape`; or if an argument is out of range.
     OSError
         If the file cannot be read.
 
@@ -242,8 +236,24 @@ def read_depth(
     -----
     UserWarning
         If the largest value of floats without a conversion is 1, or the highest level for `inverse` is very low.
+
+    Examples
+    --------
+    Millimetres in 16 bits, 0 where the sensor saw nothing, as depth cameras store them:
+
+    >>> import tempfile, pathlib
+    >>> from PIL import Image
+    >>> file = pathlib.Path(tempfile.mkdtemp()) / "depth.png"
+    >>> Image.fromarray(np.array([[1500, 0]], np.uint16)).save(file)
+    >>> lm.imaging.read_depth(file, scale=0.001, unknown=0)
+    array([[1.5, nan]])
+
+    A disparity map of Middlebury, and unknown depth filled:
+
+    >>> lm.imaging.read_depth(file, disparity=(771.6, 131.1), unknown=0, missing="nearest").round(2)
+    array([[0.47, 0.47]])
     """
-    source, conversion = validation.path("path", path), DepthOptions.of("read_depth", options, given)
+    source, conversion = validation.path("path", path), DepthMapOptions.of("read_depth", options, given)
     size = None if shape is None else validation.image_shape(tuple(shape[:2]))
     if size is None and conversion.resample is not None:
         raise ValueError("resample needs the shape to resample to")

@@ -49,10 +49,6 @@ def png(width: int, height: int) -> bytes:
     )
 
 
-def webp(kind: bytes, head: bytes) -> bytes:
-    return b"RIFF" + struct.pack("<I", 99) + b"WEBP" + kind + struct.pack("<I", 20) + head.ljust(20, b"\0")
-
-
 def tiff(values, **options) -> bytes:
     buffer = io.BytesIO()
     tifffile.imwrite(buffer, values, metadata=None, **options)
@@ -101,20 +97,10 @@ def test_a_picture_that_promises_too_much_is_refused_before_it_is_decoded(read, 
         read(tmp_path / "a")
 
 
-@pytest.mark.parametrize(
-    ("data", "why"),
-    [
-        (webp(b"VP8X", bytes(4) + b"\xff\x3f\0\xff\x3f\0"), r"it would take 4\.83e\+09 bytes of memory"),
-        (webp(b"VP8L", b"\x2f\xff\xff\xff\x0f"), r"it would take 4\.83e\+09 bytes of memory"),
-        (webp(b"VP8 ", b"\x10\0\0\x9d\1\x2a\xff\x3f\xff\x3f"), r"it would take 4\.83e\+09 bytes of memory"),
-        (webp(b"VP8X", bytes(4) + b"\xff\xff\xff\0\0\0"), "16777216 x 1 pixels; the limit of a side is 65536"),
-        (b"BM" + struct.pack("<IIIIiiHHIIIIII", 99, 0, 54, 40, 16384, 16384, 1, 24, *6 * [0]), "more than the file"),
-    ],
-    ids=["webp", "webp-l", "webp-8", "webp-side", "bmp"],
-)
-def test_webp_and_bmp_that_promise_too_much_are_refused_likewise(data, why, tmp_path, little_memory):
-    (tmp_path / "a").write_bytes(data)
-    with pytest.raises(PhotoError, match=why):
+def test_a_bmp_that_promises_too_much_is_refused_likewise(tmp_path):
+    head = struct.pack("<IIIIiiHHIIIIII", 99, 0, 54, 40, 16384, 16384, 1, 24, *6 * [0])
+    (tmp_path / "a").write_bytes(b"BM" + head)
+    with pytest.raises(PhotoError, match="more than the file"):
         imaging.read_photo(tmp_path / "a")
 
 

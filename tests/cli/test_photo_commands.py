@@ -42,7 +42,7 @@ BAD = [
     (f"{BLUR} lens.toml --focus 0m -o out.png", "--focus must be > 0 metres, got 0"),
     (f"{BLUR} lens.toml -o out.bmp", "--output must end in .png, .jpg, .jpeg, .tif, .tiff, .exr for a photograph"),
     ("blur alpha.png depth.npy lens.toml -o out.png", "it has alpha that is not opaque everywhere; put it on"),
-    ("blur lens.toml depth.npy lens.toml -o out.png", "lens.toml is not a PNG, JPEG, TIFF, EXR, WEBP, BMP"),
+    ("blur lens.toml depth.npy lens.toml -o out.png", "lens.toml is not a PNG, JPEG, TIFF, EXR, BMP or HEIC"),
     ("blur photo.png small.npy lens.toml -o out.png", "must have the size of the upright photo, 36 x 30, got"),
     ("blur photo.png depth.png lens.toml -o out.png", "depth.png is an integer image; give the scale, e.g."),
     ("blur photo.png holes.npy lens.toml -o out.png", 'is read, give --missing "nearest" ('),

@@ -146,12 +146,11 @@ def kinds(folder: Path) -> dict[str, tuple[Path, object, object]]:
     (folder / "depth.pfm").write_bytes(b"Pf\n15 12\n-1.0\n" + DEPTH.tobytes())
     Image.fromarray(GREY).save(folder / "photo.png")
     Image.fromarray(np.stack([GREY] * 3, axis=2)).save(folder / "photo.jpg")
-    Image.fromarray(np.stack([GREY] * 3, axis=2)).save(folder / "photo.webp", lossless=True)
     Image.fromarray(np.stack([GREY] * 3, axis=2)).save(folder / "photo.bmp")
     imaging.write_photo(folder / "deep.png", np.stack([GREY / 255.0] * 3, axis=2), dtype=np.uint16)
     for name in ("depth.npy", "depth.tif", "depth-deflated.tif", "depth.pfm"):
         found[name] = (folder / name, imaging.read_depth, False)
-    for name in ("photo.tif", "photo.png", "photo.jpg", "photo.webp", "photo.bmp", "deep.png"):
+    for name in ("photo.tif", "photo.png", "photo.jpg", "photo.bmp", "deep.png"):
         found[name] = (folder / name, imaging.read_photo, False)
     for suffix in (".json", ".toml", ".csv"):
         lm.save_zernike(folder / f"table{suffix}", table)
@@ -328,7 +327,6 @@ KINDS = [
     "photo.tif",
     "photo.png",
     "photo.jpg",
-    "photo.webp",
     "photo.bmp",
     "deep.png",
     "table.json",

@@ -170,7 +170,7 @@ def tiff(values: np.ndarray, **options: object) -> bytes:
     ("data", "message"),
     [
         (b"", "is empty"),
-        (b"GIF89a", "is not a PNG, JPEG, TIFF, EXR, WEBP, BMP or HEIC file"),
+        (b"GIF89a", "is not a PNG, JPEG, TIFF, EXR, BMP or HEIC file"),
         (png()[:43], "cannot be read as a PNG photograph"),
         (png(mode="RGBA"), "it has alpha that is not opaque everywhere; put it on a"),
         (png(mode="LA"), "it has alpha"),
@@ -215,10 +215,10 @@ def chunked(values: np.ndarray, kind: int) -> bytes:
 
 
 @pytest.mark.parametrize("dtype", [np.uint8, np.uint16, np.float32])
-@pytest.mark.parametrize("suffix", ["png", "tif", "webp"])
+@pytest.mark.parametrize("suffix", ["png", "tif"])
 @pytest.mark.parametrize("colour", [True, False])
 def test_alpha_that_is_opaque_everywhere_is_left_out(tmp_path, dtype, suffix, colour):
-    if (suffix, dtype) not in [("png", np.uint8), ("png", np.uint16), ("webp", np.uint8)] and suffix != "tif":
+    if suffix == "png" and dtype == np.float32:
         return
     full = 1.0 if dtype == np.float32 else np.iinfo(dtype).max
     own = RNG.integers(0, 256, (7, 5, 3 if colour else 1)).astype(dtype) / dtype(full if dtype == np.float32 else 1)
@@ -235,15 +235,11 @@ def test_alpha_that_is_opaque_everywhere_is_left_out(tmp_path, dtype, suffix, co
         elif dtype == np.uint16:
             path.write_bytes(chunked(stored, 6 if colour else 4))
         else:
-            options = {"lossless": True, "exact": True} if suffix == "webp" else {}
-            Image.fromarray(stored, None if colour else "LA").save(path, **options)
+            Image.fromarray(stored, None if colour else "LA").save(path)
         if alpha == full:
             found = read_photo(path).values
-            wanted = own if colour else own[..., 0]
-            if suffix == "webp" and not colour:  # which has no grey
-                wanted = np.repeat(own, 3, axis=2)
             assert found.dtype == dtype
-            np.testing.assert_array_equal(found, wanted)
+            np.testing.assert_array_equal(found, own if colour else own[..., 0])
         else:
             with pytest.raises(PhotoError, match=r"is not opaque everywhere; .* magick IN -background black"):
                 read_photo(path)
@@ -263,35 +259,21 @@ def test_a_transparent_colour_that_no_pixel_has_is_no_alpha(tmp_path, mode):
         read_photo(tmp_path / "a.png")
 
 
-@pytest.mark.parametrize("orientation", [1, 6])
-def test_webp_and_bmp_are_read(tmp_path, orientation):
+def test_a_bmp_is_read(tmp_path):
     values = RNG.integers(0, 256, (40, 30, 3)).astype(np.uint8)
-    Image.fromarray(values).save(tmp_path / "a.webp", lossless=True, exif=exif(orientation, focal=4.25))
-    found = read_photo(tmp_path / "a.webp")
-    np.testing.assert_array_equal(found.values, values if orientation == 1 else np.rot90(values, -1))
-    assert found.exif.focal_length == pytest.approx(4.25e-3)
-    smooth = np.add.outer(np.arange(40), 2 * np.arange(30)).astype(np.uint8)
-    Image.fromarray(smooth).convert("RGB").save(tmp_path / "b.webp", quality=95)  # VP8, without a canvas
-    assert np.abs(read_photo(tmp_path / "b.webp").values.astype(int) - smooth[..., None]).max() <= 6
     for one in (values, values[..., 0], values[..., 0] > 128):
         Image.fromarray(one).save(tmp_path / "a.bmp")
         np.testing.assert_array_equal(read_photo(tmp_path / "a.bmp").values, one * (255 if one.dtype == bool else 1))
 
 
-def test_webp_and_bmp_that_are_none_are_refused(tmp_path):
-    frames = [Image.new("RGB", (9, 8), colour) for colour in ("red", "blue")]
-    frames[0].save(tmp_path / "a.webp", save_all=True, append_images=frames[1:])
-    with pytest.raises(PhotoError, match="it is an animation of 2 frames"):
-        read_photo(tmp_path / "a.webp")
-    (tmp_path / "b").write_bytes(b"RIFF\0\0\0\0WAVEfmt " + bytes(40))
-    with pytest.raises(PhotoError, match="cannot be read as a WEBP photograph: it is no WebP"):
-        read_photo(tmp_path / "b")
-    frames[0].save(tmp_path / "c.bmp")
+def test_a_bmp_that_is_cut_off_or_compressed_is_refused(tmp_path):
+    picture = Image.new("RGB", (9, 8), "red")
+    picture.save(tmp_path / "c.bmp")
     data = (tmp_path / "c.bmp").read_bytes()
     (tmp_path / "c.bmp").write_bytes(data[:-1])
     with pytest.raises(PhotoError, match="9 x 8 pixels are more than the file holds"):
         read_photo(tmp_path / "c.bmp")
-    frames[0].convert("P").save(tmp_path / "d.bmp")
+    picture.convert("P").save(tmp_path / "d.bmp")
     data = bytearray((tmp_path / "d.bmp").read_bytes())
     data[30] = 1  # RLE
     (tmp_path / "d.bmp").write_bytes(data)

@@ -194,9 +194,9 @@ def test_an_ome_zarr_states_units_for_each_axis(tmp_path):
     place = tmp_path / "a.ome.zarr" / ".zattrs"
     told = json.loads(place.read_text())
     scales = told["multiscales"][0]
-    scales["datasets"][0]["coordinateTransformations"][0]["scale"] = [1, 0.2, 1e-6, 1e-6]
+    scales["datasets"][0]["coordinateTransformations"][0]["scale"] = [1, 0.2, 1e-5, 1e-5]
     for axis in scales["axes"][2:]:
-        axis["unit"] = "decimeter"
+        axis["unit"] = "centimeter"
     place.write_text(json.dumps(told))
     found = open_frames(tmp_path / "a.ome.zarr").as_channels()
     assert (found.metadata["pixel"], found.metadata["step"]) == (pytest.approx(1e-7), None)

@@ -480,7 +480,6 @@ PHOTOS: dict[str, Writer] = {
     "tiff of int32": lambda values, folder: photo_tiff(values.astype(np.int32), folder),
     "tiff of two pages": lambda values, folder: photo_tiff(np.stack([values, values]), folder),
     "bmp": partial(raster, name="photo.bmp"),
-    "webp": partial(raster, name="photo.webp", lossless=True),
     "gif": partial(raster, name="photo.gif"),
     "npy": lambda values, folder: _written(np.save, folder / "photo.npy", values),
     "fits": lambda values, folder: each(values[None], folder, _image, ".fits"),

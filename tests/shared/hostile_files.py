@@ -84,12 +84,6 @@ def jpeg(side: int, scans: int) -> bytes:
     return data[:-2] + data[last:-2] * (scans - 10) + data[-2:] if scans > 10 else data
 
 
-def webp(side: int) -> bytes:
-    buffer = io.BytesIO()
-    Image.new("RGB", (side, side)).save(buffer, "webp", lossless=True, quality=0, method=0)
-    return buffer.getvalue()
-
-
 def tiff(values: Any, **options: Any) -> bytes:
     buffer = io.BytesIO()
     tifffile.imwrite(buffer, values, metadata=None, **options)
@@ -384,8 +378,6 @@ def files() -> dict[str, tuple[str, Callable[[], bytes], Callable[[Path], object
         "photo, black deep png": (".png", lambda: png(2**13, 2**12, 16, 2, black(2**13, 2**12, 6)), photo),
         "photo, black jpeg": (".jpg", lambda: jpeg(2**13, 1), photo),
         "photo, jpeg of scans": (".jpg", lambda: jpeg(2**12, 1500), photo),
-        "photo, largest black webp": (".webp", lambda: webp(3850), photo),
-        "photo, black webp": (".webp", lambda: webp(8000), photo),
         "depth, largest colour png": (".png", lambda: png(4540, 4540, 8, 2, black(4540, 4540, 3)), depth_of_levels),
         "photo, jpeg of many scans": (".jpg", lambda: jpeg(2**9, 9000), photo),
         "photo, deflated tif": (".tif", lambda: tiff(np.zeros((2**13, 2**13), np.uint16), compression="zlib"), photo),

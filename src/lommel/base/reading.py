@@ -316,26 +316,6 @@ def jpeg(data: bytes) -> Image:
     return file
 
 
-def webp(data: bytes) -> Image:
-    """Return a WebP file opened by Pillow, not yet decoded; ValueError for any other RIFF file."""
-    kind = data[12:16] if data[8:12] == b"WEBP" else b""
-    if kind not in (b"VP8X", b"VP8L", b"VP8 ") or len(data) < 30:
-        raise ValueError("it is no WebP")
-    # Three encodings of a side: extended (side - 1, 24 bits), lossless (side - 1, 14 bits), lossy (side, 14 bits).
-    if kind == b"VP8X":
-        width, height = (1 + int.from_bytes(data[offset : offset + 3], "little") for offset in (24, 27))
-    else:
-        sides = int.from_bytes(data[21:25], "little") if kind == b"VP8L" else 0
-        width, height = 1 + (sides & 0x3FFF), 1 + (sides >> 14 & 0x3FFF)
-        if kind == b"VP8 ":
-            width, height = (side & 0x3FFF for side in struct.unpack_from("<HH", data, 26))
-    pixels(width, height)
-    afford(18.0 * width * height, len(data))  # two canvases, the decoded image and two copies of it
-    from PIL.WebPImagePlugin import WebPImageFile
-
-    return WebPImageFile(io.BytesIO(data))
-
-
 def bmp(data: bytes) -> Any:
     """Return a BMP file opened by Pillow, not yet decoded; ValueError if it is compressed or truncated."""
     from PIL.BmpImagePlugin import BmpImageFile
@@ -426,21 +406,18 @@ def _tiff_chain(file: int, data: mmap.mmap) -> list[int]:
     entry, stride = struct.Struct(f"{order}HHQ" if big else f"{order}HHI"), 20 if big else 12
     # Entries of the previous page up to its width and height, and its number of pixels: most pages begin equally.
     sizes, prefix, prefix_pixels = list[int](), b"", 0
-    try:
-        # os.pread, since access through the memory map would keep the surrounding memory resident.
-        for _, entries in tiff_directories(lambda offset, count: os.pread(file, count, offset), len(data)):
-            if not prefix or not entries.startswith(prefix):
-                prefix, prefix_pixels = _tiff_sides(entries, order, entry, stride)
-            sizes.append(prefix_pixels)
-    except struct.error:
-        raise ValueError("its pages go beyond its end") from None
+    # os.pread, since access through the memory map would keep the surrounding memory resident.
+    for _, entries in tiff_directories(lambda offset, count: os.pread(file, count, offset), len(data)):
+        if not prefix or not entries.startswith(prefix):
+            prefix, prefix_pixels = _tiff_sides(entries, order, entry, stride)
+        sizes.append(prefix_pixels)
     return sizes
 
 
 def tiff_directories(read: Callable[[int, int], bytes], length: int) -> Iterator[tuple[int, bytes]]:
     """Yield the position and the entries of each page; `read` returns the bytes at a position, at most so many.
 
-    ValueError or struct.error if the chain of pages is circular, leaves the file, or would take too much memory.
+    ValueError if the chain of pages is circular, leaves the file, or would take too much memory.
     """
     start = read(0, 16)
     order, big = _tiff_order(start)
@@ -455,15 +432,19 @@ def tiff_directories(read: Callable[[int, int], bytes], length: int) -> Iterator
         afford(_TIFF_FRAME * len(visited), length, _RATIO)
         # Read as many bytes as the largest header of a page so far: for most pages one system call suffices.
         part = read(min(offset, length), read_size)
-        (count,) = head.unpack_from(part)
-        if count > _MAX_TAGS:
-            raise ValueError(f"it has a page of {count} tags; the limit is {_MAX_TAGS}")
-        end = head.size + count * stride
-        if end + word > len(part):
-            read_size = end + word
-            part = read(offset, read_size)
+        try:
+            (count,) = head.unpack_from(part)
+            if count > _MAX_TAGS:
+                raise ValueError(f"it has a page of {count} tags; the limit is {_MAX_TAGS}")
+            end = head.size + count * stride
+            if end + word > len(part):
+                read_size = end + word
+                part = read(offset, read_size)
+            next_offset = next_page.unpack_from(part, end)
+        except struct.error:
+            raise ValueError("its pages go beyond its end") from None
         yield offset, part[head.size : end]
-        (offset,) = next_page.unpack_from(part, end)
+        (offset,) = next_offset
 
 
 def afford_pages(pages: int, frames: int, length: int) -> None:
@@ -477,7 +458,7 @@ def _tiff_sides(entries: bytes, order: str, entry: struct.Struct, stride: int) -
     sides: dict[int, int] = {}
     for offset in range(0, len(entries) - stride + 1, stride):
         tag, kind, _ = entry.unpack_from(entries, offset)
-        if tag in (256, 257) and kind in kinds:
+        if tag in (256, 257) and kind in kinds and struct.calcsize(kinds[kind]) <= stride - entry.size:
             (sides[tag],) = struct.unpack_from(order + kinds[kind], entries, offset + entry.size)
         if len(sides) == 2:
             return entries[: offset + stride], math.prod(sides.values())
@@ -699,21 +680,15 @@ def _has_larger_subpage(data: bytes | mmap.mmap, page: Tags) -> bool:
     """Return True if a subpage (SubIFD) of a page is larger than the page."""
     order = "<" if data[:2] == b"II" else ">"
     big = struct.unpack_from(f"{order}H", data, 2)[0] == 43
-    subpages = [_tiff_tags(data, int(offset), order, big)[0] for offset in page.get(330, ())[:16]]
+    subpages = [_tiff_tags(data, int(offset), order, big) for offset in page.get(330, ())[:16]]
     return any(_value(p, 256, 0) * _value(p, 257, 0) > _value(page, 256, 0) * _value(page, 257, 0) for p in subpages)
 
 
 def _tiff_pages(data: bytes | mmap.mmap) -> Iterator[Tags]:
     """Yield the tags of each page as arrays of integers; a tag of another type has an empty array."""
     order, big = _tiff_order(data)
-    visited: set[int] = set()
-    (offset,) = struct.unpack_from(f"{order}Q" if big else f"{order}I", data, 8 if big else 4)
-    while offset:
-        if offset in visited:
-            raise ValueError("its chain of pages is circular")
-        visited.add(offset)
-        tags, offset = _tiff_tags(data, offset, order, big)
-        yield tags
+    for offset, _ in tiff_directories(lambda offset, count: data[offset : offset + count], len(data)):
+        yield _tiff_tags(data, offset, order, big)
 
 
 def _tiff_order(data: bytes | mmap.mmap) -> tuple[str, bool]:
@@ -724,8 +699,8 @@ def _tiff_order(data: bytes | mmap.mmap) -> tuple[str, bool]:
     return order, struct.unpack_from(f"{order}H", data, 2)[0] == 43
 
 
-def _tiff_tags(data: bytes | mmap.mmap, offset: int, order: str, big: bool) -> tuple[Tags, int]:
-    """Return the tags of the page at position `offset`, and the position of the next page."""
+def _tiff_tags(data: bytes | mmap.mmap, offset: int, order: str, big: bool) -> Tags:
+    """Return the tags of the page at position `offset`."""
     tags: Tags = {}
     head, entry, word = ("Q", "HHQ", "Q") if big else ("H", "HHI", "I")
     try:
@@ -746,7 +721,7 @@ def _tiff_tags(data: bytes | mmap.mmap, offset: int, order: str, big: bool) -> t
                 integers = "u1" if tag == _DESCRIPTION else _TIFF_INTEGERS.get(kind)
                 tags[tag] = np.frombuffer(data, order + (integers or "u1"), number if integers else 0, value_offset)
             offset += struct.calcsize("=" + entry) + inline
-        return tags, int(struct.unpack_from(order + word, data, offset)[0])
+        return tags
     except (struct.error, OverflowError):  # OverflowError: a position exceeds the largest index
         raise ValueError("its pages go beyond its end") from None
 

@@ -52,7 +52,7 @@ class File(tifffile.TiffFile):  # type: ignore[misc]  # final in newer versions
     source : path or binary file
     directories : callable
         ``directories(read, length)`` yields the position and the entries of each page, as
-        :func:`lommel.base.reading.tiff_directories`; it raises ValueError or struct.error where these are damaged.
+        :func:`lommel.base.reading.tiff_directories`; it raises ValueError where these are damaged.
     afford : callable
         ``afford(pages, frames, length)`` raises ValueError if `pages` of their own kinds and `frames` like others
         would take too much memory for a file of `length` bytes, as :func:`lommel.base.reading.afford_pages`.

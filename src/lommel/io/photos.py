@@ -298,7 +298,7 @@ class Photograph:
 
 
 def read_photo(path: str | PathLike[str], encoding: str | None = None) -> Photograph:
-    """Read a photograph (PNG, JPEG, TIFF, EXR, WebP, BMP, HEIC) and rotate it upright as its EXIF states.
+    """Read a photograph (PNG, JPEG, TIFF, EXR, BMP, HEIC) and rotate it upright as its EXIF states.
 
     Parameters
     ----------
@@ -667,7 +667,6 @@ registry.register(
     _photo((".jpg", ".jpeg"), _write_jpeg, partial(_decode, reading.jpeg), JPEG, (_8, _EXIF), library="PIL.Image"),
     _photo((".tif", ".tiff"), write_tiff, read_tiff, TIFF, (_8, _16, "of float32", _EXIF), library="tifffile"),
     _photo((".exr",), write_exr, read_exr, START, ("of float32",), library="OpenEXR"),
-    _photo((".webp",), read=partial(_decode, reading.webp), starts=(b"RIFF",), library="PIL.Image"),
     _photo((".bmp",), read=partial(_decode, reading.bmp), starts=(b"BM",), library="PIL.Image"),
     _photo((".heic", ".heif"), read=partial(_decode, reading.heic), starts=reading.HEIC, library="pillow_heif"),
     _depth((".npy",), partial(atomic.contents, np.save), _read_npy, (b"\x93NUMPY",)),

@@ -26,7 +26,7 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from lommel.base import optional, reading, validation
 from lommel.base.arrays import Index, Json, Values
-from lommel.base.units import format_length
+from lommel.base.units import LENGTHS, format_length
 from lommel.base.validation import line, shown
 from lommel.io import fits_images, photos, registry, zarr_folders
 from lommel.io.registry import Format
@@ -36,23 +36,14 @@ from lommel.recorded.noise import Noise
 if TYPE_CHECKING:
     from tifffile import FileHandle, TiffFile, TiffPageSeries
 
-_PREFIXES = {
-    "yotta": ("Y", 24), "zetta": ("Z", 21), "exa": ("E", 18), "peta": ("P", 15), "tera": ("T", 12), "giga": ("G", 9),
-    "mega": ("M", 6), "kilo": ("k", 3), "hecto": ("h", 2), "deca": ("da", 1), "": ("", 0), "deci": ("d", -1),
-    "centi": ("c", -2), "milli": ("m", -3), "micro": ("µ", -6), "nano": ("n", -9), "pico": ("p", -12),
-    "femto": ("f", -15), "atto": ("a", -18), "zepto": ("z", -21), "yocto": ("y", -24),
-}  # fmt: skip
-_OTHER_UNITS = {
-    "um": 1e-6, "\u03bcm": 1e-6, "\\u00B5m": 1e-6, "micron": 1e-6, "microns": 1e-6, "Å": 1e-10, "\u212b": 1e-10,
-    "angstrom": 1e-10, "thou": 2.54e-5, "li": 2.54e-2 / 12, "in": 2.54e-2, "inch": 2.54e-2, "inches": 2.54e-2,
-    "ft": 0.3048, "foot": 0.3048, "yd": 0.9144, "yard": 0.9144, "mi": 1609.344, "mile": 1609.344, "pt": 2.54e-2 / 72,
-    "ua": 149597870700.0, "ly": 9460730472580800.0, "pc": 3.0856775814913674e16, "parsec": 3.0856775814913674e16,
-}  # fmt: skip
-# Units of length in the OME schema (UnitsLength), in OME-Zarr and in ImageJ, in metres; "Mm" is not "mm".
-_UNITS = _OTHER_UNITS | {
-    name: float(f"1e{power}")
-    for prefix, (letter, power) in _PREFIXES.items()
-    for name in (f"{letter}m", *(f"{prefix}{metre}{s}" for metre in ("meter", "metre") for s in ("", "s")))
+# Units of length in files, in metres, as OME, OME-Zarr and ImageJ name them; "Mm" is not "mm".
+_PREFIXES = {"": 0, "centi": -2, "milli": -3, "micro": -6, "nano": -9, "pico": -12}
+_UNITS = LENGTHS | {"\\u00B5m": 1e-6, "micron": 1e-6, "microns": 1e-6, "Å": 1e-10, "\u212b": 1e-10, "inches": 25.4e-3}
+_UNITS |= {
+    f"{prefix}{metre}{s}": float(f"1e{power}")
+    for prefix, power in _PREFIXES.items()
+    for metre in ("meter", "metre")
+    for s in ("", "s")
 }
 # Names of FITS header cards in common use.
 _GAIN, _READ, _SATURATION = ("EGAIN",), ("RDNOISE", "READNOIS", "RON"), ("SATURATE", "SATLEVEL")

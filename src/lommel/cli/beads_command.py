@@ -22,7 +22,7 @@ from lommel.report import Facts, Report, Wrapped
 from lommel.report.table import tables
 
 if TYPE_CHECKING:
-    from lommel.base.arrays import Array, Values
+    from lommel.base.arrays import Values
     from lommel.estimation.beads import BeadFit
     from lommel.fit.findings import Finding
     from lommel.lensfiles.microscope_files import Microscope
@@ -165,8 +165,8 @@ def beads(
     places = [
         {name: place[name] for name in ("row", "column", "z", "depth", "chi2", "used")} for place in facts["places"]
     ]
-    values = {name: facts[name] for name in ("coefficients", "errors")} | {"units": units, "places": places}
-    shown = tables(values, titles)
+    numbers = {name: facts[name] for name in ("coefficients", "errors")} | {"units": units, "places": places}
+    shown = tables(numbers, titles)
     return (
         report_findings(
             facts, Wrapped(facts["message"].partition("; ")[0], "bold"), "", *shown, *_widths(facts["fwhm"])
@@ -197,7 +197,7 @@ def _pitch_finding(note: str, stated: float | Unusable | None, microscope: Micro
     return Finding("pixel_pitch", "doubt" if differs else "note", text, {"pixel": in_use})
 
 
-def _sharpest(microscope: Microscope, z: Array, options: BeadOptions) -> float:
+def _sharpest(microscope: Microscope, z: Values, options: BeadOptions) -> float:
     """Return the largest ratio, in a stack of a point, of the brightest pixel and the brightest of its neighbours."""
     from lommel.psf import psf
     from lommel.recorded.camera_noise import sharpness

@@ -175,8 +175,8 @@ def fit_field(
         given: Facts = {"blur": blur}
         if options.distortion is not None:
             given["ideal"] = _grid(targets)
-        if options.size is None and kind == "crossing" and math.isfinite(targets.square):
-            given["size"] = targets.square * pitch
+        if options.size is None and math.isfinite(square := getattr(targets, "square", math.nan)):  # of crossings
+            given["size"] = square * pitch
         status("fitting")
         result = fit_windows(
             Counts.of(targets.windows, noise=noise, saturation=saturation),
@@ -202,7 +202,7 @@ def fit_field(
         found, errors = (dict(zip(facts["terms"], wave[key], strict=True)) for key in ("coefficients", "errors"))
         shown += [*tables({f"waves rms, {name}": found, "errors": errors}), ""]
     shown += [Wrapped(_describe_blur(result, pitch, focal_length)), Wrapped(targets.message)]
-    return report_findings(facts, *shown, *tables(facts)) + files
+    return report_findings(facts, *shown, *tables(facts), "") + files
 
 
 def _in_the_middle(facts: Facts) -> list[Wrapped]:

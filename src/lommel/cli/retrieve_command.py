@@ -113,7 +113,9 @@ def retrieve(
     ]
     lines = [Wrapped(f"blur: {'; '.join(blurs)}")] if any(blurs) else []
     shown = tables(facts | {"row": row, "column": column}, titles)
-    return report_findings(facts, Wrapped(facts["message"].partition("; ")[0], "bold"), "", *shown, *lines) + files
+    return (
+        report_findings(facts, Wrapped(facts["message"].partition("; ")[0], "bold"), "", *shown, *lines, "") + files
+    )
 
 
 def _files(paths: list[Path]) -> list[Path]:

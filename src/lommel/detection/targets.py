@@ -224,7 +224,7 @@ def find_spots(
     count = None if most is None else validation.integer("most", most, least=1, most=10**9)
     shape = f"(height, width) or (planes, height, width), at least the window of {rows} x {columns}"
     counts, single = image_counts("images", images, shape, box, noise)
-    noise = validation.instance("noise", counts.noise, Noise)
+    noise = counts.known_noise()
     camera = noise.poisson
     electrons = camera.electrons(filled(counts.values, counts.hidden, sigma))
     variance = camera.variance(np.zeros_like(electrons)).sum(axis=0)
@@ -461,7 +461,7 @@ def find_crossings(
     rows, columns = smallest = box or (_MIN_WINDOW, _MIN_WINDOW)
     shape = f"(height, width) or (exposures, height, width), at least the window of {rows} x {columns}"
     counts, single = image_counts("images", images, shape, smallest, noise)
-    noise = validation.instance("noise", counts.noise, Noise)
+    noise = counts.known_noise()
     electrons = noise.electrons(filled(counts.values, counts.hidden, sigma))
     signal, variance = electrons.sum(axis=0), noise.variance(np.maximum(electrons, 0.0)).sum(axis=0)
     center, score, contrast = _saddles(signal, variance, sigma, level)

@@ -403,7 +403,7 @@ class Microscope(Protocol):
 
 @listed(BeadOptions)
 def fit_beads(
-    stacks: ArrayLike | Sequence[ArrayLike],
+    stacks: ArrayLike | Counts | Sequence[ArrayLike],
     microscope: Microscope,
     *,
     z: ArrayLike,
@@ -488,7 +488,7 @@ def fit_stacks(
     checked_terms = _terms(options.terms)
     shape = "(planes, height, width) or (beads, planes, height, width)"
     counts = counts_of("stacks", stacks, noise, sides=(3, 4), shape=shape)
-    noise = validation.instance("noise", counts.noise, Noise)
+    noise = counts.known_noise()
     counts.require_known("stacks").require_light("stacks", "a bead")
     recorded = [counts[k] for k in range(len(counts.values))] if counts.values.ndim == 4 else [counts]
     depth_values = _depths(options.depth, 0.5 * options.diameter, len(recorded))

@@ -341,7 +341,7 @@ def target_of(options: FieldFitOptions, pixel: float) -> Target | None:
 
 @listed(FieldFitOptions)
 def fit_field(
-    windows: ArrayLike,
+    windows: ArrayLike | Counts,
     places: ArrayLike,
     pupil: Pupil,
     *,
@@ -450,7 +450,7 @@ def fit_windows(
     """Return the wavefront over the field from windows around stars or targets, see :func:`lommel.fit_field`."""
     unknowns = Unknowns(options.terms, ("center",))
     counts = _checked_windows(windows, noise)
-    noise = validation.instance("noise", counts.noise, Noise)
+    noise = counts.known_noise()
     images, valid = counts.filled(), counts.known
     count, exposures, height, width = images.shape
     lens = single(pupil, "for the whole field")

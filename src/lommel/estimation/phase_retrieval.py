@@ -234,7 +234,7 @@ class Retrieval(FitReport):
 
 @listed(RetrieveOptions)
 def retrieve(
-    images: ArrayLike | Sequence[ArrayLike],
+    images: ArrayLike | Counts | Sequence[ArrayLike],
     pupil: Pupil,
     *,
     pixel: float,
@@ -339,7 +339,7 @@ def fit_stars(
     """Return the wavefront of a lens from star images, see :func:`lommel.retrieve`."""
     unknowns = Unknowns(options.terms, options.also)
     counts = checked_images(images, noise)
-    noise = validation.instance("noise", counts.noise, Noise)
+    noise = counts.known_noise()
     values, valid = counts.filled(), counts.known
     start = _checked_pupil(pupil, unknowns)
     poisson = noise.poisson

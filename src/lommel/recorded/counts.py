@@ -221,6 +221,12 @@ class Counts:
     def assumed(self) -> str:  # noqa: D102
         return self._limit[1]
 
+    def known_noise(self) -> Noise:
+        """Return the noise; TypeError if it is unknown, or not a Noise."""
+        if not isinstance(self.noise, Noise):
+            raise TypeError(f"noise must be a Noise, got {validation.shown(self.noise)}")
+        return self.noise
+
     @property
     def known(self) -> NDArray[np.bool_]:
         """Usable pixels: neither hidden nor saturated."""

@@ -65,7 +65,7 @@ def sampled(
     if isinstance(microscope, PSF):
         return _with_psf(recording, microscope, stated)
     lens, device = _objective(microscope)
-    planes = recording.shape[1]
+    _, planes, height, width = recording.shape
     if planes < _LEAST_PLANES:
         raise ValueError(
             f"stack must have 3 planes or more, got {planes}; for single images use lommel.imaging.restore_with"
@@ -101,7 +101,7 @@ def sampled(
                 step,
                 depth,
                 planes,
-                window or usual_window(lens, wave, pixel, step, recording.shape[1:]),
+                window or usual_window(lens, wave, pixel, step, (planes, height, width)),
                 replace(modality, excitation=excitation),
                 emitter_of("isotropic") if device is None else device.emitter,
                 None if device is None else device.aberrations,

@@ -212,18 +212,20 @@ def of_large_phases(tol: float) -> "Hankel":
     return Hankel(tol)
 
 
-def reference(pupil: BasePupil) -> Method:
-    """Return the reference method for a pupil: quadrature if available, else a method with a tolerance of 1e-9."""
+def references(pupil: BasePupil) -> tuple[Method, ...]:
+    """Return reference methods in the order in which they are tried: quadrature, else tolerances of 1e-9."""
     if pupil.layered:
         from lommel.methods.layers.debye_wolf import DebyeWolf
 
-        return _aberrated_methods()[-1](1e-9) if pupil.aberrated else DebyeWolf(tol=1e-9)
+        return (_aberrated_methods()[-1](1e-9) if pupil.aberrated else DebyeWolf(tol=1e-9),)
     if pupil.radial:
         from lommel.methods.hankel import Hankel  # for reports, which are rare
 
-        return Hankel()
+        return (Hankel(),)
     if pupil.circular:
-        return NijboerZernike(tol=1e-9)
+        from lommel.methods.chordal_gauss import ChordalGauss
+
+        return NijboerZernike(tol=1e-9), ChordalGauss(tol=1e-9)
     from lommel.methods.nonuniform_fft import NonuniformFFT
 
-    return NonuniformFFT(tol=1e-9)
+    return (NonuniformFFT(tol=1e-9),)

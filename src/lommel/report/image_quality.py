@@ -16,7 +16,7 @@ from lommel.core.answers import ToleranceError
 from lommel.measures import aperture_means, errors, spot, transfer
 from lommel.measures.energy import MAX_RADIUS, encircled, optics
 from lommel.methods import Method, Polychromatic
-from lommel.methods.choice import of_profiles, reference
+from lommel.methods.choice import first_within_tolerance, of_profiles, references
 from lommel.methods.paper.huygens import HuygensFresnel
 from lommel.optics.aperture.apodization import illumination
 from lommel.optics.aperture.shapes import CatEye, Disc, Ellipse, Polygon, Segments, Shape
@@ -687,13 +687,11 @@ def compare_methods(
 ) -> tuple[list[Json], dict[str, PSF]]:
     """Return errors and times of several methods, one row each, and the PSFs of the methods that apply.
 
-    Errors are relative to :func:`lommel.methods.choice.reference`, whose PSF is first, under the name of its class
+    Errors are relative to :func:`lommel.methods.choice.references`, whose PSF is first, under the name of its class
     or its ``repr``. PSFs whose :attr:`lommel.PSF.sampling` differs from the reference are omitted. `on_start` is
     called with the name of each method before it runs.
     """
     pupil = instrument.pupil()
-    exact_method = reference(pupil)
-    exact_name = type(exact_method).__name__ if pupil.radial else repr(exact_method)
 
     def compute(method: Method, integrate: bool | None) -> PSF:
         window, pixel = instrument.window, instrument.pixel
@@ -710,9 +708,15 @@ def compare_methods(
                 break
         return result, seconds
 
-    on_start(exact_name)
-    exact, seconds = run_timed(exact_method, instrument.integrate)
-    answers, rows = {exact_name: exact}, []
+    def name_of(method: Method) -> str:
+        return type(method).__name__ if pupil.radial else repr(method)
+
+    def as_reference(method: Method) -> tuple[PSF, float]:
+        on_start(name_of(method))
+        return run_timed(method, instrument.integrate)
+
+    exact_method, (exact, seconds) = first_within_tolerance(references(pupil), as_reference)
+    answers, rows = {name_of(exact_method): exact}, []
     for method in methods:
         name = type(method).__name__
         row: Json = {"method": name, "options": method.to_dict(), "reason": None}

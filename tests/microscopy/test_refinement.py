@@ -15,7 +15,7 @@ from lommel.microscopy import held_out, refinement
 from lommel.microscopy.depth_model import DepthModel
 from lommel.microscopy.held_out import Best, HeldOut
 from lommel.microscopy.refinement import StackContext
-from lommel.recorded.camera_noise import MaskedStack, hot_pixels, hot_voxels, sharpness
+from lommel.recorded.camera_noise import StackView, hot_pixels, hot_voxels, sharpness
 from objectives import OIL_60X
 from restored_stacks import deconvolved
 
@@ -267,16 +267,17 @@ def test_the_peak_of_a_bright_bead_is_no_hot_pixel(step):
 
 def test_what_is_left_out_is_unknown():
     voxels = np.array([[1, 2, 3]])
-    whole = MaskedStack(np.full((2, 4, 5), 7, np.uint16), 4000.0, voxels=voxels)
+    whole = StackView(np.full((2, 4, 5), 7, np.uint16), 4000.0, voxels=voxels)
     assert whole.limit == 4000.0
     assert whole[1, 1:3, 2:].tolist() == [[7, 7, 7], [7, 4000, 7]]
     assert (whole[0] == 7).all()
-    assert MaskedStack(np.zeros((2, 4, 5), np.uint16), np.inf, voxels=voxels).limit == 65535
-    assert np.isnan(MaskedStack(np.zeros((2, 4, 5), np.float32), np.inf, voxels=voxels)[1][2, 3])
+    assert StackView(whole, 4000.0, is_reversed=True)[0, 1:3, 2:].tolist() == [[7, 7, 7], [7, 4000, 7]]
+    assert StackView(np.zeros((2, 4, 5), np.uint16), np.inf, voxels=voxels).limit == 65535
+    assert np.isnan(StackView(np.zeros((2, 4, 5), np.float32), np.inf, voxels=voxels)[1][2, 3])
     mask = np.zeros((4, 5), bool)
     mask[2, 3] = True
     for given in (mask, np.stack([mask, mask])):
-        assert np.argwhere(MaskedStack(whole, 4000.0, mask=given)[0, 1:, 2:] == 4000).tolist() == [[1, 1]]
+        assert np.argwhere(StackView(whole, 4000.0, mask=given)[0, 1:, 2:] == 4000).tolist() == [[1, 1]]
 
 
 GIVEN = {

@@ -93,7 +93,7 @@ def beads(
     from lommel.estimation.star_images import label
     from lommel.fit.findings import Finding, Findings
     from lommel.lensfiles.microscope_files import stage_step
-    from lommel.recorded.camera_noise import MaskedStack, hot_pixel_findings, hot_pixels
+    from lommel.recorded.camera_noise import StackView, hot_pixel_findings, hot_pixels
     from lommel.recorded.counts import Counts, counts_of
     from lommel.recorded.frames import combined_metadata, read_each
 
@@ -125,7 +125,7 @@ def beads(
             recorded_planes = stack[...]
             mask = camera.mask(recorded_planes)
             ignored = np.broadcast_to(False if mask is None else mask, recorded_planes.shape)
-            masked = MaskedStack(recorded_planes, math.inf if saturation is None else saturation, mask=ignored)
+            masked = StackView(recorded_planes, math.inf if saturation is None else saturation, mask=ignored)
             hot = hot_pixels(masked, noise, sharpest, masked.limit)
             prefix = f"{line(file)}: " if len(read) > 1 else ""
             findings += [replace(found, text=f"{prefix}{found.text}") for found in hot_pixel_findings(hot)]

@@ -18,7 +18,7 @@ from lommel.microscopy.held_out import MAX_VOXELS, SIDE, HeldOut, held_out_backg
 from lommel.microscopy.refinement import PARAMETERS, Progress, StackContext, estimate_z_direction, refined
 from lommel.recorded.camera_noise import (
     MAX_HOT_FRACTION,
-    MaskedStack,
+    StackView,
     contradiction,
     hot_pixel_findings,
     hot_pixels,
@@ -26,7 +26,7 @@ from lommel.recorded.camera_noise import (
     measured_noise,
     sharpness,
 )
-from lommel.recorded.counts import PlanePart, Stack, full_value, plane_of
+from lommel.recorded.counts import Stack, full_value, plane_of
 from lommel.recorded.noise import Noise
 
 _DARK_FRACTION = 0.02  # fraction of voxels darker than the offset above which a note is added
@@ -58,7 +58,7 @@ def prepared(
     """Return a stack without saturated, masked or hot voxels, with its noise."""
     limit = _saturation_limit(stack, saturation, remarks.notes)
     if mask is not None:
-        masked = MaskedStack(stack, limit, mask=mask)
+        masked = StackView(stack, limit, mask=mask)
         stack, limit = masked, masked.limit
         count = int(mask.sum())
         remarks.notes.append(f"{count} voxels ({100.0 * count / mask.size:.2g} %) are masked, and were left out.")
@@ -123,7 +123,7 @@ def _without_hot(context: StackContext, remarks: Remarks) -> StackContext:
     pixels = hot_pixels(stack, context.camera, sharpest, limit)
     if found := hot_pixel_findings(pixels):
         remarks.findings += found
-        stack = MaskedStack(stack, limit, mask=pixels)
+        stack = StackView(stack, limit, mask=pixels)
         limit = stack.limit
     hot = hot_voxels(stack, context.camera, sharpest, limit)
     fraction = len(hot) / math.prod(stack.shape)
@@ -135,25 +135,9 @@ def _without_hot(context: StackContext, remarks: Remarks) -> StackContext:
     elif fraction > 0.0:
         text = f"{subject}, in single planes: they were classified as cosmic rays or blinking pixels, and left out"
         remarks.findings.append(Finding("hot_pixels", "note", text, numbers))
-        stack = MaskedStack(stack, limit, voxels=hot)
+        stack = StackView(stack, limit, voxels=hot)
         limit = stack.limit
     return context._replace(stack=stack, saturation=limit)
-
-
-class _ReversedStack:
-    """A stack with its planes in reverse order."""
-
-    def __init__(self, stack: Stack) -> None:
-        self._stack = stack
-        self.shape, self.dtype = stack.shape, stack.dtype
-
-    def __len__(self) -> int:
-        return int(self.shape[0])
-
-    def __getitem__(self, index: PlanePart) -> Values:
-        plane, *rows_columns = index if isinstance(index, tuple) else (index,)
-        values: Values = self._stack[(len(self) - 1 - plane, *rows_columns)]
-        return values
 
 
 def oriented(
@@ -168,7 +152,8 @@ def oriented(
     if direction == "up":
         return context
     # Results are reversed again at the end.
-    return context._replace(stack=_ReversedStack(context.stack), model=replace(context.model, is_reversed=True))
+    stack = StackView(context.stack, context.saturation, is_reversed=True)
+    return context._replace(stack=stack, model=replace(context.model, is_reversed=True))
 
 
 def with_estimates(

@@ -142,15 +142,23 @@ def hot_voxels(stack: Stack, noise: Noise, sharpest: float, limit: float = math.
     return np.concatenate(positions)
 
 
-class MaskedStack:
+class StackView:
     """A stack whose unknown voxels are NaN or, in a stack of integers, have the value `limit`.
 
-    Unknown voxels are listed in `voxels` (planes, rows and columns), or are True in a `mask`.
+    Unknown voxels are listed in `voxels` (planes, rows and columns), or are True in a `mask`. With `is_reversed` its
+    planes, masked in their own order, are in the reverse order.
     """
 
     def __init__(
-        self, stack: Stack, limit: float, *, voxels: Array | None = None, mask: NDArray[np.bool_] | None = None
+        self,
+        stack: Stack,
+        limit: float,
+        *,
+        voxels: Array | None = None,
+        mask: NDArray[np.bool_] | None = None,
+        is_reversed: bool = False,
     ) -> None:
+        self._is_reversed = is_reversed
         self.shape, self.dtype = stack.shape, stack.dtype
         self._stack, self._voxels = stack, np.zeros((0, 3), int) if voxels is None else voxels
         self._mask = np.broadcast_to(False if mask is None else mask, self.shape)
@@ -166,6 +174,8 @@ class MaskedStack:
 
     def __getitem__(self, index: PlanePart) -> Values:
         plane, *slices = index if isinstance(index, tuple) else (index,)
+        plane = len(self) - 1 - plane if self._is_reversed else plane
+        index = (plane, *slices)
         part: Values = np.array(self._stack[index])
         part[self._mask[index]] = self._unknown
         unknown = self._voxels[self._voxels[:, 0] == plane][:, 1:]

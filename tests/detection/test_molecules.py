@@ -214,7 +214,7 @@ def test_empty_movies_and_dark_frames_have_no_spots():
         ({"frames": np.zeros(5)}, r"frames must have the shape \(frames, rows, columns\), at least the box"),
         ({"frames": np.zeros((2, 14, 20))}, r"at least the box of 15 x 15, got \(2, 14, 20\)"),
         ({"frames": np.full((20, 20), np.nan)}, r"frames must have pixels that are neither"),
-        ({"box": 0}, "shape must be"),
+        ({"box": 0}, "box must be"),
         ({"box": 5}, "width must be >= 0.5 and <= 1.25, got 2"),
         ({"threshold": 2.0}, "threshold must be >= 3"),
         ({"threshold": "high"}, "threshold must be a real number"),

@@ -16,6 +16,7 @@ import pytest
 import lommel as lm
 from lommel import imaging
 from lommel.base import units, validation
+from lommel.field import maps
 from lommel.io.psf_files import FileError
 from lommel.io.zernike_tables import ZernikeTable
 from lommel.lensfiles import tables
@@ -50,6 +51,8 @@ VOXELS = np.random.default_rng(0).poisson(100.0, (3, 12, 12)).astype(np.float32)
 MICROSCOPE = lm.load_microscope(Path(__file__).parents[2] / "examples" / "objectives" / "zeiss-63x-1.4-oil.toml")
 PLANES = lm.psf(MICROSCOPE.objective.pupil(depth=2e-6, z=[-3e-7, 0.0, 3e-7], wavelength=520e-9), 9, 6.5e-6)
 ONCE = imaging.RichardsonLucy(steps=1)
+OBJECTIVE = MICROSCOPE.objective
+EMISSION = OBJECTIVE.pupil(depth=1e-6, wavelength=520e-9)
 SPOTS = lm.localize.Table(
     MICROSCOPE.objective.pupil(depth=0.0, wavelength=520e-9), shape=9, pixel=6.5e-6, z=(-2e-7, 2e-7), tol=1e-2
 )
@@ -211,7 +214,7 @@ def entries(folder: Path) -> list[tuple[str, object, dict[str, object]]]:
         tagged("peak_error", lm.peak_error, values=SQUARE, reference=SQUARE),
         tagged("mtf", lm.mtf, pupil=PUPIL, **at, pixel=0.5, spectrum=None, tol=1e-8),
         tagged("otf", lm.otf, pupil=COMA, **at, pixel=0.5, spectrum=None, tol=1e-6),
-        tagged("ptf", lm.ptf, pupil=COMA, **at, spectrum=None, tol=1e-6),
+        tagged("ptf", lm.ptf, pupil=COMA, **at),
         tagged("mtf_frequency", lm.mtf_frequency, pupil=lm.Pupil(), level=0.5, angle=0.1, pixel=None),
         tagged("encircled", energy.encircled, pupil=PUPIL, radius=[1.0], method=None),
         tagged("spot.axis_strehl", spot.axis_strehl, psf=PSF),
@@ -247,6 +250,55 @@ def entries(folder: Path) -> list[tuple[str, object, dict[str, object]]]:
         tagged("deconvolve", lm.microscopy.deconvolve, stack=VOXELS, microscope=MICROSCOPE, **of_voxels),
         tagged("deconvolve", lm.microscopy.deconvolve, stack=VOXELS, microscope=PLANES, noise=lm.Noise(read=1.0),
                method=ONCE, background=0.0),
+        tagged("Seeing", lm.Seeing, r0=0.1, focal_length=2.0, wavelength=5e-7, outer_scale=20.0),
+        tagged("Seeing.from_fwhm", lm.Seeing.from_fwhm, fwhm=5e-6, focal_length=2.0, wavelength=5e-7),
+        tagged("Jitter", lm.Jitter, sigma=1.0, across=0.5, angle=0.1),
+        tagged("Motion", lm.Motion, length=1.0, angle=0.1),
+        tagged("ChargeDiffusion", lm.ChargeDiffusion, sigma=1.0),
+        tagged("Noise", lm.Noise, white=0.5, read=1.0, offset=100.0, excess=1.5),
+        tagged("Noise.record", lm.Noise(read=1.0).record, electrons=SQUARE, seed=1),
+        tagged("Disc", lm.Disc, radius=0.5, center=(0.1, 0.2)),
+        tagged("Polygon.regular", lm.Polygon.regular, sides=5, radius=0.5, angle=0.1),
+        tagged("Polygon.strip", lm.Polygon.strip, start=(0.0, 0.0), end=(1.0, 0.0), width=0.1),
+        tagged("Polygon.half_plane", lm.Polygon.half_plane, angle=0.1, offset=0.2),
+        tagged("Shape.turned", lm.Disc(0.5).turned, angle=0.1),
+        tagged("Shape.moved", lm.Disc(0.5).moved, x=0.1, y=0.2),
+        tagged("Segments", lm.Segments, shapes=(lm.Disc(0.5),), piston=(0.1,), tip=(0.1,), tilt=(0.1,)),
+        tagged("Segments.hexagonal", lm.Segments.hexagonal, rings=1, gap=0.01, middle=False, angle=0.1),
+        tagged("Segments.phased", lm.Segments.hexagonal(1).phased, piston=0.1, tip=0.1, tilt=0.1, unit="waves"),
+        tagged("Dipole", lm.Dipole, polar=0.5, azimuth=0.1, wobble=0.2),
+        tagged("Scalar", lm.Scalar, apodization="uniform", supercritical=True),
+        tagged("Layer", lm.Layer, index=1.5, thickness=1e-4),
+        tagged("Objective", lm.Objective, NA=1.2, magnification=60.0, immersion=1.333, working_distance=3e-4,
+               coverslip=lm.Layer(1.5255, 170e-6), sample=1.36, apodization=0.1),
+        tagged("Objective.pupil", OBJECTIVE.pupil, depth=1e-6, z=1e-7, wavelength=5e-7, origin="brightest",
+               emitter="isotropic", aberrations=lm.Wavefront(0.1)),
+        tagged("Objective.fields", OBJECTIVE.fields, radius=1e-7, depth=1e-6, focus=1e-6, wavelength=5e-7, tol=1e-6),
+        tagged("Objective.scalar", OBJECTIVE.scalar, radius=1e-7, depth=1e-6, focus=1e-6, wavelength=5e-7, tol=1e-6,
+               apodization="uniform", supercritical=True),
+        tagged("Objective.phase", OBJECTIVE.phase, rho=0.5, depth=1e-6, focus=1e-6, wavelength=5e-7),
+        tagged("Objective.transmission", OBJECTIVE.transmission, rho=0.5, wavelength=5e-7),
+        tagged("Objective.focus", OBJECTIVE.focus, depth=1e-6, wavelength=5e-7),
+        tagged("Objective.collected", OBJECTIVE.collected, depth=1e-6, wavelength=5e-7),
+        tagged("Objective.nyquist", OBJECTIVE.nyquist, wavelength=5e-7),
+        tagged("Vignetting", maps.Vignetting, height=[0.0, 1.0], shift=[0.0, 0.5], radius=1.1),
+        tagged("Foreshortening", maps.Foreshortening, height=[0.0, 1.0], along=[1.0, 0.8], across=[1.0, 0.9]),
+        tagged("Shading", maps.Shading, height=[0.0, 1.0], light=[1.0, 0.8]),
+        tagged("Shading.cos4", maps.Shading.cos4, distance=0.1),
+        tagged("FieldMap.seen_through", FIELD.seen_through, vignetting=maps.Vignetting([0.0, 1.0], [0.0, 0.5]),
+               shading=maps.Shading.cos4(0.1)),
+        tagged("FieldMap.illumination", FIELD.illumination, x=0.1, y=0.2),
+        tagged("fisher", lm.fisher, pupil=PUPIL, shape=5, pixel=0.5, of=("row", "defocus"), photons=1e3,
+               background=1.0, noise=lm.Noise(read=1.0)),
+        tagged("find_spots", lm.detection.find_spots, images=100.0 * SQUARE, noise=lm.Noise(read=1.0), window=15, threshold=8.0),
+        tagged("find_crossings", lm.detection.find_crossings, images=np.kron(np.eye(2), np.ones((30, 30))) * 900.0,
+               noise=lm.Noise(read=1.0), window=15, threshold=8.0),
+        tagged("grid_indices", lm.detection.grid_indices, places=[[0.0, 0.0], [0.0, 9.0], [9.0, 0.0], [9.0, 9.0]]),
+        tagged("slanted_edge", imaging.slanted_edge, shape=(9, 9), angle=5.0, supersample=2, dark=0.1, bright=0.9),
+        tagged("bead", lm.microscopy.bead, pupil=EMISSION, diameter=1e-7, shape=3, pixel=6.5e-6, tol=1e-3),
+        tagged("confocal", lm.microscopy.confocal, excitation=EMISSION, emission=EMISSION, shape=3, pixel=6.5e-6,
+               pinhole=1.0, tol=1e-3),
+        tagged("localize.find", lm.localize.find, frames=np.ones((1, 24, 24)), box=15, threshold=6.0),
         tagged("load_camera", lm.load_camera, path="andor-zyla-5.5"),
         tagged("Polychromatic", Polychromatic, wavelengths=[5e-7, 6e-7], weights=[1.0, 2.0], method=Hankel(),
                tol=1e-6),
@@ -440,6 +492,32 @@ def test_an_array_in_place_of_anything_is_taken_or_refused_by_name(value, files)
     known = entries(files)
     found = [refused(entry, name, value) for entry in known for name in entry[2] if not far(name, value)]
     assert not any(found), "\n".join(filter(None, found))
+
+
+# What no argument of a kind is; any argument is no object without properties.
+OF_NO_KIND = {bool: ("yes", 2), int: ("1", 2.5, math.nan), float: ("1", 1j, math.nan), str: (1, "no such")}
+# Attributes of results are not checked; numbers without a unit are angles; texts of messages may show anything.
+UNCHECKED = {
+    ("PSF", name) for name in ("normalize", "error_bound", "scale", "derivatives", "derivative_bounds", "blur")
+}
+UNCHECKED |= {("format_length", "metres"), ("parse_angle", "text")}
+
+
+@pytest.mark.quick
+def test_what_an_argument_cannot_be_is_refused_by_name_whatever_the_argument(files):
+    found = []
+    for entry in entries(files):
+        entry[1](**entry[2])  # what is right is taken
+        for name, valid in entry[2].items():
+            for value in (object(), *OF_NO_KIND.get(type(valid), ())) if (entry[0], name) not in UNCHECKED else ():
+                try:
+                    entry[1](**entry[2] | {name: value})
+                except Exception as error:
+                    told = complaint(error, entry[0], name, value)
+                else:
+                    told = "is taken"
+                found += [f"{entry[0]}({name}={value!r}): {told}"] if told else []
+    assert not found, "\n".join(found)
 
 
 @pytest.mark.parametrize("kind", ["array", "recording"])

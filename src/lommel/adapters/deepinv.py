@@ -149,7 +149,7 @@ def psf_generator(
     import torch
     from deepinv.physics.generator import PSFGenerator
 
-    shape = validation.image_shape(psf_size)
+    shape = validation.image_shape(psf_size, "psf_size")
     pixel = 2.0 * validation.real("fc", fc, above=0.0, most=0.25)
     width = validation.real("max_zernike_amplitude", max_zernike_amplitude, least=0.0)
     pairs = all(isinstance(index, tuple) for index in zernike_index)

@@ -349,15 +349,15 @@ def kind(name: str, value: object, *allowed: type[np.generic]) -> np.dtype[Any]:
     return dtype
 
 
-def image_shape(shape: object) -> tuple[int, int]:
+def image_shape(shape: object, name: str = "shape") -> tuple[int, int]:
     """Return ``(height, width)`` from an int (a square) or a pair of ints, each 1 to `MAX_SIDE`."""
     if isinstance(shape, tuple | list) or (isinstance(shape, np.ndarray) and shape.ndim > 0):
         sides = tuple(shape)
     else:
         sides = shape, shape
     if len(sides) != 2:
-        raise ValueError(f"shape must be an integer or (height, width), got {shown(shape)}")
-    height, width = (integer("shape", side, least=1, most=MAX_SIDE) for side in sides)
+        raise ValueError(f"{name} must be an integer or (height, width), got {shown(shape)}")
+    height, width = (integer(name, side, least=1, most=MAX_SIDE) for side in sides)
     return height, width
 
 

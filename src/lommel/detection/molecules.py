@@ -152,7 +152,7 @@ def find(
     >>> spots.frame, spots.row + 7, spots.column + 7
     (array([1]), array([31]), array([41]))
     """
-    rows, columns = box = validation.image_shape(box)
+    rows, columns = box = validation.image_shape(box, "box")
     counts = frames if isinstance(frames, Counts) else frame_counts(frames, box, saturation=saturation)
     start = validation.integer("first", first, least=0, most=validation.MAX_VALUES)
     level = validation.real("threshold", threshold, least=3.0, most=1e3)

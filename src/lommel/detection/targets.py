@@ -261,7 +261,7 @@ def find_spots(
 
 def checked_window(window: int | tuple[int, int]) -> tuple[int, int]:
     """Return rows and columns of a window; ValueError if it is under 5 x 5 pixels."""
-    rows, columns = validation.image_shape(window)
+    rows, columns = validation.image_shape(window, "window")
     if min(rows, columns) < 5:
         raise ValueError(f"window must be at least 5 x 5 pixels, got {rows} x {columns}")
     return rows, columns

@@ -259,6 +259,9 @@ def fisher(
     if not np.all(flux > 0.0):
         raise ValueError(f"photons must be > 0 electrons, got {flux.min():g}")
     level = validation.real_array("background", background, least=0.0)
+    for name, values in (("photons", flux), ("background", level)):
+        if not values.size:
+            raise ValueError(f"{name} must not be empty, got shape {values.shape}")
     validation.optional("noise", noise, Noise)
     validation.truth("together", together)
     camera = noise or Noise(read=0.0)

@@ -167,12 +167,8 @@ def beads(
     ]
     numbers = {name: facts[name] for name in ("coefficients", "errors")} | {"units": units, "places": places}
     shown = tables(numbers, titles)
-    return (
-        report_findings(
-            facts, Wrapped(facts["message"].partition("; ")[0], "bold"), "", *shown, *_widths(facts["fwhm"])
-        )
-        + files
-    )
+    verdict = Wrapped(facts["message"].partition("; ")[0], "bold")
+    return report_findings(facts, verdict, "", *shown, "", *_widths(facts["fwhm"])) + files
 
 
 def _fitted(microscope: Microscope, result: BeadFit, step: float) -> Microscope:

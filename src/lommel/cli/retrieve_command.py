@@ -113,9 +113,8 @@ def retrieve(
     ]
     lines = [Wrapped(f"blur: {'; '.join(blurs)}")] if any(blurs) else []
     shown = tables(facts | {"row": row, "column": column}, titles)
-    return (
-        report_findings(facts, Wrapped(facts["message"].partition("; ")[0], "bold"), "", *shown, *lines, "") + files
-    )
+    verdict = Wrapped(facts["message"].partition("; ")[0], "bold")
+    return report_findings(facts, verdict, "", *shown, *lines, "") + files
 
 
 def _files(paths: list[Path]) -> list[Path]:

@@ -72,6 +72,21 @@ class State(NamedTuple):
         return State(light, outside)
 
 
+class _Estimate:
+    """A quantity that steps change, and its extrapolation `guess`, from which the next step starts."""
+
+    def __init__(self, start: Values) -> None:
+        self._now = self._before = self.guess = start
+
+    def extrapolate(self, factor: float, least: float) -> None:
+        """Set `guess` from the last two steps."""
+        self.guess = _extrapolate(self._now, self._before, factor, least)
+
+    def step(self, ratio: Values, least: float) -> None:
+        """Multiply `guess` by a ratio."""
+        self._before, self._now = self._now, np.maximum(self.guess * ratio, least)
+
+
 class Iteration:
     """Richardson-Lucy steps with memory for two specimens and one recording.
 
@@ -96,28 +111,25 @@ class Iteration:
         dim_level = _DIM_START * counted.level
         level, self._background_unknown = background.level, background.level is None
         start = np.maximum(counted.start - level, dim_level) if level is not None else np.asarray(dim_level)
-        self._background_prescribed = self._prescribed is not None and background.points == 1
         if level is None:
             # If a uniform scene agrees with the recording within the noise, all light is background.
             # Otherwise the background starts from the light of the darkest parts, which contain little specimen.
             counted.background = 0.0
             darkest = counted.level if counted.flat() <= 1.0 + counted.slack else counted.darkest()
             level = max(min(darkest, counted.level - dim_level), counted.smallest)
-        self._background = np.full((background.points, background.points), level)
-        if self._prescribed and self._background_prescribed:
-            self._background = self._prescribed[0].background
-        self._background_before = self._extrapolated_background = self._background
-        counted.set_background(self._extrapolated_background)
+        levels = np.full((background.points, background.points), level)
+        self._background_prescribed = bool(self._prescribed) and background.points == 1
+        self._background = _Estimate(
+            self._prescribed[0].background if self._prescribed and self._background_prescribed else levels
+        )
+        counted.set_background(self._background.guess)
         self._light = np.full(blur.whole, start, dtype=counted.dtype)  # result of the last step
         # Result of the step before the last; the extrapolated light then overwrites it.
         self._before: Values | None = None
         self._misfit = np.empty(blur.shape, dtype=counted.dtype)  # weighted ratio of counts to model, less 1
         blur.weigh(counted.most_weight)
         # Light of the specimen beyond its margin, one value for each plane, if the blur models it.
-        self._outside = None if blur.outside is None else np.full(blur.whole[0], start, dtype=counted.dtype)
-        self._outside_before = self._outside
-        self._extrapolation = 0.0
-        self._strength = 0.0
+        self._outside = None if blur.outside is None else _Estimate(np.full(blur.whole[0], start, counted.dtype))
         self.strength: float | None = None  # estimated weight of the total variation
         # Last change of the light, sampled with stride _STRIDE.
         self._last_change = np.zeros([-(-side // _STRIDE) for side in blur.whole], dtype=counted.dtype)
@@ -141,7 +153,7 @@ class Iteration:
         if state.light is not None:
             self._light = at_least(state.light, self._counted.smallest)
         if state.outside is not None:
-            self._outside = self._outside_before = np.maximum(state.outside, self._counted.smallest)
+            self._outside = _Estimate(np.maximum(state.outside, self._counted.smallest))
 
     def solve(self, method: RichardsonLucy | TotalVariation, report: ProgressCallback) -> tuple[int, str, Array]:
         """Iterate until a stopping rule applies; return the number of steps, the reason and the discrepancies."""
@@ -168,15 +180,14 @@ class Iteration:
                     rule.extrapolation = 0.0
             previous = discrepancy
 
-    def _evaluate(self, extrapolation: float) -> float:
+    def _evaluate(self, extrapolation: float, strength: float = 0.0) -> float:
         """Extrapolate the last step, compute its image and misfit, and return the discrepancy."""
-        settings = StepSettings(extrapolation, self._extrapolated_background, self._strength)
+        settings = StepSettings(extrapolation, self._background.guess, strength)
         if self._prescribed:
             settings = self._prescribed[min(len(self.course), len(self._prescribed) - 1)]
-        self._extrapolation, self._strength = settings.extrapolation, settings.strength
-        self._extrapolate(settings.background)
+        self._extrapolate(settings)
         self.discrepancies = self._counted.discrepancies(self._blur, self.guess, self._misfit)
-        self.course.append(settings._replace(background=self._extrapolated_background))
+        self.course.append(settings._replace(background=self._background.guess))
         self._specimen_discrepancies.append(self._counted.of_specimen[0])
         return self._counted.mean(self.discrepancies)
 
@@ -192,15 +203,17 @@ class Iteration:
         # Compare with half as many steps, so that even a slow improvement is detected.
         return history[-1] <= target or history[(len(history) - 1) // 2] - history[-1] < slack
 
-    def _extrapolate(self, prescribed_background: Array) -> None:
+    def _extrapolate(self, settings: StepSettings) -> None:
         """Extrapolate light and background; the light overwrites the result of the step before the last."""
-        factor, smallest = self._extrapolation, self._counted.smallest
-        if self._outside is not None and self._outside_before is not None:
-            self._blur.outside = _extrapolate(self._outside, self._outside_before, factor, smallest)
+        factor, smallest = settings.extrapolation, self._counted.smallest
+        if self._outside is not None:
+            self._outside.extrapolate(factor, smallest)
+            self._blur.outside = self._outside.guess
         if self._background_unknown:
-            estimate = _extrapolate(self._background, self._background_before, factor, smallest)
-            self._extrapolated_background = prescribed_background if self._background_prescribed else estimate
-            self._counted.set_background(self._extrapolated_background)
+            self._background.extrapolate(factor, smallest)
+            if self._background_prescribed:
+                self._background.guess = settings.background
+            self._counted.set_background(self._background.guess)
         if self._before is None:
             return
         for light, before in zip(self._light, self._before, strict=True):
@@ -233,14 +246,12 @@ class Iteration:
         """Call `consume` with the parts of A^T of the misfit; update the background and the light beyond margins."""
         misfit, smallest = self._misfit, self._counted.smallest
         if self._background_unknown:
-            levels = self._extrapolated_background
-            means = self._counted.means(misfit, len(levels))
-            self._background_before = self._background
-            self._background = np.maximum(levels * (1.0 + means), smallest)
+            means = self._counted.means(misfit, len(self._background.guess))
+            self._background.step(1.0 + means, smallest)
         results = self._blur.adjoint(misfit, consume)
         if self._outside is not None:
-            stepped = self._blur.outside * np.maximum(1.0 + self._blur.outside_back * self._blur.per_outside, 0.0)
-            self._outside_before, self._outside = self._outside, np.maximum(stepped, smallest)
+            ratio = np.maximum(1.0 + self._blur.outside_back * self._blur.per_outside, 0.0)
+            self._outside.step(ratio, smallest)
         return results
 
     def _update_change(self, plane: int, rows: slice, columns: slice, stepped: Values, guess: Values) -> float:
@@ -319,7 +330,7 @@ class VariationIteration(Iteration):
         self._aspect = None if aspect is None else np.float32(aspect)
         self._threads = threads
         self._spare: Values | None = None  # memory for the next step
-        self._likelihood = 0.0
+        self._likelihood = self._strength = 0.0
         self._rounding = counted.dtype.type(max(_ROUNDING * counted.level, counted.smallest))
         self.objectives: list[float] = []  # at the start of each step with the current strength
         self.strength = self._prescribed[-1].strength if self._prescribed else 0.0
@@ -381,7 +392,7 @@ class VariationIteration(Iteration):
                 if self._prescribed is None and count > _CONVERGENCE_STEPS and (self._counted.settles or not final):
                     fall = self.objectives[-1 - _CONVERGENCE_STEPS] - self.objectives[-1]
                     steps = count if fall < _CONVERGED * self._likelihood else steps
-            discrepancy = self._evaluate(extrapolation)
+            discrepancy = self._evaluate(extrapolation, self._strength)
             seconds_per_step = (time.perf_counter() - self._start_time) / len(self.course)
             count = len(self.objectives)
             # Another strength starts near its result, and takes about twice the steps of a test of convergence.
@@ -390,8 +401,9 @@ class VariationIteration(Iteration):
             if count >= steps or (self._prescribed and len(self.course) >= len(self._prescribed)):
                 return discrepancy
 
-    def _evaluate(self, extrapolation: float) -> float:
-        discrepancy = super()._evaluate(extrapolation)
+    def _evaluate(self, extrapolation: float, strength: float = 0.0) -> float:
+        discrepancy = super()._evaluate(extrapolation, strength)
+        self._strength = self.course[-1].strength
         # Half of the deviance, in units of light: sum w (m - y ln m) up to a constant.
         sums = self.discrepancies * np.maximum(self._counted.known, 1) / (2.0 * self._counted.white)
         self._likelihood = float(sums.sum()) * self._counted.expected

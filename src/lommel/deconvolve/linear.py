@@ -9,6 +9,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Protocol, TypeVar
 
 import numpy as np
+import scipy
 from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import validation
@@ -259,7 +260,6 @@ def linear_operator(
     dtype: np.dtype[np.floating],
 ) -> LinearOperator:
     """Return a SciPy LinearOperator that maps images of shape `dims` to images of shape `result_shape`."""
-    from scipy.sparse.linalg import LinearOperator
 
     def of_vectors(function: Callable[[Values], Values], shape: tuple[int, ...]) -> Callable[[Values], Values]:
         def act(vector: Values) -> Values:
@@ -267,7 +267,7 @@ def linear_operator(
 
         return act
 
-    operator = LinearOperator(
+    operator = scipy.sparse.linalg.LinearOperator(
         (math.prod(result_shape), math.prod(dims)),
         of_vectors(forward, dims),
         of_vectors(adjoint, result_shape),
@@ -452,11 +452,9 @@ def _pieces(nodes: Nodes, places: Array) -> tuple[Array, Array, Array]:
     """
     if nodes.count == 1:
         return np.zeros(places.shape), np.array([0.0, 1.0]), np.ones((1, 1, 1))
-    from scipy.interpolate import BSpline
-
     knots, degree = nodes.knots
     count = nodes.count
-    splines = BSpline(knots, np.eye(count), degree)
+    splines = scipy.interpolate.BSpline(knots, np.eye(count), degree)
     order = next(order for order in _ORDERS if order > degree)
     breaks = np.ascontiguousarray(knots[degree : count + 1])
     powers = np.zeros((count - degree, order, order))

@@ -16,7 +16,7 @@ from itertools import chain
 from typing import Any, NamedTuple
 
 import numpy as np
-from scipy import ndimage, special
+import scipy
 
 from lommel.base.arrays import Array, Json
 from lommel.base.units import format_length, percent, with_error
@@ -303,8 +303,10 @@ class Checks:
         if self._recording.frames < _MIN_FRAMES or counts.sum() < min_count:
             return []
         # Spots of one emitter may be located on neighbouring pixels.
-        sums = ndimage.convolve(counts, np.ones((3, 3), np.int64), mode="constant")
-        row, column = np.nonzero((sums >= min_count) & (counts == ndimage.maximum_filter(counts, 5)) & (counts > 0))
+        sums = scipy.ndimage.convolve(counts, np.ones((3, 3), np.int64), mode="constant")
+        row, column = np.nonzero(
+            (sums >= min_count) & (counts == scipy.ndimage.maximum_filter(counts, 5)) & (counts > 0)
+        )
         order = np.argsort(-sums[row, column], kind="stable")
         return [(int(row[k]), int(column[k]), int(sums[row[k], column[k]])) for k in order]
 
@@ -364,8 +366,9 @@ class ChangeImages:
             self.names.append(name)
             scales.append(size)
         self.scales = np.array(scales)
-        averaged = (_SUBPIXELS**2 * ndimage.uniform_filter(change, (0, _SUBPIXELS, _SUBPIXELS)) for change in changes)
-        self._splines = [ndimage.spline_filter(change) for change in averaged]
+        sides = 0, _SUBPIXELS, _SUBPIXELS
+        averaged = (_SUBPIXELS**2 * scipy.ndimage.uniform_filter(change, sides) for change in changes)
+        self._splines = [scipy.ndimage.spline_filter(change) for change in averaged]
 
     def combined(self, sizes: Array) -> ChangeImages:
         """Return a single change, the sum of all changes multiplied by `sizes`."""
@@ -381,7 +384,7 @@ class ChangeImages:
         points[1] = self._middle[0] + _SUBPIXELS * (np.arange(height) - row[:, None])[:, :, None]
         points[2] = self._middle[1] + _SUBPIXELS * (np.arange(width) - column[:, None])[:, None, :]
         return np.stack(
-            [ndimage.map_coordinates(spline, points, prefilter=False) for spline in self._splines], axis=1
+            [scipy.ndimage.map_coordinates(spline, points, prefilter=False) for spline in self._splines], axis=1
         )
 
 
@@ -423,11 +426,11 @@ class Score(NamedTuple):
             errors = np.sqrt(np.diagonal(np.linalg.inv(information), axis1=1, axis2=2))
             largest = np.unravel_index(np.abs(sizes / errors).argmax(), sizes.shape)
             # The sum of squares of 2 n normal deviates has a chi-squared distribution with 2 n degrees of freedom.
-            chance = float(special.gammaincc(len(group), 0.5 * (slopes * sizes).sum()))
+            chance = float(scipy.special.gammaincc(len(group), 0.5 * (slopes * sizes).sum()))
             tests.append((chance, abs(float(sizes[largest])), float(errors[largest])))
         chance, size, error = min(tests)
         # The two-sided deviation of a normal variable, in standard deviations, with this probability.
-        return float(-special.ndtri(max(0.5 * chance, 1e-300))), size, error
+        return float(-scipy.special.ndtri(max(0.5 * chance, 1e-300))), size, error
 
 
 def _eliminate(information: Array, slope: Array, count: int) -> tuple[Array, Array, Array]:

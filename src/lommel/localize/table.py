@@ -19,8 +19,8 @@ from functools import cached_property, partial
 from typing import Any, NamedTuple
 
 import numpy as np
+import scipy
 from numpy.typing import ArrayLike, NDArray
-from scipy import ndimage
 
 from lommel.base import validation
 from lommel.base.arrays import Array
@@ -384,7 +384,7 @@ class Table:
         shape, center = (rows + 2 * margin, columns + 2 * margin), (margin - first[0], margin - first[1])
         samples, error = self._samples(sampling, shape, center, exact)
         kernel = np.concatenate([taps.filter[:0:-1], taps.filter])
-        filtered = ndimage.correlate1d(ndimage.correlate1d(samples, kernel, axis=1), kernel, axis=2)
+        filtered = scipy.ndimage.correlate1d(scipy.ndimage.correlate1d(samples, kernel, axis=1), kernel, axis=2)
         filtered = filtered[:, margin : margin + rows, margin : margin + columns]
         series = np.einsum("pkz,zyx->pkyx", planes.matrix, filtered, optimize=True)
         # A value is the fraction of the collected light in a pixel, as in lommel.psf.

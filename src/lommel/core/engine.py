@@ -203,7 +203,7 @@ def chordal_images(
     terms, count = np.array(wanted.terms, dtype=np.int32), len(stack.edge)
     slopes = Slopes(np.empty((len(terms), count, *window.shape), wanted.dtype), np.empty((len(terms), count)))
     derivatives = {"factors": terms, "slopes": slopes.values, "bounds": slopes.error}
-    images = _disk_images(_core.chordal_derivatives, relative_to, stack, window, tol, wanted, **derivatives)
+    images = _disk_images(_core.chordal_derivatives, relative_to, stack, window, tol, wanted, "", **derivatives)
     return images._replace(slopes=slopes)
 
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import lru_cache, partial
+from functools import cached_property, lru_cache, partial
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -28,7 +28,7 @@ from lommel.methods.layers.chordal_debye import MIN_MARGIN, Planes, Rule
 from lommel.methods.layers.chordal_debye import SampleLattice as Samples
 from lommel.optics.aperture.apodization import Apodization, illumination
 from lommel.optics.layers.emitter import Emitter
-from lommel.optics.layers.objective import Objective
+from lommel.optics.layers.objective import Objective, layers_of
 from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.recorded.counts import Counts
@@ -132,13 +132,13 @@ class Setup:
             depth=depth, z=z, wavelength=self.wavelength, origin=origin, emitter=self.emitter, aberrations=aberrations
         )
 
-    @property
+    @cached_property
     def pixel_v(self) -> float:
         """Pixel pitch in units of v."""
         objective = self.objective
         return 2.0 * math.pi * objective.NA * self.pixel / (self.wavelength * objective.magnification)
 
-    @property
+    @cached_property
     def radius(self) -> float:
         """Radius of the bead in units of v."""
         return math.pi * self.objective.NA * self.diameter / self.wavelength
@@ -293,7 +293,7 @@ class BeadImages:
     ) -> Array:
         """Return images and, unless `by` is None, their derivatives as well; `by` are names in `AMPLITUDES`."""
         objective, pixel_v, count = setup.objective, setup.pixel_v, len(stack.z)
-        layers = objective._layers(setup.wavelength)
+        layers = layers_of(objective, setup.wavelength)
         center = (stack.shape[0] // 2 + place.row, stack.shape[1] // 2 + place.column)
         samples = Samples(stack.shape, center, pixel_v, _filter_half_width(setup))
         edge = np.concatenate([waves * self.factors, self._fixed_coefficients, np.zeros(2)])[None]
@@ -372,7 +372,7 @@ def _light_derivative(setup: Setup, name: str, depth: Array) -> float:
     """Return the derivative of the logarithm of the collected light with respect to an amplitude coefficient."""
     h, n, logarithms = CONSTANTS[name].step, AMPLITUDES[name], []
     for value in (setup.value(name) + h, setup.value(name) - h):
-        layers = setup.with_constant(name, value).objective._layers(setup.wavelength)
+        layers = layers_of(setup.with_constant(name, value).objective, setup.wavelength)
         # Derivatives of images neglect that the largest amplitude is normalized to 1: compensate for this here.
         factor = (layers.exponent[0] if layers.exponent else 0.0) + value * math.sqrt(n + 1.0) * (-1.0) ** (n // 2)
         logarithms.append(math.log(float(light_by_rule.collected(layers, setup.emitter, depth)[0])) + 2.0 * factor)

@@ -138,6 +138,7 @@ def ripple_terms(estimated: Sequence[Term]) -> tuple[Term, ...]:
     return (*ripples, *zones)
 
 
+@lru_cache(maxsize=1024)
 def label(name: Name) -> str:
     """Return the label of a term in a table: Noll's index and the usual name of the aberration."""
     if isinstance(name, str):

@@ -84,6 +84,7 @@ _FRINGE = dict(enumerate([*((n, s) for n, m in _GROUPS for s in ((m, -m) if m el
 _FRINGE_INDEX = {term: j for j, term in _FRINGE.items()}
 
 
+@lru_cache(maxsize=1024)
 def rms_factor(n: int, m: int) -> float:
     """Return the value at the edge of the pupil (rho = 1) of a term normalized to unit rms.
 

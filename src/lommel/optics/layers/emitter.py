@@ -14,7 +14,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -138,7 +138,7 @@ class Dipole:
             raise ValueError(f"wobble must be from 0 to 1, got {wobble:g}")
         vars(self).update(polar=polar, azimuth=azimuth, wobble=wobble)
 
-    @property
+    @cached_property
     def moments(self) -> Array:
         """Three times the mean of ``p p^T`` over its directions: the unit matrix for a freely rotating dipole."""
         lateral, azimuth = math.sin(self.polar), self.azimuth
@@ -146,7 +146,7 @@ class Dipole:
         p = np.array([lateral * math.cos(azimuth), lateral * math.sin(azimuth), math.cos(self.polar)])
         return np.asarray(3.0 * (1.0 - self.wobble) * np.outer(p, p) + self.wobble * np.eye(3))
 
-    @property
+    @cached_property
     def light(self) -> Light:
         """Model of the field integrals, and forms of the intensity."""
         M = self.moments
@@ -190,7 +190,7 @@ class Beam:
             raise ValueError(f"polarization must be a name or two finite numbers, not both 0, got {got}")
         object.__setattr__(self, "polarization", tuple(jones.astype(complex).tolist()))
 
-    @property
+    @cached_property
     def light(self) -> Light:
         """Model of the field integrals, and forms of the intensity."""
         waves = self._waves(np.eye(3))
@@ -243,7 +243,7 @@ class Absorbed(Beam):
 
     dipole: Dipole = Dipole(0.0, 0.0)
 
-    @property
+    @cached_property
     def light(self) -> Light:
         """Model of the field integrals, and forms of the intensity."""
         return _light(self._vector_beam or "vectorial", self._waves(self.dipole.moments))
@@ -290,7 +290,7 @@ class Scalar:
         validation.choice("apodization", self.apodization, ("uniform", "aplanatic"))
         validation.truth("supercritical", self.supercritical)
 
-    @property
+    @cached_property
     def light(self) -> Light:
         """Model of the field integrals, and forms of the intensity."""
         model = Model("scalar", aplanatic=self.apodization == "aplanatic", supercritical=self.supercritical)

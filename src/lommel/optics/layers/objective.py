@@ -294,18 +294,7 @@ class Objective:
 
     def _layers(self, wavelength: float) -> Layers:
         """Return the layers at a wavelength, with paths of the layers in use minus paths of the design."""
-        metres = validation.wavelength(wavelength)
-        actual, design = Design(self.immersion, self.coverslip), self.design
-        paths = []
-        for media, thickness, sign in ((actual, self._clearance, 1.0), (design, self.working_distance, -1.0)):
-            if actual != design and thickness is not None:
-                paths.append((media.immersion, sign * thickness))
-                paths += [(media.coverslip.index, sign * media.coverslip.thickness)] if media.coverslip else []
-        glass = self.coverslip.index if self.coverslip else self.immersion
-        films = tuple((film.index, film.thickness) for film in self.films)
-        transmission = illumination(self.apodization)
-        exponent = () if transmission.uniform else tuple(transmission.exponent.tolist())
-        return Layers(self.NA, self.immersion, glass, self.sample, films, tuple(paths), metres, exponent)
+        return layers_of(self, validation.wavelength(wavelength))
 
     def _paraxial(self, depth: Array) -> Array:
         """Return the stage positions of the paraxial focus for emitters at these depths, metres."""
@@ -726,4 +715,22 @@ def _lateral_width(layers: Layers, depth: float, focus: float) -> float:
             return float(2.0 * end / (layers.wavenumber * layers.NA))
     raise ValueError(
         f"depth must be small enough for a focus that falls to half of its maximum laterally, got {depth:g} m"
+    )
+
+
+@lru_cache(maxsize=64)
+def layers_of(objective: Objective, wavelength: float) -> Layers:
+    """Return the layers of an objective, with paths of the layers in use minus paths of the design, cached."""
+    actual, design = Design(objective.immersion, objective.coverslip), objective.design
+    paths = []
+    for media, thickness, sign in ((actual, objective._clearance, 1.0), (design, objective.working_distance, -1.0)):
+        if actual != design and thickness is not None:
+            paths.append((media.immersion, sign * thickness))
+            paths += [(media.coverslip.index, sign * media.coverslip.thickness)] if media.coverslip else []
+    glass = objective.coverslip.index if objective.coverslip else objective.immersion
+    films = tuple((film.index, film.thickness) for film in objective.films)
+    transmission = illumination(objective.apodization)
+    exponent = () if transmission.uniform else tuple(transmission.exponent.tolist())
+    return Layers(
+        objective.NA, objective.immersion, glass, objective.sample, films, tuple(paths), wavelength, exponent
     )

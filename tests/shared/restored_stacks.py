@@ -18,7 +18,13 @@ def deconvolved(stack: Any, microscope: Any, *, noise: Any = None, **given: Any)
 
 def scanning(objective: lm.Objective, kind: Any, **modality: Any) -> lm.Microscope:
     """Return a microscope of another modality."""
-    given: Any = {"objective": objective, "wavelength": 520e-9, "depth": 0.0, "pixel": 6e-6}
     return lm.Microscope(
-        "", "", emitter=emitter_of("isotropic"), modality=lm.microscopy.Modality(kind, **modality), **given
+        name="",
+        source="",
+        objective=objective,
+        wavelength=520e-9,
+        depth=0.0,
+        pixel=6e-6,
+        emitter=emitter_of("isotropic"),
+        modality=lm.microscopy.Modality(kind, **modality),
     )

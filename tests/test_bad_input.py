@@ -1,4 +1,4 @@
-"""Every bad input, for every method: a ValueError or TypeError that names the argument and the value."""
+"""Bad input beyond what tests/fuzz/test_arguments.py gives to every argument: ranges, shapes, kinds of objects."""
 
 from __future__ import annotations
 
@@ -12,11 +12,8 @@ import pytest
 import lommel as lm
 from cases import each
 from lommel.imaging.blur import Points
-from lommel.io.zernike_tables import ZernikeTable
-from lommel.lensfiles import tables
 from lommel.measures.errors import mse
 from lommel.methods import METHODS, Hankel, NijboerZernike
-from lommel.optics.aperture.opening import Opening
 from lommel.optics.base_pupil import Geometry
 from lommel.paper import FresnelErf
 
@@ -25,9 +22,6 @@ METHOD = each("method", [kind() for kind in METHODS.values()])
 PUPIL = lm.Lens(focal_length=50e-3, f_number=2.0, focus_distance=2.0, wavelength=500e-9).pupil(1.9)
 SPHERICAL = lm.Pupil(lm.Wavefront(spherical=1.0))
 
-# What is no finite real number, and how a message shows it.
-NOT_FINITE = [(math.nan, "nan"), (math.inf, "inf"), (-math.inf, "-inf")]
-NOT_REAL = [("1", "'1'"), (None, "None"), (True, "True"), (1j, "1j"), ({}, "{}"), (np.complex128(1), "(1+0j)")]
 NOT_POSITIVE = [(0, "0"), (-1.0, "-1")]
 
 
@@ -46,14 +40,12 @@ def refuses(call, name: str, shown: str) -> None:
 @table(
     ("shape", [(0, "0"), (-1, "-1"), (2.5, "2.5"), ((0, 5), "0"), ((5, -5), "-5"), ((3,), "(3,)")]),
     ("shape", [((3, 3, 3), "(3, 3, 3)"), ((), "()"), (10**6, "1000000"), ((5, 16385), "16385")]),
-    ("shape", [((5, 2.5), "2.5"), (True, "True"), ("5", "'5'"), (None, "None"), (math.nan, "nan")]),
-    ("shape", [((5, None), "None"), (5j, "5j")]),
-    ("pixel", [*NOT_FINITE, *NOT_REAL, *NOT_POSITIVE, (3.45, "3.45e-6"), (1e300, "1e+300"), ([1e-6], "[1e-06]")]),
+    ("shape", [((5, 2.5), "2.5"), ((5, None), "None")]),
+    ("pixel", [*NOT_POSITIVE, (3.45, "3.45e-6"), (1e300, "1e+300"), ([1e-6], "[1e-06]")]),
     ("center", [(1, "1"), ((1, 2, 3), "(1, 2, 3)"), (("a", 1), "'a'"), ((1, math.nan), "nan"), ((1e9, 1), "1e+09")]),
-    ("integrate", [(1, "1"), ("yes", "'yes'")]),
     ("derivatives", [(("coma",), "'coma'"), ("defocus", "got 'defocus'"), (None, "None"), (1, "1")]),
-    ("threads", [(0, "0"), (-1, "-1"), (2.5, "2.5"), ("2", "'2'"), (True, "True"), (10**6, "1000000")]),
-    ("normalize", [("Energy", "'Energy'"), ("", "''"), (None, "None"), (1, "1"), (["peak"], "['peak']")]),
+    ("threads", [(0, "0"), (1025, "1025")]),
+    ("normalize", [("Energy", "'Energy'"), (None, "None"), (["peak"], "['peak']")]),
     ("dtype", [("float16", "'float16'"), (int, "int"), (complex, "complex"), ("junk", "'junk'"), (">f8", "'>f8'")]),
     ("dtype", [("2f4", "'2f4'"), (3, "3"), (np.longdouble, "longdouble")]),
     ("pupil", [(lm.Wavefront(1.0), "a Wavefront"), (None, "None"), (1.0, "1.0"), ([PUPIL], "[<Pupil")]),
@@ -76,16 +68,12 @@ def test_a_pixel_beyond_all_numbers_is_refused_in_lambda_N_too(kind, pixel):
 
 
 @table(
-    ("defocus", [*NOT_FINITE, *NOT_REAL, ([0.0, math.nan], "nan"), (["a"], "['a']"), ([True], "[True]")]),
-    ("spherical", [*NOT_FINITE, *NOT_REAL, ([0.0, -math.inf], "-inf")]),
-    (
-        "higher",
-        [(1.0, "1.0"), (None, "None"), (np.ones(2), "array("), ({}, "{}"), ([0.0] * 9, "9"), (b"11", "b'11'")],
-    ),
-    ("higher[1]", [([0.0, value], shown) for value, shown in [*NOT_FINITE, *NOT_REAL]]),
+    ("defocus", [([0.0, math.nan], "nan"), ([True], "[True]")]),
+    ("higher", [(1.0, "1.0"), (np.ones(2), "array("), ({}, "{}"), ([0.0] * 9, "9"), (b"11", "b'11'")]),
+    ("higher", [([0.0, math.nan], "higher[1]"), ([0.0, "1"], "higher[1]")]),
 )
 def test_a_bad_wavefront_is_refused(name, value, shown):
-    refuses(lambda: lm.Wavefront(**{name.partition("[")[0]: value}), name, shown)
+    refuses(lambda: lm.Wavefront(**{name: value}), name, shown)
 
 
 @each(
@@ -107,26 +95,12 @@ def test_an_empty_stack_is_refused(make):
         make()
 
 
-@table(*[(name, [*NOT_FINITE, *NOT_REAL]) for name in ("W020", "W040", "W060", "W080")])
-def test_bad_seidel_coefficients_are_refused(name, value, shown):
-    refuses(lambda: lm.Wavefront.from_seidel(**{name: value}), name, shown)
-
-
 @table(
-    ("rms", [*NOT_FINITE, *NOT_REAL]),
-    ("obscuration", [*NOT_FINITE, *NOT_REAL, (1.0, "1"), (-0.1, "-0.1"), ([0.1], "[0.1]")]),
-)
-def test_bad_balanced_spherical_aberration_is_refused(name, value, shown):
-    refuses(lambda: lm.Wavefront.balanced_spherical(**{"rms": 1.0} | {name: value}), name, shown)
-
-
-@table(
-    ("wavefront", [(None, "None"), (1.0, "1.0"), ([lm.Wavefront()], "[Wavefront(")]),
-    ("obscuration", [*NOT_FINITE, *NOT_REAL, (1.0, "1"), (-0.1, "-0.1"), ([0.1], "[0.1]")]),
-    ("wavelength", [*NOT_FINITE, *NOT_POSITIVE, *[v for v in NOT_REAL if v[0] is not None], (550, "550e-9")]),
-    ("wavelength", [(None, "None"), (0.55, "0.55e-6"), (1e-13, "1e-13"), (0.5, "0.5e-6")]),
-    ("f_number", [*NOT_FINITE, *NOT_REAL, *NOT_POSITIVE, ([2.0], "[2.0]")]),
-    ("geometry", [(True, "True"), ((1.0, 1.0, 1.0, 1.0), "(1.0, "), ("lens", "'lens'")]),
+    ("wavefront", [([lm.Wavefront()], "[Wavefront(")]),
+    ("obscuration", [(1.0, "1"), (-0.1, "-0.1"), ([0.1], "[0.1]")]),
+    ("wavelength", [*NOT_POSITIVE, (550, "550e-9"), (None, "None"), (0.55, "0.55e-6"), (1e-13, "1e-13")]),
+    ("f_number", [*NOT_POSITIVE, ([2.0], "[2.0]")]),
+    ("geometry", [((1.0, 1.0, 1.0, 1.0), "(1.0, "), ("lens", "'lens'")]),
 )
 def test_a_bad_pupil_is_refused(name, value, shown):
     refuses(lambda: lm.Pupil(**{"wavelength": 500e-9, "f_number": 2.0} | {name: value}), name, shown)
@@ -138,19 +112,14 @@ def test_a_wavelength_needs_an_f_number_and_the_other_way_round(options, missing
         lm.Pupil(**options)
 
 
-LENGTH = [*NOT_FINITE, *NOT_REAL, *NOT_POSITIVE, ([1.0], "[1.0]")]
-ONCE_GIVEN = [row for row in LENGTH if row[0] is not None]
+LENGTH = [*NOT_POSITIVE, ([1.0], "[1.0]")]
 
 
 @table(
-    ("focal_length", LENGTH),
-    ("f_number", LENGTH),
-    ("aperture_diameter", LENGTH),
-    ("focus_distance", [row for row in ONCE_GIVEN if row[0] != math.inf]),
-    ("sensor_distance", ONCE_GIVEN),
+    *[(name, LENGTH) for name in ("focal_length", "f_number", "aperture_diameter", "focus_distance")],
+    ("sensor_distance", LENGTH),
     ("wavelength", [*LENGTH, (550, "550e-9"), (0.55, "0.55e-6")]),
-    ("obscuration", [*NOT_FINITE, *NOT_REAL, (1, "1"), (-0.1, "-0.1")]),
-    ("aberrations", [(0.0, "0.0"), ({}, "{}"), (True, "True")]),
+    ("obscuration", [(1, "1"), (-0.1, "-0.1")]),
 )
 def test_a_bad_lens_is_refused(name, value, shown):
     arguments = {"focal_length": 0.05, "wavelength": 550e-9, "f_number": 2.0}
@@ -159,11 +128,7 @@ def test_a_bad_lens_is_refused(name, value, shown):
     refuses(lambda: lm.Lens(**arguments | {name: value}), name, shown)
 
 
-@table(
-    ("object_distance", [(math.nan, "nan"), (-math.inf, "-inf"), *(bad for bad in NOT_REAL if bad[0] is not None)]),
-    ("object_distance", NOT_POSITIVE),
-    ("object_distance", [([1.0, 0.0], "0.0"), (["1"], "['1']"), ([], "(0,)")]),
-)
+@table(("object_distance", [*NOT_POSITIVE, (-math.inf, "-inf"), ([1.0, 0.0], "0.0"), ([], "(0,)")]))
 def test_a_bad_object_distance_is_refused(camera, name, value, shown):
     refuses(lambda: camera.pupil(value), name, shown)
 
@@ -205,32 +170,18 @@ def test_a_phase_that_a_method_cannot_carry_is_refused_in_one_short_line(method,
     assert len(message) < 250
 
 
-COUNT = [
-    (2.5, "2.5"),
-    ("9", "'9'"),
-    (None, "None"),
-    (True, "True"),
-    (math.nan, "nan"),
-    (0, "0"),
-    (10**9, "1000000000"),
-]
-
-
 @table(
-    ("NijboerZernike.tol", [*NOT_FINITE, *NOT_REAL, (0, "0"), (1e-13, "1e-13"), (0.1, "0.1"), (-1e-6, "-1e-06")]),
-    ("Hankel.tol", [*NOT_FINITE, *NOT_REAL, (0, "0"), (1e-16, "1e-16"), (0.01, "0.01")]),
-    ("ClosedForm.tangent", [*NOT_FINITE, *NOT_REAL, *NOT_POSITIVE]),
-    ("ClosedForm.variant", [("Printed", "'Printed'"), (None, "None"), (1, "1")]),
-    ("ClosedForm.erf", [("fresnel", "'fresnel'"), (None, "None"), (math.erf, "erf"), (FresnelErf, "FresnelErf")]),
-    ("AbramowitzErf.terms", COUNT),
-    ("TableErf.samples", [*COUNT, (1, "1")]),
-    ("Fraunhofer.samples", [*COUNT, (7, "7"), (8193, "8193")]),
-    ("Fraunhofer.padding", [*NOT_FINITE, *NOT_REAL, (0.5, "0.5")]),
-    ("Fraunhofer.edge", [("gray", "'gray'"), (None, "None")]),
-    ("Geometric.rings", [*COUNT, (65, "65")]),
-    ("HuygensFresnel.symmetry", [(1, "1"), (None, "None"), ("yes", "'yes'")]),
+    ("NijboerZernike.tol", [(0, "0"), (1e-13, "1e-13"), (0.1, "0.1")]),
+    ("Hankel.tol", [(0, "0"), (1e-16, "1e-16"), (0.01, "0.01")]),
+    ("ClosedForm.tangent", NOT_POSITIVE),
+    ("ClosedForm.erf", [("fresnel", "'fresnel'"), (math.erf, "erf"), (FresnelErf, "FresnelErf")]),
+    ("AbramowitzErf.terms", [(0, "0"), (10**9, "1000000000")]),
+    ("TableErf.samples", [(1, "1"), (10**9, "1000000000")]),
+    ("Fraunhofer.samples", [(7, "7"), (8193, "8193")]),
+    ("Fraunhofer.padding", [(0.5, "0.5")]),
+    ("Geometric.rings", [(0, "0"), (65, "65")]),
     ("HuygensFresnel.nodes", [(5, "5"), ((5,), "(5,)"), ((5, 5, 5), "(5, 5, 5)"), ("55", "'55'"), ((1, 5), "1")]),
-    ("HuygensFresnel.nodes", [((2.5, 5), "2.5"), ((5, None), "None"), ((10**7, 5), "10000000"), ((True, 5), "True")]),
+    ("HuygensFresnel.nodes", [((2.5, 5), "2.5"), ((10**7, 5), "10000000"), ((True, 5), "True")]),
 )
 def test_a_bad_option_of_a_method_is_refused(name, value, shown):
     kind, option = name.split(".")
@@ -244,23 +195,18 @@ def test_a_method_has_no_options_but_its_own(method):
         type(method)(sharpness=1)
 
 
-@table(("radius", [*NOT_FINITE, (-1.0, "-1"), ("1", "'1'"), (True, "True"), (1j, "1j"), ([0.0, -1.0], "-1")]))
+@table(("radius", [(-1.0, "-1"), ([0.0, -1.0], "-1")]))
 @each(
     "ask",
     [
-        lambda radius: lm.psf(PUPIL, 5, 1e-6).encircled_energy(radius),
-        lambda radius: lm.psf(PUPIL, 5, 1e-6, method="geometric").encircled_energy(radius),
-        lambda radius: lm.psf(PUPIL, 5, 1e-6).profile(radius),
+        lm.psf(PUPIL, 5, 1e-6).encircled_energy,
+        lm.psf(PUPIL, 5, 1e-6, method="geometric").encircled_energy,
+        lm.psf(PUPIL, 5, 1e-6).profile,
         lambda radius: lm.best_focus(PUPIL, radius),
     ],
 )
 def test_a_bad_radius_is_refused(ask, name, value, shown):
     refuses(lambda: ask(value), name, shown)
-
-
-@each("rho", [-0.1, math.nan, "1", True])
-def test_a_bad_pupil_radius_is_refused(rho):
-    refuses(lambda: lm.Wavefront(1.0).phase(rho), "rho", str(rho))
 
 
 @each("value", ["x", 550, math.nan, [5e-7], True])
@@ -275,32 +221,6 @@ def test_a_wavelength_that_has_no_meaning_is_looked_at_all_the_same(value):
         refuses(call, "wavelength", "got ")
 
 
-@each(
-    ("call", "name"),
-    [
-        (lambda: lm.measures.spot.axis_strehl(1), "psf must be a PSF, got 1"),
-        (lambda: lm.measures.spot.fwhm("psf"), "psf must be a PSF, got 'psf'"),
-        (lambda: lm.measures.transfer.sampled_otf(None, 0.1), "psf must be a PSF, got None"),
-        (lambda: lm.measures.energy.encircled(1, 1.0), "pupil must be a Pupil, got 1"),
-        (lambda: lm.measures.energy.encircled(PUPIL, 1e-6, method="x"), "method must be a Method, got 'x'"),
-        (lambda: lm.psf(SPHERICAL, 3, 0.5).plot(ax=1), "ax must be axes of matplotlib or None, got 1"),
-        (lambda: ZernikeTable(1, "noll", "nm", "rms"), "terms must map indices to coefficients, got 1"),
-        (lambda: lm.PSF.load(1), "path must be a path, got 1"),
-        (lambda: tables.read_rows([], [], "noll"), "the first columns must be height, or x and y, got none"),
-        (lambda: Opening(obscuration="x"), "obscuration must be a real number, got 'x'"),
-        (lambda: SPHERICAL.rule(2.5), "degree must be an integer, got 2.5"),
-        (lambda: SPHERICAL.v("nan"), "radius must hold real numbers, got 'nan'"),
-        (lambda: Hankel().field(SPHERICAL, ["1", "2"]), "v must hold real numbers, got ['1', '2']"),
-        (lambda: Hankel().field(SPHERICAL, np.array([1j])), "v must hold real numbers, got array([0.+1.j])"),
-        (lambda: FresnelErf().on_ray(math.nan), "s must be finite, got nan"),
-        (lambda: mse(["1"], ["1"]), "values must hold real numbers, got ['1']"),
-        (lambda: lm.PSFGrid(1, [], [], (1, 1)), "psf must be a PSF or ColourPSF, got 1"),
-    ],
-)
-def test_what_is_of_the_wrong_kind_is_refused_by_name(call, name):
-    refuses(call, name, "")
-
-
 CAMERA = lm.Lens(focal_length=50e-3, f_number=4.0, focus_distance=2.0, wavelength=550e-9)
 BLUR = lm.imaging.DepthBlur(np.full((6, 7), 2.02), CAMERA, 8e-6, largest=20)
 PLANE = np.zeros((6, 7), np.float32)
@@ -313,10 +233,8 @@ NOISE = lm.Noise(white=1e4, read=3.0)
     ("call", "told"),
     [
         (lambda: PUPIL.in_light(10**400), "wavelength must be finite"),
-        (lambda: PUPIL.in_light(-0.0), "wavelength must be > 0"),
         (lambda: lm.Pupil().in_light(5e-7), "wavelength and f_number of the pupil must be given"),
         (lambda: PUPIL.carrying(0.5, None), "wavefront must be a Wavefront, got 0.5"),
-        (lambda: PUPIL.radial_phase("a"), "t must hold real numbers, got 'a'"),
         (lambda: PUPIL.radial_phase(math.nan), "t must be finite"),
         (lambda: PUPIL.broadcast(2**63), "shape must be a tuple of integers"),
         (lambda: PUPIL.broadcast((2**40,)), "shape must be from 0 to"),
@@ -324,7 +242,6 @@ NOISE = lm.Noise(white=1e4, read=3.0)
         (lambda: PUPIL.wavefront.broadcast((2**40,)), "shape must be from 0 to"),
         (lambda: CAMERA.pupil([1.0, 2.0]).broadcast((3,)), "shape must be one that (2,) broadcasts to, got (3,)"),
         (lambda: BLUR.positions(16385), "channel must be from 0 to 0, got 16385"),
-        (lambda: BLUR.positions(0.5), "channel must be an integer, got 0.5"),
         (lambda: BLUR.spread(1, []), "channel must be from 0 to 0, got 1"),
         (lambda: BLUR.spread(0, 5), "sources must be a sequence of planes and points, got 5"),
         (lambda: BLUR.spread(0, [(PLANE, 5)]), "points must be a Points, got 5"),
@@ -339,7 +256,6 @@ NOISE = lm.Noise(white=1e4, read=3.0)
         (lambda: BLUR.planes(PLANE[1:]), "image must have the shape (6, 7), got (5, 7)"),
         (lambda: BLUR.forward(np.full((6, 7), 1e300)), "at most 3.4e+38, the largest float32, got 1e+300"),
         (lambda: CAMERA.phase(1e308), "must be finite"),
-        (lambda: CAMERA.phase([1.0, 1e308]), "must be finite"),
         (lambda: replace(CAMERA, model="aplanatic").phase(1e308), "model 'aplanatic' is not possible"),
         (lambda: lm.Wavefront.zernike({11: 1e308}, order="noll"), "must be finite"),
         (lambda: mse(HUGE, np.ones((3, 3))), "values and reference must not differ so much"),

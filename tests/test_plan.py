@@ -224,10 +224,8 @@ def test_after_the_first_call_nothing_large_is_allocated():
 @pytest.mark.parametrize(
     ("out", "error", "message"),
     [
-        ([[0.0]], TypeError, "out must be a NumPy array"),
         (np.empty((33, 32), np.float32), ValueError, r"out must have the shape \(33, 33\), got \(33, 32\)"),
         (np.empty((33, 33), np.float64), ValueError, "out must be of float32, got float64"),
-        (memoryview(np.empty((33, 33), np.float32)), TypeError, "out must be a NumPy array, got memoryview"),
         (np.empty((33, 33), ">f4"), ValueError, "out must be of float32, got >f4"),
         (np.empty((33, 66), np.float32)[:, ::2], ValueError, "writable, got an array of other strides"),
         (np.broadcast_to(np.float32(0), (33, 33)), ValueError, "out must be C-contiguous and writable"),

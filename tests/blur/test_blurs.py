@@ -116,9 +116,7 @@ def test_gaussians_and_lines_turn_with_their_angle():
         (lambda: lm.Seeing(0.1, outer_scale=-1.0), "outer_scale must be > 0"),
         (lambda: lm.Seeing.from_fwhm(1.0, 8.0), "fwhm must be > 0 and < 0.1 radians"),
         (lambda: lm.Jitter(-1.0), "sigma must be >= 0"),
-        (lambda: lm.Jitter(math.nan), "sigma must be finite"),
         (lambda: lm.ChargeDiffusion("2 um"), "sigma must be a real number"),
-        (lambda: lm.Motion(1.0, math.inf), "angle must be finite"),
         (lambda: lm.Motion(1.0).transfer([0.0, 1.0], [0.0, 1.0, 2.0]), "fx and fy"),
     ],
 )

@@ -241,7 +241,6 @@ def test_an_aperture_that_is_not_round_says_so_too():
 @pytest.mark.parametrize(
     ("center", "said"),
     [
-        (([4, np.nan], 4), r"center\[0\] must be finite, got nan"),
         ((4, [4, 1e7]), "center must be within 1e6 pixels, got 1e[+]07"),
         (([], 4), r"center must not be empty, got shape \(0,\)"),
         (([1, 2], [1, 2, 3]), r"center\[0\] and center\[1\] must broadcast, got shapes \(2,\) and \(3,\)"),

@@ -52,10 +52,7 @@ LESS = {
     "apertures": [("1.7, 2.5)", "1.99, 2.02)")],
     "colour": [("rgb = lm.colour_psf(lens.pupil(1.5)", "rgb = lm.colour_psf(lens.pupil(1.95)")],
     "sensor": [("(1.0, 3.0, 10.0)", "(1.0,)")],
-    "start-camera": [
-        ("achromat.pupil(1.95), 65", "achromat.pupil(1.95), 17"),
-        ("(3, 65, 65)", "(3, 17, 17)"),
-    ],
+    "start-camera": [("achromat.pupil(1.95), 65", "achromat.pupil(1.95), 17"), ("(3, 65, 65)", "(3, 17, 17)")],
     "training": [
         ("= 300, 8, 40, 12", "= 2, 2, 40, 2"),
         ("(BATCH, 12,", "(BATCH, 2,"),

@@ -73,10 +73,7 @@ def test_a_wave_of_tilt_at_the_edge_moves_the_image_by_two_lambda_N():
 
 
 def test_the_tail_of_positive_coma_points_to_rising_x():
-    for coma in (
-        lm.Wavefront.from_seidel(W131=1.5),
-        lm.Wavefront.zernike({8: 0.2}, order="noll", unit="waves"),
-    ):
+    for coma in (lm.Wavefront.from_seidel(W131=1.5), lm.Wavefront.zernike({8: 0.2}, order="noll", unit="waves")):
         values = image(coma)
         head = values.sum(axis=0).argmax()
         assert values[:, head + 4 :].sum() > 3 * values[:, : head - 3].sum()

@@ -106,11 +106,7 @@ def test_of_no_combination_more_is_known_than_of_its_parts_where_nothing_is():
     assert (found.matrix == 0.0).all()
 
 
-@given(
-    st.integers(1, 6),
-    st.integers(0, 3),
-    st.integers(0, 2**32 - 1),
-)
+@given(st.integers(1, 6), st.integers(0, 3), st.integers(0, 2**32 - 1))
 def test_no_unit_changes_what_is_known_and_deviations_have_it(known, more, seed):
     draw = np.random.default_rng(seed)
     # Of all, some are sums of others, exact but for rounding.

@@ -2,15 +2,7 @@
 
 import numpy as np
 
-from lommel.fit.scoring import (
-    Policy,
-    Scores,
-    covariance,
-    damped_steps,
-    fisher_scoring,
-    flux_background,
-    search_rows,
-)
+from lommel.fit.scoring import Policy, Scores, covariance, damped_steps, fisher_scoring, flux_background, search_rows
 
 
 class Bounded:

@@ -64,10 +64,7 @@ def test_pictures_are_those_of_the_operator_with_the_lens_that_was_drawn(files):
         facts = json.loads((files / "set" / f"{each.number:06d}.json").read_text())
         distance = float(facts["focus_distance"]) if facts["focus_distance"] != "infinity" else np.inf
         lens = lm.Lens(
-            focal_length=facts["focal_length"],
-            f_number=facts["f_number"],
-            focus_distance=distance,
-            wavelength=540e-9,
+            focal_length=facts["focal_length"], f_number=facts["f_number"], focus_distance=distance, wavelength=540e-9
         )
         lenses.add(lens.focal_length)
         depth = np.load(files / "set" / f"{each.number:06d}.depth.npy").astype(np.float64)

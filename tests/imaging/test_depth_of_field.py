@@ -12,12 +12,7 @@ from scipy.signal import fftconvolve
 
 import lommel as lm
 from lommel import imaging
-from lommel.imaging import (
-    RED_GREEN_BLUE,
-    DepthBlur,
-    FocusPlan,
-    depth_of_field,
-)
+from lommel.imaging import RED_GREEN_BLUE, DepthBlur, FocusPlan, depth_of_field
 from lommel.imaging.occlusion import Occlusion
 from lommel.io.depth_maps import fill_missing
 

@@ -28,11 +28,7 @@ def level(request: pytest.FixtureRequest) -> Iterator[str]:
 
 
 def bank(
-    rng: np.random.Generator,
-    half: int,
-    count: int = 6,
-    dtype: type = np.float64,
-    cuts: np.ndarray | None = None,
+    rng: np.random.Generator, half: int, count: int = 6, dtype: type = np.float64, cuts: np.ndarray | None = None
 ) -> Bank:
     """A bank of noise, without symmetries that would hide a fault but those that banks build on."""
     if cuts is None:

@@ -17,13 +17,7 @@ def test_a_point_is_the_psf_over_the_pixels_of_the_sensor():
     scene = np.zeros((4 * 31, 4 * 31))
     scene[4 * 15 + 3, 4 * 15] = 1.0
     made = depth_of_field(
-        scene,
-        np.full(scene.shape, 1.95),
-        LENS,
-        PIXEL,
-        encoding="linear",
-        supersample=4,
-        energy=0.995,
+        scene, np.full(scene.shape, 1.95), LENS, PIXEL, encoding="linear", supersample=4, energy=0.995
     )
     # Three eighths of a pixel down and left of the middle; a point has the light of a sixteenth of a pixel.
     expected = lm.psf(LENS.pupil(1.95), 31, PIXEL, center=(15.375, 14.625)).values / 16.0

@@ -277,11 +277,7 @@ def blurred(engine, state, picture):
 
 @pytest.mark.parametrize(
     "state",
-    [
-        {"defocus": 1.0},
-        {"coma": 0.7, "coma_angle": 25, "obscuration": 0.2},
-        {"defocus": 0.5, "astigmatism": 0.6},
-    ],
+    [{"defocus": 1.0}, {"coma": 0.7, "coma_angle": 25, "obscuration": 0.2}, {"defocus": 0.5, "astigmatism": 0.6}],
     ids=["radial", "coma", "astigmatism"],
 )
 def test_a_point_becomes_the_average_over_pixels(engine, state):

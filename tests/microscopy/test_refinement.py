@@ -280,14 +280,7 @@ def test_what_is_left_out_is_unknown():
         assert np.argwhere(StackView(whole, 4000.0, mask=given)[0, 1:, 2:] == 4000).tolist() == [[1, 1]]
 
 
-GIVEN = {
-    "pixel": 6e-6,
-    "step": 0.3e-6,
-    "wavelength": 520e-9,
-    "depth": 8e-6,
-    "noise": CAMERA,
-    "window": (9, 15),
-}
+GIVEN = {"pixel": 6e-6, "step": 0.3e-6, "wavelength": 520e-9, "depth": 8e-6, "noise": CAMERA, "window": (9, 15)}
 
 
 @pytest.fixture(scope="module")

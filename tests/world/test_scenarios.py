@@ -17,10 +17,7 @@ from tests.world.scenarios import SCENARIOS
 from tests.world.verdicts import Run, Scenario, Trial, attempt, judge, verdict
 
 
-@pytest.mark.parametrize(
-    "scenario",
-    [pytest.param(one, id=one.row) for one in SCENARIOS],
-)
+@pytest.mark.parametrize("scenario", [pytest.param(one, id=one.row) for one in SCENARIOS])
 def test_a_result_is_right_or_told(scenario):
     run = attempt(scenario, 0)
     assert judge(scenario, [run]).faults == [], run.text

@@ -13,11 +13,7 @@ LENS = ThinLens(35e-3, 8.0, 1.35, 540e-9, 4e-6)
 
 
 def made(**options):
-    given = {
-        "between": (1.2, 2.0),
-        "noise": lm.Noise(read=3.0, offset=100.0),
-        "shape": (SIDE, SIDE),
-    } | options
+    given = {"between": (1.2, 2.0), "noise": lm.Noise(read=3.0, offset=100.0), "shape": (SIDE, SIDE)} | options
     return lm.imaging.LiveSharpen(lommel_lens(LENS), 4e-6, **given)
 
 

@@ -6,15 +6,7 @@ import numpy as np
 import pytest
 
 from lommel import FieldMap, Lens, Noise
-from lommel.imaging import (
-    DepthBlur,
-    FieldBlur,
-    Occlusion,
-    RichardsonLucy,
-    TotalVariation,
-    depth_of_field,
-    restore,
-)
+from lommel.imaging import DepthBlur, FieldBlur, Occlusion, RichardsonLucy, TotalVariation, depth_of_field, restore
 from lommel.imaging.restoration import full_light, recorded
 
 LENS = Lens(focal_length=50e-3, f_number=2.8, focus_distance=2.0, wavelength=550e-9)

@@ -228,7 +228,7 @@ def entries(folder: Path) -> list[tuple[str, object, dict[str, object]]]:
         tagged("aperture_means.rms", aperture_means.rms, pupil=lm.Wavefront(1.0), unit="radians"),
         tagged("DepthBlur", imaging.DepthBlur, lens=LENS, depth=DEPTH, pixel=8e-6, channels=[550e-9],
                energy=0.9, tol=1e-3, largest=11, dtype=np.float64, threads=1),
-        tagged("DepthBlur.forward", BLUR.forward, image=SQUARE, weight=None),
+        tagged("DepthBlur.forward", BLUR.forward, image=SQUARE),
         tagged("DepthBlur.adjoint", BLUR.adjoint, image=SQUARE),
         tagged("FocusPlan", imaging.FocusPlan, **scene, occlusion=True),
         tagged("FocusPlan()", PLAN, focus_distance=2.0, f_number=5.6, out=None),

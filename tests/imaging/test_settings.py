@@ -18,7 +18,8 @@ SCENE = {"lens": LENS, "pixel": 8e-6, "encoding": "linear"}
 def doors(**given):
     yield lambda: depth_of_field(IMAGE, DEPTH, **SCENE, **given)
     yield lambda: depth_of_field(IMAGE, DEPTH, **SCENE, tile=16, **given)
-    yield lambda: restore(IMAGE, DEPTH, **SCENE, noise=lm.Noise(white=1e3, read=1.0), **given)
+    if "tol" not in given:
+        yield lambda: restore(IMAGE, DEPTH, **SCENE, noise=lm.Noise(white=1e3, read=1.0), **given)
     yield lambda: DepthBlur(DEPTH, LENS, 8e-6, **given)
     da = pytest.importorskip("dask.array")
     yield lambda: depth_of_field(da.from_array(IMAGE), da.from_array(DEPTH), **SCENE, **given)
@@ -28,7 +29,7 @@ def doors(**given):
     ("given", "error", "message"),
     [
         ({"engery": 0.9}, TypeError, r"\(\) has no option 'engery'; did you mean energy\?"),
-        ({"strength": 0.9}, TypeError, r"\(\) has no option 'strength'; known are energy, tol"),
+        ({"strength": 0.9}, TypeError, r"\(\) has no option 'strength'; known are energy"),
         ({"energy": 0.4}, ValueError, "energy must be >= 0.5"),
         ({"energy": 0.99995}, ValueError, "energy must be >= 0.5 and <= 0.9999, got 0.99995"),
         ({"tol": 1e-8}, ValueError, "tol must be >= 1e-07"),

@@ -129,21 +129,17 @@ class DepthBlur(LinearBlur):
         """Largest error of interpolated windows relative to their peaks."""
         return max(bank.error for bank in self.banks)
 
-    def forward(self, image: Values, weight: Values | None = None) -> Values:
-        """Return the blurred `image`; if the bool map `weight` is given, only its points spread light."""
+    def forward(self, image: Values) -> Values:
+        """Return the blurred `image`: see :meth:`lommel.imaging.LinearBlur.forward`."""
+        return self.by_channel(
+            image, lambda channel, plane: self.spread(channel, [(plane, Points(self.positions(channel)))])
+        )
 
-        def blurred(channel: int, plane: Values) -> Values:
-            return self.spread(channel, [(plane, Points(self._positions(channel, weight)))])
-
-        return self.by_channel(image, blurred)
-
-    def adjoint(self, image: Values, weight: Values | None = None) -> Values:
-        """Return the transpose of :meth:`forward` applied to an `image`; points outside of `weight` receive 0."""
-
-        def transposed(channel: int, plane: Values) -> Values:
-            return next(self.collect(channel, plane, [Points(self._positions(channel, weight))]))
-
-        return self.by_channel(image, transposed)
+    def adjoint(self, image: Values) -> Values:
+        """Return the transpose of :meth:`forward` of `image`: see :meth:`lommel.imaging.LinearBlur.adjoint`."""
+        return self.by_channel(
+            image, lambda channel, plane: next(self.collect(channel, plane, [Points(self.positions(channel))]))
+        )
 
     def spread(self, channel: int, sources: Sequence[tuple[Values, Points]], seen: Values | None = None) -> Values:
         """Return the blurred light of several `sources` in one `channel`.
@@ -217,17 +213,6 @@ class DepthBlur(LinearBlur):
             in_banks = tuple(on_grid[bank.start, bank.spacing] for bank in self.banks)
             self._placed = placed = self.defocus, self.banks, in_banks
         return placed[2][channel]
-
-    def _positions(self, channel: int, weight: Values | None) -> Array:
-        """Return the :meth:`positions` of all points, with negative values outside of `weight`."""
-        positions = self.positions(channel)
-        if weight is None:
-            return positions
-        mask = validation.array("weight", weight)
-        if not isinstance(weight, np.ndarray) or mask.dtype != np.bool_ or mask.shape != self.shape:
-            got = f"{mask.dtype} of the shape {mask.shape}"
-            raise TypeError(f"weight must be an array of bool of the shape {self.shape}, got {got}")
-        return np.where(weight, positions, -1.0)
 
 
 def parts(bank: Bank) -> tuple[Values, NDArray[np.int64], Array]:

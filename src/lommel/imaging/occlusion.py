@@ -82,9 +82,6 @@ class Occlusion(LinearBlur):
     Parameters
     ----------
     blur : DepthBlur
-    reach : (float, float), optional
-        Smallest and largest defocus C_d (radians) of the whole scene, if `blur` holds only part of it. The range
-        determines the layers.
 
     Raises
     ------
@@ -105,10 +102,13 @@ class Occlusion(LinearBlur):
     # Cache for one defocus map and its banks: the layers, and for each bank the visibility and the points.
     _cache: tuple[Array, tuple[Bank, ...], Layering, dict[Bank, Shares], dict[Bank, list[Points]]] | None = None
 
-    def __init__(self, blur: DepthBlur, reach: tuple[float, float] | None = None) -> None:
+    # Smallest and largest defocus C_d of the whole scene, which determine the layers, if `blur` holds a part of it.
+    reach: tuple[float, float] | None = None
+
+    def __init__(self, blur: DepthBlur) -> None:
         if not isinstance(blur, DepthBlur):
             raise TypeError(f"blur must be a DepthBlur, got {type(blur).__name__}")
-        self.blur, self._reach = blur, reach
+        self.blur = blur
         self.channels, self.dtype = blur.channels, blur.dtype
 
     @property
@@ -161,7 +161,7 @@ class Occlusion(LinearBlur):
     def _cached_data(self) -> tuple[Layering, dict[Bank, Shares], dict[Bank, list[Points]]]:
         """Return the layers, the visibility by bank, and the points by bank; cached for one depth map."""
         if not self._current():
-            self._cache = self.blur.defocus, self.blur.banks, _layering(self.blur, self._reach), {}, {}
+            self._cache = self.blur.defocus, self.blur.banks, _layering(self.blur, self.reach), {}, {}
         assert self._cache is not None
         return self._cache[2:]
 

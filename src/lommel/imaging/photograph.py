@@ -25,7 +25,7 @@ from lommel.field.maps import FieldMap, require_one_aperture
 from lommel.imaging.blur import DepthBlur, require_lens, require_metres
 from lommel.imaging.field_blur import FieldBlur, PointLight
 from lommel.imaging.occlusion import Occlusion, reach_behind
-from lommel.imaging.settings import FILL, Spectrum, WindowOptions, channel_spectra
+from lommel.imaging.settings import FILL, Spectrum, TableOptions, WindowOptions, channel_spectra
 from lommel.io.photos import Photograph
 from lommel.optics.lens import Lens
 from lommel.optics.pupil import Pupil
@@ -143,7 +143,7 @@ def require_scene(name: str, shape: tuple[int, ...], depth: tuple[int, ...]) -> 
 
 
 @dataclass(frozen=True, kw_only=True)
-class BlurOptions(WindowOptions):
+class BlurOptions(TableOptions):
     """Options of depth-of-field rendering.
 
     Parameters
@@ -158,7 +158,6 @@ class BlurOptions(WindowOptions):
         per pixel and channel. For dask arrays, the side of the chunks; by default the chunks are unchanged.
     """
 
-    tol: Annotated[float, In(least=1e-7, most=0.1)] = 1e-4
     supersample: Annotated[int, In(least=1, most=16)] = 1
     tile: Annotated[int | None, In(least=16, most=validation.MAX_SIDE), HIDDEN] = None
 
@@ -419,7 +418,7 @@ def _render_tiles(
     """Return the photograph for arrays or memory maps, rendered tile by tile."""
     require_scene("image", values.shape, distances.shape)
     out = output_array(out, "image", values.shape, values.dtype, values, distances)
-    blur = TileBlur(values.shape, depth_range(distances), lens, pixel, encoding, o)
+    blur = TileBlur(values.shape, depth_range(distances), lens, pixel, encoding, o.energy, o.tol)
     tiles = list(tiles_of(values.shape, side, blur.overlap))
     clipped = 0.0
     for count, (region, overlapping, inner) in enumerate(tiles, 1):
@@ -457,7 +456,8 @@ def _render_chunks(
         image = image.rechunk({2: -1})
     low, high = dask.compute(depth.min(), depth.max())
     # dask computes chunks in parallel: each chunk has one thread.
-    blur = TileBlur(image.shape, _require_range(float(low), float(high)), lens, pixel, encoding, o, threads=1)
+    depths = _require_range(float(low), float(high))
+    blur = TileBlur(image.shape, depths, lens, pixel, encoding, o.energy, o.tol, threads=1)
     distances = depth.rechunk(image.chunks[:2])
     # dask raises an error if the overlap exceeds the side of the array.
     overlap = {axis: min(blur.overlap, image.shape[axis]) for axis in (0, 1)}
@@ -487,15 +487,16 @@ class TileBlur:
         lens: Lens,
         pixel: float,
         encoding: str,
-        o: WindowOptions,
+        energy: float,
+        tol: float = TableOptions.tol,
         *,
         threads: int | None = None,
     ) -> None:
         self.encoding = encoding
         # The two ends of the depth range determine the windows of all parts.
         self.whole = DepthBlur(
-            np.array([depths]), lens, pixel, channels=channel_spectra(shape, lens.wavelength), energy=o.energy,
-            tol=o.tol, largest=min(2048, max(1, min(shape[:2]) // 2)), threads=threads,
+            np.array([depths]), lens, pixel, channels=channel_spectra(shape, lens.wavelength), energy=energy,
+            tol=tol, largest=min(2048, max(1, min(shape[:2]) // 2)), threads=threads,
         )  # fmt: skip
         self._defocus_range = (float(self.whole.defocus.min()), float(self.whole.defocus.max()))
         self.half = max(bank.half for bank in self.whole.banks)
@@ -511,7 +512,9 @@ class TileBlur:
         """Return the blur of a part of the scene."""
         blur = copy.copy(self.whole)
         blur.place(depth)
-        return Occlusion(blur, self._defocus_range)
+        seen = Occlusion(blur)
+        seen.reach = self._defocus_range
+        return seen
 
     def chunk(self, image: Pixels, depth: Pixels) -> Pixels:
         """Return the stored values of a part of the scene; `depth` may have a third axis of length 1, for dask."""

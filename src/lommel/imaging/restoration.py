@@ -264,10 +264,10 @@ def restore(
         # Memory-mapped files may be larger than memory.
         if any(isinstance(source, np.memmap) for source in (photo, depth, out)):
             out = output_array(out, "photo", image.shape, image.dtype, image, distances)
-            parts = TileBlur(image.shape, depth_range(distances), lens, pixel, encoding, o)
+            parts = TileBlur(image.shape, depth_range(distances), lens, pixel, encoding, o.energy)
             return _by_tiles((image, mask), distances, parts, TILE, noise, limit, method, out, progress)
         light, channels = recorded(image, encoding, limit, mask), channel_spectra(image.shape, lens.wavelength)
-        blur = Occlusion(DepthBlur(distances, lens, pixel, channels=channels, energy=o.energy, tol=o.tol))
+        blur = Occlusion(DepthBlur(distances, lens, pixel, channels=channels, energy=o.energy))
     if out is not None:
         output_array(out, "photo", image.shape, image.dtype, image)
     observed = PhotographLikelihood(blur, light, noise, limit)

@@ -33,17 +33,27 @@ class WindowOptions(Options):
     energy : float, default 0.98
         Fraction of the light of a PSF inside its window, 0.5 to 0.9999. The light outside the window is spread over
         the window.
+    """
+
+    energy: Annotated[float, In(least=0.5, most=0.9999), HIDDEN] = 0.98
+
+
+@dataclass(frozen=True, kw_only=True)
+class TableOptions(WindowOptions):
+    """Options of blur by tables of windows.
+
+    Parameters
+    ----------
     tol : float, default 1e-4
         Tolerance of the interpolation between tabulated PSFs, relative to their peak, 1e-7 to 1e-1; checked half-way
         between table entries. The attribute `error` of the result is the actual error.
     """
 
-    energy: Annotated[float, In(least=0.5, most=0.9999), HIDDEN] = 0.98
-    tol: Annotated[float, In(least=1e-7, most=0.1), HIDDEN] = 1e-4
+    tol: Annotated[float, In(least=1e-7, most=0.1)] = 1e-4
 
 
 @dataclass(frozen=True, kw_only=True)
-class OperatorOptions(WindowOptions):
+class OperatorOptions(TableOptions):
     """Options of blur operators.
 
     Parameters

@@ -222,10 +222,8 @@ def slanted_edge(
     *,
     angle: float = 5.0,
     supersample: int = 8,
-    dark: float = 0.1,
-    bright: float = 0.9,
 ) -> NDArray[np.float32]:
-    """Return a synthetic slanted edge in linear light, dark on the left, for :func:`lommel.imaging.depth_of_field`.
+    """Return a synthetic slanted edge in linear light, 0.1 on the left and 0.9 on the right, for :func:`lommel.imaging.depth_of_field`.
 
     Parameters
     ----------
@@ -235,8 +233,6 @@ def slanted_edge(
         Angle between the edge and the columns, degrees, 2 to 40.
     supersample : int, default 8
         Number of pixels of the result along the side of a pixel of the photograph, 1 to 16.
-    dark, bright : float, default 0.1, 0.9
-        Light on the left and right side; 1 is white.
 
     Returns
     -------
@@ -252,9 +248,6 @@ def slanted_edge(
     height, width = validation.image_shape(shape)
     factor = validation.integer("supersample", supersample, least=1, most=16)
     radians = math.radians(validation.real("angle", angle, least=_MIN_ANGLE, most=_MAX_ANGLE))
-    low, high = (validation.real(name, value, least=0.0) for name, value in (("dark", dark), ("bright", bright)))
-    if not low < high:
-        raise ValueError(f"bright must exceed dark, got {high:g} and {low:g}")
     y, x = (np.arange(side * factor) - 0.5 * (side * factor - 1) for side in (height, width))
     covered = np.clip((x + np.tan(radians) * y[:, None]) * math.cos(radians) + 0.5, 0.0, 1.0)
-    return np.asarray(low + (high - low) * covered, dtype=np.float32)
+    return np.asarray(0.1 + (0.9 - 0.1) * covered, dtype=np.float32)

@@ -81,10 +81,88 @@ class RowRule {
     static constexpr double few = 24.0;  // panels with fewer rows than this are not halved
     // Number of rows that a panel (range of heights y) needs. Gauss nodes are mapped to it linearly if panel.root is 0; a quadratic
     // map that needs fewer rows may then replace the linear one.
-    GaussNodes needed(Panel& panel, double degree, double error);
-    void split(Panel panel, double degree, double error, int depth);
-    void fill(const Panel& panel, std::size_t rows);
-    static double misplaced(const Side& side, double y);
+    GaussNodes needed(Panel& panel, double degree, double error) {
+        const auto nodes = [&](int root) {
+            Panel one = panel;
+            one.root = root;
+            return GaussNodes(error, [&](double eta, double limit) { return one.largest(eta, degree, limit); });
+        };
+        GaussNodes best = nodes(panel.root);
+        // If an arc begins just outside an end of the panel, the quadratic map at this end moves the arc's branch point farther away.
+        if (panel.root == 0 && best.blocked) {
+            for (const int root : {-1, 1}) {
+                const GaussNodes other = nodes(root);
+                if (other.count < best.count) {
+                    panel.root = root;
+                    best = other;
+                }
+            }
+        }
+        return best;
+    }
+    void split(Panel panel, double degree, double error, int depth) {
+        const int root = panel.root;
+        const GaussNodes whole = needed(panel, degree, error);
+        if (whole.blocked && whole.count > few && depth < 64) {
+            const double middle = 0.5 * (panel.low + panel.high);
+            const Panel first{panel.low, middle, std::min(root, 0), panel.spans},
+                second{middle, panel.high, std::max(root, 0), panel.spans};
+            Panel tried[2] = {first, second};
+            const double halves = needed(tried[0], degree, 0.5 * error).count + needed(tried[1], degree, 0.5 * error).count;
+            if (whole.count >= GaussNodes::none || halves < 0.9 * whole.count) {
+                split(first, degree, 0.5 * error, depth + 1);
+                split(second, degree, 0.5 * error, depth + 1);
+                return;
+            }
+        }
+        if (whole.count > 1e6) {
+            throw LimitExceeded("the edges of the aperture cannot be resolved");
+        }
+        fill(panel, static_cast<std::size_t>(whole.count));
+    }
+    void fill(const Panel& panel, std::size_t rows) {
+        const PanelMap map(panel.low, panel.high, panel.root);
+        const GaussRule& outer = gauss(rows);
+        ++panels_;
+        for (std::size_t i = 0; i < rows; ++i) {
+            const double y = map.y(outer.x[i]), weight = map.slope(outer.x[i]) * outer.w[i] / pi;
+            const double half = std::sqrt(std::max(0.0, (1.0 - y) * (1.0 + y)));
+            const std::size_t first = x_.size();
+            for (const auto& span : panel.spans) {
+                const double low = span[0].at(y), high = span[1].at(y), middle = 0.5 * (low + high), reach = 0.5 * (high - low);
+                lost_ += weight * (misplaced(span[0], y) + misplaced(span[1], y));
+                if (!(reach > 0.0)) {
+                    lost_ -= weight * 2.0 * reach;
+                    continue;  // empty up to rounding, at an end of the panel
+                }
+                const GaussRule& inner = gauss(spans_(low, high, half));
+                for (std::size_t k = 0; k < inner.x.size(); ++k) {
+                    x_.push_back(middle + reach * inner.x[k]);
+                    weights_.push_back(weight * reach * inner.w[k]);
+                }
+            }
+            if (x_.size() > most_nodes) {
+                throw LimitExceeded("the aperture takes more than " + std::to_string(most_nodes) + " nodes");
+            }
+            rows_.push_back({y, first, x_.size() - first});
+        }
+    }
+    // Bound on the displacement of a side at the height y, from rounding of the side itself, of y, and of the ends of its arc.
+    static double misplaced(const Side& side, double y) {
+        const double below = std::max(0.0, y - side.low), above = std::max(0.0, side.high - y);
+        const double root = side.k == 0.0 ? 0.0 : std::abs(side.k) * std::sqrt(below * above);
+        // Rotated ellipses have four more roundings: sine, cosine and their products with the axes.
+        const double turned = side.terms > 0.0 ? 5.0 : 1.0;
+        const double off = unit_roundoff * (4.0 + turned * (std::abs(side.low) + std::abs(side.high)));
+        // Change of a root if d is displaced by off: |sqrt(d + off) - sqrt(d)| <= off / sqrt(d), and <= sqrt(off).
+        const auto moved = [&](double d, double other) {
+            return std::abs(side.k) * std::sqrt(other) * std::min(std::sqrt(off), off / std::sqrt(d + 1e-300));
+        };
+        const double arcs = side.k == 0.0 ? 0.0 : moved(below, above + off) + moved(above, below + off);
+        return arcs +
+               unit_roundoff * (2.0 * std::abs(side.p) + 4.0 * std::abs(side.q * (y - side.origin)) + 4.0 * std::abs(side.q) +
+                                20.0 * side.terms * std::abs(y - side.origin) + (turned > 1.0 ? 14.0 : 6.0) * root);
+    }
     void finish() {
         for (const double p : phase_) {
             largest_phase_ = std::max(largest_phase_, std::abs(p));
@@ -106,11 +184,9 @@ class RowRule {
     SpanNodes spans_;
 };
 
-// Clear intervals of the row at the height y, each as its left and right side.
-std::vector<std::array<Side, 2>> clear_spans(const Region& region, double y);
-
 #if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE std::vector<std::array<Side, 2>> clear_spans(const Region& region, double y) {
+// Clear intervals of the row at the height y, each as its left and right side.
+inline std::vector<std::array<Side, 2>> clear_spans(const Region& region, double y) {
     // End, at x, of the interval of the row that lies inside a part (shape) of the region: left or right side of this part.
     struct End {
         double x;
@@ -195,91 +271,6 @@ LOMMEL_ONCE RowRule::RowRule(const Region& region, std::size_t degree, double er
     finish();
 }
 
-LOMMEL_ONCE GaussNodes RowRule::needed(Panel& panel, double degree, double error) {
-    const auto nodes = [&](int root) {
-        Panel one = panel;
-        one.root = root;
-        return GaussNodes(error, [&](double eta, double limit) { return one.largest(eta, degree, limit); });
-    };
-    GaussNodes best = nodes(panel.root);
-    // If an arc begins just outside an end of the panel, the quadratic map at this end moves the arc's branch point farther away.
-    if (panel.root == 0 && best.blocked) {
-        for (const int root : {-1, 1}) {
-            const GaussNodes other = nodes(root);
-            if (other.count < best.count) {
-                panel.root = root;
-                best = other;
-            }
-        }
-    }
-    return best;
-}
-
-LOMMEL_ONCE void RowRule::split(Panel panel, double degree, double error, int depth) {
-    const int root = panel.root;
-    const GaussNodes whole = needed(panel, degree, error);
-    if (whole.blocked && whole.count > few && depth < 64) {
-        const double middle = 0.5 * (panel.low + panel.high);
-        const Panel first{panel.low, middle, std::min(root, 0), panel.spans},
-            second{middle, panel.high, std::max(root, 0), panel.spans};
-        Panel tried[2] = {first, second};
-        const double halves = needed(tried[0], degree, 0.5 * error).count + needed(tried[1], degree, 0.5 * error).count;
-        if (whole.count >= GaussNodes::none || halves < 0.9 * whole.count) {
-            split(first, degree, 0.5 * error, depth + 1);
-            split(second, degree, 0.5 * error, depth + 1);
-            return;
-        }
-    }
-    if (whole.count > 1e6) {
-        throw LimitExceeded("the edges of the aperture cannot be resolved");
-    }
-    fill(panel, static_cast<std::size_t>(whole.count));
-}
-
-// Bound on the displacement of a side at the height y, from rounding of the side itself, of y, and of the ends of its arc.
-LOMMEL_ONCE double RowRule::misplaced(const Side& side, double y) {
-    const double below = std::max(0.0, y - side.low), above = std::max(0.0, side.high - y);
-    const double root = side.k == 0.0 ? 0.0 : std::abs(side.k) * std::sqrt(below * above);
-    // Rotated ellipses have four more roundings: sine, cosine and their products with the axes.
-    const double turned = side.terms > 0.0 ? 5.0 : 1.0;
-    const double off = unit_roundoff * (4.0 + turned * (std::abs(side.low) + std::abs(side.high)));
-    // Change of a root if d is displaced by off: |sqrt(d + off) - sqrt(d)| <= off / sqrt(d), and <= sqrt(off).
-    const auto moved = [&](double d, double other) {
-        return std::abs(side.k) * std::sqrt(other) * std::min(std::sqrt(off), off / std::sqrt(d + 1e-300));
-    };
-    const double arcs = side.k == 0.0 ? 0.0 : moved(below, above + off) + moved(above, below + off);
-    return arcs +
-           unit_roundoff * (2.0 * std::abs(side.p) + 4.0 * std::abs(side.q * (y - side.origin)) + 4.0 * std::abs(side.q) +
-                            20.0 * side.terms * std::abs(y - side.origin) + (turned > 1.0 ? 14.0 : 6.0) * root);
-}
-
-LOMMEL_ONCE void RowRule::fill(const Panel& panel, std::size_t rows) {
-    const PanelMap map(panel.low, panel.high, panel.root);
-    const GaussRule& outer = gauss(rows);
-    ++panels_;
-    for (std::size_t i = 0; i < rows; ++i) {
-        const double y = map.y(outer.x[i]), weight = map.slope(outer.x[i]) * outer.w[i] / pi;
-        const double half = std::sqrt(std::max(0.0, (1.0 - y) * (1.0 + y)));
-        const std::size_t first = x_.size();
-        for (const auto& span : panel.spans) {
-            const double low = span[0].at(y), high = span[1].at(y), middle = 0.5 * (low + high), reach = 0.5 * (high - low);
-            lost_ += weight * (misplaced(span[0], y) + misplaced(span[1], y));
-            if (!(reach > 0.0)) {
-                lost_ -= weight * 2.0 * reach;
-                continue;  // empty up to rounding, at an end of the panel
-            }
-            const GaussRule& inner = gauss(spans_(low, high, half));
-            for (std::size_t k = 0; k < inner.x.size(); ++k) {
-                x_.push_back(middle + reach * inner.x[k]);
-                weights_.push_back(weight * reach * inner.w[k]);
-            }
-        }
-        if (x_.size() > most_nodes) {
-            throw LimitExceeded("the aperture takes more than " + std::to_string(most_nodes) + " nodes");
-        }
-        rows_.push_back({y, first, x_.size() - first});
-    }
-}
 #endif
 
 }  // namespace lommel

@@ -18,20 +18,12 @@
 
 #include "lommel/averages/transfer_rule.hpp"
 #include "lommel/base/cache.hpp"
-#include "lommel/base/once.hpp"
 #include "lommel/base/pi.hpp"
 #include "lommel/base/product.hpp"
 #include "lommel/limits.hpp"
 #include "lommel/special/least_squares.hpp"
 
 namespace lommel {
-
-// Eigenvector of a symmetric tridiagonal matrix, for the eigenvalue that exceeds `index` others. beside: off-diagonal elements.
-//
-// Bisection finds the eigenvalue: the number of negative pivots of the shifted matrix is that of eigenvalues below the shift.
-// The vector follows from the pivots of two eliminations, from the first row down and from the last row up, which meet in the row
-// of the smallest residual (I. S. Dhillon and B. N. Parlett 2004, doi:10.1016/j.laa.2003.12.028, section 3).
-std::vector<double> eigenvector(const std::vector<double>& diagonal, const std::vector<double>& beside, std::size_t index);
 
 // Positive zeros, ascending, of the prolate spheroidal function of an even degree: a sum of even Legendre polynomials whose
 // coefficients are an eigenvector of a symmetric tridiagonal matrix (Xiao, Rokhlin and Yarvin 2001, section 3).
@@ -47,7 +39,66 @@ class WindowNodes {
     double spread;  // largest ratio, over nodes, of the largest modulus of a pixel's weight to the sum of all pixels' weights
 
     // step: pixel pitch, in lambda / (2 pi NA); pixels: number of pixels along the axis; count: number of nodes, even.
-    WindowNodes(double step, std::size_t pixels, std::size_t count);
+    WindowNodes(double step, std::size_t pixels, std::size_t count) : step_(step), pixels_(pixels) {
+        const double half = 0.5 * step * static_cast<double>(pixels);
+        std::vector<double> x = prolate_zeros(count, 2.0 * half);
+        std::transform(x.begin(), x.end(), x.begin(), [&](double zero) { return half * zero; });
+        const std::size_t nodes = x.size();
+        const std::vector<double> band = band_points(half);
+        const TransferRule rule(band.size());
+        // The even part of a pixel's weights, about the window's middle, gives the real part of the frequency response; the odd part,
+        // the imaginary part. Each part follows by least squares from the nodes on one side of the middle.
+        const auto at_rule = [&](std::size_t i) { return std::sqrt(rule.weights[i]); };
+        const Waves of_rule = waves(rule.at, at_rule, x), of_band = waves(band, [](std::size_t) { return 1.0; }, x);
+        std::vector<double> parts[2], squares(pixels, 0.0), most(pixels, 0.0);
+        for (const std::size_t odd : {0, 1}) {
+            std::vector<double>& c = parts[odd];
+            c.resize(nodes * pixels);
+            least_squares(rule.at.size(), nodes, pixels, of_rule.nodes[odd].data(), of_rule.pixels[odd].data(), c.data());
+            std::vector<double> largest(pixels, 0.0);
+            for (const Waves* each : {&of_rule, &of_band}) {
+                const std::vector<double>& wanted = each->pixels[odd];
+                std::vector<double> made(wanted.size());
+                product(each->nodes[odd].data(), wanted.size() / pixels, nodes, c.data(), pixels, 1, made.data());
+                for (std::size_t i = 0; i < made.size(); ++i) {
+                    const double off = std::abs(made[i] - wanted[i]);
+                    double &sum = squares[i % pixels], &top = largest[i % pixels];
+                    each == & of_rule ? sum += off* off : top = std::max(top, off);
+                }
+            }
+            for (std::size_t j = 0; j < pixels; ++j) {
+                most[j] = std::hypot(most[j], largest[j]);
+            }
+        }
+        for (std::size_t k = nodes; k-- > 0;) {
+            places.push_back(-x[k]);
+        }
+        places.insert(places.end(), x.begin(), x.end());
+        gain = 0.0;
+        std::vector<double> together(places.size(), 0.0), modulus(places.size(), 0.0);
+        for (std::size_t j = 0; j < pixels; ++j) {
+            double sum = 0.0;
+            for (std::size_t i = 0; i < places.size(); ++i) {
+                const std::size_t k = i < nodes ? nodes - 1 - i : i - nodes;
+                const double even = parts[0][k * pixels + j], odd = parts[1][k * pixels + j];
+                const double weight = i < nodes ? even - odd : even + odd;
+                weights.push_back(weight);
+                sum += std::abs(weight);
+                together[i] += weight;
+                modulus[i] = std::max(modulus[i], std::abs(weight));
+            }
+            gain = std::max(gain, sum);
+        }
+        const double rounding = 2.0 * unit_roundoff * static_cast<double>(count + 3) * gain;
+        const double largest = std::sqrt(2.0) * (*std::max_element(most.begin(), most.end()) + 2.0 * rounding) + 1e-17;
+        const double mean = std::sqrt(*std::max_element(squares.begin(), squares.end())) + 4.0 * rounding + 1e-17;
+        // Responses along both axes multiply. With their errors e and e', mean |e e'| <= mean * largest, of which each axis takes half.
+        error = (1.0 + 0.5 * largest) * mean;
+        spread = 0.0;
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            spread = std::max(spread, together[i] > 0.0 ? modulus[i] / together[i] : std::numeric_limits<double>::infinity());
+        }
+    }
 
     static constexpr std::size_t most_bytes = std::size_t{1} << 24;
     bool is(double step, std::size_t pixels, std::size_t count) const {
@@ -77,7 +128,29 @@ class ChosenNodes {
    public:
     std::shared_ptr<const WindowNodes> nodes;
 
-    ChosenNodes(double step, std::size_t pixels, double error);
+    ChosenNodes(double step, std::size_t pixels, double error) : step_(step), pixels_(pixels), error_(error) {
+        const double bandwidth = step * static_cast<double>(pixels);
+        if (bandwidth > largest) {
+            return;
+        }
+        // Number of prolate functions with an eigenvalue above about `error`: the Shannon number plus the width of the transition
+        // beyond it (D. Slepian).
+        const double count = bandwidth * 2.0 / pi + std::log(bandwidth + 3.0) * std::log(0.3 / error) / (pi * pi);
+        const auto least = static_cast<std::size_t>(2.0 * std::max(2.0, std::floor(0.5 * count)));
+        for (std::size_t more = 0; more < tried; ++more) {
+            const auto made = cache<WindowNodes>.get(step, pixels, least + 2 * more);
+            if (made->error <= error) {
+                const bool better = nodes == nullptr || made->gain < worth * nodes->gain;
+                nodes = nodes == nullptr || made->gain < nodes->gain ? made : nodes;
+                if (nodes->gain <= enough || (!better && nodes->gain <= highest)) {
+                    break;
+                }
+            }
+        }
+        if (nodes != nullptr && nodes->gain > highest) {
+            nodes = nullptr;
+        }
+    }
 
     static constexpr std::size_t most_bytes = 64 * 64;
     bool is(double step, std::size_t pixels, double error) const {
@@ -100,7 +173,6 @@ inline std::shared_ptr<const WindowNodes> window_nodes(double step, std::size_t 
     return cache<ChosenNodes>.get(step, pixels, error)->nodes;
 }
 
-#if defined(LOMMEL_DEFINES)
 namespace prolate {
 
 // Pivots of Gaussian elimination of (symmetric tridiagonal matrix) - shift * identity; pivots of 0 are replaced by 1e-290.
@@ -142,8 +214,13 @@ class EvenSeries {
 
 }  // namespace prolate
 
-LOMMEL_ONCE std::vector<double> eigenvector(const std::vector<double>& diagonal, const std::vector<double>& beside,
-                                            std::size_t index) {
+// Eigenvector of a symmetric tridiagonal matrix, for the eigenvalue that exceeds `index` others. beside: off-diagonal elements.
+//
+// Bisection finds the eigenvalue: the number of negative pivots of the shifted matrix is that of eigenvalues below the shift.
+// The vector follows from the pivots of two eliminations, from the first row down and from the last row up, which meet in the row
+// of the smallest residual (I. S. Dhillon and B. N. Parlett 2004, doi:10.1016/j.laa.2003.12.028, section 3).
+inline std::vector<double> eigenvector(const std::vector<double>& diagonal, const std::vector<double>& beside,
+                                       std::size_t index) {
     const std::size_t size = diagonal.size();
     const double reach = 2.0 * *std::max_element(beside.begin(), beside.end());
     double low = *std::min_element(diagonal.begin(), diagonal.end()) - reach,
@@ -182,7 +259,7 @@ LOMMEL_ONCE std::vector<double> eigenvector(const std::vector<double>& diagonal,
     return vector;
 }
 
-LOMMEL_ONCE std::vector<double> prolate_zeros(std::size_t degree, double bandwidth) {
+inline std::vector<double> prolate_zeros(std::size_t degree, double bandwidth) {
     const std::size_t size = (degree + 60) / 2 + static_cast<std::size_t>(std::ceil(0.35 * bandwidth));
     const double square = bandwidth * bandwidth;
     std::vector<double> diagonal, beside;
@@ -238,92 +315,5 @@ WindowNodes::Waves WindowNodes::waves(const std::vector<double>& w, const Factor
     }
     return made;
 }
-
-LOMMEL_ONCE WindowNodes::WindowNodes(double step, std::size_t pixels, std::size_t count) : step_(step), pixels_(pixels) {
-    const double half = 0.5 * step * static_cast<double>(pixels);
-    std::vector<double> x = prolate_zeros(count, 2.0 * half);
-    std::transform(x.begin(), x.end(), x.begin(), [&](double zero) { return half * zero; });
-    const std::size_t nodes = x.size();
-    const std::vector<double> band = band_points(half);
-    const TransferRule rule(band.size());
-    // The even part of a pixel's weights, about the window's middle, gives the real part of the frequency response; the odd part,
-    // the imaginary part. Each part follows by least squares from the nodes on one side of the middle.
-    const auto at_rule = [&](std::size_t i) { return std::sqrt(rule.weights[i]); };
-    const Waves of_rule = waves(rule.at, at_rule, x), of_band = waves(band, [](std::size_t) { return 1.0; }, x);
-    std::vector<double> parts[2], squares(pixels, 0.0), most(pixels, 0.0);
-    for (const std::size_t odd : {0, 1}) {
-        std::vector<double>& c = parts[odd];
-        c.resize(nodes * pixels);
-        least_squares(rule.at.size(), nodes, pixels, of_rule.nodes[odd].data(), of_rule.pixels[odd].data(), c.data());
-        std::vector<double> largest(pixels, 0.0);
-        for (const Waves* each : {&of_rule, &of_band}) {
-            const std::vector<double>& wanted = each->pixels[odd];
-            std::vector<double> made(wanted.size());
-            product(each->nodes[odd].data(), wanted.size() / pixels, nodes, c.data(), pixels, 1, made.data());
-            for (std::size_t i = 0; i < made.size(); ++i) {
-                const double off = std::abs(made[i] - wanted[i]);
-                double &sum = squares[i % pixels], &top = largest[i % pixels];
-                each == & of_rule ? sum += off* off : top = std::max(top, off);
-            }
-        }
-        for (std::size_t j = 0; j < pixels; ++j) {
-            most[j] = std::hypot(most[j], largest[j]);
-        }
-    }
-    for (std::size_t k = nodes; k-- > 0;) {
-        places.push_back(-x[k]);
-    }
-    places.insert(places.end(), x.begin(), x.end());
-    gain = 0.0;
-    std::vector<double> together(places.size(), 0.0), modulus(places.size(), 0.0);
-    for (std::size_t j = 0; j < pixels; ++j) {
-        double sum = 0.0;
-        for (std::size_t i = 0; i < places.size(); ++i) {
-            const std::size_t k = i < nodes ? nodes - 1 - i : i - nodes;
-            const double even = parts[0][k * pixels + j], odd = parts[1][k * pixels + j];
-            const double weight = i < nodes ? even - odd : even + odd;
-            weights.push_back(weight);
-            sum += std::abs(weight);
-            together[i] += weight;
-            modulus[i] = std::max(modulus[i], std::abs(weight));
-        }
-        gain = std::max(gain, sum);
-    }
-    const double rounding = 2.0 * unit_roundoff * static_cast<double>(count + 3) * gain;
-    const double largest = std::sqrt(2.0) * (*std::max_element(most.begin(), most.end()) + 2.0 * rounding) + 1e-17;
-    const double mean = std::sqrt(*std::max_element(squares.begin(), squares.end())) + 4.0 * rounding + 1e-17;
-    // Responses along both axes multiply. With their errors e and e', mean |e e'| <= mean * largest, of which each axis takes half.
-    error = (1.0 + 0.5 * largest) * mean;
-    spread = 0.0;
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        spread = std::max(spread, together[i] > 0.0 ? modulus[i] / together[i] : std::numeric_limits<double>::infinity());
-    }
-}
-
-LOMMEL_ONCE ChosenNodes::ChosenNodes(double step, std::size_t pixels, double error)
-    : step_(step), pixels_(pixels), error_(error) {
-    const double bandwidth = step * static_cast<double>(pixels);
-    if (bandwidth > largest) {
-        return;
-    }
-    // Number of prolate functions with an eigenvalue above about `error`: the Shannon number plus the width of the transition
-    // beyond it (D. Slepian).
-    const double count = bandwidth * 2.0 / pi + std::log(bandwidth + 3.0) * std::log(0.3 / error) / (pi * pi);
-    const auto least = static_cast<std::size_t>(2.0 * std::max(2.0, std::floor(0.5 * count)));
-    for (std::size_t more = 0; more < tried; ++more) {
-        const auto made = cache<WindowNodes>.get(step, pixels, least + 2 * more);
-        if (made->error <= error) {
-            const bool better = nodes == nullptr || made->gain < worth * nodes->gain;
-            nodes = nodes == nullptr || made->gain < nodes->gain ? made : nodes;
-            if (nodes->gain <= enough || (!better && nodes->gain <= highest)) {
-                break;
-            }
-        }
-    }
-    if (nodes != nullptr && nodes->gain > highest) {
-        nodes = nullptr;
-    }
-}
-#endif
 
 }  // namespace lommel

@@ -11,7 +11,6 @@
 
 #include "lommel/base/fork.hpp"
 #include "lommel/base/lock.hpp"
-#include "lommel/base/once.hpp"
 #include "lommel/base/watch.hpp"
 
 #if !defined(LOMMEL_SINGLE_THREADED)
@@ -71,7 +70,7 @@ class Shared : protected ForkAware {
     }
 
    protected:
-    Shared();
+    Shared() { all().push_back(this); }
     ~Shared() = default;
 
     Mutex mutex_;
@@ -94,10 +93,6 @@ class Shared : protected ForkAware {
         }
     }
 };
-
-#if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE Shared::Shared() { all().push_back(this); }
-#endif
 
 // Cache of tables of one type: the most recently used, up to Table::most_bytes, and always the last two, as images may alternate
 // between tables for an aperture and for its obscuration. Table::is() compares the key from which a table is constructed.

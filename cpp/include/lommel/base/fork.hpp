@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "lommel/base/lock.hpp"
-#include "lommel/base/once.hpp"
 
 // LOMMEL_FORKS: fork() exists, and may be called while another thread holds a lock.
 #if !defined(LOMMEL_SINGLE_THREADED) && (defined(__unix__) || defined(__APPLE__))
@@ -22,7 +21,26 @@ class ForkAware {
     ForkAware& operator=(const ForkAware&) = delete;
 
    protected:
-    ForkAware();
+    ForkAware() {
+#if defined(LOMMEL_FORKS)
+        if (all().empty()) {
+            pthread_atfork(
+                [] {
+                    for (ForkAware* one : all())
+                        one->before_fork();
+                },
+                [] {
+                    for (ForkAware* one : all())
+                        one->after_fork(false);
+                },
+                [] {
+                    for (ForkAware* one : all())
+                        one->after_fork(true);
+                });
+        }
+#endif
+        all().push_back(this);
+    }
     ~ForkAware() = default;
 
     virtual void before_fork() {}
@@ -34,28 +52,5 @@ class ForkAware {
         return list;
     }
 };
-
-#if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE ForkAware::ForkAware() {
-#if defined(LOMMEL_FORKS)
-    if (all().empty()) {
-        pthread_atfork(
-            [] {
-                for (ForkAware* one : all())
-                    one->before_fork();
-            },
-            [] {
-                for (ForkAware* one : all())
-                    one->after_fork(false);
-            },
-            [] {
-                for (ForkAware* one : all())
-                    one->after_fork(true);
-            });
-    }
-#endif
-    all().push_back(this);
-}
-#endif
 
 }  // namespace lommel

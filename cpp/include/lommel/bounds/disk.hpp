@@ -38,22 +38,18 @@ struct TermPairs {
     std::size_t curved;  // index of the first pair that is neither constant nor tilt
     std::size_t degree = 1;  // highest degree
 
-    explicit TermPairs(const std::vector<ZernikeTerm>& list);
-};
-
-#if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE TermPairs::TermPairs(const std::vector<ZernikeTerm>& list) : terms(list) {
-    for (std::size_t j = 0; j < terms.size(); ++j) {
-        const std::size_t n = static_cast<std::size_t>(terms[j].n), m = static_cast<std::size_t>(std::abs(terms[j].m));
-        degree = std::max(degree, n);
-        const auto at = std::find_if(pairs.begin(), pairs.end(), [&](const Pair& p) { return p.n == n && p.m == m; });
-        Pair& pair = at == pairs.end() ? (pairs.push_back({n, m, none, none}), pairs.back()) : *at;
-        (terms[j].m < 0 ? pair.sine : pair.cosine) = j;
+    explicit TermPairs(const std::vector<ZernikeTerm>& list) : terms(list) {
+        for (std::size_t j = 0; j < terms.size(); ++j) {
+            const std::size_t n = static_cast<std::size_t>(terms[j].n), m = static_cast<std::size_t>(std::abs(terms[j].m));
+            degree = std::max(degree, n);
+            const auto at = std::find_if(pairs.begin(), pairs.end(), [&](const Pair& p) { return p.n == n && p.m == m; });
+            Pair& pair = at == pairs.end() ? (pairs.push_back({n, m, none, none}), pairs.back()) : *at;
+            (terms[j].m < 0 ? pair.sine : pair.cosine) = j;
+        }
+        std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) { return a.n < b.n; });
+        curved = static_cast<std::size_t>(std::count_if(pairs.begin(), pairs.end(), [](const Pair& p) { return p.n < 2; }));
     }
-    std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) { return a.n < b.n; });
-    curved = static_cast<std::size_t>(std::count_if(pairs.begin(), pairs.end(), [](const Pair& p) { return p.n < 2; }));
-}
-#endif
+};
 
 // Functions of b for 64 complex curves; on a curve, the angle phi = a + ib (top of this file) has the fixed imaginary part b. Each
 // curve gives bounds, for example on the tail of a series; the smallest one is used.
@@ -63,26 +59,23 @@ struct ChordCurves {
     Values b, inverse, decay, cosh, constant, closed;  // b, 1 / b, e^-b, cosh 2b, log(1 + e^-2b), -log(1 - e^-b)
     std::vector<Values> growth;  // [n]: sinh(n b)
 
-    ChordCurves();
-};
-
-#if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE ChordCurves::ChordCurves() : growth(max_degree + 1) {
-    for (std::size_t k = 0; k < count; ++k) {
-        b[k] = 2e-3 * std::pow(2000.0, static_cast<double>(k) / (count - 1));
-        inverse[k] = 1.0 / b[k];
-        decay[k] = std::exp(-b[k]);
-        cosh[k] = std::cosh(2.0 * b[k]);
-        constant[k] = std::log1p(std::exp(-2.0 * b[k]));
-        closed[k] = -std::log(-std::expm1(-b[k]));
-        const double most = std::sinh(600.0), grown = std::exp(b[k]);
-        double up = 1.0, down = 1.0;  // e^(n b), e^(-n b)
-        for (std::size_t n = 0; n <= max_degree; ++n, up *= grown, down *= decay[k]) {
-            growth[n][k] = std::min(most, 0.5 * (up - down));
+    ChordCurves() : growth(max_degree + 1) {
+        for (std::size_t k = 0; k < count; ++k) {
+            b[k] = 2e-3 * std::pow(2000.0, static_cast<double>(k) / (count - 1));
+            inverse[k] = 1.0 / b[k];
+            decay[k] = std::exp(-b[k]);
+            cosh[k] = std::cosh(2.0 * b[k]);
+            constant[k] = std::log1p(std::exp(-2.0 * b[k]));
+            closed[k] = -std::log(-std::expm1(-b[k]));
+            const double most = std::sinh(600.0), grown = std::exp(b[k]);
+            double up = 1.0, down = 1.0;  // e^(n b), e^(-n b)
+            for (std::size_t n = 0; n <= max_degree; ++n, up *= grown, down *= decay[k]) {
+                growth[n][k] = std::min(most, 0.5 * (up - down));
+            }
         }
     }
-}
-#endif
+};
+
 // A global object, constructed at load time: a static inside a function could be half built when the process forks.
 inline const ChordCurves chord_curves;
 

@@ -32,28 +32,24 @@ struct EllipseGrid {
     std::array<double, count> eta, sinh, cosh, decay, closed, perimeter, quadrature;
     std::array<double, steps + 1> sin, cos;
 
-    EllipseGrid();
+    EllipseGrid() {
+        for (std::size_t i = 0; i < count; ++i) {
+            eta[i] = 2e-3 * std::pow(2000.0, static_cast<double>(i) / (count - 1));
+            sinh[i] = std::sinh(eta[i]);
+            cosh[i] = std::cosh(eta[i]);
+            decay[i] = std::exp(-eta[i]);
+            closed[i] = -std::log(1.0 - decay[i]);
+            const double both = std::log(-std::expm1(-2.0 * eta[i]));
+            // Bound on the perimeter l of an ellipse: log(l / pi) <= log sqrt(2 cosh 2 eta).
+            perimeter[i] = 0.5 * std::log(2.0 * std::cosh(2.0 * eta[i])) - both;
+            quadrature[i] = std::log(32.0 / 15.0) - both - std::log(std::expm1(eta[i]));
+        }
+        for (std::size_t j = 0; j <= steps; ++j) {
+            sin[j] = std::sin(pi * static_cast<double>(j) / steps);
+            cos[j] = std::cos(pi * static_cast<double>(j) / steps);
+        }
+    }
 };
-
-#if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE EllipseGrid::EllipseGrid() {
-    for (std::size_t i = 0; i < count; ++i) {
-        eta[i] = 2e-3 * std::pow(2000.0, static_cast<double>(i) / (count - 1));
-        sinh[i] = std::sinh(eta[i]);
-        cosh[i] = std::cosh(eta[i]);
-        decay[i] = std::exp(-eta[i]);
-        closed[i] = -std::log(1.0 - decay[i]);
-        const double both = std::log(-std::expm1(-2.0 * eta[i]));
-        // Bound on the perimeter l of an ellipse: log(l / pi) <= log sqrt(2 cosh 2 eta).
-        perimeter[i] = 0.5 * std::log(2.0 * std::cosh(2.0 * eta[i])) - both;
-        quadrature[i] = std::log(32.0 / 15.0) - both - std::log(std::expm1(eta[i]));
-    }
-    for (std::size_t j = 0; j <= steps; ++j) {
-        sin[j] = std::sin(pi * static_cast<double>(j) / steps);
-        cos[j] = std::cos(pi * static_cast<double>(j) / steps);
-    }
-}
-#endif
 
 // A global object, constructed at load time: a static inside a function could be half built when the process forks.
 inline const EllipseGrid ellipse_grid;
@@ -63,33 +59,29 @@ struct EllipsePolynomials {
     static constexpr std::size_t most = 30;
     std::vector<std::array<std::array<double, EllipseGrid::steps + 1>, EllipseGrid::count>> imaginary;
 
-    EllipsePolynomials();
+    EllipsePolynomials() : imaginary(most) {
+        const EllipseGrid& grid = ellipse_grid;
+        for (std::size_t i = 0; i < EllipseGrid::count; ++i) {
+            for (std::size_t j = 0; j <= EllipseGrid::steps; ++j) {
+                const std::complex<double> x(grid.cos[j] * grid.cosh[i], -grid.sin[j] * grid.sinh[i]);
+                std::complex<double> before = 0.0, here = 1.0;
+                for (std::size_t k = 0; k < most; ++k) {
+                    // (n + 1) P_{n+1} = (2n + 1) x P_n - n P_{n-1}
+                    const double n = static_cast<double>(k);
+                    const std::complex<double> next = ((2.0 * n + 1.0) * x * here - n * before) / (n + 1.0);
+                    before = here;
+                    here = next;
+                    imaginary[k][i][j] = here.imag();
+                }
+            }
+        }
+    }
 
     std::size_t bytes() const { return sizeof(imaginary[0]) * imaginary.size(); }
     bool is() const { return true; }
     static constexpr std::size_t most_bytes = std::size_t{1} << 21;
     static std::shared_ptr<const EllipsePolynomials> get() { return cache<EllipsePolynomials>.get(); }
 };
-
-#if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE EllipsePolynomials::EllipsePolynomials() : imaginary(most) {
-    const EllipseGrid& grid = ellipse_grid;
-    for (std::size_t i = 0; i < EllipseGrid::count; ++i) {
-        for (std::size_t j = 0; j <= EllipseGrid::steps; ++j) {
-            const std::complex<double> x(grid.cos[j] * grid.cosh[i], -grid.sin[j] * grid.sinh[i]);
-            std::complex<double> before = 0.0, here = 1.0;
-            for (std::size_t k = 0; k < most; ++k) {
-                // (n + 1) P_{n+1} = (2n + 1) x P_n - n P_{n-1}
-                const double n = static_cast<double>(k);
-                const std::complex<double> next = ((2.0 * n + 1.0) * x * here - n * before) / (n + 1.0);
-                before = here;
-                here = next;
-                imaginary[k][i][j] = here.imag();
-            }
-        }
-    }
-}
-#endif
 
 class Ellipses {
    public:

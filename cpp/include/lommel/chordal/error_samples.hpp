@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "lommel/base/cache.hpp"
-#include "lommel/base/once.hpp"
 #include "lommel/base/pi.hpp"
 #include "lommel/base/simd.hpp"
 #include "lommel/bounds/chords.hpp"
@@ -43,7 +42,47 @@ struct SharpTable {
     Floats shares;  // weights of the samples: [tile][mirror image][sample or conjugate][corner][sample]; 0 for padding
     std::vector<double> most;  // [term]: bound on |imaginary part| of the term at all samples
 
-    SharpTable(const std::vector<ZernikeTerm>& list, Sum which, std::size_t at, const VBox& window);
+    SharpTable(const std::vector<ZernikeTerm>& list, Sum which, std::size_t at, const VBox& window)
+        : terms(list), sum(which), curve(at), b(chord_curves.b[at]), box(window), classes(list) {
+        const std::size_t degree = TermPairs(list).degree, last = quarter(degree), side = last + 1;
+        samples = side * side;
+        step = pi / static_cast<double>(2 * last);
+        for (const ZernikeTerm& term : list) {
+            most.push_back(std::sinh(static_cast<double>(term.n) * b));
+        }
+        values.resize(tiles() * tile * list.size());
+        const ZernikeValues polynomials(list, classes.order);
+        std::vector<double> exponents(samples * places);
+        const double tips[corners][2] = {
+            {box.left, box.top}, {box.right, box.top}, {box.left, box.bottom}, {box.right, box.bottom}};
+        for (std::size_t p = 0; p < side; ++p) {
+            for (std::size_t q = 0; q < side; ++q) {
+                look();
+                const std::size_t s = p * side + q;
+                const std::complex<wide> one(step * static_cast<double>(p), sum == Sum::chords ? b : 0.0);
+                const std::complex<wide> two(step * static_cast<double>(q), sum == Sum::nodes ? b : 0.0);
+                const std::complex<wide> x = std::cos(one), y = std::sin(one) * std::cos(two);
+                const double rise_x = static_cast<double>(x.imag()), rise_y = static_cast<double>(y.imag());
+                polynomials.at(x, y, [&](std::size_t j, const std::complex<wide>& value) {
+                    values[place(s, list.size()) + j * tile] = static_cast<float>(value.imag());
+                });
+                for (std::size_t k = 0; k < places; ++k) {
+                    const std::size_t corner = k % corners, sign = k / corners % 2, image = k / corners / 2;
+                    const double here = (image < 2 ? 1.0 : -1.0) * tips[corner][0] * rise_x +
+                                        (image % 2 == 0 ? 1.0 : -1.0) * tips[corner][1] * rise_y;
+                    exponents[s * places + k] = sign == 0 ? -here : here;
+                    scale = std::max(scale, std::abs(here));
+                }
+            }
+        }
+        const std::vector<double> first = firsts(last), second = seconds(last);
+        shares.resize(tiles() * tile * places);
+        for (std::size_t j = 0; j < exponents.size(); ++j) {
+            const std::size_t s = j / places;
+            const double share = first[s / side] * second[s % side] * std::exp(exponents[j] - scale);
+            shares[place(s, places) + j % places * tile] = static_cast<float>(std::max(share, 1e-35));
+        }
+    }
 
     // Number of sampling steps in a quarter turn; degree: largest radial degree of the Zernike terms.
     static std::size_t quarter(std::size_t degree) { return (5 * std::max<std::size_t>(2, degree) + 1) / 2; }
@@ -129,50 +168,6 @@ struct SharpTable {
         return found;
     }
 };
-
-#if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE SharpTable::SharpTable(const std::vector<ZernikeTerm>& list, Sum which, std::size_t at, const VBox& window)
-    : terms(list), sum(which), curve(at), b(chord_curves.b[at]), box(window), classes(list) {
-    const std::size_t degree = TermPairs(list).degree, last = quarter(degree), side = last + 1;
-    samples = side * side;
-    step = pi / static_cast<double>(2 * last);
-    for (const ZernikeTerm& term : list) {
-        most.push_back(std::sinh(static_cast<double>(term.n) * b));
-    }
-    values.resize(tiles() * tile * list.size());
-    const ZernikeValues polynomials(list, classes.order);
-    std::vector<double> exponents(samples * places);
-    const double tips[corners][2] = {
-        {box.left, box.top}, {box.right, box.top}, {box.left, box.bottom}, {box.right, box.bottom}};
-    for (std::size_t p = 0; p < side; ++p) {
-        for (std::size_t q = 0; q < side; ++q) {
-            look();
-            const std::size_t s = p * side + q;
-            const std::complex<wide> one(step * static_cast<double>(p), sum == Sum::chords ? b : 0.0);
-            const std::complex<wide> two(step * static_cast<double>(q), sum == Sum::nodes ? b : 0.0);
-            const std::complex<wide> x = std::cos(one), y = std::sin(one) * std::cos(two);
-            const double rise_x = static_cast<double>(x.imag()), rise_y = static_cast<double>(y.imag());
-            polynomials.at(x, y, [&](std::size_t j, const std::complex<wide>& value) {
-                values[place(s, list.size()) + j * tile] = static_cast<float>(value.imag());
-            });
-            for (std::size_t k = 0; k < places; ++k) {
-                const std::size_t corner = k % corners, sign = k / corners % 2, image = k / corners / 2;
-                const double here = (image < 2 ? 1.0 : -1.0) * tips[corner][0] * rise_x +
-                                    (image % 2 == 0 ? 1.0 : -1.0) * tips[corner][1] * rise_y;
-                exponents[s * places + k] = sign == 0 ? -here : here;
-                scale = std::max(scale, std::abs(here));
-            }
-        }
-    }
-    const std::vector<double> first = firsts(last), second = seconds(last);
-    shares.resize(tiles() * tile * places);
-    for (std::size_t j = 0; j < exponents.size(); ++j) {
-        const std::size_t s = j / places;
-        const double share = first[s / side] * second[s % side] * std::exp(exponents[j] - scale);
-        shares[place(s, places) + j % places * tile] = static_cast<float>(std::max(share, 1e-35));
-    }
-}
-#endif
 
 // Compute two numbers for each pupil, of phase Phi, over the samples r. tops: maximum of |Im Phi|. means: mean modulus of
 // exp(i Phi - i (v . r)) for the corner v of the window that gives the largest mean, divided by exp(tops + table.scale) so that it

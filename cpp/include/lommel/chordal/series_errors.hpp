@@ -35,16 +35,32 @@ struct SeriesSizes {
     // plane are taken.
     void errors(const std::int32_t* of, std::size_t sets, std::size_t planes, const double* chords, const double* nodes,
                 const double* left, const double* rounding, const double* shares, std::size_t fields, double error,
-                double* field_errors) const;
+                double* field_errors) const {
+        std::fill_n(field_errors, sets * planes * fields, 0.0);
+        for (std::size_t set = 0; set < sets; ++set) {
+            for (std::size_t plane = 0; plane < planes; ++plane) {
+                const std::size_t from = (static_cast<std::size_t>(of[set]) * planes + plane) * parts;
+                for (std::size_t part = 0; part < parts; ++part) {
+                    const double* size = on_curves + (from + part) * curves;
+                    double by[2] = {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+                    for (std::size_t b = 0; b < curves; ++b) {
+                        by[0] = std::min(by[0], size[b] * chords[set * curves + b]);
+                        by[1] = std::min(by[1], size[b] * nodes[set * curves + b]);
+                    }
+                    const double off = by[0] + by[1] + left[set] + rounding[set] * moduli[from + part] + error;
+                    for (std::size_t field = 0; field < fields; ++field) {
+                        field_errors[(set * planes + plane) * fields + field] += shares[field * parts + part] * off;
+                    }
+                }
+            }
+        }
+    }
 };
 
 // Error bounds errors[set][plane] of the intensity sum |E|^2 (first set) and of its derivatives (other sets), from the error bounds
 // field_errors[set][plane][field] and largest moduli largest[set][plane][field] of the fields.
-void light_errors(const double* field_errors, const double* largest, std::size_t sets, std::size_t planes, std::size_t fields,
-                  double* errors);
-#if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE void light_errors(const double* field_errors, const double* largest, std::size_t sets, std::size_t planes,
-                              std::size_t fields, double* errors) {
+inline void light_errors(const double* field_errors, const double* largest, std::size_t sets, std::size_t planes,
+                         std::size_t fields, double* errors) {
     constexpr double unit = 0x1p-53;
     for (std::size_t i = 0; i < sets * planes; ++i) {
         const double *const off = field_errors + i * fields, *const top = largest + i * fields;
@@ -58,7 +74,6 @@ LOMMEL_ONCE void light_errors(const double* field_errors, const double* largest,
         errors[i] = sum;
     }
 }
-#endif
 
 // Divide `count` values by `by`, in place; return the largest modulus of a quotient.
 double divide(Level level, double by, std::size_t count, double* values);
@@ -86,9 +101,7 @@ LOMMEL_ONCE double divide(Level level, double by, std::size_t count, double* val
     });
     return top;
 }
-#endif
 
-#if defined(LOMMEL_DEFINES)
 LOMMEL_ONCE void SeriesSizes::sum(Level level, const std::complex<double>* coefficients, const std::vector<std::size_t>& ends,
                                   const double* powers, const double* rate, const double* chosen, double (&needed)[2]) const {
     const std::size_t total = ends.back();
@@ -123,28 +136,6 @@ LOMMEL_ONCE void SeriesSizes::sum(Level level, const std::complex<double>* coeff
     }
 }
 
-LOMMEL_ONCE void SeriesSizes::errors(const std::int32_t* of, std::size_t sets, std::size_t planes, const double* chords,
-                                     const double* nodes, const double* left, const double* rounding, const double* shares,
-                                     std::size_t fields, double error, double* field_errors) const {
-    std::fill_n(field_errors, sets * planes * fields, 0.0);
-    for (std::size_t set = 0; set < sets; ++set) {
-        for (std::size_t plane = 0; plane < planes; ++plane) {
-            const std::size_t from = (static_cast<std::size_t>(of[set]) * planes + plane) * parts;
-            for (std::size_t part = 0; part < parts; ++part) {
-                const double* size = on_curves + (from + part) * curves;
-                double by[2] = {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
-                for (std::size_t b = 0; b < curves; ++b) {
-                    by[0] = std::min(by[0], size[b] * chords[set * curves + b]);
-                    by[1] = std::min(by[1], size[b] * nodes[set * curves + b]);
-                }
-                const double off = by[0] + by[1] + left[set] + rounding[set] * moduli[from + part] + error;
-                for (std::size_t field = 0; field < fields; ++field) {
-                    field_errors[(set * planes + plane) * fields + field] += shares[field * parts + part] * off;
-                }
-            }
-        }
-    }
-}
 #endif
 
 }  // namespace lommel

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "lommel/base/aligned.hpp"
-#include "lommel/base/once.hpp"
 #include "lommel/base/parallel.hpp"
 #include "lommel/base/pi.hpp"
 #include "lommel/base/simd.hpp"
@@ -78,7 +77,31 @@ class FocalScale {
     std::size_t width() const { return width_; }
 
     // Write the resampled frame, in raw values; NaN where any source pixel is outside the frame, saturated or unknown.
-    void operator()(const FocalFrame& frame, float* out);
+    void operator()(const FocalFrame& frame, float* out) {
+        constexpr std::size_t taps = FocalAxis::taps;
+        parallel_for(threads_, static_cast<int>(threads_), [&](std::size_t, std::size_t s) {
+            float* const values = room_.data() + s * (taps + 1) * width_;
+            float* const ring = values + width_;
+            std::ptrdiff_t next = 0;  // next frame row to enter the ring buffer
+            for (std::size_t y = height_ * s / threads_; y < height_ * (s + 1) / threads_; ++y) {
+                float* const to = out + y * width_;
+                if (!down_.inside(y)) {
+                    std::fill_n(to, width_, unknown);
+                    continue;
+                }
+                for (next = std::max(next, down_.first(y)); next < down_.first(y) + std::ptrdiff_t{taps}; ++next) {
+                    row(frame, static_cast<std::size_t>(next), values, ring + static_cast<std::size_t>(next) % taps * width_);
+                }
+                for (std::size_t k = 0; k < taps; ++k) {
+                    const float* const from = ring + (static_cast<std::size_t>(down_.first(y)) + k) % taps * width_;
+                    const float weight = down_.weight(k, y);
+                    for (std::size_t x = 0; x < width_; ++x) {
+                        to[x] = (k == 0 ? 0.0f : to[x]) + weight * from[x];
+                    }
+                }
+            }
+        });
+    }
 
    private:
     static constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
@@ -115,33 +138,5 @@ class FocalScale {
     std::size_t threads_;
     Floats room_;
 };
-
-#if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE void FocalScale::operator()(const FocalFrame& frame, float* out) {
-    constexpr std::size_t taps = FocalAxis::taps;
-    parallel_for(threads_, static_cast<int>(threads_), [&](std::size_t, std::size_t s) {
-        float* const values = room_.data() + s * (taps + 1) * width_;
-        float* const ring = values + width_;
-        std::ptrdiff_t next = 0;  // next frame row to enter the ring buffer
-        for (std::size_t y = height_ * s / threads_; y < height_ * (s + 1) / threads_; ++y) {
-            float* const to = out + y * width_;
-            if (!down_.inside(y)) {
-                std::fill_n(to, width_, unknown);
-                continue;
-            }
-            for (next = std::max(next, down_.first(y)); next < down_.first(y) + std::ptrdiff_t{taps}; ++next) {
-                row(frame, static_cast<std::size_t>(next), values, ring + static_cast<std::size_t>(next) % taps * width_);
-            }
-            for (std::size_t k = 0; k < taps; ++k) {
-                const float* const from = ring + (static_cast<std::size_t>(down_.first(y)) + k) % taps * width_;
-                const float weight = down_.weight(k, y);
-                for (std::size_t x = 0; x < width_; ++x) {
-                    to[x] = (k == 0 ? 0.0f : to[x]) + weight * from[x];
-                }
-            }
-        }
-    });
-}
-#endif
 
 }  // namespace lommel

@@ -26,9 +26,7 @@ struct Scene {
 };
 
 // Return whether all values are finite, by a sum of values times 0: inf or NaN times 0 is NaN.
-bool all_finite(const double* values, std::size_t size);
-#if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE bool all_finite(const double* values, std::size_t size) {
+inline bool all_finite(const double* values, std::size_t size) {
     double total = 0.0;
     dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
         using V = typename decltype(isa)::pack;
@@ -47,7 +45,6 @@ LOMMEL_ONCE bool all_finite(const double* values, std::size_t size) {
     });
     return total == 0.0;
 }
-#endif
 
 // Occlusion: a pixel sees the fraction clamp(seen - l, 0, 1) of a point in layer l: all of the point if l <= seen - 1, nothing
 // if l >= seen, a fraction in between. Nearer layers have smaller l.

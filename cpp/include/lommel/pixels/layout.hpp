@@ -24,7 +24,22 @@ struct Radii {
 struct Layout : Radii {  // the radii are in units of the pixel pitch
     FoldedSide rows, columns;
 
-    Layout(const FoldedSide& down, const FoldedSide& across);
+    Layout(const FoldedSide& down, const FoldedSide& across) : rows(down), columns(across) {
+        const SquaredRadii squares(rows, columns);
+        count = squares.count();
+        const std::size_t pixels = rows.distances() * columns.distances();
+        if (count <= few) {
+            of_few_.resize(pixels);
+            squares.ranks(of_few_.data());
+        } else {
+            of_many_.resize(pixels);
+            squares.ranks(of_many_.data());
+        }
+        radii.resize(count + padding);
+        squares.each([&](std::size_t rank, std::size_t s) { radii[rank] = squares.square(s); });
+        std::transform(radii.begin(), radii.begin() + count, radii.begin(), [](double s) { return std::sqrt(s); });
+        std::fill(radii.begin() + count, radii.end(), radii[count - 1]);
+    }
 
     static constexpr std::size_t padding = widest_step, few = std::size_t{1} << 16;
     std::size_t height() const { return rows.count; }
@@ -56,25 +71,6 @@ struct Layout : Radii {  // the radii are in units of the pixel pitch
     std::vector<std::uint16_t> of_few_;
     std::vector<std::uint32_t> of_many_;
 };
-
-#if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE Layout::Layout(const FoldedSide& down, const FoldedSide& across) : rows(down), columns(across) {
-    const SquaredRadii squares(rows, columns);
-    count = squares.count();
-    const std::size_t pixels = rows.distances() * columns.distances();
-    if (count <= few) {
-        of_few_.resize(pixels);
-        squares.ranks(of_few_.data());
-    } else {
-        of_many_.resize(pixels);
-        squares.ranks(of_many_.data());
-    }
-    radii.resize(count + padding);
-    squares.each([&](std::size_t rank, std::size_t s) { radii[rank] = squares.square(s); });
-    std::transform(radii.begin(), radii.begin() + count, radii.begin(), [](double s) { return std::sqrt(s); });
-    std::fill(radii.begin() + count, radii.end(), radii[count - 1]);
-}
-#endif
 
 template <class T>
 void Layout::scatter(const T* profile, std::size_t first, std::size_t last, T* image) const {

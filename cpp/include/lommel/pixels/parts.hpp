@@ -11,7 +11,6 @@
 
 #include "lommel/base/aligned.hpp"
 #include "lommel/base/cache.hpp"
-#include "lommel/base/once.hpp"
 #include "lommel/base/pi.hpp"
 #include "lommel/base/simd.hpp"
 #include "lommel/special/chebyshev.hpp"
@@ -64,7 +63,28 @@ struct Halves {
     }
 
     // Compute evens[i], odds[i]: m-th derivatives at x of the even and odd parts of the Lagrange polynomial of point half + i.
-    void derivative(std::size_t m, double x, double (&evens)[half], double (&odds)[half]) const;
+    void derivative(std::size_t m, double x, double (&evens)[half], double (&odds)[half]) const {
+        // chebyshev[k][j]: j-th derivative of the Chebyshev polynomial T_k, from T_(k+1) = 2 x T_k - T_(k-1) differentiated j times.
+        wide chebyshev[points][5] = {};
+        chebyshev[0][0] = 1;
+        chebyshev[1][0] = static_cast<wide>(x);
+        chebyshev[1][1] = 1;
+        for (std::size_t k = 2; k < points; ++k) {
+            for (std::size_t j = 0; j <= m; ++j) {
+                const wide lower = j == 0 ? wide{0} : 2 * static_cast<wide>(j) * chebyshev[k - 1][j - 1];
+                chebyshev[k][j] = 2 * static_cast<wide>(x) * chebyshev[k - 1][j] + lower - chebyshev[k - 2][j];
+            }
+        }
+        for (std::size_t i = 0; i < half; ++i) {
+            wide sums[2] = {};
+            for (std::size_t k = 0; k < points; ++k) {
+                const wide angle = std::acos(wide{-1}) * static_cast<wide>(k * (2 * (half - 1 - i) + 1)) / (2 * points);
+                sums[k % 2] += (k == 0 ? 1 : 2) * std::cos(angle) * chebyshev[k][m] / points;
+            }
+            evens[i] = static_cast<double>(sums[0]);
+            odds[i] = static_cast<double>(sums[1]);
+        }
+    }
 };
 
 // Approximation of a polynomial on `parts` equal parts of [-1, 1]: on each part, the interpolant through `Terms` Chebyshev
@@ -136,7 +156,23 @@ struct Bends {
     };
 
     Halves halves{(second + fourth) / 2};
-    Bends();
+    Bends() {
+        const auto fill = [&](std::size_t from, std::size_t m, std::size_t count) {
+            // A polynomial of degree d is at most 1 / cos(pi d / 2n) times its maximum at n > d Chebyshev points (Ehlich and Zeller).
+            const double share = static_cast<double>(Halves::points - 1 - m) / static_cast<double>(count);
+            const double by = 1.0 / std::cos(0.5 * pi * share);
+            for (std::size_t at = 0; at < count / 2; ++at) {
+                double even[Halves::half], odd[Halves::half];
+                halves.derivative(m, chebyshev_point(at, count), even, odd);
+                for (std::size_t point = 0; point < Halves::half; ++point) {
+                    halves.even[point * halves.pitch + from + at] = by * even[point];
+                    halves.odd[point * halves.pitch + from + at] = by * odd[point];
+                }
+            }
+        };
+        fill(0, 2, second);
+        fill(second / 2, 4, fourth);
+    }
 
     static const Bends& get() {
         static const Bends& only = *new Bends;
@@ -201,48 +237,5 @@ Parts<Terms>::Parts(std::size_t count) : parts(count), halves(count / 2 * Terms)
         sizes += size;
     }
 }
-
-#if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE void Halves::derivative(std::size_t m, double x, double (&evens)[half], double (&odds)[half]) const {
-    // chebyshev[k][j]: j-th derivative of the Chebyshev polynomial T_k, from T_(k+1) = 2 x T_k - T_(k-1) differentiated j times.
-    wide chebyshev[points][5] = {};
-    chebyshev[0][0] = 1;
-    chebyshev[1][0] = static_cast<wide>(x);
-    chebyshev[1][1] = 1;
-    for (std::size_t k = 2; k < points; ++k) {
-        for (std::size_t j = 0; j <= m; ++j) {
-            const wide lower = j == 0 ? wide{0} : 2 * static_cast<wide>(j) * chebyshev[k - 1][j - 1];
-            chebyshev[k][j] = 2 * static_cast<wide>(x) * chebyshev[k - 1][j] + lower - chebyshev[k - 2][j];
-        }
-    }
-    for (std::size_t i = 0; i < half; ++i) {
-        wide sums[2] = {};
-        for (std::size_t k = 0; k < points; ++k) {
-            const wide angle = std::acos(wide{-1}) * static_cast<wide>(k * (2 * (half - 1 - i) + 1)) / (2 * points);
-            sums[k % 2] += (k == 0 ? 1 : 2) * std::cos(angle) * chebyshev[k][m] / points;
-        }
-        evens[i] = static_cast<double>(sums[0]);
-        odds[i] = static_cast<double>(sums[1]);
-    }
-}
-
-LOMMEL_ONCE Bends::Bends() {
-    const auto fill = [&](std::size_t from, std::size_t m, std::size_t count) {
-        // A polynomial of degree d is at most 1 / cos(pi d / 2n) times its maximum at n > d Chebyshev points (Ehlich and Zeller).
-        const double share = static_cast<double>(Halves::points - 1 - m) / static_cast<double>(count);
-        const double by = 1.0 / std::cos(0.5 * pi * share);
-        for (std::size_t at = 0; at < count / 2; ++at) {
-            double even[Halves::half], odd[Halves::half];
-            halves.derivative(m, chebyshev_point(at, count), even, odd);
-            for (std::size_t point = 0; point < Halves::half; ++point) {
-                halves.even[point * halves.pitch + from + at] = by * even[point];
-                halves.odd[point * halves.pitch + from + at] = by * odd[point];
-            }
-        }
-    };
-    fill(0, 2, second);
-    fill(second / 2, 4, fourth);
-}
-#endif
 
 }  // namespace lommel

@@ -111,16 +111,13 @@ class SquaredRadii {
 
 // Return the distinct squared radii, ascending, of (rows + 1) x (cols + 1) pixels whose first one is centred on the axis;
 // index[y][x] becomes the rank of each pixel's radius.
-std::vector<std::int64_t> distinct_radii(std::size_t rows, std::size_t cols, std::int32_t* index);
-#if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE std::vector<std::int64_t> distinct_radii(std::size_t rows, std::size_t cols, std::int32_t* index) {
+inline std::vector<std::int64_t> distinct_radii(std::size_t rows, std::size_t cols, std::int32_t* index) {
     const SquaredRadii found(FoldedSide(2 * rows + 1), FoldedSide(2 * cols + 1));
     found.ranks(index);
     std::vector<std::int64_t> squares(found.count());
     found.each([&](std::size_t rank, std::size_t s) { squares[rank] = static_cast<std::int64_t>(s); });
     return squares;
 }
-#endif
 
 // Maximum of nonnegative values, in eight independent chains that compilers vectorise.
 LOMMEL_INLINE double largest(const double* values, std::size_t count) {
@@ -137,14 +134,11 @@ LOMMEL_INLINE double largest(const double* values, std::size_t count) {
     return *std::max_element(top, top + 8);
 }
 
-double largest_value(const double* values, std::size_t count);
-#if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE double largest_value(const double* values, std::size_t count) {
+inline double largest_value(const double* values, std::size_t count) {
     double top = 0.0;
     dispatch([&](auto) LOMMEL_INLINE_LAMBDA { top = largest(values, count); });
     return top;
 }
-#endif
 
 // Write scale * values[i], converted to type T; `out` may be `values`.
 template <class From, class T>

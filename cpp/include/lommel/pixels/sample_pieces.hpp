@@ -99,7 +99,23 @@ struct SamplePieces : Radii {  // radii at which the intensity is computed, in o
     // all: coefficients of all parts. Returns the largest intensity. Speed is limited by loads of doubles.
     using Made = Reference<void(std::size_t row, std::size_t start, std::size_t count, const double* values)>;
     double evaluate(const SampleRows& rows, const double* all, double by, double least, std::size_t begin, std::size_t end,
-                    const Made& made) const;
+                    const Made& made) const {
+        double tops[SampleRows::longest] = {};
+        dispatch([&](auto) LOMMEL_INLINE_LAMBDA {
+            rows.each<double, terms>(begin, end, [&](const SampleRows::Run<double>& run) LOMMEL_INLINE_LAMBDA {
+                double values[SampleRows::longest];
+                for (std::size_t i = 0; i < run.count; ++i) {
+                    const double *const c = all + run.at[i], t = run.x[i], s = t * t;
+                    const double value =
+                        ((c[7] * t + c[6]) * s + (c[5] * t + c[4])) * (s * s) + ((c[3] * t + c[2]) * s + (c[1] * t + c[0]));
+                    tops[i] = value > tops[i] ? value : tops[i];
+                    values[i] = by * value > least ? by * value : least;
+                }
+                made(run.row, run.start, run.count, values);
+            });
+        });
+        return *std::max_element(tops, tops + SampleRows::longest);
+    }
 
     // Call paint(begin, end, to), which returns its largest pixel, for blocks of rows in parallel; returns the maximum of all.
     // Blocks are so tall that most rows find their coefficients in the cache, loaded by the row before.
@@ -178,7 +194,17 @@ struct SamplePieces : Radii {  // radii at which the intensity is computed, in o
         return 1.01 * (single_roundoff * rounded + astray * (largest[1] + largest[2] + 0.75 * largest[3]));
     }
 
-    SampleRows::Zones zones(double parts) const;
+    SampleRows::Zones zones(double parts) const {
+        const double equal = equal_pieces(width), begin = static_cast<double>(first);
+        SampleRows::Zones all;
+        all.fill({HUGE_VAL, 0.0, HUGE_VAL});
+        all[0] = {0.0, parts, -parts * begin - 0.5};
+        std::size_t made = 1;
+        for (double from = equal; from * width <= reach() && made + 1 < all.size(); from *= 2.0) {
+            all[made++] = {from * from, 0.5 * parts / from, parts * (from - 0.5 * equal - begin) - 0.5};
+        }
+        return all;
+    }
     // Compute to[i] = max(0, p(x[i])); c[at[i]] is the first of the `Terms` coefficients of the polynomial p. Coefficients are
     // loaded pixel by pixel and transposed. Each lane of `tops` is raised to the largest to[i] of that lane.
     template <std::size_t Terms, class I>
@@ -239,36 +265,6 @@ LOMMEL_ONCE SamplePieces::SamplePieces(int digits, std::size_t from, std::size_t
     radii.resize((count + widest_step + 15) / 16 * 16, radii.back());
 }
 
-LOMMEL_ONCE double SamplePieces::evaluate(const SampleRows& rows, const double* all, double by, double least, std::size_t begin,
-                                          std::size_t end, const Made& made) const {
-    double tops[SampleRows::longest] = {};
-    dispatch([&](auto) LOMMEL_INLINE_LAMBDA {
-        rows.each<double, terms>(begin, end, [&](const SampleRows::Run<double>& run) LOMMEL_INLINE_LAMBDA {
-            double values[SampleRows::longest];
-            for (std::size_t i = 0; i < run.count; ++i) {
-                const double *const c = all + run.at[i], t = run.x[i], s = t * t;
-                const double value =
-                    ((c[7] * t + c[6]) * s + (c[5] * t + c[4])) * (s * s) + ((c[3] * t + c[2]) * s + (c[1] * t + c[0]));
-                tops[i] = value > tops[i] ? value : tops[i];
-                values[i] = by * value > least ? by * value : least;
-            }
-            made(run.row, run.start, run.count, values);
-        });
-    });
-    return *std::max_element(tops, tops + SampleRows::longest);
-}
-
-LOMMEL_ONCE SampleRows::Zones SamplePieces::zones(double parts) const {
-    const double equal = equal_pieces(width), begin = static_cast<double>(first);
-    SampleRows::Zones all;
-    all.fill({HUGE_VAL, 0.0, HUGE_VAL});
-    all[0] = {0.0, parts, -parts * begin - 0.5};
-    std::size_t made = 1;
-    for (double from = equal; from * width <= reach() && made + 1 < all.size(); from *= 2.0) {
-        all[made++] = {from * from, 0.5 * parts / from, parts * (from - 0.5 * equal - begin) - 0.5};
-    }
-    return all;
-}
 #endif
 
 template <class T>

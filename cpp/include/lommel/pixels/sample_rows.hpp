@@ -10,7 +10,6 @@
 #include <cstring>
 #include <type_traits>
 
-#include "lommel/base/once.hpp"
 #include "lommel/base/simd.hpp"
 #include "lommel/base/watch.hpp"
 #include "lommel/pixels/window.hpp"
@@ -87,10 +86,24 @@ class SampleRows {
 
     // Compute single-precision positions by integer arithmetic, if the error of the distance is then below about `room` optical
     // units; returns the largest error of a position, which is in parts (0: integers are not used).
-    double by_integers(double room);
+    double by_integers(double room) {
+        const double most = room * pieces_ * zones_[0].slope / window_.step;
+        for (tile_ = longest; tile_ >= 32; tile_ /= 2) {
+            const double error = place_error();
+            if (error < most) {
+                integers_ = true;
+                return error;
+            }
+        }
+        tile_ = longest;
+        return 0.0;
+    }
     // Mark single-precision runs as straight if all their pixels are at least `pieces` piece widths from the axis; returns an upper
     // bound on the distance of the pixels in all other runs, in piece widths.
-    double straight_from(double pieces);
+    double straight_from(double pieces) {
+        straight_ = pieces * pieces;
+        return pieces + static_cast<double>(tile_) * pieces_;
+    }
 
     // Call take(run) for all runs of rows [begin, end). Apart: number of coefficients per part; in straight runs there are 2.
     template <class Real, std::uint32_t Apart, class Take>
@@ -241,7 +254,31 @@ class SampleRows {
             ++zone;
         }
     }
-    double place_error() const;
+    double place_error() const {
+        double ends[2];
+        PixelWindow line = window_;
+        line.width = 1;
+        line.center_x = 0.0;
+        line.reach(ends);
+        const double near = squared(ends[0]), far = squared(ends[1]);
+        double error = 0.0;
+        for (std::size_t start = 0; start < window_.width; start += tile_) {
+            PixelWindow columns = window_;
+            columns.height = 1;
+            columns.center_y = 0.0;
+            columns.width = std::min(tile_, window_.width - start);
+            columns.center_x -= static_cast<double>(start);
+            columns.reach(ends);
+            const double least = squared(ends[0]), most = squared(ends[1]);
+            for (std::size_t z = 1; zones_[z].begin <= far + most; ++z) {
+                const double end = z + 2 < zones_.size() ? zones_[z + 2].begin : HUGE_VAL;
+                if (most + near < end && most - least <= end - zones_[z].begin) {
+                    error = std::max(error, std::ldexp(1.0, -fraction_bits((most - least) * zones_[z].slope)));
+                }
+            }
+        }
+        return error;
+    }
 
     PixelWindow window_;
     double pieces_;  // pixel pitch / width of a piece of the distance
@@ -250,51 +287,5 @@ class SampleRows {
     bool integers_ = false;
     double straight_ = HUGE_VAL;  // smallest squared distance of straight runs from the axis, in (piece width)^2
 };
-
-#if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE double SampleRows::place_error() const {
-    double ends[2];
-    PixelWindow line = window_;
-    line.width = 1;
-    line.center_x = 0.0;
-    line.reach(ends);
-    const double near = squared(ends[0]), far = squared(ends[1]);
-    double error = 0.0;
-    for (std::size_t start = 0; start < window_.width; start += tile_) {
-        PixelWindow columns = window_;
-        columns.height = 1;
-        columns.center_y = 0.0;
-        columns.width = std::min(tile_, window_.width - start);
-        columns.center_x -= static_cast<double>(start);
-        columns.reach(ends);
-        const double least = squared(ends[0]), most = squared(ends[1]);
-        for (std::size_t z = 1; zones_[z].begin <= far + most; ++z) {
-            const double end = z + 2 < zones_.size() ? zones_[z + 2].begin : HUGE_VAL;
-            if (most + near < end && most - least <= end - zones_[z].begin) {
-                error = std::max(error, std::ldexp(1.0, -fraction_bits((most - least) * zones_[z].slope)));
-            }
-        }
-    }
-    return error;
-}
-
-LOMMEL_ONCE double SampleRows::by_integers(double room) {
-    const double most = room * pieces_ * zones_[0].slope / window_.step;
-    for (tile_ = longest; tile_ >= 32; tile_ /= 2) {
-        const double error = place_error();
-        if (error < most) {
-            integers_ = true;
-            return error;
-        }
-    }
-    tile_ = longest;
-    return 0.0;
-}
-
-LOMMEL_ONCE double SampleRows::straight_from(double pieces) {
-    straight_ = pieces * pieces;
-    return pieces + static_cast<double>(tile_) * pieces_;
-}
-#endif
 
 }  // namespace lommel

@@ -69,7 +69,11 @@ struct PixelRings : Radii {  // radii at which the intensity is computed, in opt
 
    protected:
     // Evaluate a ring's expansion at `values` pixels. at: radial position in the ring, -1 to 1; angle: cos of four times the angle.
-    void sum_ring(const double* coefficients, const double* at, const double* angle, std::size_t values, double* out) const;
+    void sum_ring(const double* coefficients, const double* at, const double* angle, std::size_t values, double* out) const {
+        dispatch_widest([&](auto isa) LOMMEL_INLINE_LAMBDA {
+            sum_harmonics(isa, RadialDegree{}, coefficients, harmonics, at, angle, values, out);
+        });
+    }
 
     // Compute the weights of all rings, and the error bounds, for pixels of width `side` and rings of half width `half`.
     void weigh(double side, double half, int threads) {
@@ -288,13 +292,6 @@ struct PixelTable : PixelRings {
 };
 
 #if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE void PixelRings::sum_ring(const double* coefficients, const double* at, const double* angle, std::size_t values,
-                                      double* out) const {
-    dispatch_widest([&](auto isa) LOMMEL_INLINE_LAMBDA {
-        sum_harmonics(isa, RadialDegree{}, coefficients, harmonics, at, angle, values, out);
-    });
-}
-
 LOMMEL_ONCE PixelTable::PixelTable(const PixelWindow& w, int digits, int threads, bool many)
     : window(w), level(digits), shared(many), groups(w) {
     const auto ends = std::minmax_element(groups.v.begin(), groups.v.end());

@@ -9,7 +9,6 @@
 #include <type_traits>
 #include <vector>
 
-#include "lommel/base/once.hpp"
 #include "lommel/base/tasks.hpp"
 #include "lommel/bounds/refine.hpp"
 #include "lommel/pixels/sample_pieces.hpp"
@@ -38,22 +37,18 @@ struct Aperture {
 
    private:
     // Integral of the amplitude with respect to the squared pupil radius, in closed form; if there is none, an upper bound.
-    static double bright(double eps, const Amplitude& amplitude);
-};
-
-#if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE double Aperture::bright(double eps, const Amplitude& amplitude) {
-    if (amplitude.closed()) {
-        return amplitude.integral(eps);
+    static double bright(double eps, const Amplitude& amplitude) {
+        if (amplitude.closed()) {
+            return amplitude.integral(eps);
+        }
+        const double flat = 0.0, axis[1 + widest_step] = {};
+        double found[1 + widest_step] = {}, turned[1 + widest_step];
+        Field field;
+        const double error = field.prepare({&flat, 1, &amplitude}, 0, eps, {axis, 1, 1.0}, 1e-12);
+        field.values(axis, 0, 1, 1.0, found, turned);
+        return std::min(1.0 - eps * eps, found[0] + error);
     }
-    const double flat = 0.0, axis[1 + widest_step] = {};
-    double found[1 + widest_step] = {}, turned[1 + widest_step];
-    Field field;
-    const double error = field.prepare({&flat, 1, &amplitude}, 0, eps, {axis, 1, 1.0}, 1e-12);
-    field.values(axis, 0, 1, 1.0, found, turned);
-    return std::min(1.0 - eps * eps, found[0] + error);
-}
-#endif
+};
 
 template <class T>
 class PixelRenderer {

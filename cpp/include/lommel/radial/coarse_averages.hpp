@@ -119,7 +119,80 @@ class EnergyWithin {
     // Compute the encircled energy up to the distance `reach`, from the intensity at `points` Chebyshev points per panel.
     // request: requested error of the field U; swing: half of the largest possible intensity.
     void make(Field& field, const Phase& phase, double obscuration, double reach, double request, std::size_t points,
-              double swing, int threads);
+              double swing, int threads) {
+        panels_ = static_cast<std::size_t>(std::ceil(reach / width)) + 1;
+        count_ = points + 2;
+        const std::size_t all = panels_ * points;
+        radii_.resize(all + widest_step);
+        values_.resize(all + widest_step);
+        places_.resize(points);
+        for (std::size_t j = 0; j < points; ++j) {
+            places_[j] = chebyshev_point(points - 1 - j, points);
+        }
+        for (std::size_t s = 0; s < panels_; ++s) {
+            for (std::size_t j = 0; j < points; ++j) {
+                radii_[s * points + j] = 0.5 * width * (static_cast<double>(2 * s + 1) + places_[j]);
+            }
+        }
+        std::fill(radii_.begin() + all, radii_.end(), radii_[all - 1]);
+        const Places at(radii_.data(), all, 1.0);
+        const double bound = field.prepare(phase, 0, obscuration, at, request);
+        intensities(field, at, threads, [&](std::size_t first, std::size_t count, const double* found) {
+            std::copy_n(found, count, values_.data() + first);
+        });
+
+        transforms_.resize(std::max(transforms_.size(), points + 1));
+        Doubles& transform = transforms_[points];
+        if (transform.size() == 0) {
+            const Doubles by_coefficient = cosine_transform(points);  // matrix for values at descending points
+            transform.resize(points * points);
+            for (std::size_t k = 0; k < points; ++k) {
+                for (std::size_t j = 0; j < points; ++j) {
+                    transform[(points - 1 - j) * points + k] = by_coefficient[k * points + j];
+                }
+            }
+        }
+        const double n = static_cast<double>(points), spread = lebesgue(points),
+                     between = swing * interpolation_error(0.5 * width, points);
+        energies_.assign(panels_ * count_, 0.0);
+        offs_.assign(2 * panels_ + 2, 0.0);
+        rounding = 0.0;
+        double inside = 0.0;
+        mean_.resize(points);
+        moment_.resize(points + 3);
+        series_.resize(count_);
+        monomials_.assign(count_ * count_, 0.0);  // [k][power]: monomial coefficients of the Chebyshev polynomial T_k
+        sizes_.assign(count_, 0.0);  // [k]: rounding error of the Chebyshev polynomial T_k, evaluated by powers, in roundoffs
+        for (std::size_t k = 0; k < count_; ++k) {
+            for (std::size_t power = k % 2; power <= k; power += 2) {
+                const double risen = k > 1 && power > 0 ? 2.0 * monomials_[(k - 1) * count_ + power - 1] : 0.0;
+                monomials_[k * count_ + power] = k < 2 ? 1.0 : risen - monomials_[(k - 2) * count_ + power];
+                sizes_[k] += std::abs(monomials_[k * count_ + power]) *
+                             (2.0 * static_cast<double>(power) + static_cast<double>(points) + 8.0);
+            }
+        }
+        for (std::size_t s = 0; s < panels_; ++s) {
+            const double* const values = values_.data() + s * points;
+            const double middle = 0.5 * width * static_cast<double>(2 * s + 1), end = middle + 0.5 * width;
+            rows_summed(transform.data(), values, points, points, mean_.data());
+            double* const energy = &energies_[s * count_];
+            const double before = inside;
+            inside = integrate_moment(0.5 * width, middle, mean_.data(), points, before, moment_.data(), series_.data());
+            // evaluating: rounding error of the energy, in roundoffs, due to positions and coefficients; tall: bound on the intensity
+            // on the panel.
+            const double top = *std::max_element(values, values + points), tall = spread * top + between;
+            double evaluating = 4.0 * end * end * tall;
+            rows_summed(monomials_.data(), series_.data(), count_, count_, energy);
+            for (std::size_t k = 0; k < count_; ++k) {
+                evaluating += sizes_[k] * std::abs(series_[k]);
+            }
+            rounding = std::max(rounding, unit_roundoff * evaluating);
+            const double given = spread * intensity_error(std::sqrt(top), bound),
+                         area = 0.5 * (end * end - (end - width) * (end - width));
+            offs_[2 * s + 1] = given + between + unit_roundoff * 2.0 * n * (n + 8.0) * top;
+            offs_[2 * s + 2] = offs_[2 * s] + offs_[2 * s + 1] * area + unit_roundoff * (n + 8.0) * (before + inside);
+        }
+    }
 
     struct Crossed {
         double light = 0.0, turn = 0.0, off = 0.0;
@@ -129,7 +202,40 @@ class EnergyWithin {
     // that the edge subtends; off: error of `light` due to errors of E. The number of nodes is a multiple of `together`.
     static constexpr std::size_t together = 8;
     Crossed crossing(double x, double start, double step, const std::vector<double>& nodes,
-                     const std::vector<double>& weights) const;
+                     const std::vector<double>& weights) const {
+        Crossed sum;
+        dispatch([&](auto) LOMMEL_INLINE_LAMBDA {
+            const double places = step * (1.0 / width), farthest = static_cast<double>(panels_ - 1);
+            for (std::size_t first = 0; first < nodes.size(); first += together) {
+                double at[together], share[together], made[together];
+                std::int32_t panel[together];
+                for (std::size_t i = 0; i < together; ++i) {
+                    const double t = start + nodes[first + i], square = std::max(1e-300, x * x + t * t),
+                                 r = std::sqrt(square) * places;
+                    panel[i] = static_cast<std::int32_t>(std::min(farthest, r));
+                    at[i] = 2.0 * (r - static_cast<double>(panel[i])) - 1.0;
+                    share[i] = weights[first + i] * x / square;
+                }
+                const double* from[together];
+                for (std::size_t i = 0; i < together; ++i) {
+                    from[i] = energies_.data() + static_cast<std::size_t>(panel[i]) * count_;
+                    made[i] = from[i][count_ - 1];
+                }
+                for (std::size_t k = count_ - 1; k-- > 0;) {
+                    for (std::size_t i = 0; i < together; ++i) {
+                        made[i] = made[i] * at[i] + from[i][k];
+                    }
+                }
+                for (std::size_t i = 0; i < together; ++i) {
+                    sum.light += share[i] * made[i];
+                    sum.turn += share[i];
+                }
+            }
+        });
+        const double end = start + 1.0, y = std::max(start * start, end * end);
+        sum.off = std::abs(sum.turn) * off(step * std::sqrt(x * x + y));
+        return sum;
+    }
 
     // Bound on the error of E(r), the encircled energy / (2 pi).
     double off(double r) const {
@@ -139,7 +245,18 @@ class EnergyWithin {
     }
 
    private:
-    static void rows_summed(const double* matrix, const double* factors, std::size_t rows, std::size_t columns, double* sums);
+    // Compute sums[column], the sum over rows of factors[row] * matrix[row][column].
+    static void rows_summed(const double* matrix, const double* factors, std::size_t rows, std::size_t columns, double* sums) {
+        dispatch([&](auto) LOMMEL_INLINE_LAMBDA {
+            std::fill_n(sums, columns, 0.0);
+            for (std::size_t i = 0; i < rows; ++i) {
+                const double *const row = matrix + i * columns, factor = factors[i];
+                for (std::size_t k = 0; k < columns; ++k) {
+                    sums[k] += factor * row[k];
+                }
+            }
+        });
+    }
     std::size_t panel(double r) const { return std::min(panels_ - 1, static_cast<std::size_t>(r / width)); }
 
     std::size_t panels_ = 1, count_ = 1;
@@ -150,134 +267,6 @@ class EnergyWithin {
     // bound of the energy at the panel's start; offs_[panel][1]: error bound of the intensity on the panel.
     std::vector<double> energies_, offs_;
 };
-
-#if defined(LOMMEL_DEFINES)
-// Compute sums[column], the sum over rows of factors[row] * matrix[row][column].
-LOMMEL_ONCE void EnergyWithin::rows_summed(const double* matrix, const double* factors, std::size_t rows, std::size_t columns,
-                                           double* sums) {
-    dispatch([&](auto) LOMMEL_INLINE_LAMBDA {
-        std::fill_n(sums, columns, 0.0);
-        for (std::size_t i = 0; i < rows; ++i) {
-            const double *const row = matrix + i * columns, factor = factors[i];
-            for (std::size_t k = 0; k < columns; ++k) {
-                sums[k] += factor * row[k];
-            }
-        }
-    });
-}
-
-LOMMEL_ONCE void EnergyWithin::make(Field& field, const Phase& phase, double obscuration, double reach, double request,
-                                    std::size_t points, double swing, int threads) {
-    panels_ = static_cast<std::size_t>(std::ceil(reach / width)) + 1;
-    count_ = points + 2;
-    const std::size_t all = panels_ * points;
-    radii_.resize(all + widest_step);
-    values_.resize(all + widest_step);
-    places_.resize(points);
-    for (std::size_t j = 0; j < points; ++j) {
-        places_[j] = chebyshev_point(points - 1 - j, points);
-    }
-    for (std::size_t s = 0; s < panels_; ++s) {
-        for (std::size_t j = 0; j < points; ++j) {
-            radii_[s * points + j] = 0.5 * width * (static_cast<double>(2 * s + 1) + places_[j]);
-        }
-    }
-    std::fill(radii_.begin() + all, radii_.end(), radii_[all - 1]);
-    const Places at(radii_.data(), all, 1.0);
-    const double bound = field.prepare(phase, 0, obscuration, at, request);
-    intensities(field, at, threads, [&](std::size_t first, std::size_t count, const double* found) {
-        std::copy_n(found, count, values_.data() + first);
-    });
-
-    transforms_.resize(std::max(transforms_.size(), points + 1));
-    Doubles& transform = transforms_[points];
-    if (transform.size() == 0) {
-        const Doubles by_coefficient = cosine_transform(points);  // matrix for values at descending points
-        transform.resize(points * points);
-        for (std::size_t k = 0; k < points; ++k) {
-            for (std::size_t j = 0; j < points; ++j) {
-                transform[(points - 1 - j) * points + k] = by_coefficient[k * points + j];
-            }
-        }
-    }
-    const double n = static_cast<double>(points), spread = lebesgue(points),
-                 between = swing * interpolation_error(0.5 * width, points);
-    energies_.assign(panels_ * count_, 0.0);
-    offs_.assign(2 * panels_ + 2, 0.0);
-    rounding = 0.0;
-    double inside = 0.0;
-    mean_.resize(points);
-    moment_.resize(points + 3);
-    series_.resize(count_);
-    monomials_.assign(count_ * count_, 0.0);  // [k][power]: monomial coefficients of the Chebyshev polynomial T_k
-    sizes_.assign(count_, 0.0);  // [k]: rounding error of the Chebyshev polynomial T_k, evaluated by powers, in roundoffs
-    for (std::size_t k = 0; k < count_; ++k) {
-        for (std::size_t power = k % 2; power <= k; power += 2) {
-            const double risen = k > 1 && power > 0 ? 2.0 * monomials_[(k - 1) * count_ + power - 1] : 0.0;
-            monomials_[k * count_ + power] = k < 2 ? 1.0 : risen - monomials_[(k - 2) * count_ + power];
-            sizes_[k] += std::abs(monomials_[k * count_ + power]) *
-                         (2.0 * static_cast<double>(power) + static_cast<double>(points) + 8.0);
-        }
-    }
-    for (std::size_t s = 0; s < panels_; ++s) {
-        const double* const values = values_.data() + s * points;
-        const double middle = 0.5 * width * static_cast<double>(2 * s + 1), end = middle + 0.5 * width;
-        rows_summed(transform.data(), values, points, points, mean_.data());
-        double* const energy = &energies_[s * count_];
-        const double before = inside;
-        inside = integrate_moment(0.5 * width, middle, mean_.data(), points, before, moment_.data(), series_.data());
-        // evaluating: rounding error of the energy, in roundoffs, due to positions and coefficients; tall: bound on the intensity
-        // on the panel.
-        const double top = *std::max_element(values, values + points), tall = spread * top + between;
-        double evaluating = 4.0 * end * end * tall;
-        rows_summed(monomials_.data(), series_.data(), count_, count_, energy);
-        for (std::size_t k = 0; k < count_; ++k) {
-            evaluating += sizes_[k] * std::abs(series_[k]);
-        }
-        rounding = std::max(rounding, unit_roundoff * evaluating);
-        const double given = spread * intensity_error(std::sqrt(top), bound),
-                     area = 0.5 * (end * end - (end - width) * (end - width));
-        offs_[2 * s + 1] = given + between + unit_roundoff * 2.0 * n * (n + 8.0) * top;
-        offs_[2 * s + 2] = offs_[2 * s] + offs_[2 * s + 1] * area + unit_roundoff * (n + 8.0) * (before + inside);
-    }
-}
-
-LOMMEL_ONCE EnergyWithin::Crossed EnergyWithin::crossing(double x, double start, double step, const std::vector<double>& nodes,
-                                                         const std::vector<double>& weights) const {
-    Crossed sum;
-    dispatch([&](auto) LOMMEL_INLINE_LAMBDA {
-        const double places = step * (1.0 / width), farthest = static_cast<double>(panels_ - 1);
-        for (std::size_t first = 0; first < nodes.size(); first += together) {
-            double at[together], share[together], made[together];
-            std::int32_t panel[together];
-            for (std::size_t i = 0; i < together; ++i) {
-                const double t = start + nodes[first + i], square = std::max(1e-300, x * x + t * t),
-                             r = std::sqrt(square) * places;
-                panel[i] = static_cast<std::int32_t>(std::min(farthest, r));
-                at[i] = 2.0 * (r - static_cast<double>(panel[i])) - 1.0;
-                share[i] = weights[first + i] * x / square;
-            }
-            const double* from[together];
-            for (std::size_t i = 0; i < together; ++i) {
-                from[i] = energies_.data() + static_cast<std::size_t>(panel[i]) * count_;
-                made[i] = from[i][count_ - 1];
-            }
-            for (std::size_t k = count_ - 1; k-- > 0;) {
-                for (std::size_t i = 0; i < together; ++i) {
-                    made[i] = made[i] * at[i] + from[i][k];
-                }
-            }
-            for (std::size_t i = 0; i < together; ++i) {
-                sum.light += share[i] * made[i];
-                sum.turn += share[i];
-            }
-        }
-    });
-    const double end = start + 1.0, y = std::max(start * start, end * end);
-    sum.off = std::abs(sum.turn) * off(step * std::sqrt(x * x + y));
-    return sum;
-}
-#endif
 
 // Averages of one pupil's intensity over the pixels of a window: near the axis from the flux through each pixel's four edges,
 // by Gauss quadrature; farther out from the smooth part of the intensity, with a bound on the omitted interference rings.

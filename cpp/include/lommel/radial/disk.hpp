@@ -8,7 +8,6 @@
 #include <string>
 #include <tuple>
 
-#include "lommel/base/once.hpp"
 #include "lommel/bounds/ellipse.hpp"
 #include "lommel/radial/series.hpp"
 #include "lommel/radial/stack.hpp"
@@ -22,7 +21,24 @@ struct Expansion {
     double truncation = 0.0, quadrature = 0.0;
 
     Expansion() = default;
-    Expansion(const Ellipses& ellipses, double reach, double error);
+    Expansion(const Ellipses& ellipses, double reach, double error) {
+        check_reach(reach);
+        const double left = RadialBudget::truncation * error;
+        std::tie(terms, truncation) = ellipses.terms(left);
+        // Use the number of terms that suffices up to the largest distance, `reach`, if it is less than the number for the phase.
+        if (terms > 1 && window_tail(terms - 1, reach) <= left) {
+            terms = window_terms(reach, left);
+            truncation = window_tail(terms, reach);
+        }
+        const std::size_t nodes = ellipses.nodes(terms, RadialBudget::quadrature * error);
+        if (nodes > max_terms) {
+            throw LimitExceeded("aberrations this large take a series of " + std::to_string(nodes) +
+                                " nodes, more than the limit of " + std::to_string(max_terms) +
+                                "; Geometric, which leaves diffraction out, has none");
+        }
+        rule = LegendreRule::get(nodes, terms);
+        quadrature = ellipses.quadrature(2 * rule->half, terms);
+    }
 
     std::size_t room() const { return rule->blocks * 2 * row_lanes; }
 
@@ -36,27 +52,6 @@ struct Expansion {
     }
 };
 
-#if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE Expansion::Expansion(const Ellipses& ellipses, double reach, double error) {
-    check_reach(reach);
-    const double left = RadialBudget::truncation * error;
-    std::tie(terms, truncation) = ellipses.terms(left);
-    // Use the number of terms that suffices up to the largest distance, `reach`, if it is less than the number for the phase.
-    if (terms > 1 && window_tail(terms - 1, reach) <= left) {
-        terms = window_terms(reach, left);
-        truncation = window_tail(terms, reach);
-    }
-    const std::size_t nodes = ellipses.nodes(terms, RadialBudget::quadrature * error);
-    if (nodes > max_terms) {
-        throw LimitExceeded("aberrations this large take a series of " + std::to_string(nodes) +
-                            " nodes, more than the limit of " + std::to_string(max_terms) +
-                            "; Geometric, which leaves diffraction out, has none");
-    }
-    rule = LegendreRule::get(nodes, terms);
-    quadrature = ellipses.quadrature(2 * rule->half, terms);
-}
-#endif
-
 // Error of the field U(v) from six roundings of v: |U'| <= 1/2 and, as |J_1(x)| <= 0.826 / sqrt(x), |U'| <= 0.661 / sqrt(v).
 inline double radius_rounding(double v) { return 6.0 * unit_roundoff * std::min(0.5 * v, 0.661 * std::sqrt(v)); }
 
@@ -69,7 +64,20 @@ struct Disk {
     std::size_t terms = 0;
 
     // Compute the coefficients for a requested error of the field U up to the distance `reach`; returns its bound, with rounding.
-    double expand(const Phase& phase, std::size_t power, double reach, double error, SeriesScratch& scratch);
+    double expand(const Phase& phase, std::size_t power, double reach, double error, SeriesScratch& scratch) {
+        check_phase(phase.size());
+        const Expansion plan(Ellipses(phase.coefficients, phase.terms, *phase.amplitude, power), reach, error);
+        terms = plan.terms;
+        if (re.size() < plan.room()) {
+            re.resize(plan.room());
+            im.resize(plan.room());
+        }
+        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+            legendre_coefficients(isa, *plan.rule, phase.coefficients, phase.terms, *phase.amplitude, power, terms, re.data(),
+                                  im.data(), scratch);
+        });
+        return plan.error(phase);
+    }
 
     // Add the constant `angle` to the phase.
     void turn(double angle) {
@@ -81,22 +89,5 @@ struct Disk {
         }
     }
 };
-
-#if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE double Disk::expand(const Phase& phase, std::size_t power, double reach, double error, SeriesScratch& scratch) {
-    check_phase(phase.size());
-    const Expansion plan(Ellipses(phase.coefficients, phase.terms, *phase.amplitude, power), reach, error);
-    terms = plan.terms;
-    if (re.size() < plan.room()) {
-        re.resize(plan.room());
-        im.resize(plan.room());
-    }
-    dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
-        legendre_coefficients(isa, *plan.rule, phase.coefficients, phase.terms, *phase.amplitude, power, terms, re.data(),
-                              im.data(), scratch);
-    });
-    return plan.error(phase);
-}
-#endif
 
 }  // namespace lommel

@@ -31,7 +31,28 @@ class RimStack {
     static bool serves(const DiskStack& stack) { return RimSlopes::degree_of(stack.terms, stack.amplitude) <= rim_most_degree; }
     // out[pupil]: upper bound on the root mean square over the pupil of dbar^K P / P, with pupil function P, dbar = d/dx + i d/dy,
     // K = rim_orders; infinity on overflow.
-    void remainders(int threads, double* out) const;
+    void remainders(int threads, double* out) const {
+        const Batches batches(stack_.count);
+        const auto disk = cache<RimDisk>.get(stack_.terms, stack_.amplitude);
+        parallel_for(batches.together + batches.alone, worthwhile_threads(threads, 3.0 * static_cast<double>(stack_.count)),
+                     [&](std::size_t, std::size_t b) {
+                         thread_local RimScratch scratch;
+                         const Batch batch = batches[b];
+                         gather(batch, false, nullptr, scratch);
+                         scratch.e.resize(2 * disk->slopes.orders.size() * batch.lanes());
+                         scratch.mean.resize(batch.lanes());
+                         scratch.largest.resize(batch.lanes());
+                         RimKernels::mean(batch.level, batch.lone, *disk, scratch);
+                         for (std::size_t lane = 0; lane < batch.here; ++lane) {
+                             const double mean = std::sqrt(static_cast<double>(scratch.mean[lane])),
+                                          rounding = 0x1p-24 * disk->slopes.units() * rim_orders *
+                                                     std::sqrt(static_cast<double>(scratch.largest[lane]));
+                             // Overflow gives inf or NaN, both of which become infinite.
+                             const double all = rim_scale(rim_orders) * (1.0001 * mean + rounding);
+                             out[batch.first + lane] = all < 1e300 ? all : std::numeric_limits<double>::infinity();
+                         }
+                     });
+    }
 
    protected:
     // Pupils first .. first + here - 1, one per vector lane; or, if `lone`, one pupil, with angles or radii in the lanes.
@@ -122,17 +143,199 @@ class RimAverages : RimStack {
         }
     };
 
-    void render(const Batch& batch, const RimLone* lone) const;
-    Around around(const Batch& batch) const;
-    std::vector<RimJob> jobs(const Around& pixels, std::size_t lanes) const;
+    void render(const Batch& batch, const RimLone* lone) const {
+        thread_local RimScratch scratch;
+        const std::size_t lanes = batch.lanes();
+        for (std::size_t d = 0; d < table_->rims.size(); ++d) {
+            gather(batch, d == 1, lines_[d].get(), scratch);
+            const double edge = (d == 0 ? stack_.amplitude : within_).at(1.0);
+            RimKernels::coefficients(batch.level, batch.lone, table_->rims[d], *lines_[d], edge, d, scratch);
+        }
+        look();
+        const Around pixels = around(batch);
+        scratch.out.assign(pixels.size() * lanes, 0.0f);
+        RimKernels::light(batch.level, *table_, batch.lone ? lone : nullptr, jobs(pixels, lanes), scratch);
+        if (batch.lone) {  // lanes are radii of one pupil: sums of averages, and maxima of the other numbers, over the lanes
+            for (std::size_t i = 0; i < scratch.out.size(); i += lanes) {
+                scratch.out[i] = std::accumulate(&scratch.out[i], &scratch.out[i] + lanes, 0.0f);
+            }
+            for (Floats* all : {&scratch.squares, &scratch.largest}) {
+                (*all)[0] = *std::max_element(all->begin(), all->end());
+            }
+        }
+        for (std::size_t lane = 0; lane < batch.here; ++lane) {
+            const std::size_t pupil = batch.first + lane;
+            const double top = write(pupil, pixels, scratch.out.data() + lane, lanes);
+            answer_.numbers[2 * pupil] = bound(pupil, scratch, lane, lanes, top);
+            answer_.numbers[2 * pupil + 1] = top;
+        }
+    }
+    Around around(const Batch& batch) const {
+        Around all{height_, -height_, width_, -width_};
+        for (std::size_t p = batch.first; p < batch.first + batch.here; ++p) {
+            const std::int64_t row = stack_.rows[p], column = stack_.columns[p];
+            all = {std::min(all.top, -row), std::max(all.bottom, height_ - 1 - row), std::min(all.left, -column),
+                   std::max(all.right, width_ - 1 - column)};
+        }
+        return all;
+    }
+    std::vector<RimJob> jobs(const Around& pixels, std::size_t lanes) const {
+        std::vector<RimJob> list;
+        const std::int64_t around = static_cast<std::int64_t>(table_->around);
+        for (const RimPixels& of : table_->pixels) {
+            const std::int64_t p = static_cast<std::int64_t>(of.p), q = static_cast<std::int64_t>(of.q), begin = of.begin;
+            const std::int64_t down[2][4] = {{q, p, -q, -p}, {-q, p, q, -p}}, right[2][4] = {{p, -q, -p, q}, {p, q, -p, -q}};
+            for (std::size_t turned = 0; turned < (q == 0 || q == p ? 1 : 2); ++turned) {
+                RimJob job{&of, {}, {}, 0, turned == 1};
+                for (std::size_t i = 0; i < 4; ++i) {
+                    const std::int64_t y = down[turned][i], x = right[turned][i];
+                    if (pixels.holds(y, x)) {
+                        // The images of the pixel (p, q), at the polar angle psi, are at psi + i pi / 2 or, if mirrored (`turned`), at
+                        // i pi / 2 - psi.
+                        const std::int64_t quarters = static_cast<std::int64_t>(i) * around / 4;
+                        const std::int64_t place = turned == 0 ? begin + quarters : quarters - 1 - begin;
+                        const std::int64_t within = place < 0 ? place + around : place < around ? place : place - around;
+                        job.at[job.count] = table_->margin + static_cast<std::size_t>(within);
+                        job.to[job.count++] = pixels.at(y, x) * lanes;
+                    }
+                }
+                if (job.count > 0) {
+                    list.push_back(job);
+                }
+            }
+        }
+        return list;
+    }
     // Write the image of a pupil, in its box from answer_.near, outside from `averages`; return the largest average outside.
-    double write(std::size_t pupil, const Around& pixels, const float* averages, std::size_t lanes) const;
-    double bound(std::size_t pupil, const RimScratch& scratch, std::size_t lane, std::size_t lanes, double top) const;
+    double write(std::size_t pupil, const Around& pixels, const float* averages, std::size_t lanes) const {
+        const std::int64_t row = stack_.rows[pupil], column = stack_.columns[pupil], half = box_ / 2;
+        double top = 0.0;
+        dispatch([&](auto) LOMMEL_INLINE_LAMBDA {
+            double* to = answer_.images + answer_.places[pupil] * height_ * width_;
+            for (std::int64_t y = -row; y < height_ - row; ++y, to += width_) {
+                const float* from = averages + pixels.at(y, -column) * lanes;
+                for (std::int64_t x = 0; x < width_; ++x, from += lanes) {
+                    to[x] = std::max(0.0, static_cast<double>(*from));
+                    top = std::max(top, to[x]);
+                }
+                if (std::abs(y) <= half) {
+                    const std::int64_t left = std::max<std::int64_t>(0, column - half),
+                                       right = std::min(width_, column + half + 1);
+                    const double* const near =
+                        answer_.near + (static_cast<std::int64_t>(pupil) * box_ + y + half) * box_ + half - column;
+                    std::copy(near + left, near + std::max(left, right), to + left);
+                }
+            }
+        });
+        return top;
+    }
+    double bound(std::size_t pupil, const RimScratch& scratch, std::size_t lane, std::size_t lanes, double top) const {
+        const RimTable& table = *table_;
+        const double nearest = table.window.nearest();
+        // Root mean square error of the field U over a pixel.
+        double off = stack_.lost[pupil] + answer_.remainders[pupil] * std::pow(nearest, -static_cast<double>(rim_orders)) *
+                                              std::sqrt(table.off_field);
+        double size[2] = {0.0, 0.0};
+        for (std::size_t d = 0; d < table.rims.size(); ++d) {
+            const RimWaves& rim = table.rims[d];
+            const RimSums& of = scratch.of[d];
+            std::array<double, rim_orders> each, rounded;
+            const std::vector<double>& all = d == 0 ? stack_.outer : stack_.inner;
+            strangers(rim, *lines_[d], all.data() + pupil * stack_.terms.size(), each, rounded);
+            const double v = rim.radius * nearest, orders = static_cast<double>(2 * rim.orders + 1);
+            const double sums =
+                1.5 * std::sqrt(static_cast<double>(rim.angles)) * (0.25 * static_cast<double>(rim.angles) + 8.0);
+            for (std::size_t k = 0; k < rim_orders; ++k) {
+                const double energy = static_cast<double>(of.energy[k * lanes + lane]);
+                const double left = 1.0001 * static_cast<double>(of.left[k * lanes + lane]) +
+                                    2.0 * each[k] * std::sqrt(orders * energy) + orders * each[k] * each[k];
+                // units: rounding error of the sums over angles, the phases, the derivatives of ln P and k steps of rim_powers(), in
+                // units of 2^-24 times the bound rounded[k] from strangers().
+                const double units = sums + 16.0 + lines_[d]->slopes.units() * static_cast<double>(k);
+                off += rim.radius * rim.radius * rim_scale(k) * 2.0 / std::pow(v, static_cast<double>(k + 1)) *
+                       (std::sqrt(left) + orders * each[k] + 0x1p-24 * units * rounded[k]);
+            }
+            size[0] += 1.001 * static_cast<double>(of.size[0][lane]);
+            size[1] += 1.001 * static_cast<double>(of.size[1][lane]);
+        }
+        const double rms = std::sqrt(1.001 * static_cast<double>(scratch.squares[lane]) / static_cast<double>(table.around)),
+                     largest = static_cast<double>(scratch.largest[lane]);
+        // Rounding in single precision. units: relative error of sums over radii, angles and channels. The field consists of `many`
+        // waves: for each rim, of radius R, one proportional to exp(i R v) and one to exp(-i R v). waves: error bound of any of these.
+        // By Schwarz, the moduli of all waves sum to at most sqrt(many * (sum of squared moduli)).
+        const double units = 0x1p-24 * static_cast<double>(table.radii() * table.margin * table.channels() + 64),
+                     waves = 2.83 * 0x1p-24 * static_cast<double>(table.rims[0].orders / 2 + 2 * rim_orders + 8) * size[1],
+                     many = 2.0 * static_cast<double>(table.rims.size());
+        const double interpolated =
+            table.off_angles * rms + std::min(table.off_radii[0] * size[0] * size[0], table.off_radii[1] * size[1] * size[1]) +
+            (units * table.gain + table.dropped) * largest +
+            table.gain / static_cast<double>(table.channels()) * waves * (2.0 * std::sqrt(many * largest) + waves);
+        return table.off_pixels + interpolated + 2.0 * off * std::sqrt(top + interpolated) + off * off;
+    }
     // Bounds for the derivatives dbar^k P / rim_scale(k), dbar = d/dx + i d/dy, of the pupil function P with Zernike coefficients
     // `own`. each[k]: bound on the aliasing error of any Fourier coefficient (certificate, section 10, "Orders"); rounded[k]: bound
     // on the sum of the moduli of the terms of the derivative.
     void strangers(const RimWaves& rim, const RimLine& line, const double* own, std::array<double, rim_orders>& each,
-                   std::array<double, rim_orders>& rounded) const;
+                   std::array<double, rim_orders>& rounded) const {
+        const RimSlopes& slopes = line.slopes;
+        // e: Fourier coefficients of the derivatives of log P (RimSlopes): contributions of the amplitude and of each Zernike term,
+        // summed; apart: sums of the moduli of these contributions, for rounding errors.
+        std::vector<double> e(2 * slopes.orders.size()), apart(e.size());
+        for (std::size_t i = 0; i < e.size(); ++i) {
+            e[i] = static_cast<double>(slopes.fixed[i]);
+            apart[i] = std::abs(e[i]);
+        }
+        for (std::size_t i = 0; i < slopes.parts.size(); ++i) {
+            const double part = static_cast<double>(slopes.weights[i]) * own[slopes.parts[i].term];
+            e[slopes.parts[i].at] += part;
+            apart[slopes.parts[i].at] += std::abs(part);
+        }
+        std::vector<double> moduli(slopes.orders.size()), summed(moduli.size());
+        for (std::size_t i = 0; i < moduli.size(); ++i) {
+            moduli[i] = std::sqrt(e[2 * i] * e[2 * i] + e[2 * i + 1] * e[2 * i + 1]);
+            summed[i] = apart[2 * i] + apart[2 * i + 1];
+        }
+        // phase[m]: amplitude of the term of azimuthal order m in the phase of the pupil function P. At complex angles theta +- i t,
+        // |exp(i m theta)| is at most exp(|m| t), and |P| is at most exp(sum over m of phase[m] sinh(m t)).
+        std::vector<double> phase(slopes.degree + 1, 0.0);
+        for (std::size_t c = 0; c < line.orders.size(); ++c) {
+            double sum = 0.0;
+            for (std::size_t t = 0; t < line.columns.size(); ++t) {
+                sum += line.columns[t] == c ? own[t] : 0.0;
+            }
+            double& to = phase[static_cast<std::size_t>(std::abs(line.orders[c]))];
+            to = std::hypot(to, sum);
+        }
+        each.fill(std::numeric_limits<double>::infinity());
+        for (const double t : {0.0, 0.3, 0.7}) {
+            std::array<double, rim_most_degree + 1> grown;
+            for (std::size_t m = 0; m <= slopes.degree; ++m) {
+                grown[m] = std::exp(static_cast<double>(m) * t);
+            }
+            std::array<double, rim_most_degree> size{};
+            for (std::size_t j = 0, i = 0; j < slopes.degree; ++j) {
+                for (; i < slopes.ends[j]; ++i) {
+                    size[j] += (t > 0.0 ? moduli : summed)[i] * grown[static_cast<std::size_t>(std::abs(slopes.orders[i]))];
+                }
+            }
+            double exponent = -t * static_cast<double>(rim.angles - rim.orders);
+            for (std::size_t m = 0; m < phase.size(); ++m) {
+                exponent += 0.5 * phase[m] * (grown[m] - 1.0 / grown[m]);
+            }
+            const double first =
+                t > 0.0 ? 2.0 * std::exp(std::min(exponent, 600.0)) / (1.0 - std::exp(-t * static_cast<double>(rim.angles)))
+                        : 1.0;
+            std::array<double, rim_orders> power{first};
+            for (std::size_t k = 0; k + 1 < rim_orders; ++k) {
+                for (std::size_t j = 0; j < std::min(k + 1, slopes.degree); ++j) {
+                    power[k + 1] += size[j] * power[k - j] / static_cast<double>(k + 1);
+                }
+            }
+            for (std::size_t k = 0; k < rim_orders; ++k) {
+                (t > 0.0 ? each : rounded)[k] = t > 0.0 ? std::min(each[k], power[k]) : power[k];
+            }
+        }
+    }
 
     std::int64_t height_, width_, box_;
     RimAnswer answer_;
@@ -142,90 +345,6 @@ class RimAverages : RimStack {
 };
 
 #if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE void RimStack::remainders(int threads, double* out) const {
-    const Batches batches(stack_.count);
-    const auto disk = cache<RimDisk>.get(stack_.terms, stack_.amplitude);
-    parallel_for(batches.together + batches.alone, worthwhile_threads(threads, 3.0 * static_cast<double>(stack_.count)),
-                 [&](std::size_t, std::size_t b) {
-                     thread_local RimScratch scratch;
-                     const Batch batch = batches[b];
-                     gather(batch, false, nullptr, scratch);
-                     scratch.e.resize(2 * disk->slopes.orders.size() * batch.lanes());
-                     scratch.mean.resize(batch.lanes());
-                     scratch.largest.resize(batch.lanes());
-                     RimKernels::mean(batch.level, batch.lone, *disk, scratch);
-                     for (std::size_t lane = 0; lane < batch.here; ++lane) {
-                         const double mean = std::sqrt(static_cast<double>(scratch.mean[lane])),
-                                      rounding = 0x1p-24 * disk->slopes.units() * rim_orders *
-                                                 std::sqrt(static_cast<double>(scratch.largest[lane]));
-                         // Overflow gives inf or NaN, both of which become infinite.
-                         const double all = rim_scale(rim_orders) * (1.0001 * mean + rounding);
-                         out[batch.first + lane] = all < 1e300 ? all : std::numeric_limits<double>::infinity();
-                     }
-                 });
-}
-
-LOMMEL_ONCE void RimAverages::strangers(const RimWaves& rim, const RimLine& line, const double* own,
-                                        std::array<double, rim_orders>& each, std::array<double, rim_orders>& rounded) const {
-    const RimSlopes& slopes = line.slopes;
-    // e: Fourier coefficients of the derivatives of log P (RimSlopes): contributions of the amplitude and of each Zernike term,
-    // summed; apart: sums of the moduli of these contributions, for rounding errors.
-    std::vector<double> e(2 * slopes.orders.size()), apart(e.size());
-    for (std::size_t i = 0; i < e.size(); ++i) {
-        e[i] = static_cast<double>(slopes.fixed[i]);
-        apart[i] = std::abs(e[i]);
-    }
-    for (std::size_t i = 0; i < slopes.parts.size(); ++i) {
-        const double part = static_cast<double>(slopes.weights[i]) * own[slopes.parts[i].term];
-        e[slopes.parts[i].at] += part;
-        apart[slopes.parts[i].at] += std::abs(part);
-    }
-    std::vector<double> moduli(slopes.orders.size()), summed(moduli.size());
-    for (std::size_t i = 0; i < moduli.size(); ++i) {
-        moduli[i] = std::sqrt(e[2 * i] * e[2 * i] + e[2 * i + 1] * e[2 * i + 1]);
-        summed[i] = apart[2 * i] + apart[2 * i + 1];
-    }
-    // phase[m]: amplitude of the term of azimuthal order m in the phase of the pupil function P. At complex angles theta +- i t,
-    // |exp(i m theta)| is at most exp(|m| t), and |P| is at most exp(sum over m of phase[m] sinh(m t)).
-    std::vector<double> phase(slopes.degree + 1, 0.0);
-    for (std::size_t c = 0; c < line.orders.size(); ++c) {
-        double sum = 0.0;
-        for (std::size_t t = 0; t < line.columns.size(); ++t) {
-            sum += line.columns[t] == c ? own[t] : 0.0;
-        }
-        double& to = phase[static_cast<std::size_t>(std::abs(line.orders[c]))];
-        to = std::hypot(to, sum);
-    }
-    each.fill(std::numeric_limits<double>::infinity());
-    for (const double t : {0.0, 0.3, 0.7}) {
-        std::array<double, rim_most_degree + 1> grown;
-        for (std::size_t m = 0; m <= slopes.degree; ++m) {
-            grown[m] = std::exp(static_cast<double>(m) * t);
-        }
-        std::array<double, rim_most_degree> size{};
-        for (std::size_t j = 0, i = 0; j < slopes.degree; ++j) {
-            for (; i < slopes.ends[j]; ++i) {
-                size[j] += (t > 0.0 ? moduli : summed)[i] * grown[static_cast<std::size_t>(std::abs(slopes.orders[i]))];
-            }
-        }
-        double exponent = -t * static_cast<double>(rim.angles - rim.orders);
-        for (std::size_t m = 0; m < phase.size(); ++m) {
-            exponent += 0.5 * phase[m] * (grown[m] - 1.0 / grown[m]);
-        }
-        const double first =
-            t > 0.0 ? 2.0 * std::exp(std::min(exponent, 600.0)) / (1.0 - std::exp(-t * static_cast<double>(rim.angles))) : 1.0;
-        std::array<double, rim_orders> power{first};
-        for (std::size_t k = 0; k + 1 < rim_orders; ++k) {
-            for (std::size_t j = 0; j < std::min(k + 1, slopes.degree); ++j) {
-                power[k + 1] += size[j] * power[k - j] / static_cast<double>(k + 1);
-            }
-        }
-        for (std::size_t k = 0; k < rim_orders; ++k) {
-            (t > 0.0 ? each : rounded)[k] = t > 0.0 ? std::min(each[k], power[k]) : power[k];
-        }
-    }
-}
-
 LOMMEL_ONCE void RimAverages::run(int threads) const {
     const Batches batches(stack_.count);
     const auto lone =
@@ -235,137 +354,6 @@ LOMMEL_ONCE void RimAverages::run(int threads) const {
                  [&](std::size_t, std::size_t b) { render(batches[b], lone.get()); });
 }
 
-LOMMEL_ONCE void RimAverages::render(const Batch& batch, const RimLone* lone) const {
-    thread_local RimScratch scratch;
-    const std::size_t lanes = batch.lanes();
-    for (std::size_t d = 0; d < table_->rims.size(); ++d) {
-        gather(batch, d == 1, lines_[d].get(), scratch);
-        const double edge = (d == 0 ? stack_.amplitude : within_).at(1.0);
-        RimKernels::coefficients(batch.level, batch.lone, table_->rims[d], *lines_[d], edge, d, scratch);
-    }
-    look();
-    const Around pixels = around(batch);
-    scratch.out.assign(pixels.size() * lanes, 0.0f);
-    RimKernels::light(batch.level, *table_, batch.lone ? lone : nullptr, jobs(pixels, lanes), scratch);
-    if (batch.lone) {  // lanes are radii of one pupil: sums of averages, and maxima of the other numbers, over the lanes
-        for (std::size_t i = 0; i < scratch.out.size(); i += lanes) {
-            scratch.out[i] = std::accumulate(&scratch.out[i], &scratch.out[i] + lanes, 0.0f);
-        }
-        for (Floats* all : {&scratch.squares, &scratch.largest}) {
-            (*all)[0] = *std::max_element(all->begin(), all->end());
-        }
-    }
-    for (std::size_t lane = 0; lane < batch.here; ++lane) {
-        const std::size_t pupil = batch.first + lane;
-        const double top = write(pupil, pixels, scratch.out.data() + lane, lanes);
-        answer_.numbers[2 * pupil] = bound(pupil, scratch, lane, lanes, top);
-        answer_.numbers[2 * pupil + 1] = top;
-    }
-}
-
-LOMMEL_ONCE RimAverages::Around RimAverages::around(const Batch& batch) const {
-    Around all{height_, -height_, width_, -width_};
-    for (std::size_t p = batch.first; p < batch.first + batch.here; ++p) {
-        const std::int64_t row = stack_.rows[p], column = stack_.columns[p];
-        all = {std::min(all.top, -row), std::max(all.bottom, height_ - 1 - row), std::min(all.left, -column),
-               std::max(all.right, width_ - 1 - column)};
-    }
-    return all;
-}
-
-LOMMEL_ONCE std::vector<RimJob> RimAverages::jobs(const Around& pixels, std::size_t lanes) const {
-    std::vector<RimJob> list;
-    const std::int64_t around = static_cast<std::int64_t>(table_->around);
-    for (const RimPixels& of : table_->pixels) {
-        const std::int64_t p = static_cast<std::int64_t>(of.p), q = static_cast<std::int64_t>(of.q), begin = of.begin;
-        const std::int64_t down[2][4] = {{q, p, -q, -p}, {-q, p, q, -p}}, right[2][4] = {{p, -q, -p, q}, {p, q, -p, -q}};
-        for (std::size_t turned = 0; turned < (q == 0 || q == p ? 1 : 2); ++turned) {
-            RimJob job{&of, {}, {}, 0, turned == 1};
-            for (std::size_t i = 0; i < 4; ++i) {
-                const std::int64_t y = down[turned][i], x = right[turned][i];
-                if (pixels.holds(y, x)) {
-                    // The images of the pixel (p, q), at the polar angle psi, are at psi + i pi / 2 or, if mirrored (`turned`), at
-                    // i pi / 2 - psi.
-                    const std::int64_t quarters = static_cast<std::int64_t>(i) * around / 4;
-                    const std::int64_t place = turned == 0 ? begin + quarters : quarters - 1 - begin;
-                    const std::int64_t within = place < 0 ? place + around : place < around ? place : place - around;
-                    job.at[job.count] = table_->margin + static_cast<std::size_t>(within);
-                    job.to[job.count++] = pixels.at(y, x) * lanes;
-                }
-            }
-            if (job.count > 0) {
-                list.push_back(job);
-            }
-        }
-    }
-    return list;
-}
-
-LOMMEL_ONCE double RimAverages::write(std::size_t pupil, const Around& pixels, const float* averages, std::size_t lanes) const {
-    const std::int64_t row = stack_.rows[pupil], column = stack_.columns[pupil], half = box_ / 2;
-    double top = 0.0;
-    dispatch([&](auto) LOMMEL_INLINE_LAMBDA {
-        double* to = answer_.images + answer_.places[pupil] * height_ * width_;
-        for (std::int64_t y = -row; y < height_ - row; ++y, to += width_) {
-            const float* from = averages + pixels.at(y, -column) * lanes;
-            for (std::int64_t x = 0; x < width_; ++x, from += lanes) {
-                to[x] = std::max(0.0, static_cast<double>(*from));
-                top = std::max(top, to[x]);
-            }
-            if (std::abs(y) <= half) {
-                const std::int64_t left = std::max<std::int64_t>(0, column - half), right = std::min(width_, column + half + 1);
-                const double* const near =
-                    answer_.near + (static_cast<std::int64_t>(pupil) * box_ + y + half) * box_ + half - column;
-                std::copy(near + left, near + std::max(left, right), to + left);
-            }
-        }
-    });
-    return top;
-}
-
-LOMMEL_ONCE double RimAverages::bound(std::size_t pupil, const RimScratch& scratch, std::size_t lane, std::size_t lanes,
-                                      double top) const {
-    const RimTable& table = *table_;
-    const double nearest = table.window.nearest();
-    // Root mean square error of the field U over a pixel.
-    double off = stack_.lost[pupil] +
-                 answer_.remainders[pupil] * std::pow(nearest, -static_cast<double>(rim_orders)) * std::sqrt(table.off_field);
-    double size[2] = {0.0, 0.0};
-    for (std::size_t d = 0; d < table.rims.size(); ++d) {
-        const RimWaves& rim = table.rims[d];
-        const RimSums& of = scratch.of[d];
-        std::array<double, rim_orders> each, rounded;
-        const std::vector<double>& all = d == 0 ? stack_.outer : stack_.inner;
-        strangers(rim, *lines_[d], all.data() + pupil * stack_.terms.size(), each, rounded);
-        const double v = rim.radius * nearest, orders = static_cast<double>(2 * rim.orders + 1);
-        const double sums = 1.5 * std::sqrt(static_cast<double>(rim.angles)) * (0.25 * static_cast<double>(rim.angles) + 8.0);
-        for (std::size_t k = 0; k < rim_orders; ++k) {
-            const double energy = static_cast<double>(of.energy[k * lanes + lane]);
-            const double left = 1.0001 * static_cast<double>(of.left[k * lanes + lane]) +
-                                2.0 * each[k] * std::sqrt(orders * energy) + orders * each[k] * each[k];
-            // units: rounding error of the sums over angles, the phases, the derivatives of ln P and k steps of rim_powers(), in
-            // units of 2^-24 times the bound rounded[k] from strangers().
-            const double units = sums + 16.0 + lines_[d]->slopes.units() * static_cast<double>(k);
-            off += rim.radius * rim.radius * rim_scale(k) * 2.0 / std::pow(v, static_cast<double>(k + 1)) *
-                   (std::sqrt(left) + orders * each[k] + 0x1p-24 * units * rounded[k]);
-        }
-        size[0] += 1.001 * static_cast<double>(of.size[0][lane]);
-        size[1] += 1.001 * static_cast<double>(of.size[1][lane]);
-    }
-    const double rms = std::sqrt(1.001 * static_cast<double>(scratch.squares[lane]) / static_cast<double>(table.around)),
-                 largest = static_cast<double>(scratch.largest[lane]);
-    // Rounding in single precision. units: relative error of sums over radii, angles and channels. The field consists of `many`
-    // waves: for each rim, of radius R, one proportional to exp(i R v) and one to exp(-i R v). waves: error bound of any of these.
-    // By Schwarz, the moduli of all waves sum to at most sqrt(many * (sum of squared moduli)).
-    const double units = 0x1p-24 * static_cast<double>(table.radii() * table.margin * table.channels() + 64),
-                 waves = 2.83 * 0x1p-24 * static_cast<double>(table.rims[0].orders / 2 + 2 * rim_orders + 8) * size[1],
-                 many = 2.0 * static_cast<double>(table.rims.size());
-    const double interpolated =
-        table.off_angles * rms + std::min(table.off_radii[0] * size[0] * size[0], table.off_radii[1] * size[1] * size[1]) +
-        (units * table.gain + table.dropped) * largest +
-        table.gain / static_cast<double>(table.channels()) * waves * (2.0 * std::sqrt(many * largest) + waves);
-    return table.off_pixels + interpolated + 2.0 * off * std::sqrt(top + interpolated) + off * off;
-}
 #endif
 
 }  // namespace lommel

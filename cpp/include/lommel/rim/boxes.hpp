@@ -50,9 +50,35 @@ class RimBoxes {
 
     double count() const { return static_cast<double>(stack_.count); }
     std::int64_t smallest() const { return std::max<std::int64_t>(5, 2 * std::llround(std::ceil(narrowest / step_)) + 1); }
-    std::int64_t largest_of(std::size_t pupil) const;
-    double tolerance_of(std::size_t pupil) const;
-    std::int64_t side_of(std::size_t pupil, double remainder) const;
+    std::int64_t largest_of(std::size_t pupil) const {
+        const std::int64_t row = stack_.rows[pupil], column = stack_.columns[pupil], last_row = height_ - 1 - row,
+                           last_column = width_ - 1 - column;
+        // Limit the distance of the farthest pixel from the axis: the size of the tables grows with it.
+        const double farthest = static_cast<double>(std::max({row, last_row, column, last_column}));
+        const double most_pixels = std::max(shortest, (stack_.obscuration > 0.0 ? shorter : 1.0) * reach / std::sqrt(step_));
+        if (std::sqrt(2.0) * (2.0 * farthest + 1.0) > most_pixels * std::sqrt(std::max(further, count()))) {
+            return 0;
+        }
+        const std::int64_t beside = std::min({row, last_row, column, last_column}),
+                           part = std::llround(std::ceil(widest * static_cast<double>(std::min(height_, width_)))) - 1;
+        return beside < 0 ? 0 : std::min(2 * beside + 1, part - (part + 1) % 2);
+    }
+    double tolerance_of(std::size_t pupil) const {
+        // tol_ * (estimated largest average). Of two estimates, one for large and one for small pixels, the smaller is used.
+        const double variance = phase_variance(stack_.terms, stack_.outer.data() + pupil * stack_.terms.size());
+        return tol_ * std::min(4.4 * lowest_ / (1.0 + 0.5 * variance), 0.9 / (1.0 + variance));
+    }
+    std::int64_t side_of(std::size_t pupil, double remainder) const {
+        const double mean = std::min(1.0, std::sqrt(4.0 * pi) / step_) * remainder;
+        for (std::int64_t side = smallest(); side <= most[pupil]; side += 2) {
+            const double nearest = 0.5 * step_ * static_cast<double>(side),
+                         field = mean * std::pow(nearest, -static_cast<double>(rim_orders));
+            if (field * (2.0 * std::sqrt(1.7 / (nearest * nearest * nearest)) + field) <= left * tolerances[pupil]) {
+                return side;
+            }
+        }
+        return 0;
+    }
     double nodes(std::int64_t pixels) const { return 0.6366 * step_ * static_cast<double>(pixels) + 9.0; }
     // Estimated time per pupil; unit: the time of one sample, at a node along x and a node along y. whole(): if all pixels are
     // computed from samples; with_box(): if only those in a box are, and the pixels outside from the rim of the aperture.
@@ -60,8 +86,46 @@ class RimBoxes {
     double with_box(std::int64_t side) const {
         return nodes(side) * nodes(side) + (stack_.obscuration > 0.0 ? rims : rim) + call / count();
     }
-    bool pay(const std::vector<std::size_t>& which, int threads);
-    void gather_few();
+    // Compute `sides` and `remainders` of the pupils `which`; returns whether boxes take at most `worth` of the time without boxes.
+    bool pay(const std::vector<std::size_t>& which, int threads) {
+        remainders.resize(which.size());
+        if (which.size() == stack_.count) {
+            RimStack(stack_).remainders(threads, remainders.data());
+        } else {
+            std::vector<double> edge;
+            for (const std::size_t p : which) {
+                const auto own = stack_.outer.begin() + static_cast<std::ptrdiff_t>(p * stack_.terms.size());
+                edge.insert(edge.end(), own, own + static_cast<std::ptrdiff_t>(stack_.terms.size()));
+            }
+            const DiskStack some(stack_.terms, edge.data(), which.size(), stack_.obscuration, stack_.amplitude);
+            RimStack(some).remainders(threads, remainders.data());
+        }
+        double work = 0.0;
+        sides.assign(which.size(), 0);
+        for (std::size_t i = 0; i < which.size(); ++i) {
+            sides[i] = side_of(which[i], remainders[i]);
+            work += sides[i] > 0 ? with_box(sides[i]) : whole();
+        }
+        return work <= worth * whole() * static_cast<double>(which.size());
+    }
+    // If fewer than `together` pupils have boxes of equal side, each gets the next larger side in use, if at most its most[pupil].
+    void gather_few() {
+        std::vector<std::int64_t> counts(static_cast<std::size_t>(*std::max_element(sides.begin(), sides.end())) + 1, 0);
+        for (const std::int64_t side : sides) {
+            ++counts[static_cast<std::size_t>(side)];
+        }
+        std::vector<std::int64_t> to(counts.size(), 0);
+        std::int64_t larger = 0;
+        for (std::size_t side = counts.size() - 1; side > 0; --side) {
+            const bool few = counts[side] < together || static_cast<std::int64_t>(stack_.count) <= together;
+            larger = counts[side] > 0 && (larger == 0 || !few) ? static_cast<std::int64_t>(side) : larger;
+            to[side] = larger;
+        }
+        for (std::size_t p = 0; p < sides.size(); ++p) {
+            const std::int64_t side = to[static_cast<std::size_t>(sides[p])];
+            sides[p] = side <= most[p] ? side : sides[p];
+        }
+    }
 
     const DiskStack& stack_;
     std::int64_t height_, width_;
@@ -75,80 +139,6 @@ LOMMEL_ONCE RimBoxes::RimBoxes(const DiskStack& stack, const DiskWindow& window,
     for (std::size_t p = 0; p < stack.count; ++p) {
         most.push_back(largest_of(p));
         tolerances.push_back(tolerance_of(p));
-    }
-}
-
-LOMMEL_ONCE std::int64_t RimBoxes::largest_of(std::size_t pupil) const {
-    const std::int64_t row = stack_.rows[pupil], column = stack_.columns[pupil], last_row = height_ - 1 - row,
-                       last_column = width_ - 1 - column;
-    // Limit the distance of the farthest pixel from the axis: the size of the tables grows with it.
-    const double farthest = static_cast<double>(std::max({row, last_row, column, last_column}));
-    const double most_pixels = std::max(shortest, (stack_.obscuration > 0.0 ? shorter : 1.0) * reach / std::sqrt(step_));
-    if (std::sqrt(2.0) * (2.0 * farthest + 1.0) > most_pixels * std::sqrt(std::max(further, count()))) {
-        return 0;
-    }
-    const std::int64_t beside = std::min({row, last_row, column, last_column}),
-                       part = std::llround(std::ceil(widest * static_cast<double>(std::min(height_, width_)))) - 1;
-    return beside < 0 ? 0 : std::min(2 * beside + 1, part - (part + 1) % 2);
-}
-
-LOMMEL_ONCE double RimBoxes::tolerance_of(std::size_t pupil) const {
-    // tol_ * (estimated largest average). Of two estimates, one for large and one for small pixels, the smaller is used.
-    const double variance = phase_variance(stack_.terms, stack_.outer.data() + pupil * stack_.terms.size());
-    return tol_ * std::min(4.4 * lowest_ / (1.0 + 0.5 * variance), 0.9 / (1.0 + variance));
-}
-
-LOMMEL_ONCE std::int64_t RimBoxes::side_of(std::size_t pupil, double remainder) const {
-    const double mean = std::min(1.0, std::sqrt(4.0 * pi) / step_) * remainder;
-    for (std::int64_t side = smallest(); side <= most[pupil]; side += 2) {
-        const double nearest = 0.5 * step_ * static_cast<double>(side),
-                     field = mean * std::pow(nearest, -static_cast<double>(rim_orders));
-        if (field * (2.0 * std::sqrt(1.7 / (nearest * nearest * nearest)) + field) <= left * tolerances[pupil]) {
-            return side;
-        }
-    }
-    return 0;
-}
-
-// Compute `sides` and `remainders` of the pupils `which`; returns whether boxes take at most `worth` of the time without boxes.
-LOMMEL_ONCE bool RimBoxes::pay(const std::vector<std::size_t>& which, int threads) {
-    remainders.resize(which.size());
-    if (which.size() == stack_.count) {
-        RimStack(stack_).remainders(threads, remainders.data());
-    } else {
-        std::vector<double> edge;
-        for (const std::size_t p : which) {
-            const auto own = stack_.outer.begin() + static_cast<std::ptrdiff_t>(p * stack_.terms.size());
-            edge.insert(edge.end(), own, own + static_cast<std::ptrdiff_t>(stack_.terms.size()));
-        }
-        const DiskStack some(stack_.terms, edge.data(), which.size(), stack_.obscuration, stack_.amplitude);
-        RimStack(some).remainders(threads, remainders.data());
-    }
-    double work = 0.0;
-    sides.assign(which.size(), 0);
-    for (std::size_t i = 0; i < which.size(); ++i) {
-        sides[i] = side_of(which[i], remainders[i]);
-        work += sides[i] > 0 ? with_box(sides[i]) : whole();
-    }
-    return work <= worth * whole() * static_cast<double>(which.size());
-}
-
-// If fewer than `together` pupils have boxes of equal side, each gets the next larger side in use, if at most its most[pupil].
-LOMMEL_ONCE void RimBoxes::gather_few() {
-    std::vector<std::int64_t> counts(static_cast<std::size_t>(*std::max_element(sides.begin(), sides.end())) + 1, 0);
-    for (const std::int64_t side : sides) {
-        ++counts[static_cast<std::size_t>(side)];
-    }
-    std::vector<std::int64_t> to(counts.size(), 0);
-    std::int64_t larger = 0;
-    for (std::size_t side = counts.size() - 1; side > 0; --side) {
-        const bool few = counts[side] < together || static_cast<std::int64_t>(stack_.count) <= together;
-        larger = counts[side] > 0 && (larger == 0 || !few) ? static_cast<std::int64_t>(side) : larger;
-        to[side] = larger;
-    }
-    for (std::size_t p = 0; p < sides.size(); ++p) {
-        const std::int64_t side = to[static_cast<std::size_t>(sides[p])];
-        sides[p] = side <= most[p] ? side : sides[p];
     }
 }
 

@@ -629,59 +629,51 @@ struct RimKernels {
     // Instruction set for one pupil, with radii in the lanes: wider vectors would have idle lanes.
     static constexpr Level narrow(Level level) { return std::min(level, Level::avx2); }
 
-    static void mean(Level level, bool lone, const RimDisk& disk, RimScratch& scratch);
-    static void coefficients(Level level, bool lone, const RimWaves& rim, const RimLine& line, double amplitude,
-                             std::size_t disk, RimScratch& scratch);
-    static void light(Level level, const RimTable& table, const RimLone* lone, const std::vector<RimJob>& jobs,
-                      RimScratch& scratch);
-};
-
-#if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE void RimKernels::mean(Level level, bool lone, const RimDisk& disk, RimScratch& scratch) {
-    if (lone) {
-        return dispatch(level, [&](auto isa) LOMMEL_INLINE_LAMBDA {
+    static void mean(Level level, bool lone, const RimDisk& disk, RimScratch& scratch) {
+        if (lone) {
+            return dispatch(level, [&](auto isa) LOMMEL_INLINE_LAMBDA {
+                with_degree(isa, disk.slopes.degree, [&](auto degree) LOMMEL_INLINE_LAMBDA {
+                    mean_of_disk<decltype(degree)::value, true>(isa, disk, scratch.coefficients.data(), scratch.e.data(),
+                                                                scratch.mean.data(), scratch.largest.data());
+                });
+            });
+        }
+        dispatch_widest(level, [&](auto isa) LOMMEL_INLINE_LAMBDA {
             with_degree(isa, disk.slopes.degree, [&](auto degree) LOMMEL_INLINE_LAMBDA {
-                mean_of_disk<decltype(degree)::value, true>(isa, disk, scratch.coefficients.data(), scratch.e.data(),
-                                                            scratch.mean.data(), scratch.largest.data());
+                mean_of_disk<decltype(degree)::value, false>(isa, disk, scratch.coefficients.data(), scratch.e.data(),
+                                                             scratch.mean.data(), scratch.largest.data());
             });
         });
     }
-    dispatch_widest(level, [&](auto isa) LOMMEL_INLINE_LAMBDA {
-        with_degree(isa, disk.slopes.degree, [&](auto degree) LOMMEL_INLINE_LAMBDA {
-            mean_of_disk<decltype(degree)::value, false>(isa, disk, scratch.coefficients.data(), scratch.e.data(),
-                                                         scratch.mean.data(), scratch.largest.data());
-        });
-    });
-}
-LOMMEL_ONCE void RimKernels::coefficients(Level level, bool lone, const RimWaves& rim, const RimLine& line, double amplitude,
-                                          std::size_t disk, RimScratch& scratch) {
-    if (lone) {
-        return dispatch(level, [&](auto isa) LOMMEL_INLINE_LAMBDA {
+    static void coefficients(Level level, bool lone, const RimWaves& rim, const RimLine& line, double amplitude,
+                             std::size_t disk, RimScratch& scratch) {
+        if (lone) {
+            return dispatch(level, [&](auto isa) LOMMEL_INLINE_LAMBDA {
+                with_degree(isa, line.slopes.degree, [&](auto degree) LOMMEL_INLINE_LAMBDA {
+                    rim_coefficients_of_pupil<decltype(degree)::value>(isa, rim, line, amplitude, scratch, scratch.values[disk],
+                                                                       scratch.of[disk]);
+                });
+            });
+        }
+        dispatch_widest(level, [&](auto isa) LOMMEL_INLINE_LAMBDA {
             with_degree(isa, line.slopes.degree, [&](auto degree) LOMMEL_INLINE_LAMBDA {
-                rim_coefficients_of_pupil<decltype(degree)::value>(isa, rim, line, amplitude, scratch, scratch.values[disk],
-                                                                   scratch.of[disk]);
+                rim_coefficients<decltype(degree)::value>(isa, rim, line, amplitude, scratch, scratch.values[disk],
+                                                          scratch.of[disk]);
             });
         });
     }
-    dispatch_widest(level, [&](auto isa) LOMMEL_INLINE_LAMBDA {
-        with_degree(isa, line.slopes.degree, [&](auto degree) LOMMEL_INLINE_LAMBDA {
-            rim_coefficients<decltype(degree)::value>(isa, rim, line, amplitude, scratch, scratch.values[disk],
-                                                      scratch.of[disk]);
-        });
-    });
-}
-LOMMEL_ONCE void RimKernels::light(Level level, const RimTable& table, const RimLone* lone, const std::vector<RimJob>& jobs,
-                                   RimScratch& scratch) {
-    const bool one = table.rims.size() == 1;
-    if (lone != nullptr) {
-        return dispatch(level, [&](auto isa) LOMMEL_INLINE_LAMBDA {
-            one ? rim_light<true, 1>(isa, table, lone, jobs, scratch) : rim_light<true, 2>(isa, table, lone, jobs, scratch);
+    static void light(Level level, const RimTable& table, const RimLone* lone, const std::vector<RimJob>& jobs,
+                      RimScratch& scratch) {
+        const bool one = table.rims.size() == 1;
+        if (lone != nullptr) {
+            return dispatch(level, [&](auto isa) LOMMEL_INLINE_LAMBDA {
+                one ? rim_light<true, 1>(isa, table, lone, jobs, scratch) : rim_light<true, 2>(isa, table, lone, jobs, scratch);
+            });
+        }
+        dispatch_widest(level, [&](auto isa) LOMMEL_INLINE_LAMBDA {
+            one ? rim_light<false, 1>(isa, table, lone, jobs, scratch) : rim_light<false, 2>(isa, table, lone, jobs, scratch);
         });
     }
-    dispatch_widest(level, [&](auto isa) LOMMEL_INLINE_LAMBDA {
-        one ? rim_light<false, 1>(isa, table, lone, jobs, scratch) : rim_light<false, 2>(isa, table, lone, jobs, scratch);
-    });
-}
-#endif
+};
 
 }  // namespace lommel

@@ -79,7 +79,37 @@ class AngleWeights {
         double sine, cosine, fast_sine, fast_cosine;
     };
 
-    AngleWeights(std::size_t taps, double most, double apart);
+    AngleWeights(std::size_t taps, double most, double apart) : taps_(taps), order_(most), apart_(apart) {
+        for (std::size_t i = 0; i < taps; ++i) {
+            const double angle = static_cast<double>(i) * apart;
+            turns_[0][i] = std::cos((most + 0.5) * angle);
+            turns_[1][i] = std::sin((most + 0.5) * angle);
+            turns_[2][i] = std::cos(0.5 * angle);
+            turns_[3][i] = std::sin(0.5 * angle);
+            for (std::size_t j = 0; j < taps; ++j) {
+                common_[i * most_taps + j] = dirichlet((static_cast<double>(i) - static_cast<double>(j)) * apart);
+            }
+            inverse_[i * most_taps + i] = 1.0;
+        }
+        std::vector<double> left(common_, common_ + most_taps * most_taps);
+        for (std::size_t i = 0; i < taps; ++i) {
+            left[i * most_taps + i] += ridge;
+        }
+        for (std::size_t i = 0; i < taps; ++i) {  // Gauss-Jordan elimination; no pivoting, as the matrix is positive definite
+            const double by = 1.0 / left[i * most_taps + i];
+            for (std::size_t j = 0; j < taps; ++j) {
+                left[i * most_taps + j] *= by;
+                inverse_[i * most_taps + j] *= by;
+            }
+            for (std::size_t r = 0; r < taps; ++r) {
+                const double times = left[r * most_taps + i];
+                for (std::size_t j = 0; r != i && j < taps; ++j) {
+                    left[r * most_taps + j] -= times * left[i * most_taps + j];
+                    inverse_[r * most_taps + j] -= times * inverse_[i * most_taps + j];
+                }
+            }
+        }
+    }
     // Angle, from the first tap, of a point at the fraction `part` of the way between the middle two taps.
     double angle(double part) const { return (part + static_cast<double>(taps_ / 2 - 1)) * apart_; }
     // Compute the weights `shares` for one angle; returns the sum over all orders of the squared interpolation errors.
@@ -145,7 +175,14 @@ class RadiusRule {
     std::vector<double> barycentric;  // barycentric weights of the points
     double low;
 
-    RadiusRule(double from, std::size_t points);
+    RadiusRule(double from, std::size_t points) : low(from) {
+        for (std::size_t i = 0; i < points; ++i) {
+            const double point = chebyshev_point(i, points);
+            places.push_back(0.5 * (1.0 + low) + 0.5 * (1.0 - low) * point);
+            barycentric.push_back((i % 2 == 0 ? 1.0 : -1.0) * std::sqrt((1.0 - point) * (1.0 + point)));
+        }
+        shares.resize(points);
+    }
     // Sum of the semi-axes of the wide (0) or narrow (1) ellipse around [low, 1], scaled to the interval [-1, 1].
     double rho(std::size_t ellipse) const {
         const double c = (1.0 + low) / (1.0 - low);
@@ -155,7 +192,13 @@ class RadiusRule {
     double bend(double rho) const { return 0.25 * (1.0 - low) * (rho - 1.0 / rho); }
     double largest(double rho) const { return 0.5 * (1.0 + low) + 0.25 * (1.0 - low) * (rho + 1.0 / rho); }
     // Bound on the interpolation error at x for functions that are at most 1 in the ellipse.
-    double error(double x, double rho) const;
+    double error(double x, double rho) const {
+        // Sum of the errors, after interpolation at n points, of the terms k >= n of the function's Chebyshev series. The coefficient
+        // of T_k is at most 2 / rho^k, |T_k(x)| <= out^k, and the interpolant of T_k is +-T_j, j < n, or 0.
+        const double t = std::abs((2.0 * x - 1.0 - low) / (1.0 - low)), out = t <= 1.0 ? 1.0 : t + std::sqrt(t * t - 1.0);
+        const double ratio = out / rho, power = std::pow(ratio, static_cast<double>(places.size()));
+        return ratio >= 1.0 ? 1e300 : 2.0 * power * (1.0 / (1.0 - ratio) + 1.0 / (out * (1.0 - 1.0 / rho)));
+    }
     // Compute `shares`, the weights of the values at `places` in the interpolated value at x; return the sum of their moduli.
     LOMMEL_INLINE double at(double x) {
         double all = 0.0, moduli = 0.0;
@@ -216,105 +259,288 @@ struct RimTable {
     }
     // Error of the frequency response of Gauss quadrature over a pixel, along one axis with `points` points. The error of
     // averages of the intensity is at most 3 times this.
-    static double pixel_error(double step, std::size_t points);
+    static double pixel_error(double step, std::size_t points) {
+        // Least bound, over some Bernstein ellipses, on the error of Gauss quadrature of cos(w step t / 2) over |t| <= 1, for |w| <= 2.
+        double least = 1.0;
+        for (double rho = 1.2; rho < 60.0; rho *= 1.1) {
+            const double size = std::exp(0.5 * step * (rho - 1.0 / rho) - 2.0 * static_cast<double>(points) * std::log(rho));
+            least = std::min(least, 64.0 / 15.0 * size / (1.0 - 1.0 / (rho * rho)));
+        }
+        return least;
+    }
 
    private:
-    void make_waves(RimWaves& rim) const;
+    void make_waves(RimWaves& rim) const {
+        const double nearest = rim.radius * window.nearest();
+        const std::size_t most = rim.orders + 1;
+        // Hankel functions v^(1/2) e^-iv H1_n(v): n = 0 and 1 by Hankel's integral with t = s^2, as a sum in equal steps with an
+        // error of exp(-2 pi sqrt(v) / step); larger n by the recurrence, which is stable.
+        std::vector<std::vector<std::complex<double>>> hankel;
+        for (const double place : rule.places) {
+            const double v = nearest / place;
+            std::vector<std::complex<double>> h(most + 2);
+            for (std::size_t n = 0; n < 2; ++n) {
+                constexpr double step = 0.04;
+                std::complex<double> sum = n == 0 ? 0.5 : 0.0;
+                for (double s = step; s < 7.0; s += step) {
+                    const std::complex<double> root = std::sqrt(std::complex<double>(1.0, s * s / (2.0 * v)));
+                    sum += std::exp(-s * s) * (n == 0 ? 1.0 / root : s * s * root);
+                }
+                const double gamma = n == 0 ? std::sqrt(pi) : 0.5 * std::sqrt(pi);
+                h[n] = std::sqrt(2.0 / pi) * 2.0 * step / gamma * sum *
+                       std::polar(1.0, -pi * (0.5 * static_cast<double>(n) + 0.25));
+            }
+            for (std::size_t n = 1; n <= most; ++n) {
+                h[n + 1] = 2.0 * static_cast<double>(n) / v * h[n] - h[n - 1];
+            }
+            hankel.push_back(std::move(h));
+        }
+        // Hankel functions of negative order: H_{-n} = (-1)^n H_n.
+        const auto wave = [&](std::size_t radius, std::int32_t n) {
+            return n < 0 && n % 2 != 0 ? -hankel[radius][static_cast<std::size_t>(-n)]
+                                       : hankel[radius][static_cast<std::size_t>(std::abs(n))];
+        };
+        const std::int32_t first = static_cast<std::int32_t>(rim.first), orders = static_cast<std::int32_t>(rim.orders);
+        rim.real.assign(rim.count() * radii() * rim_orders, 0.0f);
+        rim.imaginary = rim.real;
+        for (std::size_t i = 0; i < rim.count(); ++i) {
+            for_tiles(radii(), rim_radii_tile, [&](std::size_t from, std::size_t size) {
+                for (std::size_t k = 0; k < rim_orders; ++k) {
+                    const std::int32_t mu = static_cast<std::int32_t>(i) - first + static_cast<std::int32_t>(k);
+                    for (std::size_t r = 0; std::abs(mu) <= orders && r < size; ++r) {
+                        const double power = std::pow(rule.places[from + r] / nearest, static_cast<double>(k)) * rim_scale(k);
+                        const std::complex<double> h = (k % 2 == 0 ? rim.weight : -rim.weight) * power * wave(from + r, mu + 1);
+                        const std::size_t at = (i * radii() + from) * rim_orders + k * size + r;
+                        rim.real[at] = static_cast<float>(h.real());
+                        rim.imaginary[at] = static_cast<float>(h.imag());
+                    }
+                }
+            });
+        }
+        // Bounds sup[n] on |v^(1/2) e^-iv H1_n(v)| for x = R / v in an ellipse, R = nearest: Hankel's integral over t of the modulus
+        // of exp(-t) t^(n - 1/2) (1 + i t x / (2 R))^(n - 1/2), in equal steps of ln t, whose error the factor 1.02 covers.
+        for (std::size_t ellipse = 0; ellipse < 2; ++ellipse) {
+            const double bend = rule.bend(rule.rho(ellipse)), largest = rule.largest(rule.rho(ellipse));
+            std::vector<double> sup(most + 2, 0.0);
+            for (std::size_t n = 1; n < sup.size(); ++n) {
+                const double power = static_cast<double>(n) - 0.5, gamma = std::lgamma(power + 1.0), apart = 0.05;
+                for (double log = -6.0; log < 7.0; log += apart) {
+                    const double t = std::exp(log), wide = 0.5 * t * largest / nearest;
+                    const double grown = 0.5 * std::log1p(t * bend / nearest + wide * wide);
+                    sup[n] += apart * std::exp(-t + power * (log + grown) + log - gamma);
+                }
+                sup[n] *= 1.02 * std::sqrt(2.0 / pi);
+            }
+            sup[0] = 2.0 * largest / nearest * sup[1] + sup[2];
+            for (std::size_t k = 0; k < rim_orders; ++k) {
+                for (std::int32_t mu = -orders; mu <= orders; ++mu) {
+                    rim.size[ellipse].push_back(static_cast<float>(1.00001 * std::abs(rim.weight) * rim_scale(k) *
+                                                                   std::pow(largest / nearest, static_cast<double>(k)) *
+                                                                   sup[static_cast<std::size_t>(std::abs(mu + 1))]));
+                }
+            }
+        }
+        for (std::size_t kind = 0; kind < 4; ++kind) {
+            const std::size_t odd = kind / 2;
+            const auto value = [&](std::size_t n, double angle) {
+                return static_cast<float>(kind % 2 == 0 ? std::cos(static_cast<double>(n) * angle)
+                                                        : std::sin(static_cast<double>(n) * angle));
+            };
+            const std::size_t quarter = rim.angles / 4, forth = (rim.angles / 2 + 2 - odd) / 2;
+            rim.forward[kind].resize(quarter * forth);
+            for_tiles(forth, rim_orders_tile, [&](std::size_t from, std::size_t size) {
+                for (std::size_t l = 0; l < quarter; ++l) {
+                    const double angle = 2.0 * pi * (static_cast<double>(l) + 0.5) / static_cast<double>(rim.angles);
+                    for (std::size_t r = 0; r < size; ++r) {
+                        rim.forward[kind][from * quarter + l * size + r] = value(2 * (from + r) + odd, angle);
+                    }
+                }
+            });
+            const std::size_t halves = rim.halves(odd);
+            rim.back[kind].resize(halves * (around / 4));
+            for_tiles(around / 4, rim_angles_tile, [&](std::size_t from, std::size_t size) {
+                for (std::size_t i = 0; i < halves; ++i) {
+                    for (std::size_t r = 0; r < size; ++r) {
+                        const double angle = 2.0 * pi * (static_cast<double>(from + r) + 0.5) / static_cast<double>(around);
+                        rim.back[kind][from * halves + i * size + r] = value(2 * i + odd, angle);
+                    }
+                }
+            });
+        }
+    }
     // Highest order, in the polar angle, of the channels of rim_channels(), each a product of two waves.
     double order() const { return static_cast<double>(2 * rims[0].orders + rim_orders - 1); }
     double apart() const { return 2.0 * pi / static_cast<double>(around); }
     // Bound on (sum of the moduli of all channels of rim_channels()) / (channel 0).
     double together() const { return channels() == 3 ? 2.0 : 5.0; }
-    RadiusRule chosen_rule() const;
-    void choose_angles();
-    void make_pixels();
+    // Rule of fewest points that meets window.error for all pixels. The farthest pixels may be outside its interval, as their
+    // intensity falls with the cube of the distance.
+    RadiusRule chosen_rule() const {
+        const double nearest = window.nearest(),
+                     farthest = window.step * std::sqrt(2.0) * (static_cast<double>(window.reach) + 0.5);
+        const double last = nearest / farthest;
+        RadiusRule best(last, 40);
+        for (double low = last; low < 0.6; low += 0.05) {
+            for (std::size_t points = 3; points < best.places.size(); ++points) {
+                const RadiusRule rule(low, points);
+                double worst = 0.0;
+                for (double x = last; x < 1.0; x *= 1.05) {
+                    worst = std::max(worst, x * x * x * rule.error(x, rule.rho(0)));
+                }
+                // Estimated squared modulus of the waves in the ellipse of rule.rho(0): 1.2 * nearest, and more if `nearest` and the
+                // box are large, because pupils that need large boxes have large phases.
+                const double large = std::pow(nearest / 55.0, 4), squares = 1.2 * nearest * (1.0 + large);
+                if (4.0 * squares * worst <= 0.2 * window.error * nearest * nearest * nearest) {
+                    best = rule;
+                }
+            }
+        }
+        return best;
+    }
+    void choose_angles() {
+        for (double many = 3.4; many < 8.0; many *= 1.25) {
+            around = 8 * static_cast<std::size_t>(std::ceil(many * (order() + 1.0) / 8.0));
+            for (taps = 4; taps <= AngleWeights::most_taps; taps += 2) {
+                const double off = std::sqrt(AngleWeights(taps, order(), apart()).find(0.5));
+                if (4.0 * together() * off <= 0.15 * window.error * std::pow(window.nearest(), 3)) {
+                    return;
+                }
+            }
+        }
+        taps = AngleWeights::most_taps;
+    }
+    void make_pixels() {
+        const double nearest = window.nearest();
+        AngleWeights angles(taps, order(), apart());
+        constexpr std::size_t most_points = 64, padded = most_points + row_lanes;
+        std::size_t points = 4;
+        while (3.0 * pixel_error(window.step, points) > 0.02 * window.error && points < most_points) {
+            ++points;
+        }
+        const double response = pixel_error(window.step, points);
+        off_pixels = 3.0 * response;
+        off_field = std::min(1.0, 4.0 * pi / (window.step * window.step) + 3.0 * response);
+        std::vector<double> x(points), w(points);
+        gauss_legendre(points, x.data(), w.data());
+        std::vector<double> frequencies{2.0};
+        if (rims.size() > 1) {
+            const double eps = rims[1].radius;
+            frequencies = {2.0 * eps, 1.0 - eps, 1.0 + eps, 2.0};
+        }
+        const std::size_t half = window.box / 2;
+        Doubles lights, shares, sums;
+        weights.resize(radii());
+        for (std::size_t p = half + 1; p <= window.reach; ++p) {
+            for (std::size_t q = 0; q <= p; ++q) {
+                look();
+                const double down = static_cast<double>(q), right = static_cast<double>(p);
+                // Lowest and highest polar angle of the pixel's corners, in units of apart().
+                const double low = std::atan2(down - 0.5, right + (q == 0 ? -0.5 : 0.5)) / apart(),
+                             high = std::atan2(down + 0.5, right - 0.5) / apart();
+                // Index `begin` of the first angle with a weight; angle l of a ring is (l + 1/2) apart().
+                const double begin = std::floor(low - 0.5) - static_cast<double>(taps / 2 - 1);
+                const std::size_t count =
+                    static_cast<std::size_t>(std::floor(high - 0.5) + static_cast<double>(taps / 2) - begin) + 1;
+                // Weights sums[radius][channel][angle]: matrix product of lights[radius][channel][point] and shares[point][angle].
+                lights.resize(radii() * channels() * points * points);
+                shares.assign(points * points * count, 0.0);
+                sums.resize(radii() * channels() * count);
+                // The error of interpolation between radii is largest at the least or the largest radius v of the pixel.
+                const double first = window.step * std::hypot(std::max(0.0, down - 0.5), right - 0.5),
+                             last = window.step * std::hypot(down + 0.5, right + 0.5);
+                for (std::size_t e = 0; e < 2; ++e) {
+                    const double worst =
+                        std::max(rule.error(nearest / first, rule.rho(e)), rule.error(nearest / last, rule.rho(e)));
+                    off_radii[e] = std::max(off_radii[e], 4.0 / (first * first * first) * worst);
+                }
+                dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+                    using I = decltype(isa);
+                    using V = typename I::pack;
+                    double v[padded], turn[padded], before[padded], half[2][padded], fast[2][padded];
+                    std::array<std::array<double, padded>, 8> waves;  // cosine and sine of frequency times v
+                    for (std::size_t i = 0; i < points; ++i) {
+                        // A row of Gauss points in the pixel, padded to whole vectors.
+                        const double y = down + 0.5 * x[i];
+                        for (std::size_t j = 0; j < points + I::lanes; ++j) {
+                            const double z = right + 0.5 * x[std::min(j, points - 1)];
+                            v[j] = window.step * std::sqrt(y * y + z * z);
+                            const double angle = std::atan2(y, z) / apart() - 0.5;
+                            before[j] = std::floor(angle);
+                            turn[j] = angles.angle(angle - before[j]);
+                        }
+                        const auto turned = [&](const double* of, double times, double* sine, double* cosine)
+                                                LOMMEL_INLINE_LAMBDA {
+                                                    for (std::size_t j = 0; j < points; j += I::lanes) {
+                                                        V s, c;
+                                                        sincos(isa, splat<V>(times) * load<V>(of + j), s, c);
+                                                        store(sine + j, s);
+                                                        store(cosine + j, c);
+                                                    }
+                                                };
+                        turned(turn, 0.5, half[0], half[1]);
+                        turned(turn, order() + 0.5, fast[0], fast[1]);
+                        for (std::size_t f = 0; f < frequencies.size(); ++f) {
+                            turned(v, frequencies[f], waves[2 * f + 1].data(), waves[2 * f].data());
+                        }
+                        for (std::size_t j = 0; j < points; ++j) {
+                            const double misfit = std::sqrt(angles.find(isa, {half[0][j], half[1][j], fast[0][j], fast[1][j]})),
+                                         along = rule.at(nearest / v[j]), size = 1.0 / (v[j] * v[j] * v[j]);
+                            double moduli = 0.0;
+                            for (std::size_t t = 0; t < taps; ++t) {
+                                moduli += std::abs(angles.shares[t]);
+                            }
+                            off_angles = std::max(off_angles, together() * size * along * misfit);
+                            gain = std::max(gain, static_cast<double>(channels()) * size * along * moduli);
+                            const double by = 0.25 * w[i] * w[j] * size;
+                            const std::size_t at =
+                                static_cast<std::size_t>(before[j] - static_cast<double>(taps / 2 - 1) - begin);
+                            const std::size_t point = i * points + j;
+                            std::copy_n(angles.shares, taps, shares.data() + point * count + at);
+                            for (std::size_t r = 0; r < radii(); ++r) {
+                                for (std::size_t k = 0; k < channels(); ++k) {
+                                    lights[(r * channels() + k) * points * points + point] =
+                                        by * rule.shares[r] * (k == 0 ? 1.0 : waves[k - 1][j]);
+                                }
+                            }
+                        }
+                    }
+                });
+                product(lights.data(), radii() * channels(), points * points, shares.data(), count, 1, sums.data());
+                margin = std::max(margin, count + taps);
+                // Omit pairs of channels (of cos(f v) and sin(f v), see rim_channels()), the last one first, while their weights sum to
+                // little: a pair's amplitude is at most channel 0.
+                const auto sum_of = [&](std::size_t radius, std::size_t channel, std::size_t angle) {
+                    return sums[(radius * channels() + channel) * count + angle];
+                };
+                std::size_t used = channels();
+                double rest = 0.0;
+                for (; used > 1; used -= 2) {
+                    double more = rest;
+                    for (std::size_t r = 0; r < radii(); ++r) {
+                        for (std::size_t t = 0; t < count; ++t) {
+                            more += std::hypot(sum_of(r, used - 2, t), sum_of(r, used - 1, t));
+                        }
+                    }
+                    if (3.0 * more > 0.15 * window.error) {
+                        break;
+                    }
+                    rest = more;
+                }
+                dropped = std::max(dropped, rest);
+                pixels.push_back({p, q, weights[0].size(), used, static_cast<std::ptrdiff_t>(begin), count});
+                for (std::size_t r = 0; r < radii(); ++r) {
+                    for (std::size_t t = 0; t < count; ++t) {
+                        for (std::size_t c = 0; c < used; ++c) {
+                            weights[r].push_back(static_cast<float>(sum_of(r, c, t)));
+                        }
+                    }
+                }
+            }
+        }
+    }
 };
 
 #if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE AngleWeights::AngleWeights(std::size_t taps, double most, double apart) : taps_(taps), order_(most), apart_(apart) {
-    for (std::size_t i = 0; i < taps; ++i) {
-        const double angle = static_cast<double>(i) * apart;
-        turns_[0][i] = std::cos((most + 0.5) * angle);
-        turns_[1][i] = std::sin((most + 0.5) * angle);
-        turns_[2][i] = std::cos(0.5 * angle);
-        turns_[3][i] = std::sin(0.5 * angle);
-        for (std::size_t j = 0; j < taps; ++j) {
-            common_[i * most_taps + j] = dirichlet((static_cast<double>(i) - static_cast<double>(j)) * apart);
-        }
-        inverse_[i * most_taps + i] = 1.0;
-    }
-    std::vector<double> left(common_, common_ + most_taps * most_taps);
-    for (std::size_t i = 0; i < taps; ++i) {
-        left[i * most_taps + i] += ridge;
-    }
-    for (std::size_t i = 0; i < taps; ++i) {  // Gauss-Jordan elimination; no pivoting, as the matrix is positive definite
-        const double by = 1.0 / left[i * most_taps + i];
-        for (std::size_t j = 0; j < taps; ++j) {
-            left[i * most_taps + j] *= by;
-            inverse_[i * most_taps + j] *= by;
-        }
-        for (std::size_t r = 0; r < taps; ++r) {
-            const double times = left[r * most_taps + i];
-            for (std::size_t j = 0; r != i && j < taps; ++j) {
-                left[r * most_taps + j] -= times * left[i * most_taps + j];
-                inverse_[r * most_taps + j] -= times * inverse_[i * most_taps + j];
-            }
-        }
-    }
-}
-
-LOMMEL_ONCE double RimTable::pixel_error(double step, std::size_t points) {
-    // Least bound, over some Bernstein ellipses, on the error of Gauss quadrature of cos(w step t / 2) over |t| <= 1, for |w| <= 2.
-    double least = 1.0;
-    for (double rho = 1.2; rho < 60.0; rho *= 1.1) {
-        const double size = std::exp(0.5 * step * (rho - 1.0 / rho) - 2.0 * static_cast<double>(points) * std::log(rho));
-        least = std::min(least, 64.0 / 15.0 * size / (1.0 - 1.0 / (rho * rho)));
-    }
-    return least;
-}
-
-LOMMEL_ONCE RadiusRule::RadiusRule(double from, std::size_t points) : low(from) {
-    for (std::size_t i = 0; i < points; ++i) {
-        const double point = chebyshev_point(i, points);
-        places.push_back(0.5 * (1.0 + low) + 0.5 * (1.0 - low) * point);
-        barycentric.push_back((i % 2 == 0 ? 1.0 : -1.0) * std::sqrt((1.0 - point) * (1.0 + point)));
-    }
-    shares.resize(points);
-}
-
-LOMMEL_ONCE double RadiusRule::error(double x, double rho) const {
-    // Sum of the errors, after interpolation at n points, of the terms k >= n of the function's Chebyshev series. The coefficient
-    // of T_k is at most 2 / rho^k, |T_k(x)| <= out^k, and the interpolant of T_k is +-T_j, j < n, or 0.
-    const double t = std::abs((2.0 * x - 1.0 - low) / (1.0 - low)), out = t <= 1.0 ? 1.0 : t + std::sqrt(t * t - 1.0);
-    const double ratio = out / rho, power = std::pow(ratio, static_cast<double>(places.size()));
-    return ratio >= 1.0 ? 1e300 : 2.0 * power * (1.0 / (1.0 - ratio) + 1.0 / (out * (1.0 - 1.0 / rho)));
-}
-
-// Rule of fewest points that meets window.error for all pixels. The farthest pixels may be outside its interval, as their
-// intensity falls with the cube of the distance.
-LOMMEL_ONCE RadiusRule RimTable::chosen_rule() const {
-    const double nearest = window.nearest(),
-                 farthest = window.step * std::sqrt(2.0) * (static_cast<double>(window.reach) + 0.5);
-    const double last = nearest / farthest;
-    RadiusRule best(last, 40);
-    for (double low = last; low < 0.6; low += 0.05) {
-        for (std::size_t points = 3; points < best.places.size(); ++points) {
-            const RadiusRule rule(low, points);
-            double worst = 0.0;
-            for (double x = last; x < 1.0; x *= 1.05) {
-                worst = std::max(worst, x * x * x * rule.error(x, rule.rho(0)));
-            }
-            // Estimated squared modulus of the waves in the ellipse of rule.rho(0): 1.2 * nearest, and more if `nearest` and the
-            // box are large, because pupils that need large boxes have large phases.
-            const double large = std::pow(nearest / 55.0, 4), squares = 1.2 * nearest * (1.0 + large);
-            if (4.0 * squares * worst <= 0.2 * window.error * nearest * nearest * nearest) {
-                best = rule;
-            }
-        }
-    }
-    return best;
-}
-
 LOMMEL_ONCE RimTable::RimTable(const RimWindow& asked) : window(asked), rule(chosen_rule()) {
     const double nearest = asked.nearest();
     const double eps = asked.obscuration;
@@ -337,245 +563,6 @@ LOMMEL_ONCE RimTable::RimTable(const RimWindow& asked) : window(asked), rule(cho
     make_pixels();
 }
 
-LOMMEL_ONCE void RimTable::make_waves(RimWaves& rim) const {
-    const double nearest = rim.radius * window.nearest();
-    const std::size_t most = rim.orders + 1;
-    // Hankel functions v^(1/2) e^-iv H1_n(v): n = 0 and 1 by Hankel's integral with t = s^2, as a sum in equal steps with an
-    // error of exp(-2 pi sqrt(v) / step); larger n by the recurrence, which is stable.
-    std::vector<std::vector<std::complex<double>>> hankel;
-    for (const double place : rule.places) {
-        const double v = nearest / place;
-        std::vector<std::complex<double>> h(most + 2);
-        for (std::size_t n = 0; n < 2; ++n) {
-            constexpr double step = 0.04;
-            std::complex<double> sum = n == 0 ? 0.5 : 0.0;
-            for (double s = step; s < 7.0; s += step) {
-                const std::complex<double> root = std::sqrt(std::complex<double>(1.0, s * s / (2.0 * v)));
-                sum += std::exp(-s * s) * (n == 0 ? 1.0 / root : s * s * root);
-            }
-            const double gamma = n == 0 ? std::sqrt(pi) : 0.5 * std::sqrt(pi);
-            h[n] =
-                std::sqrt(2.0 / pi) * 2.0 * step / gamma * sum * std::polar(1.0, -pi * (0.5 * static_cast<double>(n) + 0.25));
-        }
-        for (std::size_t n = 1; n <= most; ++n) {
-            h[n + 1] = 2.0 * static_cast<double>(n) / v * h[n] - h[n - 1];
-        }
-        hankel.push_back(std::move(h));
-    }
-    // Hankel functions of negative order: H_{-n} = (-1)^n H_n.
-    const auto wave = [&](std::size_t radius, std::int32_t n) {
-        return n < 0 && n % 2 != 0 ? -hankel[radius][static_cast<std::size_t>(-n)]
-                                   : hankel[radius][static_cast<std::size_t>(std::abs(n))];
-    };
-    const std::int32_t first = static_cast<std::int32_t>(rim.first), orders = static_cast<std::int32_t>(rim.orders);
-    rim.real.assign(rim.count() * radii() * rim_orders, 0.0f);
-    rim.imaginary = rim.real;
-    for (std::size_t i = 0; i < rim.count(); ++i) {
-        for_tiles(radii(), rim_radii_tile, [&](std::size_t from, std::size_t size) {
-            for (std::size_t k = 0; k < rim_orders; ++k) {
-                const std::int32_t mu = static_cast<std::int32_t>(i) - first + static_cast<std::int32_t>(k);
-                for (std::size_t r = 0; std::abs(mu) <= orders && r < size; ++r) {
-                    const double power = std::pow(rule.places[from + r] / nearest, static_cast<double>(k)) * rim_scale(k);
-                    const std::complex<double> h = (k % 2 == 0 ? rim.weight : -rim.weight) * power * wave(from + r, mu + 1);
-                    const std::size_t at = (i * radii() + from) * rim_orders + k * size + r;
-                    rim.real[at] = static_cast<float>(h.real());
-                    rim.imaginary[at] = static_cast<float>(h.imag());
-                }
-            }
-        });
-    }
-    // Bounds sup[n] on |v^(1/2) e^-iv H1_n(v)| for x = R / v in an ellipse, R = nearest: Hankel's integral over t of the modulus
-    // of exp(-t) t^(n - 1/2) (1 + i t x / (2 R))^(n - 1/2), in equal steps of ln t, whose error the factor 1.02 covers.
-    for (std::size_t ellipse = 0; ellipse < 2; ++ellipse) {
-        const double bend = rule.bend(rule.rho(ellipse)), largest = rule.largest(rule.rho(ellipse));
-        std::vector<double> sup(most + 2, 0.0);
-        for (std::size_t n = 1; n < sup.size(); ++n) {
-            const double power = static_cast<double>(n) - 0.5, gamma = std::lgamma(power + 1.0), apart = 0.05;
-            for (double log = -6.0; log < 7.0; log += apart) {
-                const double t = std::exp(log), wide = 0.5 * t * largest / nearest;
-                const double grown = 0.5 * std::log1p(t * bend / nearest + wide * wide);
-                sup[n] += apart * std::exp(-t + power * (log + grown) + log - gamma);
-            }
-            sup[n] *= 1.02 * std::sqrt(2.0 / pi);
-        }
-        sup[0] = 2.0 * largest / nearest * sup[1] + sup[2];
-        for (std::size_t k = 0; k < rim_orders; ++k) {
-            for (std::int32_t mu = -orders; mu <= orders; ++mu) {
-                rim.size[ellipse].push_back(static_cast<float>(1.00001 * std::abs(rim.weight) * rim_scale(k) *
-                                                               std::pow(largest / nearest, static_cast<double>(k)) *
-                                                               sup[static_cast<std::size_t>(std::abs(mu + 1))]));
-            }
-        }
-    }
-    for (std::size_t kind = 0; kind < 4; ++kind) {
-        const std::size_t odd = kind / 2;
-        const auto value = [&](std::size_t n, double angle) {
-            return static_cast<float>(kind % 2 == 0 ? std::cos(static_cast<double>(n) * angle)
-                                                    : std::sin(static_cast<double>(n) * angle));
-        };
-        const std::size_t quarter = rim.angles / 4, forth = (rim.angles / 2 + 2 - odd) / 2;
-        rim.forward[kind].resize(quarter * forth);
-        for_tiles(forth, rim_orders_tile, [&](std::size_t from, std::size_t size) {
-            for (std::size_t l = 0; l < quarter; ++l) {
-                const double angle = 2.0 * pi * (static_cast<double>(l) + 0.5) / static_cast<double>(rim.angles);
-                for (std::size_t r = 0; r < size; ++r) {
-                    rim.forward[kind][from * quarter + l * size + r] = value(2 * (from + r) + odd, angle);
-                }
-            }
-        });
-        const std::size_t halves = rim.halves(odd);
-        rim.back[kind].resize(halves * (around / 4));
-        for_tiles(around / 4, rim_angles_tile, [&](std::size_t from, std::size_t size) {
-            for (std::size_t i = 0; i < halves; ++i) {
-                for (std::size_t r = 0; r < size; ++r) {
-                    const double angle = 2.0 * pi * (static_cast<double>(from + r) + 0.5) / static_cast<double>(around);
-                    rim.back[kind][from * halves + i * size + r] = value(2 * i + odd, angle);
-                }
-            }
-        });
-    }
-}
-
-LOMMEL_ONCE void RimTable::choose_angles() {
-    for (double many = 3.4; many < 8.0; many *= 1.25) {
-        around = 8 * static_cast<std::size_t>(std::ceil(many * (order() + 1.0) / 8.0));
-        for (taps = 4; taps <= AngleWeights::most_taps; taps += 2) {
-            const double off = std::sqrt(AngleWeights(taps, order(), apart()).find(0.5));
-            if (4.0 * together() * off <= 0.15 * window.error * std::pow(window.nearest(), 3)) {
-                return;
-            }
-        }
-    }
-    taps = AngleWeights::most_taps;
-}
-
-LOMMEL_ONCE void RimTable::make_pixels() {
-    const double nearest = window.nearest();
-    AngleWeights angles(taps, order(), apart());
-    constexpr std::size_t most_points = 64, padded = most_points + row_lanes;
-    std::size_t points = 4;
-    while (3.0 * pixel_error(window.step, points) > 0.02 * window.error && points < most_points) {
-        ++points;
-    }
-    const double response = pixel_error(window.step, points);
-    off_pixels = 3.0 * response;
-    off_field = std::min(1.0, 4.0 * pi / (window.step * window.step) + 3.0 * response);
-    std::vector<double> x(points), w(points);
-    gauss_legendre(points, x.data(), w.data());
-    std::vector<double> frequencies{2.0};
-    if (rims.size() > 1) {
-        const double eps = rims[1].radius;
-        frequencies = {2.0 * eps, 1.0 - eps, 1.0 + eps, 2.0};
-    }
-    const std::size_t half = window.box / 2;
-    Doubles lights, shares, sums;
-    weights.resize(radii());
-    for (std::size_t p = half + 1; p <= window.reach; ++p) {
-        for (std::size_t q = 0; q <= p; ++q) {
-            look();
-            const double down = static_cast<double>(q), right = static_cast<double>(p);
-            // Lowest and highest polar angle of the pixel's corners, in units of apart().
-            const double low = std::atan2(down - 0.5, right + (q == 0 ? -0.5 : 0.5)) / apart(),
-                         high = std::atan2(down + 0.5, right - 0.5) / apart();
-            // Index `begin` of the first angle with a weight; angle l of a ring is (l + 1/2) apart().
-            const double begin = std::floor(low - 0.5) - static_cast<double>(taps / 2 - 1);
-            const std::size_t count =
-                static_cast<std::size_t>(std::floor(high - 0.5) + static_cast<double>(taps / 2) - begin) + 1;
-            // Weights sums[radius][channel][angle]: matrix product of lights[radius][channel][point] and shares[point][angle].
-            lights.resize(radii() * channels() * points * points);
-            shares.assign(points * points * count, 0.0);
-            sums.resize(radii() * channels() * count);
-            // The error of interpolation between radii is largest at the least or the largest radius v of the pixel.
-            const double first = window.step * std::hypot(std::max(0.0, down - 0.5), right - 0.5),
-                         last = window.step * std::hypot(down + 0.5, right + 0.5);
-            for (std::size_t e = 0; e < 2; ++e) {
-                const double worst =
-                    std::max(rule.error(nearest / first, rule.rho(e)), rule.error(nearest / last, rule.rho(e)));
-                off_radii[e] = std::max(off_radii[e], 4.0 / (first * first * first) * worst);
-            }
-            dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
-                using I = decltype(isa);
-                using V = typename I::pack;
-                double v[padded], turn[padded], before[padded], half[2][padded], fast[2][padded];
-                std::array<std::array<double, padded>, 8> waves;  // cosine and sine of frequency times v
-                for (std::size_t i = 0; i < points; ++i) {
-                    // A row of Gauss points in the pixel, padded to whole vectors.
-                    const double y = down + 0.5 * x[i];
-                    for (std::size_t j = 0; j < points + I::lanes; ++j) {
-                        const double z = right + 0.5 * x[std::min(j, points - 1)];
-                        v[j] = window.step * std::sqrt(y * y + z * z);
-                        const double angle = std::atan2(y, z) / apart() - 0.5;
-                        before[j] = std::floor(angle);
-                        turn[j] = angles.angle(angle - before[j]);
-                    }
-                    const auto turned = [&](const double* of, double times, double* sine, double* cosine) LOMMEL_INLINE_LAMBDA {
-                        for (std::size_t j = 0; j < points; j += I::lanes) {
-                            V s, c;
-                            sincos(isa, splat<V>(times) * load<V>(of + j), s, c);
-                            store(sine + j, s);
-                            store(cosine + j, c);
-                        }
-                    };
-                    turned(turn, 0.5, half[0], half[1]);
-                    turned(turn, order() + 0.5, fast[0], fast[1]);
-                    for (std::size_t f = 0; f < frequencies.size(); ++f) {
-                        turned(v, frequencies[f], waves[2 * f + 1].data(), waves[2 * f].data());
-                    }
-                    for (std::size_t j = 0; j < points; ++j) {
-                        const double misfit = std::sqrt(angles.find(isa, {half[0][j], half[1][j], fast[0][j], fast[1][j]})),
-                                     along = rule.at(nearest / v[j]), size = 1.0 / (v[j] * v[j] * v[j]);
-                        double moduli = 0.0;
-                        for (std::size_t t = 0; t < taps; ++t) {
-                            moduli += std::abs(angles.shares[t]);
-                        }
-                        off_angles = std::max(off_angles, together() * size * along * misfit);
-                        gain = std::max(gain, static_cast<double>(channels()) * size * along * moduli);
-                        const double by = 0.25 * w[i] * w[j] * size;
-                        const std::size_t at = static_cast<std::size_t>(before[j] - static_cast<double>(taps / 2 - 1) - begin);
-                        const std::size_t point = i * points + j;
-                        std::copy_n(angles.shares, taps, shares.data() + point * count + at);
-                        for (std::size_t r = 0; r < radii(); ++r) {
-                            for (std::size_t k = 0; k < channels(); ++k) {
-                                lights[(r * channels() + k) * points * points + point] =
-                                    by * rule.shares[r] * (k == 0 ? 1.0 : waves[k - 1][j]);
-                            }
-                        }
-                    }
-                }
-            });
-            product(lights.data(), radii() * channels(), points * points, shares.data(), count, 1, sums.data());
-            margin = std::max(margin, count + taps);
-            // Omit pairs of channels (of cos(f v) and sin(f v), see rim_channels()), the last one first, while their weights sum to
-            // little: a pair's amplitude is at most channel 0.
-            const auto sum_of = [&](std::size_t radius, std::size_t channel, std::size_t angle) {
-                return sums[(radius * channels() + channel) * count + angle];
-            };
-            std::size_t used = channels();
-            double rest = 0.0;
-            for (; used > 1; used -= 2) {
-                double more = rest;
-                for (std::size_t r = 0; r < radii(); ++r) {
-                    for (std::size_t t = 0; t < count; ++t) {
-                        more += std::hypot(sum_of(r, used - 2, t), sum_of(r, used - 1, t));
-                    }
-                }
-                if (3.0 * more > 0.15 * window.error) {
-                    break;
-                }
-                rest = more;
-            }
-            dropped = std::max(dropped, rest);
-            pixels.push_back({p, q, weights[0].size(), used, static_cast<std::ptrdiff_t>(begin), count});
-            for (std::size_t r = 0; r < radii(); ++r) {
-                for (std::size_t t = 0; t < count; ++t) {
-                    for (std::size_t c = 0; c < used; ++c) {
-                        weights[r].push_back(static_cast<float>(sum_of(r, c, t)));
-                    }
-                }
-            }
-        }
-    }
-}
 #endif
 
 }  // namespace lommel

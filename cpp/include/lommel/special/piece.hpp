@@ -9,7 +9,6 @@
 #include <cstddef>
 #include <vector>
 
-#include "lommel/base/once.hpp"
 #include "lommel/base/simd.hpp"
 #include "lommel/bounds/ellipse.hpp"
 #include "lommel/special/bessel.hpp"
@@ -205,9 +204,7 @@ LOMMEL_INLINE void piece_values(I isa, const double* points, std::size_t terms, 
 }
 
 // Compute piece s of the Bessel table, width * s <= v <= width * (s + 1), with rows for the first `terms` functions.
-Piece made_piece(double width, std::size_t s, std::size_t terms);
-#if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE Piece made_piece(double width, std::size_t s, std::size_t terms) {
+inline Piece made_piece(double width, std::size_t s, std::size_t terms) {
     constexpr std::size_t m = degree_count;
     thread_local Doubles values;
     thread_local std::vector<double> scratch;
@@ -266,6 +263,5 @@ LOMMEL_ONCE Piece made_piece(double width, std::size_t s, std::size_t terms) {
     });
     return piece;
 }
-#endif
 
 }  // namespace lommel

@@ -8,7 +8,6 @@
 #include <memory>
 
 #include "lommel/base/cache.hpp"
-#include "lommel/base/once.hpp"
 #include "lommel/base/simd.hpp"
 #include "lommel/special/bessel.hpp"
 #include "lommel/special/chebyshev.hpp"
@@ -25,7 +24,26 @@ struct BesselPieces {
     double reach;
     Doubles rows;  // polynomials: [piece][coefficient][Bessel order]
 
-    explicit BesselPieces(double most);
+    explicit BesselPieces(double most)
+        : reach(std::max(64.0, std::exp2(std::ceil(std::log2(most + 1.0))))),
+          rows((static_cast<std::size_t>(0.5 * reach / half) + 1) * orders * coefficients) {
+        const ChebyshevToMonomials<coefficients> polynomial;
+        std::array<double, orders * coefficients> values{};
+        std::array<double, coefficients> series{};
+        for (std::size_t first = 0; first < rows.size(); first += values.size()) {
+            look();
+            const double middle = half * (2.0 * static_cast<double>(first / values.size()) + 1.0);
+            for (std::size_t j = 0; j < coefficients; ++j) {
+                bessel_sequence(middle + half * chebyshev_point(j, coefficients), orders, values.data() + j * orders);
+            }
+            for (std::size_t m = 0; m < orders; ++m) {
+                polynomial(values.data() + m, orders, series.data());
+                for (std::size_t k = 0; k < coefficients; ++k) {
+                    rows[first + k * orders + m] = series[k];
+                }
+            }
+        }
+    }
 
     // Compute J_0(v), ..., J_3(v) for v <= reach. Multiply-adds limit the speed.
     template <class I>
@@ -51,28 +69,5 @@ struct BesselPieces {
     static constexpr std::size_t most_bytes = std::size_t{32} << 20;
     static std::shared_ptr<const BesselPieces> get(double most) { return cache<BesselPieces>.get(most); }
 };
-
-#if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE BesselPieces::BesselPieces(double most)
-    : reach(std::max(64.0, std::exp2(std::ceil(std::log2(most + 1.0))))),
-      rows((static_cast<std::size_t>(0.5 * reach / half) + 1) * orders * coefficients) {
-    const ChebyshevToMonomials<coefficients> polynomial;
-    std::array<double, orders * coefficients> values{};
-    std::array<double, coefficients> series{};
-    for (std::size_t first = 0; first < rows.size(); first += values.size()) {
-        look();
-        const double middle = half * (2.0 * static_cast<double>(first / values.size()) + 1.0);
-        for (std::size_t j = 0; j < coefficients; ++j) {
-            bessel_sequence(middle + half * chebyshev_point(j, coefficients), orders, values.data() + j * orders);
-        }
-        for (std::size_t m = 0; m < orders; ++m) {
-            polynomial(values.data() + m, orders, series.data());
-            for (std::size_t k = 0; k < coefficients; ++k) {
-                rows[first + k * orders + m] = series[k];
-            }
-        }
-    }
-}
-#endif
 
 }  // namespace lommel

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "lommel/base/cache.hpp"
-#include "lommel/base/once.hpp"
 #include "lommel/base/parallel.hpp"
 #include "lommel/base/pi.hpp"
 #include "lommel/base/simd.hpp"
@@ -79,7 +78,21 @@ struct DiskRule {
     Doubles t, rho, weights;
     std::vector<double> cosines, sines;  // cosines and sines of k pi / n, k < 2 n
 
-    explicit DiskRule(std::size_t exact);
+    explicit DiskRule(std::size_t exact)
+        : degree(exact), rings(rings_for(exact)), fft(points_for(exact)), t(rings), rho(rings), weights(rings) {
+        std::vector<double> x(rings), w(rings);
+        gauss_legendre(rings, x.data(), w.data());
+        for (std::size_t k = 0; k < rings; ++k) {
+            t[k] = 0.5 * (1.0 + x[k]);
+            rho[k] = std::sqrt(t[k]);
+            weights[k] = 0.5 * w[k];
+        }
+        for (std::size_t i = 0; i < 2 * fft.n; ++i) {
+            const double angle = pi / static_cast<double>(fft.n) * static_cast<double>(i);
+            cosines.push_back(std::cos(angle));
+            sines.push_back(std::sin(angle));
+        }
+    }
 
     // rounded(): `exact` raised to the highest degree with as many rings, so that slightly stronger aberrations need no new rule.
     static std::size_t rounded(std::size_t exact) { return (exact + 32) / 32 * 32 - 1; }
@@ -99,24 +112,6 @@ struct DiskRule {
     static constexpr std::size_t most_bytes = std::size_t{64} << 20;
     static std::shared_ptr<const DiskRule> get(std::size_t exact) { return cache<DiskRule>.get(rounded(exact)); }
 };
-
-#if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE DiskRule::DiskRule(std::size_t exact)
-    : degree(exact), rings(rings_for(exact)), fft(points_for(exact)), t(rings), rho(rings), weights(rings) {
-    std::vector<double> x(rings), w(rings);
-    gauss_legendre(rings, x.data(), w.data());
-    for (std::size_t k = 0; k < rings; ++k) {
-        t[k] = 0.5 * (1.0 + x[k]);
-        rho[k] = std::sqrt(t[k]);
-        weights[k] = 0.5 * w[k];
-    }
-    for (std::size_t i = 0; i < 2 * fft.n; ++i) {
-        const double angle = pi / static_cast<double>(fft.n) * static_cast<double>(i);
-        cosines.push_back(std::cos(angle));
-        sines.push_back(std::sin(angle));
-    }
-}
-#endif
 
 // Zernike coefficients of degrees n < degrees and azimuthal orders m < orders, grouped by order m: n = m, m + 2, ...
 struct ZernikeSeries {

@@ -7,7 +7,6 @@
 #include <memory>
 #include <string>
 
-#include "lommel/base/once.hpp"
 #include "lommel/bounds/disk.hpp"
 #include "lommel/bounds/ellipse.hpp"
 #include "lommel/zernike/disk.hpp"
@@ -44,7 +43,27 @@ struct DiskExpansion {
     std::size_t curve;  // index of the complex curve, of those in bounds/disk.hpp, on which the pupil function may be sampled
     double saved = 0.0;  // by how much samples lower log M(b), with M(b) the bound on the pupil function in bounds/disk.hpp
 
-    DiskExpansion(const ZernikePhase& phase, double reach, double error);
+    DiskExpansion(const ZernikePhase& phase, double reach, double error) {
+        check_reach(reach);
+        DiskBounds bounds = phase.bounds();
+        std::size_t exact = count(bounds, reach, error);
+        // Samples of the pupil function at complex points lower the bound on it and hence `degrees`: faster for large expansions only.
+        curve = bounds.likely(error, usual_share);
+        if (work(exact) > 2.0 * GrowthTable::work(phase.list) && GrowthTable::serves(phase.list, curve)) {
+            saved = less_by_samples(phase);
+            bounds.lower(curve, saved);
+            exact = count(bounds, reach, error);
+        }
+        if (degrees > max_degrees || exact > 4 * max_degrees) {
+            const bool series = degrees > max_degrees;
+            throw LimitExceeded(std::string("these aberrations take a ") + (series ? "Zernike series" : "quadrature") +
+                                " of degree " + std::to_string(series ? degrees : exact) + ", more than the limit of " +
+                                std::to_string(series ? max_degrees : 4 * max_degrees) +
+                                ": less aberration or a smaller window takes fewer");
+        }
+        rule = DiskRule::get(exact);
+        quadrature = 2.0 * bounds.distance(rule->degree - degrees);
+    }
 
     // Estimated size of an expansion: numbers of degrees and orders; degree of exact quadrature; time to sample the pupil function.
     struct Size {
@@ -125,30 +144,6 @@ struct DiskExpansion {
         return 0.5 * rings * rings * static_cast<double>(orders) + 0.2 * n * n * rings;
     }
 };
-
-#if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE DiskExpansion::DiskExpansion(const ZernikePhase& phase, double reach, double error) {
-    check_reach(reach);
-    DiskBounds bounds = phase.bounds();
-    std::size_t exact = count(bounds, reach, error);
-    // Samples of the pupil function at complex points lower the bound on it and hence `degrees`: faster for large expansions only.
-    curve = bounds.likely(error, usual_share);
-    if (work(exact) > 2.0 * GrowthTable::work(phase.list) && GrowthTable::serves(phase.list, curve)) {
-        saved = less_by_samples(phase);
-        bounds.lower(curve, saved);
-        exact = count(bounds, reach, error);
-    }
-    if (degrees > max_degrees || exact > 4 * max_degrees) {
-        const bool series = degrees > max_degrees;
-        throw LimitExceeded(std::string("these aberrations take a ") + (series ? "Zernike series" : "quadrature") +
-                            " of degree " + std::to_string(series ? degrees : exact) + ", more than the limit of " +
-                            std::to_string(series ? max_degrees : 4 * max_degrees) +
-                            ": less aberration or a smaller window takes fewer");
-    }
-    rule = DiskRule::get(exact);
-    quadrature = 2.0 * bounds.distance(rule->degree - degrees);
-}
-#endif
 
 // Omit the coefficients of highest degree of each azimuthal order, so that the field U changes by at most `error`; return a bound
 // on the change. weight: factor of this disk's field in U.

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "lommel/base/cache.hpp"
-#include "lommel/base/once.hpp"
 #include "lommel/base/simd.hpp"
 #include "lommel/special/fft.hpp"
 #include "lommel/special/gridding.hpp"
@@ -25,7 +24,14 @@ struct PolarCircle : GriddingTaps {
     RowFft<double> exact;
     std::vector<double> gains, aliases;  // [order]: 1 / transform of the kernel; bound on (aliases / modulus of the order)
 
-    PolarCircle(std::size_t points, std::size_t taps);
+    PolarCircle(std::size_t points, std::size_t taps)
+        : GriddingTaps(GriddingKernel::of(taps, taps < 8 ? 3.0 : 2.0)), single(points), exact(points) {
+        for (std::size_t m = 0; m < points / 4; ++m) {
+            const double omega = 6.283185307179586477 * static_cast<double>(m) / static_cast<double>(points);
+            gains.push_back(1.0 / kernel.transform(omega));
+            aliases.push_back(kernel.aliases(omega));
+        }
+    }
 
     // Smallest number of angles, at least 48, for which an eighth of a turn is longer than half the kernel of `taps` taps.
     static constexpr std::size_t least_points(std::size_t taps) { return std::max<std::size_t>(48, 4 * taps + 8); }
@@ -49,17 +55,6 @@ struct PolarCircle : GriddingTaps {
     std::size_t bytes() const { return 64 * single.n; }
     static constexpr std::size_t most_bytes = std::size_t{4} << 20;
 };
-
-#if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE PolarCircle::PolarCircle(std::size_t points, std::size_t taps)
-    : GriddingTaps(GriddingKernel::of(taps, taps < 8 ? 3.0 : 2.0)), single(points), exact(points) {
-    for (std::size_t m = 0; m < points / 4; ++m) {
-        const double omega = 6.283185307179586477 * static_cast<double>(m) / static_cast<double>(points);
-        gains.push_back(1.0 / kernel.transform(omega));
-        aliases.push_back(kernel.aliases(omega));
-    }
-}
-#endif
 
 // One disk (aperture or obscuration). parts: Zernike coefficients times the weight of the disk,
 // [order][degree][re cos, im cos, re sin, im sin]; table: Hankel transforms [block][degree < degrees][16 radii], of which the

@@ -52,7 +52,43 @@ class PolarImage : public PaintedParts<PaintedPart> {  // each part: one tile in
     template <class Real>
     using Made = Reference<void(const Tiles::Line& line, const Real (*values)[Tiles::directions])>;
 
-    void tile(std::size_t i, double scale, const Made<float>& singles, const Made<double>& doubles);
+    void tile(std::size_t i, double scale, const Made<float>& singles, const Made<double>& doubles) {
+        thread_local std::vector<Tiles::Line> lines;
+        for (std::size_t z = 0; z < zones_.size(); ++z) {
+            const PolarZone& zone = zones_[z];
+            lines.clear();
+            tiles_->lines(list_[i], zone.low, zone.high, [&](const Tiles::Line& line) { lines.push_back(line); });
+            if (!lines.empty()) {
+                dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+                    PaintedPart& part = parts_[i * zones_.size() + z];
+                    const Tiles::Tile& at = list_[i];
+                    if (zone.style->around == 14) {
+                        pixels<14, 14, double>(isa, zone, at, lines, scale, doubles, part);
+                    } else if (zone.style->around == 12) {
+                        pixels<12, 12, double>(isa, zone, at, lines, scale, doubles, part);
+                    } else if (zone.style->doubles && zone.style->around == 10) {
+                        pixels<10, 10, double>(isa, zone, at, lines, scale, doubles, part);
+                    } else if (zone.style->doubles) {
+                        pixels<10, 8, double>(isa, zone, at, lines, scale, doubles, part);
+                    } else if (zone.style->around == 8) {
+                        pixels<8, 8, float>(isa, zone, at, lines, scale, singles, part);
+                    } else if (zone.style->around == 6) {
+                        pixels<8, 6, float>(isa, zone, at, lines, scale, singles, part);
+                    } else if (zone.style->between == 8) {
+                        pixels<8, 4, float>(isa, zone, at, lines, scale, singles, part);
+                    } else if (!zone.style->rough) {
+                        pixels<6, 4, float>(isa, zone, at, lines, scale, singles, part);
+                    } else if (zone.style->between == 6) {
+                        pixels<6, 4, float, true>(isa, zone, at, lines, scale, singles, part);
+                    } else if (zone.style->around == 3) {
+                        pixels<4, 3, float, true>(isa, zone, at, lines, scale, singles, part);
+                    } else {
+                        pixels<4, 2, float, true>(isa, zone, at, lines, scale, singles, part);
+                    }
+                });
+            }
+        }
+    }
 
     // Weights of a kernel's taps, polynomials of the position x, for one vector of taps at a time.
     template <class V, class Real>
@@ -261,46 +297,6 @@ class PolarImage : public PaintedParts<PaintedPart> {  // each part: one tile in
     int threads_ = 1;
     PolarZones zones_;
 };
-
-#if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE void PolarImage::tile(std::size_t i, double scale, const Made<float>& singles, const Made<double>& doubles) {
-    thread_local std::vector<Tiles::Line> lines;
-    for (std::size_t z = 0; z < zones_.size(); ++z) {
-        const PolarZone& zone = zones_[z];
-        lines.clear();
-        tiles_->lines(list_[i], zone.low, zone.high, [&](const Tiles::Line& line) { lines.push_back(line); });
-        if (!lines.empty()) {
-            dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
-                PaintedPart& part = parts_[i * zones_.size() + z];
-                const Tiles::Tile& at = list_[i];
-                if (zone.style->around == 14) {
-                    pixels<14, 14, double>(isa, zone, at, lines, scale, doubles, part);
-                } else if (zone.style->around == 12) {
-                    pixels<12, 12, double>(isa, zone, at, lines, scale, doubles, part);
-                } else if (zone.style->doubles && zone.style->around == 10) {
-                    pixels<10, 10, double>(isa, zone, at, lines, scale, doubles, part);
-                } else if (zone.style->doubles) {
-                    pixels<10, 8, double>(isa, zone, at, lines, scale, doubles, part);
-                } else if (zone.style->around == 8) {
-                    pixels<8, 8, float>(isa, zone, at, lines, scale, singles, part);
-                } else if (zone.style->around == 6) {
-                    pixels<8, 6, float>(isa, zone, at, lines, scale, singles, part);
-                } else if (zone.style->between == 8) {
-                    pixels<8, 4, float>(isa, zone, at, lines, scale, singles, part);
-                } else if (!zone.style->rough) {
-                    pixels<6, 4, float>(isa, zone, at, lines, scale, singles, part);
-                } else if (zone.style->between == 6) {
-                    pixels<6, 4, float, true>(isa, zone, at, lines, scale, singles, part);
-                } else if (zone.style->around == 3) {
-                    pixels<4, 3, float, true>(isa, zone, at, lines, scale, singles, part);
-                } else {
-                    pixels<4, 2, float, true>(isa, zone, at, lines, scale, singles, part);
-                }
-            });
-        }
-    }
-}
-#endif
 
 template <class T>
 void PolarImage::paint(double scale, T* image) {

@@ -12,7 +12,6 @@
 
 #include "lommel/base/aligned.hpp"
 #include "lommel/base/cache.hpp"
-#include "lommel/base/once.hpp"
 #include "lommel/base/pi.hpp"
 #include "lommel/base/simd.hpp"
 #include "lommel/base/wide.hpp"
@@ -34,7 +33,48 @@ struct GrowthTable {
     Floats shares;  // [sample]: weight in the mean over a and cos(tau), from hat functions
     std::vector<double> turns;  // [pair][direction][cos(m psi), sin(m psi)]
 
-    GrowthTable(const TermPairs& list, std::size_t at);
+    GrowthTable(const TermPairs& list, std::size_t at)
+        : terms(list.terms), curve(at), side(4 * list.degree + 1), samples(side * side), directions(directions_for(list)) {
+        const auto is_even = [&](std::size_t p) { return list.pairs[p].m % 2 == 0; };
+        for (std::size_t p = 0; p < list.pairs.size(); ++p) {
+            order.push_back(p);
+        }
+        even = static_cast<std::size_t>(std::stable_partition(order.begin(), order.end(), is_even) - order.begin());
+        const double b = chord_curves.b[curve], hat = 4.0 * std::sin(0.5 * step()) * std::sin(0.5 * step()) / step();
+        std::vector<ZernikeTerm> both;
+        for (const std::size_t k : order) {
+            const std::int32_t n = static_cast<std::int32_t>(list.pairs[k].n), m = static_cast<std::int32_t>(list.pairs[k].m);
+            both.insert(both.end(), {{n, m}, {n, -m}});
+        }
+        std::vector<std::size_t> in_turn(both.size());
+        std::iota(in_turn.begin(), in_turn.end(), std::size_t{0});
+        const ZernikeValues polynomials(both, in_turn);
+        values.resize(samples * both.size());
+        for (std::size_t s = 0; s < samples; ++s) {
+            look();
+            const std::size_t p = s / side, q = s % side;
+            const std::complex<wide> a(step() * static_cast<double>(p), b);
+            const std::complex<wide> x = std::cos(a),
+                                     y = std::sin(a) * static_cast<wide>(std::cos(step() * static_cast<double>(q)));
+            polynomials.at(x, y, [&](std::size_t j, const std::complex<wide>& value) {
+                values[s * both.size() + j] = j % 2 == 1 && both[j].m == 0 ? 0.0f : static_cast<float>(value.imag());
+            });
+            // Weights of a sample, which represents eight points, in the mean over a (`first`) and over eta = cos(tau) (`second`).
+            const double first = (p % (side - 1) == 0 ? 0.5 : 1.0) / static_cast<double>(4 * (side - 1));
+            const double along = step() * static_cast<double>(q);
+            const double second = q == 0          ? 0.5 * (1.0 - std::sin(step()) / step())
+                                  : q == side - 1 ? 0.25 * hat
+                                                  : 0.5 * hat * std::sin(along);
+            shares.push_back(static_cast<float>(first * second));
+        }
+        for (const std::size_t k : order) {
+            for (std::size_t i = 0; i < directions; ++i) {
+                const double angle = static_cast<double>(list.pairs[k].m) * turn() * static_cast<double>(i);
+                turns.push_back(std::cos(angle));
+                turns.push_back(std::sin(angle));
+            }
+        }
+    }
 
     // Angles in radians: step() between samples of a and of tau, turn() between directions xi.
     double step() const { return 0.5 * pi / static_cast<double>(side - 1); }
@@ -65,51 +105,6 @@ struct GrowthTable {
         return 16 * ((highest + 1) / 2);
     }
 };
-
-#if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE GrowthTable::GrowthTable(const TermPairs& list, std::size_t at)
-    : terms(list.terms), curve(at), side(4 * list.degree + 1), samples(side * side), directions(directions_for(list)) {
-    const auto is_even = [&](std::size_t p) { return list.pairs[p].m % 2 == 0; };
-    for (std::size_t p = 0; p < list.pairs.size(); ++p) {
-        order.push_back(p);
-    }
-    even = static_cast<std::size_t>(std::stable_partition(order.begin(), order.end(), is_even) - order.begin());
-    const double b = chord_curves.b[curve], hat = 4.0 * std::sin(0.5 * step()) * std::sin(0.5 * step()) / step();
-    std::vector<ZernikeTerm> both;
-    for (const std::size_t k : order) {
-        const std::int32_t n = static_cast<std::int32_t>(list.pairs[k].n), m = static_cast<std::int32_t>(list.pairs[k].m);
-        both.insert(both.end(), {{n, m}, {n, -m}});
-    }
-    std::vector<std::size_t> in_turn(both.size());
-    std::iota(in_turn.begin(), in_turn.end(), std::size_t{0});
-    const ZernikeValues polynomials(both, in_turn);
-    values.resize(samples * both.size());
-    for (std::size_t s = 0; s < samples; ++s) {
-        look();
-        const std::size_t p = s / side, q = s % side;
-        const std::complex<wide> a(step() * static_cast<double>(p), b);
-        const std::complex<wide> x = std::cos(a),
-                                 y = std::sin(a) * static_cast<wide>(std::cos(step() * static_cast<double>(q)));
-        polynomials.at(x, y, [&](std::size_t j, const std::complex<wide>& value) {
-            values[s * both.size() + j] = j % 2 == 1 && both[j].m == 0 ? 0.0f : static_cast<float>(value.imag());
-        });
-        // Weights of a sample, which represents eight points, in the mean over a (`first`) and over eta = cos(tau) (`second`).
-        const double first = (p % (side - 1) == 0 ? 0.5 : 1.0) / static_cast<double>(4 * (side - 1));
-        const double along = step() * static_cast<double>(q);
-        const double second = q == 0          ? 0.5 * (1.0 - std::sin(step()) / step())
-                              : q == side - 1 ? 0.25 * hat
-                                              : 0.5 * hat * std::sin(along);
-        shares.push_back(static_cast<float>(first * second));
-    }
-    for (const std::size_t k : order) {
-        for (std::size_t i = 0; i < directions; ++i) {
-            const double angle = static_cast<double>(list.pairs[k].m) * turn() * static_cast<double>(i);
-            turns.push_back(std::cos(angle));
-            turns.push_back(std::sin(angle));
-        }
-    }
-}
-#endif
 
 // Growth of a pupil function exp(i Phi): logarithm of the mean of e^{-Im Phi} over the complex points of all chords of a direction,
 // for the direction where it is largest. mean: this logarithm from samples. margin: bound on its error, from rounding and, between

@@ -223,7 +223,7 @@ def slanted_edge(
     angle: float = 5.0,
     supersample: int = 8,
 ) -> NDArray[np.float32]:
-    """Return a synthetic slanted edge in linear light, 0.1 on the left and 0.9 on the right, for :func:`lommel.imaging.depth_of_field`.
+    """Return a synthetic slanted edge in linear light, 0.1 on the left and 0.9 on the right.
 
     Parameters
     ----------

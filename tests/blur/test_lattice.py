@@ -11,7 +11,7 @@ import lommel as lm
 from lommel.blur import recorded
 from lommel.blur.blurs import KOLMOGOROV
 from lommel.blur.convolution import Gate, ends
-from lommel.blur.recorded import Band, BlurredStack, Gather, Request, summed
+from lommel.blur.recorded import Band, Gather, Request, summed
 from lommel.optics.grid import Grid
 
 
@@ -207,21 +207,6 @@ def test_what_few_lattices_do_not_reach_one_of_its_own_does(monkeypatch):
     monkeypatch.setattr(recorded, "_round_up", lambda count: 10**4)
     assert lm.psf(pupil, 9, 4.0, blur=lm.Seeing(0.05), tol=1e-4).error_bound <= 1e-4
     assert shared == [True, False]
-
-
-def test_shares_of_the_error_are_asked_for_until_they_fit():
-    # 0.9 of what is allowed is 1 here: the parts may be at most 1.11 in all.
-    asked = Request(None, 0, 1e-8, 1e-9, 100.0)
-    for parts in [(0.45, 0.0, 0.0), (0.0, 0.25, 0.0), (0.0, 0.0, 0.55), (0.38, 0.24, 0.495)]:
-        given, response, missing = (np.array([part]) for part in parts)
-        made = BlurredStack(np.ones((1, 1, 1)), given, response, missing, lm.methods.NijboerZernike())
-        further = recorded._refined_request(asked, made, np.ones(1))
-        assert further != asked
-        assert (further.tol, further.error, -further.margin) <= (asked.tol, asked.error, -asked.margin)
-    made = BlurredStack(
-        np.ones((1, 1, 1)), *(np.array([part]) for part in (0.4, 0.2, 0.5)), lm.methods.NijboerZernike()
-    )
-    assert recorded._refined_request(asked, made, np.ones(1)) == asked
 
 
 @pytest.mark.parametrize("count", [0, 1, 31, 32, 33, 100, 607, 3072, -5, -700])

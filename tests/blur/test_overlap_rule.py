@@ -9,7 +9,7 @@ import pytest
 from mpmath import mp
 
 import lommel as lm
-from lommel.blur.transfer_integral import ETAS, Part, Slopes, gauss_nodes, parts, rounding
+from lommel.blur.transfer_integral import Part, Slopes, parts, rounding
 
 PUPILS = {
     "focus": lm.Pupil(),
@@ -104,37 +104,3 @@ def test_the_reference_off_the_axis_is_the_rule_on_it():
         assert continued(part, pupil, 0.2).real == pytest.approx(
             float(part.at(pupil, np.array([0.2]), (60, 80))[0, 0]), rel=1e-11
         )
-
-
-def test_slopes_are_above_those_of_the_phase_nearby():
-    pupil, rng = lm.Pupil(lm.Wavefront(3.0, -2.0, higher=(1.0,)), apodization=0.8), np.random.default_rng(7)
-    slopes, h = Slopes.of(pupil), 1e-4
-    powers = pupil.coefficients()[0]
-
-    def phase(x, y):
-        t = x * x + y * y
-        return sum(c * t ** (k + 1) for k, c in enumerate(powers))
-
-    for far in (0.0, 0.05, 0.3):
-        gradient, second, growth = (float(np.ravel(g)[0]) for g in slopes.at(np.array([far])))
-        for _ in range(40):
-            r, angle = math.sqrt(rng.uniform()), rng.uniform(0.0, 6.3)
-            z = rng.normal(size=4) @ np.kron(np.eye(2), np.array([[1.0], [1j]]))
-            x, y = np.array([r * math.cos(angle), r * math.sin(angle)]) + far * z / np.linalg.norm(z)
-            dx, dy = (phase(x + h, y) - phase(x - h, y)) / (2 * h), (phase(x, y + h) - phase(x, y - h)) / (2 * h)
-            assert math.hypot(abs(dx), abs(dy)) <= gradient * (1.0 + 1e-6)
-            xx = (phase(x + h, y) - 2.0 * phase(x, y) + phase(x - h, y)) / h**2
-            assert abs(xx) <= second * (1.0 + 1e-5)
-            assert -0.8 * (x * x + y * y).real <= growth + 1e-12
-
-
-def test_gauss_nodes_leave_what_is_allowed():
-    # exp(k x) on [-1, 1] is at most exp(k cosh(eta)) on an ellipse.
-    for k in (0.5, 5.0, 60.0):
-        for allowed in (1e-3, 1e-9):
-            n = int(gauss_nodes(k * np.cosh(ETAS) - k, np.array(allowed)))
-            x, w = np.polynomial.legendre.leggauss(n)
-            error = abs(0.5 * w @ np.exp(k * (x - 1.0)) + math.expm1(-2.0 * k) / (2.0 * k))
-            assert error <= allowed
-            x, w = np.polynomial.legendre.leggauss(max(1, n // 3))
-            assert abs(0.5 * w @ np.exp(k * (x - 1.0)) + math.expm1(-2.0 * k) / (2.0 * k)) > 0.01 * allowed

@@ -12,7 +12,7 @@ from scipy.optimize import brentq
 
 import lommel as lm
 from lommel.blur.blurs import FWHM, KOLMOGOROV
-from lommel.blur.convolution import Gate, Halo, between, ends, gained, readout, table
+from lommel.blur.convolution import Gate, Halo, between, table
 from lommel.blur.mixtures import OUTER, BlurProfile, turbulence
 from lommel.blur.transfer_integral import FURTHER, Fading
 
@@ -74,22 +74,6 @@ def test_the_bound_on_a_halo_is_above_it_and_falls_as_it_does(kind, far):
         assert bound <= 20.0 * beyond
 
 
-@pytest.mark.parametrize("far", [12.0, 30.0, 100.0, 400.0])
-@pytest.mark.parametrize("ratio", [20.0, 50.0])
-def test_the_bound_on_the_density_is_hardly_above_it(far, ratio):
-    there = hankel(far, ratio)
-    bound = Halo((lm.Seeing(1.0 / ratio),), 1.0, None, GATE).bound(far)
-    assert there <= bound <= 1.15 * there
-
-
-def test_the_gate_is_open_up_to_two_and_closed_where_copies_begin():
-    w = np.linspace(0.0, 2.0, 101)
-    assert np.abs(GATE.round(w) - 1.0).max() <= GATE.error
-    copies = np.linspace(2.0 * np.pi / GATE.h - 2.0, 20.0, 101)
-    assert GATE.round(copies).max() <= GATE.error
-    assert GATE.round(np.array([GATE.end]))[0] < 1e-30
-
-
 @pytest.mark.parametrize(("outer", "terms"), [*((outer, 6) for outer in OUTER), (None, 3), (15.0, 8), (2.0, 8)])
 def test_mixtures_are_within_their_error_of_the_transfer_function(outer, terms):
     made = turbulence(outer, terms)
@@ -125,43 +109,6 @@ def test_known_blurs_are_multiplied():
 def test_blurs_along_a_direction_are_not_isotropic():
     several = lm.Jitter(1.0), lm.Jitter(1.0, 2.0), lm.Motion(1.0), lm.Motion(0.0), lm.ChargeDiffusion(1.0)
     assert [one.isotropic for one in several] == [True, False, False, True, True]
-
-
-PLACES = np.sort(np.random.default_rng(3).uniform(-30.0, 40.0, 9))
-
-
-@pytest.mark.parametrize("error", [1e-4, 1e-7, 1e-10, 1e-13])
-@pytest.mark.parametrize("active", [0.0, 0.3, 2.7, 40.0, 400.0])
-def test_waves_of_the_band_are_averaged_over_pixels_anywhere(error, active):
-    gate = Gate.of(0.8, error)
-    made = readout(tuple(PLACES), active, gate)
-    at = gate.h * (made.first + np.arange(made.samples))
-    w = np.linspace(0.0, 2.0, 301)
-    found = made.matrix @ np.exp(1j * np.outer(at, w))
-    expected = np.exp(1j * np.outer(PLACES, w)) * np.sinc(0.5 * active * w / np.pi)
-    worst = np.abs(found - expected).max()
-    assert worst <= made.error
-    assert made.error < 4.0 * error
-    assert np.abs(made.matrix).sum(axis=1).max() == pytest.approx(made.gain)
-    assert made.gain <= gained(gate)
-
-
-@pytest.mark.parametrize("error", [1e-4, 1e-9])
-def test_beyond_the_ends_of_a_gate_little_is_left(error):
-    gate = Gate.of(0.8, error)
-    far, cut = ends(gate)
-    k = np.arange(-4000, 4001)
-    for shift in np.linspace(0.0, gate.h, 17):
-        x = shift - gate.h * k
-        g = np.sinc(x / gate.h) / gate.h * np.exp(-0.25 * (gate.width * x) ** 2)
-        assert gate.h * np.abs(g[np.abs(x) > far]).sum() <= cut
-
-
-@pytest.mark.parametrize("error", [1e-4, 1e-13])
-def test_the_largest_gain_of_samples_anywhere_is_bounded_and_nearly_reached(error):
-    gate = Gate.of(0.8, error)
-    largest = readout(tuple(np.linspace(0.0, gate.h, 1001)), 0.0, gate).gain
-    assert largest <= gained(gate) <= 1.05 * largest
 
 
 KINDS_FADING = {
@@ -207,40 +154,6 @@ def test_on_the_axis_the_reference_is_the_transfer_function(kind):
         assert math.exp(transfer(KINDS_FADING[kind], x, 0.2)) == pytest.approx(
             float(fading.at(np.array(0.2 * x**3))), rel=1e-9
         )
-
-
-@pytest.mark.parametrize("kind", KINDS_FADING)
-def test_no_point_of_a_disc_is_above_the_bound_and_some_are_near_it(kind):
-    rng, fading = np.random.default_rng(3), Fading.of(KINDS_FADING[kind], 1.0, None)
-    near = 0
-    for end in (0.05, 0.3, 1.0):
-        for _ in range(25):
-            x = complex(rng.uniform(0.0, 1.2), rng.uniform(-0.4, 0.4))
-            radius = float(10.0 ** rng.uniform(-4.0, -1.0))
-            bound = float(fading.log_bound(np.array([x]), np.array([radius]), end)[0])
-            for angle in (0.0, *rng.uniform(0.0, 2.0 * np.pi, 4)):
-                found = transfer(KINDS_FADING[kind], x + radius * np.exp(1j * angle), end)
-                assert found <= bound + 1e-9 * (1.0 + abs(bound))
-                near += found > bound - 0.1 - 0.01 * abs(bound)
-    assert near > 50
-
-
-@pytest.mark.parametrize("kind", KINDS_FADING)
-@pytest.mark.parametrize("left", [1e-4, 1e-8, 1e-13])
-def test_beyond_the_end_is_less_than_is_left(kind, left):
-    fading = Fading.of(KINDS_FADING[kind], 1.0, None)
-    end, bound = fading.end(left)
-    assert bound <= left
-    there = quad(lambda f: float(fading.at(np.array(f))) * f, end, 1.0, limit=400, epsabs=1e-3 * left)[0]
-    assert there <= bound * (1.0 + 1e-9)
-    if end < 1.0:
-        # Two hundredths nearer there is more.
-        assert (
-            quad(lambda f: float(fading.at(np.array(f))) * f, 0.95 * end, 1.0, limit=400, epsabs=1e-3 * left)[0]
-            > left
-        )
-    assert fading.light >= quad(lambda f: float(fading.at(np.array(f))) * f, 0.0, 1.0, limit=400)[0]
-    assert fading.light <= 0.51
 
 
 def test_blur_with_a_direction_has_none():

@@ -10,9 +10,8 @@ import lommel as lm
 from lommel.core.answers import Wanted
 from lommel.core.engine import Window, layered_images
 from lommel.methods import ChordalDebye, DebyeWolf, Stratified
-from lommel.methods.layers.samples import ETA, between, disc_means, gauss_error, growth
+from lommel.methods.layers.samples import disc_means
 from lommel.methods.layers.stratified import layered
-from lommel.special.legendre import gauss_legendre
 from objectives import OIL, OIL_60X, WATER_40X, oil
 from plane_waves import intensity
 
@@ -97,42 +96,8 @@ def test_means_of_orders_of_the_azimuth_are_within_the_bound(radius, error):
     assert np.abs(found - known).max() <= means.error
 
 
-def test_the_bound_is_met_within_three_orders():
-    # No means are so exact that the bound could be a formality.
-    worst = 0.0
-    for radius in np.linspace(0.2, 6.0, 30):
-        means = disc_means(V, radius, 1e-4)
-        known = 0.5 * (1.0 + j0(2.0 * V) * j1(2.0 * radius) / radius)
-        worst = max(worst, np.abs(0.5 * (1.0 + j0(2.0 * means.places)) @ means.weights[0] - known).max())
-    assert 1e-7 < worst <= 1e-4
-
-
-def test_errors_of_values_grow_as_told():
-    means = disc_means(V, 2.0, 1e-6)
-    signs = np.random.default_rng(0).choice([-1.0, 1.0], size=(500, means.places.size))
-    assert np.abs(signs @ means.weights[0]).max() <= means.gain
-    assert 1.0 <= means.gain < 4.0
-    assert np.ones(means.places.size) @ means.weights[0] == pytest.approx(1.0, abs=1e-14)
-
-
-def test_errors_between_even_places_grow_most_midway():
-    sums = np.abs(between(np.linspace(3.0, 4.0, 2001))[1]).sum(axis=1)
-    assert sums.max() <= growth() * (1.0 + 1e-14)
-    assert sums.argmax() == 1000
-
-
 def test_far_discs_take_no_values_elsewhere():
     assert disc_means(np.array([1e5]), 1.0, 1e-6).places.min() > 1e5 - 10.0
-
-
-@pytest.mark.parametrize("nodes", [1, 2, 4])
-def test_the_bound_on_gauss_rules_holds_for_exponentials(nodes):
-    x, w = gauss_legendre(nodes)
-    exact = np.expm1(1.5) / 1.5
-    # exp(1.5 t) grows like exp(0.75 (1 + cosh(eta))) around [0, 1].
-    bound = gauss_error(0.75 * (1.0 + np.cosh(ETA)), nodes)
-    assert abs(np.exp(1.5 * x) @ w - exact) <= bound
-    assert bound < 2e4 * abs(np.exp(1.5 * x) @ w - exact)
 
 
 DRY = lm.Objective(

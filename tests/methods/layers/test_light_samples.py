@@ -12,9 +12,7 @@ from scipy.special import j1
 
 import lommel as lm
 from lommel.methods import Bead, Confocal, Sted, TwoPhoton
-from lommel.methods.layers.chordal_debye import chord_error, chords_for
-from lommel.methods.layers.samples import SampledLight, disc_filter
-from lommel.optics.grid import Grid
+from lommel.methods.layers.samples import disc_filter
 from lommel.optics.layers.emitter import Absorbed
 from lommel.special.legendre import gauss_legendre
 from objectives import FIVE, OIL
@@ -41,43 +39,6 @@ def test_filters_have_the_response_of_a_disc(radius, step, error):
     off = np.abs(total - exact)[np.hypot(w, w[:, None]) <= 2.0].max()
     assert 1e-4 * made.error <= off <= made.error <= error
     assert made.gain == pytest.approx(gain)
-
-
-@pytest.mark.parametrize("radius", [0.3, 2.0, 7.0])
-def test_sums_over_chords_of_a_disc_err_by_less_than_their_bound(radius):
-    worst = []
-    for chords in range(2, 2 * chords_for(radius, 1e-10), 2):
-        angle = np.pi / (chords + 1) * np.arange(1, chords + 1)
-        for way in np.linspace(0.0, 0.5 * np.pi, 7):
-            q = 2.0 * radius
-            across = np.cos(q * np.cos(way) * np.cos(angle))
-            along = np.sinc(q * np.sin(way) * np.sin(angle) / np.pi)
-            found = 2.0 / (chords + 1) * (np.sin(angle) ** 2 * across * along).sum()
-            off, bound = abs(found - 2.0 * j1(q) / q), chord_error(radius, chords)
-            assert off <= bound + 1e-15
-            worst.append(off / bound if off > 1e-14 else 0.0)
-    assert max(worst) > 1e-3
-
-
-def test_errors_of_light_are_those_of_products_and_means():
-    one = SampledLight(np.linspace(0.2, 0.7, 9).reshape(1, 3, 3), np.array([1e-2]))
-    other = SampledLight(np.linspace(0.9, 0.1, 9).reshape(1, 3, 3), np.array([3e-3]))
-    both = one.times(other)
-    worst = np.abs((one.values + 1e-2) * (other.values + 3e-3) - both.values).max()
-    assert 0.5 * both.error[0] <= worst <= both.error[0]
-    assert one.times(np.array([2.0])).error[0] == pytest.approx(2e-2)
-    means = disc_filter(0.9, 3.83, 1e-6)
-    grid = means.samples(Grid(3, 0.9))
-    k = np.arange(grid.height) - grid.height // 2
-    # SampledLight that are off by as much as they may be, each by the sign of its weight in the middle pixel.
-    weight = 0.0
-    for rows, columns in means.parts:
-        half = rows.weights.size // 2
-        along, across = (np.interp(k, np.arange(-half, half + 1), t.weights, 0.0, 0.0) for t in (rows, columns))
-        weight = weight + np.outer(along, across)
-    found = means.of(SampledLight(1e-3 * np.sign(weight)[None], np.array([1e-3])))
-    assert 1e-3 * np.abs(weight).sum() == pytest.approx(found.values[0, 1, 1])
-    assert found.values.max() <= found.error[0] == pytest.approx(means.error + 1e-3 * means.gain)
 
 
 def test_large_discs_are_declined():

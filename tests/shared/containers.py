@@ -299,7 +299,6 @@ STATED: dict[str, Writer] = {
     "ome-tiff of five axes": partial(ome, axes="TCZYX"),
     "ome-tiff in nm": partial(ome, told=sizes(1e3, "nm")),
     "ome-tiff in mm": partial(ome, told=sizes(1e-3, "mm")),
-    "ome-tiff in dm": partial(ome, told=sizes(1e-5, "dm")),
     "ome-tiff, big-endian and tiled": partial(ome, byteorder=_SWAPPED, tile=(16, 16)),
     "ome-tiff, deflate": partial(ome, compression="zlib"),
     "ome-tiff, bigtiff": partial(ome, bigtiff=True),

@@ -18,13 +18,5 @@ def deconvolved(stack: Any, microscope: Any, *, noise: Any = None, **given: Any)
 
 def scanning(objective: lm.Objective, kind: Any, **modality: Any) -> lm.Microscope:
     """Return a microscope of another modality."""
-    return lm.Microscope(
-        name="",
-        source="",
-        objective=objective,
-        wavelength=520e-9,
-        depth=0.0,
-        pixel=6e-6,
-        emitter=emitter_of("isotropic"),
-        modality=lm.microscopy.Modality(kind, **modality),
-    )
+    made = lm.microscopy.Modality(kind, **modality)
+    return lm.Microscope(objective, 520e-9, 6e-6, depth=0.0, emitter=emitter_of("isotropic"), modality=made)

@@ -74,14 +74,11 @@ def test_what_progress_raises_ends_the_work() -> None:
     ("changes", "kind", "said"),
     [
         ({"blur": np.eye(3)}, TypeError, "lens must be a Lens"),
-        ({"noise": 3.0}, TypeError, "noise must be a Noise"),
         ({"method": "tv"}, TypeError, r"method must be RichardsonLucy\(\.\.\.\), TotalVariation\(\.\.\.\)"),
         ({"method": TotalVariation}, TypeError, "parentheses"),
-        ({"progress": 3}, TypeError, "progress must be callable"),
         ({"light": np.ones((8, 9))}, ValueError, r"photo must have the shape \(8, 8\)"),
         ({"light": np.ones((8, 8, 2))}, ValueError, r"\(8, 8, 1\), got \(8, 8, 2\)"),
         ({"light": np.full((8, 8), np.inf)}, ValueError, "got inf"),
-        ({"light": np.full((8, 8), np.nan)}, ValueError, "photo must have pixels"),
     ],
 )
 def test_bad_arguments_are_refused_by_name(changes: dict[str, Any], kind: type[Exception], said: str) -> None:

@@ -41,6 +41,14 @@ def exact(pupil: lm.Pupil, defocus: float, side: int, wavelength: float = 550e-9
     return np.asarray(answer.values)
 
 
+def built(
+    low, high, name="plain", *, spectrum=GREEN, pixel=PIXEL, tol=1e-3, energy=0.9, largest=60, dtype=np.float64
+):
+    """A bank of one of the pupils."""
+    light = SensorLight(PUPILS[name], lm.Wavefront, spectrum, pixel)
+    return build_bank(light, (low, high), tol=tol, energy=energy, largest=largest, dtype=dtype)
+
+
 def off(windows: Bank, defocus: float, true: np.ndarray) -> float:
     """The largest error over the peak, of the pixels that are used whole; those in part are near what is left."""
     used, made = windows.pixel_weights(defocus), windows.window(defocus)
@@ -55,14 +63,7 @@ def off(windows: Bank, defocus: float, true: np.ndarray) -> float:
 def bank(request: pytest.FixtureRequest) -> tuple[lm.Pupil, Bank]:
     """A bank from behind the focus to before it."""
     pupil = PUPILS[request.param]
-    made = build_bank(
-        SensorLight(pupil, lm.Wavefront, GREEN, PIXEL),
-        (-9.0, 14.0),
-        tol=1e-4,
-        energy=0.95,
-        largest=60,
-        dtype=np.float64,
-    )
+    made = built(-9.0, 14.0, request.param, tol=1e-4, energy=0.95)
     return pupil, made
 
 
@@ -117,9 +118,7 @@ def test_a_bank_of_other_psfs_spreads_these_cut_alike(bank):
 
 
 def test_a_pixel_that_holds_more_than_was_asked_for_holds_it_all():
-    made = build_bank(
-        SensorLight(PUPILS["plain"], lm.Wavefront, GREEN, 40e-6), (0.0, 4.0), tol=1e-3, energy=0.6, largest=9
-    )
+    made = built(0.0, 4.0, pixel=40e-6, energy=0.6, largest=9, dtype=np.float32)
     assert made.half == 0
     assert made.window(1.3).item() == pytest.approx(1.0, abs=1e-6)
     assert made.lost == pytest.approx(1.0 - made.windows[:-1, 0, 0].min(), abs=1e-3)
@@ -127,22 +126,8 @@ def test_a_pixel_that_holds_more_than_was_asked_for_holds_it_all():
 
 @pytest.mark.parametrize("tol", [1e-2, 1e-4, 1e-6])
 def test_the_tolerance_is_kept_and_a_smaller_one_takes_more_windows(tol):
-    made = build_bank(
-        SensorLight(PUPILS["plain"], lm.Wavefront, GREEN, PIXEL),
-        (1.0, 8.0),
-        tol=tol,
-        energy=0.9,
-        largest=60,
-        dtype=np.float64,
-    )
-    coarse = build_bank(
-        SensorLight(PUPILS["plain"], lm.Wavefront, GREEN, PIXEL),
-        (1.0, 8.0),
-        tol=10 * tol,
-        energy=0.9,
-        largest=60,
-        dtype=np.float64,
-    )
+    made = built(1.0, 8.0, tol=tol)
+    coarse = built(1.0, 8.0, tol=10 * tol)
     for defocus in np.random.default_rng(0).uniform(1.0, 8.0, 12):
         assert off(made, defocus, exact(PUPILS["plain"], defocus, 2 * made.half + 1)) <= tol
     assert coarse.count < made.count
@@ -151,23 +136,14 @@ def test_the_tolerance_is_kept_and_a_smaller_one_takes_more_windows(tol):
 def test_a_spectrum_is_the_sum_of_its_wavelengths_at_equal_path_differences():
     spectrum = ((500e-9, 0.3), (620e-9, 0.7))
     pupil = PUPILS["spherical"]
-    made = build_bank(
-        SensorLight(pupil, lm.Wavefront, spectrum, PIXEL),
-        (2.0, 6.0),
-        tol=1e-5,
-        energy=0.95,
-        largest=60,
-        dtype=np.float64,
-    )
+    made = built(2.0, 6.0, "spherical", spectrum=spectrum, tol=1e-5, energy=0.95)
     for defocus in (2.0, 3.7, 6.0):
         true = sum(share * exact(pupil, defocus, 2 * made.half + 1, at) for at, share in spectrum)
         assert off(made, defocus, true) <= 1e-5
 
 
 def test_windows_are_no_larger_than_the_blur_takes():
-    made = build_bank(
-        SensorLight(PUPILS["plain"], lm.Wavefront, GREEN, PIXEL), (0.0, 40.0), tol=1e-3, energy=0.9, largest=60
-    )
+    made = built(0.0, 40.0, dtype=np.float32)
     assert made.windows.dtype == np.float32
     assert made.halves[1] < 3
     assert made.halves[-2] > 8
@@ -177,14 +153,7 @@ def test_windows_are_no_larger_than_the_blur_takes():
 @pytest.mark.parametrize("name", PUPILS)
 def test_a_window_changes_little_where_the_defocus_does(name):
     """At each window of the bank, where the four that are mixed become others."""
-    made = build_bank(
-        SensorLight(PUPILS[name], lm.Wavefront, GREEN, PIXEL),
-        (-9.0, 14.0),
-        tol=1e-4,
-        energy=0.98,
-        largest=60,
-        dtype=np.float64,
-    )
+    made = built(-9.0, 14.0, name, tol=1e-4, energy=0.98)
     knots = made.start + made.spacing * np.arange(1, made.count - 1)
     step = 1e-9
     for at in knots:
@@ -193,14 +162,7 @@ def test_a_window_changes_little_where_the_defocus_does(name):
 
 
 def test_one_distance_makes_a_bank_too():
-    made = build_bank(
-        SensorLight(PUPILS["plain"], lm.Wavefront, GREEN, PIXEL),
-        (5.0, 5.0),
-        tol=1e-6,
-        energy=0.95,
-        largest=60,
-        dtype=np.float64,
-    )
+    made = built(5.0, 5.0, tol=1e-6, energy=0.95)
     assert off(made, 5.0, exact(PUPILS["plain"], 5.0, 2 * made.half + 1)) <= 2e-6
 
 
@@ -220,22 +182,16 @@ def test_windows_that_cannot_hold_the_light_are_refused_before_they_are_computed
 
 def test_banks_that_would_be_too_large_are_refused_with_what_to_do(monkeypatch):
     with pytest.raises(ValueError, match=r"the blur needs windows of more than 21 pixels a side to hold 0.95 of"):
-        build_bank(
-            SensorLight(PUPILS["plain"], lm.Wavefront, GREEN, PIXEL), (0.0, 60.0), tol=1e-3, energy=0.95, largest=10
-        )
+        built(0.0, 60.0, energy=0.95, largest=10, dtype=np.float32)
     monkeypatch.setattr("lommel.imaging.bank._MAX_WINDOWS", 200)
     with pytest.raises(ValueError, match=r"exceeds the limits of 200 windows .* choose a larger tol than 1e-07"):
-        build_bank(
-            SensorLight(PUPILS["plain"], lm.Wavefront, GREEN, PIXEL), (0.0, 20.0), tol=1e-7, energy=0.9, largest=60
-        )
+        built(0.0, 20.0, tol=1e-7, dtype=np.float32)
 
 
 @pytest.mark.parametrize("tol", [1e-3, 1e-5])
 def test_windows_are_no_closer_than_the_error_asks_for(tol):
     """Twice as far apart they would err by sixteen times as much, or about."""
-    made = build_bank(
-        SensorLight(PUPILS["plain"], lm.Wavefront, GREEN, PIXEL), (-30.0, 36.0), tol=tol, energy=0.9, largest=60
-    )
+    made = built(-30.0, 36.0, tol=tol, dtype=np.float32)
     assert tol / 20.0 <= made.error <= tol
 
 

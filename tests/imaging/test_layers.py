@@ -40,13 +40,6 @@ def edge(blur: DepthBlur, distance: float) -> np.ndarray:
     return rising[np.clip(left, 0, 2 * half)] - np.where(right < 0, 0.0, rising[np.clip(right, 0, 2 * half)])
 
 
-@pytest.mark.parametrize(("dtype", "allowed"), [(np.float32, 3e-6), (np.float64, 1e-8)])
-def test_a_plane_is_what_it_is_without_occlusion(dtype, allowed):
-    light = np.random.default_rng(0).random((20, 26)).astype(dtype)
-    blur = DepthBlur(np.full((20, 26), 1.7), LENS, PIXEL, dtype=dtype)
-    assert np.abs(Occlusion(blur).forward(light) - blur.forward(light)).max() <= allowed
-
-
 @pytest.mark.parametrize(("lens", "seed"), [(LENS, 0), (DONUT, 1), (DONUT, 2)])
 def test_a_white_scene_stays_white_whatever_its_depth(lens, seed):
     rng = np.random.default_rng(seed)
@@ -121,48 +114,6 @@ def test_a_slanted_foreground_is_not_transparent():
     assert Occlusion(blur).forward(light)[:, middle].max() < 0.05
 
 
-def test_occlusion_is_linear_in_light():
-    rng = np.random.default_rng(4)
-    blur = DepthBlur(bar(1.4, 3.0) + 0.2 * rng.random((HEIGHT, WIDTH)), LENS, PIXEL, dtype=np.float64)
-    a, b = rng.random((2, HEIGHT, WIDTH))
-    assert (
-        np.abs(
-            Occlusion(blur).forward(a + 3.0 * b) - Occlusion(blur).forward(a) - 3.0 * Occlusion(blur).forward(b)
-        ).max()
-        < 1e-12
-    )
-
-
-@pytest.mark.parametrize("seed", range(4))
-def test_something_is_behind_a_point_where_a_farther_one_is_closer_than_their_radii_differ(seed):
-    rng = np.random.default_rng(seed)
-    depth = 1.5 + 3.0 * (rng.random((14, 17)) > 0.6) + 0.4 * rng.random((14, 17))
-    depth[3:9, 4:12] = 1.2
-    made, radius, behind = layered(DepthBlur(depth, LENS, PIXEL, largest=40))
-    layer = made.layers
-    y, x = (a.ravel() for a in np.indices(depth.shape))
-    distance = np.hypot(y[:, None] - y, x[:, None] - x)
-    beyond = (radius.ravel()[:, None] - radius.ravel()) - distance
-    beyond[layer.ravel()[:, None] >= layer.ravel()] = -np.inf
-    most = beyond.max(axis=1)
-    found = behind.ravel() >= 0
-    assert 0 < found.sum() < found.size
-    assert np.all(most[found] > 0.0)
-    # The nearest point of several layers is taken to be like the others of its own.
-    assert np.all(found[most > 0.5])
-    assert np.all(layer.ravel()[behind.ravel()[found]] > layer.ravel()[found])
-
-
-def test_what_is_behind_is_that_of_the_nearest_edge_mirrored_there():
-    # Both the wall to the left and the sky to the right are within reach of every point between.
-    depth = np.full((9, 26), 2.0)
-    depth[:, 10:14], depth[:, 14:] = 1.0, np.inf
-    _, radius, behind = layered(DepthBlur(depth, LENS, PIXEL, largest=40))
-    assert radius[0, 10] - radius[0, 0] > 4.0
-    assert list(behind[4, 10:14] - 4 * 26) == [8, 7, 16, 15]
-    assert np.all(behind[:, 14:] == -1)
-
-
 def test_a_scene_without_edges_hides_nothing_and_layers_are_bounded():
     smooth = DepthBlur(np.tile(np.linspace(1.8, 2.2, 40), (9, 1)), LENS, PIXEL, largest=20)
     assert layered(smooth)[0].behind is None
@@ -172,17 +123,3 @@ def test_a_scene_without_edges_hides_nothing_and_layers_are_bounded():
     assert np.ptp(radius) > 0.5 * MAX_LAYERS
     assert made.number == MAX_LAYERS
     assert list(made.layers[0, [0, -1]]) == [0, MAX_LAYERS - 1]
-
-
-@pytest.mark.parametrize(
-    ("light", "error", "message"),
-    [
-        (np.zeros((4, 6)), ValueError, r"image must have the shape \(5, 6\), got \(4, 6\)"),
-        (np.zeros((5, 6), int), TypeError, "image must hold floats in proportion to light, got int64"),
-        (np.full((5, 6), np.nan), ValueError, "image must be finite, got nan"),
-    ],
-)
-def test_light_that_does_not_fit_is_refused(light, error, message):
-    blur = DepthBlur(np.full((5, 6), 2.0), LENS, PIXEL)
-    with pytest.raises(error, match=message):
-        Occlusion(blur).forward(light)

@@ -6,54 +6,13 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.imaging import BlurOptions, DepthBlur, RestoreOptions, depth_of_field, restore
+from lommel.imaging import BlurOptions, RestoreOptions, depth_of_field
 from lommel.imaging.photograph import TileBlur
 from lommel.imaging.settings import OperatorOptions, channel_spectra, spectra
 
 LENS = lm.Lens(focal_length=50e-3, f_number=4.0, focus_distance=2.0, wavelength=550e-9)
 IMAGE, DEPTH = np.random.default_rng(0).random((20, 24)).astype(np.float32), np.full((20, 24), 2.1)
 SCENE = {"lens": LENS, "pixel": 8e-6, "encoding": "linear"}
-
-
-def doors(**given):
-    yield lambda: depth_of_field(IMAGE, DEPTH, **SCENE, **given)
-    yield lambda: depth_of_field(IMAGE, DEPTH, **SCENE, tile=16, **given)
-    if "tol" not in given:
-        yield lambda: restore(IMAGE, DEPTH, **SCENE, noise=lm.Noise(white=1e3, read=1.0), **given)
-    yield lambda: DepthBlur(DEPTH, LENS, 8e-6, **given)
-    da = pytest.importorskip("dask.array")
-    yield lambda: depth_of_field(da.from_array(IMAGE), da.from_array(DEPTH), **SCENE, **given)
-
-
-@pytest.mark.parametrize(
-    ("given", "error", "message"),
-    [
-        ({"engery": 0.9}, TypeError, r"\(\) has no option 'engery'; did you mean energy\?"),
-        ({"strength": 0.9}, TypeError, r"\(\) has no option 'strength'; known are energy"),
-        ({"energy": 0.4}, ValueError, "energy must be >= 0.5"),
-        ({"energy": 0.99995}, ValueError, "energy must be >= 0.5 and <= 0.9999, got 0.99995"),
-        ({"tol": 1e-8}, ValueError, "tol must be >= 1e-07"),
-        ({"tol": 0.15}, ValueError, "tol must be"),
-        ({"tol": "fine"}, TypeError, "tol must be a real number"),
-    ],
-)
-def test_every_function_refuses_the_same_in_the_same_words(given, error, message):
-    for make in doors(**given):
-        with pytest.raises(error, match=message):
-            make()
-
-
-@pytest.mark.parametrize(
-    ("given", "error", "message"),
-    [
-        ({"largest": 2049}, ValueError, "largest must be from 1 to 2048, got 2049"),
-        ({"threads": 0}, ValueError, "threads must be from 1 to 1024, got 0"),
-        ({"dtype": np.float16}, TypeError, "dtype must be float32 or float64"),
-    ],
-)
-def test_operators_refuse_what_is_out_of_range(given, error, message):
-    with pytest.raises(error, match=message):
-        DepthBlur(DEPTH, LENS, 8e-6, **given)
 
 
 def test_options_may_be_an_object_that_keywords_change():

@@ -10,7 +10,6 @@ import pytest
 
 import lommel as lm
 from lommel.imaging import bank, defocus_depth, defocus_verdict, field_blur, focal_tables, traced_windows
-from lommel.imaging.bank import MirroredKernels, Remainder
 from lommel.imaging.defocus_verdict import DefocusVerdict, _Minimum
 from lommel.imaging.field_blur import Nodes
 
@@ -24,132 +23,31 @@ def test_interpolation_is_checked_half_way_in_every_inner_gap():
         cubic = (9 * exact[k] + 9 * exact[k + 1] - exact[k - 1] - exact[k + 2]) / 16
         worst = max(worst, np.abs(cubic - middle[k]).max() / middle[k].max())
     assert bank._interpolation_error(exact.copy(), middle) == pytest.approx(worst, rel=1e-12)
-    assert bank._halfway(exact)[1] == pytest.approx((9 * exact[2] + 9 * exact[3] - exact[1] - exact[4]) / 16)
-
-
-@pytest.mark.parametrize("step", [0.05, 0.5, 3.0, 60.0])
-def test_windows_beside_a_remainder_hold_what_lies_within_three_pixels_of_the_shadow(step):
-    assert bank.inner_energy(step) == pytest.approx(min(max(1 - 1 / (3 * math.pi * step), 0.98), 0.9975))
-    assert bank.reach_of(10, step) == max(21, min(96, int((7e6 / step**2) ** (1 / 3))))
-
-
-def remainder(**changes):
-    given = {
-        "knots": np.ones((6, 1)), "table": np.zeros((1, 5, 5)), "smooth": np.array([[2.0, 0.0, 0.0]]), "scale": 8.0,
-        "gap_errors": RNG.random((3, 6)).astype(np.float32), "far_errors": RNG.random(9), "ring_error": 0.3,
-        "tail_error": 0.7,
-    }  # fmt: skip
-    return Remainder(**given | changes)
-
-
-@pytest.mark.parametrize("positions", [None, [0.2, 1.7], [3.4]])
-@pytest.mark.parametrize("shape", [None, (3, 5), (5, 5), (9, 4), (20, 30)])
-def test_the_error_of_a_remainder_is_summed_over_all_differences_of_positions(positions, shape):
-    made = remainder()
-    gaps = range(3) if positions is None else sorted({min(max(int(at) - 1, 0), 2) for at in positions})
-    octant = np.append(np.max([made.gap_errors[k] for k in gaps], axis=0), made.far_errors)
-    cells = {(row, column): k for k, (column, row) in enumerate((c, r) for c in range(5) for r in range(c + 1))}
-    rows, columns = (4, 4) if shape is None else (min(4, shape[0] - 1), min(4, shape[1] - 1))
-    total = sum(
-        octant[cells[min(abs(y), abs(x)), max(abs(y), abs(x))]]
-        for y in range(-rows, rows + 1)
-        for x in range(-columns, columns + 1)
-    )
-    if shape is None:
-        total += 0.3 + 0.7
-    elif max(shape) - 1 > 4:
-        # What falls like r^-3 has, outside of an a by b rectangle, an integral of hypot(a, b) / (a b).
-        a, b = shape[0] - 0.5, shape[1] - 0.5
-        inner, outer = (min(a, 4.5), min(b, 4.5)), (a, b)
-        parts = [math.hypot(*sides) / math.prod(sides) for sides in (inner, outer, (4.5, 4.5))]
-        total += 0.3 * (parts[0] - parts[1]) / parts[2] + 0.7
-    assert made.error(positions, shape) == pytest.approx(total, rel=1e-6)
-
-
-@pytest.mark.parametrize("tol", [1e-2, 1e-5])
-def test_dark_margins_hold_mirror_images_below_half_of_the_tolerance(tol):
-    made = MirroredKernels(remainder(knots=np.array([[0.5], [-1.5]])), (6, 7), "zero", np.dtype(float), tol)
-    light = 9.04 * 42 * 3.0
-    margin = max(math.ceil(0.5 * (light / (0.5 * tol)) ** (1 / 3)), 5)
-    assert made.error == pytest.approx(light / (2 * margin) ** 3, rel=1e-12)
-    assert made.error <= 0.5 * tol
-    assert made._around[0][0] == margin
-    assert made._sides[0] >= 6 + 2 * margin
-    lattice = sum(math.hypot(y, x) ** -3 for y in range(-200, 201) for x in range(-200, 201) if y or x)
-    assert lattice + 2 * math.pi / 200 > 9.0336 > lattice
-    for border in ("reflect", "extend"):
-        assert MirroredKernels(remainder(), (6, 7), border, np.dtype(float), tol).error == 0.0
-
-
-def test_light_is_conserved_by_the_least_change_of_the_best_factors():
-    normal = np.array([[[2.0, 0.3], [0.3, 1.0]]])
-    right, sums = np.array([[1.0, -0.5]]), np.array([[0.7, 1.2]])
-    (x,) = bank._conserve_light(normal, right, sums, np.array([1.5]))
-    assert x @ sums[0] == pytest.approx(1.5)
-    # The gradient of the squares is along the condition.
-    gradient = normal[0] @ x - right[0]
-    assert gradient[0] * sums[0, 1] == pytest.approx(gradient[1] * sums[0, 0])
-
-
-def tail_error(windows, half):
-    middle, tails = windows.shape[1] // 2, windows.copy()
-    tails[:, middle - half : middle + half + 1, middle - half : middle + half + 1] = 0.0
-    sums = tails.sum(axis=(1, 2))
-    mean = tails.sum(axis=0) / sums.sum()
-    return field_blur._MARGIN * max(np.abs(one - total * mean).sum() for one, total in zip(tails, sums, strict=True))
 
 
 class Lights:
     """Points whose light is a sum of two kernels, in proportions that change over the field."""
 
-    def __init__(self, power=3.0, change=0.3):
-        self.power, self.change = power, change
-
     def windows(self, places, half):
         offsets = np.arange(-half, half + 1.0)
         radius = np.hypot(offsets[:, None], offsets)
-        near, far = np.exp(-(radius**2)), 0.02 / (1.0 + radius) ** self.power * np.ones((len(places), 1, 1))
-        share = 1.0 + self.change * np.asarray(places)[:, :1, None]
+        near, far = np.exp(-(radius**2)), 0.02 / (1.0 + radius) ** 3 * np.ones((len(places), 1, 1))
+        share = 1.0 + 0.3 * np.asarray(places)[:, :1, None]
         one = near + far * (1.0 + share * np.exp(-radius / 9.0))
         return one / (3.0 * one.sum(axis=(1, 2), keepdims=True)) * 2.9
 
 
-@pytest.mark.parametrize("tol", [0.05, 2e-3])
-def test_light_far_from_its_point_has_the_smallest_window_that_does(tol):
-    spans, source = [(-1.0, 1.0), (0.0, 0.0), (0.0, 0.0)], Lights(change=0.05)
-    found = field_blur.far_light(source, spans, tol, 64, 200)
-    places = field_blur.overview(spans)
-    start = 8
-    while tail_error(source.windows(places, math.ceil(2.5 * start)), start) > tol:
-        start = min(2 * start, 64)
-    half = math.ceil(2.5 * start)
-    windows = source.windows(places, half)
-    least = next(k for k in range(1, start + 1) if tail_error(windows, k) <= tol)
-    assert found.half == least
-    assert found.error == pytest.approx(tail_error(windows, least), rel=1e-9)
-    outside = (1.0 - windows.sum(axis=(1, 2))).max()
-    kernel = max(half, min(200, math.ceil(4.0 * outside / tol * (half + 0.5))))
-    assert found.kernel.shape == (2 * kernel + 1,) * 2
-    assert found.kernel.sum() == pytest.approx(1.0)
-    assert found.lost == pytest.approx(outside * (half + 0.5) / (kernel + 0.5), rel=1e-9)
-    assert field_blur._tail_error(windows, 3) == pytest.approx(tail_error(windows, 3), rel=1e-12)
-    with pytest.raises(ValueError, match=r"varies by more than"):
-        field_blur.far_light(Lights(change=0.5), spans, 1e-9, 16, 50)
-
-
-@pytest.mark.parametrize("normalise", [False, True])
-def test_errors_between_nodes_count_the_light_that_a_window_lacks_twice(normalise):
+def test_errors_between_nodes_count_the_light_that_a_window_lacks_twice():
     axes = (Nodes(-1.0, 1.0, 4, 3), Nodes(0.0, 0.0, 1, 3), Nodes(0.0, 0.0, 1, 3))
     source = Lights()
     places = np.array([[y, 0.0, 0.0] for y in axes[0].places])
     windows = source.windows(places, 3)
     exact = source.windows(np.array([[y, 0.0, 0.0] for y in axes[0].between]), 3)
     least = exact.sum(axis=(1, 2)).min()
-    if normalise:
-        windows /= windows.sum(axis=(1, 2), keepdims=True)
-        exact = exact / exact.sum(axis=(1, 2), keepdims=True)
+    windows /= windows.sum(axis=(1, 2), keepdims=True)
+    exact /= exact.sum(axis=(1, 2), keepdims=True)
     coefficients = axes[0].coefficients(windows.reshape(4, 1, 1, 7, 7), 0)
-    found = field_blur._error_between(source, axes, coefficients, normalise=normalise)
+    found = field_blur._error_between(source, axes, coefficients)
     made = np.tensordot(axes[0].weights(axes[0].between), coefficients[:, 0, 0], axes=1)
     off = [np.abs(a - b).sum() + abs((a - b).sum()) for a, b in zip(made, exact, strict=True)]
     assert found == pytest.approx((field_blur.ERROR_RATIO * max(off), least), rel=1e-9)

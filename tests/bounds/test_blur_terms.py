@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import cmath
 import math
+from types import SimpleNamespace
 
 import mpmath as mp
 import numpy as np
@@ -17,6 +18,7 @@ from lommel.blur.convolution import Gate, Halo, Short
 from lommel.blur.recorded import Band, Request
 from lommel.blur.transfer_integral import ETAS, Fading, Karman, Part, Slopes, Summed, TransferIntegral, parts
 from lommel.core.answers import Samples, Wanted
+from lommel.optics.colour.spectrum import Component
 from lommel.optics.grid import Grid
 
 ETA = ETAS.tolist()
@@ -426,7 +428,7 @@ def test_a_blurred_image_is_off_by_the_budget_of_the_certificate(seeing, ended, 
         (60, 64),
         20.0,
         ended=ended,
-    )._replace(error=2e-4, missing=3e-6, off=4e-6, outside_sum=5e-5)
+    )._replace(error=2e-4, missing=3e-6, off=4e-6, outside_sum=5e-5, gain=1.7)
     band = Band(0.4 if ended else 1.0, 6e-5, 0.3, 0.2)
     side = max(rows.samples, columns.samples) + 4
     samples = np.random.default_rng(0).random((2, side, side)) * 1e-3
@@ -459,6 +461,19 @@ def test_a_blurred_image_is_off_by_the_budget_of_the_certificate(seeing, ended, 
     grown = 1.0 + 2.0 * area * response / light if by_light else gain * spread.gain * down.sums * across.sums
     assert found.missing == pytest.approx(missing if by_light else gain * missing, rel=1e-9)
     assert found.sample_error == pytest.approx(grown * off, rel=1e-9)
+
+
+@pytest.mark.parametrize("shared", [False, True])
+@pytest.mark.parametrize(("r0", "error"), [(0.05, 1e-6), (0.05, 3e-4), (30.0, 1e-6)])
+def test_a_gate_errs_by_as_much_as_the_light_of_the_band_allows(shared, r0, error, monkeypatch):
+    asked = []
+    monkeypatch.setattr(recorded, "Gate", SimpleNamespace(of=lambda step, off: asked.append((step, off)) or 1 / 0))
+    request = Request(None, 1, 1e-6, error, 10.0, shared)
+    with pytest.raises(ZeroDivisionError):
+        recorded._stack_images(request, Component(1.0, 1.0, ZERNIKE), Grid(5, 0.5), (lm.Seeing(r0),))
+    band = Band.of(ZERNIKE, (lm.Seeing(r0),), error, shared=shared)
+    expected = max(error, min(error * ZERNIKE.amplitude**2 / band.clear, 1e-4))
+    assert asked == [(0.8, pytest.approx(2.0 ** math.floor(math.log2(expected)) if shared else expected, rel=1e-12))]
 
 
 def test_sums_over_wavelengths_add_the_parts_of_each_error():

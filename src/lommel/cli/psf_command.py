@@ -9,7 +9,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Generic, Literal, TypeVar
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
 
 import numpy as np
 
@@ -18,7 +18,7 @@ from lommel.base.options import In, Options, Shown
 from lommel.base.units import format_length
 from lommel.base.validation import shown
 from lommel.blur.blurs import Blur, Jitter, Seeing
-from lommel.channel_psf import ColourPSF, colour_psf
+from lommel.channel_psf import colour_psf
 from lommel.cli.command import OUTPUT, PLOT, command, filled
 from lommel.cli.instruments import instrument_of, microscope_of
 from lommel.cli.output import figure_format, progress, require_folder, save_figure, written
@@ -29,17 +29,12 @@ from lommel.io.registry import Format, suffixes
 from lommel.lensfiles.instrument import Camera
 from lommel.methods import ERFS, METHODS, Method
 from lommel.optics.colour.spectrum import Channels
-from lommel.psf import PSF
 from lommel.psf import psf as compute
 from lommel.report import Facts, Report, Wrapped, optics
-from lommel.show.drawing import figure_of
+from lommel.show.drawing import figure_of, fit_to_width, name_in_words
 from lommel.stacks import psf_to
 
 if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-
-    from lommel.lensfiles.instrument import Instrument
-    from lommel.lensfiles.microscope_files import Microscope
     from lommel.optics.pupil import Pupil
 
 
@@ -111,23 +106,6 @@ def stack(
     return Report(facts, [f"{store!r}: {bound_text}; {computed}"])
 
 
-Result = TypeVar("Result", bound=PSF | ColourPSF | PSFGrid)
-
-
-@dataclass(frozen=True, kw_only=True)
-class _Product(Generic[Result]):
-    """Functions and texts to compute, report, draw and store one kind of PSF."""
-
-    size: str
-    find: Callable[[Path, str], Format]
-    make: Callable[[], Result]
-    report: Callable[[Result, float], Report]
-    entitle: Callable[[Axes], object]
-    note: Callable[[Result, Path], str] = lambda *_: ""
-    figure_note: str = ""
-    sections: bool = False  # True if a .png shows sections through a stack, like the figure
-
-
 _Arcseconds = Annotated[float | None, In(above=0.0, most=60.0, unit="arcsec"), Shown(metavar="ARCSEC")]
 
 
@@ -153,12 +131,6 @@ class Air(Options):
         if self.seeing is not None:
             blurs = (Seeing.from_fwhm(self.seeing * _ARCSEC, focal_length),)
         return blurs if self.jitter is None else (*blurs, Jitter(self.jitter * _ARCSEC * focal_length))
-
-    def describe(self) -> list[str]:
-        """Return a list with a line on the blur, empty without blur."""
-        parts = [] if self.seeing is None else [f"seeing of {self.seeing:g} arcsec at 500 nm"]
-        parts += [] if self.jitter is None else [f"jitter of {self.jitter:g} arcsec rms"]
-        return [f"behind {' and '.join(parts)}"] if parts else []
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -251,11 +223,20 @@ def psf(
       lommel psf phone.toml --colour -o phone.png -o phone.npz
       lommel psf zeiss-63x-1.4-oil.toml --stack 64 --step 100nm --depth 2um -o psf.ome.tif -o psf.png
     """
-    options, files = computation.arguments(), (outputs, figure, stretch)
+    options, write = computation.arguments(), partial(_write, outputs, figure, stretch)
     lens_only: Facts = {"field": field, "at": place, "colour": colour or None, "mtf": mtf or None}
     microscope = microscope_of(lens, **lens_only, **given(air), **given(lens_options), **given(planes))
     if microscope is not None:
-        return _write(_of_microscope(microscope, options), *files)
+        window: Facts = {"shape": microscope.window, "pixel": microscope.pixel, "integrate": microscope.integrate}
+        return write(
+            lambda: compute(microscope.pupil(), **window, **options),
+            lambda psfs, seconds: (
+                optics.describe_microscope(microscope, foci=False) + optics.describe_stack(psfs, seconds)
+            ),
+            psf_files.find,
+            microscope.name,
+            sections=microscope.planes > 1,
+        )
     instrument = instrument_of(lens, **given(lens_options))
     options |= instrument.sensor_options
     if blur := air.blur(instrument.lens.focal_length):
@@ -268,212 +249,89 @@ def psf(
         instrument = replace(instrument, shape=instrument.shape or (max(side, instrument.window[0]),) * 2)
     if place is not None and field is not None:
         raise ValueError("--at is for one place: leave out --field")
-    channels = (instrument.channels or Channels.rgb()) if colour else None
-    pupil, place_lines = _pupil_at(instrument, place)
-    transfer = partial(_describe_mtf, instrument, pupil, place, channels) if mtf else None
+    if field is not None and not isinstance(field, tuple):
+        raise ValueError(f"--field must be ROWSxCOLUMNS such as 5x7, got {shown(field)}")
+    if colour:
+        options["channels"] = instrument.channels or Channels.rgb()
+    options |= {"shape": instrument.window, "pixel": instrument.pixel}
+
+    def pupil() -> Pupil:
+        return instrument.pupil() if place is None else instrument.field().pupil(*place)
+
+    def make() -> Any:
+        if field is not None:
+            return instrument.field().grid(*field, sensor=instrument.sensor, **options)  # type: ignore[arg-type]
+        return colour_psf(pupil(), **options) if colour else compute(pupil(), **options)
+
+    def describe(psfs: Any, seconds: float) -> Report:
+        seen = [] if place is None else [f"{' and '.join(map(format_length, place))} from the middle of the sensor"]
+        seen += [f"{name} of {value:g} arcsec" for name, value in given(air).items() if value is not None]
+        if isinstance(psfs, PSFGrid) and not colour:
+            report = optics.describe_field(instrument, psfs, seconds)
+        elif colour:
+            report = optics.describe_colour(instrument, getattr(psfs, "psf", psfs), seconds)
+        else:
+            report = optics.summarize_lens(instrument)
+        report += Report({}, [Wrapped(line) for line in seen])
+        if field is None and not colour:
+            report += optics.describe_psf(psfs, seconds)
+        if not mtf:
+            return report
+        places: list[Any] = [(*(place or (None, None)), pupil())]
+        if isinstance(psfs, PSFGrid):
+            over_field = instrument.field()
+            places = [(x, y, over_field.pupil(x, y)) for y in psfs.y.tolist() for x in psfs.x.tolist()]
+        return report + optics.describe_mtf(instrument, places, options.get("channels"))
+
+    find = psf_files.find_colours if colour else psf_files.find
     if field is not None:
-        return _write(_of_field(instrument, field, channels, options), *files, mtf=transfer)
-    lines = [*place_lines, *air.describe()]
-    if channels is not None:
-        return _write(_in_colour(instrument, pupil, channels, options, lines), *files, mtf=transfer)
-    return _write(_of_lens(instrument, pupil, options, lines), *files, mtf=transfer)
-
-
-def _describe_mtf(
-    instrument: Instrument,
-    pupil: Callable[[], Pupil],
-    place: tuple[float, float] | None,
-    channels: Channels | None,
-    psfs: object,
-) -> Report:
-    """Return the report of the MTF at the places of PSFs: at each place of a grid, at one place, or on the axis."""
-    if isinstance(psfs, PSFGrid):
-        field_map = instrument.field()
-        places = [(x, y, field_map.pupil(x, y)) for y in psfs.y.tolist() for x in psfs.x.tolist()]
-    else:
-        places = [(*(place or (None, None)), pupil())]
-    return optics.describe_mtf(instrument, places, channels)
-
-
-def _pupil_at(instrument: Instrument, place: tuple[float, float] | None) -> tuple[Callable[[], Pupil], list[str]]:
-    """Return a function that computes the pupil at a place on the sensor (None: axis), and lines on the place."""
-    if place is None:
-        return instrument.pupil, []
-    offsets = (f"{format_length(abs(part))} {side[part < 0.0]}" for part, side in zip(place, _SIDES, strict=True))
-    return partial(instrument.field().pupil, *place), [f"{' and '.join(offsets)} the middle of the sensor"]
+        find = partial(field_files.find, holding=field_files.DEPTHS_OR_CHANNELS if colour else "")
+    focus, target = optics.distinct(instrument.lens.focus_distance, instrument.object_distance)
+    return write(make, describe, find, f"{instrument.name}\nfocus at {focus}, object at {target}")
 
 
 _ARCSEC = math.pi / 648000.0
-_SIDES = ("right of", "left of"), ("below", "above")
-
-
-_SCALES = {"sqrt": "square root of the values", "linear": "values", "log": "logarithm of the values"}
 
 
 def _write(
-    product: _Product[Result],
     outputs: tuple[Path, ...],
     figure: Path | None,
     stretch: str,
-    mtf: Callable[[Result], Report] | None = None,
+    make: Callable[[], Any],
+    describe: Callable[[Any, float], Report],
+    find: Callable[[Path, str], Format],
+    title: str,
+    sections: bool = False,
 ) -> Report:
-    """Compute a product, write its files, and return its report, with the report of the MTF if `mtf` is given."""
+    """Compute PSFs, write them, and return their report; with `sections`, a .png shows a stack like the figure."""
     # All paths are checked before anything is computed.
-    files = [place for path in outputs for place in product.find(path, "--output").places(path)]
+    files = [place for path in outputs for place in find(path, "--output").places(path)]
     for path in (*outputs, *files):
         require_folder(path)
-    drawn_files = [path for path in outputs if product.sections and path.suffix.lower() == ".png"]
+    drawn_files = [path for path in outputs if sections and path.suffix.lower() == ".png"]
     for path in drawn_files:
         figure_format(path)
     if figure is not None:
         drawn_files.append(figure)
         files.append(figure)
-    with progress(product.size):
+    with progress("computing"):
         start = time.perf_counter()
-        psfs = product.make()
-        report = product.report(psfs, time.perf_counter() - start)
-        if mtf is not None:
-            report += mtf(psfs)
+        psfs = make()
+        report = describe(psfs, time.perf_counter() - start)
         for path in outputs:
             if path not in drawn_files:
                 psfs.save(path)
         if drawn_files:
             axes: Any = psfs.plot(stretch=stretch)
-            first_axes = axes.flat[0] if hasattr(axes, "flat") else axes
-            product.entitle(first_axes)
+            drawn = figure_of(axes.flat[0] if hasattr(axes, "flat") else axes)
+            text = fit_to_width(name_in_words(title), drawn)
+            drawn.suptitle(f"{text}\n{drawn.get_suptitle()}".rstrip(), fontsize=9)
             for path in drawn_files:
-                save_figure(first_axes.figure, path)
-
-    def note(path: Path) -> str:
-        return product.figure_note.format(_SCALES[stretch]) if path in drawn_files else product.note(psfs, path)
-
-    files_report = written(files, note)
+                save_figure(drawn, path)
+    report += written(files)
     if not files:
-        files_report += Report({}, ["", Wrapped("Nothing was written: -o psf.tif or --plot psf.png saves the PSF.")])
-    return report + files_report
-
-
-def _of_lens(instrument: Instrument, pupil: Callable[[], Pupil], options: Facts, lines: list[str]) -> _Product[PSF]:
-    """Return the product of a PSF of a lens at one place, with lines on this place and on the blur."""
-    return _Product(
-        size=_size(instrument.window),
-        find=psf_files.find,
-        make=lambda: compute(pupil(), instrument.window, instrument.pixel, **options),
-        report=lambda psfs, seconds: (
-            optics.summarize_lens(instrument)
-            + Report({}, [Wrapped(line) for line in lines])
-            + optics.describe_psf(psfs, seconds)
-        ),
-        entitle=lambda axes: axes.set_title(_title(axes, _setting(instrument), axes.get_title()), fontsize=9),
-        note=_picture_note,
-        figure_note=": {}",
-    )
-
-
-def _of_field(
-    instrument: Instrument, field: int | tuple[int, int], channels: Channels | None, options: Facts
-) -> _Product[PSFGrid]:
-    """Return the product of PSFs on a grid over the sensor, in colour channels if there are any."""
-    if not isinstance(field, tuple):
-        raise ValueError(f"--field must be ROWSxCOLUMNS such as 5x7, got {shown(field)}")
-    rows, columns = field
-    setting = _setting(instrument, channels).replace("\n", "; ")  # three lines would not fit
-    if channels is not None:
-        options["channels"] = channels
-
-    def make() -> PSFGrid:
-        field_map = instrument.field()
-        assert instrument.sensor is not None  # a lens file with a field has a sensor
-        window = {"shape": instrument.window, "pixel": instrument.pixel, **options}
-        return field_map.grid(rows, columns, sensor=instrument.sensor, **window)
-
-    def report(psfs: PSFGrid, seconds: float) -> Report:
-        if isinstance(psfs.psf, ColourPSF):
-            return optics.describe_colour(instrument, psfs.psf, seconds)
-        return optics.describe_field(instrument, psfs, seconds)
-
-    return _Product(
-        size=f"{rows} x {columns} PSFs of {_size(instrument.window)}",
-        find=partial(field_files.find, holding="" if channels is None else field_files.DEPTHS_OR_CHANNELS),
-        make=make,
-        report=report,
-        entitle=lambda axes: axes.set_title(
-            _title(axes, setting, axes.get_title("left")), fontsize=9, loc="left", pad=22
-        ),
-        figure_note="" if channels else ": {}, each PSF normalized to its maximum",
-    )
-
-
-def _in_colour(
-    instrument: Instrument, pupil: Callable[[], Pupil], channels: Channels, options: Facts, lines: list[str]
-) -> _Product[ColourPSF]:
-    """Return the product of the PSFs of a lens at one place in colour channels, with lines on this place."""
-    return _Product(
-        size=f"{len(channels)} channels of {_size(instrument.window)}",
-        find=psf_files.find_colours,
-        make=lambda: colour_psf(pupil(), instrument.window, instrument.pixel, channels, **options),
-        report=lambda psfs, seconds: (
-            optics.describe_colour(instrument, psfs, seconds) + Report({}, [Wrapped(line) for line in lines])
-        ),
-        entitle=lambda axes: _entitle_figure(axes, _setting(instrument, channels)),
-    )
-
-
-def _of_microscope(microscope: Microscope, options: Facts) -> _Product[PSF]:
-    """Return the product of the PSF of a microscope in all planes of its stack."""
-    stack = microscope.planes > 1
-    return _Product(
-        size=(f"{microscope.planes} x " if stack else "") + _size(microscope.window),
-        find=psf_files.find,
-        make=lambda: compute(
-            microscope.pupil(), microscope.window, microscope.pixel, integrate=microscope.integrate, **options
-        ),
-        report=lambda psfs, seconds: (
-            optics.describe_microscope(microscope, foci=False) + optics.describe_stack(psfs, seconds)
-        ),
-        entitle=lambda axes: _entitle_figure(axes, microscope.name),
-        note=_picture_note,
-        figure_note=f": {'sections xy, xz and yz, ' if stack else ''}{{}}",
-        sections=stack,
-    )
-
-
-def _setting(instrument: Instrument, channels: Channels | None = None) -> str:
-    """Return text with the name of a lens, its wavelength (without channels), its focus and object distances."""
-    lens = instrument.lens
-    focus, target = optics.distinct(lens.focus_distance, instrument.object_distance)
-    wavelength = "" if channels else f"{format_length(lens.wavelength)}, "
-    distances = f"object at {target}" if focus == target else f"focus at {focus}, object at {target}"
-    return f"{instrument.name}\n{wavelength}{distances}"
-
-
-def _title(axes: Axes, name: str, title: str) -> str:
-    """Return a title of a figure below the name of its lens, wrapped to the width of the figure."""
-    from lommel.show.drawing import fit_to_width, name_in_words
-
-    return f"{fit_to_width(name_in_words(name), axes)}\n{title}".rstrip("\n")
-
-
-def _entitle_figure(axes: Axes, name: str) -> None:
-    """Set the name of a lens above the title of a figure of many axes."""
-    figure = figure_of(axes)
-    figure.suptitle(_title(axes, name, figure.get_suptitle()), fontsize=9)
-
-
-def _size(window: tuple[int, int]) -> str:
-    return f"{window[0]} x {window[1]} pixels"
-
-
-def _picture_note(psf: PSF, path: Path) -> str:
-    """Return a note on the size of a PSF's picture, or an empty text for a file of another format."""
-    if path.suffix.lower() != ".png":
-        return ""
-    from lommel.io.psf_formats import enlargement
-
-    scale = enlargement(psf)
-    height, width = (scale * side for side in psf.shape)
-    enlargement_text = f"{scale} x {scale} for each pixel of the PSF, " if scale > 1 else ""
-    return f": {width} x {height} pixels, {enlargement_text}square root of the values, 16 bit"
+        report += Report({}, ["", Wrapped("Nothing was written: -o psf.tif or --plot psf.png saves the PSF.")])
+    return report
 
 
 def build_method(name: str, settings: tuple[str, ...] = ()) -> Method | None:

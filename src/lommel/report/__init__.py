@@ -119,19 +119,6 @@ def list_of(rows: Iterable[tuple[str, str | None]], title: str = "") -> Table:
     return table
 
 
-def paragraphs(*parts: Iterable[RenderableType]) -> Parts:
-    """Join lists of lines and tables, with a blank line between the lists that are not empty."""
-    lines: Parts = []
-    for part in map(list, parts):
-        lines += ["", *part] if lines and part else part
-    return lines
-
-
-def refusal_lines(facts: Facts) -> Parts:
-    """Return lines with the reasons why results are missing, from ``facts["refused"]``."""
-    return [Wrapped(f"not computed: {reason}", "dim") for reason in facts["refused"]]
-
-
 def finite(distance: float) -> float | str:
     """Return a distance for JSON, "infinity" if it is infinite."""
     return distance if math.isfinite(distance) else "infinity"

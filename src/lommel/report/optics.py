@@ -18,9 +18,9 @@ from lommel.measures.psf_like import PSFLike, checked
 from lommel.optics.colour.spectrum import Channels
 from lommel.optics.pupil import checked as lens_pupil
 from lommel.psf import PSF
-from lommel.report import Facts, Parts, Report, Wrapped, table_of
+from lommel.report import Facts, Parts, Report, Wrapped
 from lommel.report.image_quality import ImageQuality, microscope_quality, sensor_mtf
-from lommel.report.table import described
+from lommel.report.table import described, records_of
 from lommel.show.drawing import MEANING, SAMPLING
 
 if TYPE_CHECKING:
@@ -81,16 +81,6 @@ _FOCUS = (
     "sample; peak: intensity at the best focus relative to an ideal lens of scalar theory; collected: light relative "
     "to an emitter far from the glass, above 1 where supercritical light is collected"
 )
-
-
-def camera_in_words(facts: Facts) -> str | None:
-    """Return the name and the noise parameters of the camera as a text, None without a camera."""
-    if (camera := facts["camera"]) is None:
-        return None
-    units = {"read": "read noise {:g} electrons", "full_well": "full well {:g}", "gain": "{:g} electrons per count"}
-    texts = [text.format(camera[name]) for name, text in units.items() if camera[name]]
-    texts += [f"excess noise {camera['excess']:g}"] if camera["excess"] > 1.0 else []
-    return ", ".join([camera["name"], *texts])
 
 
 def describe_psf(answer: PSF, seconds: float) -> Report:
@@ -156,34 +146,18 @@ def describe_mtf(instrument: Instrument, places: Sequence[Place], channels: Chan
     """Return the report of the MTF, pixel included, at the Nyquist frequency and at half the Nyquist frequency.
 
     There is one row for each combination of `places` in the field and `channels` (without channels, the wavelength of
-    the file). Directions are sagittal and tangential, or x and y if the file has no field aberrations.
+    the file), with values along x and y, and over the field those of radial (sagittal) and tangential lines.
     """
     facts = sensor_mtf(instrument, places, channels)
-    over_field = places[0][0] is not None
-    heads = [
-        name for name, is_shown in (("position x, y", over_field), ("channel", channels is not None)) if is_shown
-    ]
-    cells, frequencies = [], facts["frequency"]
-    for row in facts["rows"]:
-        place = ", ".join(format_length(row[axis] or 0.0, like=1e-3) for axis in ("x", "y"))
-        labels = [place if head != "channel" else row["channel"] for head in heads]
-        pairs = [row["nyquist"], row["half_nyquist"]]  # along x and y
-        if "sagittal" in row:
-            pairs = list(zip(row["sagittal"], row["tangential"], strict=True))
-        # The MTF is exactly 0 from the cutoff of the lens on.
-        cells.append([*labels, *(f"{value:.4f}" if value else "0" for pair in pairs for value in pair)])
-    first, second = ("S", "T") if over_field else ("x", "y")
-    names = (*heads, f"{first}, Nyquist", f"{second}, Nyquist", f"{first}, half", f"{second}, half")
-    table = table_of(names, cells, left_column=0 if heads else -1, title="MTF, pixel included")
-    x, y = map(per_mm, frequencies)
-    nyquist = x if x == y else f"{x} along x and {y} along y"
-    lines = "S sagittal: radial lines; T tangential: tangential lines" if over_field else "x: vertical lines"
-    notes = [f"Nyquist frequency: {nyquist}; {lines}"]
-    if max(frequencies) > (cutoff := max(pupil.cutoff for _, _, pupil in places)):
+    notes = []
+    if max(facts["frequency"]) > (cutoff := max(pupil.cutoff for _, _, pupil in places)):
         wavelength = format_length(instrument.lens.wavelength)
         channel_note = "" if channels is None else ", higher at shorter wavelengths"
         notes.append(f"0: the lens passes nothing above its cutoff, {per_mm(cutoff)} at {wavelength}{channel_note}")
-    return Report({"mtf": facts}, ["", table, *(Text(note, "dim") for note in notes)])
+    names = {"nyquist": "at Nyquist x, y", "half_nyquist": "at half x, y"}  # not lengths or frequencies
+    rows = [{names.get(key, key): value for key, value in row.items()} for row in facts["rows"]]
+    table = records_of("MTF, pixel included (sagittal, tangential: at Nyquist, at half)", rows)
+    return Report({"mtf": facts}, ["", table, *described({"nyquist": facts["frequency"]}), *map(Wrapped, notes)])
 
 
 def how_made(answer: PSFLike, seconds: float) -> Facts:

@@ -19,7 +19,7 @@ _FORMS: dict[str, Callable[[float], str]] = {
     "1/m": per_mm,
     "share": lambda value: percent(value, 2),
     "peak": lambda value: f"{value:.2g} of the peak",
-    "s": lambda value: f"{1e3 * value:.1f} ms",
+    "s": lambda value: f"{1e3 * value:.1f} ms" if value < 1.0 else f"{value:.3g} s",
 }
 _KEYS = {
     "m": "focal_length aperture_diameter focus_distance sensor_distance object_distance pixel pixel_in_object "

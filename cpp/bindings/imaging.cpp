@@ -16,7 +16,6 @@
 #include "lommel/imaging/levels.hpp"
 #include "lommel/imaging/plane_filter.hpp"
 #include "lommel/base/product.hpp"
-#include "lommel/imaging/remainder.hpp"
 #include "lommel/imaging/spread.hpp"
 
 #include "python.hpp"
@@ -196,20 +195,6 @@ void composite(BankFields<T> windows, SceneFields places, LayerFields layering, 
     });
 }
 
-// Write the factors of the remainder at each position in a bank.
-template <class T>
-void remainder_factors(In<T, 3> cubics, In<double, 1> positions, int threads, Out<T, 2> out) {
-    const std::size_t stride = cubics.shape(2);
-    require(cubics.shape(0) >= 1 && cubics.shape(1) == 4 && stride % 16 == 0 && threads >= 0,
-            "cubics must have four powers, padded to multiples of 16 products");
-    require(lommel::all_finite(positions.data(), positions.size()), "positions must be finite");
-    require(out.shape(0) <= stride && out.shape(1) == positions.size(), "out must have a value for each product and position");
-    released([&] {
-        lommel::remainder_factors<T>({cubics.data(), cubics.shape(0), out.shape(0), stride}, positions.data(), positions.size(),
-                                     threads, out.data());
-    });
-}
-
 // Check the arrays of splines and source pixels, see field_spread.hpp: windows[row][column][node][pixel] of `side` pixels a
 // side, weights of the rows and of the columns of nodes, and the three shares of each column.
 template <class T>
@@ -330,8 +315,6 @@ void bindings::define_imaging(nb::module_& m) {
         m.def("collect", &collect<T>, "bank"_a.noconvert(), "scene"_a, "image"_a.noconvert(), "threads"_a, "out"_a.noconvert(),
               "layers"_a.noconvert() = nb::none(), "seen"_a.noconvert() = nb::none(), "slopes"_a = false,
               "The transpose of spread().");
-        m.def("remainder_factors", &remainder_factors<T>, "cubics"_a.noconvert(), "positions"_a, "threads"_a,
-              "out"_a.noconvert(), "Writes the factors of the products of a remainder at each position in a bank.");
         m.def("field_spread", &field_spread<T>, "splines"_a.noconvert(), "defocus"_a.noconvert(), "copies"_a,
               "image"_a.noconvert(), "threads"_a, "out"_a.noconvert(), "transposed"_a = false,
               "Adds each pixel times the window of splines at its place and defocus to an image larger by a window, or writes "

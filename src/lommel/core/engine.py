@@ -50,7 +50,6 @@ legendre_transforms = _core.legendre_transforms
 levels = _core.levels
 polynomial_fields = _core.polynomial_fields
 product = _core.product
-remainder_factors = _core.remainder_factors
 scatter = _core.scatter
 spread = _core.spread
 table_bytes = _core.cached_bytes

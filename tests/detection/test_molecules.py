@@ -28,13 +28,6 @@ def test_no_more_spots_are_noise_than_stated(background, read):
             assert told > 0.6 * stated - 3.0 * np.sqrt(stated)
 
 
-def test_noise_alone_makes_no_spot_at_the_default_threshold():
-    frames = np.random.default_rng(4).poisson(20.0, (40, 256, 256))
-    found = find(frames)
-    assert len(found) == found.borders == found.overlapping == 0
-    assert 40 * found.false_spots < 0.01
-
-
 def test_thresholds_hold_for_pixels_of_unlike_read_noise():
     draw = np.random.default_rng(5)
     read = np.where(draw.random((128, 128)) < 0.05, 12.0, 1.2)
@@ -214,14 +207,9 @@ def test_empty_movies_and_dark_frames_have_no_spots():
         ({"frames": np.zeros(5)}, r"frames must have the shape \(frames, rows, columns\), at least the box"),
         ({"frames": np.zeros((2, 14, 20))}, r"at least the box of 15 x 15, got \(2, 14, 20\)"),
         ({"frames": np.full((20, 20), np.nan)}, r"frames must have pixels that are neither"),
-        ({"box": 0}, "box must be"),
         ({"box": 5}, "width must be >= 0.5 and <= 1.25, got 2"),
         ({"threshold": 2.0}, "threshold must be >= 3"),
-        ({"threshold": "high"}, "threshold must be a real number"),
         ({"width": 0.1}, "width must be >= 0.5"),
-        ({"first": -1}, "first must be"),
-        ({"threads": 0}, "threads must be"),
-        ({"noise": 1.6}, "noise must be"),
         ({"noise": lm.Noise(read=np.ones((5, 5)))}, r"read, of shape \(5, 5\), must have a value for each pixel"),
         ({"noise": lm.Noise(read=1.0, offset=np.ones((5, 5)))}, r"offset, of shape \(5, 5\), must have a value"),
     ],

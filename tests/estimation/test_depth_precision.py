@@ -102,15 +102,9 @@ def test_the_best_foci_are_better_than_those_beside_them():
 @pytest.mark.parametrize(
     ("change", "message"),
     [
-        ({"distance": 0.0}, "must be > 0"),
-        ({"lenses": LENS}, "lenses must be a sequence of Lens"),
         ({"lenses": []}, "lenses must be a sequence of Lens"),
-        ({"pixel": -1.0}, "pixel must be"),
-        ({"noise": 3.0}, "noise must be a Noise"),
         ({"noise": lm.Noise(read=3.0)}, "noise must have a white"),
         ({"noise": lm.Noise(white=1.0, read=np.ones((2, 2)))}, "noise must be the same for all pixels"),
-        ({"contrast": -0.1}, "contrast must be"),
-        ({"contrast": 1e308}, "contrast must be"),
         ({"noise": lm.Noise(white=1e308, read=3.0)}, r"noise.white must be <= 1e\+12"),
         ({"distance": 1e-9}, "distance: the blur has a radius of .* pixels, too large for depth from defocus"),
     ],

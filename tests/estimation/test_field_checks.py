@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import re
-
 import numpy as np
 import pytest
 
@@ -167,12 +165,6 @@ def test_stated_blurs_are_not_marginalized():
     errors = [np.sqrt(np.diag(one.covariance)) for one in (known, free)]
     assert (errors[0] < errors[1]).all()
     assert not seen(known)
-
-
-def test_sentences_name_sizes_with_errors_and_units():
-    fit = fitted(images(waves=(*WAVES, (10, 0.06))))
-    text = fit.findings.get("other_explanation").text
-    assert re.match(r"the data favour noll 10 trefoil x = -?0\.0\d+ \+- 0\.00\d+ rad \(\d+ sigma\)", text)
 
 
 def test_derivatives_by_other_blurs_are_those_of_blurred_images():

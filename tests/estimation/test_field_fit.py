@@ -232,18 +232,6 @@ def test_doubles_are_rejected_and_defects_left_out(monkeypatch):
     assert min(over_bound(fit, places, true, sign) for sign in (1.0, -1.0)) < 1.6
 
 
-def test_a_star_that_a_ray_crosses_is_rejected():
-    places, images, _ = case(seed=5)
-    struck = images[:, 0].copy()
-    middle = np.unravel_index(int(images[10, 0].argmax()), images.shape[2:])
-    rows, columns = middle[0] + np.arange(-2, 2), middle[1] + np.arange(-2, 2)
-    struck[10, rows, columns] += 1.5 * images[10].max()
-    fit = fitted(struck, places)
-    assert fit.converged, fit.message
-    assert np.flatnonzero(~fit.stars.used).tolist() == [10]
-    assert not np.isnan(np.delete(fit.images, 10, axis=0)).any()
-
-
 def test_stars_that_fit_by_themselves_are_taken_back(monkeypatch):
     places, images, true = case(seed=5, doubles=4)
     corner = np.argsort(places.sum(axis=1))[:8]
@@ -261,14 +249,6 @@ def test_stars_that_fit_by_themselves_are_taken_back(monkeypatch):
     assert fit.converged, fit.message
     assert np.flatnonzero(~fit.stars.used).tolist() == [0, 1, 2, 3]
     assert min(over_bound(fit, places, true, sign) for sign in (1.0, -1.0)) < 1.6
-
-
-@pytest.mark.usefixtures("searched_once")
-def test_a_wrong_aperture_is_a_misfit():
-    places, images, _ = case()
-    fit = fitted(images[:8, 0], places[:8], lm.Pupil(obscuration=0.6), degree=1)
-    assert not fit.converged
-    assert fit.message.startswith("misfit: ")
 
 
 @pytest.mark.usefixtures("searched_once")
@@ -363,13 +343,9 @@ def test_the_picture_has_a_panel_for_each_term_and_the_stars():
         ({"places": np.arange(10.0).reshape(5, 2)}, "windows must not overlap"),
         ({"places": np.zeros((3, 2))}, "places must be a row and a column for each of 5"),
         ({"defocus": [1.0, 2.0]}, "defocus must be a number, or one for each of 1"),
-        ({"degree": 9}, "degree must be from 0 to 6"),
-        ({"blur": -1.0}, "blur must be"),
         ({"pupil": lm.Pupil(lm.Wavefront([1.0, 2.0]))}, "pupil must be a single one"),
-        ({"targets": "edge"}, "targets must be"),
         ({"targets": "pinhole"}, "size must be the diameter of the pinholes"),
         ({"size": 3.0}, "size must be left out for stars"),
-        ({"sensor": 4000}, "sensor must be a pair"),
         ({"count": 3}, "windows must show at least 4 stars"),
     ],
 )

@@ -284,29 +284,17 @@ def test_the_inverse_of_the_matrix_is_the_covariance_of_fits():
 @pytest.mark.parametrize(
     ("changes", "error", "said"),
     [
-        ({"pupil": LENS}, TypeError, "pupil must be a Pupil.*Lens"),
         ({"pupil": []}, TypeError, "pupil must be a Pupil or a sequence of pupils, got"),
-        ({"pupil": "lens"}, TypeError, "pupil must be a Pupil or a sequence of pupils, got 'lens'"),
         ({"pupil": [LENS.pupil(1.9), None]}, TypeError, "pupil must be a Pupil, got None"),
         ({"pupil": [LENS.pupil([1.9, 2.1]), LENS.pupil([1.8, 1.9, 2.0])]}, ValueError, r"must broadcast.*\(2,\)"),
-        ({"shape": 0}, ValueError, "shape must be from 1"),
-        ({"pixel": -1e-6}, ValueError, "pixel must be > 0"),
         ({"of": ()}, ValueError, "of must name at least one parameter, such as 'defocus', got none"),
-        ({"of": "defocus"}, TypeError, "of must be a sequence of names .*, got 'defocus'"),
         ({"of": ("coma",)}, ValueError, "of, except 'photons' and 'background', must be one of .*, got 'coma'"),
-        ({"of": (3.5,)}, ValueError, "of, .*, must be one of .*, got 3.5"),
         ({"of": ((3, 2),)}, ValueError, r"there is no Zernike term .* \(3, 2\)"),
         ({"photons": 0}, ValueError, "photons must be > 0 electrons, got 0"),
-        ({"photons": -1.0}, ValueError, "photons must be .*, got -1.0"),
-        ({"photons": math.nan}, ValueError, "photons must be finite.*, got nan"),
-        ({"photons": "many"}, TypeError, "photons must hold real numbers, got 'many'"),
         ({"background": -1.0}, ValueError, "background must be finite and >= 0, got -1.0"),
-        ({"background": math.inf}, ValueError, "background must be finite and >= 0, got inf"),
         ({"photons": [1e3, 1e4]}, ValueError, r"photons, background and images must broadcast.*\(2,\)"),
-        ({"noise": 3.0}, TypeError, "noise must be of the type Noise, or None, got 3.0"),
+        ({"pupil": [LENS.pupil(1.9)], "photons": [1.0] * 3}, ValueError, r"images of shape \(1,\), got \(3,\)"),
         ({"noise": lm.Noise(read=np.ones((3, 4)))}, ValueError, r"read, of shape \(3, 4\), .* \(15, 15\)"),
-        ({"together": 1}, TypeError, "together must be True or False, got 1"),
-        ({"tol": 0}, ValueError, "tol must be"),
     ],
 )
 def test_bad_input_is_refused_in_a_line_that_says_what_is_wrong(changes, error, said):
@@ -316,41 +304,15 @@ def test_bad_input_is_refused_in_a_line_that_says_what_is_wrong(changes, error, 
     assert "\n" not in str(caught.value)
 
 
-def test_light_that_does_not_fit_a_sequence_is_refused():
-    with pytest.raises(ValueError, match=r"must broadcast with images of shape \(1,\), got \(3,\)"):
-        lm.fisher([LENS.pupil(1.9)], of=("row",), **(CAMERA | {"photons": [1e3, 1e4, 1e5]}))
-
-
-def test_images_of_a_microscope_tell_what_their_differences_do():
-    objective = lm.Objective(
-        NA=1.2, magnification=60, immersion=1.333, working_distance=0.28e-3, coverslip=None, sample=1.333
-    )
-    camera = {"shape": 9, "pixel": 6.5e-6}
-    steps = {"z": 2e-9, "row": 1e-3}
-
-    def image(z=0.4e-6, row=4.0):
-        pupil = objective.pupil(depth=0.0, z=z, wavelength=520e-9)
-        return 1e3 * lm.psf(pupil, **camera, center=(row, 4.0), tol=1e-9).values + 5.0
-
-    slopes = [
-        (image(**{name: at + step}) - image(**{name: at - step})) / (2.0 * step)
-        for (name, step), at in zip(steps.items(), (0.4e-6, 4.0), strict=True)
-    ]
-    information = np.array([[(a * b / image()).sum() for a in slopes] for b in slopes])
-    pupil = objective.pupil(depth=0.0, z=0.4e-6, wavelength=520e-9)
-    found = lm.fisher(pupil, **camera, of=tuple(steps), photons=1e3, background=5)
-    assert list(found.errors.values()) == pytest.approx(np.sqrt(np.diag(np.linalg.inv(information))), rel=1e-3)
-    assert repr(found).splitlines()[1].endswith("nm")
-
-
-def test_bead_stacks_of_an_objective_tell_its_aberrations_as_their_differences_do():
-    given = {"depth": 1e-6, "z": [-0.4e-6, 0.0, 0.4e-6], "wavelength": 600e-9}
+def test_bead_stacks_of_an_objective_tell_z_and_aberrations_as_their_differences_do():
+    given = {"depth": 1e-6, "z": np.array([-0.4e-6, 0.0, 0.4e-6]), "wavelength": 600e-9}
     camera, start = {"shape": 9, "pixel": 6.5e-6}, {(2, 2): 0.4, (3, -1): -0.2}
-    steps = {"row": 1e-3, "wavelength": 5e-11, (2, 2): 1e-3, (3, -1): 1e-3, (4, 0): 1e-3}
+    steps = {"z": 2e-9, "row": 1e-3, "wavelength": 5e-11, (2, 2): 1e-3, (3, -1): 1e-3, (4, 0): 1e-3}
 
     def image(name=None, step=0.0):
         terms = start | ({name: start.get(name, 0.0) + step} if isinstance(name, tuple) else {})
-        pupil = OIL.pupil(**given, aberrations=lm.Wavefront.zernike(terms, normalization="edge"))
+        moved = given | {"z": given["z"] + (step if name == "z" else 0.0)}
+        pupil = OIL.pupil(**moved, aberrations=lm.Wavefront.zernike(terms, normalization="edge"))
         pupil = pupil.in_light(600e-9 + step) if name == "wavelength" else pupil
         center = (4.0 + (step if name == "row" else 0.0), 4.0)
         return 1e3 * lm.psf(pupil, **camera, center=center, tol=1e-9).values + 5.0
@@ -360,4 +322,5 @@ def test_bead_stacks_of_an_objective_tell_its_aberrations_as_their_differences_d
     pupil = OIL.pupil(**given, aberrations=lm.Wavefront.zernike(start, normalization="edge"))
     found = lm.fisher(pupil, **camera, of=tuple(steps), photons=1e3, background=5, together=True)
     assert list(found.errors.values()) == pytest.approx(np.sqrt(np.diag(np.linalg.inv(information))), rel=1e-4)
-    assert [found.units[name] for name in steps] == ["pixels", "m", "rad", "rad", "rad"]
+    assert [found.units[name] for name in steps] == ["m", "pixels", "m", "rad", "rad", "rad"]
+    assert repr(found).splitlines()[1].endswith("nm")

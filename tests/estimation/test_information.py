@@ -127,13 +127,6 @@ def test_no_unit_changes_what_is_known_and_deviations_have_it(known, more, seed)
     assert (np.linalg.eigvalsh(plain.matrix) >= -1e-12 * np.trace(plain.matrix)).all()
 
 
-def test_more_data_never_tell_less():
-    root = DRAW.normal(size=(9, 3))
-    more = told(np.vstack([root, DRAW.normal(size=(2, 3))]))
-    for name, errors in told(root).errors.items():
-        assert more.errors[name] < errors
-
-
 def test_it_can_be_read_and_written():
     root = np.zeros((2, 4, 3))
     root[:, 0, 0], root[1, 1, 1], root[:, 2, 2] = 1e4, 3.0, [4.0, 2.0]

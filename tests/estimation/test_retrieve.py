@@ -113,25 +113,13 @@ def test_errors_are_those_that_the_noise_of_the_images_makes_unavoidable(photons
 def test_standard_errors_are_those_of_fishers_information_and_a_little_more():
     true, _ = random_wavefront(0, 1.0)
     found = lm.retrieve(stars(true, seed=0), lm.Pupil(), defocus=DEFOCUS, also=(), **ASKED)
-    light = [lm.Pupil(found.wavefront + lm.Wavefront(defocus=d)) for d in DEFOCUS]
-    rows, step = [], 1e-3
-    for name in found.coefficients:
-        by = lm.Wavefront.zernike({name: step})
-        rows.append([
-            flux * (lm.psf(lm.Pupil(p.wavefront + by), 33, 0.5, tol=1e-9).values
-                    - lm.psf(lm.Pupil(p.wavefront - by), 33, 0.5, tol=1e-9).values) / (2 * step)
-            for p, flux in zip(light, found.flux, strict=True)
-        ])  # fmt: skip
-    images = [lm.psf(p, 33, 0.5, tol=1e-9).values for p in light]
-    for k in range(3):
-        rows += [
-            [part if i == k else np.zeros((33, 33)) for i in range(3)] for part in (images[k], np.ones((33, 33)))
-        ]
-    jacobian = np.array(rows).reshape(21, -1)
-    mean = found.flux[:, None, None] * images + found.background[:, None, None]
-    bound = np.linalg.inv((jacobian / (mean.ravel() + 4.0)) @ jacobian.T)
+    light = lm.Pupil(found.wavefront + lm.Wavefront(defocus=DEFOCUS))
+    names = (*found.coefficients, "photons", "background")
+    given = {"photons": found.flux, "background": found.background, "noise": NOISE, "together": True}
+    factors = [max(lm.Wavefront.zernike({name: 1.0}).edge_terms().values()) for name in found.coefficients]
+    bound = lm.fisher(light, 33, 0.5, of=names, **given).covariance[:15, :15] / np.outer(factors, factors)
     # What the model may lack and the images do not show widens them.
-    wider = eigh(found.covariance, bound[:15, :15], eigvals_only=True)
+    wider = eigh(found.covariance, bound, eigvals_only=True)
     assert wider[0] > 1.0 - 1e-3
     assert wider[-1] < 2.2
     assert np.median(wider) < 1.1
@@ -211,18 +199,6 @@ def test_chi2_of_a_right_model_is_one_however_few_the_electrons(photons, backgro
     found = [searches.retrieve(noise.record(mean, seed), lm.Pupil(TRUE), **options) for seed in range(12)]
     assert not [each.message for each in found if "misfit" in each.message or "less noisy" in each.message]
     assert 0.95 < np.mean([each.chi2 for each in found]) < 1.05
-
-
-def test_a_misfit_of_few_electrons_is_told():
-    """Noise of twice the variance that counts have, in images so dim that most pixels are empty."""
-    light = lm.Pupil(TRUE + lm.Wavefront(defocus=DEFOCUS))
-    mean = 100.0 * np.maximum(lm.psf(light, 25, 0.5, tol=1e-8).values, 0.0)
-    counts = 2.0 * np.random.default_rng(3).poisson(mean / 2.0)
-    found = searches.retrieve(
-        counts, lm.Pupil(TRUE), pixel=0.5, noise=lm.Noise(read=0.0), defocus=DEFOCUS, terms=3, starts=2
-    )
-    assert found.status == "misfit"
-    assert 1.6 < found.chi2 < 2.4
 
 
 def test_values_below_the_offset_are_a_misfit_where_nothing_is_read_noisily():
@@ -601,30 +577,19 @@ def test_the_picture_shows_images_model_residual_and_terms():
         ({"images": np.eye(3)[None].repeat(3, 0)}, "must have more pixels than there are unknowns, 27, got 27"),
         ({"images": np.zeros(4)}, r"images must have the shape .* or \(n, height, width\), got \(4,\)"),
         ({"images": [np.eye(3), np.eye(4)]}, r"images must have one shape .*, got \(3, 3\), \(4, 4\)"),
-        ({"images": "x"}, "images must hold real numbers"),
         ({"defocus": [1.0, 2.0]}, r"defocus must be a number, or one for each of 3 images, got 2 numbers"),
-        ({"defocus": np.nan}, "defocus must be finite"),
         ({"terms": ("noll 4", (2, 0))}, "terms must be linearly independent"),
         ({"terms": ("coma",)}, r"terms must be one of 'defocus', 'spherical', 'rho\^6', 'rho\^8', or a Zernike term"),
         ({"terms": ("defocus", "defocus")}, "terms must be linearly independent"),
         ({"terms": ("noll 2",)}, r"terms must be without \(1, 1\) if the column"),
         ({"terms": ("row",)}, "terms must be terms of a wavefront, got 'row'"),
         ({"terms": ("noll 1",)}, "terms must not hold 'noll 1'"),
-        ({"terms": 0}, "terms must be from 1 to 500, got 0"),
-        ({"terms": "noll 4"}, "terms must be a sequence"),
         ({"also": "centre"}, "also must be one of 'center'"),
-        ({"also": 3}, "also must be a sequence of names, got 3"),
         ({"also": ("f_number",)}, "also must be without f_number where pupil has no wavelength"),
         ({"images": lm.Counts.of(np.ones((3, 33, 33)), noise=NOISE)}, "noise must be omitted if images are Counts"),
         ({"pupil": lm.Pupil(lm.Wavefront([1.0, 2.0]))}, r"pupil must be a single one"),
         ({"pupil": lm.Pupil(spider=lm.Spider(0.02, (0.0, 1.5))), "also": "obscuration"}, "without \"obscuration\""),
-        ({"pupil": lm.Wavefront()}, "pupil must be a Pupil, got a Wavefront"),
-        ({"noise": 2.0}, "noise must be a Noise, got 2.0"),
-        ({"pixel": -1.0}, "pixel must be > 0"),
-        ({"noise": None}, "noise must be a Noise, got None"),
         ({"blur": True, "also": ("center", "obscuration")}, "blur must be False with also="),
-        ({"blur": True, "also": ()}, "blur must be False with also="),
-        ({"term": 3}, r"retrieve\(\) has no option 'term'; did you mean terms\?"),
     ],
 )  # fmt: skip
 def test_what_cannot_be_fitted_is_refused(change, said):
@@ -632,13 +597,6 @@ def test_what_cannot_be_fitted_is_refused(change, said):
     images, pupil = options.pop("images"), options.pop("pupil")
     with pytest.raises((ValueError, TypeError), match=said):
         lm.retrieve(images, pupil, **options)
-
-
-@pytest.mark.parametrize("seed", [-1, 0.5, "one"])
-def test_a_seed_that_is_none_is_refused_in_own_words(seed):
-    stars = 1e4 * lm.psf(lm.Pupil(), 17, 0.5).values
-    with pytest.raises(TypeError, match="seed must be an integer >= 0 or a Generator, got"):
-        lm.retrieve(stars, lm.Pupil(), pixel=0.5, noise=lm.Noise(read=2.0), seed=seed)
 
 
 @pytest.mark.parametrize("segmented", [False, True])
@@ -764,12 +722,6 @@ def test_the_outer_scale_is_chosen_by_exact_images():
         images, lm.Pupil(), pixel=1.367, noise=noise, defocus=(-20.0, 20.0), blur=True, terms=terms, integrate=True
     )
     assert [blurs[0].outer_scale for blurs in found.blurs] == [None, None]
-
-
-def test_a_pupil_of_an_objective_is_refused():
-    oil = lm.Objective(NA=1.3, magnification=63, immersion=1.518, sample=1.33).pupil(depth=0.0, wavelength=6e-7)
-    with pytest.raises(TypeError, match="pupil must be a Pupil, got the pupil of an Objective"):
-        lm.retrieve(through_air(0), oil, pixel=6.5e-6, noise=NOISE)
 
 
 def test_starts_too_strong_to_be_computed_are_left_out(monkeypatch):

@@ -100,11 +100,6 @@ def test_what_is_estimated_is_no_candidate():
     assert fit.coefficients["f_number"] == pytest.approx(8.16, abs=4 * fit.errors["f_number"])
 
 
-def test_one_focus_has_no_defoci_that_could_be_longer():
-    fit = found(recorded()[:1], defocus=0.0)
-    assert "defocus" not in seen(fit)
-
-
 def test_a_wrong_defocus_of_one_image_is_told_of_that_image():
     fit = found(recorded(foci=(-3.0, 0.15, 3.0)), defocus=[-3.0, 0.0, 3.0])
     name, one = next(iter(seen(fit).items()))

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from lommel.base.arrays import plain
-from lommel.fit import CODES, Finding, Findings, FitReport
+from lommel.fit import Finding, Findings, FitReport
 
 NOTE = Finding("rare_chi2", "note", "noise alone exceeds this chi2 in 0.1 % of fits")
 DOUBT = Finding("too_quiet", "doubt", "the images are less noisy than stated", {"chi2": np.float64(0.5)})
@@ -75,7 +75,3 @@ def test_plain_data_of_arrays_and_nested_results():
 def test_unknown_codes_and_severities_are_refused(code, severity):
     with pytest.raises(ValueError, match="must be one of"):
         Finding(code, severity, "text")
-
-
-def test_codes_are_described():
-    assert all(code.replace("_", "").isalnum() and words[0].islower() for code, words in CODES.items())

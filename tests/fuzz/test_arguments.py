@@ -53,6 +53,9 @@ PLANES = lm.psf(MICROSCOPE.objective.pupil(depth=2e-6, z=[-3e-7, 0.0, 3e-7], wav
 ONCE = imaging.RichardsonLucy(steps=1)
 OBJECTIVE = MICROSCOPE.objective
 EMISSION = OBJECTIVE.pupil(depth=1e-6, wavelength=520e-9)
+LASER = OBJECTIVE.pupil(depth=1e-6, wavelength=520e-9, emitter=lm.Beam("circular"))
+PAIR = [LENS, LENS.focused(2.2)]
+STAR = 1e4 * lm.psf(lm.Pupil(lm.Wavefront(1.0)), 9, 0.5).values
 SPOTS = lm.localize.Table(
     MICROSCOPE.objective.pupil(depth=0.0, wavelength=520e-9), shape=9, pixel=6.5e-6, z=(-2e-7, 2e-7), tol=1e-2
 )
@@ -300,6 +303,21 @@ def entries(folder: Path) -> list[tuple[str, object, dict[str, object]]]:
         tagged("confocal", lm.microscopy.confocal, excitation=EMISSION, emission=EMISSION, shape=3, pixel=6.5e-6,
                pinhole=1.0, tol=1e-3),
         tagged("localize.find", lm.localize.find, frames=np.ones((1, 24, 24)), box=15, threshold=6.0),
+        tagged("localize_movie", lm.localize.localize_movie, movie=np.ones((1, 24, 24)), table=SPOTS,
+               noise=lm.Noise(read=1.0)),
+        tagged("restore", imaging.restore, photo=SQUARE, depth=DEPTH, lens=LENS, pixel=8e-6, encoding="linear",
+               noise=lm.Noise(white=1e3, read=1.0), method=ONCE, saturation=1.0),
+        tagged("FieldBlur", imaging.FieldBlur, field_map=FIELD, shape=(5, 6), pixel=0.1, largest=40, tol=0.1,
+               energy=0.6, threads=1),
+        tagged("depth_precision", lm.depth_precision, lenses=PAIR, distance=1.9, pixel=8e-6,
+               noise=lm.Noise(white=1e3, read=1.0), contrast=0.3),
+        tagged("depth_from_defocus", imaging.depth_from_defocus, photographs=[SQUARE, SQUARE[::-1]], lenses=PAIR,
+               pixel=8e-6, encoding="linear", noise=lm.Noise(white=1e3, read=1.0), between=(1.8, 2.3)),
+        tagged("retrieve", lm.retrieve, images=STAR, pupil=lm.Pupil(), pixel=0.5, noise=lm.Noise(read=2.0),
+               defocus=1.0, terms=2, seed=1),
+        tagged("two_photon", lm.microscopy.two_photon, excitation=LASER, shape=3, pixel=6.5e-6, tol=1e-3),
+        tagged("light_sheet", lm.microscopy.light_sheet, emission=EMISSION, thickness=1e-6, shape=3, pixel=6.5e-6,
+               offset=0.0, tol=1e-3),
         tagged("load_camera", lm.load_camera, path="andor-zyla-5.5"),
         tagged("Polychromatic", Polychromatic, wavelengths=[5e-7, 6e-7], weights=[1.0, 2.0], method=Hankel(),
                tol=1e-6),

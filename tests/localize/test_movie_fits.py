@@ -206,16 +206,6 @@ def test_the_wavefront_of_a_bead_on_the_glass_serves_for_molecules_deep_in_the_s
     assert abs(np.polyfit(1e9 * z, error, 1)[0]) < 0.003
 
 
-def test_a_molecule_deeper_in_the_sample_has_a_smaller_z(table):
-    depths, focus = np.array([0.8e-6, 1.0e-6, 1.2e-6]), float(simulated.pupil().focus)
-    emitters = simulated.OBJECTIVE.pupil(
-        depth=depths, z=focus, origin="coverslip", wavelength=600e-9, aberrations=simulated.ASTIGMATISM
-    )
-    found = lm.localize.fit(table, 5000.0 * lm.psf(emitters, 15, simulated.PIXEL, dtype="float64").values + 10.0)
-    assert np.all(np.diff(found.z) < -0.15e-6)
-    assert found.z[1] == pytest.approx(0.0, abs=1e-10)
-
-
 def test_gaussian_widths_are_those_of_gaussians_fitted_to_the_images(table):
     heights, tall, wide = gaussian_widths(table)
     assert (heights[0], heights[-1]) == table.z
@@ -235,18 +225,6 @@ def test_gaussian_widths_are_those_of_gaussians_fitted_to_the_images(table):
     assert wide[-1] > 1.5 * tall[-1]
 
 
-def test_frames_without_molecules_have_none(table):
-    found = localize_movie(np.random.default_rng(0).poisson(5.0, (4, 40, 40)), table)
-    assert (len(found), found.spots) == (0, 0)
-    assert repr(found) == "<Localizations: 0 in 4 frames>"
-
-
-def test_blocks_of_one_frame_are_those_of_the_whole(table, counts):
-    whole, single = (joined(in_blocks(counts[:3], table, block)) for block in (3, 1))
-    assert len(whole)
-    np.testing.assert_array_equal(single.table, whole.table)
-
-
 @pytest.mark.parametrize(
     ("changes", "message"),
     [
@@ -254,10 +232,6 @@ def test_blocks_of_one_frame_are_those_of_the_whole(table, counts):
         ({"movie": np.zeros((0, 40, 40))}, r"got \(0, 40, 40\)"),
         ({"movie": np.zeros((2, 10, 40))}, "frames must have the shape .* box of 15 x 15, got .2, 10, 40."),
         ({"movie": "movie.png"}, "No such file"),
-        ({"table": 5}, "table must be"),
-        ({"background": "uneven"}, "background must be"),
-        ({"treshold": 8.0}, "has no option 'treshold'"),
-        ({"progress": 5}, "progress must be"),
         ({"movie": lm.Counts.of(np.ones((2, 40, 40)), noise=CAMERA, mask=np.ones((40, 40), bool))}, "neither masked"),
         ({"movie": lm.Counts.of(np.ones((2, 40, 40)), noise=CAMERA), "noise": CAMERA}, "noise must be omitted"),
     ],

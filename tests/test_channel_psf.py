@@ -223,14 +223,6 @@ def test_pixels_of_two_sides_and_what_spreads_the_light_are_those_of_each_channe
         np.testing.assert_allclose(one.values, wanted.values, rtol=0, atol=2e-5 * wanted.values.max())
 
 
-def test_a_pupil_without_a_wavelength_is_refused_by_name():
-    for derivatives in ((), ("defocus",)):
-        with pytest.raises(
-            ValueError, match=r"^pupil must have a reference wavelength .* with wavelength and f_number$"
-        ):
-            lm.colour_psf(lm.Pupil(lm.Wavefront(1.0)), 9, 0.5, lm.Channels.rgb(), derivatives=derivatives)
-
-
 @pytest.mark.parametrize("channels", [lm.Channels.rgb(), [550e-9]], ids=["colours", "wavelengths"])
 def test_a_picture_without_such_a_stretch_is_refused_by_name(channels):
     answer = lm.colour_psf(LENS.pupil(1.9), 9, 3e-6, channels)

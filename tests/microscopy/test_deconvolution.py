@@ -364,17 +364,12 @@ def test_memory_is_at_most_thirteen_times_a_small_stack_in_float32():
     ("changes", "kind", "said"),
     [
         ({"stack": np.zeros((4, 5))}, ValueError, r"stack must have the shape .*, got \(4, 5\)"),
-        ({"stack": np.zeros((4, 5, 5), complex)}, TypeError, "stack must hold real numbers"),
         ({"stack": np.zeros((4, 0, 5))}, ValueError, r"stack must have images .*, got the shape \(4, 0, 5\)"),
         ({"stack": np.full((4, 5, 5), np.inf)}, ValueError, "stack must have voxels that are known"),
-        ({"stack": np.full((4, 5, 5), np.nan)}, ValueError, "voxels that are known"),
         ({"psf": PSF.values}, TypeError, "microscope must be an Objective, a Microscope from .*, or the PSF of the"),
         ({"depth": 1e-6}, ValueError, "depth must not be given with a PSF"),
         ({"refine": ["depth"]}, ValueError, "refine needs an objective"),
-        ({"noise": 1.0}, TypeError, "noise must be of the type Noise"),
         ({"noise": lm.Noise(read=np.ones((3, 3)))}, ValueError, r"read, of shape \(3, 3\), must have a value for"),
-        ({"method": "total-variation"}, TypeError, "method must be of the type RichardsonLucy or TotalVariation,"),
-        ({"progress": 3}, TypeError, "progress must be callable"),
     ],
 )
 def test_bad_arguments_are_refused_by_name(changes, kind, said):
@@ -399,12 +394,3 @@ def test_a_stack_that_is_quieter_than_its_noise_is_told():
     found = restored(stack, PSF, lm.Noise(read=1.6))
     assert found.findings.get("too_quiet").text.startswith("the stack is quieter than its noise")
     assert restored(stack, PSF, lm.Noise(read=1.6, offset=100.0)).stopped == "noise"
-
-
-@pytest.mark.parametrize("name", ["offset", "read", "white"])
-def test_maps_of_noise_have_the_sides_of_a_plane(name):
-    noise = lm.Noise(**{"read": 1.0, name: np.ones((3, 3))})
-    with pytest.raises(
-        ValueError, match=rf"{name}, of shape \(3, 3\), must have a value for each pixel, got images of \(8, 24, 24\)"
-    ):
-        restored(np.ones((8, 24, 24)), PSF, noise)

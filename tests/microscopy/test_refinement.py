@@ -76,22 +76,6 @@ def test_a_line_is_followed_downhill_to_its_minimum_with_few_costs():
     assert refinement._line_search(cost, 0.61, 0.1, 3.0) == (0.61, 3.0)
 
 
-@pytest.mark.parametrize("share", [1.0, 1e-3])
-def test_a_parameter_is_where_deviances_are_least_and_its_standard_error_is_a_rise_by_one(share):
-    """Of discrepancies that bend by any amount, whose least does not move with more steps."""
-    middle, apart, known = np.array([0.7, -0.4]), np.array([0.5, 2.0]), 4000
-    bend = share * np.array([[2.0, 0.5], [0.5, 1.0]])
-
-    def course(place):
-        off = (place - middle) / apart
-        return [9.0, 1.2 + off @ bend @ off, 1.2 + 0.5 * off @ bend @ off]
-
-    wide = np.full(2, 50.0)
-    found, errors = refinement._minimum(course, np.zeros(2), apart, (-wide, wide), known)
-    assert found == pytest.approx(middle, rel=1e-8)
-    assert errors == pytest.approx(np.sqrt(2.0 * 1.2 / known * np.diag(np.linalg.inv(bend))) * apart, rel=1e-6)
-
-
 NOISE = lm.Noise(white=0.5, read=1.6, offset=100.0)
 
 

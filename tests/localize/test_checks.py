@@ -131,17 +131,6 @@ def test_a_depth_that_molecules_do_not_tell_is_named(table, mean):
     assert "drift of the focus" in few.text
 
 
-@pytest.mark.parametrize("shift", [-0.8e-6, 0.8e-6])
-def test_another_depth_is_told(shift):
-    """Where images hardly show it: by all molecules together."""
-    frames = CAMERA.record(light(table_of(depth=1e-6), photons=1500.0), 3)
-    found = localize_movie(frames, table_of(depth=1e-6 + shift), noise=CAMERA)
-    told = found.findings.get("other_explanation")
-    assert (told.severity, told.numbers["parameter"]) == ("doubt", "depth")
-    assert told.numbers["shift"] * shift < 0.0
-    assert (found.converged, found.reliable) == (True, False)
-
-
 def test_excess_noise_that_is_not_stated_is_told(table, mean):
     draw = np.random.default_rng(4)
     doubled = 2.0 * draw.poisson(mean / 2.0)

@@ -168,3 +168,14 @@ def test_far_pixels_are_right_where_circles_up_to_them_are_too_many():
 def test_tables_that_are_too_large_are_refused_at_once():
     with pytest.raises(ValueError, match=r"reaches to v = .* take tables that are too large: .* a smaller window"):
         circles(coma(8.0), 2000, 30.0)
+
+
+@pytest.mark.quick
+@pytest.mark.parametrize("center", [(0.0, 0.0), (0.3, -0.2), (-7.0, 3.0), (-40.5, 12.0)])
+def test_one_pixel_has_circles_of_its_own(center):
+    pupil = coma(3.0, obscuration=0.2)
+    answer = circles(pupil, 1, 0.5, center=center, tol=1e-8, dtype=np.float64, normalize="strehl")
+    method = lm.methods.ChordalGauss(1e-9)
+    chords = lm.psf(pupil, 1, 0.5, center=center, method=method, dtype=np.float64, normalize="strehl")
+    peak = lm.psf(pupil, 65, 0.25, normalize="strehl").values.max()
+    assert abs(answer.values - chords.values).max() <= (answer.error_bound + 1e-9) * peak

@@ -128,7 +128,9 @@ class PolarZones {
 #if defined(LOMMEL_DEFINES)
 LOMMEL_ONCE bool PolarZones::plan(const PolarPupil& pupil, double step, std::int64_t nearest, std::int64_t farthest, double tol,
                                   double outside, int threads) {
-    const double near = step * std::sqrt(static_cast<double>(nearest)), reach = step * std::sqrt(static_cast<double>(farthest));
+    const double near = step * std::sqrt(static_cast<double>(nearest));
+    // Pixels at one radius have a zone, too.
+    const double reach = std::max(step * std::sqrt(static_cast<double>(farthest)), near + 1e-9 * (1.0 + near));
     const PolarOrders orders(pupil);
     const PolarLooks looks(pupil, reach, threads);
     const double all = PolarBudget::image * tol * std::max(outside, looks.brightest(near, reach));

@@ -10,8 +10,7 @@ import pytest
 BLUR = """
 from lommel import _core
 bank = np.ones((7, 101, 112), np.float32), np.full(6, 100), np.full(6, 4e4)
-positions, scene = np.full((1200, 1200), 2.5), np.ones((1200, 1200), np.float32)
-where, wide = (positions, np.arange(1200), np.arange(1200)), np.ones((1400, 1424), np.float32)
+where, scene, wide = np.full((1200, 1200), 2.5), np.ones((1200, 1200), np.float32), np.ones((1400, 1424), np.float32)
 """
 
 # Each takes many seconds: what comes before, and the call.

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <string>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -51,8 +50,6 @@ std::size_t levels(In<float, 1> light, In<float, 1> edges, float low, float high
 // Windows of a bank[position][row][column], the half width of each, and its share of the light.
 template <class T>
 using BankFields = std::tuple<In<T, 3>, In<std::int64_t, 1>, In<double, 1>>;
-// Position in the bank of each pixel of the image, and the rows and columns of the scene that the image continues to.
-using SceneFields = std::tuple<In<double, 2>, In<std::int64_t, 1>, In<std::int64_t, 1>>;
 
 template <class T>
 lommel::WindowBank<T> bank_of(const BankFields<T>& bank) {
@@ -68,15 +65,9 @@ lommel::WindowBank<T> bank_of(const BankFields<T>& bank) {
     return {windows.data(), halves.data(), energies.data(), count - 1, widest, stride};
 }
 
-lommel::Scene scene_of(const SceneFields& scene) {
-    const auto& [positions, rows, columns] = scene;
+lommel::Scene scene_of(const In<double, 2>& positions) {
     require(lommel::all_finite(positions.data(), positions.size()), "positions must be finite");
-    const auto inside = [](const In<std::int64_t, 1>& indices, std::size_t count) {
-        return std::all_of(indices.data(), indices.data() + indices.size(),
-                           [&](std::int64_t i) { return i >= 0 && i < static_cast<std::int64_t>(count); });
-    };
-    require(inside(rows, positions.shape(0)) && inside(columns, positions.shape(1)), "rows and columns must be of positions");
-    return {positions.data(), positions.shape(1), rows.data(), columns.data(), rows.size(), columns.size()};
+    return {positions.data(), positions.shape(0), positions.shape(1)};
 }
 
 // Check and convert the data for occlusion: `layers` has the shape of `positions`, `seen` that of the image with margins.
@@ -102,33 +93,30 @@ bool larger(const lommel::WindowBank<T>& bank, const lommel::Scene& scene, std::
 // out += each pixel spread over its window; `out` is larger than the scene by half a window above and below, and by the next
 // multiple of 16 on either side.
 template <class T>
-void spread(BankFields<T> windows, SceneFields places, Strided<T> image, int threads, Out<T, 2> out,
-            std::optional<In<T, 2>> layers, std::optional<In<T, 2>> seen, bool slopes) {
+void spread(BankFields<T> windows, In<double, 2> positions, Strided<T> image, int threads, Out<T, 2> out,
+            std::optional<In<T, 2>> layers, std::optional<In<T, 2>> seen) {
     const lommel::WindowBank<T> bank = bank_of<T>(windows);
-    const lommel::Scene scene = scene_of(places);
-    const In<double, 2>& positions = std::get<0>(places);
+    const lommel::Scene scene = scene_of(positions);
     require(image.shape(0) == positions.shape(0) && image.shape(1) == positions.shape(1) && threads >= 0,
             "positions must match the image");
     require(larger(bank, scene, out.shape(0), out.shape(1)), "out must be larger than the image by a window");
     const lommel::Screen<T> screen = screen_of<T>(layers, seen, positions, out.shape(0), out.shape(1));
     released([&] {
-        lommel::Spreader<T>(bank, scene, threads, screen, slopes)
-            .forward(image.data(), image.stride(0), image.stride(1), out.data());
+        lommel::Spreader<T>(bank, scene, threads, screen).forward(image.data(), image.stride(0), image.stride(1), out.data());
     });
 }
 
 // Transpose of spread(). Light beyond the edges is not folded back.
 template <class T>
-void collect(BankFields<T> windows, SceneFields places, In<T, 2> image, int threads, Out<T, 2> out,
-             std::optional<In<T, 2>> layers, std::optional<In<T, 2>> seen, bool slopes) {
+void collect(BankFields<T> windows, In<double, 2> positions, In<T, 2> image, int threads, Out<T, 2> out,
+             std::optional<In<T, 2>> layers, std::optional<In<T, 2>> seen) {
     const lommel::WindowBank<T> bank = bank_of<T>(windows);
-    const lommel::Scene scene = scene_of(places);
-    const In<double, 2>& positions = std::get<0>(places);
+    const lommel::Scene scene = scene_of(positions);
     require(larger(bank, scene, image.shape(0), image.shape(1)) && threads >= 0,
             "the image must be larger than the positions by a window");
     require(out.shape(0) == scene.height && out.shape(1) == scene.width, "out must match the positions");
     const lommel::Screen<T> screen = screen_of<T>(layers, seen, positions, image.shape(0), image.shape(1));
-    released([&] { lommel::Spreader<T>(bank, scene, threads, screen, slopes).adjoint(image.data(), out.data()); });
+    released([&] { lommel::Spreader<T>(bank, scene, threads, screen).adjoint(image.data(), out.data()); });
 }
 
 // Write the layer of each point (0: nearest) and the representative point for the light behind it (-1: none). Returns the
@@ -159,15 +147,15 @@ std::pair<std::size_t, std::size_t> depth_layers(In<double, 2> defocus, double l
 using LayerFields = std::tuple<In<std::uint8_t, 2>, std::optional<In<std::int32_t, 2>>, int>;
 
 template <class T>
-void composite(BankFields<T> windows, SceneFields places, LayerFields layering, const std::string& border,
-               std::optional<Strided<T>> image, std::pair<int, int> range, bool known, int threads, Out<T, 2> seen,
-               Out<T, 2> total, std::optional<Out<T, 2>> out) {
+void composite(BankFields<T> windows, In<double, 2> positions, LayerFields layering, std::optional<Strided<T>> image,
+               std::pair<int, int> range, bool known, int threads, Out<T, 2> seen, Out<T, 2> total,
+               std::optional<Out<T, 2>> out) {
     const lommel::WindowBank<T> bank = bank_of<T>(windows);
-    const lommel::Scene scene = scene_of(places);
+    const lommel::Scene scene = scene_of(positions);
     const auto& [layers, behind, count_] = layering;
     const int count = count_;
     const auto [from, to] = range;
-    const std::size_t height = std::get<0>(places).shape(0), width = std::get<0>(places).shape(1), size = height * width;
+    const std::size_t height = scene.height, width = scene.width, size = height * width;
     const auto alike = [&](const auto& array) { return array.shape(0) == height && array.shape(1) == width; };
     require(count >= 1 && count <= 64 && 0 <= from && from <= to && to <= count && threads >= 0, "layers must be 1 to 64");
     require(alike(layers) && (!behind || alike(*behind)), "layers and what is behind must match the positions");
@@ -179,15 +167,8 @@ void composite(BankFields<T> windows, SceneFields places, LayerFields layering, 
     require(alike(seen) && alike(total) && image.has_value() == out.has_value() && (!image || alike(*image)) &&
                 (!out || alike(*out)) && (image || !known),
             "images must match the positions");
-    require(scene.height >= height && scene.height - height == scene.width - width && (scene.height - height) % 2 == 0,
-            "rows and columns must have as many copies on either side");
-    const lommel::LayeredScene layered{scene,
-                                       layers.data(),
-                                       behind ? behind->data() : nullptr,
-                                       static_cast<std::size_t>(count),
-                                       (scene.height - height) / 2,
-                                       border == "reflect",
-                                       border == "zero"};
+    const lommel::LayeredScene layered{scene, layers.data(), behind ? behind->data() : nullptr,
+                                       static_cast<std::size_t>(count)};
     released([&] {
         lommel::Compositor<T>(bank, layered, threads, image ? image->data() : nullptr, image ? image->stride(0) : 0,
                               image ? image->stride(1) : 0)(static_cast<std::size_t>(from), static_cast<std::size_t>(to), known,
@@ -303,17 +284,16 @@ void bindings::define_imaging(nb::module_& m) {
           "Convolves the first planes of a room along all planes, at each lateral frequency, or applies the transpose.");
     for_both([&](auto pixel) {
         using T = decltype(pixel);
-        m.def("composite", &composite<T>, "bank"_a.noconvert(), "scene"_a, "layering"_a.noconvert(), "border"_a,
+        m.def("composite", &composite<T>, "bank"_a.noconvert(), "positions"_a, "layering"_a.noconvert(),
               "image"_a.noconvert().none(), "range"_a, "known"_a, "threads"_a, "seen"_a.noconvert(), "total"_a.noconvert(),
               "out"_a.noconvert() = nb::none(),
               "Adds a range of layers of points, from the nearest on, to what pixels see of them, of a white scene and of "
               "light.");
-        m.def("spread", &spread<T>, "bank"_a.noconvert(), "scene"_a, "image"_a.noconvert(), "threads"_a, "out"_a.noconvert(),
-              "layers"_a.noconvert() = nb::none(), "seen"_a.noconvert() = nb::none(), "slopes"_a = false,
-              "Adds each pixel times the window at its position in the bank, or its derivative by that, to an image larger by "
-              "a window.");
-        m.def("collect", &collect<T>, "bank"_a.noconvert(), "scene"_a, "image"_a.noconvert(), "threads"_a, "out"_a.noconvert(),
-              "layers"_a.noconvert() = nb::none(), "seen"_a.noconvert() = nb::none(), "slopes"_a = false,
+        m.def("spread", &spread<T>, "bank"_a.noconvert(), "positions"_a, "image"_a.noconvert(), "threads"_a,
+              "out"_a.noconvert(), "layers"_a.noconvert() = nb::none(), "seen"_a.noconvert() = nb::none(),
+              "Adds each pixel times the window at its position in the bank to an image larger by a window.");
+        m.def("collect", &collect<T>, "bank"_a.noconvert(), "positions"_a, "image"_a.noconvert(), "threads"_a,
+              "out"_a.noconvert(), "layers"_a.noconvert() = nb::none(), "seen"_a.noconvert() = nb::none(),
               "The transpose of spread().");
         m.def("field_spread", &field_spread<T>, "splines"_a.noconvert(), "defocus"_a.noconvert(), "copies"_a,
               "image"_a.noconvert(), "threads"_a, "out"_a.noconvert(), "transposed"_a = false,

@@ -23,9 +23,6 @@ void spreading_and_collecting(std::mt19937& random, std::size_t height, std::siz
     const std::size_t rows = widest + 1;
     std::vector<T> windows((count + 1) * rows * margin, T(0)), image(height * width), taken(height * width);
     std::vector<T> out(high * wide, T(0)), other(high * wide, T(0));
-    std::vector<std::int64_t> down(height), right(width);
-    std::iota(down.begin(), down.end(), 0);
-    std::iota(right.begin(), right.end(), 0);
     std::vector<std::int64_t> halves(count);
     std::vector<double> positions(height * width), energies(count);
     for (std::size_t i = 0; i < count; ++i) {
@@ -60,7 +57,7 @@ void spreading_and_collecting(std::mt19937& random, std::size_t height, std::siz
         seen[i] = static_cast<T>(i / wide / 40 % 2 == 0 ? 3.0 : 2.0 * share(random) - 1.0);
     }
     const lommel::Screen<T> screen{hiding ? layers.data() : nullptr, hiding ? seen.data() : nullptr};
-    const Spreader spreader(bank, {positions.data(), width, down.data(), right.data(), height, width}, threads, screen);
+    const Spreader spreader(bank, {positions.data(), height, width}, threads, screen);
     spreader.forward(image.data(), static_cast<std::ptrdiff_t>(width), 1, out.data());
     spreader.adjoint(other.data(), taken.data());
     for (std::size_t i = 0; i < high * wide; ++i) {

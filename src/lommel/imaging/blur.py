@@ -148,7 +148,7 @@ class DepthBlur(LinearBlur):
         layers that each pixel sees, a real number; None for all layers. Raises TypeError or ValueError if the channel
         does not exist, or a plane is not of the dtype of the operator.
         """
-        bank, rows, columns, margins = self._padded_indices(channel)
+        bank, margins = self._padded_bank(channel)
         if not isinstance(sources, Sequence):
             raise TypeError(f"sources must be a sequence of planes and points, got {validation.shown(sources)}")
         for plane, points in sources:
@@ -156,12 +156,13 @@ class DepthBlur(LinearBlur):
         padded = np.zeros([side + sum(pair) for side, pair in zip(self.shape, margins, strict=True)], self.dtype)
         seen_around = None if seen is None else np.pad(seen, margins, mode="symmetric")
         for plane, points in sources:
-            for band, rim in self._bands(rows, bank.half):
-                indices = points.positions, rows[band], columns
-                limits = points.layers, None if seen_around is None else seen_around[rim]
-                engine.spread(parts(bank), indices, plane, self.threads, padded[rim], *limits)
+            for band, rim in self._bands(bank.half):
+                positions = points.positions[band]
+                layers = None if points.layers is None else points.layers[band]
+                limits = layers, None if seen_around is None else seen_around[rim]
+                engine.spread(parts(bank), positions, plane[band], self.threads, padded[rim], *limits)
                 if self.watch is not None:
-                    self.watch(int(np.count_nonzero(points.positions[rows[band]] >= 0.0)))
+                    self.watch(int(np.count_nonzero(positions >= 0.0)))
         # Light that leaves the image is reflected into it.
         return folded(folded(padded, margins[0][0], self.shape[0]).T, margins[1][0], self.shape[1]).T
 
@@ -169,15 +170,14 @@ class DepthBlur(LinearBlur):
         self, channel: int, plane: Values, sources: Sequence[Points], seen: Values | None = None
     ) -> Iterator[Values]:
         """Yield the transpose of :meth:`spread`, applied to a `plane`, for each of the `sources`."""
-        bank, rows, columns, margins = self._padded_indices(channel)
+        bank, margins = self._padded_bank(channel)
         for points in sources:
             self._require(plane, points)
         padded = np.pad(plane, margins, mode="symmetric")
         seen_around = None if seen is None else np.pad(seen, margins, mode="symmetric")
         for points in sources:
             sums = np.empty(self.shape, dtype=self.dtype)
-            indices = points.positions, rows, columns
-            engine.collect(parts(bank), indices, padded, self.threads, sums, points.layers, seen_around)
+            engine.collect(parts(bank), points.positions, padded, self.threads, sums, points.layers, seen_around)
             yield sums
 
     def _require(self, plane: object, points: object) -> None:
@@ -188,20 +188,17 @@ class DepthBlur(LinearBlur):
                 f"plane must be an array of {self.dtype} of the shape {self.shape}, got {validation.shown(plane)}"
             )
 
-    def _padded_indices(
-        self, channel: int
-    ) -> tuple[Bank, NDArray[np.int64], NDArray[np.int64], list[tuple[int, int]]]:
-        """Return the bank of a channel, the indices of rows and columns, and the margins that windows need."""
+    def _padded_bank(self, channel: int) -> tuple[Bank, list[tuple[int, int]]]:
+        """Return the bank of a channel, and the margins that windows need."""
         bank = self.banks[validation.integer("channel", channel, least=0, most=len(self.banks) - 1)]
-        rows, columns = (np.arange(side, dtype=np.int64) for side in self.shape)
-        return bank, rows, columns, [(width,) * 2 for width in bank.beyond]
+        return bank, [(width,) * 2 for width in bank.beyond]
 
-    def _bands(self, rows: NDArray[np.int64], half: int) -> Iterator[tuple[slice, slice]]:
+    def _bands(self, half: int) -> Iterator[tuple[slice, slice]]:
         """Yield pairs: a band of rows, and the rows that receive its light; one band unless `watch` is set."""
         # A band has at least eight half widths of rows: rows that receive light of two bands take twice the time.
-        height = len(rows) if self.watch is None else max(_BAND // self.shape[1], 8 * half, 64)
-        for first in range(0, len(rows), height):
-            last = min(first + height, len(rows))
+        height = self.shape[0] if self.watch is None else max(_BAND // self.shape[1], 8 * half, 64)
+        for first in range(0, self.shape[0], height):
+            last = min(first + height, self.shape[0])
             yield slice(first, last), slice(first, last + 2 * half)
 
     def positions(self, channel: int) -> Array:

@@ -190,7 +190,6 @@ class Occlusion(LinearBlur):
         """Add the blurred visible light of `plane` to `out`; return `shares`, which are computed if None."""
         blur, layering = self.blur, self._cached_data()[0]
         has_shares = shares is not None
-        rows, columns = (np.arange(side, dtype=np.int64) for side in blur.shape)
         if shares is None:
             all_visible = np.full(blur.shape, layering.number + layering.level, dtype=blur.dtype)
             shares = Shares(all_visible, np.zeros_like(all_visible))
@@ -199,9 +198,8 @@ class Occlusion(LinearBlur):
         for first, last in ranges:
             engine.composite(
                 parts(blur.banks[channel]),
-                (blur.positions(channel), rows, columns),
+                blur.positions(channel),
                 (layering.layers, layering.behind, layering.number),
-                "reflect",
                 plane,
                 (first, last),
                 has_shares,

@@ -20,18 +20,15 @@
 
 namespace lommel {
 
-// Points of a scene in layers; scene.height and scene.width include border extension. layers[p]: layer of image pixel p, 0 the
-// nearest; behind[p]: index of the pixel whose light stands for the light that p occludes, negative if none.
+// Points of a scene in layers. layers[p]: layer of pixel p, 0 the nearest; behind[p]: index of the pixel whose light stands for the light that p occludes, negative if none.
 struct LayeredScene {
     Scene scene;
     const std::uint8_t* layers;
     const std::int32_t* behind;  // null: no point has a representative for occluded light
     std::size_t count;  // number of layers, at most 64
-    std::size_t pad;  // rows and columns of border extension on either side
-    bool mirrored, dark;  // mirrored: light that leaves the image is reflected; dark: border extension only occludes
 };
 
-// Images [height][width] without border extension. seen: visibility; a pixel sees the fraction clamp(seen - l, 0, 1) of the
+// Images [height][width]. seen: visibility; a pixel sees the fraction clamp(seen - l, 0, 1) of the
 // layer of level l (Compositor::level()); total: fraction of the aperture covered so far; out: blurred light.
 template <class T>
 struct Composite {
@@ -130,8 +127,6 @@ class Compositor {
     std::ptrdiff_t middle() const { return static_cast<std::ptrdiff_t>(layered_.count / 2); }
     std::size_t across() const { return scene_.width + 2 * margin_; }
     std::size_t part_columns() const { return (broad_ + part_width - 1) / part_width; }
-    std::size_t image_height() const { return scene_.height - 2 * layered_.pad; }
-    std::size_t image_width() const { return scene_.width - 2 * layered_.pad; }
 
     // Part of a tile, in pixels of the scene; a tile is a rectangle of the scene that one thread processes at a time. Parts are so
     // small that the sums of a column of points stay in the cache.
@@ -183,9 +178,7 @@ class Compositor {
         }
     }
 
-    std::size_t point(std::size_t y, std::size_t x) const {
-        return static_cast<std::size_t>(scene_.rows[y]) * scene_.across + static_cast<std::size_t>(scene_.columns[x]);
-    }
+    std::size_t point(std::size_t y, std::size_t x) const { return y * scene_.width + x; }
 
     // For each part of a tile, find the layers of its points, as a bit mask, and the bounding box of each layer.
     void mark() {
@@ -220,12 +213,11 @@ class Compositor {
         });
     }
 
-    // Image pixels of a tile, without border extension, as rows and columns of the scene.
+    // Pixels of a tile, as rows and columns of the scene.
     Box inside(std::size_t row, std::size_t column) const {
-        const std::size_t pad = layered_.pad;
         const auto at = [](std::size_t place) { return static_cast<std::ptrdiff_t>(place); };
         return Box{at(row * tall_), at(column * broad_), at((row + 1) * tall_), at((column + 1) * broad_)}.within(
-            {at(pad), at(pad), at(pad + image_height()), at(pad + image_width())});
+            {0, 0, at(scene_.height), at(scene_.width)});
     }
 
     // Shortest vectors, available on every processor of an architecture, so that results do not depend on the processor.
@@ -244,7 +236,7 @@ class Compositor {
             T most = level(0) - T(1);
             std::size_t open = 0;
             each_row(inside(tile / columns_, tile % columns_), [&](std::size_t y, std::size_t left, std::size_t right) {
-                const T* const seen = made.seen + (y - layered_.pad) * image_width() - layered_.pad;
+                const T* const seen = made.seen + y * scene_.width;
                 most = std::max(most, *std::max_element(seen + left, seen + right));
                 open += static_cast<std::size_t>(std::count(seen + left, seen + right, beyond()));
             });
@@ -357,21 +349,16 @@ class Compositor {
                     continue;
                 }
                 points.places[i * part_width + j] = place;
-                points.values[j * (tall + 1) + i] = has_light(y, x) ? value(from) : T(0);
+                points.values[j * (tall + 1) + i] = value(from);
                 points.first[j] = std::min(points.first[j], i), points.last[j] = i + 1;
             }
         }
     }
 
     T value(std::size_t at) const {
-        return image_ ? image_[static_cast<std::ptrdiff_t>(at / scene_.across) * down_ +
-                               static_cast<std::ptrdiff_t>(at % scene_.across) * right_]
+        return image_ ? image_[static_cast<std::ptrdiff_t>(at / scene_.width) * down_ +
+                               static_cast<std::ptrdiff_t>(at % scene_.width) * right_]
                       : T(0);
-    }
-
-    bool has_light(std::size_t y, std::size_t x) const {
-        const std::size_t pad = layered_.pad;
-        return !layered_.dark || (y >= pad && x >= pad && y < pad + image_height() && x < pad + image_width());
     }
 
     // Spread one column of points, two vertically adjacent points at a time. Returns the largest half width of their windows.
@@ -481,8 +468,8 @@ class Compositor {
             return false;
         });
         each_row(inside(row, column).within(reached), [&](std::size_t y, std::size_t left, std::size_t right) {
-            const std::size_t at = (y - layered_.pad) * image_width() + left - layered_.pad;
-            const std::size_t from = (y + bank_.widest) * across() + margin_ + left, count = right - left;
+            const std::size_t at = point(y, left), count = right - left;
+            const std::size_t from = (y + bank_.widest) * across() + margin_ + left;
             T* const seen = made.seen + at;
             if (!known) {
                 T *const total = made.total + at, *const cover = white + from;
@@ -563,17 +550,15 @@ void Compositor<T>::operator()(std::size_t from, std::size_t to, bool known, con
                 reached_[row * columns_ + column] = spread(row, column, layer, known, white.data(), light.data());
             }
         });
-        if (layered_.mirrored) {
-            Box reached = Box::empty();
-            for (std::size_t tile = 0; tile < chosen_.size(); ++tile) {
-                if (chosen_[tile]) {
-                    reached.include(reached_[tile]);
-                }
+        Box reached = Box::empty();
+        for (std::size_t tile = 0; tile < chosen_.size(); ++tile) {
+            if (chosen_[tile]) {
+                reached.include(reached_[tile]);
             }
-            for (Aligned<T>* const room : {&white, &light}) {
-                if (!room->empty()) {
-                    fold(room->data(), reached);
-                }
+        }
+        for (Aligned<T>* const room : {&white, &light}) {
+            if (!room->empty()) {
+                fold(room->data(), reached);
             }
         }
         parallel_for(rows_ * columns_, threads_, [&](std::size_t, std::size_t tile) {

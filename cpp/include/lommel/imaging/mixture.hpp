@@ -42,12 +42,12 @@ struct Mixture {
     bool any, hidden;
 };
 
-// Weights of the four windows summed for a point or, with `slopes`, derivatives of these weights with respect to its position.
+// Weights of the four windows summed for a point.
 template <class T>
 class Mixer {
    public:
-    explicit Mixer(const WindowBank<T>& bank, bool slopes = false)
-        : slopes_(slopes), last_(static_cast<std::int32_t>(bank.count) - 1), halves_(bank.count - 3),
+    explicit Mixer(const WindowBank<T>& bank)
+        : last_(static_cast<std::int32_t>(bank.count) - 1), halves_(bank.count - 3),
           energies_(bank.energies, bank.energies + bank.count) {
         for (std::size_t i = 0; i < halves_.size(); ++i) {
             halves_[i] = static_cast<std::uint32_t>(*std::max_element(bank.halves + i, bank.halves + i + 4));
@@ -75,13 +75,7 @@ class Mixer {
         const V t = V{} + place.within;
         const V a = load<V>(powers[0]), b = load<V>(powers[1]), c = load<V>(powers[2]), d = load<V>(powers[3]);
         const V energies = load<V>(energies_.data() + first), weights = a + t * (b + t * (c + t * d));
-        const T held = total(weights * energies);
-        if (!slopes_) {
-            store(m.weights, weights * (V{} + value / held));
-            return;
-        }
-        const V changes = b + t * (c + c + t * (d + d + d));
-        store(m.weights, (changes - weights * (V{} + total(changes * energies) / held)) * (V{} + value / held));
+        store(m.weights, weights * (V{} + value / total(weights * energies)));
     }
 
    private:
@@ -93,7 +87,6 @@ class Mixer {
                                        {T(-1.0 / 6.0), T(0.5), T(-0.5), T(1.0 / 6.0)}};
     LOMMEL_INLINE static T total(V of_four) { return (of_four[0] + of_four[1]) + (of_four[2] + of_four[3]); }
 
-    bool slopes_;
     std::int32_t last_;
     std::vector<std::uint32_t> halves_;  // [first window]: largest half width of the four windows, pixels
     std::vector<T, AlignedAllocator<T>> energies_;

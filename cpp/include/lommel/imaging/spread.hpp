@@ -16,12 +16,9 @@
 
 namespace lommel {
 
-// Source pixels [height][width] and their positions in the window bank: pixel (y, x) has positions[rows[y]][columns[x]], so
-// that border extension needs no copy of the image. Negative positions: no light is spread. across: row stride of positions.
+// Positions of source pixels [height][width] in the window bank. Negative positions: no light is spread.
 struct Scene {
     const double* positions;
-    std::size_t across;
-    const std::int64_t *rows, *columns;
     std::size_t height, width;
 };
 
@@ -59,10 +56,9 @@ struct Screen {
 template <class T>
 class Spreader {
    public:
-    // With `slopes`, windows are replaced by their derivatives with respect to the position in the bank.
-    Spreader(const WindowBank<T>& bank, const Scene& scene, int threads, const Screen<T>& screen = {}, bool slopes = false)
+    Spreader(const WindowBank<T>& bank, const Scene& scene, int threads, const Screen<T>& screen = {})
         : bank_(bank), scene_(scene), screen_(screen), height_(scene.height), width_(scene.width), threads_(threads),
-          margin_(margin(bank.widest)), mixture_(bank, slopes) {}
+          margin_(margin(bank.widest)), mixture_(bank) {}
 
     // `reach`: number of values in the longest vector. margin(): columns that vectors may access on either side of a pixel.
     static constexpr std::size_t reach = 16;
@@ -143,26 +139,21 @@ class Spreader {
 
     template <class Value>
     LOMMEL_INLINE void place(const Value& value, Tile& tile) const {
-        double positions[Tile::broad];
         std::fill_n(tile.places.data() + tile.height * Tile::broad, Tile::broad, BankPlace<T>{-1, T(0)});
         for (std::size_t i = 0; i < tile.height; ++i) {
-            const std::size_t row = static_cast<std::size_t>(scene_.rows[tile.top + i]) * scene_.across;
-            const std::int64_t* const columns = scene_.columns + tile.left;
-            const std::size_t next = std::min(tile.top + i + 2, height_ - 1);
-            const double* const ahead = scene_.positions + static_cast<std::size_t>(scene_.rows[next]) * scene_.across;
+            const std::size_t at = (tile.top + i) * width_ + tile.left, next = std::min(tile.top + i + 2, height_ - 1);
             for (std::size_t j = 0; j < tile.width; j += line / sizeof(double)) {
-                prefetch(ahead + columns[j]), prefetch(&value(next, tile.left + j));
+                prefetch(scene_.positions + next * width_ + tile.left + j), prefetch(&value(next, tile.left + j));
             }
             T* const values = tile.values.data() + i * Tile::broad;
             for (std::size_t j = 0; j < tile.width; ++j) {
-                positions[j] = scene_.positions[row + static_cast<std::size_t>(columns[j])];
                 values[j] = value(tile.top + i, tile.left + j);
             }
             for (std::size_t j = 0; j < tile.width; ++j) {
-                tile.places[i * Tile::broad + j] = mixture_.place(positions[j], values[j]);
+                tile.places[i * Tile::broad + j] = mixture_.place(scene_.positions[at + j], values[j]);
             }
-            for (std::size_t j = 0; screen_.layers && j < tile.width; ++j) {
-                tile.layers[i * Tile::broad + j] = screen_.layers[row + static_cast<std::size_t>(columns[j])];
+            if (screen_.layers) {
+                std::copy_n(screen_.layers + at, tile.width, tile.layers.data() + i * Tile::broad);
             }
         }
     }
@@ -315,7 +306,7 @@ template <class T>
 void Spreader<T>::forward(const T* image, std::ptrdiff_t down, std::ptrdiff_t right, T* out) const {
     const std::size_t tall = std::max(least_rows, 2 * bank_.widest), broad = std::max(least_columns, 2 * margin_);
     const auto value = [&](std::size_t y, std::size_t x) -> const T& {
-        return image[scene_.rows[y] * down + scene_.columns[x] * right];
+        return image[static_cast<std::ptrdiff_t>(y) * down + static_cast<std::ptrdiff_t>(x) * right];
     };
     // Tiles are at least as large as the area that a pixel spreads to, so that the light of alternate tiles does not overlap.
     const Checkerboard tiles((height_ + tall - 1) / tall, (width_ + broad - 1) / broad);

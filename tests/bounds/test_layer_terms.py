@@ -12,7 +12,8 @@ import scipy
 
 import lommel as lm
 from lommel.core.answers import Samples, Wanted
-from lommel.methods.layers import chordal_debye, debye_wolf, samples, scanning
+from lommel.methods import LAYERED, METHODS
+from lommel.methods.layers import chordal_debye, debye_wolf, samples, scanning, stratified
 from lommel.methods.layers.chordal_debye import Growth, Rule
 from lommel.methods.layers.debye_wolf import refine_until
 from lommel.methods.layers.samples import SampledLight
@@ -370,3 +371,30 @@ def test_fields_are_computed_anew_until_the_light_is_within_the_tolerance(scale)
     for k, one in enumerate(asked):
         assert one == 2.0 ** math.floor(math.log2(target * math.sqrt(assumed) / 6.0))
         target, assumed = target * max(1e-3, min(0.5, 0.5 * tol / off[k])), 0.25 * assumed
+
+
+@pytest.mark.parametrize("worst", [[0.4e-6, 0.0], [9e-6, 0.5e-6], [1.2e-6, 1.1e-6, 0.1e-6]])
+def test_profiles_are_refined_until_their_error_over_the_least_peak_suffices(worst, monkeypatch):
+    """The accuracies of each try, for a peak that is assumed lower and lower."""
+    asked, pupil = [], OIL.pupil(depth=0.5e-6, z=[0.0, 3e-7], wavelength=520e-9)
+    monkeypatch.setattr(stratified, "layered", lambda pupil, v, field: field)
+
+    def profiles(field, v):
+        asked.append(field)
+        error = worst[len(asked) - 1] / (1.0 + worst[len(asked) - 1])
+        return np.array([[[1.0, 0.5]], [[0.7, 2.0]]]), np.array([error, 0.0])
+
+    monkeypatch.setattr(stratified, "layered_profiles", profiles)
+    _, error = stratified.profiles(pupil, np.array([0.0, 1.0]), 1e-6)
+    used = next(k for k, one in enumerate(worst) if one <= 1e-6)
+    assert len(asked) == used + 1
+    assert error[0] == pytest.approx(worst[used] / (1.0 + worst[used]), rel=1e-9)
+    assert all(a >= b for a, b in itertools.pairwise(asked))
+    for first, second, one in zip(asked, asked[1:], worst, strict=False):
+        assert second <= first * math.sqrt(max(1e-6, min(0.25, 0.5e-6 / one))) * 2.0
+
+
+@pytest.mark.parametrize(("name", "kind"), [*METHODS.items(), *LAYERED.items()])
+def test_the_default_tolerance_is_that_of_the_reference(name, kind):
+    told = {"hankel": 1e-14, "tuned-closed-form": 1e-4}.get(name, 1e-6)
+    assert not hasattr(kind(), "tol") or kind().tol == told

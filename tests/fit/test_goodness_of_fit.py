@@ -124,29 +124,13 @@ def test_noise_alone_has_stripes_as_seldom_as_is_stated():
     assert 0.03 < share < 0.14
 
 
-WAVES = [
-    (np.sin(2 * np.pi * X / 7 + 1), 7.0, "along x"), (np.sin(2 * np.pi * Y / 3.5), 3.5, "along y"),
-    (np.cos(2 * np.pi * (X / 7 + 2 * Y / 21)), 5.8, "34 deg from x to y"),
-    (np.cos(2 * np.pi * (X / 7 - 2 * Y / 21)), 5.8, "-34 deg from x to y"),
-]  # fmt: skip
-
-
-@pytest.mark.parametrize(("wave", "period", "way"), WAVES)
-def test_stripes_are_found_with_size_period_and_direction(wave, period, way):
-    (found,) = goodness_of_fit.stripe_findings(*residuals(6, 5, 1.5 * wave))
-    assert (found.code, found.severity) == ("pattern", "doubt")
-    assert found.numbers["period"] == pytest.approx(period, rel=0.01)
-    assert found.numbers["size"] == pytest.approx(1.5, rel=0.15)
-    assert way in found.text
-    assert found.numbers["chance"] < 1e-6
-
-
 @pytest.mark.parametrize(("x", "y"), [(5.5, 3.5), (-0.2, 5.3), (9.7, -3.3), (3.0, -9.0)])
 @pytest.mark.parametrize(("phase", "amplitude"), [(0.0, 1.5), (1.5, 1.5), (1.0, 40.0)])
 def test_size_and_direction_are_right_between_the_wave_vectors_of_the_window(x, y, phase, amplitude):
     wave, told = amplitude * np.sin(2 * np.pi * (x * X + y * Y) / 21 + phase), []
     for seed in range(6):
         (found,) = goodness_of_fit.stripe_findings(*residuals(6, seed, wave))
+        assert (found.code, found.severity) == ("pattern", "doubt")
         told.append([found.numbers[name] for name in ("size", "period", "angle")])
         assert found.numbers["chance"] < 1e-6
     size, period, angle = np.mean(told, axis=0)

@@ -7,6 +7,7 @@ import pytest
 
 from lommel.imaging import field_blur
 from lommel.imaging.field_blur import MAX_NODES, MixedBlur, Nodes, interpolated, sufficient_nodes
+from point_sums import sum_over_points
 
 
 @pytest.mark.parametrize("degree", [3, 5])
@@ -99,15 +100,11 @@ def made(deep: bool, dtype: type = np.float64, threads: int = 2) -> tuple[MixedB
 
 
 def direct(engine: MixedBlur, down: np.ndarray, across: np.ndarray, light: np.ndarray) -> np.ndarray:
-    half = SIDE // 2
-    rows, columns = (np.pad(np.arange(side), half, mode="symmetric") for side in (HEIGHT, WIDTH))
-    out = np.zeros((len(rows) + SIDE - 1, len(columns) + SIDE - 1))
-    for i, y in enumerate(rows):
-        for j, x in enumerate(columns):
-            shares = engine.focus.weights(engine.defocus[y, x, None])[0]
-            window = np.einsum("a,b,k,abkuv->uv", down[y], across[x], shares, engine.windows[:, :, : len(shares)])
-            out[i : i + SIDE, j : j + SIDE] += light[y, x] * window
-    return out[2 * half :, 2 * half :][:HEIGHT, :WIDTH]
+    def window(y: int, x: int) -> np.ndarray:
+        shares = engine.focus.weights(engine.defocus[y, x, None])[0]
+        return np.einsum("a,b,k,abkuv->uv", down[y], across[x], shares, engine.windows[:, :, : len(shares)])
+
+    return sum_over_points(light, window, SIDE)
 
 
 @pytest.mark.parametrize("deep", [False, True])

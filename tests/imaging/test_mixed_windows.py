@@ -7,6 +7,7 @@ import pytest
 
 from lommel.deconvolve.linear import WindowBlur
 from lommel.imaging.field_blur import Nodes
+from point_sums import sum_over_points
 
 HEIGHT, WIDTH = 37, 29
 
@@ -29,16 +30,7 @@ def made(
 
 
 def by_points(windows: np.ndarray, light: np.ndarray) -> np.ndarray:
-    """Return the sum over points and their mirror images beyond the edges, which spread the same windows."""
-    side = windows.shape[-1]
-    margin = side // 2
-    rows, columns = (np.pad(np.arange(n), margin, mode="symmetric") for n in light.shape)
-    total = np.zeros((len(rows) + side - 1, len(columns) + side - 1))
-    for y, row in enumerate(rows):
-        for x, column in enumerate(columns):
-            total[y : y + side, x : x + side] += light[row, column] * windows[row, column]
-    first = 2 * margin
-    return total[first : first + HEIGHT, first : first + WIDTH]
+    return sum_over_points(light, lambda row, column: windows[row, column], windows.shape[-1])
 
 
 @pytest.mark.parametrize("deep", [1, 2, 3, 4, 5, 6, 9])

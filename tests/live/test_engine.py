@@ -134,16 +134,10 @@ def test_the_image_is_that_of_the_package_within_the_bound_it_shows(engine, stat
     assert error <= made["bound"] + 1e-9
     assert made["bound"] <= (1e-6 if quality == "settled" else 1e-4)
     assert made["peak"] == values.max()
-
-
-@pytest.mark.parametrize("state", random_states(12, 2), ids=lambda s: f"{s['view']}-{s['light']}")
-def test_the_text_makes_the_array_of_the_page(engine, state):
-    made = engine.psf(state)
-    scope = {}
-    exec(made["python"], scope)
-    psf, values = scope["psf"], np.array(made["values"]).reshape(made["side"], -1)
-    assert psf.pixel == float(f"{made['pixel']!r}e-6")
-    assert np.abs(psf.values - values).max() <= 1e-6 * psf.values.max()
+    if quality == "settled":
+        exec(made["python"], scope := {})
+        assert scope["psf"].pixel == float(f"{made['pixel']!r}e-6")
+        assert np.abs(scope["psf"].values - values).max() <= 1e-6 * values.max()
 
 
 @pytest.mark.parametrize("state", random_states(12, 3), ids=lambda s: f"{s['light']}-{s.get('coma', 0) > 0}")
@@ -266,13 +260,11 @@ def test_the_wavefront_is_that_of_the_pupil(engine):
 
 
 def blurred(engine, state, picture):
-    planes, height, width = picture.shape
-    made = engine.page.evaluate(
-        "([s, p, w, h]) => { const r = ask('blur', s, Float32Array.from(p), w, h, 'settled'); return r; }",
-        [state, picture.ravel().tolist(), width, height],
-    )
+    _, height, width = picture.shape
+    script = "([s, p, w, h]) => ask('blur', s, Float32Array.from(p), w, h, 'settled')"
+    made = engine.page.evaluate(script, [state, picture.ravel().tolist(), width, height])
     assert not isinstance(made, dict), made
-    return np.array(made).reshape(planes, height, width)
+    return np.array(made).reshape(-1, height, width)
 
 
 @pytest.mark.parametrize(
@@ -349,22 +341,6 @@ def test_the_sources_alone_make_the_committed_module_elsewhere(module, tmp_path)
     one, other = (np.frombuffer(zlib.decompress(b64decode(tables.search(text)[1])), np.uint8) for text in texts)
     assert one.shape == other.shape
     assert (one == other).mean() > 0.99
-
-
-def test_python_and_the_page_ask_for_the_same_of_a_state(engine):
-    """`w.psf()` of a notebook is what its page shows: the same window, pixels and light."""
-    rng = np.random.default_rng(5)
-    drawn = ["defocus", "spherical", "coma", "astigmatism", "trefoil", "obscuration"]
-    for turn in range(24):
-        state = {name: round(rng.uniform(0.0, 0.8), 3) for name in rng.choice(drawn, 3, replace=False)}
-        state |= {"coma_angle": rng.uniform(-180, 180), "f_number": rng.uniform(1, 30)}
-        state["wavelength"] = rng.uniform(300, 900)
-        state |= {"side": 24, "pixel": rng.uniform(0.5, 5), "view": ("fine", "sampled", "averaged")[turn % 3]}
-        state["light"] = ("mono", "white")[turn % 2]
-        shown, made = engine.psf(state), psf_of(state)
-        assert made.pixel == pytest.approx(1e-6 * shown["pixel"], rel=1e-14)
-        values = made.values.ravel()
-        assert np.abs(np.array(shown["values"]) - values).max() <= 2e-6 * shown["peak"]
 
 
 def distances(rng):
@@ -497,10 +473,10 @@ def test_colours_are_sums_of_lines_by_the_standard_observer(engine, state):
 
 def test_a_white_surface_is_white_and_a_point_has_colours(engine):
     state = {"light": "white", "spherical": 1.0}
-    assert blurred_planes(engine, state, np.ones((1, 20, 33))) == pytest.approx(np.ones((3, 20, 33)), abs=1e-5)
+    assert blurred(engine, state, np.ones((1, 20, 33))) == pytest.approx(np.ones((3, 20, 33)), abs=1e-5)
     point = np.zeros((1, 61, 61))
     point[0, 30, 30] = 1.0
-    planes = blurred_planes(engine, state, point)
+    planes = blurred(engine, state, point)
     exact = np.zeros((3, 31, 31))
     for weights, (share, part) in zip(colour_weights(), parts_of(state), strict=True):
         exact += weights[:, None, None] * (share * lm.psf(part, 31, 2e-6, tol=1e-7).values)
@@ -508,13 +484,6 @@ def test_a_white_surface_is_white_and_a_point_has_colours(engine):
         scale = (made * plane).sum() / (plane**2).sum()
         assert made == pytest.approx(scale * plane, abs=1e-3 * made.max())
     assert np.abs(planes[0] - planes[2]).max() > 0.1 * planes[1].max()
-
-
-def blurred_planes(engine, state, picture):
-    _, height, width = picture.shape
-    script = "([s, p, w, h]) => ask('blur', s, Float32Array.from(p), w, h, 'settled')"
-    made = engine.page.evaluate(script, [state, picture.ravel().tolist(), width, height])
-    return np.array(made).reshape(-1, height, width)
 
 
 @pytest.mark.parametrize(
@@ -568,8 +537,8 @@ def test_the_same_setting_has_the_same_noise_and_another_one_another(engine):
     assert "counts" not in engine.psf({"side": 64})
     picture = np.full((1, 40, 50), 0.5)
     state["pixel"] = 2
-    noisy = blurred_planes(engine, {**state, "photons": 100, "read_noise": 0}, picture)
-    assert np.array_equal(noisy, blurred_planes(engine, {**state, "photons": 100, "read_noise": 0}, picture))
+    noisy = blurred(engine, {**state, "photons": 100, "read_noise": 0}, picture)
+    assert np.array_equal(noisy, blurred(engine, {**state, "photons": 100, "read_noise": 0}, picture))
     assert noisy.mean() == pytest.approx(0.5, abs=5 * math.sqrt(0.005 / 2000))
     assert noisy.var() == pytest.approx(0.005, rel=0.2)
 

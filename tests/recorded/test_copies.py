@@ -125,9 +125,10 @@ def test_planes_are_those_of_every_kind_of_array(tmp_path, source, to_file):
     np.testing.assert_array_equal(found, VALUES[0, :1])
 
 
-def test_an_array_in_memory_is_not_copied():
+def test_an_array_in_memory_is_not_copied_beyond_the_limit():
     values = VALUES[0, 0]
-    with open_frames(values).as_channels() as recording, copies.local_stacks(recording, None, LARGE) as (stack,):
+    limit = values.nbytes - 1
+    with open_frames(values).as_channels() as recording, copies.local_stacks(recording, None, limit) as (stack,):
         assert np.shares_memory(stack[3], values)
 
 

@@ -93,7 +93,7 @@ def estimate_noise(images: Any) -> np.ndarray:
 
 def depth_from_defocus(photographs: Any) -> np.ndarray:
     return imaging.depth_from_defocus(
-        photographs, PAIR, PIXEL, encoding="linear", noise=PHOTOS_NOISE, between=(1.2, 2.0), candidates=20
+        photographs, PAIR, PIXEL, encoding="linear", noise=PHOTOS_NOISE, between=(1.2, 2.0)
     ).depth
 
 

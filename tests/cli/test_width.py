@@ -17,6 +17,7 @@ from lommel.cli import output as bars
 from lommel.cli.main import COMMANDS
 from lommel.imaging import blur as blur_module
 from lommel.imaging import defocus_depth
+from lommel.recorded import frames
 
 
 @pytest.mark.parametrize("name", ["", *COMMANDS])
@@ -43,7 +44,7 @@ wavelength = "540 nm"
 [sensor]
 pixel = "6 um"
 """
-NOISE = ("--white", "5000", "--read", "3")
+NOISE = ("--white", "5000000", "--read", "3")
 LONG = {
     "blur": ("blur", "photo.png", "depth.npy", "lens.toml", "-o", "out.png"),
     "restore": ("restore", "photo.png", "depth.npy", "lens.toml", *NOISE, "-o", "out.png"),
@@ -52,7 +53,7 @@ LONG = {
         "--between", "1.4m", "2m", *NOISE,
     ),
     "retrieve": ("retrieve", "star.tif", "lens.toml", "--read", "2", "--terms", "3"),
-    "localize": ("localize", "movie.tif", "zeiss-63x-astigmatic.toml", "--read", "0", "--block", "2", "-o", "a.csv"),
+    "localize": ("localize", "movie.tif", "zeiss-63x-astigmatic.toml", "--read", "0", "-o", "a.csv"),
     "compare": ("compare", "lens.toml", "--shape", "5"),
     "paper": ("paper", "out", "--figure", "2", "--figure", "3"),
 }  # fmt: skip
@@ -67,8 +68,8 @@ def folder_of_progress(tmp_path):
     pupil = lm.load_instrument(tmp_path / "lens.toml").pupil()
     star = lm.psf(pupil, 15, 6e-6).values
     tifffile.imwrite(tmp_path / "star.tif", lm.Noise(read=2.0).record(1e5 * star, seed=1).astype(np.float32))
-    frames = rng.poisson(5.0, (6, 24, 24)).astype(np.uint16)
-    tifffile.imwrite(tmp_path / "movie.tif", frames, photometric="minisblack")
+    movie = rng.poisson(5.0, (6, 24, 24)).astype(np.uint16)
+    tifffile.imwrite(tmp_path / "movie.tif", movie, photometric="minisblack")
     objective = OBJECTIVES_PROGRESS / "zeiss-63x-astigmatic.toml"
     (tmp_path / objective.name).write_text(objective.read_text(encoding="utf-8"), encoding="utf-8")
     return tmp_path
@@ -80,6 +81,7 @@ def test_every_long_command_tells_rising_shares_of_its_work(call_lommel, folder_
     monkeypatch.setattr("rich.console.Console", lambda **_: console)
     monkeypatch.setattr(blur_module, "_BAND", 1)
     monkeypatch.setattr(defocus_depth, "_ROWS", 48)
+    monkeypatch.setattr(frames, "BLOCK", 2 * 24 * 24)
     tell = bars.Steps.__call__
 
     def told(self, *given):

@@ -110,9 +110,9 @@ def test_photographs_take_channels():
     image, depth = np.zeros((24, 24, 3)), np.full((24, 24), 1.8)
     image[12, 12] = 1.0
     lens = lm.Lens(focal_length=8e-3, f_number=2.0, focus_distance=2.0, wavelength=550e-9)
-    options = {"encoding": "linear", "largest": 8, "energy": 0.9}
-    found = lm.imaging.depth_of_field(image, depth, lens, 3e-6, wavelengths=lm.Channels.rgb(), **options)
-    assert np.array_equal(found.values, lm.imaging.depth_of_field(image, depth, lens, 3e-6, **options).values)
+    blur = lm.imaging.Occlusion(lm.imaging.DepthBlur(depth, lens, 3e-6, channels=lm.Channels.rgb()))
+    found = lm.imaging.depth_of_field(image, depth, lens, 3e-6, encoding="linear")
+    np.testing.assert_allclose(found.values, blur.forward(image), atol=1e-6)
 
 
 def test_no_wavelengths_are_refused_by_name():

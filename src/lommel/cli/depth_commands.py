@@ -13,7 +13,6 @@ import numpy as np
 from lommel.base.arrays import plain
 from lommel.base.encoding import to_light
 from lommel.base.options import In, Options, Shown
-from lommel.base.units import format_length
 from lommel.cli.command import OUTPUT, PLOT, command, filled
 from lommel.cli.instruments import instrument_of, noise_of, radial_instrument
 from lommel.cli.output import progress, save_figure, written
@@ -25,7 +24,8 @@ from lommel.io import photos as photo_files
 from lommel.io.registry import suffixes
 from lommel.lensfiles.instrument import Camera, Instrument
 from lommel.recorded.noise import Noise
-from lommel.report import Facts, Report, finite, table_of
+from lommel.report import Facts, Report, finite
+from lommel.report.table import described, records_of, told
 from lommel.show.drawing import figure_of
 
 if TYPE_CHECKING:
@@ -87,15 +87,13 @@ def each_lens(
     return lenses
 
 
-def lens_facts(lenses: list[Lens]) -> tuple[Facts, str]:
-    """Return focus distances and f-numbers of several frames as facts and as a text."""
-    facts = {
+def lens_facts(lenses: list[Lens]) -> Facts:
+    """Return focus distances and f-numbers of several frames."""
+    return {
         "focus_distances": [finite(lens.focus_distance) for lens in lenses],
         "f_numbers": [lens.f_number for lens in lenses],
         "focal_length": lenses[0].focal_length,
     }
-    frames = (f"{format_length(lens.focus_distance)} at f/{lens.f_number:.3g}" for lens in lenses)
-    return facts, f"focus {', '.join(frames)}"
 
 
 def verdict_report(verdict: DefocusVerdict) -> Report:
@@ -186,25 +184,11 @@ def depth(
             _write_sharp(sharp, estimate, pictures[0])
         if figure is not None:
             save_figure(estimate.plot(), figure)
-    facts, (focus_facts, focus_text) = estimate.to_dict(), lens_facts(lenses)
-    text = "no depth found: the photos have no texture, or all of it is out of range"
-    if facts["depth"] is not None:
-        low, middle, high = map(format_length, facts["depth"].values())
-        text = (
-            f"depth known at {100.0 * estimate.known:.3g} % of the pixels: {low} to {high} (5 to 95 %), "
-            f"median {middle}, standard error {format_length(facts['error'], digits=2)}"
-        )
-    files, encoding_text = written([*outputs, sharp, figure]), read_as(pictures[0], encoding)
-    (height, width), (near, far) = estimate.depth.shape, map(format_length, between)
-    facts |= focus_facts | {"seconds": seconds, "pixel": instrument.side, **files.facts, "read": encoding_text}
-    lines = [
-        encoding_text,
-        f"{width} x {height} pixels of {format_length(instrument.side)}; {focus_text}",
-        f"{len(estimate.candidates)} distances from {near} to {far}, windows of {WINDOW:g} pixels rms",
-        f"exposures measured: {', '.join(f'{exposure:.4g}' for exposure in estimate.exposures)}",
-        text,
-    ]
-    return Report(facts, lines) + verdict_report(estimate.verdict) + files
+    facts = estimate.to_dict() | lens_facts(lenses) | {"seconds": seconds, "pixel": instrument.side}
+    facts["read"] = read_as(pictures[0], encoding)
+    none = "no depth found: the photos have no texture, or all of it is out of range"
+    text = [none] if facts["depth"] is None else []
+    return told(facts) + Report({}, text) + verdict_report(estimate.verdict) + written([*outputs, sharp, figure])
 
 
 def _write_sharp(path: Path, estimate: DefocusDepth, photo: Photograph) -> None:
@@ -289,7 +273,6 @@ def precision(
     distance = np.geomspace(near, far, _ROWS if figure is None else _POINTS)
     errors = np.asarray(depth_precision(lenses, distance, instrument.side, noise=noise))
     seconds = time.perf_counter() - start
-    foci_in_words = ", ".join(format_length(photo.focus_distance) for photo in lenses)
     if figure is not None:
         from lommel.show import estimates
 
@@ -303,18 +286,13 @@ def precision(
         "errors": plain(errors),
         "seconds": seconds,
     }
-    rows = []
-    for k in np.linspace(0, len(distance) - 1, _ROWS).round().astype(int):
-        d, error = float(distance[k]), float(errors[k])
-        cells = (format_length(error, digits=3), f"{100.0 * error / d:.2g} %") if error < math.inf else ("inf", "")
-        rows.append((format_length(d), *cells))
-    lines = [
-        f"f = {format_length(lens_in_use.focal_length)}, f/{lens_in_use.f_number:.3g}, focus {foci_in_words}",
-        f"pixels of {format_length(instrument.side)}, {photons:g} electrons, contrast {CONTRAST:g}, windows of "
-        f"{WINDOW:g} pixels rms",
+    rows = [
+        {"distance": float(distance[k]), "standard_error": float(errors[k])}
+        for k in np.linspace(0, len(distance) - 1, _ROWS).round().astype(int)
     ]
-    table = table_of(("distance", "standard error", "relative"), rows)
-    return Report(facts, [*lines, table]) + written([figure])
+    setting = {name: facts[name] for name in ("focus_distances", "f_number", "seconds")} | {"pixel": instrument.side}
+    setting |= {"electrons": photons, "contrast": CONTRAST, "window_rms": WINDOW}
+    return Report(facts, [*described(setting), "", records_of("", rows)]) + written([figure])
 
 
 def _lens_pair(lens: Lens, focus: float, dioptres: float) -> list[Lens]:

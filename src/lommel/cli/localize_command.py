@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import dataclasses
-import math
 import time
 from dataclasses import dataclass
 from pathlib import Path
@@ -13,7 +12,6 @@ import numpy as np
 from rich.text import Text
 
 from lommel.base.options import In, Options, Shown
-from lommel.base.units import format_length
 from lommel.cli.command import OUTPUT, PLOT, command, filled
 from lommel.cli.instruments import header_differences, require_microscope, require_order
 from lommel.cli.messages import finding_lines
@@ -24,7 +22,8 @@ from lommel.localize import Localizations, LocalizeOptions, Table, writer
 from lommel.localize.localizations import MEDIANS, joined
 from lommel.localize.movie_fits import movie_blocks
 from lommel.recorded.frames import open_frames
-from lommel.report import Facts, Parts, Report, Wrapped, list_of
+from lommel.report import Facts, Parts, Report, Wrapped
+from lommel.report.table import described
 from lommel.show.drawing import figure_of
 
 _Z_RANGES = {"z": (-0.7e-6, 0.7e-6), "depth": (0.0, 1e-6)}
@@ -125,63 +124,18 @@ def localize(
     molecules_found = joined(parts)
     if figure is not None:
         save_figure(figure_of(molecules_found.plot()), figure)
-    recorded, camera_text = camera.recorded(lens, microscope.camera, noise)
+    recorded, _ = camera.recorded(lens, microscope.camera, noise)
     facts: Facts = {"movie": str(movie), "name": microscope.name, "source": microscope.source}
     facts |= {"aberrations": microscope.aberrations is not None, "noise": recorded} | molecules_found.to_dict()
     facts |= {"z": [float(f"{end:.12g}") for end in table.z], "table_error_bound": table.error_bound}
     facts |= {"seconds": time.perf_counter() - start, "notes": header}
     places = [place for path in outputs for place in registry.find("molecules", path).places(path)]
-    return Report(facts, _parts(facts, camera_text), molecules_found.converged) + written([*places, figure])
+    parts_shown: Parts = [Text(facts["name"], "bold"), *described(facts), *finding_lines(facts)]
+    drift = Wrapped("Drift is not corrected.", "dim")
+    return Report(facts, [*parts_shown, drift], molecules_found.converged) + written([*places, figure])
 
 
 def _keep_report_columns(part: Localizations) -> Localizations:
     """Return localisations with only the columns that the report needs, which saves memory for long movies."""
     kinds = np.dtype([("state", np.int32), *((name, np.float32) for name in MEDIANS)])
     return dataclasses.replace(part, table=part.table[["state", *MEDIANS]].astype(kinds))
-
-
-def _parts(facts: Facts, camera: str) -> Parts:
-    """Return the table of the results, and a line on drift."""
-    n, (rows, columns) = facts["frames"], facts["shape"]
-    left_out = f"left out {facts['borders']} at borders and {facts['overlapping']} beside brighter spots"
-    counts = facts["border_fits"] | facts["states"]
-    not_written = ", ".join(f"{counts[name]} {reason}" for name, reason in _REJECTION_REASONS.items() if counts[name])
-    low, high = (format_length(end, like=1e-6) for end in facts["z"])
-    meaning = {"depth": "depth", "none": "not determined"}.get(facts["along"], "position of the stage")
-    size = f"{n} frame{'s' * (n != 1)} of {rows} x {columns}, {format_length(facts['pixel_in_sample'])} a pixel"
-    lines = [
-        ("movie", size),
-        ("camera", camera),
-        ("spots", f"{facts['spots']}; {left_out}"),
-        ("localised", f"{facts['written']}{f'; not written: {not_written}' if not_written else ''}"),
-        ("z", f"{low} to {high}, {meaning}"),
-        *_median_lines(facts["medians"], math.sqrt(0.5 * math.pi / max(1, facts["written"]))),
-        ("table of images", f"each value within {facts['table_error_bound']:.2g} of the dimmest plane's largest"),
-        ("time", f"{facts['seconds']:.3g} s"),
-    ]
-    return [
-        Text(facts["name"], "bold"),
-        list_of(lines),
-        *finding_lines(facts),
-        Wrapped("Drift is not corrected.", "dim"),
-    ]
-
-
-_REJECTION_REASONS = {
-    "z": "at an end of the range of z (--z)",
-    "reach": "farther from the middle of their box than --reach",
-    "steps": "without convergence",
-    "undetermined": "undetermined",
-}
-
-
-def _median_lines(medians: dict[str, float | None], error: float) -> list[tuple[str, str]]:
-    if any(value is None for value in medians.values()):
-        return []
-    sides = [name for name in "xyz" if f"{name}_error" in medians]
-    precisions = ", ".join(f"{name} {format_length(medians[f'{name}_error'] or 0.0, digits=3)}" for name in sides)
-    return [
-        ("median light", f"{medians['photons']:.4g} photons, background {medians['background']:.3g} a pixel"),
-        ("median precision", f"{precisions} (Cramer-Rao bound)"),
-        ("median discrepancy", f"{medians['discrepancy']:.2g} (0 +- {error:.1g} where PSF and noise are right)"),
-    ]

@@ -6,7 +6,7 @@ import math
 import signal
 import sys
 import time
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -18,7 +18,6 @@ from numpy.typing import NDArray
 
 from lommel.base.arrays import Values
 from lommel.base.options import Options, Shown
-from lommel.base.units import format_length
 from lommel.cli.command import OUTPUT, command, filled
 from lommel.cli.instruments import instrument_of, mask_of, noise_of, radial_instrument
 from lommel.cli.messages import given_flags, with_options
@@ -50,7 +49,8 @@ from lommel.io.registry import suffixes
 from lommel.lensfiles.instrument import Camera
 from lommel.optics.lens import Lens
 from lommel.recorded.noise import Noise
-from lommel.report import Facts, Report, finite
+from lommel.report import Facts, Report, Wrapped, finite
+from lommel.report.table import told
 
 if TYPE_CHECKING:
     from lommel.imaging.photograph import Pixels
@@ -119,19 +119,11 @@ class DataSet(DatasetOptions):
         )
 
 
-def depth_facts(distance: NDArray[np.float64]) -> tuple[Facts, Callable[[str], str]]:
-    """Return the range and the unknown fraction of a depth map, and a function that formats them with a focus."""
+def depth_facts(distance: NDArray[np.float64]) -> Facts:
+    """Return the range and the unknown fraction of a depth map."""
     valid = distance[~np.isnan(distance)]
-    low, high = (float(end(valid)) if valid.size else math.nan for end in (np.min, np.max))
-    unknown_fraction = 1.0 - valid.size / distance.size
-    facts = {"depth": [finite(low), finite(high)] if valid.size else [None, None], "depth_unknown": unknown_fraction}
-    return facts, lambda focus: depth_line(low, high, unknown_fraction, focus)
-
-
-def depth_line(low: float, high: float, unknown: float, focus: str) -> str:
-    """Return a line with a range of depth (NaN if all is unknown), a focus, and the unknown fraction."""
-    range_text = "not known" if math.isnan(low) else " to ".join(map(format_length, dict.fromkeys((low, high))))
-    return f"depth {range_text}, {focus}" + (f", {100.0 * unknown:.2g} % unknown" if unknown else "")
+    ends = [finite(float(valid.min())), finite(float(valid.max()))] if valid.size else [None, None]
+    return {"depth": ends, "depth_unknown": 1.0 - valid.size / distance.size}
 
 
 @command
@@ -194,7 +186,7 @@ def blur(
         return _through_field(photo, (depth, lens), output, encoding, camera_options, blurring)
     if batch:
         return _render(output, (photo, depth, lens), camera_options, depth_map, data)
-    _refuse_others(set(given(DataSet())), "is an option for data sets, and needs --batch")
+    _refuse_others(given(DataSet()), "is an option for data sets, and needs --batch")
     find(output, "--output")
     with terminated_as_interrupted(), progress("reading") as status:
         job = Job((photo, depth, lens), output, encoding, camera_options, depth_map)
@@ -211,26 +203,20 @@ def blur(
         )
         seconds = time.perf_counter() - start
         clipped = job.write(rendered.values)
-    facts, line = _errors(rendered, clipped)
-    facts = {"focus_distance": finite(job.lens.focus_distance), "seconds": seconds} | facts
-    return job.report(facts, [line], blurring.supersample)
+    return job.report(_errors(rendered, clipped) | {"seconds": seconds}, blurring.supersample)
 
 
-def _refuse_others(names: set[str], reason: str) -> None:
+def _refuse_others(names: Iterable[str], reason: str) -> None:
     """Raise ValueError if the command line states one of the options with these names."""
     for name, flag in given_flags().items():
         if name in names:
             raise ValueError(f"{flag} {reason}")
 
 
-def _errors(rendered: Rendered, clipped: float) -> tuple[Facts, str]:
-    """Return (1) interpolation error, window and clipped fraction of a photograph, (2) text on them."""
-    text = (
-        f"PSFs up to {rendered.window} pixels wide, with all but {100.0 * rendered.lost:.2g} % of their light; "
-        f"interpolation error {rendered.error:.2g} of their peak"
-    )
+def _errors(rendered: Rendered, clipped: float) -> Facts:
+    """Return interpolation error, window and clipped fraction of a photograph."""
     facts = {"largest_window": rendered.window, "light_beyond_windows": rendered.lost}
-    return facts | {"interpolation_error": rendered.error, "clipped": clipped}, text
+    return facts | {"interpolation_error": rendered.error, "clipped": clipped}
 
 
 def _render(
@@ -273,21 +259,12 @@ def _render(
     if failed and not finished:
         raise ValueError(f"no picture could be rendered: {failed[0]['reason']}")
     facts = {"output": str(folder), "rendered": rendered, "seconds": seconds, "failed": failed}
-    text = (
-        f"{rendered} pictures rendered in {seconds:.3g} s" if rendered or failed else "all pictures existed already"
-    )
-    lines = [text, f"folder {folder}"]
     if rendered_facts:
-        unknown_fractions = [picture_facts["depth_unknown"] for picture_facts in rendered_facts]
         ends = [float(end) for picture_facts in rendered_facts for end in picture_facts["depth_range"]] or [math.nan]
-        focuses = [float(picture_facts["focus_distance"]) for picture_facts in rendered_facts]
-        focus_range = " to ".join(map(format_length, dict.fromkeys((min(focuses), max(focuses)))))
-        unknown_fraction = sum(unknown_fractions) / len(unknown_fractions)
-        facts |= {"depth": [finite(min(ends)), finite(max(ends))], "depth_unknown": unknown_fraction}
-        lines.insert(0, depth_line(min(ends), max(ends), unknown_fraction, f"focus {focus_range}"))
-    if failed:
-        lines.append(f"{len(failed)} of {total} pictures left out; correct their files and repeat the command")
-    return Report(facts, lines, succeeded=not failed)
+        unknown_fractions = [picture_facts["depth_unknown"] for picture_facts in rendered_facts]
+        facts |= {"depth": [finite(min(ends)), finite(max(ends))]}
+        facts |= {"depth_unknown": sum(unknown_fractions) / len(unknown_fractions)}
+    return told(facts, succeeded=not failed)
 
 
 def _lenses(file: Path | None, camera: PhotoCamera) -> LensRanges:
@@ -340,21 +317,15 @@ def _through_field(
     height, width = light.shape[:2]
     x, y = (0.5 * (side - 1) * pitch for side in (width, height))
     shift = math.hypot(*(float(part) for part in field.displacement(x, y))) / pitch
-    facts, line = _errors(rendered, clipped)
-    read = read_as(photograph, encoding)
-    facts |= {
+    facts = _errors(rendered, clipped) | {
         "shape": list(light.shape),
         "encoding": {"photo": photograph.encoding, "output": stored_as},
-        "read": read,
+        "read": read_as(photograph, encoding),
         "pixel": pitch,
         "moved": shift,
         "seconds": seconds,
     }
-    size = f"{width} x {height} pixels of {format_length(pitch)}"
-    lines = [read, f"{size}; the lower right corner is moved by {shift:.3g} pixels", line]
-    if clipped:
-        lines.append(f"clipped at white: {100.0 * clipped:.2g} % of the values")
-    return Report(facts, lines) + written([output])
+    return told(facts) + written([output])
 
 
 _METHODS = {"richardson-lucy": RichardsonLucy, "total-variation": TotalVariation, "one-pass": OnePass}
@@ -431,16 +402,9 @@ def restore(
         )
         seconds = time.perf_counter() - start
         clipped = job.write(np.asarray(result.light))
-    facts = {"focus_distance": finite(job.lens.focus_distance), "seconds": seconds, "method": algorithm}
-    facts |= result.to_dict() | {"clipped": clipped}
-    lines = [f"discrepancy {result.before:.3g} of the photo, {result.discrepancy:.3g} of the result"]
-    if result.strength is not None:
-        lines.append(f"strength of the total variation {result.strength:.3g}")
-    reason = result.findings.text or {"noise": "the rest is noise"}.get(result.stopped, result.stopped)
-    lines.append(f"stopped after {result.steps} steps: {reason}")
-    if result.unknown:
-        lines.append(f"saturated or unknown: {100.0 * result.unknown:.2g} % of the values")
-    return job.report(facts, lines) + Report({}, [], result.converged)
+    facts = result.to_dict() | {"seconds": seconds, "method": algorithm, "clipped": clipped}
+    findings = [Wrapped(found.text) for found in result.findings]
+    return job.report(facts) + Report({}, findings, result.converged)
 
 
 def apply_mask(photos: Sequence[Pixels], masked: Path) -> list[Pixels]:
@@ -525,34 +489,24 @@ class Job:
         """Write the result and return the clipped fraction of its values."""
         return write_photo(self._output, light, encoding=self._stored_as, dtype=self._dtype, like=self.photograph)
 
-    def report(self, facts: Facts, lines: Iterable[str], points: int = 1) -> Report:
-        """Return the report: facts and lines of the command, after those common to all commands.
+    def report(self, facts: Facts, points: int = 1) -> Report:
+        """Return the report: facts of the command, after those common to all commands.
 
         `points` is the number of points of the photograph along each side of a pixel of the result.
         """
         photograph, lens = self.photograph, self.lens
-        read, (height, width, *channels) = read_as(photograph, self._encoding), photograph.values.shape
-        height, width = height // points, width // points
+        height, width, *channels = photograph.values.shape
         common = {
-            "shape": [height, width, *channels],
+            "shape": [height // points, width // points, *channels],
             "encoding": {"photo": photograph.encoding, "output": self._stored_as},
-            "read": read,
+            "read": read_as(photograph, self._encoding),
             "bits": "float" if self._dtype.kind == "f" else str(8 * self._dtype.itemsize),
             "focal_length": lens.focal_length,
             "f_number": lens.f_number,
+            "focus_distance": finite(lens.focus_distance),
             "pixel": self.pixel,
         }
-        facts_of_depth, depth_text = depth_facts(self._depth)
-        pixels = f"{width} x {height} pixels of {format_length(self.pixel)}"
-        lines = [
-            read,
-            f"{pixels}; f = {format_length(lens.focal_length)}, f/{lens.f_number:.3g}",
-            depth_text(f"focus {format_length(lens.focus_distance)}"),
-            *lines,
-        ]
-        if facts["clipped"]:
-            lines.append(f"clipped at white: {100.0 * facts['clipped']:.2g} % of the values")
-        return Report(common | facts_of_depth | facts, lines) + written([self._output])
+        return told(common | depth_facts(self._depth) | facts) + written([self._output])
 
 
 def read_as(photograph: Photograph, encoding: str | None) -> str:

@@ -16,7 +16,6 @@ from lommel.base import validation
 from lommel.base.arrays import Array, Values
 from lommel.base.encoding import from_light, warn_if_bright
 from lommel.base.options import Shown
-from lommel.base.units import format_length
 from lommel.cli.command import OUTPUT, command, filled
 from lommel.cli.instruments import radial_instrument
 from lommel.cli.output import Steps, progress, require_folder, written
@@ -29,7 +28,8 @@ from lommel.imaging.focal_engine import BLOCK
 from lommel.io import photos, videos
 from lommel.io.depth_maps import fill_missing
 from lommel.io.registry import formats, suffixes
-from lommel.report import Report, finite
+from lommel.report import Report, Wrapped, finite
+from lommel.report.table import told
 
 if TYPE_CHECKING:
     from lommel.optics.lens import Lens
@@ -142,8 +142,6 @@ def _sharpened(
             if stop.requested:
                 raise KeyboardInterrupt
             raise ValueError(f"no frame was read: {end_reason}")
-    height, width = shape[:2]
-    depth_values, line = depth_facts(metres)
     ends = [float(np.min(distance)), float(np.max(distance))]
     blur = float(np.max(2.0 * lens_in_use.pupil(np.array(ends)).geometric_radius())) / instrument.side
     facts = {
@@ -154,28 +152,19 @@ def _sharpened(
         "f_number": lens_in_use.f_number,
         "focal_length": lens_in_use.focal_length,
         "between": [finite(end) for end in ends],
-        "unknown": depth_values["depth_unknown"],
+        "unknown": depth_facts(metres)["depth_unknown"],
         "blur": blur,
         "frames": count,
         "seconds": seconds,
         "ended": end_reason,
     }
-    lines = [
-        coding.words,
-        *([coding.guess] if coding.guess else []),
-        f"{width} x {height} pixels of {format_length(instrument.side)}; f/{lens_in_use.f_number:.3g}, blur of up to "
-        f"{blur:.3g} pixels",
-        line(f"focus {format_length(lens_in_use.focus_distance)}"),
-    ]
+    notes = [coding.guess]
     if video is not None:
         bits, lossy = coding.check_compression(video.bits, mean)
-        lines += [lossy] if lossy else []
+        notes.append(lossy)
         facts |= bits | {"frames_dropped": video.dropped, "frames_of_another_size": video.refused}
-        refused_text = f", of another size: {video.refused}" if video.refused else ""
-        lines.append(f"{count} frames in {seconds:.3g} s: {count / seconds:.3g} frames/s; ended: {end_reason}")
-        lines.append(f"frames dropped: {video.dropped}{refused_text}")
-    files = written([output])
-    return Report(facts | files.facts, [*lines, *files.parts], succeeded=failure is None)
+    lines = Report({}, [Wrapped(note) for note in notes if note])
+    return told(facts, succeeded=failure is None) + lines + written([output])
 
 
 def _map(path: Path, values: DepthMapOptions, shape: tuple[int, ...]) -> Array:

@@ -20,19 +20,19 @@ from numpy.typing import NDArray
 from lommel.base import atomic, optional, validation
 from lommel.base.encoding import from_light
 from lommel.base.options import In, Options, Shown
-from lommel.base.units import format_length, percent
+from lommel.base.units import percent
 from lommel.cli.command import OUTPUT, command
 from lommel.cli.depth_commands import BETWEEN, PairCamera, each_lens, lens_facts, verdict_report
 from lommel.cli.messages import with_options
 from lommel.cli.output import Steps, progress, require_folder, written
 from lommel.cli.shared_options import FrameNoise
 from lommel.cli.video_input import Coding, Stop, coding_of, equalize_rows
-from lommel.estimation.depth_precision import WINDOW
 from lommel.imaging import LiveDepth
 from lommel.imaging.defocus_verdict import DefocusVerdict
 from lommel.imaging.focal_engine import BLOCK, Magnified
 from lommel.io import videos
-from lommel.report import Report, finite
+from lommel.report import Facts, Report, Wrapped, finite
+from lommel.report.table import told
 from lommel.show.estimates import DepthColours
 
 Map = NDArray[np.float32]
@@ -185,33 +185,28 @@ def watch(
                 if stop.requested:
                     raise KeyboardInterrupt
                 raise ValueError(f"no pair of frames came: {end_reason}; check that the times of the sources overlap")
+        facts = {
+            **coding.facts,
+            **bits,
+            "shape": list(pairs.shape),
+            "pixel": instrument.side,
+            **lens_facts(lenses),
+            "between": [finite(distance) for distance in between],
+            "magnification": registration.magnification,
+            "design_error": live.design_error,
+            **_counts(tally, pairs, end_reason),
+            **tally.summary(),
+            **outputs.facts,
+        }
+        notes = [text for text in (coding.guess, compression, tally.unknown(misfit)) if text]
         verdict = DefocusVerdict.of(math.nan) if tally.failed == tally.pairs else live.verdict()
-        read_report = Report(
-            coding.facts | bits, [text for text in (coding.words, coding.guess, compression) if text]
-        )
-        height, width = pairs.shape
-        (of_lenses, focus), (near, far) = lens_facts(lenses), map(format_length, between)
-        setting_report = Report(
-            {
-                "shape": [height, width],
-                "pixel": instrument.side,
-                **of_lenses,
-                "between": [finite(distance) for distance in between],
-                "magnification": registration.magnification,
-                "design_error": live.design_error,
-            },
-            [
-                f"{width} x {height} pixels of {format_length(instrument.side)}; {focus}",
-                f"distances from {near} to {far}, windows of {WINDOW:g} pixels rms",
-            ],
-        )
-        result = tally.summary(misfit, registration.magnification == "registered", verdict) + outputs.report()
+        if math.isnan(verdict.misfit) and facts["misfit"] is not None:  # of earlier pairs: the last one has no depth
+            verdict = DefocusVerdict.of(facts["misfit"])
         return (
-            read_report
-            + setting_report
-            + _counts(tally, pairs, end_reason)
-            + result
-            + Report({}, [], pairs.lost is None)
+            told(facts, succeeded=pairs.lost is None)
+            + Report({}, [Wrapped(note) for note in notes])
+            + verdict_report(verdict)
+            + written(files.all)
         )
 
 
@@ -339,62 +334,46 @@ class Tally:
             text += f"; {percent(known)} {depth:.4g} m +- {1e3 * error:.2g} mm, misfit {misfit:.2f}"
         return text
 
-    def summary(self, limit: float, registered: bool, live: DefocusVerdict) -> Report:
-        """Return the report of mean fractions, median depth and misfit, and the `live` verdict on the last pair."""
+    def summary(self) -> Facts:
+        """Return mean fractions, and the medians of depth, standard error and misfit."""
         rows = np.array(self.rows)
         known, unfit = rows[:, :2].mean(axis=0).tolist()
-        depth, error, misfit = (_median(column[np.isfinite(column)]) for column in rows.T[2:])
-        # The last pair may have no depth where others had.
-        verdict = DefocusVerdict.of(misfit) if math.isnan(live.misfit) else live
-        lines = ["no depth found: the frames have no texture, or all of it is out of range"]
-        if self.failed == self.pairs:
-            lines = ["no depth found: no pair could be used, for the reason given at the first pair"]
-        if known:
-            lines = [
-                f"depth known at {100.0 * known:.3g} % of the blocks of {BLOCK} x {BLOCK} pixels; medians "
-                f"{format_length(depth)}, standard error {format_length(error, digits=2)}"
-            ]
-        elif unfit:
-            lines = ["no depth found that fits the frames"]
+        medians = (_median(column[np.isfinite(column)]) for column in rows.T[2:])
+        values = (None if math.isnan(value) else value for value in medians)
+        named = dict(zip(("depth", "error", "misfit"), values, strict=True))
+        return {"known": known, "unfit": unfit, "jump": self.jump_note or None} | named
+
+    def unknown(self, limit: float) -> str:
+        """Return a sentence on blocks that are not known, or on the lack of depth; "" if there is nothing to say."""
+        known, unfit = np.array(self.rows)[:, :2].mean(axis=0).tolist()
         if unfit:
-            also = ", different magnification (--magnification lens)" if registered else ""
-            lines.append(
+            return (
                 f"not known for a misfit above {limit:g} (--misfit): {100.0 * unfit:.2g} % of the blocks; causes: "
-                f"motion from frame to frame, depth edges{also}"
+                "motion from frame to frame, depth edges, different magnification (--magnification lens)"
             )
-        if self.jump_note:
-            lines.append(self.jump_note)
-        values = {"depth": depth, "error": error, "misfit": misfit}
-        facts = {"known": known, "unfit": unfit, "jump": self.jump_note or None} | {
-            name: None if math.isnan(value) else value for name, value in values.items()
-        }
-        return Report(facts, lines) + verdict_report(verdict)
+        if self.failed == self.pairs:
+            return "no depth found: no pair could be used, for the reason given at the first pair"
+        return "" if known else "no depth found: the frames have no texture, or all of it is out of range"
 
 
-def _counts(tally: Tally, pairs: videos.FramePairs, ended: str) -> Report:
-    """Return the report of computation times, and of the numbers of frames and pairs that were not used."""
+def _counts(tally: Tally, pairs: videos.FramePairs, ended: str) -> Facts:
+    """Return computation times, and the numbers of frames and pairs that were not used."""
     seconds = tally.stop - tally.start
     median_time, slow_time = np.percentile(tally.durations, [50.0, 95.0]).tolist()
-    unused_counts = {
-        "frames dropped": pairs.dropped,
-        "frames without a partner": pairs.alone,
-        "frames of another size": pairs.refused,
-        "pairs without depth": tally.failed,
-    }
-    facts = {
+    return {
         "pairs": tally.pairs,
         "seconds": seconds,
         "pairs_per_second": tally.pairs / seconds,
-        "frame_time": {"median": median_time, "95 %": slow_time},
+        "frame_time": dict(
+            zip(("median", "95 %"), np.percentile(tally.durations, [50.0, 95.0]).tolist(), strict=True)
+        ),
         "interval": pairs.interval,
         "ended": ended,
+        "frames_dropped": pairs.dropped,
+        "frames_without_a_partner": pairs.alone,
+        "frames_of_another_size": pairs.refused,
+        "pairs_without_depth": tally.failed,
     }
-    lines = [
-        f"{tally.pairs} pairs in {seconds:.3g} s: {tally.pairs / seconds:.3g} pairs/s, {1e3 * median_time:.3g} ms "
-        f"each (95 %: {1e3 * slow_time:.3g} ms); ended: {ended}",
-        ", ".join(f"{name}: {count}" for name, count in unused_counts.items() if count or name == "frames dropped"),
-    ]
-    return Report(facts | {name.replace(" ", "_"): count for name, count in unused_counts.items()}, lines)
 
 
 class Outputs:
@@ -466,17 +445,10 @@ class Outputs:
         levels = np.clip(electrons * ((_CURVE_LEVELS - 1) / self._white), 0.0, _CURVE_LEVELS - 1.0)
         return np.asarray(self._curve[levels.astype(np.uint16)])
 
-    def report(self) -> Report:
-        """Return the report of the files."""
-        files, lines = self._files, []
-        near, far = map(format_length, self._between)
-        if files.output is not None:
-            lines.append(f"colours: yellow at {near} to violet at {far}, even in 1 / distance; grey: not known")
-        if files.depths:
-            clipped = f"; {self._clipped} values beyond the last one" if self._clipped else ""
-            lines.append(f"--depth: levels of {format_length(self._scale)}, 0 where not known{clipped}")
-        facts = {"depth_scale": self._scale, "beyond_scale": self._clipped} if files.depths else {}
-        return Report(facts, lines) + written(files.all)
+    @property
+    def facts(self) -> Facts:
+        """Metres per level of lossless depth, and the number of values beyond the last level."""
+        return {"depth_scale": self._scale, "beyond_scale": self._clipped} if self._files.depths else {}
 
 
 class Table:

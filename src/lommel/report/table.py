@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from lommel.base.units import format_length, number, per_mm, percent, with_error
-from lommel.report import Facts, Parts, Wrapped, list_of, table_of
+from lommel.report import Facts, Parts, Report, Wrapped, list_of, table_of
 
 if TYPE_CHECKING:
     from rich.table import Table
@@ -26,13 +26,13 @@ _KEYS = {
     "pixel_in_sample in_focus hyperfocal_distance near far blur airy_radius dark_ring_radius geometric_radius "
     "circle_of_confusion fwhm fwhm_with_pixel diameter_80 diameter_80_with_pixel radius focus_tolerance sensor x y z "
     "distance reach wavelength wavelengths working_distance thickness depth step lateral axial paraxial brightest "
-    "axial_fwhm lateral_fwhm focus",
+    "axial_fwhm lateral_fwhm focus focus_distances between standard_error depth_scale",
     "rad": "defocus defocus_of_distances spherical higher",
     "deg": "critical_angle rim_angle angles angle",
     "1/m": "cutoff nyquist nyquist_y mtf50 mtf50_y frequency",
-    "share": "energy clear_area fraction unaberrated",
+    "share": "energy clear_area fraction unaberrated clipped depth_unknown light_beyond_windows known unfit unknown",
     "peak": "error_bound peak_error of_spectra",
-    "s": "seconds",
+    "s": "seconds frame_time interval",
 }
 _FORM_OF = {key: _FORMS[unit] for unit, keys in _KEYS.items() for key in keys.split()}
 _WORDS = {"fwhm": "FWHM", "mtf": "MTF", "mtf50": "MTF50", "marechal": "Marechal's estimate", "arcsec": "arcseconds"}
@@ -68,7 +68,7 @@ def described(facts: Facts, meanings: Mapping[str, str] | None = None, first: Se
     head: list[tuple[str, str]] = []
     records: list[tuple[str, list[Facts]]] = []
     for key, value in facts.items():
-        if key in ("name", "source", "refused") or (key.endswith("_y") and value == facts.get(key[:-2])):
+        if key in ("name", "source", "refused", *_APART) or (key.endswith("_y") and value == facts.get(key[:-2])):
             continue
         if _is_records(value):
             records.append((key, value))
@@ -81,6 +81,11 @@ def described(facts: Facts, meanings: Mapping[str, str] | None = None, first: Se
     for key, found in records:
         parts += ["", records_of(_label(key), found)]
     return [*parts, *(Wrapped(f"not computed: {reason}", "dim") for reason in facts.get("refused", ()))]
+
+
+def told(facts: Facts, meanings: Mapping[str, str] | None = None, succeeded: bool = True) -> Report:
+    """Return the report of facts, with the table of their names and values."""
+    return Report(facts, described(facts, meanings), succeeded)
 
 
 def _in_pixels(key: str, blur: Any, facts: Facts) -> str:
@@ -108,7 +113,8 @@ def _text(key: str, value: Any, meanings: Mapping[str, str]) -> str:
     if isinstance(value, float):
         return form(value)
     if isinstance(value, dict):
-        texts = {name: _text(name, inner, meanings) for name, inner in value.items() if not _is_records(inner)}
+        forms = {name: name if name in _FORM_OF else key for name in value}
+        texts = {name: _text(forms[name], inner, meanings) for name, inner in value.items() if not _is_records(inner)}
         return ", ".join(t if name == "name" else f"{_label(name)} {t}" for name, t in texts.items() if t)
     if isinstance(value, list | tuple):
         values = list(_flat(value))

@@ -67,7 +67,7 @@ def test_a_fitted_microscope_is_written_and_read(folder):
         assert found_width == pytest.approx(width, abs=4.0 * error + 0.005 * width)
         assert error < 0.05 * width
     printed = " ".join(run("bead.tif", *ASKED).stdout.split())
-    assert re.search(r"without bead and pixel: [\d.]+\+-[\d.]+ nm along x, .* nm along y, .* nm along z\.", printed)
+    assert re.search(r"FWHM at the first bead, without bead and pixel value .* x [\d.]+ [\d.]+ nm y ", printed)
 
 
 def test_a_fitted_microscope_has_no_values_of_the_example(folder):

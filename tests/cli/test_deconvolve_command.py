@@ -61,7 +61,6 @@ def test_a_stack_is_restored_from_file_to_file(run, files, monkeypatch):
     assert found.returncode == 4, found.stderr
     assert f"wrote {picture}" in " ".join(found.stdout.split())
     assert picture.read_bytes().startswith(b"\x89PNG")
-    assert "after all steps" in found.stdout
     assert "From the OME metadata of the file: 108 nm pixels, 250 nm planes apart." in found.stdout
     assert "The wavelength of the objective file, 520 nm, was used." in found.stdout
     with tifffile.TiffFile(there) as file:

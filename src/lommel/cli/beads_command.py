@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
 
 from lommel.base.options import In, Shown
-from lommel.base.units import format_length, with_error
+from lommel.base.units import format_length
 from lommel.base.validation import line
 from lommel.cli.command import OUTPUT, PLOT, command
 from lommel.cli.instruments import header_differences, require_microscope
@@ -18,7 +18,7 @@ from lommel.cli.messages import report_findings
 from lommel.cli.output import progress, require_file, save_figure, written
 from lommel.cli.shared_options import CameraNoise
 from lommel.estimation.options import BeadOptions
-from lommel.report import Facts, Report, Wrapped
+from lommel.report import Report, Wrapped
 from lommel.report.table import tables
 
 if TYPE_CHECKING:
@@ -162,13 +162,14 @@ def beads(
     keys = dict(zip(facts["coefficients"], result.coefficients, strict=True))
     units = {key: CONSTANTS[name].unit if isinstance(name, str) else "rad" for key, name in keys.items()}
     titles = {key: name if isinstance(name, str) else label(name) for key, name in keys.items()}
-    places = [
-        {name: place[name] for name in ("row", "column", "z", "depth", "chi2", "used")} for place in facts["places"]
-    ]
-    numbers = {name: facts[name] for name in ("coefficients", "errors")} | {"units": units, "places": places}
+    numbers = {name: facts[name] for name in ("coefficients", "errors")} | {"units": units, "places": facts["places"]}
     shown = tables(numbers, titles)
+    if widths := facts["fwhm"]:
+        nanometres = [{axis: 1e9 * pair[k] for axis, pair in widths.items()} for k in (0, 1)]
+        title = "FWHM at the first bead, without bead and pixel"
+        shown += ["", *tables({title: nanometres[0], "errors": nanometres[1], "units": dict.fromkeys("xyz", "nm")})]
     verdict = Wrapped(facts["message"].partition("; ")[0], "bold")
-    return report_findings(facts, verdict, "", *shown, "", *_widths(facts["fwhm"])) + files
+    return report_findings(facts, verdict, "", *shown, "") + files
 
 
 def _fitted(microscope: Microscope, result: BeadFit, step: float) -> Microscope:
@@ -231,12 +232,3 @@ def _beads(file: str, planes: Values, counts: Counts, window: int, notes: list[s
     corners = (spots.places - [side // 2 for side in spots.windows.shape[-2:]]).tolist()
     numbered = enumerate(zip(spots.windows, corners, strict=True))
     return [_Bead(f"{file} [{k}]", values, (row, column)) for k, (values, (row, column)) in numbered]
-
-
-def _widths(widths: Facts | None) -> list[str]:
-    """Return the line with the widths of the fitted PSF; an empty list without widths."""
-    if widths is None:
-        return []
-    pairs = ((axis, with_error(1e9 * width, 1e9 * error, most=3)) for axis, (width, error) in widths.items())
-    texts = (f"{'+-'.join(pair)} nm along {axis}" for axis, pair in pairs)
-    return [f"FWHM of the fitted PSF at the first bead, without bead and pixel: {', '.join(texts)}."]

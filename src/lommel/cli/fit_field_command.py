@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from lommel.base.arrays import Array
     from lommel.detection.targets import Crossings, PointSources
     from lommel.estimation.field_fit import FieldFit
+    from lommel.estimation.phase_retrieval import Retrieval
     from lommel.recorded.counts import Counts
 
 _MOST_CROSSINGS = 100
@@ -201,7 +202,7 @@ def fit_field(
     for name, wave in facts["waves"].items():
         found, errors = (dict(zip(facts["terms"], wave[key], strict=True)) for key in ("coefficients", "errors"))
         shown += [*tables({f"waves rms, {name}": found, "errors": errors}), ""]
-    shown += [Wrapped(_describe_blur(result, pitch, focal_length)), Wrapped(targets.message)]
+    shown += [*blurs_in_words(result, pitch, focal_length), Wrapped(targets.message)]
     return report_findings(facts, *shown, *tables(facts), "") + files
 
 
@@ -257,43 +258,25 @@ def _too_few(targets: str, points: PointSources | Crossings) -> str:
     )
 
 
-def _seeing_fwhm(seeing: Seeing, focal_length: float) -> float:
-    """Return the FWHM of long exposures at 500 nm, arcseconds."""
-    return FWHM / seeing.coherence(500e-9) / focal_length / _ARCSEC
+def blurs_in_words(result: FieldFit | Retrieval, pitch: float, focal_length: float | None) -> list[Wrapped]:
+    """Return a line on the fitted blurs: the FWHM of seeing at 500 nm, or sigma of a Gaussian in pixels, with errors.
 
-
-def blur_in_words(blur: Blur, error: float, pitch: float, focal_length: float | None) -> str:
-    """Return the FWHM of seeing at 500 nm, or sigma of a Gaussian in pixels, with its standard error, as a text.
-
-    `error` is that of r0 or sigma; `pitch` and `focal_length` are in metres. Other blurs are shown as in Python.
+    `pitch` and `focal_length` are in metres. Other blurs are shown as in Python.
     """
-    if isinstance(blur, Jitter) and blur.across == blur.sigma:
-        return f"{blur.sigma / pitch:.3f} +- {error / pitch:.3f} pixels (standard deviation)"
-    if not isinstance(blur, Seeing) or focal_length is None:
-        return repr(blur)
-    width = _seeing_fwhm(blur, focal_length)
-    outer = "" if blur.outer_scale is None else f" for an outer scale of {format_length(blur.outer_scale)}"
-    error_text = " +- ".join(with_error(width, width * error / blur.r0))
-    return f"seeing of {error_text} arcsec (0.98 wavelengths / r0 at 500 nm{outer})"
 
+    def text(blur: Blur, error: float) -> str:
+        if isinstance(blur, Jitter) and blur.across == blur.sigma:
+            return f"{blur.sigma / pitch:.3f} +- {error / pitch:.3f} pixels (standard deviation)"
+        focal = getattr(blur, "focal_length", None) if focal_length is None else focal_length
+        if not isinstance(blur, Seeing) or focal is None:
+            return repr(blur)
+        width = FWHM / blur.coherence(500e-9) / focal / _ARCSEC  # of long exposures
+        outer = "" if blur.outer_scale is None else f" for an outer scale of {format_length(blur.outer_scale)}"
+        return f"seeing of {' +- '.join(with_error(width, width * error / blur.r0))} arcsec at 500 nm{outer}"
 
-def _describe_blur(result: FieldFit, pitch: float, focal_length: float) -> str:
-    """Return a sentence on the blur, and on the options that apply it to PSFs."""
-    blur_texts, options = [], []
-    for blurs, errors in zip(result.blurs, result.blur_errors, strict=True):
-        texts, flags = [], []
-        for blur, error in zip(blurs, errors, strict=True):
-            texts.append(blur_in_words(blur, error, pitch, focal_length))
-            if isinstance(blur, Seeing):
-                flags.append(f"--seeing {_seeing_fwhm(blur, focal_length):.4g}")
-                if blur.outer_scale is not None:
-                    flags.append(f"--outer-scale {blur.outer_scale:.3g}m")
-            elif isinstance(blur, Jitter):
-                flags.append(f"--jitter {blur.sigma / focal_length / _ARCSEC:.3g}")
-        blur_texts.append(" and ".join(texts) or "none")
-        options.append(" ".join(flags))
-    advice = f". The table excludes it: add it by lommel psf {options[0]}, or in Python by the blur of the fit"
-    return f"blur: {'; '.join(blur_texts)}{advice if any(result.blurs) else ''}"
+    pairs = zip(result.blurs, result.blur_errors, strict=True)
+    texts = [" and ".join(map(text, blurs, errors)) or "none" for blurs, errors in pairs]
+    return [Wrapped(f"blur: {'; '.join(texts)}")] if any(result.blurs) else []
 
 
 def _values(values: tuple[Array, Array], name: str, unit: float) -> Facts:

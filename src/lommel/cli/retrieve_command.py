@@ -65,7 +65,7 @@ def retrieve(
       lommel retrieve star-*.tif phone.toml --defocus -4 0 4 --read 2 -o wave.json --plot fit.png
       lommel retrieve star-1.tif star-2.tif phone.toml --defocus 0 4 --terms "defocus, spherical" --read 2
     """
-    from lommel.cli.fit_field_command import blur_in_words
+    from lommel.cli.fit_field_command import blurs_in_words
     from lommel.estimation.phase_retrieval import fit_stars
     from lommel.estimation.star_images import label
     from lommel.io import zernike_tables
@@ -104,17 +104,10 @@ def retrieve(
     facts = {"images": list(read.names)} | result.to_dict() | {"notes": [*read.notes, *header]}
     row, column = result.center.T.tolist()
     titles = dict(zip(facts["coefficients"], map(label, result.coefficients), strict=True))
-    blurs = [
-        " and ".join(
-            blur_in_words(blur, error, instrument.side, getattr(blur, "focal_length", None))
-            for blur, error in zip(*pair, strict=True)
-        )
-        for pair in zip(result.blurs, result.blur_errors, strict=True)
-    ]
-    lines = [Wrapped(f"blur: {'; '.join(blurs)}")] if any(blurs) else []
+    blurs = blurs_in_words(result, instrument.side, None)
     shown = tables(facts | {"row": row, "column": column}, titles)
     verdict = Wrapped(facts["message"].partition("; ")[0], "bold")
-    return report_findings(facts, verdict, "", *shown, *lines, "") + files
+    return report_findings(facts, verdict, "", *shown, *blurs, "") + files
 
 
 def _files(paths: list[Path]) -> list[Path]:

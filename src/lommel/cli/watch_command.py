@@ -364,9 +364,7 @@ def _counts(tally: Tally, pairs: videos.FramePairs, ended: str) -> Facts:
         "pairs": tally.pairs,
         "seconds": seconds,
         "pairs_per_second": tally.pairs / seconds,
-        "frame_time": dict(
-            zip(("median", "95 %"), np.percentile(tally.durations, [50.0, 95.0]).tolist(), strict=True)
-        ),
+        "frame_time": {"median": median_time, "95 %": slow_time},
         "interval": pairs.interval,
         "ended": ended,
         "frames_dropped": pairs.dropped,

@@ -6,11 +6,13 @@ import json
 import re
 from pathlib import Path
 
+import h5py
 import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
 import pytest
 import tifffile
+from PIL import Image
 
 import lommel as lm
 import simulated_movies as simulated

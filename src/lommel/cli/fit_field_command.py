@@ -241,21 +241,19 @@ def _grid(targets: PointSources | Crossings) -> Array:
 
 def _too_few(targets: str, points: PointSources | Crossings) -> str:
     """Return the reason why the images cannot be fitted, with advice."""
-    names = {"star": "isolated stars", "pinhole": "isolated pinholes", "crossing": "crossings of a checkerboard"}
-    problem = f"images must show at least 4 {names[targets]}; {points.message}"
+    advice = {
+        "saturated": "expose less, below saturation",
+        "neighbor": "a smaller --window",
+        "edge": "a smaller --window",
+        "masked": "check --mask",
+        "crossing": "squares must be larger than four times --width, and their contrast above --threshold",
+        "star": "lower --threshold, check --offset, or give --width, about the standard deviation of images in pixels",
+    }
     counts = Counter(point.reason for point in points.refused)
-    if counts["saturated"]:
-        return f"{problem}: expose less, below saturation"
-    if counts:
-        advice = {"neighbor": "a smaller --window", "edge": "a smaller --window", "masked": "check --mask"}
-        main_reason = counts.most_common(1)[0][0]
-        return f"{problem}: {advice.get(main_reason, 'look at --spots')}"
-    if targets == "crossing":
-        return f"{problem}: squares must be larger than four times --width, and their contrast above --threshold"
-    return (
-        f"{problem}: lower --threshold, check --offset, or give --width, about the standard deviation of images in "
-        "pixels, or half the radius of rings"
-    )
+    reason = "saturated" if counts["saturated"] else next((name for name, _ in counts.most_common(1)), targets)
+    name = "crossings of a checkerboard" if targets == "crossing" else f"isolated {targets}s"
+    known = advice.get(reason, "look at --spots" if counts else advice["star"])
+    return f"images must show at least 4 {name}; {points.message}: {known}"
 
 
 def blurs_in_words(result: FieldFit | Retrieval, pitch: float, focal_length: float | None) -> list[Wrapped]:

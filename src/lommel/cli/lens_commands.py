@@ -23,7 +23,7 @@ from lommel.cli.shared_options import Optics, given
 from lommel.lensfiles import KINDS, example_files
 from lommel.methods import ERFS, METHODS
 from lommel.paper import ClosedForm
-from lommel.report import Parts, Report, Wrapped, table_of
+from lommel.report import Parts, Report, Wrapped
 from lommel.report.table import described, records_of
 from lommel.show.drawing import SAMPLING
 
@@ -85,18 +85,16 @@ def examples(
 
 def _list_examples(files: dict[str, Path], terms: list[str]) -> Report:
     """Return the list of the examples that contain all `terms`, a table for each kind."""
-    rows: list[dict[str, str]] = []
-    tables: dict[str, Table] = {}
-    for name, path in files.items():
-        kind, title = KINDS[path.parent.name][0], _title(path)
-        if not all(term in f"{kind} {name} {title}".lower() for term in terms):
-            continue
-        rows.append({"name": name, "kind": kind, "what": title})
-        columns = Column(width=max(map(len, files)), no_wrap=True), Column()
-        tables.setdefault(kind, Table(*columns, box=None, pad_edge=False, show_header=False)).add_row(name, title)
+    rows = [{"name": name, "kind": KINDS[path.parent.name][0], "what": _title(path)} for name, path in files.items()]
+    rows = [
+        row
+        for row in rows
+        if all(term in " ".join((row["kind"], row["name"], row["what"])).lower() for term in terms)
+    ]
     parts: Parts = []
-    for kind, table in tables.items():
-        parts += [*([""] if parts else []), Text(_HEADINGS[kind], "bold"), table]
+    for kind, heading in _HEADINGS.items():
+        if found := [row for row in rows if row["kind"] == kind]:
+            parts += [*([""] if parts else []), records_of(heading, found, ("name", "what"))]
     return Report({"examples": rows}, parts or ["No example has these words."])
 
 
@@ -364,21 +362,14 @@ def paper(
       lommel paper out
       lommel paper out --figure 3 --figure eq17
     """
-    from lommel.paper.figures import FIGURES, closest_text, number, reproduce
+    from lommel.paper.figures import FIGURES, closest_text, reproduce
 
     selected = list(figures) or None
     with progress("", total=len(selected) if selected else len(FIGURES) + 1) as status:
         results = reproduce(outdir, selected, status)
     parts: Parts = [f"wrote {name}" for name in results["files"]]
     if results["table"] is not None:
-        names = ("quantity", "paper", "as printed", "corrected", "closest, as printed")
-        rows = [
-            (
-                row["quantity"],
-                *(number(row[key]) for key in ("paper", "printed", "corrected")),
-                closest_text(row["closest"]["printed"]),
-            )
-            for row in results["table"]
-        ]
-        parts.insert(0, table_of(names, rows, no_wrap=True, title="The numbers of the paper"))
+        rows = [row | {"closest": closest_text(row["closest"]["printed"])} for row in results["table"]]
+        keys = ("quantity", "paper", "printed", "corrected", "closest")
+        parts.insert(0, records_of("The numbers of the paper", rows, keys))
     return Report(results, parts)

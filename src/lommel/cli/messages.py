@@ -17,7 +17,6 @@ from lommel.base.units import with_units
 from lommel.base.validation import brief, line
 from lommel.lensfiles import example_files
 from lommel.report import Facts, Report, Wrapped
-from lommel.report.table import tables
 
 if TYPE_CHECKING:
     from rich.console import RenderableType
@@ -184,11 +183,6 @@ def finding_lines(facts: Facts) -> list[Wrapped]:
     """Return the findings and notes of a result, one line each."""
     findings = [f"{f['code'].replace('_', ' ')}: {with_options(f['text'])}" for f in facts["findings"]]
     return [Wrapped(line) for line in (*findings, *facts["notes"])]
-
-
-def report_of(facts: Facts, titles: Mapping[str, str] | None = None, first: str = "image") -> Report:
-    """Return the report of a fit: its message, the tables of its facts, then findings and notes."""
-    return report_findings(facts, Wrapped(facts["message"]), "", *tables(facts, titles, first))
 
 
 def report_findings(facts: Facts, *parts: RenderableType) -> Report:

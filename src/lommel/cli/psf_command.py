@@ -31,6 +31,7 @@ from lommel.methods import ERFS, METHODS, Method
 from lommel.optics.colour.spectrum import Channels
 from lommel.psf import psf as compute
 from lommel.report import Facts, Report, Wrapped, optics
+from lommel.report.table import told
 from lommel.show.drawing import figure_of, fit_to_width, name_in_words
 from lommel.stacks import psf_to
 
@@ -101,9 +102,7 @@ def stack(
     bound, seconds = float(store.error_bound.max()), time.perf_counter() - start
     facts = {"store": str(output), "shape": list(store.shape), "dtype": str(store.dtype), "seconds": seconds}
     facts |= {"chunks": store.done[1], "computed": steps, "error_bound": None if math.isnan(bound) else bound}
-    bound_text = "no error bound" if math.isnan(bound) else f"error at most {bound:.2g} of the peak"
-    computed = f"{steps} of {store.done[1]} chunks computed in {seconds:.3g} s"
-    return Report(facts, [f"{store!r}: {bound_text}; {computed}"])
+    return told(facts)
 
 
 _Arcseconds = Annotated[float | None, In(above=0.0, most=60.0, unit="arcsec"), Shown(metavar="ARCSEC")]

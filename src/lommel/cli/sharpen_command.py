@@ -88,24 +88,6 @@ def sharpen(
       lommel sharpen clip.mp4 phone.toml --focus 2m --at 1.5m -o sharp.mp4
       lommel sharpen photo.png phone.toml --focus 1.5m --depth depth.tif --white 5000 --read 3 -o sharp.png
     """
-    stop = Stop()
-    with stop.signals():
-        return _sharpened(stop, clip, lens, output, at, map_, encoding, clip_camera, video_noise, depth_map)
-
-
-def _sharpened(
-    stop: Stop,
-    clip: Path,
-    lens: Path,
-    output: Path,
-    at: float | None,
-    map_: Path | None,
-    encoding: Encoding | None,
-    clip_camera: PhotoCamera,
-    video_noise: FrameNoise,
-    depth_map: DepthMap,
-) -> Report:
-    """Sharpen a clip until a signal requests to stop."""
     if (at is None) == (map_ is None):
         raise ValueError(f"give one of --at and --depth, got {'neither' if at is None else 'both'}")
     require_folder(output)
@@ -114,7 +96,7 @@ def _sharpened(
     focus = clip_camera.focus_distance
     lens_in_use = lens_in_use if focus is None else lens_in_use.focused(focus)
     count = 0
-    with progress("reading", endless=True) as status, ExitStack() as stack:
+    with Stop().signals() as stop, progress("reading", endless=True) as status, ExitStack() as stack:
         coder = partial(coding_of, video_noise=video_noise, camera=instrument.camera, encoding=encoding)
         shape, coding, frames, write, video = _clip(clip, output, coder, encoding, status, stack)
         metres = np.array([[at]]) if map_ is None else _map(map_, depth_map, shape[:2])

@@ -19,22 +19,9 @@ TERMS = ["noll 4", "noll 5", "noll 8"]
 
 
 def recorded(
-    waves=WAVES,
-    *,
-    sigma=0.0,
-    slope=0.0,
-    longer=1.0,
-    squeezed=1.0,
-    blocked=0.2,
-    dimmed=0.0,
-    lost=0.0,
-    seed=0,
-    late=0.0,
-    oval=0.0,
-    changed=0.0,
-    foci=(0.0, 3.0),
-    **light,
-):
+    waves=WAVES, *, sigma=0.0, slope=0.0, longer=1.0, squeezed=1.0, blocked=0.2, dimmed=0.0, lost=0.0, seed=0,
+    late=0.0, oval=0.0, changed=0.0, foci=(0.0, 3.0), **light,
+):  # fmt: skip
     """Return images of a star at two foci; what is not in the model is said by the arguments."""
     telescope = Telescope(600e-9, 8.0 * squeezed, blocked, dimmed=dimmed, squeezed=oval, **light)
     draw, mean = np.random.default_rng(3), []

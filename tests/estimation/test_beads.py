@@ -63,20 +63,9 @@ def wavefront(coefficients, terms=TERMS):
 
 
 def recorded(
-    seed,
-    coefficients,
-    objective=OIL,
-    *,
-    light=1e4,
-    depth=50e-9,
-    diameter=0.1e-6,
-    z=Z,
-    pixel=PIXEL,
-    size=15,
-    terms=TERMS,
-    moved=(0.0, 0.0),
-    draw=0,
-):
+    seed, coefficients, objective=OIL, *, light=1e4, depth=50e-9, diameter=0.1e-6, z=Z, pixel=PIXEL, size=15,
+    terms=TERMS, moved=(0.0, 0.0), draw=0,
+):  # fmt: skip
     """Return the stack of a bead, by a certified PSF, and where it is."""
     rng = np.random.default_rng(seed)
     row, column, up = *rng.uniform(-0.8, 0.8, 2), rng.uniform(-80e-9, 80e-9)

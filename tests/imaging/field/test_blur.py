@@ -7,6 +7,7 @@ import pytest
 
 import lommel as lm
 from lommel.imaging import DepthBlur, FieldBlur, field_blur
+from point_sums import sum_over_points
 
 SCALE = {"wavelength": 550e-9, "f_number": 4.0}
 # As much changes over these 60 micrometres as over a sensor.
@@ -34,15 +35,7 @@ def dot(blur: FieldBlur, seed: int = 0) -> tuple[float, float]:
 
 
 def spread(windows: np.ndarray, image: np.ndarray) -> np.ndarray:
-    """Return the sum of the windows of all points and of their mirror images beyond the edges, point by point."""
-    half = windows.shape[-1] // 2
-    rows, columns = (np.pad(np.arange(side), half, mode="symmetric") for side in image.shape)
-    total = np.zeros((len(rows) + 2 * half, len(columns) + 2 * half))
-    for y, row in enumerate(rows):
-        for x, column in enumerate(columns):
-            if image[row, column]:
-                total[y : y + 2 * half + 1, x : x + 2 * half + 1] += image[row, column] * windows[row, column]
-    return total[2 * half :, 2 * half :][: image.shape[0], : image.shape[1]]
+    return sum_over_points(image, lambda row, column: windows[row, column], windows.shape[-1])
 
 
 def test_every_point_spreads_the_psf_of_its_own_place():

@@ -186,14 +186,6 @@ class TestChunks:
         made = lazy.compute(scheduler=scheduler, num_workers=1 if scheduler == "processes" else 2)
         assert np.abs(made - whole).max() < 2e-6
 
-    @pytest.mark.parametrize("chunk", [3, 17, 90])
-    def test_grey_images_and_chunks_of_any_size(self, da, chunk):
-        image, depth = scene(1)
-        whole = depth_of_field(image, depth, LENS, PIXEL, encoding="linear").values
-        arrays = (da.from_array(a, chunks=chunk) for a in (image, depth))
-        made = depth_of_field(*arrays, LENS, PIXEL, encoding="linear", tile=None)
-        assert np.abs(made.compute() - whole).max() < 2e-6
-
     @pytest.mark.parametrize("chunk", [13, 40])
     @pytest.mark.parametrize("channels", [1, 3])
     def test_chunks_hide_as_the_whole(self, da, chunk, channels):

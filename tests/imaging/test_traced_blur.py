@@ -14,6 +14,7 @@ from hypothesis import strategies as st
 
 import lommel as lm
 from frameworks import THERE, hasty_programs
+from point_sums import sum_over_points
 
 LENS = lm.Lens(focal_length=16e-3, f_number=4.0, focus_distance=2.0, wavelength=550e-9)
 PIXEL = 3.45e-6
@@ -23,16 +24,10 @@ IMAGE, DEPTH = DRAW.random((12, 15)), DRAW.uniform(1.5, 4.0, (12, 15))
 
 def spread(image, depth, half, lens=LENS, *, aberrations=None):
     """Return the sum of what points, and their copies beyond the edges, spread, by images of the core."""
-    height, width = image.shape
-    image, depth = (np.pad(plane, half, mode="symmetric") for plane in (image, depth))
     plan = lm.Plan(2 * half + 1, PIXEL, tol=1e-7)
-    lens = lens if aberrations is None else replace(lens, aberrations=aberrations)
-    windows = plan(lens.pupil(depth.ravel())).values
-    windows = windows / windows.sum(axis=(1, 2), keepdims=True)
-    whole = np.zeros([side + 2 * half for side in image.shape])
-    for window, (i, j) in zip(windows, np.ndindex(image.shape), strict=True):
-        whole[i : i + 2 * half + 1, j : j + 2 * half + 1] += image[i, j] * window
-    return whole[2 * half :, 2 * half :][:height, :width]
+    windows = plan((lens if aberrations is None else replace(lens, aberrations=aberrations)).pupil(depth)).values
+    windows = windows / windows.sum(axis=(2, 3), keepdims=True)
+    return sum_over_points(image, lambda row, column: windows[row, column], 2 * half + 1)
 
 
 @pytest.mark.parametrize("framework", THERE)

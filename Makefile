@@ -175,10 +175,11 @@ page: build ## make the live page's module, src/lommel/page/lommel-live.js, wher
 	$(uv) $(install) --group page
 	.venv/bin/python web/build.py
 cpp_formatted := $(wildcard cpp/bindings/* cpp/c/*pp cpp/compiled/* cpp/wasm/* cpp/include/lommel/*.hpp cpp/include/lommel/*/*.hpp cpp/tests/* tests/cmake_consume/*.cpp)
-lint: env ## check the style and the format
+lint: env ## check the style, the format and that no package has grown past its ceiling
 	@.venv/bin/ruff check
 	.venv/bin/ruff format --check
 	.venv/bin/clang-format --dry-run -Werror $(cpp_formatted)
+	.venv/bin/python benchmarks/structure.py --ceilings
 types: env ## check the types
 	@.venv/bin/mypy
 format: env ## rewrite the files in the project's format

@@ -113,6 +113,8 @@ class Field(NamedTuple):
             value = validation.integer(self.name, value, least=least, most=most)
         elif self.kind is float:
             value = validation.real(self.name, value, **self.limits._asdict())
+        elif self.kind is str:
+            validation.instance(self.name, value, str)
         elif get_origin(self.kind) is Literal:
             validation.choice(self.name, value, get_args(self.kind))
         elif get_origin(self.kind) is Callable or self.kind is Callable:

@@ -15,7 +15,6 @@ lommel::Region region_of(const In<double, 2>& ellipses, const In<double, 2>& cor
                          const In<std::int32_t, 1>& steps) {
     std::vector<lommel::Part> parts;
     std::size_t ellipse = 0, corner = 0;
-    require(ellipses.shape(1) == 5 && corners.shape(1) == 2, "ellipses are x, y, a, b, angle, corners x, y");
     for (std::size_t i = 0; i < counts.shape(0); ++i) {
         const std::size_t count = static_cast<std::size_t>(counts.data()[i]);
         if (count == 0) {
@@ -44,15 +43,8 @@ lommel::RowRule row_rule(In<double, 2> ellipses, In<double, 2> corners, In<std::
 
 lommel::RowRule row_samples(In<double, 1> y, In<std::int64_t, 1> counts, In<double, 1> x, In<double, 1> weights,
                             In<double, 1> phase) {
-    std::int64_t total = 0;
-    for (std::size_t i = 0; i < counts.shape(0); ++i) {
-        require(counts.data()[i] >= 0, "counts must be 0 at least");
-        total += counts.data()[i];
-    }
-    const std::size_t all = static_cast<std::size_t>(total);
-    require(y.shape(0) == counts.shape(0) && x.shape(0) == all && weights.shape(0) == all &&
-                (phase.shape(0) == all || phase.shape(0) == 0),
-            "one y a row, one x, weight and phase a sample");
+    const std::size_t all = x.shape(0);
+    require(weights.shape(0) == all && (phase.shape(0) == all || phase.shape(0) == 0), "one weight and phase a sample");
     return {y.data(), counts.data(), y.shape(0), x.data(), weights.data(), phase.shape(0) == 0 ? nullptr : phase.data()};
 }
 
@@ -78,19 +70,14 @@ void images(const std::vector<const lommel::RowRule*>& rules, In<double, 2> phas
     require_terms(list);
     const lommel::Amplitude light = amplitude_of(amplitude);
     const std::size_t pupils = pupils_of(edge);
-    require_shape(place, out);
     const lommel::DiskWindow window = one_axis_window(place).first;
     require_request(window.step, precision, threads);
-    require(out.shape(0) == pupils && losses.shape(0) == pupils, "one image and one bound a pupil");
     require(phases.shape(0) == rules.size() && phases.shape(1) == 3, "one phase, tip and tilt a region");
     std::vector<lommel::ZernikeTerm> by;
     for (std::size_t j = 0; j < factors.shape(0); ++j) {
         by.push_back({factors.data()[2 * j], factors.data()[2 * j + 1]});
     }
     require_terms(by);
-    require(slopes.shape(0) == by.size() && (by.empty() || (slopes.shape(1) == pupils && slopes.shape(2) == out.shape(1) &&
-                                                            slopes.shape(3) == out.shape(2))),
-            "derivatives must match the images");
     std::vector<lommel::PhasedRule> regions;
     for (std::size_t i = 0; i < rules.size(); ++i) {
         const double* phase = phases.data() + 3 * i;

@@ -155,15 +155,10 @@ void composite(BankFields<T> windows, In<double, 2> positions, LayerFields layer
     const auto& [layers, behind, count_] = layering;
     const int count = count_;
     const auto [from, to] = range;
-    const std::size_t height = scene.height, width = scene.width, size = height * width;
+    const std::size_t height = scene.height, width = scene.width;
     const auto alike = [&](const auto& array) { return array.shape(0) == height && array.shape(1) == width; };
     require(count >= 1 && count <= 64 && 0 <= from && from <= to && to <= count && threads >= 0, "layers must be 1 to 64");
     require(alike(layers) && (!behind || alike(*behind)), "layers and what is behind must match the positions");
-    require(std::all_of(layers.data(), layers.data() + size, [count](std::uint8_t each) { return each < count; }),
-            "layers must be below their number");
-    require(!behind || std::all_of(behind->data(), behind->data() + size,
-                                   [&](std::int32_t each) { return each >= -1 && each < static_cast<std::int64_t>(size); }),
-            "what is behind must be a point, or -1");
     require(alike(seen) && alike(total) && image.has_value() == out.has_value() && (!image || alike(*image)) &&
                 (!out || alike(*out)) && (image || !known),
             "images must match the positions");

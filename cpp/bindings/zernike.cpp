@@ -10,10 +10,6 @@ using namespace bindings;
 
 double far_averages(DiskFields stack, WindowFields window, double most, double tol, int threads, Out<double, 3> images,
                     Out<double, 2> numbers) {
-    const std::size_t pupils = pupils_of(std::get<1>(stack));
-    require(images.shape(0) == pupils && numbers.shape(0) == pupils && numbers.shape(1) == lommel::FarAverages::numbers,
-            "one image and five numbers a pupil");
-    require_shape(window, images);
     return ask_disks<false>(stack, window, tol, threads, [&](const lommel::DiskStack& given, const lommel::DiskWindow& at) {
         lommel::DiskStack centered = given;
         centered.center_axes(at);

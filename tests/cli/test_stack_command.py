@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 
 import numpy as np
 import pytest
@@ -28,8 +29,7 @@ def test_distances_are_even_in_defocus_and_the_command_goes_on_where_it_was(lens
     np.testing.assert_array_equal(made[:3].values, asked.values)
     again = call_lommel(*command, folder=tmp_path)
     assert again.returncode == 0, again.stderr
-    assert "<PSFStack 9x5x5 float32 (object_distance 9) in a.zarr>: error at most" in again.stdout
-    assert "0 of 1 chunks computed" in again.stdout
+    assert re.search(r"chunks +1\ncomputed +0\nerror bound +\S+ of the peak\n", again.stdout)
 
 
 @pytest.mark.parametrize(

@@ -247,7 +247,7 @@ def _too_few(targets: str, points: PointSources | Crossings) -> str:
         "edge": "a smaller --window",
         "masked": "check --mask",
         "crossing": "squares must be larger than four times --width, and their contrast above --threshold",
-        "star": "lower --threshold, check --offset, or give --width, about the standard deviation in pixels",
+        "star": "lower --threshold, check --offset, or give --width, about the standard deviation of images",
     }
     counts = Counter(point.reason for point in points.refused)
     reason = "saturated" if counts["saturated"] else next((name for name, _ in counts.most_common(1)), targets)

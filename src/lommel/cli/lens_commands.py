@@ -85,11 +85,11 @@ def examples(
 
 def _list_examples(files: dict[str, Path], terms: list[str]) -> Report:
     """Return the list of the examples that contain all `terms`, a table for each kind."""
-    rows = [{"name": name, "kind": KINDS[path.parent.name][0], "what": _title(path)} for name, path in files.items()]
+    named = ((KINDS[path.parent.name][0], name, _title(path)) for name, path in files.items())
     rows = [
-        row
-        for row in rows
-        if all(term in " ".join((row["kind"], row["name"], row["what"])).lower() for term in terms)
+        {"name": name, "kind": kind, "what": title}
+        for kind, name, title in named
+        if all(term in f"{kind} {name} {title}".lower() for term in terms)
     ]
     parts: Parts = []
     for kind, heading in _HEADINGS.items():

@@ -88,19 +88,12 @@ class Wrapped:
 
 
 def table_of(
-    names: Iterable[str],
-    rows: Iterable[Sequence[str]],
-    left_column: int = 0,
-    no_wrap: bool = False,
-    title: str | None = None,
+    names: Iterable[str], rows: Iterable[Sequence[str]], left: Iterable[int] = (0,), title: str | None = None
 ) -> Table:
-    """Return a table with a title and named columns, right-aligned except for the column of index `left_column`."""
+    """Return a table with a title and named columns, right-aligned except for the columns of the indices `left`."""
     from rich.table import Column, Table
 
-    columns = [
-        Column(name, justify="left" if index == left_column else "right", no_wrap=no_wrap)
-        for index, name in enumerate(names)
-    ]
+    columns = [Column(name, justify="left" if k in left else "right") for k, name in enumerate(names)]
     table = Table(*columns, box=None, pad_edge=False, title=title, title_justify="left")
     for row in rows:
         table.add_row(*row)

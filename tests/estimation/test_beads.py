@@ -492,17 +492,6 @@ def test_what_cannot_be_fitted_is_refused_with_a_sentence(more, told):
     assert len(str(caught.value)) < 300
 
 
-def test_a_term_that_is_missing_is_named_as_one():
-    images, _ = recorded(8, np.append(waves(8, 0.1), 0.1), light=3e4, terms=(*TERMS, (6, 0)))
-    found = fitted(images, OIL, **GIVEN, terms=TERMS, priors={})
-    assert not found.reliable
-    numbers = found.findings.get("other_explanation").numbers
-    test = numbers["noll 22 secondary spherical"]
-    assert abs(test["size"][0] - 0.1) < 4.0 * test["errors"][0] + 0.02
-    again = fitted(images, OIL, **GIVEN, terms=(*TERMS, (6, 0)), priors={})
-    assert again.reliable, again.message
-
-
 def test_what_the_camera_and_the_stage_do_is_named():
     given = waves(9, 0.1)
     electrons = NOISE.electrons(recorded(9, given, light=1e5)[0])
@@ -535,16 +524,6 @@ def test_a_background_that_slopes_is_estimated():
         np.testing.assert_allclose(bead.background, other.background, atol=4.0 * bead.errors["background"])
         assert abs(bead.chi2 - 1.0) < 0.15
         assert np.abs(np.median(bead.images - bead.model, axis=(0, 1))).max() < 2.0
-
-
-def test_a_bead_beside_is_named():
-    images, _ = recorded(10, waves(10, 0.1), light=3e4, size=25)
-    beside = np.zeros_like(images)
-    beside[:, :, 10:] = 0.3 * (NOISE.electrons(images) - 10.0)[:, :, :-10]
-    found = fitted(images + beside, OIL, **GIVEN, terms=TERMS, priors={})
-    assert not found.reliable
-    first = next(iter(found.findings.get("other_explanation").numbers))
-    assert first.startswith("a neighbor of bead 0 by 0 rows and 10 columns"), found.message
 
 
 def test_a_prior_that_the_beads_contradict_is_named():

@@ -36,9 +36,7 @@ def live(f_number: float) -> lm.imaging.LiveDepth:
     )
     noise = lm.Noise(white=1.0, **NOISE)
     lenses, pixel, between = [lens, lens.focused(far)], SETUP["pixel"], tuple(SETUP["between"])
-    return lm.imaging.LiveDepth(
-        lenses, pixel, between=between, noise=noise, shape=SHAPE, light=LIGHT, sharp=True
-    )
+    return lm.imaging.LiveDepth(lenses, pixel, between=between, noise=noise, shape=SHAPE, light=LIGHT, sharp=True)
 
 
 def blur_filters() -> Array:

@@ -150,7 +150,8 @@ def write_files(place: Path) -> None:
     exif[0x8769] = {0x829D: 1.8, 0x920A: 4.0}  # f-number and focal length, millimetres
     photo.save("photo.jpg", exif=exif)
     photo.save("photo.png")
-    photo.save("photo.tif")
+    for name in ("photo", "raw"):
+        photo.save(f"{name}.tif")
     distance = np.where(x < 32, 1.9, 2.1)
     tifffile.imwrite("depth.tif", distance.astype(np.float32))
     Image.fromarray((1e3 * distance).astype(np.uint16)).save("depth.png")
@@ -338,7 +339,7 @@ TESTED = sorted(
 )
 
 
-@pytest.mark.parametrize("line", TESTED)
+@pytest.mark.parametrize("line", TESTED, ids=TESTED)
 def test_a_command_of_the_pages_or_of_help_runs_and_writes_what_it_names(line, folder, call_lommel):
     words = shlex.split(line)
     if words[1] == "paper":

@@ -49,7 +49,7 @@ def test_a_stack_is_written_as_data_and_as_sections(folder, call_lommel):
     assert (folder / "a.pdf").read_bytes().startswith(b"%PDF")
     last = result.stdout.splitlines()[-4:]
     assert last == ["wrote a.ome.tif", "wrote a.npz", "wrote a.png", "wrote a.pdf"]
-    assert "4 x 5 x 6 float32" in result.stdout
+    assert re.search(r"shape +4 x 5 x 6\n", result.stdout)
 
 
 def test_the_json_is_what_python_says(folder, call_lommel):
@@ -62,10 +62,9 @@ def test_the_json_is_what_python_says(folder, call_lommel):
     info = json.loads(call_lommel("info", "objective.toml", "--depth", "3 um", "--json", folder=folder).stdout)
     assert facts["focus"] == []
     assert len(info["focus"]) == 6
-    assert "Focus of a freely rotating dipole" in call_lommel("info", "objective.toml", folder=folder).stdout
-    assert (
-        "Focus of a freely rotating dipole" not in call_lommel("psf", "objective.toml", *STACK, folder=folder).stdout
-    )
+    dipole = "of a freely rotating dipole"
+    assert dipole in call_lommel("info", "objective.toml", folder=folder).stdout
+    assert dipole not in call_lommel("psf", "objective.toml", *STACK, folder=folder).stdout
 
 
 def test_the_foci_of_an_aberrated_objective_are_its_own(folder, call_lommel):
@@ -168,7 +167,6 @@ def test_options_of_the_other_kind_and_numbers_out_of_range_are_refused_in_a_lin
         "live objective.toml",
         "retrieve photo.png objective.toml --read 2",
         "blur photo.png depth.tif objective.toml --focus 1m -o out.png",
-        "blur photo.png depth.tif objective.toml --focus 1m --focus-to 2m -o out.gif",
         "restore photo.png depth.tif objective.toml --focus 1m --white 1 --read 2 -o out.png",
         "depth depth.tif depth.tif objective.toml --focus 1m --focus 2m --between 1m 3m --white 9 --read 2",
         "precision objective.toml --focus 1m --focus 2m --between 1m 3m --photons 9",

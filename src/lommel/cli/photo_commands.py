@@ -402,7 +402,7 @@ def restore(
         )
         seconds = time.perf_counter() - start
         clipped = job.write(np.asarray(result.light))
-    facts = result.to_dict() | {"seconds": seconds, "method": algorithm, "clipped": clipped}
+    facts = {"seconds": seconds, "method": algorithm} | result.to_dict() | {"clipped": clipped}
     findings = [Wrapped(found.text) for found in result.findings]
     return job.report(facts) + Report({}, findings, result.converged)
 

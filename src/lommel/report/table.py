@@ -182,7 +182,9 @@ def tables(facts: Facts, titles: Mapping[str, str] | None = None, first: str = "
 
 def records_of(name: str, records: Sequence[Facts], keys: Iterable[str] = ()) -> Table:
     """Return the table of a list of dictionaries: by default of all keys that some have a number or a text of."""
-    keys = [*keys] or [k for k in records[0] if any(_text(k, r[k], {}) and not _is_records(r[k]) for r in records)]
+    keys = [*keys] or [
+        k for k in records[0] if any(_text(k, r.get(k), {}) and not _is_records(r.get(k)) for r in records)
+    ]
     rows = [[_text(key, record.get(key), {}) or "-" for key in keys] for record in records]
     words = [k for k, key in enumerate(keys) if k == 0 or any(isinstance(record.get(key), str) for record in records)]
     return table_of([_label(key) for key in keys], rows, words, name)

@@ -124,7 +124,7 @@ def test_every_file_has_tests_of_its_subject_and_its_own_come_first(mutants):
     listed = {"src/lommel/optics/grid.py": ["tests/x.py"]}
     assert mutants.subject("src/lommel/optics/grid.py", listed)[:2] == ("tests/x.py", own)
     # Of what a package hands on.
-    assert "tests/imaging/test_beyond_windows.py" in mutants.subject("src/lommel/imaging/occlusion.py", {})
+    assert "tests/imaging/test_layers.py" in mutants.subject("src/lommel/imaging/occlusion.py", {})
     # Which no test names: that of what imports it.
     assert mutants.subject("src/lommel/optics/lens.py", {})
     header = "cpp/include/lommel/base/wide.hpp"

@@ -251,7 +251,7 @@ def test_derivatives_of_what_has_none_are_refused():
 def test_a_tolerance_is_that_of_the_method_chosen_or_named(tol):
     coma = lm.Pupil(lm.Wavefront(nonradial={(3, 1): 2.0}))
     for pupil, method in ((lm.Pupil(lm.Wavefront(3.0)), NijboerZernike), (coma, ChordalGauss)):
-        exact = lm.psf(pupil, 33, 0.3, method=NijboerZernike(1e-11), dtype="float64")
+        exact = lm.psf(pupil, 33, 0.3, method=method(1e-11), dtype="float64")
         for named in (None, method(), method(1e-5)):
             answer = lm.Plan(33, 0.3, method=named, tol=tol)(pupil)
             assert answer.method == method(tol)

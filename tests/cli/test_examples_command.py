@@ -66,7 +66,7 @@ def test_words_list_the_examples_that_have_them(call_lommel, tmp_path):
     assert {row["name"] for row in rows if row["kind"] == "camera"} == {path.stem for path in ROOT.glob("cameras/*")}
     text = call_lommel("examples", "--find", "zyla", folder=tmp_path).stdout
     assert text.splitlines()[0] == "Cameras"
-    assert len(text.splitlines()) == 4
+    assert sum(line.startswith("andor-zyla") for line in text.splitlines()) == 3
     assert call_lommel("examples", "--find", "no such", folder=tmp_path).stdout == "No example has these words.\n"
     result = call_lommel("examples", "--find", "zyla", "phone", folder=tmp_path)
     assert (result.returncode, list(tmp_path.iterdir())) == (2, [])

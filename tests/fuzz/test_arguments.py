@@ -298,7 +298,7 @@ def entries(folder: Path) -> list[tuple[str, object, dict[str, object]]]:
         tagged("find_crossings", lm.detection.find_crossings, images=np.kron(np.eye(2), np.ones((30, 30))) * 900.0,
                noise=lm.Noise(read=1.0), window=15, threshold=8.0),
         tagged("grid_indices", lm.detection.grid_indices, places=[[0.0, 0.0], [0.0, 9.0], [9.0, 0.0], [9.0, 9.0]]),
-        tagged("slanted_edge", imaging.slanted_edge, shape=(9, 9), angle=5.0, supersample=2, dark=0.1, bright=0.9),
+        tagged("slanted_edge", imaging.slanted_edge, shape=(9, 9), angle=5.0, supersample=2),
         tagged("bead", lm.microscopy.bead, pupil=EMISSION, diameter=1e-7, shape=3, pixel=6.5e-6, tol=1e-3),
         tagged("confocal", lm.microscopy.confocal, excitation=EMISSION, emission=EMISSION, shape=3, pixel=6.5e-6,
                pinhole=1.0, tol=1e-3),
@@ -525,9 +525,10 @@ OF_NO_KIND = {
 UNCHECKED = {
     ("PSF", name) for name in ("normalize", "error_bound", "scale", "derivatives", "derivative_bounds", "blur")
 }
-UNCHECKED |= {("format_length", "metres"), ("parse_angle", "text"), ("Noise.record", "seed")}
+UNCHECKED |= {("format_length", "metres"), ("parse_angle", "text"), ("Noise.record", "seed"), ("retrieve", "seed")}
 UNCHECKED |= {("AbramowitzErf()", "z")} | {(name, "index") for name in ("PSF[]", "Wavefront[]", "Pupil[]")}
-INFINITE = {("Lens", "focus_distance"), ("Seeing", "outer_scale")}
+INFINITE = {("Lens", "focus_distance"), ("Seeing", "outer_scale"), ("depth_precision", "distance")}
+INFINITE |= {("restore", "saturation")}  # none
 INFINITE |= {(f"Lens.{name}", "object_distance") for name in ("defocus", "pupil")}
 
 

@@ -67,7 +67,7 @@ class RetrieveOptions(Options):
         pairs (n, m) or names such as "noll 11", "ansi 12", "fringe 9" (radians rms), "defocus" (C_d), "spherical"
         (C_s), "rho^6", "rho^8" (radians, see :class:`lommel.Wavefront`). May be empty. Other terms of `pupil` are
         fixed.
-    defocus : float or array_like, shape (n,), default 0
+    defocus : float or array_like, shape (n,), default ()
         Known additional defocus C_d of each image, radians; positive if the sensor was moved towards the lens. See
         :attr:`lommel.Wavefront.defocus`.
     also : str or sequence of str, default ("center",)
@@ -144,7 +144,7 @@ class FieldFitOptions(Options):
         coefficient.
     terms : int or sequence, default 11
         Terms to estimate, see :func:`lommel.retrieve`: 11 means Noll's indices 4 to 14.
-    defocus : float or array_like, shape (e,), default 0
+    defocus : float or array_like, shape (e,), default ()
         Known additional defocus C_d of each exposure, radians; positive if the sensor was moved towards the lens.
     blur : bool, float, Blur or iterable of Blur, default True
         True: estimate the blur of each exposure. For stars it is seeing (Kolmogorov, or von Karman with an outer

@@ -44,7 +44,9 @@ NAME = "50mm [fast] f/1.8 [red] [/b] :smile: \\\\"
 
 # Arguments, {phone} and {hubble} standing for lens files, and a part of the error.
 BAD = [
-    ("paint {phone}", 'Unknown command "paint"'),
+    ("paint {phone}", "Unknown command 'paint'; known are examples, info, psf"),
+    ("deblur {phone}", "Unknown command 'deblur'; did you mean restore?"),
+    ("retreive {phone}", "did you mean retrieve?"),
     ("psf", "LENS is missing"),
     ("psf {phone} {phone}", "too many files, got "),
     ("psf nowhere.toml", "nowhere.toml: No such file or directory"),

@@ -11,6 +11,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, NoReturn
 
 from lommel.base.optional import how_to_get
+from lommel.base.options import near
+from lommel.base.validation import shown
 
 if TYPE_CHECKING:
     from lommel.cli.command import Command
@@ -44,6 +46,7 @@ Point spread functions (PSFs) of defocused and aberrated lenses, telescopes and 
 Lenses and microscopes are described by TOML files; `lommel examples` lists the examples in the package. Lengths \
 have units, such as 550nm, 3.45um or 1.5m; with a space they need quotes: "1.5 m". Each command has --help with \
 examples."""
+_WORD = 3  # letters of a word that is not looked for in summaries
 EXAMPLES = """\
 Examples:
   lommel examples phone                  # copy an example lens file
@@ -82,6 +85,13 @@ def main(words: Sequence[str] | None = None) -> NoReturn:
         for other in COMMANDS:
             command_of(other).add_to(app, other)
         app.register_install_completion_command()
+    elif name and not name.startswith("-"):
+        # What a user calls a command may be in its summary: deblur is restore.
+        texts = _summaries().items() if len(name) > _WORD else ()
+        found = next((other for other, text in texts if name.lower() in text.lower()), None)
+        hint = near(name, COMMANDS) if found is None else f"did you mean {found}?"
+        print(f"Error: Unknown command {shown(name)}; {hint}", file=sys.stderr)
+        sys.exit(2)
     else:
         command.list_in(app, _summaries())
     code = command.call(app, words)

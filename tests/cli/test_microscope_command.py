@@ -82,7 +82,6 @@ def test_the_foci_of_an_aberrated_objective_are_its_own(folder, call_lommel):
         least = math.exp(-((2.0 * math.pi) ** 2) * (0.05**2 + 0.03**2))
         assert 0.9 * least < aberrated["peak"] / ideal["peak"] < least
         assert aberrated["lateral_fwhm"] > 1.005 * ideal["lateral_fwhm"]
-    assert "with the aberrations" in call_lommel("info", "aberrated.toml", folder=folder).stdout
     # Large aberrations are refused by depth, as are depths out of range.
     (folder / "wide.toml").write_text((text + table).replace("5 = 0.05, 11 = -0.03", "5 = 1.5, 11 = 1.5"))
     refused = json.loads(call_lommel("info", "wide.toml", "--json", folder=folder).stdout)["refused"]

@@ -47,7 +47,9 @@ pixel = "6 um"
 NOISE = ("--white", "5000000", "--read", "3")
 LONG = {
     "blur": ("blur", "photo.png", "depth.npy", "lens.toml", "-o", "out.png"),
-    "restore": ("restore", "photo.png", "depth.npy", "lens.toml", *NOISE, "-o", "out.png"),
+    "restore": (
+        "restore", "photo.png", "depth.npy", "lens.toml", *NOISE, "--method", "total-variation", "-o", "out.png",
+    ),
     "depth": (
         "depth", "photo.png", "photo.png", "lens.toml", "--focus", "1.5m", "--focus", "1.8m",
         "--between", "1.4m", "2m", *NOISE,

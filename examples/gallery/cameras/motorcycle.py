@@ -21,7 +21,7 @@ from skimage.data import stereo_motorcycle
 import lommel as lm
 from lommel.base.encoding import from_light, to_light
 from lommel.imaging import DepthBlur
-from lommel.imaging.photograph import fill_missing
+from lommel.io.depth_maps import fill_missing
 
 left, _, disparity = stereo_motorcycle()
 known = np.isfinite(disparity)

@@ -19,7 +19,7 @@ from skimage.data import stereo_motorcycle
 import lommel as lm
 from lommel.base.encoding import to_light
 from lommel.estimation.focal_model import transfer_curve
-from lommel.imaging.photograph import fill_missing
+from lommel.io.depth_maps import fill_missing
 
 left, _, disparity = stereo_motorcycle()
 part = np.s_[60:380, 180:620]

@@ -19,7 +19,7 @@ from lommel.base.validation import shown
 from lommel.cli.command import PLOT, command
 from lommel.cli.instruments import instrument_of, microscope_of
 from lommel.cli.output import progress, save_figure, written
-from lommel.cli.shared_options import Optics, given
+from lommel.cli.shared_options import WINDOW, Optics, given
 from lommel.lensfiles import KINDS, example_files
 from lommel.methods import ERFS, METHODS
 from lommel.paper import ClosedForm
@@ -218,7 +218,7 @@ def compare(
     lens: Path,
     /,
     *,
-    optics: Optics = Optics(),
+    shape: Annotated[Any, WINDOW] = None,
     figure: Annotated[Path | None, PLOT._replace(flags=("--figure",))] = None,
 ) -> Report:
     """Compare the accuracy and speed of all methods for a lens.
@@ -237,6 +237,8 @@ def compare(
 
     Parameters
     ----------
+    shape
+        Window in pixels, such as 65 or 64x128 (height x width); overrides the file.
     figure
         Figure of the reference, error maps of the other methods, slices: .png, .pdf or .svg.
 
@@ -246,7 +248,7 @@ def compare(
     """
     from lommel.report.image_quality import compare_methods, other_model
 
-    instrument = instrument_of(lens, **given(optics))
+    instrument = instrument_of(lens, shape=shape)
     pupil = instrument.pupil()
     with progress("", total=len(METHODS) + 1) as status:
         methods = [

@@ -247,7 +247,7 @@ def _plain(part: Any) -> str:
 _LABEL, _HELP = 28, 100  # largest width of the column of options, and of the help
 
 
-def application(name: str, text: str, version: str | Callable[[], str], examples: str = "") -> App:
+def application(name: str, text: str, version: Callable[[], str], examples: str = "") -> App:
     """Return an application without commands."""
     return App(
         name=name,

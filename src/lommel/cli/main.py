@@ -6,7 +6,7 @@ import ast
 import io
 import sys
 from collections.abc import Sequence
-from importlib import import_module, metadata
+from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, NoReturn
 
@@ -75,7 +75,7 @@ def main(words: Sequence[str] | None = None) -> NoReturn:
             stream.reconfigure(errors="backslashreplace")
     words = list(sys.argv[1:] if words is None else words)
     name = words[0] if words else ""
-    app = command.application("lommel", _TEXT, metadata.version("lommel"), EXAMPLES)
+    app = command.application("lommel", _TEXT, _version, EXAMPLES)
     if name in COMMANDS:
         # Only the module of this command is imported: importing all takes longer than most commands run.
         entry = command_of(name)
@@ -96,6 +96,12 @@ def main(words: Sequence[str] | None = None) -> NoReturn:
         command.list_in(app, _summaries())
     code = command.call(app, words)
     sys.exit(code or (0 if words else 2))  # without a command the help is printed
+
+
+def _version() -> str:
+    from importlib import metadata  # reads files of the installation, which no other command needs
+
+    return metadata.version("lommel")
 
 
 def command_of(name: str) -> Command:

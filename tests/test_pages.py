@@ -340,8 +340,11 @@ TESTED = sorted(
 
 
 @pytest.mark.parametrize("line", TESTED, ids=TESTED)
-def test_a_command_of_the_pages_or_of_help_runs_and_writes_what_it_names(line, folder, call_lommel):
+def test_a_command_of_the_pages_or_of_help_runs_and_writes_what_it_names(line, folder, call_lommel, monkeypatch):
     words = shlex.split(line)
+    if words[1] == "--install-completion":  # which writes into the home folder, for the user's shell
+        monkeypatch.setenv("HOME", str(folder))
+        monkeypatch.setenv("SHELL", "/bin/bash")
     if words[1] == "paper":
         pytest.skip("takes half a minute; see test_paper.py")
     for name in COPIES.keys() & set(words):

@@ -127,7 +127,7 @@ def depths(noise):
         for lens in lenses
     ]
     pair = [PHOTOS[EM].record(5e3 * one, k) for k, one in enumerate(pair)]
-    options |= {"noise": PHOTOS[noise], "between": (1.3, 2.0), "candidates": 17}
+    options |= {"noise": PHOTOS[noise], "between": (1.3, 2.0)}
     found = lm.imaging.depth_from_defocus(pair, lenses, 8e-6, **options)
     return [found.depth, found.errors, found.misfit, found.sharp], []
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import numpy as np
-import pytest
 
 import lommel as lm
 
@@ -25,19 +24,3 @@ def test_a_grid_is_one_call_and_equals_single_ones():
         # The stack shares the sampling that its widest member needs.
         np.testing.assert_allclose(grid[i, j].values, single.values, atol=1e-6)
         assert np.abs((grid[i, j].pupil.wavefront - single.pupil.wavefront).edge).max() < 1e-13
-
-
-@pytest.mark.parametrize(
-    ("change", "error", "what"),
-    [
-        ({"rows": 0}, ValueError, "rows must be from 1 to 1000, got 0"),
-        ({"columns": 2.5}, TypeError, "columns must be an integer"),
-        ({"sensor": 1}, TypeError, "sensor must be .height, width."),
-        ({"sensor": (1e-3, 0)}, ValueError, r"sensor\[1\] must be > 0"),
-        ({"sensor": (1.0, 1.0)}, ValueError, "outside of the map"),
-    ],
-)
-def test_a_grid_that_cannot_be_is_refused_by_name(change, error, what):
-    given = {"rows": 2, "columns": 2, "sensor": (1e-3, 1e-3), "shape": 3, "pixel": 1e-6} | change
-    with pytest.raises(error, match=what):
-        FIELD.grid(**given)

@@ -13,7 +13,6 @@ from numpy.typing import NDArray
 from scipy.special import j1
 
 import lommel as lm
-from lommel.methods import ToleranceError
 from lommel.optics.aperture.mask import cell_centers
 
 TERMS = [(1, 1), (1, -1), (2, 0), (2, -2), (3, 1), (4, 4), (5, -3), (8, 0), (11, 7), (20, -20)]
@@ -139,16 +138,6 @@ def test_a_stack_gives_what_each_of_its_pupils_gives():
         for index in np.ndindex(2, 3):
             assert whole[index] == pytest.approx(number(pupils[index]), rel=1e-12)
     assert np.ndim(lm.strehl(pupils[0, 0])) == np.ndim(lm.rms(pupils[0, 0])) == 0
-
-
-def test_what_is_impossible_is_refused_by_name():
-    for number in (lm.rms, lm.marechal, lm.strehl, lm.spot_radius, lm.centroid):
-        with pytest.raises(TypeError, match="pupil must be a Pupil"):
-            number(3.0)
-    with pytest.raises(ValueError, match="unit must be one of"):
-        lm.rms(lm.Pupil(), unit="nm")
-    with pytest.raises(ToleranceError, match="needs more than"):
-        lm.strehl(lm.Pupil(lm.Wavefront(1e4, nonradial={(3, 3): 1e4})))
 
 
 @given(st.floats(0.01, 30.0), st.floats(-3, 3), st.sampled_from([0.0, 0.4]))

@@ -207,23 +207,6 @@ def test_an_aperture_with_vanes_has_energies_with_a_bound():
     np.testing.assert_allclose(found.fraction, (image.values * within).sum(axis=(1, 2)), atol=1e-2)
 
 
-@pytest.mark.parametrize(
-    ("radius", "what"),
-    [(-1.0, "radius must be finite and >= 0, got -1"), (np.nan, "radius must be finite"), (251.0, "at most 250")],
-)
-def test_what_makes_no_sense_is_refused(radius, what):
-    with pytest.raises(ValueError, match=what):
-        encircled(lm.Pupil(lm.Wavefront(nonradial={(3, 1): 1.0})), [radius])
-
-
 def test_a_stack_is_refused():
     with pytest.raises(ValueError, match="pupil must be a single one"):
         encircled(lm.Pupil(lm.Wavefront([1.0, 2.0])), [1.0])
-
-
-@pytest.mark.parametrize(
-    "pupil", [lm.Pupil(), lm.Pupil(lm.Wavefront(nonradial={(3, 1): 1.0}))], ids=["round", "coma"]
-)
-def test_what_is_no_method_is_refused_by_name_for_every_pupil(pupil):
-    with pytest.raises(TypeError, match="method must be a Method"):
-        encircled(pupil, [1.0], method="NijboerZernike")

@@ -40,13 +40,6 @@ def test_no_other_focus_puts_more_light_into_the_circle() -> None:
     assert np.all(radial_energy(NijboerZernike(), others, radius) <= best + 1e-6)
 
 
-def test_a_stack_and_a_radius_of_0_have_no_best_focus() -> None:
-    with pytest.raises(ValueError, match="a single one, got a stack of shape"):
-        lm.best_focus(Pupil(Wavefront([1.0, 2.0])), 1.0)
-    with pytest.raises(ValueError, match="radius must be > 0"):
-        lm.best_focus(Pupil(Wavefront(5.0)), 0.0)
-
-
 def test_other_apertures_have_no_best_focus_in_a_circle():
     with pytest.raises(ValueError, match="pupil must be radially symmetric, got a wavefront or an aperture"):
         lm.best_focus(lm.Pupil(stop=lm.Polygon.regular(6, 1.0)), 1.0)

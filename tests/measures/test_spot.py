@@ -187,18 +187,9 @@ def test_what_is_impossible_is_refused_by_name():
     radial = lm.psf(lm.Pupil(lm.Wavefront(2.0)), 9, 0.25)
     coma = lm.psf(lm.Pupil(lm.Wavefront(2.0, nonradial={(3, 1): 4.0})), 5, 0.1, method=FINE)
     for match, call in {
-        "half_width must be finite": lambda: radial.ensquared_energy([1.0, math.nan]),
-        "half_width must be finite and >= 0": lambda: coma.ensquared_energy(-1.0),
-        "radius must be finite": lambda: coma.encircled_energy(math.inf),
-        "about must be one of": lambda: radial.encircled_energy(1.0, about="peak"),
-        "about must be one of 'axis', 'centroid'": lambda: radial.energy_diameter(0.5, about="peak"),
-        "along must be one of": lambda: radial.fwhm("z"),
-        "fraction must be > 0 and < 1, got 1": lambda: radial.energy_diameter(1.0),
-        "fraction must be finite": lambda: coma.energy_diameter(math.nan),
         "fraction must be reached within": lambda: radial.energy_diameter(1 - 1e-6),
         "radius must be None for a pupil that is not radial": lambda: coma.profile(1.0),
         "pupil must be radially symmetric|supports radially": lambda: lm.best_focus(coma.pupil, 1.0),
-        "supports radially|must be radially": lambda: spot.radial_fwhm(Hankel(), coma.pupil),
         "must have light in the window": lambda: energy.window_centroid(
             lm.psf(lm.Pupil(), 3, 1.0, method="geometric", center=(50, 50))
         ),
@@ -249,8 +240,6 @@ def test_the_error_measures_take_psfs_and_do_not_depend_on_their_scale() -> None
     ("values", "reference", "message"),
     [
         ([1.0, 2.0], [1.0], "must have the same shape"),
-        ([1.0, math.nan], [1.0, 2.0], "must be finite"),
-        ([1.0, 2.0], [1.0, math.inf], "must be finite"),
         ([1.0, 2.0], [0.0, 0.0], "a positive value"),
     ],
 )

@@ -70,13 +70,6 @@ def test_on_the_axis_only_the_mean_of_a_polynomial_counts(v: float) -> None:
     assert np.abs(transforms[1:]).max() <= 1e-16
 
 
-@pytest.mark.parametrize("function", [bessel_sequence, legendre_transforms])
-@pytest.mark.parametrize("v", [[-1.0], [math.nan], [1.0, math.inf], [[1.0]]])
-def test_anything_but_a_row_of_radii_is_refused(function, v) -> None:
-    with pytest.raises(ValueError, match="v must be a one-dimensional array of finite numbers >= 0"):
-        function(v, 3)
-
-
 @given(st.floats(0, 2), st.integers(1, 12))
 def test_the_power_series_is_wrong_by_less_than_its_next_term(a: float, terms: int) -> None:
     left_out = (a * a / 4) ** terms / math.factorial(terms) ** 2

@@ -90,22 +90,3 @@ def test_the_mse_is_that_of_the_complex_exponentials():
 def test_a_sweep_that_excludes_the_optimum_says_so():
     with pytest.raises(ValueError, match="sweep range excludes the optimum on"):
         fit_quadratics((0.0, 50.0), 5, fit="sweep", sweep=(1.0, 1.0))
-
-
-@pytest.mark.parametrize(
-    ("arguments", "error", "message"),
-    [
-        ({"segments": 0}, ValueError, "segments must be from 1 to 4096, got 0"),
-        ({"segments": 2.5}, TypeError, "segments must be an integer"),
-        ({"split": "cubic"}, ValueError, "split must be one of"),
-        ({"fit": "guess"}, ValueError, "fit must be one of"),
-        ({"piston": 1}, TypeError, "piston must be True or False"),
-        ({"coefficients": ()}, (ValueError, TypeError), "coefficients"),
-        ({"coefficients": 3.0}, ValueError, "coefficients"),
-        ({"coefficients": (np.nan,)}, ValueError, "coefficients"),
-        ({"fit": "sweep", "sweep": (0.0, 1.0)}, ValueError, "sweep must be > 0"),
-    ],
-)
-def test_what_cannot_be_fitted_is_refused(arguments, error, message):
-    with pytest.raises(error, match=message):
-        fit_quadratics(**({"coefficients": (1.0, 2.0)} | arguments))

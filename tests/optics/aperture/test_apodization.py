@@ -61,20 +61,6 @@ def test_radial_terms_are_zernike_polynomials_of_the_logarithm(terms):
     assert all(abs(b) < 1e-11 for n, b in again.items() if n not in terms)
 
 
-@pytest.mark.parametrize(
-    ("terms", "told"),
-    [
-        ({3: 0.1}, "must be even, got 3"),
-        ({0: 0.1}, "from 2 to 20"),
-        ({22: 0.1}, "from 2 to 20"),
-        ({2: math.nan}, "finite"),
-    ],
-)
-def test_what_is_no_radial_term_is_refused(terms, told):
-    with pytest.raises(ValueError, match=told):
-        lm.Apodization.zernike(terms)
-
-
 @given(amplitudes, st.sampled_from([0.0, 0.3, 0.9]), st.sampled_from([1.0, 2.0]))
 def test_integrals_are_those_of_quadrature(light, obscuration, power):
     nodes, weights = np.polynomial.legendre.leggauss(100)
@@ -113,27 +99,3 @@ def test_a_number_stays_a_number_and_means_a_gaussian(tmp_path):
         answer = lm.psf(lm.Pupil(apodization=apodization), 5, 0.5)
         answer.save(tmp_path / "a.npz")
         assert lm.PSF.load(tmp_path / "a.npz").pupil == answer.pupil
-
-
-@pytest.mark.parametrize(
-    ("make", "message"),
-    [
-        (lambda: lm.Apodization([101.0]), "powers must lead to an exponent of at most 100, got 101"),
-        (lambda: lm.Apodization([1e308, 1e308]), "powers must lead to an exponent of at most 100"),
-        (lambda: lm.Apodization(np.ones(11)), "powers must have at most 10 coefficients, got 11"),
-        (lambda: lm.Apodization([math.nan]), "powers must be"),
-        (lambda: lm.Apodization([1.0], error=-1.0), "error must be"),
-        (lambda: lm.Apodization.gaussian(-0.1), "g must be"),
-        (lambda: lm.Apodization.cosine(1.0, 0.5), "sine must be"),
-        (lambda: lm.Apodization.cosine(0.5, math.inf), "power must be"),
-    ],
-)
-def test_what_is_no_amplitude_is_refused(make, message):
-    with pytest.raises(ValueError, match=message):
-        make()
-
-
-def test_what_is_no_number_is_refused():
-    for wrong in ("aplanatic", None, [1.0]):
-        with pytest.raises(TypeError, match="apodization must be"):
-            lm.Pupil(apodization=wrong)

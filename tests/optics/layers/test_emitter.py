@@ -98,30 +98,6 @@ def test_the_wobble_is_the_share_that_turns_freely():
     assert light[2] == pytest.approx(0.75 * light[0] + 0.25 * light[1], abs=1e-8)
 
 
-@pytest.mark.parametrize(
-    ("make", "message"),
-    [
-        (lambda: lm.Dipole("up", 0.0), "polar must be a real number, got 'up'"),
-        (lambda: lm.Dipole(0.0, 0.0, wobble=2), "wobble must be from 0 to 1, got 2"),
-        (lambda: lm.Dipole(0.0, 0.0, wobble=-0.1), "wobble must be >= 0, got -0.1"),
-        (lambda: lm.Beam((0.0, 0.0)), r"a name or two finite numbers, not both 0, got \(0.0, 0.0\)"),
-        (lambda: lm.Beam((1.0, math.nan)), "polarization must be a name or two finite numbers"),
-        (lambda: lm.Beam((1.0, 2.0, 3.0)), "polarization must be a name or two finite numbers"),
-        (lambda: lm.Beam(None), "polarization must be a name or two finite numbers"),
-        (lambda: lm.Beam("diagonal"), "polarization must be one of 'circular', 'x', 'y', 'radial', 'azimuthal'"),
-        (lambda: lm.Scalar("sine"), "apodization must be one of 'uniform', 'aplanatic', got 'sine'"),
-        (
-            lambda: emitter_of("dipole"),
-            """emitter must be "isotropic", "scalar", a Dipole, a Beam .*, got 'dipole'""",
-        ),
-        (lambda: emitter_of(3), 'emitter must be "isotropic", "scalar", a Dipole, a Beam or a Scalar, got 3'),
-    ],
-)
-def test_what_is_no_emitter_is_refused_in_a_sentence(make, message):
-    with pytest.raises((TypeError, ValueError), match=message):
-        make()
-
-
 def test_a_jones_vector_may_be_of_any_sequence():
     beam = lm.Beam((1.0, 0.5j))
     for given in ([1, 0.5j], np.array([1.0, 0.5j]), (np.float32(1.0), 0.5j)):

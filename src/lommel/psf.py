@@ -424,11 +424,6 @@ class Measured:
         return self.measured(measures.spot.peak_strehl)
 
     @property
-    def peak_position(self) -> NDArray[np.float64]:
-        """Position (x, y) of the peak relative to the axis; see :func:`lommel.measures.spot.peak_position`."""
-        return self.measured(measures.spot.peak_position)
-
-    @property
     def centroid(self) -> NDArray[np.float64]:
         """Centroid (x, y) of all light relative to the axis; see :func:`lommel.measures.energy.image_centroid`."""
         return self.measured(measures.energy.image_centroid)
@@ -468,7 +463,7 @@ class Measured:
         """Return the optical transfer function of the image, or `of` the "optics", at frequencies `fx`, `fy`.
 
         For lenses it is computed from the wavefront, also beyond the Nyquist frequency of the pixels; see
-        :func:`lommel.otf`. :func:`lommel.measures.transfer.sampled_otf` transforms the values instead.
+        :func:`lommel.otf`.
         """
         return self.measured(lambda psf: measures.transfer.image_otf(psf, fx, fy, of=of))
 

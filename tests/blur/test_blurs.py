@@ -92,12 +92,6 @@ def test_an_outer_scale_is_so_many_r0_of_the_colour_at_hand():
     assert air.transfer(f, wavelength=800e-9) == pytest.approx(redder.transfer(f), rel=1e-9)
 
 
-def test_without_end_the_outer_scale_is_none():
-    f = np.linspace(0.0, 2.0, 9)
-    assert lm.Seeing(0.4, outer_scale=math.inf) == lm.Seeing(0.4)
-    assert lm.Seeing(0.4, outer_scale=1e12).transfer(f) == pytest.approx(lm.Seeing(0.4).transfer(f), abs=1e-3)
-
-
 def test_gaussians_and_lines_turn_with_their_angle():
     f = np.linspace(0.0, 1.0, 5)
     jitter, motion = lm.Jitter(0.4, 0.1, angle=0.5), lm.Motion(2.0, 0.5)
@@ -118,12 +112,6 @@ def test_gaussians_and_lines_turn_with_their_angle():
 def test_what_is_none_is_refused(make, message):
     with pytest.raises((TypeError, ValueError), match=message):
         make()
-
-
-def test_a_round_gaussian_is_round_at_every_angle():
-    turned = [lm.Jitter(1.3e-6, angle=0.021 * k) for k in range(300)]
-    assert all(one.isotropic for one in turned)
-    assert not any(one.isotropic for one in (lm.Jitter(1.3e-6, 1.31e-6), lm.Motion(1e-6)))
 
 
 def test_a_kind_of_blur_that_psfs_would_not_see_is_refused():

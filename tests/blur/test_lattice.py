@@ -179,25 +179,6 @@ def test_copies_of_the_band_of_the_intensity_begin_where_that_of_the_blur_ends(m
     assert lattice.h <= recorded.STEP
 
 
-def test_other_light_has_the_same_samples_of_a_flat_pupil(sampled):
-    values = []
-    for wavelength in (500e-9, 600e-9):
-        pupil = lm.Pupil(spider=VANES, wavelength=wavelength, f_number=10.0)
-        air = lm.Seeing(0.1, focal_length=20.0, wavelength=wavelength)
-        values.append(lm.psf(pupil, 15, 40.0 * wavelength, blur=air).values)
-    np.testing.assert_allclose(values[0], values[1], rtol=2e-6)
-    assert len(sampled) == 1
-
-
-def test_few_lattices_are_kept(sampled):
-    pupil = lm.Pupil(spider=VANES)
-    for ratio in (60.0, 20.0, 12.0, 8.0, 7.0, 6.0, 60.0):
-        lm.psf(pupil, 5, 4.0, blur=lm.Seeing(1.0 / ratio), tol=1e-3)
-        assert 1 <= len(recorded._cached_lattices(pupil.aperture, pupil.wavefront)) <= recorded._MAX_LATTICES
-    assert len({grid.pixel for grid in sampled}) > recorded._MAX_LATTICES
-    assert sampled[-1].pixel == sampled[0].pixel
-
-
 def test_what_few_lattices_do_not_reach_one_of_its_own_does(monkeypatch):
     pupil, shared = lm.Pupil(obscuration=0.2, spider=VANES), []
     of_stack = recorded._stack_images
@@ -207,8 +188,3 @@ def test_what_few_lattices_do_not_reach_one_of_its_own_does(monkeypatch):
     monkeypatch.setattr(recorded, "_round_up", lambda count: 10**4)
     assert lm.psf(pupil, 9, 4.0, blur=lm.Seeing(0.05), tol=1e-4).error_bound <= 1e-4
     assert shared == [True, False]
-
-
-@pytest.mark.parametrize("count", [0, 1, 31, 32, 33, 100, 607, 3072, -5, -700])
-def test_lattices_grow_by_little(count):
-    assert 0 <= recorded._round_up(count) - count <= abs(count) / 16

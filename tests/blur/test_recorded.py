@@ -200,13 +200,6 @@ def test_stacks_axes_and_types_are_those_of_other_images():
         assert np.array_equal(answer[k].values, answer.values[k])
 
 
-def test_out_is_filled_and_plans_answer_as_psf_does():
-    out = np.empty((5, 5))
-    plan = lm.Plan(5, 0.5, blur=lm.Jitter(0.5), dtype="float64")
-    assert plan(lm.Pupil(), out=out).values is out
-    assert np.array_equal(lm.psf(lm.Pupil(), 5, 0.5, blur=lm.Jitter(0.5), dtype="float64").values, out)
-
-
 @pytest.mark.parametrize("shape", ["vanes", "mask"])
 def test_any_aperture_is_spread_within_the_bound(shape):
     parts = {

@@ -218,9 +218,3 @@ def test_radii_of_the_same_image_are_from_one_sum(monkeypatch):
 def test_an_accuracy_beyond_double_precision_is_refused():
     with pytest.raises(lm.ToleranceError, match="cannot be met"):
         TransferIntegral(1e-12, (lm.Seeing(0.1),)).profile(lm.Pupil(lm.Wavefront(30.0)), np.linspace(0.0, 9.0, 3))
-
-
-def test_no_value_is_negative():
-    for center in (None, (20.3, 20.1)):
-        answer = lm.psf(lm.Pupil(), 41, 8.0, blur=lm.Jitter(5.0), tol=1e-3, center=center, dtype="float64")
-        assert answer.values.min() >= 0.0

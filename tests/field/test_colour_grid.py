@@ -51,13 +51,6 @@ def test_each_is_that_of_its_place_distance_and_wavelength(table):
         assert np.abs(found.values - exact.values).max() <= found.error_bound * exact.values.max() * 1.1
 
 
-def test_a_grid_of_distances_alone_is_one_of_psfs():
-    table = FIELD.grid(1, 2, **WHERE, depths=[1.9, 2.1], lens=LENS)
-    assert table.dims == ("field_y", "field_x", "depth", "y", "x")
-    expected = lm.psf((FIELD + LENS.pupil(2.1).wavefront).pupil(table.x[1], table.y[0]), (9, 11), 3e-6)
-    assert lm.peak_error(table[0, 1, 1], expected) < 1e-6
-
-
 SUFFIXES = [form.suffixes[0] for form in registry.formats("field") if field_files.DEPTHS_OR_CHANNELS in form.holds]
 
 

@@ -20,7 +20,7 @@ from lommel.field import maps
 from lommel.io.psf_files import FileError
 from lommel.io.zernike_tables import ZernikeTable
 from lommel.lensfiles import tables
-from lommel.measures import aperture_means, energy, spot, transfer
+from lommel.measures import aperture_means, energy, spot
 from lommel.measures.errors import mse
 from lommel.methods import METHODS, Hankel, NijboerZernike, Polychromatic
 from lommel.optics.aperture.opening import Opening, degree_needed
@@ -226,8 +226,6 @@ def entries(folder: Path) -> list[tuple[str, object, dict[str, object]]]:
         tagged("spot.fwhm", spot.fwhm, psf=PSF, along="x"),
         tagged("energy.window_centroid", energy.window_centroid, psf=PSF),
         tagged("spot.peak_strehl", spot.peak_strehl, psf=PSF),
-        tagged("sampled_otf", transfer.sampled_otf, psf=PSF, **at),
-        tagged("sampled_spectrum", transfer.sampled_spectrum, psf=PSF),
         tagged("aperture_means.rms", aperture_means.rms, pupil=lm.Wavefront(1.0), unit="radians"),
         tagged("DepthBlur", imaging.DepthBlur, lens=LENS, depth=DEPTH, pixel=8e-6, channels=[550e-9],
                energy=0.9, tol=1e-3, largest=11, dtype=np.float64, threads=1),

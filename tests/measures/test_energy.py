@@ -6,8 +6,6 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
 from numpy.typing import NDArray
 from scipy import special
 
@@ -15,7 +13,7 @@ import lommel as lm
 from lommel import Pupil, Wavefront
 from lommel.measures.energy import encircled, radial_energy
 from lommel.methods import Hankel, Method, NijboerZernike, NonuniformFFT
-from lommel.paper import Fraunhofer, Geometric, LommelSeries
+from lommel.paper import Fraunhofer, LommelSeries
 
 PUPILS = {
     "in focus": Pupil(),
@@ -62,24 +60,12 @@ def test_the_encircled_energy_is_the_integral_of_the_profile(name: str) -> None:
         assert energy == pytest.approx(light, rel=0, abs=1e-8)
 
 
-@given(st.lists(st.floats(0, 30), min_size=2, max_size=6), st.floats(-20, 20), st.sampled_from([0.0, 0.5]))
-def test_larger_circles_hold_no_less_light_and_never_more_than_all(
-    radii: list[float], defocus: float, obscuration: float
-) -> None:
-    pupil = Pupil(Wavefront(defocus), obscuration=obscuration)
-    energy = lm.psf(pupil, 1, 1.0, method=NijboerZernike(1e-9)).encircled_energy(np.sort(radii))
-    assert np.all(np.diff(energy) >= -1e-9)
-    assert np.all((energy >= 0) & (energy <= 1 + 1e-9))
-
-
-@pytest.mark.parametrize("method", [Fraunhofer(samples=256, edge="grey"), Geometric()])
-def test_other_methods_have_the_encircled_energy_of_what_they_compute(method: Method) -> None:
+def test_other_methods_have_the_encircled_energy_of_what_they_compute() -> None:
     pupil = Pupil(Wavefront(12.0))
-    answer = lm.psf(pupil, 129, 0.35, method=method, dtype=np.float64)
+    answer = lm.psf(pupil, 129, 0.35, method=Fraunhofer(samples=256, edge="grey"), dtype=np.float64)
     exact = lm.psf(pupil, 1, 1.0).encircled_energy([5.0, 10.0, 20.0])
     energy = answer.encircled_energy([5.0, 10.0, 20.0], of="optics")
-    # Rays know no diffraction.
-    assert energy == pytest.approx(exact, abs=0.03 if isinstance(method, Geometric) else 1e-3)
+    assert energy == pytest.approx(exact, abs=1e-3)
     assert answer.encircled_energy(0.0) == 0.0
 
 
@@ -135,20 +121,6 @@ def test_the_energy_of_a_long_thin_window_is_that_of_a_line(pixel: float) -> Non
     assert energy == pytest.approx(line * math.pi * pixel / (4 * math.pi), rel=1e-7 + (math.pi * pixel) ** 2 / 24)
 
 
-def test_every_number_has_the_shape_of_the_stack() -> None:
-    pupils = Pupil(Wavefront(np.array([[1.0, 2.0, 3.0]])), obscuration=0.2)
-    for method in (NijboerZernike(), Fraunhofer()):
-        answer = lm.psf(pupils, (6, 5), 0.5, method=method)
-        assert np.shape(answer.energy) == np.shape(answer.strehl) == (1, 3)
-        assert np.shape(answer.encircled_energy(1.0)) == (1, 3)
-        assert np.shape(answer.encircled_energy([1.0, 2.0])) == (1, 3, 2)
-        alone = lm.psf(pupils[0, 1], (6, 5), 0.5, method=method)
-        assert answer.energy[0, 1] == pytest.approx(float(alone.energy), rel=1e-5)
-        assert answer.encircled_energy([1.0, 2.0])[0, 1] == pytest.approx(
-            alone.encircled_energy([1.0, 2.0]), rel=1e-5
-        )
-
-
 RADII = np.array([0.0, 0.3, 1.0, 2.5, 6.0, 15.0])
 
 
@@ -168,11 +140,6 @@ def test_weights_on_pixels_integrate_a_radial_image_within_the_bound(eps, tol):
         np.testing.assert_allclose(found.fraction, exact, atol=3e-8)
 
 
-def test_a_radial_pupil_takes_no_image():
-    found = encircled(lm.Pupil(lm.Wavefront(4.0)), RADII)
-    np.testing.assert_allclose(found.fraction, radial_energy(Hankel(), lm.Pupil(lm.Wavefront(4.0)), RADII), atol=1e-6)
-
-
 def test_a_tilted_airy_pattern_has_the_energy_of_a_circle_off_its_centre():
     shift, radius = 0.8, 1.5
     pupil = lm.Pupil(lm.Wavefront(nonradial={(1, 1): np.pi * shift}))
@@ -187,13 +154,6 @@ def test_a_tilted_airy_pattern_has_the_energy_of_a_circle_off_its_centre():
     ring = w * jacobian * 0.5 * np.pi**2 * r * intensity[np.argsort(np.argsort(r))]
     inner = float(radial_energy(Hankel(), lm.Pupil(), low))
     assert found.fraction[0] == pytest.approx(inner + float(ring @ arc), abs=1e-7)
-
-
-def test_metres_and_units_of_lambda_n_agree():
-    coma = lm.Wavefront(nonradial={(3, 1): 1.5})
-    plain = encircled(lm.Pupil(coma), [2.0])
-    metric = encircled(lm.Pupil(coma, wavelength=5e-7, f_number=4.0), [2.0 * 2e-6])
-    np.testing.assert_allclose(metric.fraction, plain.fraction, rtol=1e-6)
 
 
 def test_an_aperture_with_vanes_has_energies_with_a_bound():

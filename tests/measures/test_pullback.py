@@ -51,11 +51,6 @@ def test_radial_pupils_take_the_series_and_whatever_it_lacks_the_chordal_rule():
             assert found[name] == pytest.approx((g * slope).sum(), abs=1e-12 * np.abs(g * slope).sum())
 
 
-def test_without_names_it_is_by_the_terms_of_the_wavefront():
-    answer = lm.psf(LENS.pupil(1.95), 9, 1.5e-6)
-    assert tuple(answer.pullback(answer.values)) == answer.pupil.wavefront.terms
-
-
 def test_it_is_the_gradient_of_a_misfit():
     def misfit(h: float) -> float:
         pupil = replace(LENS, aberrations=LENS.aberrations + lm.Wavefront(nonradial={(3, 1): h})).pupil(1.95)

@@ -265,7 +265,7 @@ def test_measures_are_those_of_each(name):
     for i in range(4):
         one = answer[i]
         assert one.grid == Grid(33, 0.5 * unit, center=one.grid.center, integrate=answer.grid.integrate)
-        for found in ("energy", "strehl", "peak_strehl", "peak_position", "centroid"):
+        for found in ("energy", "strehl", "peak_strehl", "centroid"):
             np.testing.assert_allclose(getattr(answer, found)[i], getattr(one, found), rtol=1e-12, atol=1e-15 * unit)
         for about in ("axis", "centroid"):
             np.testing.assert_allclose(
@@ -283,9 +283,6 @@ def test_measures_are_those_of_each(name):
     e = 1e-6 * 0.25 * np.pi / unit**2 * usual.peak_strehl[:, None]
     for measured in (usual.encircled_energy(radius), [usual[i].encircled_energy(radius) for i in range(4)]):
         assert (np.abs(measured - answer.encircled_energy(radius)) <= 2e-8 + 4.0 * np.pi * radius**2 * e).all()
-    from lommel.measures.transfer import sampled_spectrum
-
-    np.testing.assert_allclose(sampled_spectrum(answer)[2][2], sampled_spectrum(answer[2])[2], rtol=1e-12, atol=1e-15)
     # Wherever the axis is, the light is around it.
     assert np.abs(answer.centroid - lm.centroid(pupil)).max() < 0.3 * unit
 

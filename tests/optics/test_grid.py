@@ -49,15 +49,6 @@ def test_values_at_the_radii_are_painted_onto_every_pixel_at_that_distance(grid)
     np.testing.assert_allclose(image[1], 2 * (1 + distances(grid)), rtol=1e-12)
 
 
-@pytest.mark.parametrize("dtype", [np.float32, np.float64])
-def test_images_are_painted_as_they_are(dtype):
-    grid = Grid((2, 3), 1.0)
-    images = np.arange(12.0).reshape(2, 2, 3)
-    painted = np.empty(images.shape, dtype)
-    grid.paint(images, np.array([1.0, 10.0]), painted)
-    np.testing.assert_array_equal(painted, images * np.array([1.0, 10.0])[:, None, None])
-
-
 def test_the_optical_coordinate_of_a_pixel_is_pi_pixels_over_lambda_N():
     pupil = lm.Pupil(wavelength=500e-9, f_number=4.0)
     grid = Grid(5, 1e-6)
@@ -113,18 +104,3 @@ def test_of_several_axes_the_farthest_counts():
     with pytest.raises(ValueError, match=r"around the farthest center=\(1.0, 400000.0\) reaches v = 1.26e\+06"):
         Grid((3, 4), 1.0, center=(1.0, [0.0, 4e5, -3e5])).require_reach(pupil)
     Grid((3, 4), 1.0, center=(1.0, [0.0, 3e5, -3e5])).require_reach(pupil)
-
-
-@pytest.mark.parametrize(
-    ("options", "symmetric"),
-    [
-        ({}, True),
-        ({"center": (2, 3)}, True),
-        ({"integrate": True}, False),
-        ({"center": (2.5, 3.0)}, False),
-        ({"integrate": True, "center": (2.5, 3.0)}, False),
-        ({"center": (2.0, [3.0, 3.0])}, False),
-    ],
-)
-def test_a_window_is_symmetric_where_it_samples_around_the_default_axis(options, symmetric):
-    assert Grid((5, 6), 0.5, **options).symmetric is symmetric

@@ -6,7 +6,6 @@ import copy
 import json
 import math
 import pickle
-import re
 
 import numpy as np
 import pytest
@@ -93,24 +92,3 @@ def test_a_pupil_survives_json_and_pickling(camera, distance):
     text = json.dumps(pupil.to_dict(), allow_nan=False)
     assert lm.Pupil.from_dict(json.loads(text)) == pupil
     assert pickle.loads(pickle.dumps(pupil)) == pupil
-
-
-def test_a_pupil_is_one_line_with_units(camera):
-    assert repr(camera.pupil(1.9)) == "<Pupil f/1.846, 550 nm, C_d 14.5 rad>"
-    assert repr(camera.pupil([1.0, 2.0, 3.0])) == "<Pupil 3 pupils, f/1.846, 550 nm, C_d -91.82 to 275.5 rad>"
-    assert repr(lm.Pupil()) == "<Pupil no aberration>"
-    many = lm.Wavefront.zernike({k: 0.01 * k for k in range(4, 94)}, order="noll")
-    shown = repr(lm.Pupil(many, obscuration=0.3, wavelength=550e-9, f_number=4))
-    assert len(shown) < 160
-    assert re.search(
-        r"Zernike terms \(\d+, -?\d+\) [\d.]+, .* and 87 more, rad at the edge, obscuration 0.3>$", shown
-    )
-
-
-def test_terms_of_a_pupil_are_shown_with_their_signs():
-    terms = {(4, 0): -2.327, (2, 0): 1.78, (3, -1): -0.5}
-    assert repr(lm.Pupil(lm.Wavefront.zernike(terms, normalization="edge"))) == (
-        "<Pupil Zernike terms (4, 0) -2.33, (2, 0) 1.78, (3, -1) -0.5, rad at the edge>"
-    )
-    stack = lm.Wavefront.zernike({(3, 1): np.array([-0.4, 0.1])}, normalization="edge")
-    assert "(3, 1) -0.4 to 0.1, rad" in repr(lm.Pupil(stack))

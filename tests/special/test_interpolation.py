@@ -53,16 +53,6 @@ def test_each_order_of_a_circle_is_within_its_error(error):
     assert off[most] >= 0.1 * made.errors[most] or error < 1e-11
 
 
-def test_taps_and_neighbours_are_the_fewest():
-    found = interpolation.filtered_taps(1.2, 1e-8)
-    fewer = interpolation._fit_filter(found.taps.size - 2, 1.2, interpolation.MAX_NEIGHBOURS)
-    assert fewer.error > 1e-8 >= found.error
-    assert interpolation._fit_filter(found.taps.size, 1.2, found.filter.size - 5).error > 1e-8
-    around = interpolation.circular_taps(20, 96, 1e-8)
-    assert interpolation.circular_taps(20, 96, around.errors.max()).taps.size == around.taps.size
-    assert interpolation.circular_taps(20, 96, 0.9 * around.errors.max()).taps.size == around.taps.size + 2
-
-
 def test_what_few_neighbours_cannot_tell_is_said():
     with pytest.raises(ValueError, match=r"16 taps do not reach an error of 1e-08: the band 3 is too wide"):
         interpolation.filtered_taps(3.0, 1e-8)

@@ -39,11 +39,6 @@ def test_derivatives_of_any_order_are_those_of_waves_also_where_polynomials_meet
     assert np.abs(made - expected).max() < 1e-4
 
 
-def test_other_frameworks_use_their_own():
-    cos, sin = waves(Namespace.of(None), (np.array([0.125, 100.25]),))
-    assert np.allclose([cos, sin], [[0.5**0.5, 0.0], [0.5**0.5, 1.0]], atol=1e-12)
-
-
 @pytest.mark.parametrize("name", ["jax", "numpy"])
 def test_of_two_parts_the_first_loses_its_whole_turns(name):
     parts = np.array([100_000.0, -7.5], dtype=np.float32), np.array([0.1259, 0.1259], dtype=np.float32)

@@ -144,9 +144,9 @@ SECTIONS = [
         ("measures",),
         more="measures.energy.encircled_energy measures.energy.ensquared_energy measures.energy.radial_energy"
         " measures.energy.window_energy measures.energy.encircled measures.energy.Encircled"
-        " measures.energy.image_centroid measures.energy.window_centroid measures.spot.peak_position"
+        " measures.energy.image_centroid measures.energy.window_centroid"
         " measures.spot.axis_strehl measures.spot.peak_strehl measures.spot.fwhm measures.spot.energy_diameter"
-        " measures.transfer.image_otf measures.transfer.sampled_otf measures.transfer.sampled_spectrum"
+        " measures.transfer.image_otf"
         " measures.errors.mse measures.slanted_edge.EdgeResponse psf.Measured",
     ),
     Section(

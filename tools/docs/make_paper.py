@@ -120,7 +120,7 @@ IMPLEMENTATION = """\
 | 13, 21-23 | integrals 4 to 6, by the moments of a chirp | `special/erf.py` (`chirp_moments`) |
 | 14 | error function of a complex argument, lookup table, Fresnel integrals | `special/erf.py` |
 | 17 | piecewise quadratic phases | `special/piecewise.py` |
-| 18-20 | integrals 1 to 3 | `special/erf.py` (`disk_moments`, `unit_moments`) |
+| 18-20 | integrals 1 to 3 | `special/erf.py` (`unit_moments`) |
 | section 5 | "further optimizing parameters" | `methods/paper/closed_form.py` |
 """
 

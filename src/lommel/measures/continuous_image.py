@@ -9,13 +9,12 @@ as a fraction of all light per area. The fraction of all light within the radius
 
     E(R) = int OTF(f) B(f) S(f) exp(2 pi i f.c) R J1(2 pi R abs(f)) / abs(f) d^2 f .
 
-Three classes represent an image. :class:`PolarImage`, for radially symmetric lenses and lenses seen through
-turbulence, computes the OTF from the pupil, at Gauss nodes along the radial frequency. :class:`RayImage` holds the
-light of geometric rays. :class:`CartesianImage`, for all pupils, uses the discrete Fourier transform of samples,
-times a cut-off function. This function is 1 (to 1e-8) up to the band, the highest frequency with a nonzero OTF in
-cycles per lambda*N, and falls smoothly to 0 at twice the band. It hardly changes E(R), because it is 1 wherever the
-OTF is not 0. Its Fourier transform, called its kernel, is negligible at distances above 12 / band lambda*N. Samples
-farther than this outside the circle are therefore omitted.
+Two classes represent an image. :class:`PolarImage`, for radially symmetric lenses and lenses seen through
+turbulence, computes the OTF from the pupil, at Gauss nodes along the radial frequency. :class:`CartesianImage`, for
+all pupils, uses the discrete Fourier transform of samples, times a cut-off function. This function is 1 (to 1e-8) up
+to the band, the highest frequency with a nonzero OTF in cycles per lambda*N, and falls smoothly to 0 at twice the
+band. It hardly changes E(R), because it is 1 wherever the OTF is not 0. Its Fourier transform, called its kernel, is
+negligible at distances above 12 / band lambda*N. Samples farther than this outside the circle are therefore omitted.
 """
 
 from __future__ import annotations
@@ -50,7 +49,7 @@ from lommel.methods.nonuniform_fft import NonuniformFFT
 from lommel.methods.polychromatic import Polychromatic
 from lommel.optics.aperture.mask import cell_centers
 from lommel.optics.aperture.opening import Opening
-from lommel.optics.aperture.shapes import Listed, disk_overlap, listed
+from lommel.optics.aperture.shapes import Listed, listed
 from lommel.optics.base_pupil import BasePupil
 from lommel.optics.colour.spectrum import Component
 from lommel.optics.grid import Grid
@@ -259,7 +258,6 @@ _MAX_VALUES = 2**24  # largest number of samples or waves computed together, to 
 _TAPER = 64.0  # width, lambda*N, of the margin in which the weights of samples for the OTF fall to 0
 # Smallest numbers of directions over half a turn: for a radially symmetric OTF, and for any other OTF.
 _MIN_ANGLES, _MIN_ANGLES_OTF = 48, 160
-_RAY_CELLS = 512  # number of cells of geometric images along a side
 
 
 class ImageModel(NamedTuple):
@@ -631,58 +629,15 @@ class PolarPart(NamedTuple):
     wavelength: float | None
 
 
-class RayImage(NamedTuple):
-    """Fractions of all light in square cells according to geometric optics; lengths in lambda*N."""
-
-    light: Array  # shape (n, n), with the axis at the middle cell
-    side: float  # side of a cell
-
-    def circles(self, radius: Array, center: tuple[float, float] = (0.0, 0.0)) -> Array:
-        """Return the light within circles of each radius about `center`."""
-        (low, high), half = self._ends(center[0]), 0.5 * self.side
-        rows = self._ends(center[1])[0][:, None] + half
-        cells = low, high, rows - half, rows + half
-        return np.array([np.sum(disk_overlap(r, *cells) * self.light) / self.side**2 for r in radius])
-
-    def rectangle(self, low: tuple[float, float], high: tuple[float, float]) -> float:
-        """Return the light in a rectangle between two corners (x, y)."""
-        columns, rows = (
-            np.maximum(np.minimum(ends[1], b) - np.maximum(ends[0], a), 0.0) / self.side
-            for ends, a, b in ((self._ends(0.0), low[k], high[k]) for k in (0, 1))
-        )
-        return float(rows @ self.light @ columns)
-
-    def _ends(self, origin: float) -> tuple[Array, Array]:
-        """Return the lower and upper edges of the cells along an axis, relative to `origin`."""
-        middle = self.side * (np.arange(float(len(self.light))) - len(self.light) // 2) - origin
-        return middle - 0.5 * self.side, middle + 0.5 * self.side
-
-
-def ray_images(model: ImageModel, reach: float) -> Iterator[RayImage]:
-    """Yield the geometric images of a flattened stack up to `reach` lambda*N from the axis, in about 512^2 cells."""
-    pupil = model.pupil
-    pixel = model.active[0] / pupil.scale
-    side = (2.0 * reach + pixel + 1e-3) / _RAY_CELLS
-    if pixel:
-        side = pixel / (2 * math.ceil(0.5 * pixel / side) - 1)  # an odd number of cells per pixel
-    half = math.ceil((reach + pixel) / side) + 1
-    grid = Grid(2 * half + 1, side * pupil.scale, integrate=True)
-    for image in model.method.images(pupil, grid, Wanted()).values:
-        fractions = image * (math.pi * side**2 / (4.0 * pupil.transmission))
-        yield RayImage(
-            scipy.ndimage.uniform_filter(fractions, round(pixel / side), mode="constant") if pixel else fractions,
-            side,
-        )
-
-
-Image = CartesianImage | PolarImage | RayImage
+Image = CartesianImage | PolarImage
 """Any class that computes the light within circles and rectangles."""
 
 
 def images(model: ImageModel, reach: float) -> Iterator[Image]:
     """Return the images of a flattened stack, valid up to `reach` lambda*N from the axis."""
     if model.method.sampling == "pixel":
-        return ray_images(model, reach)
+        name = type(model.method).__name__
+        raise ValueError(f"method must compute diffraction for the light in circles, got {name}: sum its pixels")
     return (polar_images if is_radial_lens(model) or is_lens_in_seeing(model) else cartesian_images)(model, reach)
 
 

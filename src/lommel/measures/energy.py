@@ -186,9 +186,11 @@ def energy_centers(psf: PSFLike, about: str) -> Array:
 
 def require_radial(method: RadialMethod, pupil: BasePupil) -> None:
     """Raise ValueError if a pupil is not radially symmetric or if the method does not support it."""
-    method.require(pupil)
     if not pupil.radial:
-        raise ValueError("pupil must be radially symmetric, got one with terms that depend on the direction")
+        raise ValueError(
+            "pupil must be radially symmetric, got a wavefront or an aperture that depends on the direction"
+        )
+    method.require(pupil)
 
 
 def radial_energy(method: RadialMethod, pupil: BasePupil, radius: ArrayLike) -> Numbers:
@@ -444,11 +446,6 @@ def best_focus(pupil: Pupil, radius: float) -> float:
     valid_radius = validation.real("radius", radius, above=0.0)
     if checked_pupil(pupil).shape != ():
         raise ValueError(f"pupil must be a single one, got a stack of shape {pupil.shape}")
-    if not pupil.radial:
-        raise ValueError(
-            "pupil must be radially symmetric, got a wavefront or an aperture that depends on the direction; "
-            "instead compare psf.encircled_energy at several values of defocus"
-        )
     method = of_profiles()
     require_radial(method, pupil)
     # A zone of the pupil is in focus if the slope dPhi/d(rho^2) of its phase and the slope 2 C_d of the added defocus

@@ -1,9 +1,8 @@
-"""Peak position, Strehl ratio, diameter of encircled energy, and full widths at half maximum in x, y and z."""
+"""Strehl ratio, diameter of encircled energy, and full widths at half maximum in x, y and z."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
 
 import numpy as np
 import scipy
@@ -41,47 +40,6 @@ _MAX_RADII = 2**16  # largest number of radii in a table of encircled energy
 _MAX_HALF_WIDTH = 250.0
 # Largest diameter of encircled energy, lambda*N: by quadrature over the OTF, and from samples of the image.
 _MAX_DIAMETER, _MAX_SAMPLED_DIAMETER = 6000.0, 1400.0
-
-
-def peak_position(psf: PSFLike) -> Array:
-    """Return the position (x, y) of the largest value, relative to the axis.
-
-    Parameters
-    ----------
-    psf : PSF
-
-    Returns
-    -------
-    ndarray, shape ``pupil.shape + (2,)``
-        Position in metres or units of lambda*N. Each coordinate is the vertex of the parabola through the brightest
-        pixel and its two neighbours in this direction, or at an edge of the window the pixel's centre. The error is
-        well below a tenth of a pixel if pixels are at most 0.5 lambda*N wide. If several pixels are equally bright,
-        as on a ring of light, the first one in row order is used.
-    """
-    checked(psf)
-    height, width = psf.grid.pitch
-    positions = [
-        (x[column] + width * _vertex(row_values, column), y[row] + height * _vertex(column_values, row))
-        for x, y, (row, column, row_values, column_values) in zip(*psf.positions(), _brightest(psf), strict=True)
-    ]
-    return np.array(positions).reshape(*psf.pupil.shape, 2)
-
-
-def _brightest(psf: PSFLike) -> Iterator[tuple[int, int, Array, Array]]:
-    """Yield the row and column of the brightest pixel of each image, and the values in this row and this column."""
-    for image in np.asarray(psf.values, dtype=np.float64).reshape(-1, *psf.grid.shape):
-        row, column = divmod(int(image.argmax()), psf.grid.width)
-        yield row, column, image[row], image[:, column]
-
-
-def _vertex(line: Array, index: int) -> float:
-    """Return the vertex of the parabola through the values at and beside `index`, as an offset up to +-0.5."""
-    if not 0 < index < line.size - 1:
-        return 0.0
-    before, here, after = line[index - 1 : index + 2]
-    # Three equal values, as on a saturated peak, have no curvature and define no vertex.
-    curvature = 2.0 * here - before - after
-    return 0.0 if curvature <= 0.0 else float(np.clip(0.5 * (after - before) / curvature, -0.5, 0.5))
 
 
 def axis_strehl(psf: PSFLike) -> Numbers:

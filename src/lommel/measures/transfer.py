@@ -19,10 +19,8 @@ from lommel.base import validation
 from lommel.base.arrays import Array, Numbers, numbers
 from lommel.blur.blurs import Blur, blurs, frequencies, require_unit
 from lommel.measures.continuous_image import ImageModel, sampled_transfer
-from lommel.measures.energy import energy_per_pixel
 from lommel.measures.overlap import autocorrelation
 from lommel.measures.psf_like import Measurable, PSFLike
-from lommel.measures.psf_like import checked as checked_answer
 from lommel.methods.polychromatic import Polychromatic
 from lommel.optics.colour.spectrum import Component
 from lommel.optics.grid import Grid
@@ -412,74 +410,3 @@ def _first_crossing(pupil: Pupil, threshold: float, angle: float, sensor: Sensor
         else:
             results[i] = scipy.optimize.brentq(margin_at, low, high, xtol=1e-10 * cutoff)
     return numbers(results, pupil.shape)
-
-
-def sampled_otf(psf: PSFLike, fx: ArrayLike, fy: ArrayLike = 0.0) -> Complexes:
-    """Return the discrete Fourier transform of the values in the window, by direct summation.
-
-    :func:`lommel.otf` is the transfer function of the continuous image. The transfer function of its samples is
-    aliased, with the period 1 / pixel (the sampling frequency): at the Nyquist frequency it is about twice the real
-    part of the OTF.
-
-    Parameters
-    ----------
-    psf : PSF
-    fx, fy : array_like
-        As in :func:`lommel.otf`, at most the Nyquist frequency ``1 / (2 pixel)``.
-
-    Returns
-    -------
-    complex or complex ndarray, shape ``psf.pupil.shape + s``
-        ``sum values exp(-2 pi i (fx x + fy y))`` with values as fractions of all light and x, y relative to the axis.
-        At frequency 0 it is the fraction of light in the window. If the window contained all light, the sum would be
-        the sum of the OTF of the image over the frequency and its aliases (frequency plus multiples of 1 / pixel).
-
-    Raises
-    ------
-    TypeError, ValueError
-        If the frequencies are not finite, do not broadcast, or exceed the Nyquist frequency.
-    """
-    checked_answer(psf)
-    x_f, y_f = frequencies(fx, fy)
-    height, width = psf.grid.pitch
-    for name, f, pitch in (("fx", x_f, width), ("fy", y_f, height)):
-        limit = 0.5 / pitch
-        if f.size and np.abs(f).max() > limit * (1.0 + 1e-12):
-            raise ValueError(
-                f"{name} must be at most the Nyquist frequency 1 / (2 pixel) = {limit:.6g} of the samples, "
-                f"got {np.abs(f).max():.6g}"
-            )
-    x, y = psf.grid.x, psf.grid.y
-    columns = np.exp(-2j * math.pi * x[..., None] * x_f.ravel())
-    rows = np.exp(-2j * math.pi * y[..., None] * y_f.ravel())
-    transform = np.einsum("...yf,...yf->...f", energy_per_pixel(psf) @ columns, rows)
-    result: Complexes = transform.reshape(psf.pupil.shape + x_f.shape)[()]
-    return result
-
-
-def sampled_spectrum(psf: PSFLike) -> tuple[Array, Array, NDArray[np.complex128]]:
-    """Return the frequencies of the FFT of the window, and the transfer function of the samples at them.
-
-    See :func:`lommel.measures.transfer.sampled_otf`.
-
-    Parameters
-    ----------
-    psf : PSF
-
-    Returns
-    -------
-    fx, fy : ndarray, shapes (width,) and (height,)
-        Increasing frequencies in steps of ``1 / (width pixel)`` and ``1 / (height pixel)``; frequency 0 has the index
-        ``width // 2`` or ``height // 2``.
-    values : complex ndarray, shape ``psf.values.shape``
-        Transfer function as in :func:`lommel.measures.transfer.sampled_otf`.
-    """
-    checked_answer(psf)
-
-    grid = psf.grid
-    fx = scipy.fft.fftshift(scipy.fft.fftfreq(grid.width, grid.pitch[1]))
-    fy = scipy.fft.fftshift(scipy.fft.fftfreq(grid.height, grid.pitch[0]))
-    from_first_pixel = scipy.fft.fftshift(scipy.fft.fft2(energy_per_pixel(psf)), axes=(-2, -1))
-    # The FFT uses positions relative to the first pixel; the phase factor makes them relative to the axis.
-    shift = np.exp(-2j * math.pi * (fy[:, None] * grid.y[..., :1, None] + fx * grid.x[..., :1, None]))
-    return fx, fy, np.asarray(from_first_pixel * shift)

@@ -373,11 +373,11 @@ class Pupil(BasePupil):
     def from_dict(cls, description: Json) -> Pupil:
         """Rebuild a pupil from a `description` by :meth:`to_dict`."""
         from lommel.optics.aperture.mask import Mask
-        from lommel.optics.aperture.shapes import Spider, shape_from_dict
+        from lommel.optics.aperture.shapes import shape_from_dict
         from lommel.optics.colour.dispersion import colour_from_dict
 
         parts = dict(description)
-        builds = (Spider.from_dict, shape_from_dict, Mask.from_dict, shape_from_dict, colour_from_dict)
+        builds = (shape_from_dict, shape_from_dict, Mask.from_dict, shape_from_dict, colour_from_dict)
         built: dict[str, Callable[[Json], object]] = dict(zip(_PARTS, builds, strict=True))
         built |= {"geometry": Geometry.from_dict, "apodization": Apodization.from_dict}
         for name, build in built.items():

@@ -233,29 +233,6 @@ def chirp_moments(
     return values.reshape(3, *parts[0].shape)
 
 
-def disk_moments(alpha: float, limit: ArrayLike, count: int) -> NDArray[np.complex128]:
-    r"""Return ``int_0^T R^(2m+1) exp(i alpha R^2) dR`` for m = 0, ..., count-1.
-
-    Paper, Eq. (18)-(20) and further moments: ``T^(2m+2)`` times :func:`unit_moments` of ``alpha T^2``.
-
-    Parameters
-    ----------
-    alpha : float
-        Curvature of the phase in radians, positive, negative or zero.
-    limit : array_like
-        T, >= 0.
-    count : int
-
-    Returns
-    -------
-    ndarray of complex, shape ``(count,) + T.shape``
-    """
-    # R = T x turns the limit into 1.
-    square = np.asarray(limit, dtype=np.float64) ** 2
-    powers = square ** np.arange(1, count + 1).reshape(-1, *(1,) * square.ndim)
-    return np.asarray(powers * unit_moments(alpha * square, count))
-
-
 def unit_moments(phase: Array, count: int) -> NDArray[np.complex128]:
     r"""Return ``int_0^1 x^(2m+1) exp(i phase x^2) dx`` for m = 0, ..., count-1.
 

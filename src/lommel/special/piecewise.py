@@ -16,11 +16,9 @@ from lommel.base import validation
 from lommel.base.arrays import Array
 
 SPLITS = ("linear", "sqrt", "log", "optimal")
-FITS = ("interpolation", "least-squares", "sweep")
+FITS = ("interpolation", "least-squares")
 
 _SAMPLES = 96  # samples of each segment for the mean error
-_SWEEP = 31  # number of values of a coefficient in a finer sweep
-_LEVELS, _MAXIMA = 3, 24  # number of finer sweeps, and number of refined maxima
 
 
 @dataclass(frozen=True, eq=False)
@@ -98,7 +96,6 @@ def fit_quadratics(
     split: str = "optimal",
     fit: str = "interpolation",
     piston: bool = True,
-    sweep: tuple[float, float] | None = None,
 ) -> PiecewiseQuadratic:
     r"""Approximate the phase ``c_1 rho^2 + c_2 rho^4 + ...`` by quadratics on segments (paper, Eq. 17).
 
@@ -110,16 +107,13 @@ def fit_quadratics(
         Number of segments, 1 to 4096.
     split : {"optimal", "linear", "sqrt", "log"}
         See :func:`split_edges`.
-    fit : {"interpolation", "least-squares", "sweep"}
+    fit : {"interpolation", "least-squares"}
         "interpolation": of the phase at three Chebyshev points of each segment; the error bound is about
         ``max abs(phi''') h^3 / 192``. Without piston: match of the value (up to whole turns) and the slope of the
         phase in the middle of each segment, without a bound. "least-squares": fit of ``exp(i phase)`` that starts
-        from the result of "interpolation". "sweep": search over alpha and beta as in the paper, then with finer
-        steps.
+        from the result of "interpolation".
     piston : bool, default True
         True if each segment has a constant gamma_i, which Eq. (17) omits.
-    sweep : (float, float), optional
-        Largest moduli of alpha and beta in the search; by default 1.5 times the values for the phase itself.
 
     Returns
     -------
@@ -128,14 +122,14 @@ def fit_quadratics(
     Raises
     ------
     TypeError, ValueError
-        If an argument is out of range, or if the optimum of a sweep lies on the border of its range.
+        If an argument is out of range.
     """
     c = validation.real_array("coefficients", coefficients)
     if c.ndim != 1 or c.size == 0:
         raise ValueError(f"coefficients must be a sequence of numbers, got {validation.shown(coefficients)}")
     validation.choice("fit", fit, FITS)
     validation.truth("piston", piston)
-    edges, rows = fit_stack(c[None], segments, split, fit, piston, sweep)
+    edges, rows = fit_stack(c[None], segments, split, fit, piston)
     alpha, beta, gamma = rows[0].T
     bound = None
     if piston and fit == "interpolation":
@@ -143,18 +137,13 @@ def fit_quadratics(
     return PiecewiseQuadratic(edges, alpha, beta, gamma, bound)
 
 
-def fit_stack(
-    c: Array, segments: int, split: str, fit: str, piston: bool, sweep: tuple[float, float] | None = None
-) -> tuple[Array, Array]:
+def fit_stack(c: Array, segments: int, split: str, fit: str, piston: bool) -> tuple[Array, Array]:
     """Return the edges, and alpha, beta and gamma of each phase of a stack in each segment, ``(n, segments, 3)``."""
     edges, coefficients = _interpolation_matrix(c.shape[-1], segments, split)
     rows = (c @ coefficients).reshape(len(c), segments, 3) if piston else _match_value_and_slope(c, edges)
-    if fit != "interpolation":
+    if fit == "least-squares":
         for k, (i, (low, high)) in product(range(len(c)), enumerate(pairwise(edges.tolist()))):
-            if fit == "least-squares":
-                rows[k, i] = _least_squares(c[k], low, high, rows[k, i], piston)
-            else:
-                rows[k, i] = _sweep_coefficients(c[k], low, high, piston, sweep)
+            rows[k, i] = _least_squares(c[k], low, high, rows[k, i], piston)
     return edges, rows
 
 
@@ -222,50 +211,3 @@ def _least_squares(c: Array, low: float, high: float, start: Array, piston: bool
     optimum = scipy.optimize.least_squares(residual, initial, x_scale="jac", xtol=1e-14, ftol=1e-14, gtol=1e-14).x
     a, b, g = np.append(optimum, np.zeros(3 - count))
     return np.array([a, b - 2 * a * m, g - (b - a * m) * m])
-
-
-def _sweep_coefficients(c: Array, low: float, high: float, piston: bool, ranges: tuple[float, float] | None) -> Array:
-    rho = low + (high - low) * (np.arange(_SAMPLES) + 0.5) / _SAMPLES
-    wave = np.exp(1j * _derivative(c, rho, 0))
-    if ranges is None:
-        # Without a piston alpha also compensates the constant, up to half a turn.
-        piston_part = 0.0 if piston else math.pi / (0.5 * (low + high)) ** 2
-        alpha = 0.75 * float(_derivative(np.abs(c), high, 2)) + piston_part + 1.0
-        beta = 1.5 * float(_derivative(np.abs(c), high, 1)) + 2.0 * alpha * high
-    else:
-        alpha, beta = (validation.real("sweep", r, above=0.0) for r in ranges)
-    # The first step changes the phase by at most half a radian: within the segment or, without a piston to compensate
-    # a constant, from the axis to the end of the segment.
-    extent = high - low if piston else high
-    counts = [min(1201, max(_SWEEP, math.ceil(4.0 * size) | 1)) for size in (alpha * extent**2, beta * extent)]
-    a, b = np.linspace(-alpha, alpha, counts[0]), np.linspace(-beta, beta, counts[1])
-
-    def scores(a: Array, b: Array) -> tuple[Array, Array]:
-        overlap = np.exp(-1j * np.outer(a, rho**2)) * wave @ np.exp(-1j * np.outer(rho, b)) / _SAMPLES
-        # With a piston, the best constant is the argument of the overlap, and the score is its modulus.
-        return (np.abs(overlap) if piston else overlap.real), np.angle(overlap)
-
-    score, _ = scores(a, b)
-    i, j = np.unravel_index(int(score.argmax()), score.shape)
-    if i in (0, a.size - 1) or j in (0, b.size - 1):
-        raise ValueError(
-            f"sweep range excludes the optimum on [{low:.3g}, {high:.3g}]: the best of |alpha| <= {alpha:.3g}, "
-            f"|beta| <= {beta:.3g} lies on its border; use a larger sweep"
-        )
-    # The maximum of a coarse sweep need not be near the global maximum: the highest local maxima are all refined.
-    maxima = np.argwhere((score == scipy.ndimage.maximum_filter(score, size=3)) & (score > 0.5 * score.max()))
-    maxima = maxima[np.argsort(-score[tuple(maxima.T)])][:_MAXIMA]
-    optimum, highest = np.zeros(3), -math.inf
-    for i, j in maxima:
-        x, y = a, b
-        for _ in range(_LEVELS):
-            x, y = (
-                values[k] + 3.0 * (values[1] - values[0]) * np.linspace(-1.0, 1.0, _SWEEP)
-                for values, k in ((x, i), (y, j))
-            )
-            score, angle = scores(x, y)
-            i, j = np.unravel_index(int(score.argmax()), score.shape)
-        if score[i, j] > highest:
-            highest = float(score[i, j])
-            optimum = np.array([x[i], y[j], angle[i, j] if piston else 0.0])
-    return optimum

@@ -41,12 +41,6 @@ def test_what_the_powers_leave_of_a_cosine_is_bounded(sine, power):
     assert light.value([0.0, 1.0][power < 0]) == pytest.approx(1.0, abs=1e-13 * light.slope + 1e-15)
 
 
-def test_a_cosine_without_angle_or_power_is_even_light():
-    assert lm.Apodization.cosine(0.0, -0.5) == lm.Apodization.cosine(0.7, 0.0) == lm.Apodization()
-    assert lm.Apodization().uniform
-    assert lm.Apodization([0.0, 0.0]).powers == ()
-
-
 @given(st.dictionaries(st.sampled_from([2, 4, 6, 8]), st.floats(-0.5, 0.5).filter(lambda b: abs(b) > 1e-3)))
 def test_radial_terms_are_zernike_polynomials_of_the_logarithm(terms):
     light = lm.Apodization.zernike(terms)
@@ -76,16 +70,6 @@ def test_the_middle_of_an_aperture_has_the_amplitude_of_its_radii(light, ratio):
     inner = light.scaled(ratio).value(rho)
     outer = light.value(ratio * rho)
     assert inner / inner[0] == pytest.approx(outer / outer[0], rel=1e-12)
-
-
-def test_an_amplitude_survives_plain_types():
-    light = lm.Apodization.cosine(0.6, -0.5)
-    assert lm.Apodization.from_dict(light.to_dict()) == light
-    pupil = lm.Pupil(lm.Wavefront(1.0), apodization=light)
-    assert lm.Pupil.from_dict(pupil.to_dict()) == pupil
-    assert pupil != lm.Pupil(lm.Wavefront(1.0))
-    assert hash(lm.Apodization([1.0])) == hash(lm.Apodization.gaussian(1.0))
-    assert "powers" in repr(pupil)
 
 
 def test_a_number_stays_a_number_and_means_a_gaussian(tmp_path):

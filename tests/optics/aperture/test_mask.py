@@ -10,7 +10,6 @@ from scipy import integrate, special
 
 import lommel as lm
 from lommel import Mask, Pupil
-from lommel.optics.aperture import mask
 
 
 def test_the_rows_of_a_mask_rise_with_y_and_its_columns_with_x():
@@ -49,12 +48,6 @@ def test_cells_are_means_of_their_points():
     np.testing.assert_allclose(mask.values, fine.values.reshape(6, 4, 6, 4).mean(axis=(1, 3)))
     assert lm.Mask.sample(lambda x, y: np.exp(1j * x), side=6, oversample=2).values.dtype.kind == "c"
     assert lm.Mask.sample(lambda x, y: x > y, side=4, oversample=1) == lm.Mask.sample(lambda x, y: x > y, side=4)
-
-
-def test_many_points_are_taken_in_bands(monkeypatch):
-    whole = lm.Mask.sample(lambda x, y: np.hypot(x, y) < 0.7, side=32, oversample=8)
-    monkeypatch.setattr(mask, "_MAX_EVALUATED", 5000)
-    assert lm.Mask.sample(lambda x, y: np.hypot(x, y) < 0.7, side=32, oversample=8) == whole
 
 
 @pytest.mark.parametrize(("angle", "most"), [(0.2, 1e-5), (0.0, 2e-4)])

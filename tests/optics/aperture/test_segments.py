@@ -58,11 +58,6 @@ def test_in_other_light_paths_stay():
     np.testing.assert_allclose(both.values, mean, atol=2e-6 * mean.max())
 
 
-def test_without_aberrations_segments_are_in_phase():
-    flat = lm.Pupil(lm.Wavefront(defocus=1.0), stop=PHASED).unaberrated()
-    assert flat == lm.Pupil(stop=SIX)
-
-
 def test_strehl_rms_and_centroid_are_of_wavefront_and_segments():
     pupil = lm.Pupil(lm.Wavefront(nonradial={(3, 1): 0.4}), stop=PHASED)
     psf = lm.psf(pupil, 1, 0.1, normalize="strehl", dtype="float64")
@@ -97,12 +92,3 @@ def test_files_keep_the_stop(suffix, stop, tmp_path):
     again = lm.PSF.load(tmp_path / f"star{suffix}")
     assert again.pupil == psf.pupil
     np.testing.assert_allclose(again.values, psf.values, atol=2e-5 * psf.values.max())  # of the 16 bits of a picture
-
-
-def test_rays_are_scanned_at_the_same_points_of_an_aperture_once():
-    pupil = lm.Pupil(lm.Wavefront(1.0), stop=PHASED)
-    assert lm.Pupil(lm.Wavefront(2.0), stop=PHASED).opening.raster() is pupil.opening.raster()
-    x, y, tip, tilt = pupil.opening.raster()
-    np.testing.assert_array_equal(pupil.opening.tilted(x, y)[1:], [tip, tilt])
-    assert np.hypot(tip, tilt).max() > 0.0
-    assert not lm.Pupil(stop=SIX).opening.raster()[2:].any()

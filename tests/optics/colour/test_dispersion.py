@@ -95,19 +95,6 @@ def test_lateral_colour_is_odd_in_the_height_and_meets_what_is_known():
         COLOUR.shift_across(21e-3, 450e-9)
 
 
-def test_a_singlet_has_the_focal_length_of_its_glass():
-    # Schott N-BK7 by its Sellmeier formula (data sheet of the maker), at the lines F, d and C.
-    waves = np.array([486.13e-9, 587.56e-9, 656.27e-9])
-    index = np.array([1.52238, 1.51680, 1.51432])
-    colour = lm.Colour.singlet(0.1, waves, index)
-    for wave, n in zip(waves, index, strict=True):
-        assert 0.1 + colour.shift(wave) == pytest.approx(0.1 * (index[0] - 1.0) / (n - 1.0), rel=1e-12)
-    # The Abbe number is what the focal length is over its change.
-    assert (colour.shift(waves[2]) - colour.shift(waves[0])) / (0.1 + colour.shift(waves[1])) == pytest.approx(
-        1 / 64.17, rel=0.02
-    )
-
-
 def test_only_differences_of_the_focal_shift_count():
     other = lm.Colour(WAVES, np.array(COLOUR.focus_shift) + 1e-3)
     for wavelength in (450e-9, 600e-9):

@@ -10,7 +10,6 @@ import pytest
 from scipy.integrate import quad
 from scipy.special import j1, jv
 
-import lommel as lm
 from lommel.optics.layers import debye
 from lommel.optics.layers.stratified import Layers
 from lommel.special.legendre import gauss_legendre
@@ -320,11 +319,6 @@ def test_a_small_aperture_has_airys_pattern_and_no_other_polarisation():
     assert U[0] == pytest.approx(2 * j1(v) / v, abs=1e-12)
 
 
-def test_the_extremes_of_planes_hold_all_of_them():
-    depth, focus = np.array([1.0, 1.0, 1.0, 2.0]), np.array([0.0, 5.0, 3.0, 7.0])
-    assert sorted(debye.extremes(depth, focus)) == [(1.0, 0.0), (1.0, 5.0), (2.0, 7.0)]
-
-
 def test_nodes_are_the_fewest_that_the_bound_allows():
     piece = debye.Piece(OIL, 0.0, 0.8)
     growth = 3.0 + 50.0 * debye.ETA**2
@@ -336,11 +330,3 @@ def test_nodes_are_the_fewest_that_the_bound_allows():
             return (64 / 15 * 0.4 * np.exp(growth - 2 * nodes * eta) / (1 - np.exp(-2 * eta))).min()
 
         assert bound(n) <= error < bound(n - 1)
-
-
-def test_an_aperture_too_close_to_an_index_is_refused():
-    close = lm.Objective(
-        NA=1.51799999, magnification=100, immersion=1.518, working_distance=1e-4, coverslip=None, sample=1.5
-    )
-    with pytest.raises(ValueError, match=r"NA must be farther below the indices of immersion and cover glass"):
-        close.fields(0.0, depth=0.0, focus=0.0, wavelength=500e-9)

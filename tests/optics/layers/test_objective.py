@@ -283,17 +283,9 @@ def test_what_is_no_objective_is_refused_in_a_line(change, message):
     assert "\n" not in str(told.value)
 
 
-@pytest.mark.parametrize(
-    ("index", "thickness", "message"),
-    [
-        (1.5, 170, r"thickness is in metres and must be at least 0 and at most 0.01, got 170; for 170 um give"),
-        (1.5, -1e-6, r"thickness is in metres and must be at least 0"),
-        (0.5, 1e-4, r"index must be a refractive index from 1 to 4, got 0.5"),
-    ],
-)
-def test_what_is_no_layer_is_refused(index, thickness, message):
-    with pytest.raises((TypeError, ValueError), match=message):
-        lm.Layer(index, thickness)
+def test_a_thickness_in_micrometres_is_told():
+    with pytest.raises(ValueError, match=r"thickness is in metres .* got 170; for 170 um give"):
+        lm.Layer(1.5, 170)
 
 
 PLANE = {"depth": 2e-6, "focus": 2e-6, "wavelength": WAVE}
@@ -311,8 +303,3 @@ def test_fields_refuse_what_is_none_in_a_line(change, message):
     with pytest.raises((TypeError, ValueError), match=message) as told:
         OBJECTIVE.fields(**{"radius": 0.0, **PLANE, **change})
     assert "\n" not in str(told.value)
-
-
-def test_a_pupil_of_an_objective_is_one_line_with_its_depth_and_planes():
-    pupil = OBJECTIVE.pupil(depth=2e-6, z=np.array([-3e-7, 0.0, 3e-7]), wavelength=WAVE, emitter="scalar")
-    assert repr(pupil).startswith("<ObjectivePupil NA 1.4, 520 nm, 3 planes: depth 2 um, z -0.3 to 0.3 um, Scalar(")

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 import re
-from itertools import combinations, combinations_with_replacement
 
 import numpy as np
 import pytest
@@ -12,7 +11,6 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import lommel as lm
-from lommel.optics.wavefront.opd_fit import _enclosing_circle
 from lommel.special import zernike
 
 TERMS = [(n, m) for n in range(1, 9) for m in range(-n, n + 1, 2)]
@@ -95,19 +93,6 @@ def test_an_obscured_pupil_is_masked_and_fitted_all_the_same():
     assert fit.wavefront == same.wavefront
     assert int(fit.samples) == mask.sum()
     assert fit.condition > lm.fit_opd(opd, unit="waves").condition >= 1.0
-
-
-@pytest.mark.parametrize(("degree", "eps", "condition"), [(8, 0.5, 20), (8, 0.8, 2500), (10, 0.7, 1500)])
-def test_terms_that_samples_determine_badly_come_back_all_the_same(degree, eps, condition):
-    rng = np.random.default_rng(4)
-    terms = [(n, m) for n in range(1, degree + 1) for m in range(-n, n + 1, 2)]
-    wavefront = lm.Wavefront.zernike({term: rng.normal() for term in terms})
-    opd = lm.opd_map(wavefront, 96, unit="waves")
-    x = (np.arange(96) - 47.5) / 48
-    opd[np.hypot(x[:, None], x) < eps] = np.nan
-    fit = lm.fit_opd(opd, unit="waves", degree=degree)
-    assert fit.condition > condition
-    assert largest_difference(fit.wavefront, wavefront) < 1e-10
 
 
 def test_a_stack_of_maps_is_a_stack_of_wavefronts_even_where_their_masks_differ():
@@ -247,24 +232,6 @@ def test_maps_that_nearly_fill_their_array_need_no_radius():
     x, y = grid(120)
     for shape in (lm.Polygon.regular(6, 1.0), lm.Disc() & lm.Disc(1.0, (0.4, 0.0))):
         lm.fit_opd(np.zeros((120, 120)), unit="waves", mask=shape.margin(x, y) >= 0.0, degree=3)
-
-
-def enclosing_radius(points: np.ndarray) -> float:
-    """Helly: the largest of the smallest circles of three points, by the law of sines."""
-    best = 0.0
-    for three in combinations_with_replacement(points, 3):
-        a, b, c = sorted(math.dist(p, q) for p, q in combinations(three, 2))
-        area = 0.5 * abs(np.linalg.det(np.array([three[1] - three[0], three[2] - three[0]])))
-        best = max(best, 0.5 * c if a * a + b * b <= c * c else a * b * c / (4.0 * area))
-    return best
-
-
-@given(st.lists(st.tuples(st.integers(0, 9), st.integers(0, 9)), min_size=1, max_size=9))
-def test_the_smallest_circle_around_points(listed):
-    points = np.array(listed, dtype=np.float64)
-    center, radius = _enclosing_circle(points)
-    assert np.hypot(*(points - center).T).max() <= radius * (1.0 + 1e-9)
-    assert radius == pytest.approx(enclosing_radius(points), rel=1e-9)
 
 
 @pytest.mark.parametrize("obscuration", [0.0, 0.5])

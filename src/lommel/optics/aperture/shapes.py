@@ -8,10 +8,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
-from functools import reduce
-from operator import or_
-from typing import NamedTuple, TypeVar, cast
+from dataclasses import asdict, dataclass
+from typing import Any, NamedTuple, TypeVar, cast
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -57,7 +55,7 @@ class Shape:
 
     def to_dict(self) -> Json:
         """Return the shape in plain types, with its name."""
-        raise NotImplementedError
+        return {"name": type(self).__name__, **asdict(cast("Any", self))}
 
     @property
     def parts(self) -> tuple[Shape, ...]:
@@ -66,16 +64,9 @@ class Shape:
         self._append_to(parts, [])
         return tuple(parts)
 
-    def moved(self, x: float, y: float) -> Shape:
-        """Return the shape shifted by (`x`, `y`); TypeError or ValueError if they are not finite."""
-        return self._translate(validation.real("x", x), validation.real("y", y))
-
     def turned(self, angle: float) -> Shape:
         """Return the shape rotated about the axis by an `angle`, radians from x to y; TypeError or ValueError."""
         return self._rotate(validation.angle("angle", angle))
-
-    def _translate(self, x: float, y: float) -> Shape:
-        raise NotImplementedError
 
     def _rotate(self, angle: float) -> Shape:
         raise NotImplementedError
@@ -195,8 +186,7 @@ def covered(region: Shape, x: Array, y: Array, half: float) -> Array:
     half : float
         Half of the side of the cells.
     """
-    parts: list[Shape] = []
-    region._append_to(parts, [])
+    parts = region.parts
     # Computation in bands of cells limits the memory.
     if x.size * len(parts) > _MAX_CELL_PARTS and x.size > 1:
         pieces = -(-x.size * len(parts) // _MAX_CELL_PARTS)
@@ -267,9 +257,6 @@ class Combined(Shape):
         """Return points along the edges of both shapes."""
         return self.first.outline(points) + self.second.outline(points)
 
-    def _translate(self, x: float, y: float) -> Shape:
-        return Combined(self.kind, self.first._translate(x, y), self.second._translate(x, y))
-
     def _rotate(self, angle: float) -> Shape:
         return Combined(self.kind, self.first._rotate(angle), self.second._rotate(angle))
 
@@ -327,16 +314,12 @@ class Ellipse(Shape):
         u, v, c, s = self.a * np.cos(t), self.b * np.sin(t), math.cos(self.angle), math.sin(self.angle)
         return [np.stack([self.center[0] + c * u - s * v, self.center[1] + s * u + c * v], axis=-1)]
 
-    def _translate(self, x: float, y: float) -> Shape:
-        return Ellipse(self.a, self.b, self.angle, (self.center[0] + x, self.center[1] + y))
-
     def _rotate(self, angle: float) -> Shape:
         return Ellipse(self.a, self.b, math.fmod(self.angle + angle, _TURN), _rotate_point(self.center, angle))
 
     def to_dict(self) -> Json:
         """Return the ellipse in plain types, with its name."""
-        place = {} if self.center == (0.0, 0.0) else {"center": list(self.center)}
-        return {"name": "Ellipse", "a": self.a, "b": self.b, "angle": self.angle, **place}
+        return {name: value for name, value in super().to_dict().items() if value != (0.0, 0.0)}
 
 
 @dataclass(frozen=True)
@@ -372,15 +355,8 @@ class Disc(Shape):
         t = np.arange(points) * (2.0 * math.pi / points)
         return [np.array(self.center) + self.radius * np.stack([np.cos(t), np.sin(t)], axis=-1)]
 
-    def _translate(self, x: float, y: float) -> Shape:
-        return Disc(self.radius, (self.center[0] + x, self.center[1] + y))
-
     def _rotate(self, angle: float) -> Shape:
         return Disc(self.radius, _rotate_point(self.center, angle))
-
-    def to_dict(self) -> Json:
-        """Return the disc in plain types, with its name."""
-        return {"name": "Disc", "radius": self.radius, "center": list(self.center)}
 
 
 @dataclass(frozen=True)
@@ -494,15 +470,8 @@ class Polygon(Shape):
         t = np.linspace(0.0, 1.0, max(2, points // len(corners)), endpoint=False)[:, None, None]
         return [(corners + t * (np.roll(corners, -1, axis=0) - corners)).reshape(-1, 2)]
 
-    def _translate(self, x: float, y: float) -> Shape:
-        return Polygon(tuple((u + x, v + y) for u, v in self.corners))
-
     def _rotate(self, angle: float) -> Shape:
         return Polygon(tuple(_rotate_point(corner, angle) for corner in self.corners))
-
-    def to_dict(self) -> Json:
-        """Return the polygon in plain types, with its name."""
-        return {"name": "Polygon", "corners": [list(corner) for corner in self.corners]}
 
 
 @dataclass(frozen=True)
@@ -570,20 +539,8 @@ class Spider(Shape):
         """Return points along the edges."""
         return [line for vane in self.vanes() for line in vane.outline(points)]
 
-    def _translate(self, x: float, y: float) -> Shape:
-        return reduce(or_, self.vanes())._translate(x, y)
-
     def _rotate(self, angle: float) -> Shape:
         return Spider(self.width, tuple(math.fmod(direction + angle, _TURN) for direction in self.angles))
-
-    def to_dict(self) -> Json:
-        """Return the vanes in plain types, with their name."""
-        return {"name": "Spider", "width": self.width, "angles": list(self.angles)}
-
-    @classmethod
-    def from_dict(cls, description: Json) -> Spider:
-        """Rebuild a spider from a `description` by :meth:`to_dict`, with or without its name."""
-        return cls(**{name: value for name, value in description.items() if name != "name"})
 
     def _append_to(self, parts: list[Shape], steps: list[int]) -> None:
         for i, vane in enumerate(self.vanes()):
@@ -637,18 +594,11 @@ class CatEye(Shape):
         """Return points along the edge of the second circle."""
         return self.disc.outline(points)
 
-    def _translate(self, x: float, y: float) -> Shape:
-        return self.disc._translate(x, y)  # a Disc, since the circle of a cat's eye must overlap the aperture
-
     def _rotate(self, angle: float) -> Shape:
         return CatEye(_rotate_point(self.shift, angle), self.radius)
 
     def _append_to(self, parts: list[Shape], steps: list[int]) -> None:
         self.disc._append_to(parts, steps)
-
-    def to_dict(self) -> Json:
-        """Return the circle in plain types, with its name."""
-        return {"name": "CatEye", "shift": list(self.shift), "radius": self.radius}
 
 
 @dataclass(frozen=True)
@@ -731,31 +681,19 @@ class Segments:
             if abs(a + b) <= count and (has_center or a or b)
         ]
 
-        def scaled(pitch: float) -> list[Polygon]:
-            size = (pitch - spacing) / math.sqrt(3.0)
-            return [Polygon.regular(6, size, (pitch * x, pitch * y)) for x, y in places]
-
-        # The farthest corner belongs to a hexagon at a corner of the outer ring; bisection determines the pitch.
-        farthest = max(places, key=lambda place: math.hypot(*place))
-        low, high = spacing, 2.0
-        max_gap = 1.0 / math.hypot(*farthest)
+        max_gap = 1.0 / count
         if spacing > (1.0 - 1e-9) * max_gap:
             raise ValueError(
                 f"gap must leave some area of the segments: with rings={count} it must be below {max_gap:.4g}, "
                 f"got {spacing:g}"
             )
-        for _ in range(80):
-            pitch = 0.5 * (low + high)
-            size = (pitch - spacing) / math.sqrt(3.0)
-            corners = (
-                math.hypot(
-                    pitch * farthest[0] + size * math.cos(k * math.pi / 3),
-                    pitch * farthest[1] + size * math.sin(k * math.pi / 3),
-                )
-                for k in range(6)
-            )
-            low, high = (pitch, high) if max(corners) < 1.0 else (low, pitch)
-        return cls(tuple(part.turned(rotation) for part in scaled(low)))
+        # The farthest corners, 30 degrees beside the direction of a corner of the lattice, lie on the rim:
+        # (count p + (p - gap) / 2)^2 + (p - gap)^2 / 12 = 1, a quadratic equation of the pitch p.
+        square, linear = (count + 0.5) ** 2 + 1.0 / 12.0, (0.5 * (count + 0.5) + 1.0 / 12.0) * spacing
+        pitch = (linear + math.sqrt(linear**2 + square * (1.0 - spacing**2 / 3.0))) / square
+        size = (pitch - spacing) / math.sqrt(3.0)
+        shapes = (Polygon.regular(6, size, (pitch * x, pitch * y)) for x, y in places)
+        return cls(tuple(part.turned(rotation) for part in shapes))
 
     @cached_property
     def centers(self) -> Array:

@@ -90,30 +90,6 @@ class Colour:
             heights=tuple(radii.tolist()),
         )
 
-    @classmethod
-    def singlet(cls, focal_length: float, wavelengths: ArrayLike, indices: ArrayLike) -> Colour:
-        """Return the axial colour of a thin lens of one glass, whose focal length is proportional to ``1/(n - 1)``.
-
-        Parameters
-        ----------
-        focal_length : float
-            Focal length at the first wavelength, metres.
-        wavelengths : array_like, shape (n,)
-            Wavelengths, metres, rising.
-        indices : array_like, shape (n,)
-            Refractive index of the glass at each wavelength, above 1.
-
-        Raises
-        ------
-        TypeError, ValueError
-            If numbers are out of range.
-        """
-        f = validation.real("focal_length", focal_length, above=0.0, unit="metres")
-        index = validation.real_array("indices", indices)
-        if index.ndim != 1 or not index.size or not index.min() > 1.0:
-            raise ValueError(f"indices must be above 1, one for each wavelength, got {validation.shown(indices)}")
-        return cls(wavelengths, f * ((index[0] - 1.0) / (index - 1.0) - 1.0))
-
     def shift(self, wavelength: float) -> float:
         """Return the change of focal length at a `wavelength`, metres; TypeError or ValueError outside the table."""
         return float(_interpolate(self._check_wavelength(wavelength), self.wavelengths, self.focus_shift))

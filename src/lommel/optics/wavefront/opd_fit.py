@@ -8,7 +8,6 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from itertools import combinations
 from typing import Self
 
 import numpy as np
@@ -187,7 +186,7 @@ def fit_opd(
         Row and column of the pupil's centre; (0, 0) is the centre of the first pixel. Default: the centre of the map.
     radius : float, optional
         Radius of the pupil in pixels. Default: half the smaller side of the map. If the samples do not fill that
-        circle, the function raises an error that states the smallest circle around the samples.
+        circle, the function raises an error that states the circle around the samples.
     obscuration : float, default 0
         Radius of the central obscuration divided by the radius of the pupil, 0 to below 1. The fit omits pixels whose
         centre lies within the obscuration and uses annular Zernike terms (:meth:`lommel.Wavefront.zernike`), which
@@ -437,10 +436,9 @@ def _maps(opd: ArrayLike, mask: ArrayLike | None) -> tuple[Array, NDArray[np.boo
 
 def _require_filled(valid: NDArray[np.bool_]) -> None:
     """Raise ValueError if all samples lie in a circle clearly smaller than the circle inscribed in the map."""
-    rows = np.flatnonzero(valid.any(axis=1))
-    ends = valid[rows].argmax(axis=1), valid.shape[1] - 1 - valid[rows, ::-1].argmax(axis=1)
-    middle, radius = _enclosing_circle(np.column_stack([np.tile(rows, 2), np.concatenate(ends)]).astype(np.float64))
-    pupil = 0.5 * min(valid.shape)
+    places = np.argwhere(valid)
+    middle = 0.5 * (places.min(axis=0) + places.max(axis=0))
+    radius, pupil = float(np.hypot(*(places - middle).T).max()), 0.5 * min(valid.shape)
     if radius + 1.0 < 0.98 * pupil:
         raise ValueError(
             f"opd must have samples up to the edge of the pupil, by default half the smaller side, {pupil:g} pixels, "
@@ -477,31 +475,6 @@ def _require_measured(maps: Array, pupils: NDArray[np.bool_]) -> None:
                 f"measured pixels ({example}True everywhere if these are measured), or obscuration= if these pixels "
                 "are the middle of an annular pupil"
             )
-
-
-def _enclosing_circle(points: Array) -> tuple[Array, float]:
-    """Return centre and radius of the smallest circle around points, shape (n, 2)."""
-    circle = points[0], 0.0
-    boundary = points[:1]
-    while True:
-        distances = np.hypot(*(points - circle[0]).T)
-        farthest = int(distances.argmax())
-        if distances[farthest] <= circle[1] * (1.0 + 1e-9):
-            return circle
-        # Replace the circle by the smallest circle around its boundary points and the farthest point; it is larger.
-        candidates = np.vstack([boundary, points[farthest]])
-        subsets = [candidates[list(rows)] for k in (2, 3) for rows in combinations(range(len(candidates)), k)]
-        circles = [(_circle_through(subset), subset) for subset in subsets]
-        enclosing = [c for c in circles if np.hypot(*(candidates - c[0][0]).T).max() <= c[0][1] * (1.0 + 1e-9)]
-        circle, boundary = min(enclosing, key=lambda c: c[0][1])
-
-
-def _circle_through(points: Array) -> tuple[Array, float]:
-    """Return centre and radius of the smallest circle through two or three points; infinite radius on a line."""
-    offsets = points[1:] - points[0]
-    # The centre c, relative to the first point, is the shortest vector with 2 c . p = p^2 for each offset p.
-    center, _, rank, _ = np.linalg.lstsq(2.0 * offsets, (offsets**2).sum(axis=1), rcond=None)
-    return points[0] + center, float(np.hypot(*center)) if rank == len(offsets) else math.inf
 
 
 def _real_maps(name: str, value: ArrayLike) -> Array:

@@ -26,7 +26,7 @@ from dataclasses import dataclass, field
 from functools import lru_cache
 from os import PathLike
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any, ClassVar, Never, Self, TypeVar
+from typing import TYPE_CHECKING, Any, ClassVar, Self, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -180,13 +180,7 @@ class Wavefront(EqualByContent, display.Shown):
         higher: Sequence[ArrayLike] = (),
         nonradial: Mapping[Term, ArrayLike] | None = None,
         error: float = 0.0,
-        **_unknown: Never,
     ) -> None:
-        if _unknown:
-            raise TypeError(
-                f"Wavefront has no argument {next(iter(_unknown))!r}; for other aberrations use "
-                "Wavefront.zernike({(3, 1): ...}) or Wavefront.from_seidel(W131=...)"
-            )
         if not isinstance(higher, Sequence) or isinstance(higher, str | bytes):
             raise TypeError(f"higher must be a sequence of coefficients, got {validation.shown(higher)}")
         if len(higher) > MAX_HIGHER:

@@ -57,7 +57,6 @@ def test_samples_up_to_the_wavelength_times_the_f_number_apart_sum_to_the_light(
         for integrate in (False, True)
     )
     assert averaged.sum_is_light
-    assert sampled.undersampled
     assert sampled.sum_is_light == (np.max(pixel) <= 1.0)
     assert ("which sum to" in repr(sampled)) == (not sampled.sum_is_light)
     stray = abs(sampled.values.sum() - averaged.values.sum())

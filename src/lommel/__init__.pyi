@@ -13,7 +13,7 @@ from lommel import (
     show as show,
     telescopes as telescopes,
 )
-from lommel.blur.blurs import ChargeDiffusion as ChargeDiffusion, Jitter as Jitter, Motion as Motion, Seeing as Seeing
+from lommel.blur.blurs import Jitter as Jitter, Motion as Motion, Seeing as Seeing
 from lommel.channel_psf import ColourPSF as ColourPSF, colour_psf as colour_psf
 from lommel.core.answers import ToleranceError as ToleranceError
 from lommel.core.engine import clear_caches as clear_caches

@@ -17,7 +17,7 @@ SEVERAL = [
     lm.Seeing(0.2),
     lm.Seeing(0.1, focal_length=4.0, wavelength=500e-9, outer_scale=25.0),
     lm.Jitter(0.3, 0.1, angle=0.7),
-    lm.ChargeDiffusion(0.2),
+    lm.Jitter(0.2),
     lm.Motion(1.5, -0.4),
 ]
 
@@ -123,8 +123,8 @@ def test_a_kind_of_blur_that_psfs_would_not_see_is_refused():
 
 
 def test_a_kind_of_blur_names_its_lengths_so_that_their_unit_is_checked():
-    kinds = lm.Seeing(0.1), lm.Jitter(1e-6, 2e-6), lm.ChargeDiffusion(3e-6), lm.Motion(4e-6)
-    assert [kind.lengths for kind in kinds] == [(), (1e-6, 2e-6), (3e-6,), (4e-6,)]
+    kinds = lm.Seeing(0.1), lm.Jitter(1e-6, 2e-6), lm.Motion(4e-6)
+    assert [kind.lengths for kind in kinds] == [(), (1e-6, 2e-6), (4e-6,)]
     with pytest.raises(TypeError, match="Ring must define length_names"):
 
         class Ring(Blur):

@@ -51,13 +51,6 @@ def test_jitter_is_the_mean_over_a_gaussian_of_shifts_to_every_tolerance(tol, ce
     assert answer.error_bound <= tol
 
 
-def test_charge_diffusion_is_a_round_jitter():
-    one, other = (
-        lm.psf(lm.Pupil(), 5, 0.5, blur=b, dtype="float64") for b in (lm.ChargeDiffusion(0.6), lm.Jitter(0.6))
-    )
-    assert np.array_equal(one.values, other.values)
-
-
 @pytest.mark.parametrize(("length", "tol"), [(3.0, 1e-3), (3.0, 1e-6), (3.0, 1e-9), (25.0, 1e-3), (40.0, 1e-6)])
 def test_motion_is_the_mean_over_shifted_images(length, tol):
     pupil = lm.Pupil(lm.Wavefront(1.2, nonradial={(3, 1): 0.8, (2, -2): 0.3}))

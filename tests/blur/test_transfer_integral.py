@@ -22,7 +22,7 @@ BLURS = {
     "4": (lm.Seeing(0.25),),
     "1": (lm.Seeing(1.0),),
     "outer scale": (lm.Seeing(0.1, outer_scale=2.0),),
-    "shaken": (lm.Seeing(0.2, outer_scale=40.0), lm.Jitter(1.5), lm.ChargeDiffusion(0.4)),
+    "shaken": (lm.Seeing(0.2, outer_scale=40.0), lm.Jitter(1.5), lm.Jitter(0.4)),
     "jitter": (lm.Jitter(3.0),),
 }
 PUPILS = {

@@ -97,7 +97,7 @@ def test_the_width_of_seeing_is_its_fwhm():
 
 
 def test_known_blurs_are_multiplied():
-    several = lm.Seeing(0.1, 2.0, 500e-9, 12.0), lm.Jitter(3e-6), lm.ChargeDiffusion(2e-6)
+    several = lm.Seeing(0.1, 2.0, 500e-9, 12.0), lm.Jitter(3e-6), lm.Jitter(2e-6)
     shape = BlurProfile.known(several, 2e-6, 700e-9)
     f = np.linspace(0.0, 2e5, 200)
     found = np.exp(-2.0 * np.multiply.outer((math.pi * 2e-6 * f) ** 2, shape.fixed)) @ shape.weights
@@ -106,14 +106,9 @@ def test_known_blurs_are_multiplied():
     assert shape.unknown == 0
 
 
-def test_blurs_along_a_direction_are_not_isotropic():
-    several = lm.Jitter(1.0), lm.Jitter(1.0, 2.0), lm.Motion(1.0), lm.Motion(0.0), lm.ChargeDiffusion(1.0)
-    assert [one.isotropic for one in several] == [True, False, False, True, True]
-
-
 KINDS_FADING = {
     "kolmogorov": (lm.Seeing(0.05),),
-    "weak": (lm.Seeing(3.0), lm.ChargeDiffusion(0.3)),
+    "weak": (lm.Seeing(3.0), lm.Jitter(0.3)),
     "outer scale": (lm.Seeing(0.1, outer_scale=3.0),),
     "short outer scale": (lm.Seeing(0.2, outer_scale=0.3), lm.Jitter(0.2)),
     "two": (lm.Seeing(0.2), lm.Seeing(0.3, outer_scale=20.0)),

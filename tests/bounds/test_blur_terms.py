@@ -405,7 +405,7 @@ def test_a_band_ends_where_all_that_remains_is_small(shared):
 
 
 def test_blur_above_others_is_no_narrower_than_the_narrowest_direction():
-    both = Fading.above((lm.Jitter(0.5, 0.2, 0.3), lm.Motion(2.0), lm.ChargeDiffusion(0.1)), 1.0, None)
+    both = Fading.above((lm.Jitter(0.5, 0.2, 0.3), lm.Motion(2.0), lm.Jitter(0.1)), 1.0, None)
     assert both.gauss == pytest.approx(2.0 * math.pi**2 * (0.2**2 + 0.1**2), rel=1e-6)
     assert both.gauss <= 2.0 * math.pi**2 * 0.05
 

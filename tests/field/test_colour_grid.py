@@ -54,11 +54,6 @@ def test_each_is_that_of_its_place_distance_and_wavelength(table):
 SUFFIXES = [form.suffixes[0] for form in registry.formats("field") if field_files.DEPTHS_OR_CHANNELS in form.holds]
 
 
-def test_all_that_keep_a_psf_but_pictures_keep_all_axes():
-    psfs = {suffix for form in registry.formats("psf") for suffix in form.suffixes}
-    assert psfs - {".tif", ".tiff", ".png"} <= {".zarr", *SUFFIXES, ".fit", ".fit.gz", ".hdf5"}
-
-
 @pytest.mark.parametrize("suffix", SUFFIXES)
 def test_files_keep_all_axes(tmp_path, table, suffix):
     pytest.importorskip("zarr")
@@ -111,15 +106,6 @@ def test_zarr_is_named_as_others_read_it(tmp_path, table):
     assert group["values"].chunks == (1, 1, 1, 1, 9, 11)
     assert group["depth"][...].tolist() == DEPTHS
     assert group["channel"].shape == (3,)
-
-
-def test_pictures_are_of_one_distance_and_in_colour(table):
-    plt = pytest.importorskip("matplotlib.pyplot")
-    with pytest.raises(ValueError, match=r"grid.at_depth\(0\).plot\(\)"):
-        table.plot()
-    assert table.at_depth(0).plot().images[0].get_array().shape == (9, 11, 3)
-    assert table.channel(1).at_depth(0).plot().images[0].get_array().shape == (9, 11)
-    plt.close("all")
 
 
 def test_an_aplanatic_lens_has_its_distances_in_a_grid():

@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.field.maps import Vignetting
 
 SCALE = {"wavelength": 500e-9, "f_number": 4.0}
 BARREL = lm.FieldMap.from_seidel(20e-3, W311=-400.0, W131=2.0, **SCALE)  # 8 % of the field height
@@ -77,12 +76,6 @@ def test_light_from_beyond_the_map_and_bad_wavelengths_are_refused():
         BARREL.displacement(0.0, 0.0, [500e-9, 600e-9])
     with pytest.raises(ValueError, match="known from 450 to 650 nm"):
         COLOURED.displacement(0.0, 0.0, 700e-9)
-
-
-def test_vignetting_does_not_change_displacements():
-    edges = Vignetting([0.0, 20e-3], shift=[0.0, 0.5], radius=1.2)
-    places = ([0.0, 10e-3, 15e-3], [[-5e-3], [5e-3]])
-    np.testing.assert_array_equal(BARREL.seen_through(edges).displacement(*places), BARREL.displacement(*places))
 
 
 def test_aberrations_are_those_of_the_position_without_distortion():

@@ -255,7 +255,6 @@ def entries(folder: Path) -> list[tuple[str, object, dict[str, object]]]:
         tagged("Seeing.from_fwhm", lm.Seeing.from_fwhm, fwhm=5e-6, focal_length=2.0, wavelength=5e-7),
         tagged("Jitter", lm.Jitter, sigma=1.0, across=0.5, angle=0.1),
         tagged("Motion", lm.Motion, length=1.0, angle=0.1),
-        tagged("ChargeDiffusion", lm.ChargeDiffusion, sigma=1.0),
         tagged("Noise", lm.Noise, white=0.5, read=1.0, offset=100.0, excess=1.5),
         tagged("Noise.record", lm.Noise(read=1.0).record, electrons=SQUARE, seed=1),
         tagged("Disc", lm.Disc, radius=0.5, center=(0.1, 0.2)),

@@ -25,7 +25,7 @@ LAMBDA, F_NUMBER = 550e-9, 4.0
 BLURS = {
     "none": (),
     "jitter": (lm.Jitter(1.1, across=0.4, angle=0.5),),
-    "motion": (lm.Motion(3.0, angle=1.0), lm.ChargeDiffusion(0.3)),
+    "motion": (lm.Motion(3.0, angle=1.0), lm.Jitter(0.3)),
 }
 RADII = np.array([0.0, 0.4, 1.3, 3.0, 6.0, 20.0])
 

@@ -1,4 +1,4 @@
-r"""Blurs as factors of the transfer function: seeing, jitter, motion, charge diffusion.
+r"""Blurs as factors of the transfer function: seeing, jitter (also charge diffusion), motion.
 
 A blur is a probability density b(r) of image shifts r. The blurred image is the convolution ``I * b``
 (convolution.py). The transfer function T of the blur, which multiplies the OTF, is the Fourier transform of b(r).
@@ -266,7 +266,7 @@ def _von_karman(argument: Array, factor: float) -> Array:
 
 @dataclass(frozen=True)
 class Jitter(Blur):
-    """Random image motion during a long exposure (telescope jitter, hand shake): a round or elliptical Gaussian.
+    """A round or elliptical Gaussian: telescope jitter or hand shake during a long exposure, charge diffusion.
 
     Parameters
     ----------
@@ -307,34 +307,6 @@ class Jitter(Blur):
 
 
 @dataclass(frozen=True)
-class ChargeDiffusion(Blur):
-    """Lateral charge diffusion in the sensor, a Gaussian blur.
-
-    Parameters
-    ----------
-    sigma : float
-        Standard deviation along each axis: metres on the sensor, or units of lambda*N for a pupil without a
-        wavelength.
-
-    Raises
-    ------
-    TypeError, ValueError
-        If `sigma` is not a finite number of at least 0.
-    """
-
-    length_names: ClassVar = ("sigma",)
-    sigma: float
-
-    def __post_init__(self) -> None:
-        vars(self)["sigma"] = validation.real("sigma", self.sigma, least=0.0)
-
-    @property
-    def covariance(self) -> Array:
-        """Covariance matrix of the position (x, y)."""
-        return self.sigma**2 * np.eye(2)
-
-
-@dataclass(frozen=True)
 class Motion(Blur):
     """Uniform linear motion during the exposure (motion blur).
 
@@ -366,7 +338,7 @@ class Motion(Blur):
         return self.length * math.cos(self.angle), self.length * math.sin(self.angle)
 
 
-KINDS: dict[str, type[Blur]] = {kind.__name__: kind for kind in (Seeing, Jitter, ChargeDiffusion, Motion)}
+KINDS: dict[str, type[Blur]] = {kind.__name__: kind for kind in (Seeing, Jitter, Motion)}
 
 
 def blurs(value: object) -> tuple[Blur, ...]:

@@ -66,11 +66,6 @@ class PSFLike(Recorded):
     blur: tuple[Blur, ...]
 
     @property
-    def undersampled(self) -> bool:
-        """True for point samples more than lambda*N / 2 apart, the Nyquist spacing of an intensity."""
-        return not self.grid.integrate and max(self.grid.pitch) > 0.5 * (1.0 + 1e-9) * self.pupil.scale
-
-    @property
     def sum_is_light(self) -> bool:
         """True if values over the whole plane sum to all light: pixel averages, or samples at most lambda*N apart."""
         # By Poisson's formula the sum of samples equals the sum of the Fourier transform at multiples of 1 / pixel.

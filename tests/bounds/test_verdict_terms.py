@@ -18,7 +18,7 @@ from lommel.estimation.fisher import Information
 from lommel.fit import goodness_of_fit, score_tests
 from lommel.fit.goodness_of_fit import ExcessTest
 from lommel.localize import checks
-from lommel.microscopy import deconvolution, refinement
+from lommel.microscopy import deconvolution
 from lommel.recorded import camera_noise
 from lommel.recorded.noise import Noise
 
@@ -376,42 +376,3 @@ def test_a_photon_transfer_curve_is_the_line_of_weighted_squares(rise):
     with pytest.raises(ValueError, match="cannot be estimated"):
         camera_noise._fit_noise(light + 7.0, squares, 0.9 * (error / slope / 0.3) ** 2, 1.5)
     camera_noise._fit_noise(light + 7.0, squares, 1.2 * (error / slope / 0.3) ** 2, 1.5)
-
-
-@pytest.mark.parametrize("start", [[0.2, -0.4], [3.0, 2.0]])
-@pytest.mark.parametrize("moved", [0.0, 0.3])
-def test_the_minimum_of_a_refinement_has_the_error_of_photons_and_of_later_steps(start, moved):
-    """A quadratic function of two parameters whose minimum moved over the second half of its steps."""
-    hessian, least, known = np.array([[2.0, 0.3], [0.3, 1.0]]), 1.7, 400.0
-    spacing = np.array([0.5, 0.25])
-
-    def course(at):
-        values = []
-        for shift in (moved, 0.0, 0.0):
-            x = (np.asarray(at) - [0.1, 0.2]) / spacing - np.array([shift, -shift])
-            values.append(least + 0.5 * x @ hessian @ x)
-        return np.array([values[0], values[0], values[2]])
-
-    limits = (np.array([-9.0, -9.0]), np.array([9.0, 9.0]))
-    estimate, errors = refinement._minimum(course, np.array(start), spacing, limits, known)
-    assert estimate == pytest.approx([0.1, 0.2], abs=1e-9)
-    variance = 2.0 * least * np.diag(np.linalg.inv(hessian)) / known
-    assert errors == pytest.approx(np.sqrt(variance + moved**2) * spacing, rel=1e-6)
-
-
-def test_a_quadratic_function_comes_back_from_its_values():
-    hessian, slope = np.array([[2.0, 0.3, -0.1], [0.3, 1.0, 0.2], [-0.1, 0.2, 3.0]]), np.array([0.4, -0.2, 0.1])
-    pairs = [(1, 0), (2, 0), (2, 1)]
-    unit = np.eye(3)
-    places = [np.zeros(3), *unit, *-unit, *(unit[i] + unit[k] for i, k in pairs)]
-    found = refinement._quadratic(np.array([5.0 + slope @ x + 0.5 * x @ hessian @ x for x in places]), pairs)
-    assert found[0] == pytest.approx(hessian)
-    assert found[1] == pytest.approx(slope)
-
-
-@pytest.mark.parametrize(("name", "start", "expected"), [
-    ("depth", 1e-6, (0.0, 4e-6)), ("depth", 1e-5, (5e-6, 1.5e-5)), ("sample", 1.33, (1.3, 1.36)), ("sample",
-    1.01, (1.0, 1.04)), ("spherical", 0.1, (-0.3, 0.3)),
-])  # fmt: skip
-def test_a_search_is_limited_around_its_start(name, start, expected):
-    assert refinement._limits(name, start) == pytest.approx(expected)

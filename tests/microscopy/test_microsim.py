@@ -41,7 +41,7 @@ def test_the_beads_of_microsim_are_restored_where_they_were_and_as_bright(folder
     result = call_lommel(*COMMANDS["deconvolve"], folder=folder)
     assert result.returncode == 0, result.stderr
     assert "From the OME metadata of the file: 108.3 nm pixels, 350 nm planes apart." in result.stdout
-    assert "wavelength" not in result.stdout  # that of the file was taken, as it is
+    assert "wavelength of the objective file" not in result.stdout  # that of the stack was taken
     planes = int(re.search(r"in\s+all\s+(\d+)\s+planes\s+of\s+its\s+PSF", result.stdout)[1])
     restored = np.squeeze(tifffile.imread(folder / "restored.ome.tif")).astype(float)
     for bead in TRUE["stack"]:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 import re
 import signal
-from dataclasses import replace
 from itertools import pairwise
 from types import SimpleNamespace
 
@@ -16,7 +15,7 @@ from scipy.ndimage import gaussian_filter
 
 import lommel as lm
 from lommel.fit.findings import Finding
-from lommel.microscopy import preparation, refinement
+from lommel.microscopy import refinement
 from lommel.microscopy.depth_model import DepthModel
 from lommel.microscopy.held_out import HeldOut
 from lommel.microscopy.restored_stack import INTERRUPTED
@@ -133,22 +132,6 @@ def test_light_that_falls_along_a_wide_field_stack_is_named_in_the_order_of_its_
     disc = scanning(OIL_60X, "spinning disc", pinhole=1.0, excitation=488e-9)
     sections = quick(fading, lens=disc, **given)
     assert sections.channels[0].findings.get("plane_light") is None
-
-
-def test_the_stack_is_restored_with_what_was_estimated_from_it(monkeypatch, deep):
-    def estimated(context, *_):
-        return context.model.changed("sample", 1.36), {"sample": 1.36}, {"sample": 1e-3}
-
-    monkeypatch.setattr(preparation, "refined", estimated)
-    given = {"pixel": PIXEL, "step": STEP, "wavelength": WAVE}
-    found = quick(deep, refine=["sample"], **given)
-    watery = replace(OIL_60X, sample=1.36)
-    usual = {"depth": 12e-6, "noise": CAMERA, "direction": "up", "window": WINDOW, "background": 0.0}
-    usual["diagnosis"] = False
-    way = lm.imaging.RichardsonLucy(steps=4, target=0.0)
-    expected = deconvolved(deep, watery, method=way, **usual, **given)
-    np.testing.assert_array_equal(found.values, expected.values)
-    assert not np.array_equal(found.values, quick(deep, **given).values)
 
 
 def test_voxels_at_a_saturation_that_is_stated_are_counted(deep):
@@ -454,65 +437,23 @@ def test_what_cannot_be_restored_is_refused_with_the_way_out(changes, kind, said
         lm.microscopy.deconvolve(given.pop("stack"), given.pop("microscope"), **given)
 
 
-def test_a_spherical_aberration_is_found_from_the_stack(monkeypatch):
-    monkeypatch.setattr(refinement, "_STEPS", 8)
-    monkeypatch.setattr(refinement, "_FINE_STEPS", 8)
-    monkeypatch.setattr(refinement, "_NARROWEST", 21)
-    monkeypatch.setattr(refinement, "_ROUNDS", 1)
-    model = DepthModel(OIL_60X, WAVE, PIXEL, STEP, 3e-6, 8, (15, 21))
-    truth = np.zeros((8, 24, 24), np.float32)
-    truth[4, 12, 12] += 1e6
-    stack = CAMERA.record(blurred(model.changed("spherical", 0.12), truth) + 10.0, seed=3)
-    crop = refinement.select_crop(stack, 17, np.inf)
-    context, told = refinement.StackContext(stack, model, CAMERA, np.inf, 1), []
-    _, found, errors = refinement.refined(context, crop, ["spherical"], lambda *said: told.append(said))
-    shares = [share for share, _ in told]
-    assert shares == sorted(shares)
-    assert shares[-1] > 0.8
-    assert told[0] == (0.0, "spherical aberration 0")
-    assert found["spherical"] == pytest.approx(0.12, abs=0.02)
-    assert abs(found["spherical"] - 0.12) < 2.0 * errors["spherical"]
-
-
-def test_the_least_discrepancy_has_the_standard_error_of_the_deviance_and_of_the_steps():
-    right, bend = np.array([1.34, 9e-6]), np.array([[40.0, -8.0], [-8.0, 10.0]])
-    scale, known = np.array([0.005, 5e-7]), 50_000
-    limits = np.array([1.3, 8e-6]), np.array([1.4, 1e-5])
-
-    def course(values):
-        assert (values > limits[0] - 1.01 * scale).all()
-        off = (values - right) / scale
-        early = off - np.array([0.2, 0.0])  # half of the steps have another minimum
-        return [9.0, 2.0 + 0.5 * early @ bend @ early, 1.0 + 0.5 * off @ bend @ off]
-
-    for away in ([0.0, 0.0], [0.002, -1e-7], [0.02, 1e-6]):  # the last one is out of reach at first
-        found, errors = refinement._minimum(course, right + away, scale, limits, known)
-        np.testing.assert_allclose(found, right, rtol=1e-9)
-        photons = np.sqrt(2.0 / known * np.diag(np.linalg.inv(bend)))
-        np.testing.assert_allclose(errors, np.hypot(photons, [0.2, 0.0]) * scale, rtol=0.05)
-    flat, errors = refinement._minimum(lambda _: [1.0, 1.0, 1.0], right, scale, limits, known)
-    assert np.isinf(errors).all()
-    np.testing.assert_array_equal(flat, right)
-
-
 def test_points_between_planes_follow_the_right_psf_better_than_others(monkeypatch):
     monkeypatch.setattr(refinement, "_STEPS", 6)
     monkeypatch.setattr(refinement, "_NARROWEST", 21)
-    monkeypatch.setattr(refinement, "_ALTERNATIVES", {"spherical": (0.06, "spherical aberration")})
+    monkeypatch.setattr(refinement, "_ALTERNATIVES", {"step": refinement._ALTERNATIVES["step"]})
     fine = DepthModel(OIL_60X, WAVE, PIXEL, STEP / 2, 3e-6, 16, (29, 21))
     truth = np.zeros((16, 24, 24), np.float32)
     truth[9, 12, 12] = 4e6
-    stack = CAMERA.record(blurred(fine.changed("spherical", 0.12), truth)[::2] + 10.0, seed=3)
-    model = DepthModel(OIL_60X, WAVE, PIXEL, STEP, 3e-6, 8, (15, 21))
-    right = model.changed("spherical", 0.12)
+    stack = CAMERA.record(blurred(fine, truth)[::2] + 10.0, seed=3)
+    right = DepthModel(OIL_60X, WAVE, PIXEL, STEP, 3e-6, 8, (15, 21))
 
     def better(values, model, turned):
         context = refinement.StackContext(values, model, CAMERA, np.inf, 1)
         return refinement.rank_alternatives(context, lambda *_: None, try_reversed=turned)
 
     assert better(stack, right, False) == []
-    (other,) = better(stack, model.changed("spherical", 0.04), False)
-    assert other.startswith("a larger spherical aberration (about 0.0")
+    (other,) = better(stack, right.changed("step", 1.08), False)
+    assert other.startswith("a smaller step of z (about ")
     monkeypatch.setattr(refinement, "_ALTERNATIVES", {})
     assert better(stack[::-1], right, True) == ["planes in reverse order"]
 

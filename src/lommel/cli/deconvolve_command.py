@@ -108,8 +108,6 @@ def deconvolve(
         Step between planes, such as 200nm; by default from the stack.
     direction
         up: the first plane is the nearest to the cover glass; auto determines the direction from the data.
-    refine
-        Estimate this parameter from the stack before the restoration; may be repeated.
     background
         Light that is not from the specimen: estimated as one level, or as a level that varies over the field; or a
         known level above the offset, 0 for none. The output excludes it.

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from contextlib import ExitStack
 from dataclasses import dataclass, replace
 from os import PathLike
@@ -17,7 +17,6 @@ from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.base.options import HIDDEN, In, Options, Shown, listed
 from lommel.base.units import format_length, percent
-from lommel.base.validation import shown
 from lommel.deconvolve.algorithms import RichardsonLucy, TotalVariation, silent
 from lommel.deconvolve.iterations import Background
 from lommel.fit.findings import Finding, Findings
@@ -25,8 +24,8 @@ from lommel.microscopy.chunks import Course, Outcome, chunk_side, restore_chunks
 from lommel.microscopy.depth_model import MAX_RIM, DepthModel, GivenPSF, PSFs
 from lommel.microscopy.held_out import estimated_held_out_steps
 from lommel.microscopy.light_checks import Floor, plane_light_findings
-from lommel.microscopy.preparation import Remarks, compare_held_out, oriented, prepared, with_estimates
-from lommel.microscopy.refinement import PARAMETERS, StackContext, estimated_steps, rank_alternatives, select_crop
+from lommel.microscopy.preparation import Remarks, compare_held_out, oriented, prepared
+from lommel.microscopy.refinement import DIRECTION_STEPS, StackContext, rank_alternatives, select_crop
 from lommel.microscopy.restored_stack import INTERRUPTED, ProjectionBuilder, RestoredChannel, RestoredStack
 from lommel.microscopy.sampling import Stated, sampled
 from lommel.microscopy.store import Target, checksum, destination
@@ -60,12 +59,6 @@ def _wavelengths(name: str, value: ArrayLike) -> tuple[float, ...]:
     if waves.ndim > 1:
         raise ValueError(f"{name} must be a number or a list of numbers, got the shape {waves.shape}")
     return tuple(validation.wavelength(float(wave), name) for wave in waves)
-
-
-def _parameters(name: str, names: object) -> tuple[str, ...]:
-    if isinstance(names, str) or not isinstance(names, Sequence):
-        raise TypeError(f'{name} must be a sequence of names, such as ("depth",), got {shown(names)}')
-    return tuple(validation.choice(name, each, tuple(PARAMETERS)) for each in names)
 
 
 def _level(name: str, value: float | str) -> float | str:
@@ -108,9 +101,6 @@ class DeconvolveOptions(Options):
     direction : {"auto", "up", "down"}, default "auto"
         "up": the first plane is the nearest to the cover glass. "auto" tries both directions and selects the more
         likely one, or "up" if the data do not determine the direction.
-    refine : sequence of {"depth", "sample", "spherical"}
-        Parameters estimated before the restoration, by maximum likelihood: the depth, the refractive index of the
-        sample, or the spherical aberration (waves rms).
     method : RichardsonLucy or TotalVariation
         By default ``lm.imaging.RichardsonLucy(target=1.0)``: a lower target, as for photographs, would amplify noise
         where the PSF is much wider than a voxel. ``lm.imaging.TotalVariation(target=1.0)`` preserves edges, with
@@ -147,7 +137,6 @@ class DeconvolveOptions(Options):
     pixel: Annotated[float | None, In(above=0.0, unit="metres"), Shown(length="um")] = None
     step: Annotated[float | None, In(above=0.0, unit="metres"), Shown(length="nm")] = None
     direction: Literal["auto", "up", "down"] = "auto"
-    refine: Annotated[tuple[Literal["depth", "sample", "spherical"], ...], _parameters] = ()
     method: Annotated[RichardsonLucy | TotalVariation, _algorithm, HIDDEN] = _METHOD
     background: Annotated[float | str, _level, Shown(metavar="flat|uneven|COUNTS", parse=_level_or_text)] = "flat"
     diagnosis: Annotated[bool, Shown(negative="--no-diagnosis")] = True
@@ -268,9 +257,8 @@ def run(
             raise TypeError("noise must be omitted if stack are Counts, which have their own")
         stack, noise, mask, saturation = stack.values, stack.noise, stack.mask, stack.stated
     validation.optional("noise", noise, Noise)
-    if isinstance(microscope, PSF) and (options.refine or options.direction == "down"):
-        name = "refine" if options.refine else "direction"
-        raise ValueError(f"{name} needs an objective, from which PSFs are computed, got a PSF")
+    if isinstance(microscope, PSF) and options.direction == "down":
+        raise ValueError("direction needs an objective, from which PSFs are computed, got a PSF")
     stated = Stated(options.depth, options.wavelength, options.pixel, options.step)
     array_mask: NDArray[np.bool_] | bool | None = False
     if isinstance(stack, np.ma.MaskedArray):
@@ -342,13 +330,11 @@ def _restored(
     pixel_doubt: str,
     report: Report,
 ) -> RestoredChannel:
-    """Restore a prepared channel: orient, estimate, solve, check."""
+    """Restore a prepared channel: orient, solve, check."""
     shape = context.stack.shape
     crop = select_crop(context.stack, context.model.window[1], context.saturation)
     stages = _progress_parts(shape, crop, options)
     context = oriented(context, crop, options.direction, remarks.notes, _within(report, 0.0, stages[0]))
-    report_part = _within(report, stages[0], stages[1])
-    context, estimated, errors = with_estimates(context, crop, options.refine, remarks.notes, report_part)
     model = context.model
     margin = tuning.margin or (min(model.window[0] // 2, max(_MIN_MARGIN, shape[0] // 4)), model.window[1] // 2)
     background = _background(options.background)
@@ -358,7 +344,7 @@ def _restored(
             context,
             margin,
             remarks.findings,
-            _within(report, *stages[1:]),
+            _within(report, *stages),
             flat=background == Background(None),
             pixel_doubt=pixel_doubt,
         )
@@ -400,8 +386,6 @@ def _restored(
         direction="down" if model.is_reversed else "up",
         depths=depths[::-1] if model.is_reversed else depths,
         psf_depths=psfs.depths,
-        refined=estimated,
-        errors=errors,
         projections=projections.result(reverse=model.is_reversed),
         background=outcome.background,
         strength=outcome.strength,
@@ -513,13 +497,13 @@ def _within(report: Report, begin: float, end: float, name: str = "") -> Report:
 
 def _progress_parts(
     shape: tuple[int, ...], crop: tuple[slice, slice], options: DeconvolveOptions
-) -> tuple[float, float, float]:
-    """Return the progress, 0 to 1, after each of the estimates: direction of z, `refine`, held-out photons."""
+) -> tuple[float, float]:
+    """Return the progress, 0 to 1, after each of the estimates: direction of z, held-out photons."""
     part = math.prod(pixels.stop - pixels.start for pixels in crop) / (shape[1] * shape[2])
-    oriented, refined = (part * steps for steps in estimated_steps(options.direction == "auto", len(options.refine)))
+    oriented = part * DIRECTION_STEPS if options.direction == "auto" else 0.0
     compared = estimated_held_out_steps(shape) if options.diagnosis else 0.0
-    total = oriented + refined + compared + _USUAL_STEPS
-    return oriented / total, (oriented + refined) / total, (oriented + refined + compared) / total
+    total = oriented + compared + _USUAL_STEPS
+    return oriented / total, (oriented + compared) / total
 
 
 def format_depth_range(low: float, high: float) -> str:

@@ -90,20 +90,14 @@ class DepthModel:
     def changed(self, name: str, value: float) -> DepthModel:
         """Return the model with one parameter changed; ValueError if the result is out of range.
 
-        "depth" (m) and "sample" (index) are set to `value`; "wavelength", "step" and "NA" are multiplied by it; and
-        "spherical" adds primary spherical aberration of `value` waves rms.
+        "depth" (m) and "sample" (index) are set to `value`; "wavelength", "step" and "NA" are multiplied by it.
         """
         if name in ("wavelength", "step"):
             return replace(self, **{name: value * getattr(self, name)})
         if name == "depth":
             return replace(self, depth=validation.real("depth", value, least=0.0, most=DEPTH_MOST))
-        if name in ("sample", "NA"):
-            parameters = {key: getattr(self.objective, key) for key in self.objective.__dataclass_fields__}
-            parameters[name] = value if name == "sample" else value * self.objective.NA
-            return replace(self, objective=Objective(**parameters))
-        terms = {} if self.aberrations is None else dict(self.aberrations.to_zernike(unit="waves"))
-        terms[(4, 0)] = float(terms.get((4, 0), 0.0)) + value
-        return replace(self, aberrations=Wavefront.zernike(terms, unit="waves"))
+        changed = {name: value if name == "sample" else value * self.objective.NA}
+        return replace(self, objective=replace(self.objective, **changed))
 
     def psf(self, depth: float | Array) -> PSF:
         """Return the PSF of an emitter at a depth (m): a stack over z, with z = 0 at its brightest focus.

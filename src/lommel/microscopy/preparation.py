@@ -1,4 +1,4 @@
-"""Preparation of a stack for its deconvolution: noise, voxels to leave out, direction of z, estimated parameters."""
+"""Preparation of a stack for its deconvolution: noise, voxels to leave out, direction of z, compared PSFs."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from lommel.base.units import with_error
 from lommel.fit.findings import Finding
 from lommel.microscopy.depth_model import DepthModel, GivenPSF
 from lommel.microscopy.held_out import MAX_VOXELS, SIDE, HeldOut, held_out_background
-from lommel.microscopy.refinement import PARAMETERS, Progress, StackContext, estimate_z_direction, refined
+from lommel.microscopy.refinement import Progress, StackContext, estimate_z_direction
 from lommel.recorded.camera_noise import (
     MAX_HOT_FRACTION,
     StackView,
@@ -154,26 +154,6 @@ def oriented(
     # Results are reversed again at the end.
     stack = StackView(context.stack, context.saturation, is_reversed=True)
     return context._replace(stack=stack, model=replace(context.model, is_reversed=True))
-
-
-def with_estimates(
-    context: StackContext, crop: tuple[slice, slice], names: Sequence[str], notes: list[str], report: Progress
-) -> tuple[StackContext, dict[str, float], dict[str, float]]:
-    """Estimate parameters; return the context with the new model, and their values and standard errors."""
-    if not names:
-        return context, {}, {}
-    model, values, errors = refined(context, crop, names, report)
-    for name, value in values.items():
-        notes.append(f"Estimated from the stack: {PARAMETERS[name]} {_format_estimate(name, value, errors[name])}.")
-    return context._replace(model=model), values, errors
-
-
-def _format_estimate(name: str, value: float, error: float) -> str:
-    """Return a value and its standard error as text."""
-    if not math.isfinite(error):
-        return "is not determined"
-    factor, unit = {"depth": (1e6, " um"), "spherical": (1.0, " waves rms")}.get(name, (1.0, ""))
-    return " +- ".join(with_error(factor * value, factor * error)) + unit
 
 
 def compare_held_out(

@@ -1,4 +1,4 @@
-"""Estimation of recording parameters from a stack: direction of z, depth, sample index, spherical aberration.
+"""Comparison of PSFs by a stack: direction of z, and what explains a misfit.
 
 Trial deconvolutions of a part of the stack with different PSFs are compared by their discrepancy after equal steps.
 """
@@ -6,14 +6,13 @@ Trial deconvolutions of a part of the stack with different PSFs are compared by 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import replace
 from typing import NamedTuple, cast
 
 import numpy as np
 import scipy
 
-from lommel.base.arrays import Array
 from lommel.base.units import format_length
 from lommel.deconvolve.algorithms import RichardsonLucy
 from lommel.deconvolve.iterations import Background, Iteration, StepSettings
@@ -23,22 +22,18 @@ from lommel.microscopy.depth_model import DepthModel, GivenPSF
 from lommel.recorded.counts import Stack, plane_of
 from lommel.recorded.noise import Noise
 
-PARAMETERS = {"depth": "depth", "sample": "index of the sample", "spherical": "spherical aberration"}
-"""Parameters that can be estimated from a stack, with their names in words."""
-
 Progress = Callable[[float, str], object]
 """Callback for the progress: fraction of the work that is done, 0 to 1, and its description."""
 
-_STEPS = 40  # steps of trials in a search: with fewer, PSFs that are too sharp have the lowest discrepancy
-_FINE_STEPS = 100  # steps of trials near the minimum: 40 would not restore dim points, 160 would fit noise
+_STEPS = 40  # steps of trials: with fewer, PSFs that are too sharp have the lowest discrepancy
+DIRECTION_STEPS = 2.0 * _STEPS
+"""Number of steps that determine the direction of z, for the progress."""
+
 _SIDES = 48, 64  # pixels: smallest and largest side of the part of the stack that is used
 _NARROWEST, _WIDEST = 33, 49  # pixels: smallest and largest side of PSFs
-_FIRST_SIDE = 40  # pixels: side of the part in a first search, with the narrowest PSFs
+_FIRST_SIDE = 40  # pixels: side of the part in which alternatives are compared, with the narrowest PSFs
 _MIN_MARGIN = 8  # planes
 _FAR_DEPTHS = 3  # number of depths of the tails of PSFs, which change slowly
-_RANGE = {"depth": 3e-6, "sample": 0.03, "spherical": 0.3}  # half width of the range of the search
-_SPACING = 1 / 6  # distance of trials near the minimum, as a fraction of _RANGE; doubled in the first search
-_ROUNDS = 3  # largest number of rounds of trials; a round is moved if the minimum is not between its trials
 # Alternatives after a misfit: first change of each parameter, doubled while the fit improves, and name in words.
 _ALTERNATIVES = {
     "sample": (6e-3, "index of the sample"),
@@ -81,17 +76,6 @@ def _window_around(middle: int, size: int, side: int) -> slice:
     """Return the slice of `size` pixels around a middle, moved to lie within `side` pixels."""
     start = min(max(middle - size // 2, 0), max(side - size, 0))
     return slice(start, min(start + size, side))
-
-
-def estimated_steps(direction: bool, names: int) -> tuple[float, float]:
-    """Return approximate numbers of steps: for the direction of z (if `direction`), and for `names` parameters."""
-    return 2.0 * _STEPS * direction, (_FINE_STEPS + 0.5 * _STEPS) * _trials(names) if names else 0.0
-
-
-def _trials(parameters: int) -> int:
-    """Return the number of trials that determine a quadratic function of n parameters."""
-    # The constant, n slopes, n curvatures and n (n - 1) / 2 mixed terms.
-    return 1 + 2 * parameters + parameters * (parameters - 1) // 2
 
 
 class StackContext(NamedTuple):
@@ -235,7 +219,8 @@ def rank_alternatives(context: StackContext, progress: Progress, *, try_reversed
         label = "planes in reverse order"
         decreases[label] = start_cost - cost(model, label, reverse=True)
     for name, (first_change, title) in _ALTERNATIVES.items():
-        start = _start_value(model, name)
+        # Depth and index have values; all others are changed by a factor.
+        start = {"depth": model.depth, "sample": model.objective.sample}.get(name, 1.0)
 
         def cost_of_change(value: float, name: str = name, title: str = title, start: float = start) -> float:
             if start == 1.0 and abs(value - start) > _FARTHEST:  # a factor
@@ -292,123 +277,3 @@ def _value_in_words(model: DepthModel, name: str, value: float) -> str:
     if name in ("wavelength", "step"):
         return format_length(value * getattr(model, name), digits=3)
     return f"{value * (model.objective.NA if name == 'NA' else 1.0):.4g}"
-
-
-def refined(
-    context: StackContext, crop: tuple[slice, slice], names: Sequence[str], progress: Progress
-) -> tuple[DepthModel, dict[str, float], dict[str, float]]:
-    """Estimate parameters of a stack; return the model with the estimates, their values and standard errors."""
-    model = cast("DepthModel", context.model)
-    start = np.array([_start_value(model, name) for name in names])
-    spacing = np.array([_RANGE[name] * _SPACING for name in names])
-    lower, upper = np.array([_limits(name, value) for name, value in zip(names, start, strict=True)]).T
-    coarse_crop = brightest(context.stack, _FIRST_SIDE, context.saturation)
-    coarse = TrialDeconvolution(context, coarse_crop, widest=_NARROWEST)
-    fine = TrialDeconvolution(context, crop)
-    coarse_cost = coarse.known / fine.known  # computing time of a step, relative to a step of a fine trial
-    track = Work(progress, _trials(len(names)) * (_STEPS * coarse_cost + _FINE_STEPS))
-
-    def function(trial: TrialDeconvolution, steps: int, cost: float) -> Callable[[Array], list[float]]:
-        """Return a function from values of the parameters to the discrepancy after each step."""
-
-        def discrepancies(values: Array) -> list[float]:
-            pairs = zip(names, values.tolist(), strict=True)
-            label = ", ".join(f"{PARAMETERS[name]} {_value_in_words(model, name, value)}" for name, value in pairs)
-            report = track(label, int(steps * cost))
-            return trial.discrepancies(
-                _with_values(model, names, values), steps, lambda step, *others: report(int(step * cost), *others)
-            )
-
-        return discrepancies
-
-    doubled = 2.0 * spacing
-    limits = lower + doubled, upper - doubled
-    estimate, _ = _minimum(function(coarse, _STEPS, coarse_cost), start, doubled, limits, coarse.known)
-    limits = lower + spacing, upper - spacing
-    estimate, errors = _minimum(function(fine, _FINE_STEPS, 1.0), estimate, spacing, limits, fine.known)
-    estimate = np.clip(estimate, lower, upper)
-    values, standard_errors = (dict(zip(names, array.tolist(), strict=True)) for array in (estimate, errors))
-    return _with_values(model, names, estimate), values, standard_errors
-
-
-def _start_value(model: DepthModel, name: str) -> float:
-    """Return the start of the search of a parameter: 0 for a change, 1 for a factor, else the value of the model."""
-    values = {"depth": model.depth, "sample": model.objective.sample, "spherical": 0.0}
-    return values.get(name, 1.0)
-
-
-def _with_values(model: DepthModel, names: Sequence[str], values: Sequence[float] | Array) -> DepthModel:
-    """Return the model with changed values of some parameters."""
-    for name, value in zip(names, values, strict=True):
-        model = model.changed(name, float(value))
-    return model
-
-
-def _minimum(
-    course: Callable[[Array], list[float]],
-    start: Array,
-    spacing: Array,
-    limits: tuple[Array, Array],
-    known: int,
-) -> tuple[Array, Array]:
-    """Return the parameters with the lowest discrepancy after all steps, and their standard errors.
-
-    A quadratic function is fitted to trials at distances `spacing`. At one standard error the deviance, `known` times
-    the discrepancy, rises by 1. This error by photon noise is combined with the change of the minimum over the second
-    half of the steps, because the change by further steps is not known.
-    """
-    count, centre = len(start), np.clip(start, *limits)
-    unit = np.eye(count)
-    pairs = [(i, k) for i in range(count) for k in range(i)]
-    # Trials, in units of the spacing: the centre, a step forward and back along each axis, (1, 1) for each pair.
-    offsets = np.array([np.zeros(count), *unit, *-unit, *(unit[i] + unit[k] for i, k in pairs)])
-    estimate, errors = centre, np.full(count, np.inf)
-    for _ in range(_ROUNDS):
-        courses = np.array([course(centre + offset * spacing) for offset in offsets])
-        fits = [_quadratic(values, pairs) for values in (courses[:, courses.shape[1] // 2], courses[:, -1])]
-        hessian, slope = fits[-1]
-        # A quadratic function has a minimum if its matrix is positive definite.
-        minimum_halfway, minimum_at_end = (bool(np.linalg.eigvalsh(matrix)[0] > 0.0) for matrix, _ in fits)
-        errors = np.full(count, np.inf)
-        if not minimum_at_end:
-            minimum = offsets[int(courses[:, -1].argmin())]
-            estimate = centre + minimum * spacing
-            if not minimum.any():
-                break
-            centre = np.clip(estimate + minimum * spacing, *limits)
-            continue
-        minimum = -np.linalg.solve(hessian, slope)
-        estimate = centre + minimum * spacing
-        if minimum_halfway:
-            lowest_discrepancy = max(float(courses[0, -1] + 0.5 * slope @ minimum), 1.0)
-            variance = 2.0 * lowest_discrepancy * np.diag(np.linalg.inv(hessian)) / known
-            errors = np.sqrt(variance + (minimum + np.linalg.solve(*fits[0])) ** 2) * spacing
-        # Farther than 1.5 spacings the minimum is an extrapolation.
-        if np.abs(minimum).max() <= 1.5:
-            break
-        centre = np.clip(centre + np.clip(minimum, -3.0, 3.0) * spacing, *limits)
-    return estimate, errors
-
-
-def _quadratic(values: Array, pairs: Sequence[tuple[int, int]]) -> tuple[Array, Array]:
-    """Return the matrix of second derivatives and the slope of a quadratic function, from its values.
-
-    The values are at the origin, at 1 along each axis, at -1 along each axis, and at (1, 1) for each pair of axes.
-    """
-    count = (len(values) - 1 - len(pairs)) // 2
-    forward, backward = values[1 : count + 1] - values[0], values[count + 1 : 2 * count + 1] - values[0]
-    hessian = np.diag(forward + backward)
-    # f(x + y) - f(x) - f(y) + f(0) is the mixed derivative.
-    for (i, k), value in zip(pairs, values[2 * count + 1 :] - values[0], strict=True):
-        hessian[i, k] = hessian[k, i] = value - forward[i] - forward[k]
-    return hessian, (forward - backward) / 2.0
-
-
-def _limits(name: str, start: float) -> tuple[float, float]:
-    """Return the limits of a parameter in the search."""
-    width = _RANGE[name]
-    if name == "depth":
-        return max(0.0, start - max(width, 0.5 * start)), start + max(width, 0.5 * start)
-    if name == "sample":
-        return max(1.0, start - width), start + width
-    return -width, width

@@ -51,9 +51,6 @@ class RestoredChannel:
         given PSF.
     psf_depths : ndarray of float
         Depths of the PSFs that were used.
-    refined, errors : dict of float
-        Estimates and standard errors of the parameters of `refine`, by name. A standard error combines photon noise
-        and the change of the estimate since half of the steps; inf if the stack does not determine the parameter.
     projections : Projections
         Maximum projections of recording and result, and projected residuals, along z and along y, as drawn by
         :meth:`RestoredStack.plot`. NaN in chunks that an earlier call restored.
@@ -73,8 +70,6 @@ class RestoredChannel:
     direction: str
     depths: Array = field(repr=False)
     psf_depths: Array = field(repr=False)
-    refined: dict[str, float]
-    errors: dict[str, float]
     projections: Projections = field(repr=False)
     background: float | Array
     strength: float | None

@@ -257,9 +257,7 @@ def crops(depth: bool) -> tuple[float, float]:
         reach = np.full((2400, 3200), metres.min())
         reach[0] = metres.max()
         with_depth = {"depth": reach, "lens": lens}
-    whole = lm.imaging.FieldBlur(
-        field, (2400, 3200), 3.45e-6, channels=lm.imaging.RED_GREEN_BLUE, threads=1, **with_depth
-    )
+    whole = lm.imaging.FieldBlur(field, (2400, 3200), 3.45e-6, channels=lm.imaging.RED_GREEN_BLUE, **with_depth)
     once = time.process_time() - begin
 
     def run() -> None:

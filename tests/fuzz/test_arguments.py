@@ -305,7 +305,7 @@ def entries(folder: Path) -> list[tuple[str, object, dict[str, object]]]:
         tagged("restore", imaging.restore, photo=SQUARE, depth=DEPTH, lens=LENS, pixel=8e-6, encoding="linear",
                noise=lm.Noise(white=1e3, read=1.0), method=ONCE, saturation=1.0),
         tagged("FieldBlur", imaging.FieldBlur, field_map=FIELD, shape=(5, 6), pixel=0.1, largest=40, tol=0.1,
-               energy=0.6, threads=1),
+               energy=0.6),
         tagged("depth_precision", lm.depth_precision, lenses=PAIR, distance=1.9, pixel=8e-6,
                noise=lm.Noise(white=1e3, read=1.0), contrast=0.3),
         tagged("depth_from_defocus", imaging.depth_from_defocus, photographs=[SQUARE, SQUARE[::-1]], lenses=PAIR,

@@ -126,13 +126,7 @@ def test_gaps_in_the_depth_are_filled_as_asked():
         fill_missing(np.full((2, 2), np.nan), "nearest")
 
 
-def _chunks(image, depth, lens, pixel, **options):
-    dask = pytest.importorskip("dask.array")
-    arrays = (dask.from_array(a) if isinstance(a, np.ndarray) else a for a in (image, depth))
-    return depth_of_field(*arrays, lens, pixel, **options)
-
-
-WAYS = [depth_of_field, FocusPlan, partial(depth_of_field, tile=32), _chunks]
+WAYS = [depth_of_field, FocusPlan, partial(depth_of_field, tile=32)]
 
 
 @pytest.mark.parametrize("way", [*WAYS, lambda i, d, lens, p, **_: DepthBlur(d, lens, p)])

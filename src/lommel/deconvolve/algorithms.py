@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import DTypeLike, NDArray
 
 from lommel.base import validation
-from lommel.base.arrays import Array, Json, Values, fields_of, plain
+from lommel.base.arrays import Json, Values, fields_of, plain
 from lommel.fit.findings import Findings, Judged
 
 # Reasons to stop.
@@ -224,32 +224,27 @@ class Restoration(Judged):
     Attributes
     ----------
     values : ndarray
-        Restored image, of the shape, type and encoding of the photograph, without the offset of its noise; float32
-        for a stack.
+        Restored image, of the shape, type and encoding of the photograph, without the offset of its noise.
     light : ndarray of float, or None
         Restored image in linear light, not clipped at white. None for results of tiles.
     discrepancy : float
         Poisson deviance per pixel between the photograph and the blurred result: about 1 if the result is the true
         scene, and a little less for a good result, which also fits some of the noise.
     by_channel : tuple of float
-        Discrepancy of each channel, or of each plane of a stack.
+        Discrepancy of each channel.
     before : float
         Discrepancy before the restoration, with the photograph itself as the result.
     steps : int
         Total number of steps; each applies the blur and its transpose once.
     stopped : str
         Reason to stop: "noise" if the result agrees with the photograph within its noise, "steps" at the maximum
-        number of steps, "one pass", "misfit: ..." where depth, lens or noise of a photograph (PSF or noise of a
-        stack) do not fit.
+        number of steps, "one pass", "misfit: ..." where depth, lens or noise do not fit.
     strength : float or None
         Weight of the total variation.
     unknown : float
         Fraction of the values of the photograph that were NaN or saturated.
     clipped : float
         Fraction of the values that were clipped at white; 0 for floats.
-    background : float or ndarray
-        Background of a stack, per voxel (float) or per pixel of all planes (ndarray), which the values exclude; 0 for
-        photographs.
     photograph : float
         Weight of the photograph in the result, 0 to 1. It is 1 if the result of the method would be farther from the
         scene, because depth, lens or noise do not fit; between 0 and 1 if the blur is hardly larger than the noise;
@@ -268,7 +263,6 @@ class Restoration(Judged):
     strength: float | None = None
     unknown: float = 0.0
     clipped: float = 0.0
-    background: float | Array = 0.0
     photograph: float = 0.0
     findings: Findings = field(default_factory=Findings)
 

@@ -355,10 +355,10 @@ class WindowBlur:
         Positions of the rows and columns.
     defocus : ndarray, shape (height, width)
         Defocus of each point.
-    threads : int
-        Maximum number of threads.
     allowed : float
         Largest sum of absolute differences from the spline-interpolated windows, whose sum is 1.
+    threads : int
+        Maximum number of threads; 0 for all processors.
 
     Raises
     ------
@@ -374,8 +374,8 @@ class WindowBlur:
         x: Array,
         defocus: Array,
         *,
-        threads: int,
         allowed: float,
+        threads: int = 0,
     ) -> None:
         kind, side = windows.dtype, windows.shape[-1]
         row_weights, rows = _nonzero_columns(axes[0].weights(y))

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Annotated, Any, NamedTuple, cast
 
 import numpy as np
 import scipy
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, DTypeLike
 
 from lommel.base import validation
 from lommel.base.arrays import Array, Values
@@ -25,7 +25,7 @@ from lommel.field.maps import FieldMap, require_light, require_one_aperture
 from lommel.field.psf_grid import sides
 from lommel.imaging.blur import require_depth, require_lens, warn_of_depths
 from lommel.imaging.sensor_light import too_large
-from lommel.imaging.settings import OperatorOptions, Spectrum, spectra
+from lommel.imaging.settings import Spectrum, WindowOptions, floating, spectra
 from lommel.optics.lens import Lens
 from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront.wavefront import Wavefront
@@ -37,8 +37,8 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, kw_only=True)
-class FieldOptions(OperatorOptions):
-    """Options of a blur that varies over the field.
+class FieldPhotographOptions(WindowOptions):
+    """Options of photographs through a field map.
 
     Parameters
     ----------
@@ -48,6 +48,22 @@ class FieldOptions(OperatorOptions):
     """
 
     tol: Annotated[float, In(least=1e-6, most=0.1)] = 1e-3
+
+
+@dataclass(frozen=True, kw_only=True)
+class FieldOptions(FieldPhotographOptions):
+    """Options of a blur that varies over the field.
+
+    Parameters
+    ----------
+    largest : int, optional
+        Maximum half width of a PSF window, pixels, 1 to 2048; by default half of the shorter side of the image.
+    dtype : float32 or float64, default float32
+        Type of the blurred image and of the sums over source points.
+    """
+
+    largest: Annotated[int | None, In(least=1, most=2048)] = None
+    dtype: Annotated[DTypeLike, floating] = "float32"
 
 
 @listed(FieldOptions)
@@ -81,8 +97,6 @@ class FieldBlur(LinearBlur):
         ``shape * pixel``. A larger sensor exaggerates the blur, to illustrate a lens over its whole field.
     channels : sequence, default (wavelength of the map,)
         For each channel a wavelength (metres), or a spectrum: pairs of wavelength and weight.
-    options : FieldOptions, optional
-        Options as an object, which keywords change.
     {options}
 
     Attributes
@@ -131,7 +145,6 @@ class FieldBlur(LinearBlur):
         center: tuple[float, float] | None = None,
         sensor: tuple[float, float] | None = None,
         channels: Sequence[Spectrum] | None = None,
-        options: FieldOptions | None = None,
         **given: Any,
     ) -> None:
         validation.instance("field_map", field_map, FieldMap)
@@ -141,9 +154,8 @@ class FieldBlur(LinearBlur):
         self.field_map, self.shape = field_map, validation.image_shape(shape)
         self.pixel = validation.pixel(pixel, metric=metric)
         validation.pixel_on(self.pixel, pupil.scale, metric=metric)
-        o = FieldOptions.of("FieldBlur", options, given)
+        o = FieldOptions.of("FieldBlur", None, given)
         self.tol, self.dtype = o.tol, cast("np.dtype[np.floating]", o.dtype)
-        self.threads = o.threads or 0
         self._scaled = sensor is not None  # the pixels of the image are not those of the PSFs
         if channels is not None and not metric:
             raise ValueError("channels need a map with a wavelength; make the map with wavelength= and f_number=")
@@ -161,7 +173,7 @@ class FieldBlur(LinearBlur):
         ) -> tuple[FieldBank, WindowBlur | MixedBlur]:
             # The tolerance of PSFs is 1e-3 of the tolerance of the blur, but no less than double precision allows.
             phase, psf_tol = None if lens is None else lens.phase, min(1e-6, max(1e-10, 1e-3 * o.tol))
-            source = self._point_light(field_map, phase, spectrum, self.pixel, psf_tol, o.threads)
+            source = self._point_light(field_map, phase, spectrum, self.pixel, psf_tol)
             bank = build_field_bank(source, spans, self.shape, o)
             return bank, self._operator(bank)
 
@@ -320,11 +332,10 @@ class FieldBlur(LinearBlur):
             # ArithmeticError: WindowBlur replaces the splines by parabolas, and would need too many pieces.
             with suppress(ArithmeticError):
                 return WindowBlur(
-                    bank.coefficients, bank.axes, self.y, self.x, self.defocus,
-                    threads=self.threads, allowed=self.tol - bank.error,
+                    bank.coefficients, bank.axes, self.y, self.x, self.defocus, allowed=self.tol - bank.error
                 )  # fmt: skip
         weights = bank.axes[0].weights(self.y), bank.axes[1].weights(self.x)
-        return MixedBlur(bank.coefficients, weights, focus, self.defocus, threads=self.threads)
+        return MixedBlur(bank.coefficients, weights, focus, self.defocus)
 
 
 _MAX_KEPT_BYTES = 2**29  # transforms of all windows are cached up to this size, 512 MiB
@@ -370,7 +381,7 @@ class MixedBlur:
         focus: Nodes,
         defocus: Array,
         *,
-        threads: int,
+        threads: int = 0,
     ) -> None:
         self.windows, self.focus, self.defocus, self.threads = windows, focus, defocus, threads
         self.excess = windows.shape[-1] - 1  # rows and columns by which the result of a block exceeds the block
@@ -700,7 +711,6 @@ class PointLight:
     spectrum: Sequence[tuple[float, float]] | None  # wavelengths (m) and weights; None: the wavelength of the map
     pixel: float  # pixel pitch, in the unit of the map
     tol: float  # error of each PSF relative to its peak
-    threads: int | None
 
     def pupil(self, y: Array, x: Array, defocus: Array) -> Pupil:
         """Return the stack of pupils at places in the field and values of the defocus, arrays of one shape."""
@@ -717,7 +727,7 @@ class PointLight:
             pupil = self.pupil(*places[batch].T)
             for wavelength, weight in self.spectrum or ((None, 1.0),):
                 coloured = pupil if wavelength is None else pupil.in_light(wavelength)
-                options: dict[str, Any] = {"integrate": True, "dtype": np.float64, "threads": self.threads}
+                options: dict[str, Any] = {"integrate": True, "dtype": np.float64}
                 result[batch] += weight * psf(coloured, side, self.pixel, tol=self.tol, **options).values
         return result
 

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import copy
-import sys
 from collections import OrderedDict
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import Annotated, Any, Protocol, Self, TypeAlias, cast, overload
+from typing import Annotated, Any, Self
 
 import numpy as np
 import scipy
@@ -17,15 +16,14 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 from lommel.base import validation
 from lommel.base.arrays import Array, Values
 from lommel.base.encoding import clipped_fraction, from_light, scene_light, to_light
-from lommel.base.optional import library
 from lommel.base.options import HIDDEN, In, listed
 from lommel.core import engine
 from lommel.deconvolve.linear import tiles_of
 from lommel.field.maps import FieldMap, require_one_aperture
 from lommel.imaging.blur import DepthBlur, require_lens, require_metres
-from lommel.imaging.field_blur import FieldBlur, PointLight
+from lommel.imaging.field_blur import FieldBlur, FieldPhotographOptions, PointLight
 from lommel.imaging.occlusion import Occlusion, reach_behind
-from lommel.imaging.settings import FILL, Spectrum, TableOptions, WindowOptions, channel_spectra
+from lommel.imaging.settings import FILL, Spectrum, TableOptions, channel_spectra
 from lommel.io.photos import Photograph
 from lommel.optics.lens import Lens
 from lommel.optics.pupil import Pupil
@@ -34,19 +32,7 @@ Pixels = NDArray[np.generic]  # stored values, unsigned integers or floats
 
 TILE = 1024  # default side of the tiles of memory maps, pixels
 
-_DaskArray: TypeAlias = Any  # dask is typed in part only
-
 _STRIP = 2**20  # number of depth values read together, which limits the memory for the depth range
-
-
-class LazyArray(Protocol):
-    """Attributes and methods of a dask array that this module requires."""
-
-    shape: tuple[int, ...]
-    chunks: tuple[tuple[int, ...], ...]
-
-    def compute(self, **options: object) -> Pixels:
-        """Return the values as a NumPy array."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -90,7 +76,7 @@ class Rendered:
         return cls(Photograph(values, encoding), blur.lost, blur.error, side, clipped)
 
 
-def encode_light(light: Values, encoding: str, dtype: DTypeLike, threads: int = 0) -> tuple[Pixels, float]:
+def encode_light(light: Values, encoding: str, dtype: DTypeLike) -> tuple[Pixels, float]:
     """Return finite light (1 is white) as stored values, and the fraction of values clipped to an integer range."""
     if light.dtype != np.float32 or dtype != np.uint8 or light.size == 0:
         return from_light(light, encoding, dtype), clipped_fraction(light, dtype)
@@ -99,7 +85,7 @@ def encode_light(light: Values, encoding: str, dtype: DTypeLike, threads: int = 
     level = 1.0 / 255.0
     flat = np.ascontiguousarray(light).reshape(-1)
     # Light counts as clipped if it is more than one level below 0 or above 1.
-    clipped = engine.levels(flat, _thresholds(encoding), -level, 1.0 + level, threads, values.reshape(-1))
+    clipped = engine.levels(flat, _thresholds(encoding), -level, 1.0 + level, 0, values.reshape(-1))
     return values, clipped / light.size
 
 
@@ -151,11 +137,10 @@ class BlurOptions(TableOptions):
     supersample : int, default 1
         Number of points of `image` and `depth` along each side of a pixel of the result, 1 to 16: the points are
         ``pixel / supersample`` apart, and each pixel of the result is the mean light of its points. The `window` of
-        the result is in points, not pixels. Not available with `tile` or for dask arrays; memory maps are rendered
-        as a whole.
+        the result is in points, not pixels. Not available with `tile`; memory maps are rendered as a whole.
     tile : int, optional
         Side of the tiles, pixels, 16 to 16384; by default 1024 for memory maps. A tile requires several hundred bytes
-        per pixel and channel. For dask arrays, the side of the chunks; by default the chunks are unchanged.
+        per pixel and channel.
     """
 
     supersample: Annotated[int, In(least=1, most=16)] = 1
@@ -293,22 +278,10 @@ class FocusPlan:
         return self._scene.photograph(self._blur(lens), out, occlusion=self._occlusion)
 
 
-@overload
-def depth_of_field(
-    image: LazyArray, depth: LazyArray, lens: Lens, pixel: float, *, encoding: str, **given: Any
-) -> LazyArray: ...
-
-
-@overload
-def depth_of_field(
-    image: ArrayLike, depth: ArrayLike, lens: Lens, pixel: float, *, encoding: str, **given: Any
-) -> Rendered: ...
-
-
 @listed(BlurOptions)
 def depth_of_field(
-    image: ArrayLike | LazyArray,
-    depth: ArrayLike | LazyArray,
+    image: ArrayLike,
+    depth: ArrayLike,
     lens: Lens,
     pixel: float,
     *,
@@ -317,24 +290,23 @@ def depth_of_field(
     progress: Callable[[int, int], object] | None = None,
     options: BlurOptions | None = None,
     **given: Any,
-) -> Rendered | LazyArray:
+) -> Rendered:
     """Render the depth of field of a lens: blur each point of a sharp image by the PSF at its distance.
 
     The PSFs are pixel-integrated, with diffraction, aberrations and colour (:class:`lommel.imaging.DepthBlur`), and
     near points occlude far points (:class:`lommel.imaging.Occlusion`). A grey image has the wavelength of the lens,
     the three channels of a colour image 600, 540 and 460 nm. Arrays are rendered as a whole. Memory maps, and arrays
-    with `tile`, are rendered in overlapping tiles, with little memory. Dask arrays are rendered lazily, by chunks.
-    Tiles and chunks use the PSF windows of the whole image; the result agrees with that of the whole image except for
-    rounding. Tiles overlap by half a window and twice the range of blur radii: the largest distance of an occluded
-    point from an edge.
+    with `tile`, are rendered in overlapping tiles, with little memory. Tiles use the PSF windows of the whole image;
+    the result agrees with that of the whole image except for rounding. Tiles overlap by half a window and twice the
+    range of blur radii: the largest distance of an occluded point from an edge.
 
     Parameters
     ----------
-    image : array_like, memory map or dask array, shape (height, width) or (height, width, channels)
+    image : array_like or memory map, shape (height, width) or (height, width, channels)
         Unsigned integers (white is their largest value) or floats (white is 1).
-    depth : array_like, memory map or dask array, shape (height, width)
-        Distance of each point from the lens along the axis, metres; may be infinite. Tiles and chunks read the map
-        twice, first for its range.
+    depth : array_like or memory map, shape (height, width)
+        Distance of each point from the lens along the axis, metres; may be infinite. Tiles read the map twice, first
+        for its range.
     lens : Lens
         Lens with radially symmetric aberrations.
     pixel : float
@@ -342,19 +314,17 @@ def depth_of_field(
     encoding : {"srgb", "linear"}
         Encoding of `image` and of the result.
     out : ndarray, optional
-        Array or memory map that receives the values, with the shape and type of the result. Not for dask arrays.
+        Array or memory map that receives the values, with the shape and type of the result.
     progress : callable, optional
         Called as ``progress(done, total)``, with the numbers of complete and of all tiles, or of blurred points where
-        there are no tiles. Not for dask arrays.
+        there are no tiles.
     options : BlurOptions, optional
         Options as an object, which keywords change.
     {options}
 
     Returns
     -------
-    Rendered or dask.array.Array
-        For dask arrays, a dask array of the shape and type of `image`: the PSF windows are computed immediately, the
-        chunks lazily, each chunk by one thread.
+    Rendered
 
     Raises
     ------
@@ -362,25 +332,16 @@ def depth_of_field(
         If an argument is unknown or out of range, if shapes do not match, if a depth is unknown (NaN), if the lens is
         not radially symmetric, if a window is wider than the shorter side of the image, if the image has neither one
         nor three channels, or if `out` has another shape or type. After an error, `out` contains the tiles that were
-        written before. Chunks are checked when they are computed.
+        written before.
     """
     o = BlurOptions.of("depth_of_field", options, given)
     require_lens(lens, "image, depth, lens, pixel")
     validation.function("progress", progress, required=False)
-    lazy = _are_dask(image, depth)
-    if o.supersample != 1 and (o.tile is not None or lazy):
-        raise ValueError(f"supersample must be 1 with tile and for dask arrays, got {o.supersample}")
-    if lazy:
-        if out is not None or progress is not None:
-            raise ValueError(
-                "out and progress are not for dask arrays, which are computed later: use "
-                "dask.array.store(result, out) and dask.diagnostics.ProgressBar"
-            )
-        return _render_chunks(image, depth, lens, pixel, encoding, o)
+    if o.supersample != 1 and o.tile is not None:
+        raise ValueError(f"supersample must be 1 with tile, got {o.supersample}")
     mapped = any(isinstance(part, np.memmap) for part in (image, depth, out))
     side = o.tile or (TILE if mapped and o.supersample == 1 else None)
-    values = validation.array("image", cast("ArrayLike", image))
-    distances = validation.array("depth", cast("ArrayLike", depth))
+    values, distances = validation.array("image", image), validation.array("depth", depth)
     if side is not None:
         return _render_tiles(values, distances, lens, pixel, encoding, side, o, out, progress)
     scene = Scene(values, distances, lens, pixel, encoding, o)
@@ -430,55 +391,8 @@ def _render_tiles(
     return Rendered.by(blur.whole, out, encoding, clipped)
 
 
-def _are_dask(image: object, depth: object) -> bool:
-    """Return True if image and depth are dask arrays; TypeError if only one of them is a dask array."""
-    da = sys.modules.get("dask.array")  # None if dask is not imported: then no dask array exists
-    are_dask = [da is not None and isinstance(part, da.Array) for part in (image, depth)]
-    if any(are_dask) and not all(are_dask):
-        raise TypeError(
-            "image and depth must both be dask arrays if one is, "
-            f"got {type(image).__name__} and {type(depth).__name__}; dask.array.from_array() makes a dask array"
-        )
-    return all(are_dask)
-
-
-def _render_chunks(
-    image: _DaskArray, depth: _DaskArray, lens: Lens, pixel: float, encoding: str, o: BlurOptions
-) -> LazyArray:
-    """Return the photograph for dask arrays as a dask array, computed chunk by chunk."""
-    dask, da = (library(name, "chunks need", "dask") for name in ("dask", "dask.array"))
-    require_scene("image", image.shape, depth.shape)
-    require_metres(depth.dtype)
-    if o.tile is not None:
-        image = image.rechunk({0: o.tile, 1: o.tile})
-    # A chunk contains all channels, which are blurred and encoded together.
-    if image.ndim == 3:
-        image = image.rechunk({2: -1})
-    low, high = dask.compute(depth.min(), depth.max())
-    # dask computes chunks in parallel: each chunk has one thread.
-    depths = _require_range(float(low), float(high))
-    blur = TileBlur(image.shape, depths, lens, pixel, encoding, o.energy, o.tol, threads=1)
-    distances = depth.rechunk(image.chunks[:2])
-    # dask raises an error if the overlap exceeds the side of the array.
-    overlap = {axis: min(blur.overlap, image.shape[axis]) for axis in (0, 1)}
-    if image.ndim == 3:
-        # dask aligns the last axes of the two arrays: depth requires an axis of channels, too.
-        distances, overlap = distances[..., None], overlap | {2: 0}
-    photograph: LazyArray = da.map_overlap(
-        blur.chunk,
-        image,
-        distances,
-        depth=[overlap, overlap],
-        boundary="none",
-        align_arrays=False,
-        dtype=image.dtype,
-        meta=image._meta,
-    )
-    return photograph
-
-
 class TileBlur:
-    """Depth-of-field rendering of parts of a scene, with the PSF windows of the whole scene; can be pickled."""
+    """Depth-of-field rendering of parts of a scene, with the PSF windows of the whole scene."""
 
     def __init__(
         self,
@@ -489,14 +403,12 @@ class TileBlur:
         encoding: str,
         energy: float,
         tol: float = TableOptions.tol,
-        *,
-        threads: int | None = None,
     ) -> None:
         self.encoding = encoding
         # The two ends of the depth range determine the windows of all parts.
         self.whole = DepthBlur(
             np.array([depths]), lens, pixel, channels=channel_spectra(shape, lens.wavelength), energy=energy,
-            tol=tol, largest=min(2048, max(1, min(shape[:2]) // 2)), threads=threads,
+            tol=tol, largest=min(2048, max(1, min(shape[:2]) // 2)),
         )  # fmt: skip
         self._defocus_range = (float(self.whole.defocus.min()), float(self.whole.defocus.max()))
         self.half = max(bank.half for bank in self.whole.banks)
@@ -516,11 +428,6 @@ class TileBlur:
         seen.reach = self._defocus_range
         return seen
 
-    def chunk(self, image: Pixels, depth: Pixels) -> Pixels:
-        """Return the stored values of a part of the scene; `depth` may have a third axis of length 1, for dask."""
-        light = self.light(image, depth.reshape(depth.shape[:2]))
-        return encode_light(light, self.encoding, image.dtype, self.whole.threads)[0]
-
 
 def depth_range(depth: Pixels) -> tuple[float, float]:
     """Return the nearest and the farthest distance, metres; read the depth in strips of rows."""
@@ -530,14 +437,9 @@ def depth_range(depth: Pixels) -> tuple[float, float]:
     for first in range(0, depth.shape[0], rows):
         part = np.asarray(depth[first : first + rows])
         low, high = np.minimum(low, part.min()), np.maximum(high, part.max())
-    return _require_range(float(low), float(high))
-
-
-def _require_range(low: float, high: float) -> tuple[float, float]:
-    """Return (low, high), the range of depths in metres; ValueError if a depth is NaN."""
     if np.isnan(low):
         raise ValueError(f"depth is NaN at some points; {FILL}")
-    return low, high
+    return float(low), float(high)
 
 
 POSITION_TOL = 1e-3
@@ -545,20 +447,6 @@ POSITION_TOL = 1e-3
 
 _MAX_UNINTERPOLATED = 4096  # largest number of pixels whose positions are all computed without interpolation
 _MAX_NODES = 257  # largest number of interpolation nodes along a side
-
-
-@dataclass(frozen=True, kw_only=True)
-class FieldPhotographOptions(WindowOptions):
-    """Options of photographs through a field map.
-
-    Parameters
-    ----------
-    tol : float, default 1e-3
-        Largest sum of absolute differences between an interpolated and an exact PSF window, both of sum 1; 1e-6 to
-        1e-1. Checked half-way between nodes.
-    """
-
-    tol: Annotated[float, In(least=1e-6, most=0.1)] = 1e-3
 
 
 @listed(FieldPhotographOptions)

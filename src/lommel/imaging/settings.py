@@ -20,7 +20,8 @@ FILL = 'where the map is read, give missing="nearest" (the nearest known depth) 
 Spectrum = float | Sequence[tuple[float, float]]
 
 
-def _floating(name: str, value: object) -> DType:
+def floating(name: str, value: object) -> DType:
+    """Return float32 or float64; TypeError or ValueError for another type."""
     return validation.kind(name, value, np.float32, np.float64)
 
 
@@ -67,27 +68,14 @@ class OperatorOptions(TableOptions):
     """
 
     largest: Annotated[int | None, In(least=1, most=2048)] = None
-    dtype: Annotated[DTypeLike, _floating] = "float32"
+    dtype: Annotated[DTypeLike, floating] = "float32"
     threads: Annotated[int | None, In(least=1, most=1024)] = None
 
 
-def channel_spectra(
-    shape: tuple[int, ...],
-    wavelength: float | None,
-    wavelengths: Channels | Sequence[Spectrum] | None = None,
-) -> Sequence[Spectrum]:
-    """Return the spectrum of each channel of an image of `shape`; `wavelength` is that of a grey image.
-
-    By default three channels are red, green and blue.
-    """
+def channel_spectra(shape: tuple[int, ...], wavelength: float) -> Sequence[Spectrum]:
+    """Return the spectrum of each channel of an image of `shape`; `wavelength` is that of a grey image."""
     count = 1 if len(shape) == 2 else shape[2]
-    if wavelengths is not None:
-        given = spectra("wavelengths", wavelengths)
-        if len(given) != count:
-            raise ValueError(f"wavelengths must have one entry for each of the {count} channels, got {len(given)}")
-        return given
     if count == 1:
-        assert wavelength is not None
         return (wavelength,)
     if count == 3:
         return RED_GREEN_BLUE

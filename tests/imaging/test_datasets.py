@@ -123,14 +123,6 @@ def test_what_does_not_fit_is_refused(files, tmp_path):
         rendered(files), rendered(files, seed=4)
     with pytest.raises(ValueError, match=r"must be a new or empty folder"):
         rendered(files, "photos")
-    with pytest.raises(ValueError, match="noise must have a white"):
-        rendered(files, "x", noise=lm.Noise(read=1.0))
-    with pytest.raises(TypeError, match=r"depth_options must be a DepthMapOptions, got 0\.001"):
-        rendered(files, "x", depth_options=0.001)
-    with pytest.raises(ValueError, match="f_number must be a pair"):
-        LensRanges(focal_length=50e-3, f_number=(4, 2), focus_distance=1.0, pixel=4e-6)
-    with pytest.raises(ValueError, match="focus_distance must exceed the focal length"):
-        LensRanges(focal_length=50e-3, f_number=4, focus_distance=0.04, pixel=4e-6)
     (files / "photos" / "c.png").write_bytes((files / "photos" / "a.png").read_bytes())
     with pytest.raises(ValueError, match=r"c\.png has no depth map of the same name$"):
         rendered(files, "x")

@@ -144,16 +144,6 @@ def test_what_narrows_the_aperture_is_refused_and_never_dropped(way, shape):
         way(np.ones((61, 61)), np.full((61, 61), 4.0), replace(LENS, **shape), 8e-6, encoding="linear")
 
 
-@pytest.mark.parametrize("way", WAYS)
-def test_arguments_in_the_wrong_order_are_told_in_one_line(way):
-    image = np.ones((61, 61))
-    for order in ((LENS, image, image, 8e-6), (image, LENS, image, 8e-6), (image, image, 8e-6, LENS)):
-        with pytest.raises(TypeError, match=r"must be a Lens, got \w+; the order .* is image, depth, lens, pixel$"):
-            way(*order, encoding="linear")
-    with pytest.raises(TypeError, match=r"lens must be a Lens, got ndarray; the order .* is depth, lens, pixel$"):
-        DepthBlur(8e-6, image, LENS)
-
-
 def test_a_photograph_has_the_focus_of_each_colour():
     colour = lm.Colour([450e-9, 550e-9, 650e-9], [60e-6, 0.0, 40e-6])
     lens = lm.Lens(focal_length=50e-3, f_number=2.8, focus_distance=2.0, wavelength=550e-9, colour=colour)

@@ -65,19 +65,3 @@ def test_light_is_added_without_occlusion():
     blur = DepthBlur(depth, LENS, PIXEL, channels=RED_GREEN_BLUE)
     assert np.array_equal(plan().values, blur.forward(image))
     assert np.abs(plan().values - depth_of_field(image, depth, LENS, PIXEL, encoding="linear").values).max() > 0.1
-
-
-@pytest.mark.parametrize(
-    ("change", "error", "message"),
-    [
-        ({"out": np.zeros((40, 50), np.uint8)}, ValueError, r"out must have the shape of the image, \(40, 50, 3\)"),
-        ({"out": np.zeros((40, 50, 3))}, TypeError, "out must have the type of the image, uint8, got float64"),
-        ({"out": np.broadcast_to(np.uint8(0), (40, 50, 3))}, ValueError, "out must be writeable"),
-        ({"focus_distance": 0.04}, ValueError, "focus_distance must exceed the focal length"),
-        ({"f_number": 0.7}, ValueError, "windows of more than 41 pixels"),
-    ],
-)
-def test_what_makes_no_frame_is_refused_by_name(change, error, message):
-    plan = FocusPlan(*scene(), LENS, PIXEL, encoding="srgb")
-    with pytest.raises(error, match=message):
-        plan(**change)

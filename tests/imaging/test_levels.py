@@ -65,17 +65,6 @@ def test_any_edges_that_rise_will_do(edges):
     assert values[-1] == 0  # of what is no number
 
 
-def test_what_does_not_fit_is_refused():
-    light, values, edges = np.ones(5, np.float32), np.empty(5, np.uint8), np.array([0.25, 0.5], np.float32)
-    for wrong in (edges[:0], -edges, np.linspace(0.1, 1.0, 256, dtype=np.float32), np.array([0.5, np.inf], "f4")):
-        with pytest.raises(ValueError, match="edges must be 1 to 255, above 0 and finite"):
-            _core.levels(light, wrong, 0.0, 1.0, 0, values)
-    with pytest.raises(ValueError, match="edges must rise"):
-        _core.levels(light, edges[::-1].copy(), 0.0, 1.0, 0, values)
-    with pytest.raises(ValueError, match="out must match the light"):
-        _core.levels(light, edges, 0.0, 1.0, 0, values[1:])
-
-
 @pytest.mark.parametrize("obscuration", [0.0, 0.3])
 def test_profiles_of_many_pupils_are_those_of_the_series(monkeypatch, obscuration):
     lens = lm.Lens(focal_length=50e-3, f_number=2.0, wavelength=540e-9, obscuration=obscuration)

@@ -199,16 +199,3 @@ def test_shares_are_made_once_for_a_depth_and_anew_for_another(monkeypatch):
     own = {id(blur.positions(channel)) for channel in range(3)}
     kept = sum(array.nbytes for name, array in arrays.items() if name not in own)
     assert kept <= 2 * 40 * one.size
-
-
-def test_what_does_not_fit_is_refused():
-    with pytest.raises(TypeError, match="blur must be a DepthBlur, got int"):
-        Occlusion(3)
-    operator = Occlusion(DepthBlur(np.full((5, 6), 2.0), LENS, PIXEL))
-    for call in (operator.forward, operator.adjoint):
-        with pytest.raises(ValueError, match=r"image must have the shape \(5, 6\), got \(4, 6\)"):
-            call(np.zeros((4, 6)))
-        with pytest.raises(TypeError, match="image must hold floats"):
-            call(np.zeros((5, 6), int))
-        with pytest.raises(ValueError, match="image must be finite, got inf"):
-            call(np.full((5, 6), np.inf))

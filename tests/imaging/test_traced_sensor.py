@@ -1,4 +1,4 @@
-"""Noise, mosaic and demosaicking within a framework."""
+"""Noise within a framework."""
 
 from __future__ import annotations
 
@@ -6,8 +6,7 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from frameworks import THERE
-from lommel.imaging import traced_demosaic, traced_mosaic, traced_noise
+from lommel.imaging import traced_noise
 
 DRAW = np.random.default_rng(1)
 
@@ -33,29 +32,9 @@ def test_the_gradient_of_noise_is_that_of_a_draw():
     assert np.isfinite(np.asarray(dark)).all()
 
 
-@pytest.mark.parametrize("pattern", ["RGGB", "BGGR", "GRBG", "GBRG"])
-@pytest.mark.parametrize("framework", THERE)
-def test_demosaicking_keeps_what_is_recorded_and_planes_are_exact(framework, pattern):
-    image = DRAW.random((2, 3, 8, 10))
-    y, x = np.indices((8, 10))
-    plane = np.stack([1.0 + 0.2 * x + 0.1 * y, 2.0 - 0.1 * x, 0.5 + 0.3 * y])
-    with framework.used() as xp:
-        mosaic = traced_mosaic(framework.array(xp, image), pattern)
-        found = framework.to_numpy(traced_demosaic(mosaic, pattern))
-        mosaic = framework.to_numpy(mosaic)
-        flat = framework.to_numpy(traced_demosaic(traced_mosaic(framework.array(xp, plane), pattern), pattern))
-    colour = np.array(["RGB".index(c) for c in pattern]).reshape(2, 2)[y % 2, x % 2]
-    assert np.allclose(mosaic, np.take_along_axis(image, colour[None, None], axis=1)[:, 0], atol=1e-6)
-    assert np.allclose(np.take_along_axis(found, colour[None, None], axis=1)[:, 0], mosaic, atol=1e-6)
-    assert np.allclose(flat[:, 1:-1, 1:-1], plane[:, 1:-1, 1:-1], atol=1e-5)
-
-
 @pytest.mark.parametrize(
     ("call", "message"),
     [
-        (lambda: traced_mosaic(np.ones((3, 5, 4))), "even sides"),
-        (lambda: traced_mosaic(np.ones((3, 4, 4)), "RGBG"), "pattern"),
-        (lambda: traced_demosaic(np.ones((2, 2))), "4 or more"),
         (lambda: traced_noise(np.ones(3), lm.Noise(read=1.0), np.ones(4)), "shape of the image"),
         (
             lambda: traced_noise(np.ones((2, 2)), lm.Noise(read=np.ones((2, 2))), np.ones((2, 2))),

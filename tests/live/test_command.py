@@ -62,10 +62,3 @@ def test_a_saved_page_opens_from_its_file_and_draws_the_same(running, run_lommel
         page.close()
     assert pixels[0] == pixels[1]
     assert len(pixels[0]) > 1000
-
-
-def test_what_it_cannot_do_is_one_line(module, run_lommel, tmp_path):
-    done = run_lommel("live", "missing.toml", folder=tmp_path)
-    assert done.returncode == 2
-    assert done.stderr.count("\n") == 1
-    assert "missing.toml" in done.stderr

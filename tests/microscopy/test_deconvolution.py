@@ -363,10 +363,6 @@ def test_memory_is_at_most_thirteen_times_a_small_stack_in_float32():
 @pytest.mark.parametrize(
     ("changes", "kind", "said"),
     [
-        ({"stack": np.zeros((4, 5))}, ValueError, r"stack must have the shape .*, got \(4, 5\)"),
-        ({"stack": np.zeros((4, 0, 5))}, ValueError, r"stack must have images .*, got the shape \(4, 0, 5\)"),
-        ({"stack": np.full((4, 5, 5), np.inf)}, ValueError, "stack must have voxels that are known"),
-        ({"psf": PSF.values}, TypeError, "microscope must be an Objective, a Microscope from .*, or the PSF of the"),
         ({"depth": 1e-6}, ValueError, "depth must not be given with a PSF"),
         ({"noise": lm.Noise(read=np.ones((3, 3)))}, ValueError, r"read, of shape \(3, 3\), must have a value for"),
     ],

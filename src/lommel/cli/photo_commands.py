@@ -42,7 +42,7 @@ from lommel.imaging import (
     write_photo,
 )
 from lommel.imaging import restore as restored
-from lommel.imaging.photograph import FieldPhotographOptions
+from lommel.imaging.field_blur import FieldPhotographOptions
 from lommel.io.depth_maps import fill_missing
 from lommel.io.photos import find
 from lommel.io.registry import suffixes

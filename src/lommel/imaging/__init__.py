@@ -13,7 +13,7 @@ from lommel.imaging.one_pass import OnePass
 from lommel.imaging.photograph import BlurOptions, FocusPlan, Rendered, depth_of_field, field_photograph
 from lommel.imaging.restoration import RestoreOptions, restore
 from lommel.imaging.traced_blur import traced_blur
-from lommel.imaging.traced_sensor import traced_demosaic, traced_mosaic, traced_noise
+from lommel.imaging.traced_sensor import traced_noise
 from lommel.io.depth_maps import DepthMapOptions, read_depth, write_depth
 from lommel.io.photos import Exif, PhotoError, Photograph, read_photo, write_photo
 from lommel.measures.slanted_edge import slanted_edge
@@ -56,8 +56,6 @@ __all__ = [
     "restore",
     "slanted_edge",
     "traced_blur",
-    "traced_demosaic",
-    "traced_mosaic",
     "traced_noise",
     "write_depth",
     "write_photo",

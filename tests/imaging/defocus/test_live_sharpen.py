@@ -60,23 +60,6 @@ def test_colours_and_full_pixels_are_taken(sharpen):
     assert np.abs(found - sharpen(frame, 1.7)).max() < 0.5 * LIGHT
 
 
-@pytest.mark.parametrize(
-    ("call", "message"),
-    [
-        (lambda s, f: s(f[:-1], 1.5), r"frame must have the shape \(128, 128\)"),
-        (lambda s, f: s(f, np.ones((3, 3))), r"depth must be a number, or have the shape \(128, 128\) or \(32, 32\)"),
-        (lambda s, f: s(f, np.full((SIDE, SIDE), np.nan)), "depth must be > 0 metres everywhere, got nan"),
-        (lambda s, f: s(f, -1.0), "depth must be > 0 metres everywhere, got -1.0"),
-        (lambda s, f: s(f, 1.5, np.empty((3, 3), np.float32)), "out must be a contiguous array of float32"),
-        (lambda s, f: made(light=0.0), "light must be >= 1"),
-        (lambda s, f: made(between=(2.0, 1.0)), "between must be the nearest and the farthest"),
-    ],
-)
-def test_what_does_not_fit_is_refused_by_name(sharpen, call, message):
-    with pytest.raises((TypeError, ValueError), match=message):
-        call(sharpen, np.full((SIDE, SIDE), 1000, np.uint16))
-
-
 def test_errors_of_filters_are_those_of_sums_over_the_bands_that_pixels_fold():
     from lommel.estimation.focal_model import FocalLight, FocalModel
     from lommel.imaging.focal_tables import SharpTables, Taps

@@ -68,20 +68,3 @@ def test_what_progress_raises_ends_the_work() -> None:
 
     with pytest.raises(KeyboardInterrupt):
         restore(np.ones((8, 8)), None, Shift((8, 8), 1), encoding="linear", noise=NOISE, progress=stop)
-
-
-@pytest.mark.parametrize(
-    ("changes", "kind", "said"),
-    [
-        ({"blur": np.eye(3)}, TypeError, "lens must be a Lens"),
-        ({"method": "tv"}, TypeError, r"method must be RichardsonLucy\(\.\.\.\), TotalVariation\(\.\.\.\)"),
-        ({"method": TotalVariation}, TypeError, "parentheses"),
-        ({"light": np.ones((8, 9))}, ValueError, r"photo must have the shape \(8, 8\)"),
-        ({"light": np.ones((8, 8, 2))}, ValueError, r"\(8, 8, 1\), got \(8, 8, 2\)"),
-        ({"light": np.full((8, 8), np.inf)}, ValueError, "got inf"),
-    ],
-)
-def test_bad_arguments_are_refused_by_name(changes: dict[str, Any], kind: type[Exception], said: str) -> None:
-    given = {"blur": Shift((8, 8), 1), "light": np.ones((8, 8)), "noise": NOISE} | changes
-    with pytest.raises(kind, match=said):
-        restore(given.pop("light"), None, given.pop("blur"), encoding="linear", **given)

@@ -166,28 +166,6 @@ def test_one_distance_makes_a_bank_too():
     assert off(made, 5.0, exact(PUPILS["plain"], 5.0, 2 * made.half + 1)) <= 2e-6
 
 
-def test_windows_that_cannot_hold_the_light_are_refused_before_they_are_computed(monkeypatch):
-    light = SensorLight(PUPILS["plain"], lm.Wavefront, GREEN, PIXEL)
-    sides, shares = [], SensorLight.shares
-
-    def watched(self, pupil, half):
-        sides.append(half)
-        return shares(self, pupil, half)
-
-    monkeypatch.setattr(SensorLight, "shares", watched)
-    with pytest.raises(ValueError, match=r"more than 161 pixels .* 0\.9999 of .* \(windows of this size hold 0\.9"):
-        light.sufficient_half((0.0, 10.0), 0.9999, 80)
-    assert max(sides) < 40
-
-
-def test_banks_that_would_be_too_large_are_refused_with_what_to_do(monkeypatch):
-    with pytest.raises(ValueError, match=r"the blur needs windows of more than 21 pixels a side to hold 0.95 of"):
-        built(0.0, 60.0, energy=0.95, largest=10, dtype=np.float32)
-    monkeypatch.setattr("lommel.imaging.bank._MAX_WINDOWS", 200)
-    with pytest.raises(ValueError, match=r"exceeds the limits of 200 windows .* choose a larger tol than 1e-07"):
-        built(0.0, 20.0, tol=1e-7, dtype=np.float32)
-
-
 @pytest.mark.parametrize("tol", [1e-3, 1e-5])
 def test_windows_are_no_closer_than_the_error_asks_for(tol):
     """Twice as far apart they would err by sixteen times as much, or about."""
@@ -296,11 +274,3 @@ def test_phases_of_complex_defocus_differ_by_no_more_than_is_said(vergence, sphe
     found = (path.max(axis=1) - path.min(axis=1)).max()
     assert found <= most * (1.0 + 1e-12)
     assert most <= 2.5 * found
-
-
-def test_what_no_lens_does_is_refused():
-    assert of_wavefront.growth(18e-3, 20.0, 200.0) == np.inf
-    with pytest.raises(
-        ValueError, match=r"depth spans C_d from 0 to 1e.05 rad, which needs .* PSFs, more than 20000"
-    ):
-        DefocusNodes.of(lambda c: c[:, None], 0.0, 1e5, Parabola(0.0, 0.0, 1.0), rate=lambda _: 2.0, bound=1.0)

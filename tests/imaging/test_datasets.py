@@ -11,7 +11,7 @@ import pytest
 from PIL import Image
 
 import lommel as lm
-from lommel.imaging import DepthBlur, DepthMapOptions, LensRanges, Occlusion, datasets, render_dataset
+from lommel.imaging import DepthBlur, DepthMapOptions, LensRanges, Occlusion, render_dataset
 from lommel.imaging.datasets import pair_files
 from lommel.io import registry
 
@@ -135,16 +135,6 @@ def test_what_does_not_fit_is_refused(files, tmp_path):
     (files / "depths" / "c.png").unlink()
     with pytest.raises(ValueError, match="must have the size of the upright photo, 26 x 20, got 5 x 4"):
         rendered(files, "z")
-
-
-def test_the_index_of_a_pixel_is_that_of_the_nearest_defocus():
-    lens = lm.Lens(focal_length=35e-3, f_number=4.0, focus_distance=1.5, wavelength=540e-9)
-    depth = np.linspace(1.4, 1.7, 60).reshape(6, 10)
-    defocus, index, psfs = datasets._psfs(DepthBlur(depth, lens, 30e-6))
-    assert len(defocus) == len(psfs) == 32
-    step = defocus[1] - defocus[0]
-    assert np.abs(defocus[index] - lens.defocus(depth)).max() <= 0.5 * step + 1e-5
-    assert len(np.unique(index)) == 32
 
 
 def test_a_killed_command_goes_on(files):

@@ -209,12 +209,6 @@ def test_single_frames_are_filtered_as_polynomials_say_and_become_sharper(engine
     assert np.std((made - true)[inside]) < 0.8 * np.std((frame - true)[inside])
 
 
-def opened(visit: Callable[..., Any], **options: Any) -> Any:
-    page = visit("/mounted?lesson=depth", **options)
-    page.locator(NUMBERS, has_text="depth known").wait_for()
-    return page
-
-
 @pytest.fixture(scope="module")
 def filming(browser: Any) -> Iterator[Any]:
     """A Chromium with a camera that shows a pattern."""
@@ -253,18 +247,3 @@ def test_a_camera_is_sharpened_here_and_let_go(filming: Any, site: str) -> None:
     page.locator(NUMBERS, has_text="depth known").wait_for()
     assert requests == []
     page.close()
-
-
-@pytest.mark.parametrize(
-    ("fault", "said"),
-    [("NotAllowedError", "not allowed"), ("NotFoundError", "no camera"), ("NotReadableError", "in use by another")],
-)
-def test_without_a_camera_there_is_a_sentence(visit: Callable[..., Any], fault: str, said: str) -> None:
-    refuse = f"""navigator.mediaDevices.getUserMedia = () => Promise.reject(new DOMException("no", "{fault}"))"""
-    page = opened(visit, before=refuse)
-    page.get_by_label("Pictures", exact=True).select_option("camera")
-    page.locator(".depth [role=status]", has_text=said).wait_for()
-    assert page.locator(".depth .pictures").is_hidden()
-    page.get_by_label("Pictures", exact=True).select_option("pairs")
-    page.locator(NUMBERS, has_text="depth known").wait_for()
-    assert page.locator(".depth [role=status]").inner_text() == ""

@@ -216,30 +216,3 @@ def test_what_is_dragged_in_a_lesson_can_be_shared(visit: Callable[..., Any]) ->
     assert state(page)["f_number"] == 24
     page = visit("/mounted?lesson=__proto__")
     assert page.locator(".lesson").is_hidden()
-
-
-@pytest.mark.parametrize("name", ["airy", "quarter", "axis", "contrast", "coma", "depth"])
-def test_the_heading_of_a_lesson_is_its_title(visit: Callable[..., Any], name: str) -> None:
-    page = visit(f"/mounted?lesson={name}")
-    heading = page.locator("h2.name")
-    title = heading.inner_text()
-    assert page.title() == title
-    assert page.locator(".lesson .title").inner_text() == f"{(*LESSONS, 'depth').index(name) + 1} of 7: {title}"
-    page.get_by_label("Close the lesson").click()
-    rest(page)
-    assert heading.inner_text() != title
-    assert page.title() == "test"
-
-
-# Whether the end of a box is hidden, and announced, two frames after its size changed.
-CUED = """node => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() =>
-    done([node.scrollHeight - node.clientHeight > 3, node.classList.contains("more")]))))"""
-
-
-def test_a_button_below_the_edge_of_a_lesson_is_announced(visit: Callable[..., Any]) -> None:
-    page = visit("/mounted?lesson=coma", viewport={"width": 900, "height": 850})
-    seen = set()
-    for height in (*range(780, 840, 2), *range(840, 780, -2)):  # the cue is nothing that must be scrolled to
-        page.set_viewport_size({"width": 900, "height": height})
-        seen.add(tuple(page.locator(".lesson .body").evaluate(CUED)))
-    assert seen == {(True, True), (False, False)}

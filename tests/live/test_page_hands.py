@@ -249,21 +249,3 @@ def test_the_source_of_a_preset_goes_with_its_setting_and_nothing_moves(visit: C
     page.locator('[data-action="reset"]').click()
     rest(page)
     assert page.locator("h2.name").inner_text() == "Point spread function, live"
-
-
-def test_escape_stops_play_and_reduced_motion_offers_steps(visit: Callable[..., Any]) -> None:
-    page = visit("/mounted#side=64")
-    play = page.locator('[data-action="play"]')
-    play.click()
-    page.wait_for_timeout(300)
-    assert play.get_attribute("aria-label") == "Pause Defocus"
-    page.keyboard.press("Escape")
-    assert play.get_attribute("aria-label") == "Move Defocus"
-    page = visit("/mounted#side=64", reduced_motion="reduce")
-    play = page.locator('[data-action="play"]')
-    assert "Step: Defocus" in play.inner_text()
-    assert "reduced motion" in play.get_attribute("title")
-    before = state(page)["defocus"]
-    play.click()
-    rest(page)
-    assert state(page)["defocus"] == pytest.approx(before + 0.5)

@@ -22,20 +22,6 @@ def test_no_width_scrolls_sideways(visit: Callable[..., Any], width: int) -> Non
     assert control["y"] >= (picture["y"] + picture["height"] if width < 768 else 0)
 
 
-def test_the_theme_is_that_of_the_page_around(visit: Callable[..., Any]) -> None:
-    page = visit("/mounted#side=64", color_scheme="light")
-    theme = "document.querySelector('.lommel-live-host').shadowRoot.querySelector('.lommel-live').dataset.theme"
-    for change, wanted in (
-        ("document.body.dataset.jpThemeLight = 'false'", "dark"),
-        ("delete document.body.dataset.jpThemeLight", "light"),
-        ("document.documentElement.dataset.theme = 'dark'", "dark"),
-        ("document.documentElement.dataset.theme = 'light'", "light"),
-    ):
-        page.evaluate(change)
-        page.wait_for_timeout(30)
-        assert page.evaluate(theme) == wanted, change
-
-
 def test_two_on_a_page_are_independent(visit: Callable[..., Any]) -> None:
     page = visit("/empty", wait="")
     page.wait_for_function("window.lommel")

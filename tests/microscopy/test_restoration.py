@@ -6,7 +6,6 @@ import os
 import re
 import signal
 from itertools import pairwise
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -14,7 +13,6 @@ import tifffile
 from scipy.ndimage import gaussian_filter
 
 import lommel as lm
-from lommel.fit.findings import Finding
 from lommel.microscopy import refinement
 from lommel.microscopy.depth_model import DepthModel
 from lommel.microscopy.held_out import HeldOut
@@ -247,27 +245,13 @@ def test_out_of_core_and_in_memory_are_the_same_to_the_last_bit(tmp_path, file, 
     assert (again.metadata["pixel"], again.metadata["step"]) == (pytest.approx(0.1e-6), pytest.approx(0.3e-6))
 
 
-def test_chunks_are_like_the_whole_and_go_on_where_they_were_interrupted(tmp_path, deep):
+def test_chunks_are_like_the_whole(deep):
     part = deep[4:13]
     wide = np.concatenate([part, part[:, ::-1], part], axis=2)
     options = {"pixel": PIXEL, "step": STEP, "wavelength": WAVE, "tile": 40}
     whole = quick(wide, **(options | {"tile": None})).values
     parts = quick(wide, **options).values
     assert np.abs(parts - whole).sum() < 0.06 * whole.sum()
-    there, told = tmp_path / "parts.zarr", []
-
-    def stop(share, words):
-        told.append(words)
-        if "chunk 3 of 3" in words:
-            raise KeyboardInterrupt
-
-    with pytest.raises(KeyboardInterrupt):
-        quick(wide, out=there, progress=stop, **options)
-    assert not there.exists()
-    told.clear()
-    found = quick(wide, out=there, progress=lambda share, words: told.append(words), **options)
-    assert not [words for words in told if "chunk 2 of 3" in words]
-    np.testing.assert_array_equal(np.asarray(found)[0], parts)
 
 
 @pytest.mark.parametrize("method", [lm.imaging.RichardsonLucy, lm.imaging.TotalVariation])
@@ -481,16 +465,3 @@ def test_a_stack_without_voxel_sizes_takes_those_of_the_objective_file_and_says_
     assert "does not state its step: the value of the objective file was used" in said
     sized = deconvolved(deep[:5], microscope, method=way, pixel=PIXEL, step=STEP, **given)
     assert "objective file" not in " ".join(sized.notes)
-
-
-def test_a_doubtful_psf_names_a_pixel_that_differs_and_advises_no_more_steps(monkeypatch, tmp_path, deep):
-    doubt = Finding("psf_doubtful", "doubt", "another index")
-    monkeypatch.setattr(HeldOut, "best", lambda *_: SimpleNamespace(steps=1))
-    monkeypatch.setattr(HeldOut, "finding", lambda *_: doubt)
-    microscope = lm.load_microscope(lm.example_files()["zeiss-63x-1.4-oil"])
-    way = lm.imaging.RichardsonLucy(steps=1, target=1.0)
-    given = {"depth": 12e-6, "noise": CAMERA, "direction": "up", "window": (5, 9), "background": 0.0}
-    found = deconvolved(written(tmp_path / "p.ome.tif", deep), microscope, method=way, **given)
-    said = found.findings.get("psf_doubtful").text
-    assert said.startswith("another index (The pixel of the stack, 6.3 um, was used; the objective file states ")
-    assert "correct the PSF first" in found.findings.get("not_settled").text

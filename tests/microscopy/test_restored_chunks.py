@@ -171,24 +171,3 @@ def test_chunks_are_loaded_once_and_once_more_to_go_on(tmp_path, stack, planes, 
     if options is COMMON:
         np.testing.assert_array_equal(found, restored_deep(chunked))
         assert set(loads.values()) == {3}
-
-
-@pytest.mark.parametrize("planes", [1, 8, 32])
-def test_chunks_of_ome_zarr_are_read_once(tmp_path, planes, monkeypatch):
-    place, reads, read_chunk = tmp_path / "in.ome.zarr", Counter(), zarr.storage.LocalStore.get
-    group = zarr.create_group(str(place), zarr_format=2)
-    scale = [{"type": "scale", "scale": [1.0, 1.0, 1.0]}]
-    scales = {"axes": list("zyx"), "datasets": [{"path": "0", "coordinateTransformations": scale}]}
-    group.attrs["multiscales"] = [scales]
-    group.create_array("0", data=DEEP, chunks=(planes, 8, 16))
-
-    async def counted(store, key, *args, **options):
-        if store.root == place and key[-1].isdecimal():
-            reads[key] += 1
-        return await read_chunk(store, key, *args, **options)
-
-    monkeypatch.setattr(zarr.storage.LocalStore, "get", counted)
-    found = deconvolved(place, OIL_60X, out=tmp_path / "a.zarr", **(GIVEN | COMMON))
-    assert len(reads) == 32 // planes * 4
-    assert set(reads.values()) == {1}
-    np.testing.assert_array_equal(np.asarray(found)[0], deconvolved(DEEP, OIL_60X, **(GIVEN | COMMON)))

@@ -225,8 +225,8 @@ class Restoration(Judged):
     ----------
     values : ndarray
         Restored image, of the shape, type and encoding of the photograph, without the offset of its noise.
-    light : ndarray of float, or None
-        Restored image in linear light, not clipped at white. None for results of tiles.
+    light : ndarray of float
+        Restored image in linear light, not clipped at white.
     discrepancy : float
         Poisson deviance per pixel between the photograph and the blurred result: about 1 if the result is the true
         scene, and a little less for a good result, which also fits some of the noise.
@@ -254,7 +254,7 @@ class Restoration(Judged):
     """
 
     values: Pixels
-    light: Values | None
+    light: Values
     discrepancy: float
     by_channel: tuple[float, ...]
     before: float
@@ -281,7 +281,6 @@ class Restoration(Judged):
         """
         verdict = {name: getattr(self, name) for name in ("status", "converged", "reliable")}
         numbers = {name: value for name, value in fields_of(self).items() if not isinstance(value, np.ndarray)}
-        numbers.pop("light", None)  # None of tiles
         data: Json = plain(verdict | numbers)
         return data
 

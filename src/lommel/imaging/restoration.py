@@ -29,27 +29,22 @@ from lommel.base.encoding import to_light, warn_if_bright
 from lommel.base.options import HIDDEN, In, listed
 from lommel.deconvolve.algorithms import (
     MISFIT,
-    NOISE,
     STEPS,
     ProgressCallback,
     Restoration,
     RichardsonLucy,
     TotalVariation,
     shown,
-    silent,
 )
 from lommel.deconvolve.iterations import Solution, iterated
 from lommel.deconvolve.likelihood import PhotographLikelihood
-from lommel.deconvolve.linear import LinearBlur, Window, tiles_of
+from lommel.deconvolve.linear import LinearBlur
 from lommel.fit.findings import Finding, Findings
 from lommel.imaging.blur import DepthBlur, require_lens
 from lommel.imaging.occlusion import Occlusion
 from lommel.imaging.one_pass import OnePass, wiener_target
 from lommel.imaging.photograph import (
-    TILE,
     Pixels,
-    TileBlur,
-    depth_range,
     encode_light,
     output_array,
     require_image,
@@ -187,18 +182,14 @@ def restore(
     """Deblur a photograph with a known depth map and lens, or a known blur operator, as far as its noise allows.
 
     Invert :func:`lommel.imaging.depth_of_field`, with the operator of that function (occlusion included) and its
-    exact transpose. Arrays are restored as a whole; memory maps in tiles of 1024 pixels, with about a hundred bytes
-    per pixel and channel of a tile. The central tile determines the number of steps, or the strength; all other tiles
-    use this value, which avoids seams. Tiles overlap by one window plus twice the overlap of
-    :func:`lommel.imaging.depth_of_field`. In tests, tiles differed from the whole image, at equal steps or strength,
-    by 3e-4 of white rms; with total variation by 1.5e-3.
+    exact transpose.
 
     Parameters
     ----------
-    photo : array_like or memory map, shape (height, width) or (height, width, channels)
+    photo : array_like, shape (height, width) or (height, width, channels)
         Unsigned integers (white is their largest value) or floats (white is 1), neither sharpened nor denoised. NaN
         and masked elements of a masked array mark unknown pixels.
-    depth : array_like or memory map, shape (height, width), or None
+    depth : array_like, shape (height, width), or None
         Distance of each point from the lens along the axis, metres; may be infinite. None for a blur operator.
     lens : Lens or LinearBlur
         A lens with radially symmetric aberrations; or a blur operator, such as :class:`lommel.imaging.FieldBlur` or a
@@ -212,9 +203,8 @@ def restore(
     out : ndarray, optional
         Array or memory map for the values, with the shape and type of `photo`; must not share memory with `photo`.
     progress : callable, optional
-        Called as ``progress(step, discrepancy, seconds_left)`` at each step, for tiles as ``progress(done, tiles)``;
-        an exception that it raises ends the restoration. By default progress is printed after two seconds, if
-        standard error is a terminal.
+        Called as ``progress(step, discrepancy, seconds_left)`` at each step; an exception that it raises ends the
+        restoration. By default progress is printed after two seconds, if standard error is a terminal.
     options : RestoreOptions, optional
         Options as an object, which keywords change.
     {options}
@@ -222,14 +212,13 @@ def restore(
     Returns
     -------
     Restoration
-        For tiles its `light` is None.
 
     Raises
     ------
     TypeError, ValueError
         If an argument is unknown or out of range, if shapes do not match, if a depth is unknown (NaN), if the lens is
-        not radially symmetric, if a window is wider than the shorter side of the photograph, if no pixel (of a tile)
-        is known, or if `out` has another shape or type. `out` keeps tiles that were written before an error.
+        not radially symmetric, if a window is wider than the shorter side of the photograph, if no pixel is known, or
+        if `out` has another shape or type.
 
     Examples
     --------
@@ -261,11 +250,6 @@ def restore(
         limit = full_light(image, encoding, o.saturation)
         distances = validation.array("depth", depth)
         require_scene("photo", image.shape, distances.shape)
-        # Memory-mapped files may be larger than memory.
-        if any(isinstance(source, np.memmap) for source in (photo, depth, out)):
-            out = output_array(out, "photo", image.shape, image.dtype, image, distances)
-            parts = TileBlur(image.shape, depth_range(distances), lens, pixel, encoding, o.energy)
-            return _by_tiles((image, mask), distances, parts, TILE, noise, limit, method, out, progress)
         light, channels = recorded(image, encoding, limit, mask), channel_spectra(image.shape, lens.wavelength)
         blur = Occlusion(DepthBlur(distances, lens, pixel, channels=channels, energy=o.energy))
     if out is not None:
@@ -317,73 +301,6 @@ def full_light(photo: Pixels, encoding: str, saturation: float | None) -> float:
         return 1.0
     full, _ = full_value([photo], None)
     return float(to_light("photo", np.array([full], dtype=photo.dtype), encoding, np.float64)[0])
-
-
-def _by_tiles(
-    photo_and_mask: tuple[Pixels, NDArray[np.bool_] | None],
-    depth: Pixels,
-    blur: TileBlur,
-    side: int,
-    noise: Noise,
-    limit: float,
-    method: Method,
-    out: Pixels,
-    progress: Callable[..., object] | None,
-) -> Restoration:
-    """Restore a photograph tile by tile into `out`; `photo_and_mask` includes the mask of unknown pixels."""
-    photo, unknown = photo_and_mask
-
-    def observed(window: Window) -> PhotographLikelihood:
-        """Return counts of a part of the photograph."""
-        try:
-            window_mask = None if unknown is None else unknown[window]
-            light = recorded(np.asarray(photo[window]), blur.encoding, limit, window_mask)
-        except ValueError as error:
-            rows, columns = window
-            raise ValueError(
-                f"in rows {rows.start} to {rows.stop} and columns {columns.start} to {columns.stop}, {error}; or "
-                "pass an array in memory, which is restored as a whole"
-            ) from None
-        # `noise.part` crops noise parameters that are maps to the window as well.
-        return PhotographLikelihood(blur.operator(np.asarray(depth[window])), light, noise.part(*window), limit)
-
-    def centre_distance(tile: tuple[Window, Window, Window]) -> float:
-        return math.hypot(*(part.start + part.stop - size for part, size in zip(tile[0], photo.shape, strict=False)))
-
-    tiles = list(tiles_of(photo.shape, side, 2 * blur.overlap + 2 * blur.half))
-    # The central tile determines the steps and the share of the photograph for all tiles.
-    central_tile = min(tiles, key=centre_distance)
-    central_counts = observed(central_tile[1])
-    central = solve(method, central_counts, silent)
-    share, stopped = check_result(central_counts, central, method)
-    known, clipped = np.zeros(photo.shape[2:] or 1, dtype=np.int64), 0.0
-    after, before = np.zeros((2, *known.shape))
-    for done, tile in enumerate(tiles, 1):
-        region, around, inner = tile
-        counts = observed(around)
-        light = blend(counts, central.light if tile is central_tile else central.alike(counts), share)
-        # Discrepancies of the result and of the photograph, in the tile without its overlap.
-        mask = np.zeros((*counts.blur.shape, *(1,) * (photo.ndim - 2)), dtype=bool)
-        mask[inner] = True
-        inner_counts = counts.replaced(np.where(mask, counts.light, np.nan))
-        known += inner_counts.known
-        for total, scene in ((after, light), (before, counts.image)):
-            total += inner_counts.discrepancies_of(scene) * np.maximum(inner_counts.known, 1)
-        values = np.ascontiguousarray(light[inner])
-        out[region], clipped_fraction = encode_light(values, blur.encoding, out.dtype)
-        clipped += clipped_fraction * values.size / out.size
-        if progress is not None:
-            progress(done, len(tiles))
-    known_pixels = float(known.sum())
-    # Discrepancies are means over known pixels: each tile is weighted by the number of its known pixels.
-    discrepancy, by_channel = float(after.sum()) / known_pixels, tuple(map(float, after / np.maximum(known, 1)))
-    # The central tile may fit within the noise although other tiles do not.
-    stopped = stopped if stopped != NOISE or discrepancy <= 1.0 else STEPS
-    unknown_fraction, findings = 1.0 - known_pixels / out.size, _findings(stopped, discrepancy)
-    return Restoration(
-        out, None, discrepancy, by_channel, float(before.sum()) / known_pixels, central.steps, stopped,
-        central.strength, unknown_fraction, clipped, photograph=share, findings=findings,
-    )  # fmt: skip
 
 
 def _findings(stopped: str, discrepancy: float) -> Findings:

@@ -112,24 +112,6 @@ def test_the_scale_of_blur_is_as_uncertain_as_two_foci_and_the_f_number_make_it(
     assert seen == [pytest.approx(np.std(scales), rel=0.02)]
 
 
-def test_where_a_photograph_is_nearly_sharp_on_large_pixels_there_is_no_bias():
-    from scenes import ThinLens, lommel_lens, plane, record
-    from scenes import texture as points
-
-    thin = [ThinLens(50e-3, 1.8, focus, 540e-9, 50.2e-6) for focus in (2.3, 3.6)]
-    for distance in (2.4, 3.3):
-        counts = record(plane(points("soft", 128, 7), thin, distance, 5000.0), seed=int(1000 * distance))
-        found = lm.imaging.depth_from_defocus(
-            [(one.astype(float) - 100.0) / 1e4 for one in counts],
-            [lommel_lens(one) for one in thin],
-            50.2e-6,
-            encoding="linear",
-            noise=NOISE,
-            between=(2.05, 5.0),
-        )
-        assert abs(np.median(errors(found, distance))) < 0.5
-
-
 def test_without_texture_there_is_no_depth():
     flat = np.full((144 * 8, 144 * 8), 0.5)
     found = lm.imaging.depth_from_defocus(shoot(flat, 1.5, PAIR), PAIR, PIXEL, **CAMERA)
@@ -281,21 +263,6 @@ def test_integers_in_srgb_are_what_their_light_is():
     assert known[10:-10, 10:-10].mean() > 0.9
     assert np.median(np.abs(found.depth - linear.depth)[known]) < 1e-4
     assert found.sharp.dtype == np.uint16
-
-
-def test_lenses_that_breathe_are_brought_to_one_scale():
-    images = shoot(texture(side=176), 1.5, PAIR)
-    # Smaller, as the sensor stands nearer to the lens: about the middle by the ratio of their distances.
-    from scipy.ndimage import affine_transform
-
-    ratio = PAIR[0].sensor_distance / PAIR[1].sensor_distance
-    middle = 0.5 * (images[1].shape[0] - 1)
-    images[1] = affine_transform(images[1], ratio * np.eye(2), middle * (1.0 - ratio), order=5, mode="mirror")
-    found = lm.imaging.depth_from_defocus(images, PAIR, PIXEL, magnification="lens", **CAMERA)
-    plain = lm.imaging.depth_from_defocus(images, PAIR, PIXEL, **CAMERA)
-    assert robust(errors(found, 1.5)) < 1.5
-    corner = np.s_[12:28, 12:28]
-    assert plain.misfit[corner].mean() > 2.0 > 1.4 > found.misfit[corner].mean()
 
 
 def test_bands_tell_what_the_whole_does_and_progress_is_told(images, whole, monkeypatch, tmp_path):

@@ -97,15 +97,6 @@ def test_colours_and_unknown_pixels_are_taken():
     assert decibels(found.light[..., 0], truth) == pytest.approx(decibels(alone.light, truth), abs=0.3)
 
 
-def test_tiles_are_filtered_alike(monkeypatch):
-    monkeypatch.setattr("lommel.imaging.restoration.TILE", 64)
-    photo, _ = photograph(1.7)
-    depth = np.full((SIDE, SIDE), 1.7)
-    whole, tiled = (restored(photo, one, method=OnePass()) for one in (depth, depth.view(np.memmap)))
-    assert tiled.stopped == "one pass"
-    assert np.sqrt(np.mean(np.square(whole.values - tiled.values))) < 3e-3
-
-
 def test_blur_that_filters_do_not_reach_is_refused(monkeypatch):
     monkeypatch.setattr("lommel.imaging.one_pass._MAX_LOSS", 1e-3)
     wide = Lens(focal_length=35e-3, f_number=2.0, focus_distance=2.0, wavelength=540e-9)

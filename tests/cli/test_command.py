@@ -95,7 +95,7 @@ def run(capsys, monkeypatch):
     monkeypatch.setenv("COLUMNS", "80")
 
     def call_it(line: str):
-        app = application("lommel", "Mirrors.", lambda: "1")
+        app = application()
         grind.add_to(app, "grind")
         code = call(app, ["grind", *grind.arranged(line.split())])
         shown = capsys.readouterr()

@@ -169,7 +169,7 @@ def test_methods_and_their_options_are_chosen_by_name(call_lommel, lenses, tmp_p
 
 def test_the_version_is_that_of_the_package(run_lommel, tmp_path):
     result = run_lommel("--version", folder=tmp_path)
-    assert result.stdout == f"lommel, version {lm.__version__}\n"
+    assert result.stdout == f"{lm.__version__}\n"
 
 
 @pytest.mark.usefixtures("described_once")

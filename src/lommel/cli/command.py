@@ -40,8 +40,7 @@ import io
 import itertools
 import re
 import sys
-import textwrap
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from functools import cache, partial
 from pathlib import Path
 from typing import Annotated, Any, TypeVar, get_args, get_origin, get_type_hints
@@ -53,6 +52,7 @@ from rich.console import Console, ConsoleOptions
 from lommel.base.options import Field, Options, Shown, fields_of, sentences
 from lommel.base.units import format_length, parse_length
 from lommel.base.validation import brief, line, shown
+from lommel.cli import help_text
 from lommel.cli.messages import run_job
 from lommel.cli.output import figure_format
 from lommel.report import Report
@@ -161,7 +161,7 @@ class Command:
         run.__signature__ = inspect.Signature(parameters)  # type: ignore[attr-defined]
         run.__annotations__ = {p.name: p.annotation for p in parameters}
         run.__doc__ = "\n\n".join(" ".join(part.split()) for part in text.split("\n\n"))
-        epilogue = "Examples:\n" + "\n".join(map(_continued, examples.rstrip().split("\n"))) if examples else None
+        epilogue = help_text.examples(examples) if examples else None
         app.command(run, name=name, help_epilogue=epilogue, usage=f"Usage: {self.usage(name)}")
 
     def arranged(self, words: Sequence[str]) -> list[str]:
@@ -210,31 +210,19 @@ class _Formatter(PlainFormatter):
     """Help as plain text: a heading, then options and their descriptions in two columns."""
 
     def __call__(self, console: Console, options: ConsoleOptions, panel: HelpPanel) -> None:
-        """Print a list of options or commands."""
-        if not panel.entries:
-            return
+        """Print a list of options."""
         rows = []
         for entry in panel.entries:
             notes = [f"[{', '.join(entry.choices)}]"] if entry.choices else []
             notes += [] if entry.default is None else [f"[default: {entry.default}]"]
             text = " ".join(filter(None, [_plain(entry.description), *notes]))
             rows.append((", ".join(entry.display_labels_with_metavar), text))
-        indent = 2 + min(max(len(label) for label, _ in rows), _LABEL) + 2
-        width = min(console.width, _HELP)
-        lines = [f"{panel.title}:"]
-        for label, text in rows:
-            fits = len(label) <= indent - 4
-            lines += [] if fits else [f"  {label}"]
-            first = f"  {label}".ljust(indent) if fits else " " * indent
-            lines += textwrap.wrap(
-                text, width, initial_indent=first, subsequent_indent=" " * indent, break_on_hyphens=False
-            ) or [first.rstrip()]
-        self._print_plain(console, "\n".join([*lines, ""]))
+        if rows:
+            self._print_plain(console, help_text.section(panel.title, rows) + "\n")
 
     def render_description(self, console: Console, options: ConsoleOptions, description: Any) -> None:
         """Print the description, wrapped."""
-        for part in _plain(description).split("\n\n"):
-            self._print_plain(console, textwrap.fill(part, min(console.width, _HELP), break_on_hyphens=False) + "\n")
+        self._print_plain(console, help_text.paragraphs(_plain(description)) + "\n")
 
 
 def _plain(part: Any) -> str:
@@ -244,27 +232,16 @@ def _plain(part: Any) -> str:
     return file.getvalue().strip()
 
 
-_LABEL, _HELP = 28, 100  # largest width of the column of options, and of the help
-
-
-def application(name: str, text: str, version: Callable[[], str], examples: str = "") -> App:
+def application() -> App:
     """Return an application without commands."""
     return App(
-        name=name,
-        help=text,
-        help_epilogue=examples or None,
+        name="lommel",
         help_flags=("--help", "-h"),
-        version=version,
+        version_flags=(),
         help_format="plaintext",
         result_action="return_value",
         help_formatter=_Formatter(),
     )
-
-
-def list_in(app: App, summaries: Mapping[str, str]) -> None:
-    """Add names and summaries of commands to an application, for its help and for suggestions."""
-    for place, (name, summary) in enumerate(summaries.items()):
-        app.command(lambda: None, name=name, help=summary, sort_key=place)
 
 
 def call(app: App, words: Sequence[str]) -> int:
@@ -417,20 +394,3 @@ def _same_file(path: Path, other_path: Path) -> bool:
         return path.samefile(other_path)
     except (OSError, ValueError):  # a file does not exist, or a name is not a path
         return path == other_path
-
-
-_WIDTH = 76  # largest width of lines of examples
-
-
-def _continued(row: str) -> str:
-    """Return a line of an example; lines wider than the help at 80 columns are continued before an option."""
-    if not row.startswith("  lommel ") or len(row) <= _WIDTH:
-        return row
-    rows, current = [], ""
-    for word in re.split(r" (?=-[-a-zA-Z])", row):
-        if current and len(f"{current} {word} \\") > _WIDTH:
-            rows.append(f"{current} \\")
-            current = f"      {word}"
-        else:
-            current = f"{current} {word}" if current else word
-    return "\n".join([*rows, current])

@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
-import ast
 import io
+import re
 import sys
 from collections.abc import Sequence
 from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, NoReturn
 
-from lommel.base.optional import how_to_get
+from lommel.base.optional import how_to_get, version
 from lommel.base.options import near
 from lommel.base.validation import shown
+from lommel.cli import help_text
 
 if TYPE_CHECKING:
     from lommel.cli.command import Command
@@ -48,7 +49,6 @@ have units, such as 550nm, 3.45um or 1.5m; with a space they need quotes: "1.5 m
 examples."""
 _WORD = 3  # letters of a word that is not looked for in summaries
 EXAMPLES = """\
-Examples:
   lommel examples phone                  # copy an example lens file
   lommel info    phone.toml              # Strehl ratio, blur, MTF
   lommel psf     phone.toml -o psf.tif -o psf.png    # data and a picture
@@ -65,43 +65,46 @@ Examples:
 
 def main(words: Sequence[str] | None = None) -> NoReturn:
     """Run a command line, by default that of this process, and exit."""
-    try:
-        from lommel.cli import command
-    except ImportError as missing:  # pragma: no cover
-        sys.exit(f"The command line needs {how_to_get(missing.name or 'cyclopts', 'cli')}")
     for stream in (sys.stdout, sys.stderr):
         # Characters that a console or a pipe cannot encode are no error.
         if isinstance(stream, io.TextIOWrapper):
             stream.reconfigure(errors="backslashreplace")
     words = list(sys.argv[1:] if words is None else words)
+    if words[:1] in (["--help"], ["-h"]) and len(words) > 1:
+        words[:2] = words[1], words[0]
     name = words[0] if words else ""
-    app = command.application("lommel", _TEXT, _version, EXAMPLES)
-    if name in COMMANDS:
-        # Only the module of this command is imported: importing all takes longer than most commands run.
-        entry = command_of(name)
-        entry.add_to(app, name)
-        words[1:] = entry.arranged(words[1:])
-    elif name == "--install-completion":
-        for other in COMMANDS:
-            command_of(other).add_to(app, other)
-        app.register_install_completion_command()
-    elif name and not name.startswith("-"):
+    if name in ("", "--help", "-h"):
+        rows = {
+            **_summaries(),
+            "--help, -h": "Display this message and exit.",
+            "--version": "Display application version.",
+        }
+        commands = help_text.section("Commands", rows.items())
+        print("Usage: lommel COMMAND", help_text.paragraphs(_TEXT), commands, f"Examples:\n{EXAMPLES}", sep="\n\n")
+        sys.exit(0 if words else 2)
+    if name == "--version":
+        print(version())
+        sys.exit()
+    if name not in (*COMMANDS, "--install-completion"):
         # What a user calls a command may be in its summary: deblur is restore.
         texts = _summaries().items() if len(name) > _WORD else ()
         found = next((other for other, text in texts if name.lower() in text.lower()), None)
         hint = near(name, COMMANDS) if found is None else f"did you mean {found}?"
         print(f"Error: Unknown command {shown(name)}; {hint}", file=sys.stderr)
         sys.exit(2)
+    try:
+        from lommel.cli import command  # slow, and not needed above
+    except ImportError as missing:  # pragma: no cover
+        sys.exit(f"The command line needs {how_to_get(missing.name or 'cyclopts', 'cli')}")
+    app = command.application()
+    # Only the module of this command is imported: importing all takes longer than most commands run.
+    for other in [name] if name in COMMANDS else COMMANDS:
+        command_of(other).add_to(app, other)
+    if name in COMMANDS:
+        words[1:] = command_of(name).arranged(words[1:])
     else:
-        command.list_in(app, _summaries())
-    code = command.call(app, words)
-    sys.exit(code or (0 if words else 2))  # without a command the help is printed
-
-
-def _version() -> str:
-    from importlib import metadata  # reads files of the installation, which no other command needs
-
-    return metadata.version("lommel")
+        app.register_install_completion_command()
+    sys.exit(command.call(app, words))
 
 
 def command_of(name: str) -> Command:
@@ -113,11 +116,6 @@ def command_of(name: str) -> Command:
 def _summaries() -> dict[str, str]:
     """Return the first sentence of the docstring of each command, from the sources, which is quick."""
     folder = Path(__file__).parent
-    modules = [ast.parse((folder / f"{name}.py").read_text(encoding="utf-8")) for name in set(COMMANDS.values())]
-    functions = {
-        function.name: (ast.get_docstring(function) or "").partition("\n")[0]
-        for module in modules
-        for function in module.body
-        if isinstance(function, ast.FunctionDef)
-    }
-    return {name: functions[name.replace("-", "_")] for name in COMMANDS}
+    sources = [(folder / f"{name}.py").read_text(encoding="utf-8") for name in dict.fromkeys(COMMANDS.values())]
+    found = re.findall(r'^@command\b.*?^def (\w+)\(.*?^    """(.*?)$', "\n".join(sources), re.MULTILINE | re.DOTALL)
+    return {name: dict(found)[name.replace("-", "_")] for name in COMMANDS}

@@ -23,7 +23,7 @@ pytest.importorskip("av", reason="video needs PyAV: pip install av")
 import lommel as lm
 from lommel.base.encoding import from_light, to_light
 from lommel.cli import video_input, watch_command
-from lommel.cli.shared_options import FrameNoise
+from lommel.cli.instruments import FrameNoise
 from lommel.io import videos
 from scenes import ThinLens, plane, record, texture
 from video_files import frames_of, write_video

@@ -13,10 +13,9 @@ from lommel.base.options import In, Shown
 from lommel.base.units import format_length
 from lommel.base.validation import line
 from lommel.cli.command import OUTPUT, PLOT, command
-from lommel.cli.instruments import header_differences, require_microscope
+from lommel.cli.instruments import CameraNoise, header_differences, require_microscope
 from lommel.cli.messages import report_findings
 from lommel.cli.output import progress, require_file, save_figure, written
-from lommel.cli.shared_options import CameraNoise
 from lommel.estimation.options import BeadOptions
 from lommel.report import Report, Wrapped
 from lommel.report.table import tables
@@ -123,7 +122,7 @@ def beads(
                 pitches[pitch] = _pitch_finding(pitch, stack.metadata.get("pixel"), microscope)
             notes += [*stack.notes, *(note for note in differences.values() if note not in notes)]
             recorded_planes = stack[...]
-            mask = camera.mask(recorded_planes)
+            mask = camera.mask_of(recorded_planes)
             ignored = np.broadcast_to(False if mask is None else mask, recorded_planes.shape)
             masked = StackView(recorded_planes, math.inf if saturation is None else saturation, mask=ignored)
             hot = hot_pixels(masked, noise, sharpest, masked.limit)

@@ -176,7 +176,7 @@ class Command:
                 return [*options, word, *files, *rest]
             numbers = []
             if word in fields and _is_series(fields[word].kind):
-                numbers = list(itertools.takewhile(_is_number, rest))
+                numbers = list(itertools.takewhile(lambda word: _is_number(word.partition(",")[0]), rest))
                 del rest[: len(numbers)]
             if numbers:
                 options += [f"{word}={number}" for number in numbers]
@@ -218,7 +218,7 @@ class _Formatter(PlainFormatter):
             text = " ".join(filter(None, [_plain(entry.description), *notes]))
             rows.append((", ".join(entry.display_labels_with_metavar), text))
         if rows:
-            self._print_plain(console, help_text.section(panel.title, rows) + "\n")
+            self._print_plain(console, help_text.section(str(panel.title), rows) + "\n")
 
     def render_description(self, console: Console, options: ConsoleOptions, description: Any) -> None:
         """Print the description, wrapped."""
@@ -258,6 +258,8 @@ def _message(error: CycloptsError) -> str:
     name = "" if error.argument is None else error.argument.name
     if isinstance(error, CoercionError) and error.msg and name:
         return f"{name}: {error.msg}"
+    if isinstance(error, CoercionError) and error.token and "," in error.token.value:
+        return f"{line(error)} Several numbers follow with blanks: {name} {error.token.value.replace(',', ' ')}"
     if isinstance(error, MissingArgumentError) and name:
         return f"{name} needs a value" if name.startswith("-") else f"{name} is missing"
     if isinstance(error, UnusedCliTokensError):

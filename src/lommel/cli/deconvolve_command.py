@@ -14,10 +14,9 @@ from rich.text import Text
 from lommel.base.options import HIDDEN, In, Shown
 from lommel.base.validation import line
 from lommel.cli.command import OUTPUT, PLOT, command
-from lommel.cli.instruments import require_microscope, require_order
+from lommel.cli.instruments import CameraMaps, require_microscope, require_order
 from lommel.cli.messages import report_findings
 from lommel.cli.output import progress, require_folder, save_figure, written
-from lommel.cli.shared_options import CameraMaps
 from lommel.deconvolve.algorithms import RichardsonLucy, TotalVariation
 from lommel.microscopy.deconvolution import DeconvolveOptions, run
 from lommel.recorded import stack_files
@@ -145,7 +144,7 @@ def deconvolve(
                     out=zarr_output,
                     progress=lambda fraction, description: report_progress(description, fraction),
                 ),
-                mask=camera.mask(np.broadcast_to(False, recording.shape[1:])),
+                mask=camera.mask_of(np.broadcast_to(False, recording.shape[1:])),
                 saturation=camera.saturation,
             )
             if zarr_output is None:

@@ -6,23 +6,23 @@ import math
 import time
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
+from typing import TYPE_CHECKING, Annotated, Literal
 
 import numpy as np
 
 from lommel.base.arrays import plain
 from lommel.base.encoding import to_light
-from lommel.base.options import In, Options, Shown
+from lommel.base.options import In, Shown
 from lommel.cli.command import OUTPUT, PLOT, command, filled
-from lommel.cli.instruments import instrument_of, noise_of, radial_instrument
+from lommel.cli.instruments import MaskedPhotoNoise, Sensor, instrument_of, noise_of, radial_instrument
+from lommel.cli.messages import with_options
 from lommel.cli.output import progress, save_figure, written
 from lommel.cli.photo_commands import apply_mask, output_type, read_as
-from lommel.cli.shared_options import CAMERA, PITCH, MaskedPhotoNoise
 from lommel.estimation.depth_precision import CONTRAST, WINDOW, best_depth_foci, depth_precision
 from lommel.imaging import DefocusOptions, depth_from_defocus, read_photo, write_depth, write_photo
 from lommel.io import photos as photo_files
 from lommel.io.registry import suffixes
-from lommel.lensfiles.instrument import Camera, Instrument
+from lommel.lensfiles.instrument import Instrument
 from lommel.recorded.noise import Noise
 from lommel.report import Facts, Report, finite
 from lommel.report.table import described, records_of, told
@@ -43,7 +43,7 @@ BETWEEN = Shown(length="m", metavar="NEAR FAR")
 
 
 @dataclass(frozen=True, kw_only=True)
-class PairCamera(Options):
+class PairCamera(Sensor):
     """Lens settings and camera of images that differ in focus or aperture.
 
     Parameters
@@ -53,18 +53,10 @@ class PairCamera(Options):
         overrides the lens file.
     f_numbers
         F-number: once for all images, or repeated for each; overrides the lens file.
-    camera
-        Camera with the pixel pitch and the noise: the name of an example, which `lommel examples --find camera`
-        lists, or a file; overrides the file.
-    pixel
-        Pixel pitch on the camera, such as 6.5um; overrides the file and the camera.
     """
 
-    heading: ClassVar[str] = "Camera"
     foci: Annotated[tuple[float, ...], Shown(("--focus",), length="m")] = ()
     f_numbers: Annotated[tuple[float, ...], Shown(("--f-number",))] = ()
-    camera: Annotated[Camera | None, CAMERA] = None
-    pixel: Annotated[float | None, PITCH] = None
 
     def instrument(self, lens: Path) -> Instrument:
         """Return the instrument of a lens file with this camera and pixel pitch."""
@@ -103,7 +95,8 @@ def verdict_report(verdict: DefocusVerdict) -> Report:
     del facts["misfit"]  # commands report their own misfit
     facts |= {"agrees": verdict.agrees, "untested": untested_finding and untested_finding.numbers["what"]}
     lines = [] if math.isnan(verdict.misfit) else [verdict.summary]
-    return Report(facts, [*lines, *(finding.text for finding in verdict.findings)], verdict.converged)
+    lines += [finding.text for finding in verdict.findings]
+    return Report(facts, [*map(with_options, lines)], verdict.converged)
 
 
 @command
@@ -140,7 +133,7 @@ def depth(
         Figure of depth map, standard error and all-in-focus image: .png, .pdf or .svg.
     encoding
         Encoding of the photos' values; by default integers are sRGB and floats are linear.
-    masked
+    mask
         Image that is not 0 at pixels to ignore; one for all photos, or one for each.
 
     Examples
@@ -160,9 +153,7 @@ def depth(
         pictures = [read_photo(path, encoding) for path in photos]
         if len({(picture.values.dtype, picture.encoding) for picture in pictures}) > 1:
             raise ValueError("the photos must have one type and one encoding; give --encoding or convert them")
-        images = [picture.values for picture in pictures]
-        if photo_noise.masked is not None:
-            images = apply_mask(images, photo_noise.masked)
+        images = apply_mask([picture.values for picture in pictures], photo_noise.mask)
         status("computing the PSFs of every distance")
         start = time.perf_counter()
         estimate = depth_from_defocus(
@@ -209,10 +200,9 @@ def precision(
     best: bool = False,
     f_number: float | None = None,
     between: Annotated[tuple[float, float] | None, BETWEEN] = None,
-    camera: Annotated[Camera | None, CAMERA] = None,
-    pixel: Annotated[float | None, PITCH] = None,
     read: float | None = None,
     figure: Annotated[Path | None, PLOT] = None,
+    sensor: Sensor = Sensor(),
 ) -> Report:
     """Compute the achievable depth precision (Cramer-Rao bound).
 
@@ -235,11 +225,6 @@ def precision(
         F-number; overrides the lens file.
     between
         Nearest and farthest distance to list; by default around the focus distances.
-    camera
-        Camera with the pixel pitch and the noise: the name of an example, which `lommel examples --find camera`
-        lists, or a file; overrides the file.
-    pixel
-        Pixel pitch on the camera, such as 6.5um; overrides the file and the camera.
     read
         Read noise, rms electrons; by default from the camera, or 3.
     figure
@@ -253,7 +238,7 @@ def precision(
     """
     if (pair is not None) + best + (len(foci) > 1) != 1:
         raise ValueError("give --focus twice or more, or --focus once with --pair or with --best")
-    instrument = instrument_of(lens, camera=camera, pixel=pixel)
+    instrument = instrument_of(lens, **vars(sensor))
     if read is None:
         read = _READ if instrument.camera is None or instrument.camera.read is None else instrument.camera.read
     lens_in_use = instrument.lens if f_number is None else instrument.lens.stopped(f_number)

@@ -13,9 +13,9 @@ from lommel.base.options import In, Options, Shown
 from lommel.base.units import format_length, with_error
 from lommel.blur.blurs import FWHM, Blur, Jitter, Seeing
 from lommel.cli.command import OUTPUT, PLOT, command
+from lommel.cli.instruments import CameraNoise
 from lommel.cli.messages import report_findings
 from lommel.cli.output import progress, require_file, save_figure, written
-from lommel.cli.shared_options import CameraNoise
 from lommel.estimation import EFFORT
 from lommel.estimation.options import FieldFitOptions
 from lommel.report import Facts, Report, Wrapped
@@ -160,7 +160,7 @@ def fit_field(
         read = read_images(images)
         noise, saturation, header = camera.resolve(read.metadata, instrument.camera)
         values = read[...]
-        exposures = Counts.of(values, noise=noise, mask=camera.mask(values), saturation=saturation)
+        exposures = Counts.of(values, noise=noise, mask=camera.mask_of(values), saturation=saturation)
         if not options.defocus and len(exposures) > 1:
             raise ValueError(f"--defocus must be given for {len(exposures)} exposures: one number each, such as -3 3")
         status(f"finding {kind}s")

@@ -1,17 +1,23 @@
-"""Lens or microscope of a command: the file, the options that override it, and the camera with its noise."""
+"""Lens or microscope of a command, its camera and noise: options that commands share, and what they state."""
 
 from __future__ import annotations
 
 import dataclasses
 import math
+import re
+from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar
 
 import numpy as np
 
 from lommel.base import validation
+from lommel.base.options import In, Options, Shown
 from lommel.base.units import format_length
+from lommel.cli.command import length
 from lommel.cli.messages import flag_of
+from lommel.lensfiles.instrument import Camera, Instrument
+from lommel.optics.lens import Lens
 from lommel.recorded.noise import Noise
 from lommel.report import Facts
 
@@ -19,20 +25,120 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from lommel.base.arrays import Array, Values
-    from lommel.lensfiles.instrument import Camera, Instrument
     from lommel.lensfiles.microscope_files import Microscope
     from lommel.recorded.frames import Metadata
 
 
-def camera_map(text: str, name: str) -> float | Array:
-    """Return the number in the option for the argument `name`, or the map in the file that the option names."""
+def _camera(text: str) -> Camera:
+    """Return the camera of a name, or of a file."""
+    from lommel.lensfiles.camera_files import load_camera
+
+    return load_camera(text)
+
+
+def window(text: str) -> int | tuple[int, int]:
+    """Return the side of a square in pixels, or height and width."""
+    match = re.fullmatch(r"\s*(\d{1,9})(?:\s*[xX\s]\s*(\d{1,9}))?\s*", text, re.ASCII)
+    if match is None:
+        raise ValueError(f"{validation.shown(text)} is not a size; write 65 or 64x128 (height x width)")
+    return int(match[1]) if match[2] is None else (int(match[1]), int(match[2]))
+
+
+def sides(text: str) -> float | tuple[float, ...]:
+    """Return a length, or (height, width), in metres."""
+    found = tuple(length("um", side) for side in re.split(r"\s*[xX]\s*", text))
+    return found if len(found) > 1 else found[0]
+
+
+WINDOW = Shown(metavar="PIXELS", parse=window)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Sensor(Options):
+    """Camera of a command.
+
+    Parameters
+    ----------
+    camera
+        Camera with the pixel pitch, and the noise where a command needs it: the name of an example, which `lommel
+        examples --find camera` lists, or a file; overrides the file.
+    pixel
+        Pixel pitch on the camera, such as 6.5um; overrides the file and the camera.
+    """
+
+    heading: ClassVar[str] = "Camera"
+    camera: Annotated[Camera | None, Shown(("--camera",), metavar="NAME|FILE", parse=_camera)] = None
+    pixel: Annotated[float | None, Shown(length="um")] = None
+
+
+@dataclass(frozen=True, kw_only=True)
+class PhotoCamera(Sensor):
+    """Lens and camera of a photograph, where no file states them.
+
+    Parameters
+    ----------
+    focus_distance
+        Focus distance, such as 1.5m or inf; overrides the lens file.
+    f_number
+        F-number; by default from the lens file or the EXIF.
+    """
+
+    focus_distance: Annotated[float | None, Shown(("--focus",), length="m")] = None
+    f_number: float | None = None
+
+
+@dataclass(frozen=True, kw_only=True)
+class Optics(PhotoCamera):
+    """Options for lens, object and sensor, which override the file.
+
+    Parameters
+    ----------
+    object_distance
+        Object distance, such as 1.5m or inf; overrides the file.
+    focus_distance
+        Focus distance, such as 1.5m or inf; overrides the file. An object that was in focus stays in focus.
+    f_number
+        F-number to which the lens is stopped, with the same sensor and aberrations; overrides the file.
+    wavelength
+        Wavelength, such as 450nm, with the path differences of the file; overrides the file.
+    pixel
+        Pixel pitch, such as 3.45um, or height x width: 4umx3um; overrides the file and the camera.
+    shape
+        Window in pixels, such as 65 or 64x128 (height x width); overrides the file.
+    """
+
+    heading: ClassVar[str] = "Lens, object and sensor"
+    object_distance: Annotated[float | None, Shown(length="m")] = None
+    wavelength: Annotated[float | None, Shown(length="nm")] = None
+    pixel: Annotated[Any, Shown(parse=sides, metavar="LENGTH")] = None
+    shape: Annotated[Any, WINDOW] = None
+
+
+@dataclass(frozen=True, kw_only=True)
+class Planes(Options):
+    """Options for the planes of a microscope, which override the file.
+
+    Parameters
+    ----------
+    stack
+        Number of planes along the optical axis; by default from the file.
+    step
+        Stage step between planes, such as 100nm; by default from the file.
+    depth
+        Depth of the emitter below the cover glass, such as 2um; by default from the file.
+    """
+
+    heading: ClassVar[str] = "Microscopes"
+    stack: Annotated[int | None, In(least=1, most=4096), Shown(metavar="PLANES")] = None
+    step: Annotated[float | None, Shown(length="nm")] = None
+    depth: Annotated[float | None, Shown(length="um")] = None
+
+
+def _camera_map(text: str, name: str) -> Array:
+    """Return the map in the file that the option for the argument `name` states."""
     from lommel.recorded.frames import read_images
 
-    flag = flag_of(name)
-    try:
-        return float(text)
-    except ValueError:
-        path = Path(text)
+    flag, path = flag_of(name), Path(text)
     if not path.suffix:
         raise ValueError(f"{flag} must be a number or the file of a map (.tif, .npy), got {validation.shown(text)}")
     images = read_images([path])[...]
@@ -62,7 +168,10 @@ def mask_of(path: Path, images: Values) -> NDArray[np.bool_]:
     return mask[0] if len(mask) == 1 else mask
 
 
-def instrument_of(lens: Path, **options: object) -> Instrument:
+_LENS_OPTIONS = {"f_number": Lens.stopped, "wavelength": Lens.in_light, "focus_distance": Lens.focused}
+
+
+def instrument_of(path: Path, **options: object) -> Instrument:
     """Return the instrument of a lens file, changed by the options of a command."""
     from lommel.lensfiles.lens_files import load_instrument
 
@@ -71,33 +180,20 @@ def instrument_of(lens: Path, **options: object) -> Instrument:
         for side in changes["pixel"] if isinstance(changes["pixel"], tuple) else [changes["pixel"]]:
             validation.pixel(side, metric=True)
         changes["pixel"] = validation.pitch("pixel", changes["pixel"])
-    lens_values = {name: changes.pop(name) for name in _LENS_OPTIONS if name in changes}
-    base = load_instrument(lens)
-    return dataclasses.replace(_with_lens_options(base, lens_values, lens) if lens_values else base, **changes)
-
-
-_LENS_OPTIONS = "f_number", "wavelength", "focus_distance"
-
-
-def _with_lens_options(instrument: Instrument, stated: Facts, path: Path) -> Instrument:
-    """Return an instrument whose lens has the f-number, wavelength and focus that options state."""
+    instrument = load_instrument(path)
+    lens = instrument.lens
+    stated = {name: changes.pop(name) for name in _LENS_OPTIONS if name in changes}
     if instrument.aberrations_of_field is not None and (forbidden := stated.keys() - {"focus_distance"}):
         flags = ", ".join(flag_of(name) for name in _LENS_OPTIONS if name in forbidden)
         raise ValueError(
             f"{flags} cannot be combined with the section [field] of {path}, which states waves over its own "
             "aperture: edit a copy"
         )
-    lens, focus = instrument.lens, instrument.lens.focus_distance
-    in_focus = math.isclose(instrument.object_distance, focus, rel_tol=1e-9)
-    if "f_number" in stated:
-        lens = lens.stopped(stated["f_number"])
-    if "wavelength" in stated:
-        lens = lens.in_light(stated["wavelength"])
-    if "focus_distance" in stated:
-        lens = lens.focused(stated["focus_distance"])
-    return dataclasses.replace(
-        instrument, lens=lens, object_distance=lens.focus_distance if in_focus else instrument.object_distance
-    )
+    for name, value in stated.items():
+        lens = _LENS_OPTIONS[name](lens, value)
+    if stated and math.isclose(instrument.object_distance, instrument.lens.focus_distance, rel_tol=1e-9):
+        changes = {"object_distance": lens.focus_distance} | changes
+    return dataclasses.replace(instrument, lens=lens, **changes)
 
 
 def radial_instrument(lens: Path, user: str = "this command", **options: object) -> Instrument:
@@ -274,31 +370,165 @@ _UNITS = {
 }
 
 
-def recorded_noise(
-    options: Facts, by_file: bool, lens: Path, camera: Camera | None, noise: Noise
-) -> tuple[Facts, str]:
-    """Return gain, offset, read noise and excess of a fit with their sources, (1) as facts, (2) as text.
+@dataclass(frozen=True, kw_only=True)
+class CameraNoise(Sensor):
+    """Options for the camera, its noise, and the pixels to ignore.
 
-    `by_file` is True if the camera is that of the lens file.
+    Parameters
+    ----------
+    white
+        Electrons per count; by default from the camera, or 1.
+    read
+        Read noise, rms electrons; 0 for none; by default from the camera.
+    offset
+        Black level, in the unit of the images; by default from the camera, or 0.
+    saturation
+        Value in the file at which pixels saturate, such as 60000; the largest integer always counts as saturated.
+    mask
+        Image that is not 0 at pixels to ignore; one for all images, or one for each.
     """
-    camera_values, name = camera_facts(camera), camera and camera.name
-    sources = {
-        "option": "by the option",
-        "camera": f"of {name}, {f'in {lens.name}' if by_file else 'by --camera'}",
-        "header": "of the header of the images",
-        "default": "the default, as neither an option nor a camera states it",
-    }
-    facts: Facts = {"camera": name}
-    texts = []
-    for key, (quantity, unit, default) in _UNITS.items():
-        value: Any = getattr(noise, key)
-        by_map, value = isinstance(value, np.ndarray), default if value is None else value
-        source = "camera" if camera_values.get(key) is not None else "header"
-        if options[key] is not None:
-            source = "option"
-        elif source == "header" and key != "read" and not by_map and value == default:
-            source = "default"
-        facts[quantity.replace(" ", "_")] = {"value": "a map" if by_map else value, "source": source}
-        if key != "excess" or value != 1.0:
-            texts.append(f"{quantity} {'by a map' if by_map else f'{value:g}{unit}'} ({sources[source]})")
-    return facts, ", ".join(texts)
+
+    heading: ClassVar[str] = "Camera and noise"
+    white: Annotated[float | None, Shown(("--gain",))] = None
+    read: float | None = None
+    offset: float | None = None
+    saturation: float | None = None
+    mask: Annotated[Path | None, Shown(metavar="FILE")] = None
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        values = {name: value for name, value in self.values().items() if isinstance(value, float)}
+        Noise(**{"read": 0.0} | values)  # raises ValueError for a value out of range, before files are read
+
+    def values(self) -> Facts:
+        """Return gain, read noise and offset, None without an option."""
+        return {name: getattr(self, name) for name in ("white", "read", "offset")} | {"excess": None}
+
+    def instrument(self, lens: Path, **changes: object) -> Instrument:
+        """Return the instrument of a lens file with this camera and pixel pitch."""
+        return instrument_of(lens, camera=self.camera, pixel=self.pixel, **changes)
+
+    def resolve(self, header: Metadata, camera: Camera | None) -> tuple[Noise, float | None, list[str]]:
+        """Return (1) noise, (2) saturation, (3) notes; options override the camera, and the camera the header."""
+        options = self.values() | {"saturation": self.saturation}
+        notes = take_header(options, header, camera)
+        noise = noise_of(options, camera)
+        # The files of such cameras do not state whether the electron multiplication was on.
+        if camera is not None and "EMCCD" in camera.name and noise.excess == 1.0:
+            notes.append(
+                f"{camera.name}: if its electron multiplication was on, copy its file, state excess = 2 and gain and "
+                "read noise divided by the EM gain there, and give it by --camera."
+            )
+        return noise, options["saturation"], notes
+
+    def recorded(self, lens: Path, camera: Camera | None, noise: Noise) -> tuple[Facts, str]:
+        """Return gain, offset, read noise and excess of a fit with their sources, (1) as facts, (2) as text."""
+        options, camera_values, name = self.values(), camera_facts(camera), camera and camera.name
+        sources = {
+            "option": "by the option",
+            "camera": f"of {name}, {f'in {lens.name}' if self.camera is None else 'by --camera'}",
+            "header": "of the header of the images",
+            "default": "the default, as neither an option nor a camera states it",
+        }
+        facts: Facts = {"camera": name}
+        texts = []
+        for key, (quantity, unit, default) in _UNITS.items():
+            value: Any = getattr(noise, key)
+            by_map, value = isinstance(value, np.ndarray), default if value is None else value
+            source = "camera" if camera_values.get(key) is not None else "header"
+            if options[key] is not None:
+                source = "option"
+            elif source == "header" and key != "read" and not by_map and value == default:
+                source = "default"
+            facts[quantity.replace(" ", "_")] = {"value": "a map" if by_map else value, "source": source}
+            if key != "excess" or value != 1.0:
+                texts.append(f"{quantity} {'by a map' if by_map else f'{value:g}{unit}'} ({sources[source]})")
+        return facts, ", ".join(texts)
+
+    def mask_of(self, images: Any) -> Any:
+        """Return a mask of the pixels of images to ignore, or None."""
+        return None if self.mask is None else mask_of(self.mask, images)
+
+
+@dataclass(frozen=True, kw_only=True)
+class PhotoNoise(Options):
+    """Options for the noise of photographs.
+
+    Parameters
+    ----------
+    white
+        Number of electrons at white, such as 5000; by default the full well of the camera. White is the largest
+        integer, or 1.0 in floats.
+    read
+        Read noise, rms electrons; 0 for none; by default from the camera.
+    offset
+        Black level, as a fraction of white.
+    """
+
+    heading: ClassVar[str] = "Noise"
+    white: float | None = None
+    read: float | None = None
+    offset: float = 0.0
+
+
+@dataclass(frozen=True, kw_only=True)
+class MaskedPhotoNoise(PhotoNoise):
+    """Options for the noise of photographs, and pixels to ignore.
+
+    Parameters
+    ----------
+    mask
+        Image whose nonzero pixels mark the pixels of the photo to ignore.
+    """
+
+    mask: Annotated[Path | None, Shown(metavar="FILE")] = None
+
+
+@dataclass(frozen=True, kw_only=True)
+class FrameNoise(PhotoNoise):
+    """Options for the noise and the saturation of frames of video.
+
+    Parameters
+    ----------
+    saturation
+        Level at which pixels saturate: a fraction of white in linear light (after decoding sRGB), such as 0.95; the
+        largest integer always counts as saturated.
+    """
+
+    saturation: float | None = None
+
+
+def _number_or_path(text: str) -> float | str:
+    try:
+        return float(text)
+    except ValueError:
+        return text
+
+
+_MAP = Shown(metavar="NUMBER|FILE", parse=_number_or_path)
+
+
+@dataclass(frozen=True, kw_only=True)
+class CameraMaps(CameraNoise):
+    """Options for the camera, whose gain, read noise and offset may be maps in files.
+
+    Parameters
+    ----------
+    white
+        Electrons per count; by default from the camera, or 1. A file (.tif, .npy) is a map with a value for each
+        pixel, also of --read and --offset.
+    read
+        Read noise, rms electrons; 0 for none; by default from the camera.
+    offset
+        Counts of a pixel without electrons, such as 100; by default from the camera, or 0.
+    """
+
+    heading: ClassVar[str] = "Camera"
+    white: Annotated[Any, _MAP._replace(flags=("--gain",))] = None
+    read: Annotated[Any, _MAP] = None
+    offset: Annotated[Any, _MAP] = None
+
+    def values(self) -> Facts:
+        """Return gain, read noise and offset, None without an option; maps are read."""
+        values = super().values()
+        return {name: _camera_map(v, name) if isinstance(v, str) else v for name, v in values.items()}

@@ -17,9 +17,8 @@ from lommel.base.options import In, Shown, near
 from lommel.base.units import pitch_in_words
 from lommel.base.validation import shown
 from lommel.cli.command import PLOT, command
-from lommel.cli.instruments import instrument_of, microscope_of
+from lommel.cli.instruments import WINDOW, Optics, instrument_of, microscope_of
 from lommel.cli.output import progress, save_figure, written
-from lommel.cli.shared_options import WINDOW, Optics, given
 from lommel.lensfiles import KINDS, example_files
 from lommel.methods import ERFS, METHODS
 from lommel.paper import ClosedForm
@@ -207,9 +206,9 @@ def info(
     """
     from lommel.report.optics import describe_lens, describe_microscope  # slow, and other commands do not need it
 
-    microscope = microscope_of(lens, depth=depth, **given(optics))
+    microscope = microscope_of(lens, depth=depth, **vars(optics))
     return (
-        describe_lens(instrument_of(lens, **given(optics))) if microscope is None else describe_microscope(microscope)
+        describe_lens(instrument_of(lens, **vars(optics))) if microscope is None else describe_microscope(microscope)
     )
 
 

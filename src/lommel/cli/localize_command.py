@@ -13,10 +13,9 @@ from rich.text import Text
 
 from lommel.base.options import In, Options, Shown
 from lommel.cli.command import OUTPUT, PLOT, command, filled
-from lommel.cli.instruments import header_differences, require_microscope, require_order
+from lommel.cli.instruments import CameraMaps, header_differences, require_microscope, require_order
 from lommel.cli.messages import finding_lines
 from lommel.cli.output import progress, require_folder, save_figure, written
-from lommel.cli.shared_options import CameraMaps
 from lommel.io import registry
 from lommel.localize import Localizations, LocalizeOptions, Table, writer
 from lommel.localize.localizations import MEDIANS, joined
@@ -87,7 +86,7 @@ def localize(
         Table of molecules: {formats}; may be repeated.
     figure
         Picture of the molecules, coloured by z: .png, .pdf or .svg.
-    masked
+    mask
         Image that is not 0 at pixels to ignore.
     flat
         Estimate only x and y, for images that do not determine z, as without astigmatism.
@@ -111,7 +110,7 @@ def localize(
         frames = movie_file.as_stack()
         noise, saturation, header = camera.resolve(frames.metadata, microscope.camera)
         header = [*frames.notes, *header, *header_differences(frames.metadata, microscope).values()]
-        mask = camera.mask(np.broadcast_to(False, (1, *frames.shape[1:])))
+        mask = camera.mask_of(np.broadcast_to(False, (1, *frames.shape[1:])))
         pupil, pixel = dataclasses.replace(microscope, planes=1).pupil(), microscope.pixel
         table = Table(pupil, _SIDE, pixel, z=z, along=along, reach=molecules.reach)
         told = dataclasses.replace(

@@ -17,12 +17,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lommel.base.arrays import Values
-from lommel.base.options import Options, Shown
+from lommel.base.options import Shown
 from lommel.cli.command import OUTPUT, command, filled
-from lommel.cli.instruments import instrument_of, mask_of, noise_of, radial_instrument
+from lommel.cli.instruments import MaskedPhotoNoise, PhotoCamera, instrument_of, mask_of, noise_of, radial_instrument
 from lommel.cli.messages import given_flags, with_options
 from lommel.cli.output import progress, written
-from lommel.cli.shared_options import CAMERA, MaskedPhotoNoise, given
 from lommel.imaging import (
     BlurOptions,
     DatasetOptions,
@@ -46,7 +45,6 @@ from lommel.imaging.field_blur import FieldPhotographOptions
 from lommel.io.depth_maps import fill_missing
 from lommel.io.photos import find
 from lommel.io.registry import suffixes
-from lommel.lensfiles.instrument import Camera
 from lommel.optics.lens import Lens
 from lommel.recorded.noise import Noise
 from lommel.report import Facts, Report, Wrapped, finite
@@ -57,30 +55,6 @@ if TYPE_CHECKING:
 
 _TOLERANCE = 0.02  # largest relative difference from the EXIF, which has rounded nominal values
 Encoding = Literal["srgb", "linear"]
-
-
-@dataclass(frozen=True, kw_only=True)
-class PhotoCamera(Options):
-    """Lens and camera of a photograph, where no file states them.
-
-    Parameters
-    ----------
-    focus_distance
-        Focus distance, such as 1.5m or inf; overrides the lens file.
-    f_number
-        F-number; by default from the lens file or the EXIF.
-    camera
-        Camera with the pixel pitch, and the noise where a command needs it: the name of an example, which `lommel
-        examples --find camera` lists, or a file; overrides the file.
-    pixel
-        Pixel pitch; overrides the lens file and the camera.
-    """
-
-    heading: ClassVar[str] = "Camera"
-    focus_distance: Annotated[float | None, Shown(("--focus",), length="m")] = None
-    f_number: float | None = None
-    camera: Annotated[Camera | None, CAMERA] = None
-    pixel: Annotated[float | None, Shown(length="um")] = None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -186,7 +160,7 @@ def blur(
         return _through_field(photo, (depth, lens), output, encoding, camera_options, blurring)
     if batch:
         return _render(output, (photo, depth, lens), camera_options, depth_map, data)
-    _refuse_others(given(DataSet()), "is an option for data sets, and needs --batch")
+    _refuse_others(vars(DataSet()), "is an option for data sets, and needs --batch")
     find(output, "--output")
     with terminated_as_interrupted(), progress("reading") as status:
         job = Job((photo, depth, lens), output, encoding, camera_options, depth_map)
@@ -229,7 +203,7 @@ def _render(
     """Render a data set into a folder, from folders of photos and of depth maps and from a file of lenses."""
     photos, depths, lens = files
     _refuse_others(
-        {"camera", "encoding", *given(BlurOptions())},
+        {"camera", "encoding", *vars(BlurOptions())},
         "is an option for a single photo; it cannot be combined with --batch",
     )
     lenses = _lenses(lens, camera)
@@ -381,8 +355,7 @@ def restore(
     with terminated_as_interrupted(), progress("reading") as status:
         job = Job((photo, depth, lens), output, encoding, camera_options, depth_map)
         values = job.photograph.values
-        if noise_options.masked is not None:
-            (values,) = apply_mask([values], noise_options.masked)
+        (values,) = apply_mask([values], noise_options.mask)
         status("computing PSFs")
         start = time.perf_counter()
 
@@ -396,7 +369,7 @@ def restore(
             job.lens,
             job.pixel,
             encoding=job.photograph.encoding,
-            noise=noise_of(given(noise_options), job.camera, photographs=True),
+            noise=noise_of(vars(noise_options), job.camera, photographs=True),
             progress=step_done,
             options=replace(restoring, method=_METHODS[algorithm]()),
         )
@@ -407,9 +380,11 @@ def restore(
     return job.report(facts) + Report({}, findings, result.converged)
 
 
-def apply_mask(photos: Sequence[Pixels], masked: Path) -> list[Pixels]:
-    """Return photos whose pixels are masked by an image file."""
-    mask = mask_of(masked, np.broadcast_to(False, (len(photos), *photos[0].shape[:2])))
+def apply_mask(photos: Sequence[Pixels], path: Path | None) -> Sequence[Pixels]:
+    """Return photos whose pixels are masked by an image file, if there is one."""
+    if path is None:
+        return photos
+    mask = mask_of(path, np.broadcast_to(False, (len(photos), *photos[0].shape[:2])))
     masks = [mask] * len(photos) if mask.ndim == 2 else list(mask)
     return [
         np.ma.masked_array(photo, np.broadcast_to(m.reshape(*m.shape, *[1] * (photo.ndim - 2)), photo.shape))

@@ -20,13 +20,11 @@ from lommel.base.validation import shown
 from lommel.blur.blurs import Blur, Jitter, Seeing
 from lommel.channel_psf import colour_psf
 from lommel.cli.command import OUTPUT, PLOT, command, filled
-from lommel.cli.instruments import instrument_of, microscope_of
+from lommel.cli.instruments import WINDOW, Optics, Planes, Sensor, instrument_of, microscope_of
 from lommel.cli.output import figure_format, progress, require_folder, save_figure, written
-from lommel.cli.shared_options import CAMERA, PITCH, WINDOW, Optics, Planes, given
 from lommel.field.psf_grid import PSFGrid
 from lommel.io import field_files, psf_files
 from lommel.io.registry import Format, suffixes
-from lommel.lensfiles.instrument import Camera
 from lommel.methods import ERFS, METHODS, Method
 from lommel.optics.colour.spectrum import Channels
 from lommel.psf import psf as compute
@@ -47,9 +45,8 @@ def stack(
     between: Annotated[tuple[float, float], Shown(length="m", metavar="NEAR FAR")],
     count: Annotated[int, In(least=2, most=10**9)],
     output: Annotated[Path, OUTPUT._replace(metavar="FOLDER")],
-    camera: Annotated[Camera | None, CAMERA] = None,
-    pixel: Annotated[float | None, PITCH] = None,
     shape: Annotated[Any, WINDOW] = None,
+    sensor: Sensor = Sensor(),
 ) -> Report:
     """Compute PSFs over a range of object distances, on disk.
 
@@ -64,11 +61,6 @@ def stack(
         Number of distances, equally spaced in defocus.
     output
         Store to write, a folder .zarr.
-    camera
-        Camera with the pixel pitch: the name of an example, which `lommel examples --find camera` lists, or a file;
-        overrides the file.
-    pixel
-        Pixel pitch on the camera, such as 6.5um; overrides the file and the camera.
     shape
         Window in pixels, such as 65 or 64x128 (height x width); overrides the file.
 
@@ -79,7 +71,7 @@ def stack(
     near, far = between
     if not 0.0 < near < far:
         raise ValueError(f"--between must be two rising distances, got {near:g} and {far:g} metres")
-    instrument = instrument_of(lens, camera=camera, pixel=pixel, shape=shape)
+    instrument = instrument_of(lens, shape=shape, **vars(sensor))
     with np.errstate(divide="ignore"):
         distances = 1.0 / np.linspace(1.0 / near, 1.0 / far, count)
     distances[0], distances[-1] = near, far
@@ -159,7 +151,7 @@ class Computation(Options):
 
     def arguments(self) -> Facts:
         """Return the arguments of :func:`lommel.psf`."""
-        arguments = given(self) | {"method": build_method(self.method, self.settings)}
+        arguments = vars(self) | {"method": build_method(self.method, self.settings)}
         if any(setting.startswith("tol=") for setting in arguments.pop("settings")) and self.tol is not None:
             raise ValueError("tol is given twice, by --tol and by --set")
         return arguments
@@ -224,7 +216,7 @@ def psf(
     """
     options, write = computation.arguments(), partial(_write, outputs, figure, stretch)
     lens_only: Facts = {"field": field, "at": place, "colour": colour or None, "mtf": mtf or None}
-    microscope = microscope_of(lens, **lens_only, **given(air), **given(lens_options), **given(planes))
+    microscope = microscope_of(lens, **lens_only, **vars(air), **vars(lens_options), **vars(planes))
     if microscope is not None:
         window: Facts = {"shape": microscope.window, "pixel": microscope.pixel, "integrate": microscope.integrate}
         return write(
@@ -236,7 +228,7 @@ def psf(
             microscope.name,
             sections=microscope.planes > 1,
         )
-    instrument = instrument_of(lens, **given(lens_options))
+    instrument = instrument_of(lens, **vars(lens_options))
     options |= instrument.sensor_options
     if blur := air.blur(instrument.lens.focal_length):
         if field is not None or colour or mtf:
@@ -264,7 +256,7 @@ def psf(
 
     def describe(psfs: Any, seconds: float) -> Report:
         seen = [] if place is None else [f"{' and '.join(map(format_length, place))} from the middle of the sensor"]
-        seen += [f"{name} of {value:g} arcsec" for name, value in given(air).items() if value is not None]
+        seen += [f"{name} of {value:g} arcsec" for name, value in vars(air).items() if value is not None]
         if isinstance(psfs, PSFGrid) and not colour:
             report = optics.describe_field(instrument, psfs, seconds)
         elif colour:

@@ -8,9 +8,9 @@ from pathlib import Path
 from typing import Annotated
 
 from lommel.cli.command import OUTPUT, PLOT, command
+from lommel.cli.instruments import CameraNoise
 from lommel.cli.messages import report_findings
 from lommel.cli.output import progress, save_figure, written
-from lommel.cli.shared_options import CameraNoise
 from lommel.estimation import EFFORT
 from lommel.estimation.options import RetrieveOptions
 from lommel.report import Report, Wrapped
@@ -83,7 +83,7 @@ def retrieve(
             raise ValueError(f"--defocus must be given for {len(stars)} images: one number for each, such as -4 0 4")
         status("fitting")
         result = fit_stars(
-            Counts.of(stars, noise=noise, mask=camera.mask(stars), saturation=saturation),
+            Counts.of(stars, noise=noise, mask=camera.mask_of(stars), saturation=saturation),
             instrument.pupil(),
             pixel=instrument.side,
             noise=None,

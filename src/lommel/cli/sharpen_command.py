@@ -17,10 +17,9 @@ from lommel.base.arrays import Array, Values
 from lommel.base.encoding import from_light, warn_if_bright
 from lommel.base.options import Shown
 from lommel.cli.command import OUTPUT, command, filled
-from lommel.cli.instruments import radial_instrument
+from lommel.cli.instruments import FrameNoise, PhotoCamera, radial_instrument
 from lommel.cli.output import Steps, progress, require_folder, written
-from lommel.cli.photo_commands import DepthMap, Encoding, PhotoCamera, depth_facts, output_type
-from lommel.cli.shared_options import FrameNoise
+from lommel.cli.photo_commands import DepthMap, Encoding, depth_facts, output_type
 from lommel.cli.video_input import Coding, Stop, coding_of
 from lommel.imaging import DepthMapOptions, LiveSharpen, read_depth, read_photo, write_photo
 from lommel.imaging.blur import warn_of_depths
@@ -91,10 +90,8 @@ def sharpen(
     if (at is None) == (map_ is None):
         raise ValueError(f"give one of --at and --depth, got {'neither' if at is None else 'both'}")
     require_folder(output)
-    instrument = radial_instrument(lens, camera=clip_camera.camera, pixel=clip_camera.pixel)
-    lens_in_use = instrument.lens if clip_camera.f_number is None else instrument.lens.stopped(clip_camera.f_number)
-    focus = clip_camera.focus_distance
-    lens_in_use = lens_in_use if focus is None else lens_in_use.focused(focus)
+    instrument = radial_instrument(lens, **vars(clip_camera))
+    lens_in_use = instrument.lens
     count = 0
     with Stop().signals() as stop, progress("reading", endless=True) as status, ExitStack() as stack:
         coder = partial(coding_of, video_noise=video_noise, camera=instrument.camera, encoding=encoding)

@@ -15,8 +15,7 @@ import scipy
 
 from lommel.base.arrays import Values
 from lommel.base.encoding import from_light, to_light
-from lommel.cli.instruments import noise_of
-from lommel.cli.shared_options import FrameNoise
+from lommel.cli.instruments import FrameNoise, noise_of
 from lommel.recorded.noise import Noise
 from lommel.report import Facts
 

@@ -23,9 +23,9 @@ from lommel.base.options import In, Options, Shown
 from lommel.base.units import percent
 from lommel.cli.command import OUTPUT, command
 from lommel.cli.depth_commands import BETWEEN, PairCamera, each_lens, lens_facts, verdict_report
+from lommel.cli.instruments import FrameNoise
 from lommel.cli.messages import with_options
 from lommel.cli.output import Steps, progress, require_folder, written
-from lommel.cli.shared_options import FrameNoise
 from lommel.cli.video_input import Coding, Stop, coding_of, equalize_rows
 from lommel.imaging import LiveDepth
 from lommel.imaging.defocus_verdict import DefocusVerdict

@@ -47,7 +47,7 @@ class DepthMapOptions(Options):
     ----------
     scale : float, optional
         Metres per level of integers, such as 0.001. Floats are metres without a scale. A PFM file whose header states
-        a scale other than 1 requires `scale`, since programs disagree on the meaning of that number.
+        a scale other than 1 is refused without it, since programs disagree on the meaning of that number.
     inverse : (float, float), optional
         For a map that is linear in 1 / distance, such as the maps of phones and MiDaS: distances (metres) at the
         highest level (255, 65535 or 1.0) and at level 0; the second distance may be infinite.

@@ -15,6 +15,7 @@ from lommel.field.psf_grid import PSFGrid
 from lommel.lensfiles.instrument import Instrument, wide_enough
 from lommel.lensfiles.microscope_files import Microscope
 from lommel.measures.psf_like import PSFLike, checked
+from lommel.methods import ERFS, METHODS
 from lommel.optics.colour.spectrum import Channels
 from lommel.optics.pupil import checked as lens_pupil
 from lommel.psf import PSF
@@ -28,7 +29,7 @@ if TYPE_CHECKING:
 
     from lommel.report.image_quality import Place
 
-_MEANINGS = {**MEANING, **SAMPLING}
+_MEANINGS = {**MEANING, **SAMPLING, **{kind.__name__: name for name, kind in (METHODS | ERFS).items()}}
 _FIRST = ("strehl", "fwhm_with_pixel", "diameter_80_with_pixel", "mtf_at_nyquist_with_pixel", "in_focus", "rms_waves")
 
 

@@ -17,7 +17,7 @@ pytest.importorskip("av", reason="video needs PyAV: pip install av")
 import lommel as lm
 from lommel.base import encoding
 from lommel.base.encoding import from_light
-from lommel.cli import sharpen_command
+from lommel.cli import video_commands
 from lommel.io import videos
 from scenes import ThinLens, averaged, plane, record, texture
 from video_files import frames_of, write_video
@@ -116,7 +116,7 @@ def test_a_signal_leaves_a_whole_file_or_none(sent, folder, call_lommel, monkeyp
     write = videos.VideoWriter.__call__
     words = ["sharpen", "clip.mkv", "lens.toml", "--at", "1.5m", *DEEP, "-o", "o.mkv"]
     with monkeypatch.context() as patch:
-        patch.setattr(sharpen_command, "coding_of", lambda *_, **__: os.kill(os.getpid(), sent))
+        patch.setattr(video_commands, "coding_of", lambda *_, **__: os.kill(os.getpid(), sent))
         assert call_lommel(*words, folder=folder).returncode == 1
     assert sorted(folder.iterdir()) == before
 

@@ -22,7 +22,7 @@ pytest.importorskip("av", reason="video needs PyAV: pip install av")
 
 import lommel as lm
 from lommel.base.encoding import from_light, to_light
-from lommel.cli import video_input, watch_command
+from lommel.cli import video_commands
 from lommel.cli.instruments import FrameNoise
 from lommel.io import videos
 from scenes import ThinLens, plane, record, texture
@@ -88,7 +88,7 @@ def tables(monkeypatch: pytest.MonkeyPatch) -> None:
     """Make the tables of one level of light, once, and open no window."""
     for name in ("DISPLAY", "WAYLAND_DISPLAY"):
         monkeypatch.delenv(name, raising=False)
-    monkeypatch.setattr(watch_command, "LiveDepth", TABLES)
+    monkeypatch.setattr(video_commands, "LiveDepth", TABLES)
 
 
 def rows(path: Path) -> list[dict[str, float]]:
@@ -204,8 +204,8 @@ def test_brightness_that_rolls_over_the_frames_moves_no_depth(folder, call_lomme
     write_video(folder / "both.mkv", frames)
     words = ["watch", *SCENE, *DEEP, "--source", "both.mkv", "--alternating", "--depth", "d.mkv", "--depth", "s.mkv"]
     scatter = []
-    for equalize in (video_input.equalize_rows, lambda *given: given[:2]):
-        monkeypatch.setattr(watch_command, "equalize_rows", equalize)
+    for equalize in (video_commands.equalize_rows, lambda *given: given[:2]):
+        monkeypatch.setattr(video_commands, "equalize_rows", equalize)
         assert call_lommel(*words, folder=folder).returncode == 0
         depth, errors = (1e-4 * frames_of(folder / name)[0] for name in ("d.mkv", "s.mkv"))
         z = [
@@ -219,7 +219,7 @@ def test_brightness_that_rolls_over_the_frames_moves_no_depth(folder, call_lomme
 @pytest.mark.parametrize("kind", [np.uint16, np.float32])
 def test_frames_are_made_even_in_brightness_row_by_row(kind):
     given = FrameNoise(white=65535.0, read=3.0, offset=100 / 65535)
-    coding = video_input.coding_of(65536 if kind == np.uint16 else 0, np.dtype(kind), "linear", given, None, None)
+    coding = video_commands.coding_of(65536 if kind == np.uint16 else 0, np.dtype(kind), "linear", given, None, None)
     scale = 1.0 if kind == np.uint16 else 65535.0
     draw = np.random.default_rng(0)
     first = draw.uniform(2000.0, 4000.0, (120, 200))
@@ -229,7 +229,7 @@ def test_frames_are_made_even_in_brightness_row_by_row(kind):
     frames = [((each + 100.0) / scale).clip(0, 65535 / scale) for each in (first, second)]
     if kind == np.uint16:
         frames = [np.nan_to_num(each, nan=65535.0) for each in frames]
-    even = video_input.equalize_rows(*(each.astype(kind) for each in frames), coding)
+    even = video_commands.equalize_rows(*(each.astype(kind) for each in frames), coding)
     light = [each * scale - 100.0 for each in even]
     assert np.isnan(light[1][60, 50]) if kind == np.uint16 else light[1][60, 50] > 1000.0
     assert np.isnan(light[0][30, 20])
@@ -253,13 +253,13 @@ def test_pixels_at_white_are_full_in_srgb_too(folder, call_lommel):
 @pytest.mark.parametrize("white", [2000.0, 40_000.0])
 def test_noise_of_stored_levels_is_that_of_photons_read_noise_and_rounding(encoding, white):
     draw = np.random.default_rng(0)
-    gain, read = video_input.stored_noise(white, 5.0, 256, encoding)
+    gain, read = video_commands.stored_noise(white, 5.0, 256, encoding)
     for light in (0.1, 0.3, 0.6):
         electrons = draw.poisson(white * np.linspace(light, 1.05 * light, 50_000)) + draw.normal(0.0, 5.0, 50_000)
         stored = from_light(electrons / white, encoding, np.uint8)
         found = to_light("values", stored, encoding, np.float64) - np.linspace(light, 1.05 * light, 50_000)
         assert (light * gain + read**2) / gain**2 == pytest.approx(found.var(), rel=0.12)
-    assert video_input.stored_noise(white, 5.0, 0, encoding) == (white, 5.0)
+    assert video_commands.stored_noise(white, 5.0, 0, encoding) == (white, 5.0)
 
 
 def test_a_black_frame_is_told_and_counted_and_the_stream_goes_on(folder, call_lommel):
@@ -286,7 +286,7 @@ SIGNALS = [signal.SIGINT, signal.SIGTERM, signal.SIGHUP]
 def test_a_signal_while_a_frame_is_written_leaves_whole_files(sent, folder, call_lommel, monkeypatch):
     write_video(folder / "near.mkv", shots()[0::2] * 20)
     write_video(folder / "far.mkv", shots()[1::2] * 20)
-    write, calls = watch_command.Outputs.__call__, []
+    write, calls = video_commands.Outputs.__call__, []
 
     def interrupted(self, seen):
         calls.append(seen.time)
@@ -295,7 +295,7 @@ def test_a_signal_while_a_frame_is_written_leaves_whole_files(sent, folder, call
                 os.kill(os.getpid(), sent)
         return write(self, seen)
 
-    monkeypatch.setattr(watch_command.Outputs, "__call__", interrupted)
+    monkeypatch.setattr(video_commands.Outputs, "__call__", interrupted)
     result = call_lommel("watch", *SCENE, *DEEP, *TWO, "-o", "out.mp4", "--table", "found.csv", folder=folder)
     assert result.returncode == 0
     assert re.search(r"ended +interrupted\n", result.stdout)
@@ -311,10 +311,10 @@ def test_a_signal_before_the_first_frame_leaves_no_file(sent, folder, call_lomme
         os.kill(os.getpid(), sent)
         raise AssertionError("the command goes on")
 
-    monkeypatch.setattr(watch_command, "LiveDepth", interrupted)
+    monkeypatch.setattr(video_commands, "LiveDepth", interrupted)
     result = call_lommel("watch", *SCENE, *DEEP, *TWO, "-o", "out.mkv", "--table", "found.csv", folder=folder)
     assert (result.returncode, result.stderr.strip()) == (1, "Aborted!")
-    monkeypatch.setattr(watch_command, "LiveDepth", TABLES)
+    monkeypatch.setattr(video_commands, "LiveDepth", TABLES)
     monkeypatch.setattr(videos.FramePairs, "__next__", interrupted)
     result = call_lommel("watch", *SCENE, *DEEP, *TWO, "-o", "out.mkv", "--table", "found.csv", folder=folder)
     assert (result.returncode, result.stderr.strip()) == (1, "Aborted!")
@@ -324,13 +324,13 @@ def test_a_signal_before_the_first_frame_leaves_no_file(sent, folder, call_lomme
 def test_nohup_goes_on_when_the_terminal_is_closed(folder, call_lommel, monkeypatch):
     old = signal.signal(signal.SIGHUP, signal.SIG_IGN)
     try:
-        write = watch_command.Outputs.__call__
+        write = video_commands.Outputs.__call__
 
         def hung_up(self, seen):
             os.kill(os.getpid(), signal.SIGHUP)
             return write(self, seen)
 
-        monkeypatch.setattr(watch_command.Outputs, "__call__", hung_up)
+        monkeypatch.setattr(video_commands.Outputs, "__call__", hung_up)
         result = call_lommel("watch", *SCENE, *DEEP, *TWO, "--table", "found.csv", folder=folder)
     finally:
         signal.signal(signal.SIGHUP, old)
@@ -339,7 +339,7 @@ def test_nohup_goes_on_when_the_terminal_is_closed(folder, call_lommel, monkeypa
 
 
 def test_a_second_ctrl_c_ends_at_once_and_names_what_is_kept(folder, call_lommel, monkeypatch):
-    write = watch_command.Outputs.__call__
+    write = video_commands.Outputs.__call__
 
     def interrupted(self, seen):
         closed = write(self, seen)
@@ -347,7 +347,7 @@ def test_a_second_ctrl_c_ends_at_once_and_names_what_is_kept(folder, call_lommel
             os.kill(os.getpid(), signal.SIGINT)
         return closed
 
-    monkeypatch.setattr(watch_command.Outputs, "__call__", interrupted)
+    monkeypatch.setattr(video_commands.Outputs, "__call__", interrupted)
     result = call_lommel("watch", *SCENE, *DEEP, *TWO, "-o", "out.mkv", "--table", "found.csv", folder=folder)
     assert result.returncode == 1
     kept = ["found.unfinished.csv", "out.unfinished.mkv"]
@@ -426,7 +426,7 @@ def test_a_killed_process_leaves_all_rows_and_all_frames_but_the_last(folder):
 
 
 def test_a_camera_that_is_unplugged_ends_with_what_was_written_and_exit_code_3(folder, call_lommel, monkeypatch):
-    write, written = watch_command.Outputs.__call__, []
+    write, written = video_commands.Outputs.__call__, []
 
     class Camera:
         live, levels, grey, bits, interval = True, 256, False, None, 0.005
@@ -447,7 +447,7 @@ def test_a_camera_that_is_unplugged_ends_with_what_was_written_and_exit_code_3(f
         written.append(seen)
         return write(self, seen)
 
-    monkeypatch.setattr(watch_command.Outputs, "__call__", counted)
+    monkeypatch.setattr(video_commands.Outputs, "__call__", counted)
     monkeypatch.setattr(videos, "_CameraReader", Camera)
     result = call_lommel("watch", *SCENE, *STATED, "--source", 0, "--source", 1, "-o", "out.mkv", folder=folder)
     assert result.returncode == 3

@@ -150,9 +150,7 @@ def deconvolve(
             if zarr_output is None:
                 report_progress("writing")
                 result.save(*outputs)
-            if figure is not None:
-                report_progress("drawing")
-                save_figure(result.plot(), figure)
+            save_figure(result.plot, figure)
     except KeyboardInterrupt:
         if zarr_output is not None:
             print("Interrupted: completed chunks are kept, and the same command resumes.", file=sys.stderr)

@@ -269,7 +269,8 @@ def compare(
                 if row["method"] not in answers and row["method"] != reference:
                     reason = _reason(row) or f"{SAMPLING[row['sampling']]}, unlike the reference"
                     left_out.setdefault(reason, []).append(_command_line_name(row["method"]))
-            save_figure(plot.compare(answers_by_name, _command_line_name(reference), left_out), figure)
+            drawn = plot.compare(answers_by_name, _command_line_name(reference), left_out)
+            save_figure(lambda: drawn, figure)
     other_model_facts = other_model(instrument)
     notes = []
     for row in rows:

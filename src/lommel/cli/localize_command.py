@@ -23,7 +23,6 @@ from lommel.localize.movie_fits import movie_blocks
 from lommel.recorded.frames import open_frames
 from lommel.report import Facts, Parts, Report, Wrapped
 from lommel.report.table import described
-from lommel.show.drawing import figure_of
 
 _Z_RANGES = {"z": (-0.7e-6, 0.7e-6), "depth": (0.0, 1e-6)}
 _SIDE = 15  # rows and columns of the boxes that are fitted
@@ -121,8 +120,7 @@ def localize(
                 write(part)
                 parts.append(part if figure is not None else _keep_report_columns(part))
     molecules_found = joined(parts)
-    if figure is not None:
-        save_figure(figure_of(molecules_found.plot()), figure)
+    save_figure(molecules_found.plot, figure)
     recorded, _ = camera.recorded(lens, microscope.camera, noise)
     facts: Facts = {"movie": str(movie), "name": microscope.name, "source": microscope.source}
     facts |= {"aberrations": microscope.aberrations is not None, "noise": recorded} | molecules_found.to_dict()

@@ -17,6 +17,7 @@ from lommel.base.validation import line, shown
 from lommel.report import Report
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
     from rich.progress import Progress
 
@@ -132,6 +133,9 @@ def require_file(path: Path | None, suffix: str, option: str = "--output") -> No
         require_folder(path)
 
 
-def save_figure(figure: Figure, path: Path) -> None:
-    """Write a figure."""
-    atomic.write(path, atomic.contents(figure.savefig, format=figure_format(path), dpi=150))
+def save_figure(draw: Callable[[], Figure | Axes], path: Path | None) -> None:
+    """Write what a function draws, if there is a path."""
+    if path is not None:
+        figure = draw().get_figure(root=True)
+        assert figure is not None
+        atomic.write(path, atomic.contents(figure.savefig, format=figure_format(path), dpi=150))

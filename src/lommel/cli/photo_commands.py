@@ -1,4 +1,4 @@
-"""The commands ``lommel blur`` (depth of field) and ``lommel restore`` (deblurring)."""
+"""The commands on photographs: ``blur``, ``restore``, ``depth`` (from defocus) and ``precision`` (its bound)."""
 
 from __future__ import annotations
 
@@ -16,56 +16,58 @@ from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from lommel.base.arrays import Values
-from lommel.base.options import Shown
-from lommel.cli.command import OUTPUT, command, filled
-from lommel.cli.instruments import MaskedPhotoNoise, PhotoCamera, instrument_of, mask_of, noise_of, radial_instrument
-from lommel.cli.messages import given_flags, with_options
-from lommel.cli.output import progress, written
-from lommel.imaging import (
-    BlurOptions,
-    DatasetOptions,
-    DepthMapOptions,
-    LensRanges,
-    OnePass,
-    Photograph,
-    Rendered,
-    RestoreOptions,
-    RichardsonLucy,
-    TotalVariation,
-    depth_of_field,
-    field_photograph,
-    read_depth,
-    read_photo,
-    render_dataset,
-    write_photo,
+from lommel import imaging
+from lommel.base.arrays import Values, plain
+from lommel.base.encoding import to_light
+from lommel.base.options import In, Shown
+from lommel.cli.command import OUTPUT, PLOT, command, filled
+from lommel.cli.instruments import (
+    MaskedPhotoNoise,
+    PhotoCamera,
+    Sensor,
+    instrument_of,
+    mask_of,
+    noise_of,
+    radial_instrument,
 )
-from lommel.imaging import restore as restored
+from lommel.cli.messages import given_flags, with_options
+from lommel.cli.output import progress, save_figure, written
+from lommel.estimation.depth_precision import CONTRAST, WINDOW, best_depth_foci, depth_precision
 from lommel.imaging.field_blur import FieldPhotographOptions
+from lommel.io import photos as photo_files
 from lommel.io.depth_maps import fill_missing
-from lommel.io.photos import find
 from lommel.io.registry import suffixes
+from lommel.lensfiles.instrument import Instrument
 from lommel.optics.lens import Lens
 from lommel.recorded.noise import Noise
 from lommel.report import Facts, Report, Wrapped, finite
-from lommel.report.table import told
+from lommel.report.table import described, records_of, told
+from lommel.show import estimates
 
 if TYPE_CHECKING:
+    from lommel.imaging.defocus_depth import DefocusDepth
+    from lommel.imaging.defocus_verdict import DefocusVerdict
     from lommel.imaging.photograph import Pixels
 
 _TOLERANCE = 0.02  # largest relative difference from the EXIF, which has rounded nominal values
 Encoding = Literal["srgb", "linear"]
+_READ = 3.0  # default read noise, rms electrons, without a camera
+_ROWS, _POINTS = 11, 121  # numbers of distances in the table and in the figure
+
+
+BETWEEN = Shown(length="m", metavar="NEAR FAR")
+"""Form of the nearest and the farthest distance."""
 
 
 @dataclass(frozen=True, kw_only=True)
-class DepthMap(DepthMapOptions):
+class DepthMap(imaging.DepthMapOptions):
     """Meaning of the values of a depth map."""
 
     heading: ClassVar[str] = "Depth map"
 
 
 @dataclass(frozen=True, kw_only=True)
-class DataSet(DatasetOptions):
+class DataSet(imaging.DatasetOptions):
     """Options for a data set instead of a single photograph.
 
     Parameters
@@ -83,12 +85,12 @@ class DataSet(DatasetOptions):
     white: float | None = None
     read: float | None = None
 
-    def options(self, depth: DepthMapOptions) -> DatasetOptions:
+    def options(self, depth: imaging.DepthMapOptions) -> imaging.DatasetOptions:
         """Return the options of :func:`lommel.imaging.render_dataset`."""
         if self.white is None and self.read is not None:
             raise ValueError("--read needs --white, the electrons at white")
         noise = None if self.white is None else Noise(white=self.white, read=self.read or 0.0)
-        return DatasetOptions(
+        return imaging.DatasetOptions(
             copies=self.copies, workers=self.workers, noise=noise, depth_options=depth, on_error="skip"
         )
 
@@ -114,7 +116,7 @@ def blur(
     batch: bool = False,
     camera_options: PhotoCamera = PhotoCamera(),
     depth_map: DepthMap = DepthMap(),
-    blurring: BlurOptions = BlurOptions(),
+    blurring: imaging.BlurOptions = imaging.BlurOptions(),
     data: DataSet = DataSet(),
 ) -> Report:
     """Blur a photo by its depth map or over a lens field.
@@ -161,12 +163,12 @@ def blur(
     if batch:
         return _render(output, (photo, depth, lens), camera_options, depth_map, data)
     _refuse_others(vars(DataSet()), "is an option for data sets, and needs --batch")
-    find(output, "--output")
+    photo_files.find(output, "--output")
     with terminated_as_interrupted(), progress("reading") as status:
         job = Job((photo, depth, lens), output, encoding, camera_options, depth_map)
         status("computing PSFs")
         start = time.perf_counter()
-        rendered = depth_of_field(
+        rendered = imaging.depth_of_field(
             job.photograph.light(),
             job.filled_depth,
             job.lens,
@@ -187,7 +189,7 @@ def _refuse_others(names: Iterable[str], reason: str) -> None:
             raise ValueError(f"{flag} {reason}")
 
 
-def _errors(rendered: Rendered, clipped: float) -> Facts:
+def _errors(rendered: imaging.Rendered, clipped: float) -> Facts:
     """Return interpolation error, window and clipped fraction of a photograph."""
     facts = {"largest_window": rendered.window, "light_beyond_windows": rendered.lost}
     return facts | {"interpolation_error": rendered.error, "clipped": clipped}
@@ -197,13 +199,13 @@ def _render(
     folder: Path,
     files: tuple[Path, Path, Path | None],
     camera: PhotoCamera,
-    depth_map: DepthMapOptions,
+    depth_map: imaging.DepthMapOptions,
     data: DataSet,
 ) -> Report:
     """Render a data set into a folder, from folders of photos and of depth maps and from a file of lenses."""
     photos, depths, lens = files
     _refuse_others(
-        {"camera", "encoding", *vars(BlurOptions())},
+        {"camera", "encoding", *vars(imaging.BlurOptions())},
         "is an option for a single photo; it cannot be combined with --batch",
     )
     lenses = _lenses(lens, camera)
@@ -213,7 +215,9 @@ def _render(
     rendered_facts: list[Facts] = []
     try:
         with progress("reading") as status:
-            pictures = render_dataset(photos, depths, folder, lenses, seed=data.seed, options=data.options(depth_map))
+            pictures = imaging.render_dataset(
+                photos, depths, folder, lenses, seed=data.seed, options=data.options(depth_map)
+            )
             for picture in pictures:
                 finished, total = picture.done, picture.total
                 if picture.failure is None:
@@ -241,7 +245,7 @@ def _render(
     return told(facts, succeeded=not failed)
 
 
-def _lenses(file: Path | None, camera: PhotoCamera) -> LensRanges:
+def _lenses(file: Path | None, camera: PhotoCamera) -> imaging.LensRanges:
     """Return the lenses of a file, whose values options override."""
     from lommel.lensfiles.lens_files import load_lens_ranges
 
@@ -249,7 +253,7 @@ def _lenses(file: Path | None, camera: PhotoCamera) -> LensRanges:
         raise ValueError("LENS is missing: give a file with the lens, or with ranges from which lenses are drawn")
     values = {name: getattr(camera, name) for name in ("f_number", "focus_distance", "pixel")}
     overrides = {name: value for name, value in values.items() if value is not None}
-    return LensRanges(**{**vars(load_lens_ranges(file)), **overrides})
+    return imaging.LensRanges(**{**vars(load_lens_ranges(file)), **overrides})
 
 
 _FIELD_OPTIONS = {"output", "over_field", "camera", "pixel", "encoding", "tol"}
@@ -261,7 +265,7 @@ def _through_field(
     output: Path,
     encoding: Encoding | None,
     camera_options: PhotoCamera,
-    blurring: BlurOptions,
+    blurring: imaging.BlurOptions,
 ) -> Report:
     """Render a photograph through the lens of a file: blur over its field, distortion, lateral colour, shading."""
     path, other = files
@@ -269,9 +273,9 @@ def _through_field(
     for name, flag in stated.items():
         if name not in _FIELD_OPTIONS:
             raise ValueError(f"{flag} cannot be combined with --over-field, which takes PHOTO and the lens file")
-    find(output, "--output")
+    photo_files.find(output, "--output")
     with terminated_as_interrupted(), progress("reading") as status:
-        photograph = read_photo(photo, encoding)
+        photograph = imaging.read_photo(photo, encoding)
         light = photograph.light()
         instrument = instrument_of(path)
         field = instrument.field()
@@ -285,9 +289,9 @@ def _through_field(
         status("computing PSFs and blurring")
         start = time.perf_counter()
         tol = FieldPhotographOptions(tol=blurring.tol) if "tol" in stated else None
-        rendered = field_photograph(light, field, pitch, encoding="linear", options=tol)
+        rendered = imaging.field_photograph(light, field, pitch, encoding="linear", options=tol)
         seconds = time.perf_counter() - start
-        clipped = write_photo(output, rendered.values, encoding=stored_as, dtype=dtype, like=photograph)
+        clipped = imaging.write_photo(output, rendered.values, encoding=stored_as, dtype=dtype, like=photograph)
     height, width = light.shape[:2]
     x, y = (0.5 * (side - 1) * pitch for side in (width, height))
     shift = math.hypot(*(float(part) for part in field.displacement(x, y))) / pitch
@@ -302,7 +306,11 @@ def _through_field(
     return told(facts) + written([output])
 
 
-_METHODS = {"richardson-lucy": RichardsonLucy, "total-variation": TotalVariation, "one-pass": OnePass}
+_METHODS = {
+    "richardson-lucy": imaging.RichardsonLucy,
+    "total-variation": imaging.TotalVariation,
+    "one-pass": imaging.OnePass,
+}
 METHOD = Shown(("--method",))
 
 
@@ -317,7 +325,7 @@ def restore(
     output: Annotated[Path, OUTPUT],
     encoding: Encoding | None = None,
     algorithm: Annotated[Literal["richardson-lucy", "total-variation", "one-pass"], METHOD] = "richardson-lucy",
-    restoring: RestoreOptions = RestoreOptions(),
+    restoring: imaging.RestoreOptions = imaging.RestoreOptions(),
     noise_options: MaskedPhotoNoise = MaskedPhotoNoise(),
     camera_options: PhotoCamera = PhotoCamera(),
     depth_map: DepthMap = DepthMap(),
@@ -351,7 +359,7 @@ def restore(
       lommel restore photo.tif depth.tif phone.toml --white 5000 --read 3 -o sharp.tif
       lommel restore photo.tif depth.tif phone.toml --white 5000 --read 3 --method total-variation -o sharp.png
     """
-    find(output, "--output")
+    photo_files.find(output, "--output")
     with terminated_as_interrupted(), progress("reading") as status:
         job = Job((photo, depth, lens), output, encoding, camera_options, depth_map)
         values = job.photograph.values
@@ -363,7 +371,7 @@ def restore(
             elapsed = time.perf_counter() - start
             status(f"step {step}, discrepancy {discrepancy:.3g}", elapsed / max(elapsed + remaining, 1e-9))
 
-        result = restored(
+        result = imaging.restore(
             values,
             job.filled_depth,
             job.lens,
@@ -415,13 +423,13 @@ class Job:
         output: Path,
         encoding: Encoding | None,
         stated: PhotoCamera,
-        depth_map: DepthMapOptions,
+        depth_map: imaging.DepthMapOptions,
     ) -> None:
         self._photo, depth, lens = files
         self._output, self._encoding = output, encoding
-        self.photograph = read_photo(self._photo, encoding)
+        self.photograph = imaging.read_photo(self._photo, encoding)
         shape = self.photograph.values.shape
-        self._depth = read_depth(depth, shape=shape, options=replace(depth_map, missing=None))
+        self._depth = imaging.read_depth(depth, shape=shape, options=replace(depth_map, missing=None))
         self.filled_depth = fill_missing(self._depth, depth_map.missing)
         self.camera = stated.camera
         pixel = stated.pixel if stated.pixel is not None or self.camera is None else self.camera.side
@@ -443,7 +451,7 @@ class Job:
         self.lens = optics if stated.focus_distance is None else optics.focused(stated.focus_distance)
         self.pixel = pixel
         self._dtype, self._stored_as = output_type(self.photograph, output)
-        find(output, "--output", holding=f"of {self._dtype}")
+        photo_files.find(output, "--output", holding=f"of {self._dtype}")
 
     def _lens_of_exif(self, f_number: float | None) -> Lens:
         """Return a lens with the data of the EXIF, focused at infinity."""
@@ -462,7 +470,9 @@ class Job:
 
     def write(self, light: Values) -> float:
         """Write the result and return the clipped fraction of its values."""
-        return write_photo(self._output, light, encoding=self._stored_as, dtype=self._dtype, like=self.photograph)
+        return imaging.write_photo(
+            self._output, light, encoding=self._stored_as, dtype=self._dtype, like=self.photograph
+        )
 
     def report(self, facts: Facts, points: int = 1) -> Report:
         """Return the report: facts of the command, after those common to all commands.
@@ -484,7 +494,7 @@ class Job:
         return told(common | depth_facts(self._depth) | facts) + written([self._output])
 
 
-def read_as(photograph: Photograph, encoding: str | None) -> str:
+def read_as(photograph: imaging.Photograph, encoding: str | None) -> str:
     """Return a description of the encoding of a photograph, as `encoding` or assumed."""
     kind = "float" if photograph.values.dtype.kind == "f" else f"{8 * photograph.values.dtype.itemsize}-bit"
     names = {"srgb": "sRGB", "linear": "linear"}
@@ -494,7 +504,7 @@ def read_as(photograph: Photograph, encoding: str | None) -> str:
     return f"{kind} values, assumed {names[photograph.encoding]}; if they are {names[other]}, give --encoding {other}"
 
 
-def output_type(photograph: Photograph, output: Path) -> tuple[np.dtype[np.generic], str]:
+def output_type(photograph: imaging.Photograph, output: Path) -> tuple[np.dtype[np.generic], str]:
     """Return the type and the encoding of the output, as in the photo if the format can store them."""
     kind, suffix = photograph.values.dtype, output.suffix.lower()
     dtype: np.dtype[np.generic] = kind
@@ -504,3 +514,248 @@ def output_type(photograph: Photograph, output: Path) -> tuple[np.dtype[np.gener
         dtype = np.dtype(np.float32 if suffix in (".tif", ".tiff") else np.uint16)
     # Values of the same kind keep their encoding; others get the encoding that readers assume for them.
     return dtype, photograph.encoding if (dtype.kind == "f") == (kind.kind == "f") else "srgb"
+
+
+@dataclass(frozen=True, kw_only=True)
+class PairCamera(Sensor):
+    """Lens settings and camera of images that differ in focus or aperture.
+
+    Parameters
+    ----------
+    foci
+        Focus distance from the lens, not from the sensor, such as 1.35m: once for all images, or repeated for each;
+        overrides the lens file.
+    f_numbers
+        F-number: once for all images, or repeated for each; overrides the lens file.
+    """
+
+    foci: Annotated[tuple[float, ...], Shown(("--focus",), length="m")] = ()
+    f_numbers: Annotated[tuple[float, ...], Shown(("--f-number",))] = ()
+
+    def instrument(self, lens: Path) -> Instrument:
+        """Return the instrument of a lens file with this camera and pixel pitch."""
+        return radial_instrument(lens, "depth from defocus", camera=self.camera, pixel=self.pixel)
+
+
+def each_lens(
+    lens: Lens, count: int, foci: tuple[float, ...], f_numbers: tuple[float, ...], images: str = "photos"
+) -> list[Lens]:
+    """Return the lens of each photo."""
+    for name, numbers in (("--focus", foci), ("--f-number", f_numbers)):
+        if len(numbers) not in (0, 1, count):
+            raise ValueError(f"{name} must be given once, or for each of {count} {images}, got {len(numbers)}")
+    if count < 2:
+        raise ValueError("PHOTOS must be two or more: in a single photo blur looks like smooth texture; got 1")
+    lenses = [lens.stopped(stop) for stop in f_numbers] or [lens]
+    lenses *= count // len(lenses)
+    if foci:
+        lenses = [copy.focused(focus) for copy, focus in zip(lenses, foci * (count // len(foci)), strict=True)]
+    return lenses
+
+
+def lens_facts(lenses: list[Lens]) -> Facts:
+    """Return focus distances and f-numbers of several frames."""
+    return {
+        "focus_distances": [finite(lens.focus_distance) for lens in lenses],
+        "f_numbers": [lens.f_number for lens in lenses],
+        "focal_length": lenses[0].focal_length,
+    }
+
+
+def verdict_report(verdict: DefocusVerdict) -> Report:
+    """Return the report of the test of lenses and noise, and of the parts that could not be tested."""
+    untested_finding = verdict.findings.get("untested")
+    facts = verdict.to_dict()
+    del facts["misfit"]  # commands report their own misfit
+    facts |= {"agrees": verdict.agrees, "untested": untested_finding and untested_finding.numbers["what"]}
+    lines = [] if math.isnan(verdict.misfit) else [verdict.summary]
+    lines += [finding.text for finding in verdict.findings]
+    return Report(facts, [*map(with_options, lines)], verdict.converged)
+
+
+@command
+@filled(depths=suffixes("depth map"), photos=suffixes("photo"))
+def depth(
+    photos: list[Path],
+    lens: Path,
+    /,
+    *,
+    between: Annotated[tuple[float, float], BETWEEN],
+    outputs: Annotated[tuple[Path, ...], OUTPUT] = (),
+    sharp: Annotated[Path | None, Shown(metavar="FILE", writes=True)] = None,
+    figure: Annotated[Path | None, PLOT] = None,
+    encoding: Literal["srgb", "linear"] | None = None,
+    cameras: PairCamera = PairCamera(),
+    options: imaging.DefocusOptions = imaging.DefocusOptions(),
+    photo_noise: MaskedPhotoNoise = MaskedPhotoNoise(),
+) -> Report:
+    """Estimate a depth map from photos (depth from defocus).
+
+    PHOTOS are two or more PNG, JPEG or TIFF files of one size, taken from the same place with different focus or
+    aperture, neither denoised nor sharpened. LENS is a lens file. Areas without texture have no depth: NaN, with an
+    infinite standard error.
+
+    Parameters
+    ----------
+    between
+        Nearest and farthest distance to search, such as 1m 3m or 1m inf.
+    outputs
+        Depth map in metres; given a second time, its standard error: {depths}.
+    sharp
+        All-in-focus image, encoded as PHOTOS: {photos}.
+    figure
+        Figure of depth map, standard error and all-in-focus image: .png, .pdf or .svg.
+    encoding
+        Encoding of the photos' values; by default integers are sRGB and floats are linear.
+    mask
+        Image that is not 0 at pixels to ignore; one for all photos, or one for each.
+
+    Examples
+    --------
+      lommel depth near.tif far.tif phone.toml --focus 1.3m --focus 2m --between 1m 3m --white 5000 --read 3 -o d.tif
+    """
+    if len(outputs) > 2:
+        raise ValueError(f"--output takes the depth map and its standard error, got {len(outputs)} files")
+    for path in outputs:
+        photo_files.find_depth(path, "--output")
+    if sharp is not None:
+        photo_files.find(sharp, "--sharp")
+    instrument = cameras.instrument(lens)
+    noise = noise_of(vars(photo_noise), instrument.camera, photographs=True)
+    lenses = each_lens(instrument.lens, len(photos), cameras.foci, cameras.f_numbers)
+    with progress("reading") as status:
+        pictures = [imaging.read_photo(path, encoding) for path in photos]
+        if len({(picture.values.dtype, picture.encoding) for picture in pictures}) > 1:
+            raise ValueError("the photos must have one type and one encoding; give --encoding or convert them")
+        images = apply_mask([picture.values for picture in pictures], photo_noise.mask)
+        status("computing the PSFs of every distance")
+        start = time.perf_counter()
+        estimate = imaging.depth_from_defocus(
+            images,
+            lenses,
+            instrument.side,
+            encoding=pictures[0].encoding,
+            noise=noise,
+            between=between,
+            progress=lambda finished, tiles: status(f"tile {finished} of {tiles}", finished / tiles),
+            options=options,
+        )
+        seconds = time.perf_counter() - start
+        status("comparing the blur with the blur of other apertures")
+        estimate.verdict  # noqa: B018 (computed here, and kept)
+        for path, values in zip(outputs, (estimate.depth, estimate.errors), strict=False):
+            imaging.write_depth(path, values)
+        if sharp is not None:
+            _write_sharp(sharp, estimate, pictures[0])
+        save_figure(estimate.plot, figure)
+    facts = estimate.to_dict() | lens_facts(lenses) | {"seconds": seconds, "pixel": instrument.side}
+    facts["read"] = read_as(pictures[0], encoding)
+    none = "no depth found: the photos have no texture, or all of it is out of range"
+    text = [none] if facts["depth"] is None else []
+    return told(facts) + Report({}, text) + verdict_report(estimate.verdict) + written([*outputs, sharp, figure])
+
+
+def _write_sharp(path: Path, estimate: DefocusDepth, photo: imaging.Photograph) -> None:
+    """Write the all-in-focus image in the type and encoding of `photo` if the format can store them."""
+    image = to_light("sharp", estimate.sharp, estimate.encoding, np.float32)
+    dtype, encoding = output_type(photo, path)
+    imaging.write_photo(path, image, encoding=encoding, dtype=dtype)
+
+
+@command
+def precision(
+    lens: Path,
+    /,
+    *,
+    foci: Annotated[tuple[float, ...], Shown(("--focus",), length="m")],
+    photons: Annotated[float, In(above=0.0)],
+    pair: float | None = None,
+    best: bool = False,
+    f_number: float | None = None,
+    between: Annotated[tuple[float, float] | None, BETWEEN] = None,
+    read: float | None = None,
+    figure: Annotated[Path | None, PLOT] = None,
+    sensor: Sensor = Sensor(),
+) -> Report:
+    """Compute the achievable depth precision (Cramer-Rao bound).
+
+    The bound is the least standard error of the distance of a textured surface, estimated from photos with
+    different focus. It assumes a random texture with the power spectrum of natural scenes, and holds for every
+    unbiased estimator without knowledge of the texture; strong edges allow better precision. Use it to choose
+    aperture, focus distances and exposure before taking the photos.
+
+    Parameters
+    ----------
+    foci
+        Focus distance, such as 1.5m; repeat for each photo (two or more), or give once with --pair or --best.
+    photons
+        Mean signal per pixel, in detected photons (electrons).
+    pair
+        Two photos, one focused this many dioptres (1/m) nearer than --focus, the other that many farther.
+    best
+        Find the two focus distances that give the best precision for a surface at --focus.
+    f_number
+        F-number; overrides the lens file.
+    between
+        Nearest and farthest distance to list; by default around the focus distances.
+    read
+        Read noise, rms electrons; by default from the camera, or 3.
+    figure
+        Figure of the standard error against the distance: .png, .pdf or .svg.
+
+    Examples
+    --------
+      lommel precision phone.toml --focus 1.5m --pair 0.1 --photons 1e4 --plot precision.png
+      lommel precision nifty-fifty.toml --focus 1.5m --best --f-number 4 --photons 5000
+      lommel precision phone.toml --focus 1.35m --focus 1.8m --photons 1e4 --between 1.2m 2.5m
+    """
+    if (pair is not None) + best + (len(foci) > 1) != 1:
+        raise ValueError("give --focus twice or more, or --focus once with --pair or with --best")
+    instrument = instrument_of(lens, **vars(sensor))
+    if read is None:
+        read = _READ if instrument.camera is None or instrument.camera.read is None else instrument.camera.read
+    lens_in_use = instrument.lens if f_number is None else instrument.lens.stopped(f_number)
+    noise = Noise(white=photons, read=read)
+    start = time.perf_counter()
+    if best:
+        lenses = list(best_depth_foci(lens_in_use, foci[0], instrument.side, noise=noise))
+    elif pair is not None:
+        lenses = _lens_pair(lens_in_use, foci[0], pair)
+    else:
+        lenses = [lens_in_use.focused(focus) for focus in foci]
+    nearest, *_, farthest = sorted(photo.focus_distance for photo in lenses)
+    # The default range is from a little nearer than the nearest focus to a little farther than the farthest.
+    near, far = between or (0.85 * nearest, 1.2 * farthest if math.isfinite(farthest) else 4.0 * nearest)
+    if not 0.0 < near < far:
+        raise ValueError(f"--between must be the nearest and the farthest distance, got {near:g} m and {far:g} m")
+    distance = np.geomspace(near, far, _ROWS if figure is None else _POINTS)
+    errors = np.asarray(depth_precision(lenses, distance, instrument.side, noise=noise))
+    seconds = time.perf_counter() - start
+    if figure is not None:
+        title = f"{instrument.name}\nf/{lens_in_use.f_number:.3g}, {photons:g} electrons a pixel"
+        axes = estimates.precision(distance, {"": errors}, title, [photo.focus_distance for photo in lenses])
+        save_figure(lambda: axes, figure)
+    facts = {
+        "focus_distances": [finite(photo.focus_distance) for photo in lenses],
+        "f_number": lens_in_use.f_number,
+        "distance": distance.tolist(),
+        "errors": plain(errors),
+        "seconds": seconds,
+    }
+    rows = [
+        {"distance": float(distance[k]), "standard_error": float(errors[k])}
+        for k in np.linspace(0, len(distance) - 1, _ROWS).round().astype(int)
+    ]
+    setting = {name: facts[name] for name in ("focus_distances", "f_number", "seconds")} | {"pixel": instrument.side}
+    setting |= {"electrons": photons, "contrast": CONTRAST, "window_rms": WINDOW}
+    return Report(facts, [*described(setting), "", records_of("", rows)]) + written([figure])
+
+
+def _lens_pair(lens: Lens, focus: float, dioptres: float) -> list[Lens]:
+    """Return two lenses, one focused `dioptres` nearer and one focused `dioptres` farther than a distance."""
+    vergence = [1.0 / focus + sign * dioptres for sign in (1.0, -1.0)]
+    if not dioptres > 0.0 or vergence[1] < 0.0:
+        raise ValueError(
+            f"--pair must be > 0 and at most {1.0 / focus:.4g} dioptres (focus at infinity), got {dioptres:g}"
+        )
+    return [lens.focused(1.0 / v if v > 0.0 else math.inf) for v in vergence]

@@ -318,7 +318,7 @@ def _write(
             text = fit_to_width(name_in_words(title), drawn)
             drawn.suptitle(f"{text}\n{drawn.get_suptitle()}".rstrip(), fontsize=9)
             for path in drawn_files:
-                save_figure(drawn, path)
+                save_figure(lambda: drawn, path)
     report += written(files)
     if not files:
         report += Report({}, ["", Wrapped("Nothing was written: -o psf.tif or --plot psf.png saves the PSF.")])

@@ -1,0 +1,597 @@
+"""The commands that fit wavefronts: ``retrieve`` (star images), ``fit-field`` (over the field), ``beads``."""
+
+from __future__ import annotations
+
+import errno
+import math
+import re
+from collections import Counter
+from contextlib import suppress
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Annotated, Any, ClassVar, NamedTuple
+
+import numpy as np
+
+from lommel.base.arrays import Array, Values, plain
+from lommel.base.options import In, Options, Shown
+from lommel.base.units import format_length, with_error
+from lommel.base.validation import line
+from lommel.blur.blurs import FWHM, Blur, Jitter, Seeing
+from lommel.cli.command import OUTPUT, PLOT, command
+from lommel.cli.instruments import CameraNoise, header_differences, require_microscope
+from lommel.cli.messages import report_findings
+from lommel.cli.output import progress, require_file, save_figure, written
+from lommel.detection.targets import Crossings, PointSources, find_crossings, find_spots, grid_indices
+from lommel.estimation import EFFORT
+from lommel.estimation.bead_images import CONSTANTS
+from lommel.estimation.beads import BeadFit, fit_beads
+from lommel.estimation.field_fit import FieldFit, fit_windows, target_of
+from lommel.estimation.options import BeadOptions, FieldFitOptions, RetrieveOptions
+from lommel.estimation.phase_retrieval import Retrieval, fit_stars
+from lommel.estimation.star_images import label
+from lommel.fit.findings import Finding, Findings
+from lommel.io import zernike_tables
+from lommel.lensfiles.microscope_files import Microscope, stage_step
+from lommel.optics.pupil import Pupil
+from lommel.optics.wavefront.wavefront import Wavefront
+from lommel.psf import psf
+from lommel.recorded.camera_noise import StackView, hot_pixel_findings, hot_pixels, sharpness
+from lommel.recorded.counts import Counts, counts_of
+from lommel.recorded.frames import Unusable, combined_metadata, part_of, read_each, read_images
+from lommel.report import Facts, Report, Wrapped
+from lommel.report.table import tables
+
+_MOST_CROSSINGS = 100
+_ARCSEC = math.pi / 648000.0
+_WAVE = 2.0 * math.pi  # radians
+_FIELD_FACTOR = 1.6  # images whose side exceeds this multiple of the window show a field with several beads
+_MAX_BEADS = 20  # largest number of beads that are fitted
+_MAX_PITCH_DIFFERENCE = 0.05  # relative: five times the error of the pixel pitch that a fit allows for
+_SHAPE = "(beads, planes, height, width)"
+_SHARPNESS_SIDE = 9  # side in pixels of the PSF whose sharpness is compared with that of hot pixels
+
+
+@command
+def retrieve(
+    images: list[Path],
+    lens: Path,
+    /,
+    *,
+    options: RetrieveOptions = RetrieveOptions(),
+    blur: bool = False,
+    output: Annotated[Path | None, OUTPUT] = None,
+    figure: Annotated[Path | None, PLOT] = None,
+    camera: CameraNoise = CameraNoise(),
+) -> Report:
+    """Estimate a wavefront from star images (phase retrieval).
+
+    IMAGES, of a star or another point source, are TIFF (one image per page), OME-Zarr, NPY, FITS (file.fits[SCI]
+    selects one of several images) or 16-bit PNG files of one size, linear in light (no JPEG, no sRGB). LENS is a lens
+    file with aperture, wavelength, f-number and pixel pitch; its wavefront is the starting point. Several images need
+    the --defocus of each (phase diversity). One image leaves the common sign of the even terms (total defocus,
+    astigmatism, spherical) undetermined: the solution nearer to the starting point is returned, or the solution whose
+    first even term is positive if both are equally near.
+
+    Coefficients are of Zernike terms in Noll's order, normalised to unit rms, in radians with standard errors;
+    defocus and spherical by name are C_d and C_s. The reduced chi-squared (chi2) is about 1 where pupil, pixel pitch
+    and noise are right. The exit code is 3 for a misfit, and 4 for a result in doubt.
+
+    Parameters
+    ----------
+    terms
+        Number of Zernike terms from defocus on (Noll 4, 5, ...), or names: "defocus, spherical", "noll 5, noll 6", or
+        as printed, "coma x, coma y".
+    defocus
+        Known defocus C_d of each image in radians, such as -4 0 4, or one for all; of a single image 0 by default.
+        Positive where the sensor was moved towards the lens. The phase is 2 C_d rho^2, rho = 1 at the edge of the
+        pupil, so that one wave of defocus is C_d = pi.
+    also
+        Nuisance parameters to estimate jointly: "center, f_number, wavelength, obscuration", or none.
+    blur
+        Estimate blur by seeing and a Gaussian (jitter, charge diffusion) in each image, for telescopes on the ground.
+    output
+        Wavefront as Zernike coefficients in Noll's order: .json, .toml or .csv.
+    figure
+        Figure of images, model, residuals and terms: .png, .pdf or .svg.
+
+    Examples
+    --------
+      lommel retrieve star-*.tif phone.toml --defocus -4 0 4 --read 2 -o wave.json --plot fit.png
+      lommel retrieve star-1.tif star-2.tif phone.toml --defocus 0 4 --terms "defocus, spherical" --read 2
+    """
+    if output is not None:
+        zernike_tables.find(output, "--output")
+    instrument = camera.instrument(lens)
+    with progress("reading") as status:
+        read = read_images(_files(images))
+        noise, saturation, header = camera.resolve(read.metadata, instrument.camera)
+        stars = read[...]
+        if not options.defocus and len(stars) > 1:
+            raise ValueError(f"--defocus must be given for {len(stars)} images: one number for each, such as -4 0 4")
+        status("fitting")
+        result = fit_stars(
+            Counts.of(stars, noise=noise, mask=camera.mask_of(stars), saturation=saturation),
+            instrument.pupil(),
+            pixel=instrument.side,
+            noise=None,
+            options=replace(
+                options,
+                blur=blur,
+                progress=lambda share, chi2: status(
+                    f"start {int(EFFORT.starts * share) + 1} of at most {EFFORT.starts}, chi2 {chi2:.3g}", share
+                ),
+            ),
+            effort=EFFORT._replace(integrate=instrument.integrate),
+        )
+    if output is not None:
+        result.save(output)
+    save_figure(lambda: result.plot(names=list(read.names)), figure)
+    files = written([output, figure], lambda path: ": square roots of images and model" if path == figure else "")
+    facts = {"images": list(read.names)} | result.to_dict() | {"notes": [*read.notes, *header]}
+    row, column = result.center.T.tolist()
+    titles = dict(zip(facts["coefficients"], map(label, result.coefficients), strict=True))
+    blurs = blurs_in_words(result, instrument.side, None)
+    shown = tables(facts | {"row": row, "column": column}, titles)
+    verdict = Wrapped(facts["message"].partition("; ")[0], "bold")
+    return report_findings(facts, verdict, "", *shown, *blurs, "") + files
+
+
+def _files(paths: list[Path]) -> list[Path]:
+    """Return the files; patterns that the shell has not expanded are expanded in the order of names."""
+    files: list[Path] = []
+    for path in paths:
+        if path.exists() or part_of(path)[1] is not None or not set("*?[") & set(path.name):
+            files.append(path)
+        elif matches := sorted(path.parent.glob(path.name)):
+            files += matches
+        else:
+            raise FileNotFoundError(errno.ENOENT, "No file matches", str(path))
+    return files
+
+
+@dataclass(frozen=True, kw_only=True)
+class Search(Options):
+    """Options for finding stars or crossings, and for the windows around them.
+
+    Parameters
+    ----------
+    window
+        Side of the window around a star or crossing, pixels; by default 33, or more as --defocus and --size need, and
+        9 to 21 for crossings, as squares allow.
+    threshold
+        Minimum height of a star or crossing in standard deviations of the noise, at least 3.
+    width
+        Standard deviation of the smoothing before the search, pixels; by default 2, or half the radius of defocused
+        stars (rings) and pinholes.
+    most
+        Largest number: the brightest stars, or crossings spread over the image (by default 100).
+    """
+
+    heading: ClassVar[str] = "Stars and crossings"
+    window: Annotated[int | None, In(least=9, most=401)] = None
+    threshold: float = 8.0
+    width: float | None = None
+    most: Annotated[int | None, In(least=1)] = None
+
+    def find(self, exposures: Counts, targets: str, radius: float) -> PointSources | Crossings:
+        """Return the targets found in the exposures; `radius` is the geometric radius of stars and holes, pixels."""
+        given: Any = {"threshold": self.threshold, "width": self.width or max(2.0, 0.5 * radius)}
+        if targets == "crossing":
+            return find_crossings(exposures, window=self.window, most=self.most or _MOST_CROSSINGS, **given)
+        side = max(33, 2 * math.ceil(1.4 * radius + 8.0) + 1)
+        return find_spots(exposures, window=self.window or side, most=self.most, **given)
+
+
+@command
+def fit_field(
+    images: list[Path],
+    lens: Path,
+    /,
+    *,
+    options: FieldFitOptions = FieldFitOptions(),
+    known_blur: Annotated[float | None, In(least=0.0), Shown(metavar="PIXELS")] = None,
+    seeing: Annotated[float | None, In(above=0.0, most=60.0), Shown(metavar="ARCSEC")] = None,
+    output: Annotated[Path | None, OUTPUT] = None,
+    twin: Annotated[Path | None, Shown(metavar="FILE", writes=True)] = None,
+    figure: Annotated[Path | None, PLOT] = None,
+    spots: Annotated[Path | None, Shown(metavar="FILE", writes=True, figure=True)] = None,
+    search: Search = Search(),
+    camera: CameraNoise = CameraNoise(),
+) -> Report:
+    """Estimate wavefronts over the field from stars or a chart.
+
+    IMAGES are exposures of one field of stars, or of one chart of pinholes or squares (FITS, TIFF, NPY or 16-bit PNG,
+    linear in light, the whole sensor, pixels of one colour); LENS is a lens file with aperture, wavelength, f-number
+    and pixel pitch. Isolated stars or crossings are found, and fitted jointly: Zernike terms as polynomials of the
+    position, the blur, and the place, flux and background of each target; for crossings also the directions of both
+    lines. Several exposures need the --defocus of each. One focus leaves the common sign of all even terms open
+    (defocus, astigmatism, spherical): the map nearer to the known --defocus is written, or the map with positive
+    defocus in the mean; --twin writes the other map. One exposure well out of focus ("donuts") is enough to
+    collimate.
+
+    The table serves as file of the section [field], with unit = "waves". The first line is the verdict. A misfit is
+    also stated in the first line of the table and by "converged" of --json, and the exit code is 3.
+
+    Parameters
+    ----------
+    terms
+        Number of Zernike terms from Noll 4 on, or names, such as "noll 4, noll 8".
+    defocus
+        Known defocus C_d of each exposure in radians, such as -3 3; positive where the sensor was moved towards the
+        lens. One wave of defocus is C_d = pi. 0 if it is left out.
+    targets
+        Point sources, circular holes of one diameter, or corners of a checkerboard, where two lines cross.
+    size
+        Diameter of pinholes or side of squares in the image, such as 8um; by default the side of squares is measured.
+    distortion
+        Estimate distortion, too: displacements as polynomials of this degree, 3 or 5, from the even grid of pinholes
+        or squares.
+    known_blur
+        Standard deviation of a Gaussian blur, where it is known; by default seeing and a Gaussian are estimated.
+    seeing
+        FWHM of long-exposure seeing (Kolmogorov) at 500 nm, in arcseconds, where it is known.
+    output
+        Table for `[field] file =` of the lens file: .csv.
+    twin
+        Table with the other sign of the even terms, which one focus does not determine: .csv.
+    figure
+        Figure of the terms over the sensor, stars, models and residuals: .png, .pdf or .svg.
+    spots
+        Figure of the image with the windows used and those refused: .png, .pdf or .svg.
+
+    Examples
+    --------
+      lommel fit-field stars.fits nifty-fifty.toml --read 2 --degree 3 -o field.csv --plot field.png
+      lommel fit-field inside.fits outside.fits nifty-fifty.toml --defocus -3 3 --read 2 -o field.csv
+      lommel fit-field chart.tif nifty-fifty.toml --targets crossing --terms 5 --read 2 --saturation 60000
+    """
+    require_file(output, ".csv")
+    require_file(twin, ".csv", "--twin")
+    target_of(options, 1.0)  # raises ValueError if the size contradicts the targets
+    kind = options.targets
+    if kind == "star" and options.distortion is not None:
+        raise ValueError(
+            "--distortion must be left out for stars, whose true positions are unknown; lommel.fit_field accepts "
+            "positions of a catalogue as ideal ones"
+        )
+    if seeing is not None and known_blur is not None:
+        raise ValueError("--seeing and --known-blur must not both be given: either is the whole blur")
+    instrument = camera.instrument(lens)
+    focal_length = instrument.lens.focal_length
+    blur: Any = True if known_blur is None else known_blur
+    if seeing is not None:
+        blur = Seeing.from_fwhm(seeing * _ARCSEC, focal_length)
+    with progress("reading") as status:
+        read = read_images(images)
+        noise, saturation, header = camera.resolve(read.metadata, instrument.camera)
+        values = read[...]
+        exposures = Counts.of(values, noise=noise, mask=camera.mask_of(values), saturation=saturation)
+        if not options.defocus and len(exposures) > 1:
+            raise ValueError(f"--defocus must be given for {len(exposures)} exposures: one number each, such as -3 3")
+        status(f"finding {kind}s")
+        pupil, pitch = instrument.pupil(), float(min(np.atleast_1d(instrument.side)))
+        hole = 0.0 if kind == "crossing" or options.size is None else options.size / pitch
+        defocused = Pupil(Wavefront(max(map(abs, options.defocus), default=0.0)))
+        radius = float(defocused.geometric_radius()) * pupil.scale / pitch + 0.5 * hole  # pixels
+        targets = search.find(exposures, kind, radius)
+        save_figure(targets.plot, spots)
+        if len(targets) < 4:
+            raise ValueError(_too_few(kind, targets))
+        given: Facts = {"blur": blur}
+        if options.distortion is not None:
+            given["ideal"] = _grid(targets)
+        if options.size is None and math.isfinite(square := getattr(targets, "square", math.nan)):  # of crossings
+            given["size"] = square * pitch
+        status("fitting")
+        result = fit_windows(
+            Counts.of(targets.windows, noise=noise, saturation=saturation),
+            targets.places,
+            pupil,
+            sensor=targets.shape,
+            pixel=instrument.side,
+            noise=None,
+            options=replace(options, progress=lambda share, chi2: status(f"chi2 {chi2:.3g}", share), **given),
+            effort=EFFORT._replace(integrate=instrument.integrate),
+        )
+    if output is not None:
+        result.save(output)
+    if twin is not None:
+        result.save(twin, twin=True)
+    save_figure(result.plot, figure)
+    note = "" if result.converged else f", of a fit that has not converged: {result.status.replace('_', ' ')}"
+    files = written([output, twin, figure, spots], lambda path: note if path in (output, twin) else "")
+    facts = _facts(result, targets) | {"notes": [*read.notes, *header]}
+    shown: list[Any] = [Wrapped(facts["message"].partition("; ")[0], "bold"), "", *_in_the_middle(facts)]
+    for name, wave in facts["waves"].items():
+        found, errors = (dict(zip(facts["terms"], wave[key], strict=True)) for key in ("coefficients", "errors"))
+        shown += [*tables({f"waves rms, {name}": found, "errors": errors}), ""]
+    shown += [*blurs_in_words(result, pitch, focal_length), Wrapped(targets.message)]
+    return report_findings(facts, *shown, *tables(facts), "") + files
+
+
+def _in_the_middle(facts: Facts) -> list[Wrapped]:
+    """Return lines on coma and focus in the middle of the sensor."""
+    lines = []
+    if coma := facts["coma"]:
+        lines.append(
+            f"coma in the middle: {coma['waves']:.4f} +- {coma['error']:.4f} waves rms, axis at "
+            f"{coma['degrees']:.0f} degrees from columns to rows"
+        )
+    if focus := facts["focus"]:
+        direction = "towards the lens" if focus["shift"] > 0.0 else "away from the lens"
+        shift = " +- ".join(with_error(1e3 * abs(focus["shift"]), 1e3 * focus["error"], most=6))
+        sign = ", or as far the other way" if focus["sign_open"] else ""
+        lines.append(f"focus in the middle: the sensor is {shift} mm {direction}{sign}")
+    return [*map(Wrapped, lines)]
+
+
+def _grid(targets: PointSources | Crossings) -> Array:
+    """Return the positions of pinholes or crossings on their grid, NaN where they are unknown."""
+    try:
+        ideal = targets.indices if isinstance(targets, Crossings) else grid_indices(targets.centers)
+    except ValueError:
+        ideal = np.full((len(targets), 2), np.nan)
+    if (count := int(np.isfinite(ideal[:, 0]).sum())) < 4:
+        raise ValueError(
+            f"--distortion needs an even grid with neighbours in the image, got {count} on a grid of {len(targets)}"
+        )
+    return ideal
+
+
+def _too_few(targets: str, points: PointSources | Crossings) -> str:
+    """Return the reason why the images cannot be fitted, with advice."""
+    advice = {
+        "saturated": "expose less, below saturation",
+        "neighbor": "a smaller --window",
+        "edge": "a smaller --window",
+        "masked": "check --mask",
+        "crossing": "squares must be larger than four times --width, and their contrast above --threshold",
+        "star": "lower --threshold, check --offset, or give --width, about the standard deviation of images",
+    }
+    counts = Counter(point.reason for point in points.refused)
+    reason = "saturated" if counts["saturated"] else next((name for name, _ in counts.most_common(1)), targets)
+    name = "crossings of a checkerboard" if targets == "crossing" else f"isolated {targets}s"
+    known = advice.get(reason, "look at --spots" if counts else advice["star"])
+    return f"images must show at least 4 {name}; {points.message}: {known}"
+
+
+def blurs_in_words(result: FieldFit | Retrieval, pitch: float, focal_length: float | None) -> list[Wrapped]:
+    """Return a line on the fitted blurs: the FWHM of seeing at 500 nm, or sigma of a Gaussian in pixels, with errors.
+
+    `pitch` and `focal_length` are in metres. Other blurs are shown as in Python.
+    """
+
+    def text(blur: Blur, error: float) -> str:
+        if isinstance(blur, Jitter) and blur.across == blur.sigma:
+            return f"{blur.sigma / pitch:.3f} +- {error / pitch:.3f} pixels (standard deviation)"
+        focal = getattr(blur, "focal_length", None) if focal_length is None else focal_length
+        if not isinstance(blur, Seeing) or focal is None:
+            return repr(blur)
+        width = FWHM / blur.coherence(500e-9) / focal / _ARCSEC  # of long exposures
+        outer = "" if blur.outer_scale is None else f" for an outer scale of {format_length(blur.outer_scale)}"
+        return f"seeing of {' +- '.join(with_error(width, width * error / blur.r0))} arcsec at 500 nm{outer}"
+
+    pairs = zip(result.blurs, result.blur_errors, strict=True)
+    texts = [" and ".join(map(text, blurs, errors)) or "none" for blurs, errors in pairs]
+    return [Wrapped(f"blur: {'; '.join(texts)}")] if any(result.blurs) else []
+
+
+def _values(values: tuple[Array, Array], name: str, unit: float) -> Facts:
+    """Return (values, standard errors) in a unit as a dictionary with the keys `name` and "errors"."""
+    return {key: (part / unit).tolist() for key, part in zip((name, "errors"), values, strict=True)}
+
+
+def _facts(result: FieldFit, targets: PointSources | Crossings) -> Facts:
+    """Return the results as data that can be written as JSON."""
+    x, y = result.extent
+    positions = {"middle": result.middle, "corner": (x[1], y[1])}
+    distortion: Facts | None = None
+    if (warp := result.distortion) is not None:
+        distortion = {
+            "degree": warp.degree,
+            "spacing": float(math.hypot(*warp.pose[:, 0])),
+            "rotation": float(math.atan2(warp.pose[1, 0], warp.pose[0, 0])),
+            "scatter": warp.scatter,
+            "pixels": {name: _values(warp.at(*xy), "displacement", 1.0) for name, xy in positions.items()},
+        }
+    fit, coma, stars = result.to_dict(), result.coma, result.stars
+    names = "status", "converged", "reliable", "message", "findings", "chi2", "held_out", "degree", "blur_errors"
+    rows = np.flatnonzero(~stars.used)
+    rows = rows[np.argsort(-stars.chi2[rows], kind="stable")]
+    return {name: fit[name] for name in names} | {
+        "coma": coma and {"waves": coma.rms / _WAVE, "error": coma.error / _WAVE, "degrees": coma.degrees},
+        "focus": result.focus and result.focus._asdict(),
+        "distortion": distortion,
+        "terms": [label(name) for name in result.names],
+        "waves": {name: _values(result.at(*xy), "coefficients", _WAVE) for name, xy in positions.items()},
+        "blur": plain(result.blurs),
+        "stars": len(stars.used),
+        "rejected": len(rows),
+        "rejected_stars": [
+            {"row": row, "column": column, "reason": f"rejected, chi2 {chi2:.3g}"}
+            for (row, column), chi2 in zip(stars.places[rows].astype(int).tolist(), stars.chi2[rows], strict=True)
+        ],
+        "left_out": targets.left_out,
+        "refused": [{"row": point.row, "column": point.column, "reason": point.reason} for point in targets.refused],
+    }
+
+
+@command
+def beads(
+    stacks: list[Path],
+    lens: Path,
+    /,
+    *,
+    step: Annotated[float | None, Shown(length="nm")] = None,
+    options: BeadOptions = BeadOptions(diameter=1e-7),
+    window: Annotated[int, In(least=9, most=101)] = 31,
+    output: Annotated[Path | None, OUTPUT] = None,
+    figure: Annotated[Path | None, PLOT] = None,
+    camera: CameraNoise = CameraNoise(),
+) -> Report:
+    """Estimate aberrations of a microscope from bead stacks.
+
+    STACKS are z stacks (TIFF, OME-TIFF, OME-Zarr, NPY, FITS) of single beads cut out, or of fields in which isolated
+    beads are found. LENS is the file of the objective: its section [sample] has the index of the medium of the beads,
+    and [aberrations.zernike], if there is one, the start of the search.
+
+    All beads share the aberrations and the constants of the microscope, which are estimated within their usual
+    uncertainties. chi2 is about 1 where the model fits. It may be 1 even for a wrong constant: all constants are
+    tested, and the first line, the verdict, names those that disagree with the data. The file of -o is a microscope
+    file with the fitted numbers, their standard errors, and the verdict as its source. The exit code is 3 if the fit
+    did not converge: a misfit, a window without a bead, or planes in reversed order; it is 4 if the fit is in doubt.
+
+    Parameters
+    ----------
+    step
+        Stage step between planes, such as 100nm, positive towards the sample; -100nm if planes were taken the other
+        way. By default from the metadata of STACKS, positive.
+    diameter
+        Diameter of the beads, such as 0.1um.
+    depth
+        Depth of the centre of the beads below the cover glass; by default their radius: on the glass.
+    terms
+        Number of Zernike terms from Noll 5 on, or names, such as "noll 5, noll 6".
+    apodization
+        Number of terms of the pupil amplitude to estimate, 0 to 4: radial Zernike terms of its logarithm.
+    window
+        Side in pixels of the windows around beads, if a file shows a field of them.
+    output
+        Microscope file (.toml) with the results, for all other commands.
+    figure
+        Figure of planes, model, residuals and terms: .png, .pdf or .svg.
+
+    Examples
+    --------
+      lommel beads beads.tif zeiss-63x-1.4-oil.toml --step 100nm --bead 0.1um --read 1.6 --offset 100 -o mine.toml
+      lommel beads field-1.tif field-2.tif zeiss-63x-1.4-oil.toml --step 100nm --read 1.6 --offset 100 --plot fit.png
+    """
+    require_file(output, ".toml")
+    microscope = require_microscope("beads", lens, pixel=camera.pixel, camera=camera.camera)
+    notes = [f"Emission at {format_length(microscope.wavelength, digits=4)}."]
+    with progress("reading") as status:
+        read = list(read_each(tuple(stacks)))
+        metadata = combined_metadata([stack.metadata for stack in read])
+        noise, saturation, header = camera.resolve(metadata, microscope.camera)
+        steps = {stack.metadata.get("step") for stack in read} if step is None else {step}
+        used_step = steps.pop() if len(steps) == 1 else None
+        if used_step is None:
+            raise ValueError("--step is missing: the files do not all state one step between their planes")
+        stage_step(used_step)
+        if step is None:
+            notes.append(f"The step of {format_length(used_step)} between planes is that of the files.")
+        recorded, camera_text = camera.recorded(lens, microscope.camera, noise)
+        notes += [f"Camera: {camera_text}.", *header]
+        windows, pitches, findings = list[_Bead](), dict[str, Finding](), list[Finding]()
+        z = (np.arange(len(read[0])) - len(read[0]) // 2) * used_step
+        sharpest = _sharpest(microscope, z, options)
+        for stack in read:
+            file = stack.names[0].removesuffix(" [0]")
+            differences = header_differences(stack.metadata, microscope, step)
+            if (pitch := differences.pop("pixel", None)) and pitch not in pitches:
+                pitches[pitch] = _pitch_finding(pitch, stack.metadata.get("pixel"), microscope)
+            notes += [*stack.notes, *(note for note in differences.values() if note not in notes)]
+            recorded_planes = stack[...]
+            mask = camera.mask_of(recorded_planes)
+            ignored = np.broadcast_to(False if mask is None else mask, recorded_planes.shape)
+            masked = StackView(recorded_planes, math.inf if saturation is None else saturation, mask=ignored)
+            hot = hot_pixels(masked, noise, sharpest, masked.limit)
+            prefix = f"{line(file)}: " if len(read) > 1 else ""
+            findings += [replace(found, text=f"{prefix}{found.text}") for found in hot_pixel_findings(hot)]
+            hidden = ignored | hot
+            values = np.ma.masked_array(recorded_planes, hidden) if hidden.any() else recorded_planes
+            windows += _beads(file, values, Counts.of(values, noise=noise, saturation=saturation), window, notes)
+        cut_out = [bead.window for bead in windows[:_MAX_BEADS]]
+        status("fitting")
+        result = fit_beads(
+            counts_of("stacks", cut_out, noise, sides=(4,), shape=_SHAPE, saturation=saturation),
+            microscope,
+            z=z,
+            options=replace(options, progress=lambda share, chi2: status(f"chi2 {chi2:.3g}", share)),
+        )
+    result = replace(result, findings=Findings([*pitches.values(), *findings, *result.findings]))
+    if output is not None:
+        _fitted(microscope, result, used_step).save(output)
+    save_figure(result.plot, figure)
+    if len(windows) > _MAX_BEADS:
+        notes.append(f"The first {_MAX_BEADS} of {len(windows)} beads were taken.")
+    facts = result.to_dict() | {"wavelength": microscope.wavelength, "noise": recorded, "notes": notes, "fwhm": None}
+    if result.converged:
+        with suppress(ValueError):  # strong aberrations have no single focus
+            widths = np.transpose(result.fwhm(depth=result.beads[0].depth)).tolist()
+            facts["fwhm"] = dict(zip("xyz", widths, strict=True))
+    facts["places"] = [
+        fit | {"row": fit["row"] + bead.corner[0], "column": fit["column"] + bead.corner[1]}
+        for fit, bead in zip(facts["beads"], windows, strict=False)
+    ]
+    facts["beads"] = [window.name for window in windows[:_MAX_BEADS]]
+    status_text = "" if result.converged else f", of a fit that has not converged: {result.status}"
+    files = written([output, figure], lambda path: status_text if path == output else "")
+    keys = dict(zip(facts["coefficients"], result.coefficients, strict=True))
+    units = {key: CONSTANTS[name].unit if isinstance(name, str) else "rad" for key, name in keys.items()}
+    titles = {key: name if isinstance(name, str) else label(name) for key, name in keys.items()}
+    numbers = {name: facts[name] for name in ("coefficients", "errors")} | {"units": units, "places": facts["places"]}
+    shown = tables(numbers, titles)
+    if widths := facts["fwhm"]:
+        nanometres = [{axis: 1e9 * pair[k] for axis, pair in widths.items()} for k in (0, 1)]
+        title = "FWHM at the first bead, without bead and pixel"
+        shown += ["", *tables({title: nanometres[0], "errors": nanometres[1], "units": dict.fromkeys("xyz", "nm")})]
+    verdict = Wrapped(facts["message"].partition("; ")[0], "bold")
+    return report_findings(facts, verdict, "", *shown, "") + files
+
+
+def _fitted(microscope: Microscope, result: BeadFit, step: float) -> Microscope:
+    """Return the fitted microscope; depth, planes and window are those of the first bead, not those of its file."""
+    # Sources of example files end in the list of their values that are examples; those written here are not.
+    source = re.sub(r"\s*[A-Z][a-z, ]* are examples\.$", "", microscope.source)
+    planes, *shape = result.beads[0].images.shape
+    return replace(
+        microscope.fitted(result), name=f"{microscope.name}, fitted to beads",
+        source=f"{source} Fitted to beads: {result.message}.".lstrip(),
+        depth=result.beads[0].depth, planes=planes, step=step, origin="brightest", shape=tuple(shape),
+    )  # fmt: skip
+
+
+def _pitch_finding(note: str, stated: float | Unusable | None, microscope: Microscope) -> Finding:
+    """Return the finding on pixels that the images state, which differ from those in use; a doubt if by far."""
+    in_use = microscope.pixel / microscope.objective.magnification
+    differs = isinstance(stated, float) and abs(stated - in_use) > _MAX_PITCH_DIFFERENCE * in_use
+    text = f"{note[0].lower()}{note[1:-1]}: correct the one that is wrong"
+    return Finding("pixel_pitch", "doubt" if differs else "note", text, {"pixel": in_use})
+
+
+def _sharpest(microscope: Microscope, z: Values, options: BeadOptions) -> float:
+    """Return the largest ratio, in a stack of a point, of the brightest pixel and the brightest of its neighbours."""
+    depth: Any = 0.5 * options.diameter if options.depth is None else options.depth
+    light = {name: getattr(microscope, name) for name in ("wavelength", "emitter", "aberrations")}
+    pupil = microscope.objective.pupil(depth=depth, z=z, **light)
+    integrate = microscope.integrate is not False
+    return sharpness(psf(pupil, _SHARPNESS_SIDE, microscope.pixel, tol=1e-3, integrate=integrate).values)
+
+
+class _Bead(NamedTuple):
+    """A window around a bead, and the position (row, column) of its first pixel in the image."""
+
+    name: str
+    window: Values
+    corner: tuple[int, int]
+
+
+def _beads(file: str, planes: Values, counts: Counts, window: int, notes: list[str]) -> list[_Bead]:
+    """Return the beads of a stack, and add to `notes` how many were refused.
+
+    A stack that shows a single bead is returned as a whole.
+    """
+    if max(planes.shape[1:]) <= _FIELD_FACTOR * window:
+        return [_Bead(f"{file} [0]", planes, (0, 0))]
+
+    spots = find_spots(counts, window=window)
+    if not len(spots):
+        advice = "a smaller --window may do" if spots.refused else "check --offset and --gain"
+        raise ValueError(f"{line(file)}: no isolated bead; {spots.message}: {advice}")
+    if spots.refused:
+        notes.append(f"{line(file)}: {spots.message}. Beads need {window} pixels for themselves (--window).")
+    corners = (spots.places - [side // 2 for side in spots.windows.shape[-2:]]).tolist()
+    numbered = enumerate(zip(spots.windows, corners, strict=True))
+    return [_Bead(f"{file} [{k}]", values, (row, column)) for k, (values, (row, column)) in numbered]

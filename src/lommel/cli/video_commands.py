@@ -1,0 +1,879 @@
+"""The commands on video: ``watch`` (depth from defocus) and ``sharpen`` (deblurring), also of photos."""
+
+from __future__ import annotations
+
+import csv
+import math
+import os
+import signal
+import sys
+import time
+from collections import deque
+from collections.abc import Callable, Iterator
+from contextlib import ExitStack, contextmanager
+from dataclasses import dataclass, field, replace
+from functools import partial
+from pathlib import Path
+from types import FrameType, TracebackType
+from typing import TYPE_CHECKING, Annotated, ClassVar, NamedTuple, Self, TypeVar
+
+import numpy as np
+import scipy
+from numpy.typing import NDArray
+
+from lommel import imaging
+from lommel.base import atomic, optional, validation
+from lommel.base.arrays import Array, Values, plain
+from lommel.base.encoding import from_light, to_light, warn_if_bright
+from lommel.base.options import In, Options, Shown
+from lommel.base.units import percent
+from lommel.cli.command import OUTPUT, command, filled
+from lommel.cli.instruments import FrameNoise, PhotoCamera, noise_of, radial_instrument
+from lommel.cli.messages import with_options
+from lommel.cli.output import Steps, progress, require_file, require_folder, written
+from lommel.cli.photo_commands import (
+    BETWEEN,
+    DepthMap,
+    Encoding,
+    PairCamera,
+    depth_facts,
+    each_lens,
+    lens_facts,
+    output_type,
+    verdict_report,
+)
+from lommel.imaging import LiveDepth, LiveSharpen
+from lommel.imaging.blur import warn_of_depths
+from lommel.imaging.defocus_verdict import DefocusVerdict
+from lommel.imaging.focal_engine import BLOCK, Magnified
+from lommel.io import photos, videos
+from lommel.io.depth_maps import fill_missing
+from lommel.io.registry import formats, suffixes
+from lommel.recorded.noise import Noise
+from lommel.report import Facts, Report, Wrapped, finite
+from lommel.report.table import told
+from lommel.show.estimates import DepthColours
+
+if TYPE_CHECKING:
+    from lommel.lensfiles.instrument import Camera
+    from lommel.optics.lens import Lens
+
+Map = NDArray[np.float32]
+
+_WHITE_PERCENTILE = 99.5  # percentile of the first all-in-focus image that is shown as white, for linear video
+_MAX_PAIRS = 2**16  # number of the most recent pairs over which statistics are computed
+_JUMP = 6.0  # change of the median depth from pair to pair that is reported, in standard errors of a block
+_COMPRESSION_PAIRS = 25  # number of pairs after which strong compression is reported; for fewer pairs, at the end
+_MAX_LEVEL = 65535  # largest level of lossless depth
+_CURVE_LEVELS = 4096  # number of levels of linear light in the sRGB lookup table
+_COLUMNS = ["time (s)", "known", "unfit", "depth (m)", "error (m)", "misfit", "frame time (s)", "dropped"]
+Frame = TypeVar("Frame")
+
+_DEFAULT_WHITE, _DEFAULT_READ = 5000.0, 3.0  # full well and read noise, electrons, assumed for 8-bit sRGB
+_MIN_BITS_FRACTION = 0.95  # fraction of the entropy of noise: compressed pixels with fewer bits get a warning
+_TOP_MARGIN = 1e-5  # difference of white and saturation, as a fraction of white: less than half a 16-bit sRGB step
+_FIT_ABOVE = 0.02  # fraction of white: darker levels are left out of the fit of noise to stored values
+_ROW_SMOOTHING = 6.0  # standard deviation, rows, of the Gaussian that smooths the brightness of rows
+_DARK_ROW = 0.1  # fraction of the mean brightness of rows: darker rows are not equalized
+_HANGUP: signal.Signals | None = getattr(signal, "SIGHUP", None)  # None on Windows
+_RANGE_MARGIN = 1e-3  # relative margin of the range of the filters beyond the distances
+_MAX_NEAREST = 1e9  # metres: largest nearest distance of filters, practically infinity
+
+
+class PairResult(NamedTuple):
+    """The depth of a pair of frames, or the `failure`, the reason why it has none.
+
+    A block is known if it has a depth and a misfit up to the limit, and unfit if it has a depth and a larger misfit.
+    """
+
+    time: float  # time of the pair since the first pair, seconds
+    duration: float  # time of the computation, seconds
+    failure: str = ""
+    depth: Map | None = None  # metres, NaN in blocks that are not known
+    errors: Map | None = None  # standard errors of depth, metres, infinite in blocks that are not known
+    image: Map | None = None  # all-in-focus image, electrons
+    electrons: float = math.nan  # mean electrons per pixel
+    # Fractions of known and of unfit blocks; medians of depth and error of known blocks, of the misfit; or NaN.
+    numbers: tuple[float, float, float, float, float] = (0.0, 0.0, math.nan, math.nan, math.nan)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Files(Options):
+    """Output files.
+
+    Parameters
+    ----------
+    output
+        Video of the depth in colours: .mkv or .mp4; without it a window opens where there is a display, which q or
+        Esc closes.
+    sharp
+        Show the all-in-focus image beside the depth.
+    depths
+        Lossless video of the depth, .mkv: a pixel for each block of 4 x 4 pixels, in levels of the power of ten
+        metres that the report states, 0 where it is not known; given a second time, its standard error.
+    table
+        Table with a row for each pair: .csv.
+    """
+
+    heading: ClassVar[str] = "Output"
+    output: Annotated[Path | None, OUTPUT] = None
+    sharp: bool = False
+    depths: Annotated[tuple[Path, ...], Shown(("--depth",), metavar="FILE", writes=True)] = ()
+    table: Annotated[Path | None, Shown(metavar="FILE", writes=True)] = None
+
+    def require(self) -> None:
+        """Raise ValueError or OSError if an output cannot be written, before any source is opened."""
+        if self.output is not None:
+            videos.find(self.output, "--output", holding="of uint8")
+        if len(self.depths) > 2:
+            raise ValueError(f"--depth takes depth and its standard error, got {len(self.depths)} files")
+        for path in self.depths:
+            videos.find(path, "--depth", holding="of uint16")
+        require_file(self.table, ".csv", "--table")
+        for path in self.all:
+            require_folder(path)
+
+    @property
+    def all(self) -> list[Path]:
+        """Paths of all output files."""
+        return [path for path in (self.output, *self.depths, self.table) if path is not None]
+
+
+@command
+def watch(
+    lens: Path,
+    /,
+    *,
+    sources: Annotated[tuple[str, ...], Shown(("--source",), metavar="SOURCE")],
+    between: Annotated[tuple[float, float], BETWEEN],
+    alternating: bool = False,
+    encoding: Encoding | None = None,
+    misfit: Annotated[float, In(least=1.0, infinite=True)] = 2.0,
+    files: Files = Files(),
+    cameras: PairCamera = PairCamera(),
+    registration: Magnified = Magnified(),
+    video_noise: FrameNoise = FrameNoise(),
+) -> Report:
+    """Estimate depth of video from frames with different focus.
+
+    LENS is a lens file. The frames come from two cameras or files, or from one whose focus alternates. Depth and its
+    standard error are computed for blocks of 4 x 4 pixels; colours are converted to grey. Ctrl-C, SIGTERM or a closed
+    terminal ends the command and leaves complete files. Until then depth.mkv is depth.unfinished.mkv, which plays if
+    the process is killed.
+
+    Parameters
+    ----------
+    sources
+        Number of a camera, a video file, an address such as rtsp://camera/stream, or numbered images: a folder or a
+        pattern such as frames/%04d.tif. Given twice, frames of the same time are pairs.
+    between
+        Nearest and farthest distance to search, such as 1m 3m or 1m inf.
+    alternating
+        The frames of one source alternate between two focus settings.
+    encoding
+        Encoding of the values; by default grey of more than 8 bits and floats are linear, all else is sRGB.
+    misfit
+        Largest misfit of blocks whose depth counts as known: 1 where only noise is left; inf for all.
+
+    Examples
+    --------
+      lommel watch phone.toml --source near.mkv --source far.mkv --focus 1.3m --focus 2m --between 1m 3m -o depth.mkv
+      lommel watch phone.toml --source both.mp4 --alternating --focus 1.3m --focus 2m --between 1m 3m --table d.csv
+    """
+    with Stop().signals() as stop:
+        _require_two(sources, alternating=alternating)
+        instrument = cameras.instrument(lens)
+        lenses = each_lens(instrument.lens, 2, cameras.foci, cameras.f_numbers, "frames")
+        if lenses[0] == lenses[1]:
+            raise ValueError(
+                "--focus must be given for each of two frames, or --f-number: the frames must differ in one of these"
+            )
+        files.require()
+        tally = Tally()
+        with progress("opening the sources", endless=True) as status, ExitStack() as stack:
+            pairs = stack.enter_context(videos.frame_pairs(*sources, tell=status.tell))
+            coding = coding_of(pairs.levels, pairs.dtype, pairs.encoding, video_noise, instrument.camera, encoding)
+            if coding.guess:
+                status.tell(coding.guess)
+            status("computing the filters of every distance")
+            live = LiveDepth(
+                lenses,
+                instrument.side,
+                between=between,
+                noise=coding.noise,
+                shape=pairs.shape,
+                exposures="smooth",
+                magnification=registration.magnification,
+                saturation=coding.saturation,
+                sharp=files.sharp,
+            )
+            estimator = Estimator(live, coding, misfit, sharp=files.sharp)
+            outputs = stack.enter_context(Outputs(files, between, pairs, coding))
+            end_reason = _estimate_all(pairs, estimator, outputs, tally, status, stop, alternating=alternating)
+            status("finishing")
+            bits, compression = coding.check_compression(pairs.bits, tally.electrons)
+            if compression and tally.pairs < _COMPRESSION_PAIRS:
+                status.tell(compression)
+            if not tally.pairs:
+                if stop.requested:
+                    raise KeyboardInterrupt
+                raise ValueError(f"no pair of frames came: {end_reason}; check that the times of the sources overlap")
+        facts = {
+            **coding.facts,
+            **bits,
+            "shape": list(pairs.shape),
+            "pixel": instrument.side,
+            **lens_facts(lenses),
+            "between": [finite(distance) for distance in between],
+            "magnification": registration.magnification,
+            "design_error": live.design_error,
+            **_counts(tally, pairs, end_reason),
+            **tally.summary(),
+            **outputs.facts,
+        }
+        notes = [text for text in (coding.guess, compression, tally.unknown(misfit, facts)) if text]
+        verdict = DefocusVerdict.of(math.nan) if tally.failed == tally.pairs else live.verdict()
+        if math.isnan(verdict.misfit) and facts["misfit"] is not None:  # of earlier pairs: the last one has no depth
+            verdict = DefocusVerdict.of(facts["misfit"])
+        return (
+            told(facts, succeeded=pairs.lost is None)
+            + Report({}, [Wrapped(note) for note in notes])
+            + verdict_report(verdict)
+            + written(files.all)
+        )
+
+
+def _require_two(sources: tuple[str, ...], *, alternating: bool) -> None:
+    """Raise ValueError unless there are two sources, or one source whose focus alternates."""
+    if len(sources) != (1 if alternating else 2):
+        also = " and --alternating" if alternating else ""
+        raise ValueError(f"--source must be given twice, or once with --alternating; got {len(sources)}{also}")
+    if len(set(sources)) < len(sources):
+        raise ValueError(f"--source must be two cameras or files, or one with --alternating; got {sources[0]} twice")
+
+
+def _estimate_all(
+    pairs: videos.FramePairs,
+    estimator: Estimator,
+    outputs: Outputs,
+    tally: Tally,
+    status: Steps,
+    stop: Stop,
+    *,
+    alternating: bool,
+) -> str:
+    """Estimate and write the depth of all pairs; return the reason why the pairs ended."""
+    tally.start = time.perf_counter()
+    closed = False
+    while not closed and (pair := stop.next(pairs)) is not None:
+        result = estimator(pair)
+        if result.failure and not tally.failed:
+            status.tell(
+                f"no depth at {result.time:.2f} s: {result.failure} (further pairs without depth are counted)"
+            )
+        if alternating and not tally.jump_note and (jump := tally.jump(result)):
+            status.tell(jump)
+        tally.add(result)
+        if tally.pairs == _COMPRESSION_PAIRS:
+            _, compression = estimator.coding.check_compression(pairs.bits, tally.electrons)
+            if compression:
+                status.tell(compression)
+        closed = outputs(result)
+        if not closed:
+            status(tally.progress(pairs.dropped))
+    tally.stop = time.perf_counter()
+    return "interrupted" if stop.requested else pairs.lost or ("the window was closed" if closed else "the end")
+
+
+@dataclass
+class Estimator:
+    """Depth estimator for pairs of frames."""
+
+    live: LiveDepth
+    coding: Coding
+    limit: float  # largest misfit of blocks whose depth is known
+    sharp: bool  # True to compute all-in-focus images
+    first_time: float = math.nan  # time of the first pair
+
+    def __call__(self, pair: videos.FramePair) -> PairResult:
+        """Return the depth of a pair, or the reason why it has no depth, such as a black frame."""
+        self.first_time = pair.time if math.isnan(self.first_time) else self.first_time
+        elapsed, start = pair.time - self.first_time, time.perf_counter()
+        try:
+            frames = self.coding.light(pair.first), self.coding.light(pair.second)
+            estimate = self.live(*equalize_rows(*frames, self.coding))
+        except ValueError as error:
+            failure = with_options(str(error))
+            for k, name in enumerate(("the first frame", "the second frame")):
+                failure = failure.replace(f"frames[{k}]", name)
+            return PairResult(elapsed, time.perf_counter() - start, failure)
+        image = self.live.sharp() if self.sharp else None
+        duration = time.perf_counter() - start
+        depth, errors, misfit = estimate.depth, estimate.errors, estimate.misfit
+        estimated = np.isfinite(errors)
+        is_known = estimated & (misfit <= self.limit)
+        medians = _median(depth[is_known]), _median(errors[is_known]), _median(misfit[estimated])
+        depth[~is_known], errors[~is_known] = np.nan, np.inf
+        numbers = float(is_known.mean()), float((estimated & ~is_known).mean()), *medians
+        return PairResult(elapsed, duration, "", depth, errors, image, estimate.light, numbers)
+
+
+def _median(values: Map) -> float:
+    return float(np.median(values)) if values.size else math.nan
+
+
+@dataclass
+class Tally:
+    """Statistics of the pairs so far."""
+
+    start: float = 0.0  # begin of the computation on the clock of time.perf_counter, seconds
+    stop: float = 0.0  # end of the computation on the same clock
+    pairs: int = 0
+    failed: int = 0  # number of pairs without depth
+    durations: deque[float] = field(default_factory=lambda: deque(maxlen=_MAX_PAIRS))  # seconds
+    rows: deque[tuple[float, ...]] = field(default_factory=lambda: deque(maxlen=_MAX_PAIRS))  # known, unfit, *median
+    electrons: float = math.nan  # mean electrons per pixel of the last pair with depth
+    jump_note: str = ""  # sentence on a jump of depth, or ""
+
+    def jump(self, result: PairResult) -> str:
+        """Set and return `jump_note` if the median depth jumps, as it does after the loss of one frame."""
+        _, _, depth, error, _ = result.numbers
+        before = self.rows[-1][2] if self.rows else math.nan
+        if abs(depth - before) > _JUMP * error:
+            self.jump_note = (
+                f"Depth jumps at {result.time:.2f} s, from {before:.4g} to {depth:.4g} m: if nothing in the scene "
+                "moved, a frame was lost, and near and far have been exchanged since then."
+            )
+        return self.jump_note
+
+    def add(self, result: PairResult) -> None:
+        """Count a pair."""
+        self.pairs += 1
+        self.durations.append(result.duration)
+        self.rows.append(result.numbers)
+        if result.failure:
+            self.failed += 1
+        else:
+            self.electrons = result.electrons
+
+    def progress(self, dropped: int) -> str:
+        """Return the line of progress."""
+        rate = self.pairs / (time.perf_counter() - self.start)
+        known, _, depth, error, misfit = self.rows[-1]
+        text = f"{self.pairs} pairs, {rate:.3g}/s, {1e3 * self.durations[-1]:.3g} ms; dropped {dropped}"
+        if known:
+            text += f"; {percent(known)} {depth:.4g} m +- {1e3 * error:.2g} mm, misfit {misfit:.2f}"
+        return text
+
+    def summary(self) -> Facts:
+        """Return mean fractions, and the medians of depth, standard error and misfit."""
+        columns = np.array(self.rows).T
+        known, unfit = columns[:2].mean(axis=1).tolist()
+        medians = plain([_median(column[np.isfinite(column)]) for column in columns[2:]])
+        named = dict(zip(("depth", "error", "misfit"), medians, strict=True))
+        return {"known": known, "unfit": unfit, "jump": self.jump_note or None} | named
+
+    def unknown(self, limit: float, facts: Facts) -> str:
+        """Return a sentence on blocks that are not known, or on the lack of depth; "" if there is nothing to say."""
+        if facts["unfit"]:
+            return (
+                f"not known for a misfit above {limit:g} (--misfit): {100.0 * facts['unfit']:.2g} % of the blocks; "
+                "causes: motion from frame to frame, depth edges, different magnification (--magnification lens)"
+            )
+        if self.failed == self.pairs:
+            return "no depth found: no pair could be used, for the reason given at the first pair"
+        return "" if facts["known"] else "no depth found: the frames have no texture, or all of it is out of range"
+
+
+def _counts(tally: Tally, pairs: videos.FramePairs, ended: str) -> Facts:
+    """Return computation times, and the numbers of frames and pairs that were not used."""
+    seconds = tally.stop - tally.start
+    return {
+        "pairs": tally.pairs,
+        "seconds": seconds,
+        "pairs_per_second": tally.pairs / seconds,
+        "frame_time": dict(
+            zip(("median", "95 %"), np.percentile(tally.durations, [50.0, 95.0]).tolist(), strict=True)
+        ),
+        "interval": pairs.interval,
+        "ended": ended,
+        "frames_dropped": pairs.dropped,
+        "frames_without_a_partner": pairs.alone,
+        "frames_of_another_size": pairs.refused,
+        "pairs_without_depth": tally.failed,
+    }
+
+
+class Outputs:
+    """Outputs for each pair: a video in colours, lossless depth, a table and a window."""
+
+    def __init__(self, files: Files, between: tuple[float, float], pairs: videos.FramePairs, coding: Coding) -> None:
+        height, width = pairs.shape
+        self._files, self._between, self._pairs = files, between, pairs
+        self._blocks = height // BLOCK, width // BLOCK
+        # Metres per level: the smallest power of ten whose levels reach the farthest distance; 1 mm for infinity.
+        far = between[1]
+        self._scale = 1e-3 if math.isinf(far) else float(10.0 ** math.ceil(math.log10(far / _MAX_LEVEL)))
+        self._shows = files.output is None and not no_window()
+        coloured = files.output is not None or self._shows
+        self._colours = DepthColours(between, (height, width), BLOCK, files.sharp) if coloured else None
+        self._curve = from_light(np.linspace(0.0, 1.0, _CURVE_LEVELS, dtype=np.float32), "srgb", np.uint8)
+        # Linear video may be far darker than its white: `_grey` then sets the white from the first image.
+        self._white = coding.white if coding.encoding == "srgb" else math.nan
+        self._stack, self._clipped = ExitStack(), 0  # _clipped: number of values above the largest level
+
+    def __enter__(self) -> Self:
+        files, interval = self._files, self._pairs.interval
+
+        def open_writer(path: Path, title: str) -> videos.VideoWriter:
+            writer: videos.VideoWriter = self._stack.enter_context(videos.find(path).write(path, interval, title))
+            return writer
+
+        level = f"metres per level {self._scale:g}, 0 where not known"
+        self._colour_video = None if files.output is None else open_writer(files.output, "depth")
+        titles = (f"depth: {level}", f"standard error of depth: {level}")
+        self._lossless = [open_writer(*arguments) for arguments in zip(files.depths, titles, strict=False)]
+        self._table = None if files.table is None else Table(files.table, self._stack)
+        self._window = Window("lommel watch", self._stack) if self._shows else None
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self._stack.__exit__(kind, error, trace)
+
+    def __call__(self, result: PairResult) -> bool:
+        """Write and show the result of a pair; return True if the window has been closed."""
+        if self._table is not None:
+            numbers = ["" if math.isnan(value) else f"{value:.6g}" for value in result.numbers]
+            self._table([f"{result.time:.4f}", *numbers, f"{result.duration:.5f}", self._pairs.dropped])
+        for writer, metres in zip(self._lossless, (result.depth, result.errors), strict=False):
+            writer(self._levels(metres), result.time)
+        if self._colours is None:
+            return False
+        unknown = np.full(self._blocks, np.nan, np.float32)
+        image = None if result.image is None else self._grey(result.image)
+        picture = self._colours(unknown if result.depth is None else result.depth, image)
+        if self._colour_video is not None:
+            self._colour_video(picture, result.time)
+        return self._window is not None and self._window(picture, None if self._pairs.live else result.time)
+
+    def _levels(self, metres: Map | None) -> NDArray[np.uint16]:
+        """Return metres as levels, 1 to 65535 or 0 where not known; count the values above the largest level."""
+        if metres is None:
+            return np.zeros(self._blocks, np.uint16)
+        is_known = np.isfinite(metres)
+        levels = np.rint(np.where(is_known, metres, 0.0) / self._scale)
+        self._clipped += int(np.count_nonzero(levels > _MAX_LEVEL))
+        return np.where(is_known, np.clip(levels, 1, _MAX_LEVEL), 0).astype(np.uint16)
+
+    def _grey(self, electrons: Map) -> NDArray[np.uint8]:
+        """Return an all-in-focus image in sRGB; white is as in sRGB video, or set by the first linear image."""
+        if math.isnan(self._white):
+            self._white = max(float(np.percentile(electrons, _WHITE_PERCENTILE)), 1.0)
+        levels = np.clip(electrons * ((_CURVE_LEVELS - 1) / self._white), 0.0, _CURVE_LEVELS - 1.0)
+        return np.asarray(self._curve[levels.astype(np.uint16)])
+
+    @property
+    def facts(self) -> Facts:
+        """Metres per level of lossless depth, and the number of values beyond the last level."""
+        return {"depth_scale": self._scale, "beyond_scale": self._clipped} if self._files.depths else {}
+
+
+class Table:
+    """Table with a row for each pair: written row by row to NAME.unfinished.csv, which is renamed at the end."""
+
+    def __init__(self, path: Path, stack: ExitStack) -> None:
+        self._path, self._stack = path, stack
+        self._recording: atomic.Recording | None = None
+
+    def __call__(self, row: list[object]) -> None:
+        """Write a row."""
+        if self._recording is None:  # no file before the first row: it could be left empty
+            self._recording = self._stack.enter_context(atomic.recording(self._path))
+            place = self._recording.path
+            line_buffered = atomic.closed(lambda: place.open("w", 1, encoding="utf-8", newline=""), self._path)
+            self._rows = csv.writer(self._stack.enter_context(line_buffered))
+            self._rows.writerow(_COLUMNS)
+        with atomic.as_path_error(self._path):
+            self._rows.writerow(row)
+            self._recording.added()
+
+
+class Window:
+    """OpenCV window for pictures; q, Esc and the close button of the window close it."""
+
+    def __init__(self, title: str, stack: ExitStack) -> None:
+        self._cv2, self._title = optional.library("cv2", "a window needs", "video"), title
+        self._start = math.nan
+        stack.callback(self._cv2.destroyAllWindows)
+
+    def __call__(self, picture: NDArray[np.uint8], end_time: float | None) -> bool:
+        """Show a picture until `end_time`, seconds after the first picture; return True if the window was closed."""
+        now = time.monotonic()
+        if math.isnan(self._start):
+            self._start = now
+        delay = 0.0 if end_time is None else self._start + end_time - now
+        self._cv2.imshow(self._title, picture[..., ::-1])
+        key = self._cv2.waitKey(max(1, round(1e3 * delay))) & 0xFF
+        return key in (27, ord("q")) or self._cv2.getWindowProperty(self._title, self._cv2.WND_PROP_VISIBLE) < 1.0
+
+
+def no_window() -> str:
+    """Return the reason why no window can be shown, or ""."""
+    if sys.platform == "linux" and not (os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY")):
+        return "there is no display"
+    try:
+        cv2 = optional.library("cv2", "a window needs", "video")
+    except ImportError as error:
+        return str(error)
+    if cv2.currentUIFramework():
+        return ""
+    return "this OpenCV has no windows: pip uninstall opencv-python-headless, then pip install opencv-python"
+
+
+class Clip(NamedTuple):
+    """Frames to sharpen, and the function that writes the light of a frame (1 is white) at its time."""
+
+    shape: tuple[int, ...]
+    coding: Coding
+    frames: Iterator[videos.VideoFrame]
+    write: Callable[[Values, float], object]
+    video: videos.VideoFrames | None
+
+
+@command
+@filled(video=suffixes("video"), photo=suffixes("photo"))
+def sharpen(
+    clip: Path,
+    lens: Path,
+    /,
+    *,
+    output: Annotated[Path, OUTPUT],
+    at: Annotated[float | None, Shown(length="m")] = None,
+    map_: Annotated[Path | None, Shown(("--depth",), metavar="FILE")] = None,
+    encoding: Encoding | None = None,
+    clip_camera: PhotoCamera = PhotoCamera(),
+    video_noise: FrameNoise = FrameNoise(),
+    depth_map: DepthMap = DepthMap(missing="nearest"),
+) -> Report:
+    """Sharpen video or a photo of known depth.
+
+    Wiener filters in one pass, at video rate. CLIP is a video file, numbered images (a folder or frames/%04d.tif)
+    or a photo, in grey or colour. LENS is a lens file. Blur wider than about 40 pixels is removed only in part;
+    `lommel restore` takes longer and removes more. Ctrl-C, SIGTERM or a closed terminal ends the command and leaves a
+    complete file.
+
+    Parameters
+    ----------
+    output
+        Sharp video: {video}; of a photo: {photo}.
+    at
+        Distance of the whole scene, such as 1.5m.
+    map_
+        Depth map instead, of the size of the frames or of their blocks of 4 x 4 pixels.
+    encoding
+        Encoding of the values; by default grey of more than 8 bits and floats are linear, all else is sRGB.
+    f_number
+        F-number; overrides the lens file.
+
+    Examples
+    --------
+      lommel sharpen clip.mp4 phone.toml --focus 2m --at 1.5m -o sharp.mp4
+      lommel sharpen photo.png phone.toml --focus 1.5m --depth depth.tif --white 5000 --read 3 -o sharp.png
+    """
+    if (at is None) == (map_ is None):
+        raise ValueError(f"give one of --at and --depth, got {'neither' if at is None else 'both'}")
+    require_folder(output)
+    instrument = radial_instrument(lens, **vars(clip_camera))
+    lens_in_use = instrument.lens
+    count = 0
+    with Stop().signals() as stop, progress("reading", endless=True) as status, ExitStack() as stack:
+        coder = partial(coding_of, video_noise=video_noise, camera=instrument.camera, encoding=encoding)
+        shape, coding, frames, write, video = _clip(clip, output, coder, encoding, status, stack)
+        metres = np.array([[at]]) if map_ is None else _map(map_, depth_map, shape[:2])
+        distance: float | Array = fill_missing(metres, depth_map.missing or "nearest") if at is None else at
+        if map_ is not None:
+            warn_of_depths(lens_in_use, instrument.side, distance)
+        if coding.guess:
+            status.tell(coding.guess)
+        status("computing the filters")
+        live: LiveSharpen | None = None
+        start = time.perf_counter()
+        while (frame := stop.next(frames)) is not None:
+            light = coding.light(frame.values)
+            if live is None:
+                live = _filters(lens_in_use, instrument.side, distance, coding, light)
+                start, first_time = time.perf_counter(), frame.time
+                mean = float(coding.noise.electrons(float(np.nanmean(light))))
+            write(live(light, distance) / np.float32(coding.white), frame.time - first_time)
+            count += 1
+            status(f"{count} frames, {count / (time.perf_counter() - start):.3g}/s")
+        seconds = time.perf_counter() - start
+        failure = None if video is None else video.lost
+        end_reason = "interrupted" if stop.requested else failure or "the end"
+        if not count:
+            if stop.requested:
+                raise KeyboardInterrupt
+            raise ValueError(f"no frame was read: {end_reason}")
+    ends = [float(np.min(distance)), float(np.max(distance))]
+    blur = float(np.max(2.0 * lens_in_use.pupil(np.array(ends)).geometric_radius())) / instrument.side
+    facts = {
+        **coding.facts,
+        "shape": list(shape),
+        "pixel": instrument.side,
+        "focus_distance": finite(lens_in_use.focus_distance),
+        "f_number": lens_in_use.f_number,
+        "focal_length": lens_in_use.focal_length,
+        "between": [finite(end) for end in ends],
+        "unknown": depth_facts(metres)["depth_unknown"],
+        "blur": blur,
+        "frames": count,
+        "seconds": seconds,
+        "ended": end_reason,
+    }
+    notes = [coding.guess]
+    if video is not None:
+        bits, lossy = coding.check_compression(video.bits, mean)
+        notes.append(lossy)
+        facts |= bits | {"frames_dropped": video.dropped, "frames_of_another_size": video.refused}
+    lines = Report({}, [Wrapped(note) for note in notes if note])
+    return told(facts, succeeded=failure is None) + lines + written([output])
+
+
+def _map(path: Path, values: imaging.DepthMapOptions, shape: tuple[int, ...]) -> Array:
+    """Return a depth map of the size of frames or, unless it is to be resampled, of their blocks."""
+    depth_map = imaging.read_depth(
+        path, shape=None if values.resample is None else shape, options=replace(values, missing=None)
+    )
+    sizes = shape, (shape[0] // BLOCK, shape[1] // BLOCK)
+    if depth_map.shape not in sizes:
+        raise ValueError(
+            f"{validation.line(path)} must have the shape {sizes[0]} or {sizes[1]}, got {depth_map.shape}; "
+            '`resample` "nearest" uses the nearest pixels of a map of the same aspect ratio'
+        )
+    return depth_map
+
+
+def _filters(lens: Lens, pixel: float, distance: float | Array, coding: Coding, first_frame: Values) -> LiveSharpen:
+    """Return the filters for a range of distances, and for the mean light of the first frame."""
+    nearest, farthest = float(np.min(distance)), float(np.max(distance))
+    return LiveSharpen(
+        lens,
+        pixel,
+        between=(min(nearest, _MAX_NEAREST) * (1.0 - _RANGE_MARGIN), farthest * (1.0 + _RANGE_MARGIN)),
+        noise=coding.noise,
+        shape=first_frame.shape,
+        light=max(1.0, float(coding.noise.electrons(float(np.nanmean(first_frame))))),
+        saturation=coding.saturation,
+    )
+
+
+def _clip(
+    clip: Path, output: Path, coder: Callable[..., Coding], encoding: str | None, status: Steps, stack: ExitStack
+) -> Clip:
+    """Open a photo or a video, and its output."""
+    if (
+        clip.suffix.lower() in {suffix for form in formats("photo") for suffix in form.suffixes}
+        and "%" not in clip.name
+    ):
+        photos.find(output, "--output")
+        picture = imaging.read_photo(clip, encoding)
+        values = picture.values
+        if values.dtype.kind == "f":
+            warn_if_bright(values)
+        levels = 0 if values.dtype.kind == "f" else 2 ** (8 * values.dtype.itemsize)
+        coding = coder(levels, values.dtype, picture.encoding)
+        dtype, stored_as = output_type(picture, output)
+
+        def save(light: Values, _: float) -> None:
+            imaging.write_photo(output, light, encoding=stored_as, dtype=dtype, like=picture)
+
+        return Clip(values.shape, coding, iter([videos.VideoFrame(values, 0.0)]), save, None)
+    form = videos.find(output, "--output")
+    video = stack.enter_context(videos.video_frames(str(clip), tell=status.tell))
+    coding = coder(video.levels, video.dtype, video.encoding)
+    # Grey of more than 8 bits keeps its bits and its encoding, if the format can store them.
+    is_16_bit = video.dtype != np.uint8 and len(video.shape) == 2 and "of uint16" in form.holds
+    write = stack.enter_context(form.write(output, video.interval))
+
+    def store(light: Values, seconds: float) -> None:
+        stored = from_light(light, coding.encoding, np.uint16) if is_16_bit else from_light(light, "srgb", np.uint8)
+        write(stored, seconds)
+
+    return Clip(video.shape, coding, video, store, video)
+
+
+class Coding(NamedTuple):
+    """Encoding and noise of stored values."""
+
+    encoding: str  # "srgb" or "linear"
+    levels: int  # number of integer levels, 0 for floats
+    white: float  # electrons at white, in the noise model that includes rounding
+    noise: Noise  # noise of the values that the method `light` returns
+    saturation: float | None  # saturation level of the values that the method `light` returns, or None
+    guess: str  # sentence for the report if the noise is a guess, otherwise ""
+    words: str  # description of the encoding for the report
+    facts: Facts
+
+    def light(self, values: Values) -> Values:
+        """Return values for the live filters: sRGB is decoded, linear values stay unchanged."""
+        return to_light("the video", values, "srgb", np.float32) if self.encoding == "srgb" else values
+
+    def noise_bits(self, electrons: float) -> float:
+        """Return the entropy of a stored pixel's noise, bits, at a number of electrons, for normal noise."""
+        sigma = math.hypot(math.sqrt(electrons), self.noise.read)
+        ends = np.clip(np.array([electrons - sigma, electrons + sigma]) / self.white, 0.0, 1.0)
+        low, high = from_light(ends, self.encoding, np.float64)
+        steps = 0.5 * (self.levels - 1) * float(high - low)  # standard deviation in steps between levels
+        return max(0.0, math.log2(max(steps, 0.1) * math.sqrt(2.0 * math.pi * math.e)))
+
+    def check_compression(self, bits: float | None, electrons: float) -> tuple[Facts, str]:
+        """Return (1) the bits per pixel of a compressed video and of its noise, (2) a warning if noise is lost."""
+        if bits is None or math.isnan(electrons):
+            return {"bits": None, "noise_bits": None}, ""
+        noise_bits, warning = self.noise_bits(electrons), ""
+        if bits < _MIN_BITS_FRACTION * noise_bits:
+            warning = (
+                f"Compression leaves {bits:.2g} bits a pixel, but the noise alone has {noise_bits:.2g}: fine texture "
+                "is lost, and depth may be wrong by many standard errors. Record with less compression or none."
+            )
+        return {"bits": bits, "noise_bits": noise_bits}, warning
+
+
+def equalize_rows(first: Values, second: Values, coding: Coding) -> list[Values]:
+    """Return two frames, the rows of the second scaled to a uniform ratio of brightness; saturated pixels are NaN.
+
+    A rolling shutter records a flickering lamp as bands of rows, which a smooth ratio of exposures cannot represent.
+    """
+    frames = [frame.astype(np.float32) - np.float32(coding.noise.offset) for frame in (first, second)]
+    limit = math.inf if coding.saturation is None else coding.saturation - float(coding.noise.offset)
+    valid = np.logical_and(*(frame < limit for frame in frames))
+    if not valid.all():
+        frames = [np.where(valid, frame, np.float32(np.nan)) for frame in frames]
+    sums = [np.nansum(frame, axis=1, dtype=np.float64) for frame in frames]
+    rows = [scipy.ndimage.gaussian_filter1d(row_sums, _ROW_SMOOTHING) for row_sums in sums]
+    equalized = np.minimum(*rows) > _DARK_ROW * max(rows[0].mean(), rows[1].mean())
+    if equalized.any():
+        ratio = np.ones(len(rows[0]))
+        np.divide(rows[1], rows[0], out=ratio, where=equalized)
+        ratio[equalized] *= rows[0][equalized].sum() / rows[1][equalized].sum()
+        frames[1] *= (1.0 / np.clip(ratio, 0.5, 2.0)).astype(np.float32)[:, None]
+    for frame in frames:
+        frame += np.float32(coding.noise.offset)
+    return frames
+
+
+def coding_of(
+    levels: int,
+    dtype: np.dtype[np.generic],
+    default_encoding: str,
+    video_noise: FrameNoise,
+    camera: Camera | None,
+    encoding: str | None,
+) -> Coding:
+    """Return the coding of stored values from the options --white, --read, --offset, --saturation and --encoding.
+
+    The noise of 8-bit sRGB values is always reported as a guess; without option and camera it has default values.
+    """
+    encoding_used = encoding or default_encoding
+    is_guess = encoding_used == "srgb" and levels == 256
+    options, assumed = vars(video_noise).copy(), []
+    for name, value in (("white", _DEFAULT_WHITE), ("read", _DEFAULT_READ)) if is_guess else ():
+        of_camera = camera and (camera.full_well if name == "white" else camera.read)
+        if options[name] is None and of_camera is None:
+            options[name] = value
+            assumed.append(f"--{name}")
+    sensor = noise_of(options, camera, photographs=True)
+    white, read, offset = np.array([sensor.white, sensor.read, sensor.offset], np.float64).tolist()
+    value_of_white = 1.0 if encoding_used == "srgb" or dtype.kind == "f" else float(np.iinfo(str(dtype)).max)
+    stored_white, stored_read = stored_noise(white, read, levels, encoding_used)
+    bits = "float" if dtype.kind == "f" else f"{levels.bit_length() - 1}-bit"
+    label, other_label = ("sRGB", "linear") if encoding_used == "srgb" else ("linear", "sRGB")
+    text = f"{bits} values, {label}"
+    if encoding is None:
+        text = f"{bits} values, assumed {label}; if they are {other_label}, give --encoding {other_label.lower()}"
+    guess = ""
+    if is_guess:
+        source = f"by default; give {' and '.join(assumed)}" if assumed else "as stated"
+        guess = (
+            f"The noise of 8-bit sRGB values is a guess, because cameras denoise and compress them: {white:g} "
+            f"electrons at white, read noise {read:g} electrons ({source}), and rounding."
+        )
+    facts = {"read": text, "white": white, "read_noise": read, "noise_is_a_guess": is_guess, "assumed": assumed}
+    saturation = None if video_noise.saturation is None else video_noise.saturation * value_of_white
+    if levels:
+        saturation = min(math.inf if saturation is None else saturation, (1.0 - _TOP_MARGIN) * value_of_white)
+    noise = Noise(white=stored_white / value_of_white, read=stored_read, offset=offset * value_of_white)
+    return Coding(encoding_used, levels, stored_white, noise, saturation, guess, text, facts)
+
+
+def stored_noise(white: float, read: float, levels: int, encoding: str) -> tuple[float, float]:
+    """Return (1) electrons at white and (2) read noise, electrons, both with rounding to `levels` (0: no rounding).
+
+    Rounding adds a twelfth of the squared step to the variance. The squared step of sRGB grows with the light, so
+    that the total variance is nearly linear in the light: both values follow from a least-squares line.
+    """
+    if not levels:
+        return white, read
+    if encoding == "linear":
+        return white, math.hypot(read, white / (levels - 1) / math.sqrt(12.0))
+    light = to_light("levels", np.linspace(0.0, 1.0, levels), "srgb", np.float64)
+    variance = light / white + (read / white) ** 2 + np.gradient(light) ** 2 / 12.0
+    fitted = light > _FIT_ABOVE
+    terms = np.stack([light, np.ones_like(light)], axis=1)[fitted] / variance[fitted, None]
+    slope, constant = np.linalg.lstsq(terms, np.ones(len(terms)), rcond=None)[0].tolist()
+    return 1.0 / slope, math.sqrt(max(constant, 0.0)) / slope
+
+
+class Stop:
+    """A request by a signal to end a loop over frames, once the frame in progress is written.
+
+    The signals are SIGINT (Ctrl-C), SIGTERM and SIGHUP (the terminal was closed), unless SIGHUP is ignored (nohup).
+    """
+
+    def __init__(self) -> None:
+        self.requested = False
+        self._waiting = True  # no frame is being written, and no file is open before the first one
+
+    @contextmanager
+    def signals(self) -> Iterator[Self]:
+        """Handle the signals within a ``with`` block; a second Ctrl-C interrupts without waiting for the frame."""
+
+        def handle(number: int, _frame: FrameType | None) -> None:
+            if number == _HANGUP:
+                _leave_terminal()
+            repeated, self.requested = self.requested, True
+            # Systems repeat the other signals: a shell and the kernel both send SIGHUP.
+            if self._waiting or (repeated and number == signal.SIGINT):
+                self._waiting = False
+                raise KeyboardInterrupt
+
+        numbers = [signal.SIGINT, signal.SIGTERM]
+        if _HANGUP is not None and signal.getsignal(_HANGUP) != signal.SIG_IGN:
+            numbers.append(_HANGUP)
+        handlers = {number: signal.signal(number, handle) for number in numbers}
+        try:
+            yield self
+        finally:
+            for number, handler in handlers.items():
+                signal.signal(number, handler)
+
+    def next(self, frames: Iterator[Frame]) -> Frame | None:
+        """Return the next frame, or None at the end of the video or at a signal."""
+        try:
+            self._waiting = True
+            return None if self.requested else next(frames, None)
+        except KeyboardInterrupt:
+            return None
+        finally:
+            self._waiting = False
+
+
+def _leave_terminal() -> None:
+    """Redirect output to the null device where the terminal is gone: writing the summary would fail."""
+    for stream in (1, 2):
+        try:
+            os.write(stream, b"")
+        except OSError:
+            os.dup2(os.open(os.devnull, os.O_WRONLY), stream)

@@ -162,7 +162,7 @@ def blur(
         return _through_field(photo, (depth, lens), output, encoding, camera_options, blurring)
     if batch:
         return _render(output, (photo, depth, lens), camera_options, depth_map, data)
-    _refuse_others(vars(DataSet()), "is an option for data sets, and needs --batch")
+    _refuse(vars(DataSet()).keys() & given_flags(), "is an option for data sets, and needs --batch")
     photo_files.find(output, "--output")
     with terminated_as_interrupted(), progress("reading") as status:
         job = Job((photo, depth, lens), output, encoding, camera_options, depth_map)
@@ -182,11 +182,10 @@ def blur(
     return job.report(_errors(rendered, clipped) | {"seconds": seconds}, blurring.supersample)
 
 
-def _refuse_others(names: Iterable[str], reason: str) -> None:
-    """Raise ValueError if the command line states one of the options with these names."""
-    for name, flag in given_flags().items():
-        if name in names:
-            raise ValueError(f"{flag} {reason}")
+def _refuse(names: Iterable[str], reason: str) -> None:
+    """Raise ValueError if there are options, by these names of arguments, that do not apply."""
+    for name in sorted(names):
+        raise ValueError(f"{given_flags()[name]} {reason}")
 
 
 def _errors(rendered: imaging.Rendered, clipped: float) -> Facts:
@@ -204,8 +203,8 @@ def _render(
 ) -> Report:
     """Render a data set into a folder, from folders of photos and of depth maps and from a file of lenses."""
     photos, depths, lens = files
-    _refuse_others(
-        {"camera", "encoding", *vars(imaging.BlurOptions())},
+    _refuse(
+        {"camera", "encoding", *vars(imaging.BlurOptions())} & given_flags().keys(),
         "is an option for a single photo; it cannot be combined with --batch",
     )
     lenses = _lenses(lens, camera)
@@ -269,10 +268,10 @@ def _through_field(
 ) -> Report:
     """Render a photograph through the lens of a file: blur over its field, distortion, lateral colour, shading."""
     path, other = files
-    stated = given_flags() | ({} if other is None else {"lens": "DEPTH"})
-    for name, flag in stated.items():
-        if name not in _FIELD_OPTIONS:
-            raise ValueError(f"{flag} cannot be combined with --over-field, which takes PHOTO and the lens file")
+    reason = "cannot be combined with --over-field, which takes PHOTO and the lens file"
+    if other is not None:
+        raise ValueError(f"DEPTH {reason}")
+    _refuse(given_flags().keys() - _FIELD_OPTIONS, reason)
     photo_files.find(output, "--output")
     with terminated_as_interrupted(), progress("reading") as status:
         photograph = imaging.read_photo(photo, encoding)
@@ -288,7 +287,7 @@ def _through_field(
         dtype, stored_as = output_type(photograph, output)
         status("computing PSFs and blurring")
         start = time.perf_counter()
-        tol = FieldPhotographOptions(tol=blurring.tol) if "tol" in stated else None
+        tol = FieldPhotographOptions(tol=blurring.tol) if "tol" in given_flags() else None
         rendered = imaging.field_photograph(light, field, pitch, encoding="linear", options=tol)
         seconds = time.perf_counter() - start
         clipped = imaging.write_photo(output, rendered.values, encoding=stored_as, dtype=dtype, like=photograph)
@@ -298,7 +297,7 @@ def _through_field(
     facts = _errors(rendered, clipped) | {
         "shape": list(light.shape),
         "encoding": {"photo": photograph.encoding, "output": stored_as},
-        "read": read_as(photograph, encoding),
+        "read": _read_as(photograph, encoding),
         "pixel": pitch,
         "moved": shift,
         "seconds": seconds,
@@ -431,25 +430,18 @@ class Job:
         shape = self.photograph.values.shape
         self._depth = imaging.read_depth(depth, shape=shape, options=replace(depth_map, missing=None))
         self.filled_depth = fill_missing(self._depth, depth_map.missing)
-        self.camera = stated.camera
-        pixel = stated.pixel if stated.pixel is not None or self.camera is None else self.camera.side
-        if lens is None:
-            optics = self._lens_of_exif(stated.f_number)
+        if lens is not None:
+            instrument = radial_instrument(lens, **vars(stated))
+            self.lens, self.pixel, self.camera = instrument.lens, instrument.side, instrument.camera
+        else:
+            self.lens, self.camera = self._lens_of_exif(stated.f_number), stated.camera
+            pixel = stated.pixel or (None if stated.camera is None else stated.camera.side)
             if pixel is None:
                 raise ValueError("without a lens file give --camera or --pixel")
             if stated.focus_distance is None:
                 raise ValueError("without a lens file give --focus")
-        else:
-            instrument = radial_instrument(lens)
-            optics = instrument.lens
-            pixel = instrument.side if pixel is None else pixel
-            self.camera = self.camera or instrument.camera
-            try:
-                optics = optics if stated.f_number is None else optics.stopped(stated.f_number)
-            except ValueError as error:
-                raise ValueError(f"--f-number of {lens}: {error}") from None
-        self.lens = optics if stated.focus_distance is None else optics.focused(stated.focus_distance)
-        self.pixel = pixel
+            self.lens = self.lens.focused(stated.focus_distance)
+            self.pixel = pixel
         self._dtype, self._stored_as = output_type(self.photograph, output)
         photo_files.find(output, "--output", holding=f"of {self._dtype}")
 
@@ -484,7 +476,7 @@ class Job:
         common = {
             "shape": [height // points, width // points, *channels],
             "encoding": {"photo": photograph.encoding, "output": self._stored_as},
-            "read": read_as(photograph, self._encoding),
+            "read": _read_as(photograph, self._encoding),
             "bits": "float" if self._dtype.kind == "f" else str(8 * self._dtype.itemsize),
             "focal_length": lens.focal_length,
             "f_number": lens.f_number,
@@ -494,14 +486,19 @@ class Job:
         return told(common | depth_facts(self._depth) | facts) + written([self._output])
 
 
-def read_as(photograph: imaging.Photograph, encoding: str | None) -> str:
-    """Return a description of the encoding of a photograph, as `encoding` or assumed."""
-    kind = "float" if photograph.values.dtype.kind == "f" else f"{8 * photograph.values.dtype.itemsize}-bit"
+def read_as(dtype: np.dtype[np.generic], bits: int, encoding: str, stated: bool) -> str:
+    """Return a description of the encoding of values, as stated or assumed."""
     names = {"srgb": "sRGB", "linear": "linear"}
-    if encoding is not None:
-        return f"{kind} values, {names[encoding]}"
-    other = "linear" if photograph.encoding == "srgb" else "srgb"
-    return f"{kind} values, assumed {names[photograph.encoding]}; if they are {names[other]}, give --encoding {other}"
+    text = f"{'float' if dtype.kind == 'f' else f'{bits}-bit'} values, "
+    if stated:
+        return text + names[encoding]
+    other = "linear" if encoding == "srgb" else "srgb"
+    return f"{text}assumed {names[encoding]}; if they are {names[other]}, give --encoding {other}"
+
+
+def _read_as(photograph: imaging.Photograph, encoding: str | None) -> str:
+    dtype = photograph.values.dtype
+    return read_as(dtype, 8 * dtype.itemsize, photograph.encoding, encoding is not None)
 
 
 def output_type(photograph: imaging.Photograph, output: Path) -> tuple[np.dtype[np.generic], str]:
@@ -649,7 +646,7 @@ def depth(
             _write_sharp(sharp, estimate, pictures[0])
         save_figure(estimate.plot, figure)
     facts = estimate.to_dict() | lens_facts(lenses) | {"seconds": seconds, "pixel": instrument.side}
-    facts["read"] = read_as(pictures[0], encoding)
+    facts["read"] = _read_as(pictures[0], encoding)
     none = "no depth found: the photos have no texture, or all of it is out of range"
     text = [none] if facts["depth"] is None else []
     return told(facts) + Report({}, text) + verdict_report(estimate.verdict) + written([*outputs, sharp, figure])

@@ -40,6 +40,7 @@ from lommel.cli.photo_commands import (
     each_lens,
     lens_facts,
     output_type,
+    read_as,
     verdict_report,
 )
 from lommel.imaging import LiveDepth, LiveSharpen
@@ -713,7 +714,6 @@ class Coding(NamedTuple):
     noise: Noise  # noise of the values that the method `light` returns
     saturation: float | None  # saturation level of the values that the method `light` returns, or None
     guess: str  # sentence for the report if the noise is a guess, otherwise ""
-    words: str  # description of the encoding for the report
     facts: Facts
 
     def light(self, values: Values) -> Values:
@@ -788,11 +788,7 @@ def coding_of(
     white, read, offset = np.array([sensor.white, sensor.read, sensor.offset], np.float64).tolist()
     value_of_white = 1.0 if encoding_used == "srgb" or dtype.kind == "f" else float(np.iinfo(str(dtype)).max)
     stored_white, stored_read = stored_noise(white, read, levels, encoding_used)
-    bits = "float" if dtype.kind == "f" else f"{levels.bit_length() - 1}-bit"
-    label, other_label = ("sRGB", "linear") if encoding_used == "srgb" else ("linear", "sRGB")
-    text = f"{bits} values, {label}"
-    if encoding is None:
-        text = f"{bits} values, assumed {label}; if they are {other_label}, give --encoding {other_label.lower()}"
+    text = read_as(dtype, levels.bit_length() - 1, encoding_used, encoding is not None)
     guess = ""
     if is_guess:
         source = f"by default; give {' and '.join(assumed)}" if assumed else "as stated"
@@ -805,7 +801,7 @@ def coding_of(
     if levels:
         saturation = min(math.inf if saturation is None else saturation, (1.0 - _TOP_MARGIN) * value_of_white)
     noise = Noise(white=stored_white / value_of_white, read=stored_read, offset=offset * value_of_white)
-    return Coding(encoding_used, levels, stored_white, noise, saturation, guess, text, facts)
+    return Coding(encoding_used, levels, stored_white, noise, saturation, guess, facts)
 
 
 def stored_noise(white: float, read: float, levels: int, encoding: str) -> tuple[float, float]:

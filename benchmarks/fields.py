@@ -136,7 +136,7 @@ def charts(count: int) -> list[str]:
         )
         began = time.process_time()
         fit = searches.fit_field(
-            images, places, lm.Pupil(), sensor=SENSOR, pixel=0.5, noise=NOISE, degree=2, terms=5, targets="crossing",
+            images, places, lm.Pupil(), sensor=SENSOR, pixel=0.5, noise=NOISE, degree=2, terms=5, kind="crossing",
             size=20.0, integrate=True,
         )  # fmt: skip
         seconds = time.process_time() - began

@@ -184,9 +184,8 @@ def print_calls() -> None:
     )
 
     def fit_field() -> object:
-        return lm.fit_field(
-            windows, np.round(places), lm.Pupil(), sensor=(500, 500), pixel=1.0, noise=noise, degree=1, defocus=6.0
-        )
+        targets = lm.detection.Targets(windows=windows, places=np.round(places), shape=(500, 500), noise=noise)
+        return lm.fit_field(targets, lm.Pupil(), pixel=1.0, degree=1, defocus=6.0)
 
     steps = lm.imaging.RichardsonLucy(steps=5)
     calls: list[tuple[str, Callable[[], object], int]] = [

@@ -225,9 +225,9 @@ def test_a_picture_of_pinholes_becomes_a_table(tmp_path, call_lommel):
         (("blank.npy", "--targets", "crossing"), "0 crossings found; refused: none: squares must be larger than"),
         (("chart.npy", "--targets", "crossing", "--saturation", 3000), "17 saturated: expose less, below saturation"),
         (("chart.npy", "--targets", "crossing", "--window", 61), "at least 4 crossings of a checkerboard; "),
-        (("chart.npy", "--targets", "pinhole"), "size must be the diameter of the pinholes"),
+        (("chart.npy", "--targets", "pinhole"), "--size must be given for pinholes"),
         (("blank.npy", "--distortion", 3), "--distortion must be left out for stars"),
-        (("chart.npy", "--size", "8um"), "--size must be left out for stars"),
+        (("chart.npy", "--size", "8um"), "left out for stars, which are points"),
     ],
 )
 def test_charts_that_cannot_be_fitted_are_told(chart, call_lommel, options, message):

@@ -149,4 +149,4 @@ def test_the_pose_leaves_no_magnification_over_the_sensor():
 def test_bad_places_are_told(change, message):
     windows, places = np.random.default_rng(1).poisson(100.0, (16, 9, 9)).astype(float), np.rint(grid(4)[0])
     with pytest.raises(ValueError, match=message):
-        lm.fit_field(windows, places, lm.Pupil(), sensor=CHIP.shape, pixel=0.5, noise=NOISE, **change)
+        searches.fit_field(windows, places, lm.Pupil(), sensor=CHIP.shape, pixel=0.5, noise=NOISE, **change)

@@ -53,10 +53,8 @@ def fit_beads(images: Any) -> np.ndarray:
 def fit_field(images: Any) -> np.ndarray:
     noise = NOISES["fit-field"]
     found = find_spots(images, noise=noise, window=17, threshold=8.0, width=2.0)
-    fitted = lm.fit_field(
-        found.windows, found.places, lm.Pupil(wavelength=550e-9, f_number=8.0), sensor=found.shape, pixel=2.2e-6,
-        noise=noise, degree=0, terms=5, defocus=[-2.5, 0.0, 2.5], blur=0.0,
-    )  # fmt: skip
+    pupil = lm.Pupil(wavelength=550e-9, f_number=8.0)
+    fitted = lm.fit_field(found, pupil, pixel=2.2e-6, degree=0, terms=5, defocus=[-2.5, 0.0, 2.5], blur=0.0)
     return np.array([*np.ravel(found.places), fitted.chi2])
 
 

@@ -72,8 +72,8 @@ def beads(noise):
 def field(noise):
     places = [(60, 60), (60, 200), (200, 60), (200, 200)]
     windows = [star(seed) for seed in range(4)]
-    options = {"pixel": 0.5, "noise": noise, "terms": 2, "degree": 0, "start": None, "defocus": 0.0}
-    found = lm.fit_field(windows, places, lm.Pupil(), sensor=(260, 260), blur=0.0, **options)
+    targets = lm.detection.Targets(windows=windows, places=places, shape=(260, 260), noise=noise)
+    found = lm.fit_field(targets, lm.Pupil(), pixel=0.5, terms=2, degree=0, defocus=0.0, blur=0.0)
     stars = found.stars
     return [found.coefficients, found.covariance, found.chi2], [
         stars.flux,
@@ -211,7 +211,7 @@ def traced(noise):
 
 
 HONOURED = {
-    "lommel.retrieve": retrieve, "lommel.fit_beads": beads, "lommel.fit_field": field,
+    "lommel.retrieve": retrieve, "lommel.fit_beads": beads, "lommel.detection.Targets": field,
     "lommel.detection.find_spots": spots, "lommel.detection.find_crossings": crossings, "lommel.fisher": fisher,
     "lommel.depth_precision": precision, "lommel.best_depth_foci": foci, "lommel.imaging.depth_from_defocus": depths,
     "lommel.imaging.restore": photograph,
@@ -227,6 +227,8 @@ OTHERS = {
     "lommel.imaging.render_dataset",
     "lommel.Counts",
     "lommel.recorded.Counts",
+    "lommel.detection.PointSources",
+    "lommel.detection.Crossings",
 }
 
 

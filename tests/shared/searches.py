@@ -5,9 +5,10 @@ from __future__ import annotations
 from typing import Any
 
 import lommel as lm
+from lommel.detection import Targets
 from lommel.estimation import EFFORT, Effort, beads
 from lommel.estimation.beads import BeadFit, fit_stacks
-from lommel.estimation.field_fit import FieldFit, fit_windows
+from lommel.estimation.field_fit import FieldFit, fit_targets
 from lommel.estimation.phase_retrieval import Retrieval, fit_stars
 
 
@@ -29,9 +30,10 @@ def fit_beads(stacks: Any, microscope: Any, *, z: Any, noise: Any = None, **give
 
 
 def fit_field(
-    windows: Any, places: Any, pupil: Any, *, sensor: Any, pixel: float, noise: Any = None, **given: Any
-) -> FieldFit:
-    """Fit as :func:`lommel.fit_field`."""
+    windows: Any, places: Any, pupil: Any, *, sensor: Any, pixel: float, noise: Any = None, kind: Any = "star",
+    **given: Any,
+) -> FieldFit:  # fmt: skip
+    """Fit windows around targets as :func:`lommel.fit_field`."""
     effort, options = effort_of(given), lm.FieldFitOptions.of("fit_field", None, given)
-    place = {"sensor": sensor, "pixel": pixel, "noise": noise}
-    return fit_windows(windows, places, pupil, **place, options=options, effort=effort)
+    targets = Targets(windows=windows, places=places, shape=sensor, noise=noise, kind=kind)
+    return fit_targets(targets, pupil, pixel=pixel, options=options, effort=effort)

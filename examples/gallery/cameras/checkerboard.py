@@ -86,24 +86,11 @@ crossings.plot()
 plt.gca().set(xlabel="column (pixels)", ylabel="row (pixels)")
 
 # %%
-# All crossings are fitted jointly. One picture leaves the common sign of defocus and astigmatism open: `start` is a
-# rough design, of a field that is curved the right way.
+# All crossings are fitted jointly. One picture leaves the common sign of defocus and astigmatism open: it is that
+# of a rough design, of a field that is curved the right way.
 
 design = lm.FieldMap.from_seidel(210e-6, W220=0.5, wavelength=wavelength, f_number=f_number)
-fit = lm.fit_field(
-    crossings.windows,
-    crossings.places,
-    lm.Pupil(wavelength=wavelength, f_number=f_number),
-    sensor=crossings.shape,
-    pixel=pixel,
-    noise=camera,
-    targets="crossing",
-    size=crossings.square * pixel,
-    terms=5,
-    degree=2,
-    blur=False,
-    start=design,
-)
+fit = lm.fit_field(crossings, design, pixel=pixel, terms=5, degree=2, blur=False)
 print(fit.message)
 
 # %%

@@ -64,8 +64,7 @@ image = camera.record(sky, seed=1885)
 
 stars = lm.detection.find_spots(image, noise=camera, window=window)
 print(stars.message)
-known = {"sensor": stars.shape, "pixel": pitch, "noise": camera}
-fit = lm.fit_field(stars.windows, stars.places, telescope, terms=5, degree=2, blur=False, **known)
+fit = lm.fit_field(stars, telescope, pixel=pitch, terms=5, degree=2, blur=False)
 print(fit.message)
 fit.plot()
 

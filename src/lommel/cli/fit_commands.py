@@ -9,7 +9,7 @@ from collections import Counter
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Annotated, Any, ClassVar, NamedTuple
+from typing import Annotated, Any, ClassVar, Literal, NamedTuple
 
 import numpy as np
 
@@ -26,7 +26,7 @@ from lommel.detection.targets import Crossings, PointSources, find_crossings, fi
 from lommel.estimation import EFFORT
 from lommel.estimation.bead_images import CONSTANTS
 from lommel.estimation.beads import BeadFit, fit_beads
-from lommel.estimation.field_fit import FieldFit, fit_windows, target_of
+from lommel.estimation.field_fit import FieldFit, fit_targets
 from lommel.estimation.options import BeadOptions, FieldFitOptions, RetrieveOptions
 from lommel.estimation.phase_retrieval import Retrieval, fit_stars
 from lommel.estimation.star_images import label
@@ -190,6 +190,7 @@ def fit_field(
     /,
     *,
     options: FieldFitOptions = FieldFitOptions(),
+    kind: Annotated[Literal["star", "pinhole", "crossing"], Shown(("--targets",))] = "star",
     known_blur: Annotated[float | None, In(least=0.0), Shown(metavar="PIXELS")] = None,
     seeing: Annotated[float | None, In(above=0.0, most=60.0), Shown(metavar="ARCSEC")] = None,
     output: Annotated[Path | None, OUTPUT] = None,
@@ -220,7 +221,7 @@ def fit_field(
     defocus
         Known defocus C_d of each exposure in radians, such as -3 3; positive where the sensor was moved towards the
         lens. One wave of defocus is C_d = pi. 0 if it is left out.
-    targets
+    kind
         Point sources, circular holes of one diameter, or corners of a checkerboard, where two lines cross.
     size
         Diameter of pinholes or side of squares in the image, such as 8um; by default the side of squares is measured.
@@ -248,8 +249,8 @@ def fit_field(
     """
     require_file(output, ".csv")
     require_file(twin, ".csv", "--twin")
-    target_of(options, 1.0)  # raises ValueError if the size contradicts the targets
-    kind = options.targets
+    if kind != "crossing" and (options.size is None) == (kind == "pinhole"):
+        raise ValueError("--size must be given for pinholes, and left out for stars, which are points")
     if kind == "star" and options.distortion is not None:
         raise ValueError(
             "--distortion must be left out for stars, whose true positions are unknown; lommel.fit_field accepts "
@@ -281,16 +282,12 @@ def fit_field(
         given: Facts = {"blur": blur}
         if options.distortion is not None:
             given["ideal"] = _grid(targets)
-        if options.size is None and math.isfinite(square := getattr(targets, "square", math.nan)):  # of crossings
-            given["size"] = square * pitch
         status("fitting")
-        result = fit_windows(
-            Counts.of(targets.windows, noise=noise, saturation=saturation),
-            targets.places,
+        windows = Counts.of(targets.windows, noise=noise, saturation=saturation)
+        result = fit_targets(
+            replace(targets, windows=windows, noise=None),
             pupil,
-            sensor=targets.shape,
             pixel=instrument.side,
-            noise=None,
             options=replace(options, progress=lambda share, chi2: status(f"chi2 {chi2:.3g}", share), **given),
             effort=EFFORT._replace(integrate=instrument.integrate),
         )

@@ -10,7 +10,7 @@ import math
 from collections import Counter, deque
 from contextlib import suppress
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
 import numpy as np
 import scipy
@@ -23,7 +23,7 @@ from lommel.detection.molecules import APART, Kernel, box_pixels, brightest, fil
 from lommel.recorded.counts import Counts
 from lommel.recorded.noise import Noise
 
-__all__ = ["Crossings", "PointSources", "find_crossings", "find_spots", "grid_indices"]
+__all__ = ["Crossings", "PointSources", "Targets", "find_crossings", "find_spots", "grid_indices"]
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -60,19 +60,38 @@ class Refused(NamedTuple):
 
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
 class Targets:
-    """Places of targets in one or several images, windows around them, and refused targets.
+    """Windows around stars, pinholes or crossings, to which :func:`lommel.fit_field` fits wavefronts.
 
-    Attributes
+    :func:`lommel.detection.find_spots` and :func:`lommel.detection.find_crossings` return them; of places that were
+    found by other means they are made by ``Targets(windows=..., places=..., shape=..., noise=...)``.
+
+    Parameters
     ----------
-    places, centers, windows, refused, shape, left_out
-        See :class:`lommel.detection.PointSources`.
+    windows : array_like or Counts, shape (n, height, width) or (n, e, height, width)
+        Images of n targets in e exposures.
+    places : array_like, shape (n, 2)
+        Row and column on the sensor of the middle pixel ``(height // 2, width // 2)`` of each window.
+    shape : (int, int)
+        Rows and columns of the sensor.
+    noise : Noise, optional
+        Noise of arrays; :class:`lommel.Counts` have their own.
+    kind : {"star", "crossing"}, default "star"
+        Point sources and pinholes, or corners of a checkerboard.
     """
 
-    places: NDArray[np.int64]
-    centers: Array
-    windows: Values
-    refused: tuple[Refused, ...]
+    windows: Any
+    places: Any
     shape: tuple[int, int]
+    noise: Noise | None = None
+    kind: Literal["star", "crossing"] = "star"
+
+
+@dataclass(frozen=True, eq=False, repr=False, kw_only=True)
+class _Found(Targets):
+    """Targets found in one or several images, and refused targets; see :class:`lommel.detection.PointSources`."""
+
+    centers: Array
+    refused: tuple[Refused, ...]
     left_out: int
     _image: Array = field(repr=False)
 
@@ -118,7 +137,7 @@ class Targets:
 
 
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
-class PointSources(Targets):
+class PointSources(_Found):
     """Isolated point sources in an image or stack, returned by :func:`lommel.detection.find_spots`.
 
     Attributes
@@ -139,6 +158,8 @@ class PointSources(Targets):
         "defect".
     shape : (int, int)
         Shape of the image.
+    noise : Noise
+        Noise of the camera.
     left_out : int
         Number of pixels in all planes that are masked, NaN or infinite.
     candidate : Refused or None
@@ -270,7 +291,7 @@ def checked_window(window: int | tuple[int, int]) -> tuple[int, int]:
 def target_windows(
     counts: Counts, single: bool, center: Array, order: Values, box: tuple[int, int], score: Array, reasons: list[str]
 ) -> Json:
-    """Return the fields of :class:`Targets`: windows of the targets `order`, and targets with a reason as refused.
+    """Return the fields of targets that were found: windows of those in `order`, and those with a reason as refused.
 
     Windows are masked arrays if any pixel of the images is left out.
     """
@@ -286,6 +307,7 @@ def target_windows(
         "windows": windows[:, 0] if single else windows,
         "refused": tuple(sorted(refused, key=lambda target: -target.score)),
         "shape": hidden.shape[1:],
+        "noise": counts.noise,
         "left_out": int(hidden.sum()),
     }
 
@@ -360,7 +382,7 @@ def _neighbors(places: Array, light: Array, defect: NDArray[np.bool_]) -> list[b
 
 
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
-class Crossings(Targets):
+class Crossings(_Found):
     """Crossings of a checkerboard in one or several exposures, returned by :func:`lommel.detection.find_crossings`.
 
     Attributes
@@ -383,9 +405,13 @@ class Crossings(Targets):
         "saturated", "edge", "masked" and "neighbor".
     shape : (int, int)
         Shape of the image.
+    noise : Noise
+        Noise of the camera.
     left_out : int
         Number of pixels in all exposures that are masked, NaN or infinite.
     """
+
+    kind: Literal["star", "crossing"] = "crossing"
 
     indices: Array
     contrast: Array
@@ -431,7 +457,7 @@ def find_crossings(
     Returns
     -------
     Crossings
-        Places and windows for ``fit_field(..., targets="crossing")``, and refused crossings with reasons.
+        Places and windows for :func:`lommel.fit_field`, and refused crossings with reasons.
 
     Raises
     ------

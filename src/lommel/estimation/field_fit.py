@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from dataclasses import dataclass
 from dataclasses import field as attribute
 from os import PathLike
@@ -18,6 +18,7 @@ from lommel.base.arrays import Array
 from lommel.base.options import listed
 from lommel.blur.blurs import FWHM, Blur, Jitter, Seeing, blurs, require_unit
 from lommel.blur.mixtures import SIGMAS, BlurProfile
+from lommel.detection.targets import Targets
 from lommel.estimation import EFFORT, Effort
 from lommel.estimation.cosmic_rays import cosmic_ray_mask, sharpness
 from lommel.estimation.distortion import (
@@ -44,7 +45,7 @@ from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.psf import Plan
 from lommel.recorded.counts import Counts, counts_of, recording_findings
-from lommel.recorded.noise import Noise, random_numbers
+from lommel.recorded.noise import Noise
 from lommel.special import zernike
 
 if TYPE_CHECKING:
@@ -116,7 +117,7 @@ class FieldFit(FitReport):
     Attributes
     ----------
     field : FieldMap
-        Wavefront at every position of the sensor: estimated terms, fixed terms of `pupil` or `start`, and tilts if
+        Wavefront at every position of the sensor: estimated terms, fixed terms of `pupil`, and tilts if
         `distortion` is estimated.
     twin : FieldMap or None
         The field with the even part of all phases negated, if its images are the same (finding "sign_open");
@@ -264,7 +265,7 @@ class FieldFit(FitReport):
         Notes
         -----
         The table has a rectangular grid of positions, on which splines reproduce polynomials of degree 3 exactly.
-        Coefficients are in waves rms, by Noll's index; the wavefront of the argument `pupil` of
+        Coefficients are in waves rms, by Noll's index; the wavefront of a :class:`lommel.Pupil` given to
         :func:`lommel.fit_field` is subtracted. Comment lines (``#``) contain the message of the fit, the blur (which
         the table does not include), and the standard errors in the middle and at the bottom right corner.
         """
@@ -329,25 +330,12 @@ class FieldFit(FitReport):
         )
 
 
-def target_of(options: FieldFitOptions, pixel: float) -> Target | None:
-    """Return the target in the windows, for a pixel pitch `pixel`; None for stars."""
-    kind, size = options.targets, options.size
-    if kind == "star" and size is not None:
-        raise ValueError("size must be left out for stars, which are points; set `targets` for pinholes or corners")
-    if kind == "pinhole" and size is None:
-        raise ValueError("size must be the diameter of the pinholes in the image, in the unit of pixel, got None")
-    return None if kind == "star" else Target(kind, math.inf if size is None else size / pixel)
-
-
 @listed(FieldFitOptions)
 def fit_field(
-    windows: ArrayLike | Counts,
-    places: ArrayLike,
-    pupil: Pupil,
+    targets: Targets,
+    pupil: Pupil | FieldMap,
     *,
-    sensor: tuple[int, int],
     pixel: float,
-    noise: Noise | None = None,
     options: FieldFitOptions | None = None,
     **given: Any,
 ) -> FieldFit:
@@ -358,21 +346,20 @@ def fit_field(
 
     Parameters
     ----------
-    windows : array_like or Counts, shape (n, height, width) or (n, e, height, width)
-        Images of n stars in e exposures, for example from :func:`lommel.detection.find_spots`; linear in the light,
-        with the gain and offset of `noise`. NaN, infinite and masked values are left out, and so are saturated pixels
-        of integer images and, for stars, pixels hit by cosmic rays. :class:`lommel.Counts` state a mask and a
-        saturation.
-    places : array_like, shape (n, 2)
-        Row and column of the middle pixel ``(height // 2, width // 2)`` of each window on the sensor.
-    pupil : Pupil
-        Single pupil (no stack): aperture, scale and fixed wavefront. Spiders, segments and masks are supported.
-    sensor : (int, int)
-        Rows and columns of the sensor.
+    targets : Targets
+        Images of n stars, pinholes (see `size`) or corners of a checkerboard in e exposures, and their places, from
+        :func:`lommel.detection.find_spots` or :func:`lommel.detection.find_crossings`, or
+        :class:`lommel.detection.Targets` of places found by other means. Images are linear in the light, with the
+        gain and offset of the noise, which is numbers, not maps. NaN, infinite and masked values are left out, and so
+        are saturated pixels of integer images and, for stars, pixels hit by cosmic rays. The position of each corner,
+        the directions of its two lines and the brightness of black and white are estimated; lines must be straight
+        within a window, but need not be perpendicular.
+    pupil : Pupil or FieldMap
+        Single pupil (no stack): aperture, scale and fixed wavefront. Spiders, segments and masks are supported. Or a
+        map of initial wavefronts, for example those of the lens design, which determine the sign of the even terms;
+        its aperture applies all over the field.
     pixel : float
         Pixel pitch, in metres if the pupil has a wavelength, else in units of lambda*N.
-    noise : Noise, optional
-        Gain, offset and read noise of arrays, numbers, not maps; :class:`lommel.Counts` have their own.
     options : FieldFitOptions, optional
         Options in one object; keywords change single ones.
     {options}
@@ -416,9 +403,9 @@ def fit_field(
     and the most likely map is returned. If the lnL of another map is lower by less than 8, and a coefficient differs
     by more than three standard errors, this is reported ("another_minimum"). If the aperture has two-fold symmetry,
     the images do not change if all even terms of the phase are negated, those of a known defocus included
-    ("sign_open"). The map nearer to `start` is returned, by default the map nearer to the wavefront of `pupil`; the
-    other map is `twin`. At equal distances, the map whose first even term has the larger mean is returned. A second
-    exposure at another known defocus determines the sign.
+    ("sign_open"). The map nearer to the wavefront of `pupil` is returned; the other map is `twin`. At equal
+    distances, the map whose first even term has the larger mean is returned. A second exposure at another known
+    defocus determines the sign.
 
     Distortion requires `ideal` places. The displacement is a polynomial of the ideal position, fitted to the
     estimated places by generalised least squares, because errors of places and of coma are correlated. Tilts of the
@@ -434,47 +421,45 @@ def fit_field(
     >>> places = np.stack(np.meshgrid([30, 90, 150, 210], [30, 90, 150, 210]), axis=-1).reshape(-1, 2)
     >>> field = lm.FieldMap.from_seidel(150.0, W131=0.3, W222=0.4)
     >>> pupil = field.pupil(*((places[:, ::-1] - 119.5) * 0.5).T)
-    >>> stars = noise.record(3e4 * lm.psf(pupil, 25, 0.5).values + 20.0, seed=2)
-    >>> fit = lm.fit_field(stars, places, lm.Pupil(), sensor=(240, 240), pixel=0.5, noise=noise, degree=2, terms=5)
+    >>> images = noise.record(3e4 * lm.psf(pupil, 25, 0.5).values + 20.0, seed=2)
+    >>> stars = lm.detection.Targets(windows=images, places=places, shape=(240, 240), noise=noise)
+    >>> fit = lm.fit_field(stars, lm.Pupil(), pixel=0.5, degree=2, terms=5)
     >>> fit.converged
     True
     """
     fit_options = FieldFitOptions.of("fit_field", options, given)
-    return fit_windows(windows, places, pupil, sensor=sensor, pixel=pixel, noise=noise, options=fit_options)
+    return fit_targets(targets, pupil, pixel=pixel, options=fit_options)
 
 
-def fit_windows(
-    windows: Any, places: ArrayLike, pupil: Pupil, *, sensor: tuple[int, int], pixel: float, noise: Noise | None,
-    options: FieldFitOptions, effort: Effort = EFFORT,
+def fit_targets(
+    targets: Targets, pupil: Pupil | FieldMap, *, pixel: float, options: FieldFitOptions, effort: Effort = EFFORT,
+    draw: np.random.Generator | None = None,
 ) -> FieldFit:  # fmt: skip
     """Return the wavefront over the field from windows around stars or targets, see :func:`lommel.fit_field`."""
     unknowns = Unknowns(options.terms, ("center",))
-    counts = _checked_windows(windows, noise)
+    validation.instance("targets", targets, Targets)
+    counts = _checked_windows(targets)
     noise = counts.known_noise()
     images, valid = counts.filled(), counts.known
     count, exposures, height, width = images.shape
-    lens = single(pupil, "for the whole field")
-    if not (isinstance(sensor, Sequence | np.ndarray) and len(sensor) == 2):
-        raise TypeError(f"sensor must be a pair (rows, columns), got {validation.shown(sensor)}")
-    rows, columns = (validation.integer("sensor", side, least=1, most=_MAX_SIDE) for side in sensor)
-    star_places = _checked_places(places, (rows, columns), (count, height, width))
-    defoci = known_defocus(options.defocus, exposures, "exposures")
-    start, blur = options.start, options.blur
-    validation.optional("start", start, FieldMap)
+    start, lens = (pupil, pupil.pupil_without_wavefront) if isinstance(pupil, FieldMap) else (None, pupil)
+    single(lens, "for the whole field")
+    rows, columns = (validation.integer("shape", side, least=1, most=_MAX_SIDE) for side in targets.shape)
+    star_places = _checked_places(targets.places, (rows, columns), (count, height, width))
+    defoci, blur = known_defocus(options.defocus, exposures, "exposures"), options.blur
     ideal = None if options.ideal is None else checked_ideal(options.ideal, star_places)
-    draw = random_numbers(options.seed)
     pitch = validation.pixel(pixel, metric=lens.wavelength is not None)
     chip = Sensor((rows, columns), pitch)
     poisson = noise.poisson
     electrons, read = poisson.electrons(images), poisson.variance(np.zeros_like(images))
     plan = Plan((height, width), pitch, tol=effort.tol, integrate=effort.integrate, threads=effort.threads)
     x, y = chip.positions(star_places)
-    start_pupils = lens if start is None else _start_pupils(start, lens, chip, x, y)
-    target = target_of(options, pitch)
+    start_pupils = lens if start is None else _start_pupils(start, chip, x, y)
+    target = _target_of(targets, options.size, pitch)
     if not isinstance(blur, bool | Blur | Iterable):
         blur = Jitter(validation.real("blur", blur, least=0.0, below=0.25 * min(height, width)) * pitch)
     illumination = np.ones(1)
-    if options.targets == "crossing":
+    if targets.kind == "crossing":
         across = chip.relative(x[:, None] + pitch * (np.arange(width) - width // 2), y[:, None])[0]
         down = chip.relative(x[:, None], y[:, None] + pitch * (np.arange(height) - height // 2))[1]
         illumination = relative_light(electrons, valid, across, down)
@@ -496,7 +481,8 @@ def fit_windows(
     report = options.progress or (lambda *_: None)
     u, v = chip.relative(x, y)
     pixel_size = np.array([2.0 / columns, 2.0 / rows])
-    search = Search(stars, np.stack([u, v], axis=1), pixel_size, highest_degree(options.degree, count), draw, report)
+    degree = highest_degree(options.degree, count)
+    search = Search(stars, np.stack([u, v], axis=1), pixel_size, degree, draw or np.random.default_rng(0), report)
     outcome = _search_repeatedly(search, start is not None)
     distortion_settings = ideal, _DISTORTION if options.distortion is None else options.distortion
     known_blurs = blur_model if isinstance(blur_model, tuple) else ()
@@ -504,6 +490,14 @@ def fit_windows(
     return _build_field_fit(
         search, outcome, lens, start, chip, star_places, counts, camera, distortion_settings, known_blurs
     )
+
+
+def _target_of(targets: Targets, size: float | None, pitch: float) -> Target | None:
+    """Return what the windows show, pinholes or crossings; None for stars."""
+    if targets.kind == "crossing":
+        square = getattr(targets, "square", math.nan)  # pixels
+        return Target("crossing", size / pitch if size is not None else square if math.isfinite(square) else math.inf)
+    return None if size is None else Target("pinhole", size / pitch)
 
 
 def _blur_model(
@@ -545,24 +539,22 @@ def _noll_index(term: Term) -> int:
     return int(zernike.index_of(term[0], term[1], "noll"))
 
 
-def _start_pupils(start: FieldMap, pupil: Pupil, chip: Sensor, x: Array, y: Array) -> Pupil:
-    """Return pupils with the aperture of `pupil` and the wavefronts of the map `start` at the positions of stars."""
-    if start.unit != pupil.unit:
-        raise ValueError(f"start must have positions in {pupil.unit}, as the pupil has, got {start.unit}")
+def _start_pupils(start: FieldMap, chip: Sensor, x: Array, y: Array) -> Pupil:
+    """Return pupils with the wavefronts of the map `start` at the positions of stars."""
     if start.vignetting is not None:
-        raise ValueError("start must have no vignetting, because pupil defines the aperture all over the field")
+        raise ValueError("pupil must be a map without vignetting, because its aperture applies all over the field")
     across, down = np.meshgrid(*chip.grid(2))
     try:
         start.pupil(across, down)
     except ValueError as error:
-        raise ValueError(f"start must reach the corners of the sensor: {error}") from None
-    return pupil.carrying(start.pupil(x, y).wavefront, None)
+        raise ValueError(f"pupil must be a map that reaches the corners of the sensor: {error}") from None
+    return start.pupil_without_wavefront.carrying(start.pupil(x, y).wavefront, None)
 
 
-def _checked_windows(windows: Any, noise: Noise | None) -> Counts:
+def _checked_windows(targets: Targets) -> Counts:
     """Return the validated windows, with shape (n, exposures, height, width)."""
     shape = "(n, height, width) or (n, exposures, height, width)"
-    counts = counts_of("windows", windows, noise, sides=(3, 4), shape=shape)
+    counts = counts_of("windows", targets.windows, targets.noise, sides=(3, 4), shape=shape)
     counts.require_known("windows", 0.5).require_light("windows", "a star")
     return counts if counts.values.ndim == 4 else counts[:, None]
 
@@ -735,10 +727,10 @@ def _stripe_findings(stars: FieldStars, model: Array, used: NDArray[np.bool_], e
 
 def _sign_findings(has_start: bool, has_defocus: bool, noun: str) -> list[Finding]:
     """Return the finding that images in one focus do not determine the common sign of the even terms."""
-    choice = f"the {noun} nearer to {'start' if has_start else 'the wavefront of pupil'} was chosen"
+    choice = f"the {noun} nearer to the wavefront of pupil was chosen"
     severity: Severity = "note"
     if not has_start and not has_defocus:
-        choice = "add a second defocus" + (", or pass start" if noun == "map" else "")
+        choice = "add a second defocus" + (", or pass a design as pupil" if noun == "map" else "")
         severity = "doubt"
     return [Finding("sign_open", severity, f"{_SIGN}: {choice}, the other {noun} is twin")]
 

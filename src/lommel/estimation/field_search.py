@@ -64,6 +64,7 @@ _MAX_NEGATED = 3  # largest number of searches with a negated sign
 _TRIAL_STEPS, _BEST_STEPS = 2, 5  # steps of each search with a negated sign; further steps of the best search
 _RIVAL_STEPS = 12  # further steps of a search that ended at another minimum
 _MAX_RIVAL_COST, _MIN_RIVAL_DISTANCE = 8.0, 3.0  # another minimum: largest loss of lnL; least distance, std. errors
+_TOO_STRONG = "aberrations are too strong for the tolerance; pass a design as pupil"
 _CAUSES = "pupil, pixel, noise, defocus or blur are wrong, {}or terms are missing"
 
 Report = Callable[[float, float], object]
@@ -139,7 +140,7 @@ class Outcome:
         if self.rival is not None:
             text = (
                 f"another wavefront, {self.rival.sigmas:.0f} standard errors away, fits as well (lnL "
-                f"{-self.rival.cost:+.1f}): add exposures at other defoci, or give start"
+                f"{-self.rival.cost:+.1f}): add exposures at other defoci, or pass a design as pupil"
             )
             findings.append(Finding("another_minimum", "doubt", text, self.rival._asdict()))
         # Above _QUIET, a low chi2 is often due to chance with few electrons, and is not reported.
@@ -292,7 +293,9 @@ class Search:
         chosen = self.brightest()
         x, chi2, is_sure = self.fit_single_stars(chosen)
         if not np.isfinite(chi2).any():
-            raise ToleranceError("no star could be fitted: aberrations are too strong for the tolerance; pass start")
+            raise ToleranceError(
+                "no star could be fitted: aberrations are too strong for the tolerance; pass a design as pupil"
+            )
         is_usable = np.isfinite(chi2)
         # Polynomials cannot fit better than individual wavefronts: a fit with nearly the same chi2 ends the search.
         excess = _EXCESS_RATIO * (float(np.median(chi2[is_usable])) - 1.0) if is_sure.mean() >= _MIN_SURE else 0.0
@@ -328,7 +331,9 @@ class Search:
             if median < accepted_chi2:
                 break
         if best_fit is None:
-            raise ToleranceError("no field could be fitted: aberrations are too strong for the tolerance; pass start")
+            raise ToleranceError(
+                "no field could be fitted: aberrations are too strong for the tolerance; pass a design as pupil"
+            )
         return best_fit
 
     def negated(self, chosen: NDArray[np.intp], waves: Array) -> Array:

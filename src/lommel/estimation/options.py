@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -56,8 +56,27 @@ def terms_in(text: str) -> int | list[str]:
 _LAST_NAMED = 66  # Noll index of the last term with a name of its own
 
 
+Terms: TypeAlias = Annotated[int | Sequence[tuple[int, int] | str], Shown(metavar="TERMS", parse=terms_in)]
+Defoci: TypeAlias = Annotated[tuple[float, ...], defoci, Shown(metavar="NUMBERS")]
+KnownBlur: TypeAlias = Annotated[bool | float | Blur | Iterable[Blur], HIDDEN]
+
+
 @dataclass(frozen=True, kw_only=True)
-class RetrieveOptions(Options):
+class FitOptions(Options):
+    """Options of all fits.
+
+    Parameters
+    ----------
+    progress : callable, optional
+        Called as ``progress(fraction, chi2)`` before each step; `fraction` is the part done of the longest possible
+        search. An exception raised by this function stops the search.
+    """
+
+    progress: Annotated[Callable[[float, float], object] | None, HIDDEN] = None
+
+
+@dataclass(frozen=True, kw_only=True)
+class RetrieveOptions(FitOptions):
     """Options of :func:`lommel.retrieve`.
 
     Parameters
@@ -81,21 +100,17 @@ class RetrieveOptions(Options):
         False, `also` must be "center".
     seed : int or Generator, default 0
         Seed or generator of random starts.
-    progress : callable, optional
-        Called as ``progress(fraction, chi2)`` before each step; `fraction` is the part done of the longest possible
-        search. An exception raised by this function stops the search.
     """
 
-    terms: Annotated[int | Sequence[tuple[int, int] | str], Shown(metavar="TERMS", parse=terms_in)] = 15
-    defocus: Annotated[tuple[float, ...], defoci, Shown(metavar="NUMBERS")] = ()
+    terms: Terms = 15
+    defocus: Defoci = ()
     also: Annotated[str | Sequence[str], Shown(metavar="NAMES", parse=names_in)] = ("center",)
-    blur: Annotated[bool | float | Blur | Iterable[Blur], HIDDEN] = False
+    blur: KnownBlur = False
     seed: Annotated[int | np.random.Generator, require_seed, HIDDEN] = 0
-    progress: Annotated[Callable[[float, float], object] | None, HIDDEN] = None
 
 
 @dataclass(frozen=True, kw_only=True)
-class BeadOptions(Options):
+class BeadOptions(FitOptions):
     """Options of :func:`lommel.fit_beads`.
 
     Parameters
@@ -119,22 +134,18 @@ class BeadOptions(Options):
         "diameter", "blur" (variance of a Gaussian, pixels squared), "step" (factor of z), "depth" (separate for each
         bead). The default is depth 20 nm, sample 0.003, coverslip 5 um, pixel 1 %, diameter 10 %, and NA 0.02 if a
         bead is within a wavelength of the cover glass. An empty mapping fixes all constants.
-    progress : callable, optional
-        Called as ``progress(fraction, chi2)`` before each step; `fraction` is the part done of the longest possible
-        search. An exception raised by this function stops the search.
     """
 
     diameter: Annotated[float, In(least=0.0, most=1e-5, unit="metres"), Shown(("--bead",), length="um")] = 0.0
     depth: Annotated[float | Sequence[float] | None, Shown(length="um")] = None
-    terms: Annotated[int | Sequence[tuple[int, int] | str], Shown(metavar="TERMS", parse=terms_in)] = 18
+    terms: Terms = 18
     apodization: Annotated[int, In(least=0, most=4)] = 0
     drift: bool = False
     priors: Annotated[Mapping[str, float | tuple[float, float]] | None, HIDDEN] = None
-    progress: Annotated[Callable[[float, float], object] | None, HIDDEN] = None
 
 
 @dataclass(frozen=True, kw_only=True)
-class FieldFitOptions(Options):
+class FieldFitOptions(FitOptions):
     """Options of :func:`lommel.fit_field`.
 
     Parameters
@@ -151,16 +162,9 @@ class FieldFitOptions(Options):
         scale of 1000, 240 or 60 r0), a Gaussian (jitter or charge diffusion), or both, whichever is most likely; for
         pinholes and corners it is a Gaussian. False: no blur. A number is the known standard deviation of a Gaussian
         in pixels. Known isotropic blurs may be given, such as :class:`lommel.Seeing` and :class:`lommel.Jitter`.
-    start : FieldMap, optional
-        Initial wavefronts of the search, for example those of the lens design. They determine the sign of the even
-        terms.
-    targets : {"star", "pinhole", "crossing"}, default "star"
-        Point sources, circular holes of one diameter, or corners of a checkerboard, where two lines cross. For each
-        corner the position, the directions of the two lines and the brightness of black and white are estimated. The
-        lines must be straight within a window, but need not be perpendicular.
     size : float, optional
-        Diameter of the image of a pinhole (required), or side of the image of a square, in the unit of `pixel`. By
-        default, the lines between squares are infinitely long.
+        Diameter of the images of pinholes, by default points; or side of the image of a square, by default the
+        `square` of :func:`lommel.detection.find_crossings`, else infinite. In the unit of `pixel`.
     ideal : array_like, shape (n, 2), optional
         Row and column of each target without distortion, in any unit and from any origin, for example the nominal
         positions of pinholes, or catalogue positions of stars in the tangent plane; NaN if unknown. If given,
@@ -169,21 +173,12 @@ class FieldFitOptions(Options):
         Total degree, 0 to 9, of the polynomials in x and y that describe the displacement: 3, the default, for
         third-order distortion (W311), 5 for fifth order. It is lowered if there are fewer than two known places per
         coefficient.
-    seed : int or Generator, default 0
-        Seed or generator of random starts.
-    progress : callable, optional
-        Called as ``progress(fraction, chi2)`` before each step; `fraction` is the part done of the longest possible
-        search. An exception raised by this function stops the search.
     """
 
     degree: Annotated[int, In(least=0, most=6)] = 3
-    terms: Annotated[int | Sequence[tuple[int, int] | str], Shown(metavar="TERMS", parse=terms_in)] = 11
-    defocus: Annotated[tuple[float, ...], defoci, Shown(metavar="NUMBERS")] = ()
-    blur: Annotated[bool | float | Blur | Iterable[Blur], HIDDEN] = True
-    start: Annotated[Any, HIDDEN] = None
-    targets: Literal["star", "pinhole", "crossing"] = "star"
+    terms: Terms = 11
+    defocus: Defoci = ()
+    blur: KnownBlur = True
     size: Annotated[float | None, In(above=0.0, unit="the unit of pixel"), Shown(length="um")] = None
     ideal: Annotated[ArrayLike | None, HIDDEN] = None
     distortion: Annotated[int | None, In(least=0, most=9), Shown(metavar="DEGREE")] = None
-    seed: Annotated[int | np.random.Generator, require_seed, HIDDEN] = 0
-    progress: Annotated[Callable[[float, float], object] | None, HIDDEN] = None

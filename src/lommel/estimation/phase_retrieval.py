@@ -16,8 +16,9 @@ from lommel.base.arrays import Array, Numbers
 from lommel.base.options import listed
 from lommel.blur.blurs import Blur
 from lommel.core.answers import Declined, ToleranceError
+from lommel.detection.targets import Targets
 from lommel.estimation import EFFORT, Effort
-from lommel.estimation.field_fit import FieldFit, fit_windows
+from lommel.estimation.field_fit import FieldFit, fit_targets
 from lommel.estimation.options import FieldFitOptions, RetrieveOptions
 from lommel.estimation.star_checks import error_findings, missing_findings, star_tests
 from lommel.estimation.star_images import (
@@ -354,10 +355,10 @@ def fit_stars(
             )
         height, width = values.shape[1:]
         given = {name: getattr(options, name) for name in ("terms", "defocus", "blur", "progress")}
-        field_fit = fit_windows(
-            np.where(valid, values, np.nan)[None], [[height // 2, width // 2]], start, sensor=(height, width),
-            pixel=pixel, noise=noise, options=FieldFitOptions(degree=0, seed=draw, **given), effort=effort,
-        )  # fmt: skip
+        window = np.where(valid, values, np.nan)[None]
+        star = Targets(windows=window, places=[[height // 2, width // 2]], shape=(height, width), noise=noise)
+        field_options = FieldFitOptions(degree=0, **given)
+        field_fit = fit_targets(star, start, pixel=pixel, options=field_options, effort=effort, draw=draw)
         return _build_blurred_retrieval(field_fit, counts, noise, plan, pixel, start, defoci)
     model = StarImages(electrons, read, valid, start, defoci, unknowns, plan, pixel)
     if model.degrees_of_freedom < 1:

@@ -15,16 +15,10 @@ import pytest
 
 import lommel as lm
 from lommel import imaging
-from lommel.base import units, validation
 from lommel.field import maps
 from lommel.io.psf_files import FileError
 from lommel.io.zernike_tables import ZernikeTable
-from lommel.lensfiles import tables
-from lommel.measures import aperture_means, energy, spot
-from lommel.measures.errors import mse
 from lommel.methods import METHODS, Hankel, NijboerZernike, Polychromatic
-from lommel.optics.aperture.opening import Opening, degree_needed
-from lommel.optics.grid import Grid
 from lommel.paper import AbramowitzErf, ClosedForm, LommelSeries, TableErf
 from lommel.recorded.frames import RecordingError
 
@@ -41,7 +35,6 @@ PSF = lm.psf(PUPIL, 5, 0.5)
 ODD = lm.psf(COMA, 5, 0.5)
 FIELD = lm.FieldMap.from_seidel(1.0, W131=0.5)
 GRID = FIELD.grid(2, 2, sensor=(1.0, 1.0), shape=5, pixel=0.5)
-TABLE = tables.FieldTable({"height": (0.0, 1e-3)}, {4: (0.0, 0.1)}, "noll")
 PLAN = imaging.FocusPlan(SQUARE, DEPTH, LENS, 8e-6, encoding="linear")
 BLUR = imaging.DepthBlur(DEPTH, LENS, 8e-6)
 CHART = lm.opd_map(lm.Wavefront(1.0), 24, unit="radians")
@@ -108,7 +101,6 @@ def entries(folder: Path) -> list[tuple[str, object, dict[str, object]]]:
         tagged("Plan", lm.Plan, **window),
         tagged("Plan()", lm.Plan(5, 0.5), pupil=PUPIL, derivatives=(), out=np.empty((5, 5), np.float32)),
         tagged("PSF", lm.PSF, **psf_parts),
-        tagged("Grid", Grid, shape=5, pixel=0.5, center=(1, 2), integrate=False),
         tagged("Wavefront", lm.Wavefront, defocus=1.0, spherical=[1.0, 2.0], higher=[0.1], nonradial={(3, 1): 0.5}),
         tagged("Wavefront.zernike", lm.Wavefront.zernike, terms={4: 0.1, 8: 0.2}, **units_of | {"unit": "metres"}),
         tagged("Wavefront.to_zernike", lm.Wavefront(1.0).to_zernike, **units_of),
@@ -128,13 +120,7 @@ def entries(folder: Path) -> list[tuple[str, object, dict[str, object]]]:
         tagged("Apodization.scaled", lm.Apodization.gaussian(1.0).scaled, ratio=0.5),
         tagged("Pupil", lm.Pupil, spider=VANES.spider, vignetting=lm.Ellipse(0.9, 0.8), mask=MASK),
         tagged("Pupil.v", PUPIL.v, radius=[0.1]),
-        tagged("Pupil.rule", PUPIL.rule, degree=10),
         tagged("Pupil.values", COMA.values, x=[0.1, 0.2], y=0.1),
-        tagged("Opening", Opening, obscuration=0.1, spider=VANES.spider, vignetting=lm.CatEye((0.1, 0.2))),
-        tagged("Opening.margin", VANES.opening.margin, x=np.array([0.1]), y=np.array([0.2])),
-        tagged("Opening.coverage", VANES.opening.coverage, x=np.array([0.1]), y=np.array([0.2]), half=0.01),
-        tagged("Opening.rule", VANES.opening.rule, degree=10),
-        tagged("degree_needed", lambda **k: degree_needed([(3, 1.0)], **k), v=10.0, light=LIGHT, error=1e-6),
         tagged("Spider", lm.Spider, width=0.1, angles=(0.1, 0.2)),
         tagged("Spider.equal", lm.Spider.equal, count=3, width=0.1, first=0.1),
         tagged("Ellipse", lm.Ellipse, a=0.9, b=0.8, angle=0.1),
@@ -182,13 +168,6 @@ def entries(folder: Path) -> list[tuple[str, object, dict[str, object]]]:
         tagged("PSFGrid.plot", GRID.plot, ax=None, stretch="sqrt"),
         tagged("PSFGrid.save", GRID.save, path=folder / "g.npz"),
         tagged("PSFGrid.load", lm.PSFGrid.load, path=folder / "grid.npz"),
-        tagged("FieldTable", tables.FieldTable, positions={"height": (0.0, 1.0)}, terms={4: (0.1, 0.2)},
-               order="noll"),
-        tagged("FieldTable.field_map", TABLE.field_map, pupil=PUPIL, unit="waves", normalization="rms",
-               direction="x"),
-        tagged("read_rows", tables.read_rows, columns=["height", "Z4"], rows=[["0", 0.1], ["1 mm", 0.2]],
-               order="noll"),
-        tagged("read_csv", tables.read_csv, path=folder / "field.csv", order="noll"),
         tagged("fit_opd", lm.fit_opd, opd=CHART, unit="metres", wavelength=550e-9, mask=None, degree=3,
                center=(11.5, 11.5), radius=12.0),
         tagged("fit_opd", lm.fit_opd, opd=np.nan_to_num(CHART), unit="waves", wavelength=550e-9,
@@ -213,20 +192,11 @@ def entries(folder: Path) -> list[tuple[str, object, dict[str, object]]]:
         tagged("rms", lm.rms, pupil=COMA, unit="waves"),
         tagged("strehl", lm.strehl, pupil=COMA),
         tagged("spot_radius", lm.spot_radius, pupil=COMA),
-        tagged("mse", mse, values=SQUARE, reference=SQUARE),
         tagged("peak_error", lm.peak_error, values=SQUARE, reference=SQUARE),
         tagged("mtf", lm.mtf, pupil=PUPIL, **at, pixel=0.5, spectrum=None, tol=1e-8),
         tagged("otf", lm.otf, pupil=COMA, **at, pixel=0.5, spectrum=None, tol=1e-6),
         tagged("ptf", lm.ptf, pupil=COMA, **at),
         tagged("mtf_frequency", lm.mtf_frequency, pupil=lm.Pupil(), level=0.5, angle=0.1, pixel=None),
-        tagged("encircled", energy.encircled, pupil=PUPIL, radius=[1.0], method=None),
-        tagged("spot.axis_strehl", spot.axis_strehl, psf=PSF),
-        tagged("energy.window_energy", energy.window_energy, psf=PSF),
-        tagged("radial_energy", energy.radial_energy, method=NijboerZernike(), pupil=PUPIL, radius=[1.0]),
-        tagged("spot.fwhm", spot.fwhm, psf=PSF, along="x"),
-        tagged("energy.window_centroid", energy.window_centroid, psf=PSF),
-        tagged("spot.peak_strehl", spot.peak_strehl, psf=PSF),
-        tagged("aperture_means.rms", aperture_means.rms, pupil=lm.Wavefront(1.0), unit="radians"),
         tagged("DepthBlur", imaging.DepthBlur, lens=LENS, depth=DEPTH, pixel=8e-6, channels=[550e-9],
                energy=0.9, tol=1e-3, largest=11, dtype=np.float64, threads=1),
         tagged("DepthBlur.forward", BLUR.forward, image=SQUARE),
@@ -320,10 +290,6 @@ def entries(folder: Path) -> list[tuple[str, object, dict[str, object]]]:
                tol=1e-6),
         tagged("ClosedForm.best", ClosedForm.best, pupil=PUPIL, shape=5, pixel=0.5),
         tagged("AbramowitzErf()", AbramowitzErf(), z=[0.1, 0.5]),
-        tagged("format_length", units.format_length, metres=0.1),
-        tagged("parse_length", units.parse_length, text="1 mm"),
-        tagged("parse_angle", units.parse_angle, text="1 deg"),
-        tagged("parse_radius", units.parse_radius, text="1 arcsec", focal_length=1.0),
     ]  # fmt: skip
     for name, kind in {**METHODS, "table": TableErf, "abramowitz": AbramowitzErf}.items():
         valid = {f.name: getattr(kind(), f.name) for f in dataclasses.fields(kind) if f.init}
@@ -360,12 +326,9 @@ def hostile(folder: Path) -> list[object]:
     arrays += [np.array([1e308, 1e308]), np.array([5e-324]), [10**400], np.array([1.0, -1.0]), range(3), (1.0, 2.0)]
     arrays += [np.float16(1.0), np.array([2.0], ">f8"), np.array([1, 2], np.uint8), [masked, masked], (math.nan, 1.0)]
     objects = [PUPIL, STACK, COMA, VANES, lm.Wavefront(1.0), lm.Wavefront([1.0, 2.0, 3.0]), LENS, PSF, GRID, FIELD]
-    objects += [Hankel(), Hankel, LommelSeries(), lm.Ellipse(0.5, 0.5), MASK, VANES.spider, TABLE, folder]
+    objects += [Hankel(), Hankel, LommelSeries(), lm.Ellipse(0.5, 0.5), MASK, VANES.spider, folder]
     objects += [folder / "nowhere.npz", {"height": ()}, {4: "x"}, {(2, 2): 1e308}, {"a": 1}, [(4, 1.0), (4, 2.0)]]
     return numbers + words + others + arrays + objects
-
-
-ALLOWED = (ValueError, TypeError, OSError, ImportError, OverflowError, IndexError)
 
 
 def complaint(error: Exception, entry: str, argument: str, value: object) -> str | None:
@@ -391,21 +354,10 @@ def complaint(error: Exception, entry: str, argument: str, value: object) -> str
     return None
 
 
-def far(argument: str, value: object) -> bool:
-    """Whether a radius is so far out that there is only an answer, or a refusal, where reaches have a limit."""
-    if hasattr(validation, "MAX_REACH") or argument not in ("radius", "half_width", "v", "pixel"):
-        return False
-    try:
-        return bool(np.max(np.abs(np.asarray(value, dtype=np.float64)), initial=0.0) > 1e5)
-    except Exception:
-        return False
-
-
 # Every fault of these is told at once.
-MANY = {"read_rows", "load_zernike", "load_instrument"}
+MANY = {"load_zernike", "load_instrument"}
 # Other words for what an argument is; what has the right kind is judged by what it is for.
 NAMES: dict[str, tuple[str, ...]] = {
-    "text": ("a length", "an angle", "unit"),
     "pupil": ("out must", "values must", "supports", "needs a pupil", "derivatives", "aberrations", "dtype"),
     "method": ("supports", "needs", "derivatives", "dtype", "erf"),
     "wavelengths": ("wavelength",),
@@ -427,7 +379,6 @@ NAMES: dict[str, tuple[str, ...]] = {
     "out": ("dtype",),
     "dtype": ("bits",),
     "focal_length": ("focal length",),
-    "rows": ("row",),
     "nonradial": ("a term",),
     "focus_distance": ("windows",),
     "f_number": ("windows", "lambda*N"),
@@ -443,10 +394,8 @@ NAMES: dict[str, tuple[str, ...]] = {
     "rms": ("must not be empty",),
     "x": ("position", "shape"),
     "y": ("position", "shape"),
-    "positions": ("height",),
     "index": ("a single",),
     "psf": ("of PSFs",),
-    "table": ("wavefront",),
     **dict.fromkeys(("W020", "W040", "W060", "W080", "W131", "W222", "W220", "W311"), ("must not be empty",)),
 }
 
@@ -458,7 +407,6 @@ def files(tmp_path: Path) -> Path:
     GRID.save(tmp_path / "grid.npz")
     np.save(tmp_path / "depth.npy", DEPTH)
     imaging.write_photo(tmp_path / "photo.png", SQUARE)
-    (tmp_path / "field.csv").write_text("height,Z4\n0,0\n1 mm,1\n")
     (tmp_path / "lens.toml").write_text(
         'name = "a"\n[lens]\nfocal_length = "50 mm"\nf_number = 2\nwavelength = "550 nm"\n'
         '[sensor]\npixel = "3 um"\nshape = 9\n'
@@ -494,7 +442,7 @@ def test_bad_arguments_are_refused_by_name(files, hunt, count):
         draw = random.Random(k)
         entry = draw.choice(known)
         argument, value = draw.choice(list(entry[2])), draw.choice(bad)
-        return None if far(argument, value) else refused(entry, argument, value)
+        return refused(entry, argument, value)
 
     findings = hunt(case, count(800, 100_000), seconds=20)
     assert not findings, "\n".join(findings)
@@ -506,7 +454,7 @@ def test_bad_arguments_are_refused_by_name(files, hunt, count):
 )
 def test_an_array_in_place_of_anything_is_taken_or_refused_by_name(value, files):
     known = entries(files)
-    found = [refused(entry, name, value) for entry in known for name in entry[2] if not far(name, value)]
+    found = [refused(entry, name, value) for entry in known for name in entry[2]]
     assert not any(found), "\n".join(filter(None, found))
 
 
@@ -522,7 +470,7 @@ OF_NO_KIND = {
 UNCHECKED = {
     ("PSF", name) for name in ("normalize", "error_bound", "scale", "derivatives", "derivative_bounds", "blur")
 }
-UNCHECKED |= {("format_length", "metres"), ("parse_angle", "text"), ("Noise.record", "seed"), ("retrieve", "seed")}
+UNCHECKED |= {("Noise.record", "seed"), ("retrieve", "seed")}
 UNCHECKED |= {("AbramowitzErf()", "z")} | {(name, "index") for name in ("PSF[]", "Wavefront[]", "Pupil[]")}
 INFINITE = {("Lens", "focus_distance"), ("Seeing", "outer_scale"), ("depth_precision", "distance")}
 INFINITE |= {("restore", "saturation")}  # none

@@ -417,7 +417,7 @@ def test_a_photograph_and_a_depth_map_in_any_file_are_read_as_the_same_numbers_o
 ):
     values, writers = KINDS[kind]
     (folder / "any").mkdir()
-    photo, depth = containers.raster(grey(), folder), containers.DEPTHS["npy"](DEPTH, folder)
+    photo, depth = containers.PHOTOS["png"](grey(), folder), containers.DEPTHS["npy"](DEPTH, folder)
     written = writers[name](values(), folder / "any")
     photo, depth = (photo, written) if kind == "depth" else (written, depth)
     options = [*OPTIONS[command].split(), *photo[1:], *depth[1:], "--json"]

@@ -8,11 +8,10 @@ from __future__ import annotations
 
 import bz2
 import gzip
-import struct
 import sys
 import uuid
 import zlib
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -26,62 +25,68 @@ import zarr
 from astropy.io import fits
 from PIL import Image
 
+import hostile_files
+
 Writer = Callable[[np.ndarray, Path], list[str]]
 
 PIXEL, STEP = 0.1e-6, 0.25e-6
 _GREY: dict[str, Any] = {"photometric": "minisblack", "metadata": None}
 
 
-def _one(folder: Path, name: str) -> tuple[Path, list[str]]:
-    path = folder / name
-    return path, [str(path)]
+def in_file(
+    name: str,
+    write: Callable[..., object],
+    /,
+    *words: str,
+    of: Callable[[np.ndarray], np.ndarray] = np.asarray,
+    **options: Any,
+) -> Writer:
+    """Return what writes a function `of` the images to one file of this name, whose options are `words`."""
+
+    def writer(values: np.ndarray, folder: Path) -> list[str]:
+        write(of(values), folder / name, **options)
+        return [str(folder / name), *words]
+
+    return writer
 
 
-def tiff(values: np.ndarray, folder: Path, name: str = "a.tif", dtype: str = "u2", **options: Any) -> list[str]:
+def each(values: np.ndarray, folder: Path, write: Callable[..., object], suffix: str, **options: Any) -> list[str]:
+    """Write a file for each plane."""
+    paths = [folder / f"plane-{k}{suffix}" for k in range(len(values))]
+    for plane, path in zip(values, paths, strict=True):
+        write(plane, path, **options)
+    return list(map(str, paths))
+
+
+def as_type(dtype: str) -> Callable[[np.ndarray], np.ndarray]:
+    """Return what makes values of this type."""
+    return lambda values: values.astype(dtype)
+
+
+def tiff(values: np.ndarray, path: Path, **options: Any) -> None:
     """Write pages by tifffile."""
-    path, words = _one(folder, name)
-    tifffile.imwrite(path, values.astype(dtype), **_GREY | options)
-    return words
+    tifffile.imwrite(path, values, **_GREY | options)
 
 
-def _written(write: Callable[..., object], path: Path, values: np.ndarray) -> list[str]:
-    write(path, values)
-    return [str(path)]
-
-
-def pillow(values: np.ndarray, folder: Path, compression: str) -> list[str]:
+def pillow(values: np.ndarray, path: Path, compression: str) -> None:
     """Write pages by Pillow."""
-    path, words = _one(folder, "a.tif")
     first, *others = map(Image.fromarray, values)
     first.save(path, save_all=True, append_images=others, compression=compression)
-    return words
 
 
-def reduced(values: np.ndarray, folder: Path) -> list[str]:
+def reduced(values: np.ndarray, path: Path) -> None:
     """Write pages, each with one of half its size, as other pages and not below them."""
-    path, words = _one(folder, "a.tif")
     with tifffile.TiffWriter(path) as file:
         for plane in values:
             file.write(plane, **_GREY)
             file.write(plane[::2, ::2], subfiletype=1, **_GREY)
-    return words
 
 
-def each(values: np.ndarray, folder: Path, write: Callable[[np.ndarray, Path], object], suffix: str) -> list[str]:
-    """Write a file for each plane."""
-    paths = [folder / f"plane-{k}{suffix}" for k in range(len(values))]
-    for plane, path in zip(values, paths, strict=True):
-        write(plane, path)
-    return list(map(str, paths))
-
-
-def imagej(values: np.ndarray, folder: Path, axes: str = "ZYX", across: float = 0.1, **told: Any) -> list[str]:
+def imagej(values: np.ndarray, path: Path, across: float = 0.1, *, truncate: bool = False, **told: Any) -> None:
     """Write a hyperstack of ImageJ, with pixels `across` in its unit."""
-    path, words = _one(folder, "a.tif")
-    options = {"truncate": told.pop("truncate", False)}
-    told = {"axes": axes, "unit": "micron", "spacing": 0.25} | told
-    tifffile.imwrite(path, values, imagej=True, resolution=(1.0 / across, 1.0 / across), metadata=told, **options)
-    return words
+    told = {"axes": "ZYX", "unit": "micron", "spacing": 0.25} | told
+    resolution = (1.0 / across, 1.0 / across)
+    tifffile.imwrite(path, values, imagej=True, resolution=resolution, metadata=told, truncate=truncate)
 
 
 def sizes(scale: float = 1.0, unit: str = "µm") -> dict[str, Any]:
@@ -93,35 +98,29 @@ def sizes(scale: float = 1.0, unit: str = "µm") -> dict[str, Any]:
 
 
 def ome(
-    values: np.ndarray, folder: Path, axes: str = "ZYX", told: dict[str, Any] | None = None, **options: Any
-) -> Any:
+    values: np.ndarray, path: Path, axes: str = "ZYX", told: dict[str, Any] | None = None, **options: Any
+) -> None:
     """Write an OME-TIFF by tifffile."""
-    path, words = _one(folder, "a.ome.tif")
     shape = (1,) * (len(axes) - 3) + values.shape
     metadata = {"axes": axes, **(sizes() if told is None else told)}
     tifffile.imwrite(path, values.reshape(shape), ome=True, photometric="minisblack", metadata=metadata, **options)
-    return words
 
 
-def thumbnail(values: np.ndarray, folder: Path, *, last: bool = False) -> list[str]:
+def thumbnail(values: np.ndarray, path: Path, *, last: bool = False) -> None:
     """Write an OME-TIFF of two images, of which one is a thumbnail."""
-    path, words = _one(folder, "a.ome.tif")
     small = {"axes": "YX", "Name": "thumbnail"}
     images = [(values[0, ::4, ::4], small), (values, {"axes": "ZYX", "Name": "stack", **sizes()})]
     with tifffile.TiffWriter(path, ome=True) as file:
         for image, told in reversed(images) if last else images:
             file.write(image, photometric="minisblack", metadata=told)
-    return words
 
 
-def pyramid(values: np.ndarray, folder: Path) -> list[str]:
+def pyramid(values: np.ndarray, path: Path) -> None:
     """Write an OME-TIFF whose planes have smaller ones below them."""
-    path, words = _one(folder, "a.ome.tif")
     with tifffile.TiffWriter(path, ome=True) as file:
         told = {"axes": "ZYX", **sizes()}
         file.write(values, subifds=1, photometric="minisblack", tile=(16, 16), metadata=told)
         file.write(values[:, ::2, ::2], subfiletype=1, photometric="minisblack", tile=(16, 16))
-    return words
 
 
 def _ome_xml(values: np.ndarray, data: str, more: str = "") -> str:
@@ -136,15 +135,13 @@ def _ome_xml(values: np.ndarray, data: str, more: str = "") -> str:
     )
 
 
-def reverse(values: np.ndarray, folder: Path) -> list[str]:
+def reverse(values: np.ndarray, path: Path) -> None:
     """Write an OME-TIFF with the last plane first, as its TiffData say."""
-    path, words = _one(folder, "a.ome.tif")
     last = len(values) - 1
     data = "".join(f'<TiffData FirstZ="{k}" IFD="{last - k}" PlaneCount="1"/>' for k in range(last + 1))
     with tifffile.TiffWriter(path) as file:
         for k, plane in enumerate(values[::-1]):
             file.write(plane, description=_ome_xml(values, data).encode() if k == 0 else None, **_GREY)
-    return words
 
 
 def set_of_ome(values: np.ndarray, folder: Path, *, all_named: bool = False) -> list[str]:
@@ -162,9 +159,8 @@ def set_of_ome(values: np.ndarray, folder: Path, *, all_named: bool = False) -> 
     return list(map(str, paths if all_named else paths[:1]))
 
 
-def ome_zarr(values: np.ndarray, folder: Path, version: int = 2, *, axes: str = "zyx", **options: Any) -> list[str]:
+def ome_zarr(values: np.ndarray, path: Path, version: int = 2, *, axes: str = "zyx", **options: Any) -> None:
     """Write an OME-Zarr, 0.4 by Zarr's format 2 and 0.5 by its format 3."""
-    path, words = _one(folder, "a.ome.zarr")
     group = zarr.create_group(str(path), zarr_format=version)
     lead = len(axes) - 3
     chunks = (1,) * lead + (2, *(min(16, side) for side in values.shape[1:]))
@@ -180,57 +176,45 @@ def ome_zarr(values: np.ndarray, folder: Path, version: int = 2, *, axes: str = 
         group.attrs["multiscales"] = [{"version": "0.4", **scales[0]}]
     else:
         group.attrs["ome"] = {"version": "0.5", "multiscales": scales}
-    return words
 
 
-def cube(values: np.ndarray, folder: Path, name: str = "a.fits", dtype: str = "u2") -> list[str]:
+def cube(values: np.ndarray, path: Path) -> None:
     """Write a FITS cube by astropy; unsigned numbers with BZERO, and compressed if the name ends in .gz."""
-    path, words = _one(folder, name)
-    fits.PrimaryHDU(values.astype(dtype)).writeto(path)
-    return words
+    fits.PrimaryHDU(values).writeto(path)
 
 
 def packed(
-    values: np.ndarray, folder: Path, write: Writer, compress: Callable[[bytes], bytes], more: str
-) -> list[str]:
+    values: np.ndarray, path: Path, write: Callable[[np.ndarray, Path], object], compress: Callable[[bytes], bytes]
+) -> None:
     """Write another file, and compress all of it."""
-    (word,) = write(values, folder)
-    path = Path(word)
-    there = path.with_name(path.name + more)
-    there.write_bytes(compress(path.read_bytes()))
-    path.unlink()
-    return [str(there)]
+    inner = path.with_suffix("")
+    write(values, inner)
+    path.write_bytes(compress(inner.read_bytes()))
+    inner.unlink()
 
 
-def extensions(values: np.ndarray, folder: Path) -> list[str]:
+def extensions(values: np.ndarray, path: Path, make: Callable[[np.ndarray], Iterable[Any]]) -> None:
+    """Write FITS whose images are in extensions."""
+    fits.HDUList([fits.PrimaryHDU(), *make(values)]).writeto(path)
+
+
+def after_errors(values: np.ndarray, folder: Path) -> list[str]:
     """Write FITS with an extension of errors before that of the images, which is asked for."""
-    path, words = _one(folder, "a.fits")
     wrong = np.sqrt(values).astype(np.float32)
-    fits.HDUList([fits.PrimaryHDU(), fits.ImageHDU(wrong, name="ERR"), fits.ImageHDU(values, name="SCI")]).writeto(
-        path
-    )
-    return [f"{words[0]}[SCI]"]
+    parts = [fits.ImageHDU(wrong, name="ERR"), fits.ImageHDU(values, name="SCI")]
+    extensions(values, folder / "a.fits", lambda _: parts)
+    return [f"{folder / 'a.fits'}[SCI]"]
 
 
-def extension_each(values: np.ndarray, folder: Path) -> list[str]:
-    """Write FITS with an extension for each plane."""
-    path, words = _one(folder, "a.fits")
-    fits.HDUList([fits.PrimaryHDU(), *(fits.ImageHDU(plane) for plane in values)]).writeto(path)
-    return words
-
-
-def scaled(values: np.ndarray, folder: Path) -> list[str]:
+def scaled(values: np.ndarray, path: Path) -> None:
     """Write FITS of integers, of which each counts for a half."""
-    path, words = _one(folder, "a.fits")
     made = fits.PrimaryHDU(values.astype(np.float64))
     made.scale("int32", bscale=0.5, bzero=100.0)
     made.writeto(path)
-    return words
 
 
-def odd_card(values: np.ndarray, folder: Path) -> list[str]:
+def odd_card(values: np.ndarray, path: Path) -> None:
     """Write FITS with a card that is not standard, as some cameras do."""
-    path, words = _one(folder, "a.fits")
     made = fits.PrimaryHDU(values)
     made.header["COMMENT"] = "REPLACED"
     made.writeto(path)
@@ -238,180 +222,141 @@ def odd_card(values: np.ndarray, folder: Path) -> list[str]:
     card = b"Expos.T = 1,5 s / by hand".ljust(80)
     path.write_bytes(data.replace(b"COMMENT REPLACED".ljust(80), card))
     assert card in path.read_bytes()
-    return words
 
 
-def rice(values: np.ndarray, folder: Path) -> list[str]:
-    """Write FITS with the compression of its tiles."""
-    path, words = _one(folder, "a.fits")
-    fits.HDUList([fits.PrimaryHDU(), fits.CompImageHDU(values, compression_type="RICE_1")]).writeto(path)
-    return words
-
-
-def npy(values: np.ndarray, folder: Path, order: str = "C", dtype: str = "<u2") -> list[str]:
+def npy(values: np.ndarray, path: Path, order: str = "C") -> None:
     """Write NPY."""
-    path, words = _one(folder, "a.npy")
-    np.save(path, np.asarray(values.astype(dtype), order=order))
-    return words
+    np.save(path, np.asarray(values, order=order))
 
 
-def npz(values: np.ndarray, folder: Path) -> list[str]:
+def npz(values: np.ndarray, path: Path) -> None:
     """Write NPZ."""
-    path, words = _one(folder, "a.npz")
     np.savez(path, images=values)
-    return words
 
 
-def hdf5(values: np.ndarray, folder: Path) -> list[str]:
+def hdf5(values: np.ndarray, path: Path) -> None:
     """Write HDF5."""
-    path, words = _one(folder, "a.h5")
     with h5py.File(path, "w") as file:
         file["images"] = values
-    return words
 
 
-def colours(values: np.ndarray, folder: Path) -> list[str]:
-    """Write the same in three channels, red, green and blue."""
-    return tiff(np.repeat(values[..., None], 3, axis=-1), folder, photometric="rgb")
-
-
-def _png(plane: np.ndarray, path: Path) -> None:
-    Image.fromarray(plane).save(path)
-
-
-def _page(plane: np.ndarray, path: Path) -> None:
-    tifffile.imwrite(path, plane, photometric="minisblack")
-
-
-def _image(plane: np.ndarray, path: Path) -> None:
-    fits.PrimaryHDU(plane).writeto(path)
+def raster(values: np.ndarray, path: Path, mode: str | None = None, **options: Any) -> None:
+    """Write a picture by Pillow."""
+    image = Image.fromarray(values)
+    (image if mode is None else image.convert(mode)).save(path, **options)
 
 
 _SWAPPED = ">" if sys.byteorder == "little" else "<"
 _ESCAPED = "\\u00B5m"  # as ImageJ writes it
 
 STATED: dict[str, Writer] = {
-    "imagej": imagej,
-    "imagej, an escaped unit": partial(imagej, unit=_ESCAPED),
-    "imagej, one directory": partial(imagej, truncate=True),
-    "imagej, zunit of its own": partial(imagej, unit="nm", zunit="micron", yunit="nm", across=100.0),
-    "ome-tiff": ome,
-    "ome-tiff of five axes": partial(ome, axes="TCZYX"),
-    "ome-tiff in nm": partial(ome, told=sizes(1e3, "nm")),
-    "ome-tiff in mm": partial(ome, told=sizes(1e-3, "mm")),
-    "ome-tiff, big-endian and tiled": partial(ome, byteorder=_SWAPPED, tile=(16, 16)),
-    "ome-tiff, deflate": partial(ome, compression="zlib"),
-    "ome-tiff, bigtiff": partial(ome, bigtiff=True),
-    "ome-tiff, planes in reverse": reverse,
-    "ome-tiff, a thumbnail first": thumbnail,
-    "ome-tiff, a thumbnail last": partial(thumbnail, last=True),
-    "ome-tiff, a pyramid": pyramid,
+    "imagej": in_file("a.tif", imagej),
+    "imagej, an escaped unit": in_file("a.tif", imagej, unit=_ESCAPED),
+    "imagej, one directory": in_file("a.tif", imagej, truncate=True),
+    "imagej, zunit of its own": in_file("a.tif", imagej, unit="nm", zunit="micron", yunit="nm", across=100.0),
+    "ome-tiff": in_file("a.ome.tif", ome),
+    "ome-tiff of five axes": in_file("a.ome.tif", ome, axes="TCZYX"),
+    "ome-tiff in nm": in_file("a.ome.tif", ome, told=sizes(1e3, "nm")),
+    "ome-tiff in mm": in_file("a.ome.tif", ome, told=sizes(1e-3, "mm")),
+    "ome-tiff, big-endian and tiled": in_file("a.ome.tif", ome, byteorder=_SWAPPED, tile=(16, 16)),
+    "ome-tiff, deflate": in_file("a.ome.tif", ome, compression="zlib"),
+    "ome-tiff, bigtiff": in_file("a.ome.tif", ome, bigtiff=True),
+    "ome-tiff, planes in reverse": in_file("a.ome.tif", reverse),
+    "ome-tiff, a thumbnail first": in_file("a.ome.tif", thumbnail),
+    "ome-tiff, a thumbnail last": in_file("a.ome.tif", thumbnail, last=True),
+    "ome-tiff, a pyramid": in_file("a.ome.tif", pyramid),
     "ome-tiff of several files": set_of_ome,
-    "ome-zarr 0.4": ome_zarr,
-    "ome-zarr 0.4 of five axes": partial(ome_zarr, axes="tczyx"),
-    "ome-zarr 0.4, not compressed": partial(ome_zarr, compressors=None),
-    "ome-zarr 0.5": partial(ome_zarr, version=3),
-    "ome-zarr 0.5, not compressed": partial(ome_zarr, version=3, compressors=None),
+    "ome-zarr 0.4": in_file("a.ome.zarr", ome_zarr),
+    "ome-zarr 0.4 of five axes": in_file("a.ome.zarr", ome_zarr, axes="tczyx"),
+    "ome-zarr 0.4, not compressed": in_file("a.ome.zarr", ome_zarr, compressors=None),
+    "ome-zarr 0.5": in_file("a.ome.zarr", ome_zarr, version=3),
+    "ome-zarr 0.5, not compressed": in_file("a.ome.zarr", ome_zarr, version=3, compressors=None),
 }
 """Containers that state the sizes of voxels."""
 
 BARE: dict[str, Writer] = {
-    "tiff": tiff,
-    "tiff with its shape by tifffile": partial(tiff, metadata={}),
-    "tiff, planes as colours of one page": partial(tiff, photometric="rgb", planarconfig="separate"),
-    "tiff, deflate": partial(tiff, compression="zlib"),
-    "tiff, deflate and a predictor": partial(pillow, compression="tiff_adobe_deflate"),
-    "tiff, lzw": partial(pillow, compression="tiff_lzw"),
-    "tiff, packbits": partial(pillow, compression="packbits"),
-    "tiff, big-endian": partial(tiff, byteorder=_SWAPPED),
-    "tiff, big-endian deflate": partial(tiff, byteorder=_SWAPPED, compression="zlib"),
-    "tiff, bigtiff": partial(tiff, bigtiff=True),
-    "tiff, tiled": partial(tiff, tile=(16, 16)),
-    "tiff, strips of three rows": partial(tiff, rowsperstrip=3),
-    "tiff, upper-case suffix": partial(tiff, name="A B µ.TIFF"),
-    "tiff, smaller pages between": reduced,
-    "tiff of float32": partial(tiff, dtype="f4"),
-    "tiff of float64": partial(tiff, dtype="f8"),
-    "tiff of int32": partial(tiff, dtype="i4"),
-    "tiff of int16": partial(tiff, dtype="i2"),
-    "tiff of uint32": partial(tiff, dtype="u4"),
-    "tiff in colour": colours,
-    "tiff.gz": partial(packed, write=tiff, compress=gzip.compress, more=".gz"),
-    "tiffs": partial(each, write=_page, suffix=".tif"),
+    "tiff": in_file("a.tif", tiff),
+    "tiff with its shape by tifffile": in_file("a.tif", tiff, metadata={}),
+    "tiff, planes as colours of one page": in_file("a.tif", tiff, photometric="rgb", planarconfig="separate"),
+    "tiff, deflate": in_file("a.tif", tiff, compression="zlib"),
+    "tiff, deflate and a predictor": in_file("a.tif", pillow, compression="tiff_adobe_deflate"),
+    "tiff, lzw": in_file("a.tif", pillow, compression="tiff_lzw"),
+    "tiff, packbits": in_file("a.tif", pillow, compression="packbits"),
+    "tiff, big-endian": in_file("a.tif", tiff, byteorder=_SWAPPED),
+    "tiff, big-endian deflate": in_file("a.tif", tiff, byteorder=_SWAPPED, compression="zlib"),
+    "tiff, bigtiff": in_file("a.tif", tiff, bigtiff=True),
+    "tiff, tiled": in_file("a.tif", tiff, tile=(16, 16)),
+    "tiff, strips of three rows": in_file("a.tif", tiff, rowsperstrip=3),
+    "tiff, upper-case suffix": in_file("A B µ.TIFF", tiff),
+    "tiff, smaller pages between": in_file("a.tif", reduced),
+    "tiff of float32": in_file("a.tif", tiff, of=as_type("f4")),
+    "tiff of float64": in_file("a.tif", tiff, of=as_type("f8")),
+    "tiff of int32": in_file("a.tif", tiff, of=as_type("i4")),
+    "tiff of int16": in_file("a.tif", tiff, of=as_type("i2")),
+    "tiff of uint32": in_file("a.tif", tiff, of=as_type("u4")),
+    "tiff in colour": in_file("a.tif", tiff, of=lambda v: np.repeat(v[..., None], 3, axis=-1), photometric="rgb"),
+    "tiff.gz": in_file("a.tif.gz", packed, write=tiff, compress=gzip.compress),
+    "tiffs": partial(each, write=tiff, suffix=".tif", metadata={}),
     "ome-tiff of several files, all named": partial(set_of_ome, all_named=True),
-    "pngs": partial(each, write=_png, suffix=".png"),
-    "npy": npy,
-    "npy, Fortran order": partial(npy, order="F"),
-    "npy, big-endian": partial(npy, dtype=">u2"),
-    "npy of float32": partial(npy, dtype="<f4"),
-    "npy of int32": partial(npy, dtype="<i4"),
-    "npy of uint64": partial(npy, dtype="<u8"),
-    "npy of five axes": lambda values, folder: npy(values[None, None], folder),
-    "npys": partial(each, write=lambda plane, path: np.save(path, plane), suffix=".npy"),
-    "npz": npz,
-    "hdf5": hdf5,
-    "fits": cube,
-    "fits, upper-case suffix": partial(cube, name="A.FIT"),
-    "fits of float32": partial(cube, dtype="f4"),
-    "fits of int32": partial(cube, dtype="i4"),
-    "fits, scaled": scaled,
-    "fits.gz": partial(cube, name="a.fits.gz"),
-    "fits.bz2": partial(packed, write=cube, compress=bz2.compress, more=".bz2"),
-    "fits, SCI after ERR": extensions,
-    "fits, an odd card": odd_card,
-    "fits, tiles compressed": rice,
-    "fits, an extension each": extension_each,
-    "fitses": partial(each, write=_image, suffix=".fits"),
+    "pngs": partial(each, write=raster, suffix=".png"),
+    "npy": in_file("a.npy", npy),
+    "npy, Fortran order": in_file("a.npy", npy, order="F"),
+    "npy, big-endian": in_file("a.npy", npy, of=as_type(">u2")),
+    "npy of float32": in_file("a.npy", npy, of=as_type("<f4")),
+    "npy of int32": in_file("a.npy", npy, of=as_type("<i4")),
+    "npy of uint64": in_file("a.npy", npy, of=as_type("<u8")),
+    "npy of five axes": in_file("a.npy", npy, of=lambda values: values[None, None]),
+    "npys": partial(each, write=npy, suffix=".npy"),
+    "npz": in_file("a.npz", npz),
+    "hdf5": in_file("a.h5", hdf5),
+    "fits": in_file("a.fits", cube),
+    "fits, upper-case suffix": in_file("A.FIT", cube),
+    "fits of float32": in_file("a.fits", cube, of=as_type("f4")),
+    "fits of int32": in_file("a.fits", cube, of=as_type("i4")),
+    "fits, scaled": in_file("a.fits", scaled),
+    "fits.gz": in_file("a.fits.gz", cube),
+    "fits.bz2": in_file("a.fits.bz2", packed, write=cube, compress=bz2.compress),
+    "fits, SCI after ERR": after_errors,
+    "fits, an odd card": in_file("a.fits", odd_card),
+    "fits, tiles compressed": in_file(
+        "a.fits", extensions, make=lambda values: [fits.CompImageHDU(values, compression_type="RICE_1")]
+    ),
+    "fits, an extension each": in_file("a.fits", extensions, make=lambda values: map(fits.ImageHDU, values)),
+    "fitses": partial(each, write=cube, suffix=".fits"),
 }
 """Containers that do not."""
 
 ALL = STATED | BARE
 
 
-def raster(
-    values: np.ndarray, folder: Path, name: str = "photo.png", mode: str | None = None, **options: Any
-) -> list[str]:
-    """Write a picture of 8 bits by Pillow."""
-    path, words = _one(folder, name)
-    image = Image.fromarray(values)
-    (image if mode is None else image.convert(mode)).save(path, **options)
-    return words
-
-
-def palette(values: np.ndarray, folder: Path) -> list[str]:
+def palette(values: np.ndarray, path: Path) -> None:
     """Write a PNG with a palette of the colours that there are."""
-    path, words = _one(folder, "photo.png")
     grey = values.ndim == 2
     found, places = np.unique(values.reshape(-1, 1 if grey else 3), axis=0, return_inverse=True)
     image = Image.fromarray(places.reshape(values.shape[:2]).astype(np.uint8), mode="P")
     image.putpalette(np.broadcast_to(found, (len(found), 3)).astype(np.uint8).tobytes())
     image.save(path)
-    return words
 
 
-def turned(values: np.ndarray, folder: Path, name: str) -> list[str]:
+def turned(values: np.ndarray, path: Path) -> None:
     """Write a picture that lies on its side, as its EXIF says."""
-    path, words = _one(folder, name)
     tags = Image.Exif()
     tags[0x0112] = 6  # the stored rows run from the right
     Image.fromarray(np.ascontiguousarray(np.rot90(values))).save(path, exif=tags)
-    return words
 
 
-def deep_png(values: np.ndarray, folder: Path) -> list[str]:
+def deep(values: np.ndarray) -> np.ndarray:
+    """Return 16 bits from 8."""
+    return 257 * values.astype(np.uint16)
+
+
+def deep_png(values: np.ndarray, path: Path) -> None:
     """Write a PNG of 16 bits, by hand, for Pillow writes those of grey alone."""
-    path, words = _one(folder, "photo.png")
-    deep = (257 * values.astype(np.uint16)).astype(">u2")
     height, width = values.shape[:2]
-    rows = deep.reshape(height, -1).view(np.uint8)
+    rows = deep(values).astype(">u2").reshape(height, -1).view(np.uint8)
     lines = np.hstack([np.zeros((height, 1), np.uint8), rows]).tobytes()
     kind = 0 if values.ndim == 2 else 2
-    parts = [(b"IHDR", struct.pack(">IIBBBBB", width, height, 16, kind, 0, 0, 0)), (b"IDAT", zlib.compress(lines))]
-    chunks = [
-        struct.pack(">I", len(d)) + n + d + struct.pack(">I", zlib.crc32(n + d)) for n, d in [*parts, (b"IEND", b"")]
-    ]
-    path.write_bytes(b"\x89PNG\r\n\x1a\n" + b"".join(chunks))
-    return words
+    path.write_bytes(hostile_files.png(width, height, 16, kind, zlib.compress(lines)))
 
 
 def light(values: np.ndarray) -> np.ndarray:
@@ -420,158 +365,130 @@ def light(values: np.ndarray) -> np.ndarray:
     return np.where(share <= 0.04045, share / 12.92, ((share + 0.055) / 1.055) ** 2.4)
 
 
-def photo_tiff(values: np.ndarray, folder: Path, **options: Any) -> list[str]:
+def photo_tiff(values: np.ndarray, path: Path, **options: Any) -> None:
     """Write a picture as TIFF by tifffile."""
-    path, words = _one(folder, "photo.tif")
-    told = {"photometric": "rgb" if values.shape[-1] == 3 or values.shape[0] == 3 else "minisblack", "metadata": None}
-    tifffile.imwrite(path, values, **told | options)
-    return words
+    told = {"photometric": "rgb" if values.shape[-1] == 3 or values.shape[0] == 3 else "minisblack"}
+    tiff(values, path, **told | options)
 
 
-def planar(values: np.ndarray, folder: Path) -> list[str]:
-    """Write a TIFF with a plane for each colour."""
-    return photo_tiff(np.moveaxis(values, 2, 0), folder, planarconfig="separate")
-
-
-def opaque(values: np.ndarray, folder: Path, name: str) -> list[str]:
+def opaque(values: np.ndarray, path: Path) -> None:
     """Write a picture with an alpha that hides nothing."""
-    return raster(values, folder, name, mode="LA" if values.ndim == 2 else "RGBA")
+    raster(values, path, mode="LA" if values.ndim == 2 else "RGBA")
 
 
-def exr(values: np.ndarray, folder: Path, name: str, *channels: str) -> list[str]:
-    """Write EXR of float32, by OpenEXR."""
-    path, words = _one(folder, name)
+def exr(values: np.ndarray, path: Path, channels: str) -> None:
+    """Write EXR of float32, by OpenEXR, with channels of one letter."""
     parts = values.astype(np.float32).reshape(*values.shape[:2], -1)
     made = {
         channel: np.ascontiguousarray(parts[..., min(k, parts.shape[2] - 1)]) for k, channel in enumerate(channels)
     }
     OpenEXR.File({"compression": OpenEXR.ZIP_COMPRESSION, "type": OpenEXR.scanlineimage}, made).write(str(path))
-    return words
 
 
 PHOTOS: dict[str, Writer] = {
-    "png": raster,
-    "png, upper-case suffix": partial(raster, name="PHOTO µ.PNG"),
-    "png without a suffix": partial(raster, name="photo", format="png"),
-    "png, a palette": palette,
-    "png, opaque": partial(opaque, name="photo.png"),
-    "png of 16 bits": deep_png,
-    "png on its side": partial(turned, name="photo.png"),
-    "tiff": photo_tiff,
-    "tiff, deflate": partial(photo_tiff, compression="zlib"),
-    "tiff, lzw": partial(raster, name="photo.tif", compression="tiff_lzw"),
-    "tiff, packbits": partial(raster, name="photo.tif", compression="packbits"),
-    "tiff, big-endian": partial(photo_tiff, byteorder=_SWAPPED),
-    "tiff, bigtiff": partial(photo_tiff, bigtiff=True),
-    "tiff, tiled": partial(photo_tiff, tile=(16, 16)),
-    "tiff, strips of three rows": partial(photo_tiff, rowsperstrip=3),
-    "tiff on its side": partial(turned, name="photo.tif"),
-    "tiff, opaque": partial(opaque, name="photo.tif"),
-    "tiff of 16 bits": lambda values, folder: photo_tiff(257 * values.astype(np.uint16), folder),
-    "tiff of 16 bits, big-endian deflate": lambda values, folder: photo_tiff(
-        257 * values.astype(np.uint16), folder, byteorder=_SWAPPED, compression="zlib"
+    "png": in_file("photo.png", raster),
+    "png, upper-case suffix": in_file("PHOTO µ.PNG", raster),
+    "png without a suffix": in_file("photo", raster, format="png"),
+    "png, a palette": in_file("photo.png", palette),
+    "png, opaque": in_file("photo.png", opaque),
+    "png of 16 bits": in_file("photo.png", deep_png),
+    "png on its side": in_file("photo.png", turned),
+    "tiff": in_file("photo.tif", photo_tiff),
+    "tiff, deflate": in_file("photo.tif", photo_tiff, compression="zlib"),
+    "tiff, lzw": in_file("photo.tif", raster, compression="tiff_lzw"),
+    "tiff, packbits": in_file("photo.tif", raster, compression="packbits"),
+    "tiff, big-endian": in_file("photo.tif", photo_tiff, byteorder=_SWAPPED),
+    "tiff, bigtiff": in_file("photo.tif", photo_tiff, bigtiff=True),
+    "tiff, tiled": in_file("photo.tif", photo_tiff, tile=(16, 16)),
+    "tiff, strips of three rows": in_file("photo.tif", photo_tiff, rowsperstrip=3),
+    "tiff on its side": in_file("photo.tif", turned),
+    "tiff, opaque": in_file("photo.tif", opaque),
+    "tiff of 16 bits": in_file("photo.tif", photo_tiff, of=deep),
+    "tiff of 16 bits, big-endian deflate": in_file(
+        "photo.tif", photo_tiff, of=deep, byteorder=_SWAPPED, compression="zlib"
     ),
-    "tiff of light in float32": lambda values, folder: photo_tiff(light(values).astype(np.float32), folder),
-    "tiff of light in float64": lambda values, folder: photo_tiff(light(values), folder),
-    "tiff of sRGB in float32": lambda values, folder: [
-        *photo_tiff((values / 255.0).astype(np.float32), folder), "--encoding", "srgb"
-    ],
-    "tiff of int32": lambda values, folder: photo_tiff(values.astype(np.int32), folder),
-    "tiff of two pages": lambda values, folder: photo_tiff(np.stack([values, values]), folder),
-    "bmp": partial(raster, name="photo.bmp"),
-    "gif": partial(raster, name="photo.gif"),
-    "npy": lambda values, folder: _written(np.save, folder / "photo.npy", values),
-    "fits": lambda values, folder: each(values[None], folder, _image, ".fits"),
-}  # fmt: skip
+    "tiff of light in float32": in_file("photo.tif", photo_tiff, of=lambda values: light(values).astype(np.float32)),
+    "tiff of light in float64": in_file("photo.tif", photo_tiff, of=light),
+    "tiff of sRGB in float32": in_file(
+        "photo.tif", photo_tiff, "--encoding", "srgb", of=lambda values: (values / 255.0).astype(np.float32)
+    ),
+    "tiff of int32": in_file("photo.tif", photo_tiff, of=as_type("i4")),
+    "tiff of two pages": in_file("photo.tif", photo_tiff, of=lambda values: np.stack([values, values])),
+    "bmp": in_file("photo.bmp", raster),
+    "gif": in_file("photo.gif", raster),
+    "npy": in_file("photo.npy", npy),
+    "fits": in_file("photo.fits", cube),
+}
 """Photographs, of 8 bits in sRGB where their names say nothing else; the words may end in options."""
 
 COLOUR: dict[str, Writer] = PHOTOS | {
-    "tiff, a plane for each colour": planar,
-    "exr of light": lambda values, folder: exr(light(values), folder, "photo.exr", "R", "G", "B"),
+    "tiff, a plane for each colour": in_file(
+        "photo.tif", photo_tiff, of=lambda values: np.moveaxis(values, 2, 0), planarconfig="separate"
+    ),
+    "exr of light": in_file("photo.exr", exr, of=light, channels="RGB"),
 }
 
 GREY: dict[str, Writer] = PHOTOS | {
-    "png in colour": partial(raster, mode="RGB"),
-    "tiff in colour": partial(raster, name="photo.tif", mode="RGB"),
-    "exr of light": lambda values, folder: exr(light(values), folder, "photo.exr", "Y"),
-    "exr of light, in colour": lambda values, folder: exr(light(values), folder, "photo.exr", "R", "G", "B"),
-    "tiff, white at 0": lambda values, folder: photo_tiff(255 - values, folder, photometric="miniswhite"),
+    "png in colour": in_file("photo.png", raster, mode="RGB"),
+    "tiff in colour": in_file("photo.tif", raster, mode="RGB"),
+    "exr of light": in_file("photo.exr", exr, of=light, channels="Y"),
+    "exr of light, in colour": in_file("photo.exr", exr, of=light, channels="RGB"),
+    "tiff, white at 0": in_file("photo.tif", photo_tiff, of=lambda values: 255 - values, photometric="miniswhite"),
 }
 
 
-def pfm(values: np.ndarray, folder: Path, order: str = "<", kind: str = "Pf") -> list[str]:
+def pfm(values: np.ndarray, path: Path, order: str = "<", kind: str = "Pf") -> None:
     """Write PFM, by hand: rows from below, and a sign that tells the order of bytes."""
-    path, words = _one(folder, "depth.pfm")
     stored = values if kind == "Pf" else np.repeat(values[..., None], 3, axis=2)
     head = f"{kind}\n{values.shape[1]} {values.shape[0]}\n{'-' if order == '<' else ''}1.0\n"
     path.write_bytes(head.encode() + stored[::-1].astype(f"{order}f4").tobytes())
-    return words
 
 
-def _millimetres(values: np.ndarray, dtype: str) -> np.ndarray:
-    return np.round(1e3 * values).astype(dtype)
+def millimetres(dtype: str) -> Callable[[np.ndarray], np.ndarray]:
+    """Return what makes whole millimetres of metres."""
+    return lambda values: np.round(1e3 * values).astype(dtype)
 
 
-_MM = ["--depth-scale", "0.001"]
+def centimetres(values: np.ndarray) -> np.ndarray:
+    """Return whole centimetres."""
+    return (100 * values).astype(np.uint8)
 
 
-def _depth_npy(values: np.ndarray, folder: Path, dtype: str = "<f8", order: str = "C") -> list[str]:
-    return _written(np.save, folder / "depth.npy", np.asarray(values.astype(dtype), order=order))
-
-
-def _depth_tiff(values: np.ndarray, folder: Path, **options: Any) -> list[str]:
-    path, words = _one(folder, "depth.tif")
-    tifffile.imwrite(path, values, **_GREY | options)
-    return words
-
-
-def _of_type(dtype: str, **options: Any) -> Writer:
-    return lambda values, folder: _depth_tiff(values.astype(dtype), folder, **options)
-
-
-def _levels(dtype: str, **options: Any) -> Writer:
-    return lambda values, folder: [*_depth_tiff(_millimetres(values, dtype), folder, **options), *_MM]
-
+_MM, _CM = ("--depth-scale", "0.001"), ("--depth-scale", "0.01")
 
 DEPTHS: dict[str, Writer] = {
-    "npy": _depth_npy,
-    "npy, Fortran order": partial(_depth_npy, order="F"),
-    "npy, big-endian": partial(_depth_npy, dtype=">f8"),
-    "npy of float32": partial(_depth_npy, dtype="<f4"),
-    "npy of float16": partial(_depth_npy, dtype="<f2"),
-    "npy in mm": lambda values, folder: [*_depth_npy(_millimetres(values, "<u2"), folder), *_MM],
-    "npy in mm, big-endian": lambda values, folder: [*_depth_npy(_millimetres(values, ">i4"), folder, ">i4"), *_MM],
-    "npy of three axes": lambda values, folder: _depth_npy(values[..., None], folder),
-    "npz": lambda values, folder: _written(np.savez, folder / "depth.npz", values),
-    "pfm": pfm,
-    "pfm, big-endian": partial(pfm, order=">"),
-    "pfm in colour": partial(pfm, kind="PF"),
-    "tiff of float32": _of_type("f4"),
-    "tiff of float64": _of_type("f8"),
-    "tiff of float32, deflate": _of_type("f4", compression="zlib"),
-    "tiff of float32, big-endian tiled": _of_type("f4", byteorder=_SWAPPED, tile=(16, 16)),
-    "tiff of float32, lzw": lambda values, folder: raster(
-        values.astype(np.float32), folder, "depth.tif", compression="tiff_lzw"
+    "npy": in_file("depth.npy", npy),
+    "npy, Fortran order": in_file("depth.npy", npy, order="F"),
+    "npy, big-endian": in_file("depth.npy", npy, of=as_type(">f8")),
+    "npy of float32": in_file("depth.npy", npy, of=as_type("<f4")),
+    "npy of float16": in_file("depth.npy", npy, of=as_type("<f2")),
+    "npy in mm": in_file("depth.npy", npy, *_MM, of=millimetres("<u2")),
+    "npy in mm, big-endian": in_file("depth.npy", npy, *_MM, of=millimetres(">i4")),
+    "npy of three axes": in_file("depth.npy", npy, of=lambda values: values[..., None]),
+    "npz": in_file("depth.npz", npz),
+    "pfm": in_file("depth.pfm", pfm),
+    "pfm, big-endian": in_file("depth.pfm", pfm, order=">"),
+    "pfm in colour": in_file("depth.pfm", pfm, kind="PF"),
+    "tiff of float32": in_file("depth.tif", tiff, of=as_type("f4")),
+    "tiff of float64": in_file("depth.tif", tiff, of=as_type("f8")),
+    "tiff of float32, deflate": in_file("depth.tif", tiff, of=as_type("f4"), compression="zlib"),
+    "tiff of float32, big-endian tiled": in_file(
+        "depth.tif", tiff, of=as_type("f4"), byteorder=_SWAPPED, tile=(16, 16)
     ),
-    "tiff of float16": _of_type("f2"),
-    "tiff in mm": _levels("u2"),
-    "tiff in mm, deflate": _levels("u2", compression="zlib"),
-    "tiff in mm, lzw": lambda values, folder: [
-        *raster(_millimetres(values, "u2"), folder, "depth.tif", compression="tiff_lzw"), *_MM
-    ],
-    "tiff in mm, big-endian": _levels("u2", byteorder=_SWAPPED),
-    "tiff in mm of int32": _levels("i4"),
-    "tiff in mm without a scale": lambda values, folder: _depth_tiff(_millimetres(values, "u2"), folder),
-    "png in mm": lambda values, folder: [*raster(_millimetres(values, "u2"), folder, "depth.png"), *_MM],
-    "png in colour": lambda values, folder: [
-        *raster((100 * values).astype(np.uint8), folder, "depth.png", mode="RGB"), "--depth-scale", "0.01"
-    ],
-    "png on its side": lambda values, folder: [
-        *turned((100 * values).astype(np.uint8), folder, "depth.png"), "--depth-scale", "0.01"
-    ],
-    "exr, Z": lambda values, folder: exr(values, folder, "depth.exr", "Z"),
-    "exr, Y": lambda values, folder: exr(values, folder, "depth.exr", "Y"),
-    "exr in colour": lambda values, folder: exr(values, folder, "depth.exr", "R", "G", "B"),
-    "fits": lambda values, folder: each(values[None], folder, _image, ".fits"),
-}  # fmt: skip
+    "tiff of float32, lzw": in_file("depth.tif", raster, of=as_type("f4"), compression="tiff_lzw"),
+    "tiff of float16": in_file("depth.tif", tiff, of=as_type("f2")),
+    "tiff in mm": in_file("depth.tif", tiff, *_MM, of=millimetres("u2")),
+    "tiff in mm, deflate": in_file("depth.tif", tiff, *_MM, of=millimetres("u2"), compression="zlib"),
+    "tiff in mm, lzw": in_file("depth.tif", raster, *_MM, of=millimetres("u2"), compression="tiff_lzw"),
+    "tiff in mm, big-endian": in_file("depth.tif", tiff, *_MM, of=millimetres("u2"), byteorder=_SWAPPED),
+    "tiff in mm of int32": in_file("depth.tif", tiff, *_MM, of=millimetres("i4")),
+    "tiff in mm without a scale": in_file("depth.tif", tiff, of=millimetres("u2")),
+    "png in mm": in_file("depth.png", raster, *_MM, of=millimetres("u2")),
+    "png in colour": in_file("depth.png", raster, *_CM, of=centimetres, mode="RGB"),
+    "png on its side": in_file("depth.png", turned, *_CM, of=centimetres),
+    "exr, Z": in_file("depth.exr", exr, channels="Z"),
+    "exr, Y": in_file("depth.exr", exr, channels="Y"),
+    "exr in colour": in_file("depth.exr", exr, channels="RGB"),
+    "fits": in_file("depth.fits", cube),
+}
 """Depth maps, in metres where their names say nothing else, of distances that are whole multiples of 0.25 m."""

@@ -19,6 +19,7 @@ from lommel.methods.layers.debye_wolf import refine_until
 from lommel.methods.layers.samples import SampledLight
 from lommel.methods.layers.scanning import Orders, Table
 from lommel.optics.grid import Grid
+from lommel.optics.layers.emitter import Harmonic
 from objectives import FIVE, OIL
 
 U = 2.0**-53
@@ -398,3 +399,16 @@ def test_profiles_are_refined_until_their_error_over_the_least_peak_suffices(wor
 def test_the_default_tolerance_is_that_of_the_reference(name, kind):
     told = {"hankel": 1e-14, "tuned-closed-form": 1e-4}.get(name, 1e-6)
     assert not hasattr(kind(), "tol") or kind().tol == told
+
+
+def test_the_error_of_an_intensity_is_that_of_every_product_of_its_fields():
+    rng = np.random.default_rng(3)
+    form, fields = rng.normal(size=(3, 3)) + 1j * rng.normal(size=(3, 3)), rng.uniform(0.1, 1.0, (3, 4))
+    harmonic, error = Harmonic(2, form, 0.6, -1.1), 0.05
+    found = debye_wolf._form_error(harmonic, fields, error)
+    for n in range(4):
+        total = 0.0
+        for j, k in itertools.product(range(3), repeat=2):
+            products = (fields[j, n] + error) * (fields[k, n] + error) - fields[j, n] * fields[k, n]
+            total += abs(form[j, k]) * math.hypot(0.6, 1.1) * products
+        assert found[n] == pytest.approx(total, rel=1e-9)

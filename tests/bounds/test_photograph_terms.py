@@ -12,6 +12,7 @@ import lommel as lm
 from lommel.imaging import bank, defocus_depth, defocus_verdict, field_blur, focal_tables, traced_windows
 from lommel.imaging.defocus_verdict import DefocusVerdict, _Minimum
 from lommel.imaging.field_blur import Nodes
+from lommel.imaging.traced_blur import _WINDOW_SETS, _windows_by_size
 
 RNG = np.random.default_rng(0)
 
@@ -307,3 +308,43 @@ def test_the_variance_of_a_window_is_a_sum_over_lags_of_products_of_covariances(
                 waves = np.outer(np.cos(2 * math.pi * y * fx), np.cos(2 * math.pi * x * fx)) / 9
                 total += overlap[abs(y)] * overlap[abs(x)] * (waves * p).sum() * (waves * q).sum()
     assert found == pytest.approx(total, rel=1e-9)
+
+
+@pytest.mark.parametrize("tol", [1e-2, 1e-4, 1e-6])
+def test_windows_are_computed_at_the_fewest_sizes_between_which_they_are_exact(tol):
+    cells, low, high = np.arange(6.0), -1.0, 1.5
+
+    def exact(nodes, log):
+        return np.exp(-cells * math.exp(-log) * (1.0 + 0.1 * np.abs(nodes)[:, None]))[:, None]
+
+    nodes = np.array([-2.0, 0.5, 3.0])
+    windows, transform = _windows_by_size(exact, nodes, exact(nodes, 0.0), (low, high), tol)
+
+    def off(count, places):
+        x = np.cos(np.pi * (np.arange(count) + 0.5) / count)
+        places = places(np.sort(x))
+        logs = [0.5 * (low + high) + 0.5 * (high - low) * np.asarray(at) for at in (x, places)]
+        known, wanted = (np.array([exact(nodes, log).ravel() for log in some]) for some in logs)
+        series = np.polynomial.chebyshev.chebfit(x, known, count - 1)
+        made = np.polynomial.chebyshev.chebval(places, series).T
+        shape = (len(places), len(nodes), -1)
+        return (np.abs(made - wanted).reshape(shape).max(2) / wanted.reshape(shape).max(2)).max()
+
+    def between(x):
+        return [-0.97, 0.5 * (x[0] + x[1]), 0.5 * (x[-1] + x[-2]), 0.5 * (x[len(x) // 2] + x[len(x) // 2 - 1])]
+
+    count = len(windows)
+    assert count == next(one for one in _WINDOW_SETS if off(one, between) <= 0.3 * tol)
+    assert off(count, lambda _: np.linspace(-1.0, 1.0, 101)) <= tol
+    assert transform.shape == (count, count)
+
+
+def test_windows_of_a_field_may_err_by_what_their_bank_leaves_of_the_tolerance(monkeypatch):
+    asked = []
+    monkeypatch.setattr(field_blur, "WindowBlur", lambda *_, **given: asked.append(given["allowed"]))
+    made = SimpleNamespace(y=0, x=0, defocus=0, threads=1, tol=1e-2)
+    axes = (Nodes(0.0, 0.0, 1, 3),) * 3
+    field_blur.FieldBlur._operator(
+        made, SimpleNamespace(axes=axes, coefficients=np.ones((1, 1, 1, 3, 3)), error=4e-3)
+    )
+    assert asked == [pytest.approx(6e-3)]

@@ -10,7 +10,7 @@ import pytest
 import lommel as lm
 from lommel.core.answers import Samples, Slopes, Wanted
 from lommel.core.engine import least_average
-from lommel.methods import derivatives
+from lommel.methods import NonuniformFFT, derivatives, nonuniform_fft
 from lommel.methods.averaging import averaging_filter, pixel_averages, slope_filter
 from lommel.methods.derivative_names import Parts
 from lommel.methods.derivatives import Piece, Slope
@@ -196,3 +196,23 @@ def test_what_is_left_out_is_in_each_part():
     )
     assert found[3, 1].error == pytest.approx(expected, rel=1e-12, abs=0.0)
     assert isinstance(derivatives._combine(Parts({(3, 1): 1.0}), made, found, np.float64), Slope)
+
+
+@pytest.mark.parametrize("kind", [np.float32, np.float64])
+def test_a_derivative_over_any_aperture_is_off_by_both_of_its_fields(kind, monkeypatch):
+    """I' = 2 Re(conj(U) U'), where |U'| is at most the amplitude."""
+    rng = np.random.default_rng(5)
+    values, slopes = rng.uniform(0.0, 0.2, (1, 3, 4)), rng.normal(size=(2, 1, 3, 4))
+    field, slope, pupil = 1e-5, np.array([[2e-5], [3e-7]]), lm.Pupil(spider=lm.Spider.equal(3, width=0.1))
+    monkeypatch.setattr(nonuniform_fft, "_sums", lambda *_: (values, slopes, np.array([field]), slope))
+    wanted = Wanted(0.7, kind, terms=((2, 2), (3, 1)))
+    found = NonuniformFFT(1e-3).images(pupil, Grid((3, 4), 0.5, integrate=False), wanted)
+    peak, amplitude = values.max(), pupil.amplitude
+    root = math.sqrt(peak)
+    whole = (2 * root * field + field**2) / (root - field) ** 2
+    assert found.error == pytest.approx([whole + (1 + whole) * STORED[kind]], rel=1e-9)
+    for k in range(2):
+        off = 2 * (root * slope[k, 0] + amplitude * field + slope[k, 0] * field) / peak
+        off += (np.abs(slopes[k]).max() / peak + off) * STORED[kind]
+        assert found.slopes.error[k] == pytest.approx([off], rel=1e-9)
+    assert found.slopes.values == pytest.approx(0.7 * slopes, rel=1e-6)

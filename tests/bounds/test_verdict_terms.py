@@ -10,8 +10,10 @@ import numpy as np
 import pytest
 from scipy import special
 
+from lommel.cli.watch_command import Tally
 from lommel.deconvolve import linear
 from lommel.deconvolve.iterations import Iteration
+from lommel.detection import molecules
 from lommel.estimation import beads, field_fit, fisher, phase_retrieval
 from lommel.estimation.field_search import Outcome
 from lommel.estimation.fisher import Information
@@ -185,7 +187,9 @@ def test_a_star_is_seen_by_five_standard_errors_of_its_flux(lowest, expected):
     (0.1, math.inf, [("model_error", "doubt")]),
 ])  # fmt: skip
 def test_beads_are_too_dim_where_images_are_not_linear(rms, image, expected):
-    assert told(beads._error_findings(np.diag([0.5, 0.5]) * rms**2, image)) == expected
+    found = beads._error_findings(np.diag([0.5, 0.5]) * rms**2, image)
+    assert told(found) == expected
+    assert [one.text.startswith("aberrations are too strong") for one in found] == [math.isinf(image)] * len(found)
 
 
 @pytest.mark.parametrize("one_focus", [False, True])
@@ -376,3 +380,22 @@ def test_a_photon_transfer_curve_is_the_line_of_weighted_squares(rise):
     with pytest.raises(ValueError, match="cannot be estimated"):
         camera_noise._fit_noise(light + 7.0, squares, 0.9 * (error / slope / 0.3) ** 2, 1.5)
     camera_noise._fit_noise(light + 7.0, squares, 1.2 * (error / slope / 0.3) ** 2, 1.5)
+
+
+@pytest.mark.parametrize(("before", "depth", "jumps"), [(2.0, 2.59, False), (2.0, 2.61, True), (2.0, 1.39, True)])
+def test_depth_jumps_by_more_than_six_standard_errors(before, depth, jumps):
+    made = Tally()
+    made.rows.append((1.0, 0.0, before, 0.1, 1.0))
+    assert bool(made.jump(SimpleNamespace(median=(depth, 0.1, 1.0), time=3.0))) == jumps
+    assert not Tally().jump(SimpleNamespace(median=(depth, 0.1, 1.0), time=3.0))
+
+
+@pytest.mark.parametrize(("narrow", "wide"), [(1.0, 2.0), (1.4, 4.2)])
+def test_maxima_of_noise_are_as_many_as_the_slopes_of_the_kernel_say(narrow, wide):
+    x = np.arange(-30.0, 30.0, 0.05)
+    one, two = (np.exp(-0.5 * (x / s) ** 2) / (s * math.sqrt(2.0 * math.pi)) for s in (narrow, wide))
+    kernel = np.outer(one, one) - np.outer(two, two)
+    ratio = (np.gradient(kernel, 0.05, axis=1) ** 2).sum() / (kernel**2).sum()
+    for u in (3.0, 6.0):
+        expected = ratio * u * math.exp(-u * u / 2.0) / (2.0 * math.pi) ** 1.5
+        assert molecules._density(u, narrow, wide) == pytest.approx(expected, rel=2e-3)

@@ -9,11 +9,15 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.core.answers import Samples, ToleranceError, Wanted
+from lommel.base.options import Field, In, Shown
+from lommel.blur import recorded
+from lommel.core.answers import Samples, Slopes, ToleranceError, Wanted
 from lommel.estimation import bead_checks, bead_search, fisher
 from lommel.fit.goodness_of_fit import largest_plausible_chi2
 from lommel.imaging import defocus_verdict, field_blur
 from lommel.imaging.defocus_verdict import _Minimum
+from lommel.imaging.field_blur import Nodes
+from lommel.imaging.live import LiveDepth
 from lommel.localize.checks import Checks
 from lommel.methods import averaging
 from lommel.methods.averaging import Averages
@@ -38,7 +42,8 @@ def told(findings):
 def test_terms_that_are_left_out_are_off_by_the_field_that_they_may_make(stretch, normalized):
     """A phase error e changes U by at most e A, both more at shorter wavelengths; light counts twice."""
     phase, light, amplitude, tol = 2e-5, 3e-6, 0.8, 1e-3
-    images = Samples(RNG.uniform(0.1, 0.6, (2, 3, 3)), np.array([0.5, 2.0]), np.array([1e-4, 2e-4]), None, None)
+    own = Slopes(np.ones((1, 2, 3, 3)), np.array([[1e-5, 2e-5]]))
+    images = Samples(RNG.uniform(0.1, 0.6, (2, 3, 3)), np.array([0.5, 2.0]), np.array([1e-4, 2e-4]), own, None)
     method = SimpleNamespace(stretch=lambda _: stretch, keeps_tol=True, tol=tol)
     found = with_model_error(
         images, SimpleNamespace(left_out=(phase, light), amplitude=amplitude), method, normalized=normalized
@@ -49,6 +54,8 @@ def test_terms_that_are_left_out_are_off_by_the_field_that_they_may_make(stretch
         off = (2.0 * root * e + e * e) / (root - e) ** 2
         off = 2.0 * off / (1.0 - off) if normalized else off
         assert found.error[k] == pytest.approx(images.error[k] + off, rel=1e-9)
+        # 2 |U U'| where both are off by e, and at most the amplitude.
+        assert found.slopes.error[0, k] == pytest.approx(own.error[0, k] + 4.0 * e * amplitude / root**2, rel=1e-9)
     with pytest.raises(ToleranceError, match="terms of the wavefront leave"):
         with_model_error(images, SimpleNamespace(left_out=(1.0, 0.0), amplitude=0.3), method, normalized=False)
     exact = SimpleNamespace(left_out=(0.0, 0.0), amplitude=0.3)
@@ -104,9 +111,9 @@ def test_derivatives_by_chords_are_those_of_the_rule_times_their_factors():
     """d (f I) = f dI + f' I: both errors add up, and so does what storing rounds of the largest."""
     pupil = OIL.pupil(depth=0.5e-6, z=[0.0, 3e-7], wavelength=520e-9)
     values, bounds, largest = (RNG.uniform(0.1, 1.0, size) for size in ((2, 2, 3, 3), (2, 2), (2, 2)))
-    images = Samples(
-        RNG.uniform(0.1, 1.0, (2, 3, 3)), np.array([0.5, 0.7]), np.array([1e-4, 2e-4]), None, np.array([1.5, 1.2])
-    )
+    bounds[1] *= 1e-14  # which rounding exceeds
+    scale, error, peaks = np.array([0.5, 0.7]), np.array([0.1, 0.2]), np.array([1.5, 1.2])
+    images = Samples(RNG.uniform(0.1, 1.0, (2, 3, 3)), scale, error, None, peaks)
     rule = SimpleNamespace(differentiated=lambda *_: (images, values.copy(), bounds, largest))
     image_factor = np.array([0.3, -0.8])
     pairs = [(By(2, 3.0, image_factor), 2.0)]
@@ -150,6 +157,19 @@ def test_a_bank_of_windows_errs_by_less_than_its_splines_may_and_lacks_what_it_s
         off = bank.window(y, 0.0) - exact / exact.sum()
         worst = max(worst, np.abs(off).sum() + abs(off.sum()))
     assert 0.3 * bank.error <= worst <= bank.error <= 0.97 * tol
+
+
+def test_a_bank_has_more_nodes_until_its_splines_err_by_97_hundredths_of_the_tolerance(monkeypatch):
+    counts, errors = [], iter([(0.0099, 0.94), (0.00971, 0.94), (0.00969, 0.94)])
+    monkeypatch.setattr(
+        field_blur, "_error_between", lambda _, axes, __: counts.append(axes[0].count) or next(errors)
+    )
+    asked = SimpleNamespace(energy=0.5, tol=1e-2, largest=12, dtype=np.float64)
+    bank = field_blur.build_field_bank(Spots(), ((-1.0, 1.0), (0.0, 0.0), (0.0, 0.0)), (40, 40), asked)
+    assert (bank.error, bank.lost) == pytest.approx((0.00969, 0.06))
+    assert counts == sorted(set(counts))
+    first = Nodes(-1.0, 1.0, counts[0], bank.axes[0].degree)
+    assert counts[1] == first.finer((0.0099 / (0.9 * 0.0097)) ** (1.0 / (first.degree + 1))).count
 
 
 def test_information_of_a_scene_is_the_sum_over_its_images():
@@ -287,3 +307,46 @@ def test_saturated_and_unknown_voxels_are_counted():
     assert preparation._saturation_limit(stack, 50.0, notes) == 50.0
     assert notes[0].startswith("3 voxels are NaN")
     assert notes[1].startswith("5 voxels (2.5 %) have the saturation that was stated, 50,")
+
+
+def test_tables_of_live_depth_are_saved_with_the_noise_and_what_saturated_pixels_have(tmp_path):
+    """Of floats, which have no largest value, it is the one that was stated."""
+    engine = SimpleNamespace(tables=lambda *numbers: repr(numbers).encode())
+    form = SimpleNamespace(channels=1, white=0.5, offset=100.0, saturation=lambda kind: {"f": 7.0}[kind.kind])
+    made = SimpleNamespace(_levels=[SimpleNamespace(engine=engine)], _form=form, _smooth=False, _registered=False)
+    LiveDepth.save(made, tmp_path / "a.lml")
+    assert (tmp_path / "a.lml").read_bytes() == b"(0.5, 100.0, 7.0)"
+
+
+@pytest.mark.parametrize("ended", [False, True])
+@pytest.mark.parametrize("aim", [1e-3, 1e-7])
+def test_the_first_request_of_blurred_images_follows_from_the_widths_of_their_parts(aim, ended, monkeypatch):
+    halo = SimpleNamespace(
+        several=True, at=lambda r: np.full(1, 1.0 / 40.0), bound=lambda r: 0.02 * math.exp(-r / 50)
+    )
+    monkeypatch.setattr(recorded, "Halo", SimpleNamespace(of=lambda *_: halo))
+    monkeypatch.setattr(recorded, "Band", SimpleNamespace(of=lambda *_: SimpleNamespace(ended=ended)))
+    pupil, grid = lm.Pupil(lm.Wavefront(3.0), obscuration=0.3), Grid((8, 12), 0.5, integrate=True)
+    blurs = (lm.Jitter(0.4), lm.Motion(1.5, angle=0.0))
+    found = recorded._first_request(None, pupil, grid, blurs, aim, 1)
+    spot, pixel = 4.0 * math.pi * pupil.transmission / pupil.likely_peak, 0.5 * math.pi
+    jitter = 2.0 * math.pi * (0.4 * math.pi) ** 2
+    area = math.sqrt((spot + jitter + (1.5 * math.pi) ** 2 + pixel**2) * (spot + jitter + pixel**2)) + 40.0
+    assert found.tol == pytest.approx(0.12 * aim * spot / area, rel=1e-9)
+    light = 4.0 * math.pi * pupil.transmission / area / pupil.amplitude**2
+    assert found.error == pytest.approx(max(0.009 * aim * light, 1e-15), rel=1e-9)
+    half = 4 * 0.5 * math.pi
+    margin = next(
+        m for m in np.geomspace(5.0, 1e5, 400)
+        if min(2.0 / 0.7 / math.pi / (half + m), 1.0) * halo.bound(m) <= 0.5 * aim / area
+    )  # fmt: skip
+    blur = float(pupil.v(pupil.geometric_radius()))
+    assert found.margin == pytest.approx(blur + (0.0 if ended else 60.0) + margin, rel=1e-9)
+
+
+def test_whole_numbers_without_limits_are_taken_up_to_2_to_the_62():
+    field = Field("a", int, False, In(), Shown(), (), 0)
+    assert [field.check(value) for value in (2**62, -(2**62))] == [2**62, -(2**62)]
+    for value in (2**62 + 1, -(2**62) - 1):
+        with pytest.raises(ValueError, match="a must be"):
+            field.check(value)

@@ -13,7 +13,6 @@ from scipy import special
 from lommel.cli.watch_command import Tally
 from lommel.deconvolve import linear
 from lommel.deconvolve.iterations import Iteration
-from lommel.detection import molecules
 from lommel.estimation import beads, field_fit, fisher, phase_retrieval
 from lommel.estimation.field_search import Outcome
 from lommel.estimation.fisher import Information
@@ -388,14 +387,3 @@ def test_depth_jumps_by_more_than_six_standard_errors(before, depth, jumps):
     made.rows.append((1.0, 0.0, before, 0.1, 1.0))
     assert bool(made.jump(SimpleNamespace(median=(depth, 0.1, 1.0), time=3.0))) == jumps
     assert not Tally().jump(SimpleNamespace(median=(depth, 0.1, 1.0), time=3.0))
-
-
-@pytest.mark.parametrize(("narrow", "wide"), [(1.0, 2.0), (1.4, 4.2)])
-def test_maxima_of_noise_are_as_many_as_the_slopes_of_the_kernel_say(narrow, wide):
-    x = np.arange(-30.0, 30.0, 0.05)
-    one, two = (np.exp(-0.5 * (x / s) ** 2) / (s * math.sqrt(2.0 * math.pi)) for s in (narrow, wide))
-    kernel = np.outer(one, one) - np.outer(two, two)
-    ratio = (np.gradient(kernel, 0.05, axis=1) ** 2).sum() / (kernel**2).sum()
-    for u in (3.0, 6.0):
-        expected = ratio * u * math.exp(-u * u / 2.0) / (2.0 * math.pi) ** 1.5
-        assert molecules._density(u, narrow, wide) == pytest.approx(expected, rel=2e-3)

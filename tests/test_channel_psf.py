@@ -83,13 +83,6 @@ def test_light_that_lateral_colour_moves_has_no_profile():
 SUFFIXES = [form.suffixes[0] for form in registry.formats("psf") if form.suffixes != (".png",)]
 
 
-@pytest.mark.parametrize("suffix", SUFFIXES)
-def test_a_file_in_channels_is_read_by_its_own_loader(tmp_path, suffix):
-    lm.colour_psf(LENS.pupil([1.9, 2.0]), 9, 3e-6).save(tmp_path / f"colour{suffix}")
-    with pytest.raises(ValueError, match=r"it has channels; ColourPSF\.load, or PSFGrid\.load, reads it"):
-        lm.PSF.load(tmp_path / f"colour{suffix}")
-
-
 def test_wavelengths_are_an_axis():
     answer = lm.colour_psf(LENS.pupil(1.95), 21, 3e-6, WAVES)
     assert answer.names == ("450 nm", "550 nm", "650 nm")
@@ -189,28 +182,6 @@ def test_a_picture_has_the_channels_as_red_green_and_blue(tmp_path):
         answer.save(tmp_path / "p.gif")
 
 
-def test_what_cannot_be_is_refused_with_the_way_out():
-    with pytest.raises(TypeError, match="unexpected keyword argument 'out'"):
-        lm.colour_psf(LENS.pupil(), 9, 3e-6, out=np.empty((3, 9, 9)))
-    with pytest.raises(ValueError, match="pupil must have a reference wavelength"):
-        lm.colour_psf(lm.Pupil(), 9, 0.5)
-    with pytest.raises(TypeError, match=r"Channels.rgb\(\), or wavelengths"):
-        lm.colour_psf(LENS.pupil(), 9, 3e-6, "rgb")
-    with pytest.raises(TypeError, match="method must be a Method of one wavelength"):
-        lm.colour_psf(LENS.pupil(), 9, 3e-6, method=Polychromatic(WAVES, (1, 1, 1)))
-    with pytest.raises(TypeError, match=r"lens\.pupil"):
-        lm.colour_psf(LENS, 9, 3e-6)
-    answer = lm.colour_psf(LENS.pupil(), 9, 3e-6)
-    with pytest.raises(KeyError, match="choose from red, green, blue"):
-        answer["infrared"]
-    with pytest.raises(TypeError, match=r"part\(index\)"):
-        answer[0, 1]
-    with pytest.raises(TypeError, match="a PSF for each of the 3 channels"):
-        lm.ColourPSF(lm.Channels.rgb(), (answer[0],))
-    turned = lm.ColourPSF(lm.Channels.rgb(), answer.psfs[::-1])
-    assert np.array_equal(turned.values, answer.values[::-1])
-
-
 def test_pixels_of_two_sides_and_what_spreads_the_light_are_those_of_each_channel():
     lens = lm.Lens(focal_length=50e-3, f_number=4.0, focus_distance=2.0, wavelength=550e-9)
     channels = lm.Channels.rgb()
@@ -221,10 +192,3 @@ def test_pixels_of_two_sides_and_what_spreads_the_light_are_those_of_each_channe
         light = Polychromatic([w for w, _ in pairs], [share for _, share in pairs])
         wanted = lm.psf(lens.pupil(1.99), 9, (3e-6, 4e-6), method=light, **how)
         np.testing.assert_allclose(one.values, wanted.values, rtol=0, atol=2e-5 * wanted.values.max())
-
-
-@pytest.mark.parametrize("channels", [lm.Channels.rgb(), [550e-9]], ids=["colours", "wavelengths"])
-def test_a_picture_without_such_a_stretch_is_refused_by_name(channels):
-    answer = lm.colour_psf(LENS.pupil(1.9), 9, 3e-6, channels)
-    with pytest.raises(ValueError, match="stretch must be"):
-        answer.plot(stretch="cubic")

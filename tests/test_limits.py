@@ -75,14 +75,6 @@ def test_scales_of_other_pupils_are_not_taken_from_a_file():
         psf_files.rebuild(arrays, sealed(description, arrays), lm.PSF)
 
 
-def test_a_wavefront_divided_by_nothing_says_so():
-    with pytest.raises(ValueError, match="divisor must not be 0"):
-        lm.Wavefront(1.0) / 0
-    with pytest.raises(ValueError, match="or so small that 1 / divisor overflows, got"):
-        lm.Wavefront(1.0) / 1e-320
-    assert (lm.Wavefront(1.0) / 4.0).defocus == 0.25
-
-
 def test_the_strehl_ratio_is_refined_by_two_fifths_until_two_quadratures_agree_to_1e_12(monkeypatch):
     """Quadratures that are off by less and less, put before the true ones: the last two must agree."""
     rule, seen, off = aperture_means._rule, [], [1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 0.0, 0.0]

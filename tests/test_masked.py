@@ -101,12 +101,6 @@ def test_a_mask_that_is_none_or_a_method_is_no_mask():
     np.testing.assert_array_equal(lm.Wavefront(pandas.Series([1.0, 2.0])).defocus, [1.0, 2.0])
 
 
-def test_masked_images_of_two_shapes_are_told():
-    masked = Container(STACK[0], HIDDEN[2])
-    with pytest.raises(ValueError, match=r"images must have one shape"):
-        counted([masked, STACK[1][:20]])
-
-
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize(
     ("name", "call"),

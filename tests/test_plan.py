@@ -160,16 +160,6 @@ def test_what_has_no_shortcut_is_asked_of_the_method(pupil, center, there):
     assert answer.error_bound == images.error.max()
 
 
-def test_a_plan_that_was_asked_says_that_a_tolerance_is_not_met_as_one_that_was_not():
-    plan, pupil = lm.Plan(9, 0.5, tol=1e-12), lm.Pupil(lm.Wavefront(900.0))
-    plan(lm.Pupil(lm.Wavefront(1.0)))
-    with pytest.raises(lm.ToleranceError) as short:
-        plan(pupil)
-    with pytest.raises(lm.ToleranceError) as full:
-        plan._prepared.images(pupil, ())
-    assert str(short.value) == str(full.value)
-
-
 def test_a_plan_that_was_asked_can_be_copied_and_sent_to_other_processes():
     pupil, plan = lm.Pupil(lm.Wavefront(3.0)), lm.Plan(9, 0.5)
     expected = plan(pupil).values
@@ -238,13 +228,6 @@ def test_an_out_that_cannot_hold_the_answer_is_refused(out, error, message):
         with pytest.raises(error, match=message):
             plan(lm.Pupil(), out=out)
         plan(lm.Pupil())
-
-
-def test_derivatives_of_what_has_none_are_refused():
-    with pytest.raises(ValueError, match="derivatives are not available from Hankel"):
-        lm.psf(lm.Pupil(), 9, 0.5, derivatives=("defocus",), method="hankel")
-    with pytest.raises(ValueError, match='got "peak"'):
-        lm.psf(lm.Pupil(), 9, 0.5, derivatives=("defocus",), normalize="peak")
 
 
 @pytest.mark.parametrize("tol", [1e-3, 1e-6, 1e-9])

@@ -200,9 +200,3 @@ def test_an_image_survives_pickling_and_copying(method):
     for twin in (pickle.loads(pickle.dumps(image)), copy.deepcopy(image)):
         np.testing.assert_array_equal(twin.values, image.values)
         assert (twin.method, twin.pupil, twin.pixel) == (image.method, image.pupil, image.pixel)
-
-
-def test_no_light_in_the_window_cannot_be_scaled_to_a_peak():
-    ring = lm.Pupil(lm.Wavefront(defocus=100.0), obscuration=0.9)
-    with pytest.raises(ValueError, match="no light falls into the window"):
-        lm.psf(ring, 3, 0.5, method="geometric", normalize="peak")

@@ -10,7 +10,6 @@ import pytest
 from scipy.special import j0, j1
 
 import lommel as lm
-from core_tests import _core_tests
 from lommel import _core
 from lommel.methods import Hankel, NijboerZernike
 from lommel.paper import ClosedForm
@@ -106,19 +105,6 @@ def test_what_is_out_of_reach_is_refused_at_once_in_the_terms_of_the_question(me
     with pytest.raises(ValueError, match=message):
         REFUSED[message]()
     assert time.thread_time() - start < 0.5
-
-
-@pytest.mark.parametrize("v", [1.0001e6, 1e10, 1e25, 1e300, np.inf, np.nan])
-def test_the_core_itself_refuses_what_no_integer_holds(v):
-    one, at = np.array([[1.0]]), np.array([v])
-    for call in (
-        lambda: _core.field((one, 0.0, np.zeros(1)), at, 1e-6),
-        lambda: _core.profile((one, 0.3, np.zeros(1)), at, 1e-6),
-        lambda: _core.bessel_sequence(at, 5),
-        lambda: _core_tests.series_bounds(one[0], np.zeros(1), 0, v, 1e-9),
-    ):
-        with pytest.raises(ValueError, match=r"v|reach"):
-            call()
 
 
 def test_light_within_a_far_circle_is_that_of_rayleigh():

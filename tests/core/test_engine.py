@@ -98,12 +98,3 @@ def test_the_likelihood_of_stars_is_that_of_its_definition(height, width, kind):
     np.testing.assert_allclose(numbers, [part.sum(axis=-1) for part in expected], rtol=1e-11, atol=1e-9)
     for made, threaded in zip((numbers, products), engine.star_likelihood(images, light, star, 0), strict=True):
         np.testing.assert_array_equal(made, threaded)
-
-
-def test_the_likelihood_of_stars_asks_for_arrays_that_match():
-    star, light = np.ones((4, 3, 9)), np.ones((1, 2, 3))
-    image = np.ones((3, 3, 3))
-    cases = ([image, image[:2]], light, star), ([image], light, star[:3]), ([image], light[:, :1], star)
-    for images, *rest in cases:
-        with pytest.raises(ValueError, match="must be"):
-            engine.star_likelihood(images, *rest, 1)

@@ -308,32 +308,3 @@ def test_the_non_uniform_fft_has_a_bound_and_refuses_what_double_precision_does_
     dim = Pupil(Wavefront(300.0), spider=Spider(0.1, [0.0]))
     with pytest.raises(lm.ToleranceError, match="tol=1e-11 cannot be met in double precision"):
         lm.psf(dim, 5, 0.5, method=NonuniformFFT(1e-11))
-
-
-@pytest.mark.parametrize(
-    ("call", "message"),
-    [
-        (lambda: NonuniformFFT(1e-13), "tol must be >= 1e-12"),
-        (lambda: MatrixFourier(7), "samples must be from 8 to 8192"),
-        (lambda: MatrixFourier(edge="soft"), "edge must be one of 'grey', 'binary'"),
-        (
-            lambda: lm.psf(Pupil(Wavefront(50.0)), 9, 0.5, method=MatrixFourier(16)),
-            r"MatrixFourier\(samples=16\) would alias: .* need at least samples=\d+$",
-        ),
-        (
-            lambda: lm.psf(Pupil(Wavefront(50.0), mask=Mask(np.ones((16, 16)))), 9, 0.5),
-            r"the mask of side 16 is too coarse: .* side of at least \d+$",
-        ),
-        (
-            lambda: lm.psf(Pupil(spider=Spider(0.1, [0])), 512, 99.0),
-            "need polynomials of a degree above 4096; use fewer",
-        ),
-        (
-            lambda: lm.psf(Pupil(), 4096, 1.0, integrate=True, method=MatrixFourier(8192)),
-            "exceeds the limit of 134217728",
-        ),
-    ],
-)
-def test_what_cannot_be_done_is_refused(call: Any, message: str) -> None:
-    with pytest.raises(ValueError, match=message):
-        call()

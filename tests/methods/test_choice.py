@@ -127,14 +127,6 @@ def test_more_of_anything_costs_no_less():
     assert costs(lm.Pupil(COMA.wavefront, obscuration=0.9), 65)[1] > 1.05 * costs(obscured, 65)[1]
 
 
-def test_of_refusals_that_of_a_tolerance_is_told():
-    def ask(way):
-        raise lm.ToleranceError("not proven") if way.tol == 1e-4 else Declined("too large")
-
-    with pytest.raises(lm.ToleranceError, match="not proven"):
-        choice.first_within_tolerance(tuple(NijboerZernike(tol) for tol in (1e-3, 1e-4, 1e-5)), ask)
-
-
 def test_what_one_of_the_methods_can_prove_is_answered():
     strong = lm.Pupil(lm.Wavefront(nonradial={(8, 2): 250.0}))
     with pytest.raises(lm.ToleranceError):

@@ -19,7 +19,6 @@ from lommel.optics.grid import Grid
 from lommel.paper import Fraunhofer
 from lommel.special import zernike
 from lommel.special.legendre import gauss_legendre
-from rendering import grouped
 
 TERMS = [zernike.term(j, "noll") for j in range(2, 46)]  # n from 1 to 8
 
@@ -320,50 +319,6 @@ def test_the_strongest_pupil_of_a_stack_may_be_far_stronger_than_the_rest():
     answer = lm.psf(pupil, 9, 0.7, method=ChordalGauss(1e-7), dtype=np.float64)
     assert error(answer[1], polar(pupil[1], answer.grid)) <= 1e-7
     assert error(answer[4], polar(pupil[4], answer.grid)) <= 1e-7
-
-
-def test_what_is_refused_is_named():
-    pupil = lm.Pupil(lm.Wavefront(nonradial={(3, 1): 1.0}))
-    with pytest.raises(ValueError, match=r"tol must be >= 1e-12 and < 0\.1, got 1e-13"):
-        ChordalGauss(1e-13)
-    with pytest.raises(TypeError, match="tol must be a real number"):
-        ChordalGauss("tight")
-    with pytest.raises(ValueError, match=r"chords, more than the limit of 1024"):
-        lm.psf(lm.Pupil(lm.Wavefront(nonradial={(3, 1): 2000.0})), 9, 0.5, method="chordal-gauss")
-    with pytest.raises(ValueError, match=r"phases of 2e\+06 rad exceed the limit"):
-        lm.psf(lm.Pupil(lm.Wavefront(nonradial={(3, 1): 2e6})), 9, 0.5, method="chordal-gauss")
-    with pytest.raises(ValueError, match="tables exceed the limit of 384 MiB"):
-        lm.psf(pupil, (6000, 1), 0.05, method="chordal-gauss")
-    with pytest.raises(lm.ToleranceError, match="cannot be met in double precision"):
-        # Far in the dark.
-        lm.psf(lm.Pupil(apodization=9.0), 1, 0.5, method=ChordalGauss(1e-10), center=(0, 90))
-
-
-@pytest.mark.parametrize(
-    ("change", "message"),
-    [
-        ({"terms": np.zeros((0, 2), np.int32)}, "terms must have the shape"),
-        ({"terms": np.array([[2, 1]], np.int32)}, "no such Zernike term"),
-        ({"terms": np.array([[202, 0]], np.int32)}, "no such Zernike term"),
-        ({"terms": np.array([[2, 0], [2, 0]], np.int32), "edge": np.zeros((1, 2))}, "twice"),
-        ({"edge": np.zeros((1, 3))}, "one coefficient a term"),
-        ({"edge": np.zeros((0, 1))}, "one pupil at least"),
-        ({"obscuration": 1.0}, "obscuration must be"),
-        ({"step": 0.0}, "step and tol must be positive"),
-        ({"center_y": 2e6}, "within 1e6 pixels"),
-        ({"images": np.zeros((2, 3, 3))}, "one image, scale, bound and peak"),
-        ({"numbers": np.zeros((3, 2))}, "one image, scale, bound and peak"),
-    ],
-)
-def test_the_compiled_core_refuses_what_does_not_fit(change, message):
-    arguments = {
-        "terms": np.array([[2, 0]], np.int32), "edge": np.zeros((1, 1)), "obscuration": 0.0,
-        "amplitude": np.zeros(1), "center_y": 1.0, "center_x": 1.0, "step": 1.0, "tol": 1e-6, "threads": 1,
-        "scale": 1.0, "images": np.zeros((1, 3, 3)), "numbers": np.zeros((3, 1)),
-    }  # fmt: skip
-    for engine in (_core.chordal_images, _core.series_images):
-        with pytest.raises(ValueError, match=message):
-            engine(**grouped(arguments | change))
 
 
 @pytest.mark.parametrize("engine", [_core.chordal_images, _core.series_images])

@@ -165,11 +165,6 @@ def test_far_pixels_are_right_where_circles_up_to_them_are_too_many():
     assert answer.error_bound <= 1e-3
 
 
-def test_tables_that_are_too_large_are_refused_at_once():
-    with pytest.raises(ValueError, match=r"reaches to v = .* take tables that are too large: .* a smaller window"):
-        circles(coma(8.0), 2000, 30.0)
-
-
 @pytest.mark.quick
 @pytest.mark.parametrize("center", [(0.0, 0.0), (0.3, -0.2), (-7.0, 3.0), (-40.5, 12.0)])
 def test_one_pixel_has_circles_of_its_own(center):

@@ -271,13 +271,6 @@ def test_a_long_stack_can_be_interrupted_and_leaves_nothing_broken():
     assert lm.peak_error(after, lm.psf(pupil[3], 33, 0.5, method="hankel")) <= after.error_bound
 
 
-def test_phases_beyond_all_measure_are_refused_with_the_limit():
-    with pytest.raises(ValueError, match="nodes, more than the limit of 6000"):
-        lm.psf(lm.Pupil(lm.Wavefront(1e5)), 33, 0.5)
-    with pytest.raises(ValueError, match="limit of 1000000 rad"):
-        lm.psf(lm.Pupil(lm.Wavefront(np.linspace(0, 1e7, 9))), 33, 0.5)
-
-
 def test_a_tolerance_below_rounding_is_refused_and_says_what_is_reached():
     with pytest.raises(lm.ToleranceError, match="tol=1e-12 cannot be met"):
         lm.psf(lm.Pupil(lm.Wavefront(200.0, 200.0)), 64, 0.5, method=NijboerZernike(1e-12))

@@ -10,42 +10,13 @@ import pytest
 
 import lommel as lm
 from lommel.core.answers import Wanted
-from lommel.methods import ChordalGauss, Hankel, MatrixFourier, NijboerZernike, Polychromatic
-from lommel.methods.derivative_names import POWERS, checked, parts
+from lommel.methods import ChordalGauss, Hankel, NijboerZernike, Polychromatic
+from lommel.methods.derivative_names import POWERS, parts
 from lommel.optics.grid import Grid
-from lommel.paper import ClosedForm, Fraunhofer, Geometric, LommelSeries
 
 LENS = lm.Lens(focal_length=50e-3, f_number=2.8, focus_distance=2.0, wavelength=5.5e-7, obscuration=0.3)
 COMA = lm.Wavefront(2.0, 0.5, nonradial={(3, 1): 1.0, (2, -2): 0.6})
 ALL = ("defocus", "spherical", "rho^6", "rho^8", "row", "column", "wavelength", "f_number", "obscuration")
-
-
-@pytest.mark.parametrize(
-    ("names", "error", "told"),
-    [
-        ("defocus", TypeError, "sequence of names such as .* got 'defocus'"),
-        (None, TypeError, "got None"),
-        (3, TypeError, "got 3"),
-        (("coma",), ValueError, "one of 'defocus', .*'wavelength', .* or a Zernike term such as .* got 'coma'"),
-        ((1, 1), ValueError, "got 1"),
-        (((3, 2),), ValueError, r"no Zernike term \(n, m\) = \(3, 2\)"),
-        (((3, 1, 2),), ValueError, r"got \(3, 1, 2\)"),
-        (((3.0, 1),), (TypeError, ValueError), "integer"),
-        (("noll 0",), ValueError, "must be from 1"),
-        (("fringe 38",), ValueError, "must be from 1 to 37"),
-        (("noll 99999",), ValueError, "got 'noll 99999'"),
-        (("noll",), ValueError, "got 'noll'"),
-        (((0, 0),), ValueError, r"must not hold \(0, 0\): no intensity depends on the constant phase"),
-        (("noll 1",), ValueError, "must not hold 'noll 1'"),
-    ],
-)
-def test_what_is_no_name_is_refused(names, error, told):
-    with pytest.raises(
-        error, match=f"derivatives|integer|there is|index.*{told}" if error is not ValueError else told
-    ):
-        lm.psf(lm.Pupil(), 9, 0.5, derivatives=names)
-    with pytest.raises(error):
-        checked(names, "of")
 
 
 def test_derivatives_have_the_names_that_were_asked_for():
@@ -175,43 +146,6 @@ def test_a_stack_has_what_its_pupils_have():
             off = np.abs(part.derivatives[name] - alone.derivatives[name]).max() / alone.values.max()
             assert off <= answer.derivative_bounds[name] + alone.derivative_bounds[name]
             assert np.isfinite(answer.derivative_bounds[name])
-
-
-@pytest.mark.parametrize("name", ["wavelength", "f_number", "object_distance", "focus_distance"])
-def test_what_a_pupil_lacks_is_said_and_where_to_get_it(name):
-    with pytest.raises(ValueError, match=f"derivatives by '{name}' need a pupil with a wavelength .* give it both"):
-        lm.psf(lm.Pupil(), 9, 0.5, derivatives=(name,))
-    pupil = lm.Pupil(wavelength=5e-7, f_number=2.0)
-    if name.endswith("distance"):
-        with pytest.raises(ValueError, match=f"'{name}' need a pupil with the distances of a lens; make it by"):
-            lm.psf(pupil, 9, 1e-6, derivatives=(name,))
-        with pytest.raises(ValueError, match=r"need a paraxial lens, got model='aplanatic', .* take differences"):
-            lm.psf(replace(LENS, model="aplanatic").pupil(1.9), 9, 1e-6, derivatives=(name,))
-
-
-def test_what_other_apertures_lack_is_said():
-    vanes = lm.Pupil(obscuration=0.3, spider=lm.Spider.equal(3, width=0.1))
-    with pytest.raises(ValueError, match="by 'obscuration' need a circular or annular aperture; take diff"):
-        lm.psf(vanes, 9, 0.5, derivatives=("obscuration",))
-    stop = lm.Segments.hexagonal(1).phased(np.arange(6.0))
-    segments = lm.Pupil(stop=stop, wavelength=5e-7, f_number=2.0)
-    with pytest.raises(ValueError, match="by 'wavelength' need an aperture with segments in phase"):
-        lm.psf(segments, 9, 0.5e-6, derivatives=("wavelength",))
-    cells = lm.Pupil(mask=lm.Mask(np.ones((64, 64)), squares=True))
-    with pytest.raises(ValueError, match="by 'row' are not available for masks with squares=True"):
-        lm.psf(cells, 9, 0.5, derivatives=("row",))
-    assert lm.psf(cells, 9, 0.5, derivatives=((3, 1),)).derivatives[3, 1].any()
-
-
-@pytest.mark.parametrize(
-    "method", [Hankel(), MatrixFourier(), Fraunhofer(), ClosedForm(), LommelSeries(), Geometric()]
-)
-def test_methods_that_have_none_say_which_do(method):
-    name = type(method).__name__
-    pupil = lm.Pupil(lm.Wavefront(3.0), wavelength=5e-7, f_number=2.0)
-    for each in (method, Polychromatic([5e-7, 6e-7], [1, 1], method)):
-        with pytest.raises(ValueError, match=f"not available from {name}; use NijboerZernike, ChordalGauss or"):
-            lm.psf(pupil, 9, 1e-6, method=each, derivatives=("defocus",))
 
 
 def test_factors_are_those_of_the_conventions():

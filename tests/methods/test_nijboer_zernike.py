@@ -168,8 +168,3 @@ def test_the_least_obscurations_count() -> None:
         for method in (lm.methods.NijboerZernike(1e-9), lm.methods.Hankel())
     )
     assert np.abs(found.values - exact.values).max() <= 1e-9 * exact.values.max()
-
-
-def test_phases_beyond_the_limit_are_refused_with_their_size() -> None:
-    with pytest.raises(ValueError, match=r"phases of 2e\+06 rad exceed the limit of 1000000 rad"):
-        NijboerZernike().field(Pupil(Wavefront(2e6)), 1.0)

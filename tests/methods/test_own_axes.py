@@ -232,28 +232,6 @@ def test_methods_that_take_one_axis_say_so(method):
             lm.psf(lens.pupil([1.9, 2.1]), 9, 3e-6, center=([4, 4.3], 4), method=method, integrate=integrate)
 
 
-def test_an_aperture_that_is_not_round_says_so_too():
-    vanes = lm.Pupil(lm.Wavefront([1.0, 2.0]), spider=lm.Spider.equal(3, width=0.1))
-    with pytest.raises(ValueError, match="center must be one"):
-        lm.psf(vanes, 9, 0.5, center=([4, 4.3], 4))
-
-
-@pytest.mark.parametrize(
-    ("center", "said"),
-    [
-        ((4, [4, 1e7]), "center must be within 1e6 pixels, got 1e[+]07"),
-        (([], 4), r"center must not be empty, got shape \(0,\)"),
-        (([1, 2], [1, 2, 3]), r"center\[0\] and center\[1\] must broadcast, got shapes \(2,\) and \(3,\)"),
-        (([1, 2], [1, 2], [1, 2]), r"center must be \(row, column\), or \(rows, columns\) of several"),
-        (np.ones((3, 2)), r"center must be \(row, column\), or \(rows, columns\) of several"),
-        (([4, 9e5], 4), r"around the farthest center=\(900000.0, 4.0\) reaches v = "),
-    ],
-)
-def test_axes_that_cannot_be_are_refused(center, said):
-    with pytest.raises(ValueError, match=said):
-        lm.psf(lm.Pupil(lm.Wavefront([1.0, 2.0])), 9, 0.5, center=center)
-
-
 @pytest.mark.parametrize("name", ["metric", "coma"])
 def test_measures_are_those_of_each(name):
     pupil = PUPILS[name][:4]
@@ -285,13 +263,6 @@ def test_measures_are_those_of_each(name):
         assert (np.abs(measured - answer.encircled_energy(radius)) <= 2e-8 + 4.0 * np.pi * radius**2 * e).all()
     # Wherever the axis is, the light is around it.
     assert np.abs(answer.centroid - lm.centroid(pupil)).max() < 0.3 * unit
-
-
-def test_an_answer_has_one_axis_or_one_for_each_pupil():
-    answer = lm.psf(PUPILS["radial"][:3], 9, 0.5)
-    grid = Grid(9, 0.5, center=([4, 5], 4))
-    with pytest.raises(ValueError, match=r"grid must have one center, or one for each pupil.*\(3,\), got \(2,\)"):
-        lm.PSF(answer.values, grid, answer.pupil, answer.method, "energy", None, answer.scale)
 
 
 def test_pieces_of_a_stack_of_averages_keep_their_axes(monkeypatch):

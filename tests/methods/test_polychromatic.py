@@ -41,23 +41,6 @@ def test_without_weights_all_wavelengths_count_alike():
         Polychromatic(())
 
 
-def test_what_makes_no_spectrum_is_refused():
-    with pytest.raises(ValueError, match="weights"):
-        Polychromatic(WAVES, (1.0, 2.0))
-    with pytest.raises(ValueError, match="weights"):
-        Polychromatic(WAVES, (0.0, 0.0, 0.0))
-    with pytest.raises(ValueError, match="weights"):
-        Polychromatic(WAVES, (1.0, -1.0, 1.0))
-    with pytest.raises(ValueError, match=r"550e-9"):
-        Polychromatic((550,), (1.0,))
-    with pytest.raises(TypeError, match="method must be a Method of one wavelength"):
-        Polychromatic(WAVES, WEIGHTS, "fft")  # type: ignore[arg-type]
-    with pytest.raises(TypeError, match="method must be a Method of one wavelength"):
-        Polychromatic(WAVES, WEIGHTS, Polychromatic(WAVES, WEIGHTS))
-    with pytest.raises(ValueError, match="needs a pupil with a wavelength"):
-        lm.psf(lm.Pupil(), 21, 0.5, method=Polychromatic(WAVES, WEIGHTS))
-
-
 def test_a_spectrum_of_a_wavefront_that_depends_on_the_direction_is_the_sum_of_its_parts():
     pupil = lm.Pupil(lm.Wavefront(2.0, nonradial={(3, 1): 3.0, (2, -2): 1.0}), wavelength=550e-9, f_number=4.0)
     answer = lm.psf(pupil, (21, 24), 1e-6, method=Polychromatic(WAVES, WEIGHTS), normalize="strehl", dtype=np.float64)

@@ -101,26 +101,6 @@ def test_a_bead_comes_back_from_what_files_say_of_it():
     assert method_from_dict(Bead(1e-7, 1e-5).to_dict()) == Bead(1e-7, 1e-5)
 
 
-@pytest.mark.parametrize(
-    ("diameter", "said"),
-    [
-        (0.0, "diameter must be > 0 and <= 1e-05 metres, got 0"),
-        (100.0, "diameter must be > 0 and <= 1e-05 metres, got 100"),
-        (float("nan"), "diameter must be finite"),
-    ],
-)
-def test_what_is_no_bead_is_refused(diameter, said):
-    with pytest.raises((TypeError, ValueError), match=said):
-        Bead(diameter)
-
-
-def test_a_bead_in_the_glass_is_refused():
-    pupil = OIL.pupil(depth=[40e-9, 1e-6], wavelength=520e-9)
-    with pytest.raises(ValueError, match="needs a depth of at least the radius of the bead, 5e-08 metres, got 4e-08"):
-        lm.microscopy.bead(pupil, 100e-9, 9, 6.5e-6)
-    lm.microscopy.bead(pupil, 80e-9, 9, 6.5e-6)
-
-
 @pytest.mark.parametrize("diameter", [50e-9, 400e-9])
 def test_light_that_fades_into_the_sample_grows_towards_the_glass_as_its_fastest_wave(diameter):
     pupil = OIL.pupil(depth=1e-6, z=1e-6, wavelength=520e-9)

@@ -216,24 +216,6 @@ def test_the_growth_of_the_wavefront_is_above_every_sample(terms):
         assert np.all(projection.growth(piece, ()) == 0.0)
 
 
-def test_what_is_not_taken_is_said_in_a_sentence():
-    given = {"depth": 0.0, "wavelength": WAVE}
-    measured = OIL.pupil(**given, aberrations=FIVE)
-    with pytest.raises(ValueError, match="DebyeWolf supports no aberrations except those of the layers; use"):
-        lm.psf(measured, 5, PIXEL, method="debye-wolf")
-    with pytest.raises(ValueError, match="supports pupils with aberrations only; use Stratified"):
-        lm.psf(OIL.pupil(**given), 5, PIXEL, method=DebyeRings())
-    with pytest.raises(TypeError, match=r"aberrations must be of the type Wavefront, or None, got 0\.1"):
-        OIL.pupil(**given, aberrations=0.1)
-    with pytest.raises(ValueError, match=r"terms up to degree 30, got \(n, m\) = \(32, 0\)"):
-        OIL.pupil(**given, aberrations=lm.Wavefront.zernike({(32, 0): 0.1}))
-    with pytest.raises(ValueError, match=r"aberrations must be smaller.*\(n, m\) = \(2, 2\), has 48.7 waves"):
-        lm.psf(OIL.pupil(**given, aberrations=lm.Wavefront.zernike({(2, 2): 125.0})), 5, PIXEL)
-    with pytest.raises(ValueError, match=r"depth, z and aberrations must broadcast, got shapes"):
-        OIL.pupil(**given, z=[0.0, 1e-7], aberrations=lm.Wavefront(defocus=[1.0, 2.0, 3.0]))
-    assert OIL.pupil(**given, aberrations=lm.Wavefront()).aberrations is None
-
-
 def test_in_other_light_the_path_stays_and_colours_add_up():
     pupil = OIL.pupil(depth=0.0, z=[0.0, 3e-7], wavelength=WAVE, aberrations=FIVE)
     assert pupil.in_light(2 * WAVE).aberrations == 0.5 * FIVE

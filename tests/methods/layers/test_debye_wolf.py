@@ -6,9 +6,8 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.methods import ChordalGauss, DebyeWolf, Hankel, NijboerZernike, Polychromatic, Stratified
+from lommel.methods import DebyeWolf, Polychromatic, Stratified
 from lommel.optics.layers import debye
-from lommel.paper import Geometric
 from objectives import OIL
 
 WAVE, PIXEL = 520e-9, 6.5e-6
@@ -119,21 +118,6 @@ def test_origins_differ_by_where_the_focus_is():
         pupil = OIL.pupil(depth=2e-6, z=[0.0, 1e-7], wavelength=WAVE, origin=origin)
         assert pupil.focus == pytest.approx(start + np.array([0.0, 1e-7]), abs=1e-15)
         assert pupil.z == pytest.approx([0.0, 1e-7])
-
-
-def test_each_kind_of_pupil_has_its_methods():
-    microscope = OIL.pupil(depth=0.0, wavelength=WAVE)
-    for method in (NijboerZernike(), Hankel(), Geometric(), ChordalGauss()):
-        with pytest.raises(ValueError, match="supports the pupils of a lens only, got the pupil of an objective"):
-            lm.psf(microscope, 5, PIXEL, method=method)
-    with pytest.raises(ValueError, match="supports the pupils of an objective only, got the pupil of a lens"):
-        lm.psf(lm.Pupil(), 5, 0.5, method="stratified")
-    with pytest.raises(ValueError, match="emitted"):
-        lm.psf(lm.Pupil(), 5, 0.5, normalize="emitted")
-    with pytest.raises(TypeError, match=r"objective\.pupil\(depth"):
-        lm.psf(OIL, 5, 0.5)
-    with pytest.raises(TypeError, match="the pupil of an Objective"):
-        lm.strehl(microscope)
 
 
 def test_a_stack_is_cut_and_broadcast_and_comes_back_from_plain_types():

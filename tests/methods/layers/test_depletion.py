@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import dataclasses
 import json
-from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -83,32 +82,3 @@ def test_it_comes_back_from_what_files_say_of_it():
     assert back == way
     made = [lm.psf(emission, 5, PIXEL, method=each, normalize="strehl").values for each in (way, back)]
     assert np.array_equal(*made)
-
-
-def test_averages_of_what_depends_on_the_direction_are_refused():
-    way, emission = sted(5.0, polarization="x")
-    with pytest.raises(ValueError, match="integrate must be False for a Sted whose light depends"):
-        lm.psf(emission, 5, PIXEL, method=way, integrate=True, normalize="strehl")
-
-
-@pytest.mark.parametrize(
-    ("change", "said"),
-    [
-        ({"saturation": -1.0}, "saturation must be >= 0 and <= 10000, got -1"),
-        ({"saturation": 2e4}, "saturation must be >= 0 and <= 10000, got 20000"),
-        ({"saturation": float("nan")}, "saturation must be finite"),
-        ({"depletion": "doughnut"}, "depletion must be an ObjectivePupil"),
-        ({"depletion": three(depleting="x")[1]}, "depletion must not depend on the direction"),
-        ({"depletion": replace(three()[1], magnification=63.0)}, "magnification of the excitation, 60, got 63"),
-    ],
-)
-def test_what_depletes_nothing_is_refused(change, said):
-    excitation, depletion, _ = three()
-    with pytest.raises((TypeError, ValueError), match=said):
-        Sted(excitation, **({"depletion": depletion, "saturation": 1.0} | change))
-
-
-def test_fixed_dipoles_are_refused():
-    way, emission = sted(5.0)
-    with pytest.raises(ValueError, match=r"freely rotating emitters only, got Dipole\(polar=0.5"):
-        lm.psf(replace(emission, emitter=lm.Dipole(0.5, 0.0)), 5, PIXEL, method=way)

@@ -106,11 +106,6 @@ def test_without_aberrations_terms_are_by_chords_and_all_else_by_rings():
             assert np.abs(one[name] - exact).max() <= 1e-7 * np.abs(exact).max(), name
 
 
-def test_traced_plans_name_the_way_to_gradients():
-    with pytest.raises(TypeError, match=r"got one of an Objective; .* computes the gradient"):
-        lm.Plan(9, PIXEL).traced(stack())
-
-
 def test_circles_have_the_gradient_by_chords_or_that_of_their_own_derivatives():
     pupil = stack(depth=2e-6, z=[0.1e-6, 0.4e-6])
     answer = lm.psf(pupil, 9, PIXEL, method=DebyeRings(1e-7), dtype=np.float64)
@@ -134,17 +129,3 @@ def test_many_planes_have_derivatives_by_terms_too():
     found = made.pullback(made.values)[2, 2]
     exact = (made.values * made.derivatives[2, 2]).sum(axis=(1, 2))
     assert np.abs(found - exact).max() <= 1e-3 * np.abs(exact).max()
-
-
-@pytest.mark.parametrize(
-    ("pupil", "more", "of", "told"),
-    [
-        (stack(), {"normalize": "peak"}, ["z"], "kinks"),
-        (stack(emitter=lm.Beam("vortex"), aberrations=None), {}, ["z"], "use method=ChordalDebye"),
-        (stack(), {}, ["f_number"], "derivatives of the pupils of an Objective are by"),
-    ],
-)
-def test_what_has_no_gradient_is_refused(pupil, more, of, told):
-    answer = lm.psf(pupil, 7, PIXEL, **more)
-    with pytest.raises(ValueError, match=told):
-        answer.pullback(answer.values, of)

@@ -128,12 +128,6 @@ def test_each_plane_has_its_own_axis():
             assert off <= both.derivative_bounds["z"] + one.derivative_bounds["z"]
 
 
-def test_windows_that_the_engine_has_no_way_for_are_refused():
-    far = {"at": (90.0, 3.0), "derivatives": ("z",), "integrate": False}
-    with pytest.raises(ValueError, match="in windows up to 63 pixels from each axis; use a smaller shape"):
-        images({"emitter": lm.Dipole(0.7, 0.4)}, **far, method=Stratified())
-
-
 def test_no_derivative_is_more_than_its_size_says():
     # What filters err by relies on it.
     for light in ({"emitter": lm.Dipole(0.7, 0.4)}, {"aberrations": MEASURED}):

@@ -259,20 +259,6 @@ def test_what_single_precision_stores_is_in_the_bound(emitter, name):
     assert added == pytest.approx(stored, rel=1e-2, abs=0.0)
 
 
-def test_what_has_no_derivatives_says_so():
-    with pytest.raises(ValueError, match=r"'z', 'depth', 'wavelength', 'row', 'column' or .* got 'defocus'"):
-        lm.psf(pupil(), 9, PIXEL, derivatives=("defocus",))
-    with pytest.raises(ValueError, match="use Stratified"):
-        lm.psf(pupil(), 9, PIXEL, method="debye-wolf", derivatives=("z",))
-    with pytest.raises(ValueError, match="'z' need the pupil of an Objective"):
-        lm.psf(lm.Pupil(), 9, 0.3, derivatives=("z",))
-    with pytest.raises(ValueError, match="in windows up to"):
-        lm.psf(pupil(), 3, PIXEL, center=(400.0, 2.0), derivatives=("depth",))
-    measured = OIL.pupil(depth=DEPTH, z=Z, wavelength=WAVE, aberrations=lm.Wavefront.zernike({(2, 2): 0.1}))
-    with pytest.raises(ValueError, match=r"'wavelength' are not available from DebyeRings; .* take differences"):
-        lm.psf(measured, 9, PIXEL, method="debye-rings", derivatives=("z", "wavelength"))
-
-
 @pytest.mark.parametrize("shape", [(1, 1), (1, 3), (2, 5), (5, 5)])
 def test_bounds_of_derivatives_grow_by_what_storing_them_rounds(shape):
     bounds, asked = {}, pupil()[1]

@@ -128,13 +128,6 @@ def test_images_of_more_orders_than_the_engine_has_are_those_of_the_reference():
     assert made.values / made.scale == pytest.approx(exact, abs=1e-6 * exact.max())
 
 
-def test_vortices_have_no_derivatives():
-    pupil = TIRF.pupil(depth=0.2e-6, wavelength=520e-9, emitter=lm.Beam("vortex"))
-    for name in ("z", "row"):
-        with pytest.raises(ValueError, match=r"not available for the light of Beam\(polarization='vortex'\)"):
-            lm.psf(pupil, 5, 6.5e-6, derivatives=(name,))
-
-
 @pytest.mark.parametrize("ends", [(0.0, 5.0), (2.95, 3.05), (3.3, 9.1), (40.0, 40.0)])
 def test_a_table_has_what_each_pixel_needs_and_no_more(ends):
     radius = np.linspace(*ends, 301)

@@ -7,7 +7,7 @@ import pytest
 from scipy.special import j1, jvp
 
 import lommel as lm
-from lommel.methods import Bead, Confocal, TwoPhoton
+from lommel.methods import TwoPhoton
 from lommel.methods.layers.debye_wolf import BRIGHT_RING
 from lommel.special.legendre import gauss_legendre
 from objectives import TIRF
@@ -89,17 +89,6 @@ def test_light_that_is_radial_is_the_same_either_way():
     assert turning.values == pytest.approx(alone.values, abs=2e-9)
     assert alone.method.along_radius(pupil) is not None
     assert turning.method.along_radius(laser("x")) is None
-
-
-@pytest.mark.parametrize(
-    "way", [Confocal(laser("circular")[0]), TwoPhoton(), Bead(1e-7)], ids=lambda way: type(way).__name__
-)
-def test_what_has_no_answer_is_refused(way):
-    pupil = TIRF.pupil(depth=0.2e-6, z=[0.0, 1e-7], wavelength=780e-9, emitter=lm.Dipole(1.0, 0.0))
-    with pytest.raises(ValueError, match="center must be one"):
-        lm.psf(pupil, 5, PIXEL, method=way, center=([2.0, 2.1], [2.0, 2.0]), integrate=False)
-    with pytest.raises(ValueError, match="derivatives"):
-        lm.psf(pupil, 5, PIXEL, method=way, derivatives=("z",), normalize="energy")
 
 
 def test_the_ring_that_is_bright_where_the_axis_is_dark_is_the_maximum_of_j1():

@@ -169,36 +169,6 @@ def test_part_of_a_confocal_stack_is_one():
     assert one.profile([0.0, 1e-5])[1] == pytest.approx(stack.profile([0.0, 1e-5])[1][1])
 
 
-@pytest.mark.parametrize(
-    ("make", "said"),
-    [
-        (lambda: Confocal("laser"), "excitation must be an ObjectivePupil"),
-        (lambda: Confocal(colours()[0], 0.0), "pinhole must be > 0 and <= 100 Airy units, got 0"),
-        (lambda: Confocal(colours()[0], 1e3), "pinhole must be > 0 and <= 100 Airy units"),
-        (lambda: Confocal(colours()[0], tol=0.5), "tol must be >= 1e-12 and < 0.1"),
-        (lambda: Confocal(colours(emitter=lm.Dipole(0.7, 0.0))[1]), "excitation must be the light of a Beam"),
-        (lambda: TwoPhoton(float("nan")), "tol must be finite"),
-    ],
-)
-def test_what_makes_no_method_is_refused(make, said):
-    with pytest.raises((TypeError, ValueError), match=said):
-        make()
-
-
-def test_pupils_of_others_are_refused():
-    excitation, emission = colours()
-    with pytest.raises(ValueError, match="magnification 100, but a pupil of 60"):
-        lm.psf(emission, 9, 6.5e-6, method=Confocal(colours(TIRF, 1e-6)[0]))
-    with pytest.raises(ValueError, match="pupils of an objective only"):
-        lm.psf(lm.Pupil(lm.Wavefront()), 9, 0.3, method=TwoPhoton())
-    scalar = replace(excitation, emitter=lm.Scalar())
-    with pytest.raises(ValueError, match=r"needs an excitation by a Beam for Dipole\(polar=0.7"):
-        lm.psf(colours(emitter=lm.Dipole(0.7, 0.0))[1], 9, 6.5e-6, method=Confocal(scalar))
-    around = replace(excitation, emitter=lm.Beam("azimuthal"))
-    with pytest.raises(ValueError, match=r"without a field along Dipole\(polar=0.0"):
-        lm.psf(colours(emitter=lm.Dipole(0.0, 0.0))[1], 9, 6.5e-6, method=Confocal(around))
-
-
 def test_products_have_the_frequencies_of_both():
     excitation, emission = colours()
     for way, pupil, most in (

@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.core import engine
 from lommel.core.answers import Wanted
 from lommel.methods import DebyeWolf, Stratified
 from lommel.methods.layers import stratified
@@ -216,20 +215,6 @@ def test_threads_do_not_change_values():
     pupil = planes(60)
     one, two = (lm.psf(pupil, 33, PIXEL, threads=k).values for k in (1, 2))
     assert np.array_equal(one, two)
-
-
-def test_the_core_refuses_what_does_not_match():
-    asked = stratified.layered(planes(2), 10.0, 1e-9)
-    window = engine.Window((5, 5), (2.0, 2.0), 0.5)
-    for wrong in (
-        asked._replace(parts=asked.parts[:, 1:]),
-        asked._replace(rates=asked.rates[:2]),
-        asked._replace(planes=asked.planes[:2]),
-        asked._replace(forms=asked.forms[:, :2]),
-        asked._replace(azimuthal=np.array([[1.0, 1.0, 0.0]])),
-    ):
-        with pytest.raises(ValueError, match=r"must|are|one value"):
-            engine.layered_images(wrong, window, 1e-9, Wanted())
 
 
 def random_system(rng):

@@ -254,8 +254,3 @@ def test_the_best_form_of_a_window_is_better_than_any_other_centre(
         other = ClosedForm(tangent=tangent, variant=variant)
         assert least <= 1.03 * mse(lm.psf(pupil, 61, pixel, method=other), exact)
     assert isinstance(best.erf, AbramowitzErf | FresnelErf)
-
-
-def test_the_best_form_of_what_is_no_single_window_is_refused() -> None:
-    with pytest.raises(ValueError, match="pupil must be a single one"):
-        ClosedForm.best(Pupil(Wavefront([1.0, 2.0])), 9, 0.5)

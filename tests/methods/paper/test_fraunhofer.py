@@ -106,13 +106,6 @@ def test_aliasing_is_refused_and_the_samples_it_asks_for_suffice(
     assert errors[1] <= 0.1 * exact.max()
 
 
-@pytest.mark.parametrize(("samples", "pixel"), [(8192, 0.25), (2048, 0.1), (256, 0.01)])
-def test_a_transform_too_large_is_refused_with_its_size(samples: int, pixel: float) -> None:
-    message = rf"Fraunhofer would need an FFT of \d+\^2 for {samples} samples .* more than the limit of 16384\^2"
-    with pytest.raises(ValueError, match=message):
-        lm.psf(Pupil(), 9, pixel, method=Fraunhofer(samples=samples))
-
-
 def test_physical_pixels_are_taken_in_units_of_lambda_n() -> None:
     pupil = Pupil(Wavefront(5.0), wavelength=500e-9, f_number=4.0)
     physical = _image(pupil, 16, 0.5 * 500e-9 * 4.0, Fraunhofer())

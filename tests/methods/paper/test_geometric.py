@@ -223,8 +223,3 @@ def test_the_image_is_symmetric_about_the_central_pixel() -> None:
     image = _image(Pupil(Wavefront(12.0, -20.0)), (12, 15), 1.0)
     assert np.array_equal(image[1:], image[1:][::-1])
     assert np.array_equal(image, image[:, ::-1])
-
-
-def test_more_rays_than_fit_are_refused_with_their_number() -> None:
-    with pytest.raises(ValueError, match=r"Geometric would trace \S+ rays for a blur this large .* limit of 8388608"):
-        lm.psf(Pupil(Wavefront(2000.0)), 5, 1e-4, method=Geometric())

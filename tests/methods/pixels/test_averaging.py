@@ -274,12 +274,6 @@ def test_half_of_what_is_promised_of_the_best_placed_pixel_would_be_too_little_t
     assert disc == pytest.approx(least_average(step), rel=1e-3)
 
 
-def test_pixels_too_wide_for_a_filter_are_refused_with_a_way_out():
-    pupil = lm.Pupil(lm.Wavefront(nonradial={(3, 1): 1.0}))
-    with pytest.raises(ValueError, match=r"pixel must be at most 171 lambda\*N .* got 200 lambda\*N; use smaller"):
-        lm.psf(pupil, 3, 200.0, integrate=True)
-
-
 def test_a_tolerance_that_samples_cannot_meet_is_told_as_it_was_given():
     pupil = lm.Pupil(lm.Wavefront(nonradial={(3, 1): 1.0}))
     with pytest.raises(lm.ToleranceError, match=r"tol=1e-11 cannot be met by averages over pixels of 20 lambda\*N"):

@@ -297,16 +297,3 @@ def test_pixel_averages_sum_to_the_energy_in_the_window():
         assert answer.values.sum() == pytest.approx(answer.energy, abs=1e-6)
         moved = lm.psf(lm.Pupil(lm.Wavefront(9.0)), shape, 2.7, integrate=True, dtype=np.float64, center=(1.2, 30.0))
         assert moved.values.sum() == pytest.approx(moved.energy, abs=1e-6)
-
-
-def test_what_a_method_cannot_average_is_refused():
-    pupil = lm.Lens(focal_length=0.05, f_number=8, wavelength=5e-7).pupil(9.0)
-    with pytest.raises(ValueError, match="integrate must not be False for Geometric, which has no point values"):
-        lm.psf(pupil, 9, 1e-6, method="geometric", integrate=False)
-    with pytest.raises(TypeError, match="integrate must be True, False or None, got 1"):
-        lm.psf(pupil, 9, 1e-6, integrate=1)  # type: ignore[arg-type]
-    for center in (3, (1,), (1, np.nan), (1, 1e9)):
-        with pytest.raises(ValueError, match="center"):
-            lm.psf(pupil, 9, 1e-6, center=center)  # type: ignore[arg-type]
-    with pytest.raises(ValueError, match="derivatives are not available from Hankel"):
-        lm.psf(pupil, 9, 1e-6, center=(1.0, 2.0), method="hankel", derivatives=("defocus",))

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from scipy import special
 
-from lommel.cli.watch_command import Tally
+from lommel.cli.video_commands import Tally
 from lommel.deconvolve import linear
 from lommel.deconvolve.iterations import Iteration
 from lommel.estimation import beads, field_fit, fisher, phase_retrieval
@@ -385,5 +385,5 @@ def test_a_photon_transfer_curve_is_the_line_of_weighted_squares(rise):
 def test_depth_jumps_by_more_than_six_standard_errors(before, depth, jumps):
     made = Tally()
     made.rows.append((1.0, 0.0, before, 0.1, 1.0))
-    assert bool(made.jump(SimpleNamespace(median=(depth, 0.1, 1.0), time=3.0))) == jumps
-    assert not Tally().jump(SimpleNamespace(median=(depth, 0.1, 1.0), time=3.0))
+    assert bool(made.jump(SimpleNamespace(numbers=(1.0, 0.0, depth, 0.1, 1.0), time=3.0))) == jumps
+    assert not Tally().jump(SimpleNamespace(numbers=(1.0, 0.0, depth, 0.1, 1.0), time=3.0))

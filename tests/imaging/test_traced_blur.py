@@ -146,12 +146,39 @@ def test_each_image_of_a_batch_has_its_own_lens(framework):
         for k in range(3):
             one = call(image[k], DEPTH, focus_distance=focus[k], zernike=values[k], defocus=offset[k])
             assert np.abs(found[k] - one).max() < 2e-6
-        with pytest.raises(ValueError, match=r"or, one for each image, \(3, 2\), got \(2, 2\)"):
+        with pytest.raises(ValueError, match=r"or, one for each image, \(3, 2\) or, over the field.* got \(2, 2\)"):
             call(image, DEPTH[None], zernike=values[:2])
         with pytest.raises(ValueError, match=r"valid for focus_distance within .*, got 1\.9 to 2\.3; clamp"):
             call(image, np.full((1, 12, 15), 2.5), focus_distance=np.array([1.9, 2.3, 2.0]))
         with pytest.raises(ValueError, match="must be at most 1 rad"):
             call(image, DEPTH[None], zernike=np.where(values > 0.4, 1.5, values))
+
+
+@pytest.mark.parametrize("framework", THERE)
+def test_a_lens_over_its_field_mixes_the_psfs_of_its_nodes(framework):
+    terms = {(2, 2): 1.0, (3, -1): 1.0}
+    nodes = np.random.default_rng(4).uniform(-1.0, 1.0, (2, 3, 2))
+    with framework.used() as xp, hasty_programs() if framework.module == "jax.numpy" else nullcontext():
+        blur = lm.imaging.traced_blur(LENS, [1.5, 4.0], PIXEL, xp, device=framework.place(xp), zernike=terms)
+        image, depth, given = (framework.array(xp, part.astype(np.float32)) for part in (IMAGE, DEPTH, nodes))
+        found = framework.to_numpy(blur(image, depth, zernike=given))
+        with pytest.raises(ValueError, match="occlusion needs constant aberrations"):
+            blur(image, depth, zernike=given, occlusion=True)
+        both = [np.stack([part, part]).astype(np.float32) for part in (IMAGE[None], DEPTH, nodes)]
+        two, depths, lenses = (framework.array(xp, part) for part in both)
+        again = blur(two, depths, zernike=lenses)
+        assert np.abs(framework.to_numpy(again)[1, 0] - found).max() < 2e-6
+    exact = np.zeros_like(IMAGE)
+    down, across = (
+        np.array([np.interp(np.arange(n), np.linspace(0, n - 1, k), row) for row in np.eye(k)])
+        for n, k in ((12, 2), (15, 3))
+    )
+    for row, column in np.ndindex(2, 3):
+        there = dict(zip(terms, nodes[row, column].tolist(), strict=True))
+        wavefront = lm.Wavefront.zernike(there, normalization="edge")
+        share = down[row][:, None] * across[column]
+        exact += spread(IMAGE * share, DEPTH, blur.half, aberrations=wavefront)
+    assert np.abs(found - exact).max() < 1e-4 * exact.max()
 
 
 def test_its_derivatives_are_the_adjoint_and_those_by_depth_and_lens(learned):
@@ -268,9 +295,17 @@ def test_beyond_the_valid_range_is_an_error_or_nan_and_far_away_is_within():
         ({"image": (255 * IMAGE).astype(np.uint8)}, TypeError, "image must hold real floats"),
         ({"image": np.where(IMAGE > 0.9, np.nan, IMAGE)}, ValueError, "image must be finite"),
         ({"distance": DEPTH[1:]}, ValueError, "must have the shape"),
+        ({"image": IMAGE[None, None, None]}, ValueError, "must have the shape"),
+        ({"image": np.stack([IMAGE] * 3)}, ValueError, "must have the shape"),
+        ({"image": np.stack([IMAGE] * 3), "distance": 2.0}, ValueError, "must have the shape"),
+        ({"image": IMAGE[0], "distance": 2.0}, ValueError, "must have the shape"),
+        ({"distance": np.nan}, ValueError, "not be NaN"),
         ({"distance": np.where(DEPTH > 3.0, np.nan, DEPTH)}, ValueError, "not be NaN, got NaN at 76 of 180 points"),
         ({"zernike": np.zeros(2)}, ValueError, "zernike is fixed"),
         ({"focus_distance": 3.0}, ValueError, "distance must be within|valid for focus_distance within"),
+        ({"f_number": np.ones(3)}, ValueError, r"f_number must have the shape \(\), got \(3,\)"),
+        ({"focus_distance": 0.0}, ValueError, "focus_distance must be above 0, got 0"),
+        ({"zernike": {(4, 0): 1.0}}, TypeError, "zernike must hold real numbers, got"),
     ],
 )
 def test_bad_input_is_refused_in_one_sentence(learned, change, error, message):
@@ -284,6 +319,10 @@ def test_bad_input_is_refused_in_one_sentence(learned, change, error, message):
     [
         ({"lens": lm.Lens(focal_length=16e-3, f_number=4.0, wavelength=550e-9, model="aplanatic")}, "paraxial"),
         ({"lens": lm.Lens(focal_length=1e-2, f_number=4.0, wavelength=5e-7, spider=lm.Spider(0.1, [0.0]))}, "round"),
+        ({"distances": [-1.0, 2.0]}, "object_distance"),
+        ({"focus_distances": (1.0, 1.0)}, "focus_distances"),
+        ({"f_numbers": (1.0, 64.0)}, "f_numbers|windows of more than"),
+        ({"zernike": {(2, 1): 1.0}}, "n - m even"),
     ],
 )
 def test_what_no_blur_can_be_made_of_is_refused(change, message):

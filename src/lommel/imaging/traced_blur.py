@@ -195,9 +195,11 @@ class TracedBlur:
             With the shape (n,), where n is the batch size (first axis of `image`), each image has its own lens.
         defocus : array, optional
             Additional C_d, radians; broadcasts with `distance`.
-        zernike : array, shape (k,) or (n, k), optional
+        zernike : array, shape (k,) or (n, k), or (rows, columns, k) or (n, rows, columns, k), optional
             Zernike coefficients added to the wavefront, radians at the edge of the pupil and the wavelength of the
-            lens, in the order of the terms given to ``traced_blur``; n is the batch size.
+            lens, in the order of the terms given to ``traced_blur``; n is the batch size. With axes of rows and
+            columns, aberrations vary over the field: coefficients are given at nodes with equal spacing from the
+            first pixel to the last. PSFs are interpolated linearly between nodes; each node takes as long as a blur.
         occlusion : bool, default False
             Whether near objects occlude far ones, in at most 16 layers. Layers are composited as by
             :class:`lommel.imaging.Occlusion`, except for hidden points; the blur is corrected by the difference
@@ -230,6 +232,10 @@ class TracedBlur:
         operands = dict(zip(_OPTICS, (focus_distance, f_number, defocus, zernike), strict=True))
         lens = {name: None if value is None else self._array(name, value) for name, value in operands.items()}
         self._require_optics(lens, tuple(image.shape))
+        if occlusion and lens["zernike"] is not None and len(lens["zernike"].shape) > 2:
+            raise ValueError(
+                "occlusion needs constant aberrations over the field; pass zernike in the shape (k,) or (n, k)"
+            )
         if check:
             self._require_values(image, distance, lens)
         if static.namespace.name == "jax":  # without compilation a call takes seconds
@@ -240,7 +246,7 @@ class TracedBlur:
         """Return the blurred images; the images of a batch may have different lenses."""
         batched = {"image", "distance", *_batched_operands(lens)}
         if len(batched) == 2:
-            return self._blurred(image, distance, lens, occlusion=occlusion)
+            return self._over_field(image, distance, lens, occlusion=occlusion)
         values: dict[str, Operand] = {"image": image, "distance": distance, **lens}
         if lens["defocus"] is not None and len(lens["defocus"].shape) == len(distance.shape):
             batched.add("defocus")
@@ -250,7 +256,7 @@ class TracedBlur:
 
         def blur_image(values: Mapping[str, Operand]) -> Tensor:
             optics = {name: values[name] for name in _OPTICS}
-            return self._blurred(values["image"], values["distance"], optics, occlusion=occlusion)
+            return self._over_field(values["image"], values["distance"], optics, occlusion=occlusion)
 
         xp, count = self._static.namespace.xp, image.shape[0]
         if self._static.namespace.name == "jax" and count > 1:
@@ -261,6 +267,46 @@ class TracedBlur:
         parts = [{n: x if axes[n] is None else x[k, ...] for n, x in values.items()} for k in range(count)]
         images: Tensor = xp.stack([blur_image(part) for part in parts], axis=0)
         return images
+
+    def _over_field(
+        self, image: Operand, distance: Operand, lens: Mapping[str, Operand], *, occlusion: bool
+    ) -> Tensor:
+        """Return the blurred image, with PSFs interpolated linearly between the nodes of the field."""
+        static = self._static
+        xp, nodes = static.namespace.xp, lens["zernike"]
+        if nodes is None or len(nodes.shape) < 3:
+            return self._blurred(image, distance, lens, occlusion=occlusion)
+        count, columns = math.prod(nodes.shape[:2]), nodes.shape[1]
+        down, across = (self._node_weights(image, axis, nodes.shape[axis]) for axis in (0, 1))
+        nodes = xp.reshape(nodes, (count, nodes.shape[-1]))
+
+        def blur_node(row: Operand, column: Operand, coefficients: Operand) -> Tensor:
+            weight = xp.expand_dims(row, axis=-1) * column
+            # The PSF of a point is a weighted sum over nodes: each node blurs the image times its weights.
+            return self._blurred(image * weight, distance, dict(lens) | {"zernike": coefficients}, occlusion=False)
+
+        if static.namespace.name == "jax":
+            import jax
+
+            weights_and_nodes = xp.repeat(down, columns, axis=0), xp.tile(across, (count // columns, 1)), nodes
+            start = xp.zeros(image.shape, dtype=image.dtype)
+            # A scan stores the intermediate images of one node only.
+            total: Tensor = jax.lax.scan(lambda x, node: (x + blur_node(*node), None), start, weights_and_nodes)[0]
+            return total
+        partial_sum: Operand = 0.0
+        for k in range(count):
+            partial_sum = partial_sum + blur_node(down[k // columns, ...], across[k % columns, ...], nodes[k, ...])
+        blurred: Tensor = partial_sum
+        return blurred
+
+    def _node_weights(self, image: Operand, axis: int, count: int) -> Tensor:
+        """Return linear interpolation weights of `count` nodes along an axis of the image, shape (count, points)."""
+        xp, side = self._static.namespace.xp, image.shape[axis - 2]
+        placement = {} if self._static.namespace.name in ("jax", "numpy") else {"device": image.device}
+        position = xp.astype(xp.arange(side, **placement), image.dtype) * ((count - 1) / max(1, side - 1))
+        node = xp.reshape(xp.astype(xp.arange(count, **placement), image.dtype), (-1, 1))
+        hats: Tensor = xp.clip(1.0 - xp.abs(position - node), 0.0, 1.0)
+        return hats
 
     def _blurred(self, image: Operand, distance: Operand, lens: Mapping[str, Operand], *, occlusion: bool) -> Tensor:
         """Return the blurred image (..., channels, height, width) from arrays of checked shape."""
@@ -359,9 +405,11 @@ class TracedBlur:
         count, batch = len(optics.zernike), image[:-3][:1]
         for name, shape in (("focus_distance", ()), ("f_number", ()), ("zernike", (count,))):
             given = shape if lens[name] is None else tuple(lens[name].shape)
-            if given not in (shape, (*batch, *shape)):
+            over_field = (*given[-3:-1], *shape) if name == "zernike" and len(given) > 2 and 0 not in given else shape
+            if given not in (shape, (*batch, *shape), over_field, (*batch, *over_field)):
                 per_image = f" or, one for each image, {(*batch, *shape)}" if batch else ""
-                raise ValueError(f"{name} must have the shape {shape}{per_image}, got {given}")
+                nodes = f" or, over the field, (rows, columns, {count})" if name == "zernike" else ""
+                raise ValueError(f"{name} must have the shape {shape}{per_image}{nodes}, got {given}")
         if lens["zernike"] is not None and self._static.namespace.concrete(lens["zernike"]):
             largest = np.abs(self._static.namespace.to_numpy(lens["zernike"])).reshape(-1, count).max(axis=0)
             for value, (term, limit) in zip(largest, optics.zernike, strict=True):
@@ -551,8 +599,8 @@ class TracedBlur:
 
 def _batched_operands(lens: Mapping[str, Operand]) -> list[str]:
     """Return the names of the lens parameters that have separate values for each image of a batch."""
-    batched_axes = {"focus_distance": 1, "f_number": 1, "zernike": 2}
-    return [name for name, axes in batched_axes.items() if lens[name] is not None and len(lens[name].shape) == axes]
+    batched_axes = {"focus_distance": (1,), "f_number": (1,), "zernike": (2, 4)}
+    return [name for name, axes in batched_axes.items() if lens[name] is not None and len(lens[name].shape) in axes]
 
 
 def _pieces(ns: Namespace, x: Operand, length: int) -> list[Operand]:

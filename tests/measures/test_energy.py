@@ -170,3 +170,11 @@ def test_an_aperture_with_vanes_has_energies_with_a_bound():
 def test_a_stack_is_refused():
     with pytest.raises(ValueError, match="pupil must be a single one"):
         encircled(lm.Pupil(lm.Wavefront([1.0, 2.0])), [1.0])
+
+
+@pytest.mark.parametrize(
+    "pupil", [lm.Pupil(), lm.Pupil(lm.Wavefront(nonradial={(3, 1): 1.0}))], ids=["round", "coma"]
+)
+def test_what_is_no_method_is_refused_by_name_for_every_pupil(pupil):
+    with pytest.raises(TypeError, match="method must be a Method"):
+        encircled(pupil, [1.0], method="NijboerZernike")

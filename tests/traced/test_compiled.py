@@ -34,6 +34,21 @@ def test_the_core_takes_the_same_chords_and_nodes_as_images_of_too_few_of_them_s
     assert wrong > 1e-4 * right.max()
 
 
+def test_only_what_the_core_has_is_asked_of_it():
+    def sums(case, **options):
+        return traced((case[0], case[1] | options, case[2]), EDGE)._static.lights[0][1].sums
+
+    assert sums(CASES["odd"]) is not None
+    assert sums(CASES["odd"], integrate=True) is None
+    assert sums(CASES["white"]).stretch != 1.0
+    assert lm.Plan(5, 0.5).traced(pupils(EDGE))._static.lights[0][1].sums is None
+    pupil, terms = pupils(EDGE), ((2, 0),)
+    assert chordal.compiled_sums(pupil, Grid(3, 0.5), 1.0, terms, (4, 4)) is not None
+    assert chordal.compiled_sums(pupil, Grid(3, (0.5, 0.6)), 1.0, terms, (4, 4)) is None
+    assert chordal.compiled_sums(pupil, Grid(3, 0.5), 1.0, ((32, 0),), (4, 4)) is None
+    assert chordal.compiled_sums(pupil, Grid(3, 0.5), 1.0, ((0, 0),), (4, 4)) is None
+
+
 def polar(pupil, grid):
     """Return I over the strength of the light, by a rule in the radius and the angle."""
     r, w = gauss_legendre(90, pupil.obscuration, 1.0)

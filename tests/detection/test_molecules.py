@@ -204,12 +204,6 @@ def test_empty_movies_and_dark_frames_have_no_spots():
 @pytest.mark.parametrize(
     ("changes", "message"),
     [
-        ({"frames": np.zeros(5)}, r"frames must have the shape \(frames, rows, columns\), at least the box"),
-        ({"frames": np.zeros((2, 14, 20))}, r"at least the box of 15 x 15, got \(2, 14, 20\)"),
-        ({"frames": np.full((20, 20), np.nan)}, r"frames must have pixels that are neither"),
-        ({"box": 5}, "width must be >= 0.5 and <= 1.25, got 2"),
-        ({"threshold": 2.0}, "threshold must be >= 3"),
-        ({"width": 0.1}, "width must be >= 0.5"),
         ({"noise": lm.Noise(read=np.ones((5, 5)))}, r"read, of shape \(5, 5\), must have a value for each pixel"),
         ({"noise": lm.Noise(read=1.0, offset=np.ones((5, 5)))}, r"offset, of shape \(5, 5\), must have a value"),
     ],

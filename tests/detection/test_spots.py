@@ -140,19 +140,3 @@ def test_pixels_left_out_do_not_hide_stars_and_are_masked_in_their_windows(kind)
     np.testing.assert_array_equal(np.ma.getmaskarray(found.windows)[1], out[50:71, 50:71])
     assert found.left_out == out.sum()
     assert found.message == f"2 spots found; refused: 1 masked; {out.sum()} pixels left out (masked or NaN)"
-
-
-@pytest.mark.parametrize(
-    ("change", "message"),
-    [
-        ({"images": np.zeros((20, 20))}, "images must have the shape .*, at least the window of 33 x 33, got"),
-        ({"images": np.full((60, 60), np.nan)}, "images must have pixels that are neither"),
-        ({"images": lm.Counts.of(np.zeros((60, 60)), noise=NOISE)}, "noise must be omitted if images are Counts"),
-        ({"window": 3}, "window must be at least 5 x 5"),
-        ({"threshold": 1.0}, "threshold must be"),
-    ],
-)
-def test_bad_input_is_told(change, message):
-    options = {"images": np.zeros((60, 60)), "noise": NOISE} | change
-    with pytest.raises((TypeError, ValueError), match=message):
-        find_spots(options.pop("images"), **options)

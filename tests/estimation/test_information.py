@@ -55,13 +55,6 @@ def test_a_column_within_its_error_is_unknown_and_touches_nothing_else():
     assert found.errors["b"] == pytest.approx(1e12, rel=1e-9)
 
 
-def test_a_column_of_zeros_is_unknown():
-    found = told([[1.0, 0.0], [1.0, 0.0]])
-    assert found.unidentifiable == ("b",)
-    assert found.errors["a"] == pytest.approx(1 / math.sqrt(2), rel=1e-12)
-    assert np.isfinite(found.correlation).all()
-
-
 def test_two_of_which_the_sum_alone_is_known_are_unknown_and_correlate_at_minus_one():
     root = DRAW.normal(size=(9, 3))
     root[:, 2] = 5e4 * root[:, 0] * (1.0 + 1e-12 * DRAW.normal(size=9))
@@ -97,13 +90,6 @@ def test_one_of_large_error_does_not_hide_what_is_unknown_without_it():
     root = np.stack([unit[:, 0], unit[:, 0], unit[:, 1]], axis=1)
     found = Information.of_root(tuple("abc"), dict.fromkeys("abc", ""), root, np.array([1e-6, 1e-6, 0.9]))
     assert found.unidentifiable == ("a", "b")
-
-
-def test_of_no_combination_more_is_known_than_of_its_parts_where_nothing_is():
-    found = told(np.zeros((3, 2)))
-    assert found.unidentifiable == ("a", "b")
-    assert found.correlation == pytest.approx(np.eye(2))
-    assert (found.matrix == 0.0).all()
 
 
 @given(st.integers(1, 6), st.integers(0, 3), st.integers(0, 2**32 - 1))

@@ -69,9 +69,3 @@ def test_a_fit_is_plain_data():
 
 def test_plain_data_of_arrays_and_nested_results():
     assert plain({"a": (np.arange(2), [np.nan]), "b": np.bool_(True)}) == {"a": [[0, 1], [None]], "b": True}
-
-
-@pytest.mark.parametrize(("code", "severity"), [("no such code", "note"), ("misfit", "fatal")])
-def test_unknown_codes_and_severities_are_refused(code, severity):
-    with pytest.raises(ValueError, match="must be one of"):
-        Finding(code, severity, "text")

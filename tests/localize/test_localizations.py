@@ -120,13 +120,6 @@ def test_no_molecules_are_empty_tables(tmp_path):
     assert yaml.safe_load((tmp_path / "a.yaml").read_text())["Frames"] == 40
 
 
-def test_a_path_is_needed_and_localisations(tmp_path):
-    with pytest.raises(TypeError, match="paths must be one or more"):
-        made().save()
-    with pytest.raises(TypeError, match="part must be"), writer(tmp_path / "a.csv") as write:
-        write(made().table)
-
-
 def test_some_of_them_are_chosen_as_from_an_array():
     found = made(6)
     assert len(found[1:3]) == 2

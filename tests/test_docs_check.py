@@ -49,11 +49,6 @@ def test_links_that_lead_nowhere_are_told_with_their_page(link, folder):
     assert check.broken_links(folder) == [f"b.html: {link}"]
 
 
-def test_pictures_that_are_missing_are_told(folder):
-    (folder / "p.png").unlink()
-    assert check.broken_links(folder) == ["a.html: p.png"]
-
-
 def test_each_picture_of_the_page_is_drawn_and_says_what_it_shows(tmp_path):
     shown = re.findall(r"!\[(.+?)\]\(_generated/pictures/([\w-]+)\.png\)", drawn.PAGE.read_text(encoding="utf-8"))
     names = [name for _, name in shown]

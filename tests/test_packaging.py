@@ -230,33 +230,6 @@ def test_packages_are_installed_in_two_stages_and_only_by_their_hashes(place):
     assert len(place.make("env", "requirements.lock")) == 3
 
 
-@pytest.mark.parametrize(
-    ("name", "script", "words"),
-    [
-        ("c++", None, ["no C++17 compiler", "g++ or clang++", "CXX="]),
-        ("c++", "exit 1", ["no C++17 compiler", "g++ or clang++", "CXX="]),
-        ("python3", "echo /bare/python3; exit 1", ["Python.h", "/bare/python3", "python3-dev"]),
-        ("python3", "exit 1", ["no Python >= 3.11", "PYTHON="]),
-    ],
-)
-@pytest.mark.parametrize("uv", ["there", "missing"])
-def test_what_is_missing_is_said_before_anything_is_installed(name, script, words, uv, place):
-    (place.bin / name).unlink()
-    if script:
-        place.program(name, script)
-    if uv == "missing":
-        (place.bin / "uv").unlink()
-    run = place.run("psf")
-    assert run.returncode != 0
-    said = [line for line in run.stderr.splitlines() if "***" not in line]
-    assert all(line.startswith("make: ") for line in said)
-    assert all(word in " ".join(said) for word in words)
-    assert len(" ".join(said)) <= 300
-    assert place.log.read_text() == ""
-    assert not (place.root / ".venv").exists()
-    assert not (place.root / ".tools").exists()
-
-
 def test_an_edit_of_the_core_is_compiled_without_a_new_install(place):
     place.make("build")
     folder = str(place.core.parent)

@@ -199,43 +199,6 @@ def test_without_a_choice_all_figures_and_the_table_are_written(call_lommel, tmp
         assert paper.number(row["printed"]) in text
 
 
-def test_a_figure_that_does_not_exist_is_refused_before_a_folder_is_made(tmp_path):
-    with pytest.raises(ValueError, match="there is no figure 9; choose from 1, 2, 3, 4, 5, 6, 7, eq17, validity"):
-        paper.reproduce(tmp_path / "out", ["9"])
-    assert not list(tmp_path.iterdir())
-
-
-def in_a_file(folder):
-    (folder / "file").write_text("mine", encoding="utf-8")
-    return "file/out"
-
-
-def a_file(folder):
-    (folder / "file").write_text("mine", encoding="utf-8")
-    return "file"
-
-
-def a_folder_in_the_way(folder):
-    (folder / "out" / "figure-2.png").mkdir(parents=True)
-    return "out"
-
-
-@pytest.mark.parametrize(
-    ("prepare", "message"),
-    [
-        (in_a_file, "Error: file/out: Not a directory\n"),
-        (a_file, "Error: file: Not a directory\n"),
-        (a_folder_in_the_way, "Error: out/figure-2.png: Is a directory\n"),
-    ],
-)
-def test_a_folder_that_cannot_be_written_is_one_line_and_leaves_nothing(call_lommel, tmp_path, prepare, message):
-    target = prepare(tmp_path)
-    before = sorted(tmp_path.rglob("*"))
-    result = call_lommel("paper", target, "--figure", 2, folder=tmp_path)
-    assert (result.returncode, result.stdout, result.stderr) == (2, "", message)
-    assert sorted(tmp_path.rglob("*")) == before
-
-
 def test_the_tuned_form_holds_everywhere_on_the_map_and_the_paper_s_nowhere_near():
     made = paper.validity(5, 31)
     largest = made.facts["largest"]

@@ -2,25 +2,15 @@
 
 from __future__ import annotations
 
-import ast
 import importlib.util
-import inspect
-import io
-import itertools
-import os
-import re
 import shutil
 import subprocess
 import sys
-import textwrap
-import tokenize
 from pathlib import Path
-from typing import NamedTuple
 
 import pytest
 
 import tiers
-from cases import each
 
 ROOT = Path(__file__).resolve().parent.parent
 SCRIPT = Path(__file__).with_name("mutants") / "run.py"
@@ -44,12 +34,6 @@ def test_there_are_a_hundred_faults_and_each_fits_its_file_once(mutants):
     assert len(faults) >= 100
     assert len({fault.name for fault in faults}) == len(faults)
     assert mutants.misfits(faults) == []
-
-
-def test_a_pattern_that_does_not_fit_is_told(mutants):
-    there = mutants.load()[0]
-    gone = mutants.Fault(1, "x:1", there.file, "no such text", "y", ("tests/no_such_test.py",), "")
-    assert len(mutants.misfits([gone])) == 2
 
 
 def test_every_fault_of_one_place_has_its_own_switch(mutants):
@@ -95,29 +79,6 @@ def test_all_faults_of_one_cpp_file_compile_together_where_none_overlaps_another
     assert done.returncode == 0, done.stderr
 
 
-def test_no_fault_touches_a_comment_or_a_text(mutants):
-    def comments(text):
-        starts = [0, *itertools.accumulate(map(len, text.splitlines(keepends=True)))]
-        for token in tokenize.generate_tokens(io.StringIO(text).readline):
-            if token.type in {tokenize.COMMENT, tokenize.STRING}:
-                yield starts[token.start[0] - 1] + token.start[1], starts[token.end[0] - 1] + token.end[1]
-
-    for path in sorted((ROOT / "src" / "lommel" / "optics").glob("s*.py")):
-        text = path.read_text(encoding="utf-8")
-        spared = list(comments(text))
-        for start, end, new in mutants.draw.in_python(text):
-            ast.parse(text[:start] + new + text[end:])
-            assert not any(first < start < last for first, last in spared), (path, text[start:end], new)
-    for path in sorted((ROOT / "cpp" / "include").rglob("*.hpp")):
-        text = path.read_text(encoding="utf-8")
-        for start, end, new in mutants.draw.in_cpp(text):
-            line = text.rfind("\n", 0, start) + 1
-            assert "//" not in text[line:start], (path, text[start:end], new)
-            # The code changes, beside its comments.
-            codes = [[word for _, _, word in mutants.draw.cpp_tokens(code)] for code in (text[start:end], new)]
-            assert codes[0] != codes[1], (path, text[start:end], new)
-
-
 def test_every_file_has_tests_of_its_subject_and_its_own_come_first(mutants):
     own = "tests/optics/test_grid.py"
     assert mutants.subject("src/lommel/optics/grid.py", {})[0] == own
@@ -143,16 +104,6 @@ def test_a_run_goes_on_where_it_ended_and_judges_survivors_again(mutants, tmp_pa
     assert [again.noticed(fault) for fault in faults] == ["tests/test_x.py::test_a", "", ""]
 
 
-class Item(NamedTuple):
-    """What the choice of tests asks of one."""
-
-    nodeid: str
-    marker: str = ""
-
-    def get_closest_marker(self, name: str) -> bool:
-        return name == self.marker
-
-
 @pytest.fixture
 def listed(monkeypatch):
     """A list of three lines, and a commit."""
@@ -173,71 +124,3 @@ def test_the_list_is_as_it_would_be_written():
     written = tiers.HEADER.format(tiers.loop_listed()) + "".join(tiers.lines({}, rows))
     assert tiers.LIST.read_text(encoding="utf-8") == written
     assert min(rows.values()) >= tiers.SLOW
-
-
-def test_listed_tests_are_left_out_and_a_function_stands_for_its_cases(listed):
-    names = [
-        "a.py::test_one",
-        "a.py::test_one[1]",
-        "a.py::test_two[x-1]",
-        "a.py::test_two[x-2]",
-        "a.py::test_on",
-        "live/a.py::t",
-    ]
-    assert [name for name in names if tiers.is_quick(Item(f"tests/{name}"), 0.0)] == [
-        "a.py::test_two[x-2]",
-        "a.py::test_on",
-    ]
-
-
-def test_a_measured_test_replaces_its_line_and_tests_that_are_gone_lose_theirs():
-    here = "tests/test_tools.py::test_a_measured_test_replaces_its_line_and_tests_that_are_gone_lose_theirs"
-    before = {
-        "tests/test_tools.py::test_gone": 1.0,
-        here: 2.0,
-        "tests/test_tools.py::listed": 0.3,
-        "tests/x.py::test_y": 1.0,
-    }
-    assert tiers.lines({}, before) == [f"  2.00 {here}\n", "  0.30 tests/test_tools.py::listed\n"][::-1]
-    assert tiers.lines({here: 0.1}, before) == ["  0.30 tests/test_tools.py::listed\n"]
-    assert tiers.lines({here: 0.261}, {}) == [f"  0.26 {here}\n"]
-
-
-def test_a_quick_test_that_is_slow_each_time_fails(tmp_path):
-    tests = """
-        import time
-        first, files = [0.3], [0.3]
-        def work(seconds):
-            start = time.process_time()
-            while time.process_time() - start < seconds: pass
-        def test_slow(): work(0.3)
-        def test_slow_once(): first and work(first.pop())
-        def test_that_changes_what_it_finds():
-            assert files
-            work(files.pop())
-        def test_quick(): pass
-    """
-    (tmp_path / "test_some.py").write_text(textwrap.dedent(tests), encoding="utf-8")
-    (tmp_path / "conftest.py").write_text("import tiers; tiers.TOO_SLOW = 0.2", encoding="utf-8")
-    command = [sys.executable, "-m", "pytest", "-p", "tiers", "-p", "no:cacheprovider", "--quick", "test_some.py"]
-    environment = os.environ | {"PYTHONPATH": str(Path(tiers.__file__).parent)}
-    done = subprocess.run(command, cwd=tmp_path, env=environment, capture_output=True, text=True, check=False)
-    assert "1 failed, 3 passed" in done.stdout
-    assert re.search(
-        r"^FAILED test_some.py::test_slow - .*takes [\d., and]+ s of a processor", done.stdout, re.MULTILINE
-    )
-
-
-def test_every_case_that_fails_is_listed():
-    @each("number, text", [(1, "a"), (2, "b"), (3, "c"), (4, "d")])
-    def test(number, text, limit):
-        if number == 3:
-            with pytest.raises(ValueError, match=text):
-                int("3")
-        assert number <= limit
-
-    assert list(inspect.signature(test).parameters) == ["limit"]
-    with pytest.raises(AssertionError, match="2 cases fail") as caught:
-        test(limit=3)
-    assert "\n3, 'c': Failed: DID NOT RAISE" in str(caught.value)
-    assert "\n4, 'd': AssertionError" in str(caught.value)

@@ -127,12 +127,6 @@ def test_terms_of_the_amplitude_are_part_of_the_file_and_of_what_other_commands_
     assert rim == pytest.approx(made.objective.apodization.value(1.0))
 
 
-def test_a_camera_that_may_multiply_electrons_is_pointed_out(folder):
-    words = "bead.tif", *ASKED, "--camera", "andor-ixon-888", "--pixel", "6.5um", "--json"
-    notes = json.loads(run(*words).stdout)["notes"]
-    assert any("multiplication was on, copy its file, state excess = 2" in note for note in notes)
-
-
 def test_the_step_is_that_of_the_file_unless_it_is_stated(folder):
     planes = tifffile.imread("bead.tif")
     tifffile.imwrite("imagej.tif", planes, imagej=True, metadata={"axes": "ZYX", "spacing": 0.2, "unit": "um"})
@@ -147,24 +141,6 @@ def test_a_result_that_does_not_fit_has_exit_code_3(folder):
     found = run("bead.tif", "objective.toml", "--step", "-200nm", *ASKED[3:])
     assert found.returncode == 3
     assert found.stdout.startswith("reversed z: ")
-
-
-@pytest.mark.parametrize(
-    ("words", "told"),
-    [
-        (("bead.tif", *ASKED, "-o", "x.csv"), "--output must end in .toml"),
-        (("bead.tif", "objective.toml", "--step", "200nm"), "--read is missing"),
-        (("bead.tif", "objective.toml", "--step", "0nm", *ASKED[3:]), "--step must be a stage step, not 0 and below"),
-        (("bead.tif", "objective.toml", *ASKED[3:]), "--step is missing: the files do not all state one step"),
-        (("dark.tif", *ASKED), "standard deviations high: check --offset and --gain"),
-    ],
-)
-def test_what_cannot_be_fitted_is_told(folder, words, told):
-    dark = lm.Noise(read=1.6, offset=100).record(np.full((9, 64, 64), 10.0), seed=2)
-    tifffile.imwrite("dark.tif", dark.round().astype(np.uint16), photometric="minisblack")
-    found = run(*words)
-    assert found.returncode == 2
-    assert told in " ".join(found.stderr.split())
 
 
 def test_beads_of_a_field_have_their_places_in_the_image_and_the_light_is_stated(folder):

@@ -110,22 +110,3 @@ def test_after_ctrl_c_it_is_said_whether_chunks_are_kept(run, files, monkeypatch
     found = run(files / "stack.ome.tif", files / "lens.toml", "-o", files / output)
     assert found.returncode == 1
     assert ("the same command resumes" in found.stderr) == kept
-
-
-@pytest.mark.parametrize(
-    ("words", "said"),
-    [
-        (("lens.toml", "stack.ome.tif", "-o", "a.tif"), "the order is STACK LENS"),
-        (("stack.ome.tif", "lens.toml", "-o", "a.png"), "must end in .ome.tif or .ome.zarr, got a.png; --plot"),
-        (("stack.ome.tif", "lens.toml", "-o", "./stack.ome.tif"), "--output must be another file than STACK, got"),
-        (("stack.ome.tif", "lens.toml", "--gain", "2", "-o", "a.tif"), "--read must be given"),
-        (("stack.ome.tif", "confocal.toml", "-o", "a.tif"), "excitation must be given"),
-        (("movie.ome.tif", "lens.toml", "-o", "a.tif"), "2 time points; select one with --time, from 0 to 1"),
-        (("missing.ome.tif", "lens.toml", "-o", "a.tif"), "No such file"),
-    ],
-)
-def test_what_is_wrong_is_one_line(run, words, said):
-    found = run(*words)
-    assert found.returncode == 2
-    assert said in found.stderr
-    assert found.stderr.count("\n") == 1

@@ -100,26 +100,6 @@ def test_masks_leave_pixels_out_and_json_is_that_of_python(folder, call_lommel):
     assert "--mask must have the shape of the images, 112 x 112, one or 2, got 1 of 9 x 9" in refused.stderr
 
 
-@pytest.mark.parametrize(
-    ("words", "said"),
-    [
-        (["near.tif", "lens.toml", *FOCI], "--focus must be given once, or for each of 1 photos, got 2"),
-        (["near.tif", "lens.toml"], "PHOTOS must be two or more"),
-        (["near.tif", "far.tif", "lens.toml", *FOCI, "-o", "depth.png"], "--output must end in .npy, .pfm, .tif"),
-        (["near.tif", "far.tif", "lens.toml", *FOCI, "-o", "a.tif", "-o", "b.tif", "-o", "c.tif"], "--output"),
-        (["near.tif", "far.tif", "lens.toml", *FOCI, "--sharp", "a.gif"], "--sharp must end in .png"),
-        (["near.tif", "far.tif", "lens.toml", *FOCI, "--plot", "a.gif"], "a figure must end in .png"),
-        (["near.tif", "nix.tif", "lens.toml", *FOCI], "nix.tif: No such file or directory"),
-        (["near.tif", "far.tif", "lens.toml", "--focus", "1 cm"], "focus_distance must exceed the focal length"),
-    ],
-)
-def test_mistakes_are_told_in_a_line(words, said, folder, call_lommel):
-    result = call_lommel("depth", *words, *CAMERA, folder=folder)
-    assert result.returncode == 2
-    assert said in result.stderr
-    assert not (folder / "depth.png").exists()
-
-
 def test_precision_is_a_table_and_a_picture(folder, call_lommel):
     options = ["lens.toml", "--focus", "1.5 m", "--photons", 1e4]
     result = call_lommel("precision", *options, "--pair", 0.1, "--plot", "precision.png", folder=folder)
@@ -136,19 +116,3 @@ def test_precision_is_a_table_and_a_picture(folder, call_lommel):
     best = json.loads(call_lommel("precision", *options, "--best", "--json", folder=folder).stdout)
     foci = [one.focus_distance for one in lm.best_depth_foci(lens, 1.5, PIXEL, noise=lm.Noise(white=1e4, read=3.0))]
     assert best["focus_distances"] == pytest.approx(foci)
-
-
-@pytest.mark.parametrize(
-    ("words", "said"),
-    [
-        (["--focus", "1.5 m"], "give --focus twice or more"),
-        (["--focus", "1.5 m", "--pair", 0.1, "--best"], "give --focus twice or more"),
-        (["--focus", "1.5 m", "--pair", 0.7], "--pair must be > 0 and at most 0.6667 dioptres"),
-        (["--focus", "1.5 m", "--best", "--between", "2 m", "1 m"], "--between must be the nearest"),
-        (["--focus", "1.5 m", "--best", "--plot", "a.gif"], "a figure must end in .png"),
-    ],
-)
-def test_mistakes_about_precision_are_told_in_a_line(words, said, folder, call_lommel):
-    result = call_lommel("precision", "lens.toml", *words, "--photons", 1e4, folder=folder)
-    assert result.returncode == 2
-    assert said in result.stderr

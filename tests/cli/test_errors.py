@@ -30,15 +30,8 @@ normalization = "rms"
 8 = 0.1
 """
 LENS_FILES = {
-    "garbage.toml": "this is no lens",
     "faulty.toml": 'name = "a"\nsource = "b"\n[lens]\nfocal_lenght = 1\nwavelength = 550\n[sensor]\npixel = "1 kg"\n',
-    "nothing.toml": NOLL.replace("8 = 0.1", ""),
     "twice.toml": NOLL.replace("8 = 0.1", "8 = 0.1\n08 = 0.2"),
-    "unit.toml": NOLL.replace('unit = "waves"\n', ""),
-    "index.toml": NOLL.replace("8 = 0.1", "0 = 0.1"),
-    "infinite.toml": NOLL.replace("8 = 0.1", "8 = inf"),
-    "absent.toml": NOLL.partition("order")[0] + 'file = "nowhere.csv"\n',
-    "coma.toml": NOLL,
 }
 NAME = "50mm [fast] f/1.8 [red] [/b] :smile: \\\\"
 
@@ -46,46 +39,13 @@ NAME = "50mm [fast] f/1.8 [red] [/b] :smile: \\\\"
 BAD = [
     ("paint {phone}", "Unknown command 'paint'; known are examples, info, psf"),
     ("deblur {phone}", "Unknown command 'deblur'; did you mean restore?"),
-    ("retreive {phone}", "did you mean retrieve?"),
-    ("psf", "LENS is missing"),
-    ("psf {phone} {phone}", "too many files, got "),
     ("psf nowhere.toml", "nowhere.toml: No such file or directory"),
-    ("info folder.tif", "folder.tif: Is a directory"),
-    ("info garbage.toml", "garbage.toml: not valid TOML: Expected '='"),
     ("info twice.toml", "terms.08 (line 15): the term 08 was given before, aberrations.zernike.terms.8 (line 14)"),
-    ("psf infinite.toml", "aberrations.zernike.terms.8 (line 14): the coefficient must be finite, got inf"),
-    ("psf coma.toml -m hankel -o a.tif", "Hankel supports radially symmetric pupils only"),
-    ("psf {phone} -m hankel --set power=2", "has no option 'power'"),
-    ("psf {phone} -m hankel --set tol=0", "--set tol must be"),
-    ("psf {phone} -m closed-form --set erf=fresnel:3", "--set erf=fresnel takes no count"),
-    ("psf {phone} --shape 0", "Error: --shape must be from 1 to 16384, got 0"),
-    ("psf {phone} --shape 64by64", "'64by64' is not a size; write 65 or 64x128"),
-    ("psf {phone} --pixel 3.45", "'3.45' is a length without a unit; write for example '3.45 um'"),
-    ("info {phone} --wavelength 0.55", "'0.55' is a length without a unit; write for example '0.55 um'"),
-    ("info {phone} --wavelength 550", "'550' is a length without a unit; write for example '550 nm'"),
-    ("info {phone} --object-distance 3", "'3' is a length without a unit; write for example '3 m'"),
-    ("blur {phone} {phone} --pixel 50 -o a.png", "write for example '50 um'"),
-    ("info {phone} --object-distance=-1m", "--object-distance must be > 0 metres, got -1"),
-    ("psf {phone} --tol small", 'Invalid value for --tol: unable to convert "small" into float'),
-    ("psf {phone} -m geometric --tol 1e-3", "--tol 0.001 must be left out for Geometric, which has no tolerance"),
     ("psf {phone} -m hankel --set tol=1e-9 --tol 1e-8", "tol is given twice, by --tol and by --set"),
-    ("psf {phone} -m fft", "--method must be one of 'auto', 'nijboer-zernike', 'hankel'"),
     ("psf {phone} --set tangent=200", "--set needs --method, whose option it is, got --set tangent=200"),
-    ("psf {phone} -m hankel --set tol", "--set takes NAME=VALUE, got 'tol'"),
-    ("psf {phone} -m closed-form --set erf=exact", "erf must be one of abramowitz, table, fresnel"),
-    ("psf {phone} --object-distance 5mm -m matrix-fourier", "need at least --set samples="),
-    ("psf {phone} --pixel 0.1m", "Error: --pixel 0.1 with --shape ("),
-    ("retrieve {phone} {phone} --read -1", "Error: --read must be finite and >= 0, got -1.0"),
-    ("depth {phone} {phone} --between 1m 2m --white 9 --read 1", "Error: PHOTOS must be two or more"),
-    ("psf {phone} --normalize area", 'for --normalize. Choose from: "energy", "emitted", "strehl", "peak"'),
-    ("psf {phone} -o a.jpg", "must end in .tif, .tiff, .npy, .npz, .png, .fits, .fit, .fits.gz,"),
     ("psf {phone} -o a.tif -o ./a.tif", "Error: --output must be another file than --output, got a.tif for both"),
     ("psf {phone} -o {phone}", "Error: --output must be another file than LENS, got "),
-    ("watch {hubble} --source a --source a --between 1m 2m -o b.mkv", "--source must be two cameras or files, or"),
-    ("psf {phone} -o folder.tif", "folder.tif: is a directory"),
-    ("psf {phone} --plot a.xyz", "must end in .png, .pdf or .svg, got 'a.xyz'"),
     ("psf {phone} -o a.tif --plot nowhere/a.png", "nowhere/a.png: No such file or directory"),
-    ("psf {phone} -o a.tif -o nowhere/b.npy", "nowhere/b.npy: No such file or directory"),
 ]  # fmt: skip
 
 
@@ -93,7 +53,6 @@ BAD = [
 def folder(tmp_path):
     for name, text in LENS_FILES.items():
         (tmp_path / name).write_text(text)
-    (tmp_path / "folder.tif").mkdir()
     return tmp_path
 
 
@@ -132,28 +91,6 @@ def test_nothing_is_computed_where_plots_cannot_be_drawn(call_lommel, lenses, fo
         '(the extra "plot" of lommel brings it; in a clone, make env)',
     )
     assert sorted(folder.rglob("*")) == before
-
-
-@pytest.mark.parametrize(("arguments", "error"), BAD[2:5], ids=str)
-def test_a_shell_sees_the_same(run_lommel, lenses, folder, arguments, error):
-    before = sorted(folder.rglob("*"))
-    refused(run_lommel(*fill(arguments, lenses), folder=folder), error)
-    assert sorted(folder.rglob("*")) == before
-
-
-def test_every_fault_of_a_lens_file_is_told_at_once(call_lommel, folder):
-    result = call_lommel("compare", "faulty.toml", folder=folder)
-    assert result.returncode == 2
-    assert result.stdout == ""
-    first, *faults = result.stderr.splitlines()
-    assert first.rstrip() == "Error: faulty.toml:"
-    assert [fault.split(":")[0].strip() for fault in faults] == [
-        "lens.focal_length",
-        "lens.wavelength (line 5)",
-        "lens.focal_lenght (line 4)",
-        "lens (line 3)",  # an f-number or a diameter
-        "sensor.pixel (line 7)",
-    ]
 
 
 def test_an_error_names_the_options_of_the_command_and_not_the_arguments_of_python(call_lommel, lenses, folder):
@@ -204,11 +141,6 @@ def test_a_name_is_shown_as_it_is_written(call_lommel, lenses, tmp_path, command
     assert result.stdout.splitlines()[0] == NAME.replace("\\\\", "\\")
 
 
-def test_a_window_of_one_pixel_is_compared_without_a_warning(call_lommel, lenses, tmp_path):
-    result = call_lommel("compare", lenses["phone"], "--shape", 1, "--figure", "a.png", folder=tmp_path)
-    assert result.returncode == 0
-
-
 @pytest.mark.parametrize("traced", [False, True])
 def test_a_fault_of_the_program_is_one_line_that_asks_for_a_report(
     traced, call_lommel, lenses, tmp_path, monkeypatch
@@ -233,25 +165,6 @@ def test_a_fault_of_the_program_is_one_line_that_asks_for_a_report(
         in line
     )
     assert "LOMMEL_TRACEBACK=1" in line
-
-
-@pytest.mark.parametrize(
-    "error",
-    [
-        RuntimeError("can't start new thread"),
-        ImportError("lib.so: failed to map segment from shared object"),
-    ],
-)
-def test_memory_that_is_short_is_no_fault_of_the_program(error, call_lommel, lenses, tmp_path, monkeypatch):
-    from lommel.report import optics as reports
-
-    def broken(*_):
-        raise error
-
-    monkeypatch.setattr(reports, "describe_lens", broken)
-    result = call_lommel("info", lenses["phone"], folder=tmp_path)
-    assert result.returncode == 2
-    assert result.stderr == f"Error: memory, or the number of threads, is short: {error}\n"
 
 
 @pytest.mark.parametrize("unbuffered", ["", "1"])

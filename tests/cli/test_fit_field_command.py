@@ -214,24 +214,3 @@ def test_a_picture_of_pinholes_becomes_a_table(tmp_path, call_lommel):
         apart = [sign * true[name] / (2.0 * np.pi) - of["coefficients"] for name, of in found["waves"].items()]
         off.append(np.max(np.abs(apart) / [of["errors"] for of in found["waves"].values()]))
     assert min(off) < 4.0 < max(off)
-
-
-@pytest.mark.parametrize(
-    ("options", "message"),
-    [
-        (("pair.npy",), "--defocus must be given for 2 exposures"),
-        (("blank.npy", "-o", "a.txt"), "--output must end in .csv, got a.txt"),
-        (("blank.npy",), "at least 4 isolated stars; "),
-        (("blank.npy", "--targets", "crossing"), "0 crossings found; refused: none: squares must be larger than"),
-        (("chart.npy", "--targets", "crossing", "--saturation", 3000), "17 saturated: expose less, below saturation"),
-        (("chart.npy", "--targets", "crossing", "--window", 61), "at least 4 crossings of a checkerboard; "),
-        (("chart.npy", "--targets", "pinhole"), "--size must be given for pinholes"),
-        (("blank.npy", "--distortion", 3), "--distortion must be left out for stars"),
-        (("chart.npy", "--size", "8um"), "left out for stars, which are points"),
-    ],
-)
-def test_charts_that_cannot_be_fitted_are_told(chart, call_lommel, options, message):
-    np.save(chart[0] / "pair.npy", np.ones((2, 64, 64)))
-    result = call_lommel("fit-field", options[0], "lens.toml", *options[1:], "--read", 2, folder=chart[0])
-    assert result.returncode == 2
-    assert message in " ".join((result.stdout + result.stderr).split())

@@ -21,7 +21,6 @@ ROOT = Path(__file__).resolve().parents[2]
 EXAMPLE = ROOT / "examples" / "objectives" / "zeiss-63x-astigmatic.toml"
 CAMERA = lm.Noise(white=0.46, read=1.6, offset=100.0)
 NOISE = ["--gain", 0.46, "--read", 1.6, "--offset", 100]
-GIVEN = ["movie.tif", "objective.toml", "--read", 1]
 FRAMES, SIDE = 8, 72
 MOLECULES = simulated.spread(FRAMES, SIDE, each=3, apart=20, seed=5)
 
@@ -146,30 +145,3 @@ def test_a_movie_without_spots_is_told(folder, call_lommel):
     assert "no spot is six standard deviations above the noise: check --offset, --gain and --read" in " ".join(
         result.stdout.split()
     )
-
-
-@pytest.mark.parametrize(
-    ("arguments", "told"),
-    [
-        (["movie.tif", "objective.toml", "-o", "a.csv"], "--read is missing: the read noise"),
-        (["movie.tif", "objective.toml", "--read", 1], "Error: --output needs a value"),
-        (["movie.tif", "objective.toml", "--read", 1, "-o", "a.txt"], "Error: --output must end in .csv, .hdf5"),
-        (["objective.toml", *GIVEN[1:], "-o", "a.csv"], "Error: objective.toml is not a TIFF, FITS, NPY or PNG"),
-        (["movie.tif", "lens.toml", "--read", 1, "-o", "a.csv"], "Error: lommel localize needs a microscope,"),
-        (["movie.tif", "objective.toml", "--read", "some", "-o", "a.csv"], "Error: --read must be a number or"),
-        (["movie.tif", "objective.toml", "--read", "movie.tif", "-o", "a.csv"], "Error: --read must be one image"),
-        ([*GIVEN, "--z", "1um", "0um", "-o", "a.csv"], "Error: --z must be (lowest, highest)"),
-        ([*GIVEN, "--reach", 0, "-o", "a.csv"], "Error: --reach must be > 0"),
-        (["objective.toml", "movie.tif", "--read", 1, "-o", "a.csv"], "Error: the order is MOVIE LENS, the movie"),
-        ([*GIVEN[:2], "--read", "unknown.npy", "-o", "a.csv"], "Error: --read must be finite, got nan at (1, 2)"),
-    ],
-)  # fmt: skip
-def test_faults_are_one_line_and_leave_no_file(arguments, told, folder, call_lommel):
-    (folder / "lens.toml").write_text((ROOT / "examples" / "lenses" / "phone.toml").read_text(encoding="utf-8"))
-    np.save(folder / "unknown.npy", np.where(np.arange(9).reshape(3, 3) == 5, np.nan, 1.6))
-    before = sorted(path.name for path in folder.iterdir())
-    result = call_lommel("localize", *arguments, folder=folder)
-    assert result.returncode == 2
-    assert told in result.stderr
-    assert result.stdout == ""
-    assert sorted(path.name for path in folder.iterdir()) == before

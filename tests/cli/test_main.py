@@ -16,13 +16,11 @@ import pytest
 from PIL import Image
 
 import lommel as lm
-from lommel.base.units import format_length
 from lommel.cli.main import main
 from lommel.methods import METHODS, Hankel, NijboerZernike, NonuniformFFT
 from lommel.paper import AbramowitzErf, ClosedForm, Fraunhofer, Geometric, HuygensFresnel, LommelSeries, TableErf
 from lommel.show.drawing import SAMPLING
 
-LINE = re.compile(r"^(\S.*?)\s{2,}(\S.*?)\s*$", re.MULTILINE)
 SUFFIXES = (".tif", ".npy", ".npz", ".png", ".fits", ".h5", ".mat")
 OPTIONS = [
     "--object-distance",
@@ -80,7 +78,7 @@ def expected(lenses) -> lm.PSF:
 def test_every_file_holds_what_python_computes(written, lenses):
     folder, _ = written
     psf = expected(lenses)
-    assert {path.name for path in folder.iterdir()} == {f"a{suffix}" for suffix in (*SUFFIXES, ".json", ".pdf")}
+    assert {path.name for path in folder.iterdir()} == {f"a{suffix}" for suffix in (*SUFFIXES, ".pdf")}
     for suffix in SUFFIXES:
         loaded = lm.PSF.load(folder / f"a{suffix}")
         assert (loaded.pupil, loaded.method, loaded.normalize) == (psf.pupil, psf.method, "peak")
@@ -113,19 +111,6 @@ def test_info_says_about_a_lens_what_psf_does(call_lommel, lenses, tmp_path, pri
         key: value for key, value in printed.items() if key not in ("psf", "files")
     }
     assert not list(tmp_path.iterdir())
-
-
-@pytest.mark.usefixtures("described_once")
-def test_info_shows_every_example(call_lommel, lens_file, tmp_path):
-    result = call_lommel("info", lens_file, folder=tmp_path)
-    instrument = lm.load_instrument(lens_file)
-    assert (result.returncode, result.stderr) == (0, "")
-    assert result.stdout.startswith(instrument.name + "\n")
-    rows = dict(LINE.findall(result.stdout))
-    assert rows["focal length"] == format_length(instrument.lens.focal_length, digits=5)
-    energies = result.stdout.partition("encircled energy\n")[2].splitlines()
-    for name, radius in instrument.radii.items():
-        assert any(line.startswith(name) and format_length(radius, digits=5) in line for line in energies)
 
 
 def test_compare_has_a_row_for_every_method(compared):
@@ -174,54 +159,34 @@ def test_the_version_is_that_of_the_package(run_lommel, tmp_path):
 
 
 @pytest.mark.usefixtures("described_once")
-def test_zernike_terms_are_shown_by_name_in_waves_rms(call_lommel, lenses, tmp_path):
-    lens = lenses["newtonian-off-axis"]
-    shown = call_lommel("info", lens, folder=tmp_path)
-    assert shown.returncode == 0
-    rows = {tuple(line.rsplit(maxsplit=3)) for line in shown.stdout.splitlines()}
-    facts = json.loads(call_lommel("info", lens, "--json", folder=tmp_path).stdout)
-    terms = {term["name"]: term for term in facts["zernike"]}
+def test_zernike_terms_are_in_waves_rms(call_lommel, lenses, tmp_path):
+    facts = json.loads(call_lommel("info", lenses["newtonian-off-axis"], "--json", folder=tmp_path).stdout)
+    terms = {term["name"]: term["waves_rms"] for term in facts["zernike"]}
     # 3.099 waves of Seidel coma at the edge, six tenths of it along x: W131 / 3 / sqrt(8) waves rms.
-    assert terms["coma x"]["waves_rms"] == pytest.approx(0.6 * 3.099 / 3 / math.sqrt(8))
-    assert terms["trefoil y"]["waves_rms"] == pytest.approx(30 / 550)
-    for name, term in terms.items():
-        n, m = term["n"], term["m"]
-        assert (name, f"({n},", f"{m})", f"{term['waves_rms']:+.4g}") in rows
+    assert terms["coma x"] == pytest.approx(0.6 * 3.099 / 3 / math.sqrt(8))
+    assert terms["trefoil y"] == pytest.approx(30 / 550)
 
 
 @pytest.mark.usefixtures("described_once")
-@pytest.mark.parametrize(
-    ("given", "told", "rim"),
-    [
-        ("0.5", "Gaussian, exp(-0.5 rho^2): 0.6065 at the edge of the pupil", math.exp(-0.5)),
-        ('"aplanatic"', "cos(theta)^(-1/2): 1.054 at the edge of the pupil", 1.0538),
-    ],
-)
-def test_info_tells_how_the_lens_is_lit(call_lommel, tmp_path, given, told, rim):
+@pytest.mark.parametrize(("given", "rim"), [("0.5", math.exp(-0.5)), ('"aplanatic"', 1.0538)])
+def test_info_tells_how_the_lens_is_lit(call_lommel, tmp_path, given, rim):
     sensor = '[sensor]\npixel = "2 um"\nshape = [33, 33]\n'
     lens = '[lens]\nfocal_length = "50 mm"\nf_number = 1.15\nwavelength = "550 nm"\nmodel = "aplanatic"\n'
     (tmp_path / "lit.toml").write_text(f"{lens}apodization = {given}\n{sensor}", encoding="utf-8")
-    assert dict(LINE.findall(call_lommel("info", "lit.toml", folder=tmp_path).stdout))["amplitude"] == told
     facts = json.loads(call_lommel("info", "lit.toml", "--json", folder=tmp_path).stdout)
     assert facts["rim_amplitude"] == pytest.approx(rim, abs=1e-4)
     assert facts["apodization"] == json.loads(given)
     # The other model is told too: with the same amplitude, but without the angles that it comes from.
     assert facts["other_model"]["reason"] is None
-    (tmp_path / "even.toml").write_text(lens + sensor, encoding="utf-8")
-    assert "amplitude" not in call_lommel("info", "even.toml", folder=tmp_path).stdout
 
 
 @pytest.mark.usefixtures("described_once")
 def test_a_telescope_with_vanes_is_described_and_its_energies_are_those_of_its_image(call_lommel, lenses, tmp_path):
     lens = lenses["newtonian-off-axis"]
-    shown = call_lommel("info", lens, folder=tmp_path).stdout
     facts = json.loads(call_lommel("info", lens, "--json", folder=tmp_path).stdout)
-    rows = dict(LINE.findall(shown))
-    assert rows["vanes"] == "1 mm wide, at 0, 90, 180, 270 degrees from x towards y"
     # Each vane covers 0.75 radii of 0.01: 0.03 of pi - pi / 16, less what bends at the ends.
     assert facts["clear_area"] == pytest.approx(1 - 0.25**2 - 0.03 / math.pi, abs=1e-5)
     assert facts["aperture"]["spider"]["width"] == pytest.approx(0.01)
-    assert "no proven error bound" not in shown
     pupil = lm.load_instrument(lens).pupil()
     # The contrast is that with the vanes, which differs along x and y by the coma.
     for end, angle in (("", 0.0), ("_y", 0.5 * math.pi)):
@@ -231,15 +196,12 @@ def test_a_telescope_with_vanes_is_described_and_its_energies_are_those_of_its_i
         assert lm.mtf(pupil, *half) == pytest.approx(0.5, abs=1e-6)
         clear = lm.mtf(dataclasses.replace(pupil, spider=None), *half)
         assert abs(clear - 0.5) > 1e-3
-    assert rows["MTF50, x"].startswith(f"{facts['mtf50'] / 1e3:.4g} cycles/mm")
     image = lm.psf(pupil, 641, 0.05 * pupil.scale, method=NonuniformFFT(1e-6))
-    shown_energies = dict(LINE.findall(shown.partition("Encircled energy")[2]))
     for row in facts["encircled_energy"][:2]:
         # Pixels of a twentieth of lambda*N, cut by the circle: to about the square of that.
         if row["radius"] < 0.9 * 16 * pupil.scale:
             assert row["fraction"] == pytest.approx(image.encircled_energy(row["radius"]), abs=1e-4)
         assert row["fraction"] < row["unaberrated"]
-        assert f"{100 * row['fraction']:.1f} %" in shown_energies[row["within"]]
 
 
 @pytest.mark.quick

@@ -37,23 +37,13 @@ DEPTH = 1.9 + 0.3 * np.linspace(0.0, 1.0, 30 * 36).reshape(30, 36)
 BLUR = "blur photo.png depth.npy"
 FULL = f"{BLUR} lens.toml -o out.png"
 BAD = [
-    ("blur photo.png", "DEPTH is missing"),
-    (f"{BLUR} lens.toml", "--output needs a value"),
-    (f"{BLUR} lens.toml --focus 0m -o out.png", "--focus must be > 0 metres, got 0"),
-    (f"{BLUR} lens.toml -o out.bmp", "--output must end in .png, .jpg, .jpeg, .tif, .tiff, .exr for a photograph"),
     ("blur alpha.png depth.npy lens.toml -o out.png", "it has alpha that is not opaque everywhere; put it on"),
-    ("blur lens.toml depth.npy lens.toml -o out.png", "lens.toml is not a PNG, JPEG, TIFF, EXR, BMP or HEIC"),
     ("blur photo.png small.npy lens.toml -o out.png", "must have the size of the upright photo, 36 x 30, got"),
     ("blur photo.png depth.png lens.toml -o out.png", "depth.png is an integer image; give the scale, e.g."),
     ("blur photo.png holes.npy lens.toml -o out.png", 'is read, give --missing "nearest" ('),
     (f"{BLUR} -o out.png --focus 2m --pixel 40um", "give a lens file: the EXIF of photo.png has no focal length"),
-    ("blur camera.png depth.npy -o out.png --focus 2m", "without a lens file give --camera or --pixel"),
-    ("blur camera.png depth.npy -o out.png --pixel 40um", "without a lens file give --focus"),
     ("blur camera.png depth.npy --focus 2m --pixel 40um --f-number 2.8 -o out.png", "--f-number f/2.8 contradicts"),
-    (f"{FULL} --f-number 1.4", "--f-number of lens.toml: --f-number must be at least that of the lens, f/2"),
-    (f"{BLUR} vanes.toml -o out.png", "lens must have a round aperture"),
     (f"{BLUR} lens.toml -o taken.png", "taken.png: is a directory"),
-    (f"{FULL} --focus 0.2m", "windows of more than 31 pixels"),
     (f"{FULL} --seed 2", "--seed is an option for data sets, and needs --batch"),
     ("blur --batch . . lens.toml -o set --supersample 2", "--supersample is an option for a single photo"),
 ]

@@ -120,26 +120,3 @@ def test_linear_integers_are_taken_as_stated(call_lommel, folder):
     assert "16-bit values, linear\n" in told
     same = restore(tifffile.imread(folder / "raw.tif"), DEPTH, OPTICS, 8e-6, encoding="linear", noise=NOISE)
     np.testing.assert_array_equal(tifffile.imread(folder / "sharp.tif"), same.values)
-
-
-FULL = "restore photo.tif depth.npy lens.toml --white 5000 --read 3 -o sharp.tif"
-
-
-@pytest.mark.parametrize(
-    ("arguments", "said"),
-    [
-        (FULL.replace("--white 5000 ", ""), "--white is missing: the number of electrons"),
-        (FULL.replace("--read 3 ", ""), "--read is missing: the read noise"),
-        (FULL.replace("depth.npy", "small.npy"), "must have the size of the upright photo"),
-        (f"{FULL} --saturation -1", "--saturation must be > 0"),
-        (f"{FULL} --saturation 1e-6 --offset -1", "pixels that are neither masked, NaN nor saturated"),
-    ],
-)
-def test_bad_input_is_told_in_one_line_and_leaves_nothing_behind(call_lommel, folder, arguments, said):
-    before = sorted(folder.rglob("*"))
-    result = call_lommel(*arguments.split(), folder=folder)
-    assert (result.returncode, result.stdout) == (2, "")
-    last = [line for line in result.stderr.splitlines() if line][-1]
-    assert last.startswith("Error: ")
-    assert said in last
-    assert sorted(folder.rglob("*")) == before

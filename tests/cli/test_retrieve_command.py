@@ -111,29 +111,15 @@ def test_terms_are_taken_by_the_names_that_are_printed(folder, call_lommel):
 @pytest.mark.parametrize(
     ("words", "said"),
     [
-        (["star-0.tif", "lens.toml"], "--read is missing: the read noise"),
-        (["nix-*.tif", "lens.toml", "--read", "2"], "nix-*.tif: No file matches"),
         (["pages.tif", "lens.toml", "--read", "2", "--defocus", "-4", "0"], "one for each of 3 images"),
-        (["pages.tif", "lens.toml", "--read", "2", "--defocus", "a"], "--defocus"),
-        (
-            ["pages.tif", "lens.toml", "--read", "2", "--defocus", "0", "2", "4", "--terms", "coma"],
-            "terms must be one",
-        ),
-        (["pages.tif", "lens.toml", "--read", "2", "-o", "wave.txt"], "--output must end in .json, .toml, .csv"),
         (
             ["star-0.tif", "lens.toml", "--read", "2", "--blur", "--also", "f_number"],
-            "--blur must be left out with --also ['f_number']: it is fitted with center alone",
+            "fitted with center alone",
         ),
-        (
-            ["star-0.tif", "lens.toml", "--read", "2", "--terms", "center"],
-            "terms of a wavefront, got 'center': pass nuisance parameters in --also",
-        ),
-        (["lens.toml", "lens.toml", "--read", "2"], "lens.toml is not a TIFF, FITS"),
-        (["lens.toml", "pages.tif", "--read", "2"], "pages.tif is an image, not a lens file"),
+        (["star-0.tif", "lens.toml"], "--read is missing: the read noise"),
     ],
 )
-def test_mistakes_are_told_in_a_line(words, said, folder, call_lommel):
+def test_what_would_fit_something_else_is_refused(words, said, folder, call_lommel):
     result = call_lommel("retrieve", *words, folder=folder)
     assert result.returncode == 2
     assert said in result.stderr
-    assert not (folder / "wave.json").exists()

@@ -132,21 +132,3 @@ def test_a_signal_leaves_a_whole_file_or_none(sent, folder, call_lommel, monkeyp
     assert re.search(r"ended +interrupted\n", result.stdout)
     assert len(frames_of(folder / "o.mkv")[0]) == 4
     assert sorted(folder.iterdir()) == sorted([*before, folder / "o.mkv"])
-
-
-@pytest.mark.parametrize(
-    ("words", "said"),
-    [
-        (["clip.mkv", "-o", "o.mkv"], "give one of --at and --depth, got neither"),
-        (["clip.mkv", "--at", "1m", "--depth", "d.tif", "-o", "o.mkv"], "give one of --at and --depth, got both"),
-        (["lens.toml", "--at", "1m", "-o", "o.mkv"], "lens.toml holds no video"),
-        (["clip.mkv", "--depth", "d.tif", "-o", "o.mkv"], "d.tif must have the shape (96, 96) or (24, 24)"),
-    ],
-)
-def test_mistakes_are_told_and_nothing_is_written(words, said, folder, call_lommel):
-    lm.imaging.write_depth(folder / "d.tif", np.full((30, 30), AT))
-    before = sorted(folder.iterdir())
-    result = call_lommel("sharpen", words[0], "lens.toml", *words[1:], *DEEP, folder=folder)
-    assert result.returncode == 2
-    assert said in result.stderr
-    assert sorted(folder.iterdir()) == before

@@ -6,7 +6,6 @@ import json
 import re
 
 import numpy as np
-import pytest
 
 import lommel as lm
 
@@ -30,20 +29,3 @@ def test_distances_are_even_in_defocus_and_the_command_goes_on_where_it_was(lens
     again = call_lommel(*command, folder=tmp_path)
     assert again.returncode == 0, again.stderr
     assert re.search(r"chunks +1\ncomputed +0\nerror bound +\S+ of the peak\n", again.stdout)
-
-
-@pytest.mark.parametrize(
-    ("change", "told"),
-    [
-        (("--between", "3 m", "1 m"), "--between must be two rising distances, got 3 and 1 metres"),
-        (("-o", "a.tif"), "store must end in .zarr, got 'a.tif'"),
-        (("-o", "a.h5"), "store must end in .zarr (stacks are not written to HDF5), got 'a.h5'"),
-    ],
-)
-def test_what_is_out_of_range_is_one_line(change, told, lenses, tmp_path, call_lommel):
-    options = {"--between": ("1 m", "3 m"), "--count": (9,), "-o": ("a.zarr",)} | {change[0]: change[1:]}
-    stated = [word for flag, values in options.items() for word in (flag, *values)]
-    result = call_lommel("stack", lenses["nifty-fifty"], *WINDOW, *stated, folder=tmp_path)
-    assert result.returncode == 2
-    assert told in result.stderr
-    assert not list(tmp_path.iterdir())

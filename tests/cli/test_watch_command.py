@@ -454,39 +454,3 @@ def test_a_camera_that_is_unplugged_ends_with_what_was_written_and_exit_code_3(f
     assert "gives no more frames: it was unplugged, or stopped" in result.stderr
     assert re.search(r"ended +camera . gives no more frames", result.stdout)
     assert len(frames_of(folder / "out.mkv")[0]) == len(written) >= 3
-
-
-@pytest.mark.parametrize(
-    ("words", "said"),
-    [
-        ([*TWO, "--alternating"], "--source must be given twice, or once with --alternating; got 2"),
-        (TWO[:2], "--source must be given twice, or once with --alternating; got 1"),
-        ([*TWO, "--focus", "2 m"], "--focus must be given once, or for each of 2 frames, got 3"),
-        ([*TWO, "-o", "a.gif"], "--output must end in .mkv, .mp4 for video of uint8, got '.gif'"),
-        ([*TWO, "--depth", "a.mkv", "--depth", "b.mkv", "--depth", "c.mkv"], "--depth takes depth and its"),
-        ([*TWO, "--table", "a.txt"], "--table must end in .csv, got 'a.txt'"),
-        ([*TWO, "--misfit", "0.5"], "--misfit must be >= 1"),
-        ([*TWO, "--between", "2 m", "1 m"], "--between must be the nearest and the farthest distance, got 2 and 1 m"),
-        ([*TWO[:2], "--source", "lens.toml"], "lens.toml holds no video"),
-        (["--source", "near.mkv", "--source", "late.mkv"], "no pair of frames came: the end"),
-    ],
-)
-def test_mistakes_are_told_in_a_line_and_nothing_is_written(words, said, folder, call_lommel):
-    write_video(folder / "late.mkv", shots()[1::2], [9.0, 9.04, 9.08])
-    before = sorted(folder.iterdir())
-    fixed = [*SCENE, *DEEP, "--table", "t.csv"]
-    for flag, count in (("--between", 3), ("--table", 2)):
-        if flag in words:  # each is given once
-            start = fixed.index(flag)
-            del fixed[start : start + count]
-    result = call_lommel("watch", *fixed, *words, folder=folder)
-    assert result.returncode == 2
-    assert said in result.stderr
-    assert sorted(folder.iterdir()) == before
-
-
-def test_frames_must_differ_in_focus_or_aperture_and_noise_of_linear_video_be_stated(folder, call_lommel):
-    result = call_lommel("watch", *SCENE[:3], *SCENE[5:], *DEEP, *TWO, folder=folder)
-    assert "--focus must be given for each of two frames, or --f-number" in result.stderr
-    result = call_lommel("watch", *SCENE, *TWO, folder=folder)
-    assert "--white is missing: the number of electrons at white" in result.stderr

@@ -4,20 +4,12 @@ from __future__ import annotations
 
 import io
 import re
-from pathlib import Path
 
-import numpy as np
 import pytest
-import tifffile
-from PIL import Image
 from rich.console import Console
 
-import lommel as lm
 from lommel.cli import output as bars
 from lommel.cli.main import COMMANDS
-from lommel.imaging import blur as blur_module
-from lommel.imaging import defocus_depth
-from lommel.recorded import frames
 
 
 @pytest.mark.parametrize("name", ["", *COMMANDS])
@@ -32,76 +24,6 @@ def test_help_fits_80_columns_without_a_broken_word(name, call_lommel, tmp_path,
     assert not re.search(r"--[a-z-]*-$", shown[80], re.MULTILINE)
     summaries = shown[80].partition("Commands:")[2]
     assert "..." not in summaries
-
-
-OBJECTIVES_PROGRESS = Path(__file__).resolve().parents[2] / "examples" / "objectives"
-LENS = """\
-[lens]
-focal_length = "35 mm"
-f_number = 4
-focus_distance = "1.6 m"
-wavelength = "540 nm"
-[sensor]
-pixel = "6 um"
-"""
-NOISE = ("--white", "5000000", "--read", "3")
-LONG = {
-    "blur": ("blur", "photo.png", "depth.npy", "lens.toml", "-o", "out.png"),
-    "restore": (
-        "restore", "photo.png", "depth.npy", "lens.toml", *NOISE, "--method", "total-variation", "-o", "out.png",
-    ),
-    "depth": (
-        "depth", "photo.png", "photo.png", "lens.toml", "--focus", "1.5m", "--focus", "1.8m",
-        "--between", "1.4m", "2m", *NOISE,
-    ),
-    "retrieve": ("retrieve", "star.tif", "lens.toml", "--read", "2", "--terms", "3"),
-    "localize": ("localize", "movie.tif", "zeiss-63x-astigmatic.toml", "--read", "0", "-o", "a.csv"),
-    "compare": ("compare", "lens.toml", "--shape", "5"),
-    "paper": ("paper", "out", "--figure", "2", "--figure", "3"),
-}  # fmt: skip
-
-
-@pytest.fixture
-def folder_of_progress(tmp_path):
-    rng = np.random.default_rng(3)
-    Image.fromarray(rng.integers(60, 180, (80, 96), dtype=np.uint8)).save(tmp_path / "photo.png")
-    np.save(tmp_path / "depth.npy", np.linspace(1.5, 1.8, 80 * 96).reshape(80, 96))
-    (tmp_path / "lens.toml").write_text(LENS)
-    pupil = lm.load_instrument(tmp_path / "lens.toml").pupil()
-    star = lm.psf(pupil, 15, 6e-6).values
-    tifffile.imwrite(tmp_path / "star.tif", lm.Noise(read=2.0).record(1e5 * star, seed=1).astype(np.float32))
-    movie = rng.poisson(5.0, (6, 24, 24)).astype(np.uint16)
-    tifffile.imwrite(tmp_path / "movie.tif", movie, photometric="minisblack")
-    objective = OBJECTIVES_PROGRESS / "zeiss-63x-astigmatic.toml"
-    (tmp_path / objective.name).write_text(objective.read_text(encoding="utf-8"), encoding="utf-8")
-    return tmp_path
-
-
-@pytest.mark.parametrize("command", LONG)
-def test_every_long_command_tells_rising_shares_of_its_work(call_lommel, folder_of_progress, monkeypatch, command):
-    seen, console = [], Console(file=io.StringIO(), force_terminal=True, width=120)
-    monkeypatch.setattr("rich.console.Console", lambda **_: console)
-    monkeypatch.setattr(blur_module, "_BAND", 1)
-    monkeypatch.setattr(defocus_depth, "_ROWS", 48)
-    monkeypatch.setattr(frames, "BLOCK", 2 * 24 * 24)
-    tell = bars.Steps.__call__
-
-    def told(self, *given):
-        tell(self, *given)
-        (task,) = self._bar.tasks
-        seen.append(task.percentage if task.total else None)
-
-    monkeypatch.setattr(bars.Steps, "__call__", told)
-    result = call_lommel(*LONG[command], folder=folder_of_progress)
-    assert result.returncode == (
-        # Noise has no molecules and no blur, and one photograph twice is no pair.
-        {"localize": 3, "depth": 3, "restore": 3, "retrieve": 4}.get(command, 0)
-    ), result.stderr
-    shares = [share for share in seen if share is not None]
-    assert len(set(shares)) >= 2
-    assert shares == sorted(shares)
-    assert shares[0] >= 0.0
-    assert shares[-1] <= 100.0
 
 
 def drawn(*calls, total=None):

@@ -150,9 +150,3 @@ def test_the_checksum_is_of_code_that_the_page_is_made_of(tmp_path, monkeypatch)
         is_counted = name not in ("pyproject.toml", "cpp/include/lommel/unused.hpp")
         assert (written({name: f"{text}more\n"}) != line) == is_counted, name
     assert written({"pyproject.toml": 'page = ["ziglang==0.17.1"]\n'}) != line
-
-
-def test_a_module_that_is_missing_is_told(tmp_path, monkeypatch):
-    monkeypatch.setattr(page_server, "__file__", str(tmp_path / "module.py"))
-    with pytest.raises(FileNotFoundError, match=r"live page's module is missing .*restore it .*make page"):
-        page_server.path()

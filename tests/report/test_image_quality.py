@@ -5,12 +5,10 @@ from __future__ import annotations
 import dataclasses
 import json
 import math
-from html.parser import HTMLParser
 
 import pytest
 
 import lommel as lm
-from lommel.lensfiles import example_files
 from lommel.lensfiles.microscope_files import Microscope
 from lommel.report.image_quality import DEPTHS, ImageQuality, microscope_quality
 from objectives import MATCHED
@@ -115,57 +113,6 @@ def test_what_differs_from_the_design_is_told():
     assert found["coverslip"] == {"index": 1.52, "thickness": 180e-6}
     assert found["design"] == {"immersion": 1.515, "coverslip": {"index": 1.515, "thickness": 170e-6}}
     assert microscope_quality(microscope())["design"] is None
-
-
-@pytest.mark.parametrize(
-    ("changes", "said"),
-    [
-        ({"planes": 0}, "planes must be from 1 to 4096, got 0"),
-        ({"planes": 2}, "step must be a stage step, not 0 and below 10 mm, got 0 m"),
-        ({"planes": 2, "step": 1.0}, "got 1 m"),
-        ({"planes": 2, "step": math.nan}, "step must be finite"),
-        ({"planes": 2.5}, "planes must be an integer"),
-    ],
-)
-def test_a_microscope_without_planes_or_steps_is_refused(changes, said):
-    with pytest.raises((TypeError, ValueError), match=said):
-        microscope(**changes)
-
-
-class Cells(HTMLParser):
-    """The cells of the tables of a page, names and values in turn."""
-
-    def __init__(self, page: str) -> None:
-        super().__init__()
-        self.found: list[str] = []
-        self.inside = False
-        self.feed(page)
-        self.close()
-
-    def handle_starttag(self, tag, attrs):
-        self.inside = tag in ("th", "td")
-        self.found += [""] if self.inside else []
-
-    def handle_data(self, data):
-        if self.inside:
-            self.found[-1] += data
-
-
-def rows(page: str) -> dict[str, str]:
-    found = Cells(page).found
-    return dict(zip(found[::2], found[1::2], strict=True))
-
-
-def test_a_microscope_is_shown_with_lengths_in_the_sample_and_degrees():
-    microscope = lm.load_microscope(example_files()["zeiss-63x-1.4-oil"])
-    tilted = dataclasses.replace(microscope, emitter=lm.Dipole(polar=1.0471975511965976, azimuth=0.0))
-    told = rows(tilted._repr_html_())
-    assert told["objective"] == "NA 1.4, 63x, immersion 1.518"
-    assert told["pixels"] == "103.2 nm in the sample (6.5 µm on the camera)"
-    assert told["emitter"] == "dipole, 60° from the axis, azimuth 0°, 2 µm deep"
-    assert told["planes"] == "64, 100 nm apart"
-    assert "<img" in tilted._repr_html_()
-    assert repr(microscope).startswith("<Microscope 'Zeiss Plan-Apochromat 63x/1.4 Oil DIC, sample in water': NA 1.4")
 
 
 def test_what_cannot_be_computed_does_not_raise(lenses):

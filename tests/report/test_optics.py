@@ -66,22 +66,6 @@ def test_at_the_ends_of_the_depth_of_field_the_blur_is_of_two_pixels(phone, focu
     assert 2 * float(far.pupil(math.inf).geometric_radius()) == pytest.approx(IN_FOCUS * phone.pixel)
 
 
-@pytest.mark.quick
-def test_each_field_of_science_has_its_units(call_lommel, lenses, tmp_path):
-    telescope, microscope, camera = (
-        call_lommel("info", lenses[name], folder=tmp_path).stdout
-        for name in ("hubble-1990", "microscope-20x", "nifty-fifty")
-    )
-    # 2.5 um at 57.6 m, and 6.5 um over a magnification of 20.
-    assert dict(LINE.findall(telescope))["arcseconds per pixel"] == "0.008952"
-    assert dict(LINE.findall(microscope))["pixel in object"] == "325 nm"
-    for text, unit in ((telescope, "arcsec"), (microscope, "in the object"), (camera, "pixels")):
-        row = dict(LINE.findall(text))["FWHM"]
-        assert " pixels" in row
-        assert row.endswith(f"{unit})")
-        assert ("in focus" in text) == ("hyperfocal distance" in text) == (text is camera)
-
-
 @pytest.mark.parametrize("obscuration", [0.0, 0.25, 0.95])
 def test_the_first_dark_ring_is_of_the_obscured_aperture(phone, obscuration):
     lens = dataclasses.replace(phone.lens, obscuration=obscuration)

@@ -5,7 +5,6 @@ from __future__ import annotations
 import matplotlib.pyplot as plt
 import numpy as np
 import pytest
-from matplotlib.figure import Figure
 
 import lommel as lm
 from lommel.methods import METHODS
@@ -52,13 +51,6 @@ def test_a_hundredth_of_the_peak_is_as_grey_as_the_stretch_says(image, stretch, 
     assert norm(0.0) == pytest.approx(0.0)
 
 
-@pytest.mark.parametrize("stretch", ["cubic", "", None, 1])
-def test_an_unknown_stretch_is_refused(image, stretch):
-    with pytest.raises(ValueError, match="stretch must be one of 'sqrt', 'linear', 'log', got ") as caught:
-        image.plot(stretch=stretch)
-    assert repr(stretch) in str(caught.value)
-
-
 @pytest.mark.parametrize(
     ("shape", "panels"), [((3,), (1, 3)), ((2, 4), (2, 4)), ((9,), (3, 3)), ((10,), (2, 5)), ((1,), (1, 1))]
 )
@@ -84,12 +76,6 @@ def test_a_stack_takes_no_axes_and_a_large_one_is_to_be_indexed():
         stack.plot()
     with pytest.raises(ValueError, match="ax must be None for a stack"):
         stack[:2].plot(plt.subplots()[1])
-
-
-@pytest.mark.parametrize("shape", [1, (1, 7), (7, 1), 2, 300], ids=str)
-@pytest.mark.parametrize("stretch", ["sqrt", "linear", "log"])
-def test_windows_of_every_shape_are_drawn_without_a_warning(shape, stretch):
-    lm.psf(lm.Pupil(), shape, 0.5).plot(stretch=stretch).figure.canvas.draw()
 
 
 def test_a_window_without_light_is_drawn_without_a_warning():
@@ -146,30 +132,11 @@ def test_a_comparison_names_the_methods_that_it_does_not_draw(answers):
     assert said == "not drawn: HuygensFresnel, Geometric (sampled at pixel centres)"
 
 
-def test_only_the_last_row_of_a_comparison_has_numbers_along_x(answers):
-    named = {"Hankel": answers["Hankel"]} | {f"method {k}": answers["Fraunhofer"] for k in range(10)}
-    figure = plot.compare(named, "Hankel")
-    figure.canvas.draw()
-    panels = figure.axes[:11]
-    assert [bool(axes.get_xlabel()) for axes in panels] == [False] * 6 + [True] * 5
-
-
 def test_the_slice_of_pixel_means_has_steps(answers):
     sampled = {"Hankel": lm.psf(answers["Hankel"].pupil, 9, 1e-6, integrate=False)}
     for given, style in ((sampled, "default"), (answers, "steps-mid")):
         *_, slices, _ = plot.compare(given, "Hankel").axes
         assert slices.get_lines()[0].get_drawstyle() == style
-
-
-def test_a_comparison_leaves_no_figure_open(answers):
-    before = plt.get_fignums()
-    assert isinstance(plot.compare(answers, "Hankel"), Figure)
-    assert plt.get_fignums() == before
-
-
-def test_an_unknown_reference_is_refused_with_the_known_ones(answers):
-    with pytest.raises(ValueError, match=r"reference must be one of NijboerZernike, Hankel, .*, got 'truth'"):
-        plot.compare(answers, "truth")
 
 
 @pytest.fixture

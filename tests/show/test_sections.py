@@ -76,14 +76,6 @@ def test_other_stacks_are_no_z_stacks(psf):
     assert not is_z_stack(psf())
 
 
-def test_axes_for_a_z_stack_and_an_unknown_stretch_are_refused():
-    psf = stack()
-    with pytest.raises(ValueError, match="ax must be None for a stack"):
-        psf.plot(plt.figure().subplots())
-    with pytest.raises(ValueError, match="stretch must be one of"):
-        psf.plot(stretch="cube")
-
-
 def test_dark_surroundings_of_a_stack_are_cut_off_and_the_title_says_so():
     psf = stack(shape=(49, 61))
     xy, xz, yz = psf.plot()

@@ -66,6 +66,9 @@ PLOT = Shown(("--plot",), metavar="FILE", writes=True, figure=True)
 """Form of the file to which a command draws a figure: .png, .pdf or .svg."""
 
 
+_JSON = Field.of("as_json", Annotated[bool, Shown(("--json",))], False)
+
+
 class Command:
     """A command of ``lommel``: a function with the parameters of the command line."""
 
@@ -99,12 +102,10 @@ class Command:
 
     def usage(self, name: str) -> str:
         """Return how the command is called."""
-        words = [
-            f"{'' if field.default is inspect.Parameter.empty else '['}{_metavar(field)}"
-            f"{'...' if get_origin(field.kind) in (list, tuple) else ''}"
-            f"{'' if field.default is inspect.Parameter.empty else ']'}"
-            for field in self.arguments
-        ]
+        words = []
+        for field in self.arguments:
+            word = f"{_metavar(field)}{'...' if get_origin(field.kind) in (list, tuple) else ''}"
+            words.append(word if field.default is inspect.Parameter.empty else f"[{word}]")
         return " ".join(["lommel", name, "[OPTIONS]", *words])
 
     def run(self, given: dict[str, Any], *, as_json: bool = False) -> int:
@@ -139,20 +140,9 @@ class Command:
         for heading, field in self.options:
             source = next((type(base) for base in self.groups.values() if hasattr(base, field.name)), self.function)
             own_text = sentences(self.function, field.name)
-            hint = _option(field, heading, own_text or sentences(source, field.name))
-            parameters.append(
-                inspect.Parameter(field.name, inspect.Parameter.KEYWORD_ONLY, annotation=hint, default=field.default)
-            )
+            parameters.append(_option(field, heading, own_text or sentences(source, field.name)))
         if self.prints_json:
-            hint = Annotated[
-                bool,
-                _parameter(
-                    "Options", name="--json", help="Print the results as JSON.", negative=(), show_default=False
-                ),
-            ]
-            parameters.append(
-                inspect.Parameter("as_json", inspect.Parameter.KEYWORD_ONLY, annotation=hint, default=False)
-            )
+            parameters.append(_option(_JSON, "Options", "Print the results as JSON."))
 
         def run(*words: Any, as_json: bool = False, **options: Any) -> int:
             named = dict(zip([field.name for field in self.arguments], words, strict=False))
@@ -313,10 +303,6 @@ def _count(field: Field) -> int:
     return len(get_args(field.kind)) if several else 1
 
 
-def _parameter(heading: str | None, **settings: Any) -> Parameter:
-    return Parameter(group=None if heading is None else _group(heading), **settings)
-
-
 def _metavar(field: Field) -> str:
     return field.shown.metavar or field.name.upper()
 
@@ -326,36 +312,32 @@ def _argument(field: Field) -> Any:
     return Annotated[_hint(field), Parameter(show=False, metavar=_metavar(field), **_conversion(field))]
 
 
-def _option(field: Field, heading: str, text: str) -> Any:
-    """Return the annotation of an option."""
+def _option(field: Field, heading: str, text: str) -> inspect.Parameter:
+    """Return the parameter of an option, which is listed under a heading."""
     form, default = field.shown, field.default
-    settings: dict[str, Any] = {
-        "name": _flags(field),
-        "help": text,
-        "negative": form.negative or (),
-        "show_default": False,
-    }
+    settings: dict[str, Any] = {"name": _flags(field), "help": text, "negative": form.negative or ()}
     if form.metavar or form.length or form.parse:
         settings["metavar"] = form.metavar or ("LENGTH" if form.length else "VALUE")
+    show: Any = False
     if isinstance(default, float) and form.length:
-        settings["show_default"] = format_length
+        show = format_length
     elif isinstance(default, int | float | str) and not isinstance(default, bool) and default != "":
-        settings["show_default"] = True
+        show = True
     elif isinstance(default, tuple) and default:
-        settings["show_default"] = lambda values: " ".join(map(str, values))
-    return Annotated[_hint(field), _parameter(heading, **settings, **_conversion(field))]
+        show = lambda values: " ".join(map(str, values))  # noqa: E731
+    stated = Parameter(group=_group(heading), show_default=show, **settings, **_conversion(field))
+    kind, hint = inspect.Parameter.KEYWORD_ONLY, Annotated[_hint(field), stated]
+    return inspect.Parameter(field.name, kind, annotation=hint, default=default)
 
 
 def _hint(field: Field) -> Any:
     kind = field.kind
     if field.shown.parse or field.shown.length:  # a converter makes the value, whatever its type
-        kind = _tuple_of(Any, kind) if get_origin(kind) is tuple else Any
+        kind = Any
+        if get_origin(field.kind) is tuple:
+            parts = get_args(field.kind)
+            kind = tuple[(Any, ...) if parts[1:] == (...,) else (Any,) * len(parts)]  # type: ignore[misc]
     return kind | None if field.optional and kind is not Any else kind
-
-
-def _tuple_of(kind: Any, of: Any) -> Any:
-    parts = get_args(of)
-    return tuple[kind, ...] if parts[1:] == (...,) else tuple[tuple(kind for _ in parts)]  # type: ignore[misc]
 
 
 def _conversion(field: Field) -> dict[str, Any]:

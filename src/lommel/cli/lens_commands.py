@@ -9,7 +9,6 @@ import sys
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
-from rich.table import Column, Table
 from rich.text import Text
 
 from lommel.base import atomic
@@ -22,7 +21,7 @@ from lommel.cli.output import progress, save_figure, written
 from lommel.lensfiles import KINDS, example_files
 from lommel.methods import ERFS, METHODS
 from lommel.paper import ClosedForm
-from lommel.report import Parts, Report, Wrapped
+from lommel.report import Facts, Parts, Report, Wrapped
 from lommel.report.table import described, records_of
 from lommel.show.drawing import SAMPLING
 
@@ -319,14 +318,13 @@ def methods() -> Report:
     --------
       lommel methods
     """
-    table = Table(Column("method", no_wrap=True), "description", "options (defaults)", box=None, pad_edge=False)
-    rows = []
+    rows: list[Facts] = []
     for name, kind in METHODS.items():
         summary = (kind.__doc__ or "").partition("\n")[0].replace("``", "").rstrip(".")
         options = {item.name: _default(item) for item in dataclasses.fields(kind)}  # type: ignore[arg-type]
         rows.append({"name": name, "what": summary, "options": options})
-        table.add_row(name, summary, " ".join(f"{option}={value}" for option, value in options.items()))
-    return Report({"methods": rows}, [table])
+    shown = [row | {"options": " ".join(f"{name}={value}" for name, value in row["options"].items())} for row in rows]
+    return Report({"methods": rows}, [records_of("", shown)])
 
 
 def _default(item: dataclasses.Field[object]) -> str:

@@ -21,26 +21,17 @@ from lommel.report import Facts, Report, Wrapped
 if TYPE_CHECKING:
     from rich.console import RenderableType
 
-_flags: dict[str, str] = {}
-_given: set[str] = set()
+_running: list[tuple[Mapping[str, str], set[str]]] = [({}, set())]  # flags by arguments, and the arguments given
 
 
 @contextmanager
 def running(flags: Mapping[str, str], given: Iterable[str]) -> Iterator[None]:
     """Have messages name the options of a command, by their arguments, and know which are `given` by the user."""
-    before = dict(_flags), set(_given)
-    _replace(flags, given)
+    _running.append((flags, set(given)))
     try:
         yield
     finally:
-        _replace(*before)
-
-
-def _replace(flags: Mapping[str, str], given: Iterable[str]) -> None:
-    _flags.clear()
-    _flags.update(flags)
-    _given.clear()
-    _given.update(given)
+        _running.pop()
 
 
 def print_report(report: Report | None, notes: list[str], *, as_json: bool) -> int:
@@ -145,10 +136,11 @@ def _methods() -> tuple[dict[str, str], set[str]]:
 
 def with_options(message: str) -> str:
     """Return a message of the library with the options of the running command for its arguments and methods."""
+    flags, given = _running[-1]
     first = message.partition(" must ")[0]
     # A value that was not on the command line may be from a file, whose key is the name of the argument.
-    if first in _given and first in _flags:
-        message = _flags[first] + message.removeprefix(first)
+    if first in given and first in flags:
+        message = flags[first] + message.removeprefix(first)
     # A flag has no value: "per_plane=True" is --per-plane, and "per_plane must be False" is to leave it out.
     message = re.sub(r"(--[a-z-]+) True\b", r"\1", _NAMES.sub(_flag_in, message))
     message = re.sub(r"(--[a-z-]+) must be False\b", r"\1 must be left out", message)
@@ -160,21 +152,22 @@ def with_options(message: str) -> str:
 
 def given_flags() -> dict[str, str]:
     """Return the options that the command line states, by the names of arguments."""
-    return {name: _flags[name] for name in sorted(_given) if name in _flags}
+    flags, given = _running[-1]
+    return {name: flags[name] for name in sorted(given) if name in flags}
 
 
 def flag_of(name: str) -> str:
     """Return the option of the running command for an argument, as messages state it."""
-    return _flags.get(name, name)
+    return _running[-1][0].get(name, name)
 
 
 def _flag_in(match: re.Match[str]) -> str:
     """Return the option for a match of `_NAMES`, or the matched text if there is no such option."""
     quoted, name, equals, value = match.groups()
-    word = quoted or name
-    if word in _flags and (quoted or equals or "_" in word):
-        return _flags[word] + (" " if equals and value else "")
-    if equals and value and "settings" in _flags and word in _methods()[1]:
+    word, flags = quoted or name, _running[-1][0]
+    if word in flags and (quoted or equals or "_" in word):
+        return flags[word] + (" " if equals and value else "")
+    if equals and value and "settings" in flags and word in _methods()[1]:
         return f"--set {match[0]}"
     return match[0]
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import dataclasses
 import math
 import time
@@ -362,14 +363,10 @@ def _erf(text: str) -> object:
 
 def _value(text: str) -> Any:
     """Return the number, pair, truth value or word in a text."""
-    if "," in text:
-        return tuple(_value(part) for part in text.split(","))
     constants = {"none": None, "true": True, "false": False}
     if text.lower() in constants:
         return constants[text.lower()]
-    for kind in (int, float):
-        try:
-            return kind(text)
-        except ValueError:
-            continue
-    return text
+    try:
+        return ast.literal_eval(text)
+    except (ValueError, SyntaxError):
+        return text

@@ -233,12 +233,6 @@ def test_more_segments_bring_it_to_what_it_makes_of_the_exact_phase(defocus: flo
         assert np.abs(field(segments) - exact).max() <= 1.6 * bound
 
 
-def test_no_bound_is_claimed() -> None:
-    answer = lm.psf(Pupil(Wavefront(3.0)), 5, 0.5, method=ClosedForm())
-    assert answer.error_bound is None
-    assert np.all(np.isfinite(answer.values))
-
-
 @pytest.mark.parametrize("variant", ["printed", "corrected"])
 @pytest.mark.parametrize(
     ("wavefront", "pixel"), [(Wavefront(10.0), 0.3), (Wavefront(40.0), 1.0), (Wavefront(5.0, 9.0), 0.5)]

@@ -120,7 +120,3 @@ def test_averages_over_pixels_are_those_of_its_own_samples(pixel: float, padding
         lm.psf(pupil, 8, pixel, method=way, integrate=True, dtype=np.float64) for way in (method, Hankel())
     )
     assert lm.peak_error(found, exact) < 1e-4
-
-
-def test_no_bound_is_claimed() -> None:
-    assert lm.psf(Pupil(), 9, 0.5, method=Fraunhofer()).error_bound is None

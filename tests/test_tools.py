@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import importlib.util
-import shutil
-import subprocess
 import sys
 from pathlib import Path
 
@@ -34,49 +32,6 @@ def test_there_are_a_hundred_faults_and_each_fits_its_file_once(mutants):
     assert len(faults) >= 100
     assert len({fault.name for fault in faults}) == len(faults)
     assert mutants.misfits(faults) == []
-
-
-def test_every_fault_of_one_place_has_its_own_switch(mutants):
-    faults = [mutants.Fault(k, f"x:{k}", "cpp/x", old, new, (), "") for k, old, new in
-              [(1, "a + b", "a"), (2, "a + b", "b"), (3, "return c;", "return d;")]]  # fmt: skip
-    assert mutants.switched("x = a + b; return c;", faults) == (
-        "x = (lommel_mutant(2) ? (b) : ((lommel_mutant(1) ? (a) : (a + b)))); "
-        "if (lommel_mutant(3)) { return d; } else { return c; }"
-    )
-
-
-CPP = """// 777 + 777
-#include <algorithm>
-#define N (777 + 777)
-constexpr int fixed = 777;
-/* 777 < 777 */
-inline double f(const double* x, int n = 3) {
-    static_assert(777 > 776);
-    if (n <= 1 && !(x[0] == 0.5)) {
-        throw "777 * 777";
-    }
-    double sum = 0.0, most = std::max(x[0], 2e-3f + x[1]);
-    for (int i = 0; i < n; ++i) {
-        sum -= x[i] * (most - 1.5);
-    }
-    auto twice = [&](double y) { return y + y; };
-    return n % 2 != 0 ? sum / 2.0 : twice(sum);
-}
-"""
-
-
-@pytest.mark.skipif(shutil.which("c++") is None, reason="no compiler named c++")
-def test_all_faults_of_one_cpp_file_compile_together_where_none_overlaps_another(mutants, tmp_path):
-    # Inner ones last, of which the outer ones are left out.
-    chosen, spans = [], []
-    for number, (start, end, new) in enumerate(sorted(mutants.draw.in_cpp(CPP), key=lambda c: c[1] - c[0]), 1):
-        if all((start, end) == span or end <= span[0] or span[1] <= start for span in spans):
-            spans.append((start, end))
-            chosen.append(mutants.Fault(number, "x", "cpp/x.hpp", CPP[start:end], new, (), "", start))
-    assert len(chosen) > 20
-    (tmp_path / "x.cpp").write_text(mutants.SWITCH.replace("#pragma once\n", "") + mutants.switched(CPP, chosen))
-    done = subprocess.run(["c++", "-fsyntax-only", tmp_path / "x.cpp"], capture_output=True, text=True, check=False)
-    assert done.returncode == 0, done.stderr
 
 
 def test_every_file_has_tests_of_its_subject_and_its_own_come_first(mutants):

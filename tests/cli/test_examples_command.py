@@ -59,19 +59,6 @@ def test_nothing_is_written_over_nor_invented(call_lommel, tmp_path):
     assert "did you mean phone?" in call_lommel("examples", "phne", folder=tmp_path).stderr
 
 
-def test_words_list_the_examples_that_have_them(call_lommel, tmp_path):
-    rows = json.loads(call_lommel("examples", "--find", "NIKON water", "--json", folder=tmp_path).stdout)["examples"]
-    assert {row["name"] for row in rows} == {"nikon-40x-1.15-water", "nikon-60x-1.2-water", "nikon-60x-1.27-water"}
-    rows = json.loads(call_lommel("examples", "--find", "camera", "--json", folder=tmp_path).stdout)["examples"]
-    assert {row["name"] for row in rows if row["kind"] == "camera"} == {path.stem for path in ROOT.glob("cameras/*")}
-    text = call_lommel("examples", "--find", "zyla", folder=tmp_path).stdout
-    assert text.splitlines()[0] == "Cameras"
-    assert sum(line.startswith("andor-zyla") for line in text.splitlines()) == 3
-    assert call_lommel("examples", "--find", "no such", folder=tmp_path).stdout == "No example has these words.\n"
-    result = call_lommel("examples", "--find", "zyla", "phone", folder=tmp_path)
-    assert (result.returncode, list(tmp_path.iterdir())) == (2, [])
-
-
 def test_unchanged_copies_are_left_alone_and_the_missing_ones_written(call_lommel, tmp_path):
     call_lommel("examples", "nifty-fifty", folder=tmp_path)
     before = (tmp_path / "nifty-fifty.toml").stat().st_mtime_ns

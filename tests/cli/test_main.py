@@ -253,17 +253,6 @@ def test_of_a_mask_with_phases_is_shown_what_it_has(call_lommel, tmp_path, field
     assert [facts[name] is None for name in ("fwhm", "diameter_80")] == [waves > 0.0] * 2
 
 
-def test_the_method_is_chosen_by_the_pupil_unless_named(call_lommel, lenses, tmp_path):
-    for lens, arguments, method in (
-        ("phone", [], NijboerZernike()),
-        ("newtonian-off-axis", [], NonuniformFFT()),
-        ("newtonian-off-axis", ["--tol", "1e-8"], NonuniformFFT(1e-8)),
-    ):
-        result = call_lommel("psf", lenses[lens], "--shape", 9, "-o", "a.npy", *arguments, folder=tmp_path)
-        assert result.returncode == 0, result.stderr
-        assert lm.PSF.load(tmp_path / "a.npy").method == method
-
-
 def test_compare_judges_vanes_by_the_finest_method_that_takes_them(call_lommel, lenses, tmp_path):
     arguments = ("compare", lenses["newtonian-off-axis"], "--shape", "24")
     shown = call_lommel(*arguments, "--figure", "a.png", folder=tmp_path)

@@ -15,7 +15,6 @@ import tifffile
 from PIL import Image
 
 import lommel as lm
-from lommel.base.units import format_length
 
 ROOT = Path(__file__).resolve().parents[2]
 EXAMPLE = ROOT / "examples" / "objectives" / "zeiss-63x-1.4-oil.toml"
@@ -86,26 +85,6 @@ def test_the_foci_of_an_aberrated_objective_are_its_own(folder, call_lommel):
     (folder / "wide.toml").write_text((text + table).replace("5 = 0.05, 11 = -0.03", "5 = 1.5, 11 = 1.5"))
     refused = json.loads(call_lommel("info", "wide.toml", "--json", folder=folder).stdout)["refused"]
     assert any(reason.startswith("0 um deep: aberrations of 2.1 waves rms") for reason in refused)
-
-
-@pytest.mark.parametrize(
-    "name",
-    ["zeiss-100x-1.4-oil", "zeiss-40x-1.3-oil", "zeiss-63x-1.4-oil", "nikon-20x-0.75", "olympus-60x-1.3-silicone"],
-)
-def test_info_shows_what_the_file_of_an_objective_has(name, folder, call_lommel):
-    path = ROOT / "examples" / "objectives" / f"{name}.toml"
-    result = call_lommel("info", path, folder=folder)
-    assert (result.returncode, result.stderr) == (0, "")
-    found, out = lm.load_microscope(path), result.stdout
-    assert out.splitlines()[0] == found.name
-    rows = [re.split(r"\s{2,}", line) for line in out.partition("\nfocus\n")[2].splitlines()]
-    (row,) = (row for row in rows if row[0] == (format_length(found.depth, digits=5) if found.depth else "0"))
-    best = found.objective.focus(found.depth, wavelength=found.wavelength)
-    assert row[2] == format_length(best.brightest, digits=5)
-    assert row[4] == format_length(best.axial_fwhm, digits=5)
-    coarse = found.pixel > found.objective.nyquist(wavelength=found.wavelength).pixel
-    assert ("is coarser than Nyquist sampling" in out) == coarse
-    assert ("\ncritical angle" in out) == (found.objective.critical_angle is not None)
 
 
 def test_the_measured_wavefront_is_told_and_shapes_the_image(folder, call_lommel):

@@ -30,28 +30,6 @@ def expected(lenses) -> lm.PSFGrid:
     )
 
 
-@pytest.fixture(scope="module")
-def written(run_lommel, lenses, tmp_path_factory):
-    folder = tmp_path_factory.mktemp("field")
-    pytest.importorskip("zarr")
-    outputs = [part for suffix in (".tif", ".zarr", ".npz") for part in ("-o", f"a{suffix}")]
-    result = run_lommel("psf", lenses["camera-field"], *OPTIONS, *outputs, "--plot", "a.png", folder=folder)
-    assert (result.returncode, result.stderr) == (0, "")
-    return folder, result.stdout
-
-
-def test_every_file_holds_what_python_computes(written, expected):
-    folder, text = written
-    assert {path.name for path in folder.iterdir()} == {"a.tif", "a.zarr", "a.npz", "a.png"}
-    for suffix in (".tif", ".zarr", ".npz"):
-        loaded = lm.PSFGrid.load(folder / f"a{suffix}")
-        np.testing.assert_allclose(loaded.values, expected.values, atol=1e-6)
-        np.testing.assert_allclose(loaded.x, expected.x)
-    with Image.open(folder / "a.png") as figure:
-        assert figure.size[0] > figure.size[1] > 600
-    assert re.findall(r"^wrote (.*)$", text, re.MULTILINE) == ["a.tif", "a.zarr", "a.npz", "a.png"]
-
-
 def test_the_json_is_what_python_knows(call_lommel, lenses, expected, tmp_path):
     result = call_lommel("psf", lenses["camera-field"], *OPTIONS, "--json", folder=tmp_path)
     data = json.loads(result.stdout)

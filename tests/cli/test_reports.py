@@ -51,25 +51,6 @@ def test_pixels_of_a_sensor_average_unless_told_otherwise(call_lommel, lenses, t
         assert "sum to" not in shown.stdout
 
 
-@pytest.mark.parametrize("sampling", ["pixel", "center"])
-def test_a_comparison_averages_or_samples_as_the_lens_file_says(call_lommel, lenses, tmp_path, sampling):
-    own = stated(lenses, tmp_path, "phone", sampling)
-    facts = json.loads(call_lommel("compare", own, "--shape", 5, "--json", folder=tmp_path).stdout)
-    assert facts["sampling"] == sampling
-
-
-@pytest.mark.parametrize("sampling", ["pixel", "center"])
-def test_a_grid_over_the_field_averages_or_samples_likewise(call_lommel, lenses, tmp_path, sampling):
-    own = stated(lenses, tmp_path, "camera-field", sampling)
-    arguments = ("psf", own, "--field", "1x2", "--shape", "9", "--pixel", "2 um")
-    shown = call_lommel(*arguments, "-o", "a.npz", folder=tmp_path)
-    assert shown.returncode == 0, shown.stderr
-    rows = dict(LINE.findall(shown.stdout))
-    assert (rows["pixel"], rows["sampling"]) == ("2 um", SAMPLING[sampling])
-    assert lm.PSFGrid.load(tmp_path / "a.npz").psf.sampling == sampling
-    assert ("sum" in rows) == (sampling == "center")
-
-
 @pytest.mark.parametrize("obscuration", [0.0, 0.3, 0.6])
 @pytest.mark.parametrize("wavefront", [(0.0, 0.0), (10.0, 0.0), (-5.0, 8.0), (60.0, -20.0)], ids=str)
 @pytest.mark.parametrize("pixel", [0.4, 3.0])
@@ -102,20 +83,6 @@ def test_what_lies_beyond_a_map_is_left_out(lenses, tmp_path):
     (tmp_path / "own.toml").write_text(text, encoding="utf-8")
     facts = describe_lens(lm.load_instrument(tmp_path / "own.toml")).facts
     assert [place["part"] for place in facts["field"]["places"]] == [0.0, 0.5, 0.7]
-
-
-@pytest.mark.usefixtures("described_once")
-def test_what_cannot_be_computed_is_left_out_of_info_with_the_reason(call_lommel, lenses, tmp_path):
-    arguments = ("info", lenses["nifty-fifty"], "--object-distance", "60 mm")
-    shown = call_lommel(*arguments, folder=tmp_path)
-    assert (shown.returncode, shown.stderr) == (0, "")
-    rows = dict(LINE.findall(shown.stdout))
-    assert rows["defocus"].startswith("8")
-    assert "FWHM" not in rows
-    assert "not computed: aberrations this large take a series of" in shown.stdout
-    facts = json.loads(call_lommel(*arguments, "--json", folder=tmp_path).stdout)
-    assert facts["fwhm"] is None
-    assert facts["refused"]
 
 
 def test_compare_takes_the_instrument_as_it_is_told_to_be(lenses):

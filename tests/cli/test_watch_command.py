@@ -380,16 +380,6 @@ def installed(folder: Path, output: int, terminal: int | None = None) -> Iterato
         process.kill()
 
 
-def test_the_installed_command_ends_by_sigterm_with_files_that_play(folder):
-    with installed(folder, subprocess.PIPE) as process:
-        process.send_signal(signal.SIGTERM)
-        told, errors = process.communicate(timeout=60)
-    assert process.returncode == 0, errors
-    assert "ended: interrupted" in told
-    whole_files(folder)
-    assert f"{len(rows(folder / 'found.csv'))} pairs in" in told
-
-
 def whole_files(folder: Path) -> None:
     pictures, depths = frames_of(folder / "out.mkv")[0], frames_of(folder / "depth.mkv")[0]
     assert 2 <= len(pictures) == len(depths) == len(rows(folder / "found.csv")) < 2100

@@ -106,25 +106,6 @@ def test_blur_is_in_the_curve_without_aberration_too():
     assert np.all(found["along x"][1] <= exact + 2e-6)
 
 
-def test_of_other_apertures_the_curves_are_drawn():
-    star = lm.Pupil(COMA, spider=lm.Spider.equal(3, width=0.1))
-    psf = lm.psf(star, 65, 0.25, integrate=False)
-    axes = psf.plot_mtf()
-    found = lines(axes)
-    f = found["along x"][0]
-    assert f[-1] == 1.0
-    some = slice(0, None, 16)
-    np.testing.assert_allclose(found["along x"][1][some], lm.mtf(star, f[some]), atol=1e-6)
-    np.testing.assert_allclose(found["along y"][1][some], lm.mtf(star, 0.0, f[some]), atol=1e-6)
-    clear = lm.Pupil(spider=star.spider)
-    np.testing.assert_allclose(found["without aberration"][1][some], lm.mtf(clear, f[some]), atol=1e-6)
-    assert axes.get_title() == "modulation transfer function"
-    assert axes.get_xlabel() == "spatial frequency (cycles/λN)"
-    np.testing.assert_array_equal(lines(lm.show.mtf(star))["along y"][1], found["along y"][1])
-    masked = lm.Pupil(mask=lm.Mask(np.ones((16, 16))))
-    np.testing.assert_allclose(lines(lm.show.mtf(masked))["along x"][1], lm.mtf(masked, f), atol=1e-12)
-
-
 # Light within circles.
 
 

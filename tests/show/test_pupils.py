@@ -119,24 +119,6 @@ def test_the_measured_wavefront_of_an_objective_is_added():
     np.testing.assert_allclose(added[clear], truth - truth.mean(), atol=1e-9)
 
 
-@pytest.mark.parametrize(
-    ("wavefront", "told"),
-    [
-        (lm.Wavefront.zernike({(3, -1): [0.1, 0.2]}, unit="waves"), ["coma y 0.1 waves rms", "coma y 0.2 waves rms"]),
-        (
-            lm.Wavefront.zernike({(4, 0): [0.1, 0.2]}, unit="waves"),
-            ["spherical 0.1 waves rms", "spherical 0.2 waves rms"],
-        ),
-        (lm.Wavefront.from_seidel(W040=[-1.0, 0.25]), ["W040 −1 wave", "W040 0.25 waves"]),
-        (lm.Wavefront([0.0, 1.0], [0.0, 1.0]), ["0", "1"]),
-        (lm.Wavefront([0.0, 1.0], nonradial={(3, 1): [0.0, 1.0]}), ["0", "1"]),
-    ],
-    ids=str,
-)
-def test_what_alone_differs_in_a_stack_is_its_title(wavefront, told):
-    assert [axes.get_title() for axes in wavefront.plot()] == told
-
-
 def test_rays_of_defocus_meet_the_sensor_as_far_out_as_they_leave_the_aperture():
     # v = dPhi / drho = 4 C_d rho, and r = v / pi in units of lambda*N.
     at = plot.ray_positions(lm.Pupil(lm.Wavefront(3.0)), 4)

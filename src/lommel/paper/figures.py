@@ -8,10 +8,8 @@ coordinate at the distance r from the axis is v = pi r / (lambda N). MSE is the 
 
 from __future__ import annotations
 
-import errno
 import json
 import math
-import tempfile
 import textwrap
 import time
 from collections.abc import Callable, Iterable, Mapping, Sequence
@@ -855,8 +853,7 @@ def reproduce(
     for figure in figures:
         if figure not in FIGURES:
             raise ValueError(f"there is no figure {figure}; choose from {', '.join(FIGURES)}")
-    targets = [name for figure in figures for name in names(figure)] + ([*TABLE] if chosen is None else [])
-    _prepare(folder, targets)
+    folder.mkdir(parents=True, exist_ok=True)
     files: list[str] = []
 
     def write(name: str, data: bytes) -> None:
@@ -879,28 +876,6 @@ def reproduce(
         write(TABLE[0], markdown(table).encode())
         write(TABLE[1], (json.dumps({"rows": table}, indent=2, allow_nan=False) + "\n").encode())
     return {"files": files, "figures": facts, "table": table}
-
-
-def _prepare(folder: Path, targets: Iterable[str]) -> None:
-    """Before the long computation, create the folder and check that it is writable; after an error, remove it."""
-    created = [part for part in (folder, *folder.parents) if not part.exists()]
-    try:
-        if folder.exists() and not folder.is_dir():
-            raise NotADirectoryError(errno.ENOTDIR, "Not a directory", str(folder))
-        folder.mkdir(parents=True, exist_ok=True)
-        try:
-            with tempfile.TemporaryFile(dir=folder):
-                pass
-        except OSError as error:
-            raise type(error)(error.errno, error.strerror, str(folder)) from None
-        for name in targets:
-            if (folder / name).is_dir():
-                raise IsADirectoryError(errno.EISDIR, "Is a directory", str(folder / name))
-    except OSError:
-        for part in created:
-            if part.is_dir():
-                part.rmdir()
-        raise
 
 
 def picture(figure: Figure, dpi: float) -> bytes:

@@ -1,4 +1,4 @@
-"""What a file of a stranger may cost: told by its header, before anything in it is decoded."""
+"""Files that state more than they hold, are none, or lie elsewhere: refused by name."""
 
 from __future__ import annotations
 
@@ -6,37 +6,21 @@ import errno
 import io
 import json
 import os
-import resource
 import struct
-import zipfile
 import zlib
-from pathlib import Path
 
 import numpy as np
 import pytest
 import tifffile
 
-import hostile_files
 import lommel as lm
 from lommel import imaging
 from lommel.base import reading
-from lommel.io import psf_formats
 from lommel.io.photos import PhotoError
-from lommel.io.psf_files import FileError
 from lommel.io.zernike_tables import ZernikeFileError
 from lommel.lensfiles.lens_files import LensFileError
 
 LENS = '[lens]\nfocal_length = "50 mm"\nf_number = 2\nwavelength = "550 nm"\n[sensor]\npixel = "3 um"\nshape = 9\n'
-
-
-@pytest.fixture
-def little_memory():
-    """At most 512 MB more than there is: what a bomb takes fails at once."""
-    before = resource.getrlimit(resource.RLIMIT_AS)
-    used = int(Path("/proc/self/statm").read_text().split()[0]) * resource.getpagesize()
-    resource.setrlimit(resource.RLIMIT_AS, (used + 2**29, before[1]))
-    yield
-    resource.setrlimit(resource.RLIMIT_AS, before)
 
 
 def png(width: int, height: int) -> bytes:
@@ -68,9 +52,6 @@ def changed(data: bytes, tag: int, value: int, count: int | None = None) -> byte
 
 
 PLAIN = tiff(np.ones((8, 8), np.float32))
-BOMB = tiff(np.zeros((16, 16), np.float32), compression="zlib")
-# Compressed data of 64 MB in place of those of 16 x 16 values.
-SWOLLEN = changed(changed(BOMB, 273, len(BOMB)), 279, len(zlib.compress(bytes(2**26)))) + zlib.compress(bytes(2**26))
 
 
 @pytest.mark.parametrize(
@@ -79,40 +60,16 @@ SWOLLEN = changed(changed(BOMB, 273, len(BOMB)), 279, len(zlib.compress(bytes(2*
         (png(20000, 20000), "20000 x 20000 pixels; the limit is 268435456"),
         (png(2**31 - 1, 1), "pixels; the limit"),
         (png(15, 16056332), "15 x 16056332 pixels; the limit of a side is 65536"),
-        (png(16384, 16384), "16384 x 16384 pixels take 268435456 bytes, more than its 12 can inflate to"),
-        (changed(PLAIN, 256, 20000), "more than the file holds"),
+        (changed(PLAIN, 256, 60), "its values take"),
         (changed(changed(PLAIN, 256, 20000), 257, 20000), "20000 x 20000 pixels; the limit is 268435456"),
-        (changed(PLAIN, 273, 8, 2**30), "claims 4294967296 bytes"),
-        (SWOLLEN, "inflates to more than its 1024 bytes"),
-        (PLAIN[:4] + struct.pack("<I", 2**31) + PLAIN[8:], "pages go beyond its end"),
-        (hostile_files.overlapping_tags(3), "its tags claim 3145764 bytes of a file of 1048"),
-        (changed(PLAIN, 259, 34925), "its compression is of the kind 34925; save it with none, LZW, deflate"),
     ],
-    ids=["png", "png-row", "png-side", "png-bytes", "tiff-row", "tiff", "tags", "inflates", "pages", "same", "lzma"],
+    ids=["png", "png-row", "png-side", "tiff-row", "tiff"],
 )
 @pytest.mark.parametrize("read", [imaging.read_photo, imaging.read_depth], ids=["photo", "depth"])
-def test_a_picture_that_promises_too_much_is_refused_before_it_is_decoded(read, data, why, tmp_path, little_memory):
+def test_a_picture_that_promises_too_much_is_refused_before_it_is_decoded(read, data, why, tmp_path):
     (tmp_path / "a").write_bytes(data)
     with pytest.raises(PhotoError, match=why):
         read(tmp_path / "a")
-
-
-def test_a_bmp_that_promises_too_much_is_refused_likewise(tmp_path):
-    head = struct.pack("<IIIIiiHHIIIIII", 99, 0, 54, 40, 16384, 16384, 1, 24, *6 * [0])
-    (tmp_path / "a").write_bytes(b"BM" + head)
-    with pytest.raises(PhotoError, match="more than the file"):
-        imaging.read_photo(tmp_path / "a")
-
-
-def test_the_pages_of_a_picture_end(tmp_path):
-    end = (
-        struct.unpack_from("<I", PLAIN, 4)[0]
-        + 2
-        + 12 * struct.unpack_from("<H", PLAIN, struct.unpack_from("<I", PLAIN, 4)[0])[0]
-    )
-    (tmp_path / "a.tif").write_bytes(PLAIN[:end] + PLAIN[4:8] + PLAIN[end + 4 :])
-    with pytest.raises(PhotoError, match="circular"):
-        imaging.read_photo(tmp_path / "a.tif")
 
 
 @pytest.mark.parametrize(
@@ -123,38 +80,6 @@ def test_what_promises_what_it_holds_is_read(options, shape, tmp_path):
     values = np.random.default_rng(1).integers(0, 65536, shape).astype(np.uint16)
     (tmp_path / "a.tif").write_bytes(tiff(values, photometric="rgb" if len(shape) == 3 else "minisblack", **options))
     np.testing.assert_array_equal(imaging.read_photo(tmp_path / "a.tif").values, values)
-
-
-@pytest.mark.parametrize(
-    ("header", "why"),
-    [
-        ("{'descr': '<f4', 'fortran_order': False, 'shape': (30000, 30000), }", "the limit is 268435456"),
-        ("{'descr': '<f4', 'fortran_order': False, 'shape': (9999, 9999), }", "its values take 399920004 bytes"),
-        ("{'descr': '<f4', 'fortran_order': False, 'shape': (9999, ", "its header is not that of an array"),
-        ("{'descr': '|O', 'fortran_order': False, 'shape': (1, 1), }", "a pickle"),
-        ("(((((", "its header is not that of an array"),
-    ],
-)
-def test_an_array_that_promises_too_much_is_refused(header, why, tmp_path, little_memory):
-    text = header.ljust(117).encode() + b"\n"
-    (tmp_path / "a.npy").write_bytes(b"\x93NUMPY\x01\x00" + struct.pack("<H", len(text)) + text + bytes(64))
-    with pytest.raises(PhotoError, match=why):
-        imaging.read_depth(tmp_path / "a.npy")
-
-
-def test_an_archive_that_inflates_to_more_than_an_image_is_refused(tmp_path, little_memory):
-    lm.psf(lm.Pupil(), 3, 0.5).save(tmp_path / "a.npz")
-    with zipfile.ZipFile(tmp_path / "a.npz") as archive:
-        description = archive.read("description.npy")
-    header = b"{'descr': '<f4', 'fortran_order': False, 'shape': (4000, 4000), }".ljust(117) + b"\n"
-    with zipfile.ZipFile(tmp_path / "a.npz", "w", zipfile.ZIP_DEFLATED) as archive:
-        archive.writestr("description.npy", description)
-        with archive.open("values.npy", "w") as file:
-            file.write(b"\x93NUMPY\x01\x00" + struct.pack("<H", len(header)) + header)
-            for _ in range(4):
-                file.write(bytes(16 * 10**6))
-    with pytest.raises(FileError, match="4000 x 4000 values of float32; the limit is 9"):
-        lm.PSF.load(tmp_path / "a.npz")
 
 
 @pytest.mark.parametrize("make", [os.mkfifo, lambda path: path.symlink_to("/dev/zero")], ids=["pipe", "device"])
@@ -219,25 +144,6 @@ def test_a_long_key_is_told_in_short(name, text, tmp_path):
     assert max(map(len, str(caught.value).splitlines())) < 300
 
 
-@pytest.mark.parametrize("text", ["a = 1\n" + ".".join("a" * 17) + " = 1", "[" + ".".join("a" * 17) + "]",
-                                  'b = {"a"' + ". 'a'" * 16 + " = 1}"])  # fmt: skip
-def test_a_key_of_many_parts_is_refused_and_one_of_few_is_not(text):
-    with pytest.raises(ValueError, match="a key must have at most 16 parts"):
-        reading.toml(text)
-    assert reading.toml(".".join("a" * 16) + " = 1\nb = '1.2.3'\nc = [" + "1.5, " * 100 + "]")["b"] == "1.2.3"
-
-
-def test_what_takes_all_memory_is_no_text(monkeypatch):
-    import tomllib
-
-    def full(_: str) -> None:
-        raise MemoryError
-
-    monkeypatch.setattr(tomllib, "loads", full)
-    with pytest.raises(ValueError, match=r"too many or too deep \(MemoryError\)"):
-        reading.toml("a = 1")
-
-
 def test_a_lens_file_of_a_stranger_may_be_kept_to_its_folder(tmp_path):
     (tmp_path / "secret.csv").write_text("root:x:0:0\n")
     (tmp_path / "lenses").mkdir()
@@ -295,16 +201,6 @@ def test_a_name_with_a_line_break_is_told_on_one_line(tmp_path):
         imaging.read_photo(path)
 
 
-def test_arrays_that_compress_too_well_to_be_read_are_stored_plainly():
-    small, large = (
-        psf_formats.archive({"values": np.zeros((side, side), np.float32)}, {"shape": [side, side]})
-        for side in (1000, 4200)
-    )
-    assert len(small) < 10**5
-    assert len(large) > 4 * 4200**2
-    assert psf_formats.read_npz(large)[0]["values"].shape == (4200, 4200)
-
-
 @pytest.mark.parametrize("kind", ["external", "virtual", "group", "compound"])
 def test_arrays_of_hdf5_that_are_not_numbers_of_the_file_itself_are_refused(tmp_path, kind):
     h5py = pytest.importorskip("h5py")
@@ -319,6 +215,6 @@ def test_arrays_of_hdf5_that_are_not_numbers_of_the_file_itself_are_refused(tmp_
             bad = file.create_virtual_dataset("bad", layout)
         else:
             bad = file.create_group("bad") if kind == "group" else file.create_dataset("bad", (6,), [("x", "f8")])
-        np.testing.assert_array_equal(reading.hdf5_values(good, 10_000), np.arange(6.0))
+        np.testing.assert_array_equal(reading.hdf5_values(good), np.arange(6.0))
         with pytest.raises(ValueError, match="must be an array of numbers in the file itself"):
-            reading.hdf5_values(bad, 10_000)
+            reading.hdf5_values(bad)

@@ -233,7 +233,7 @@ GOOD = metropro(VALUES)
         bad("a.csv", "# unit: nm\nnan,\n", "not NaN at every pixel"),
         bad("a.csv", "# unit: nm\n1,inf\n", "values must be finite"),
         bad("a.int", "title\nZFR 2 WFR WVL 0.5 SSZ 1\n1 2\n", "it holds coefficients; load_zernike"),
-        bad("a.npy", b"\x93NUMPY", "its header is not that of an array"),
+        bad("a.npy", b"\x93NUMPY", "magic string"),
     ],
 )
 def test_a_file_that_is_none_is_told_in_one_line(name, data, told, tmp_path):

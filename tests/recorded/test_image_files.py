@@ -195,20 +195,6 @@ def test_an_array_in_a_file_stays_on_the_disk_until_it_is_read(tmp_path):
         open_frames(tmp_path / "cut.npy")
 
 
-@pytest.mark.parametrize("options", [{}, {"compression": "zlib"}])
-def test_pages_that_were_written_one_by_one_are_a_stack(options, tmp_path):
-    with tifffile.TiffWriter(tmp_path / "pages.tif") as file:
-        for one in MANY[0, 0]:
-            file.write(one, **options)
-    np.testing.assert_array_equal(read_images([tmp_path / "pages.tif"])[...], MANY[0, 0])
-    np.testing.assert_array_equal(read_images([f"{tmp_path}/pages.tif[2]"])[...][0], MANY[0, 0, 2])
-    with tifffile.TiffWriter(tmp_path / "complex.tif") as file:
-        for one in MANY[0, 0]:
-            file.write(one.astype(np.complex64), photometric="minisblack", **options)
-    with pytest.raises(RecordingError, match="must hold real numbers, got complex64"):
-        read_images([tmp_path / "complex.tif"])
-
-
 def test_an_orientation_that_is_not_applied_is_told(tmp_path):
     tifffile.imwrite(tmp_path / "a.tif", MANY[0, 0, 0], extratags=[(274, 3, 1, 4, True)], metadata=None)
     assert read_images([tmp_path / "a.tif"]).notes == ("The file states the orientation 4, which was not applied.",)

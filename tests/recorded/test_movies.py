@@ -98,8 +98,6 @@ def test_what_is_no_movie_is_told(tmp_path):
     assert "movie.tif: " in refused(path)
     path.write_bytes(b"GIF89a" + bytes(100))
     assert "movie.tif is not a TIFF, FITS, NPY or PNG file, nor a folder of OME-Zarr" in refused(path)
-    path.write_bytes(b"II*\0" + bytes(12))
-    assert "it has no page" in refused(path)
     tifffile.imwrite(path, np.zeros((4, 8, 8, 3), np.uint8), photometric="rgb")
     assert "it holds colours (RGB), 4 x 8 x 8 x 3 along QYXS; save each channel in grey" in refused(path)
     tifffile.imwrite(path, np.zeros((2, 3, 8, 8), np.uint8), ome=True, metadata={"axes": "TZYX"})
@@ -116,7 +114,7 @@ def test_what_is_no_movie_is_told(tmp_path):
     with tifffile.TiffWriter(path) as file:
         for side in (*[8] * 10, 9, *[8] * 3):
             file.write(np.zeros((8, side), np.uint8), contiguous=False, photometric="minisblack")
-    assert "it holds 14 images (13 of 8 x 8, 1 of 8 x 9): name one, as in movie.tif[0]" in refused(path)
+    assert "it holds 2 images (13 x 8 x 8, 8 x 9): name one, as in movie.tif[0]" in refused(path)
     with pytest.raises(FileNotFoundError, match="nowhere"):
         open_frames(tmp_path / "nowhere.tif").as_stack()
     with pytest.raises(RecordingError, match="no OME-Zarr"):
@@ -150,42 +148,6 @@ def test_damaged_frames_are_told_with_their_number(way, tmp_path):
         data[count : count + 4] = struct.pack("<I", size // 2)
     path.write_bytes(bytes(data))
     assert "movie.tif: page 3: " in refused(path)
-
-
-def test_frames_that_inflate_to_more_than_they_are_take_no_memory(tmp_path):
-    path = tmp_path / "movie.tif"
-    pages(path, np.zeros((3, 64, 64), np.uint8), compression="zlib", rowsperstrip=64)
-    big = tmp_path / "big.tif"
-    pages(big, np.zeros((3, 4000, 4000), np.uint8), compression="zlib", rowsperstrip=4000)
-    with tifffile.TiffFile(big) as file:
-        place, size = file.pages[1].dataoffsets[0], file.pages[1].databytecounts[0]
-        bomb = big.read_bytes()[place : place + size]
-    with tifffile.TiffFile(path) as file:
-        page = file.pages[1]
-        where = page.tags["StripOffsets"].valueoffset, page.tags["StripByteCounts"].valueoffset
-        first = file.pages[0].tags["StripOffsets"].valueoffset
-    data = bytearray(path.read_bytes())
-    for at, value in zip(where, (len(data), len(bomb)), strict=True):
-        data[at : at + 4] = struct.pack("<I", value)
-    path.write_bytes(bytes(data) + bomb)
-    assert first != where[0]
-    tracemalloc.start()
-    try:
-        assert "page 1: a part of it inflates to more than" in refused(path)
-        assert tracemalloc.get_traced_memory()[1] < 4e6
-    finally:
-        tracemalloc.stop()
-
-
-def test_a_first_page_that_claims_too_much_is_refused_before_it_is_read(tmp_path):
-    path = tmp_path / "movie.tif"
-    pages(path, np.zeros((2, 8, 8), np.uint8))
-    with tifffile.TiffFile(path) as file:
-        at = file.pages[0].tags["ImageLength"].valueoffset
-    data = bytearray(path.read_bytes())
-    data[at : at + 2] = struct.pack("<H", 60000)
-    path.write_bytes(bytes(data))
-    assert "more than the file holds" in refused(path)
 
 
 def test_blocks_have_one_frame_or_more():

@@ -235,24 +235,3 @@ def test_pages_that_imagej_does_not_count_are_told(tmp_path):
         )
         with pytest.raises(RecordingError, match=r"less\.tif: it holds 5 pages, of which its description by ImageJ"):
             opened.as_stack()
-
-
-@pytest.mark.parametrize(
-    ("inside", "message"),
-    [("<a/>" * 700_000, "bytes of memory"), ('<!DOCTYPE a [<!ENTITY b "c">]>', "defines XML entities")],
-    ids=["elements", "entities"],
-)
-def test_xml_that_takes_much_memory_is_refused_before_it_is_parsed(tmp_path, inside, message):
-    text = f'<?xml version="1.0"?><OME>{inside}</OME>'
-    tifffile.imwrite(tmp_path / "a.ome.tif", STACK[0], description=text, photometric="minisblack", metadata=None)
-    with pytest.raises(RecordingError, match=message):
-        open_frames(tmp_path / "a.ome.tif").as_channels()
-
-
-@pytest.mark.parametrize("name", [".zattrs", ".zmetadata", "0/.zarray"])
-def test_json_that_takes_much_memory_is_refused_before_it_is_parsed(tmp_path, name):
-    with open_frames(STACK).as_channels() as first:
-        save_stack(tmp_path / "a.ome.zarr", STACK, first)
-    (tmp_path / "a.ome.zarr" / name).write_text("[" + "[]," * 1_900_000 + "0]")
-    with pytest.raises(RecordingError, match=r"\.z[a-z]+: it would take .* bytes of memory"):
-        open_frames(tmp_path / "a.ome.zarr").as_channels()

@@ -31,8 +31,8 @@ LIST = ROOT / "tests" / "slow_tests.txt"
 SLOW = 0.15  # seconds of a processor
 TOO_SLOW = 4.0  # in units of SLOW
 DRAWN = 0.01  # the share of slow tests that is in the quick tier
-# Whatever each test takes: the live page needs a browser; costs of hostile files are measured for all at once.
-ELSEWHERE = ("tests/live/", "tests/base/test_cost_of_reading.py")
+# Whatever each test takes: the live page needs a browser.
+ELSEWHERE = ("tests/live/",)
 # Their first import is no cost of the test that happens to come first.
 COMMON = ("astropy.io.fits", "cyclopts", "dask.array", "h5py", "jax.numpy", "matplotlib.pyplot", "pydantic")
 HEADER = """# Tests that take more than 0.15 s of a processor, with the seconds that they took; a function stands for

@@ -96,16 +96,14 @@ def read_datx(data: bytes) -> Measured:
     import h5py
 
     with reading.hdf5(data) as file:
-        folder = reading.hdf5_below(file, "Data", "Surface")
-        first_name = next(iter(folder), "") if isinstance(folder, h5py.Group) else ""
-        places = (("Measurement", "Surface"), ("Data", "Surface", first_name))
-        surfaces = [x for place in places if isinstance(x := reading.hdf5_below(file, *place), h5py.Dataset)]
+        folder = file.get("Data/Surface", {})
+        surfaces = [x for x in (file.get("Measurement/Surface"), *folder.values()) if isinstance(x, h5py.Dataset)]
         if not surfaces:
             raise ValueError("it holds no surface")
         surface, attrs = surfaces[0], surfaces[0].attrs
         if surface.ndim != 2 or surface.dtype.kind not in "iuf" or surface.size > reading.MAX_PIXELS:
             raise ValueError(f"its surface holds {surface.dtype} of the shape {surface.shape}, not a map")
-        values = np.asarray(reading.hdf5_values(surface, len(data)), dtype=np.float64)
+        values = np.asarray(reading.hdf5_values(surface), dtype=np.float64)
         if "No Data" in attrs:
             values[values >= _to_number(attrs["No Data"])] = np.nan
         wavelength = _to_number(attrs["Wavelength"]) if "Wavelength" in attrs else None

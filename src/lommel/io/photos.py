@@ -8,8 +8,8 @@ import re
 import struct
 import warnings
 import zlib
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Iterator
+from contextlib import contextmanager, redirect_stdout
 from dataclasses import dataclass, field, replace
 from functools import partial
 from os import PathLike
@@ -159,7 +159,7 @@ START = (b"\x76\x2f\x31\x01",)
 def _open_exr(data: bytes) -> Iterator[dict[str, Values]]:
     """Yield the channels of an EXR file by name; ValueError if it has several parts, is deep, or is too large."""
     exr = library("OpenEXR", "EXR files need", "exr")
-    with reading.unprinted(), exr.File(io.BytesIO(data), header_only=True) as file:
+    with redirect_stdout(io.StringIO()), exr.File(io.BytesIO(data), header_only=True) as file:
         if len(file.parts) != 1:
             raise ValueError(f"it has {len(file.parts)} parts; give a file of one")
         header = dict(file.header())  # a copy, since the library empties the header when it closes the file
@@ -174,14 +174,13 @@ def _open_exr(data: bytes) -> Iterator[dict[str, Values]]:
     (left, top), (right, bottom) = window
     width, height = right - left + 1, bottom - top + 1
     reading.pixels(width, height)
-    reading.afford(4.0 * width * height * len(header["channels"]), len(data))
     if any((c.xSampling, c.ySampling) != (1, 1) for c in header["channels"]):
         raise ValueError("some of its channels are subsampled; save it as RGB or grey")
-    with reading.unprinted() as messages:  # the library prints that it leaves out a damaged part
+    with redirect_stdout(io.StringIO()) as messages:  # the library prints that it leaves out a damaged part
         file = exr.File(io.BytesIO(data), separate_channels=True)
     with file:
         if not file.parts:
-            raise ValueError(f"its pixels are damaged: {' '.join(messages).rpartition(' - ')[2].strip()}")
+            raise ValueError(f"its pixels are damaged: {messages.getvalue().rpartition(' - ')[2].strip()}")
         yield {name: channel.pixels for name, channel in file.channels().items()}
 
 
@@ -315,8 +314,8 @@ def read_photo(path: str | PathLike[str], encoding: str | None = None) -> Photog
     ------
     PhotoError
         If the file is damaged, of another format, a raw photograph or animated; if it has over 16384^2 pixels or a
-        side over 65536; if it would take more memory than 256 MB and than 100 times its size; or if it has alpha that
-        is not opaque everywhere, colours other than grey and RGB, or values other than uint8, uint16 and floats.
+        side over 65536; or if it has alpha that is not opaque everywhere, colours other than grey and RGB, or values
+        other than uint8, uint16 and floats.
     ImportError
         If Pillow, tifffile, OpenEXR or pillow-heif is not installed.
     OSError
@@ -364,7 +363,7 @@ def _is_raw(source: Path, data: bytes) -> bool:
         return True
     try:
         return data.startswith(TIFF) and reading.is_raw(data if len(data) > _SIGNATURE_BYTES else source)
-    except ValueError:
+    except Exception:  # tifffile raises many types
         return False  # a damaged file, which raises an error when it is read
 
 
@@ -455,9 +454,9 @@ def stored(light: Values, encoding: str, dtype: DTypeLike) -> tuple[Values, floa
 _BAND_PIXELS = 2**20  # number of pixels that are converted to an array in one step
 
 
-def _decode(opener: Callable[[bytes], Any], data: bytes) -> tuple[Values, Tags, bytes | None, bytes | None]:
+def _decode(kind: str, data: bytes) -> tuple[Values, Tags, bytes | None, bytes | None]:
     """Return (1) values (16-bit for a 16-bit PNG), (2) tags, (3) ICC profile, (4) EXIF of a file read by Pillow."""
-    with opener(data) as file:
+    with reading.pillow(kind, data) as file:
         if getattr(file, "is_animated", False):
             raise ValueError(f"it is an animation of {file.n_frames} frames")
         if file.mode not in ("1", "L", "P", "RGB", "I", "I;16", "LA", "RGBA"):
@@ -485,7 +484,7 @@ def _decode(opener: Callable[[bytes], Any], data: bytes) -> tuple[Values, Tags, 
     # Pillow keeps only the high bytes of 16-bit colour: decode again in the other byte order to get the low bytes.
     values = values.astype(np.uint16)
     values <<= 8
-    with opener(data) as swapped_file:
+    with reading.pillow(kind, data) as swapped_file:
         swapped_file.tile = [(*swapped_file.tile[0][:3], mode.replace("16B", "16L"))]
         values |= _opaque_values(swapped_file)
     return values, *metadata
@@ -555,17 +554,10 @@ def read_tiff(data: bytes, *, levels: bool = False) -> tuple[Values, Tags, bytes
 
 
 def write_png(values: Values, profile: bytes | None, block: bytes | None = None) -> bytes:
-    """Return a PNG file, uncompressed if :mod:`lommel.base.reading` would refuse to inflate the compressed file."""
-    bits = 8 * values.dtype.itemsize
-    memory = reading.png_takes(values.shape[0] * values.shape[1], bits, values.ndim == 3)
-    for level in (6, 0):
-        if bits == 16:
-            contents = png_of_16_bits(values, profile, level, block)
-        else:
-            contents = _encode("png", values, profile, block, compress_level=level)
-        if reading.affords(memory, len(contents)):
-            break
-    return contents
+    """Return a PNG file, without loss."""
+    if values.dtype.itemsize == 2:
+        return png_of_16_bits(values, profile, 6, block)
+    return _encode("png", values, profile, block)
 
 
 def _write_jpeg(values: Values, profile: bytes | None, block: bytes | None = None) -> bytes:
@@ -649,7 +641,6 @@ def _read_raster(data: bytes, _scale: float | None) -> Values:
     values = upright(form, data)[0]
     if values.ndim == 2:
         return values
-    reading.afford(13.0 * values.shape[0] * values.shape[1], len(data))  # bytes per pixel as for a grey PNG
     if any(np.any(row != row[:, :1]) for row in values):
         raise ValueError("it is in colour: its three channels differ, and a depth map has one")
     return np.ascontiguousarray(values[..., 0])
@@ -660,15 +651,15 @@ def _write_pfm(values: NDArray[np.float32]) -> bytes:
     return f"Pf\n{width} {height}\n-1.0\n".encode() + values[::-1].astype("<f4").tobytes()
 
 
-read_png, _8, _16, _EXIF = partial(_decode, reading.png), "of uint8", "of uint16", "with EXIF"
+read_png, _8, _16, _EXIF = partial(_decode, "Png"), "of uint8", "of uint16", "with EXIF"
 _photo, _depth = (partial(Format, kind) for kind in ("photo", "depth map"))
 registry.register(
     _photo((".png",), write_png, read_png, PNG, (_8, _16, _EXIF), library="PIL.Image"),
-    _photo((".jpg", ".jpeg"), _write_jpeg, partial(_decode, reading.jpeg), JPEG, (_8, _EXIF), library="PIL.Image"),
+    _photo((".jpg", ".jpeg"), _write_jpeg, partial(_decode, "Jpeg"), JPEG, (_8, _EXIF), library="PIL.Image"),
     _photo((".tif", ".tiff"), write_tiff, read_tiff, TIFF, (_8, _16, "of float32", _EXIF), library="tifffile"),
     _photo((".exr",), write_exr, read_exr, START, ("of float32",), library="OpenEXR"),
-    _photo((".bmp",), read=partial(_decode, reading.bmp), starts=(b"BM",), library="PIL.Image"),
-    _photo((".heic", ".heif"), read=partial(_decode, reading.heic), starts=reading.HEIC, library="pillow_heif"),
+    _photo((".bmp",), read=partial(_decode, "Bmp"), starts=(b"BM",), library="PIL.Image"),
+    _photo((".heic", ".heif"), read=partial(_decode, "Heif"), starts=reading.HEIC, library="pillow_heif"),
     _depth((".npy",), partial(atomic.contents, np.save), _read_npy, (b"\x93NUMPY",)),
     _depth((".pfm",), _write_pfm, _read_pfm, (b"Pf", b"PF")),
     _depth((".tif", ".tiff"), partial(write_tiff, profile=None), _read_raster, TIFF, library="tifffile"),

@@ -12,7 +12,7 @@ import os
 import re
 import stat
 import struct
-from collections.abc import Iterable, Iterator
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Self
@@ -21,76 +21,21 @@ import numpy as np
 
 from lommel.base import reading, validation
 from lommel.base.arrays import Json, Values
-from lommel.base.validation import shown
 from lommel.io.registry import Description
 
 if TYPE_CHECKING:
-    from zarr.abc.store import ByteRequest
-    from zarr.core.buffer import Buffer, BufferPrototype
+    pass
 
 
-# Compressors for which the decompressed size can be bounded before a chunk is decompressed into memory. Otherwise a
-# malicious chunk of a few bytes could decompress to gigabytes.
-_COMPRESSORS = ("blosc", "gzip", "lz4", "zlib", "zstd")
-# Filters and checksums, which do not compress.
-_FILTERS = ("bytes", "endian", "transpose", "crc32c", "crc32", "adler32", "fletcher32", "shuffle", "delta", "astype",
-            "fixedscaleoffset", "bitround", "quantize")  # fmt: skip
-_MARGIN = 2**20  # bytes by which a decompressed chunk may exceed its nominal size
-_ZSTD_BLOCK = 2**17  # largest decompressed block of zstd, bytes (RFC 8878, 3.1.1.2.4)
 _CHUNK = re.compile(r"c|c?[./]?\d+([./]\d+)*")  # last component of the path of a chunk file
 
 
-def regular(root: Path, key: str) -> int | None:
-    """Return the size in bytes of the file `key` in a folder; None if it does not exist or is a folder.
-
-    ValueError for a link, a special file or a path that leads out of the folder.
-    """
-    path = root
-    parts = key.split("/")
-    if ".." in parts or key.startswith("/"):
-        raise ValueError(f"{shown(key)} leads out of the folder")
-    for part in parts:
-        path = path / part
-        try:
-            status = path.lstat()
-        except (FileNotFoundError, NotADirectoryError):
-            return None
-        _require_regular(key, status.st_mode)
-    return status.st_size if stat.S_ISREG(status.st_mode) else None
-
-
-def _require_regular(key: str, mode: int) -> None:
-    """Raise ValueError unless `mode` is the mode of a regular file or a folder; `key` is the name in messages."""
-    if not (stat.S_ISREG(mode) or stat.S_ISDIR(mode)):
-        kind = "a link, which is not followed" if stat.S_ISLNK(mode) else "no regular file"
-        raise ValueError(f"{key} is {kind}")
-
-
-def store(root: Path) -> Any:
-    """Return a folder as a zarr store that reads only regular files in it."""
-    from zarr.storage import LocalStore
-
-    class Regular(LocalStore):
-        async def get(
-            self, key: str, prototype: BufferPrototype | None = None, byte_range: ByteRequest | None = None
-        ) -> Buffer | None:
-            return None if regular(root, key) is None else await super().get(key, prototype, byte_range)
-
-        async def get_partial_values(
-            self, prototype: BufferPrototype, key_ranges: Iterable[tuple[str, ByteRequest | None]]
-        ) -> list[Buffer | None]:
-            ranges = list(key_ranges)
-            for key, _ in ranges:
-                regular(root, key)
-            return await super().get_partial_values(prototype, ranges)
-
-        def get_sync(
-            self, key: str, *, prototype: BufferPrototype | None = None, byte_range: ByteRequest | None = None
-        ) -> Buffer | None:
-            exists = regular(root, key) is not None
-            return super().get_sync(key, prototype=prototype, byte_range=byte_range) if exists else None
-
-    return Regular(root, read_only=True)
+def files_of(folder: Path) -> list[Path]:
+    """Return the files in a folder and below; OSError for a pipe or device, on which reading would wait."""
+    files = [Path(place, name) for place, _, names in os.walk(folder) for name in names]
+    for file in files:
+        reading.size(file)
+    return files
 
 
 class Chunks:
@@ -99,134 +44,29 @@ class Chunks:
     def __init__(self, root: Path, array: Any) -> None:
         self._folder, self._array = root / array.path, array
         self._file_chunks: tuple[int, ...] = array.shards or array.chunks  # shape of the values in one file
-        self._bytes = math.prod(array.chunks) * array.dtype.itemsize  # bytes of a decompressed chunk
-        self._compressor, self._index_location = _compressor(array.metadata)
+        codecs = [*getattr(array.metadata, "codecs", ()), getattr(array.metadata, "compressor", None)]
+        self._has_blosc = any("blosc" in type(codec).__name__.lower() for codec in codecs)
 
-    def missing(self) -> tuple[int, int]:
-        """Return the number of missing chunk files and of all chunk files; ValueError for links and pipes."""
+    def missing(self, files: Sequence[Path]) -> tuple[int, int]:
+        """Return the number of chunk files that are missing among `files`, and of all chunk files."""
         total = math.prod(
             math.ceil(side / part) for side, part in zip(self._array.shape, self._file_chunks, strict=True)
         )
-        files, folders = 0, [self._folder]
-        while folders:
-            with os.scandir(folders.pop()) as entries:
-                for entry in entries:
-                    name = os.path.relpath(entry.path, self._folder)
-                    _require_regular(name, entry.stat(follow_symlinks=False).st_mode)
-                    if entry.is_dir(follow_symlinks=False):
-                        folders.append(Path(entry.path))
-                    elif _CHUNK.fullmatch(entry.name):
-                        files += 1
-        return max(0, total - files), total
+        found = sum(bool(_CHUNK.fullmatch(file.name)) for file in files if file.is_relative_to(self._folder))
+        return max(0, total - found), total
 
-    def check(self, ranges: list[range]) -> tuple[int, int]:
-        """Return the bytes of the values in `ranges` (one per axis), and the bytes of the chunk files that hold them.
-
-        ValueError for a chunk that decompresses to more than its nominal size, or has too high a compression ratio.
-        """
+    def check(self, ranges: list[range]) -> None:
+        """Raise ValueError for a truncated chunk of Blosc, which would read on, in `ranges` (one per axis)."""
         chunk_ranges = [
             range(part.start // side, -(-part.stop // side))
             for part, side in zip(ranges, self._file_chunks, strict=True)
         ]
-        file_bytes = 0
-        for index in itertools.product(*chunk_ranges):
+        for index in itertools.product(*chunk_ranges) if self._has_blosc else ():
             key = self._array.metadata.encode_chunk_key(index)
-            if size := regular(self._folder, key):
-                file_bytes += size
-                reading.afford(self._bytes, size)
-                self._require_small(key)
-        return math.prod(map(len, ranges)) * self._array.dtype.itemsize, file_bytes
-
-    def _require_small(self, key: str) -> None:
-        """Raise ValueError if a chunk in the file `key` decompresses to more than its nominal size."""
-        if self._compressor is None:
-            return
-        data = reading.contents(self._folder / key)
-        for chunk in self._chunks_of_shard(data) if self._array.shards else (data,):
-            if self._compressor == "blosc" and (
-                len(chunk) < 16 or struct.unpack_from("<I", chunk, 12)[0] > len(chunk)
-            ):
-                raise ValueError(f"its chunk {key} is truncated: its header states more bytes")  # Blosc would read on
-            if _decompressed_size(self._compressor, chunk, self._bytes + _MARGIN) > 2 * self._bytes + _MARGIN:
-                raise ValueError(f"its chunk {key} unpacks to more than its {self._bytes} bytes")
-
-    def _chunks_of_shard(self, data: bytes) -> Iterator[bytes]:
-        """Yield the chunks of a shard; an index of their offsets and lengths is at the start or end of the shard."""
-        count = math.prod(outer // inner for outer, inner in zip(self._file_chunks, self._array.chunks, strict=True))
-        if len(data) < 16 * count:
-            raise ValueError(f"its shards of {len(data)} bytes have no index of {count} chunks")
-        # The index at the end is followed by a checksum of four bytes.
-        start = 0 if self._index_location == "start" else max(0, len(data) - 16 * count - 4)
-        for offset, size in struct.iter_unpack("<QQ", data[start : start + 16 * count]):
-            if offset != 2**64 - 1:  # marks an empty chunk
-                yield data[offset : offset + size]
-
-
-def _compressor(metadata: Any) -> tuple[str | None, str]:
-    """Return (1) the name of the compressor of an array, or None, (2) the location of the index of its shards.
-
-    ValueError for several compressors or unknown codecs.
-    """
-    index_location = "end"
-    codecs = list(getattr(metadata, "codecs", ()))
-    if len(codecs) == 1 and codecs[0].to_dict()["name"] == "sharding_indexed":
-        sharding = codecs[0]
-        # The attribute of this name is an enumeration in older versions of zarr, and text in newer ones.
-        index_location = str(sharding.to_dict()["configuration"]["index_location"])
-        codecs = list(sharding.codecs)
-        if [codec.to_dict()["name"] for codec in sharding.index_codecs] != ["bytes", "crc32c"]:
-            raise ValueError("its shards have an index of another kind")
-    names = [str(codec.to_dict()["name"]).removeprefix("numcodecs.") for codec in codecs]
-    # Zarr version 2 has filters and a compressor instead of codecs.
-    version2 = [*(getattr(metadata, "filters", None) or ()), getattr(metadata, "compressor", None)]
-    names += [codec.codec_id for codec in version2 if codec is not None]
-    compressors = [name for name in names if name not in _FILTERS]
-    if len(compressors) > 1 or any(name not in _COMPRESSORS for name in compressors):
-        raise ValueError(
-            f"its chunks are compressed by {', '.join(compressors)}; save it with one of {', '.join(_COMPRESSORS)}"
-        )
-    return (compressors[0] if compressors else None), index_location
-
-
-def _decompressed_size(compressor: str, data: bytes, limit: int) -> int:
-    """Return a bound on the decompressed bytes of a chunk; 0 for a damaged chunk, which the decoder reports.
-
-    For gzip and zlib, which store no size, return 0 for at most `limit` bytes and ``3 * most`` for more.
-    """
-    try:
-        if compressor == "blosc":
-            return int(struct.unpack_from("<I", data, 4)[0])
-        if compressor == "lz4":
-            return int(struct.unpack_from("<I", data)[0])
-        if compressor == "zstd":
-            return _decompressed_size_of_zstd(data)
-    except struct.error:
-        return 0
-    return 0 if reading.inflates_within(data, limit, wbits=47) else 3 * limit
-
-
-def _decompressed_size_of_zstd(data: bytes) -> int:
-    """Return a bound on the decompressed bytes of zstd frames, from their headers (RFC 8878, 3.1.1)."""
-    total, offset = 0, 0
-    while offset + 4 < len(data) and data[offset : offset + 4] == b"\x28\xb5\x2f\xfd":
-        # Frame header: descriptor, window descriptor unless a single segment, dictionary, content size.
-        flags = data[offset + 4]
-        single_segment, size_flag = flags >> 5 & 1, flags >> 6
-        width = (single_segment, 2, 4, 8)[size_flag]
-        offset += 5 + (1 - single_segment) + (0, 1, 2, 4)[flags & 3]
-        content_size = int.from_bytes(data[offset : offset + width], "little") + (256 if width == 2 else 0)
-        offset, block_sizes, is_last = offset + width, 0, False
-        while not is_last:
-            (header,) = struct.unpack_from(
-                "<I", data[offset : offset + 3].ljust(4, b"\0") if offset + 3 <= len(data) else b""
-            )
-            # Types 0 and 1, raw and run-length encoded, have `size` bytes; compressed blocks have at most the limit.
-            is_last, block_type, size = bool(header & 1), header >> 1 & 3, header >> 3
-            block_sizes += size if block_type < 2 else _ZSTD_BLOCK
-            offset += 3 + (1 if block_type == 1 else size)
-        offset += 4 * (flags >> 2 & 1)  # checksum
-        total += content_size if width else block_sizes
-    return total
+            if (file := self._folder / key).is_file():
+                head = reading.start(file, 16)
+                if len(head) < 16 or struct.unpack_from("<I", head, 12)[0] > reading.size(file):
+                    raise ValueError(f"its chunk {key} is truncated: its header states more bytes")
 
 
 META = "zarr.json"

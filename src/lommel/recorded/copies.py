@@ -13,10 +13,12 @@ from typing import Any, BinaryIO
 
 import numpy as np
 
-from lommel.base import atomic, reading
+from lommel.base import atomic
 from lommel.base.arrays import Values
 from lommel.recorded.counts import PlanePart, Stack
 from lommel.recorded.frames import Frames
+
+_BLOCK_BYTES = 2**28  # largest size of a part that is read together
 
 
 @contextmanager
@@ -93,8 +95,7 @@ def _parts(frames: Frames, memory: float) -> Iterator[tuple[int, int, slice, sli
     places = places.reshape(stack_shape)
     ranges = [range(k.min(), k.max() + 1) for k in np.nonzero(places >= 0)] + [range(side) for side in planes.sides]
     sizes = zip(planes.chunk_sizes, ranges, strict=True)
-    # A Zarr folder of few bytes may state any number of values: blocks above this limit are compared with its files.
-    limit = int(min(memory, reading.MEMORY)) // frames.dtype.itemsize
+    limit = int(min(memory, _BLOCK_BYTES)) // frames.dtype.itemsize
     for *images, rows, columns in itertools.product(*_joined([_chunks(*axis) for axis in sizes], limit)):
         wanted = places[tuple(images)].ravel()
         values = planes.block((*images, rows, columns)).reshape(len(wanted), rows.stop - rows.start, -1)

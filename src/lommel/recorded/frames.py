@@ -18,7 +18,6 @@ from dataclasses import dataclass, field, replace
 from functools import partial
 from os import PathLike
 from pathlib import Path
-from types import SimpleNamespace
 from typing import TYPE_CHECKING, Any, Protocol, Self, cast
 
 import numpy as np
@@ -230,9 +229,8 @@ def combined_metadata(files: Sequence[Metadata]) -> Metadata:
 
 __all__ = ["Counts", "Frames", "RecordingError", "Unusable", "open_frames"]
 
-_MAX_JSON = 2**24  # largest size of a JSON file that is parsed, bytes
-_DESCRIPTIONS = ("zarr.json", ".zattrs", ".zgroup", ".zarray", ".zmetadata")
 _NUMPY = b"\x93NUMPY"
+_MAX_BLOCK = 2**28  # largest block of images of an OME-Zarr that are read together, bytes
 _MAX_CHANNELS = 4096  # largest number of channels of an OME-Zarr
 _PART = re.compile(r"(?P<file>.+\.(?:fits?(?:\.gz|\.bz2)?|tiff?))\[(?P<part>[^\[\]]+)\]", re.IGNORECASE)
 _TOLERANCE = 1e-4  # relative difference up to which lengths count as equal
@@ -258,11 +256,6 @@ class Planes:
     chunk_sizes: tuple[tuple[int, ...], ...] = ()  # along each axis of the array; () without chunks
     path: Path | None = None
     names: tuple[str, ...] = ()  # of each image, if they are of several files
-
-    @property
-    def stored(self) -> int:
-        """Size of the files of the images, bytes, which limits the memory for reading them."""
-        return 2**62  # no limit for arrays, which are in memory or mapped
 
     def plane(self, number: int) -> Values:
         """Return one image, of type `dtype` and shape `sides`."""
@@ -609,11 +602,6 @@ class _TiffPlanes(Planes):
         self._lock = threading.Lock()  # pages share one file handle
 
     @property
-    def stored(self) -> int:
-        """Size of the file, or of all files of an OME-TIFF, bytes."""
-        return sum(int(handle.size) for handle in self._handles())
-
-    @property
     def files(self) -> set[str]:
         """Paths of the files if there are several, else empty."""
         paths = {str(handle.path) for handle in self._handles()} if self._is_multifile else set()
@@ -655,15 +643,13 @@ class _ZarrPlanes(Planes):
         reading.pixels(*self.sides[::-1])
         self.chunks = zarr_folders.Chunks(path, array)
         self.chunk_sizes = _sizes_of_chunks(array.shape, array.chunks)
-        # Number of images that are read together.
-        self._block_images: int = array.chunks[-3] if self._stack_shape else 1
+        # Number of images that are read together: those of a chunk, or one, and its chunks again for each, if they
+        # would take too much memory.
+        images = array.chunks[-3] if self._stack_shape else 1
+        is_small = images * math.prod(self.sides) * self.dtype.itemsize <= _MAX_BLOCK
+        self._block_images: int = images if is_small else 1
         self._block: tuple[int, Values] | None = None
         self._lock = threading.Lock()
-
-    @property
-    def stored(self) -> int:
-        """Size of all chunks, bytes."""
-        return self.chunks.check([range(side) for side in self._array.shape])[1]
 
     def plane(self, number: int) -> Values:
         """Return one image."""
@@ -673,7 +659,7 @@ class _ZarrPlanes(Planes):
     def block(self, part: tuple[slice, ...]) -> Values:
         """Return a part of the array."""
         with errors_of(self.path), self._lock:
-            reading.afford(*self.chunks.check([range(one.start, one.stop) for one in part]))
+            self.chunks.check([range(one.start, one.stop) for one in part])
             return np.asarray(self._array[part], self.dtype)
 
     def _read(self, number: int) -> Values:
@@ -687,12 +673,7 @@ class _ZarrPlanes(Planes):
             if self._stack_shape:
                 ranges.append(range(first, min(first + self._block_images, self._stack_shape[-1])))
             ranges += map(range, self.sides)
-            memory, stored = self.chunks.check(ranges)
-            # If a block does not fit into memory, read one image at a time, and its chunks again for each image.
-            if self._block_images > 1 and not reading.affords(memory, stored):
-                self._block_images = 1
-                return self._read(number)
-            reading.afford(memory, stored)
+            self.chunks.check(ranges)
             part = self._array[tuple(slice(part.start, part.stop) for part in ranges)]
             self._block = block = key, np.asarray(part, self.dtype).reshape(-1, *self.sides)
         return np.array(block[1][number - key])
@@ -750,7 +731,7 @@ def frames_of(name: str, images: str | PathLike[str] | ArrayLike) -> Frames:
     photos.require_developed(source, start)
     if start.startswith(_NUMPY):
         with errors_of(source):
-            return _array_frames(_grey(reading.npy_mapped(source)), "it", source)
+            return _array_frames(_grey(np.load(source, mmap_mode="r", allow_pickle=False)), "it", source)
     if start.startswith(photos.TIFF):
         if part is not None and not part.isdecimal():
             raise ValueError(f"{line(source)} has images by number, as in {source.name}[0], got {shown(part)}")
@@ -870,9 +851,13 @@ def _tiff_frames(path: Path, file: TiffFile, image: int | None) -> Frames:
 
 def _series_of(path: Path, file: TiffFile, image: int | None, notes: list[str]) -> tuple[Any, int]:
     """Return the series of a file to read, by default the largest, and its number."""
-    every: Sequence[Any] = file.series
-    if image is None and len(every) > 1 and _are_pages(file, every):
-        every = [_join(every)]
+    # A smaller image is the level of a pyramid only where it is marked as one.
+    every = [
+        level
+        for series in file.series
+        for level in series.levels
+        if level is series or not (series.kind == "ome" or level.keyframe.is_reduced or level.keyframe.is_subifd)
+    ]
     place = max(range(len(every)), key=lambda k: math.prod(every[k].shape)) if image is None else image
     series = every[validation.integer("image", place, least=0, most=len(every) - 1)]
     if len(every) > 1 and image is None:
@@ -896,26 +881,11 @@ def _sizes(every: Sequence[Any]) -> str:
     return ", ".join(texts[:4]) + ", ..." * (len(texts) > 4)
 
 
-def _are_pages(file: TiffFile, every: Sequence[Any]) -> bool:
-    """Return whether a file that is not OME-TIFF holds only single grey images, all of one size and type."""
-    kinds = {(series.axes, series.shape, series.dtype) for series in every}
-    return not file.is_ome and len(kinds) == 1 and every[0].axes == "YX"
-
-
-def _join(every: Sequence[Any]) -> SimpleNamespace:
-    """Join series of one image each into a single series."""
-    first = every[0]
-    return SimpleNamespace(
-        axes=f"{UNKNOWN}{first.axes}", shape=(len(every), *first.shape), dtype=first.dtype, kind=first.kind,
-        pages=[series.pages[0] for series in every], keyframe=first.keyframe, dataoffset=None, is_multifile=False,
-    )  # fmt: skip
-
-
 def _zarr_frames(path: Path) -> Frames:
     zarr = optional.library("zarr", "reading OME-Zarr needs", "zarr")
     try:
-        _check_descriptions(path, "")
-        group = zarr.open(zarr_folders.store(path), mode="r")
+        files = zarr_folders.files_of(path)
+        group = zarr.open(str(path), mode="r")
     except Exception as error:  # zarr raises many types
         raise ValueError(f"no OME-Zarr: {reading.reason(error)}") from None
     if not hasattr(group, "attrs") or hasattr(group, "dtype"):
@@ -927,7 +897,6 @@ def _zarr_frames(path: Path) -> Frames:
         names = [axis["name"] if isinstance(axis, dict) else str(axis) for axis in scales["axes"]]
         units = [axis.get("unit") if isinstance(axis, dict) else None for axis in scales["axes"]]
         dataset = scales["datasets"][0]
-        _check_descriptions(path, f"{dataset['path']}/")
         array = group[dataset["path"]]
         transforms = [*dataset.get("coordinateTransformations", []), *scales.get("coordinateTransformations", [])]
         scale = np.ones(len(names))
@@ -948,7 +917,7 @@ def _zarr_frames(path: Path) -> Frames:
         dict(zip(order, units, strict=True)),
     )
     planes = _ZarrPlanes(path, array)
-    missing, total = planes.chunks.missing()
+    missing, total = planes.chunks.missing(files)
     if missing == total:
         raise ValueError(f"it lacks all of its {total} chunks: copy the whole folder")
     notes = [
@@ -956,20 +925,8 @@ def _zarr_frames(path: Path) -> Frames:
         "empty, or the copy is not complete."
     ] * (missing > 0)
     stack_shape = array.shape[:-2]
-    reading.afford(64 * math.prod(stack_shape), reading.MEMORY)  # 64 bytes for the number of each image
     numbers = np.arange(math.prod(stack_shape)).reshape(stack_shape)
     return Frames(planes, numbers, order, metadata | {"format": "OME-Zarr"}, tuple(notes))
-
-
-def _check_descriptions(folder: Path, prefix: str) -> None:
-    """Parse the JSON files of a Zarr folder before zarr does; ValueError or OSError if one is damaged or large."""
-    for name in _DESCRIPTIONS:
-        # Zarr itself has no limit of size or nesting depth.
-        if zarr_folders.regular(folder, prefix + name) is not None:
-            try:
-                reading.json(reading.contents(folder / prefix / name, _MAX_JSON))
-            except ValueError as error:
-                raise ValueError(f"{name}: {reading.reason(error)}") from None
 
 
 def _grey(values: Values) -> Values:
@@ -1015,9 +972,6 @@ def read_each(paths: Sequence[str | PathLike[str]]) -> Iterator[Frames]:
                 continue
             read_files |= files
             stack = frames.as_stack()
-            with errors_of(stack.path or Path()):
-                # Twice the size: the array of values, and a copy that is made while reading.
-                reading.afford(2.0 * math.prod(stack.shape) * stack.dtype.itemsize, stack.planes.stored)
             values = stack[...]
         if values.dtype == bool:  # a mask
             values = values.astype(np.uint8)

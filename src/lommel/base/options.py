@@ -192,6 +192,18 @@ def listed(kind: type, **defaults: object) -> Callable[[_Callable], _Callable]:
     return show
 
 
+def filled(**texts: str) -> Callable[[_Callable], _Callable]:
+    """Return a decorator that replaces ``{name}`` in a docstring by a text."""
+
+    def decorate(function: _Callable) -> _Callable:
+        for name, text in texts.items():
+            if function.__doc__:  # there is none with python -OO
+                function.__doc__ = function.__doc__.replace(f"{{{name}}}", text)
+        return function
+
+    return decorate
+
+
 def sentences(source: Callable[..., object], name: str) -> str:
     """Return the description of a parameter from the docstring of `source`, in one line and without its type."""
     texts = (body for head, body in _texts(source).items() if name in head.split(", "))

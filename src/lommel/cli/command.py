@@ -184,18 +184,6 @@ def command(function: Callable[..., Report | None]) -> Command:
     return Command(function)
 
 
-def filled(**texts: str) -> Callable[[_Function], _Function]:
-    """Return a decorator that replaces ``{name}`` in a docstring by a text."""
-
-    def decorate(function: _Function) -> _Function:
-        for name, text in texts.items():
-            if function.__doc__:  # there is none with python -OO
-                function.__doc__ = function.__doc__.replace(f"{{{name}}}", text)
-        return function
-
-    return decorate
-
-
 class _Formatter(PlainFormatter):
     """Help as plain text: a heading, then options and their descriptions in two columns."""
 

@@ -11,8 +11,8 @@ from typing import Annotated, ClassVar, Literal
 import numpy as np
 from rich.text import Text
 
-from lommel.base.options import In, Options, Shown
-from lommel.cli.command import OUTPUT, PLOT, command, filled
+from lommel.base.options import In, Options, Shown, filled
+from lommel.cli.command import OUTPUT, PLOT, command
 from lommel.cli.instruments import CameraMaps, header_differences, require_microscope, require_order
 from lommel.cli.messages import finding_lines
 from lommel.cli.output import progress, require_folder, save_figure, written

@@ -19,8 +19,8 @@ from numpy.typing import NDArray
 from lommel import imaging
 from lommel.base.arrays import Values, plain
 from lommel.base.encoding import to_light
-from lommel.base.options import In, Shown
-from lommel.cli.command import OUTPUT, PLOT, command, filled
+from lommel.base.options import In, Shown, filled
+from lommel.cli.command import OUTPUT, PLOT, command
 from lommel.cli.instruments import (
     MaskedPhotoNoise,
     PhotoCamera,

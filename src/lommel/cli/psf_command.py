@@ -15,12 +15,12 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
 import numpy as np
 
 from lommel.base import validation
-from lommel.base.options import In, Options, Shown
+from lommel.base.options import In, Options, Shown, filled
 from lommel.base.units import format_length
 from lommel.base.validation import shown
 from lommel.blur.blurs import Blur, Jitter, Seeing
 from lommel.channel_psf import colour_psf
-from lommel.cli.command import OUTPUT, PLOT, command, filled
+from lommel.cli.command import OUTPUT, PLOT, command
 from lommel.cli.instruments import WINDOW, Optics, Planes, Sensor, instrument_of, microscope_of
 from lommel.cli.output import figure_format, progress, require_folder, save_figure, written
 from lommel.field.psf_grid import PSFGrid

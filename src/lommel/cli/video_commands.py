@@ -25,9 +25,9 @@ from lommel import imaging
 from lommel.base import atomic, optional, validation
 from lommel.base.arrays import Array, Values, plain
 from lommel.base.encoding import from_light, to_light, warn_if_bright
-from lommel.base.options import In, Options, Shown
+from lommel.base.options import In, Options, Shown, filled
 from lommel.base.units import percent
-from lommel.cli.command import OUTPUT, command, filled
+from lommel.cli.command import OUTPUT, command
 from lommel.cli.instruments import FrameNoise, PhotoCamera, noise_of, radial_instrument
 from lommel.cli.messages import with_options
 from lommel.cli.output import Steps, progress, require_file, require_folder, written

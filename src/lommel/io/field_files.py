@@ -14,6 +14,7 @@ import numpy as np
 from lommel.base import atomic, validation
 from lommel.base.arrays import Array
 from lommel.base.atomic import sealed
+from lommel.base.options import filled
 from lommel.io import psf_files, psf_formats, registry, zarr_folders
 from lommel.io.psf_files import FileError, Made
 from lommel.io.registry import Arrays, Description, Format
@@ -109,7 +110,7 @@ registry.register(
 find = partial(registry.find, "field")
 
 
-@registry.documented("field")
+@filled(formats=registry.listing("field"))
 def save(grid: PSFGridLike, path: str | PathLike[str]) -> None:
     """Write a grid of PSFs; the suffix chooses the format.
 

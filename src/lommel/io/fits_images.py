@@ -134,8 +134,12 @@ def read_columns(data: bytes, max_bytes: int) -> list[tuple[str, str, Values]]:
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         warnings.simplefilter("ignore", fits.verify.VerifyWarning)
-        with fits.open(io.BytesIO(_decompress(data)), memmap=False) as file:
-            for unit in file:
+        try:
+            units = fits.open(io.BytesIO(_decompress(data)), memmap=False)
+        except OSError as error:
+            raise ValueError(f"it is damaged: {error}") from None
+        with units:
+            for unit in units:
                 if unit.header.get("XTENSION", "").strip() not in ("BINTABLE", "TABLE"):
                     continue
                 if unit.header["NAXIS1"] * unit.header["NAXIS2"] > max_bytes:

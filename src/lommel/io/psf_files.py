@@ -16,6 +16,7 @@ from lommel.base import atomic, display, reading, validation
 from lommel.base.arrays import Values
 from lommel.base.atomic import checksum, sealed
 from lommel.base.optional import version
+from lommel.base.options import filled
 from lommel.blur.blurs import blurs_from_dicts
 from lommel.io import fits_images, psf_formats, registry
 from lommel.io.psf_formats import LEVELS, SLOPE, derivative_name
@@ -59,7 +60,7 @@ class FileError(ValueError):
 
 
 @display.save.register(PSFLike)
-@registry.documented("psf")
+@filled(formats=registry.listing("psf"))
 def save(psf: PSFLike, path: str | PathLike[str]) -> None:
     """Write a PSF; the suffix chooses the format.
 
@@ -251,7 +252,7 @@ find_colours = partial(registry.find, "colours")
 
 
 @display.save.register(ColourPSFLike)
-@registry.documented("colours")
+@filled(formats=registry.listing("colours"))
 def save_colours(answer: ColourPSFLike, path: str | PathLike[str]) -> None:
     """Write PSFs in channels; the suffix chooses the format.
 

@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-import warnings
-from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cache
 from os import PathLike
 from pathlib import Path
-from typing import Any, TypeAlias, TypeVar
+from typing import Any, TypeAlias
 
-from lommel.base import optional, reading, validation
+from lommel.base import optional, validation
 from lommel.base.arrays import Json, Values
 
 KINDS = {
@@ -47,15 +44,13 @@ _EXTRAS = {
 """The extra of this package that installs a library, by the name of the library."""
 
 _FORMATS: list[Format] = []
-_Function = TypeVar("_Function", bound=Callable[..., object])
 
 
 @dataclass(frozen=True)
 class Format:
     """One file format of one kind of contents.
 
-    Other packages add formats by entry points of the group ``lommel.formats``; each entry point refers to a Format.
-    Entry points are loaded when a file has none of the registered formats.
+    :func:`lommel.io.registry.register` adds formats.
 
     Parameters
     ----------
@@ -171,8 +166,6 @@ def find(
     """
     suffixes = validation.path(name, path).suffixes
     suffix, end = "".join(suffixes[-1:]).lower(), "".join(suffixes[-2:]).lower()  # .fits.gz consists of two suffixes
-    if not any(end.endswith(form.suffixes) for form in _formats_with(kind, verb)):
-        _load_others()
     forms = [form for form in _formats_with(kind, verb) if not holding or holding in form.holds]
     for form in forms:
         if end.endswith(form.suffixes):
@@ -187,12 +180,9 @@ def find(
 
 def identify(kind: str, data: bytes) -> Format:
     """Return the format of a file from its first bytes; ValueError if unknown, ImportError without the library."""
-    for load in (None, _load_others) if data else ():
-        if load:
-            load()
-        for form in _formats_with(kind, "read"):
-            if data.startswith(form.starts):
-                return form.ready()
+    for form in _formats_with(kind, "read") if data else ():
+        if data.startswith(form.starts):
+            return form.ready()
     *first_names, last_name = dict.fromkeys(form.name for form in _formats_with(kind, "read") if form.starts)
     raise ValueError(f"is not a {', '.join(first_names)} or {last_name} file" if data else "is empty")
 
@@ -205,19 +195,13 @@ def suffixes(kind: str, *, described: bool = False) -> str:
     )
 
 
-def documented(kind: str) -> Callable[[_Function], _Function]:
-    """Return a decorator that replaces ``{formats}`` in a docstring by a list of the writable formats of a kind."""
+def listing(kind: str) -> str:
+    """Return a list of the writable formats of a kind, for a docstring."""
     lines = [
-        f"{', '.join(f'``{suffix}``' for suffix in form.suffixes)}: {form.what}."
+        f"- {', '.join(f'``{suffix}``' for suffix in form.suffixes)}: {form.what}."
         for form in _formats_with(kind, "write")
     ]
-
-    def decorate(function: _Function) -> _Function:
-        if function.__doc__:  # None with python -OO
-            function.__doc__ = function.__doc__.replace("{formats}", "\n    ".join(f"- {line}" for line in lines))
-        return function
-
-    return decorate
+    return "\n    ".join(lines)
 
 
 def formats(kind: str) -> list[Format]:
@@ -228,16 +212,3 @@ def formats(kind: str) -> list[Format]:
 def _formats_with(kind: str, verb: str) -> list[Format]:
     """Return the formats of a kind that have the function `verb`, "write" or "read"."""
     return [form for form in formats(kind) if getattr(form, verb)]
-
-
-@cache
-def _load_others() -> None:
-    """Register the formats of other packages, once per process; a format that cannot be loaded issues a warning."""
-    from importlib.metadata import entry_points  # late, since the import is slow
-
-    for entry in entry_points(group="lommel.formats"):
-        try:
-            register(entry.load())
-        except Exception as error:
-            note = f"the format {entry.name} ({entry.value}) is ignored: {reading.reason(error)}"
-            warnings.warn(note, RuntimeWarning, stacklevel=4)

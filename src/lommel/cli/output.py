@@ -47,10 +47,9 @@ class Steps:
             self._fraction = self._count / self._total
         if self._bar is None or self._task is None:
             self._log(name)
-        elif fraction is not None:
-            self._bar.update(self._task, description=name, total=1.0, completed=self._fraction)
         else:
-            self._bar.update(self._task, description=name, completed=None if self._total is None else self._count)
+            known = fraction is not None or self._total
+            self._bar.update(self._task, description=name, total=1.0, completed=self._fraction if known else None)
         self._count += fraction is None
 
     def tell(self, sentence: str) -> None:

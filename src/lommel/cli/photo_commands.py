@@ -60,13 +60,6 @@ BETWEEN = Shown(length="m", metavar="NEAR FAR")
 
 
 @dataclass(frozen=True, kw_only=True)
-class DepthMap(imaging.DepthMapOptions):
-    """Meaning of the values of a depth map."""
-
-    heading: ClassVar[str] = "Depth map"
-
-
-@dataclass(frozen=True, kw_only=True)
 class DataSet(imaging.DatasetOptions):
     """Options for a data set instead of a single photograph.
 
@@ -115,7 +108,7 @@ def blur(
     over_field: bool = False,
     batch: bool = False,
     camera_options: PhotoCamera = PhotoCamera(),
-    depth_map: DepthMap = DepthMap(),
+    depth_map: imaging.DepthMapOptions = imaging.DepthMapOptions(),
     blurring: imaging.BlurOptions = imaging.BlurOptions(),
     data: DataSet = DataSet(),
 ) -> Report:
@@ -327,7 +320,7 @@ def restore(
     restoring: imaging.RestoreOptions = imaging.RestoreOptions(),
     noise_options: MaskedPhotoNoise = MaskedPhotoNoise(),
     camera_options: PhotoCamera = PhotoCamera(),
-    depth_map: DepthMap = DepthMap(),
+    depth_map: imaging.DepthMapOptions = imaging.DepthMapOptions(),
 ) -> Report:
     """Deblur a photo with a known depth map and lens.
 

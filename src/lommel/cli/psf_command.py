@@ -278,7 +278,7 @@ def psf(
     find = psf_files.find_colours if colour else psf_files.find
     if field is not None:
         find = partial(field_files.find, holding=field_files.DEPTHS_OR_CHANNELS if colour else "")
-    focus, target = optics.distinct(instrument.lens.focus_distance, instrument.object_distance)
+    focus, target = (format_length(d, digits=6) for d in (instrument.lens.focus_distance, instrument.object_distance))
     return write(make, describe, find, f"{instrument.name}\nfocus at {focus}, object at {target}")
 
 

@@ -33,7 +33,6 @@ from lommel.cli.messages import with_options
 from lommel.cli.output import Steps, progress, require_file, require_folder, written
 from lommel.cli.photo_commands import (
     BETWEEN,
-    DepthMap,
     Encoding,
     PairCamera,
     depth_facts,
@@ -556,7 +555,7 @@ def sharpen(
     encoding: Encoding | None = None,
     clip_camera: PhotoCamera = PhotoCamera(),
     video_noise: FrameNoise = FrameNoise(),
-    depth_map: DepthMap = DepthMap(missing="nearest"),
+    depth_map: imaging.DepthMapOptions = imaging.DepthMapOptions(missing="nearest"),
 ) -> Report:
     """Sharpen video or a photo of known depth.
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from os import PathLike
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, ClassVar, Literal
 
 import numpy as np
 import scipy
@@ -68,6 +68,7 @@ class DepthMapOptions(Options):
         If an argument is of another type or out of range, or if two of `scale`, `inverse` and `disparity` are given.
     """
 
+    heading: ClassVar[str] = "Depth map"
     scale: Annotated[
         float | None, In(least=1e-12, most=1e12, unit="metres per level"), Shown(flags=("--depth-scale",))
     ] = None

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -36,11 +35,11 @@ _FIRST = ("strehl", "fwhm_with_pixel", "diameter_80_with_pixel", "mtf_at_nyquist
 def summarize_lens(instrument: Instrument) -> Report:
     """Return a one-line report on a lens, its object and its sensor, without measures of image quality."""
     facts = ImageQuality(instrument).setup() | {"camera": plain(instrument.camera)}
-    focus_distance, object_distance = distinct(facts["focus_distance"], facts["object_distance"])
     lens = instrument.lens
+    focus, target = (format_length(d, digits=6) for d in (lens.focus_distance, instrument.object_distance))
     line = (
         f"f = {format_length(lens.focal_length)}, f/{lens.f_number:.3g}, {format_length(lens.wavelength)}; "
-        f"focus {focus_distance}, object {object_distance}; `lommel info` has its image quality"
+        f"focus {focus}, object {target}; `lommel info` has its image quality"
     )
     return Report(facts, [Text(instrument.name, "bold"), Wrapped(line)])
 
@@ -49,15 +48,6 @@ def describe_lens(instrument: Instrument) -> Report:
     """Return the report of a lens and its object; the facts are `ImageQuality.to_dict()` and the camera."""
     facts = ImageQuality(instrument).to_dict() | {"camera": plain(instrument.camera)}
     return Report(facts, [Text(instrument.name, "bold"), *described(facts, _MEANINGS, _FIRST)])
-
-
-def distinct(*distances: float | None) -> list[str]:
-    """Return lengths as texts with enough digits that different lengths have different texts; None means infinity."""
-    for digits in range(4, 13):
-        texts = [format_length(math.inf if d is None else d, digits=digits) for d in distances]
-        if len(set(texts)) == len(set(distances)):
-            break
-    return texts
 
 
 def describe_microscope(microscope: Microscope, *, foci: bool = True) -> Report:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-import lommel as lm
 from lommel.core.answers import Intensities
 from lommel.methods.polychromatic import Polychromatic, sum_wavelengths
 from lommel.optics.colour.spectrum import Component

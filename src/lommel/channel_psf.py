@@ -80,10 +80,8 @@ class ColourPSF(Measured, ColourPSFLike):
                 f"got {validation.shown(sorted(properties))}"
             )
         # `base` is the array of all channels; the values of each PSF are a view of it.
-        base = psfs[0].values.base
-        if base is None or base.shape != (len(psfs), *psfs[0].values.shape) or not _are_views(psfs, base):
-            base = np.stack([p.values for p in psfs])
-            psfs = tuple(replace(p, values=base[k]) for k, p in enumerate(psfs))
+        base = np.stack([p.values for p in psfs])
+        psfs = tuple(replace(p, values=base[k]) for k, p in enumerate(psfs))
         vars(self).update(psfs=psfs, values=np.moveaxis(base, 0, -3))
         vars(self).update({name: getattr(psfs[0], name) for name in ("pupil", "grid", "normalize")})
 
@@ -149,14 +147,6 @@ class ColourPSF(Measured, ColourPSFLike):
     def load(cls, path: str | PathLike[str]) -> ColourPSF:
         """Read the file at `path`, written by :meth:`save` but not ``.png``; ValueError for any other file."""
         return cls(*display.named("load channels", "file")(path, PSF))
-
-
-def _are_views(psfs: Sequence[PSF], base: Values) -> bool:
-    """Return True if the values of PSF k are the view ``base[k]``, for every k."""
-    return all(
-        psf.values.base is base and psf.values.ctypes.data == part.ctypes.data
-        for psf, part in zip(psfs, base, strict=True)
-    )
 
 
 def colour_psf(

@@ -62,15 +62,6 @@ def checked(
             f"{argument} must be a sequence of names such as ('defocus', (3, 1)), got {validation.shown(names)}"
         )
     texts = _TEXTS if texts is None else texts
-    # Gradients have hundreds of names: checks of text names are cached. Checks of numbers are not,
-    # since a cache does not distinguish True from 1, and True is not a valid index.
-    if all(type(name) is str for name in names):
-        return _check_texts(argument, tuple(names), tuple(texts))
-    return tuple(_check_name(argument, name, texts) for name in names)
-
-
-@lru_cache(maxsize=64)
-def _check_texts(argument: str, names: tuple[object, ...], texts: tuple[str, ...]) -> tuple[Name, ...]:
     return tuple(_check_name(argument, name, texts) for name in names)
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import copy
 import warnings
 
 import numpy as np
@@ -49,22 +48,9 @@ def test_what_is_not_proven_is_told_or_poisoned(f):
     assert torch.equal(images[0], f(c[0]))
 
 
-def test_a_module_has_the_tables_as_buffers_and_no_parameters(f):
-    layer = f.torch_module()
-    assert not list(layer.parameters())
-    assert len(list(layer.buffers())) == len(f.tables[0])
-    assert torch.equal(layer(torch.tensor(C)), f(torch.tensor(C)))
-    assert torch.equal(copy.deepcopy(layer)(torch.tensor(C)), f(torch.tensor(C)))
-    assert layer.certified(torch.tensor(C))[1].shape == (3,)
-    with pytest.raises(TypeError, match="trace a new plan"):
-        layer.float()(torch.tensor(C))
-
-
 def test_coefficients_of_another_kind_are_refused(f):
     with pytest.raises(ValueError, match="on the device"):
         f(torch.zeros(1, 2, device="meta"))
-    with pytest.raises(TypeError, match="needs a plan traced in torch"):
-        lm.Plan(9, 0.5).traced(RANGE).torch_module()
 
 
 def test_products_of_less_precision_widen_the_bound():

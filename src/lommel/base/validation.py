@@ -83,17 +83,11 @@ def readable(text: str) -> str:
         return text
 
 
-def _hints(value: object, *kinds: type[object]) -> str:
-    """Return hints on the conversion of `value` to one of `kinds`, from the attribute `made_of` of these classes."""
-    hints = (getattr(kind, "made_of", {}).get(type(value).__name__) for kind in kinds)
-    return "".join(f"; {hint}" for hint in hints if hint)
-
-
 def instance(name: str, value: _Value, kind: type[object]) -> _Value:
     """Return `value` if it is an instance of `kind`; TypeError otherwise."""
     if not isinstance(value, kind):
         article = "an" if kind.__name__[0] in "AEIOU" else "a"
-        raise TypeError(f"{name} must be {article} {kind.__name__}, got {shown(value)}{_hints(value, kind)}")
+        raise TypeError(f"{name} must be {article} {kind.__name__}, got {shown(value)}")
     return value
 
 
@@ -101,7 +95,7 @@ def optional(name: str, value: object, *kinds: type[object]) -> None:
     """Raise TypeError for a value that is neither None nor an instance of one of `kinds`."""
     if value is not None and not isinstance(value, kinds):
         allowed = " or ".join(kind.__name__ for kind in kinds)
-        raise TypeError(f"{name} must be of the type {allowed}, or None, got {shown(value)}{_hints(value, *kinds)}")
+        raise TypeError(f"{name} must be of the type {allowed}, or None, got {shown(value)}")
 
 
 def path(name: str, value: object) -> Path:

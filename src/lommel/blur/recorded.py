@@ -471,8 +471,9 @@ def recorded_images(
 
 
 def _refuse_seeing(request: Request, tol: float, pupil: BasePupil, blurs: tuple[Blur, ...], fault: Exception) -> None:
-    """Raise ToleranceError if seeing needs samples too far beyond the window."""
-    ratio = _seeing_ratio(pupil, blurs)
+    """Raise ToleranceError if seeing (D / r0, width in lambda*N) needs samples too far beyond the window."""
+    seeings = (blur for blur in blurs if isinstance(blur, Seeing))
+    ratio = max((1.0 / (seeing.coherence(pupil.wavelength) * pupil.scale) for seeing in seeings), default=0.0)
     if ratio and not math.isfinite(pupil.period):
         raise ToleranceError(
             f"seeing of D / r0 = {ratio:.3g} to tol={tol:g} takes samples of the PSF without seeing up to "
@@ -489,12 +490,6 @@ def _scaled(images: BlurredStack, wanted: Wanted, bounds: Array | None) -> Sampl
     # Clamp to 0: averages of an intensity are not negative, and clamping does not increase the error.
     np.multiply(np.maximum(images.values, 0.0), scales[:, None, None], out=values, casting="same_kind")
     return Samples(values, scales, bounds)
-
-
-def _seeing_ratio(pupil: BasePupil, blurs: tuple[Blur, ...]) -> float:
-    """Return the largest D / r0 of the seeing (width in lambda*N); 0 without seeing."""
-    seeings = (blur for blur in blurs if isinstance(blur, Seeing))
-    return max((1.0 / (seeing.coherence(pupil.wavelength) * pupil.scale) for seeing in seeings), default=0.0)
 
 
 def _axis_level(request: Request, pupil: BasePupil, grid: Grid, blurs: tuple[Blur, ...]) -> float | Array:

@@ -63,11 +63,6 @@ def shift_of(pupil: Pupil, spectrum: Sequence[tuple[float | None, float]]) -> tu
     return shift[0], shift[1]
 
 
-def tilt_by(pupil: Pupil, dx: Array, dy: Array) -> dict[tuple[int, int], Array]:
-    """Return the tilt terms (radians at the pupil edge) that shift the image by `dx` and `dy`."""
-    return {(1, 1): math.pi / pupil.scale * dx, (1, -1): math.pi / pupil.scale * dy}
-
-
 def inverse(
     x: Array,
     y: Array,
@@ -663,8 +658,8 @@ class FieldMap:
             See :meth:`undistorted` and :meth:`pupil`.
         """
         pupil = self.pupil(*self.undistorted(x, y, wavelength))
-        dx, dy = shift_of(pupil, spectrum_of(wavelength))
-        return pupil.carrying(pupil.wavefront + Wavefront.from_edge(tilt_by(pupil, -dx, -dy)), None)
+        dx, dy = (-math.pi / pupil.scale * shift for shift in shift_of(pupil, spectrum_of(wavelength)))
+        return pupil.carrying(pupil.wavefront + Wavefront.from_edge({(1, 1): dx, (1, -1): dy}), None)
 
     def seen_through(
         self, vignetting: Vignetting | Foreshortening | None = None, shading: Shading | None = None

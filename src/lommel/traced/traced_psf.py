@@ -5,14 +5,13 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from functools import cache
-from typing import Any, NamedTuple, cast
+from typing import NamedTuple, cast
 
 import numpy as np
 from numpy.typing import NDArray
 
 from lommel.base import validation
 from lommel.base.arrays import Array, Values
-from lommel.base.optional import library
 from lommel.core.answers import ToleranceError
 from lommel.methods.derivative_names import Name
 from lommel.methods.method import Method
@@ -260,47 +259,6 @@ class TracedPSF:
         if conversion is None:
             raise ValueError("defocus needs a plan traced with pupils of a paraxial lens, from Lens.pupil(...)")
         return conversion.rad_per_dioptre * (conversion.vergence + 1.0 / self._array(distance))
-
-    def torch_module(self) -> Any:
-        """Return a ``torch.nn.Module`` with the tables as buffers.
-
-        ``forward(c)`` returns images, and ``certified(c)`` images and bounds. The module has no parameters, and its
-        precision cannot be changed.
-
-        Raises
-        ------
-        TypeError
-            If the plan was traced in another framework.
-        """
-        if self._static.namespace.name != "torch":
-            raise TypeError(f"a torch module needs a plan traced in torch, got {self!r}")
-        torch, traced = library("torch", "modules need", "torch"), self
-
-        class Module(torch.nn.Module):  # type: ignore[misc,name-defined]
-            """PSF as a PyTorch module."""
-
-            def __init__(self) -> None:
-                super().__init__()
-                for k, tables in enumerate(traced.tables):
-                    for name, table in tables.items():
-                        self.register_buffer(f"{name}_{k}", table, persistent=False)
-
-            def traced(self) -> TracedPSF:
-                """Return the traced plan with the tables on their current device."""
-                return TracedPSF(
-                    traced._static,
-                    tuple(
-                        {name: getattr(self, f"{name}_{k}") for name in part} for k, part in enumerate(traced.tables)
-                    ),
-                )
-
-            def forward(self, c: Operand, *, check: bool = True) -> Operand:
-                return self.traced()(c, check=check)
-
-            def certified(self, c: Operand, *, check: bool = True) -> Operand:
-                return self.traced().certified(c, check=check)
-
-        return Module()
 
     def _array(self, values: Operand) -> Tensor:
         """Return values as a floating-point array of the framework; arrays of the framework stay on their device."""

@@ -8,7 +8,6 @@ import sys
 import zlib
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from typing import ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -55,11 +54,6 @@ class Mask(EqualByContent):
     >>> Mask.sample(lambda x, y: x > 0, side=4).values[0]
     array([0., 0., 1., 1.])
     """
-
-    made_of: ClassVar = {  # hints of error messages: type of the value -> how a mask is made of it
-        "ndarray": "use Mask(amplitude), or Mask(np.exp(1j * phase)) for phases in radians",
-        "OPDMap": "use Mask(np.exp(2j * np.pi * waves))",
-    }
 
     values: Values
     squares: bool = False

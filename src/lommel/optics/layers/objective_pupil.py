@@ -173,17 +173,9 @@ class ObjectivePupil(BasePupil):
 
     def __repr__(self) -> str:
         planes = "one plane" if not self.shape else f"{'x'.join(map(str, self.shape))} planes"
-        ends = {
-            name: (1e6 * float(positions.min()), 1e6 * float(positions.max()))
-            for name, positions in (("depth", self.depth), ("z", self.z))
-        }
-        spans = ", ".join(
-            f"{name} {low:.4g} um" if low == high else f"{name} {low:.4g} to {high:.4g} um"
-            for name, (low, high) in ends.items()
-        )
-        objective = f"NA {self.layers.NA:g}, {1e9 * self.wavelength:g} nm"
         aberrations = f", {self.aberrations!r}" if self.aberrations else ""
-        return f"<ObjectivePupil {objective}, {planes}: {spans}, {self.emitter!r}{aberrations}>"
+        objective = f"NA {self.layers.NA:g}, {1e9 * self.wavelength:g} nm"
+        return f"<ObjectivePupil {objective}, {planes}, {self.emitter!r}{aberrations}>"
 
 
 @lru_cache(maxsize=256)

@@ -26,7 +26,7 @@ from dataclasses import dataclass, field
 from functools import lru_cache
 from os import PathLike
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any, ClassVar, Self, TypeVar
+from typing import TYPE_CHECKING, Any, Self, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -157,11 +157,6 @@ class Wavefront(EqualByContent, display.Shown):
     >>> Wavefront(defocus=1.0, nonradial={(3, 1): 2.0})
     Wavefront(defocus=1.0, spherical=0.0, nonradial={(3, 1): 2.0})
     """
-
-    made_of: ClassVar = {  # hints of error messages: type of the value -> how a wavefront is made of it
-        "OPDMap": "use fit_opd(...).wavefront",
-        "ndarray": "use fit_opd(OPDMap(...)).wavefront, or mask=Mask(np.exp(1j * phase)) for a map of phases",
-    }
 
     pupil_hint = "a Wavefront; Pupil(wavefront) has a circular aperture"  # in errors where a Pupil is expected
 

@@ -232,7 +232,6 @@ def entries(folder: Path) -> list[tuple[str, object, dict[str, object]]]:
         tagged("Polygon.strip", lm.Polygon.strip, start=(0.0, 0.0), end=(1.0, 0.0), width=0.1),
         tagged("Polygon.half_plane", lm.Polygon.half_plane, angle=0.1, offset=0.2),
         tagged("Shape.turned", lm.Disc(0.5).turned, angle=0.1),
-        tagged("Shape.moved", lm.Disc(0.5).moved, x=0.1, y=0.2),
         tagged("Segments", lm.Segments, shapes=(lm.Disc(0.5),), piston=(0.1,), tip=(0.1,), tilt=(0.1,)),
         tagged("Segments.hexagonal", lm.Segments.hexagonal, rings=1, gap=0.01, middle=False, angle=0.1),
         tagged("Segments.phased", lm.Segments.hexagonal(1).phased, piston=0.1, tip=0.1, tilt=0.1, unit="waves"),

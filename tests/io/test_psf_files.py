@@ -84,11 +84,11 @@ def test_a_picture_loads_to_a_hundred_thousandth_of_the_peak_and_says_so(single,
 
 
 @cache
-def computed(method: Method) -> tuple[lm.PSF, float]:
-    """Return the PSF of a camera by a method, and its light within a circle."""
+def computed(method: Method) -> tuple[lm.PSF, float | None]:
+    """Return the PSF of a camera by a method, and its light within a circle where the method has diffraction."""
     camera = lm.Lens(focal_length=50e-3, f_number=1.8, focus_distance=2.0, wavelength=550e-9)
     psf = lm.psf(camera.pupil(1.99), 8, 1e-6, method=method)
-    return psf, psf.encircled_energy(2e-6)
+    return psf, None if isinstance(method, Geometric) else psf.encircled_energy(2e-6)
 
 
 @pytest.mark.parametrize(
@@ -111,7 +111,10 @@ def test_a_loaded_psf_knows_its_method_with_every_option_and_can_go_on(suffix, m
     psf.save(tmp_path / f"a{suffix}")
     loaded = lm.PSF.load(tmp_path / f"a{suffix}")
     same(loaded, psf)
-    if suffix in (".npz", ".png"):  # of exact values and of rounded ones: it takes longer than the rest of all files
+    if energy is not None and suffix in (
+        ".npz",
+        ".png",
+    ):  # of exact values and of rounded ones: it takes longer than the rest of all files
         assert loaded.encircled_energy(2e-6) == pytest.approx(energy, rel=1e-4)
     assert loaded.energy == pytest.approx(psf.energy, rel=1e-4)
     assert loaded.strehl == pytest.approx(psf.strehl, abs=1e-4)

@@ -228,7 +228,7 @@ def handed(monkeypatch: pytest.MonkeyPatch) -> list[list[Any]]:
     for module, name, stub in (
         (phase_retrieval, "fit_stars", estimate),
         (beads, "fit_beads", estimate),
-        (field_fit, "fit_windows", estimate),
+        (field_fit, "fit_targets", lambda targets, *more, **given: estimate(vars(targets), *more, given)),
         (localize_command, "Table", lambda *arguments, **options: None),
         (localize_command, "movie_blocks", lambda movie, *more, **given: estimate(movie[...], *more, given)),
         (deconvolve_command, "run", restore),

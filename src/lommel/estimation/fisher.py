@@ -6,13 +6,13 @@ import math
 from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import dataclass
-from typing import Any, Self
+from typing import Self
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from lommel.base import validation
-from lommel.base.arrays import Array, Numbers, numbers, plain
+from lommel.base.arrays import Array, Numbers, numbers
 from lommel.base.units import format_length
 from lommel.core.answers import ToleranceError
 from lommel.methods.derivative_names import Name
@@ -120,14 +120,6 @@ class Information:
     def unidentifiable(self) -> tuple[Name, ...]:
         """Names of the parameters that are unidentifiable in at least one scene."""
         return tuple(name for name, errors in self.errors.items() if np.isinf(errors).any())
-
-    def to_dict(self) -> dict[str, Any]:
-        """Return all attributes in types that JSON has: a pair (n, m) as a list, an infinite number as None."""
-        units = [self.units[name] for name in self.names]
-        parts = {"names": self.names, "units": units, "errors": [*self.errors.values()]}
-        matrices = {name: getattr(self, name) for name in ("matrix", "covariance", "correlation")}
-        result: dict[str, Any] = plain(parts | matrices)
-        return result
 
     def __repr__(self) -> str:
         stack = self.matrix.shape[:-2]

@@ -156,26 +156,14 @@ def movie_blocks(
     noise: Noise | None,
     options: LocalizeOptions,
     *,
-    mask: ArrayLike | None = None,
+    mask: Any = None,
     saturation: float | None = None,
     block: int | None = None,
 ) -> Iterator[Localizations]:
-    """Return an iterator over the localisations of a movie by blocks of `block` frames."""
+    """Yield the localisations of a movie by blocks of `block` frames."""
     validation.instance("table", table, Table)
     validation.optional("noise", noise, Noise)
-    return _blocks(movie, table, noise or Noise(read=0.0), options, mask, saturation, block)
-
-
-def _blocks(
-    movie: Frames | str | PathLike[str] | ArrayLike | Counts,
-    table: Table,
-    camera: Noise,
-    options: LocalizeOptions,
-    mask: Any,
-    saturation: float | None,
-    block: int | None,
-) -> Iterator[Localizations]:
-    """Yield the localisations of a movie block by block."""
+    camera = noise or Noise(read=0.0)
     background, widths = options.background, gaussian_widths(table)
     # Median over z of the geometric mean of the widths along y and x.
     width = float(np.clip(np.median(np.sqrt(widths[1] * widths[2])), 0.5, min(table.shape) / 4.0))

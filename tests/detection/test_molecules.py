@@ -154,15 +154,6 @@ def test_a_spot_beside_one_that_is_left_out_is_kept():
     assert list(found.column + 7) == [20, 44]
 
 
-@pytest.mark.parametrize("threads", [1, 3])
-def test_threads_change_nothing(threads):
-    frames = np.random.default_rng(10).poisson(4.0, (7, 60, 60))
-    frames[:, 20:23, 30:33] += np.arange(0, 70, 10)[:, None, None]
-    one, other = find(frames), find(frames, threads=threads)
-    np.testing.assert_array_equal(one.score, other.score)
-    np.testing.assert_array_equal(one.images, other.images)
-
-
 def test_spots_of_other_frames_do_not_overlap():
     frames = np.stack([spots((30, 30, 50.0)), spots((30, 32, 50.0)), spots((31, 31, 50.0))])
     found = find(frames)

@@ -74,12 +74,6 @@ class Curve:
         return tried, self.worth(tried)
 
 
-def test_a_problem_states_its_own_steps():
-    end = fisher_scoring(Curve(), 3.0, Curve().worth(3.0), 40, lambda *_: None, Policy(settled=1e-6))
-    assert end.settled[0]
-    assert abs(end.x) < 0.05
-
-
 class Plain(Curve):
     rms = None
 

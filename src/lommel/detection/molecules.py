@@ -95,16 +95,16 @@ def find(
     noise: Noise | None = None,
     threshold: float = 6.0,
     width: float = 2.0,
-    saturation: float | None = None,
     first: int = 0,
-    threads: int | None = None,
 ) -> Spots:
     """Find spots of light above the background, and cut a box around each.
 
     Parameters
     ----------
-    frames : array_like, shape (frames, rows, columns) or (rows, columns)
-        Recorded frames, in the unit of `noise`. NaN, infinite and masked values are ignored.
+    frames : array_like or Counts, shape (frames, rows, columns) or (rows, columns)
+        Recorded frames, in the unit of `noise`. NaN, infinite and masked values are ignored. Saturated pixels are
+        used in the search, and are NaN in boxes: by default those with the largest value of the integer type or, if
+        many pixels have the largest value of 8 to 16 bits, with this value; :class:`lommel.Counts` state another.
     box : int or (int, int), default 15
         Rows and columns of the boxes.
     noise : Noise, optional
@@ -116,14 +116,8 @@ def find(
         Standard deviation of the smoothing in pixels, at most a quarter of the box. It should be about that of the
         images of molecules, so that an elongated image has a single maximum, in the middle. The background is
         smoothed with a standard deviation of a third of the box.
-    saturation : float, optional
-        Pixels of this value or more, in the unit of the frames, are saturated: they are used in the search, and are
-        NaN in boxes. By default the largest value of the integer type or, if many pixels have the largest value of 8
-        to 16 bits, this value.
     first : int, default 0
         Number of the first frame.
-    threads : int, optional
-        Maximum number of threads; by default the number of processors.
 
     Returns
     -------
@@ -153,13 +147,12 @@ def find(
     (array([1]), array([31]), array([41]))
     """
     rows, columns = box = validation.image_shape(box, "box")
-    counts = frames if isinstance(frames, Counts) else frame_counts(frames, box, saturation=saturation)
+    counts = frame_counts(frames, box)
     start = validation.integer("first", first, least=0, most=validation.MAX_VALUES)
     level = validation.real("threshold", threshold, least=3.0, most=1e3)
     narrow = validation.real("width", width, least=0.5, most=min(rows, columns) / 4.0)
-    count = 0 if threads is None else validation.integer("threads", threads, least=1, most=1024)
     validation.optional("noise", noise, Noise)
-    camera_noise = (noise or Noise(read=0.0)).require_shape(counts.values.shape)
+    camera_noise = (noise or counts.noise or Noise(read=0.0)).require_shape(counts.values.shape)
     # With a third of the box, a molecule hardly increases its own background.
     camera, wide = camera_noise.poisson, min(rows, columns) / 3.0
     electrons, read = camera.electrons(filled(counts.values, counts.hidden, narrow)), camera.read
@@ -179,7 +172,7 @@ def find(
     def maxima(frame: Array) -> tuple[Values, Values, Array]:
         return kernel.maxima(filled(frame[None], defects[None], narrow, known_fraction)[0], variance, level)
 
-    spots = side_by_side(maxima, list(electrons), count)
+    spots = side_by_side(maxima, list(electrons), 0)
     frame = np.repeat(np.arange(len(electrons)), [part[0].size for part in spots])
     row, column, score = (np.concatenate([part[k] for part in spots] or [np.empty(0, int)]) for k in range(3))
     # With twice the frame number as a coordinate, spots of different frames are at least 2 boxes apart.
@@ -197,7 +190,7 @@ def find(
     return Spots(frame + start, row, column, score[kept], counts.marked()[boxes], *omitted, false_spots)
 
 
-def frame_counts(frames: ArrayLike, box: tuple[int, int], **options: Any) -> Counts:
+def frame_counts(frames: ArrayLike | Counts, box: tuple[int, int], **options: Any) -> Counts:
     """Return frames as counts (n, rows, columns); ValueError if they are smaller than a box."""
     shape = f"(frames, rows, columns), at least the box of {box[0]} x {box[1]}"
     return image_counts("frames", frames, shape, box, empty=True, **options)[0]

@@ -146,7 +146,6 @@ def fit(
     starts: int = 4,
     background: str = "flat",
     threads: int | None = None,
-    progress: Callable[[int, int], object] | None = None,
 ) -> Molecules:
     """Estimate row, column, z, photons and background of molecules by maximum likelihood.
 
@@ -181,8 +180,6 @@ def fit(
         remove the bias of positions in an uneven background; standard errors are 2 to 4 % larger.
     threads : int, optional
         Maximum number of threads; by default the number of processors.
-    progress : callable, optional
-        Function that is called after each block, with the number of fitted molecules and the total number.
 
     Returns
     -------
@@ -220,7 +217,6 @@ def fit(
     """
     validation.integer("starts", starts, least=1, most=20)
     thread_count = 0 if threads is None else validation.integer("threads", threads, least=1, most=1024)
-    validation.function("progress", progress, required=False)
     tables = [table] if isinstance(table, Table) else list(table) if isinstance(table, Sequence) else []
     if not tables or not all(isinstance(item, Table) for item in tables):
         raise TypeError(f"table must be a Table or a sequence of Tables, got {validation.shown(table)}")
@@ -247,8 +243,6 @@ def fit(
         electrons, read = map(list, zip(*pairs, strict=True))
         results = fitter.fit(electrons, read, offsets[block], starts, tilted, thread_count)
         values[block], errors[block], quality[block], state[block] = results
-        if progress is not None:
-            progress(min(block.stop, total), total)
     values[:, :2] += box_corners[0]
     # The fit uses electrons divided by the excess noise factor.
     for c, camera in enumerate(cameras):

@@ -256,8 +256,6 @@ class Table:
     tol : float, default 1e-4
         Tolerance of values, 1e-5 to 0.1, relative to the peak: the largest value of the dimmest plane, with the
         molecule in the middle of a pixel.
-    threads : int, optional
-        Maximum number of threads; by default the number of processors.
 
     Attributes
     ----------
@@ -305,7 +303,6 @@ class Table:
         offset: float = 0.0,
         reach: float = 3.0,
         tol: float = 1e-4,
-        threads: int | None = None,
     ) -> None:
         displacement = validation.real("offset", offset, least=-1e-5, most=1e-5)
         if not isinstance(pupil, ObjectivePupil):
@@ -330,9 +327,9 @@ class Table:
         self.z = (low, high)
         smallest, largest = ([side // 2 + sign * self.reach for side in self.shape] for sign in (-1.0, 1.0))
         self.limits = np.array([[*smallest, low], [*largest, high]])  # smallest and largest row, column and z
-        self._build(0 if threads is None else validation.integer("threads", threads, least=1, most=1024))
+        self._build()
 
-    def _build(self, threads: int) -> None:
+    def _build(self) -> None:
         waves, step = Waves(self.pupil, self.along), Grid(self.shape, self.pixel).step(self.pupil)
         self.rate = waves.rate
         # The band limit of images is twice the band limit of the field.
@@ -340,7 +337,7 @@ class Table:
         if per > 4:
             max_pixel = 3.5 * self.pixel / step
             raise ValueError(f"pixel must be at most {max_pixel:.3g} m with this pupil, got {self.pixel:g}")
-        self._render = partial(psf, normalize="strehl", threads=threads or None)
+        self._render = partial(psf, normalize="strehl")
         coarse = self._render(waves.at(np.linspace(*self.z, 9)), self.shape, self.pixel, tol=1e-2, integrate=True)
         # Estimate of the largest value of the dimmest plane, relative to the collected light.
         peak, previous_bound = 0.95 * float(coarse.values.max(axis=(1, 2)).min()), math.inf

@@ -160,6 +160,8 @@ class PointSources(_Found):
         Shape of the image.
     noise : Noise
         Noise of the camera.
+    kind : str
+        "star".
     left_out : int
         Number of pixels in all planes that are masked, NaN or infinite.
     candidate : Refused or None
@@ -407,6 +409,8 @@ class Crossings(_Found):
         Shape of the image.
     noise : Noise
         Noise of the camera.
+    kind : str
+        "crossing".
     left_out : int
         Number of pixels in all exposures that are masked, NaN or infinite.
     """

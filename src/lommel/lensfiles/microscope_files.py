@@ -109,8 +109,6 @@ class Microscope:
     >>> light = {"wavelength": 520e-9, "depth": 2e-6, "emitter": lm.Dipole(0.0, 0.0, wobble=1.0)}
     >>> coma = lm.Wavefront.zernike({(3, 1): 0.05}, unit="waves")
     >>> mine = lm.Microscope(
-    ...     "mine",
-    ...     "",
     ...     oil,
     ...     pixel=6.5e-6,
     ...     **light,

@@ -166,19 +166,6 @@ def test_light_broadcasts_with_stacks_and_with_images_of_one_scene():
     assert many.matrix[2] == pytest.approx(one.matrix, rel=1e-12)
 
 
-def test_information_of_images_of_one_scene_adds():
-    names = ("object_distance", "row")
-    near, far = LENS.focused(1.9), LENS.focused(2.1)
-    alone = [lm.fisher(lens.pupil(2.0), of=names, **CAMERA).matrix for lens in (near, far)]
-    both = lm.fisher([near.pupil(2.0), far.pupil(2.0)], of=names, **CAMERA)
-    assert both.names == names
-    assert both.matrix == pytest.approx(sum(alone), rel=1e-9)
-    # And at each of several distances.
-    many = lm.fisher([near.pupil([1.95, 2.0]), far.pupil([1.95, 2.0])], of=names, **CAMERA)
-    assert many.matrix.shape == (2, 2, 2)
-    assert many.matrix[1] == pytest.approx(both.matrix, rel=1e-6, abs=1e-9)
-
-
 def test_each_image_of_a_scene_has_its_own_light():
     wave = lm.Wavefront(nonradial={(2, 2): 0.4, (3, 1): 0.6})
     stack = lm.Pupil(wave + lm.Wavefront([-2.0, 0.0, 2.0]))

@@ -242,7 +242,7 @@ def test_stars_that_fit_by_themselves_are_taken_back(monkeypatch):
         chosen, own = found.model.chosen[keep], found.nuisance()[keep]
         astray = found.polynomials()
         astray[:, 3:] += 0.1
-        return regained(search, search.refine(chosen, astray, found.squared_widths(), 10, (0.87, 0.0), own))
+        return regained(search, search.refine(chosen, astray, found.squared_widths(), 10, own))
 
     monkeypatch.setattr(Search, "readmit_stars", without_a_corner)
     fit = fitted(images[:, 0], places)

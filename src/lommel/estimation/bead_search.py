@@ -7,10 +7,9 @@ parameters.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
-from functools import partial
 from typing import NamedTuple
 
 import numpy as np
@@ -32,9 +31,6 @@ _SAME_MISFIT = 0.01  # the same for bad fits: difference of chi2, relative to ch
 MIN_FLUX_SIGMAS = 10.0
 """Smallest total flux of a visible bead in all planes, in standard deviations."""
 _DARK_SIGMAS = 5.0  # the same before the search, in which aberrations are not known yet
-_STEP_SHARE = 0.05  # part of the remaining fraction of the progress that a step takes
-SHARES = 0.4, 0.7
-"""Fractions of the progress after the fits of single beads, and after the joint fit; the rest is for checks."""
 _PILOTS = 2  # number of beads, the brightest, with which the search for a misfit begins
 _MISFIT_STEPS = 10  # largest number of steps with all beads, if the brightest are a misfit for all constants
 GROSS_CHI2 = 20.0
@@ -359,9 +355,8 @@ class Search:
     waves: Array  # initial coefficients of the wavefront
     starts: int  # largest number of starts
     max_steps: int  # largest number of steps of a search
-    progress: Callable[[float, float], object] | None  # called with the fraction done and chi2
+    report: Report
     steps: int = 0  # number of steps of all completed searches
-    _fraction_done: float = 0.0  # fraction of the progress
 
     def is_dark(self) -> bool:
         """Return whether noise and sloping backgrounds explain all stacks, and no start has significant light."""
@@ -383,7 +378,7 @@ class Search:
         brightest_first = model.brightest_first()
         fits: dict[int, Evaluation] = {}
         for k in brightest_first:
-            fits[k] = self.fit_one(model.single_bead(k), SHARES[0] * (len(fits) + 1) / count, [*fits.values()])
+            fits[k] = self.fit_one(model.single_bead(k), [*fits.values()])
         single_fits = [fits[k] for k in range(count)]
         median = float(np.median([fit.quality[0] for fit in single_fits]))
         chi2_limits = [float(largest_plausible_chi2(fit.quality[1])) for fit in single_fits]
@@ -398,26 +393,25 @@ class Search:
         joint_model, pilots = model.with_beads(used_indices), [k for k in brightest_first if is_used[k]][:_PILOTS]
         if len(used_indices) == len(pilots) or all(single_fits[k].fits(SURE) for k in pilots):
             if min(single_fits[k].quality[0] for k in used_indices) < GROSS_CHI2:
-                return self.climb(joint_model, start, SHARES[1]), is_used
-            return replace(self.climb(joint_model, start, SHARES[1], _MISFIT_STEPS), settled=True), is_used
+                return self.climb(joint_model, start), is_used
+            return replace(self.climb(joint_model, start, _MISFIT_STEPS), settled=True), is_used
         # If constants are wrong, the search takes many steps: it begins with few beads, for which a step is faster.
         places = tuple(single_fits[k].state.places[0] for k in pilots)
-        middle = 0.5 * (SHARES[0] + SHARES[1])
-        pilot_fit = self.climb(model.with_beads(pilots), replace(start, places=places), middle)
+        pilot_fit = self.climb(model.with_beads(pilots), replace(start, places=places))
         pilot = pilot_fit.state
         single_starts = [State(pilot.setup, pilot.waves, single_fits[k].state.places) for k in used_indices]
         placed_fits = [
-            self.climb(model.single_bead(k), single_start, middle)
+            self.climb(model.single_bead(k), single_start)
             for k, single_start in zip(used_indices, single_starts, strict=True)
         ]
         start = State(pilot.setup, pilot.waves, tuple(fit.state.places[0] for fit in placed_fits))
-        joint_fit = self.climb(joint_model, start, SHARES[1], None if pilot_fit.fits(BY_CHANCE) else _MISFIT_STEPS)
+        joint_fit = self.climb(joint_model, start, None if pilot_fit.fits(BY_CHANCE) else _MISFIT_STEPS)
         if not joint_fit.fits(BY_CHANCE):
             return replace(joint_fit, settled=True), is_used
-        return joint_fit if joint_fit.settled else self.climb(joint_model, joint_fit.state, SHARES[1]), is_used
+        return joint_fit if joint_fit.settled else self.climb(joint_model, joint_fit.state), is_used
 
-    def fit_one(self, model: BeadModel, end: float, earlier: Sequence[Evaluation]) -> Evaluation:
-        """Return the best fit of a single stack from several starts; `end` is the fraction of the progress after it.
+    def fit_one(self, model: BeadModel, earlier: Sequence[Evaluation]) -> Evaluation:
+        """Return the best fit of a single stack from several starts.
 
         The first start has the wavefront of the best of the `earlier` fits of other beads, if there are any.
         """
@@ -431,8 +425,7 @@ class Search:
         is_wrong = len(earlier) >= _PILOTS and not any(fit.fits(SURE) for fit in earlier)
         for waves, origin in starts:
             place = start_of(model.stacks[0], self.setup, model.depths[0].value, origin)
-            # Whether more starts follow is not known: each has half of the remaining fraction of the progress.
-            fit = self.climb(model, State(self.setup, waves, (place,)), 0.5 * (self._fraction_done + end))
+            fit = self.climb(model, State(self.setup, waves, (place,)))
             same_maximum = best_fit is not None and _same_maximum(fit, best_fit)
             if best_fit is None or fit.log_posterior > best_fit.log_posterior:
                 best_fit = fit
@@ -441,22 +434,13 @@ class Search:
             if is_wrong and best_fit.quality[0] <= worst_chi2:
                 break
         assert best_fit is not None
-        self._fraction_done = end
         return best_fit
 
-    def climb(self, model: BeadModel, start: State, end: float, max_steps: int | None = None) -> Evaluation:
-        """Return the end of one search; `end` is the fraction of the progress after it."""
-        fit = climb(model, start, min(self.max_steps, max_steps or self.max_steps), partial(self.report, end))
+    def climb(self, model: BeadModel, start: State, max_steps: int | None = None) -> Evaluation:
+        """Return the end of one search."""
+        fit = climb(model, start, min(self.max_steps, max_steps or self.max_steps), self.report)
         self.steps += fit.steps
-        self._fraction_done = end
         return fit
-
-    def report(self, end: float, step: int, chi2: float) -> None:
-        """Report a step of a search, after which the fraction `end` of the progress is done."""
-        # The number of steps is not known in advance: each takes a part of the remaining fraction.
-        self._fraction_done += _STEP_SHARE * (end - self._fraction_done)
-        if self.progress is not None:
-            self.progress(self._fraction_done, chi2)
 
 
 def _same_maximum(fit: Evaluation, other: Evaluation) -> bool:

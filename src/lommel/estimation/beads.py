@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from functools import partial
 from typing import TYPE_CHECKING, Any, Protocol, cast, runtime_checkable
 
 import numpy as np
@@ -30,7 +29,6 @@ from lommel.estimation.bead_images import (
 )
 from lommel.estimation.bead_search import (
     MIN_FLUX_SIGMAS,
-    SHARES,
     BeadModel,
     Evaluation,
     Prior,
@@ -44,6 +42,7 @@ from lommel.estimation.star_images import MAX_LINEAR_ERROR, label
 from lommel.fit import goodness_of_fit
 from lommel.fit.findings import Finding, Findings, FitReport
 from lommel.fit.score_tests import ScoreTest, causes_of_misfit
+from lommel.fit.scoring import Progress
 from lommel.measures.spot import profile_width
 from lommel.methods.derivative_names import SHIFTS, Term, checked, term_of
 from lommel.optics.layers.emitter import Beam, Dipole, Emitter, Scalar, emitter_of
@@ -522,7 +521,7 @@ def fit_stacks(
     model = BeadModel(images, bead_stacks, priors, depths, options.drift)
     if model.degrees_of_freedom < 1:
         raise ValueError(f"stacks must have more pixels than there are unknowns, {model.size}")
-    search = Search(model, setup, waves, effort.starts, effort.steps, options.progress)
+    search = Search(model, setup, waves, effort.starts, effort.steps, Progress(options.progress))
     return _build_bead_fit(search, recorded, noise, notes)
 
 
@@ -607,21 +606,22 @@ def _build_bead_fit(search: Search, recorded: list[Counts], noise: Noise, notes:
     tests, marginal, untested = bead_checks.missing_tests(model, fit) if has_light else ((), None, [])
     if gradient_findings := bead_checks.gradient_findings(fit, tests):
         model = replace(model, gradients=True)
-        fit = search.climb(model, fit.state, SHARES[1])
+        fit = search.climb(model, fit.state)
         tests, marginal, untested = bead_checks.missing_tests(model, fit)
     state = fit.state
     full_covariance, common_count = _inverse(fit.scores.information[0]), len(model.names)
     covariance = full_covariance[:common_count, :common_count]
     chi2, deviation = fit.quality
-    report = partial(search.report, 1.0)
-    held_out, held_out_findings = bead_checks.held_out(model, fit, report) if has_light else (math.nan, [])
+    held_out, held_out_findings = bead_checks.held_out(model, fit, search.report) if has_light else (math.nan, [])
     all_beads = replace(search.model, gradients=model.gradients)
     beads = _beads(all_beads, fit, full_covariance, is_used, recorded, noise)
     image_error = bead_checks.model_error(model, state)
     if not has_light:
         findings = [Finding("no_light", "error", "the light of all planes is within the noise")]
     else:
-        missing_findings, refit_posterior = bead_checks.missing_findings(model, fit, tests, search.setup, report)
+        missing_findings, refit_posterior = bead_checks.missing_findings(
+            model, fit, tests, search.setup, search.report
+        )
         causes = causes_of_misfit(_CAUSES, chi2, deviation, tests)
         findings = goodness_of_fit.chi2_findings(chi2, deviation, causes)
         expected_images = np.stack([expected(*pair) for pair in zip(state.light, fit.values, strict=True)])
@@ -642,7 +642,7 @@ def _build_bead_fit(search: Search, recorded: list[Counts], noise: Noise, notes:
             if few_fit is fit and refit_posterior is not None:
                 best_posterior = max(refit_posterior, best_posterior)
             reversed_findings = bead_checks.reversed_findings(
-                few_model, start, best_posterior, few_fit.quality[0], report
+                few_model, start, best_posterior, few_fit.quality[0], search.report
             )
         findings += [*(reversed_findings or missing_findings), *untested]
         if marginal is not None and not missing_findings:  # effects that are favoured but not significant

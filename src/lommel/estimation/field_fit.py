@@ -40,6 +40,7 @@ from lommel.estimation.target_readout import Target, relative_light
 from lommel.field.maps import FieldMap, save_table
 from lommel.fit.findings import Finding, Findings, FitReport, Severity
 from lommel.fit.goodness_of_fit import stripe_findings
+from lommel.fit.scoring import Progress
 from lommel.methods.derivative_names import Name, Term, term_of
 from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront.wavefront import Wavefront
@@ -478,11 +479,10 @@ def fit_targets(
         )
     if count < 4 and options.degree > 0:
         raise ValueError(f"windows must show at least 4 stars unless degree is 0, got {count}")
-    report = options.progress or (lambda *_: None)
     u, v = chip.relative(x, y)
     pixel_size = np.array([2.0 / columns, 2.0 / rows])
-    degree = highest_degree(options.degree, count)
-    search = Search(stars, np.stack([u, v], axis=1), pixel_size, degree, draw or np.random.default_rng(0), report)
+    degree, draw = highest_degree(options.degree, count), draw or np.random.default_rng(0)
+    search = Search(stars, np.stack([u, v], axis=1), pixel_size, degree, draw, Progress(options.progress))
     outcome = _search_repeatedly(search, start is not None)
     distortion_settings = ideal, _DISTORTION if options.distortion is None else options.distortion
     known_blurs = blur_model if isinstance(blur_model, tuple) else ()
@@ -522,7 +522,7 @@ def _search_repeatedly(search: Search, has_start: bool) -> Outcome:
         search.places, search.stars = places, search.initial_stars
         # The known defocus alone is a good start, because it is usually larger than the unknown aberrations.
         first_fit = search.fit_from_start() if attempt == 0 and (has_start or search.stars.has_defocus) else None
-        outcome = search.outcome(search.reject_outliers(first_fit or search.fit_from_single_stars(), (0.65, 0.05)))
+        outcome = search.outcome(search.reject_outliers(first_fit or search.fit_from_single_stars()))
         if outcome.findings.converged:
             return outcome
         best_outcome = outcome if best_outcome is None or outcome.cost < best_outcome.cost else best_outcome

@@ -3,15 +3,14 @@
 Positions are in half fields, -1 to 1 across the sensor. Arrays `waves` (r, k) are coefficients of the wavefronts of r
 stars, radians rms. Arrays `nuisance` (r, o, e) are the o parameters of each image in e exposures: tilts, flux and
 background, the angles of a corner, and slopes of the background if estimated. `squared_widths` are those of the blur,
-pixels^2. `progress` is a pair of fractions of the whole search: the fraction done before a stage, and the fraction
-that the stage takes. lnL is the log-likelihood.
+pixels^2. lnL is the log-likelihood.
 """
 
 from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
@@ -29,7 +28,7 @@ from lommel.estimation.field_stars import FieldStars, Quality, SingleStars, Whol
 from lommel.fit.findings import Finding, Findings
 from lommel.fit.goodness_of_fit import SURE, chi2_findings, largest_plausible_chi2
 from lommel.fit.score_tests import Marginal, ScoreTest, causes_of_misfit
-from lommel.fit.scoring import Scores, search_rows
+from lommel.fit.scoring import Report, Scores, search_rows
 from lommel.methods.derivative_names import term_of
 
 _MAX_SINGLES = 60  # largest number of stars that are fitted individually
@@ -66,9 +65,6 @@ _RIVAL_STEPS = 12  # further steps of a search that ended at another minimum
 _MAX_RIVAL_COST, _MIN_RIVAL_DISTANCE = 8.0, 3.0  # another minimum: largest loss of lnL; least distance, std. errors
 _TOO_STRONG = "aberrations are too strong for the tolerance; pass a design as pupil"
 _CAUSES = "pupil, pixel, noise, defocus or blur are wrong, {}or terms are missing"
-
-Report = Callable[[float, float], object]
-"""Function of the fraction of the search that is done, and of chi2."""
 
 
 @dataclass
@@ -202,9 +198,7 @@ class Search:
         brightness = (valid * (counted - level)).sum(axis=(1, 2))
         return np.sort(np.argsort(-brightness, kind="stable")[:_MAX_SINGLES])
 
-    def fit_single_stars(
-        self, chosen: NDArray[np.intp], progress: tuple[float, float] = (0.0, 0.4)
-    ) -> tuple[Array, Array, NDArray[np.bool_]]:
+    def fit_single_stars(self, chosen: NDArray[np.intp]) -> tuple[Array, Array, NDArray[np.bool_]]:
         """Fit stars individually: return the best parameters (n, p), chi2, and a mask of sure stars.
 
         A star is sure if it fits, or if two starts ended at the same chi2: further starts are unlikely to help.
@@ -216,12 +210,8 @@ class Search:
         for attempt in range(_MAX_STARTS):
             model = SingleStars(self.simplified_stars, chosen[rows], self.widest)
             x = self._random_start(model, scatter=attempt > 0 or stars.first_star.sign_ambiguous)
-
-            def report(step: int, value: float, attempt: int = attempt) -> None:
-                self.report(progress[0] + progress[1] * (attempt + step / _STEPS) / _MAX_STARTS, value)
-
             with suppress(Declined, ToleranceError):
-                x, scores, *_ = search_rows(model, x, _STEPS, report, fast=True)
+                x, scores, *_ = search_rows(model, x, _STEPS, self.report, fast=True)
                 previous = chi2[rows]
                 is_better = scores.chi2 < previous
                 best_x[rows[is_better]], chi2[rows[is_better]] = x[is_better], scores.chi2[is_better]
@@ -263,8 +253,8 @@ class Search:
         polynomials, _ = robust(self.basis(chosen), self.stars.start[chosen], np.ones(len(chosen)), self.metric)
         squared_widths, ranking_stars = self.squared_widths, chosen[:: max(1, len(chosen) // _RANKING_STARS)]
         starts = itertools.chain([polynomials], self._trial_polynomials(ranking_stars, polynomials, squared_widths))
-        for attempt, trial in enumerate(starts):
-            fit = self.refine(chosen, trial, squared_widths, 10, (0.15 * attempt, 0.15))
+        for trial in starts:
+            fit = self.refine(chosen, trial, squared_widths, 10)
             if fit is not None and np.median(fit.model.star_quality(fit.x, fast=True).chi2) <= _GOOD_CHI2:
                 return fit
         return None
@@ -321,8 +311,8 @@ class Search:
             starts = iter([(robust(bases[-1], waves, quality, self.metric)[0], waves)])
         best_fit: Solution | None = None
         lowest_chi2 = np.inf
-        for k, (polynomials, _) in enumerate(starts):
-            fit = self.refine(chosen, polynomials, squared_width, 8, (0.4 + 0.05 * min(k, 5), 0.05))
+        for polynomials, _ in starts:
+            fit = self.refine(chosen, polynomials, squared_width, 8)
             if fit is None:
                 continue
             median = float(np.median(fit.model.star_quality(fit.x, fast=True).chi2))
@@ -346,7 +336,6 @@ class Search:
         polynomials: Array,
         squared_widths: Array,
         max_steps: int,
-        progress: tuple[float, float],
         nuisance: Array | None = None,
         *,
         fast: bool = True,
@@ -359,11 +348,7 @@ class Search:
         try:
             nuisance = self.fit_nuisance(chosen, start, squared_widths) if nuisance is None else nuisance
             x = model.row(start, squared_widths, nuisance)
-
-            def report(step: int, value: float) -> None:
-                self.report(progress[0] + progress[1] * step / (max_steps + 1), value)
-
-            x, scores, settled, _ = search_rows(model, x, max_steps, report, fast=fast)
+            x, scores, settled, _ = search_rows(model, x, max_steps, self.report, fast=fast)
         except (Declined, ToleranceError):
             return None
         return Solution(model, x, scores, bool(settled[0]))
@@ -378,7 +363,7 @@ class Search:
         x, *_ = search_rows(model, model.row(polynomials, squared_widths, nuisance), 6, _no_progress, fast=True)
         return model.parts(x)[2]
 
-    def reject_outliers(self, fit: Solution, progress: tuple[float, float]) -> Solution:
+    def reject_outliers(self, fit: Solution) -> Solution:
         """Reject outlying stars and fit again, in at most `_ROUNDS` rounds."""
         initial_count = len(fit.model.chosen)
         for _ in range(_ROUNDS):
@@ -388,7 +373,7 @@ class Search:
             if is_inlier.all() or inlier_count < min_count:
                 break
             chosen, nuisance = fit.model.chosen[is_inlier], fit.nuisance()[is_inlier]
-            refit = self.refine(chosen, fit.polynomials(), fit.squared_widths(), 10, progress, nuisance)
+            refit = self.refine(chosen, fit.polynomials(), fit.squared_widths(), 10, nuisance)
             if refit is None:
                 break
             fit = refit
@@ -411,10 +396,8 @@ class Search:
                 is_outlier[:] = False
             used_stars = all_stars[~is_outlier]
             if not np.array_equal(used_stars, fit.model.chosen):
-                wider_fit = self.refine(
-                    used_stars, polynomials, squared_widths, 10, (0.7, 0.15), nuisance[used_stars]
-                )
-        fit = self.readmit_stars(self.lowest_minimum(self.reject_outliers(wider_fit or fit, (0.85, 0.02))))
+                wider_fit = self.refine(used_stars, polynomials, squared_widths, 10, nuisance[used_stars])
+        fit = self.readmit_stars(self.lowest_minimum(self.reject_outliers(wider_fit or fit)))
         nuisance, chosen = fit.nuisance(), fit.model.chosen
         # Windows are centred on the light, which aberrations displace: correct the positions of stars.
         displacement = nuisance[:, :2].mean(axis=-1) / self.stars.first_star.tilt_of_pixel
@@ -424,7 +407,7 @@ class Search:
             fit = self.best_profile(fit)
             nuisance = fit.nuisance()
         squared_widths = fit.squared_widths()
-        exact_fit = self.refine(chosen, fit.polynomials(), squared_widths, 20, (0.9, 0.05), nuisance, fast=False)
+        exact_fit = self.refine(chosen, fit.polynomials(), squared_widths, 20, nuisance, fast=False)
         return exact_fit or fit, np.setdiff1d(all_stars, chosen)
 
     @property
@@ -486,7 +469,7 @@ class Search:
     def _continue(self, fit: Solution, max_steps: int, polynomials: Array | None = None) -> Solution | None:
         """Continue a fit by `max_steps` steps, from `polynomials` if given; None if images cannot be computed."""
         start = fit.polynomials() if polynomials is None else polynomials
-        return self.refine(fit.model.chosen, start, fit.squared_widths(), max_steps, (0.87, 0.0), fit.nuisance())
+        return self.refine(fit.model.chosen, start, fit.squared_widths(), max_steps, fit.nuisance())
 
     def _rival(self, best_fit: Solution, other_fit: Solution) -> Rival | None:
         """Return a Rival if `other_fit` is nearly as likely as `best_fit` but distant from it; None otherwise."""
@@ -519,7 +502,7 @@ class Search:
             self.stars = self.initial_stars.with_blur_profile(profile)
             # Errors of fast images change lnL by as much as profiles do.
             start = fit.model.chosen, polynomials, widths
-            refit = self.refine(*start, max_steps, (0.88, 0.01), nuisance, fast=False)
+            refit = self.refine(*start, max_steps, nuisance, fast=False)
             return refit or replace(fit, scores=fit.scores._replace(deviance=np.full(1, np.inf)))
 
         two_widths = fit_profile(BlurProfile.turbulent(), squared_widths, _PROFILE_STEPS)
@@ -561,7 +544,7 @@ class Search:
         for outer in (*OUTER[max(i - 1, 0) : i], *OUTER[i + 1 : i + 2]):
             self.stars = stars.with_blur_profile(BlurProfile.turbulent(outer, alone=len(profile.names) == 1))
             start = fit.model.chosen, fit.polynomials(), squared_widths
-            refit = self.refine(*start, _PROFILE_STEPS, (0.99, 0.0), fit.nuisance(), fast=False)
+            refit = self.refine(*start, _PROFILE_STEPS, fit.nuisance(), fast=False)
             if refit is None:
                 continue
             # r0 is proportional to the reciprocal width. Outer scales have equal prior probabilities.
@@ -603,10 +586,10 @@ class Search:
         used_stars = np.concatenate([fit.model.chosen, added_stars])
         wavefronts = np.concatenate([waves, added_waves])
         polynomials, _ = robust(self.basis(used_stars), wavefronts, np.ones(len(used_stars)), self.metric)
-        refit = self.refine(np.sort(used_stars), polynomials, fit.squared_widths(), 20, (0.87, 0.02))
+        refit = self.refine(np.sort(used_stars), polynomials, fit.squared_widths(), 20)
         if refit is None:
             return None
-        refit = self.reject_outliers(refit, (0.89, 0.01))
+        refit = self.reject_outliers(refit)
         chi2_limit = max(1.0 + _EXCESS_RATIO * (float(fit.scores.chi2[0]) - 1.0), self._chi2_limit(refit))
         is_better = len(refit.model.chosen) > len(fit.model.chosen) and refit.scores.chi2[0] <= chi2_limit
         return refit if is_better else None
@@ -624,7 +607,7 @@ class Search:
             is_good, waves = scores.chi2 < largest_plausible_chi2(scores.spread, SURE), single_stars.wavefronts(x)
         is_retried = ~is_good & ~np.isin(rejected, self.misfits)
         if is_retried.any():
-            x, chi2, sure = self.fit_single_stars(rejected[is_retried], (0.87, 0.0))
+            x, chi2, sure = self.fit_single_stars(rejected[is_retried])
             new_waves = single_stars.wavefronts(x)
             if stars.first_star.sign_ambiguous:
                 negated, map_waves_of_retried = self.negated(rejected[is_retried], new_waves), map_waves[is_retried]
@@ -675,7 +658,7 @@ class Search:
             return math.nan, math.nan
         nuisance = fit.nuisance()
         is_used, start = ~is_held_out, (fit.polynomials(), fit.squared_widths())
-        refit = self.refine(chosen[is_used], *start, 6, (0.95, 0.03), nuisance[is_used])
+        refit = self.refine(chosen[is_used], *start, 6, nuisance[is_used])
         if refit is None:
             return math.nan, math.nan
         model = self.model(chosen[is_held_out], held=True)

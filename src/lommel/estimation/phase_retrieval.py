@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from os import PathLike
 from typing import TYPE_CHECKING, Any, cast
@@ -34,7 +34,7 @@ from lommel.fit import goodness_of_fit
 from lommel.fit.findings import Finding, Findings, FitReport
 from lommel.fit.goodness_of_fit import SURE, largest_plausible_chi2
 from lommel.fit.score_tests import causes_of_misfit
-from lommel.fit.scoring import Scores, covariance, search_rows
+from lommel.fit.scoring import Progress, Report, Scores, covariance, search_rows
 from lommel.io import zernike_tables
 from lommel.methods.derivative_names import SHIFTS, Name, term_of
 from lommel.optics.pupil import Pupil
@@ -365,12 +365,12 @@ def fit_stars(
         raise ValueError(
             f"images must have more pixels than there are unknowns, {model.size}, got {int(valid.sum())} valid pixels"
         )
-    best_x, scores, settled, extent = _search(model, draw, options.progress, effort)
+    best_x, scores, settled, extent = _search(model, draw, Progress(options.progress), effort)
     return _build_retrieval(model, best_x, scores, settled, counts, noise, extent)
 
 
 def _search(
-    model: StarImages, draw: np.random.Generator, progress: Callable[[float, float], object] | None, effort: Effort
+    model: StarImages, draw: np.random.Generator, report: Report, effort: Effort
 ) -> tuple[Array, Scores, bool, tuple[int, int]]:
     """Return the best parameters (1, p), their scores, whether the fit settled, and the numbers of steps and starts.
 
@@ -385,10 +385,6 @@ def _search(
     while tried_starts < starts:
         stack_size = 1 if tried_starts == 0 or model.unknowns.pupil else min(_STACKED_STARTS, starts - tried_starts)
         x = _random_starts(model, centroid_starts, draw, stack_size, tried_starts)
-
-        def report(step: int, chi2: float, earlier_starts: int = tried_starts, stack_size: int = stack_size) -> None:
-            if progress is not None:
-                progress((earlier_starts + stack_size * step / (steps + 1)) / starts, chi2)
 
         try:
             x, scores, settled, steps_taken = search_rows(model, x, steps, report, fast=True)

@@ -31,9 +31,26 @@ _MAX_STRETCH = 16.0  # largest factor by which a step is lengthened
 # A search is in a local minimum if its fit is bad and _PATIENCE steps in a row gain less than the fraction _STALLED
 # of (chi2 in excess of its limit) * (degrees of freedom).
 _STALLED, _PATIENCE = 1e-4, 3
+_STEP_SHARE = 0.02  # part of the remaining fraction of the progress that a step takes
 
 Report = Callable[[int, float], object]
 """Function of the number of a step and of the best chi2 before this step."""
+
+
+class Progress:
+    """Report of the steps of searches, however many follow: each takes a part of the remaining fraction.
+
+    `function`, if any, is called with the fraction that is done and with chi2.
+    """
+
+    def __init__(self, function: Callable[[float, float], object] | None) -> None:
+        self.function, self.done = function, 0.0
+
+    def __call__(self, step: int, chi2: float) -> None:
+        """Report a step of any of the searches."""
+        self.done += _STEP_SHARE * (1.0 - self.done)
+        if self.function is not None:
+            self.function(self.done, chi2)
 
 
 class Scores(NamedTuple):

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import copy
-from collections import OrderedDict
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
@@ -232,20 +231,8 @@ class FocusPlan:
     ) -> None:
         self._occlusion, self.lens = validation.truth("occlusion", occlusion), lens
         self._scene = Scene(image, depth, lens, pixel, encoding, BlurOptions())
-        self._cache: OrderedDict[tuple[float, float], Occlusion] = OrderedDict()
+        self._blur = lru_cache(maxsize=_KEPT)(self._scene.blur)
         self._blur(lens)  # checks the depth, and whether windows are too large
-
-    def _blur(self, lens: Lens) -> Occlusion:
-        """Return the blur by a lens, from the cache if possible."""
-        # Sensor distance and aperture diameter identify a lens setting, however it was specified.
-        key = (lens.sensor_distance, lens.aperture_diameter)
-        if key in self._cache:
-            self._cache.move_to_end(key)
-            return self._cache[key]
-        self._cache[key] = blur = self._scene.blur(lens)
-        if len(self._cache) > _KEPT:
-            self._cache.popitem(last=False)
-        return blur
 
     def __call__(
         self, *, focus_distance: float | None = None, f_number: float | None = None, out: Pixels | None = None

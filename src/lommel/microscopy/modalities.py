@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -17,6 +18,7 @@ from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.psf import PSF, psf
 
 _MAX_DISTANCE = 5.0  # distance from a sheet, in thicknesses, where its intensity is 1e-30 of the maximum
+_SCANNED: dict[str, Any] = {"normalize": "strehl", "integrate": False}  # PSFs of scanned beams
 _CLOSE = 1e-12  # metres: largest difference between planes of two wavelengths that count as equal
 
 
@@ -27,11 +29,15 @@ def confocal(
     pixel: float,
     *,
     pinhole: float = 1.0,
-    integrate: bool = False,
-    normalize: str = "strehl",
     tol: float = 1e-6,
 ) -> PSF:
     """Return the PSF of a confocal microscope: the excitation spot times the image seen through the pinhole.
+
+    A scanned beam is point-sampled. Values are the intensity of the excitation, relative to the focus of a uniform
+    scalar aperture that sends as much light through the same plane of the sample, times the fraction of the collected
+    light that passes the pinhole. Planes of one depth are on one scale; to compare depths at constant laser power,
+    multiply by ``excitation.collected``. See :class:`lommel.methods.Confocal` for the formula, and for
+    ``lm.psf(emission, shape, pixel, method=...)`` with other scales.
 
     Parameters
     ----------
@@ -47,14 +53,6 @@ def confocal(
         magnification.
     pinhole : float, default 1
         Diameter of the pinhole in Airy units, ``1.22 lambda / NA`` of the emission.
-    integrate : bool, default False
-        Whether values are pixel-integrated; a scanned beam is point-sampled.
-    normalize : {"strehl", "peak"}, default "strehl"
-        "strehl": the intensity of the excitation, relative to the focus of a uniform scalar aperture that sends as
-        much light through the same plane of the sample, times the fraction of the collected light that passes the
-        pinhole. Planes of one depth are on one scale; to compare depths at constant laser power, multiply by
-        ``excitation.collected``. See :class:`lommel.methods.Confocal` for the formula. "peak": the largest value of
-        each plane is 1.
     tol : float, default 1e-6
         Tolerance relative to the peak of each plane.
 
@@ -89,9 +87,7 @@ def confocal(
     219.5 nm
     """
     _same_planes("excitation", excitation, emission)
-    validation.choice("normalize", normalize, ("strehl", "peak"))
-    method = Confocal(excitation, pinhole, tol)
-    return psf(emission, shape, pixel, method=method, normalize=normalize, integrate=integrate)
+    return psf(emission, shape, pixel, method=Confocal(excitation, pinhole, tol), **_SCANNED)
 
 
 def two_photon(
@@ -99,8 +95,6 @@ def two_photon(
     shape: int | tuple[int, int],
     pixel: float,
     *,
-    integrate: bool = False,
-    normalize: str = "strehl",
     tol: float = 1e-6,
 ) -> PSF:
     """Return the PSF of a two-photon microscope: the square of the excitation intensity.
@@ -109,7 +103,7 @@ def two_photon(
     ----------
     excitation : ObjectivePupil
         Excitation, whose emitter is a :class:`lommel.Beam`.
-    shape, pixel, integrate, normalize, tol
+    shape, pixel, tol
         As in :func:`lommel.microscopy.confocal`; the value 1 is the squared intensity in the focus of a uniform
         scalar aperture that sends as much light through the same plane of the sample. To compare depths at constant
         laser power, multiply by ``excitation.collected**2``.
@@ -127,8 +121,7 @@ def two_photon(
         If the tolerance cannot be met.
     """
     validation.instance("excitation", excitation, ObjectivePupil)
-    validation.choice("normalize", normalize, ("strehl", "peak"))
-    return psf(excitation, shape, pixel, method=TwoPhoton(tol), normalize=normalize, integrate=integrate)
+    return psf(excitation, shape, pixel, method=TwoPhoton(tol), **_SCANNED)
 
 
 def bead(
@@ -138,7 +131,6 @@ def bead(
     pixel: float,
     *,
     integrate: bool = True,
-    normalize: str = "energy",
     tol: float = 1e-6,
 ) -> PSF:
     """Return the image of a bead uniformly filled with emitters, as recorded to measure a PSF.
@@ -149,7 +141,7 @@ def bead(
         Pupil of an emitter at the centre of the bead.
     diameter : float
         Diameter of the bead in the sample, metres.
-    shape, pixel, integrate, normalize
+    shape, pixel, integrate
         As in :func:`lommel.psf`.
     tol : float, default 1e-6
         Tolerance relative to the peak of each plane.
@@ -170,7 +162,7 @@ def bead(
     lommel.methods.Bead : the method, and its proven error bound
     """
     validation.instance("pupil", pupil, ObjectivePupil)
-    return psf(pupil, shape, pixel, method=Bead(diameter, tol), normalize=normalize, integrate=integrate)
+    return psf(pupil, shape, pixel, method=Bead(diameter, tol), integrate=integrate)
 
 
 def light_sheet(
@@ -180,7 +172,6 @@ def light_sheet(
     pixel: float,
     *,
     offset: ArrayLike | None = None,
-    normalize: str = "energy",
     tol: float = 1e-6,
 ) -> PSF:
     """Return the PSF of a light-sheet microscope: emission PSF times sheet intensity.
@@ -197,8 +188,6 @@ def light_sheet(
         Distance of the emitter from the centre of the sheet in each plane, metres in the sample; broadcasts with the
         stack. By default `z` of the pupil, for a sheet that stays in the focal plane, and a sample with the index of
         the immersion.
-    normalize : {"energy", "emitted", "strehl"}, default "energy"
-        As in :func:`lommel.psf`, for an emitter at the centre of the sheet.
     tol : float, default 1e-6
         Tolerance relative to the peak of each plane.
 
@@ -216,7 +205,6 @@ def light_sheet(
     """
     pupil = validation.instance("emission", emission, ObjectivePupil)
     width = validation.real("thickness", thickness, above=0.0, unit="metres")
-    validation.choice("normalize", normalize, ("energy", "emitted", "strehl"))
     distance = pupil.z if offset is None else validation.real_array("offset", offset)
     distance = validation.broadcast("offset and the stack", distance, pupil.z)[0]
     if distance.shape != pupil.shape:
@@ -231,7 +219,7 @@ def light_sheet(
     # The products are rounded once more when they are stored.
     rounding = storing(dtype)
     # Subtract 1.1 times this error from the tolerance.
-    base = psf(pupil, shape, pixel, tol=tol - 1.1 * rounding, normalize=normalize, dtype=np.float64)
+    base = psf(pupil, shape, pixel, tol=tol - 1.1 * rounding, dtype=np.float64)
     values = (base.values * sheet[..., None, None]).astype(dtype)
     if base.error_bound is None:
         raise ToleranceError(f"tol={tol:g} cannot be met: {type(base.method).__name__} has no bound")
@@ -324,4 +312,4 @@ def sted(
     # The saturation is relative to the intensity at the crest of the doughnut: divide by this intensity.
     highest = crest(unaberrated) if unaberrated.radial else 1.0  # the method rejects a beam that is not a doughnut
     method = Sted(excitation, pinhole, tol, depletion=depletion, saturation=factor / highest)
-    return psf(emission, shape, pixel, method=method, normalize="strehl", integrate=False)
+    return psf(emission, shape, pixel, method=method, **_SCANNED)

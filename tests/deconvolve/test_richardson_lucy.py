@@ -98,15 +98,6 @@ def test_the_noise_stops_it_nearer_to_the_scene_than_many_steps_come() -> None:
     assert told[-1][2] == 0.0
 
 
-@pytest.mark.parametrize("scale", [1.03, 1.1])
-def test_a_wrong_depth_is_told(scale: float) -> None:
-    observed = _observed(_blur(), _scene(), white=40000.0)
-    wrong = PhotographLikelihood(_blur(scale), observed.image, Noise(white=40000.0, read=3.0))
-    found, _ = _solve(RichardsonLucy(), wrong)
-    assert found.stopped == MISFIT
-    assert 20 <= found.steps <= 60
-
-
 @pytest.mark.parametrize("white", [100.0, 4e3, 1e5, 3e6])
 def test_a_right_depth_is_never_called_wrong(white: float) -> None:
     assert _solve(RichardsonLucy(), _observed(_blur(), _scene(), white=white))[0].stopped in (NOISE, STEPS)

@@ -10,7 +10,7 @@ from lommel import Lens, Noise
 from lommel.deconvolve.algorithms import NOISE, STEPS, search
 from lommel.deconvolve.iterations import Background, VariationIteration, iterated
 from lommel.deconvolve.likelihood import PhotographLikelihood
-from lommel.imaging import DepthBlur, TotalVariation, restore
+from lommel.imaging import DepthBlur, TotalVariation
 
 LENS = Lens(focal_length=50e-3, f_number=2.8, focus_distance=2.0, wavelength=550e-9)
 
@@ -82,14 +82,6 @@ def test_the_noise_says_how_strong_it_is() -> None:
         assert found.strength == pytest.approx(0.15 / np.sqrt(white * scene.mean()), rel=0.8)
         error, before = (np.sqrt(np.mean((light - scene) ** 2)) for light in (found.light, observed.image))
         assert error < 0.85 * before
-
-
-def test_a_wrong_depth_is_told_and_the_result_is_the_photograph() -> None:
-    blur, scene, noise = _blur((48, 56), 2.5), _blocks(), Noise(white=40000.0, read=3.0)
-    photo = noise.record(40000.0 * blur.forward(scene), seed=5)
-    found = restore(photo, None, _blur((48, 56), 2.8), encoding="linear", noise=noise, method=TotalVariation())
-    assert found.stopped.startswith("misfit")
-    np.testing.assert_allclose(found.values, photo, atol=1e-6)
 
 
 def test_a_flat_scene_stays_flat() -> None:

@@ -11,7 +11,6 @@ from typing import Any
 import pytest
 
 import check
-import firefox as firefoxes
 from lommel.page import server as page_module
 
 HEAD = """<!doctype html><html lang="en"><meta charset="utf-8"><title>test</title><link rel="icon" href="data:,">
@@ -47,34 +46,6 @@ def browser() -> Iterator[Any]:
         made = check.launched(play)
         yield made
         made.close()
-
-
-@pytest.fixture(scope="session")
-def firefox(tmp_path_factory: pytest.TempPathFactory) -> Iterator[firefoxes.Firefox]:
-    """A Firefox of the system."""
-    pytest.importorskip("websocket", reason="websocket-client is not installed, which drives Firefox")
-    if not firefoxes.path():
-        pytest.skip("there is no Firefox to open the live page with")
-    made = firefoxes.Firefox(tmp_path_factory.mktemp("firefox"))
-    yield made
-    made.close()
-
-
-@pytest.fixture
-def tab(firefox: firefoxes.Firefox, site: str) -> Iterator[Callable[..., firefoxes.Tab]]:
-    """Open a page in Firefox and wait until it rests; errors and warnings of its console fail the test."""
-    opened: list[firefoxes.Tab] = []
-    firefox.complaints.clear()
-
-    def open_tab(path: str = "/mounted", **options: Any) -> firefoxes.Tab:
-        opened.append(firefox.open(site + path, **options))
-        opened[-1].wait_for(f"document.querySelector({IDLE!r}) !== null")
-        return opened[-1]
-
-    yield open_tab
-    for each in opened:
-        each.close()
-    assert firefox.complaints == []
 
 
 @pytest.fixture(scope="session")

@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from live_page import ALL_SHOWN, IDLE, PIXELS, REALS, SLIDERS, box, default_state, rest, slider, state
+from live_page import ALL_SHOWN, PIXELS, REALS, SLIDERS, box, default_state, rest, slider, state
 
 
 def test_a_script_in_a_page_is_enough(visit: Callable[..., Any]) -> None:
@@ -283,20 +283,3 @@ def test_axe_finds_nothing_in_chromium(visit: Callable[..., Any], address: str, 
     page = visit(address, color_scheme=scheme, viewport={"width": width, "height": 768})
     page.evaluate(axe())
     assert page.evaluate(FOUND) == []
-
-
-RESTS = f"document.querySelector({IDLE!r}) !== null"
-STATE = "#defocus=1.3&coma=0.7&coma_angle=20&light=white&side=96"
-RESULT = """(() => { const { psf, measures } = live.result(); const some = psf.values.filter((_, i) => i % 37 === 0);
-  return { values: Array.from(some), bound: psf.bound,
-  strehl: measures.strehl, d80: measures.d80, mtf: Array.from(measures.mtf.x) }; })()"""
-
-
-def test_firefox_has_the_numbers_of_chromium(tab: Callable[..., Any], visit: Callable[..., Any]) -> None:
-    there = tab(f"/mounted{STATE}").evaluate(RESULT)
-    page = visit(f"/mounted{STATE}")
-    rest(page)
-    here = page.evaluate(RESULT)
-    assert there["values"] == here["values"]
-    assert (there["bound"], there["strehl"], there["d80"]) == (here["bound"], here["strehl"], here["d80"])
-    assert there["mtf"] == pytest.approx(here["mtf"], abs=1e-10)

@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from live_page import IDLE, box, rest, slider
+from live_page import IDLE, slider
 
 
 @pytest.mark.parametrize("width", [320, 390, 768, 1440])
@@ -50,30 +50,6 @@ def test_mounts_and_destroys_leave_nothing_behind(visit: Callable[..., Any]) -> 
     page.wait_for_timeout(300)
     assert page.evaluate("document.body.querySelectorAll('.lommel-live-host').length") == 0
     assert len(page.workers) == 0
-
-
-def test_a_widget_of_a_notebook_has_its_traits_both_ways(visit: Callable[..., Any]) -> None:
-    page = visit("/empty", wait="")
-    page.wait_for_function("window.lommel")
-    page.evaluate(
-        """() => { const values = { defocus: 0.5, coma: 0.25, side: 64 }; const heard = {};
-        window.model = { saved: 0, values, get: (key) => values[key],
-          set: (key, value) => { values[key] = value; },
-          save_changes() { this.saved++; }, on: (name, run) => { heard[name] = run; },
-          off: (name) => { delete heard[name]; },
-          tell(key, value) { values[key] = value; heard[`change:${key}`](); }, heard };
-        window.end = lommel.default.render({ model, el: document.body }); }"""
-    )
-    page.wait_for_selector(IDLE, state="attached")
-    assert box(page, "coma").input_value() == "0.25"
-    slider(page, "coma").focus()
-    page.keyboard.press("ArrowRight")
-    page.wait_for_function("model.values.coma === 0.26 && model.saved > 0")
-    page.evaluate("model.tell('coma', 0.75)")
-    rest(page)
-    assert box(page, "coma").input_value() == "0.75"
-    page.evaluate("end()")
-    assert page.evaluate("Object.keys(model.heard).length") == 0
 
 
 def test_without_workers_the_page_computes_by_itself(browser: Any, site: str) -> None:

@@ -280,13 +280,6 @@ def test_it_is_the_iteration_of_richardson_and_lucy(monkeypatch):
     assert found.discrepancy / found.before == pytest.approx(other.discrepancy / other.before, rel=0.02)
 
 
-def test_extrapolation_saves_more_than_half_of_the_steps():
-    stack = record(beads())
-    few, many = (lm.imaging.RichardsonLucy(steps=n, target=0.0, accelerate=n == 30) for n in (30, 75))
-    quick, slow = (restored(stack, PSF, NOISE, method=way) for way in (few, many))
-    assert quick.discrepancy < slow.discrepancy
-
-
 def test_unknown_voxels_are_filled_from_the_light_of_the_others():
     stack = record(beads())
     hidden = stack.copy()

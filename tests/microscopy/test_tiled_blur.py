@@ -61,14 +61,6 @@ def test_what_is_seen_of_a_point_is_the_transpose_of_ones(margin):
     np.testing.assert_array_equal(part, found[0][2:9, 3:4])
 
 
-def test_a_small_recording_is_one_tile_and_a_large_one_many(monkeypatch):
-    monkeypatch.setattr(stack_blur, "_MIN_VALUES", 2**21)
-    small, large = TiledBlur(PSF, (5, 40, 40), (2, 4)), TiledBlur(PSF, (1, 1000, 2000), (3, 4))
-    assert len(list(small._tile_jobs((5, 40, 40), small.whole, small._upper, 4))) == 1
-    assert len(list(large._tile_jobs(large.shape, large.whole, large._upper, 4))) > 1
-    assert large.whole[0] * np.prod(large._tile) <= 3.2 * 1000 * 2000
-
-
 def test_several_psfs_are_the_sum_of_weighted_specimens_and_its_transpose():
     others = [
         lm.psf(OIL_60X.pupil(depth=d, z=np.arange(-2, 4) * 0.3e-6, wavelength=520e-9), (7, 9), 6e-6, tol=1e-4)

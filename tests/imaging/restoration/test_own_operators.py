@@ -60,11 +60,3 @@ def test_what_is_told_is_what_happened() -> None:
     # What the sensor did not see is filled by what lies around it.
     assert np.isfinite(found.light).all()
     assert abs(found.light[5:9, 7:11, 0] - scene[5:9, 7:11, 0]).mean() < 0.15
-
-
-def test_what_progress_raises_ends_the_work() -> None:
-    def stop(*_: object) -> None:
-        raise KeyboardInterrupt
-
-    with pytest.raises(KeyboardInterrupt):
-        restore(np.ones((8, 8)), None, Shift((8, 8), 1), encoding="linear", noise=NOISE, progress=stop)

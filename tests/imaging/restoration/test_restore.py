@@ -214,9 +214,3 @@ class TestOverTheField:
         found = restore(photo, None, blur, encoding="linear", noise=NOISE, saturation=1.0)
         assert found.stopped == "noise"
         assert _error(found.values, scene) < 0.9 * _error(photo, scene)
-
-    def test_operators_have_a_depth_and_pixels_of_their_own(self) -> None:
-        blur = FieldBlur(self.FIELD, (48, 64), 4e-6)
-        for depth, pixel in ((DEPTH, None), (None, 4e-6)):
-            with pytest.raises(ValueError, match="depth and pixel are for a Lens, got a blur operator"):
-                restore(_scene(), depth, blur, pixel, encoding="linear", noise=NOISE)

@@ -10,14 +10,13 @@ import numpy as np
 import pytest
 from scipy import special
 
-from lommel.cli.video_commands import Tally
-from lommel.deconvolve import linear
 from lommel.deconvolve.iterations import Iteration
 from lommel.estimation import beads, field_fit, fisher, phase_retrieval
 from lommel.estimation.field_search import Outcome
 from lommel.estimation.fisher import Information
 from lommel.fit import goodness_of_fit, score_tests
 from lommel.fit.goodness_of_fit import ExcessTest
+from lommel.imaging import window_blur
 from lommel.localize import checks
 from lommel.microscopy import deconvolution
 from lommel.recorded import camera_noise
@@ -345,7 +344,7 @@ def test_parabolas_in_tiles_are_off_by_less_than_is_allowed(allowed):
     x = np.linspace(0.0, 1.0, 50)
     windows = RNG.random((2, 2, 3, 3, 3))
     weights = Ramp().weights(x)
-    tile, nodes, points, error = linear._parabolas(weights, Ramp(), x, slice(0, 2), windows, allowed)
+    tile, nodes, points, error = window_blur._parabolas(weights, Ramp(), x, slice(0, 2), windows, allowed)
     made = np.stack([sum(points[k, j] * nodes[2 * tile[k] + j] for j in range(3)) for k in range(50)])
     off = np.tensordot(weights - made, windows, axes=(1, 1))
     exact = np.abs(off).sum(axis=(-2, -1)).max()

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from lommel.deconvolve.linear import WindowBlur
 from lommel.imaging.field_blur import Nodes
+from lommel.imaging.window_blur import WindowBlur
 from point_sums import sum_over_points
 
 HEIGHT, WIDTH = 37, 29

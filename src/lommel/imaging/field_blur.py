@@ -20,12 +20,13 @@ from lommel.base.arrays import Array, Values
 from lommel.base.cached import cached_property
 from lommel.base.options import In, listed
 from lommel.base.threads import side_by_side
-from lommel.deconvolve.linear import LARGEST, LinearBlur, WindowBlur, copies, without_copies
+from lommel.deconvolve.linear import LinearBlur, copies, without_copies
 from lommel.field.maps import FieldMap, require_light, require_one_aperture
 from lommel.field.psf_grid import sides
 from lommel.imaging.blur import require_depth, require_lens, warn_of_depths
 from lommel.imaging.sensor_light import too_large
 from lommel.imaging.settings import Spectrum, WindowOptions, floating, spectra
+from lommel.imaging.window_blur import LARGEST, WindowBlur
 from lommel.optics.lens import Lens
 from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront.wavefront import Wavefront

@@ -366,57 +366,30 @@ def _render_tiles(
     """Return the photograph for arrays or memory maps, rendered tile by tile."""
     require_scene("image", values.shape, distances.shape)
     out = output_array(out, "image", values.shape, values.dtype, values, distances)
-    blur = TileBlur(values.shape, depth_range(distances), lens, pixel, encoding, o.energy, o.tol)
-    tiles = list(tiles_of(values.shape, side, blur.overlap))
+    # The two ends of the depth range determine the windows of all tiles.
+    whole = DepthBlur(
+        np.array([_depth_range(distances)]), lens, pixel, channels=channel_spectra(values.shape, lens.wavelength),
+        energy=o.energy, tol=o.tol, largest=min(2048, max(1, min(values.shape[:2]) // 2)),
+    )  # fmt: skip
+    reach = float(whole.defocus.min()), float(whole.defocus.max())
+    # Points in the margin of a tile contribute light to the tile.
+    margin = max(bank.half for bank in whole.banks) + reach_behind(whole, reach)
+    tiles = list(tiles_of(values.shape, side, margin))
     clipped = 0.0
     for count, (region, overlapping, inner) in enumerate(tiles, 1):
-        light = blur.light(values[overlapping], np.asarray(distances[overlapping]))[inner]
+        blur = copy.copy(whole)
+        blur.place(np.asarray(distances[overlapping]))
+        seen = Occlusion(blur)
+        seen.reach = reach
+        light = seen.forward(scene_light("image", np.asarray(values[overlapping]), encoding, whole.dtype))[inner]
         out[region], fraction = encode_light(light, encoding, values.dtype)
         clipped += fraction * light.size / out.size
         if progress is not None:
             progress(count, len(tiles))
-    return Rendered.by(blur.whole, out, encoding, clipped)
+    return Rendered.by(whole, out, encoding, clipped)
 
 
-class TileBlur:
-    """Depth-of-field rendering of parts of a scene, with the PSF windows of the whole scene."""
-
-    def __init__(
-        self,
-        shape: tuple[int, ...],
-        depths: tuple[float, float],
-        lens: Lens,
-        pixel: float,
-        encoding: str,
-        energy: float,
-        tol: float = TableOptions.tol,
-    ) -> None:
-        self.encoding = encoding
-        # The two ends of the depth range determine the windows of all parts.
-        self.whole = DepthBlur(
-            np.array([depths]), lens, pixel, channels=channel_spectra(shape, lens.wavelength), energy=energy,
-            tol=tol, largest=min(2048, max(1, min(shape[:2]) // 2)),
-        )  # fmt: skip
-        self._defocus_range = (float(self.whole.defocus.min()), float(self.whole.defocus.max()))
-        self.half = max(bank.half for bank in self.whole.banks)
-        # Width of the margin, in pixels: points in the margin of a part contribute light to the part.
-        self.overlap = self.half + reach_behind(self.whole, self._defocus_range)
-
-    def light(self, image: Pixels, depth: Pixels) -> Values:
-        """Return the blurred light of a part of the scene; within `overlap` pixels of cut edges, light is missing."""
-        image, depth = validation.array("image", image), validation.array("depth", depth)
-        return self.operator(depth).forward(scene_light("image", image, self.encoding, self.whole.dtype))
-
-    def operator(self, depth: Pixels) -> Occlusion:
-        """Return the blur of a part of the scene."""
-        blur = copy.copy(self.whole)
-        blur.place(depth)
-        seen = Occlusion(blur)
-        seen.reach = self._defocus_range
-        return seen
-
-
-def depth_range(depth: Pixels) -> tuple[float, float]:
+def _depth_range(depth: Pixels) -> tuple[float, float]:
     """Return the nearest and the farthest distance, metres; read the depth in strips of rows."""
     require_metres(depth.dtype)
     rows = max(1, _STRIP // depth.shape[1])

@@ -96,7 +96,7 @@ class DepthModel:
             return replace(self, **{name: value * getattr(self, name)})
         if name == "depth":
             return replace(self, depth=validation.real("depth", value, least=0.0, most=DEPTH_MOST))
-        changed = {name: value if name == "sample" else value * self.objective.NA}
+        changed: dict[str, Any] = {name: value if name == "sample" else value * self.objective.NA}
         return replace(self, objective=replace(self.objective, **changed))
 
     def psf(self, depth: float | Array) -> PSF:

@@ -21,7 +21,7 @@ from lommel.base.encoding import from_light, to_light
 from lommel.base.options import In, listed
 from lommel.core.engine import FocalStream
 from lommel.estimation.depth_precision import WINDOW
-from lommel.estimation.focal_model import FocalLight, Spectrum, Transfer, transfer_curve
+from lommel.estimation.focal_model import FocalLight, Transfer, transfer_curve
 from lommel.imaging.defocus_verdict import DefocusVerdict, judge_frames, squared_slopes
 from lommel.imaging.focal_engine import (
     BLOCK,
@@ -34,8 +34,8 @@ from lommel.imaging.focal_engine import (
     processors,
 )
 from lommel.imaging.photograph import require_image
+from lommel.imaging.settings import channel_spectra, spectra
 from lommel.io.depth_maps import fill_missing, write_depth
-from lommel.optics.colour.spectrum import RED_GREEN_BLUE
 from lommel.optics.lens import Lens, pixel_of
 from lommel.recorded.counts import Counts, counts_of
 from lommel.recorded.noise import Noise
@@ -281,8 +281,8 @@ def depth_from_defocus(
         channel[1:] = registered(list(channel), math.inf, valid.view(np.uint8))[1:]
     # Registration returns NaN for pixels that depend on unknown pixels.
     valid = np.isfinite(images).all(axis=(0, 1)) & valid
-    spectra = _spectra(counts[0].values.shape, lenses[0].wavelength)
-    task = FocalTask(lenses, vergence, spectra, pitch, ends, BLOCK, processors(), transfer, registered.scales)
+    colours = spectra("channels", channel_spectra(counts[0].values.shape, lenses[0].wavelength))
+    task = FocalTask(lenses, vergence, colours, pitch, ends, BLOCK, processors(), transfer, registered.scales)
     means = images[..., _unmixed(valid, task.blur)].mean(axis=(0, 2), dtype=np.float64)
     if not np.all(means > 0.0):
         text = ", ".join(f"{value:.4g}" for value in means)
@@ -330,16 +330,6 @@ def _list_photographs(photographs: object, lenses: Sequence[Lens]) -> list[objec
         count = len(images) or validation.shown(photographs)
         raise ValueError(f"photographs must be as many as lenses, {len(lenses)}, got {count}")
     return images
-
-
-def _spectra(shape: tuple[int, ...], wavelength: float) -> list[Spectrum]:
-    """Return the spectrum of each channel of photographs of a shape."""
-    if len(shape) == 2 or shape[2] == 1:
-        return [((wavelength, 1.0),)]
-    if shape[2] != len(RED_GREEN_BLUE):
-        hint = "; drop the alpha channel" if shape[2] in (2, 4) else ""
-        raise ValueError(f"photographs must be grey or have three channels (RGB), got {shape[2]}{hint}")
-    return [((value, 1.0),) for value in RED_GREEN_BLUE]
 
 
 def _counts(photographs: list[object]) -> list[Counts]:

@@ -94,23 +94,18 @@ def _thresholds(encoding: str) -> NDArray[np.float32]:
     return to_light("thresholds", (np.arange(255) + 0.5) / 255.0, encoding, np.float64).astype(np.float32)
 
 
-def output_array(
-    out: Pixels | None, name: str, shape: tuple[int, ...], dtype: np.dtype[np.generic], *inputs: Pixels
-) -> Pixels:
-    """Return `out`, or a new array if it is None; TypeError or ValueError if `out` does not fit or overlaps `inputs`.
-
-    `name` is the argument in the message whose `shape` and `dtype` the array must have.
-    """
+def output_array(out: Pixels | None, shape: tuple[int, ...], dtype: np.dtype[np.generic], *inputs: Pixels) -> Pixels:
+    """Return `out`, or a new array if it is None; TypeError or ValueError if it does not fit or overlaps `inputs`."""
     if out is None:
         return np.empty(shape, dtype=dtype)
     if not isinstance(out, np.ndarray):
         raise TypeError(f"out must be an array, got {validation.shown(out)}")
     if out.shape != shape:
-        raise ValueError(f"out must have the shape of the {name}, {shape}, got {out.shape}")
+        raise ValueError(f"out must have the shape of the image, {shape}, got {out.shape}")
     if out.dtype != dtype:
-        raise TypeError(f"out must have the type of the {name}, {dtype}, got {out.dtype}")
+        raise TypeError(f"out must have the type of the image, {dtype}, got {out.dtype}")
     if not out.flags.writeable or any(np.may_share_memory(out, source) for source in inputs):
-        raise ValueError(f"out must be writeable, and must not share memory with {name} or depth")
+        raise ValueError("out must be writeable, and must not share memory with image or depth")
     return out
 
 
@@ -259,7 +254,7 @@ class FocusPlan:
             If an argument is out of range, or a window is too large; `out` is then unchanged.
         """
         if out is not None:
-            output_array(out, "image", self._scene.shape, self._scene.dtype)
+            output_array(out, self._scene.shape, self._scene.dtype)
         lens = self.lens if f_number is None else self.lens.stopped(f_number)
         lens = lens if focus_distance is None else lens.focused(focus_distance)
         return self._scene.photograph(self._blur(lens), out, occlusion=self._occlusion)
@@ -333,7 +328,7 @@ def depth_of_field(
         return _render_tiles(values, distances, lens, pixel, encoding, side, o, out, progress)
     scene = Scene(values, distances, lens, pixel, encoding, o)
     if out is not None:
-        output_array(out, "image", scene.shape, scene.dtype)
+        output_array(out, scene.shape, scene.dtype)
     blur = scene.blur(lens)
     if progress is not None:
         blur.blur.watch = _counted(progress, distances.size * blur.channels)
@@ -365,7 +360,7 @@ def _render_tiles(
 ) -> Rendered:
     """Return the photograph for arrays or memory maps, rendered tile by tile."""
     require_scene("image", values.shape, distances.shape)
-    out = output_array(out, "image", values.shape, values.dtype, values, distances)
+    out = output_array(out, values.shape, values.dtype, values, distances)
     # The two ends of the depth range determine the windows of all tiles.
     whole = DepthBlur(
         np.array([_depth_range(distances)]), lens, pixel, channels=channel_spectra(values.shape, lens.wavelength),

@@ -46,7 +46,6 @@ from lommel.imaging.one_pass import OnePass, wiener_target
 from lommel.imaging.photograph import (
     Pixels,
     encode_light,
-    output_array,
     require_image,
     require_scene,
 )
@@ -174,7 +173,6 @@ def restore(
     *,
     encoding: str,
     noise: Noise,
-    out: Pixels | None = None,
     progress: Callable[..., object] | None = None,
     options: RestoreOptions | None = None,
     **given: Any,
@@ -200,8 +198,6 @@ def restore(
         Encoding of `photo` and of the result.
     noise : Noise
         Noise of linear values with white at 1, for any type of `photo`: ``white=`` is in electrons at white.
-    out : ndarray, optional
-        Array or memory map for the values, with the shape and type of `photo`; must not share memory with `photo`.
     progress : callable, optional
         Called as ``progress(step, discrepancy, seconds_left)`` at each step; an exception that it raises ends the
         restoration. By default progress is printed after two seconds, if standard error is a terminal.
@@ -217,8 +213,7 @@ def restore(
     ------
     TypeError, ValueError
         If an argument is unknown or out of range, if shapes do not match, if a depth is unknown (NaN), if the lens is
-        not radially symmetric, if a window is wider than the shorter side of the photograph, if no pixel is known, or
-        if `out` has another shape or type.
+        not radially symmetric, if a window is wider than the shorter side of the photograph, or if no pixel is known.
 
     Examples
     --------
@@ -234,7 +229,6 @@ def restore(
     """
     o = RestoreOptions.of("restore", options, given)
     validation.instance("noise", noise, Noise)
-    validation.function("progress", progress, required=False)
     image, mask = validation.parted("photo", photo)
     method = o.method or RichardsonLucy()
     if isinstance(lens, LinearBlur):
@@ -252,8 +246,6 @@ def restore(
         require_scene("photo", image.shape, distances.shape)
         light, channels = recorded(image, encoding, limit, mask), channel_spectra(image.shape, lens.wavelength)
         blur = Occlusion(DepthBlur(distances, lens, pixel, channels=channels, energy=o.energy))
-    if out is not None:
-        output_array(out, "photo", image.shape, image.dtype, image)
     observed = PhotographLikelihood(blur, light, noise, limit)
     with shown(progress) as tell:
         before = observed.mean(observed.discrepancies_of(observed.image))
@@ -263,10 +255,8 @@ def restore(
     after = observed.discrepancies_of(restored)
     discrepancy = observed.mean(after)
     values, clipped = encode_light(restored, encoding, image.dtype)
-    if out is not None:
-        np.copyto(out, values)
     return Restoration(
-        values if out is None else out, restored, discrepancy, tuple(map(float, after)), before, result.steps,
+        values, restored, discrepancy, tuple(map(float, after)), before, result.steps,
         stopped, result.strength, 1.0 - float(observed.known.sum()) / light.size, clipped, photograph=share,
         findings=_findings(stopped, discrepancy),
     )  # fmt: skip

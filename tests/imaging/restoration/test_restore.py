@@ -77,15 +77,6 @@ def test_what_a_mask_hides_is_unknown_as_nan_is():
     assert "values" not in masked.to_dict()
 
 
-def test_the_result_is_written_where_it_is_asked_for():
-    photo, given = _photo(_scene()), {"encoding": "linear", "noise": NOISE, "method": RichardsonLucy(steps=2)}
-    out = np.empty_like(photo)
-    assert restore(photo, DEPTH, LENS, PIXEL, out=out, **given).values is out
-    assert np.array_equal(out, restore(photo, DEPTH, LENS, PIXEL, **given).values)
-    with pytest.raises(ValueError, match="share memory"):
-        restore(photo, DEPTH, LENS, PIXEL, out=photo, **given)
-
-
 @pytest.mark.parametrize("dtype", [np.uint8, np.uint16, np.float32])
 def test_the_result_is_stored_as_the_photograph_is(dtype):
     scene = _scene(3)

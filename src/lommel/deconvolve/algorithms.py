@@ -3,10 +3,8 @@
 from __future__ import annotations
 
 import math
-import sys
 import time
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -214,8 +212,6 @@ def _next_strength(trials: list[tuple[float, float]]) -> float:
 
 Pixels = NDArray[np.generic]  # stored values, unsigned integers or floats
 
-_QUIET, _PAUSE = 1.5, 0.2  # seconds before the first progress line, and between lines
-
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Restoration(Judged):
@@ -295,28 +291,3 @@ class Restoration(Judged):
             f"<Restoration, {size}: discrepancy {self.before:.3g} before, {self.discrepancy:.3g} after "
             f"{self.steps} steps, stopped by {self.stopped!r}>"
         )
-
-
-@contextmanager
-def shown(progress: ProgressCallback | None) -> Iterator[ProgressCallback]:
-    """Yield the function called at each step: `progress`, or one that writes to a terminal on standard error."""
-    validation.function("progress", progress, required=False)
-    if progress is not None or sys.stderr is None or not sys.stderr.isatty():
-        yield progress or silent
-        return
-    stream, next_line = sys.stderr, time.monotonic() + _QUIET
-
-    def write(step: int, discrepancy: float, seconds_left: float) -> None:
-        nonlocal next_line
-        if (now := time.monotonic()) >= next_line:
-            stream.write(f"\rstep {step}, discrepancy {discrepancy:.3g}, about {seconds_left:.0f} s left\x1b[K")
-            stream.flush()
-            next_line = now + _PAUSE
-
-    start = next_line
-    try:
-        yield write
-    finally:
-        if next_line > start:
-            stream.write("\r\x1b[K")
-            stream.flush()

@@ -30,11 +30,10 @@ from lommel.base.options import HIDDEN, In, listed
 from lommel.deconvolve.algorithms import (
     MISFIT,
     STEPS,
-    ProgressCallback,
     Restoration,
     RichardsonLucy,
     TotalVariation,
-    shown,
+    silent,
 )
 from lommel.deconvolve.iterations import Solution, iterated
 from lommel.deconvolve.likelihood import PhotographLikelihood
@@ -64,13 +63,6 @@ _DIFFERENCE_STEP = 0.1  # change of the photograph / noise, for the difference q
 
 
 Method = RichardsonLucy | TotalVariation | OnePass
-
-
-def solve(method: Method, observed: PhotographLikelihood, tell: ProgressCallback) -> Solution:
-    """Return the sharp image of counts by a `method`, which stops at the discrepancy expected of the noise."""
-    if isinstance(method, OnePass):
-        return method.solve(observed, tell)
-    return iterated(noise_aware(method, observed), observed, tell)
 
 
 def noise_aware(
@@ -200,7 +192,7 @@ def restore(
         Noise of linear values with white at 1, for any type of `photo`: ``white=`` is in electrons at white.
     progress : callable, optional
         Called as ``progress(step, discrepancy, seconds_left)`` at each step; an exception that it raises ends the
-        restoration. By default progress is printed after two seconds, if standard error is a terminal.
+        restoration.
     options : RestoreOptions, optional
         Options as an object, which keywords change.
     {options}
@@ -229,6 +221,7 @@ def restore(
     """
     o = RestoreOptions.of("restore", options, given)
     validation.instance("noise", noise, Noise)
+    validation.function("progress", progress, required=False)
     image, mask = validation.parted("photo", photo)
     method = o.method or RichardsonLucy()
     if isinstance(lens, LinearBlur):
@@ -247,9 +240,11 @@ def restore(
         light, channels = recorded(image, encoding, limit, mask), channel_spectra(image.shape, lens.wavelength)
         blur = Occlusion(DepthBlur(distances, lens, pixel, channels=channels, energy=o.energy))
     observed = PhotographLikelihood(blur, light, noise, limit)
-    with shown(progress) as tell:
-        before = observed.mean(observed.discrepancies_of(observed.image))
-        result = solve(method, observed, tell)
+    before = observed.mean(observed.discrepancies_of(observed.image))
+    if isinstance(method, OnePass):
+        result = method.solve(observed, progress or silent)
+    else:  # which stops at the discrepancy that the noise makes likely
+        result = iterated(noise_aware(method, observed), observed, progress or silent)
     share, stopped = check_result(observed, result, method)
     restored = blend(observed, result.light, share)
     after = observed.discrepancies_of(restored)

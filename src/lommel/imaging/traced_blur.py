@@ -577,19 +577,9 @@ class TracedBlur:
 
     def __repr__(self) -> str:
         static = self._static
-        optics = [
-            name
-            for name, learnable in zip(
-                _OPTICS,
-                (static.optics.focus, static.optics.stops, static.optics.defocus, static.optics.zernike),
-                strict=True,
-            )
-            if learnable
-        ]
-        also = f"; {', '.join(optics)} can be learned" if optics else ""
         return (
             f"<TracedBlur in {static.namespace.name}: {static.channels} channel(s), {self.rank} windows of "
-            f"{2 * static.half + 1} x {2 * static.half + 1} in {len(static.ranks)} layer(s){also}>"
+            f"{2 * static.half + 1} x {2 * static.half + 1} in {len(static.ranks)} layer(s)>"
         )
 
     def __reduce__(self) -> tuple[Any, ...]:

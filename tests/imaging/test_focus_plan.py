@@ -38,18 +38,6 @@ def test_a_plan_gives_what_depth_of_field_gives_bit_for_bit(dtype, encoding, cha
         assert out is None or made.values is out
 
 
-def test_settings_are_remembered_and_the_oldest_is_dropped():
-    image, depth = scene()
-    plan = FocusPlan(image, depth, LENS, PIXEL, encoding="srgb")
-    lenses = [LENS, *(LENS.focused(distance) for distance in (2.1, 2.2, 2.3))]
-    kept = [plan._blur(lens) for lens in lenses]
-    assert all(plan._blur(lens) is blur for lens, blur in zip(lenses, kept, strict=True))
-    fifth = plan._blur(LENS.stopped(8.0))
-    assert plan._blur(lenses[3]) is kept[3]
-    assert plan._blur(LENS.stopped(8.0)) is fifth
-    assert plan._blur(LENS) is not kept[0]
-
-
 def test_what_is_done_to_the_inputs_afterwards_does_not_matter():
     image, depth = scene(np.float32)
     plan = FocusPlan(image, depth, LENS, PIXEL, encoding="linear")

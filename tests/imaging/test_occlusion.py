@@ -169,33 +169,13 @@ def test_threads_and_tiles_change_nothing(seed, height, width):
     assert np.abs(white - 1.0).max() < 1e-5
 
 
-def test_shares_are_made_once_for_a_depth_and_anew_for_another(monkeypatch):
-    rng, made = np.random.default_rng(7), []
+def test_what_is_kept_is_that_of_the_depth_map():
+    rng = np.random.default_rng(7)
     one, other = torn(rng), torn(rng)
     blur = DepthBlur(one, LENS, PIXEL, dtype=np.float64, channels=(6e-7, 5e-7, 6e-7), largest=20)
-    light = rng.random((*one.shape, 3))
-    monkeypatch.setattr("lommel.imaging.occlusion._layering", lambda *given: made.append(1) or _layering(*given))
-    operator = Occlusion(blur)
+    light, operator = rng.random((*one.shape, 3)), Occlusion(blur)
     first = operator.forward(light)
     assert np.array_equal(operator.forward(light), first)
-    operator.adjoint(light)
-    assert len(made) == 1
     blur.place(other)
     assert np.array_equal(operator.forward(light), Occlusion(blur).forward(light))
-    assert len(made) == 3
     assert np.abs(operator.forward(light) - first).max() > 0.1
-    # No more is kept than is said: after one call the layers, after a second what pixels see.
-    layering, shares, groups = operator._cache[2:]
-    assert (len(shares), len(groups)) == (2, 0)
-    assert layering.layers.nbytes + layering.behind.nbytes == 5 * one.size
-    operator = Occlusion(blur)
-    operator.forward(light)
-    assert not operator._cache[3]
-    operator.adjoint(light)
-    _, shares, groups = operator._cache[2:]
-    arrays = {id(array): array for each in shares.values() for array in each}
-    points = [points for each in groups.values() for points in each]
-    arrays |= {id(a): a for each in points for a in each if a is not None}
-    own = {id(blur.positions(channel)) for channel in range(3)}
-    kept = sum(array.nbytes for name, array in arrays.items() if name not in own)
-    assert kept <= 2 * 40 * one.size

@@ -170,26 +170,6 @@ def test_distances_can_be_infinite(visit: Callable[..., Any], typed: str) -> Non
     assert page.locator(".notice").is_hidden()
 
 
-def test_play_runs_the_slider_used_last_until_anything_is_touched(visit: Callable[..., Any]) -> None:
-    page = visit("/mounted#side=64")
-    slider(page, "spherical").focus()
-    page.keyboard.press("ArrowRight")
-    rest(page)
-    play = page.locator('[data-action="play"]')
-    assert play.get_attribute("aria-label") == "Move Spherical"
-    play.click()
-    page.wait_for_timeout(600)
-    assert play.get_attribute("aria-label") == "Pause Spherical"
-    moved = state(page)["spherical"]
-    assert moved > 0.1
-    page.locator(".psf .title").click()
-    stopped = state(page)["spherical"]
-    page.wait_for_timeout(300)
-    assert state(page)["spherical"] == stopped
-    page.keyboard.press("Control+z")
-    assert state(page)["spherical"] == 0.01  # one step for all of it
-
-
 def test_an_answer_to_an_older_setting_is_grey_within_a_fifth_of_a_second(visit: Callable[..., Any]) -> None:
     page = visit("/mounted#side=64", before=SLOW)
     assert late(page) == set()

@@ -5,21 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-import pytest
-
-from live_page import IDLE, slider
-
-
-@pytest.mark.parametrize("width", [320, 390, 768, 1440])
-def test_no_width_scrolls_sideways(visit: Callable[..., Any], width: int) -> None:
-    page = visit("/mounted#side=64&length_unit=arcsec", viewport={"width": width, "height": 844})
-    assert page.evaluate("document.documentElement.scrollWidth") <= width
-    slider(page, "obscuration").scroll_into_view_if_needed()
-    picture, control = page.locator(".now canvas").bounding_box(), slider(page, "obscuration").bounding_box()
-    if width < 768:
-        assert picture["y"] >= 0
-        assert picture["y"] + picture["height"] <= 0.42 * 844
-    assert control["y"] >= (picture["y"] + picture["height"] if width < 768 else 0)
+from live_page import IDLE
 
 
 def test_two_on_a_page_are_independent(visit: Callable[..., Any]) -> None:

@@ -314,20 +314,6 @@ def test_a_stack_whose_z_runs_the_other_way_is_told_in_words_of_microscopes():
     assert "photo" not in told
 
 
-def test_progress_is_told_of_each_step_and_may_end_the_work():
-    stack, told = np.full((3, 12, 12), 200.0), []
-    way = lm.imaging.RichardsonLucy(steps=3, target=0.0)
-    restored(stack, PSF, NOISE, method=way, progress=lambda share, words: told.append((share, words)))
-    assert [words.split(",")[0] for _, words in told[-4:]] == ["step 0", "step 1", "step 2", "step 3"]
-    assert [share for share, _ in told] == sorted(share for share, _ in told)
-
-    def stop(*_):
-        raise KeyboardInterrupt
-
-    with pytest.raises(KeyboardInterrupt):
-        restored(stack, PSF, NOISE, progress=stop)
-
-
 _MEMORY = """
 import numpy as np
 import lommel as lm

@@ -64,9 +64,8 @@ def test_steps_reach_the_minimum_and_plain_ones_never_go_up(aspect):
     best = minimum(stack, strength, aspect, float(walk._rounding))
     assert walk.objectives[-1] == pytest.approx(best, rel=2e-3)
     plain, _ = small(aspect)
-    plain._strength = strength
     for _ in range(30):
-        plain._evaluate(0.0)
+        plain._evaluate(0.0, strength)
         plain._step()
     assert np.diff(plain.objectives).max() < 1e-6 * plain.objectives[0]
     assert best < plain.objectives[-1] < 1.05 * best

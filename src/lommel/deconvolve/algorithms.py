@@ -280,14 +280,9 @@ class Restoration(Judged):
         data: Json = plain(verdict | numbers)
         return data
 
+    def __repr__(self) -> str:
+        return f"<Restoration: {self.message}>"
+
     def __array__(self, dtype: DTypeLike | None = None, copy: bool | None = None) -> Pixels:
         """Return the values."""
         return np.array(self.values, dtype=dtype, copy=copy)
-
-    def __repr__(self) -> str:
-        """Return the result in one line."""
-        size = " x ".join(map(str, self.values.shape))
-        return (
-            f"<Restoration, {size}: discrepancy {self.before:.3g} before, {self.discrepancy:.3g} after "
-            f"{self.steps} steps, stopped by {self.stopped!r}>"
-        )

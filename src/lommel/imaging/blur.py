@@ -145,14 +145,10 @@ class DepthBlur(LinearBlur):
         """Return the blurred light of several `sources` in one `channel`.
 
         Each source is a pair: light, shape (height, width), and the points that spread it. `seen` is the number of
-        layers that each pixel sees, a real number; None for all layers. Raises TypeError or ValueError if the channel
-        does not exist, or a plane is not of the dtype of the operator.
+        layers that each pixel sees, a real number; None for all layers. Planes have the shape and the dtype of the
+        operator.
         """
         bank, margins = self._padded_bank(channel)
-        if not isinstance(sources, Sequence):
-            raise TypeError(f"sources must be a sequence of planes and points, got {validation.shown(sources)}")
-        for plane, points in sources:
-            self._require(plane, points)
         padded = np.zeros([side + sum(pair) for side, pair in zip(self.shape, margins, strict=True)], self.dtype)
         seen_around = None if seen is None else np.pad(seen, margins, mode="symmetric")
         for plane, points in sources:
@@ -171,8 +167,6 @@ class DepthBlur(LinearBlur):
     ) -> Iterator[Values]:
         """Yield the transpose of :meth:`spread`, applied to a `plane`, for each of the `sources`."""
         bank, margins = self._padded_bank(channel)
-        for points in sources:
-            self._require(plane, points)
         padded = np.pad(plane, margins, mode="symmetric")
         seen_around = None if seen is None else np.pad(seen, margins, mode="symmetric")
         for points in sources:
@@ -180,17 +174,9 @@ class DepthBlur(LinearBlur):
             engine.collect(parts(bank), points.positions, padded, self.threads, sums, points.layers, seen_around)
             yield sums
 
-    def _require(self, plane: object, points: object) -> None:
-        """Raise TypeError unless `points` are Points, and `plane` has the shape and dtype of the operator."""
-        validation.instance("points", points, Points)
-        if not isinstance(plane, np.ndarray) or plane.shape != self.shape or plane.dtype != self.dtype:
-            raise TypeError(
-                f"plane must be an array of {self.dtype} of the shape {self.shape}, got {validation.shown(plane)}"
-            )
-
     def _padded_bank(self, channel: int) -> tuple[Bank, list[tuple[int, int]]]:
         """Return the bank of a channel, and the margins that windows need."""
-        bank = self.banks[validation.integer("channel", channel, least=0, most=len(self.banks) - 1)]
+        bank = self.banks[channel]
         return bank, [(width,) * 2 for width in bank.beyond]
 
     def _bands(self, half: int) -> Iterator[tuple[slice, slice]]:
@@ -202,8 +188,7 @@ class DepthBlur(LinearBlur):
             yield slice(first, last), slice(first, last + 2 * half)
 
     def positions(self, channel: int) -> Array:
-        """Return the position of each point in the bank of a `channel`; ValueError if there is no such channel."""
-        channel = validation.integer("channel", channel, least=0, most=len(self.banks) - 1)
+        """Return the position of each point in the bank of a `channel`."""
         placed = self._placed
         if placed is None or placed[0] is not self.defocus or placed[1] is not self.banks:
             on_grid = {(b.start, b.spacing): np.maximum(b.positions(self.defocus), 0.0) for b in self.banks}

@@ -109,15 +109,6 @@ class RestoredStack(FitReport):
         """Return the values."""
         return np.array(self.values[...], dtype=dtype, copy=copy)
 
-    def __repr__(self) -> str:
-        """Return the result in one line."""
-        size = " x ".join(map(str, self.values.shape))
-        first = self.channels[0]
-        return (
-            f"<RestoredStack, {size}: discrepancy {first.before:.3g} before, {first.discrepancy:.3g} after "
-            f"{first.steps} steps, stopped by {first.stopped!r}>"
-        )
-
     def to_dict(self) -> Json:
         """Return the result as data that can be written as JSON, without `values`.
 

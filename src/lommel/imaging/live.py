@@ -462,19 +462,13 @@ class LiveDepth:
             raise ValueError("frames have no pixel that is known in all of them: pixels are saturated, NaN or masked")
         white = self._form.white
         means = (self._sums[:-1].sum(axis=(1, 2)) / counts - self._offset) * white
-        for k, mean in enumerate(means):
-            if not mean > 0.0:
-                raise ValueError(
-                    f"frames[{k}] must hold light, got a mean of {mean:.4g} electrons above the offset "
-                    f"{self._form.offset:g} of the noise"
-                )
-        ratios = tuple((means / means[0]).tolist())
         darkest = int(np.argmin(means))
-        if means[darkest] < _MIN_MEAN * means.max():
+        if not means[darkest] > max(_MIN_MEAN * means.max(), 0.0):
             raise ValueError(
-                f"frames[{darkest}] must hold light, got a mean of {means[darkest]:.4g} electrons; the brightest "
-                f"frame has {means.max():.4g}"
+                f"frames[{darkest}] must hold light, got a mean of {means[darkest]:.4g} electrons above the offset "
+                f"{self._form.offset:g} of the noise; the brightest frame has {means.max():.4g}"
             )
+        ratios = tuple((means / means[0]).tolist())
         if not 1.0 / _MAX_RATIO <= min(ratios) <= max(ratios) <= _MAX_RATIO:
             raise ValueError(
                 "frames must not differ in exposure by more than a factor of 2: their means are "

@@ -84,13 +84,6 @@ def test_white_light_has_true_colours_whose_hue_no_stretch_changes(visit: Callab
     assert "true colour" not in bar_label(page)
 
 
-def test_one_wavelength_is_in_inferno_unless_another_map_is_chosen(visit: Callable[..., Any]) -> None:
-    page = visit("/mounted#side=64&defocus=0")
-    assert list(seen(page)[32, 32]) == [252, 255, 164]
-    move(page, map="viridis")
-    assert list(seen(page)[32, 32]) == [253, 231, 37]
-
-
 # Comparison
 
 
@@ -276,19 +269,6 @@ def test_the_png_is_a_figure_with_scale_bar_colour_bar_and_title(visit: Callable
     field = 64 * page.evaluate("live.result().psf.pixel")
     white = (picture[rows[0] + 900 : rows[0] + 1020, 60 : width - 60] == 255).all(axis=2)
     assert max(len(longest(row)) for row in white) == pytest.approx(float(ruler) / field * 1024, abs=3)
-
-
-def test_frequencies_of_the_star_are_marked_at_their_radius(visit: Callable[..., Any]) -> None:
-    page = visit("/mounted#side=64&pixel=1")
-    marks = page.locator(".rings text").evaluate_all(
-        "all => all.map((node) => [node.textContent, node.getAttribute('x')])"
-    )
-    assert marks.pop()[0] == "cycles/mm"
-    assert [name for name, _ in marks] == ["50", "100"]
-    for name, place in marks:  # 36 cycles around, so many micrometres from the middle
-        assert float(place) - 192 == pytest.approx(36 / (2 * 3.14159265) / (float(name) * 1e-3), rel=1e-6)
-    page.get_by_label("Picture", exact=True).select_option("text")
-    page.locator(".rings").wait_for(state="hidden")
 
 
 def test_contrast_below_its_error_is_not_said_to_be_zero(visit: Callable[..., Any]) -> None:

@@ -14,7 +14,7 @@ import pytest
 
 import lommel as lm
 from lommel.base import display, optional
-from lommel.base.options import In, Options, listed, near, sentences
+from lommel.base.options import In, Options, listed, sentences
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -131,18 +131,6 @@ def test_what_is_no_option_is_named_with_those_that_are():
         Tailor(x=1)
 
 
-@pytest.mark.parametrize(
-    ("name", "said"),
-    [
-        ("na", "did you mean NA?"),
-        ("MAGNIFICATION", "did you mean magnification?"),
-        ("zoom", "known are NA, magnification"),
-    ],
-)
-def test_a_name_in_other_letters_is_told_as_it_is_written(name, said):
-    assert near(name, ["NA", "magnification"]) == said
-
-
 def test_a_note_names_the_line_of_the_caller():
     lens = lm.Lens(focal_length=50e-3, f_number=4.0, focus_distance=2.0, wavelength=550e-9)
     plan = lm.imaging.depth_of_field
@@ -170,12 +158,6 @@ class Child(lm.Wavefront):
 @pytest.mark.parametrize("thing", [lm.Pupil(), lm.Wavefront(), Child()])
 def test_what_is_registered_for_a_class_is_found_for_those_that_inherit_from_it(thing):
     assert "<table" in thing._repr_html_()
-
-
-@pytest.mark.parametrize("view", [display.html, display.plot, display.save])
-def test_what_is_not_registered_is_refused(view):
-    with pytest.raises(TypeError, match=r"there is no (table|plot|file) of a str"):
-        view("a text")
 
 
 def test_modules_that_register_are_imported_when_the_first_is_asked_for(monkeypatch):

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import errno
 import io
-import json
 import os
 import struct
 import zlib
@@ -17,7 +16,6 @@ import lommel as lm
 from lommel import imaging
 from lommel.base import reading
 from lommel.io.photos import PhotoError
-from lommel.io.zernike_tables import ZernikeFileError
 from lommel.lensfiles.lens_files import LensFileError
 
 LENS = '[lens]\nfocal_length = "50 mm"\nf_number = 2\nwavelength = "550 nm"\n[sensor]\npixel = "3 um"\nshape = 9\n'
@@ -124,26 +122,6 @@ def test_of_many_faults_twelve_are_told(tmp_path):
         lm.load_instrument(tmp_path / "lens.toml")
 
 
-@pytest.mark.parametrize(
-    ("name", "text"),
-    [
-        ("a.toml", "{key} = 1"),
-        ("a.toml", "[lens.{key}]\na = 1"),
-        ("table.toml", "{key} = 1"),
-        ("table.json", '{{"{key}": 1, "{key}": 2}}'),
-        ("table.csv", "# {key}: 1\n# {key}: 2\n"),
-        ("table.csv", "{key},value\n1,2"),
-        ("table.csv", "# order: noll\nindex,value,{key}\n1,2"),
-        ("table.csv", "# order: {key}\nnoll,value\n1,2"),
-    ],
-)
-def test_a_long_key_is_told_in_short(name, text, tmp_path):
-    (tmp_path / name).write_text(text.format(key="a" * 5000))
-    with pytest.raises(ValueError, match="aaa") as caught:
-        (lm.load_instrument if name == "a.toml" else lm.load_zernike)(tmp_path / name)
-    assert max(map(len, str(caught.value).splitlines())) < 300
-
-
 def test_a_lens_file_of_a_stranger_may_be_kept_to_its_folder(tmp_path):
     (tmp_path / "secret.csv").write_text("root:x:0:0\n")
     (tmp_path / "lenses").mkdir()
@@ -163,42 +141,11 @@ def test_a_lens_file_of_a_stranger_may_be_kept_to_its_folder(tmp_path):
             lm.load_instrument(lens, folder_only=True)
 
 
-@pytest.mark.parametrize(
-    ("suffix", "data", "why"),
-    [
-        (".json", json.dumps({"order": "noll"})[:-1] + ', "terms": {"4": ' + "1" * 100_000 + "}}", "not valid JSON"),
-        (".toml", "order = " + "1" * 100_000, "not valid TOML"),
-        (".csv", "# order: noll\nindex,value\n4," + "1" * 140_000, "."),
-        (".json", json.dumps({"terms": {str(k): 1.0 for k in range(9999)}}), "must be at most 4096 coefficients"),
-    ],
-)
-def test_a_table_that_no_reader_takes_is_told_with_its_name(suffix, data, why, tmp_path):
-    (tmp_path / f"table{suffix}").write_text(data)
-    with pytest.raises(ZernikeFileError, match=rf"table{suffix}: (.|\n)*{why}"):
-        lm.load_zernike(tmp_path / f"table{suffix}")
-
-
-def test_a_field_with_an_endless_cell_is_told_with_its_name(tmp_path):
-    (tmp_path / "field.csv").write_text("height,Z4\n0," + "1" * 131_073)
-    (tmp_path / "lens.toml").write_text(
-        'name = "a"\n' + LENS + '[field]\nsensor = ["1 mm", "1 mm"]\nfile = "field.csv"\n'
-    )
-    with pytest.raises(LensFileError, match=r"field\.csv: field larger than field limit"):
-        lm.load_instrument(tmp_path / "lens.toml")
-
-
 def test_numbers_beyond_all_numbers_are_a_fault_of_the_lens_file(tmp_path):
     for entry in ("W020 = 1e308", "W131 = 1e308", 'spherical_rms = "1e300 m"', "defocus = 1e308"):
         (tmp_path / "lens.toml").write_text('name = "a"\n' + LENS + f"[aberrations]\n{entry}\nW040 = 1e308\n")
         with pytest.raises(LensFileError, match=r"lens\.toml: "):
             lm.load_instrument(tmp_path / "lens.toml")
-
-
-def test_a_name_with_a_line_break_is_told_on_one_line(tmp_path):
-    path = tmp_path / "a\nb.png"
-    path.write_bytes(b"junk")
-    with pytest.raises(PhotoError, match=r"a\\nb.png is not a PNG"):
-        imaging.read_photo(path)
 
 
 @pytest.mark.parametrize("kind", ["external", "virtual", "group", "compound"])

@@ -25,15 +25,14 @@ def same_wavefront(opd: lm.OPDMap, tol: float = 1e-9) -> None:
     assert max(abs(float(c)) for c in found.edge_terms().values()) < tol
 
 
-@pytest.mark.parametrize("suffix", [".fits", ".fit", ".fits.gz", ".csv", ".dat"])
+@pytest.mark.parametrize("suffix", [".fits", ".fit", ".fits.gz", ".csv"])
 def test_what_is_saved_comes_back_with_all_that_was_known(suffix, tmp_path):
     lm.save_opd(tmp_path / f"a{suffix}", MAP)
     found = lm.load_opd(tmp_path / f"a{suffix}")
-    step = WAVE / 65536 if suffix == ".dat" else 0.0
-    np.testing.assert_allclose(found.values, MAP.values, rtol=1e-7 if step else 0.0, atol=0.51 * step)
+    np.testing.assert_array_equal(found.values, MAP.values)
     np.testing.assert_array_equal(found.mask, MAP.mask)
     assert (found.spacing, found.wavelength) == (1.5e-4, WAVE)
-    same_wavefront(found, 1e-4 if step else 1e-9)
+    same_wavefront(found)
 
 
 def test_an_array_alone_comes_back_where_the_call_says_the_rest(tmp_path):
@@ -122,18 +121,6 @@ def test_a_file_of_metropro_is_read(resolution, how, tmp_path):
     assert (found.spacing, found.wavelength) == (1.5e-4, WAVE)
     np.testing.assert_allclose(found.values, VALUES, rtol=1e-6, atol=WAVE * 1.1 / 4096)
     np.testing.assert_array_equal(found.mask, MAP.mask)
-
-
-def test_a_saved_file_of_metropro_has_its_layout(tmp_path):
-    lm.save_opd(tmp_path / "a.dat", MAP)
-    data = (tmp_path / "a.dat").read_bytes()
-    assert struct.unpack_from(">IHI", data) == (0x881B036F, 1, 834)
-    assert struct.unpack_from(">HHI", data, 68) == (44, 40, 4 * 44 * 40)
-    assert struct.unpack_from(">ff", data, 164) == (0.5, pytest.approx(WAVE))
-    assert struct.unpack_from(">H", data, 218) == (1,)
-    counts = np.array(struct.unpack(">1760i", data[834:])).reshape(40, 44)
-    assert ((counts == 2147483640) == ~MAP.mask).all()
-    np.testing.assert_allclose(counts[MAP.mask] * 0.5 * WAVE / 32768, VALUES[MAP.mask], atol=WAVE / 131072)
 
 
 def datx(path, *, place: str, unit: bytes, size: float) -> None:
@@ -298,14 +285,7 @@ def test_fit_opd_takes_a_map_and_a_mask_besides():
 
 def test_maps_that_a_format_does_not_hold_are_told(tmp_path):
     stack = lm.OPDMap(np.stack([VALUES, VALUES]))
-    for suffix in (".csv", ".dat"):
-        with pytest.raises(ValueError, match=rf"a {suffix} holds a single map, got a stack"):
-            lm.save_opd(tmp_path / f"a{suffix}", stack)
-    with pytest.raises(ValueError, match="needs the wavelength"):
-        lm.save_opd(tmp_path / "a.dat", lm.OPDMap(VALUES))
-    with pytest.raises(ValueError, match="holds path differences below"):
-        lm.save_opd(tmp_path / "a.dat", lm.OPDMap(1e9 * VALUES, wavelength=WAVE))
-    with pytest.raises(ValueError, match=r"path must end in .*\.npy, \.csv for an OPD map, got"):
-        lm.save_opd(tmp_path / "a.datx", MAP)
+    with pytest.raises(ValueError, match=r"a \.csv holds a single map, got a stack"):
+        lm.save_opd(tmp_path / "a.csv", stack)
     lm.save_opd(tmp_path / "a.fits", stack)
     np.testing.assert_array_equal(lm.load_opd(tmp_path / "a.fits").values, stack.values)

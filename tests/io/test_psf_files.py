@@ -30,7 +30,6 @@ EXACT = [
     ".hdf5",
     ".mat",
 ]
-SUFFIXES = [*EXACT, ".png"]
 LENS = lm.Lens(
     focal_length=57.6, f_number=24.0, wavelength=550e-9, obscuration=0.33, aberrations=lm.Wavefront(3.0, 1.0, [0.5])
 )
@@ -74,15 +73,6 @@ def test_what_is_saved_loads_as_it_was(suffix, which, tmp_path, request):
     assert loaded.error_bound == psf.error_bound
 
 
-def test_a_picture_loads_to_a_hundred_thousandth_of_the_peak_and_says_so(single, tmp_path):
-    single.save(tmp_path / "a.png")
-    loaded = lm.PSF.load(tmp_path / "a.png")
-    same(loaded, single)
-    assert lm.peak_error(loaded, single) < 1.6e-5
-    truth = lm.psf(single.pupil, (9, 8), 2.5e-6, method="hankel")
-    assert lm.peak_error(loaded, truth) <= loaded.error_bound < 1.6e-5 + single.error_bound
-
-
 @cache
 def computed(method: Method) -> tuple[lm.PSF, float | None]:
     """Return the PSF of a camera by a method, and its light within a circle where the method has diffraction."""
@@ -105,16 +95,13 @@ def computed(method: Method) -> tuple[lm.PSF, float | None]:
     ],
     ids=lambda method: type(method).__name__,
 )
-@pytest.mark.parametrize("suffix", SUFFIXES)
+@pytest.mark.parametrize("suffix", EXACT)
 def test_a_loaded_psf_knows_its_method_with_every_option_and_can_go_on(suffix, method, tmp_path):
     psf, energy = computed(method)
     psf.save(tmp_path / f"a{suffix}")
     loaded = lm.PSF.load(tmp_path / f"a{suffix}")
     same(loaded, psf)
-    if energy is not None and suffix in (
-        ".npz",
-        ".png",
-    ):  # of exact values and of rounded ones: it takes longer than the rest of all files
+    if suffix == ".npz":  # it takes longer than the rest of all files
         assert loaded.encircled_energy(2e-6) == pytest.approx(energy, rel=1e-4)
     assert loaded.energy == pytest.approx(psf.energy, rel=1e-4)
     assert loaded.strehl == pytest.approx(psf.strehl, abs=1e-4)
@@ -191,8 +178,8 @@ def test_the_description_says_how_the_values_were_made(stack):
 
 @pytest.mark.parametrize("name", ["a.jpg", "a", "a.tif.gz", "a.gz", ".png"])
 def test_an_unknown_suffix_is_refused_with_the_known_ones(name, single, tmp_path):
-    for call in (single.save, lm.PSF.load):
-        with pytest.raises(ValueError, match=r"path must end in \.tif, \.tiff, \.npy, \.npz, \.png") as caught:
+    for call in (single.save, lm.PSF.load):  # pictures are not read
+        with pytest.raises(ValueError, match=r"path must end in \.tif, \.tiff, \.npy, \.npz") as caught:
             call(tmp_path / name)
         assert f"got {(tmp_path / name).suffix!r} in '{tmp_path / name}'" in str(caught.value)
     assert not list(tmp_path.iterdir())

@@ -57,15 +57,6 @@ def test_every_example_loads_and_says_where_its_figures_come_from(lens_file):
     assert lm.load_instrument(str(lens_file)).lens == instrument.lens
 
 
-def test_a_key_of_another_section_is_told_where_it_is(load):
-    for text, told in (
-        ("[aperture]\nobscuration = 0.3\n", r"aperture.obscuration \(line 17\): unknown key; it is in \[lens\]$"),
-        ("[report]\nshape = 3\n", r"report.shape \(line 17\): unknown key; it is in \[sensor\]$"),
-    ):
-        with pytest.raises(LensFileError, match=told):
-            load(text=PLAIN + text)
-
-
 def test_a_file_says_what_the_python_would(load):
     instrument = load()
     assert instrument.lens == lm.Lens(focal_length=0.05, f_number=2.0, focus_distance=2.0, wavelength=550e-9)
@@ -114,12 +105,6 @@ def test_a_lens_has_an_amplitude(load):
     assert lit.field().pupil(1e-3, 2e-3).apodization == 0.5
     ringed = load("apodization = [1.0, -1.6, 0.37]").lens
     assert ringed.apodization == ringed.pupil().apodization == lm.Apodization((1.0, -1.6, 0.37))
-    for wrong in ('"sine"', "-1", "101", "true", "nan", "{}", "[0.1, true]", '[0.1, "a"]', "[[0.1], 2]"):
-        with pytest.raises(LensFileError, match=r"lens.apodization \(line \d+\): must be a number from 0 to 100, a"):
-            load(f"apodization = {wrong}")
-    for wrong in ("[0.1, inf]", "[150.0]"):
-        with pytest.raises(LensFileError, match=r"lens.apodization \(line \d+\): powers must"):
-            load(f"apodization = {wrong}")
     with pytest.raises(LensFileError, match="apodization 'aplanatic' needs model='aplanatic'"):
         load('apodization = "aplanatic"')
 
@@ -181,20 +166,11 @@ def fault(load, *changes: str, text: str = PLAIN) -> str:
         ('focal_length = "50 kg"', "lens.focal_length (line 5)", "unknown unit 'kg'; a length is in m, km, cm"),
         ('focal_length = "-50 mm"', "lens.focal_length (line 5)", "must be positive, got -0.05 m"),
         ('focal_length = "inf"', "lens.focal_length (line 5)", "must be finite"),
-        ("focal_length = nan", "lens.focal_length (line 5)", "nan"),
-        ("focal_length = true", "lens.focal_length (line 5)", "got True"),
-        ("focal_length = 2020-01-01", "lens.focal_length (line 5)", "2020"),
         ('f_number = "2.0"', "lens.f_number (line 6)", "number"),
         ("f_number = 0", "lens.f_number (line 6)", "greater than 0"),
-        ("f_number = inf", "lens.f_number (line 6)", "finite"),
-        ("obscuration = 1.0", "lens.obscuration (line 9)", "less than 1"),
         ("fnumber = 2.0", "lens.fnumber (line 9)", "unknown key; did you mean f_number?"),
         ('wavelength = "550 m"', "lens.wavelength (line 8)", 'for 550 nm write "550 nm"'),
         ('pixel = "3.45 m"', "sensor.pixel (line 14)", 'for 3.45 um write "3.45 um"'),
-        ("shape = 0", "sensor.shape (line 15)", "must be from 1 to 16384, got 0"),
-        ("shape = [1, 2, 3]", "sensor.shape (line 15)", "(height, width)"),
-        ("shape = 33\nintegrate = 1", "sensor.integrate (line 16)", "valid boolean"),
-        ('source = ["a"]', "source (line 2)", "string"),
     ],
     ids=lambda text: text if " = " in text else "",
 )
@@ -233,16 +209,6 @@ def test_entries_that_contradict_each_other_are_named(load, change, what):
     assert what in fault(load, change)
 
 
-def test_an_unknown_section_is_told_with_what_it_may_have_been(load):
-    message = fault(load, text=PLAIN + "[aberations]\nW040 = 1\n")
-    assert message == "aberations (line 16): unknown key; did you mean aberrations?"
-    message = fault(load, text=PLAIN + "[zoom]\n")
-    assert message == (
-        "zoom (line 16): unknown key; known are name, source, lens, aperture, aberrations, object, sensor, field, "
-        "colour, channels, report"
-    )
-
-
 def test_an_angle_in_degrees_without_a_unit_and_a_key_angle_of_a_spider_are_told_the_way_out(load):
     message = fault(load, text=PLAIN + '[aperture.spider]\nwidth = "1 mm"\nvanes = 4\nfirst = 45\nangle = 45\n')
     assert "aperture.spider.first (line 19): an angle without a unit must be in radians" in message
@@ -265,22 +231,6 @@ def test_every_fault_is_told_at_once(load):
         "sensor.pixel",
         "sensor.pixels (line 14)",
     ]
-
-
-@pytest.mark.parametrize(
-    ("value", "what"),
-    [
-        ('["junk"]', "'junk'"),
-        ('["5 um", "-1 um"]', "'-1 um'"),
-        ("[0]", "0"),
-        ('"5 um"', "list"),
-    ],
-)
-def test_a_bad_radius_is_told_with_its_key_and_line(load, value, what):
-    message = fault(load, text=f"{PLAIN}[report]\nencircled_energy = {value}\n")
-    assert message.startswith("report.encircled_energy (line 17)")
-    assert what in message
-    assert "\n" not in message
 
 
 @pytest.mark.parametrize("text", ["[lens", "a = ", PLAIN + "[lens]\n", PLAIN + "\x00", "a = " + "[" * 5000])
@@ -344,14 +294,8 @@ def test_seidel_terms_have_a_field(load):
     [
         ('order = "noll"\n', "", "aberrations.zernike.order (line 16): is missing; it is one of nm, noll"),
         ('unit = "nm"\n', "", "aberrations.zernike.unit (line 16): is missing; it is one of radians, waves"),
-        ('"nm"', '"kg"', "aberrations.zernike.unit (line 18): must be one of radians, waves"),
-        ("unit", "units", "aberrations.zernike.units (line 18): unknown key; did you mean unit?"),
-        ("7 = 55.0", "0 = 1.0", "aberrations.zernike.terms.0 (line 22): a Zernike index in the order 'noll'"),
         ("11 = -11.0", "07 = 1.0", "aberrations.zernike.terms.07 (line 23): the term 07 was given before"),
-        ("7 = 55.0", "7 = nan", "aberrations.zernike.terms.7 (line 22): the coefficient must be finite, got nan"),
-        (ZERNIKE, "[aberrations]\nzernike = 5\n", "aberrations.zernike (line 17): must be a section"),
         (ZERNIKE, '[aberrations.zernike]\nfile = "a.csv"\nunit = "nm"\n', "aberrations.zernike.file (line 17):"),
-        (ZERNIKE, "[aberrations.zernike]\nfile = 5\n", "aberrations.zernike.file (line 17): must be the path of"),
     ],
 )
 def test_a_fault_among_zernike_terms_is_told_with_its_key_and_line(load, old, new, told):
@@ -359,21 +303,6 @@ def test_a_fault_among_zernike_terms_is_told_with_its_key_and_line(load, old, ne
     assert old in text
     message = fault(load, text=text.replace(old, new))
     assert any(line.strip().startswith(told) for line in message.split("\n")), message
-
-
-@pytest.mark.parametrize(
-    ("change", "where"),
-    [
-        ("W131 = nan", "aberrations.W131 (line 17)"),
-        ('W222 = "1"', "aberrations.W222 (line 17)"),
-        ("field = [1.0]", "aberrations.field (line 17)"),
-        ("W313 = 1.0", "aberrations.W313 (line 17): unknown key; did you mean W311?"),
-    ],
-)
-def test_a_bad_seidel_term_is_told_with_its_key_and_line(load, change, where):
-    message = fault(load, text=f"{PLAIN}[aberrations]\n{change}\n")
-    assert message.startswith(where)
-    assert "\n" not in message
 
 
 @pytest.mark.parametrize(
@@ -398,10 +327,6 @@ def test_a_fault_of_a_table_is_told_with_its_name_and_that_of_the_lens_file(load
     [
         ("[aperture.spider]\nwidth = 5", "exactly one of the two"),
         ("[aperture.ellipse]\na = 1.0\n[aperture.cat_eye]\nshift = [0.1, 0.0]", "one of ellipse and cat_eye"),
-        ("[aperture.segments]\nrings = 0\n[aperture.mask]\nfile = 5\nholds = 3", "rings"),
-        ("[aperture.segments]\ngap = true", "gap has no meaning without rings"),
-        ("[[aperture.clear]]\ntype = 'disc'\na = true", "a disc needs radius"),
-        ("[field]\nrows = 5", "field.sensor: is missing"),
         ("[field]\nW131 = 1.0\nrows = [[0.0]]", "one of them, got rows and W131"),
         ("[field]\nsensor = 5\nW131 = 1.0\n[field.shading]\nlight = 5", "height and light: one of the two"),
         ("[channels]\nwavelengths = 5\nfile = 'c.csv'", "exactly one of the two"),

@@ -144,18 +144,10 @@ def test_a_lens_without_a_field_says_so(load):
 @pytest.mark.parametrize(
     ("text", "what"),
     [
-        ("W131 = 1\n", "field.sensor: is missing"),
-        ('sensor = ["24 mm"]\nW131 = 1\n', "field.sensor (line 20): "),
-        ('sensor = ["24 mm", "-36 mm"]\nW131 = 1\n', "field.sensor (line 20): must be positive"),
         (SENSOR, "field (line 19): needs Seidel coefficients (W131, W222, W220, W311), rows, or file: one of"),
-        (SEIDEL + 'file = "lens.toml"\n', "field.file (line 23): lens.toml: the first columns must be"),
         (TABLE + "W131 = 1\n", "one of them, got rows and W131, W222, W220, W311"),
-        (SEIDEL + "W132 = 1\n", "field.W132 (line 23): unknown key; did you mean"),
         (SEIDEL + 'order = "noll"\n', "order has no meaning with W131"),
         (TABLE + 'edge = "1 mm"\n', "edge has no meaning with rows"),
-        (TABLE.replace("columns", "#"), 'field.rows (line 22): needs columns, such as columns = ["height", "Z4"]'),
-        (SENSOR + "file = 5\n", "field.file (line 21): must be the name of a CSV file, got 5"),
-        (SENSOR + 'file = "no.csv"\n', "field.file (line 21): 'no.csv' cannot be read: No such file or directory"),
         (TABLE.replace("0.5, 0.3", '"a", "b"'), "field.rows (line 22): row 2, Z4: must be a number, got 'a'; row 2"),
         (TABLE.replace("0 mm", "1 mm"), "field: height must begin with 0, the axis, got 0.001"),
         (TABLE.replace("0.1, 0]", "0.1, 1]"), "field: the wavefront at height 0 must be radially symmetric"),
@@ -212,17 +204,10 @@ def test_positions_anywhere_make_a_scattered_map():
 @pytest.mark.parametrize(
     ("columns", "rows", "what"),
     [
-        (["Z4"], [[1]], "the first columns must be height, or x and y, got Z4"),
         (["y", "x", "Z4"], [[0, 0, 1]], "must be height, or x and y, got y, x"),
-        (["height"], [[0]], "there must be a column for a Zernike coefficient"),
-        (["height", "W4"], [[0, 1]], "column 'W4' must be a Zernike index"),
-        (["height", "Z0"], [[0, 1]], "a Zernike index in the order 'noll' must be from 1 to 1891, got 0"),
         (["height", "Z4", "Z4"], [[0, 1, 1]], "column Z4 occurs twice"),
-        (["height", "Z4"], [], "there must be a row for each position or wavelength, got none"),
         (["height", "Z4"], [[0]], "row 1 must have 2 cells, one for each column, got 1"),
         (["height", "Z4"], [[0, 1], ["5 kg", 2]], "row 2, height: '5 kg' has the unknown unit 'kg'"),
-        (["height", "Z4"], [["inf", 2]], "row 1, height: a position must be finite, got inf"),
-        (["height", "Z4"], [[0, "a"]], "row 1, Z4: must be a number, got 'a'"),
         (["height", "Z4"], [[0, math.nan]], "row 1, Z4: a value must be finite, got nan"),
     ],
 )
@@ -231,18 +216,9 @@ def test_a_fault_is_told_with_its_row_and_column(columns, rows, what):
         read_rows(columns, rows, "noll")
 
 
-@pytest.mark.parametrize(
-    ("data", "what"),
-    [
-        (b"", "field.csv is empty; its first line must name the columns"),
-        (b"# nothing\n\n", "field.csv is empty"),
-        (b"height,Z4\n0,1\n\n1 mm,x\n", "field.csv line 4, Z4: must be a number, got 'x'"),
-        (b"height,Z4\n\xff,1\n", "field.csv: not UTF-8 text"),
-    ],
-)
-def test_a_faulty_file_is_told_with_its_name_and_line(data, what, tmp_path):
-    (tmp_path / "field.csv").write_bytes(data)
-    with pytest.raises(ValueError, match=re.escape(what)):
+def test_a_faulty_file_is_told_with_its_name_and_line(tmp_path):
+    (tmp_path / "field.csv").write_text("height,Z4\n0,1\n\n1 mm,x\n")
+    with pytest.raises(ValueError, match=r"field\.csv line 4, Z4: must be a number, got 'x'"):
         read_csv(tmp_path / "field.csv", "noll")
 
 
@@ -310,30 +286,19 @@ def test_a_mask_is_read_from_beside_the_lens_file_its_rows_downwards(
 @pytest.mark.parametrize(
     ("section", "what"),
     [
-        ("[aperture]\nvanes = 3\n", "aperture.vanes (line 10): unknown key; known are spider, ellipse, cat_eye"),
         ('[aperture.spider]\nwidth = "2 mm"\n', "aperture.spider (line 9): needs vanes"),
         ('[aperture.spider]\nwidth = "2 mm"\nvanes = 3\nangles = [0.0]\n', "exactly one of the two"),
         ('[aperture.spider]\nwidth = "2 mm"\nfirst = 0.1\nangles = [0.0]\n', "first has no meaning with angles"),
-        ('[aperture.spider]\nwidth = "2 mm"\nvanes = 0\n', "aperture.spider.vanes (line 11): Input should be"),
-        ('[aperture.spider]\nwidth = "2 mm"\nvanes = 3\nfirst = "1 mm"\n', "aperture.spider.first (line 12)"),
         ('[aperture.spider]\nwidth = "2 m"\nvanes = 3\n', "aperture.spider.width (line 10): must be below"),
-        ('[aperture.spider]\nwidth = "190 mm"\nvanes = 8\n', "must leave part of the aperture clear"),
-        ("[aperture.ellipse]\na = 1\nb = 1200\n", "aperture.ellipse.b (line 11): Input should be less than"),
-        ("[aperture.cat_eye]\nshift = [2.0, 0.0]\n", "aperture.cat_eye (line 9): shift must be shorter than"),
         ("[aperture.cat_eye]\nshift = [0, 0]\n[aperture.ellipse]\na = 1\nb = 1\n", "one of ellipse and cat_eye"),
-        ('[aperture.mask]\nfile = "nowhere.npy"\n', "aperture.mask.file (line 10): 'nowhere.npy' cannot be read"),
-        ('[aperture.mask]\nfile = "lens.toml"\n', "must end in .npy, .png, .tif, .tiff, .fits,"),
         ('[aperture.mask]\nfile = "junk.npy"\n', "'junk.npy' is not an array"),
-        ('[aperture.mask]\nfile = "junk.png"\n', "'junk.png' is not a picture"),
-        ('[aperture.mask]\nfile = "junk.fits"\n', "'junk.fits' is not a FITS image"),
         ('[aperture.mask]\nfile = "colour.png"\n', "must be a grey picture, got one in colour"),
         ('[aperture.mask]\nfile = "oblong.npy"\n', "values must be a square array"),
         ('[aperture.mask]\nfile = "nan.npy"\n', "values"),
     ],
 )
 def test_a_fault_is_told_where_it_is(load_of_aperture_section, tmp_path, section, what):
-    for name in ("junk.npy", "junk.png", "junk.fits"):
-        (tmp_path / name).write_bytes(b"junk")
+    (tmp_path / "junk.npy").write_bytes(b"junk")
     Image.new("RGB", (4, 4)).save(tmp_path / "colour.png")
     np.save(tmp_path / "oblong.npy", np.ones((3, 4)))
     np.save(tmp_path / "nan.npy", np.full((4, 4), np.nan))
@@ -404,37 +369,26 @@ def test_a_telescope_is_named(load_of_aperture_section, name):
 @pytest.mark.parametrize(
     ("section", "what"),
     [
-        ('[[aperture.blocked]]\ntype = "circle"\n', "'hexagon' or 'strip', got 'circle'"),
-        ('[[aperture.blocked]]\nradius = 0.1\n', "aperture.blocked.type"),
         ('[[aperture.blocked]]\ntype = "disc"\n', "aperture.blocked (line 9): a disc needs radius"),
         ('[[aperture.clear]]\ntype = "disc"\nradius = 1\nwidth = 1\n', "width has no meaning for a disc"),
         ('[[aperture.clear]]\ntype = "disc"\nradius = "1"\n', "aperture.clear.radius (line 11): '1' is a length"),
-        ('[[aperture.clear]]\ntype = "disc"\nradius = true\n', "must be a length with a unit or a number"),
-        ('[[aperture.clear]]\ntype = "disc"\nsize = 1\n', "aperture.clear.size (line 11): unknown key"),
         (
             '[[aperture.blocked]]\ntype = "disc"\nradius = 0.1\n[[aperture.blocked]]\ntype = "disc"\nradius = 0\n',
             "aperture.blocked, entry 2, disc (line 12): radius must be",
         ),
-        ('[[aperture.blocked]]\ntype = "disc"\nradius = 1.5\n', "must leave part of the aperture clear"),
         ("[aperture.segments]\ngap = 0.1\n", "aperture.segments (line 9): gap has no meaning without rings"),
         ("[aperture.segments]\npiston = [0.1]\n", "segments needs rings or a telescope with segments"),
         ('[aperture]\ntelescope = "keck"\n[aperture.segments]\nrings = 2\n', "exactly one of them"),
         ('[aperture]\ntelescope = "vlt"\n[aperture.segments]\nrings = 2\n', "takes one of segments and telescope"),
-        ('[aperture]\ntelescope = "gtc"\n', "aperture.telescope (line 10): Input should be 'elt', 'hst'"),
         ("[aperture.segments]\nrings = 1\npiston = [0.1]\n", "aperture.segments.piston (line 11): must have one"),
-        ("[aperture.segments]\nrings = 1\ngap = 1.1\n", "aperture.segments (line 11): gap must leave some area"),
         ('[aperture.segments]\nrings = 1\nfile = "few.txt"\n', "aperture.segments.file (line 11): must have one row"),
-        ('[aperture.segments]\nrings = 1\nfile = "words.txt"\n', "line 2: must hold one number (piston) or three"),
         ('[aperture.segments]\nrings = 1\nfile = "two.txt"\n', "the same count in every line, got '0.1 0.2'"),
-        ('[aperture.segments]\nrings = 1\nfile = "none.txt"\n', "'none.txt' holds no numbers"),
         ('[aperture.segments]\nrings = 1\nfile = "few.txt"\ntip = [0]\n', "takes file or the lists"),
     ],
 )  # fmt: skip
 def test_a_fault_of_a_shape_names_its_entry(load_of_aperture_section, tmp_path, section, what):
     (tmp_path / "few.txt").write_text("1\n2\n")
-    (tmp_path / "words.txt").write_text("1\none\n")
     (tmp_path / "two.txt").write_text("0.1 0.2\n" * 6)
-    (tmp_path / "none.txt").write_text("# nothing\n")
     with pytest.raises(LensFileError) as caught:
         load_of_aperture_section(section)
     assert what in str(caught.value)
@@ -507,11 +461,8 @@ def test_channels_are_wavelengths_weights_or_a_table(tmp_path):
 @pytest.mark.parametrize(
     ("text", "message"),
     [
-        ('[colour]\nwavelengths = ["450 nm"]\n', "wavelengths"),
         ('[colour]\nwavelengths = ["450 nm", "550 nm"]\nfocus_shift = ["1 um"]\n', "focus_shift must be one for"),
         ('[colour]\nwavelengths = ["600 nm", "650 nm"]\n', "known from 600 to 650 nm, got 550"),
-        ("[channels]\n", "needs file"),
-        ('[channels]\nfile = "none.csv"\n', "none.csv"),
         ('[channels]\nwavelengths = ["500 nm"]\nfilters = ["f.csv"]\n', "filters has no meaning with wavelengths"),
         ('[channels]\nwavelengths = ["500 nm"]\nweights.red = [1, 2]\n', "one for each of 1 wavelengths"),
     ],
@@ -541,10 +492,8 @@ def test_pixels_may_have_two_sides_and_an_active_part(tmp_path, lenses):
         _ = found.side
     for wrong, message in (
         ('pixel = ["4 um", "6"]', "sensor.pixel"),
-        ('pixel = ["4 um", "6 um", "8 um"]', "pixel must be one number"),
         ('pixel = "4 m"', "must be at most 0.1"),
         ('pixel = "4 um"\nfill = 1.2', "fill must be at most 1"),
-        ('pixel = "4 um"\nfill = "half"', "fill must be a real number"),
     ):
         (tmp_path / "wrong.toml").write_text(re.sub(r"(?m)^pixel = .*$", wrong, text), encoding="utf-8")
         with pytest.raises(ValueError, match=message):
@@ -582,7 +531,6 @@ def test_places_of_a_lens_file_see_what_its_field_says(tmp_path, lenses):
     [
         (VIGNETTING.replace("0.2", "4.0"), "field.vignetting"),
         (VIGNETTING.replace('"0 mm", ', ""), "height must begin with 0, the axis"),
-        ("[field.shading]\n", "needs distance"),
         (TABLE_SHADING_SECTIONS + 'distance = "5 mm"\n', "one of the two"),
         (TABLE_SHADING_SECTIONS.replace("1.0", "0.9"), "the first 1"),
     ],

@@ -183,27 +183,15 @@ INT = "title\nZFR 4 WFR WVL 0.6328 SSZ 1000\n1 2 3 4\n"
         (".txt", listing("Standard", FRINGE), "6p^4 - 6p^2 + 1 is the term 11 of Zernike Standard, which"),
         (".txt", listing("Fringe", STANDARD), "is the term 9 of Zernike Fringe, which the heading states, got"),
         (".txt", listing("Annular", STANDARD), "the obscuration of the annulus is not stated"),
-        (".txt", listing("Annular", STANDARD).replace("Field ", "Epsilon : 1.5\nField "), "obscuration must be"),
-        (".txt", HEAD.format(kind="Fringe"), "it lists no term"),
         (".txt", listing("Fringe", FRINGE) + "Z   4   0.25\n", "line 32: the term 4 was given before"),
         (".txt", listing("Fringe", FRINGE) + "Z  20   1.2.5\n", "line 32: the term 20 must be a finite number"),
-        (".txt", listing("Fringe", FRINGE) + "Z  20   ****\n", "line 32: a term must have a number and a value"),
-        (".txt", listing("Fringe", FRINGE) + "Z  99   0.5\n", "from 1 to 37, got 99"),
-        (".txt", "Dear colleague,\nsee below.\n", "is no listing of Zernike coefficients of OpticStudio"),
         (".int", INT.replace("WVL 0.6328 ", ""), "it lacks a positive WVL"),
         (".int", INT.replace("SSZ 1000", ""), "it lacks a positive SSZ"),
         (".int", INT.replace("WFR", "SUR"), "must hold a wavefront (WFR), got the shape of a surface"),
-        (".int", INT.replace("WFR ", ""), "must hold a wavefront (WFR), got a second line without WFR"),
         (".int", INT.replace("WFR", "WFR XYZ 5"), "its second line holds 'XYZ', which is unknown"),
-        (".int", INT.replace("4 W", "5 W"), "it states 5 values, got 4"),
         (".int", INT.replace("3 4", "3 4 5"), "it states 4 values, got 5"),
-        (".int", INT.replace("4 W", "-4 W"), "a size must be an integer"),
-        (".int", INT.replace("3 4", "x 4"), "a value must be a finite number, got 'x'"),
         (".int", INT.replace("3 4", "nan 4"), "a value must be a finite number, got 'nan'"),
         (".int", INT.replace("1000", "1000 NDA 3"), "the term 3 has no value"),
-        (".int", INT.replace("ZFR 4", "GRD 2 2"), "it holds a grid; load_opd reads it"),
-        (".int", INT.replace("ZFR", "ABC"), "its second line must begin with GRD, ZRN, ZFR, got 'ABC'"),
-        (".int", "", "it lacks a title"),
     ],
 )  # fmt: skip
 def test_what_a_listing_does_not_state_is_refused(suffix, text, told, tmp_path):
@@ -260,7 +248,3 @@ def test_a_wavefront_saves_itself(tmp_path):
         found = lm.load_zernike(tmp_path / name).wavefront()
         np.testing.assert_allclose(found.phase(*POINTS), wavefront.phase(*POINTS), atol=1e-12)
     assert lm.load_zernike(tmp_path / "b.toml").unit == "nm"
-    with pytest.raises(ValueError, match=r"path must end in \.json, \.toml, \.csv for Zernike coefficients, got"):
-        wavefront.save(tmp_path / "c.txt")
-    with pytest.raises(ValueError, match="wavefront must be a single one, got a stack"):
-        lm.Wavefront([1.0, 2.0]).save(tmp_path / "c.csv")

@@ -34,7 +34,6 @@ _HEADER = np.dtype(
 )  # fmt: skip
 _INVALID = 2147483640  # phase from which on a point is not measured
 _STEPS_PER_FRINGE = {0: 4096, 1: 32768, 2: 131072}  # phase steps per fringe for each code of the phase resolution
-_WAVES_PER_FRINGE = 0.5  # waves of surface height per fringe, since light is reflected
 
 
 _MX_UNITS = {"microinches": 25.4e-9, "milliinches": 25.4e-6, "mils": 25.4e-6, "angstroms": 1e-10}  # metres
@@ -70,25 +69,6 @@ def read_dat(data: bytes) -> Measured:
     metres = phase * (scale * obliquity * wavelength / _STEPS_PER_FRINGE[resolution])
     values = np.where(phase >= _INVALID, np.nan, metres)
     return Measured(values, "m", _shortest_float(spacing) or None, _shortest_float(wavelength))
-
-
-def write_dat(opd: OPDMap) -> bytes:
-    """Return a file of MetroPro with a map and without intensities."""
-    height, width = _require_single(opd, ".dat").values.shape
-    if opd.wavelength is None:
-        raise ValueError("a .dat needs the wavelength of the map, since its unit is a fringe")
-    if max(height, width) > 65535:
-        raise ValueError(f"a .dat has sides of at most 65535, got {height} x {width}")
-    step = _WAVES_PER_FRINGE * float(np.float32(opd.wavelength)) / _STEPS_PER_FRINGE[1]
-    levels = np.rint(opd.values / step)
-    if np.nanmax(np.abs(levels)) >= _INVALID:
-        raise ValueError(
-            f"a .dat holds path differences below {_INVALID * step:.3g} m, got {np.nanmax(np.abs(opd.values)):.3g} m"
-        )
-    head = np.zeros(1, _HEADER)
-    lengths = (_WAVES_PER_FRINGE, opd.wavelength, 1.0, opd.spacing or 0.0)
-    head[0] = (_MAGIC[0], 1, _HEADER_SIZES[0], 0, 0, 0, width, height, 4 * width * height, *lengths, 1)
-    return head.tobytes() + np.where(np.isnan(levels), _INVALID, levels).astype(">i4").tobytes()
 
 
 def read_datx(data: bytes) -> Measured:
@@ -203,14 +183,14 @@ def save_opd(path: str | PathLike[str], opd: OPDMap) -> None:
     """Write an OPD map, which :func:`load_opd` can read; the suffix chooses the format.
 
     ``.fits``, ``.fits.gz``: metres, NaN where not measured, with BUNIT, PUPLSCAL, CDELTn and WAVELEN. ``.csv``:
-    metres, preceded by unit, spacing and wavelength. ``.npy``: metres only. ``.dat``: MetroPro, in steps of
-    wavelength / 65536. The file is written under a temporary name and moved into place.
+    metres, preceded by unit, spacing and wavelength. ``.npy``: metres only. The file is written under a temporary
+    name and moved into place.
 
     Parameters
     ----------
     path : path
     opd : OPDMap
-        A single map, except for ``.fits`` and ``.npy``; with a wavelength for ``.dat``.
+        A single map, except for ``.fits`` and ``.npy``.
 
     Raises
     ------
@@ -303,7 +283,8 @@ def _read_csv(data: bytes) -> Measured:
 
 
 def _write_csv(opd: OPDMap) -> bytes:
-    _require_single(opd, ".csv")
+    if opd.values.ndim != 2:
+        raise ValueError(f"a .csv holds a single map, got a stack of shape {opd.values.shape}")
     lengths = {"spacing": opd.spacing, "wavelength": opd.wavelength}
     head = ["# unit: m", *(f"# {name}: {value!r} m" for name, value in lengths.items() if value is not None)]
     rows = (",".join("" if math.isnan(c) else repr(c) for c in row) for row in opd.values.tolist())
@@ -318,17 +299,11 @@ def _read_int(data: bytes) -> Measured:
     return Measured(values, "waves", None, file.wavelength)
 
 
-def _require_single(opd: OPDMap, suffix: str) -> OPDMap:
-    if opd.values.ndim != 2:
-        raise ValueError(f"a {suffix} holds a single map, got a stack of shape {opd.values.shape}")
-    return opd
-
-
 _form = partial(Format, "opd")
 registry.register(
     _form(fits_images.SUFFIXES, _write_fits, _read_fits, library="astropy"),
     _form(fits_images.PACKED, fits_images.packed(_write_fits), _read_fits, library="astropy"),
-    _form((".dat",), write_dat, read_dat, what="MetroPro"),
+    _form((".dat",), read=read_dat, what="MetroPro"),
     _form((".datx",), read=read_datx, library="h5py", what="Zygo Mx"),
     _form((".int",), read=_read_int, what="Code V, GRD"),
     _form(

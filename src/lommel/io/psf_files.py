@@ -19,9 +19,9 @@ from lommel.base.optional import version
 from lommel.base.options import filled
 from lommel.blur.blurs import blurs_from_dicts
 from lommel.io import fits_images, psf_formats, registry
-from lommel.io.psf_formats import LEVELS, SLOPE, derivative_name
+from lommel.io.psf_formats import SLOPE, derivative_name
 from lommel.io.registry import DAMAGED, Arrays, Description, Format
-from lommel.measures.psf_like import ColourPSFLike, PSFLike, colours
+from lommel.measures.psf_like import ColourPSFLike, PSFLike
 from lommel.methods import method_from_dict
 from lommel.optics.base_pupil import BasePupil
 from lommel.optics.colour.spectrum import Channels
@@ -41,7 +41,7 @@ registry.register(
           what="NumPy array", readers="NumPy, cnpy"),
     _form((".npz",), psf_formats.write_npz, psf_formats.read_npz, holds=_DERIVATIVES,
           what="NumPy archive", readers="NumPy, cnpy"),
-    _form((".png",), psf_formats.write_png, psf_formats.read_png, library="PIL.Image",
+    _form((".png",), psf_formats.write_png, library="PIL.Image",
           what="16-bit picture, square root of the values", readers="every picture viewer"),
     _form(fits_images.SUFFIXES, psf_formats.write_fits, psf_formats.read_fits, library="astropy",
           what="FITS", readers="astropy, DS9, MATLAB, Fiji"),
@@ -66,12 +66,12 @@ def save(psf: PSFLike, path: str | PathLike[str]) -> None:
 
     {formats}
 
-    NumPy archives and HDF5 also hold derivatives. A PNG holds a single PSF, enlarged to 512 pixels or more;
-    :meth:`lommel.PSF.load` returns its values to 1.6e-5 of the peak. For other programs see :doc:`/formats`.
+    NumPy archives and HDF5 also hold derivatives. A PNG shows a single PSF, enlarged to 512 pixels or more, and
+    cannot be loaded. For other programs see :doc:`/formats`.
 
-    Every file has a description in JSON: version, pupil, method with its options, normalization, pixel, error bound,
-    and a checksum of description and values, which loading requires. A file is written under a temporary name and
-    moved into place, so that after an error the previous file remains; links are followed and permissions kept.
+    Every other file has a description in JSON: version, pupil, method with its options, normalization, pixel, error
+    bound, and a checksum of description and values, which loading requires. A file is written under a temporary name
+    and moved into place, so that after an error the previous file remains; links are followed and permissions kept.
 
     Parameters
     ----------
@@ -159,17 +159,16 @@ def rebuild(arrays: Arrays, description: Description, kind: Callable[..., Made])
     pupil: BasePupil = kinds[validation.choice("kind", entries.pop("kind", "Pupil"), kinds)].from_dict(entries)
     method = method_from_dict(description["method"])
     method.require(pupil)
-    bound, picture = description["error_bound"], description.get("png")
+    bound = description["error_bound"]
     if bound is not None:
-        # A picture stores sqrt(value / peak) to half a level, so that value / peak is off by at most 1 / LEVELS.
-        bound = validation.real("error_bound", bound, least=0.0) + (1.0 / LEVELS if picture else 0.0)
+        bound = validation.real("error_bound", bound, least=0.0)
     dtype = validation.choice("dtype", description["dtype"], ("float32", "float64"))
     scale = validation.real_array("scale", description["scale"], least=0.0)
     shape = tuple(description["shape"])
     if shape[:-2] != pupil.shape or scale.shape != pupil.shape or len(shape) != len(pupil.shape) + 2:
         raise ValueError(f"its values have the shape {shape}, its scales {scale.shape}, its pupils {pupil.shape}")
     result = kind(
-        values=_restore_values(arrays["values"], dtype, picture).reshape(shape),
+        values=_restore_values(arrays["values"], dtype).reshape(shape),
         grid=Grid(
             shape[-2:],
             description["pixel"],
@@ -201,11 +200,8 @@ def rebuild(arrays: Arrays, description: Description, kind: Callable[..., Made])
     return result
 
 
-def _restore_values(stored: Values, kind: str, picture: Description | None = None) -> Values:
-    """Return stored values, or values from the levels of a `picture`; ValueError unless finite and of type `kind`."""
-    if picture:
-        peak = validation.real("peak", picture["peak"], above=0.0)
-        return np.asarray(peak * (stored.astype(np.float64) / LEVELS) ** 2, dtype=kind)
+def _restore_values(stored: Values, kind: str) -> Values:
+    """Return stored values; ValueError unless finite and of type `kind`."""
     if stored.dtype.newbyteorder("=") != np.dtype(kind):
         raise ValueError(f"its values must be {kind}, got {stored.dtype}")
     if not np.isfinite(stored).all():
@@ -228,25 +224,16 @@ def _write_tiff(answer: ColourPSFLike, description: Description) -> bytes:
     return atomic.contents(write, pages, ome=True, metadata=fields)
 
 
-def _write_png(answer: ColourPSFLike, description: Description) -> bytes:
-    from PIL import Image, PngImagePlugin
-
-    if answer.values.ndim != 3:
-        raise ValueError(
-            f"a .png holds a single PSF, got a stack of shape {answer.shape}; take part(index), or draw it by plot()"
-        )
-    levels = np.rint(255.0 * np.sqrt(colours(answer))).astype(np.uint8)
-    info = PngImagePlugin.PngInfo()
-    info.add_text("Software", description["software"])
-    info.add_text("Comment", "square root of the values over the largest of all channels")
-    image = Image.fromarray(psf_formats.enlarged(levels, psf_formats.enlargement(answer.psfs[0])))
-    return atomic.contents(image.save, format="png", pnginfo=info)
-
-
 registry.register(
     *(replace(form, kind="colours", holds=()) for form in registry.formats("psf") if form.write not in PICTURES),
     Format("colours", (".tif", ".tiff"), _write_tiff, psf_formats.read_tiff, library="tifffile", what="OME-TIFF"),
-    Format("colours", (".png",), _write_png, library="PIL.Image", what="8-bit picture, square root of the values"),
+    Format(
+        "colours",
+        (".png",),
+        psf_formats.write_png,
+        library="PIL.Image",
+        what="8-bit picture, square root of the values",
+    ),
 )
 find_colours = partial(registry.find, "colours")
 

@@ -20,7 +20,7 @@ from lommel.base.arrays import Array, Values
 from lommel.base.atomic import sealed
 from lommel.io import fits_images
 from lommel.io.registry import DAMAGED, Arrays, Description
-from lommel.measures.psf_like import ColourPSFLike, PSFLike
+from lommel.measures.psf_like import ColourPSFLike, PSFLike, colours
 from lommel.optics.colour.spectrum import Spectrum
 from lommel.optics.layers.emitter import Beam
 from lommel.optics.layers.objective_pupil import ObjectivePupil
@@ -31,9 +31,6 @@ if TYPE_CHECKING:
 
 SLOPE = "derivative "
 """Prefix of the names of derivatives in a file."""
-
-LEVELS = 65535
-"""Pixel value of the peak in a 16-bit picture."""
 
 _TERM = re.compile(r"\(([0-9]+), (-?[0-9]+)\)")
 _NOT_ASCII = re.compile(r"[^ -~]")
@@ -175,41 +172,27 @@ def enlarged(grey: Values, times: int) -> Values:
     return grey.repeat(times, axis=0).repeat(times, axis=1)
 
 
-def write_png(psf: PSFLike, description: Description) -> bytes:
-    """Return a 16-bit grey picture of the square root of the values, with the description as a text chunk."""
+def write_png(answer: StoredPSF, description: Description) -> bytes:
+    """Return a picture of the square root of the values: grey of 16 bits, or red, green and blue of 8 bits."""
     from PIL import Image, PngImagePlugin
 
-    if psf.values.ndim != 2:
+    if len(answer.pupil.shape) > 0:
         raise ValueError(
-            f"a .png holds a single PSF, got a stack of shape {psf.shape}; index it, or draw it by plot()"
+            f"a .png holds a single PSF, got a stack of shape {answer.shape}; index it, or draw it by plot()"
         )
-    peak, times = float(psf.values.max()), enlargement(psf)
-    if peak <= 0:
+    if isinstance(answer, ColourPSFLike):
+        levels = np.rint(255.0 * np.sqrt(colours(answer))).astype(np.uint8)
+    elif (peak := float(answer.values.max())) > 0.0:
+        shares = np.maximum(answer.values.astype(np.float64), 0.0) / peak
+        levels = np.rint(65535.0 * np.sqrt(shares)).astype(np.uint16)
+    else:
         raise ValueError("a .png needs a positive value; every value of this PSF is 0")
-    shares = np.maximum(psf.values.astype(np.float64), 0.0) / peak
-    grey = np.rint(np.sqrt(shares) * LEVELS).astype(np.uint16)
-    picture = {"png": {"peak": peak, "stretch": "sqrt", "levels": LEVELS, "scale": times}}
+    times = -(-_MIN_PICTURE_SIDE // max(levels.shape[:2]))
     info = PngImagePlugin.PngInfo()
     info.add_text("Software", description["software"])
-    info.add_text("lommel", text(description | picture, {"values": grey}))
-    image = Image.fromarray(enlarged(grey, times))
+    info.add_text("Comment", "square root of the values over the largest of all channels")
+    image = Image.fromarray(levels.repeat(times, axis=0).repeat(times, axis=1))
     return atomic.contents(image.save, format="png", pnginfo=info)
-
-
-def read_png(data: bytes) -> tuple[Arrays, str]:
-    """Return (1) one grey level (uint16) for each pixel of the PSF and (2) the description."""
-    with reading.pillow("Png", data) as file:
-        record = str(file.info["lommel"])  # this text chunk precedes the picture
-        description = reading.json(record)
-        times = validation.integer("scale", description["png"]["scale"], least=1, most=_MIN_PICTURE_SIDE)
-        if list(file.size[::-1]) != [times * side for side in description["shape"]]:
-            raise ValueError(f"it has {file.size[0]} x {file.size[1]} pixels, not as many as its description states")
-        file.load()
-        grey = np.asarray(file, dtype=np.uint16)
-    values = np.ascontiguousarray(grey[::times, ::times])
-    if not np.array_equal(enlarged(values, times), grey):
-        raise ValueError("its pixels are not repeated as its description states")
-    return {"values": values}, record
 
 
 def ome_unit(unit: str) -> tuple[float, str]:

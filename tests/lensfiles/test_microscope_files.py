@@ -170,24 +170,13 @@ def test_a_window_that_is_not_named_holds_the_rays_and_a_margin(load):
     ("old", "new", "where", "what"),
     [
         ("NA = 1.3", "NA = nan", "objective.NA (line 5)", "must be finite, got nan"),
-        ("NA = 1.3", "NA = 0", "objective.NA (line 5)", "greater than 0"),
         ("NA = 1.3", "NA = 1.3\nna = 1.3", "objective.na (line 6)", "unknown key; did you mean NA?"),
-        ('"0.2 mm"', '"-0.2 mm"', "objective.working_distance (line 7)", "must be positive"),
         ("immersion = 1.518", "immersion = 0.9", "objective.immersion (line 8)", "a refractive index from 1 to 4"),
         ("index = 1.5255", "index = 15255", "coverslip.index (line 11)", "a refractive index from 1 to 4, got 15255"),
-        ("immersion = 1.518", "immersion = 1.518\napodization = -1", "objective.apodization (line 9)", ">= 0"),
-        ("index = 1.33", "index = true", "sample.index (line 15)", "number"),
-        ('depth = "2 um"', 'depth = "-2 um"', "sample.depth (line 16)", "must be at least 0"),
         ('depth = "2 um"', 'depth = "2 m"', "sample.depth (line 16)", 'for 2 um write "2 um"'),
         ('depth = "2 um"', 'depth = "2"', "sample.depth (line 16)", "write for example '2 um'"),
         ('"520 nm"', '"520 m"', "emission.wavelength (line 19)", 'for 520 nm write "520 nm"'),
-        ('"520 nm"', '"520 nm"\nemitter = "dipole"', "emission.emitter (line 20)", "'isotropic' or 'scalar'"),
-        ('"520 nm"', '"520 nm"\n[emission.dipole]\npolar = 0\nwobble = 2', "emission.dipole.wobble (line 22)", "1"),
-        ('"520 nm"', '"520 nm"\n[emission.beam]\npolarization = "z"', "emission.beam.polarization (line 21)", "'z'"),
-        ("planes = 5", "planes = 0", "stack.planes (line 22)", "greater than or equal to 1"),
         ('"200 nm"', '"0 nm"', "stack.step (line 23)", "not 0 and below 10 mm"),
-        ('"paraxial"', '"center"', "stack.origin (line 24)", "'brightest', 'paraxial' or 'coverslip'"),
-        ("[stack]", "[stak]", "stak (line 21)", "unknown key; did you mean stack?"),
     ],
 )  # fmt: skip
 def test_a_bad_entry_is_told_with_its_key_and_line(load, old, new, where, what):
@@ -215,14 +204,6 @@ def test_what_cannot_be_together_is_told_in_the_words_of_the_library(load, old, 
         assert what in fault(load, (old, new))
     else:
         load((old, new))
-
-
-def test_one_of_several_films_is_told_by_its_line(load):
-    films = '[[films]]\nindex = 1.4\nthickness = "30 nm"\n[[films]]\nindex = 0.4\nthickness = "30 nm"\n'
-    assert fault(load, more=films).startswith("films.index (line 33): ")
-    assert fault(load, more=films.replace("0.4", "1.5\nidex = 1")).startswith(
-        "films.idex (line 34): unknown key; did"
-    )
 
 
 def test_a_lens_is_no_microscope_and_either_reader_names_the_other(load, lenses, tmp_path):

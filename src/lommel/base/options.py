@@ -67,7 +67,6 @@ class Shown(NamedTuple):
 
 
 HIDDEN = Shown(hidden=True)
-_LARGE = 2.0**62  # largest integer where no limit is stated
 
 
 class Field(NamedTuple):

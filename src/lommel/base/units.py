@@ -148,11 +148,6 @@ def percent(share: float | None, digits: int = 0) -> str:
     return "-" if share is None else f"{100.0 * share:.{digits}f} %"
 
 
-def strehl_ratio(value: float | None) -> str:
-    """Return a Strehl ratio with four significant digits, or "< 1e-10" if it is below its numerical error."""
-    return known(value, ".4g") if value is None or value > 1e-10 else "< 1e-10"
-
-
 def per_mm(frequency: float) -> str:
     """Return a spatial frequency, given in cycles per metre, as text in cycles per millimetre."""
     return f"{1e-3 * frequency:.4g} cycles/mm"

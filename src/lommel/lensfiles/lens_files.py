@@ -754,11 +754,11 @@ def load_instrument(path: str | PathLike[str], *, folder_only: bool = False) -> 
     ``[field]``: sensor, the height and width of the whole sensor, and one of three descriptions of field-dependent
     aberrations, which are added to the lens aberrations: Seidel coefficients W131, W222, W220, W311 in waves at the
     edge of the field (edge, by default half the diagonal); columns and rows, a table of Zernike coefficients
-    (:func:`lommel.lensfiles.tables.read_rows`); or file, a CSV file with such a table. Options of tables are order
-    ("noll", "ansi", "fringe"), unit ("waves", "radians", "metres"), normalization ("rms", "edge") and direction ("x"
-    or "y", the axis of image heights). ``[field.vignetting]`` has height, shift and radius of
-    :class:`~lommel.field.maps.Vignetting`. ``[field.shading]`` has either distance, from the exit pupil to the
-    sensor, for the cos^4 law, or height and light, a table.
+    (the columns height, or x and y, hold lengths, the others, such as Z4, numbers); or file, a CSV file with such a
+    table. Options of tables are order ("noll", "ansi", "fringe"), unit ("waves", "radians", "metres"), normalization
+    ("rms", "edge") and direction ("x" or "y", the axis of image heights). ``[field.vignetting]`` has height, shift
+    and radius of :class:`~lommel.field.maps.Vignetting`. ``[field.shading]`` has either distance, from the exit pupil
+    to the sensor, for the cos^4 law, or height and light, a table.
 
     ``[colour]``: lists wavelengths, focus_shift, lateral and heights of :class:`lommel.Colour`. ``[channels]``:
     either file, a CSV file for :func:`lommel.load_channels`, with its options filters, illuminant, tol and paths; or

@@ -19,7 +19,7 @@ from lommel.base.units import LENGTHS, parse_length
 from lommel.field.maps import FieldMap
 from lommel.io import fits_images, text_files
 from lommel.optics.colour.spectrum import Channels, checked_paths
-from lommel.optics.pupil import Pupil, checked
+from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.special import zernike
 
@@ -44,62 +44,20 @@ class FieldTable:
         Coefficients at all positions for each Zernike index.
     order : str
         Order of the Zernike indices: "noll", "ansi" or "fringe".
-
-    Raises
-    ------
-    TypeError, ValueError
-        If the attributes have other types, or positions and terms differ in length.
     """
 
     positions: dict[str, tuple[float, ...]]
     terms: dict[int, tuple[float, ...]]
     order: str
 
-    def __post_init__(self) -> None:
-        validation.choice("order", self.order, ("noll", "ansi", "fringe"))
-        places = self.positions.keys() if isinstance(self.positions, dict) else None
-        if places not in ({"height"}, {"x", "y"}):
-            raise TypeError(
-                f'positions must be a dict of "height", or "x" and "y", got {validation.shown(self.positions)}'
-            )
-        if not isinstance(self.terms, dict) or not self.terms:
-            raise TypeError(f"terms must be a dict of indices to coefficients, got {validation.shown(self.terms)}")
-        columns = [validation.real_array(f"positions[{name!r}]", values) for name, values in self.positions.items()]
-        for index, values in self.terms.items():
-            zernike.term(index, self.order)
-            columns.append(validation.real_array(f"terms[{validation.shown(index)}]", values))
-        if any(column.ndim != 1 or column.size == 0 or column.size != columns[0].size for column in columns):
-            raise ValueError(f"positions and terms must be equally long, got shapes {[c.shape for c in columns]}")
-
     def field_map(self, pupil: Pupil, *, unit: str, normalization: str, direction: str) -> FieldMap:
         """Return the field map, with the aperture and the scale of `pupil`.
 
-        Parameters
-        ----------
-        pupil : Pupil
-        unit, normalization : str
-            Unit and normalization of the coefficients, see :meth:`lommel.Wavefront.zernike`.
-        direction : {"x", "y"}
-            Direction of the heights: x by columns, or y by rows (downwards). Coefficients always refer to the axes of
-            the sensor: the coma of heights along y is a sine term.
-
-        Returns
-        -------
-        FieldMap
-
-        Raises
-        ------
-        TypeError, ValueError
-            If a unit or a direction does not exist, or if :meth:`lommel.FieldMap.radial`,
-            :meth:`lommel.FieldMap.on_grid` or :meth:`lommel.FieldMap.scattered` raises an error.
-
-        Notes
-        -----
-        Wavefronts are interpolated by bicubic splines if the positions x and y are a full rectangular grid of at
-        least four columns and four rows. For other positions x and y, radial basis functions are used.
+        Heights are along x (by columns) or y (by rows, downwards). Coefficients always refer to the axes of the
+        sensor: the coma of heights along y is a sine term. Wavefronts are interpolated by bicubic splines if the
+        positions x and y are a full rectangular grid of at least four columns and four rows. For other positions x
+        and y, radial basis functions are used.
         """
-        validation.choice("direction", direction, ("x", "y"))
-        checked(pupil)
         wavefront = Wavefront.zernike(
             self.terms, order=self.order, unit=unit, normalization=normalization, wavelength=pupil.wavelength
         )
@@ -119,30 +77,11 @@ class FieldTable:
 
 
 def read_csv(path: str | PathLike[str], order: str) -> FieldTable:
-    """Read a table from a CSV file: a line of column names, then a line for each position.
+    """Read a table from a CSV file: a line of column names, then a line for each position; see :func:`read_rows`.
 
-    Lines that are empty or begin with ``#`` are skipped. For columns and cells see :func:`read_rows`.
-
-    Parameters
-    ----------
-    path : path
-        CSV file to read.
-    order : {"noll", "ansi", "fringe"}
-        Order of the Zernike indices.
-
-    Returns
-    -------
-    FieldTable
-
-    Raises
-    ------
-    ValueError
-        If there are errors in the file; all are reported together, each with its line.
-    OSError
-        If the file cannot be read.
+    Lines that are empty or begin with ``#`` are skipped. ValueError with all errors of the file, each with its line.
     """
     source = validation.path("path", path)
-    validation.choice("order", order, ("noll", "ansi", "fringe"))
     try:
         numbered = text_files.rows(reading.decoded(reading.contents(source, reading.MAX_TEXT)))
         _, columns = next(numbered, (0, None))
@@ -154,39 +93,11 @@ def read_csv(path: str | PathLike[str], order: str) -> FieldTable:
 
 
 def read_rows(columns: Sequence[str], rows: Sequence[Sequence[object]], order: str) -> FieldTable:
-    """Return a table from names of columns and rows of cells.
+    """Return a table from names of columns and rows of cells; ValueError with all errors, each with its row.
 
     The first column is ``height``, or the first two columns are ``x`` and ``y``. Their cells are lengths: strings
     with a unit, or 0. The names of all other columns are Zernike indices such as ``Z4``, and their cells are numbers.
-
-    Parameters
-    ----------
-    columns : list of str
-        Names of the columns.
-    rows : list of lists
-        Cells of each row.
-    order : {"noll", "ansi", "fringe"}
-        Order of the Zernike indices.
-
-    Returns
-    -------
-    FieldTable
-
-    Raises
-    ------
-    TypeError
-        If `columns` or `rows` is not a list, or a column name is not a string.
-    ValueError
-        If there are errors in the table; all are reported together, each with its row.
     """
-    for name, value in (("columns", columns), ("rows", rows)):
-        if not isinstance(value, list | tuple):
-            raise TypeError(f"{name} must be a list, got {validation.shown(value)}")
-    if not all(isinstance(name, str) for name in columns):
-        raise TypeError(f"columns must be names, got {validation.shown(columns)}")
-    if not all(isinstance(row, list | tuple) for row in rows):
-        raise TypeError(f"rows must be lists of cells, got {validation.shown(rows)}")
-    validation.choice("order", order, ("noll", "ansi", "fringe"))
     return _table(columns, enumerate(rows, 1), order, "row")
 
 

@@ -325,9 +325,7 @@ class Frames(OnDemand):
         if self.planes.names:
             return tuple(self.planes.names[number] for number in self.numbers.ravel())
         file_name = "array" if self.path is None else self.path.name
-        return (
-            tuple(f"{file_name} [{k}]" for k in range(self.numbers.size)) if self.numbers.size > 1 else (file_name,)
-        )
+        return names_of(file_name, self.numbers.size)
 
     def __repr__(self) -> str:
         name = "array" if self.path is None else self.path.name

@@ -69,12 +69,6 @@ def test_stacks_of_any_shape_load_and_go_on(z, suffix, tmp_path):
     np.testing.assert_array_equal(loaded.profile([0.0, 1e-5])[1], psf.profile([0.0, 1e-5])[1])
 
 
-def test_a_picture_of_one_plane_loads(tmp_path):
-    psf = made(0.0)
-    psf.save(tmp_path / "a.png")
-    assert lm.peak_error(lm.PSF.load(tmp_path / "a.png"), psf) < 1.6e-5
-
-
 def test_a_kind_of_pupil_that_is_not_known_is_told(tmp_path):
     psf = made(0.0)
     psf.save(tmp_path / "a.npy")

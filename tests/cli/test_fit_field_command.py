@@ -128,11 +128,8 @@ def test_coma_and_focus_in_the_middle_come_first(night, call_lommel):
     assert coma["waves"] < 5.0 * coma["error"]
     lines = call_lommel(*call, folder=night).stdout.splitlines()
     at = next(k for k, line in enumerate(lines) if line.startswith("waves rms, middle"))
-    assert any(line.startswith("coma in the middle: 0.0") for line in lines[:at])
-    assert any(
-        re.fullmatch(r"focus in the middle: the sensor is 0\.22\d* \+- 0\.000\d\d mm away from the lens", line)
-        for line in lines[:at]
-    )
+    assert any(re.match(r"coma in the middle +waves 0\.0", line) for line in lines[:at])
+    assert any(re.match(r"focus in the middle +shift -22\d.* um, error", line) for line in lines[:at])
 
 
 @pytest.fixture(scope="module")

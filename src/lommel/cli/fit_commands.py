@@ -40,7 +40,7 @@ from lommel.recorded.camera_noise import StackView, hot_pixel_findings, hot_pixe
 from lommel.recorded.counts import Counts, counts_of
 from lommel.recorded.frames import Unusable, combined_metadata, part_of, read_each, read_images
 from lommel.report import Facts, Report, Wrapped
-from lommel.report.table import tables
+from lommel.report.table import described, tables
 
 _MOST_CROSSINGS = 100
 _ARCSEC = math.pi / 648000.0
@@ -299,28 +299,13 @@ def fit_field(
     note = "" if result.converged else f", of a fit that has not converged: {result.status.replace('_', ' ')}"
     files = written([output, twin, figure, spots], lambda path: note if path in (output, twin) else "")
     facts = _facts(result, targets) | {"notes": [*read.notes, *header]}
-    shown: list[Any] = [Wrapped(facts["message"].partition("; ")[0], "bold"), "", *_in_the_middle(facts)]
+    middle = described({"coma_in_the_middle": facts["coma"], "focus_in_the_middle": facts["focus"]})
+    shown: list[Any] = [Wrapped(facts["message"].partition("; ")[0], "bold"), "", *middle, ""]
     for name, wave in facts["waves"].items():
         found, errors = (dict(zip(facts["terms"], wave[key], strict=True)) for key in ("coefficients", "errors"))
         shown += [*tables({f"waves rms, {name}": found, "errors": errors}), ""]
     shown += [*blurs_in_words(result, pitch, focal_length), Wrapped(targets.message)]
     return report_findings(facts, *shown, *tables(facts), "") + files
-
-
-def _in_the_middle(facts: Facts) -> list[Wrapped]:
-    """Return lines on coma and focus in the middle of the sensor."""
-    lines = []
-    if coma := facts["coma"]:
-        lines.append(
-            f"coma in the middle: {coma['waves']:.4f} +- {coma['error']:.4f} waves rms, axis at "
-            f"{coma['degrees']:.0f} degrees from columns to rows"
-        )
-    if focus := facts["focus"]:
-        direction = "towards the lens" if focus["shift"] > 0.0 else "away from the lens"
-        shift = " +- ".join(with_error(1e3 * abs(focus["shift"]), 1e3 * focus["error"], most=6))
-        sign = ", or as far the other way" if focus["sign_open"] else ""
-        lines.append(f"focus in the middle: the sensor is {shift} mm {direction}{sign}")
-    return [*map(Wrapped, lines)]
 
 
 def _grid(targets: PointSources | Crossings) -> Array:

@@ -245,55 +245,42 @@ def compare(
       lommel compare phone.toml --figure methods.png
     """
     from lommel.report.image_quality import compare_methods, other_model
+    from lommel.show import plot
 
     instrument = instrument_of(lens, shape=shape)
     pupil = instrument.pupil()
     with progress("", total=len(METHODS) + 1) as status:
-        methods = [
-            # The closed form of the paper with its best options, for a fair comparison.
-            ClosedForm.best(pupil, instrument.window, instrument.side)
-            if kind is ClosedForm and pupil.radial
-            else kind()
-            for kind in METHODS.values()
-        ]
+        # The closed form of the paper with its best options, for a fair comparison.
+        best = ClosedForm.best(pupil, instrument.window, instrument.side) if pupil.radial else ClosedForm()
+        methods = [best if kind is ClosedForm else kind() for kind in METHODS.values()]
         rows, answers = compare_methods(instrument, methods, status)
         reference = next(iter(answers))
         sampling = answers[reference].sampling
-        if figure is not None:
-            from lommel.show import plot
-
-            answers_by_name = {_command_line_name(name): answer for name, answer in answers.items()}
-            left_out: dict[str, list[str]] = {}
-            for row in rows:
-                if row["method"] not in answers and row["method"] != reference:
-                    reason = _reason(row) or f"{SAMPLING[row['sampling']]}, unlike the reference"
-                    left_out.setdefault(reason, []).append(_command_line_name(row["method"]))
-            drawn = plot.compare(answers_by_name, _command_line_name(reference), left_out)
-            save_figure(lambda: drawn, figure)
-    other_model_facts = other_model(instrument)
-    notes = []
-    for row in rows:
-        row["name"] = name = _command_line_name(row["method"])
-        note = _reason(row) or ("the reference" if row["method"] == reference else _NOTES.get(row["method"], ""))
-        if row["method"] == "HuygensFresnel" and instrument.lens.model == "aplanatic":
-            note = "aplanatic model without expansion in powers of the pupil radius"
-        if row["sampling"] not in (None, sampling):
-            note = f"{SAMPLING[row['sampling']]}; {note}"
-        if note:
-            notes.append(Wrapped(f"{name}: {note}", "dim"))
+        left_out: dict[str, list[str]] = {}
+        notes = []
+        for row in rows:
+            method, why = row["method"], _reason(row)
+            row["name"] = name = _command_line_name(method)
+            if method not in answers and method != reference:
+                reason = why or f"{SAMPLING[row['sampling']]}, unlike the reference"
+                left_out.setdefault(reason, []).append(name)
+            note = why or ("the reference" if method == reference else _NOTES.get(method, ""))
+            if method == "HuygensFresnel" and instrument.lens.model == "aplanatic":
+                note = "aplanatic model without expansion in powers of the pupil radius"
+            if row["sampling"] not in (None, sampling):
+                note = f"{SAMPLING[row['sampling']]}; {note}"
+            if note:
+                notes.append(Wrapped(f"{name}: {note}", "dim"))
+        by_name = {_command_line_name(name): answer for name, answer in answers.items()}
+        save_figure(lambda: plot.compare(by_name, next(iter(by_name)), left_out), figure)
     table = records_of("", rows, ("name", "seconds", "mse", "peak_error", "error_bound"))
     height, width = instrument.window
     size = f"{height} x {width} pixels of {pitch_in_words(instrument.pixel)}, {SAMPLING[sampling]}"
     if all(row["method"] != reference for row in rows):  # the reference is then not marked in the table
-        size += f"; reference {_command_line_name(reference)}"
-    facts = {
-        "name": instrument.name,
-        "reference": reference,
-        "sampling": sampling,
-        "rows": rows,
-        "other_model": other_model_facts,
-    }
-    model = described({"model": instrument.lens.model, "other_model": other_model_facts})
+        size += f"; reference {next(iter(by_name))}"
+    facts: Facts = {"name": instrument.name, "reference": reference, "sampling": sampling, "rows": rows}
+    facts["other_model"] = other_model(instrument)
+    model = described({"model": instrument.lens.model, "other_model": facts["other_model"]})
     files = written([figure], lambda _: ": the reference, maps of the errors, and slices").parts
     return Report(facts, [Text(instrument.name, "bold"), Wrapped(size), table, *notes, *model, *files])
 

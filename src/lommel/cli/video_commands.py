@@ -414,7 +414,7 @@ class Outputs:
         # Metres per level: the smallest power of ten whose levels reach the farthest distance; 1 mm for infinity.
         far = between[1]
         self._scale = 1e-3 if math.isinf(far) else float(10.0 ** math.ceil(math.log10(far / _MAX_LEVEL)))
-        self._shows = files.output is None and not no_window()
+        self._shows = files.output is None and has_windows()
         coloured = files.output is not None or self._shows
         self._colours = DepthColours(between, (height, width), BLOCK, files.sharp) if coloured else None
         self._curve = from_light(np.linspace(0.0, 1.0, _CURVE_LEVELS, dtype=np.float32), "srgb", np.uint8)
@@ -519,17 +519,14 @@ class Window:
         return key in (27, ord("q")) or self._cv2.getWindowProperty(self._title, self._cv2.WND_PROP_VISIBLE) < 1.0
 
 
-def no_window() -> str:
-    """Return the reason why no window can be shown, or ""."""
+def has_windows() -> bool:
+    """Return True if there is a display, and an OpenCV with windows."""
     if sys.platform == "linux" and not (os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY")):
-        return "there is no display"
+        return False
     try:
-        cv2 = optional.library("cv2", "a window needs", "video")
-    except ImportError as error:
-        return str(error)
-    if cv2.currentUIFramework():
-        return ""
-    return "this OpenCV has no windows: pip uninstall opencv-python-headless, then pip install opencv-python"
+        return bool(optional.library("cv2", "a window needs", "video").currentUIFramework())
+    except ImportError:
+        return False
 
 
 class Clip(NamedTuple):

@@ -198,18 +198,6 @@ def test_an_error_of_a_file_names_its_keys_and_not_options(call_lommel, folder):
 LONG = "a" * 5000
 
 
-@pytest.mark.parametrize(
-    "arguments",
-    [[LONG], ["compare", "x", f"--zzz{LONG}"], ["info", "x", LONG], ["info", "x", "--shape", LONG],
-     ["blur", "a", "b", "--border", LONG, "-o", "o.png"], ["psf", "x", "--tol", LONG], ["info", LONG]],
-)  # fmt: skip
-def test_what_is_long_is_told_in_short(call_lommel, arguments, tmp_path):
-    result = call_lommel(*arguments, folder=tmp_path)
-    assert result.returncode == 2
-    (error,) = [line for line in result.stderr.splitlines() if line.startswith("Error: ")]
-    assert len(error) <= 320
-
-
 @pytest.mark.parametrize("name", ["phone", "phone.toml", "lenses/phone.toml"])
 def test_the_name_of_an_example_that_is_not_there_is_told_with_the_command_that_copies_it(
     name, call_lommel, tmp_path

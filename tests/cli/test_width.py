@@ -48,10 +48,6 @@ def test_a_step_counts_once_it_is_over():
     assert "100%" not in drawn(("one",), ("two",), total=2)
 
 
-def test_no_share_is_made_up_where_none_is_known():
-    assert "%" not in drawn(("reading",), ("writing",))
-
-
 def logged(monkeypatch, capsys, *calls, total=None):
     """Return the lines of a log, of calls at given seconds."""
     seconds = [0.0]

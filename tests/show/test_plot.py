@@ -78,14 +78,6 @@ def test_a_stack_takes_no_axes_and_a_large_one_is_to_be_indexed():
         stack[:2].plot(plt.subplots()[1])
 
 
-def test_a_window_without_light_is_drawn_without_a_warning():
-    ring = lm.Pupil(lm.Wavefront(defocus=100.0), obscuration=0.9)
-    dark = lm.psf(ring, 3, 0.5, method="geometric")
-    assert dark.values.max() == 0
-    for stretch in ("sqrt", "linear", "log"):
-        dark.plot(stretch=stretch).figure.canvas.draw()
-
-
 @pytest.mark.parametrize("shape", [(21, 101), (65, 65), (101, 21)], ids=str)
 def test_the_figure_of_an_image_has_its_aspect_ratio(shape):
     axes = lm.psf(lm.Pupil(), shape, 0.5).plot()
@@ -130,13 +122,6 @@ def test_a_comparison_names_the_methods_that_it_does_not_draw(answers):
     figure.canvas.draw()
     (said,) = {text.get_text() for part in figure.subfigs for text in part.texts if text.get_text()}
     assert said == "not drawn: HuygensFresnel, Geometric (sampled at pixel centres)"
-
-
-def test_the_slice_of_pixel_means_has_steps(answers):
-    sampled = {"Hankel": lm.psf(answers["Hankel"].pupil, 9, 1e-6, integrate=False)}
-    for given, style in ((sampled, "default"), (answers, "steps-mid")):
-        *_, slices, _ = plot.compare(given, "Hankel").axes
-        assert slices.get_lines()[0].get_drawstyle() == style
 
 
 @pytest.fixture

@@ -90,11 +90,3 @@ def test_dark_surroundings_of_a_stack_are_cut_off_and_the_title_says_so():
     assert psf.values[:, 24][:, outside].max() < dark < psf.values[:, 24][:, ~outside].max()
     stack().plot()
     assert said not in plt.gcf().get_suptitle()
-
-
-@pytest.mark.parametrize(("stretch", "said"), [("sqrt", "square root"), ("linear", ""), ("log", "logarithm")])
-def test_a_colour_bar_says_when_it_is_not_linear(stretch, said):
-    for psf in (stack(), lm.psf(lm.Pupil(), 9, 0.5), lm.psf(lm.Pupil(lm.Wavefront([0.0, 1.0])), 9, 0.5)):
-        psf.plot(stretch=stretch)
-        label = plt.gcf().axes[-1].get_ylabel()
-        assert label == "fraction of all light per pixel" + (f"\n(colours: {said})" if said else "")

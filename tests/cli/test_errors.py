@@ -195,9 +195,6 @@ def test_an_error_of_a_file_names_its_keys_and_not_options(call_lommel, folder):
     assert "lens (line 3): give exactly one of f_number and aperture_diameter, got none" in error
 
 
-LONG = "a" * 5000
-
-
 @pytest.mark.parametrize("name", ["phone", "phone.toml", "lenses/phone.toml"])
 def test_the_name_of_an_example_that_is_not_there_is_told_with_the_command_that_copies_it(
     name, call_lommel, tmp_path

@@ -11,10 +11,8 @@ import pytest
 
 import lommel as lm
 from lommel.base import validation
-from lommel.base.atomic import sealed
 from lommel.base.encoding import clipped_fraction
 from lommel.core import engine
-from lommel.io import psf_files
 from lommel.measures import aperture_means
 from lommel.methods import NijboerZernike
 from lommel.optics.grid import Grid
@@ -52,27 +50,6 @@ def test_float32_holds_tolerances_down_to_its_own_and_no_further():
     assert lm.psf(lm.Pupil(), 5, 0.5, method=NijboerZernike(2.5e-7), dtype="float32").values.dtype == np.float32
     with pytest.raises(ValueError, match="float32 cannot hold"):
         lm.psf(lm.Pupil(), 5, 0.5, method=NijboerZernike(2.3e-7), dtype="float32")
-
-
-@pytest.mark.parametrize("bound", [-1e-9, "1e-6", True])
-def test_an_error_bound_that_is_none_is_not_taken_from_a_file(bound):
-    answer = lm.psf(lm.Pupil(), 9, 0.5)
-    arrays, description = {"values": answer.values}, psf_files.describe(answer)
-
-    def read(found) -> lm.PSF:
-        return psf_files.rebuild(arrays, sealed(description | {"error_bound": found}, arrays), lm.PSF)
-
-    assert read(answer.error_bound).error_bound == answer.error_bound
-    assert read(None).error_bound is None
-    with pytest.raises((ValueError, TypeError), match="error_bound must be"):
-        read(bound)
-
-
-def test_scales_of_other_pupils_are_not_taken_from_a_file():
-    answer = lm.psf(lm.Pupil(), 9, 0.5)
-    arrays, description = {"values": answer.values}, psf_files.describe(answer) | {"scale": [1.0, 2.0]}
-    with pytest.raises(ValueError, match=r"its scales \(2,\), its pupils \(\)"):
-        psf_files.rebuild(arrays, sealed(description, arrays), lm.PSF)
 
 
 def test_the_strehl_ratio_is_refined_by_two_fifths_until_two_quadratures_agree_to_1e_12(monkeypatch):

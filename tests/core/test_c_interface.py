@@ -189,15 +189,6 @@ def test_live_depth_from_a_file_is_that_of_the_package(library, tmp_path, frames
     for damaged in (tables[:-1], tables + b"0", b"x" + tables[1:], tables[:8] + b"\7" + tables[9:]):
         assert not library.lommel_live_new(damaged, len(damaged), 96, 128, 1)
         assert b"tables" in library.lommel_message()
-    with pytest.raises(ValueError, match="tables are saved of grey frames for one level of light"):
-        lm.imaging.LiveDepth(
-            [lens, lens.focused(1.8)],
-            4e-6,
-            between=(1.2, 2.0),
-            noise=lm.Noise(read=3.0),
-            shape=(96, 128, 3),
-            light=5e3,
-        ).save(tmp_path / "colour.lml")
 
 
 def test_only_the_functions_of_the_header_are_exported(prefix, library):

@@ -440,7 +440,7 @@ def fit_targets(
     unknowns = Unknowns(options.terms, ("center",))
     validation.instance("targets", targets, Targets)
     counts = _checked_windows(targets)
-    noise = counts.known_noise()
+    noise = counts.known_noise().require_shape(counts.shape)
     images, valid = counts.filled(), counts.known
     count, exposures, height, width = images.shape
     start, lens = (pupil, pupil.pupil_without_wavefront) if isinstance(pupil, FieldMap) else (None, pupil)

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from scipy import special
 
+from lommel.cli.video_commands import Tally
 from lommel.deconvolve.iterations import Iteration
 from lommel.estimation import beads, field_fit, fisher, phase_retrieval
 from lommel.estimation.field_search import Outcome

@@ -18,8 +18,6 @@ from lommel import imaging
 from lommel.field import maps
 from lommel.io.psf_files import FileError
 from lommel.io.zernike_tables import ZernikeTable
-from lommel.measures import aperture_means, energy, spot, transfer
-from lommel.measures.errors import mse
 from lommel.methods import METHODS, Hankel, NijboerZernike, Polychromatic
 from lommel.paper import AbramowitzErf, ClosedForm, LommelSeries, TableErf
 from lommel.recorded.frames import RecordingError

@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-import struct
 import warnings
-import zlib
 
 import numpy as np
 import pytest
 import tifffile
 from PIL import Image
 
+from containers import png
 from lommel.imaging import PhotoError, read_depth, write_depth
 
 
@@ -169,21 +168,6 @@ def test_grey_in_three_channels_is_grey(tmp_path):
                 path.write_bytes(png(three, 2))
             with pytest.raises(PhotoError, match="it is in colour: its three channels differ, and a depth map"):
                 read_depth(path, scale=0.5, unknown=0)
-
-
-def png(values: np.ndarray, kind: int) -> bytes:
-    """A PNG by the standard alone, of 8 or 16 bits."""
-
-    def chunk(name: bytes, data: bytes) -> bytes:
-        return struct.pack(">I", len(data)) + name + data + struct.pack(">I", zlib.crc32(name + data))
-
-    height, width = values.shape[:2]
-    rows = values.astype(f">u{values.itemsize}").tobytes()
-    step = len(rows) // height
-    lines = b"".join(b"\0" + rows[at : at + step] for at in range(0, len(rows), step))
-    head = struct.pack(">IIBBBBB", width, height, 8 * values.itemsize, kind, 0, 0, 0)
-    parts = (b"IHDR", head), (b"IDAT", zlib.compress(lines)), (b"IEND", b"")
-    return b"\x89PNG\r\n\x1a\n" + b"".join(chunk(*part) for part in parts)
 
 
 @pytest.mark.parametrize("shape", [(8, 12), (7, 11), (24, 36), (5, 8), (4, 6), (3, 4)])

@@ -95,18 +95,6 @@ def test_far_pixels_take_the_share_of_the_tolerance_that_the_peak_allows(own_pea
     assert np.count_nonzero(found.values == 0.15) == 25
 
 
-@pytest.mark.parametrize("kind", [np.float32, np.float64])
-def test_images_of_averages_count_what_storing_adds_to_derivatives(kind):
-    made = Averages(RNG.normal(size=(3, 2, 4, 4)) ** 2, RNG.uniform(1e-6, 1e-5, (3, 2)), np.array([2.0, 3.0]))
-    found = averaging.to_images(made, Wanted(0.5, kind))
-    for k in range(2):
-        for n in range(2):
-            error = made.error[1 + k, n]
-            error += (made.values[1 + k, n].max() / made.peak[n] + error) * STORED[kind]
-            assert found.slopes.error[k, n] == pytest.approx(error, rel=1e-12)
-    assert found.slopes.values == pytest.approx(0.5 * made.values[1:], rel=1e-6)
-
-
 def test_derivatives_by_chords_are_those_of_the_rule_times_their_factors():
     """d (f I) = f dI + f' I: both errors add up, and so does what storing rounds of the largest."""
     pupil = OIL.pupil(depth=0.5e-6, z=[0.0, 3e-7], wavelength=520e-9)

@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 import lommel as lm
 from core_tests import _core_tests
 from lommel.core.answers import Samples, Slopes, Wanted
-from lommel.core.engine import DiskStack, Window, chordal_images
+from lommel.core.engine import DiskStack, Window, chordal_images, least_average
 from lommel.methods.averaging import _cheapest_filter, averaged_images, pixel_averages
 from lommel.optics.grid import Grid
 from lommel.special import zernike
@@ -127,7 +127,7 @@ def test_averages_of_derivatives_claim_twice_what_those_of_the_intensity_do():
     for answer, kind in ((made.error[1:], np.float64), (whole.slopes.error, np.float32)):
         storing = 6 * UNIT + (SINGLE if kind == np.float32 else 0.0)
         aim = tol - (1 + tol) * storing
-        lowest = float(made.peak[0]) * 0 + _lowest(grid.step(pupil))
+        lowest = least_average(grid.step(pupil))
         easier = 2.0 ** math.floor(math.log2(64.0 * pupil.amplitude**2))
         taps = _cheapest_filter(grid.step(pupil), easier * 2e-3 * aim * lowest, (3, 3), in_mean=True)
         finer = 0.5 * aim * min(4 * lowest, 1.0) / taps.gain**2
@@ -138,8 +138,3 @@ def test_averages_of_derivatives_claim_twice_what_those_of_the_intensity_do():
             relative = (taps.gain**2 * 0.01 * finer * times * top + 2 * own) / found
             expected = relative + (slope / found + relative) * storing
             assert answer[k, 0] == pytest.approx(expected, rel=1e-5)
-
-
-def _lowest(step: float) -> float:
-    r = min(0.5 * step, 0.5 * math.pi)
-    return 0.5 * math.pi * (r * r + r * math.sin(2 * r) - math.sin(r) ** 2) / step**2

@@ -21,7 +21,6 @@ from lommel.methods.matrix_fourier import gauss_pixel, pixel_error, pixel_nodes
 from lommel.methods.method import stored
 from lommel.optics.aperture.opening import degree_needed
 from lommel.optics.grid import Grid
-from lommel.special.legendre import gauss_legendre
 
 UNIT = mp.mpf(2) ** -53
 few = settings(max_examples=15)
@@ -273,10 +272,3 @@ def test_an_average_claims_the_errors_of_samples_and_of_the_filter(step, value, 
     whole = _core_tests.stored_bound(2 * relative / (1 - relative) if normalize else relative, False, False)
     assert made.error[0, 0] == pytest.approx(whole, rel=1e-7, abs=0.0)
     assert made.error[0, 0] <= tol
-
-
-def test_gauss_nodes_are_those_of_the_bounds():
-    t, weights = gauss_legendre(7, 0.25, 1.0)
-    assert weights.sum() == pytest.approx(0.75, rel=1e-13)
-    assert (weights * t**13).sum() == pytest.approx((1 - 0.25**14) / 14, rel=1e-12)
-    assert math.isclose(float((weights * t).sum()), (1 - 0.25**2) / 2, rel_tol=1e-13)

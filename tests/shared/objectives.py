@@ -9,29 +9,15 @@ import lommel as lm
 
 
 def oil(**more: Any) -> lm.Objective:
-    """Return one in oil before a sample in water, with what else it has."""
-    return lm.Objective(
-        NA=1.4,
-        magnification=63,
-        immersion=1.518,
-        working_distance=0.19e-3,
-        coverslip=lm.Layer(1.5255, 170e-6),
-        sample=1.33,
-        **more,
-    )
+    """Return one in oil before a sample in water, with what else it has or has in place of that."""
+    usual = {"NA": 1.4, "magnification": 63, "immersion": 1.518, "working_distance": 0.19e-3, "sample": 1.33}
+    return lm.Objective(**usual | {"coverslip": lm.Layer(1.5255, 170e-6)} | more)
 
 
 OIL = oil()
 TIRF = dataclasses.replace(OIL, NA=1.45)
 # Of the index of the oil is the cover glass.
-MATCHED = lm.Objective(
-    NA=1.4,
-    magnification=63,
-    immersion=1.515,
-    working_distance=0.19e-3,
-    coverslip=lm.Layer(1.515, 170e-6),
-    sample=1.33,
-)
+MATCHED = oil(immersion=1.515, coverslip=lm.Layer(1.515, 170e-6))
 OIL_FILE = """name = "mine"
 [objective]
 NA = 1.4
@@ -49,22 +35,8 @@ wavelength = "600 nm"
 [sensor]
 pixel = "6.5 um"
 """
-OIL_60X = lm.Objective(
-    NA=1.3,
-    magnification=60,
-    immersion=1.515,
-    working_distance=0.2e-3,
-    coverslip=lm.Layer(1.5255, 170e-6),
-    sample=1.33,
-)
-WATER_60X = lm.Objective(
-    NA=1.2,
-    magnification=60,
-    immersion=1.333,
-    working_distance=0.28e-3,
-    coverslip=lm.Layer(1.5255, 170e-6),
-    sample=1.36,
-)
+OIL_60X = oil(NA=1.3, magnification=60, immersion=1.515, working_distance=0.2e-3)
+WATER_60X = oil(NA=1.2, magnification=60, immersion=1.333, working_distance=0.28e-3, sample=1.36)
 WATER_40X = lm.Objective(
     NA=1.1, magnification=40, immersion=1.333, working_distance=0.3e-3, coverslip=lm.Layer(1.5255, 17e-5), sample=1.38
 )

@@ -315,7 +315,7 @@ def test_windows_are_computed_at_the_fewest_sizes_between_which_they_are_exact(t
     cells, low, high = np.arange(6.0), -1.0, 1.5
 
     def exact(nodes, log):
-        return np.exp(-cells * math.exp(-log) * (1.0 + 0.1 * np.abs(nodes)[:, None]))[:, None]
+        return 0.02 * np.exp(-cells * math.exp(-log) * (1.0 + 0.1 * np.abs(nodes)[:, None]))[:, None]
 
     nodes = np.array([-2.0, 0.5, 3.0])
     windows, transform = _windows_by_size(exact, nodes, exact(nodes, 0.0), (low, high), tol)

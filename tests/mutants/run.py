@@ -16,7 +16,6 @@ not judged, and judges again those that were not noticed.
 from __future__ import annotations
 
 import argparse
-import ast
 import importlib.util
 import itertools
 import json
@@ -30,7 +29,6 @@ import sys
 import threading
 import time
 import tomllib
-from collections import Counter
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from functools import cache
@@ -38,9 +36,7 @@ from pathlib import Path
 
 import draw
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tools" / "docs"))
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "shared"))
-import organisation
 import programs
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -135,69 +131,27 @@ def _is_expression(old: str, new: str) -> bool:
 
 
 @cache
-def _mentions() -> dict[str, Counter[str]]:
-    """Return how often each file of tests names what is in each module."""
-    # Where names live that packages hand on.
-    entries = (path for suffix in ("py", "pyi") for path in sorted(organisation.PACKAGE.rglob(f"__init__.{suffix}")))
-    homes = dict(name for path in entries for name in _imported_names(ast.parse(path.read_text(encoding="utf-8"))))
-    mentions = {}
-    for path in sorted((ROOT / "tests").rglob("test_*.py")):
-        text = path.read_text(encoding="utf-8")
-        found = mentions[path.relative_to(ROOT).as_posix()] = Counter[str]()
-        for name in re.findall(r"\.(\w+)", text):
-            found[homes.get(name, "")] += 1
-        for name, module in _imported_names(ast.parse(text)):
-            home = homes.get(name, module) if module.endswith("__init__") else module
-            found[home] += len(re.findall(rf"\b{name}\b", text))
-    return mentions
-
-
-def _imported_names(tree: ast.Module) -> list[tuple[str, str]]:
-    """Return the names that are imported from the package, each with its module."""
-    return [
-        (alias.asname or alias.name.split(".")[-1], module)
-        for node in ast.walk(tree)
-        if isinstance(node, ast.Import | ast.ImportFrom)
-        for alias in node.names
-        for _, module in organisation.imported(ast.Module([type(node)(**{**node.__dict__, "names": [alias]})], []))
-    ]
-
-
-@cache
-def _users() -> dict[str, set[str]]:
-    """Return which files import or include each."""
-    users: dict[str, set[str]] = {}
-    for name, tree in organisation.modules().items():
-        for _, module in organisation.imported(tree):
-            users.setdefault(f"src/lommel/{module}.py", set()).add(f"src/lommel/{name}.py")
-    for path in sorted((ROOT / "cpp" / "include").rglob("*.hpp")):
-        name = path.relative_to(ROOT).as_posix()
-        for header in re.findall(r'^#include "(.*)"$', path.read_text(encoding="utf-8"), re.MULTILINE):
-            users.setdefault(f"cpp/include/{header}", set()).add(name)
-    return users
+def _texts() -> dict[str, str]:
+    """Return the text of each file of tests."""
+    paths = sorted((ROOT / "tests").rglob("test_*.py"))
+    return {path.relative_to(ROOT).as_posix(): path.read_text(encoding="utf-8") for path in paths}
 
 
 def subject(file: str, listed: dict[str, list[str]]) -> tuple[str, ...]:
     """Return the tests of a file's subject, the nearest first: those of its list, its mirror, and those that name it.
 
-    Where there are none, those of what imports or includes it; last, of what is in its folder.
+    Where there are none, those listed of other files of its folder; last, all tests.
     """
-    around, seen = {file}, {file}
-    while around:
-        found = [test for one in sorted(around) for test in listed.get(one, [])]
-        for one in sorted(around):
-            module = one.removeprefix("src/lommel/").removesuffix(".py")
-            mirror = f"tests/{Path(module).with_name('test_' + Path(module).name)}.py"
-            found += [mirror] if mirror in _mentions() else []
-            naming = sorted(((-names[module], test) for test, names in _mentions().items() if names[module]))
-            found += [test for _, test in naming[:NEAREST]]
-        if found:
-            return tuple(dict.fromkeys(found))[: 2 * NEAREST]
-        around = {user for one in around for user in _users().get(one, ())} - seen
-        seen |= around
-    folder = str(Path(file).parent)
-    found = [test for one in sorted(listed) if str(Path(one).parent) == folder for test in listed[one]]
-    return tuple(dict.fromkeys(found)) or ("tests",)
+    module = Path(file.removeprefix("src/lommel/").removeprefix("cpp/include/lommel/")).with_suffix("")
+    mirror = f"tests/{module.with_name('test_' + module.name)}.py"
+    found = listed.get(file, []) + [mirror] * (mirror in _texts())
+    if file.endswith(".py"):
+        # As a module or, without regard to capitals, as what it defines.
+        named = re.compile(rf"\b{module.name}\b", re.IGNORECASE)
+        counts = {test: len(named.findall(text)) for test, text in _texts().items()}
+        found += sorted(filter(counts.get, counts), key=lambda test: -counts[test])[:NEAREST]
+    beside = [test for one in sorted(listed) if Path(one).parent == Path(file).parent for test in listed[one]]
+    return tuple(dict.fromkeys(found or beside))[: 2 * NEAREST] or ("tests",)
 
 
 def _bound() -> set[str]:

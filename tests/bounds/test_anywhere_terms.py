@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 from scipy.special import j0, j1
 
-from core_tests import _core_tests
+from core_tests import _core_tests, instructions
 from pixel_tables import U, averages, fewest, gauss, harmonics, interpolation, lebesgue
 
 
@@ -98,9 +98,8 @@ def test_what_a_table_of_changes_leaves_and_magnifies():
 
 @pytest.mark.parametrize("level", ["portable", "avx2", "avx512"])
 def test_windows_of_a_function_of_the_same_type_are_within_it(level):
-    _core_tests.limit_instructions(level)
     nodes, weights = np.polynomial.legendre.leggauss(24)
-    try:
+    with instructions(level):
         rng = np.random.default_rng(5)
         for pitch, averaged, farthest, digits in questions(50):
             side = max(1, int(farthest / 1.5))
@@ -125,8 +124,6 @@ def test_windows_of_a_function_of_the_same_type_are_within_it(level):
             exact = along(y - half, x) - along(y + half, x), along(x - half, y) - along(x + half, y)
             most = error + float(U) * (rounding + units) + 2 * of_grid * made["of_nodes"] * 4e-15
             assert np.abs(changes - exact).max() <= most + 40 * float(U) * farthest * pitch
-    finally:
-        _core_tests.limit_instructions("avx512")
 
 
 def test_what_grows_errs_as_is_said():

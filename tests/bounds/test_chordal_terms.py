@@ -12,15 +12,11 @@ import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
-from core_tests import _core_tests
+from core_tests import UNIT, WIDER, _core_tests, instructions
 from digits import same
 from log_amplitudes import log_amplitude
 from lommel import _core
 
-UNIT = mp.mpf(2) ** -53
-# At 1, of the numbers that tables are made with; where these are doubles, that is counted.
-SPACING = mp.mpf(_core_tests.window_bounds(1, 1.0)["spacing"])
-WIDER = SPACING < 2 * UNIT
 CURVES = [mp.mpf("0.002") * mp.mpf(2000) ** (mp.mpf(k) / 63) for k in range(64)]
 LIST = [(1, 1), (1, -1), (2, 0), (2, 2), (2, -2), (3, 1), (4, 0), (5, -3)]
 TERMS = np.array(LIST, np.int64)
@@ -136,11 +132,8 @@ def test_waves_of_turns_are_within_five_roundings_to_float():
     turns = turns[: turns.size // 32 * 32]
     angle = turns.astype(np.float64) * (2 * math.pi / 2**32)
     for level in ("avx512", "avx2", "portable"):
-        try:
-            _core_tests.limit_instructions(level)
+        with instructions(level):
             cosine, sine = np.array(_core_tests.turned_waves(turns)).reshape(-1, 2).T
-        finally:
-            _core_tests.limit_instructions("avx512")
         worst = np.hypot(cosine - np.cos(angle), sine - np.sin(angle)).max() * 2.0**24
         assert 1.0 < worst < 5.0
 
@@ -424,11 +417,8 @@ def test_the_sampled_mean_is_that_of_the_whole_curve_at_the_worst_corner(lone, n
     expected = max(math.log((weight * np.exp(-phase + v * x.imag + w * y.imag)).sum()) for v, w in corners)
     given = np.array(SAMPLED), edge, curve, nodes, np.array(box), lone
     for level in ("avx512", "avx2", "portable"):
-        try:
-            _core_tests.limit_instructions(level)
+        with instructions(level):
             found = _core_tests.chordal_mean(*given)
-        finally:
-            _core_tests.limit_instructions("avx512")
         # Chords above the exponential, at most 1.0615 of it.
         assert expected - 1e-4 <= found["mean"] <= expected + math.log(1.0616)
     bound = _core_tests.chordal_bounds(np.array(SAMPLED), edge, np.zeros(1), *box[:2])

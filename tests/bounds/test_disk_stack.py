@@ -8,13 +8,10 @@ import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
-from core_tests import _core_tests
+from core_tests import SPACING, UNIT, _core_tests
 from lommel import _core
 from lommel.special import zernike
 
-UNIT = mp.mpf(2) ** -53
-# At 1, of the numbers that tables are made with; where these are doubles, that is counted.
-SPACING = mp.mpf(_core_tests.window_bounds(1, 1.0)["spacing"])
 TERMS = [(n, m) for n in range(1, 13) for m in range(-n, n + 1, 2)] + [(60, 0), (59, -3), (40, 38)]
 few = settings(max_examples=25)
 edges = st.dictionaries(

@@ -13,12 +13,11 @@ from hypothesis import strategies as st
 from scipy.special import jv
 
 import lommel as lm
-from core_tests import _core_tests
+from core_tests import UNIT, _core_tests, instructions
 from digits import same
 from log_amplitudes import log_amplitude
 from lommel import _core
 
-UNIT = mp.mpf(2) ** -53
 CURVES = [mp.mpf("0.002") * mp.mpf(2000) ** (mp.mpf(i) / 63) for i in range(64)]
 LIST = [(2, 0), (2, 2), (2, -2), (3, 1), (3, -3), (4, 0), (6, 2), (9, -5)]
 
@@ -221,11 +220,8 @@ def test_the_sampled_growth_is_the_mean_over_chords_at_the_worst_direction(curve
     margin = step**2 / 4 * bends[0] + turn**2 / 8 * bends[1] + 1e-3
     margin += 5.97e-8 * (1.5 * (terms + 10) * most + 8 * samples)
     for level in ("avx512", "avx2", "portable"):
-        try:
-            _core_tests.limit_instructions(level)
+        with instructions(level):
             found = _core_tests.sampled_growth(TERMS, np.array(c), curve)
-        finally:
-            _core_tests.limit_instructions("avx512")
         # Chords above the exponential, at most 1.0615 of it.
         assert expected - 1e-4 <= found["mean"] <= expected + math.log(1.0616)
         assert found["margin"] == pytest.approx(margin, rel=1e-6)

@@ -11,7 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import lommel as lm
-from core_tests import _core_tests
+from core_tests import WIDER, _core_tests
 from lommel.core.answers import Samples, Slopes, Wanted
 from lommel.core.engine import DiskStack, Window, chordal_images, least_average
 from lommel.methods.averaging import _cheapest_filter, averaged_images, pixel_averages
@@ -19,7 +19,6 @@ from lommel.optics.grid import Grid
 from lommel.special import zernike
 
 UNIT, SINGLE = 2.0**-53, 2.0**-24
-WIDER = _core_tests.window_bounds(1, 1.0)["spacing"] < 2 * UNIT
 CURVES = [0.002 * 2000.0 ** (k / 63) for k in range(64)]
 
 

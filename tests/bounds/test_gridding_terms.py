@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from scipy.integrate import quad
 
-from core_tests import _core_tests
+from core_tests import _core_tests, instructions
 
 KERNELS = [
     (10, 3.0),
@@ -29,9 +29,8 @@ NONE = np.array([])
 
 @pytest.fixture(params=["avx512", "avx2", "portable"])
 def level(request):
-    _core_tests.limit_instructions(request.param)
-    yield
-    _core_tests.limit_instructions("avx512")
+    with instructions(request.param):
+        yield
 
 
 @pytest.mark.parametrize("length", [48, 64, 96, 128, 144, 192, 384, 432, 512, 768])

@@ -15,12 +15,11 @@ from scipy.special import j1
 import edge_light
 import lommel as lm
 import rendering
-from core_tests import _core_tests
+from core_tests import WIDER, _core_tests
 from lommel.core.answers import Intensities
 from lommel.optics.grid import Grid
 from pixel_tables import Table, U, Window, lebesgue
 
-WIDER = _core_tests.window_bounds(1, 1.0)["spacing"] < 2 * U  # tables are made with more than double
 SINGLE = mp.mpf(2) ** -24
 few = settings(max_examples=12)
 phases = st.lists(st.floats(-12, 12), min_size=1, max_size=3)

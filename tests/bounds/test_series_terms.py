@@ -13,17 +13,14 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 from scipy.special import j1, spherical_jn
 
-from core_tests import _core_tests
+from core_tests import SPACING, WIDER, _core_tests
+from core_tests import UNIT as U
 from digits import same
 from log_amplitudes import log_amplitude
 from lommel.special.bessel import legendre_transforms
 from lommel.special.legendre import gauss_legendre
 from rendering import rendered
 
-U = mp.mpf(2) ** -53
-# At 1, of the numbers that tables are made with; where these are doubles, that is counted.
-SPACING = mp.mpf(_core_tests.window_bounds(1, 1.0)["spacing"])
-WIDER = SPACING < 2 * U
 ETAS = [mp.mpf("0.002") * mp.mpf(2000) ** (mp.mpf(i) / 39) for i in range(40)]
 WIDTHS = [12.0, 9.6, 8.0, 6.4, 5.2, 4.2, 3.2]
 

@@ -11,7 +11,7 @@ import pytest
 import lommel as lm
 from lommel.base.options import Field, In, Shown
 from lommel.blur import recorded
-from lommel.core.answers import Samples, Slopes, ToleranceError, Wanted
+from lommel.core.answers import Declined, Samples, Slopes, ToleranceError, Wanted
 from lommel.estimation import bead_checks, bead_search, fisher
 from lommel.fit.goodness_of_fit import largest_plausible_chi2
 from lommel.imaging import defocus_verdict, field_blur
@@ -338,3 +338,26 @@ def test_whole_numbers_without_limits_are_taken_up_to_2_to_the_62():
     for value in (2**62 + 1, -(2**62) - 1):
         with pytest.raises(ValueError, match="a must be"):
             field.check(value)
+
+
+@pytest.mark.parametrize(("deviance", "taken"), [(6.9, True), (7.0, False), (math.nan, False), (-math.inf, False)])
+def test_a_step_of_beads_is_taken_where_the_deviance_is_finite_and_less_with_that_of_its_priors(
+    deviance, taken, monkeypatch
+):
+    likelihood = np.array([[deviance]]), np.zeros(1)
+    monkeypatch.setattr(bead_search.bead_images, "flux_background", lambda *_: np.array([5.0, 1.0]))
+    monkeypatch.setattr(bead_search, "star_likelihood", lambda *_: likelihood)
+    monkeypatch.setattr(bead_search, "replace", lambda state, light: state)
+    prior = SimpleNamespace(score=lambda value: (3.0, 0.0, 0.0))
+    made = SimpleNamespace(
+        names=(), _prior_terms=lambda *_: [(0, prior, 1.0)], chi2_of=lambda parts: (1.0, 0.1),
+        level_stacks=lambda _: [SimpleNamespace(pixel_data=None)],
+        images=SimpleNamespace(values=lambda *_: np.ones(1), threads=1),
+        normal_equations=lambda *_: ([], np.eye(2), np.zeros(2)),
+    )  # fmt: skip
+    state = SimpleNamespace(places=(None,), setup=None, waves=None, light=None)
+    if taken:
+        assert bead_search.BeadModel.evaluate(made, state, 10.0).scores.chi2 == [1.0]
+    else:
+        with pytest.raises(Declined, match="not higher than before"):
+            bead_search.BeadModel.evaluate(made, state, 10.0)

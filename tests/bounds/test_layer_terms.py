@@ -399,6 +399,8 @@ def test_profiles_are_refined_until_their_error_over_the_least_peak_suffices(wor
 def test_the_default_tolerance_is_that_of_the_reference(name, kind):
     told = {"hankel": 1e-14, "tuned-closed-form": 1e-4}.get(name, 1e-6)
     assert not hasattr(kind(), "tol") or kind().tol == told
+    scanned = (lm.methods.Bead, lm.methods.Confocal, lm.methods.Sted, lm.methods.TwoPhoton)
+    assert {one.tol for one in scanned} == {1e-6}
 
 
 def test_the_error_of_an_intensity_is_that_of_every_product_of_its_fields():

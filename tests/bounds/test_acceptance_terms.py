@@ -289,14 +289,6 @@ def test_voxels_below_the_offset_are_told_of_where_read_noise_does_not_explain_t
     assert any("below the offset" in note for note in notes) == noted
 
 
-def test_saturated_and_unknown_voxels_are_counted():
-    stack, notes = np.full((2, 10, 10), 7.0), []
-    stack[0, 0, :3], stack[1, 1, :5] = np.nan, 50.0
-    assert preparation._saturation_limit(stack, 50.0, notes) == 50.0
-    assert notes[0].startswith("3 voxels are NaN")
-    assert notes[1].startswith("5 voxels (2.5 %) have the saturation that was stated, 50,")
-
-
 def test_tables_of_live_depth_are_saved_with_the_noise_and_what_saturated_pixels_have(tmp_path):
     """Of floats, which have no largest value, it is the one that was stated."""
     engine = SimpleNamespace(tables=lambda *numbers: repr(numbers).encode())

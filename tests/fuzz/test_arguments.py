@@ -447,16 +447,6 @@ def test_bad_arguments_are_refused_by_name(files, hunt, count):
     assert not findings, "\n".join(findings)
 
 
-@pytest.mark.filterwarnings("ignore:the matrix subclass:PendingDeprecationWarning")
-@pytest.mark.parametrize(
-    "value", [np.array([1.0, 2.0, 3.0]), np.ones((3, 3)), np.array([])], ids=["row", "square", "empty"]
-)
-def test_an_array_in_place_of_anything_is_taken_or_refused_by_name(value, files):
-    known = entries(files)
-    found = [refused(entry, name, value) for entry in known for name in entry[2]]
-    assert not any(found), "\n".join(filter(None, found))
-
-
 # What no argument of a kind is; any argument is no object without properties.
 OF_NO_KIND = {
     bool: ("yes", 2),

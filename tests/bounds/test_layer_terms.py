@@ -414,3 +414,11 @@ def test_the_error_of_an_intensity_is_that_of_every_product_of_its_fields():
             products = (fields[j, n] + error) * (fields[k, n] + error) - fields[j, n] * fields[k, n]
             total += abs(form[j, k]) * math.hypot(0.6, 1.1) * products
         assert found[n] == pytest.approx(total, rel=1e-9)
+
+
+def test_light_in_a_sheet_is_rounded_once_more_when_it_is_stored():
+    pupil, small = OIL.pupil(depth=0.5e-6, z=[0.0, 3e-7], wavelength=520e-9), 6.0 * U + 2.0**-24
+    made = lm.microscopy.light_sheet(pupil, 1e-6, 3, 6.5e-6, tol=1e-4)
+    exact = lm.psf(pupil, 3, 6.5e-6, tol=1e-4 - 1.1 * small, normalize=made.normalize, dtype=np.float64)
+    assert made.error_bound == pytest.approx(exact.error_bound + 1.01 * small, rel=1e-9)
+    assert made.error_bound <= 1e-4

@@ -68,7 +68,7 @@ def sampled(
     _, planes, height, width = recording.shape
     if planes < _LEAST_PLANES:
         raise ValueError(
-            f"stack must have 3 planes or more, got {planes}; for single images use lommel.imaging.restore_with"
+            f"stack must have 3 planes or more, got {planes}; for single images use lommel.imaging.restore"
         )
     first_note = len(notes)
     pixel = _pixel(recording, lens, device, stated.pixel, notes)

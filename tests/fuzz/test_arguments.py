@@ -86,7 +86,6 @@ def entries(folder: Path) -> list[tuple[str, object, dict[str, object]]]:
         "direction": "up",
         "background": 0.0,
         "method": ONCE,
-        "refine": (),
         "diagnosis": False,
         "memory": 1e9,
     }

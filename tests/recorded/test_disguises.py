@@ -227,7 +227,7 @@ def handed(monkeypatch: pytest.MonkeyPatch) -> list[list[Any]]:
     for module, name, stub in (
         (fit_commands, "fit_stars", estimate),
         (fit_commands, "fit_beads", estimate),
-        (fit_commands, "fit_windows", estimate),
+        (fit_commands, "fit_targets", lambda targets, *more, **given: estimate(vars(targets), *more, given)),
         (localize_command, "Table", lambda *arguments, **options: None),
         (localize_command, "movie_blocks", lambda movie, *more, **given: estimate(movie[...], *more, given)),
         (deconvolve_command, "run", restore),

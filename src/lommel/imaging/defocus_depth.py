@@ -325,7 +325,7 @@ def _list_photographs(photographs: object, lenses: Sequence[Lens]) -> list[objec
         raise ValueError(
             f"lenses must be two or more: one photograph cannot separate blur from soft texture; got {len(lenses)}"
         )
-    images = list(photographs) if isinstance(photographs, Sequence | np.ndarray) else []
+    images = list(photographs) if isinstance(photographs, list | tuple) else _separate_photographs(photographs)
     if len(images) != len(lenses):
         count = len(images) or validation.shown(photographs)
         raise ValueError(f"photographs must be as many as lenses, {len(lenses)}, got {count}")
@@ -453,6 +453,14 @@ def _compute_sharp(engine: FocalEngine, images: Values, valid: NDArray[np.bool_]
             stream.mix(np.pad(positions[reached], margins, mode="edge"), 1, engine.factors(channel, None), padded)
             result[channel, band] = padded[offset : offset + band.stop - band.start, : valid.shape[1]]
     return result
+
+
+def _separate_photographs(photographs: object) -> list[object]:
+    """Return the photographs in one array, with their masks; an empty list if the array has fewer than three axes."""
+    values, mask = validation.parted("photographs", photographs)
+    if values.ndim < 3:
+        return []
+    return list(values if mask is None else np.ma.masked_array(values, mask=mask))
 
 
 def _is_grey(values: Values) -> bool:

@@ -82,7 +82,7 @@ def test_sampled_pupils_have_the_phases(method):
     assert lm.peak_error(lm.psf(lm.Pupil(stop=SIX), 33, 0.5), exact) > 0.2
 
 
-@pytest.mark.parametrize("suffix", [".npz", ".npy", ".tif", ".fits", ".h5", ".mat", ".png"])
+@pytest.mark.parametrize("suffix", [".npz", ".npy", ".tif", ".fits", ".h5", ".mat"])
 @pytest.mark.parametrize(
     "stop", [PHASED - VANE, lm.telescopes.vlt(), lm.Disc() & lm.Ellipse(0.9, 0.5, 0.3, (0.1, 0.0))]
 )

@@ -9,10 +9,11 @@ import pytest
 
 import lommel as lm
 from lommel.base.atomic import sealed
-from lommel.io import registry
+from lommel.io import psf_files, registry
 from lommel.io.registry import Format
 
 PSF = lm.psf(lm.Pupil(lm.Wavefront(3.0)), 9, 0.5)
+assert psf_files  # which registers the formats of PSFs, before a test replaces the list
 
 
 def write(psf, description):

@@ -178,15 +178,11 @@ using SplineFields = std::tuple<In<T, 4>, std::size_t, In<T, 2>, In<T, 2>, In<T,
 // Tile of each column, defocus of each pixel, and breaks and powers of the interpolation over the defocus.
 template <class T>
 using DefocusFields = std::tuple<In<std::int64_t, 1>, In<double, 2>, In<double, 1>, In<T, 3>>;
-// Rows and columns of the image that those of the scene are copies of.
-using CopyFields = std::pair<In<std::int64_t, 1>, In<std::int64_t, 1>>;
 
 template <class T>
-lommel::FieldSpreader<T> field_spreader(const SplineFields<T>& splines, const DefocusFields<T>& at, const CopyFields& copies,
-                                        int threads) {
+lommel::FieldSpreader<T> field_spreader(const SplineFields<T>& splines, const DefocusFields<T>& at, int threads) {
     const auto& [windows, side, down, places, shares] = splines;
     const auto& [tiles, defocus, breaks, powers] = at;
-    const auto& [rows, columns] = copies;
     const std::size_t size = windows.shape(3), order = powers.shape(1), intervals = powers.shape(0);
     const std::size_t high = defocus.shape(0), broad = defocus.shape(1), count = places.shape(0);
     require(
@@ -202,29 +198,25 @@ lommel::FieldSpreader<T> field_spreader(const SplineFields<T>& splines, const De
     require(down.shape(0) == high && down.shape(1) == windows.shape(0), "rows must have a weight for each node");
     require(count >= 3 && count % 2 == 1 && places.shape(1) == windows.shape(1), "places must have a weight for each node");
     require(shares.shape(0) == broad && shares.shape(1) == 3 && tiles.size() == broad, "columns must have three shares");
-    const auto inside = [](const In<std::int64_t, 1>& indices, std::size_t end) {
-        return std::all_of(indices.data(), indices.data() + indices.size(),
-                           [&](std::int64_t i) { return i >= 0 && i < static_cast<std::int64_t>(end); });
-    };
-    require(inside(tiles, (count - 1) / 2) && inside(rows, high) && inside(columns, broad), "indices must be inside");
+    require(std::all_of(tiles.data(), tiles.data() + broad,
+                        [&](std::int64_t i) { return i >= 0 && i < static_cast<std::int64_t>(count / 2); }),
+            "tiles must lie between places");
     require(threads >= 0, "threads must be 0 or more");
     return {{windows.data(), windows.shape(0), windows.shape(1), windows.shape(2), side, size},
-            {down.data(), places.data(), shares.data(), tiles.data(), rows.data(), columns.data(), count, rows.size(),
-             columns.size(), defocus.data(), breaks.data(), powers.data(), broad, intervals, order},
+            {down.data(), places.data(), shares.data(), tiles.data(), count, high, broad, defocus.data(), breaks.data(),
+             powers.data(), intervals, order},
             threads};
 }
 
 // Add each pixel spread over its window to an image larger by the size of a window; or the transpose.
 template <class T>
-void field_spread(SplineFields<T> splines, DefocusFields<T> defocus, CopyFields copies, In<T, 2> image, int threads,
-                  Out<T, 2> out, bool transposed) {
-    const auto spreader = field_spreader(splines, defocus, copies, threads);
-    const auto& [rows, columns] = copies;
+void field_spread(SplineFields<T> splines, DefocusFields<T> defocus, In<T, 2> image, int threads, Out<T, 2> out,
+                  bool transposed) {
+    const auto spreader = field_spreader(splines, defocus, threads);
     const std::size_t side = std::get<1>(splines);
     const auto size = [](const auto& array) { return std::pair(array.shape(0), array.shape(1)); };
-    const std::pair<std::size_t, std::size_t> small(rows.size(), columns.size());
-    const std::pair<std::size_t, std::size_t> large(rows.size() + side - 1,
-                                                    columns.size() + side - 1 + lommel::FieldSpreader<T>::step);
+    const auto small = size(std::get<1>(defocus));
+    const std::pair large(small.first + side - 1, small.second + side - 1 + lommel::FieldSpreader<T>::step);
     require(size(image) == (transposed ? large : small) && size(out) == (transposed ? small : large),
             "one image must be as large as the scene, the other larger by a window");
     released([&] {
@@ -290,8 +282,8 @@ void bindings::define_imaging(nb::module_& m) {
         m.def("collect", &collect<T>, "bank"_a.noconvert(), "positions"_a, "image"_a.noconvert(), "threads"_a,
               "out"_a.noconvert(), "layers"_a.noconvert() = nb::none(), "seen"_a.noconvert() = nb::none(),
               "The transpose of spread().");
-        m.def("field_spread", &field_spread<T>, "splines"_a.noconvert(), "defocus"_a.noconvert(), "copies"_a,
-              "image"_a.noconvert(), "threads"_a, "out"_a.noconvert(), "transposed"_a = false,
+        m.def("field_spread", &field_spread<T>, "splines"_a.noconvert(), "defocus"_a.noconvert(), "image"_a.noconvert(),
+              "threads"_a, "out"_a.noconvert(), "transposed"_a = false,
               "Adds each pixel times the window of splines at its place and defocus to an image larger by a window, or writes "
               "the "
               "transpose.");

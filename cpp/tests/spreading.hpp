@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <random>
 #include <vector>
 
@@ -95,9 +94,7 @@ void field_spreading_and_collecting(std::mt19937& random, std::size_t height, st
     }
     const std::vector<T> down = some(height * 2), weights = some(places * 9), shares = some(3 * width);
     const std::vector<T> powers = some(intervals * order * order);
-    std::vector<std::int64_t> tiles(width), rows(height), columns(width);
-    std::iota(rows.begin(), rows.end(), 0);
-    std::iota(columns.begin(), columns.end(), 0);
+    std::vector<std::int64_t> tiles(width);
     for (std::int64_t& tile : tiles) {
         tile = static_cast<std::int64_t>(random() % 2);
     }
@@ -107,8 +104,8 @@ void field_spreading_and_collecting(std::mt19937& random, std::size_t height, st
     }
     std::vector<T> out(high * wide, T(0)), taken(height * width);
     const Spreader spreader({windows.data(), 2, 9, depth, side, size},
-                            {down.data(), weights.data(), shares.data(), tiles.data(), rows.data(), columns.data(), places,
-                             height, width, defocus.data(), breaks.data(), powers.data(), width, intervals, order},
+                            {down.data(), weights.data(), shares.data(), tiles.data(), places, height, width, defocus.data(),
+                             breaks.data(), powers.data(), intervals, order},
                             threads);
     spreader.forward(image.data(), out.data());
     spreader.adjoint(other.data(), taken.data());

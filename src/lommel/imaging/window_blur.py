@@ -79,10 +79,11 @@ class WindowBlur:
         row_weights, point_nodes, point_weights, powers = (
             np.ascontiguousarray(values, dtype=kind) for values in (row_weights, point_nodes, point_weights, powers)
         )
-        self._splines = padded, side, row_weights, point_nodes, point_weights
-        self._defocus, self._threads = (tiles, positions, used_breaks, powers), threads
-        self._side, self._margin = side, side // 2
-        self._shape = defocus.shape
+        self._side, self._margin, self._threads, self._shape = side, side // 2, threads, defocus.shape
+        # Of the image with its mirrored border.
+        down, along = self._places
+        self._splines = padded, side, row_weights[down], point_nodes, point_weights[along]
+        self._defocus = tiles[along], positions[down[:, None], along], used_breaks, powers
 
     @cached_property
     def _places(self) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
@@ -105,7 +106,7 @@ class WindowBlur:
         """Return the blurred image of a plane of light."""
         rows, columns = self._places
         source, padded = plane[rows[:, None], columns], self._empty_padded(plane.dtype)
-        engine.field_spread(self._splines, self._defocus, self._places, source, self._threads, padded)
+        engine.field_spread(self._splines, self._defocus, source, self._threads, padded)
         return padded[self._inside]
 
     def adjoint(self, plane: Values) -> Values:
@@ -113,9 +114,7 @@ class WindowBlur:
         rows, columns = self._places
         padded, padded_light = self._empty_padded(plane.dtype), np.empty((len(rows), len(columns)), dtype=plane.dtype)
         padded[self._inside] = plane
-        engine.field_spread(
-            self._splines, self._defocus, self._places, padded, self._threads, padded_light, transposed=True
-        )
+        engine.field_spread(self._splines, self._defocus, padded, self._threads, padded_light, transposed=True)
         return without_copies(padded_light, rows, columns, self._shape)
 
 

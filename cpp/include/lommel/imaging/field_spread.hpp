@@ -24,17 +24,16 @@ struct FieldWindows {
     std::size_t row() const { return depth * size; }  // stride between adjacent nodes across the field
 };
 
-// Source pixel (y, x) is image pixel (rows[y], columns[x]), so border extension needs no copy of the image. Splines give PSF
-// windows only at some columns, the "places", an odd number of them. The window of image column c is interpolated between places by
+// Splines give PSF windows only at some columns, the "places", an odd number of them. The window of column c is interpolated by
 // a parabola: the sum of the windows at the places 2 tiles[c] .. 2 tiles[c] + 2, each times one of the weights shares[c][3].
 template <class T>
 struct FieldScene {
-    const T *down, *places, *shares;  // spline weights: down[image row][node], places[place][node]; shares[column][3]
-    const std::int64_t *tiles, *rows, *columns;
+    const T *down, *places, *shares;  // spline weights: down[row][node], places[place][node]; shares[column][3]
+    const std::int64_t* tiles;
     std::size_t count, height, width;  // number of places, rows, columns
-    const double *defocus, *breaks;    // defocus[image row][image column]; breaks: ends of the defocus intervals
+    const double *defocus, *breaks;    // defocus[row][column]; breaks: ends of the defocus intervals
     const T* powers;                   // [interval][power][node]: spline weights as polynomials of t = 0 .. 1 in an interval
-    std::size_t across, intervals, order;
+    std::size_t intervals, order;
 };
 
 // Blur by interpolated PSF windows: each source pixel adds its window to the image (forward) or takes the inner product of its
@@ -83,8 +82,7 @@ class FieldSpreader {
     // workspace.
     template <class I>
     LOMMEL_INLINE void mix_row(I, std::size_t y, T* across, T* nodes) const {
-        const std::size_t row = static_cast<std::size_t>(scene_.rows[y]);
-        combine<I>(scene_.down + row * bank_.down, bank_.down, bank_.coefficients, bank_.across * bank_.row(), across);
+        combine<I>(scene_.down + y * bank_.down, bank_.down, bank_.coefficients, bank_.across * bank_.row(), across);
         for (std::size_t place = 0; place < scene_.count; ++place) {
             combine<I>(scene_.places + place * bank_.across, bank_.across, across, bank_.row(), nodes + place * bank_.row());
         }
@@ -156,11 +154,10 @@ class FieldSpreader {
     template <std::size_t Order>
     LOMMEL_INLINE const T* weigh(std::size_t y, std::size_t x, T value, const T* nodes, std::size_t& interval,
                                  T* weight) const {
-        const std::size_t column = static_cast<std::size_t>(scene_.columns[x]);
         T focus[Order] = {T(1)};
         if (Order > 1) {
             const double* const breaks = scene_.breaks;
-            const double given = scene_.defocus[static_cast<std::size_t>(scene_.rows[y]) * scene_.across + column];
+            const double given = scene_.defocus[y * scene_.width + x];
             const double c = std::min(std::max(given, breaks[0]), breaks[scene_.intervals]);
             for (; interval + 1 < scene_.intervals && c >= breaks[interval + 1]; ++interval) {
             }
@@ -178,12 +175,12 @@ class FieldSpreader {
             }
         }
         for (std::size_t j = 0; j < 3; ++j) {
-            const T share = value * scene_.shares[3 * column + j];
+            const T share = value * scene_.shares[3 * x + j];
             for (std::size_t i = 0; i < Order; ++i) {
                 weight[j * Order + i] = share * focus[i];
             }
         }
-        return nodes + 2 * static_cast<std::size_t>(scene_.tiles[column]) * bank_.row() + interval * bank_.size;
+        return nodes + 2 * static_cast<std::size_t>(scene_.tiles[x]) * bank_.row() + interval * bank_.size;
     }
 
     // Sum 3 x Order windows, from `first` on, times `weights`. Write the sum to `at` or, if `Product`, return its inner product

@@ -3,8 +3,8 @@ if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
   set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
 endif()
 
-# What the interface needs of the parts that are compiled once; see cpp/include/lommel/base/once.hpp.
-set(parts polar chordal_single chordal_double radial zernike chordal averages rim pixels special focal)
+# What the interface needs of the kernels that are compiled once.
+set(parts polar chordal_single chordal_double chordal pixels)
 list(TRANSFORM parts PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/cpp/compiled/")
 list(TRANSFORM parts APPEND .cpp)
 set(interface lommel live messages)

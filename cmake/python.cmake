@@ -43,10 +43,10 @@ function(set_core_options target)
   endif()
 endfunction()
 
-# The numerics, compiled once for both modules; see cpp/include/lommel/base/once.hpp. What takes longest comes first, so that none
-# is left over at the end.
+# What is compiled once for both modules: kernels for pixels of either type, which headers then declare as extern templates. What
+# takes longest comes first, so that none is left over at the end.
 file(GLOB compiled CONFIGURE_DEPENDS cpp/compiled/*.cpp)
-set(longest polar chordal layers radial spread_double composite_single)
+set(longest polar chordal layers spread_double composite_single)
 list(TRANSFORM longest PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/cpp/compiled/")
 list(TRANSFORM longest APPEND .cpp)
 list(REMOVE_ITEM compiled ${longest})
@@ -54,8 +54,10 @@ add_library(lommel_compiled OBJECT ${longest} ${compiled})
 set_core_options(lommel_compiled)
 # Vector kernels ask for -O3 themselves (cpp/include/lommel/base/simd.hpp); of all else, half of the code, -O1 compiles in half the
 # time, and calls take at most a twentieth longer. Without the other options what kernels call would not be inlined into them.
+set(cheap -O1)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
-  set(cheap -O1 -fstrict-aliasing -fdevirtualize -finline-functions -finline-small-functions -fpartial-inlining -findirect-inlining)
+  list(APPEND cheap -fstrict-aliasing -fdevirtualize -finline-functions -finline-small-functions -fpartial-inlining
+       -findirect-inlining)
   target_compile_options(lommel_compiled PRIVATE "$<$<CONFIG:Release>:${cheap}>")
 endif()
 # Files that share their headers are compiled as one.
@@ -68,7 +70,7 @@ function(compile_together target folder)
 endfunction()
 compile_together(lommel_compiled compiled chordal_single chordal_double)
 compile_together(lommel_compiled compiled composite_single composite_double)
-compile_together(lommel_compiled compiled field_spread filter estimation remainder)
+compile_together(lommel_compiled compiled field_spread filter estimation)
 compile_together(lommel_compiled compiled spread_double spread_single)
 
 # Of nanobind's own files, whose time goes into the same headers, several are compiled as one.
@@ -84,15 +86,15 @@ nanobind_add_module(_core ${module_options} ${bindings} $<TARGET_OBJECTS:lommel_
 set_core_options(_core)
 install(TARGETS _core LIBRARY DESTINATION lommel)
 # Half of the time of small bindings goes into the headers of nanobind.
-compile_together(_core bindings module averages estimation focal localize paper pixels process special)
-compile_together(_core bindings zernike aperture imaging stratified)
-compile_together(_core bindings chordal radial)
-# Loops over pixels are in cpp/compiled: bindings and nanobind take a third less time to compile by -O1, and no longer to run.
+compile_together(_core bindings module process special pixels estimation paper)
+compile_together(_core bindings focal localize)
+compile_together(_core bindings zernike aperture)
+# nanobind takes a third less time to compile by -O1, and no longer to run.
 get_target_property(linked _core LINK_LIBRARIES)
 list(FILTER linked INCLUDE REGEX "^nanobind")
 foreach(target _core ${linked})
   if(NOT MSVC)
-    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+    target_compile_options(${target} PRIVATE "$<$<CONFIG:Release>:${cheap}>")
   endif()
 endforeach()
 
@@ -104,6 +106,9 @@ if(NOT LOMMEL_TESTS)
 endif()
 nanobind_add_module(_core_tests ${module_options} ${test_bindings} $<TARGET_OBJECTS:lommel_compiled>)
 set_core_options(_core_tests)
+if(NOT MSVC)
+  target_compile_options(_core_tests PRIVATE "$<$<CONFIG:Release>:${cheap}>")
+endif()
 install(TARGETS _core_tests LIBRARY DESTINATION lommel COMPONENT tests ${excluded})
 if(NOT LOMMEL_TESTS)
   set_target_properties(_core_tests PROPERTIES EXCLUDE_FROM_ALL ON)

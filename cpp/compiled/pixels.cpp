@@ -1,15 +1,8 @@
-// Compiles tables of pixel windows and their evaluation. Functions of headers included above LOMMEL_DEFINES are compiled in
-// other units.
-#include "lommel/base/parallel.hpp"
-#include "lommel/bounds/disk.hpp"
-#include "lommel/bounds/ellipse.hpp"
-#include "lommel/special/bessel_table.hpp"
-#include "lommel/special/gridding.hpp"
-
-#define LOMMEL_DEFINES
-
-#include "lommel/pixels/shift.hpp"
-#include "lommel/radial/average_values.hpp"
+// Compiles what writes pixels of images.
+#include "lommel/pixels/layout.hpp"
+#include "lommel/pixels/render.hpp"
+#include "lommel/pixels/sample_pieces.hpp"
+#include "lommel/pixels/window.hpp"
 
 template void lommel::Layout::scatter<float>(const float*, std::size_t, std::size_t, float*) const;
 template void lommel::Layout::scatter<double>(const double*, std::size_t, std::size_t, double*) const;
@@ -20,3 +13,6 @@ template void lommel::store_scaled<double, double>(const double*, double, std::s
 template void lommel::store_scaled<float, float>(const float*, double, std::size_t, float*);
 template void lommel::store_least<float>(const double*, double, std::size_t, float, float*);
 template void lommel::store_least<double>(const double*, double, std::size_t, double, double*);
+template double lommel::SamplePieces::paint<float>(const lommel::PixelWindow&, const double*, double, float, int, float*) const;
+template double lommel::SamplePieces::paint<double>(const lommel::PixelWindow&, const double*, double, double, int,
+                                                    double*) const;

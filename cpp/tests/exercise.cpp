@@ -4,11 +4,9 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstdio>
 #include <random>
 #include <vector>
 
-#include "lommel/special/bessel.hpp"
 #include "lommel/chordal/images.hpp"
 #include "lommel/paper/huygens.hpp"
 #include "lommel/radial/images.hpp"
@@ -20,20 +18,6 @@
 #include "spreading.hpp"
 
 namespace {
-
-void bessel_functions_agree_with_the_standard_library() {
-    for (const double v : {0.0, 1e-9, 9.99e-4, 1e-3, 0.5, 7.0, 123.4, 800.0}) {
-        for (const std::size_t count : {std::size_t{1}, std::size_t{2}, std::size_t{37}, std::size_t{900}}) {
-            std::vector<double> j(count);
-            lommel::bessel_sequence(v, count, j.data());
-            double worst = 0.0;
-            for (std::size_t n = 0; n < count; n += 1 + n / 8) {
-                worst = std::max(worst, std::abs(j[n] - jn(static_cast<int>(n), v)));
-            }
-            check(worst < 1e-12, "J_n(v)", worst);
-        }
-    }
-}
 
 // Of one of several images, of so many pixels each.
 template <class T>
@@ -353,7 +337,6 @@ void huygens_sum_of_one_source() {
 
 int main() {
     lommel::work_per_thread() = 1e-3;
-    bessel_functions_agree_with_the_standard_library();
     huygens_sum_of_one_source();
     for (const lommel::Level level : {lommel::Level::portable, lommel::Level::avx2, lommel::Level::avx512}) {
         lommel::level_limit() = level;

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "lommel/aperture/row_rule.hpp"
-#include "lommel/base/once.hpp"
 #include "lommel/base/parallel.hpp"
 #include "lommel/bounds/amplitude.hpp"
 #include "lommel/limits.hpp"
@@ -143,7 +142,61 @@ class RowField {
 
     // Write the field of a pupil to out[pixel][re, im]; factor: Zernike term by which the pupil function is multiplied, or null.
     // Returns an error bound of the sums.
-    double sum(const ZernikeSum& phase, const Amplitude& light, const ZernikeSum* factor, int threads, Doubles& out) const;
+    double sum(const ZernikeSum& phase, const Amplitude& light, const ZernikeSum* factor, int threads, Doubles& out) const {
+        const std::size_t count = rows_.size(), strips = (count + wide - 1) / wide, blocks = (window_.width + wide - 1) / wide;
+        // Sums along each row for each column of pixels: sums[group of eight columns][row][re, im][column in the group].
+        Doubles sums(2 * wide * count * blocks);
+        const double step = window_.step;
+        parallel_for(strips, threads, [&](std::size_t, std::size_t strip) {
+            WaveSums waves(*across_);
+            Doubles re(longest_ + row_lanes), im(longest_ + row_lanes);
+            dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+                const std::size_t first = strip * wide, here = std::min(wide, count - first);
+                waves.start();
+                for (std::size_t r = 0; r < here; ++r) {
+                    const Turn& turn = turns_[rows_[first + r].turn];
+                    const RowRule::Row& row = *rows_[first + r].row;
+                    strengths(isa, turn, row, phase, light, factor, re.data(), im.data());
+                    for (std::size_t k = 0; k < row.count; ++k) {
+                        waves.add(isa, r, re[k], im[k], step * turn.rule->x()[row.first + k]);
+                    }
+                }
+                waves.finish(isa, [&](std::size_t k, const double* sum, double gain) LOMMEL_INLINE_LAMBDA {
+                    double* const to = &sums[2 * wide * (k / wide * count + first) + k % wide];
+                    for (std::size_t r = 0; r < here; ++r) {
+                        to[2 * wide * r] = gain * sum[r];
+                        to[2 * wide * r + wide] = gain * sum[wide + r];
+                    }
+                });
+            });
+        });
+        const std::size_t width = window_.width;
+        parallel_for(blocks, threads, [&](std::size_t, std::size_t b) {
+            WaveSums waves(*down_);
+            dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+                waves.start();
+                for (std::size_t r = 0; r < count; ++r) {
+                    waves.add(isa, &sums[2 * wide * (b * count + r)], step * rows_[r].row->y);
+                }
+                waves.finish(isa, [&](std::size_t k, const double* sum, double gain) LOMMEL_INLINE_LAMBDA {
+                    double* const to = &out[2 * (k * width + b * wide)];
+                    for (std::size_t i = 0; i < std::min(wide, width - b * wide); ++i) {
+                        to[2 * i] = gain * sum[i];
+                        to[2 * i + 1] = gain * sum[wide + i];
+                    }
+                });
+            });
+        });
+        const double first = across_->error(static_cast<double>(along_)),
+                     second = down_->error(static_cast<double>(across_rows_));
+        // Error of the phases and weights in units of roundoff: Zernike terms, tilts, samples of a mask, exponent of the amplitude.
+        // Nodes have two roundings each, which matter most at the corners of the window (reach).
+        const double reach = step * std::hypot(static_cast<double>(window_.height) + std::abs(half_y_),
+                                               static_cast<double>(window_.width) + std::abs(half_x_));
+        const double turned = phase.rounding() + 4.0 * phase.size() + 8.0 * turned_ + 4.0 * samples_ + 4.0 * reach +
+                              light.sensitivity() + 16.0 + (factor == nullptr ? 0.0 : factor->rounding());
+        return lost_ + weight_ * (first + second + first * second + unit_roundoff * turned);
+    }
 
    private:
     static constexpr std::size_t wide = fft_rows;
@@ -195,63 +248,5 @@ class RowField {
     std::size_t longest_ = 0, along_ = 0, across_rows_ = 0;
     double half_y_ = 0.0, half_x_ = 0.0, turned_ = 0.0, samples_ = 0.0, weight_ = 0.0, lost_ = 0.0;
 };
-
-#if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE double RowField::sum(const ZernikeSum& phase, const Amplitude& light, const ZernikeSum* factor, int threads,
-                                 Doubles& out) const {
-    const std::size_t count = rows_.size(), strips = (count + wide - 1) / wide, blocks = (window_.width + wide - 1) / wide;
-    // Sums along each row for each column of pixels: sums[group of eight columns][row][re, im][column in the group].
-    Doubles sums(2 * wide * count * blocks);
-    const double step = window_.step;
-    parallel_for(strips, threads, [&](std::size_t, std::size_t strip) {
-        WaveSums waves(*across_);
-        Doubles re(longest_ + row_lanes), im(longest_ + row_lanes);
-        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
-            const std::size_t first = strip * wide, here = std::min(wide, count - first);
-            waves.start();
-            for (std::size_t r = 0; r < here; ++r) {
-                const Turn& turn = turns_[rows_[first + r].turn];
-                const RowRule::Row& row = *rows_[first + r].row;
-                strengths(isa, turn, row, phase, light, factor, re.data(), im.data());
-                for (std::size_t k = 0; k < row.count; ++k) {
-                    waves.add(isa, r, re[k], im[k], step * turn.rule->x()[row.first + k]);
-                }
-            }
-            waves.finish(isa, [&](std::size_t k, const double* sum, double gain) LOMMEL_INLINE_LAMBDA {
-                double* const to = &sums[2 * wide * (k / wide * count + first) + k % wide];
-                for (std::size_t r = 0; r < here; ++r) {
-                    to[2 * wide * r] = gain * sum[r];
-                    to[2 * wide * r + wide] = gain * sum[wide + r];
-                }
-            });
-        });
-    });
-    const std::size_t width = window_.width;
-    parallel_for(blocks, threads, [&](std::size_t, std::size_t b) {
-        WaveSums waves(*down_);
-        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
-            waves.start();
-            for (std::size_t r = 0; r < count; ++r) {
-                waves.add(isa, &sums[2 * wide * (b * count + r)], step * rows_[r].row->y);
-            }
-            waves.finish(isa, [&](std::size_t k, const double* sum, double gain) LOMMEL_INLINE_LAMBDA {
-                double* const to = &out[2 * (k * width + b * wide)];
-                for (std::size_t i = 0; i < std::min(wide, width - b * wide); ++i) {
-                    to[2 * i] = gain * sum[i];
-                    to[2 * i + 1] = gain * sum[wide + i];
-                }
-            });
-        });
-    });
-    const double first = across_->error(static_cast<double>(along_)), second = down_->error(static_cast<double>(across_rows_));
-    // Error of the phases and weights in units of roundoff: Zernike terms, tilts, samples of a mask, exponent of the amplitude.
-    // Nodes have two roundings each, which matter most at the corners of the window (reach).
-    const double reach = step * std::hypot(static_cast<double>(window_.height) + std::abs(half_y_),
-                                           static_cast<double>(window_.width) + std::abs(half_x_));
-    const double turned = phase.rounding() + 4.0 * phase.size() + 8.0 * turned_ + 4.0 * samples_ + 4.0 * reach +
-                          light.sensitivity() + 16.0 + (factor == nullptr ? 0.0 : factor->rounding());
-    return lost_ + weight_ * (first + second + first * second + unit_roundoff * turned);
-}
-#endif
 
 }  // namespace lommel

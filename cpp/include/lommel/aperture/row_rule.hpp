@@ -14,7 +14,6 @@
 #include "lommel/aperture/shapes.hpp"
 #include "lommel/base/aligned.hpp"
 #include "lommel/base/cache.hpp"
-#include "lommel/base/once.hpp"
 #include "lommel/base/pi.hpp"
 #include "lommel/base/simd.hpp"
 #include "lommel/base/watch.hpp"
@@ -34,6 +33,43 @@ struct GaussRule {
     static constexpr std::size_t most_bytes = std::size_t{2} << 20;
 };
 
+// Clear intervals of the row at the height y, each as its left and right side.
+inline std::vector<std::array<Side, 2>> clear_spans(const Region& region, double y) {
+    // End, at x, of the interval of the row that lies inside a part (shape) of the region: left or right side of this part.
+    struct End {
+        double x;
+        std::size_t part;
+        bool right;
+        Side side;
+    };
+    std::vector<End> ends;
+    for (std::size_t i = 0; i < region.parts().size(); ++i) {
+        const Part& part = region.parts()[i];
+        if (part.low() < y && y < part.high()) {
+            const auto sides = part.sides(y);
+            for (std::size_t k = 0; k < 2; ++k) {
+                ends.push_back({sides[k].at(y), i, k == 1, sides[k]});
+            }
+        }
+    }
+    std::sort(ends.begin(), ends.end(), [](const End& a, const End& b) { return a.x < b.x; });
+    std::vector<std::array<Side, 2>> spans;
+    std::vector<char> inside(region.parts().size(), 0);
+    Side start;
+    bool before = false;
+    for (const End& end : ends) {
+        inside[end.part] = end.right ? 0 : 1;
+        const bool now = region.clear(inside);
+        if (now && !before) {
+            start = end.side;
+        } else if (before && !now) {
+            spans.push_back({start, end.side});
+        }
+        before = now;
+    }
+    return spans;
+}
+
 // Quadrature over a region in the unit disc: (1/pi) int P dx dy = sum over nodes of w P(x, y), with an error of at most `error` for
 // polynomials P of the given degree with |P| <= 1 on the unit disc. The weights w are positive.
 class RowRule {
@@ -44,7 +80,54 @@ class RowRule {
         std::size_t first, count;
     };
 
-    RowRule(const Region& region, std::size_t degree, double error);
+    RowRule(const Region& region, std::size_t degree, double error) : spans_(degree, 0.5 * error) {
+        // Merge heights that differ by rounding only. lost_ includes the change of the area: the strip between them, at most 2 wide.
+        constexpr double same = 4e-15;
+        std::vector<double> heights;
+        for (const double y : region.heights()) {
+            if (heights.empty() || y - heights.back() >= same) {
+                heights.push_back(y);
+            } else {
+                lost_ += 2.0 / pi * (y - heights.back());
+            }
+        }
+        for (std::size_t k = 0; k + 1 < heights.size(); ++k) {
+            look();
+            const double low = heights[k], high = heights[k + 1];
+            Panel panel{low, high, 0, clear_spans(region, 0.5 * (low + high))};
+            if (panel.spans.empty()) {
+                continue;
+            }
+            bool roots[2] = {false, false};
+            for (auto& span : panel.spans) {
+                for (Side& side : span) {
+                    // A limit of an arc that equals a limit of the panel up to rounding is set to exactly that limit.
+                    const double below = side.low - low, above = side.high - high;
+                    if (side.k != 0.0 && std::abs(below) < 2.0 * same) {
+                        side.low = low;
+                        roots[0] = true;
+                        lost_ += 2.0 / pi * std::abs(below);
+                    }
+                    if (side.k != 0.0 && std::abs(above) < 2.0 * same) {
+                        side.high = high;
+                        roots[1] = true;
+                        lost_ += 2.0 / pi * std::abs(above);
+                    }
+                }
+            }
+            const double share = 0.25 * error / static_cast<double>(heights.size());
+            if (roots[0] && roots[1]) {
+                const double middle = 0.5 * (low + high);
+                split({low, middle, -1, panel.spans}, static_cast<double>(degree), share, 0);
+                split({middle, high, 1, panel.spans}, static_cast<double>(degree), share, 0);
+            } else {
+                panel.root = roots[0] ? -1 : roots[1] ? 1 : 0;
+                split(panel, static_cast<double>(degree), share, 0);
+            }
+        }
+        gauss_.clear();
+        finish();
+    }
     // Construct from samples of a mask. y, counts: height and number of samples of each row; x, weights, phase: of each sample.
     RowRule(const double* y, const std::int64_t* counts, std::size_t rows, const double* x, const double* weights,
             const double* phase)
@@ -183,94 +266,5 @@ class RowRule {
     std::map<std::size_t, std::shared_ptr<const GaussRule>> gauss_;
     SpanNodes spans_;
 };
-
-#if defined(LOMMEL_DEFINES)
-// Clear intervals of the row at the height y, each as its left and right side.
-inline std::vector<std::array<Side, 2>> clear_spans(const Region& region, double y) {
-    // End, at x, of the interval of the row that lies inside a part (shape) of the region: left or right side of this part.
-    struct End {
-        double x;
-        std::size_t part;
-        bool right;
-        Side side;
-    };
-    std::vector<End> ends;
-    for (std::size_t i = 0; i < region.parts().size(); ++i) {
-        const Part& part = region.parts()[i];
-        if (part.low() < y && y < part.high()) {
-            const auto sides = part.sides(y);
-            for (std::size_t k = 0; k < 2; ++k) {
-                ends.push_back({sides[k].at(y), i, k == 1, sides[k]});
-            }
-        }
-    }
-    std::sort(ends.begin(), ends.end(), [](const End& a, const End& b) { return a.x < b.x; });
-    std::vector<std::array<Side, 2>> spans;
-    std::vector<char> inside(region.parts().size(), 0);
-    Side start;
-    bool before = false;
-    for (const End& end : ends) {
-        inside[end.part] = end.right ? 0 : 1;
-        const bool now = region.clear(inside);
-        if (now && !before) {
-            start = end.side;
-        } else if (before && !now) {
-            spans.push_back({start, end.side});
-        }
-        before = now;
-    }
-    return spans;
-}
-
-LOMMEL_ONCE RowRule::RowRule(const Region& region, std::size_t degree, double error) : spans_(degree, 0.5 * error) {
-    // Merge heights that differ by rounding only. lost_ includes the change of the area: the strip between them, at most 2 wide.
-    constexpr double same = 4e-15;
-    std::vector<double> heights;
-    for (const double y : region.heights()) {
-        if (heights.empty() || y - heights.back() >= same) {
-            heights.push_back(y);
-        } else {
-            lost_ += 2.0 / pi * (y - heights.back());
-        }
-    }
-    for (std::size_t k = 0; k + 1 < heights.size(); ++k) {
-        look();
-        const double low = heights[k], high = heights[k + 1];
-        Panel panel{low, high, 0, clear_spans(region, 0.5 * (low + high))};
-        if (panel.spans.empty()) {
-            continue;
-        }
-        bool roots[2] = {false, false};
-        for (auto& span : panel.spans) {
-            for (Side& side : span) {
-                // A limit of an arc that equals a limit of the panel up to rounding is set to exactly that limit.
-                const double below = side.low - low, above = side.high - high;
-                if (side.k != 0.0 && std::abs(below) < 2.0 * same) {
-                    side.low = low;
-                    roots[0] = true;
-                    lost_ += 2.0 / pi * std::abs(below);
-                }
-                if (side.k != 0.0 && std::abs(above) < 2.0 * same) {
-                    side.high = high;
-                    roots[1] = true;
-                    lost_ += 2.0 / pi * std::abs(above);
-                }
-            }
-        }
-        const double share = 0.25 * error / static_cast<double>(heights.size());
-        if (roots[0] && roots[1]) {
-            const double middle = 0.5 * (low + high);
-            split({low, middle, -1, panel.spans}, static_cast<double>(degree), share, 0);
-            split({middle, high, 1, panel.spans}, static_cast<double>(degree), share, 0);
-        } else {
-            panel.root = roots[0] ? -1 : roots[1] ? 1 : 0;
-            split(panel, static_cast<double>(degree), share, 0);
-        }
-    }
-    gauss_.clear();
-    finish();
-}
-
-#endif
 
 }  // namespace lommel

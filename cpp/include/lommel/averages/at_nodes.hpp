@@ -4,12 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <memory>
 #include <vector>
 
 #include "lommel/averages/window_nodes.hpp"
-#include "lommel/base/once.hpp"
 #include "lommel/base/pi.hpp"
 #include "lommel/base/reference.hpp"
 #include "lommel/chordal/averages.hpp"
@@ -72,10 +70,6 @@ struct NodeNumbers {
 // Function that computes fields at nodes, and averages and derivatives from them; it throws ToleranceNotMet if fields miss tol.
 using NodeSample = Reference<void(const NodeQuestion&, const AverageAnswer&, NodeNumbers&)>;
 
-// Compute the averages of `pupils` pupils; returns false if no nodes suit the window, or if averages miss the tolerance.
-bool average_at_nodes(const AverageRequest& asked, const PupilLight& light, std::size_t pupils, const AverageAnswer& answer,
-                      const NodeSample& sample);
-
 // Call compute(answer), which writes averages and derivatives in double precision. Store these in `images` and
 // slopes[term][pupil][pixel], with error bounds. If compute() returns false, nothing is stored and false is returned.
 template <class T, class Compute>
@@ -101,9 +95,9 @@ bool averaged_images(const AverageRequest& asked, std::size_t pupils, const Disk
     return true;
 }
 
-#if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE bool average_at_nodes(const AverageRequest& asked, const PupilLight& light, std::size_t pupils,
-                                  const AverageAnswer& answer, const NodeSample& sample) {
+// Compute the averages of `pupils` pupils; returns false if no nodes suit the window, or if averages miss the tolerance.
+inline bool average_at_nodes(const AverageRequest& asked, const PupilLight& light, std::size_t pupils,
+                             const AverageAnswer& answer, const NodeSample& sample) {
     constexpr double of_samples = 0.8;  // fraction of the tolerance for errors of samples
     // Factors on the estimated Strehl ratio: `sharp` above 0.6, `dim` for lower ratios, whose estimates are often too high.
     constexpr double sharp = 0.87, dim = 0.1;
@@ -176,6 +170,5 @@ LOMMEL_ONCE bool average_at_nodes(const AverageRequest& asked, const PupilLight&
     }
     return false;
 }
-#endif
 
 }  // namespace lommel

@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "lommel/averages/at_nodes.hpp"
-#include "lommel/base/once.hpp"
 #include "lommel/chordal/images.hpp"
 #include "lommel/rim/averages.hpp"
 #include "lommel/rim/boxes.hpp"
@@ -30,7 +29,14 @@ class DiskAverages {
     virtual ~DiskAverages() = default;
 
     // Compute the averages; returns false if no nodes suit the window, or if the averages of a pupil miss the tolerance.
-    bool run(const AverageAnswer& answer);
+    bool run(const AverageAnswer& answer) {
+        double variance = 0.0;
+        for (std::size_t p = 0; p < pupils_.count; ++p) {
+            variance = std::max(variance, phase_variance(pupils_.terms, pupils_.edge + p * pupils_.terms.size()));
+        }
+        light_ = {1.0 / (1.0 + variance), pupils_.amplitude.raised(2.0).integral(pupils_.obscuration)};
+        return (asked_.factors.empty() && from_rims(answer)) || at_nodes(all_, asked_, centers_of(all_), true, answer);
+    }
 
    protected:
     using Pupils = std::vector<std::size_t>;
@@ -214,16 +220,5 @@ class DiskAverages {
     Pupils all_;
     PupilLight light_{1.0, 1.0};
 };
-
-#if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE bool DiskAverages::run(const AverageAnswer& answer) {
-    double variance = 0.0;
-    for (std::size_t p = 0; p < pupils_.count; ++p) {
-        variance = std::max(variance, phase_variance(pupils_.terms, pupils_.edge + p * pupils_.terms.size()));
-    }
-    light_ = {1.0 / (1.0 + variance), pupils_.amplitude.raised(2.0).integral(pupils_.obscuration)};
-    return (asked_.factors.empty() && from_rims(answer)) || at_nodes(all_, asked_, centers_of(all_), true, answer);
-}
-#endif
 
 }  // namespace lommel

@@ -7,7 +7,6 @@
 
 #include "lommel/base/fork.hpp"
 #include "lommel/base/lock.hpp"
-#include "lommel/base/once.hpp"
 #include "lommel/base/reference.hpp"
 #include "lommel/base/watch.hpp"
 
@@ -197,9 +196,7 @@ inline Helpers& helpers = *new Helpers;
 
 // Implementation of parallel_for() for more than one thread.
 using Work = Reference<void(std::size_t worker, std::size_t task)>;
-void share_out(std::size_t tasks, int threads, const Work& work);
-#if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE void share_out(std::size_t tasks, int threads, const Work& work) {
+inline void share_out(std::size_t tasks, int threads, const Work& work) {
     // The tasks are cut into `stretches` stretches, each of one range per worker (at most `most` ranges). In each stretch a worker
     // begins with its own range and then helps others: it mostly runs neighbouring tasks, and the same ones in the next call, whose
     // data are in its processor's cache. Worker 0, the caller, takes tasks in ascending order: a task may wait for earlier tasks.
@@ -247,7 +244,6 @@ LOMMEL_ONCE void share_out(std::size_t tasks, int threads, const Work& work) {
         std::rethrow_exception(failure);
     }
 }
-#endif
 #endif
 
 // Run work(worker, task) once for every task below `tasks`, on at most `threads` threads including the caller's (0: one for

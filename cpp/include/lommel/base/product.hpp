@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "lommel/base/once.hpp"
 #include "lommel/base/parallel.hpp"
 #include "lommel/base/simd.hpp"
 #include "lommel/base/tasks.hpp"
@@ -12,11 +11,8 @@
 namespace lommel {
 
 // out[row * sums + j] = sum over i of given[row * count + i] * matrix[i * sums + j].
-void product(const double* given, std::size_t rows, std::size_t count, const double* matrix, std::size_t sums, int threads,
-             double* out);
-#if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE void product(const double* given, std::size_t rows, std::size_t count, const double* matrix, std::size_t sums,
-                         int threads, double* out) {
+inline void product(const double* given, std::size_t rows, std::size_t count, const double* matrix, std::size_t sums,
+                    int threads, double* out) {
     constexpr std::size_t together = 8, step = 16;
     // For many rows, a panel of `step` columns of the matrix is first copied to contiguous memory: read in place, each row of
     // the panel would lie in another memory page.
@@ -72,6 +68,5 @@ LOMMEL_ONCE void product(const double* given, std::size_t rows, std::size_t coun
         }
     });
 }
-#endif
 
 }  // namespace lommel

@@ -15,7 +15,6 @@
 #include <cstddef>
 #include <vector>
 
-#include "lommel/base/once.hpp"
 #include "lommel/base/simd.hpp"
 #include "lommel/bounds/amplitude.hpp"
 #include "lommel/bounds/refine.hpp"
@@ -111,14 +110,58 @@ struct ChordGrowth {
     }
 
     // Bound on the sum over m >= n of the coefficients of a series, if coefficient m is at most e^(size[k] - m b[k]) for all k.
-    double tail(std::size_t n) const;
+    double tail(std::size_t n) const {
+        double best = 0.0;
+        dispatch([&](auto) LOMMEL_INLINE_LAMBDA {
+            ChordCurves::Values sums;
+            for (std::size_t k = 0; k < ChordCurves::count; ++k) {
+                sums[k] = size[k] - static_cast<double>(n) * chord_curves.b[k] + chord_curves.closed[k];
+            }
+            best = sums[least_at(sums)];
+        });
+        return std::exp(std::min(best, 690.0));
+    }
 
     // Approximate smallest degree n with log tail(n) <= `logarithm`.
-    double fewest(double logarithm) const;
+    double fewest(double logarithm) const {
+        double least = 0.0;
+        dispatch([&](auto) LOMMEL_INLINE_LAMBDA {
+            ChordCurves::Values degrees;
+            for (std::size_t k = 0; k < ChordCurves::count; ++k) {
+                degrees[k] = (size[k] + chord_curves.closed[k] - logarithm) * chord_curves.inverse[k];
+            }
+            least = degrees[least_at(degrees)];
+        });
+        return std::max(1.0, std::ceil(least));
+    }
 
     // Bound on |pupil function - polynomial| on the disk, for the best polynomial of degree d. The pupil function's Zernike terms
     // of degree n sum to at most (n+1)^(3/2) times the bound on the n-th Chebyshev coefficients at the top of this file.
-    double distance(std::size_t d) const;
+    double distance(std::size_t d) const {
+        const double first = static_cast<double>(d) + 2.0;  // n + 1 for the first omitted degree n
+        const double next = (first + 1.0) / first, widening = next * std::sqrt(next);
+        ChordCurves::Values exponents;
+        std::size_t least = 0;
+        dispatch([&](auto) LOMMEL_INLINE_LAMBDA {
+            for (std::size_t k = 0; k < ChordCurves::count; ++k) {
+                const double exponent = size[k] - (first - 1.0) * chord_curves.b[k];
+                exponents[k] = chord_curves.decay[k] * widening < 1.0 ? exponent : 1e300;
+            }
+            least = least_at(exponents);
+        });
+        // As add() computes a logarithm, it is called for the smallest exponent first, then only for exponents below `best` so far.
+        double best = 1e300;
+        const auto add = [&](std::size_t k) {
+            best = std::min(best, exponents[k] - std::log(1.0 - chord_curves.decay[k] * widening));
+        };
+        add(least);
+        for (std::size_t k = 0; k < ChordCurves::count; ++k) {
+            if (exponents[k] < best) {
+                add(k);
+            }
+        }
+        return first * std::sqrt(first) * std::exp(std::min(best, 690.0));
+    }
 };
 
 class DiskBounds {
@@ -174,57 +217,5 @@ class DiskBounds {
 
     ChordGrowth chords_, turns_;
 };
-
-#if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE double ChordGrowth::tail(std::size_t n) const {
-    double best = 0.0;
-    dispatch([&](auto) LOMMEL_INLINE_LAMBDA {
-        ChordCurves::Values sums;
-        for (std::size_t k = 0; k < ChordCurves::count; ++k) {
-            sums[k] = size[k] - static_cast<double>(n) * chord_curves.b[k] + chord_curves.closed[k];
-        }
-        best = sums[least_at(sums)];
-    });
-    return std::exp(std::min(best, 690.0));
-}
-
-LOMMEL_ONCE double ChordGrowth::fewest(double logarithm) const {
-    double least = 0.0;
-    dispatch([&](auto) LOMMEL_INLINE_LAMBDA {
-        ChordCurves::Values degrees;
-        for (std::size_t k = 0; k < ChordCurves::count; ++k) {
-            degrees[k] = (size[k] + chord_curves.closed[k] - logarithm) * chord_curves.inverse[k];
-        }
-        least = degrees[least_at(degrees)];
-    });
-    return std::max(1.0, std::ceil(least));
-}
-
-LOMMEL_ONCE double ChordGrowth::distance(std::size_t d) const {
-    const double first = static_cast<double>(d) + 2.0;  // n + 1 for the first omitted degree n
-    const double next = (first + 1.0) / first, widening = next * std::sqrt(next);
-    ChordCurves::Values exponents;
-    std::size_t least = 0;
-    dispatch([&](auto) LOMMEL_INLINE_LAMBDA {
-        for (std::size_t k = 0; k < ChordCurves::count; ++k) {
-            const double exponent = size[k] - (first - 1.0) * chord_curves.b[k];
-            exponents[k] = chord_curves.decay[k] * widening < 1.0 ? exponent : 1e300;
-        }
-        least = least_at(exponents);
-    });
-    // As add() computes a logarithm, it is called for the smallest exponent first, then only for exponents below `best` so far.
-    double best = 1e300;
-    const auto add = [&](std::size_t k) {
-        best = std::min(best, exponents[k] - std::log(1.0 - chord_curves.decay[k] * widening));
-    };
-    add(least);
-    for (std::size_t k = 0; k < ChordCurves::count; ++k) {
-        if (exponents[k] < best) {
-            add(k);
-        }
-    }
-    return first * std::sqrt(first) * std::exp(std::min(best, 690.0));
-}
-#endif
 
 }  // namespace lommel

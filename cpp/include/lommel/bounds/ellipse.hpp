@@ -15,7 +15,6 @@
 #include <vector>
 
 #include "lommel/base/cache.hpp"
-#include "lommel/base/once.hpp"
 #include "lommel/base/pi.hpp"
 #include "lommel/base/simd.hpp"
 #include "lommel/bounds/amplitude.hpp"
@@ -188,7 +187,34 @@ class Ellipses {
         return *std::min_element(low, low + 8);
     }
 
-    void measure(const double* phase, std::size_t terms);
+    void measure(const double* phase, std::size_t terms) {
+        if (terms <= 2) {
+            // Two terms: max over theta of |Im Phi| = |sin theta| sinh eta |a1 + 3 a2 cos theta cosh eta| in closed form.
+            const double a1 = terms > 0 ? phase[0] : 0.0, a2 = terms > 1 ? phase[1] : 0.0;
+            dispatch([&](auto) LOMMEL_INLINE_LAMBDA {
+                for (std::size_t i = 0; i < count; ++i) {
+                    g_[i] = largest(grid.sinh[i] * std::abs(a1), 3.0 * grid.sinh[i] * grid.cosh[i] * std::abs(a2));
+                }
+            });
+            return;
+        }
+        const auto polynomials = EllipsePolynomials::get();
+        for (std::size_t i = 0; i < count; ++i) {
+            std::array<double, EllipseGrid::steps + 1> sums{};
+            for (std::size_t k = 0; k < terms; ++k) {
+                const auto& imaginary = polynomials->imaginary[k][i];
+                for (std::size_t j = 0; j <= EllipseGrid::steps; ++j) {
+                    sums[j] += phase[k] * imaginary[j];
+                }
+            }
+            double top = 0.0;
+            for (const double sum : sums) {
+                top = std::max(top, std::abs(sum));
+            }
+            // From the largest sample follows a bound on the maximum over all angles (Ehlich and Zeller, 1964).
+            g_[i] = top / std::cos(0.5 * static_cast<double>(terms) * pi / static_cast<double>(EllipseGrid::steps));
+        }
+    }
 
     // Maximum over c in [0, 1] of sqrt(1 - c^2) (a + b c), a, b >= 0: at 2 b c^2 + a c - b = 0.
     static LOMMEL_INLINE double largest(double a, double b) {
@@ -239,36 +265,5 @@ inline double disk_window_tail(std::size_t degrees, double reach) {
 inline std::size_t disk_window_degrees(double reach, double error) {
     return fewest(static_cast<std::size_t>(reach) + 2, [&](std::size_t n) { return disk_window_tail(n, reach) <= error; });
 }
-
-#if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE void Ellipses::measure(const double* phase, std::size_t terms) {
-    if (terms <= 2) {
-        // Two terms: max over theta of |Im Phi| = |sin theta| sinh eta |a1 + 3 a2 cos theta cosh eta| in closed form.
-        const double a1 = terms > 0 ? phase[0] : 0.0, a2 = terms > 1 ? phase[1] : 0.0;
-        dispatch([&](auto) LOMMEL_INLINE_LAMBDA {
-            for (std::size_t i = 0; i < count; ++i) {
-                g_[i] = largest(grid.sinh[i] * std::abs(a1), 3.0 * grid.sinh[i] * grid.cosh[i] * std::abs(a2));
-            }
-        });
-        return;
-    }
-    const auto polynomials = EllipsePolynomials::get();
-    for (std::size_t i = 0; i < count; ++i) {
-        std::array<double, EllipseGrid::steps + 1> sums{};
-        for (std::size_t k = 0; k < terms; ++k) {
-            const auto& imaginary = polynomials->imaginary[k][i];
-            for (std::size_t j = 0; j <= EllipseGrid::steps; ++j) {
-                sums[j] += phase[k] * imaginary[j];
-            }
-        }
-        double top = 0.0;
-        for (const double sum : sums) {
-            top = std::max(top, std::abs(sum));
-        }
-        // From the largest sample follows a bound on the maximum over all angles (Ehlich and Zeller, 1964).
-        g_[i] = top / std::cos(0.5 * static_cast<double>(terms) * pi / static_cast<double>(EllipseGrid::steps));
-    }
-}
-#endif
 
 }  // namespace lommel

@@ -1,7 +1,6 @@
 // Complex amplitudes in the image for a batch of pupils, one per vector lane, or for one pupil with its chords in the lanes.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <memory>

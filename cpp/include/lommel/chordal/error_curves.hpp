@@ -10,7 +10,6 @@
 #include <utility>
 #include <vector>
 
-#include "lommel/base/once.hpp"
 #include "lommel/base/parallel.hpp"
 #include "lommel/base/reference.hpp"
 #include "lommel/base/simd.hpp"
@@ -60,7 +59,40 @@ class ChordLines {
 
     // For each pupil p, set disk(p) to those error bounds by which the fewest chords and nodes suffice. error(p, bound): requested
     // error of its field, given its bound without samples; radius: radius of the disk, in aperture radii.
-    void find(const double* coefficients, double radius, const Error& error, const Disk& disk) const;
+    void find(const double* coefficients, double radius, const Error& error, const Disk& disk) const {
+        std::vector<char> pays(stack_.count);
+        std::vector<double> errors(stack_.count);
+        const double samples = 2.0 * SharpTable::work(terms_);
+        const ChordBound of_all = bound_of(radius);
+        for_blocks(stack_.count, threads_, 0.5, [&](std::size_t from, std::size_t to) {
+            ChordBound bound = of_all;
+            for (std::size_t p = from; p < to; ++p) {
+                bound.prepare(coefficients + p * stack_.terms.size());
+                ChordDisk& here = disk(p);
+                here.rounding = bound.rounding();
+                errors[p] = error(p, bound);
+                double plain[2], better[2];
+                for (const Sum sum : {Sum::chords, Sum::nodes}) {
+                    const std::size_t at = sum == Sum::chords ? 0 : 1;
+                    const ChordLine likely = bound.best(sum, errors[p], usual_share[at]);
+                    here.of(sum) = {bound.best(sum, errors[p], 1.0), likely.curve, bound.bend(sum, likely.curve)};
+                    plain[at] = here.of(sum).line.needed(errors[p]);
+                    better[at] = likely.needed(errors[p]);
+                }
+                pays[p] = work(plain[0], plain[1]) - work(better[0], better[1]) > 1.5 * samples &&
+                          SharpTable::serves(terms_.degree, std::max(here.chords.curve, here.nodes.curve));
+            }
+        });
+        std::vector<std::size_t> worth;
+        for (std::size_t p = 0; p < stack_.count; ++p) {
+            if (pays[p]) {
+                worth.push_back(p);
+            }
+        }
+        for (const Sum sum : {Sum::chords, Sum::nodes}) {
+            sample(coefficients, of_all, around_.scaled(radius), sum, worth, errors, disk);
+        }
+    }
 
     // Choose the complex curves of the bounds again, for a smaller requested error. A new curve is kept if by its bound fewer
     // chords or nodes suffice.
@@ -154,42 +186,5 @@ class ChordLines {
     double rows_, pixels_;
     int threads_;
 };
-
-#if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE void ChordLines::find(const double* coefficients, double radius, const Error& error, const Disk& disk) const {
-    std::vector<char> pays(stack_.count);
-    std::vector<double> errors(stack_.count);
-    const double samples = 2.0 * SharpTable::work(terms_);
-    const ChordBound of_all = bound_of(radius);
-    for_blocks(stack_.count, threads_, 0.5, [&](std::size_t from, std::size_t to) {
-        ChordBound bound = of_all;
-        for (std::size_t p = from; p < to; ++p) {
-            bound.prepare(coefficients + p * stack_.terms.size());
-            ChordDisk& here = disk(p);
-            here.rounding = bound.rounding();
-            errors[p] = error(p, bound);
-            double plain[2], better[2];
-            for (const Sum sum : {Sum::chords, Sum::nodes}) {
-                const std::size_t at = sum == Sum::chords ? 0 : 1;
-                const ChordLine likely = bound.best(sum, errors[p], usual_share[at]);
-                here.of(sum) = {bound.best(sum, errors[p], 1.0), likely.curve, bound.bend(sum, likely.curve)};
-                plain[at] = here.of(sum).line.needed(errors[p]);
-                better[at] = likely.needed(errors[p]);
-            }
-            pays[p] = work(plain[0], plain[1]) - work(better[0], better[1]) > 1.5 * samples &&
-                      SharpTable::serves(terms_.degree, std::max(here.chords.curve, here.nodes.curve));
-        }
-    });
-    std::vector<std::size_t> worth;
-    for (std::size_t p = 0; p < stack_.count; ++p) {
-        if (pays[p]) {
-            worth.push_back(p);
-        }
-    }
-    for (const Sum sum : {Sum::chords, Sum::nodes}) {
-        sample(coefficients, of_all, around_.scaled(radius), sum, worth, errors, disk);
-    }
-}
-#endif
 
 }  // namespace lommel

@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "lommel/base/cache.hpp"
-#include "lommel/base/once.hpp"
 #include "lommel/base/parallel.hpp"
 #include "lommel/base/simd.hpp"
 #include "lommel/base/watch.hpp"
@@ -153,9 +152,7 @@ void all_products(Level level, std::size_t rows, std::size_t vectors, std::size_
     });
 }
 
-void node_gradient(const NodeSeries& given, const DiskWindow& window, int threads, const NodeGradient& wanted);
-#if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE void node_gradient(const NodeSeries& given, const DiskWindow& window, int threads, const NodeGradient& wanted) {
+inline void node_gradient(const NodeSeries& given, const DiskWindow& window, int threads, const NodeGradient& wanted) {
     using Kernels = ChordKernels<double>;
     const Level level = processor_level();
     const std::size_t lanes = Kernels::lanes(level), pixels = window.height * window.width, nodes = given.nodes();
@@ -282,6 +279,5 @@ LOMMEL_ONCE void node_gradient(const NodeSeries& given, const DiskWindow& window
         }
     }
 }
-#endif
 
 }  // namespace lommel

@@ -8,11 +8,9 @@
 #include <complex>
 #include <cstddef>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 #include "lommel/base/cache.hpp"
-#include "lommel/base/once.hpp"
 #include "lommel/base/parallel.hpp"
 #include "lommel/base/simd.hpp"
 #include "lommel/base/watch.hpp"
@@ -71,12 +69,9 @@ struct NodeSeries {
 // Waves exp(i W) x node weights, split into parts even or odd in x and in y: to[parity][node]. Phase W: sum over j < count of
 // edge[j] x terms[j][node], where edge[j] is the coefficient of a Zernike term of parity parities[j]. If largest > 0, a bound on
 // |W|, also i W exp(i W) / largest, from to[stride] on.
-void fold_waves(Level level, std::size_t nodes, const double* terms, const std::int32_t* parities, std::size_t count,
-                const double* edge, const double* weights, double largest, std::complex<double>* to, std::size_t stride);
-#if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE void fold_waves(Level level, std::size_t nodes, const double* terms, const std::int32_t* parities,
-                            std::size_t count, const double* edge, const double* weights, double largest,
-                            std::complex<double>* to, std::size_t stride) {
+inline void fold_waves(Level level, std::size_t nodes, const double* terms, const std::int32_t* parities, std::size_t count,
+                       const double* edge, const double* weights, double largest, std::complex<double>* to,
+                       std::size_t stride) {
     dispatch_widest(level, [&](auto isa) LOMMEL_INLINE_LAMBDA {
         using V = typename decltype(isa)::pack;
         constexpr std::size_t lanes = decltype(isa)::lanes;
@@ -124,7 +119,6 @@ LOMMEL_ONCE void fold_waves(Level level, std::size_t nodes, const double* terms,
         }
     });
 }
-#endif
 
 // Sum the amplitude series of one plane at nodes first .. first + count - 1; result: to[part][re, im][node].
 inline void sum_series(Level level, const NodeSeries& given, const std::complex<double>* coefficients, std::size_t first,
@@ -590,9 +584,7 @@ inline void full_light(const NodeSeries& given, const DiskWindow& window, int th
 
 // Compute values[set][plane][row][column]: intensity sum |E|^2 (first set) and its derivatives (other sets), and
 // largest[set][plane][field]: maximum modulus of the field in the window.
-void node_light(const NodeSeries& given, const DiskWindow& window, int threads, double* values, double* largest);
-#if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE void node_light(const NodeSeries& given, const DiskWindow& window, int threads, double* values, double* largest) {
+inline void node_light(const NodeSeries& given, const DiskWindow& window, int threads, double* values, double* largest) {
     const Level level = processor_level();
     const WindowAxis rows(window.height, window.row), columns(window.width, window.column);
     const auto kernel = cache<KernelTable<double>>.get(given.count, rows, columns, window.step, ChordLanes{});
@@ -625,6 +617,5 @@ LOMMEL_ONCE void node_light(const NodeSeries& given, const DiskWindow& window, i
         });
     });
 }
-#endif
 
 }  // namespace lommel

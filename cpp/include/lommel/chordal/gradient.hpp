@@ -3,7 +3,6 @@
 // amplitude; d/dc = -2 Im(sum of Z P G over the nodes), with Z the Zernike polynomial and P the pupil function.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <vector>
 

@@ -8,7 +8,6 @@
 #include <limits>
 #include <memory>
 #include <numeric>
-#include <stdexcept>
 #include <tuple>
 #include <utility>
 #include <vector>

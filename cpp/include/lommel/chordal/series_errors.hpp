@@ -9,7 +9,6 @@
 #include <limits>
 #include <vector>
 
-#include "lommel/base/once.hpp"
 #include "lommel/base/simd.hpp"
 
 namespace lommel {
@@ -25,7 +24,38 @@ struct SeriesSizes {
     // chords or nodes is on_curves * C * exp(-2 n b) on a curve: rate = 1 / (4 b), chosen = log(C / requested error) / (4 b).
     // ends[part]: index after the last term of a part; powers[term][curve]: bound on a term of coefficient 1.
     void sum(Level level, const std::complex<double>* coefficients, const std::vector<std::size_t>& ends, const double* powers,
-             const double* rate, const double* chosen, double (&needed)[2]) const;
+             const double* rate, const double* chosen, double (&needed)[2]) const {
+        const std::size_t total = ends.back();
+        std::vector<double> top(curves, 0.0);
+        dispatch(level, [&](auto) LOMMEL_INLINE_LAMBDA {
+            for (std::size_t s = 0; s < series; ++s) {
+                for (std::size_t part = 0, term = 0; part < parts; ++part) {
+                    double *const to = on_curves + (s * parts + part) * curves, *const largest = top.data();
+                    double all = 0.0;
+                    std::fill_n(to, curves, 0.0);
+                    for (; term < ends[part]; ++term) {
+                        const std::complex<double> c = coefficients[s * total + term];
+                        const double size = std::sqrt(c.real() * c.real() + c.imag() * c.imag());
+                        const double* power = powers + term * curves;
+                        all += size;
+                        for (std::size_t b = 0; b < curves; ++b) {
+                            to[b] += size * power[b];
+                        }
+                    }
+                    moduli[s * parts + part] = all;
+                    for (std::size_t b = 0; b < curves; ++b) {
+                        largest[b] = to[b] > largest[b] ? to[b] : largest[b];
+                    }
+                }
+            }
+        });
+        needed[0] = needed[1] = std::numeric_limits<double>::infinity();
+        for (std::size_t b = 0; b < curves; ++b) {
+            const double grown = std::log(top[b] + 1e-300) * rate[b];
+            needed[0] = std::min(needed[0], grown + chosen[b]);
+            needed[1] = std::min(needed[1], grown + chosen[curves + b]);
+        }
+    }
 
     // Compute error bounds field_errors[set][plane][field]: sums over parts of shares[field][part] * e, with e the error of a part:
     // e = (min over curves of on_curves * chords[set][curve]) + (min over curves of on_curves * nodes[set][curve])
@@ -76,9 +106,7 @@ inline void light_errors(const double* field_errors, const double* largest, std:
 }
 
 // Divide `count` values by `by`, in place; return the largest modulus of a quotient.
-double divide(Level level, double by, std::size_t count, double* values);
-#if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE double divide(Level level, double by, std::size_t count, double* values) {
+inline double divide(Level level, double by, std::size_t count, double* values) {
     double top = 0.0;
     dispatch(level, [&](auto isa) LOMMEL_INLINE_LAMBDA {
         using V = typename decltype(isa)::pack;
@@ -101,41 +129,5 @@ LOMMEL_ONCE double divide(Level level, double by, std::size_t count, double* val
     });
     return top;
 }
-
-LOMMEL_ONCE void SeriesSizes::sum(Level level, const std::complex<double>* coefficients, const std::vector<std::size_t>& ends,
-                                  const double* powers, const double* rate, const double* chosen, double (&needed)[2]) const {
-    const std::size_t total = ends.back();
-    std::vector<double> top(curves, 0.0);
-    dispatch(level, [&](auto) LOMMEL_INLINE_LAMBDA {
-        for (std::size_t s = 0; s < series; ++s) {
-            for (std::size_t part = 0, term = 0; part < parts; ++part) {
-                double *const to = on_curves + (s * parts + part) * curves, *const largest = top.data();
-                double all = 0.0;
-                std::fill_n(to, curves, 0.0);
-                for (; term < ends[part]; ++term) {
-                    const std::complex<double> c = coefficients[s * total + term];
-                    const double size = std::sqrt(c.real() * c.real() + c.imag() * c.imag());
-                    const double* power = powers + term * curves;
-                    all += size;
-                    for (std::size_t b = 0; b < curves; ++b) {
-                        to[b] += size * power[b];
-                    }
-                }
-                moduli[s * parts + part] = all;
-                for (std::size_t b = 0; b < curves; ++b) {
-                    largest[b] = to[b] > largest[b] ? to[b] : largest[b];
-                }
-            }
-        }
-    });
-    needed[0] = needed[1] = std::numeric_limits<double>::infinity();
-    for (std::size_t b = 0; b < curves; ++b) {
-        const double grown = std::log(top[b] + 1e-300) * rate[b];
-        needed[0] = std::min(needed[0], grown + chosen[b]);
-        needed[1] = std::min(needed[1], grown + chosen[curves + b]);
-    }
-}
-
-#endif
 
 }  // namespace lommel

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "lommel/base/cache.hpp"
-#include "lommel/base/once.hpp"
 #include "lommel/base/simd.hpp"
 #include "lommel/bounds/amplitude.hpp"
 #include "lommel/special/legendre.hpp"
@@ -108,7 +107,31 @@ struct TermTable {
     Doubles weights;  // [vector of chords][node][chord]: quadrature weight times pupil amplitude
     Doubles own;  // weights set by weigh(): [vector of chords][node][signs of x, y: ++, +-, -+, --][re, im][chord]
 
-    TermTable(const ChordCount& n, const std::vector<ZernikeTerm>& list, const Amplitude& light, const ChordLanes& in);
+    TermTable(const ChordCount& n, const std::vector<ZernikeTerm>& list, const Amplitude& light, const ChordLanes& in)
+        : count(n), lanes(in), terms(list), amplitude(light), classes(list),
+          values(in.vectors(n.half_chords()) * in.side * n.half_nodes() * list.size()),
+          weights(in.vectors(n.half_chords()) * in.side * n.half_nodes()) {
+        const ChordRule rule(n);
+        const ZernikeValues polynomials(list, classes.order);
+        const std::size_t half = n.half_nodes();
+        for (std::size_t i = 0; i < n.half_chords(); ++i) {
+            const std::size_t from = i / in.side * half, lane = i % in.side;
+            for_tiles(half, node_tile, [&](std::size_t first, std::size_t size) {
+                look();
+                double* tile = values.data() + (from + first) * list.size() * in.side + in.place(lane);
+                for (std::size_t r = 0; r < size; ++r) {
+                    polynomials.at(rule.x[i], rule.s[i] * rule.eta[first + r], [&](std::size_t j, wide value) {
+                        tile[(j * size + r) * in.side] = static_cast<double>(value);
+                    });
+                }
+            });
+            for (std::size_t k = 0; k < half; ++k) {
+                const wide y = rule.s[i] * rule.eta[k];
+                weights[(from + k) * in.side + lane] =
+                    static_cast<double>(rule.weight(i, k) * light.at(rule.x[i] * rule.x[i] + y * y));
+            }
+        }
+    }
     bool is(const ChordCount& n, const std::vector<ZernikeTerm>& list, const Amplitude& light, const ChordLanes& in) const {
         return count == n && lanes == in && amplitude == light && terms == list;
     }
@@ -131,34 +154,6 @@ struct TermTable {
     }
     static constexpr std::size_t most_bytes = std::size_t{96} << 20;
 };
-
-#if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE TermTable::TermTable(const ChordCount& n, const std::vector<ZernikeTerm>& list, const Amplitude& light,
-                                 const ChordLanes& in)
-    : count(n), lanes(in), terms(list), amplitude(light), classes(list),
-      values(in.vectors(n.half_chords()) * in.side * n.half_nodes() * list.size()),
-      weights(in.vectors(n.half_chords()) * in.side * n.half_nodes()) {
-    const ChordRule rule(n);
-    const ZernikeValues polynomials(list, classes.order);
-    const std::size_t half = n.half_nodes();
-    for (std::size_t i = 0; i < n.half_chords(); ++i) {
-        const std::size_t from = i / in.side * half, lane = i % in.side;
-        for_tiles(half, node_tile, [&](std::size_t first, std::size_t size) {
-            look();
-            double* tile = values.data() + (from + first) * list.size() * in.side + in.place(lane);
-            for (std::size_t r = 0; r < size; ++r) {
-                polynomials.at(rule.x[i], rule.s[i] * rule.eta[first + r],
-                               [&](std::size_t j, wide value) { tile[(j * size + r) * in.side] = static_cast<double>(value); });
-            }
-        });
-        for (std::size_t k = 0; k < half; ++k) {
-            const wide y = rule.s[i] * rule.eta[k];
-            weights[(from + k) * in.side + lane] =
-                static_cast<double>(rule.weight(i, k) * light.at(rule.x[i] * rule.x[i] + y * y));
-        }
-    }
-}
-#endif
 
 // Rows or columns of a window. at[entry]: signed distance from the optical axis, in pixels or, for sampling nodes, in units of
 // lambda/(2 pi NA). Two rows or columns at opposite distances share one entry.

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <vector>
 
 #include "lommel/base/aligned.hpp"
 #include "lommel/base/simd.hpp"

@@ -1,9 +1,7 @@
 // Products of pairs of residual images, summed over blocks of pixels; the energy of each depth candidate is linear in them.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 #include "lommel/base/aligned.hpp"

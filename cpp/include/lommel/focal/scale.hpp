@@ -10,7 +10,6 @@
 #include "lommel/base/aligned.hpp"
 #include "lommel/base/parallel.hpp"
 #include "lommel/base/pi.hpp"
-#include "lommel/base/simd.hpp"
 #include "lommel/focal/frames.hpp"
 
 namespace lommel {

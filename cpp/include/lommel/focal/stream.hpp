@@ -4,13 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <memory>
 #include <vector>
 
 #include "lommel/base/aligned.hpp"
-#include "lommel/base/once.hpp"
 #include "lommel/base/parallel.hpp"
 #include "lommel/base/simd.hpp"
 #include "lommel/focal/depth.hpp"
@@ -76,18 +74,41 @@ class FocalStream {
     const float* filled() const { return filled_.data(); }
 
     // Write the results of FocalSums: sums of raw values over the pixels known in all frames, and the number of these pixels.
-    void sum(const FocalFrame* frames, double* out);
+    void sum(const FocalFrame* frames, double* out) {
+        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA { summing_(isa, frames, plan_.planes(), out); });
+    }
 
     // Filter a stack of frames, estimate the depth of each block, and keep images for mix().
-    void take(const FocalFrame* frames);
+    void take(const FocalFrame* frames) {
+        const std::size_t side = plan_.window.side, count = strips_.size();
+        parallel_for(count, static_cast<int>(count), [&](std::size_t, std::size_t s) {
+            const std::size_t first = down_ * s / count, last = down_ * (s + 1) / count;
+            const std::size_t bottom = s + 1 == count ? plan_.height : last * side;
+            Strip& strip = *strips_[s];
+            strip.held[0] = strip.held[1] = Strip::none;
+            strip.next = first * plan_.fine, strip.end = last * plan_.fine;
+            dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA { filter(isa, strip, frames, first * side, bottom); });
+        });
+    }
 
     // Correct standard errors in places(), mark uncertain depths as unknown, and write filled(), in which no depth is unknown.
-    void search();
+    void search() {
+        doubt();
+        fill();
+    }
 
     // Compute a sharp image, sum over kept images of factor * image. factors[candidate][image] are interpolated linearly at the
     // depth positions[down][across] (in candidates) of blocks of `side` x `side` pixels, and between block centres.
     void mix(const float* positions, std::size_t down, std::size_t across, std::size_t side, const float* factors,
-             std::size_t candidates, float* out);
+             std::size_t candidates, float* out) {
+        const std::size_t count = strips_.size();
+        parallel_for(count, static_cast<int>(count), [&](std::size_t, std::size_t s) {
+            dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+                blend(isa, *strips_[s], positions, down, across, side, factors, candidates, out, plan_.height * s / count,
+                      plan_.height * (s + 1) / count);
+            });
+        });
+    }
 
    private:
     // Working memory of one strip of rows, which one thread filters.
@@ -582,39 +603,5 @@ class FocalStream {
     std::vector<Level> levels_;
     std::vector<std::unique_ptr<Strip>> strips_;
 };
-
-#if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE void FocalStream::sum(const FocalFrame* frames, double* out) {
-    dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA { summing_(isa, frames, plan_.planes(), out); });
-}
-
-LOMMEL_ONCE void FocalStream::take(const FocalFrame* frames) {
-    const std::size_t side = plan_.window.side, count = strips_.size();
-    parallel_for(count, static_cast<int>(count), [&](std::size_t, std::size_t s) {
-        const std::size_t first = down_ * s / count, last = down_ * (s + 1) / count;
-        const std::size_t bottom = s + 1 == count ? plan_.height : last * side;
-        Strip& strip = *strips_[s];
-        strip.held[0] = strip.held[1] = Strip::none;
-        strip.next = first * plan_.fine, strip.end = last * plan_.fine;
-        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA { filter(isa, strip, frames, first * side, bottom); });
-    });
-}
-
-LOMMEL_ONCE void FocalStream::search() {
-    doubt();
-    fill();
-}
-
-LOMMEL_ONCE void FocalStream::mix(const float* positions, std::size_t down, std::size_t across, std::size_t side,
-                                  const float* factors, std::size_t candidates, float* out) {
-    const std::size_t count = strips_.size();
-    parallel_for(count, static_cast<int>(count), [&](std::size_t, std::size_t s) {
-        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
-            blend(isa, *strips_[s], positions, down, across, side, factors, candidates, out, plan_.height * s / count,
-                  plan_.height * (s + 1) / count);
-        });
-    });
-}
-#endif
 
 }  // namespace lommel

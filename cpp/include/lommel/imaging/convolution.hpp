@@ -2,10 +2,8 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstring>
-#include <memory>
 #include <vector>
 
 #include "lommel/base/simd.hpp"

@@ -9,7 +9,6 @@
 #include <limits>
 #include <vector>
 
-#include "lommel/base/once.hpp"
 #include "lommel/base/parallel.hpp"
 
 namespace lommel {
@@ -24,11 +23,8 @@ struct BlurRadii {
 };
 
 // Write the layer and the signed blur radius (pixels) of each point.
-void sort_into_layers(const double* defocus, std::size_t size, const BlurRadii& known, int threads, std::uint8_t* layers,
-                      float* radius);
-#if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE void sort_into_layers(const double* defocus, std::size_t size, const BlurRadii& known, int threads,
-                                  std::uint8_t* layers, float* radius) {
+inline void sort_into_layers(const double* defocus, std::size_t size, const BlurRadii& known, int threads, std::uint8_t* layers,
+                             float* radius) {
     const double largest = *std::max_element(known.radii, known.radii + known.count);
     const double last = static_cast<double>(known.count - 1), most = static_cast<double>(known.layers - 1);
     const double scale = known.high > known.low ? last / (known.high - known.low) : 0.0;
@@ -45,7 +41,6 @@ LOMMEL_ONCE void sort_into_layers(const double* defocus, std::size_t size, const
         }
     });
 }
-#endif
 
 // Renumber the layers without gaps. Returns the number of layers.
 inline std::size_t renumber(std::uint8_t* layers, std::size_t size) {
@@ -77,7 +72,52 @@ class HiddenPoints {
         : layers_(layers), radius_(radius), height_(height), width_(width), threads_(threads) {}
 
     // Write behind[point]: index of the representative point, or -1. Returns the number of points that have one.
-    std::size_t find(std::int32_t* behind) const;
+    std::size_t find(std::int32_t* behind) const {
+        const std::size_t size = height_ * width_;
+        std::fill_n(behind, size, -1);
+        const auto [least, most] = std::minmax_element(radius_, radius_ + size);
+        const float range = *most - *least;
+        std::vector<float> reached = lowest();
+        if (reached.empty()) {
+            return 0;
+        }
+        const std::size_t reach = std::min(static_cast<std::size_t>(std::ceil(range)), std::max(height_, width_));
+        const std::vector<Step> steps = by_distance(reach);
+        const std::size_t across = (width_ + block - 1) / block;
+        const std::vector<float> around = least_around(reach);
+        // The radii of alone() save time only if many points may occlude others.
+        std::size_t candidates = 0;
+        for (std::size_t i = 0; i < size; ++i) {
+            candidates += reached[i] < radius_[i] ? 1 : 0;
+        }
+        const std::size_t rings = candidates * reach > 4 * size ? std::min(reach, most_rings) : 0;
+        const std::vector<std::uint8_t> isolated = rings > 0 ? alone(rings) : std::vector<std::uint8_t>();
+        std::vector<std::size_t> begin(rings + 1, 0);  // [ring]: index of the first offset longer than `ring` pixels
+        for (std::size_t ring = 1; ring <= rings; ++ring) {
+            begin[ring] = begin[ring - 1];
+            while (begin[ring] < steps.size() && steps[begin[ring]].distance <= static_cast<float>(ring)) {
+                ++begin[ring];
+            }
+        }
+        std::vector<std::size_t> found(height_, 0);
+        parallel_for(height_, threads_, [&](std::size_t, std::size_t y) {
+            for (std::size_t x = 0; x < width_; ++x) {
+                const std::size_t at = y * width_ + x;
+                if (reached[at] < radius_[at]) {
+                    const float far = radius_[at] - around[y / block * across + x / block];
+                    const std::size_t from = begin[isolated.empty() ? 0 : isolated[at]];
+                    behind[at] =
+                        inner(y, x, reach) ? visit<true>(y, x, steps, from, far) : visit<false>(y, x, steps, from, far);
+                    found[y] += behind[at] >= 0 ? 1 : 0;
+                }
+            }
+        });
+        std::size_t total = 0;
+        for (const std::size_t each : found) {
+            total += each;
+        }
+        return total;
+    }
 
    private:
     static constexpr std::size_t block = 32, most_rings = 255;
@@ -248,53 +288,5 @@ class HiddenPoints {
     std::size_t height_, width_;
     int threads_;
 };
-
-#if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE std::size_t HiddenPoints::find(std::int32_t* behind) const {
-    const std::size_t size = height_ * width_;
-    std::fill_n(behind, size, -1);
-    const auto [least, most] = std::minmax_element(radius_, radius_ + size);
-    const float range = *most - *least;
-    std::vector<float> reached = lowest();
-    if (reached.empty()) {
-        return 0;
-    }
-    const std::size_t reach = std::min(static_cast<std::size_t>(std::ceil(range)), std::max(height_, width_));
-    const std::vector<Step> steps = by_distance(reach);
-    const std::size_t across = (width_ + block - 1) / block;
-    const std::vector<float> around = least_around(reach);
-    // The radii of alone() save time only if many points may occlude others.
-    std::size_t candidates = 0;
-    for (std::size_t i = 0; i < size; ++i) {
-        candidates += reached[i] < radius_[i] ? 1 : 0;
-    }
-    const std::size_t rings = candidates * reach > 4 * size ? std::min(reach, most_rings) : 0;
-    const std::vector<std::uint8_t> isolated = rings > 0 ? alone(rings) : std::vector<std::uint8_t>();
-    std::vector<std::size_t> begin(rings + 1, 0);  // [ring]: index of the first offset longer than `ring` pixels
-    for (std::size_t ring = 1; ring <= rings; ++ring) {
-        begin[ring] = begin[ring - 1];
-        while (begin[ring] < steps.size() && steps[begin[ring]].distance <= static_cast<float>(ring)) {
-            ++begin[ring];
-        }
-    }
-    std::vector<std::size_t> found(height_, 0);
-    parallel_for(height_, threads_, [&](std::size_t, std::size_t y) {
-        for (std::size_t x = 0; x < width_; ++x) {
-            const std::size_t at = y * width_ + x;
-            if (reached[at] < radius_[at]) {
-                const float far = radius_[at] - around[y / block * across + x / block];
-                const std::size_t from = begin[isolated.empty() ? 0 : isolated[at]];
-                behind[at] = inner(y, x, reach) ? visit<true>(y, x, steps, from, far) : visit<false>(y, x, steps, from, far);
-                found[y] += behind[at] >= 0 ? 1 : 0;
-            }
-        }
-    });
-    std::size_t total = 0;
-    for (const std::size_t each : found) {
-        total += each;
-    }
-    return total;
-}
-#endif
 
 }  // namespace lommel

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
 #include "lommel/base/aligned.hpp"
 #include "lommel/base/checkerboard.hpp"

@@ -9,7 +9,6 @@
 #include <utility>
 #include <vector>
 
-#include "lommel/base/once.hpp"
 #include "lommel/base/parallel.hpp"
 #include "lommel/base/simd.hpp"
 #include "lommel/special/fft.hpp"
@@ -43,7 +42,33 @@ class PlaneFilter {
           kernels_(std::move(kernels)), weights_(weights) {}
 
     // Replace the specimen (first planes of `room`) by its recording; if `transposed`, apply the transposed operator.
-    void run(std::complex<float>* room, bool transposed, int threads) const;
+    void run(std::complex<float>* room, bool transposed, int threads) const {
+        constexpr std::size_t together = 4;
+        std::vector<Scratch> scratch(static_cast<std::size_t>(processors()) + 1);
+        parallel_for((rows_ + together - 1) / together, threads, [&](std::size_t worker, std::size_t task) {
+            Scratch& own = scratch[worker];
+            if (own.held.empty()) {
+                own.held.resize(groups_ * planes_.specimen * fft_element);
+                for (Floats* each : {&own.a, &own.b, &own.c, &own.d}) {
+                    each->resize(fft_.n * fft_element);
+                }
+            }
+            dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+                for (std::size_t row = task * together; row < std::min(rows_, (task + 1) * together); ++row) {
+                    take(room, row, transposed ? planes_.recording : planes_.specimen, own.held.data());
+                    for (std::size_t group = 0; group < groups_; ++group) {
+                        float* const held = &own.held[group * planes_.specimen * fft_element];
+                        if (transposed) {
+                            returned(isa, row, group, held, own);
+                        } else {
+                            seen(isa, row, group, held, own);
+                        }
+                    }
+                    put(room, row, transposed ? planes_.specimen : planes_.recording, own.held.data());
+                }
+            });
+        });
+    }
 
    private:
     struct Scratch {
@@ -207,35 +232,5 @@ class PlaneFilter {
     std::vector<PlaneTransfer> kernels_;
     const float* weights_;
 };
-
-#if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE void PlaneFilter::run(std::complex<float>* room, bool transposed, int threads) const {
-    constexpr std::size_t together = 4;
-    std::vector<Scratch> scratch(static_cast<std::size_t>(processors()) + 1);
-    parallel_for((rows_ + together - 1) / together, threads, [&](std::size_t worker, std::size_t task) {
-        Scratch& own = scratch[worker];
-        if (own.held.empty()) {
-            own.held.resize(groups_ * planes_.specimen * fft_element);
-            for (Floats* each : {&own.a, &own.b, &own.c, &own.d}) {
-                each->resize(fft_.n * fft_element);
-            }
-        }
-        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
-            for (std::size_t row = task * together; row < std::min(rows_, (task + 1) * together); ++row) {
-                take(room, row, transposed ? planes_.recording : planes_.specimen, own.held.data());
-                for (std::size_t group = 0; group < groups_; ++group) {
-                    float* const held = &own.held[group * planes_.specimen * fft_element];
-                    if (transposed) {
-                        returned(isa, row, group, held, own);
-                    } else {
-                        seen(isa, row, group, held, own);
-                    }
-                }
-                put(room, row, transposed ? planes_.specimen : planes_.recording, own.held.data());
-            }
-        });
-    });
-}
-#endif
 
 }  // namespace lommel

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "lommel/base/checkerboard.hpp"
-#include "lommel/base/once.hpp"
 #include "lommel/base/parallel.hpp"
 #include "lommel/base/simd.hpp"
 #include "lommel/imaging/column.hpp"

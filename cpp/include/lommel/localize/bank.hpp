@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <vector>
 
-#include "lommel/base/once.hpp"
 #include "lommel/base/tasks.hpp"
 #include "lommel/localize/fit.hpp"
 
@@ -121,7 +120,40 @@ class Localizer {
     // fits from further templates are tried, up to `starts` in all. offsets[molecule][channel][row, column]: offset of the
     // channel's positions (see Channel); tilted: fit a linear background.
     void fit(const std::vector<BoxStack>& stacks, const double* offsets, std::size_t count, int starts, bool tilted,
-             int threads, Fitted* fitted) const;
+             int threads, Fitted* fitted) const {
+        constexpr double microseconds = 20.0;
+        for_blocks(count, threads, microseconds * static_cast<double>(channels_.size()),
+                   [&](std::size_t first, std::size_t last) {
+                       MoleculeFit fit(channels_, limits_, tilted);
+                       std::vector<std::vector<Counts>> counts;
+                       std::vector<Floats> centred, products;
+                       for (std::size_t k = 0; k < Bank::together; ++k) {
+                           counts.emplace_back();
+                           for (const Channel& channel : channels_) {
+                               counts.back().emplace_back(channel.table.pixels());
+                           }
+                       }
+                       for (const Channel& channel : channels_) {
+                           centred.emplace_back(Bank::together * channel.table.pixels());
+                           products.emplace_back(Bank::together * bank_.padded());
+                       }
+                       std::vector<double> mean(Bank::together * channels_.size());
+                       for (std::size_t i = first; i < last; i += Bank::together) {
+                           const std::size_t now = std::min(Bank::together, last - i);
+                           for (std::size_t c = 0; c < channels_.size(); ++c) {
+                               for (std::size_t k = 0; k < now; ++k) {
+                                   mean[k * channels_.size() + c] = take(channels_[c].table, stacks[c], i + k, counts[k][c],
+                                                                         &centred[c][k * channels_[c].table.pixels()]);
+                               }
+                               bank_.products(c, centred[c].data(), products[c].data());
+                           }
+                           for (std::size_t k = 0; k < now; ++k) {
+                               fitted[i + k] = best(fit, counts[k].data(), offsets + 2 * (i + k) * channels_.size(), products,
+                                                    k, &mean[k * channels_.size()], starts);
+                           }
+                       }
+                   });
+    }
 
    private:
     // Copy an image in padded rows: to `counts` with the read variance added, to `centred` without its mean. Returns the mean.
@@ -223,42 +255,5 @@ class Localizer {
     Limits limits_;
     Bank bank_;
 };
-
-#if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE void Localizer::fit(const std::vector<BoxStack>& stacks, const double* offsets, std::size_t count, int starts,
-                                bool tilted, int threads, Fitted* fitted) const {
-    constexpr double microseconds = 20.0;
-    for_blocks(count, threads, microseconds * static_cast<double>(channels_.size()), [&](std::size_t first, std::size_t last) {
-        MoleculeFit fit(channels_, limits_, tilted);
-        std::vector<std::vector<Counts>> counts;
-        std::vector<Floats> centred, products;
-        for (std::size_t k = 0; k < Bank::together; ++k) {
-            counts.emplace_back();
-            for (const Channel& channel : channels_) {
-                counts.back().emplace_back(channel.table.pixels());
-            }
-        }
-        for (const Channel& channel : channels_) {
-            centred.emplace_back(Bank::together * channel.table.pixels());
-            products.emplace_back(Bank::together * bank_.padded());
-        }
-        std::vector<double> mean(Bank::together * channels_.size());
-        for (std::size_t i = first; i < last; i += Bank::together) {
-            const std::size_t now = std::min(Bank::together, last - i);
-            for (std::size_t c = 0; c < channels_.size(); ++c) {
-                for (std::size_t k = 0; k < now; ++k) {
-                    mean[k * channels_.size() + c] =
-                        take(channels_[c].table, stacks[c], i + k, counts[k][c], &centred[c][k * channels_[c].table.pixels()]);
-                }
-                bank_.products(c, centred[c].data(), products[c].data());
-            }
-            for (std::size_t k = 0; k < now; ++k) {
-                fitted[i + k] = best(fit, counts[k].data(), offsets + 2 * (i + k) * channels_.size(), products, k,
-                                     &mean[k * channels_.size()], starts);
-            }
-        }
-    });
-}
-#endif
 
 }  // namespace lommel

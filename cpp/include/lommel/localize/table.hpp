@@ -5,10 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <vector>
 
 #include "lommel/base/aligned.hpp"
-#include "lommel/base/once.hpp"
 #include "lommel/base/simd.hpp"
 #include "lommel/base/tasks.hpp"
 
@@ -56,7 +54,9 @@ class MoleculeImages {
           across_(3 * (table.height * line() + MoleculeTable::beyond)) {}
 
     // Write the image and its derivatives with respect to row, column and z, pixels() floats each, for a position in the table.
-    void write(const Place& place, float* images);
+    void write(const Place& place, float* images) {
+        dispatch_widest([&](auto isa) LOMMEL_INLINE_LAMBDA { write<decltype(isa)>(place, images); });
+    }
 
    private:
     template <class I>
@@ -199,16 +199,8 @@ class MoleculeImages {
     Floats between_, across_;
 };
 
-#if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE void MoleculeImages::write(const Place& place, float* images) {
-    dispatch_widest([&](auto isa) LOMMEL_INLINE_LAMBDA { write<decltype(isa)>(place, images); });
-}
-#endif
-
 // Write to[place][image][row][column] without gaps: molecule images and their derivatives at places[count][row, column, z].
-void molecule_stack(const MoleculeTable& table, const double* places, std::size_t count, int threads, float* to);
-#if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE void molecule_stack(const MoleculeTable& table, const double* places, std::size_t count, int threads, float* to) {
+inline void molecule_stack(const MoleculeTable& table, const double* places, std::size_t count, int threads, float* to) {
     for_blocks(count, threads, 2.0, [&](std::size_t first, std::size_t last) {
         MoleculeImages images(table);
         Floats four(molecule_images * table.pixels());
@@ -222,6 +214,5 @@ LOMMEL_ONCE void molecule_stack(const MoleculeTable& table, const double* places
         }
     });
 }
-#endif
 
 }  // namespace lommel

@@ -9,11 +9,8 @@
 #include <complex>
 #include <cstddef>
 #include <cstring>
-#include <memory>
 #include <vector>
 
-#include "lommel/base/aligned.hpp"
-#include "lommel/base/once.hpp"
 #include "lommel/base/simd.hpp"
 #include "lommel/base/tasks.hpp"
 #include "lommel/base/watch.hpp"
@@ -47,20 +44,6 @@ struct FresnelForm {
     FresnelTable table;
 };
 
-// Moments m = 0, 1, 2 of chirps: out[m * count + i] = integral from low[i] to high[i] of R^m exp(i (a R^2 + b[i] R)) dR.
-void chirp_moments(const FresnelForm& form, double a, const double* b, const double* low, const double* high, std::size_t count,
-                   std::complex<double>* out);
-
-// Field 2 int_0^1 exp(i Phi) J0(v R) R dR at `count` image radii v, ascending, with the pupil's phase Phi(R): out[pupil][radius].
-void closed_form_fields(const PhasePieces& phase, std::size_t pupils, const BesselExponentials& bessel, const FresnelForm& form,
-                        const double* v, std::size_t count, int threads, std::complex<double>* out);
-
-// Field at n radii v in ascending order, out[pupil][radius], from `count` polynomials of `terms` coefficients each, on intervals of
-// length `width` from `start` on. The variable of a polynomial goes from -1 to 1 over its interval.
-void polynomial_fields(const std::complex<double>* pieces, std::size_t pupils, std::size_t count, std::size_t terms,
-                       double start, double width, const double* v, std::size_t n, int threads, std::complex<double>* out);
-
-#if defined(LOMMEL_DEFINES)
 template <class V>
 LOMMEL_INLINE double largest_lane(V v) {
     double top = v[0];
@@ -228,8 +211,9 @@ LOMMEL_INLINE void store_lanes(typename I::pack re, typename I::pack im, std::si
     std::memcpy(to, lanes, std::min(count, I::lanes) * sizeof *to);
 }
 
-LOMMEL_ONCE void chirp_moments(const FresnelForm& form, double a, const double* b, const double* low, const double* high,
-                               std::size_t count, std::complex<double>* out) {
+// Moments m = 0, 1, 2 of chirps: out[m * count + i] = integral from low[i] to high[i] of R^m exp(i (a R^2 + b[i] R)) dR.
+inline void chirp_moments(const FresnelForm& form, double a, const double* b, const double* low, const double* high,
+                          std::size_t count, std::complex<double>* out) {
     // Portable instructions suffice: images do not use this function.
     using I = Portable;
     with_auxiliary(form, [&](const auto& auxiliary) {
@@ -244,9 +228,10 @@ LOMMEL_ONCE void chirp_moments(const FresnelForm& form, double a, const double* 
     });
 }
 
-LOMMEL_ONCE void closed_form_fields(const PhasePieces& phase, std::size_t pupils, const BesselExponentials& bessel,
-                                    const FresnelForm& form, const double* v, std::size_t count, int threads,
-                                    std::complex<double>* out) {
+// Field 2 int_0^1 exp(i Phi) J0(v R) R dR at `count` image radii v, ascending, with the pupil's phase Phi(R): out[pupil][radius].
+inline void closed_form_fields(const PhasePieces& phase, std::size_t pupils, const BesselExponentials& bessel,
+                               const FresnelForm& form, const double* v, std::size_t count, int threads,
+                               std::complex<double>* out) {
     constexpr std::size_t block = 128;
     const std::size_t blocks = (count + block - 1) / block;
     const double work = static_cast<double>(pupils * count * (phase.count + bessel.count - 1));
@@ -270,9 +255,11 @@ LOMMEL_ONCE void closed_form_fields(const PhasePieces& phase, std::size_t pupils
     });
 }
 
-LOMMEL_ONCE void polynomial_fields(const std::complex<double>* pieces, std::size_t pupils, std::size_t count, std::size_t terms,
-                                   double start, double width, const double* v, std::size_t n, int threads,
-                                   std::complex<double>* out) {
+// Field at n radii v in ascending order, out[pupil][radius], from `count` polynomials of `terms` coefficients each, on intervals of
+// length `width` from `start` on. The variable of a polynomial goes from -1 to 1 over its interval.
+inline void polynomial_fields(const std::complex<double>* pieces, std::size_t pupils, std::size_t count, std::size_t terms,
+                              double start, double width, const double* v, std::size_t n, int threads,
+                              std::complex<double>* out) {
     const double work = 3e-3 * static_cast<double>(pupils * n);  // microseconds
     parallel_for(pupils * count, worthwhile_threads(threads, work), [&](std::size_t, std::size_t task) {
         const std::size_t s = task % count;
@@ -309,6 +296,5 @@ LOMMEL_ONCE void polynomial_fields(const std::complex<double>* pieces, std::size
         });
     });
 }
-#endif
 
 }  // namespace lommel

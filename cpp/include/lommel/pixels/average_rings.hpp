@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "lommel/base/cache.hpp"
-#include "lommel/base/once.hpp"
 #include "lommel/base/parallel.hpp"
 #include "lommel/pixels/table.hpp"
 #include "lommel/pixels/window.hpp"
@@ -35,7 +34,24 @@ struct AverageRings : PixelRings {
     int level;  // requested accuracy in decimal digits; the error bound is `error`
     double width;  // width of a ring in optical units
 
-    AverageRings(double pitch, double pixels, int digits, int threads);
+    AverageRings(double pitch, double pixels, int digits, int threads) : step(pitch), farthest(pixels), level(digits) {
+        const double allowed = std::pow(10.0, -level), half = plan(step, allowed), slack = step * 0.70710678118654752;
+        width = 2.0 * half;
+        const std::size_t outputs = radial_degree * harmonics;  // number of coefficients per ring, a multiple of block_outputs
+        static_assert(radial_degree % block_outputs == 0);
+        std::vector<double> radius;
+        std::size_t entries = 0;
+        for (double begin = 0.0; begin <= farthest * step * (1.0 + 1e-12); begin += width) {
+            const RingNodes nodes(begin, begin + width, slack, of_nodes_within(allowed));
+            rings.push_back({nodes, begin + half, half, radius.size(), 0, 0, 0, entries, outputs, false});
+            entries += nodes.count * outputs;
+            for (std::size_t i = 0; i < nodes.count; ++i) {
+                radius.push_back(nodes.radius(i));
+            }
+        }
+        places = sort_radii(radius);
+        weigh(step, half, threads);
+    }
 
     // Largest distance from the axis that the table covers, corners of pixels included, in optical units.
     double outermost() const { return rings.back().nodes.high; }
@@ -52,99 +68,75 @@ struct AverageRings : PixelRings {
 
     // Compute out[pixel], the averages over the pixels of `window`, from intensity[radius]; returns the rounding error of the
     // polynomials, in units of roundoff. The speed is limited by the latency of multiply-adds, of which four chains overlap.
-    double values(const PixelWindow& window, const double* intensity, int threads, Doubles& scratch, double* out) const;
-};
-
-#if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE AverageRings::AverageRings(double pitch, double pixels, int digits, int threads)
-    : step(pitch), farthest(pixels), level(digits) {
-    const double allowed = std::pow(10.0, -level), half = plan(step, allowed), slack = step * 0.70710678118654752;
-    width = 2.0 * half;
-    const std::size_t outputs = radial_degree * harmonics;  // number of coefficients per ring, a multiple of block_outputs
-    static_assert(radial_degree % block_outputs == 0);
-    std::vector<double> radius;
-    std::size_t entries = 0;
-    for (double begin = 0.0; begin <= farthest * step * (1.0 + 1e-12); begin += width) {
-        const RingNodes nodes(begin, begin + width, slack, of_nodes_within(allowed));
-        rings.push_back({nodes, begin + half, half, radius.size(), 0, 0, 0, entries, outputs, false});
-        entries += nodes.count * outputs;
-        for (std::size_t i = 0; i < nodes.count; ++i) {
-            radius.push_back(nodes.radius(i));
-        }
-    }
-    places = sort_radii(radius);
-    weigh(step, half, threads);
-}
-
-LOMMEL_ONCE double AverageRings::values(const PixelWindow& window, const double* intensity, int threads, Doubles& scratch,
-                                        double* out) const {
-    std::vector<std::int32_t> ring_of, place_of;
-    std::vector<std::size_t> starts, next;
-    constexpr std::size_t whole = 2 * row_lanes;  // values of a ring are padded to multiples of this, two of the widest vectors
-    const std::size_t pixels = window.height * window.width, room = pixels + whole * rings.size();
-    const std::size_t outputs = radial_degree * harmonics;
-    scratch.resize(2 * pixels + 3 * room);
-    double *const v = scratch.data(), *const angle = v + pixels, *const x = angle + pixels, *const cosine = x + room,
-                  *const made = cosine + room;
-    ring_of.resize(pixels);
-    place_of.resize(pixels);
-    next.assign(rings.size(), 0);
-    const double per_ring = 1.0 / width;
-    const std::int32_t last = static_cast<std::int32_t>(rings.size()) - 1;
-    window.each([&](std::size_t i, double dx, double dy, double square) LOMMEL_INLINE_LAMBDA {
-        v[i] = step * std::sqrt(square);
-        angle[i] = cosine_of_four(dx, dy, square);
-        ring_of[i] = std::min(static_cast<std::int32_t>(v[i] * per_ring), last);
-    });
-    for (std::size_t i = 0; i < pixels; ++i) {
-        ++next[static_cast<std::size_t>(ring_of[i])];
-    }
-    // Store the pixels of each ring contiguously, padded to whole vectors with points at the middle of the ring.
-    starts.assign(rings.size() + 1, 0);
-    for (std::size_t r = 0; r < rings.size(); ++r) {
-        const std::size_t end = starts[r] + next[r];
-        starts[r + 1] = starts[r] + (next[r] + whole - 1) / whole * whole;
-        next[r] = starts[r];
-        std::fill(x + end, x + starts[r + 1], 0.0);
-        std::fill(cosine + end, cosine + starts[r + 1], 0.0);
-    }
-    for (std::size_t i = 0; i < pixels; ++i) {
-        const Ring& ring = rings[static_cast<std::size_t>(ring_of[i])];
-        const std::size_t place = next[static_cast<std::size_t>(ring_of[i])]++;
-        x[place] = (v[i] - ring.middle) / ring.half;
-        cosine[place] = angle[i];
-        place_of[i] = static_cast<std::int32_t>(place);
-    }
-    constexpr std::size_t block = 4;  // number of rings per parallel task
-    std::vector<double> penalties((rings.size() + block - 1) / block, 0.0);
-    parallel_for(penalties.size(), threads, [&](std::size_t, std::size_t task) {
-        thread_local Doubles own;
-        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
-            for (std::size_t r = task * block; r < std::min(rings.size(), (task + 1) * block); ++r) {
-                const Ring& ring = rings[r];
-                const std::size_t nodes = ring.nodes.count, here = starts[r + 1] - starts[r];
-                if (here == 0) {
-                    continue;
-                }
-                own.resize(outputs + nodes);
-                double *sums = own.data(), *const at = sums + outputs;
-                for (std::size_t i = 0; i < nodes; ++i) {
-                    at[i] = intensity[places[ring.first_node + i]];
-                }
-                const double* const from = at;
-                for (std::size_t first = 0; first < outputs; first += block_outputs) {
-                    weighted_sums<1>(isa, weights.data() + ring.first_weight + first * nodes, nodes, &from, &sums, first);
-                }
-                penalties[task] = std::max(penalties[task], weighted_size(isa, sums, penalty.data(), outputs));
-                sum_ring(sums, x + starts[r], cosine + starts[r], here, made + starts[r]);
-            }
+    double values(const PixelWindow& window, const double* intensity, int threads, Doubles& scratch, double* out) const {
+        std::vector<std::int32_t> ring_of, place_of;
+        std::vector<std::size_t> starts, next;
+        constexpr std::size_t whole =
+            2 * row_lanes;  // values of a ring are padded to multiples of this, two of the widest vectors
+        const std::size_t pixels = window.height * window.width, room = pixels + whole * rings.size();
+        const std::size_t outputs = radial_degree * harmonics;
+        scratch.resize(2 * pixels + 3 * room);
+        double *const v = scratch.data(), *const angle = v + pixels, *const x = angle + pixels, *const cosine = x + room,
+                      *const made = cosine + room;
+        ring_of.resize(pixels);
+        place_of.resize(pixels);
+        next.assign(rings.size(), 0);
+        const double per_ring = 1.0 / width;
+        const std::int32_t last = static_cast<std::int32_t>(rings.size()) - 1;
+        window.each([&](std::size_t i, double dx, double dy, double square) LOMMEL_INLINE_LAMBDA {
+            v[i] = step * std::sqrt(square);
+            angle[i] = cosine_of_four(dx, dy, square);
+            ring_of[i] = std::min(static_cast<std::int32_t>(v[i] * per_ring), last);
         });
-    });
-    for (std::size_t i = 0; i < pixels; ++i) {
-        out[i] = made[place_of[i]];
+        for (std::size_t i = 0; i < pixels; ++i) {
+            ++next[static_cast<std::size_t>(ring_of[i])];
+        }
+        // Store the pixels of each ring contiguously, padded to whole vectors with points at the middle of the ring.
+        starts.assign(rings.size() + 1, 0);
+        for (std::size_t r = 0; r < rings.size(); ++r) {
+            const std::size_t end = starts[r] + next[r];
+            starts[r + 1] = starts[r] + (next[r] + whole - 1) / whole * whole;
+            next[r] = starts[r];
+            std::fill(x + end, x + starts[r + 1], 0.0);
+            std::fill(cosine + end, cosine + starts[r + 1], 0.0);
+        }
+        for (std::size_t i = 0; i < pixels; ++i) {
+            const Ring& ring = rings[static_cast<std::size_t>(ring_of[i])];
+            const std::size_t place = next[static_cast<std::size_t>(ring_of[i])]++;
+            x[place] = (v[i] - ring.middle) / ring.half;
+            cosine[place] = angle[i];
+            place_of[i] = static_cast<std::int32_t>(place);
+        }
+        constexpr std::size_t block = 4;  // number of rings per parallel task
+        std::vector<double> penalties((rings.size() + block - 1) / block, 0.0);
+        parallel_for(penalties.size(), threads, [&](std::size_t, std::size_t task) {
+            thread_local Doubles own;
+            dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+                for (std::size_t r = task * block; r < std::min(rings.size(), (task + 1) * block); ++r) {
+                    const Ring& ring = rings[r];
+                    const std::size_t nodes = ring.nodes.count, here = starts[r + 1] - starts[r];
+                    if (here == 0) {
+                        continue;
+                    }
+                    own.resize(outputs + nodes);
+                    double *sums = own.data(), *const at = sums + outputs;
+                    for (std::size_t i = 0; i < nodes; ++i) {
+                        at[i] = intensity[places[ring.first_node + i]];
+                    }
+                    const double* const from = at;
+                    for (std::size_t first = 0; first < outputs; first += block_outputs) {
+                        weighted_sums<1>(isa, weights.data() + ring.first_weight + first * nodes, nodes, &from, &sums, first);
+                    }
+                    penalties[task] = std::max(penalties[task], weighted_size(isa, sums, penalty.data(), outputs));
+                    sum_ring(sums, x + starts[r], cosine + starts[r], here, made + starts[r]);
+                }
+            });
+        });
+        for (std::size_t i = 0; i < pixels; ++i) {
+            out[i] = made[place_of[i]];
+        }
+        return *std::max_element(penalties.begin(), penalties.end());
     }
-    return *std::max_element(penalties.begin(), penalties.end());
-}
-#endif
+};
 
 }  // namespace lommel

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "lommel/base/cache.hpp"
-#include "lommel/base/once.hpp"
 #include "lommel/pixels/render.hpp"
 
 namespace lommel {

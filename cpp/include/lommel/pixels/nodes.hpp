@@ -10,7 +10,6 @@
 #include "lommel/bounds/pixels.hpp"
 #include "lommel/bounds/refine.hpp"
 #include "lommel/pixels/kernels.hpp"
-#include "lommel/special/bessel_table.hpp"
 #include "lommel/special/chebyshev.hpp"
 #include "lommel/special/legendre.hpp"
 

@@ -8,7 +8,6 @@
 #include <memory>
 
 #include "lommel/base/cache.hpp"
-#include "lommel/base/once.hpp"
 #include "lommel/bounds/pixels.hpp"
 #include "lommel/bounds/refine.hpp"
 #include "lommel/pixels/layout.hpp"
@@ -31,7 +30,28 @@ struct AnywhereTable : Radii {  // radii at which the intensity is computed, in 
     Doubles weights, penalty;  // weights[block of outputs][radius][output]; penalty[output]: rounding error if this output is 1
     double error, of_nodes = 1.0, of_grid, rounding;  // error bound; Lebesgue constants (radii; polynomials); rounding error
 
-    AnywhereTable(double pitch, bool averages, double pixels, int digits);
+    AnywhereTable(double pitch, bool averages, double pixels, int digits)
+        : step(pitch), integrate(averages), farthest(pixels), level(digits) {
+        using Budget = PixelTable::Budget;
+        const double side = integrate ? step : 0.0, allowed = std::pow(10.0, -level), reach = farthest * step;
+        gauss = fewest(1, [&](std::size_t q) { return gauss_error(side, q) <= Budget::gauss * allowed; });
+        harmonics = fewest(1, [&](std::size_t j) { return harmonics_error(side, j) <= Budget::harmonics * allowed; });
+        const double by_angle = lebesgue(harmonics);
+        const RingNodes places(0.0, reach, 0.0, (integrate ? Budget::rings : Budget::window) * allowed / by_angle);
+        degree = std::max<std::size_t>(2, places.count);
+        of_grid = by_angle * lebesgue(degree);
+        // Averages, unlike samples, use the intensity between the interpolation points too, so they have nodes of their own.
+        const RingNodes nodes = integrate ? RingNodes(0.0, reach, side * 0.70710678118654752, Budget::nodes * allowed / of_grid)
+                                          : places.of(degree);
+        for (std::size_t i = 0; i < nodes.count; ++i) {
+            radii.push_back(nodes.radius(i));
+        }
+        count = nodes.count;
+        radii.resize((count + widest_step + 15) / 16 * 16, radii.back());
+        outputs = degree * harmonics;
+        weigh(places.of(degree), nodes, Points::square(side, gauss));
+        judge(reach, side, nodes.error);
+    }
 
     double magnification() const { return of_grid * of_nodes; }
     // Largest distance of any point of a pixel from the axis, in optical units.
@@ -50,7 +70,11 @@ struct AnywhereTable : Radii {  // radii at which the intensity is computed, in 
 
     // Compute out[pixel], samples or averages, in whole vectors, from the intensity at each radius; returns the rounding error of
     // the polynomials in units of roundoff. Speed is limited by the latency of multiply-adds; four chains overlap.
-    double values(const PixelWindow& window, const double* intensity, int threads, Doubles& scratch, double* out) const;
+    double values(const PixelWindow& window, const double* intensity, int, Doubles& scratch, double* out) const {
+        double size = 0.0;
+        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA { size = apply(isa, window, intensity, scratch, out); });
+        return size;
+    }
 
    private:
     template <class I>
@@ -119,37 +143,5 @@ struct AnywhereTable : Radii {  // radii at which the intensity is computed, in 
         }
     }
 };
-
-#if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE AnywhereTable::AnywhereTable(double pitch, bool averages, double pixels, int digits)
-    : step(pitch), integrate(averages), farthest(pixels), level(digits) {
-    using Budget = PixelTable::Budget;
-    const double side = integrate ? step : 0.0, allowed = std::pow(10.0, -level), reach = farthest * step;
-    gauss = fewest(1, [&](std::size_t q) { return gauss_error(side, q) <= Budget::gauss * allowed; });
-    harmonics = fewest(1, [&](std::size_t j) { return harmonics_error(side, j) <= Budget::harmonics * allowed; });
-    const double by_angle = lebesgue(harmonics);
-    const RingNodes places(0.0, reach, 0.0, (integrate ? Budget::rings : Budget::window) * allowed / by_angle);
-    degree = std::max<std::size_t>(2, places.count);
-    of_grid = by_angle * lebesgue(degree);
-    // Averages, unlike samples, use the intensity between the interpolation points too, so they have nodes of their own.
-    const RingNodes nodes =
-        integrate ? RingNodes(0.0, reach, side * 0.70710678118654752, Budget::nodes * allowed / of_grid) : places.of(degree);
-    for (std::size_t i = 0; i < nodes.count; ++i) {
-        radii.push_back(nodes.radius(i));
-    }
-    count = nodes.count;
-    radii.resize((count + widest_step + 15) / 16 * 16, radii.back());
-    outputs = degree * harmonics;
-    weigh(places.of(degree), nodes, Points::square(side, gauss));
-    judge(reach, side, nodes.error);
-}
-
-LOMMEL_ONCE double AnywhereTable::values(const PixelWindow& window, const double* intensity, int, Doubles& scratch,
-                                         double* out) const {
-    double size = 0.0;
-    dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA { size = apply(isa, window, intensity, scratch, out); });
-    return size;
-}
-#endif
 
 }  // namespace lommel

@@ -9,7 +9,6 @@
 #include <cstring>
 #include <vector>
 
-#include "lommel/base/once.hpp"
 #include "lommel/base/simd.hpp"
 #include "lommel/base/watch.hpp"
 

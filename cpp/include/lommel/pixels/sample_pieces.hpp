@@ -8,14 +8,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <type_traits>
 #include <vector>
 
 #include "lommel/base/cache.hpp"
-#include "lommel/base/once.hpp"
 #include "lommel/base/parallel.hpp"
 #include "lommel/base/reference.hpp"
-#include "lommel/base/watch.hpp"
 #include "lommel/bounds/chords.hpp"
 #include "lommel/bounds/pixels.hpp"
 #include "lommel/pixels/layout.hpp"
@@ -39,7 +36,23 @@ struct SamplePieces : Radii {  // radii at which the intensity is computed, in o
     double width, error, of_nodes = lebesgue(points), of_grid = 1.0, rounding = 0.0;
     std::shared_ptr<const Parts<terms>> parts;
 
-    SamplePieces(int digits, std::size_t from, std::size_t to);
+    SamplePieces(int digits, std::size_t from, std::size_t to)
+        : level(digits), first(from), last(to), width(width_for(digits)), parts(Parts<terms>::get(parts_for(digits))) {
+        const double equal = equal_pieces(width), half = 0.5 * width;
+        error = lebesgue(terms) * interpolation_by_slope(half, points) * of_squares(equal * width, points) +
+                interpolation_by_slope(half / static_cast<double>(parts->parts), terms) * of_squares(equal * width, terms);
+        // Rounding of the matrices for the parts, of products and sums, and of evaluation (24 S in docs/certificate.md, section 9).
+        rounding = 24.0 * parts->sizes;
+        of_grid = std::min(lebesgue(terms), 1.0 + parts->bent());
+        count = (last - first) * points;
+        for (std::size_t piece = first; piece < last; ++piece) {
+            for (std::size_t i = 0; i < points; ++i) {
+                const double at = static_cast<double>(piece) + 0.5 * (1.0 + chebyshev_point(points - 1 - i, points));
+                radii.push_back(width * distance_of(at, equal));
+            }
+        }
+        radii.resize((count + widest_step + 15) / 16 * 16, radii.back());
+    }
 
     double magnification() const { return of_nodes * of_grid; }
     std::size_t bytes() const { return sizeof(double) * radii.size(); }
@@ -92,7 +105,59 @@ struct SamplePieces : Radii {  // radii at which the intensity is computed, in o
     // room: allowed error of the intensity due to cubics and lines; places: allowed error of positions, in optical units; off: set
     // to the error bound of the intensity due to cubics and lines, positions, and rounding. The speed is limited by loads.
     double paint_single(const PixelWindow& window, const double* intensity, double by, double room, double places, int threads,
-                        float* image, double& off) const;
+                        float* image, double& off) const {
+        thread_local Doubles curves;
+        thread_local Floats singles;
+        curves.resize(last - first);
+        double bent = 0.0;
+        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA { bent = measure(isa, intensity, curves.data()); });
+        const std::size_t count = parts_for_cubics(bent, room);
+        const double square = static_cast<double>(count * count);
+        std::size_t straight = last;
+        double curved = 0.0;
+        while (straight > first && curves[straight - 1 - first] <= 4.0 * square * room) {
+            --straight;
+            curved = std::max(curved, curves[straight - first]);
+        }
+        const auto cubics = Parts<4>::get(count);
+        const auto lines = Parts<2>::get(count);
+        const FoldedWindow folded(window);
+        SampleRows rows(folded.part, width, zones(static_cast<double>(count)));
+        const double astray = rows.by_integers(places), equal = equal_pieces(width);
+        const double end = rows.straight_from(distance_of(static_cast<double>(straight) + slack, equal));
+        const std::size_t bends = std::min(last, static_cast<std::size_t>(piece_of(end, equal) + slack) + 1);
+        singles.resize(count * (4 * (bends - first) + 2 * (last - straight)));
+        float *const scaled = singles.data(), *const beyond = scaled + 4 * count * (bends - first);
+        const float* const straights = beyond - 2 * count * (straight - first);
+        double sizes[4] = {}, others[4] = {};
+        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+            cut(isa, *cubics, intensity, by, first, bends, scaled, sizes);
+            cut(isa, *lines, intensity + (straight - first) * points, by, straight, last, beyond, others);
+        });
+        off = std::max(bent / (192.0 * square * square) + rough(sizes, astray) / by,
+                       curved / (4.0 * square) + rough(others, astray) / by);
+        const double top = largest_of(folded, threads, image, [&](std::size_t begin, std::size_t end, float* to) {
+            alignas(64) float tops[SampleRows::most_lanes] = {};
+            dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+                rows.each<float, 4>(begin, end, [&](const SampleRows::Run<float>& run) LOMMEL_INLINE_LAMBDA {
+                    alignas(64) float made[SampleRows::longest];
+                    float* const there = to + (run.row - begin) * folded.part.width + run.start;
+                    const bool whole = run.count % SampleRows::most_lanes == 0;
+                    if (run.straight) {
+                        values_at<2>(isa, straights + run.base, run.at, run.x, run.count, whole ? there : made, tops);
+                    } else {
+                        values_at<4>(isa, scaled + run.base, run.at, run.x, run.count, whole ? there : made, tops);
+                    }
+                    if (!whole) {
+                        std::copy_n(made, run.count, there);
+                    }
+                });
+            });
+            return static_cast<double>(*std::max_element(tops, tops + SampleRows::most_lanes)) / by;
+        });
+        off += single_roundoff * top;  // rounding error of the maximum, by which errors are divided
+        return top;
+    }
 
    private:
     // Call made(row, start, count, values) for runs of pixels in rows [begin, end), with values = max(by * intensity, least).
@@ -246,27 +311,6 @@ struct SamplePieces : Radii {  // radii at which the intensity is computed, in o
     }
 };
 
-#if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE SamplePieces::SamplePieces(int digits, std::size_t from, std::size_t to)
-    : level(digits), first(from), last(to), width(width_for(digits)), parts(Parts<terms>::get(parts_for(digits))) {
-    const double equal = equal_pieces(width), half = 0.5 * width;
-    error = lebesgue(terms) * interpolation_by_slope(half, points) * of_squares(equal * width, points) +
-            interpolation_by_slope(half / static_cast<double>(parts->parts), terms) * of_squares(equal * width, terms);
-    // Rounding of the matrices for the parts, of products and sums, and of evaluation (24 S in docs/certificate.md, section 9).
-    rounding = 24.0 * parts->sizes;
-    of_grid = std::min(lebesgue(terms), 1.0 + parts->bent());
-    count = (last - first) * points;
-    for (std::size_t piece = first; piece < last; ++piece) {
-        for (std::size_t i = 0; i < points; ++i) {
-            const double at = static_cast<double>(piece) + 0.5 * (1.0 + chebyshev_point(points - 1 - i, points));
-            radii.push_back(width * distance_of(at, equal));
-        }
-    }
-    radii.resize((count + widest_step + 15) / 16 * 16, radii.back());
-}
-
-#endif
-
 template <class T>
 double SamplePieces::paint(const PixelWindow& window, const double* intensity, double by, T least, int threads,
                            T* image) const {
@@ -292,63 +336,6 @@ double SamplePieces::paint(const PixelWindow& window, const double* intensity, d
 #if defined(LOMMEL_COMPILED)
 extern template double SamplePieces::paint<float>(const PixelWindow&, const double*, double, float, int, float*) const;
 extern template double SamplePieces::paint<double>(const PixelWindow&, const double*, double, double, int, double*) const;
-#endif
-
-#if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE double SamplePieces::paint_single(const PixelWindow& window, const double* intensity, double by, double room,
-                                              double places, int threads, float* image, double& off) const {
-    thread_local Doubles curves;
-    thread_local Floats singles;
-    curves.resize(last - first);
-    double bent = 0.0;
-    dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA { bent = measure(isa, intensity, curves.data()); });
-    const std::size_t count = parts_for_cubics(bent, room);
-    const double square = static_cast<double>(count * count);
-    std::size_t straight = last;
-    double curved = 0.0;
-    while (straight > first && curves[straight - 1 - first] <= 4.0 * square * room) {
-        --straight;
-        curved = std::max(curved, curves[straight - first]);
-    }
-    const auto cubics = Parts<4>::get(count);
-    const auto lines = Parts<2>::get(count);
-    const FoldedWindow folded(window);
-    SampleRows rows(folded.part, width, zones(static_cast<double>(count)));
-    const double astray = rows.by_integers(places), equal = equal_pieces(width);
-    const double end = rows.straight_from(distance_of(static_cast<double>(straight) + slack, equal));
-    const std::size_t bends = std::min(last, static_cast<std::size_t>(piece_of(end, equal) + slack) + 1);
-    singles.resize(count * (4 * (bends - first) + 2 * (last - straight)));
-    float *const scaled = singles.data(), *const beyond = scaled + 4 * count * (bends - first);
-    const float* const straights = beyond - 2 * count * (straight - first);
-    double sizes[4] = {}, others[4] = {};
-    dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
-        cut(isa, *cubics, intensity, by, first, bends, scaled, sizes);
-        cut(isa, *lines, intensity + (straight - first) * points, by, straight, last, beyond, others);
-    });
-    off = std::max(bent / (192.0 * square * square) + rough(sizes, astray) / by,
-                   curved / (4.0 * square) + rough(others, astray) / by);
-    const double top = largest_of(folded, threads, image, [&](std::size_t begin, std::size_t end, float* to) {
-        alignas(64) float tops[SampleRows::most_lanes] = {};
-        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
-            rows.each<float, 4>(begin, end, [&](const SampleRows::Run<float>& run) LOMMEL_INLINE_LAMBDA {
-                alignas(64) float made[SampleRows::longest];
-                float* const there = to + (run.row - begin) * folded.part.width + run.start;
-                const bool whole = run.count % SampleRows::most_lanes == 0;
-                if (run.straight) {
-                    values_at<2>(isa, straights + run.base, run.at, run.x, run.count, whole ? there : made, tops);
-                } else {
-                    values_at<4>(isa, scaled + run.base, run.at, run.x, run.count, whole ? there : made, tops);
-                }
-                if (!whole) {
-                    std::copy_n(made, run.count, there);
-                }
-            });
-        });
-        return static_cast<double>(*std::max_element(tops, tops + SampleRows::most_lanes)) / by;
-    });
-    off += single_roundoff * top;  // rounding error of the maximum, by which errors are divided
-    return top;
-}
 #endif
 
 }  // namespace lommel

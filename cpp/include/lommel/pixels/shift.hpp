@@ -7,7 +7,6 @@
 #include <memory>
 
 #include "lommel/base/cache.hpp"
-#include "lommel/base/once.hpp"
 #include "lommel/bounds/pixels.hpp"
 #include "lommel/bounds/refine.hpp"
 #include "lommel/pixels/own_axes.hpp"
@@ -22,7 +21,21 @@ struct ShiftTable {
     Doubles weights, penalty;  // weights[block of outputs][radius][output]; penalty[output]: rounding error if this output is 1
     double error, of_grid, rounding;
 
-    explicit ShiftTable(const std::shared_ptr<const AnywhereTable>& of);
+    explicit ShiftTable(const std::shared_ptr<const AnywhereTable>& of) : pixels(of) {
+        using Budget = PixelTable::Budget;
+        const double side = of->step, reach = of->farthest * side, allowed = std::pow(10.0, -of->level);
+        harmonics = fewest(1, [&](std::size_t j) { return shift_harmonics_error(side, j) <= Budget::harmonics * allowed; });
+        const double by_angle = lebesgue(2 * harmonics), each = 0.5 * Budget::rings * allowed / by_angle;
+        degree = fewest(2, [&](std::size_t n) { return interpolation_error(reach, 2 * n) <= each; });
+        of_grid = by_angle * lebesgue(2 * degree);
+        const RingNodes nodes = RingNodes(0.0, reach, side * 0.70710678118654752, 1.0).of(of->count);
+        weigh(reach, nodes, Points::sides(side, of->gauss));
+        // Error bound of the difference of two averages, each with the error of a pixel average.
+        error = 2.0 * (of_grid * (interpolation_error(nodes.high, 2 * nodes.count) + gauss_error(side, of->gauss)) +
+                       by_angle * interpolation_error(reach, 2 * degree)) +
+                shift_harmonics_error(side, harmonics);
+        judge();
+    }
 
     double reach() const { return pixels->reach(); }
     double magnification() const { return 2.0 * of_grid * pixels->of_nodes; }
@@ -35,7 +48,11 @@ struct ShiftTable {
 
     // Compute the derivatives of each pixel average by the axis position in y (`down`) and in x (`across`), per pixel pitch, from
     // the intensity at the radii; both arrays are padded to whole vectors. Returns the polynomials' rounding error in roundoffs.
-    double values(const PixelWindow& window, const double* intensity, Doubles& scratch, double* down, double* across) const;
+    double values(const PixelWindow& window, const double* intensity, Doubles& scratch, double* down, double* across) const {
+        double size = 0.0;
+        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA { size = apply(isa, window, intensity, scratch, down, across); });
+        return size;
+    }
 
    private:
     template <class I>
@@ -104,30 +121,5 @@ struct ShiftTable {
         }
     }
 };
-
-#if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE ShiftTable::ShiftTable(const std::shared_ptr<const AnywhereTable>& of) : pixels(of) {
-    using Budget = PixelTable::Budget;
-    const double side = of->step, reach = of->farthest * side, allowed = std::pow(10.0, -of->level);
-    harmonics = fewest(1, [&](std::size_t j) { return shift_harmonics_error(side, j) <= Budget::harmonics * allowed; });
-    const double by_angle = lebesgue(2 * harmonics), each = 0.5 * Budget::rings * allowed / by_angle;
-    degree = fewest(2, [&](std::size_t n) { return interpolation_error(reach, 2 * n) <= each; });
-    of_grid = by_angle * lebesgue(2 * degree);
-    const RingNodes nodes = RingNodes(0.0, reach, side * 0.70710678118654752, 1.0).of(of->count);
-    weigh(reach, nodes, Points::sides(side, of->gauss));
-    // Error bound of the difference of two averages, each with the error of a pixel average.
-    error = 2.0 * (of_grid * (interpolation_error(nodes.high, 2 * nodes.count) + gauss_error(side, of->gauss)) +
-                   by_angle * interpolation_error(reach, 2 * degree)) +
-            shift_harmonics_error(side, harmonics);
-    judge();
-}
-
-LOMMEL_ONCE double ShiftTable::values(const PixelWindow& window, const double* intensity, Doubles& scratch, double* down,
-                                      double* across) const {
-    double size = 0.0;
-    dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA { size = apply(isa, window, intensity, scratch, down, across); });
-    return size;
-}
-#endif
 
 }  // namespace lommel

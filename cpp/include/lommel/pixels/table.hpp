@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "lommel/base/cache.hpp"
-#include "lommel/base/once.hpp"
 #include "lommel/base/parallel.hpp"
 #include "lommel/base/pi.hpp"
 #include "lommel/base/simd.hpp"
@@ -176,7 +175,49 @@ struct PixelTable : PixelRings {
     PixelGroups groups;
     std::size_t value_count = 0;
 
-    PixelTable(const PixelWindow& w, int digits, int threads, bool many);
+    PixelTable(const PixelWindow& w, int digits, int threads, bool many) : window(w), level(digits), shared(many), groups(w) {
+        const auto ends = std::minmax_element(groups.v.begin(), groups.v.end());
+        const double least = *ends.first, most = *ends.second, slack = w.side() * 0.70710678118654752;
+        const double allowed = std::pow(10.0, -level), values = static_cast<double>(groups.v.size());
+        const double half = plan(w.side(), allowed);
+
+        // Estimated multiply-adds per image; those for the table count 1/100, as it serves many images. Alternatives: rings so narrow
+        // that `radial_degree` points in distance suffice (by_rings); one ring (by_one); the intensity at the radius of every pixel.
+        const double within = of_nodes_within(allowed);
+        const RingNodes narrow(std::max(least, 0.5 * most), std::max(least, 0.5 * most) + 2.0 * half, slack, within);
+        const RingNodes whole(least, most, slack, Budget::window * allowed);
+        const double ring_count = std::ceil((most - least) / (2.0 * half)) + 1.0;
+        const double coefficients = static_cast<double>(radial_degree * harmonics), of_ring = values / ring_count;
+        const double sum = 1.0 + 0.01 * static_cast<double>(gauss * gauss);
+        const double by_rings =
+            ring_count * static_cast<double>(narrow.count) * (64.0 + std::min(of_ring, coefficients) * sum) +
+            (of_ring > coefficients ? 2.0 * values * coefficients : 0.0);
+        // A weight beyond the `near_weights` that stay in the cache takes as long to load as four others.
+        const double of_one = static_cast<double>(whole.count) * values,
+                     far = many ? 0.0 : std::max(0.0, of_one - near_weights);
+        const double by_one = 64.0 * static_cast<double>(whole.count) + of_one * sum + 3.0 * far;
+        if (w.side() == 0.0 && 64.0 * values <= std::min(by_rings, by_one)) {
+            at_pixels();
+            return;
+        }
+        const bool one = by_one <= by_rings && whole.count <= most_nodes;
+        if (many && !one) {
+            groups.v = groups.cosine = {};
+            return;
+        }
+        make_rings(least, one ? 0.5 * (most - least) : half, slack, one, one ? Budget::window * allowed : within);
+        const std::size_t entries = rings.back().first_weight + rings.back().nodes.count * rings.back().outputs;
+        const std::size_t nodes = std::max(narrow.count, rings.front().nodes.count);
+        if (entries > most_weights || nodes > most_nodes) {
+            throw std::invalid_argument(
+                "averages over pixels of " + std::to_string(w.step / pi) + " lambda*N take " +
+                (nodes > most_nodes
+                     ? std::to_string(nodes) + " radii a pixel, more than the limit of " + std::to_string(most_nodes)
+                     : std::to_string(entries) + " weights, more than the limit of " + std::to_string(most_weights)) +
+                "; take smaller pixels, and average blocks of them");
+        }
+        weigh(w.side(), half, threads);
+    }
 
     bool serves_together() const { return rings.size() <= 1 && count > 0; }
 
@@ -290,50 +331,5 @@ struct PixelTable : PixelRings {
         groups.v = groups.cosine = {};
     }
 };
-
-#if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE PixelTable::PixelTable(const PixelWindow& w, int digits, int threads, bool many)
-    : window(w), level(digits), shared(many), groups(w) {
-    const auto ends = std::minmax_element(groups.v.begin(), groups.v.end());
-    const double least = *ends.first, most = *ends.second, slack = w.side() * 0.70710678118654752;
-    const double allowed = std::pow(10.0, -level), values = static_cast<double>(groups.v.size());
-    const double half = plan(w.side(), allowed);
-
-    // Estimated multiply-adds per image; those for the table count 1/100, as it serves many images. Alternatives: rings so narrow
-    // that `radial_degree` points in distance suffice (by_rings); one ring (by_one); the intensity at the radius of every pixel.
-    const double within = of_nodes_within(allowed);
-    const RingNodes narrow(std::max(least, 0.5 * most), std::max(least, 0.5 * most) + 2.0 * half, slack, within);
-    const RingNodes whole(least, most, slack, Budget::window * allowed);
-    const double ring_count = std::ceil((most - least) / (2.0 * half)) + 1.0;
-    const double coefficients = static_cast<double>(radial_degree * harmonics), of_ring = values / ring_count;
-    const double sum = 1.0 + 0.01 * static_cast<double>(gauss * gauss);
-    const double by_rings = ring_count * static_cast<double>(narrow.count) * (64.0 + std::min(of_ring, coefficients) * sum) +
-                            (of_ring > coefficients ? 2.0 * values * coefficients : 0.0);
-    // A weight beyond the `near_weights` that stay in the cache takes as long to load as four others.
-    const double of_one = static_cast<double>(whole.count) * values, far = many ? 0.0 : std::max(0.0, of_one - near_weights);
-    const double by_one = 64.0 * static_cast<double>(whole.count) + of_one * sum + 3.0 * far;
-    if (w.side() == 0.0 && 64.0 * values <= std::min(by_rings, by_one)) {
-        at_pixels();
-        return;
-    }
-    const bool one = by_one <= by_rings && whole.count <= most_nodes;
-    if (many && !one) {
-        groups.v = groups.cosine = {};
-        return;
-    }
-    make_rings(least, one ? 0.5 * (most - least) : half, slack, one, one ? Budget::window * allowed : within);
-    const std::size_t entries = rings.back().first_weight + rings.back().nodes.count * rings.back().outputs;
-    const std::size_t nodes = std::max(narrow.count, rings.front().nodes.count);
-    if (entries > most_weights || nodes > most_nodes) {
-        throw std::invalid_argument(
-            "averages over pixels of " + std::to_string(w.step / pi) + " lambda*N take " +
-            (nodes > most_nodes
-                 ? std::to_string(nodes) + " radii a pixel, more than the limit of " + std::to_string(most_nodes)
-                 : std::to_string(entries) + " weights, more than the limit of " + std::to_string(most_weights)) +
-            "; take smaller pixels, and average blocks of them");
-    }
-    weigh(w.side(), half, threads);
-}
-#endif
 
 }  // namespace lommel

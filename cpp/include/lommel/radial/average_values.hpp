@@ -2,11 +2,9 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <vector>
 
-#include "lommel/base/once.hpp"
 #include "lommel/base/parallel.hpp"
 #include "lommel/base/simd.hpp"
 #include "lommel/pixels/average_rings.hpp"
@@ -30,49 +28,43 @@ struct WindowValues {
         values.resize(count + widest_step);
         penalty = table.values(window, at_radii, threads, scratch, values.data());
     }
-    void make(const PixelTable& table, const PixelWindow&, const double* at_radii, int threads);
-};
-
-#if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE void WindowValues::make(const PixelTable& table, const PixelWindow&, const double* at_radii, int threads) {
-    count = table.value_count;
-    values.resize(count + widest_step);
-    penalty = 0.0;
-    if (table.rings.empty()) {
-        std::copy_n(at_radii, table.value_count, values.data());
-        return;
-    }
-    constexpr std::size_t block = 16;  // number of rings per parallel task
-    const std::size_t tasks = (table.rings.size() + block - 1) / block;
-    const auto work = [&](std::size_t task) {
-        thread_local Doubles scratch;
-        double worst = 0.0;
-        const double* from = at_radii;
-        double* to = values.data();
-        const std::size_t last = std::min(table.rings.size(), (task + 1) * block);
-        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA { table.apply<1>(isa, task * block, last, &from, &to, &worst, scratch); });
-        return worst;
-    };
-    if (threads == 1) {
-        for (std::size_t task = 0; task < tasks; ++task) {
-            look();
-            penalty = std::max(penalty, work(task));
+    void make(const PixelTable& table, const PixelWindow&, const double* at_radii, int threads) {
+        count = table.value_count;
+        values.resize(count + widest_step);
+        penalty = 0.0;
+        if (table.rings.empty()) {
+            std::copy_n(at_radii, table.value_count, values.data());
+            return;
         }
-        return;
+        constexpr std::size_t block = 16;  // number of rings per parallel task
+        const std::size_t tasks = (table.rings.size() + block - 1) / block;
+        const auto work = [&](std::size_t task) {
+            thread_local Doubles scratch;
+            double worst = 0.0;
+            const double* from = at_radii;
+            double* to = values.data();
+            const std::size_t last = std::min(table.rings.size(), (task + 1) * block);
+            dispatch([&](auto isa)
+                         LOMMEL_INLINE_LAMBDA { table.apply<1>(isa, task * block, last, &from, &to, &worst, scratch); });
+            return worst;
+        };
+        if (threads == 1) {
+            for (std::size_t task = 0; task < tasks; ++task) {
+                look();
+                penalty = std::max(penalty, work(task));
+            }
+            return;
+        }
+        std::vector<double> penalties(tasks, 0.0);
+        parallel_for(tasks, threads, [&](std::size_t, std::size_t task) { penalties[task] = work(task); });
+        penalty = *std::max_element(penalties.begin(), penalties.end());
     }
-    std::vector<double> penalties(tasks, 0.0);
-    parallel_for(tasks, threads, [&](std::size_t, std::size_t task) { penalties[task] = work(task); });
-    penalty = *std::max_element(penalties.begin(), penalties.end());
-}
-#endif
+};
 
 // Compute the pixel values made[pupil * value_stride + value] of `pupils` pupils from their intensities at_radii[pupil * stride +
 // radius]; returns the largest rounding error of the azimuthal harmonics, in units of roundoff.
-double make_together(const PixelTable& table, const PixelWindows&, std::size_t, std::size_t pupils, const double* at_radii,
-                     std::size_t stride, double* made, std::size_t value_stride);
-#if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE double make_together(const PixelTable& table, const PixelWindows&, std::size_t, std::size_t pupils,
-                                 const double* at_radii, std::size_t stride, double* made, std::size_t value_stride) {
+inline double make_together(const PixelTable& table, const PixelWindows&, std::size_t, std::size_t pupils,
+                            const double* at_radii, std::size_t stride, double* made, std::size_t value_stride) {
     constexpr std::size_t at_once = 4;
     thread_local Doubles sums;
     double penalties[at_once] = {};
@@ -90,7 +82,6 @@ LOMMEL_ONCE double make_together(const PixelTable& table, const PixelWindows&, s
     });
     return *std::max_element(penalties, penalties + at_once);
 }
-#endif
 inline double make_together(const AnywhereTable& table, const PixelWindows& windows, std::size_t first, std::size_t pupils,
                             const double* at_radii, std::size_t stride, double* made, std::size_t value_stride) {
     thread_local Doubles scratch;

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "lommel/base/cache.hpp"
-#include "lommel/base/once.hpp"
 #include "lommel/base/parallel.hpp"
 #include "lommel/base/reference.hpp"
 #include "lommel/base/simd.hpp"
@@ -103,7 +102,31 @@ class Batch {
 
     // Call take(first, count, values, stride) for each group of pupils, with the intensities values[pupil * stride + radius].
     using Take = Reference<void(std::size_t first, std::size_t count, const double* values, std::size_t stride)>;
-    void run(int threads, const Take& take) const;
+    void run(int threads, const Take& take) const {
+        const std::size_t room = plan_.room(), stride = table_->stride;
+        parallel_for((stack_.count + group - 1) / group, threads, [&](std::size_t, std::size_t task) {
+            thread_local SeriesScratch scratch;
+            thread_local Doubles re, im, values;
+            // Compute the coefficients of the whole group before its fields: the first-level cache then holds one table at a time.
+            const std::size_t first = task * group, here = std::min(group, stack_.count - first);
+            constexpr std::size_t rounded = (group + block_pupils - 1) / block_pupils * block_pupils;
+            re.resize(rounded * room);
+            im.resize(rounded * room);
+            values.resize(rounded * stride);
+            dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+                for (std::size_t p = 0; p < here; ++p) {
+                    const Phase phase = stack_[first + p];
+                    legendre_coefficients(isa, *plan_.rule, phase.coefficients, phase.terms, *phase.amplitude, 0, plan_.terms,
+                                          re.data() + p * room, im.data() + p * room, scratch);
+                }
+                for (std::size_t p = 0; p < here; p += block_pupils) {
+                    block_intensities(isa, *table_, plan_.terms, re.data() + p * room, im.data() + p * room, room,
+                                      values.data() + p * stride);
+                }
+            });
+            take(first, here, values.data(), stride);
+        });
+    }
 
    private:
     const Stack& stack_;
@@ -111,33 +134,5 @@ class Batch {
     std::shared_ptr<const RadiusTable> table_;
     double rounding_;
 };
-
-#if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE void Batch::run(int threads, const Take& take) const {
-    const std::size_t room = plan_.room(), stride = table_->stride;
-    parallel_for((stack_.count + group - 1) / group, threads, [&](std::size_t, std::size_t task) {
-        thread_local SeriesScratch scratch;
-        thread_local Doubles re, im, values;
-        // Compute the coefficients of the whole group before its fields: the first-level cache then holds one table at a time.
-        const std::size_t first = task * group, here = std::min(group, stack_.count - first);
-        constexpr std::size_t rounded = (group + block_pupils - 1) / block_pupils * block_pupils;
-        re.resize(rounded * room);
-        im.resize(rounded * room);
-        values.resize(rounded * stride);
-        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
-            for (std::size_t p = 0; p < here; ++p) {
-                const Phase phase = stack_[first + p];
-                legendre_coefficients(isa, *plan_.rule, phase.coefficients, phase.terms, *phase.amplitude, 0, plan_.terms,
-                                      re.data() + p * room, im.data() + p * room, scratch);
-            }
-            for (std::size_t p = 0; p < here; p += block_pupils) {
-                block_intensities(isa, *table_, plan_.terms, re.data() + p * room, im.data() + p * room, room,
-                                  values.data() + p * stride);
-            }
-        });
-        take(first, here, values.data(), stride);
-    });
-}
-#endif
 
 }  // namespace lommel

@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "lommel/base/cache.hpp"
-#include "lommel/base/once.hpp"
 #include "lommel/bounds/pixels.hpp"
 #include "lommel/bounds/refine.hpp"
 #include "lommel/pixels/weights.hpp"
@@ -32,7 +31,33 @@ struct CoarseWindow {
     std::vector<std::int32_t> left, right, top, bottom;  // for each column or row: index into `edges` of its two edges
     Doubles means;  // for each group of pixels: average of distance^-3 over a pixel, in pixels^-3
 
-    explicit CoarseWindow(const PixelWindow& w);
+    explicit CoarseWindow(const PixelWindow& w) : window(w), groups(w) {
+        const std::vector<double>&down = groups.rows.distances, &across = groups.columns.distances;
+        for (const auto* along : {&down, &across}) {
+            for (const double middle : *along) {
+                edges.push_back(middle - 0.5);
+                edges.push_back(middle + 0.5);
+            }
+        }
+        std::sort(edges.begin(), edges.end());
+        edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+        const auto find = [&](const std::vector<double>& along, double away, std::vector<std::int32_t>& found) {
+            for (const double middle : along) {
+                found.push_back(
+                    static_cast<std::int32_t>(std::lower_bound(edges.begin(), edges.end(), middle + away) - edges.begin()));
+            }
+        };
+        find(across, -0.5, left);
+        find(across, 0.5, right);
+        find(down, -0.5, top);
+        find(down, 0.5, bottom);
+        groups.cosine = {};
+        means.resize(groups.v.size() + widest_step, 0.0);
+        each(std::numeric_limits<double>::infinity(), [&](std::size_t group, std::size_t k, std::size_t i) {
+            const double x0 = edges[left[k]], x1 = edges[right[k]], y0 = edges[top[i]], y1 = edges[bottom[i]];
+            means[group] = crossing(x0, y0) - crossing(x1, y0) + crossing(y0, x0) - crossing(y1, x0);
+        });
+    }
 
     std::size_t bytes() const { return sizeof(double) * means.size() + sizeof(std::int32_t) * groups.index.size(); }
     bool is(const PixelWindow& w) const { return window == w; }
@@ -79,36 +104,6 @@ struct CoarseWindow {
         return x == 0.0 ? 0.0 : x * (1.0 / (before * (before + start)) - 1.0 / (after * (after + end)));
     }
 };
-
-#if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE CoarseWindow::CoarseWindow(const PixelWindow& w) : window(w), groups(w) {
-    const std::vector<double>&down = groups.rows.distances, &across = groups.columns.distances;
-    for (const auto* along : {&down, &across}) {
-        for (const double middle : *along) {
-            edges.push_back(middle - 0.5);
-            edges.push_back(middle + 0.5);
-        }
-    }
-    std::sort(edges.begin(), edges.end());
-    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-    const auto find = [&](const std::vector<double>& along, double away, std::vector<std::int32_t>& found) {
-        for (const double middle : along) {
-            found.push_back(
-                static_cast<std::int32_t>(std::lower_bound(edges.begin(), edges.end(), middle + away) - edges.begin()));
-        }
-    };
-    find(across, -0.5, left);
-    find(across, 0.5, right);
-    find(down, -0.5, top);
-    find(down, 0.5, bottom);
-    groups.cosine = {};
-    means.resize(groups.v.size() + widest_step, 0.0);
-    each(std::numeric_limits<double>::infinity(), [&](std::size_t group, std::size_t k, std::size_t i) {
-        const double x0 = edges[left[k]], x1 = edges[right[k]], y0 = edges[top[i]], y1 = edges[bottom[i]];
-        means[group] = crossing(x0, y0) - crossing(x1, y0) + crossing(y0, x0) - crossing(y1, x0);
-    });
-}
-#endif
 
 // Encircled energy / (2 pi), E(r) = int_0^r I(s) s ds: a polynomial on each interval (panel) of r, with an error bound.
 class EnergyWithin {
@@ -313,7 +308,90 @@ class CoarseAverages {
 
     // Compute the averages. light: transmitted light / pi; area: largest possible modulus of the field U.
     void make(const CoarseWindow& coarse, const Phase& phase, double obscuration, double light, double area,
-              const Attempt& request, int threads);
+              const Attempt& request, int threads) {
+        const double step = coarse.window.step, swing = 0.5 * area * area, square = step * step;
+        const EnergyTail tail(phase, obscuration);
+        const double high = without_rings(tail, step, request.rings), limit = high / step;
+        const double factor = tail.mean() / (square * step), whole = 12.566370614359172 * light / square;
+        const std::size_t count = coarse.groups.v.size();
+        values.resize(count + widest_step);
+        near_.clear();
+        double reach = 0.0;
+        const double within = limit * limit;
+        for (std::size_t i = 0; i < count; ++i) {
+            values[i] = factor * coarse.means[i];
+        }
+        std::fill(values.begin() + count, values.end(), 0.0);
+        coarse.each(limit, [&](std::size_t group, std::size_t column, std::size_t row) {
+            if (coarse.nearest(column, row) < within) {
+                near_.push_back({group, column, row});
+                reach = std::max(reach, coarse.farthest(column, row));
+            } else if (coarse.holds_axis(column, row)) {
+                values[group] += whole;
+            }
+        });
+        const bool far = near_.size() < count;
+        by_rings =
+            far ? left_out(tail, step, high) + 64.0 * unit_roundoff * (factor / std::max(1e-3, std::min(1.0, limit)) + whole)
+                : 0.0;
+        error = 0.0;
+        if (!near_.empty()) {
+            reach = step * std::sqrt(reach);
+            const double room = request.sums * square;  // allowed error of an integral over a pixel
+            const auto quadrature = [&](std::size_t q) { return swing * reach * step * gauss_error(step, q); };
+            const std::size_t q = fewest(4, [&](std::size_t n) { return quadrature(n) <= room; });
+            const std::size_t points = fewest(
+                4, [&](std::size_t n) { return swing * interpolation_error(0.5 * EnergyWithin::width, n) <= request.sums; });
+            energy_.make(field_, phase, obscuration, reach, request.field, points, swing, threads);
+            constexpr std::size_t together = EnergyWithin::together;
+            nodes_.assign(q + together, 0.0);  // the added nodes have weight 0
+            weights_.assign(q + together, 0.0);
+            gauss_legendre<double, double>(q, nodes_.data(), weights_.data());
+            for (std::size_t j = 0; j < q; ++j) {
+                nodes_[j] = 0.5 * (1.0 + nodes_[j]);
+                weights_[j] *= 0.5;
+            }
+            nodes_.resize((q + together - 1) / together * together);
+            const std::size_t sides = static_cast<std::size_t>(
+                std::lower_bound(coarse.edges.begin(), coarse.edges.end(), reach / step * (1.0 + 1e-12)) -
+                coarse.edges.begin());
+            crossed_.assign(sides * sides, {0.0, -1e300, 0.0});
+            const auto crossing = [&](std::int32_t x, std::int32_t start) -> const EnergyWithin::Crossed& {
+                EnergyWithin::Crossed& found = crossed_[static_cast<std::size_t>(x) * sides + static_cast<std::size_t>(start)];
+                if (found.turn == -1e300) {
+                    look();
+                    found = energy_.crossing(coarse.edges[x], coarse.edges[start], step, nodes_, weights_);
+                }
+                return found;
+            };
+            const double relative = unit_roundoff * static_cast<double>(q + 24) * 2.0 * light;
+            for (const Near& pixel : near_) {
+                const std::int32_t x0 = coarse.left[pixel.column], x1 = coarse.right[pixel.column], y0 = coarse.top[pixel.row],
+                                   y1 = coarse.bottom[pixel.row];
+                const EnergyWithin::Crossed sides_of[4] = {crossing(x1, y0), crossing(x0, y0), crossing(y1, x0),
+                                                           crossing(y0, x0)};
+                double sum = 0.0, turn = 0.0, turns = 0.0, off = 0.0;
+                for (std::size_t i = 0; i < 4; ++i) {
+                    const double sign = i % 2 == 0 ? 1.0 : -1.0;
+                    sum += sign * sides_of[i].light;
+                    turn += sign * sides_of[i].turn;
+                    turns += std::abs(sides_of[i].turn);
+                    off += sides_of[i].off;
+                }
+                values[pixel.group] = sum / square;
+                // A constant error of the encircled energy is multiplied by the sum of the edges' signed angles, `turn`: nearly 0, or
+                // 2 pi if the axis is in the pixel.
+                const double first = energy_.off(step * std::sqrt(coarse.nearest(pixel.column, pixel.row))),
+                             last = energy_.off(step * std::sqrt(coarse.farthest(pixel.column, pixel.row)));
+                const double given = std::min(off, 0.5 * (last - first) * turns + 0.5 * (last + first) * std::abs(turn));
+                error = std::max(error, (given + (energy_.rounding + relative) * turns + 4.0 * quadrature(q)) / square);
+            }
+        }
+        top = 0.0;
+        for (std::size_t i = 0; i < count; ++i) {
+            top = std::max(top, values[i]);
+        }
+    }
 
    private:
     Field field_;
@@ -325,90 +403,5 @@ class CoarseAverages {
     };
     std::vector<Near> near_;
 };
-
-#if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE void CoarseAverages::make(const CoarseWindow& coarse, const Phase& phase, double obscuration, double light,
-                                      double area, const Attempt& request, int threads) {
-    const double step = coarse.window.step, swing = 0.5 * area * area, square = step * step;
-    const EnergyTail tail(phase, obscuration);
-    const double high = without_rings(tail, step, request.rings), limit = high / step;
-    const double factor = tail.mean() / (square * step), whole = 12.566370614359172 * light / square;
-    const std::size_t count = coarse.groups.v.size();
-    values.resize(count + widest_step);
-    near_.clear();
-    double reach = 0.0;
-    const double within = limit * limit;
-    for (std::size_t i = 0; i < count; ++i) {
-        values[i] = factor * coarse.means[i];
-    }
-    std::fill(values.begin() + count, values.end(), 0.0);
-    coarse.each(limit, [&](std::size_t group, std::size_t column, std::size_t row) {
-        if (coarse.nearest(column, row) < within) {
-            near_.push_back({group, column, row});
-            reach = std::max(reach, coarse.farthest(column, row));
-        } else if (coarse.holds_axis(column, row)) {
-            values[group] += whole;
-        }
-    });
-    const bool far = near_.size() < count;
-    by_rings =
-        far ? left_out(tail, step, high) + 64.0 * unit_roundoff * (factor / std::max(1e-3, std::min(1.0, limit)) + whole) : 0.0;
-    error = 0.0;
-    if (!near_.empty()) {
-        reach = step * std::sqrt(reach);
-        const double room = request.sums * square;  // allowed error of an integral over a pixel
-        const auto quadrature = [&](std::size_t q) { return swing * reach * step * gauss_error(step, q); };
-        const std::size_t q = fewest(4, [&](std::size_t n) { return quadrature(n) <= room; });
-        const std::size_t points =
-            fewest(4, [&](std::size_t n) { return swing * interpolation_error(0.5 * EnergyWithin::width, n) <= request.sums; });
-        energy_.make(field_, phase, obscuration, reach, request.field, points, swing, threads);
-        constexpr std::size_t together = EnergyWithin::together;
-        nodes_.assign(q + together, 0.0);  // the added nodes have weight 0
-        weights_.assign(q + together, 0.0);
-        gauss_legendre<double, double>(q, nodes_.data(), weights_.data());
-        for (std::size_t j = 0; j < q; ++j) {
-            nodes_[j] = 0.5 * (1.0 + nodes_[j]);
-            weights_[j] *= 0.5;
-        }
-        nodes_.resize((q + together - 1) / together * together);
-        const std::size_t sides = static_cast<std::size_t>(
-            std::lower_bound(coarse.edges.begin(), coarse.edges.end(), reach / step * (1.0 + 1e-12)) - coarse.edges.begin());
-        crossed_.assign(sides * sides, {0.0, -1e300, 0.0});
-        const auto crossing = [&](std::int32_t x, std::int32_t start) -> const EnergyWithin::Crossed& {
-            EnergyWithin::Crossed& found = crossed_[static_cast<std::size_t>(x) * sides + static_cast<std::size_t>(start)];
-            if (found.turn == -1e300) {
-                look();
-                found = energy_.crossing(coarse.edges[x], coarse.edges[start], step, nodes_, weights_);
-            }
-            return found;
-        };
-        const double relative = unit_roundoff * static_cast<double>(q + 24) * 2.0 * light;
-        for (const Near& pixel : near_) {
-            const std::int32_t x0 = coarse.left[pixel.column], x1 = coarse.right[pixel.column], y0 = coarse.top[pixel.row],
-                               y1 = coarse.bottom[pixel.row];
-            const EnergyWithin::Crossed sides_of[4] = {crossing(x1, y0), crossing(x0, y0), crossing(y1, x0), crossing(y0, x0)};
-            double sum = 0.0, turn = 0.0, turns = 0.0, off = 0.0;
-            for (std::size_t i = 0; i < 4; ++i) {
-                const double sign = i % 2 == 0 ? 1.0 : -1.0;
-                sum += sign * sides_of[i].light;
-                turn += sign * sides_of[i].turn;
-                turns += std::abs(sides_of[i].turn);
-                off += sides_of[i].off;
-            }
-            values[pixel.group] = sum / square;
-            // A constant error of the encircled energy is multiplied by the sum of the edges' signed angles, `turn`: nearly 0, or
-            // 2 pi if the axis is in the pixel.
-            const double first = energy_.off(step * std::sqrt(coarse.nearest(pixel.column, pixel.row))),
-                         last = energy_.off(step * std::sqrt(coarse.farthest(pixel.column, pixel.row)));
-            const double given = std::min(off, 0.5 * (last - first) * turns + 0.5 * (last + first) * std::abs(turn));
-            error = std::max(error, (given + (energy_.rounding + relative) * turns + 4.0 * quadrature(q)) / square);
-        }
-    }
-    top = 0.0;
-    for (std::size_t i = 0; i < count; ++i) {
-        top = std::max(top, values[i]);
-    }
-}
-#endif
 
 }  // namespace lommel

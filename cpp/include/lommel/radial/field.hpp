@@ -7,7 +7,6 @@
 #include <memory>
 #include <vector>
 
-#include "lommel/base/once.hpp"
 #include "lommel/base/simd.hpp"
 #include "lommel/radial/disk.hpp"
 #include "lommel/special/bessel.hpp"
@@ -31,7 +30,47 @@ struct Places {
 class Field {
    public:
     // Prepare the field of t^power * pupil function, t: squared pupil radius, for an error of about `error`; returns its bound.
-    double prepare(const Phase& phase, std::size_t power, double obscuration, const Places& places, double error);
+    double prepare(const Phase& phase, std::size_t power, double obscuration, const Places& places, double error) {
+        const double reach = places.reach();
+        // Neglect an obscuration below 1e-18 of the aperture's area: it changes the field by less than the field's rounding error.
+        obscuration_ = obscuration < 1e-9 ? 0.0 : obscuration;
+        const double area = obscuration_ * obscuration_;
+        double bound = outer_.expand(phase, power, reach, RadialBudget::outer * error, scratch_) + radius_rounding(reach);
+        weight_ = 0.0;
+        if (area > 0.0) {
+            // Expand the phase within the obscuration in Zernike polynomials of this smaller disk.
+            weight_ = std::pow(area, static_cast<double>(power + 1));
+            inner_phase_.assign(phase.terms + 1, 0.0);
+            double lost = 0.0;
+            for (std::size_t j = 0; j < phase.terms; ++j) {
+                lost += smaller_.shrink(2 * j + 2, 0, obscuration_, phase.coefficients[j], phase.terms,
+                                        [&](std::size_t k, double c) { inner_phase_[k / 2] += c; });
+            }
+            inner_amplitude_ = phase.amplitude->scaled(area);
+            const Phase inner{inner_phase_.data() + 1, phase.terms, &inner_amplitude_};
+            bound += weight_ * (inner_.expand(inner, power, obscuration_ * reach, RadialBudget::inner * error, scratch_) +
+                                lost + radius_rounding(obscuration_ * reach) + 4.0 * unit_roundoff);
+            inner_.turn(inner_phase_[0]);
+        }
+        const std::size_t terms = std::max(outer_.terms, area > 0.0 ? inner_.terms : 0);
+        std::size_t width = 0;
+        while (width < widths.size() && piece_error(widths[width]) * (1.0 + weight_) > RadialBudget::pieces * error) {
+            ++width;
+        }
+        const double by_series = series_rounding(terms);
+        table_ = nullptr;
+        if (width < widths.size()) {
+            const WantedPieces wanted = pieces_for(places, reach, widths[width], terms);
+            table_ = wanted.end() > 0 ? piece_tables.get(width, wanted, terms) : nullptr;
+        }
+        if (table_ == nullptr) {
+            return bound + (1.0 + weight_) * by_series;
+        }
+        const double by_table = unit_roundoff * table_->magnitude * (0.5 * static_cast<double>(terms) + 40.0);
+        // Interpolation errors are relative to the truncated series, which is at most 1 + bound, as the field is at most 1.
+        return bound +
+               (1.0 + weight_) * ((1.0 + bound) * piece_error(table_->width) + std::max(by_table, few_ ? by_series : 0.0));
+    }
 
     // Evaluate the field at the ascending radii step * radii[i], first <= i < last: call sink(i - first, re, im), with ascending
     // i, for each vector of values, which begins with radius i. Sink and radii need room for widest_step values past the last.
@@ -54,7 +93,14 @@ class Field {
     }
 
     // Write the field at the radii radii[i] * step, first <= i < last, to re[i - first] and im[i - first].
-    void values(const double* radii, std::size_t first, std::size_t last, double step, double* re, double* im);
+    void values(const double* radii, std::size_t first, std::size_t last, double step, double* re, double* im) {
+        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+            evaluate(isa, radii, first, last, step, [&](std::size_t i, auto a, auto b) LOMMEL_INLINE_LAMBDA {
+                store(re + i, a);
+                store(im + i, b);
+            });
+        });
+    }
 
    private:
     // Up to a radius of `near`, in optical units, each piece (interval) that contains a radius has a table, shared by all
@@ -186,56 +232,4 @@ class Field {
     Doubles re_, im_;
 };
 
-#if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE double Field::prepare(const Phase& phase, std::size_t power, double obscuration, const Places& places,
-                                  double error) {
-    const double reach = places.reach();
-    // Neglect an obscuration below 1e-18 of the aperture's area: it changes the field by less than the field's rounding error.
-    obscuration_ = obscuration < 1e-9 ? 0.0 : obscuration;
-    const double area = obscuration_ * obscuration_;
-    double bound = outer_.expand(phase, power, reach, RadialBudget::outer * error, scratch_) + radius_rounding(reach);
-    weight_ = 0.0;
-    if (area > 0.0) {
-        // Expand the phase within the obscuration in Zernike polynomials of this smaller disk.
-        weight_ = std::pow(area, static_cast<double>(power + 1));
-        inner_phase_.assign(phase.terms + 1, 0.0);
-        double lost = 0.0;
-        for (std::size_t j = 0; j < phase.terms; ++j) {
-            lost += smaller_.shrink(2 * j + 2, 0, obscuration_, phase.coefficients[j], phase.terms,
-                                    [&](std::size_t k, double c) { inner_phase_[k / 2] += c; });
-        }
-        inner_amplitude_ = phase.amplitude->scaled(area);
-        const Phase inner{inner_phase_.data() + 1, phase.terms, &inner_amplitude_};
-        bound += weight_ * (inner_.expand(inner, power, obscuration_ * reach, RadialBudget::inner * error, scratch_) + lost +
-                            radius_rounding(obscuration_ * reach) + 4.0 * unit_roundoff);
-        inner_.turn(inner_phase_[0]);
-    }
-    const std::size_t terms = std::max(outer_.terms, area > 0.0 ? inner_.terms : 0);
-    std::size_t width = 0;
-    while (width < widths.size() && piece_error(widths[width]) * (1.0 + weight_) > RadialBudget::pieces * error) {
-        ++width;
-    }
-    const double by_series = series_rounding(terms);
-    table_ = nullptr;
-    if (width < widths.size()) {
-        const WantedPieces wanted = pieces_for(places, reach, widths[width], terms);
-        table_ = wanted.end() > 0 ? piece_tables.get(width, wanted, terms) : nullptr;
-    }
-    if (table_ == nullptr) {
-        return bound + (1.0 + weight_) * by_series;
-    }
-    const double by_table = unit_roundoff * table_->magnitude * (0.5 * static_cast<double>(terms) + 40.0);
-    // Interpolation errors are relative to the truncated series, which is at most 1 + bound, as the field is at most 1.
-    return bound + (1.0 + weight_) * ((1.0 + bound) * piece_error(table_->width) + std::max(by_table, few_ ? by_series : 0.0));
-}
-
-LOMMEL_ONCE void Field::values(const double* radii, std::size_t first, std::size_t last, double step, double* re, double* im) {
-    dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
-        evaluate(isa, radii, first, last, step, [&](std::size_t i, auto a, auto b) LOMMEL_INLINE_LAMBDA {
-            store(re + i, a);
-            store(im + i, b);
-        });
-    });
-}
-#endif
 }  // namespace lommel

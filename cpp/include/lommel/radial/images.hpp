@@ -1,7 +1,6 @@
 // Images of radially symmetric pupils, with error bounds.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstring>

@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <vector>
 
-#include "lommel/base/once.hpp"
 #include "lommel/base/parallel.hpp"
 #include "lommel/base/reference.hpp"
 #include "lommel/bounds/refine.hpp"
@@ -19,9 +18,7 @@ constexpr std::size_t chunk_radii = 4096;  // number of radii per chunk, whose v
 
 // Call take(first, count, values) with the intensities at `places`, for which `field` is prepared; returns the maximum.
 using TakeIntensities = Reference<void(std::size_t first, std::size_t count, const double* values)>;
-double intensities(Field& field, const Places& places, int threads, const TakeIntensities& take);
-#if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE double intensities(Field& field, const Places& places, int threads, const TakeIntensities& take) {
+inline double intensities(Field& field, const Places& places, int threads, const TakeIntensities& take) {
     const std::size_t tasks = (places.count + chunk_radii - 1) / chunk_radii;
     const auto work = [&](Field& own, std::size_t task) {
         // Values go to a buffer: whole vectors are stored, which reach past the end of a chunk, where another chunk begins.
@@ -52,7 +49,6 @@ LOMMEL_ONCE double intensities(Field& field, const Places& places, int threads, 
     });
     return *std::max_element(tops.begin(), tops.end());
 }
-#endif
 
 // Derivative of the intensity I with respect to the phase coefficient c_k of t^k, t: squared pupil radius:
 // dI/dc_k = 2 Re(conj(U) i T), where U is the field of the pupil function and T the field of t^k * pupil function.
@@ -62,43 +58,36 @@ struct Slopes {
 
     // Compute `values` = dI/dc_k at `places`, for which `field` must be prepared. k = power: c_k is the coefficient of t^k in the
     // phase; requested: requested error of the field T.
-    Slopes(Field& field, const Phase& phase, std::size_t power, double obscuration, const Places& places, double requested);
-};
-
-#if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE Slopes::Slopes(Field& field, const Phase& phase, std::size_t power, double obscuration, const Places& places,
-                           double requested)
-    : values(places.count) {
-    Field derivative;
-    error = derivative.prepare(phase, power, obscuration, places, requested);
-    // Buffers with room for whole vectors, which may extend past the end of a chunk.
-    Doubles re(chunk_radii + widest_step), im(re.size()), a(re.size()), b(re.size()), slope(re.size()), square(re.size());
-    for (std::size_t first = 0; first < places.count; first += chunk_radii) {
-        look();
-        const std::size_t last = std::min(places.count, first + chunk_radii);
-        field.values(places.radii, first, last, places.step, re.data(), im.data());
-        derivative.values(places.radii, first, last, places.step, a.data(), b.data());
-        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
-            using V = typename decltype(isa)::pack;
-            for (std::size_t i = 0; i < last - first; i += decltype(isa)::lanes) {
-                const V u = load<V>(&re[i]), w = load<V>(&im[i]), x = load<V>(&a[i]), y = load<V>(&b[i]);
-                store(&slope[i], splat<V>(2.0) * (w * x - u * y));
-                store(&square[i], x * x + y * y);
+    Slopes(Field& field, const Phase& phase, std::size_t power, double obscuration, const Places& places, double requested)
+        : values(places.count) {
+        Field derivative;
+        error = derivative.prepare(phase, power, obscuration, places, requested);
+        // Buffers with room for whole vectors, which may extend past the end of a chunk.
+        Doubles re(chunk_radii + widest_step), im(re.size()), a(re.size()), b(re.size()), slope(re.size()), square(re.size());
+        for (std::size_t first = 0; first < places.count; first += chunk_radii) {
+            look();
+            const std::size_t last = std::min(places.count, first + chunk_radii);
+            field.values(places.radii, first, last, places.step, re.data(), im.data());
+            derivative.values(places.radii, first, last, places.step, a.data(), b.data());
+            dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+                using V = typename decltype(isa)::pack;
+                for (std::size_t i = 0; i < last - first; i += decltype(isa)::lanes) {
+                    const V u = load<V>(&re[i]), w = load<V>(&im[i]), x = load<V>(&a[i]), y = load<V>(&b[i]);
+                    store(&slope[i], splat<V>(2.0) * (w * x - u * y));
+                    store(&square[i], x * x + y * y);
+                }
+            });
+            for (std::size_t i = 0; i < last - first; ++i) {
+                values[first + i] = slope[i];
+                size = std::max(size, square[i]);
+                steepest = std::max(steepest, std::abs(slope[i]));
             }
-        });
-        for (std::size_t i = 0; i < last - first; ++i) {
-            values[first + i] = slope[i];
-            size = std::max(size, square[i]);
-            steepest = std::max(steepest, std::abs(slope[i]));
         }
     }
-}
-#endif
+};
 
 // Largest intensity on a scan of the radii that rays reach: a window may miss the peak, which need not be on the axis.
-double scanned_peak(const Phase& phase, double obscuration, double error);
-#if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE double scanned_peak(const Phase& phase, double obscuration, double error) {
+inline double scanned_peak(const Phase& phase, double obscuration, double error) {
     const double blur = 4.0 + phase.blur();
     constexpr std::size_t samples = 512;
     Doubles radii(samples + widest_step);
@@ -110,7 +99,6 @@ LOMMEL_ONCE double scanned_peak(const Phase& phase, double obscuration, double e
     field.prepare(phase, 0, obscuration, places, error);
     return intensities(field, places, 1, [](std::size_t, std::size_t, const double*) {});
 }
-#endif
 
 struct Settled {
     double error, bound;  // requested error of the field U; its error bound

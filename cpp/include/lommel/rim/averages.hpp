@@ -12,7 +12,6 @@
 #include <numeric>
 #include <vector>
 
-#include "lommel/base/once.hpp"
 #include "lommel/base/simd.hpp"
 #include "lommel/base/tasks.hpp"
 #include "lommel/base/watch.hpp"
@@ -129,7 +128,14 @@ class RimAverages : RimStack {
             lines_.push_back(cache<RimLine>.get(stack.terms, rim.radius == 1.0 ? stack.amplitude : within_, rim.angles));
         }
     }
-    void run(int threads) const;
+    void run(int threads) const {
+        const Batches batches(stack_.count);
+        const auto lone =
+            batches.alone > 0 ? cache<RimLone>.get(*table_, RimKernels::lanes(RimKernels::narrow(processor_level()))) : nullptr;
+        const double work = 9.0 * static_cast<double>(stack_.count) + 20.0 * static_cast<double>(batches.alone);
+        parallel_for(batches.together + batches.alone, worthwhile_threads(threads, work),
+                     [&](std::size_t, std::size_t b) { render(batches[b], lone.get()); });
+    }
 
    private:
     // Smallest rectangle of pixels that holds the windows of all pupils of a batch, in rows and columns from the axis.
@@ -343,17 +349,5 @@ class RimAverages : RimStack {
     std::shared_ptr<const RimTable> table_;
     std::vector<std::shared_ptr<const RimLine>> lines_;
 };
-
-#if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE void RimAverages::run(int threads) const {
-    const Batches batches(stack_.count);
-    const auto lone =
-        batches.alone > 0 ? cache<RimLone>.get(*table_, RimKernels::lanes(RimKernels::narrow(processor_level()))) : nullptr;
-    const double work = 9.0 * static_cast<double>(stack_.count) + 20.0 * static_cast<double>(batches.alone);
-    parallel_for(batches.together + batches.alone, worthwhile_threads(threads, work),
-                 [&](std::size_t, std::size_t b) { render(batches[b], lone.get()); });
-}
-
-#endif
 
 }  // namespace lommel

@@ -10,7 +10,6 @@
 #include <numeric>
 #include <vector>
 
-#include "lommel/base/once.hpp"
 #include "lommel/base/pi.hpp"
 #include "lommel/rim/averages.hpp"
 #include "lommel/zernike/disk_stack.hpp"
@@ -26,9 +25,31 @@ class RimBoxes {
     std::vector<double> remainders, tolerances;  // [pupil]: results of RimStack::remainders(); allowed errors of averages
 
     // `tol`: tolerance relative to the largest average. `lowest`: lower bound on (largest average) / (peak).
-    RimBoxes(const DiskStack& stack, const DiskWindow& window, double tol, double lowest);
+    RimBoxes(const DiskStack& stack, const DiskWindow& window, double tol, double lowest)
+        : stack_(stack), height_(static_cast<std::int64_t>(window.height)), width_(static_cast<std::int64_t>(window.width)),
+          step_(window.step), tol_(tol), lowest_(lowest) {
+        for (std::size_t p = 0; p < stack.count; ++p) {
+            most.push_back(largest_of(p));
+            tolerances.push_back(tolerance_of(p));
+        }
+    }
     // Compute `sides` and `remainders`; returns whether boxes, with the rim for the pixels outside them, save time.
-    bool choose(int threads);
+    bool choose(int threads) {
+        const std::size_t pupils = stack_.count, every = (pupils + probed - 1) / probed;
+        const bool none = *std::max_element(most.begin(), most.end()) < smallest();
+        if (none || !RimStack::serves(stack_) || with_box(smallest()) > whole()) {
+            return false;
+        }
+        // In a large stack, first check whether boxes save time for a sample of its pupils.
+        std::vector<std::size_t> all(pupils), some;
+        std::iota(all.begin(), all.end(), std::size_t{0});
+        std::copy_if(all.begin(), all.end(), std::back_inserter(some), [&](std::size_t p) { return p % every == 0; });
+        if ((every > 1 && !pay(some, threads)) || !pay(all, threads)) {
+            return false;
+        }
+        gather_few();
+        return true;
+    }
 
    private:
     static constexpr std::size_t probed = 16;  // number of pupils in a sample of a large stack
@@ -131,33 +152,5 @@ class RimBoxes {
     std::int64_t height_, width_;
     double step_, tol_, lowest_;
 };
-
-#if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE RimBoxes::RimBoxes(const DiskStack& stack, const DiskWindow& window, double tol, double lowest)
-    : stack_(stack), height_(static_cast<std::int64_t>(window.height)), width_(static_cast<std::int64_t>(window.width)),
-      step_(window.step), tol_(tol), lowest_(lowest) {
-    for (std::size_t p = 0; p < stack.count; ++p) {
-        most.push_back(largest_of(p));
-        tolerances.push_back(tolerance_of(p));
-    }
-}
-
-LOMMEL_ONCE bool RimBoxes::choose(int threads) {
-    const std::size_t pupils = stack_.count, every = (pupils + probed - 1) / probed;
-    const bool none = *std::max_element(most.begin(), most.end()) < smallest();
-    if (none || !RimStack::serves(stack_) || with_box(smallest()) > whole()) {
-        return false;
-    }
-    // In a large stack, first check whether boxes save time for a sample of its pupils.
-    std::vector<std::size_t> all(pupils), some;
-    std::iota(all.begin(), all.end(), std::size_t{0});
-    std::copy_if(all.begin(), all.end(), std::back_inserter(some), [&](std::size_t p) { return p % every == 0; });
-    if ((every > 1 && !pay(some, threads)) || !pay(all, threads)) {
-        return false;
-    }
-    gather_few();
-    return true;
-}
-#endif
 
 }  // namespace lommel

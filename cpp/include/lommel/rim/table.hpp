@@ -8,11 +8,9 @@
 #include <complex>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 #include "lommel/base/cache.hpp"
-#include "lommel/base/once.hpp"
 #include "lommel/base/pi.hpp"
 #include "lommel/base/product.hpp"
 #include "lommel/chordal/tables.hpp"
@@ -235,7 +233,27 @@ struct RimTable {
     double off_field = 1.0;  // bound: mean of |omitted field|^2 in a pixel / (RimStack::remainders() / v^rim_orders)^2
     double dropped = 0.0;  // error of averages due to omitted channels, relative to the largest value of channel 0
 
-    explicit RimTable(const RimWindow& asked);
+    explicit RimTable(const RimWindow& asked) : window(asked), rule(chosen_rule()) {
+        const double nearest = asked.nearest();
+        const double eps = asked.obscuration;
+        for (const double radius : {1.0, eps}) {
+            if (radius > 0.0) {
+                const double v = radius * nearest;
+                RimWaves rim;
+                rim.radius = radius;
+                rim.weight = radius == 1.0 ? 1.0 : -std::sqrt(radius);
+                rim.orders = static_cast<std::size_t>(std::max(0.0, std::min(0.53 * v + 3.0, 0.85 * v - 1.0)));
+                rim.angles = angles_of(asked.degree, rim.orders);
+                rim.first = rim.orders + rim_orders - 1;
+                rims.push_back(rim);
+            }
+        }
+        choose_angles();
+        for (RimWaves& rim : rims) {
+            make_waves(rim);
+        }
+        make_pixels();
+    }
     bool is(const RimWindow& asked) const { return window == asked; }
     std::size_t bytes() const {
         std::size_t sum = weights.empty() ? 0 : weights.size() * weights[0].size();
@@ -539,30 +557,5 @@ struct RimTable {
         }
     }
 };
-
-#if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE RimTable::RimTable(const RimWindow& asked) : window(asked), rule(chosen_rule()) {
-    const double nearest = asked.nearest();
-    const double eps = asked.obscuration;
-    for (const double radius : {1.0, eps}) {
-        if (radius > 0.0) {
-            const double v = radius * nearest;
-            RimWaves rim;
-            rim.radius = radius;
-            rim.weight = radius == 1.0 ? 1.0 : -std::sqrt(radius);
-            rim.orders = static_cast<std::size_t>(std::max(0.0, std::min(0.53 * v + 3.0, 0.85 * v - 1.0)));
-            rim.angles = angles_of(asked.degree, rim.orders);
-            rim.first = rim.orders + rim_orders - 1;
-            rims.push_back(rim);
-        }
-    }
-    choose_angles();
-    for (RimWaves& rim : rims) {
-        make_waves(rim);
-    }
-    make_pixels();
-}
-
-#endif
 
 }  // namespace lommel

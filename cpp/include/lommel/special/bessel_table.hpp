@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "lommel/base/cache.hpp"
-#include "lommel/base/once.hpp"
 #include "lommel/base/simd.hpp"
 #include "lommel/bounds/ellipse.hpp"
 #include "lommel/special/piece.hpp"
@@ -103,49 +102,45 @@ class PieceTables final : Shared {
     }
 
     std::shared_ptr<const PieceTable> extended(const PieceTable* old, double width, const WantedPieces& wanted,
-                                               std::size_t terms);
+                                               std::size_t terms) {
+        auto table = std::make_shared<PieceTable>();
+        table->width = width;
+        // The number of rows (Bessel orders) is rounded up, so that slightly stronger defocus needs no new table.
+        table->terms = (std::max(terms, old ? old->terms : 0) + 31) / 32 * 32;
+        table->pieces.resize(std::max(wanted.end(), old ? old->pieces.size() : 0));
+        const auto rows = [&](std::size_t s) { return std::min(table->terms, Piece::most(width, s)); };
+        // Reuse the old table's pieces that have enough rows: all of them, unless the number of terms has grown.
+        for (std::size_t s = 0; old && s < old->pieces.size(); ++s) {
+            if (old->has(s) && (table->terms == old->terms || old->pieces[s]->terms() >= rows(s))) {
+                table->pieces[s] = old->pieces[s];
+            }
+        }
+        const auto need = [&](std::size_t s) {
+            if (!table->pieces[s]) {
+                look();
+                table->pieces[s] = std::make_shared<const Piece>(made_piece(width, s, rows(s)));
+            }
+        };
+        for (std::size_t s = 0; s < wanted.leading; ++s) {
+            need(s);
+        }
+        for (const std::size_t s : wanted.others) {
+            need(s);
+        }
+        while (table->has(table->leading)) {
+            ++table->leading;
+        }
+        for (const auto& piece : table->pieces) {
+            if (piece) {
+                table->magnitude = std::max(table->magnitude, piece->magnitude);
+            }
+        }
+        return table;
+    }
 
     Tables tables_;
 };
 
-#if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE std::shared_ptr<const PieceTable> PieceTables::extended(const PieceTable* old, double width,
-                                                                    const WantedPieces& wanted, std::size_t terms) {
-    auto table = std::make_shared<PieceTable>();
-    table->width = width;
-    // The number of rows (Bessel orders) is rounded up, so that slightly stronger defocus needs no new table.
-    table->terms = (std::max(terms, old ? old->terms : 0) + 31) / 32 * 32;
-    table->pieces.resize(std::max(wanted.end(), old ? old->pieces.size() : 0));
-    const auto rows = [&](std::size_t s) { return std::min(table->terms, Piece::most(width, s)); };
-    // Reuse the old table's pieces that have enough rows: all of them, unless the number of terms has grown.
-    for (std::size_t s = 0; old && s < old->pieces.size(); ++s) {
-        if (old->has(s) && (table->terms == old->terms || old->pieces[s]->terms() >= rows(s))) {
-            table->pieces[s] = old->pieces[s];
-        }
-    }
-    const auto need = [&](std::size_t s) {
-        if (!table->pieces[s]) {
-            look();
-            table->pieces[s] = std::make_shared<const Piece>(made_piece(width, s, rows(s)));
-        }
-    };
-    for (std::size_t s = 0; s < wanted.leading; ++s) {
-        need(s);
-    }
-    for (const std::size_t s : wanted.others) {
-        need(s);
-    }
-    while (table->has(table->leading)) {
-        ++table->leading;
-    }
-    for (const auto& piece : table->pieces) {
-        if (piece) {
-            table->magnitude = std::max(table->magnitude, piece->magnitude);
-        }
-    }
-    return table;
-}
-#endif
 inline PieceTables& piece_tables = *new PieceTables;
 
 // The 16 complex coefficients of the field U on one piece, in powers of x (-1 to 1 on the piece): sum over n < terms of the

@@ -11,7 +11,6 @@
 #include <type_traits>
 #include <vector>
 
-#include "lommel/base/once.hpp"
 #include "lommel/base/pi.hpp"
 #include "lommel/base/simd.hpp"
 #include "lommel/special/chebyshev.hpp"
@@ -105,7 +104,43 @@ class GriddingKernel {
 
     // Write each tap i = 0 .. w - 1 of the kernel phi, phi(t + w/2 - 1 - i), as a polynomial of 2t - 1 for t from 0 to 1:
     // out[power, highest first][tap], in rows of `stride` taps. Returns a bound on the sum of the errors of all taps.
-    double polynomials(std::size_t terms, std::size_t stride, std::vector<double>& out) const;
+    double polynomials(std::size_t terms, std::size_t stride, std::vector<double>& out) const {
+#if defined(__wasm__)  // software long doubles would add a fiftieth to the download of the live page
+        using Number = double;
+        constexpr double roundings = 1e-11;  // bound on the rounding of 16 taps, about 1e-13 each
+#else
+        using Number = long double;
+        constexpr double roundings = 0.0;  // rounding is negligible: long double is wider than the coefficients
+#endif
+        constexpr std::size_t all = 32;  // number of Chebyshev coefficients, of which `terms` are kept
+        static const ChebyshevToMonomials<all, Number> convert;
+        out.assign(terms * stride, 0.0);
+        double worst = roundings;
+        for (std::size_t i = 0; i < std::min(w, stride); ++i) {
+            const double middle = 0.5 * static_cast<double>(w) - static_cast<double>(i) - 0.5;
+            std::array<Number, all> values;
+            std::array<double, all> powers;
+            for (std::size_t j = 0; j < all; ++j) {
+                const Number z = Number(2) * (middle + Number(0.5) * chebyshev_point<Number>(j, all)) / static_cast<Number>(w);
+                values[j] = shape(Number(1) - z * z) / static_cast<Number>(top_);
+            }
+            const double left = static_cast<double>(convert(values.data(), 1, powers.data(), terms));
+            for (std::size_t p = 0; p < terms; ++p) {
+                out[(terms - 1 - p) * stride + i] = powers[p];
+            }
+            // Error of interpolation at `all` points: 4 M rho^(1 - all) / (rho - 1), M the largest |kernel| on the ellipse with
+            // foci -1 and 1 whose semi-axes sum to rho. The argument y of shape() has |y| <= (1 + far)(1 + near) on this ellipse.
+            double rest = 1e300;
+            for (double rho = 2.0; rho < 100.0; rho *= 1.25) {
+                const double far = (2.0 * middle + 0.5 * (rho + 1.0 / rho)) / static_cast<double>(w);
+                const double near = (-2.0 * middle + 0.5 * (rho + 1.0 / rho)) / static_cast<double>(w);
+                const double most = shape((1.0 + far) * (1.0 + near)) / top_;
+                rest = std::min(rest, 4.0 * most * std::pow(rho, 1.0 - static_cast<double>(all)) / (rho - 1.0));
+            }
+            worst += left + rest;
+        }
+        return worst;
+    }
 
    private:
     // Unnormalized kernel sqrt(y) I_1(beta sqrt(y)), an entire function of y, by its power series.
@@ -141,46 +176,6 @@ class GriddingKernel {
 
     double beta_, top_;
 };
-
-#if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE double GriddingKernel::polynomials(std::size_t terms, std::size_t stride, std::vector<double>& out) const {
-#if defined(__wasm__)  // software long doubles would add a fiftieth to the download of the live page
-    using Number = double;
-    constexpr double roundings = 1e-11;  // bound on the rounding of 16 taps, about 1e-13 each
-#else
-    using Number = long double;
-    constexpr double roundings = 0.0;  // rounding is negligible: long double is wider than the coefficients
-#endif
-    constexpr std::size_t all = 32;  // number of Chebyshev coefficients, of which `terms` are kept
-    static const ChebyshevToMonomials<all, Number> convert;
-    out.assign(terms * stride, 0.0);
-    double worst = roundings;
-    for (std::size_t i = 0; i < std::min(w, stride); ++i) {
-        const double middle = 0.5 * static_cast<double>(w) - static_cast<double>(i) - 0.5;
-        std::array<Number, all> values;
-        std::array<double, all> powers;
-        for (std::size_t j = 0; j < all; ++j) {
-            const Number z = Number(2) * (middle + Number(0.5) * chebyshev_point<Number>(j, all)) / static_cast<Number>(w);
-            values[j] = shape(Number(1) - z * z) / static_cast<Number>(top_);
-        }
-        const double left = static_cast<double>(convert(values.data(), 1, powers.data(), terms));
-        for (std::size_t p = 0; p < terms; ++p) {
-            out[(terms - 1 - p) * stride + i] = powers[p];
-        }
-        // Error of interpolation at `all` points: 4 M rho^(1 - all) / (rho - 1), M the largest |kernel| on the ellipse with
-        // foci -1 and 1 whose semi-axes sum to rho. The argument y of shape() has |y| <= (1 + far)(1 + near) on this ellipse.
-        double rest = 1e300;
-        for (double rho = 2.0; rho < 100.0; rho *= 1.25) {
-            const double far = (2.0 * middle + 0.5 * (rho + 1.0 / rho)) / static_cast<double>(w);
-            const double near = (-2.0 * middle + 0.5 * (rho + 1.0 / rho)) / static_cast<double>(w);
-            const double most = shape((1.0 + far) * (1.0 + near)) / top_;
-            rest = std::min(rest, 4.0 * most * std::pow(rho, 1.0 - static_cast<double>(all)) / (rho - 1.0));
-        }
-        worst += left + rest;
-    }
-    return worst;
-}
-#endif
 
 // Horner's rule at x for a vector of polynomials; row(k): address of the coefficients of the k-th highest power.
 template <class V, class Row>

@@ -9,7 +9,6 @@
 #include <utility>
 #include <vector>
 
-#include "lommel/base/once.hpp"
 #include "lommel/base/simd.hpp"
 
 namespace lommel {
@@ -97,12 +96,8 @@ class LeastSquares {
 // Find x[unknown][side] (`found`) that minimise |A x - b| for A[row][unknown] (`matrix`) and each column of b[row][side]
 // (`wanted`), ignoring directions in which A is below about 1e-14 of its maximum: each unknown is regularised by 1e-14 times
 // the norm of the largest column times sqrt(number of columns).
-void least_squares(std::size_t rows, std::size_t unknowns, std::size_t sides, const double* matrix, const double* wanted,
-                   double* found);
-
-#if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE void least_squares(std::size_t rows, std::size_t unknowns, std::size_t sides, const double* matrix,
-                               const double* wanted, double* found) {
+inline void least_squares(std::size_t rows, std::size_t unknowns, std::size_t sides, const double* matrix, const double* wanted,
+                          double* found) {
     const auto columns = [&](const double* from, std::size_t count) {
         std::vector<std::vector<double>> made(count, std::vector<double>(rows));
         for (std::size_t i = 0; i < rows * count; ++i) {
@@ -132,6 +127,5 @@ LOMMEL_ONCE void least_squares(std::size_t rows, std::size_t unknowns, std::size
         }
     }
 }
-#endif
 
 }  // namespace lommel

@@ -2,14 +2,12 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <complex>
 #include <cstddef>
 #include <memory>
 #include <utility>
 #include <vector>
 
-#include "lommel/base/once.hpp"
 #include "lommel/base/parallel.hpp"
 #include "lommel/base/reference.hpp"
 #include "lommel/base/simd.hpp"
@@ -47,7 +45,34 @@ class Profiles {
     // Call take(first, count, values, sizes) for each group of planes, first .. first + count - 1, with
     // values[(plane * outputs() + row) * stride() + radius] and sizes[plane][kind]; kind 0: field, others: its derivatives.
     using Take = Reference<void(std::size_t first, std::size_t count, const double* values, const PartSizes* sizes)>;
-    void run(int threads, const Take& take) const;
+    void run(int threads, const Take& take) const {
+        parallel_for((planes_.count + group - 1) / group, threads, [&](std::size_t, std::size_t task) {
+            thread_local Doubles re, im, values;
+            thread_local std::vector<PartSizes> sizes;
+            const std::size_t first = task * group, here = std::min(group, planes_.count - first);
+            const std::size_t parts = planes_.angles.parts, plane_stride = kinds() * parts * padded();
+            re.assign(group * plane_stride, 0.0);
+            im.assign(group * plane_stride, 0.0);
+            values.resize((group * outputs() + 1) * stride());
+            sizes.assign(group * kinds(), {});
+            dispatch_widest([&](auto isa) LOMMEL_INLINE_LAMBDA {
+                for (std::size_t p = 0; p < here; ++p) {
+                    coefficients(isa, first + p, re.data() + p * plane_stride, im.data() + p * plane_stride,
+                                 sizes.data() + p * kinds());
+                }
+                for (std::size_t t = 0; t < table_->tiles; ++t) {
+                    for (std::size_t p = 0; p < here; p += together) {
+                        for (std::size_t i = 0; i < AngleTable::tile; i += 2 * decltype(isa)::lanes) {
+                            tile(isa, t, i, first + p, std::min(together, here - p), re.data() + p * plane_stride,
+                                 im.data() + p * plane_stride, values.data() + p * outputs() * stride(),
+                                 sizes.data() + p * kinds());
+                        }
+                    }
+                }
+            });
+            take(first, here, values.data(), sizes.data());
+        });
+    }
 
    private:
     template <class V>
@@ -176,36 +201,5 @@ class Profiles {
     Planes planes_;
     std::shared_ptr<const AngleTable> table_;
 };
-
-#if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE void Profiles::run(int threads, const Take& take) const {
-    parallel_for((planes_.count + group - 1) / group, threads, [&](std::size_t, std::size_t task) {
-        thread_local Doubles re, im, values;
-        thread_local std::vector<PartSizes> sizes;
-        const std::size_t first = task * group, here = std::min(group, planes_.count - first);
-        const std::size_t parts = planes_.angles.parts, plane_stride = kinds() * parts * padded();
-        re.assign(group * plane_stride, 0.0);
-        im.assign(group * plane_stride, 0.0);
-        values.resize((group * outputs() + 1) * stride());
-        sizes.assign(group * kinds(), {});
-        dispatch_widest([&](auto isa) LOMMEL_INLINE_LAMBDA {
-            for (std::size_t p = 0; p < here; ++p) {
-                coefficients(isa, first + p, re.data() + p * plane_stride, im.data() + p * plane_stride,
-                             sizes.data() + p * kinds());
-            }
-            for (std::size_t t = 0; t < table_->tiles; ++t) {
-                for (std::size_t p = 0; p < here; p += together) {
-                    for (std::size_t i = 0; i < AngleTable::tile; i += 2 * decltype(isa)::lanes) {
-                        tile(isa, t, i, first + p, std::min(together, here - p), re.data() + p * plane_stride,
-                             im.data() + p * plane_stride, values.data() + p * outputs() * stride(),
-                             sizes.data() + p * kinds());
-                    }
-                }
-            }
-        });
-        take(first, here, values.data(), sizes.data());
-    });
-}
-#endif
 
 }  // namespace lommel

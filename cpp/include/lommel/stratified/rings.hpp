@@ -7,9 +7,7 @@
 #include <complex>
 #include <cstddef>
 #include <cstring>
-#include <vector>
 
-#include "lommel/base/once.hpp"
 #include "lommel/base/product.hpp"
 #include "lommel/base/simd.hpp"
 #include "lommel/special/fft.hpp"
@@ -73,7 +71,19 @@ class Rings {
 
     // Compute eight planes from `first` on. row(i): intensities [angle][plane] on circle i - steps.before(), negative numbers for
     // negative radii. The first angle is angle -(steps.around.count / 2), as angles are repeated at both ends of a turn.
-    void fill(std::size_t first, RingSizes& sizes);
+    void fill(std::size_t first, RingSizes& sizes) {
+        sum(first);
+        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+            squares(isa, std::min(ring_planes, light_.planes - first), sizes);
+            look();
+            filter(isa);
+            for (std::size_t j = 0; j < circles_; j += 2) {
+                look();
+                spread(isa, j, sizes);
+            }
+        });
+        turn();
+    }
 
     std::size_t rows() const { return steps_.before() + circles_; }
     const double* row(std::size_t i) const { return rows_.data() + i * steps_.row() * ring_planes; }
@@ -291,21 +301,5 @@ class Rings {
     std::size_t circles_;
     Doubles rows_, found_, intensities_, filtered_, line_, a_, b_;
 };
-
-#if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE void Rings::fill(std::size_t first, RingSizes& sizes) {
-    sum(first);
-    dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
-        squares(isa, std::min(ring_planes, light_.planes - first), sizes);
-        look();
-        filter(isa);
-        for (std::size_t j = 0; j < circles_; j += 2) {
-            look();
-            spread(isa, j, sizes);
-        }
-    });
-    turn();
-}
-#endif
 
 }  // namespace lommel

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "lommel/base/cache.hpp"
-#include "lommel/base/once.hpp"
 #include "lommel/base/simd.hpp"
 #include "lommel/pixels/layout.hpp"
 #include "lommel/stratified/bessel.hpp"
@@ -26,7 +25,22 @@ struct AngleTable {
     Doubles rows;  // [tile][J_m of each part m, then dJ_m/dv][angle][radius in the tile]
 
     AngleTable(const std::shared_ptr<const Radii>& at, double pitch, const std::vector<double>& angles, std::size_t orders,
-               bool derivatives);
+               bool derivatives)
+        : radii(at), step(pitch), rho(angles), parts(orders), slopes(derivatives), kinds(slopes ? 2 * parts : parts),
+          tiles((at->count + tile - 1) / tile), rows(tiles * kinds * rho.size() * tile) {
+        const auto bessel = BesselPieces::get(radii->reach() * step);
+        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+            for (std::size_t t = 0; t < tiles; ++t) {
+                look();
+                for (std::size_t q = 0; q < rho.size(); ++q) {
+                    double* const row = rows.data() + (t * kinds * rho.size() + q) * tile;
+                    for (std::size_t i = 0; i < tile; ++i) {
+                        fill(isa, *bessel, row + i, rho[q], std::min(t * tile + i, radii->count - 1));
+                    }
+                }
+            }
+        });
+    }
 
     std::size_t stride() const { return tiles * tile; }
     const double* of(std::size_t t, std::size_t kind) const { return rows.data() + (t * kinds + kind) * rho.size() * tile; }
@@ -56,25 +70,5 @@ struct AngleTable {
         }
     }
 };
-
-#if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE AngleTable::AngleTable(const std::shared_ptr<const Radii>& at, double pitch, const std::vector<double>& angles,
-                                   std::size_t orders, bool derivatives)
-    : radii(at), step(pitch), rho(angles), parts(orders), slopes(derivatives), kinds(slopes ? 2 * parts : parts),
-      tiles((at->count + tile - 1) / tile), rows(tiles * kinds * rho.size() * tile) {
-    const auto bessel = BesselPieces::get(radii->reach() * step);
-    dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
-        for (std::size_t t = 0; t < tiles; ++t) {
-            look();
-            for (std::size_t q = 0; q < rho.size(); ++q) {
-                double* const row = rows.data() + (t * kinds * rho.size() + q) * tile;
-                for (std::size_t i = 0; i < tile; ++i) {
-                    fill(isa, *bessel, row + i, rho[q], std::min(t * tile + i, radii->count - 1));
-                }
-            }
-        }
-    });
-}
-#endif
 
 }  // namespace lommel

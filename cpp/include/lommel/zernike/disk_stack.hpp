@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "lommel/base/once.hpp"
 #include "lommel/bounds/amplitude.hpp"
 #include "lommel/limits.hpp"
 #include "lommel/special/radial_polynomials.hpp"
@@ -116,7 +115,32 @@ struct DiskStack {
     }
 
     // Compute `inner`: Zernike terms, with piston, of the phase within the obscuration, whose edge becomes rho = 1.
-    void shrink();
+    void shrink() {
+        if (obscuration == 0.0) {
+            return;
+        }
+        const std::vector<ZernikeTerm> before = terms;
+        for (const ZernikeTerm& term : before) {
+            for (std::int32_t k = term.n - 2; k >= std::abs(term.m); k -= 2) {
+                place({k, term.m});
+            }
+        }
+        inner.assign(outer.size(), 0.0);
+        SmallerDisk smaller;
+        for (std::size_t j = 0; j < before.size(); ++j) {
+            std::vector<std::size_t> to;  // indices of the terms of degree n, n - 2, ... with the same m
+            for (std::int32_t k = before[j].n; k >= std::abs(before[j].m); k -= 2) {
+                to.push_back(place({k, before[j].m}));
+            }
+            const std::size_t n = static_cast<std::size_t>(before[j].n), m = static_cast<std::size_t>(std::abs(before[j].m));
+            for (std::size_t p = 0; p < count; ++p) {
+                double* const terms_here = inner.data() + p * terms.size();
+                lost[p] += obscuration * obscuration *
+                           smaller.shrink(n, m, obscuration, outer[p * terms.size() + j], before.size(),
+                                          [&](std::size_t k, double c) { terms_here[to[(n - k) / 2]] += c; });
+            }
+        }
+    }
 
    private:
     // Rounding error of the field U if `tilt` shifts the axis from its position `given`, in pixels of pitch `step`. Shift and
@@ -184,34 +208,5 @@ struct DiskPupils {
         return made;
     }
 };
-
-#if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE void DiskStack::shrink() {
-    if (obscuration == 0.0) {
-        return;
-    }
-    const std::vector<ZernikeTerm> before = terms;
-    for (const ZernikeTerm& term : before) {
-        for (std::int32_t k = term.n - 2; k >= std::abs(term.m); k -= 2) {
-            place({k, term.m});
-        }
-    }
-    inner.assign(outer.size(), 0.0);
-    SmallerDisk smaller;
-    for (std::size_t j = 0; j < before.size(); ++j) {
-        std::vector<std::size_t> to;  // indices of the terms of degree n, n - 2, ... with the same m
-        for (std::int32_t k = before[j].n; k >= std::abs(before[j].m); k -= 2) {
-            to.push_back(place({k, before[j].m}));
-        }
-        const std::size_t n = static_cast<std::size_t>(before[j].n), m = static_cast<std::size_t>(std::abs(before[j].m));
-        for (std::size_t p = 0; p < count; ++p) {
-            double* const terms_here = inner.data() + p * terms.size();
-            lost[p] += obscuration * obscuration *
-                       smaller.shrink(n, m, obscuration, outer[p * terms.size() + j], before.size(),
-                                      [&](std::size_t k, double c) { terms_here[to[(n - k) / 2]] += c; });
-        }
-    }
-}
-#endif
 
 }  // namespace lommel

@@ -4,12 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <complex>
 #include <cstddef>
 #include <utility>
 #include <vector>
 
-#include "lommel/base/once.hpp"
 #include "lommel/base/pi.hpp"
 #include "lommel/base/simd.hpp"
 #include "lommel/base/tasks.hpp"
@@ -489,7 +487,57 @@ class FarAverages {
     }
 
    private:
-    void render(std::size_t pupil);
+    void render(std::size_t pupil) {
+        thread_local ZernikeField field;
+        const double step = window_.step, row = stack_.centers[2 * pupil], column = stack_.centers[2 * pupil + 1];
+        const double height = static_cast<double>(window_.height), width = static_cast<double>(window_.width);
+        double* const found = found_ + numbers * pupil;
+        double* const image = images_ + pupil * window_.height * window_.width;
+        std::fill_n(image, window_.height * window_.width, 0.0);
+        const double far = std::hypot(std::max(std::abs(row), std::abs(height - 1.0 - row)),
+                                      std::max(std::abs(column), std::abs(width - 1.0 - column)));
+        const double reach = step * (far + 1.0);
+        const ZernikePhase outer{terms_, stack_.outer.data() + pupil * terms_.terms.size(), stack_.amplitude},
+            inner{terms_, stack_.inner.data() + (stack_.inner.empty() ? 0 : pupil * terms_.terms.size()), within_};
+        const double none[] = {far + 1.0, 0.0, 0.0, row, column};
+        std::copy_n(none, numbers, found);
+        // Series in 1 / v are inaccurate up to about three times the radius of the geometrical blur: here, the root of the sum of
+        // squares of the terms' largest slopes, amplitude * n^2.
+        double rays = 0.0;
+        outer.amplitudes([&](double amplitude, std::size_t n, std::size_t) {
+            const double slope = amplitude * static_cast<double>(n * n);
+            rays += slope * slope;
+        });
+        if (std::min(reach, most_) < 3.0 * std::sqrt(rays)) {
+            return;
+        }
+        const double light = stack_.amplitude.raised(2.0).integral(stack_.obscuration);
+        const double usual = 0.2 * tol_ * std::min(1.0, 4.0 * pi * light / (step * step));
+        const double error = std::max(1e-12, 0.04 * std::sqrt(usual / step));
+        field.expand(outer, inner, stack_.obscuration, reach, error, stack_.lost[pupil]);
+        const double peak = likely_peak(field, reach, 2.0 * light);
+        FarLight tail(field, 0.5 * error);
+        const double nearest = tail.nearest(step, tol_ * peak, std::min(reach, most_)),
+                     limit = nearest / step + 0.70710678118654752;
+        found[2] = peak;
+        if (nearest > most_ || limit > far) {
+            return;
+        }
+        found[0] = limit;
+        found[1] = 1.000001 * tail.left_out(step);  // the factor covers the rounding of distances
+        for (std::size_t y = 0; y < window_.height; ++y) {
+            look();
+            const double down = static_cast<double>(y) - row, rest = limit * limit - down * down;
+            double* const values = image + y * window_.width;
+            // Columns [0, left) lie left of the circle of radius `limit`, columns from `right` on lie right of it.
+            const double half = rest > 0.0 ? std::sqrt(rest) : 0.0;
+            const auto inside = [&](double x) { return static_cast<std::size_t>(std::clamp(x, 0.0, width)); };
+            const std::size_t left = inside(std::floor(column - half) + 1.0),
+                              right = rest > 0.0 ? std::max(left, inside(std::ceil(column + half))) : left;
+            tail.row(-column, down, step, left, values);
+            tail.row(static_cast<double>(right) - column, down, step, window_.width - right, values + right);
+        }
+    }
 
     // Estimate of the largest pixel average: largest mean of I over annuli as wide as a pixel, out to the radius v = `reach` or to
     // half of the total energy. light: total energy divided by 2 pi.
@@ -522,59 +570,5 @@ class FarAverages {
     Amplitude within_;
     TermPairs terms_;
 };
-
-#if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE void FarAverages::render(std::size_t pupil) {
-    thread_local ZernikeField field;
-    const double step = window_.step, row = stack_.centers[2 * pupil], column = stack_.centers[2 * pupil + 1];
-    const double height = static_cast<double>(window_.height), width = static_cast<double>(window_.width);
-    double* const found = found_ + numbers * pupil;
-    double* const image = images_ + pupil * window_.height * window_.width;
-    std::fill_n(image, window_.height * window_.width, 0.0);
-    const double far = std::hypot(std::max(std::abs(row), std::abs(height - 1.0 - row)),
-                                  std::max(std::abs(column), std::abs(width - 1.0 - column)));
-    const double reach = step * (far + 1.0);
-    const ZernikePhase outer{terms_, stack_.outer.data() + pupil * terms_.terms.size(), stack_.amplitude},
-        inner{terms_, stack_.inner.data() + (stack_.inner.empty() ? 0 : pupil * terms_.terms.size()), within_};
-    const double none[] = {far + 1.0, 0.0, 0.0, row, column};
-    std::copy_n(none, numbers, found);
-    // Series in 1 / v are inaccurate up to about three times the radius of the geometrical blur: here, the root of the sum of
-    // squares of the terms' largest slopes, amplitude * n^2.
-    double rays = 0.0;
-    outer.amplitudes([&](double amplitude, std::size_t n, std::size_t) {
-        const double slope = amplitude * static_cast<double>(n * n);
-        rays += slope * slope;
-    });
-    if (std::min(reach, most_) < 3.0 * std::sqrt(rays)) {
-        return;
-    }
-    const double light = stack_.amplitude.raised(2.0).integral(stack_.obscuration);
-    const double usual = 0.2 * tol_ * std::min(1.0, 4.0 * pi * light / (step * step));
-    const double error = std::max(1e-12, 0.04 * std::sqrt(usual / step));
-    field.expand(outer, inner, stack_.obscuration, reach, error, stack_.lost[pupil]);
-    const double peak = likely_peak(field, reach, 2.0 * light);
-    FarLight tail(field, 0.5 * error);
-    const double nearest = tail.nearest(step, tol_ * peak, std::min(reach, most_)),
-                 limit = nearest / step + 0.70710678118654752;
-    found[2] = peak;
-    if (nearest > most_ || limit > far) {
-        return;
-    }
-    found[0] = limit;
-    found[1] = 1.000001 * tail.left_out(step);  // the factor covers the rounding of distances
-    for (std::size_t y = 0; y < window_.height; ++y) {
-        look();
-        const double down = static_cast<double>(y) - row, rest = limit * limit - down * down;
-        double* const values = image + y * window_.width;
-        // Columns [0, left) lie left of the circle of radius `limit`, columns from `right` on lie right of it.
-        const double half = rest > 0.0 ? std::sqrt(rest) : 0.0;
-        const auto inside = [&](double x) { return static_cast<std::size_t>(std::clamp(x, 0.0, width)); };
-        const std::size_t left = inside(std::floor(column - half) + 1.0),
-                          right = rest > 0.0 ? std::max(left, inside(std::ceil(column + half))) : left;
-        tail.row(-column, down, step, left, values);
-        tail.row(static_cast<double>(right) - column, down, step, window_.width - right, values + right);
-    }
-}
-#endif
 
 }  // namespace lommel

@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <vector>
 
-#include "lommel/base/once.hpp"
 #include "lommel/base/simd.hpp"
 #include "lommel/special/bessel.hpp"
 #include "lommel/zernike/disk.hpp"
@@ -73,7 +72,12 @@ class ZernikeField {
     const ZernikeSeries& inner() const { return inner_; }
 
    private:
-    double expand(const ZernikePhase& phase, double reach, double error, int threads, ZernikeSeries& series);
+    double expand(const ZernikePhase& phase, double reach, double error, int threads, ZernikeSeries& series) {
+        check_phase(phase.size());
+        const DiskExpansion plan(phase, reach, error);
+        analysis_.run(*plan.rule, phase, plan.degrees, plan.orders, threads, series);
+        return plan.error(phase);
+    }
 
     // Factors A_m, B_m of cos(m psi), sin(m psi) in U at the radius v: [order m][re A, im A, re B, im B].
     const std::vector<double>& all_orders(double v) const {
@@ -87,54 +91,42 @@ class ZernikeField {
     }
 
     // Add A_m(v), B_m(v) of one disk, times `weight`, to the four numbers of each order m in `orders`.
-    static void add_orders(const ZernikeSeries& series, double v, double weight, double* orders);
+    static void add_orders(const ZernikeSeries& series, double v, double weight, double* orders) {
+        thread_local std::vector<double> bessel, transforms[2];
+        // J_{n+1}(v) is negligible for degrees n far above v.
+        const std::size_t reached = std::min(series.degrees, static_cast<std::size_t>(v + 6.0 * std::cbrt(v) + 12.0));
+        for (std::size_t parity = 0; parity < 2; ++parity) {
+            transforms[parity].assign((series.degrees + 2) / 2, 0.0);
+            zernike_transforms(parity, v, (reached + 2) / 2, transforms[parity].data(), bessel);
+        }
+        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+            using I = decltype(isa);
+            using V = typename I::pack;
+            for (std::size_t m = 0; m < std::min(reached, series.orders); ++m) {
+                const double* row = transforms[m % 2].data() + m / 2;
+                const std::size_t count = std::min(series.used[m], (reached - m) / 2 + 1), at = series.start[m];
+                V sums[4] = {};
+                std::size_t j = 0;
+                for (; j + I::lanes <= count; j += I::lanes) {
+                    const V t = load<V>(row + j);
+                    for (std::size_t p = 0; p < 4; ++p) {
+                        sums[p] = sums[p] + t * load<V>(&series.parts[p][at + j]);
+                    }
+                }
+                for (std::size_t p = 0; p < 4; ++p) {
+                    double total = lane_sum(sums[p]);
+                    for (std::size_t i = j; i < count; ++i) {
+                        total += row[i] * series.parts[p][at + i];
+                    }
+                    orders[4 * m + p] += weight * total;
+                }
+            }
+        });
+    }
 
     ZernikeSeries outer_, inner_;
     ZernikeAnalysis analysis_;
     double obscuration_ = 0.0, reach_ = 0.0, base_ = 0.0;
 };
-
-#if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE double ZernikeField::expand(const ZernikePhase& phase, double reach, double error, int threads,
-                                        ZernikeSeries& series) {
-    check_phase(phase.size());
-    const DiskExpansion plan(phase, reach, error);
-    analysis_.run(*plan.rule, phase, plan.degrees, plan.orders, threads, series);
-    return plan.error(phase);
-}
-
-LOMMEL_ONCE void ZernikeField::add_orders(const ZernikeSeries& series, double v, double weight, double* orders) {
-    thread_local std::vector<double> bessel, transforms[2];
-    // J_{n+1}(v) is negligible for degrees n far above v.
-    const std::size_t reached = std::min(series.degrees, static_cast<std::size_t>(v + 6.0 * std::cbrt(v) + 12.0));
-    for (std::size_t parity = 0; parity < 2; ++parity) {
-        transforms[parity].assign((series.degrees + 2) / 2, 0.0);
-        zernike_transforms(parity, v, (reached + 2) / 2, transforms[parity].data(), bessel);
-    }
-    dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
-        using I = decltype(isa);
-        using V = typename I::pack;
-        for (std::size_t m = 0; m < std::min(reached, series.orders); ++m) {
-            const double* row = transforms[m % 2].data() + m / 2;
-            const std::size_t count = std::min(series.used[m], (reached - m) / 2 + 1), at = series.start[m];
-            V sums[4] = {};
-            std::size_t j = 0;
-            for (; j + I::lanes <= count; j += I::lanes) {
-                const V t = load<V>(row + j);
-                for (std::size_t p = 0; p < 4; ++p) {
-                    sums[p] = sums[p] + t * load<V>(&series.parts[p][at + j]);
-                }
-            }
-            for (std::size_t p = 0; p < 4; ++p) {
-                double total = lane_sum(sums[p]);
-                for (std::size_t i = j; i < count; ++i) {
-                    total += row[i] * series.parts[p][at + i];
-                }
-                orders[4 * m + p] += weight * total;
-            }
-        }
-    });
-}
-#endif
 
 }  // namespace lommel

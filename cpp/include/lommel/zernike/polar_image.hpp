@@ -10,7 +10,6 @@
 #include <type_traits>
 #include <vector>
 
-#include "lommel/base/once.hpp"
 #include "lommel/base/parallel.hpp"
 #include "lommel/base/reference.hpp"
 #include "lommel/pixels/tiles.hpp"

@@ -9,7 +9,6 @@
 #include <memory>
 #include <vector>
 
-#include "lommel/base/once.hpp"
 #include "lommel/base/parallel.hpp"
 #include "lommel/zernike/polar_preview.hpp"
 
@@ -51,10 +50,96 @@ class PolarZones {
     // `farthest`, for an error of I of at most `tol` times its maximum there, or times `outside` if that is larger. Returns false if
     // the most accurate PolarStyle is unlikely to suffice; it is used nevertheless.
     bool plan(const PolarPupil& pupil, double step, std::int64_t nearest, std::int64_t farthest, double tol, double outside,
-              int threads);
+              int threads) {
+        const double near = step * std::sqrt(static_cast<double>(nearest));
+        // Pixels at one radius have a zone, too.
+        const double reach = std::max(step * std::sqrt(static_cast<double>(farthest)), near + 1e-9 * (1.0 + near));
+        const PolarOrders orders(pupil);
+        const PolarLooks looks(pupil, reach, threads);
+        const double all = PolarBudget::image * tol * std::max(outside, looks.brightest(near, reach));
+        // Allowed error of U at this intensity.
+        const auto allowed = [&](double intensity) { return allowed_error(all, intensity, PolarBudget::brighter); };
+        std::array<double, polar_styles.size() + 1> starts;
+        std::array<std::shared_ptr<const PolarKernels>, polar_styles.size()> kernels;
+        starts.back() = 1e300;
+        // Try the settings in order, from the fastest to the first that is accurate enough at all radii.
+        std::size_t most_exact = polar_styles.size(), first = looks.v.size();
+        do {
+            const std::size_t s = --most_exact;
+            kernels[s] = std::make_shared<const PolarKernels>(pupil, polar_styles[s]);
+            first = start(pupil, polar_styles[s], *kernels[s], looks, orders, first, allowed);
+            starts[s] = first == looks.v.size() ? starts.back() : looks.v[first];
+        } while (starts[most_exact] > near && most_exact > 0);
+        const bool likely = starts[most_exact] <= near;
+        starts[most_exact] = std::min(starts[most_exact], near);
+        const auto end = [&](std::size_t s) {
+            return std::min(reach, *std::min_element(starts.begin() + static_cast<std::ptrdiff_t>(s) + 1, starts.end()));
+        };
+        // Drop narrow zones: their own circles would take more time than their faster interpolation saves.
+        for (std::size_t s = polar_styles.size(); --s > most_exact;) {
+            if (end(s) - starts[s] < 2.0 * static_cast<double>(PolarTable::block) * polar_styles[s].step()) {
+                starts[s] = starts.back();
+            }
+        }
+        count_ = 0;
+        zones_.resize(polar_styles.size());
+        double from = near;
+        for (std::size_t s = most_exact; s < polar_styles.size() && from < reach; ++s) {
+            const double to = end(s);
+            if (to <= from) {
+                continue;
+            }
+            PolarZone& zone = zones_[count_++];
+            const double most = allowed(looks.brightest(from, to));
+            zone.style = &polar_styles[s];
+            zone.kernels = kernels[s];
+            zone.first = block_at(polar_styles[s], from, -1.0);
+            zone.last = block_at(polar_styles[s], to, 1.0) + 1;
+            zone.low = count_ == 1 ? nearest : zones_[count_ - 2].high;
+            zone.high = to < reach ? static_cast<std::int64_t>(std::ceil(to * to / (step * step))) : farthest + 1;
+            zone.orders = orders.least(PolarBudget::orders * most, from, zone.kernels->growth);
+            zone.circle = circle(zone.orders, zone.style->around);
+            if (zone.style->paired()) {
+                zone.both = PairedTaps(zone.kernels->outer().coarse, zone.circle->coarse);
+            }
+            zone.left = orders.left(zone.orders, from, zone.kernels->growth);
+            zone.errors.resize((zone.last - zone.first) * PolarTable::block);
+            from = to;
+        }
+        return likely;
+    }
 
     // Compute the field on the circles of all zones.
-    void fill(const PolarPupil& pupil, int threads);
+    void fill(const PolarPupil& pupil, int threads) {
+        std::vector<PolarTables> tables;
+        std::vector<std::array<std::size_t, 2>> tasks;  // [task]: zone, block in this zone
+        tables.reserve(count_);
+        for (std::size_t z = 0; z < count_; ++z) {
+            PolarZone& zone = zones_[z];
+            tables.emplace_back(pupil, *zone.style, *zone.kernels, zone.last);
+            if (zone.style->doubles) {
+                zone.doubles.resize(*zone.circle, zone.errors.size());
+            } else {
+                zone.floats.resize(*zone.circle, zone.errors.size());
+            }
+            for (std::size_t i = 0; i < zone.last - zone.first; ++i) {
+                tasks.push_back({z, i});
+            }
+        }
+        parallel_for(tasks.size(), threads, [&](std::size_t, std::size_t task) {
+            const auto [z, i] = tasks[task];
+            PolarZone& zone = zones_[z];
+            if (zone.style->doubles) {
+                fill<double, double>(pupil, tables[z], zone, zone.doubles, i);
+            } else if (zone.style->exact) {
+                fill<double, double>(pupil, tables[z], zone, zone.floats, i);
+            } else if (zone.style->rough) {
+                fill<float, float>(pupil, tables[z], zone, zone.floats, i);
+            } else {
+                fill<double, float>(pupil, tables[z], zone, zone.floats, i);
+            }
+        });
+    }
 
     std::size_t size() const { return count_; }
     const PolarZone& operator[](std::size_t i) const { return zones_[i]; }
@@ -124,98 +209,5 @@ class PolarZones {
     std::vector<PolarZone> zones_;  // memory reused from image to image
     std::size_t count_ = 0;
 };
-
-#if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE bool PolarZones::plan(const PolarPupil& pupil, double step, std::int64_t nearest, std::int64_t farthest, double tol,
-                                  double outside, int threads) {
-    const double near = step * std::sqrt(static_cast<double>(nearest));
-    // Pixels at one radius have a zone, too.
-    const double reach = std::max(step * std::sqrt(static_cast<double>(farthest)), near + 1e-9 * (1.0 + near));
-    const PolarOrders orders(pupil);
-    const PolarLooks looks(pupil, reach, threads);
-    const double all = PolarBudget::image * tol * std::max(outside, looks.brightest(near, reach));
-    // Allowed error of U at this intensity.
-    const auto allowed = [&](double intensity) { return allowed_error(all, intensity, PolarBudget::brighter); };
-    std::array<double, polar_styles.size() + 1> starts;
-    std::array<std::shared_ptr<const PolarKernels>, polar_styles.size()> kernels;
-    starts.back() = 1e300;
-    // Try the settings in order, from the fastest to the first that is accurate enough at all radii.
-    std::size_t most_exact = polar_styles.size(), first = looks.v.size();
-    do {
-        const std::size_t s = --most_exact;
-        kernels[s] = std::make_shared<const PolarKernels>(pupil, polar_styles[s]);
-        first = start(pupil, polar_styles[s], *kernels[s], looks, orders, first, allowed);
-        starts[s] = first == looks.v.size() ? starts.back() : looks.v[first];
-    } while (starts[most_exact] > near && most_exact > 0);
-    const bool likely = starts[most_exact] <= near;
-    starts[most_exact] = std::min(starts[most_exact], near);
-    const auto end = [&](std::size_t s) {
-        return std::min(reach, *std::min_element(starts.begin() + static_cast<std::ptrdiff_t>(s) + 1, starts.end()));
-    };
-    // Drop narrow zones: their own circles would take more time than their faster interpolation saves.
-    for (std::size_t s = polar_styles.size(); --s > most_exact;) {
-        if (end(s) - starts[s] < 2.0 * static_cast<double>(PolarTable::block) * polar_styles[s].step()) {
-            starts[s] = starts.back();
-        }
-    }
-    count_ = 0;
-    zones_.resize(polar_styles.size());
-    double from = near;
-    for (std::size_t s = most_exact; s < polar_styles.size() && from < reach; ++s) {
-        const double to = end(s);
-        if (to <= from) {
-            continue;
-        }
-        PolarZone& zone = zones_[count_++];
-        const double most = allowed(looks.brightest(from, to));
-        zone.style = &polar_styles[s];
-        zone.kernels = kernels[s];
-        zone.first = block_at(polar_styles[s], from, -1.0);
-        zone.last = block_at(polar_styles[s], to, 1.0) + 1;
-        zone.low = count_ == 1 ? nearest : zones_[count_ - 2].high;
-        zone.high = to < reach ? static_cast<std::int64_t>(std::ceil(to * to / (step * step))) : farthest + 1;
-        zone.orders = orders.least(PolarBudget::orders * most, from, zone.kernels->growth);
-        zone.circle = circle(zone.orders, zone.style->around);
-        if (zone.style->paired()) {
-            zone.both = PairedTaps(zone.kernels->outer().coarse, zone.circle->coarse);
-        }
-        zone.left = orders.left(zone.orders, from, zone.kernels->growth);
-        zone.errors.resize((zone.last - zone.first) * PolarTable::block);
-        from = to;
-    }
-    return likely;
-}
-
-LOMMEL_ONCE void PolarZones::fill(const PolarPupil& pupil, int threads) {
-    std::vector<PolarTables> tables;
-    std::vector<std::array<std::size_t, 2>> tasks;  // [task]: zone, block in this zone
-    tables.reserve(count_);
-    for (std::size_t z = 0; z < count_; ++z) {
-        PolarZone& zone = zones_[z];
-        tables.emplace_back(pupil, *zone.style, *zone.kernels, zone.last);
-        if (zone.style->doubles) {
-            zone.doubles.resize(*zone.circle, zone.errors.size());
-        } else {
-            zone.floats.resize(*zone.circle, zone.errors.size());
-        }
-        for (std::size_t i = 0; i < zone.last - zone.first; ++i) {
-            tasks.push_back({z, i});
-        }
-    }
-    parallel_for(tasks.size(), threads, [&](std::size_t, std::size_t task) {
-        const auto [z, i] = tasks[task];
-        PolarZone& zone = zones_[z];
-        if (zone.style->doubles) {
-            fill<double, double>(pupil, tables[z], zone, zone.doubles, i);
-        } else if (zone.style->exact) {
-            fill<double, double>(pupil, tables[z], zone, zone.floats, i);
-        } else if (zone.style->rough) {
-            fill<float, float>(pupil, tables[z], zone, zone.floats, i);
-        } else {
-            fill<double, float>(pupil, tables[z], zone, zone.floats, i);
-        }
-    });
-}
-#endif
 
 }  // namespace lommel

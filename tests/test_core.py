@@ -84,6 +84,22 @@ def _render(**changes: Any) -> float:
     return _core.render(**grouped(_ASKED | arguments | changes))
 
 
+@pytest.mark.parametrize(
+    "changes",
+    [
+        {"obscuration": float("nan")},
+        {"amplitude": np.array([0.0, -1.0])},
+        {"amplitude": np.array([0.2, -1.0, 1.0])},
+        {"amplitude": np.array([0.0, 101.0])},
+        {"tol": float("nan")},
+        {"coefficients": np.full((2, 2), np.nan)},
+    ],
+)
+def test_rendering_refuses_pupils_that_no_bound_holds_for(changes: dict[str, Any]) -> None:
+    with pytest.raises(ValueError, match=r"obscuration must|amplitude must|must be positive|exceed the limit"):
+        _render(**changes)
+
+
 def _plan(**changes: Any) -> _core.RadialPlan:
     return _core.RadialPlan(**grouped(_ASKED | {"height": 5, "width": 7, "kind": "d"} | changes))
 

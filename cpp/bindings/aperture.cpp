@@ -18,13 +18,10 @@ lommel::Region region_of(const In<double, 2>& ellipses, const In<double, 2>& cor
     for (std::size_t i = 0; i < counts.shape(0); ++i) {
         const std::size_t count = static_cast<std::size_t>(counts.data()[i]);
         if (count == 0) {
-            require(ellipse < ellipses.shape(0), "one row for each ellipse");
             const double* e = ellipses.data() + 5 * ellipse++;
-            require(e[2] > 0.0 && e[3] > 0.0, "semi-axes must be above 0");
             parts.push_back(lommel::Part::ellipse({e[0], e[1]}, e[2], e[3], e[4]));
             continue;
         }
-        require(count >= 3 && corner + count <= corners.shape(0), "polygons must have three corners at least");
         std::vector<lommel::Point> points;
         for (std::size_t k = 0; k < count; ++k, ++corner) {
             points.push_back({corners.data()[2 * corner], corners.data()[2 * corner + 1]});
@@ -43,8 +40,6 @@ lommel::RowRule row_rule(In<double, 2> ellipses, In<double, 2> corners, In<std::
 
 lommel::RowRule row_samples(In<double, 1> y, In<std::int64_t, 1> counts, In<double, 1> x, In<double, 1> weights,
                             In<double, 1> phase) {
-    const std::size_t all = x.shape(0);
-    require(weights.shape(0) == all && (phase.shape(0) == all || phase.shape(0) == 0), "one weight and phase a sample");
     return {y.data(), counts.data(), y.shape(0), x.data(), weights.data(), phase.shape(0) == 0 ? nullptr : phase.data()};
 }
 
@@ -72,7 +67,6 @@ void images(const std::vector<const lommel::RowRule*>& rules, In<double, 2> phas
     const std::size_t pupils = pupils_of(edge);
     const lommel::DiskWindow window = one_axis_window(place).first;
     require_request(window.step, precision, threads);
-    require(phases.shape(0) == rules.size() && phases.shape(1) == 3, "one phase, tip and tilt a region");
     std::vector<lommel::ZernikeTerm> by;
     for (std::size_t j = 0; j < factors.shape(0); ++j) {
         by.push_back({factors.data()[2 * j], factors.data()[2 * j + 1]});

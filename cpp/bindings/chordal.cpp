@@ -29,7 +29,6 @@ double derivatives(DiskFields stack, WindowFields window, Request request, Out<T
     const lommel::DiskAnswer<T> answer = disk_answer_of(edge, window, scale, images, numbers);
     const Slopes wanted{factors_of(factors), slopes.data(), bounds.data()};
     require(scale > 0.0, "derivatives of values that are divided by their largest one are not available");
-    require_derivatives(wanted.terms.size(), edge.shape(0), images, slopes, bounds);
     return ask_disks<false>(stack, window, tol, threads, [&](const lommel::DiskStack& of, const lommel::DiskWindow& at) {
         lommel::ChordalRenderer<T, Slopes>(of, at, tol, threads, answer, wanted).run();
     });
@@ -94,31 +93,15 @@ using WaveFields = std::tuple<In<complex, 5>, In<std::int32_t, 1>>;
 // Coefficients[series][plane][term] of the tables, and sets[set][series, term, kind of waves].
 using SetFields = std::tuple<In<complex, 3>, In<std::int32_t, 2>>;
 
-// Check the arrays that describe fields at the nodes of a quadrant, and convert them for the core.
+// Convert the arrays that describe fields at the nodes of a quadrant for the core.
 lommel::NodeSeries node_series(const TableFields& tables, const SetFields& series, const TermFields& of_terms,
                                const WaveFields& of_waves) {
     const auto& [radial, ends, shares, factors] = tables;
     const auto& [coefficients, sets] = series;
     const auto& [terms, parities] = of_terms;
     const auto& [waves, wave] = of_waves;
-    const auto within = [](const std::int32_t* which, std::size_t size, std::size_t most, std::int32_t least = 0) {
-        return std::all_of(which, which + size,
-                           [&](std::int32_t i) { return i >= least && (i < 0 || static_cast<std::size_t>(i) < most); });
-    };
     const std::size_t chords = radial.shape(1), nodes = radial.shape(2);
-    const auto at_nodes = [chords, nodes](const auto& table, std::size_t axis) {
-        return table.shape(axis) == chords && table.shape(axis + 1) == nodes;
-    };
     const std::size_t planes = wave.shape(0), total = radial.shape(0);
-    require(at_nodes(factors, 1) && at_nodes(terms, 1) && at_nodes(waves, 3), "tables must be at the same nodes");
-    require(planes > 0 && coefficients.shape(1) == planes && coefficients.shape(2) == total,
-            "one coefficient a plane and term");
-    require(waves.shape(2) == 4 && within(wave.data(), planes, waves.shape(1)), "waves have four parities and are one a plane");
-    require(within(ends.data(), ends.size(), total + 1) && std::is_sorted(ends.data(), ends.data() + ends.size()),
-            "terms must be those of parts");
-    require(parities.size() == terms.shape(0) && within(parities.data(), parities.size(), 4), "one parity a term");
-    require(shares.shape(0) > 0 && shares.shape(1) == 3 && factors.shape(0) == shares.shape(0), "one factor a share");
-    require(sets.shape(0) > 0 && sets.shape(1) == 3, "one set at the least");
     lommel::NodeSeries given{count_of({2 * chords, 2 * nodes}),
                              planes,
                              0,
@@ -137,15 +120,11 @@ lommel::NodeSeries node_series(const TableFields& tables, const SetFields& serie
     given.ends.assign(ends.data(), ends.data() + ends.size());
     for (std::size_t i = 0; i < shares.shape(0); ++i) {
         const std::int32_t* of = shares.data() + 3 * i;
-        require(of[0] >= 0 && of[0] < 64 && within(of + 1, 1, 4) && within(of + 2, 1, ends.size()), "shares must be of parts");
         given.shares.push_back({of[0], of[1], of[2]});
         given.fields = std::max(given.fields, static_cast<std::size_t>(of[0]) + 1);
     }
     for (std::size_t i = 0; i < sets.shape(0); ++i) {
         const std::int32_t* of = sets.data() + 3 * i;
-        require(
-            within(of, 1, coefficients.shape(0)) && within(of + 1, 1, terms.shape(0), -1) && within(of + 2, 1, waves.shape(0)),
-            "sets must be of series, terms and kinds of waves");
         given.sets.push_back({of[0], of[1], of[2]});
     }
     return given;
@@ -153,12 +132,6 @@ lommel::NodeSeries node_series(const TableFields& tables, const SetFields& serie
 
 Out<complex, 5> folded_waves(TermFields of, In<double, 2> edge, In<double, 2> weights, double largest) {
     const auto& [terms, parities] = of;
-    require(parities.size() == terms.shape(0) && edge.shape(1) == terms.shape(0), "one parity and coefficient a term");
-    require(terms.shape(0) == 0 || (terms.shape(1) == weights.shape(0) && terms.shape(2) == weights.shape(1)),
-            "tables must be at the same nodes");
-    require(std::all_of(parities.data(), parities.data() + parities.size(), [](std::int32_t p) { return p >= 0 && p < 4; }),
-            "parities must be from 0 to 3");
-    require(largest >= 0.0 && largest < 1e300, "largest must be finite and at least 0");
     const std::size_t waves = edge.shape(0), nodes = weights.size(), each = 4 * nodes, kinds = largest > 0.0 ? 2 : 1;
     auto values = new_array<complex, 5>({kinds, waves, 4, weights.shape(0), weights.shape(1)});
     for (std::size_t i = 0; i < waves; ++i) {
@@ -174,10 +147,6 @@ Sizes series_sizes(In<complex, 3> coefficients, In<std::int32_t, 1> ends, In<dou
                    In<double, 2> chosen) {
     const std::size_t sets = coefficients.shape(0), planes = coefficients.shape(1), curves = rate.size(), parts = ends.size();
     const std::vector<std::size_t> last(ends.data(), ends.data() + parts);
-    require(parts > 0 && std::is_sorted(last.begin(), last.end()) && last.back() == coefficients.shape(2),
-            "terms must be those of parts");
-    require(powers.shape(0) == last.back() && powers.shape(1) == curves && chosen.shape(0) == 2 && chosen.shape(1) == curves,
-            "tables must be of the same terms and curves");
     auto on_curves = new_array<double, 4>({sets, planes, parts, curves});
     auto moduli = new_array<double, 3>({sets, planes, parts});
     double needed[2];
@@ -191,14 +160,6 @@ Out<double, 3> field_errors(Out<double, 4> on_curves, Out<double, 3> moduli, In<
                             double error) {
     const std::size_t sets = series.size(), planes = on_curves.shape(1), parts = on_curves.shape(2),
                       curves = on_curves.shape(3);
-    require(shares.shape(1) == parts, "tables must be of the same parts");
-    require(std::all_of(series.data(), series.data() + sets,
-                        [&](std::int32_t s) { return s >= 0 && static_cast<std::size_t>(s) < on_curves.shape(0); }),
-            "sets must be of series");
-    for (const auto* each : {&chords, &nodes}) {
-        require(each->shape(0) == sets && each->shape(1) == curves, "one value a set and curve");
-    }
-    require(left.size() == sets && rounding.size() == sets, "one value a set");
     auto wrong = new_array<double, 3>({sets, planes, shares.shape(0)});
     lommel::SeriesSizes{on_curves.shape(0) * planes, parts, curves, on_curves.data(), moduli.data()}.errors(
         series.data(), sets, planes, chords.data(), nodes.data(), left.data(), rounding.data(), shares.data(), shares.shape(0),
@@ -213,11 +174,6 @@ Light series_light(TableFields tables, SetFields series, TermFields terms, WaveF
     const lommel::NodeSeries given = node_series(tables, series, terms, waves);
     const lommel::DiskWindow window = one_axis_window(place).first;
     require_request(window.step, 1.0, threads);
-    require(wrong.shape(0) == given.sets.size() && wrong.shape(1) == given.planes && wrong.shape(2) == given.fields,
-            "one error a set, plane and field");
-    require(power.size() == given.planes &&
-                std::all_of(power.data(), power.data() + power.size(), [](double p) { return p > 0.0; }),
-            "one power a plane, above 0");
     auto values = new_array<double, 4>({given.sets.size(), given.planes, window.height, window.width});
     auto errors = new_array<double, 2>({given.sets.size(), given.planes});
     auto largest = new_array<double, 2>({given.sets.size(), given.planes});
@@ -243,8 +199,6 @@ std::pair<Out<double, 2>, Out<double, 2>> series_gradient(TableFields tables, Se
     const std::size_t rates = given.sets.size() - 1, terms = std::get<0>(of_terms).shape(0);
     require_shape(place, weights);
     require(weights.shape(0) == given.planes, "one image of weights a plane");
-    require(std::all_of(given.sets.begin(), given.sets.end(), [](const lommel::FieldSet& set) { return set.term < 0; }),
-            "sets must be without terms");
     require_request(window.step, 1.0, threads);
     auto values = new_array<double, 2>({given.planes, 1 + rates + terms});
     auto largest = new_array<double, 2>({given.planes, 1 + given.fields});

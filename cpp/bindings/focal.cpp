@@ -43,14 +43,10 @@ lommel::FocalFrame frame_of(const Frame& one, float full, const std::optional<Kn
 class Scale {
    public:
     Scale(std::size_t height, std::size_t width, double scale, std::size_t threads) {
-        require(height >= 8 && width >= 8 && height <= 65536 && width <= 65536 && scale > 0.5 && scale < 2.0 && threads >= 1 &&
-                    threads <= 1024,
-                "frames of 8 pixels a side or more, a scale from 0.5 to 2");
         scale_.emplace(height, width, scale, threads);
     }
 
     void operator()(const nb::object& frame, float full, const std::optional<Known>& known, Out<float, 2> out) {
-        require(out.shape(0) == scale_->height() && out.shape(1) == scale_->width(), "the result has the planned size");
         const lommel::FocalFrame one = frame_of(nb::cast<Frame>(frame), full, known, scale_->height(), scale_->width());
         released([&] { (*scale_)(one, out.data()); });
     }
@@ -71,24 +67,8 @@ class Stream {
     Stream(const std::array<std::size_t, 7>& sizes, In<float, 1> taps, In<float, 4> residuals, In<float, 3> images,
            In<float, 1> weights, In<float, 2> forms, In<float, 2> statistics, const std::array<float, 7>& numbers) {
         const auto [height, width, binning, side, fine, blur, strips] = sizes;
-        require(taps.size() == 2 || taps.size() == 3, "two or three taps, from the middle on");
-        require(binning == 1 || binning == 2 || binning == 4, "squares of 1, 2 or 4 pixels a side");
-        require(side == 1 || side == 2 || side == 4, "blocks of 1, 2 or 4 squares a side");
-        require(fine >= 1 && fine <= 16, "1 to 16 depths a block");
-        require(height >= 8 && width >= 8 && height <= 40000 && width <= 40000, "8 to 40000 squares a side");
-        require(blur <= 4096 && strips >= 1 && strips <= 1024 && weights.size() >= 1 && weights.size() <= 31,
-                "blur, strips and weights are too many");
         const std::size_t channels = residuals.shape(0), count = residuals.shape(1), frames = residuals.shape(2),
                           terms = residuals.shape(3);
-        require(channels >= 1 && channels <= 16 && frames >= 1 && terms >= 2 && images.shape(1) == frames &&
-                    images.shape(2) == terms,
-                "residuals and images are of the same frames and terms");
-        require(count <= 48 && images.shape(0) <= 60, "at most 48 residuals and 60 images");
-        require(count == 0 ||
-                    (forms.shape(1) == channels * count * (count + 1) / 2 && forms.shape(0) >= 9 && forms.shape(0) % 4 == 1 &&
-                     statistics.shape(0) == lommel::FocalCandidates::rows && statistics.shape(1) == forms.shape(0)),
-                "forms and statistics are of 4 n + 1 candidates, 9 or more");
-        require((terms - 1) * (taps.size() - 1) < height, "the filters are higher than the frames");
         lommel::FocalPlan plan{height,
                                width,
                                binning,
@@ -115,8 +95,6 @@ class Stream {
     // pixels.
     void sums(const nb::typed<nb::sequence, nb::object>& frames, float full, const std::optional<Known>& known,
               Out<double, 3> out) {
-        constexpr std::size_t cells = lommel::FocalSums::cells;
-        require(out.shape(0) == frames_.size() + 1 && out.shape(1) == cells && out.shape(2) == cells, "one sum a part");
         look_at(frames, full, known);
         released([&] { stream_->sum(frames_.data(), out.data()); });
     }
@@ -124,7 +102,6 @@ class Stream {
     // Frames of uint8, uint16 or float32; gains: six per frame, see FocalFrame; offset: dark level; full: saturation level.
     void take(const nb::typed<nb::sequence, nb::object>& frames, const In<float, 2>& gains, float offset, float full,
               const std::optional<Known>& known) {
-        require(gains.shape(0) == frames_.size() && gains.shape(1) == 6, "as many gains as planned");
         look_at(frames, full, known);
         for (std::size_t i = 0; i < frames_.size(); ++i) {
             frames_[i].offset = offset;
@@ -135,10 +112,6 @@ class Stream {
 
     // Depth, standard error and misfit of blocks; NaN and infinity where unknown.
     void depths(Out<float, 2> depth, Out<float, 2> errors, Out<float, 2> misfit) {
-        require(stream_->has_depth(), "there are no residuals");
-        for (const auto& one : {depth, errors, misfit}) {
-            require(one.shape(0) == stream_->down() && one.shape(1) == stream_->across(), "one value a block");
-        }
         released([&] {
             stream_->search();
             const lommel::FocalPlace* const places = stream_->places();
@@ -156,10 +129,6 @@ class Stream {
 
     // Position in candidates, its standard error, and misfit.
     void places(Out<float, 2> position, Out<float, 2> errors, Out<float, 2> misfit) {
-        require(stream_->has_depth(), "there are no residuals");
-        for (const auto& one : {position, errors, misfit}) {
-            require(one.shape(0) == stream_->down() && one.shape(1) == stream_->across(), "one value a depth");
-        }
         released([&] {
             stream_->search();
             const lommel::FocalPlace* const places = stream_->places();
@@ -172,21 +141,10 @@ class Stream {
     }
 
     // Positions of blocks in candidates; unknown ones are filled from their surroundings.
-    void positions(Out<float, 2> out) const {
-        require(stream_->has_depth() && out.shape(0) == stream_->down() && out.shape(1) == stream_->across(),
-                "one value a block");
-        std::memcpy(out.data(), stream_->filled(), out.size() * sizeof(float));
-    }
+    void positions(Out<float, 2> out) const { std::memcpy(out.data(), stream_->filled(), out.size() * sizeof(float)); }
 
     // Mix the kept images at positions of blocks of `side` pixels (after binning), with factors[candidate][image].
     void mix(const In<float, 2>& positions, std::size_t side, const In<float, 2>& factors, Out<float, 2> out) {
-        const lommel::FocalPlan& plan = stream_->plan();
-        require(out.shape(0) == plan.height && out.shape(1) == plan.width, "the image has the planned size");
-        require(factors.shape(1) == plan.image_count && factors.shape(0) >= 2, "factors match the images");
-        require(side >= 1 && positions.shape(0) >= 1 && positions.shape(1) >= 1 &&
-                    checked_product({positions.shape(0), side}) <= plan.height &&
-                    checked_product({positions.shape(1), side}) <= plan.width,
-                "positions match the image");
         released([&] {
             stream_->mix(positions.data(), positions.shape(0), positions.shape(1), side, factors.data(), factors.shape(0),
                          out.data());

@@ -1,7 +1,4 @@
 // Matrix products, and blur that depends on depth.
-#include <algorithm>
-#include <cmath>
-#include <limits>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -12,7 +9,6 @@
 #include "lommel/imaging/composite.hpp"
 #include "lommel/imaging/depth_layers.hpp"
 #include "lommel/imaging/field_spread.hpp"
-#include "lommel/imaging/levels.hpp"
 #include "lommel/imaging/plane_filter.hpp"
 #include "lommel/base/product.hpp"
 #include "lommel/imaging/spread.hpp"
@@ -34,19 +30,6 @@ Out<double, 2> product(In<double, 2> rows, In<double, 2> matrix, int threads) {
     return out;
 }
 
-std::size_t levels(In<float, 1> light, In<float, 1> edges, float low, float high, int threads, Out<std::uint8_t, 1> out) {
-    const float* const edge = edges.data();
-    require(edges.size() >= 1 && edges.size() <= 255 && edge[0] > 0.0f && std::isfinite(edge[edges.size() - 1]) && threads >= 0,
-            "edges must be 1 to 255, above 0 and finite");
-    for (std::size_t i = 1; i < edges.size(); ++i) {
-        require(edge[i] > edge[i - 1], "edges must rise");
-    }
-    require(out.size() == light.size(), "out must match the light");
-    std::size_t beyond = 0;
-    released([&] { beyond = lommel::levels(light.data(), light.size(), edge, edges.size(), low, high, threads, out.data()); });
-    return beyond;
-}
-
 // Windows of a bank[position][row][column], the half width of each, and its share of the light.
 template <class T>
 using BankFields = std::tuple<In<T, 3>, In<std::int64_t, 1>, In<double, 1>>;
@@ -54,15 +37,9 @@ using BankFields = std::tuple<In<T, 3>, In<std::int64_t, 1>, In<double, 1>>;
 template <class T>
 lommel::WindowBank<T> bank_of(const BankFields<T>& bank) {
     const auto& [windows, halves, energies] = bank;
-    const std::size_t count = windows.shape(0), rows = windows.shape(1), stride = windows.shape(2), widest = rows - 1;
+    const std::size_t count = windows.shape(0), rows = windows.shape(1), stride = windows.shape(2);
     // The last window is a spare that vectors may read.
-    require(count >= 5 && rows >= 1 && stride == lommel::Spreader<T>::margin(widest), "windows must be padded, 5 or more");
-    require(halves.shape(0) == count - 1 && energies.shape(0) == count - 1, "one half width and one energy a window");
-    for (std::size_t i = 0; i < halves.shape(0); ++i) {
-        require(halves.data()[i] >= 0 && halves.data()[i] <= static_cast<std::int64_t>(widest),
-                "halves must fit in the windows");
-    }
-    return {windows.data(), halves.data(), energies.data(), count - 1, widest, stride};
+    return {windows.data(), halves.data(), energies.data(), count - 1, rows - 1, stride};
 }
 
 lommel::Scene scene_of(const In<double, 2>& positions) {
@@ -70,24 +47,10 @@ lommel::Scene scene_of(const In<double, 2>& positions) {
     return {positions.data(), positions.shape(0), positions.shape(1)};
 }
 
-// Check and convert the data for occlusion: `layers` has the shape of `positions`, `seen` that of the image with margins.
+// Data for occlusion: `layers` has the shape of `positions`, `seen` that of the image with margins.
 template <class T>
-lommel::Screen<T> screen_of(const std::optional<In<T, 2>>& layers, const std::optional<In<T, 2>>& seen,
-                            const In<double, 2>& positions, std::size_t height, std::size_t width) {
-    require(layers.has_value() == seen.has_value(), "layers and what is seen of them belong together");
-    if (!layers) {
-        return {};
-    }
-    require(layers->shape(0) == positions.shape(0) && layers->shape(1) == positions.shape(1),
-            "layers must match the positions");
-    require(seen->shape(0) == height && seen->shape(1) == width, "seen must be as large as the image that windows reach");
-    return {layers->data(), seen->data()};
-}
-
-// Return whether an image is larger than the scene by the margins that windows need.
-template <class T>
-bool larger(const lommel::WindowBank<T>& bank, const lommel::Scene& scene, std::size_t height, std::size_t width) {
-    return height == scene.height + 2 * bank.widest && width == scene.width + 2 * lommel::Spreader<T>::margin(bank.widest);
+lommel::Screen<T> screen_of(const std::optional<In<T, 2>>& layers, const std::optional<In<T, 2>>& seen) {
+    return layers ? lommel::Screen<T>{layers->data(), seen->data()} : lommel::Screen<T>{};
 }
 
 // out += each pixel spread over its window; `out` is larger than the scene by half a window above and below, and by the next
@@ -97,10 +60,7 @@ void spread(BankFields<T> windows, In<double, 2> positions, Strided<T> image, in
             std::optional<In<T, 2>> layers, std::optional<In<T, 2>> seen) {
     const lommel::WindowBank<T> bank = bank_of<T>(windows);
     const lommel::Scene scene = scene_of(positions);
-    require(image.shape(0) == positions.shape(0) && image.shape(1) == positions.shape(1) && threads >= 0,
-            "positions must match the image");
-    require(larger(bank, scene, out.shape(0), out.shape(1)), "out must be larger than the image by a window");
-    const lommel::Screen<T> screen = screen_of<T>(layers, seen, positions, out.shape(0), out.shape(1));
+    const lommel::Screen<T> screen = screen_of<T>(layers, seen);
     released([&] {
         lommel::Spreader<T>(bank, scene, threads, screen).forward(image.data(), image.stride(0), image.stride(1), out.data());
     });
@@ -112,10 +72,7 @@ void collect(BankFields<T> windows, In<double, 2> positions, In<T, 2> image, int
              std::optional<In<T, 2>> layers, std::optional<In<T, 2>> seen) {
     const lommel::WindowBank<T> bank = bank_of<T>(windows);
     const lommel::Scene scene = scene_of(positions);
-    require(larger(bank, scene, image.shape(0), image.shape(1)) && threads >= 0,
-            "the image must be larger than the positions by a window");
-    require(out.shape(0) == scene.height && out.shape(1) == scene.width, "out must match the positions");
-    const lommel::Screen<T> screen = screen_of<T>(layers, seen, positions, image.shape(0), image.shape(1));
+    const lommel::Screen<T> screen = screen_of<T>(layers, seen);
     released([&] { lommel::Spreader<T>(bank, scene, threads, screen).adjoint(image.data(), out.data()); });
 }
 
@@ -125,12 +82,7 @@ std::pair<std::size_t, std::size_t> depth_layers(In<double, 2> defocus, double l
                                                  double thickness, int most, int threads, Out<std::uint8_t, 2> layers,
                                                  Out<std::int32_t, 2> behind) {
     const std::size_t height = defocus.shape(0), width = defocus.shape(1), size = height * width;
-    require(radii.size() >= 2 && lommel::all_finite(radii.data(), radii.size()), "radii must be two or more, and finite");
-    require(low <= high && thickness > 0.0 && most >= 1 && most <= 64 && threads >= 0, "the range must rise, up to 64 layers");
-    require(size > 0 && size <= static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max()), "too many points");
     require(lommel::all_finite(defocus.data(), size), "defocus must be finite");
-    require(layers.shape(0) == height && layers.shape(1) == width && behind.shape(0) == height && behind.shape(1) == width,
-            "layers and what is behind must match the defocus");
     std::pair<std::size_t, std::size_t> found;
     released([&] {
         std::vector<float> radius(size);
@@ -142,26 +94,18 @@ std::pair<std::size_t, std::size_t> depth_layers(In<double, 2> defocus, double l
     return found;
 }
 
-// Add the layers from .. to - 1, front to back, to the composite image.
 // Layer of each pixel (0: nearest), the representative pixel of the light behind it (-1: none), and the number of layers.
 using LayerFields = std::tuple<In<std::uint8_t, 2>, std::optional<In<std::int32_t, 2>>, int>;
 
+// Add the layers from .. to - 1, front to back, to the composite image.
 template <class T>
 void composite(BankFields<T> windows, In<double, 2> positions, LayerFields layering, std::optional<Strided<T>> image,
                std::pair<int, int> range, bool known, int threads, Out<T, 2> seen, Out<T, 2> total,
                std::optional<Out<T, 2>> out) {
     const lommel::WindowBank<T> bank = bank_of<T>(windows);
     const lommel::Scene scene = scene_of(positions);
-    const auto& [layers, behind, count_] = layering;
-    const int count = count_;
+    const auto& [layers, behind, count] = layering;
     const auto [from, to] = range;
-    const std::size_t height = scene.height, width = scene.width;
-    const auto alike = [&](const auto& array) { return array.shape(0) == height && array.shape(1) == width; };
-    require(count >= 1 && count <= 64 && 0 <= from && from <= to && to <= count && threads >= 0, "layers must be 1 to 64");
-    require(alike(layers) && (!behind || alike(*behind)), "layers and what is behind must match the positions");
-    require(alike(seen) && alike(total) && image.has_value() == out.has_value() && (!image || alike(*image)) &&
-                (!out || alike(*out)) && (image || !known),
-            "images must match the positions");
     const lommel::LayeredScene layered{scene, layers.data(), behind ? behind->data() : nullptr,
                                        static_cast<std::size_t>(count)};
     released([&] {
@@ -171,7 +115,7 @@ void composite(BankFields<T> windows, In<double, 2> positions, LayerFields layer
     });
 }
 
-// Check the arrays of splines and source pixels, see field_spread.hpp: windows[row][column][node][pixel] of `side` pixels a
+// Arrays of splines and source pixels, see field_spread.hpp: windows[row][column][node][pixel] of `side` pixels a
 // side, weights of the rows and of the columns of nodes, and the three shares of each column.
 template <class T>
 using SplineFields = std::tuple<In<T, 4>, std::size_t, In<T, 2>, In<T, 2>, In<T, 2>>;
@@ -185,23 +129,8 @@ lommel::FieldSpreader<T> field_spreader(const SplineFields<T>& splines, const De
     const auto& [tiles, defocus, breaks, powers] = at;
     const std::size_t size = windows.shape(3), order = powers.shape(1), intervals = powers.shape(0);
     const std::size_t high = defocus.shape(0), broad = defocus.shape(1), count = places.shape(0);
-    require(
-        side >= 1 && side <= 4096 && side * side <= size && size % lommel::FieldSpreader<T>::step == 0 && windows.size() > 0,
-        "windows must be padded to multiples of 16 pixels");
-    require(order == 1 || order == 4 || order == 6, "1, 4 or 6 nodes count at each defocus");
-    require(intervals >= 1 && powers.shape(2) == order && breaks.size() == intervals + 1 &&
-                intervals + order - 1 <= windows.shape(2),
-            "there must be powers for each interval, and nodes");
     require(lommel::all_finite(defocus.data(), defocus.size()) && lommel::all_finite(breaks.data(), breaks.size()),
             "defocus must be finite");
-    require(std::is_sorted(breaks.data(), breaks.data() + breaks.size()), "breaks must rise");
-    require(down.shape(0) == high && down.shape(1) == windows.shape(0), "rows must have a weight for each node");
-    require(count >= 3 && count % 2 == 1 && places.shape(1) == windows.shape(1), "places must have a weight for each node");
-    require(shares.shape(0) == broad && shares.shape(1) == 3 && tiles.size() == broad, "columns must have three shares");
-    require(std::all_of(tiles.data(), tiles.data() + broad,
-                        [&](std::int64_t i) { return i >= 0 && i < static_cast<std::int64_t>(count / 2); }),
-            "tiles must lie between places");
-    require(threads >= 0, "threads must be 0 or more");
     return {{windows.data(), windows.shape(0), windows.shape(1), windows.shape(2), side, size},
             {down.data(), places.data(), shares.data(), tiles.data(), count, high, broad, defocus.data(), breaks.data(),
              powers.data(), intervals, order},
@@ -213,12 +142,6 @@ template <class T>
 void field_spread(SplineFields<T> splines, DefocusFields<T> defocus, In<T, 2> image, int threads, Out<T, 2> out,
                   bool transposed) {
     const auto spreader = field_spreader(splines, defocus, threads);
-    const std::size_t side = std::get<1>(splines);
-    const auto size = [](const auto& array) { return std::pair(array.shape(0), array.shape(1)); };
-    const auto small = size(std::get<1>(defocus));
-    const std::pair large(small.first + side - 1, small.second + side - 1 + lommel::FieldSpreader<T>::step);
-    require(size(image) == (transposed ? large : small) && size(out) == (transposed ? small : large),
-            "one image must be as large as the scene, the other larger by a window");
     released([&] {
         if (transposed) {
             spreader.adjoint(image.data(), out.data());
@@ -233,21 +156,11 @@ void filter_planes(Out<std::complex<float>, 3> room, const nb::typed<nb::list, n
                    std::size_t recording, std::size_t first, std::size_t before, std::size_t after, std::size_t length,
                    bool transposed, int threads) {
     const lommel::StackPlanes planes{room.shape(0), recording, first, before, after};
-    const std::size_t rows = room.shape(1), columns = room.shape(2), half = length / 2 + 1;
-    require(planes.specimen > 0 && rows > 0 && columns > 0 && threads >= 0, "the room must have planes, rows and columns");
-    require(recording <= planes.specimen && first <= planes.specimen - recording, "the recording must be in the specimen");
-    require(length < (1U << 24U) && before < length && after < length && planes.specimen + before + after <= length &&
-                lommel::RowFft<float>::length(length) == length,
-            "the length must be one of fft_length, and hold all planes");
-    require(weights.shape(0) == transfers.size() && weights.shape(1) == planes.specimen && transfers.size() > 0,
-            "there must be a weight for each kernel and plane");
+    const std::size_t rows = room.shape(1), columns = room.shape(2);
     std::vector<In<float, 4>> arrays;
     std::vector<lommel::PlaneTransfer> kernels;
     for (const nb::handle each : transfers) {
         const auto& array = arrays.emplace_back(nb::cast<In<float, 4>>(each));
-        require((array.shape(0) == rows || array.shape(0) == rows / 2 + 1) && array.shape(1) == (columns + 7) / 8 &&
-                    (array.shape(2) == length || array.shape(2) == half) && array.shape(3) == lommel::fft_element,
-                "transfer functions must match the room and the length");
         kernels.push_back({array.data(), array.shape(0), array.shape(2)});
     }
     released([&] {
@@ -259,8 +172,6 @@ void filter_planes(Out<std::complex<float>, 3> room, const nb::typed<nb::list, n
 
 void bindings::define_imaging(nb::module_& m) {
     m.def("product", &product, "rows"_a, "matrix"_a, "threads"_a, "The product of two matrices.");
-    m.def("levels", &levels, "light"_a.noconvert(), "edges"_a, "low"_a, "high"_a, "threads"_a, "out"_a.noconvert(),
-          "Writes how many edges each value reaches; returns how many are below `low` or above `high`.");
     m.def("depth_layers", &depth_layers, "defocus"_a, "low"_a, "high"_a, "radii"_a, "thickness"_a, "most"_a, "threads"_a,
           "layers"_a.noconvert(), "behind"_a.noconvert(),
           "Writes the layer of each point, and the point that stands for what it hides, or -1; returns how many layers there "

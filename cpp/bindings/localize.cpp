@@ -44,30 +44,12 @@ class Table {
                   largest_row,
                   least_column,
                   largest_column};
-        constexpr std::size_t most = std::size_t{1} << 20;
-        for (const std::size_t size : sizes) {
-            require(size > 0 && size <= most, "sizes of a table must be 1 to 2^20");
-        }
-        require(coefficients_.shape(0) >= lommel::MoleculeTable::beyond &&
-                    coefficients_.shape(0) - lommel::MoleculeTable::beyond ==
-                        checked_product({pieces, lommel::MoleculeTable::terms, rows, per, columns}),
-                "coefficients must match the sizes");
-        require(taps > 0 && taps % 2 == 0 && taps <= lommel::MoleculeTable::most_taps && powers > 0, "an even number of taps");
         require(low < high && std::isfinite(high - low) && least_row <= largest_row && least_column <= largest_column,
                 "limits must rise");
-        const double half = 0.5 * static_cast<double>(taps), each = static_cast<double>(per);
-        const auto covers = [&](double first, double least, double largest, std::size_t samples, std::size_t side) {
-            const double start = std::floor(-each * largest - first) + 1.0 - half;
-            const double end = std::floor(-each * least - first) + half + each * static_cast<double>(side - 1);
-            return start >= 0.0 && end < static_cast<double>(samples);
-        };
-        require(covers(first_row, least_row, largest_row, rows, height), "rows must cover all places");
-        require(covers(first_column, least_column, largest_column, per * columns, width), "columns must cover all places");
     }
 
     // Values and derivatives with respect to row, column and z at places (n, 3), shape (n, 4, height, width).
     Out<float, 4> images(const In<double, 2>& places, int threads) const {
-        require(places.shape(1) == 3 && threads >= 0, "places are row, column and z");
         const std::size_t n = places.shape(0);
         for (std::size_t i = 0; i < n; ++i) {
             const double* const p = places.data() + 3 * i;
@@ -96,10 +78,6 @@ class Fitter {
            const In<double, 3>& places)
         : tables_(nb::borrow<nb::list>(tables)) {
         const std::size_t count = tables_.size();
-        require(count > 0 && count <= lommel::most_channels, "one to four channels");
-        require(matrices.shape(0) == count && matrices.shape(1) == 4, "a matrix for each channel");
-        require(limits.shape(0) == 2 && limits.shape(1) == 3 && stride > 0.0, "limits of row, column and z");
-        require(places.size() > 0 && places.shape(2) == 3, "places are row, column and z");
         std::vector<lommel::Channel> channels;
         for (std::size_t c = 0; c < count; ++c) {
             const double* const m = matrices.data() + 4 * c;
@@ -124,19 +102,11 @@ class Fitter {
         const nb::typed<nb::list, nb::object>& images, const nb::typed<nb::list, nb::object>& reads,
         const In<double, 3>& offsets, int starts, bool tilted, int threads) const {
         const std::size_t channels = tables_.size(), n = offsets.shape(0), unknown = 3 + (tilted ? 4 : 2) * channels;
-        require(nb::len(nb::handle(images)) == channels && nb::len(nb::handle(reads)) == channels &&
-                    offsets.shape(1) == channels && offsets.shape(2) == 2 && starts > 0 && threads >= 0,
-                "images, variances and offsets of each channel");
         std::vector<In<float, 3>> held;
         std::vector<lommel::BoxStack> stacks;
         for (std::size_t c = 0; c < channels; ++c) {
             const lommel::MoleculeTable& table = nb::cast<const Table&>(tables_[c]).table();
             const auto electrons = nb::cast<In<float, 3>>(images[c]), read = nb::cast<In<float, 3>>(reads[c]);
-            for (const auto& each : {electrons, read}) {
-                require(each.shape(1) == table.height && each.shape(2) == table.width,
-                        "images must be as large as the table's");
-            }
-            require(electrons.shape(0) == n && (read.shape(0) == n || read.shape(0) == 1), "an image for each molecule");
             stacks.push_back({electrons.data(), read.data(), read.shape(0) == 1 ? 0 : table.height * table.width});
             held.push_back(electrons);
             held.push_back(read);

@@ -1,6 +1,5 @@
 // Radii of a window, images from radial profiles, and pixel averages.
 #include <algorithm>
-#include <memory>
 #include <vector>
 
 #include "lommel/pixels/filter.hpp"
@@ -30,10 +29,8 @@ std::pair<Out<std::int64_t, 1>, Out<std::int32_t, 2>> distinct_radii(std::size_t
 template <class T>
 void scatter(In<double, 2> profiles, In<double, 1> scales, int threads, Out<T, 3> out) {
     const std::size_t count = out.shape(0), height = out.shape(1), width = out.shape(2), radii = profiles.shape(1);
-    require(profiles.shape(0) == count && scales.shape(0) == count, "one profile and scale an image");
     released([&] {
         const auto layout = lommel::Layout::get(height, width);
-        require(radii == layout->count, "a profile must have a value at each radius");
         // About 0.3 microseconds per thousand pixels.
         const double work = 0.3e-3 * static_cast<double>(count * height * width);
         lommel::for_pupils(count, lommel::worthwhile_threads(threads, work), [&](std::size_t i, int own) {
@@ -46,18 +43,12 @@ void scatter(In<double, 2> profiles, In<double, 1> scales, int threads, Out<T, 3
     });
 }
 
-int level_of(int level, int threads) {
-    require(level >= 1 && level <= 15, "level must be from 1 to 15");
-    require(threads >= 0, "threads must be at least 0");
-    return level;
-}
-
 // Radii at which I is needed, and factors from its errors to those of pixels.
 std::tuple<Out<double, 1>, double, double, double, double> pixel_radii(std::size_t height, std::size_t width, double center_y,
                                                                        double center_x, double step, bool integrate, int level,
                                                                        int threads) {
     const lommel::PixelWindow window = window_of(height, width, center_y, center_x, step, integrate);
-    const auto table = released([&] { return lommel::PixelTable::get(window, level_of(level, threads), threads); });
+    const auto table = released([&] { return lommel::PixelTable::get(window, level, threads); });
     auto radii = new_array<double, 1>({table->count});
     std::copy_n(table->radii.data(), table->count, radii.data());
     return {radii, table->error, table->of_nodes, table->of_grid, table->rounding};
@@ -67,11 +58,9 @@ Out<double, 1> pixel_values(In<double, 2> profiles, double center_y, double cent
                             int threads, Out<double, 3> out) {
     const std::size_t n = out.shape(0), height = out.shape(1), width = out.shape(2);
     const lommel::PixelWindow window = window_of(height, width, center_y, center_x, step, integrate);
-    require(profiles.shape(0) == n, "one profile an image");
     auto penalties = new_array<double, 1>({n});
     released([&] {
-        const auto table = lommel::PixelTable::get(window, level_of(level, threads), threads);
-        require(profiles.shape(1) == table->count, "profiles must be at the radii of the window");
+        const auto table = lommel::PixelTable::get(window, level, threads);
         lommel::WindowValues made;
         for (std::size_t i = 0; i < n; ++i) {
             made.make(*table, window, profiles.data() + i * table->count, threads);
@@ -88,16 +77,10 @@ using Images = nb::ndarray<double, nb::numpy, nb::ndim<3>, nb::device::cpu>;
 template <class T>
 void average_samples(In<T, 3> samples, In<double, 2> weights, std::size_t stride, int threads, Images out, double lowest,
                      In<double, 2> across, double dark) {
-    require(weights.shape(0) <= 2, "weights are those of one pixel or of two");
-    require(stride > 0 && weights.size() > 0 && out.size() > 0 && samples.shape(0) == out.shape(0), "empty, or not as many");
     require(out.stride(2) == 1 && out.stride(1) == static_cast<std::int64_t>(out.shape(2)), "rows must follow each other");
     const bool others = across.is_valid();
-    require(!others || (across.shape(0) == weights.shape(0) && across.shape(1) == weights.shape(1)),
-            "as many weights across as down");
     const lommel::PixelFilter filter{
         weights.data(), weights.shape(1), stride, lowest, others ? across.data() : nullptr, weights.shape(0), dark};
-    require(samples.shape(1) == filter.samples(out.shape(1)) && samples.shape(2) == filter.samples(out.shape(2)),
-            "samples must be as many as the pixels take");
     released([&] {
         filter.average(samples.data(), out.shape(0), out.shape(1), out.shape(2), out.data(),
                        static_cast<std::size_t>(out.stride(0)), threads);

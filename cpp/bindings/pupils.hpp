@@ -96,20 +96,9 @@ lommel::Answer<T> answer_of(std::size_t pupils, const WindowFields& window, doub
 inline std::vector<std::size_t> powers_of(const In<std::int64_t, 1>& powers) {
     std::vector<std::size_t> which;
     for (std::size_t i = 0; powers.is_valid() && i < powers.shape(0); ++i) {
-        require(powers.data()[i] >= 1 && powers.data()[i] <= 64, "powers must be from 1 to 64");
         which.push_back(static_cast<std::size_t>(powers.data()[i]));
     }
     return which;
-}
-
-template <class T>
-void require_derivatives(std::size_t powers, std::size_t pupils, const Out<T, 3>& of, const Out<T, 4>& images,
-                         const Out<double, 2>& bounds) {
-    require((images.is_valid() ? images.shape(0) : 0) == powers && (bounds.is_valid() ? bounds.shape(0) : 0) == powers,
-            "one derivative a power");
-    require(powers == 0 || (images.shape(1) == pupils && images.shape(2) == of.shape(1) && images.shape(3) == of.shape(2) &&
-                            bounds.shape(1) == pupils),
-            "derivatives must match the images");
 }
 
 inline void require_request(double step, double tol, int threads) {

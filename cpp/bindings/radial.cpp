@@ -38,7 +38,6 @@ double render(RadialFields pupils, WindowFields window, bool integrate, Request 
     const lommel::PixelWindows windows = windows_of(window, integrate, stack.count);
     require_request(std::get<2>(window), tol, threads);
     const std::vector<std::size_t> which = powers_of(powers);
-    require_derivatives(which.size(), stack.count, images, derivative_images, derivative_bounds);
     if (!which.empty()) {
         answer.powers = which.data();
         answer.derivatives = which.size();
@@ -132,7 +131,6 @@ std::pair<Out<complex, 2>, Out<double, 1>> field(RadialFields pupils, In<double,
 // Error bounds are negative if the tolerance cannot be met.
 std::tuple<Out<double, 2>, Out<double, 1>, Out<double, 1>> profile(RadialFields pupils, In<double, 1> v, double tol,
                                                                    int threads) {
-    require(threads >= 0, "threads must be at least 0");
     const lommel::Stack stack = stack_of(pupils);
     auto out = new_array<double, 2>({stack.count, v.shape(0)});
     auto peaks = new_array<double, 1>({stack.count});

@@ -46,7 +46,6 @@ std::pair<Out<double, 1>, Out<double, 1>> gauss_legendre(std::size_t n) {
 
 Out<double, 2> least_squares(In<double, 2> matrix, In<double, 2> wanted) {
     const std::size_t rows = matrix.shape(0), unknowns = matrix.shape(1), sides = wanted.shape(1);
-    require(rows > 0 && unknowns > 0 && sides > 0 && wanted.shape(0) == rows, "as many rows, one at least");
     auto found = new_array<double, 2>({unknowns, sides});
     released([&] { lommel::least_squares(rows, unknowns, sides, matrix.data(), wanted.data(), found.data()); });
     return found;

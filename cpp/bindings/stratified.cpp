@@ -25,12 +25,6 @@ using PlaneFields =
 lommel::Planes planes_of(const PlaneFields& given) {
     const auto& [rho, parts, rates, error, planes, forms, turns] = given;
     const std::size_t angles = rho.shape(0), count = parts.shape(0), orders = forms.shape(0), n = planes.shape(1);
-    require(angles > 0 && count > 0 && count <= lommel::most_parts && n > 0 && orders > 0, "empty, or too many parts");
-    require(parts.shape(1) == angles && rates.shape(0) == 3 && rates.shape(1) == angles, "one value an angle");
-    require(planes.shape(0) == 3, "planes are depth, focus and power");
-    require(forms.shape(1) == count && forms.shape(2) == count && turns.shape(0) == orders && turns.shape(1) == 3,
-            "forms must match the parts, and have an order, a cosine and a sine each");
-    require(turns.data()[0] == 0.0, "the order 0 must come first");
     const complex* rate = rates.data();
     const double* plane = planes.data();
     lommel::Planes made{{rho.data(), angles, count, parts.data(), rate, rate + angles, rate + 2 * angles, error},
@@ -63,13 +57,9 @@ lommel::LayeredSlopes<T> slopes_of(const SlopeFields<T>& given, lommel::Planes& 
     using What = lommel::LayeredSlope::What;
     const auto& [by, own, fields, turning, change, slopes, errors] = given;
     const In<double, 1>& of_fields = fields;
-    const std::size_t count = by.shape(0), n = requested.count, q = requested.angles.count;
-    require(by.shape(1) == 2 && count > 0 && own.shape(0) == count && own.shape(1) == n,
-            "derivatives are a number and a factor each, with a number for each plane");
-    require(of_fields.shape(0) == 4 && turning.shape(0) == 3 && turning.shape(1) == q, "one value an angle");
+    const std::size_t count = by.shape(0), n = requested.count;
     requested.angles.turning = turning.data();
     if (change) {
-        require(change->shape(0) == requested.angles.parts && change->shape(1) == q, "one value an angle");
         requested.angles.change = change->data();
     }
     const auto need = [&](lommel::By which) {
@@ -81,7 +71,6 @@ lommel::LayeredSlopes<T> slopes_of(const SlopeFields<T>& given, lommel::Planes& 
     lommel::LayeredSlopes<T> made;
     for (std::size_t k = 0; k < count; ++k) {
         const double which = by.data()[2 * k];
-        require(which == 0.0 || which == 1.0 || which == 2.0 || which == 3.0, "derivatives are 0, 1, 2 or 3");
         const What what = static_cast<What>(static_cast<int>(which));
         require(what != What::axis || requested.radial(), "only light that is radially symmetric is moved here");
         if (what == What::depth || what == What::focus) {
@@ -106,8 +95,6 @@ bool layered_images(PlaneFields planes, WindowFields window, bool integrate, dou
                     Out<double, 2> numbers, std::optional<SlopeFields<T>> slopes) {
     lommel::Planes requested = planes_of(planes);
     const std::size_t n = requested.count;
-    require(images.shape(0) == n && numbers.shape(0) == 3 && numbers.shape(1) == n, "one image, scale, bound and peak a plane");
-    require(allowed > 0.0 && threads >= 0, "allowed must be positive, threads at least 0");
     require_shape(window, images);
     const AxisWindow place = axis_window(window, n);
     lommel::LayeredSlopes<T> derivatives;
@@ -143,7 +130,6 @@ bool layered_images(PlaneFields planes, WindowFields window, bool integrate, dou
 std::pair<Out<double, 3>, Out<double, 1>> layered_profiles(PlaneFields planes, In<double, 1> v, int threads) {
     const lommel::Planes requested = planes_of(planes);
     require_radii(v);
-    require(v.shape(0) > 0 && threads >= 0, "v must not be empty, threads at least 0");
     const std::size_t count = v.shape(0), orders = requested.harmonics.size();
     auto values = new_array<double, 3>({requested.count, orders, count});
     auto bounds = new_array<double, 1>({requested.count});
@@ -167,12 +153,6 @@ std::pair<Out<double, 3>, Out<double, 1>> layered_profiles(PlaneFields planes, I
     return {values, bounds};
 }
 
-lommel::RingTaps taps_of(const In<double, 2>& polynomials, std::size_t count) {
-    require(polynomials.shape(0) > 0 && polynomials.shape(1) == lommel::RingTaps::most, "taps are sixteen polynomials");
-    require(count >= 4 && count <= lommel::RingTaps::most && count % 2 == 0, "of taps there are 4 to 16, an even number");
-    return {polynomials.data(), polynomials.shape(0), count};
-}
-
 // Rings of lommel.core.engine: bessel (orders, circles, nodes), parts (n or 1, 2 orders - 1, fields, nodes), waves (n, nodes),
 // power (n,); number of angles; filter over circles; tap polynomials along and around, and their numbers; gains and aliases
 // (2, m).
@@ -185,23 +165,16 @@ Out<double, 2> ringed_images(RingFields rings, WindowFields place, In<double, 1>
     const auto& [bessel, parts, waves, power, angles, filter, along, around, taps, gains] = rings;
     const std::size_t n = waves.shape(0), orders = bessel.shape(0), circles = bessel.shape(1), nodes = bessel.shape(2);
     const std::size_t fields = parts.shape(2);
-    require(n > 0 && orders > 0 && nodes > 0 && fields > 0 && threads >= 0, "nothing may be empty");
-    require(parts.shape(0) == n || parts.shape(0) == 1, "one wavefront, or one a plane");
-    require(parts.shape(1) == 2 * orders - 1 && parts.shape(3) == nodes && waves.shape(1) == nodes, "one value a node");
-    require(power.shape(0) == n && scales.shape(0) == n && images.shape(0) == n, "one image, power and scale a plane");
-    require(gains.shape(0) == 2 && gains.shape(1) == 2 * orders - 1, "a gain and an alias for each order of the intensity");
-    require(angles == lommel::RowFft<double>::length(angles) && angles >= 4 * orders - 3, "too few angles, or no length");
     const lommel::RingLight light{bessel.data(),  orders, circles,      nodes,        parts.data(),
                                   parts.shape(0), fields, waves.data(), power.data(), n};
     const lommel::RingSteps steps{angles,
                                   filter.data(),
                                   filter.shape(0),
-                                  taps_of(along, taps.first),
-                                  taps_of(around, taps.second),
+                                  {along.data(), along.shape(0), taps.first},
+                                  {around.data(), around.shape(0), taps.second},
                                   gains.data(),
                                   gains.data() + gains.shape(1),
                                   gains.shape(1)};
-    require(steps.filters > 0, "a filter has one weight at least");
     require_shape(place, images);
     const AxisWindow at = axis_window(place, n);
     const auto& [height, width, row, column, step] = at.first;
@@ -209,7 +182,7 @@ Out<double, 2> ringed_images(RingFields rings, WindowFields place, In<double, 1>
     const bool own = at.centers != nullptr;
     const lommel::RingWindow window{height, width, own ? at.centers : axis, own ? n : 1, step};
     const double most = window.farthest() * step + static_cast<double>(steps.before() + steps.filters) + 1.0;
-    require(step > 0.0 && most <= static_cast<double>(circles), "too few circles for the window");
+    require(most <= static_cast<double>(circles), "too few circles for the window");
     auto numbers = new_array<double, 2>({lommel::RingNumbers::count(fields), n});
     released([&] {
         lommel::RingImages<T>(light, steps, window, threads).run(scales.data(), images.data(), {numbers.data(), n, fields});

@@ -1,6 +1,5 @@
 // Nodes of windows, rims of pupils and the choice between them, for tests.
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -16,13 +15,7 @@ using namespace bindings;
 
 namespace {
 
-std::vector<double> eigenvector(const std::vector<double>& diagonal, const std::vector<double>& beside, std::size_t index) {
-    require(diagonal.size() == beside.size() + 1 && !beside.empty() && index < diagonal.size(), "three diagonals");
-    return lommel::eigenvector(diagonal, beside, index);
-}
-
 std::optional<Named> window_nodes(double step, std::size_t pixels, double error) {
-    require(step > 0.0 && pixels > 0 && error > 0.0, "step, pixels and error must be positive");
     const auto made = lommel::window_nodes(step, pixels, error);
     if (made == nullptr) {
         return std::nullopt;
@@ -37,8 +30,6 @@ std::optional<Named> window_nodes(double step, std::size_t pixels, double error)
 // requested error of the fields, and the bounds.
 Named bounds_at_nodes(double step, std::size_t side, double tol, double storing, In<double, 3> values, In<double, 1> numbers,
                       double field, double slope) {
-    require(values.shape(0) == 1 && values.shape(1) == side && values.shape(2) == side && numbers.size() == 4,
-            "one image; the brightest sample, the largest average, the sum of these, the steepest slope");
     const lommel::AverageRequest asked{side, side, step, tol, 1.0, storing, 1, {{2, 0}}};
     double error = 0.0, peak = 0.0, slope_error = 0.0, wanted = 0.0;
     bool single = false;
@@ -93,7 +84,6 @@ Named watched_averages(In<std::int32_t, 2> terms, In<double, 2> edge, double obs
                        Out<double, 3> values) {
     const lommel::DiskPupils pupils =
         disks_of({terms, edge, obscuration, amplitude}, {{values.shape(1), values.shape(2)}, centers, step});
-    require(values.shape(0) == pupils.count, "one image a pupil");
     const lommel::AverageRequest asked{values.shape(1), values.shape(2), step, tol, scale, 0.0, 1, {}};
     Watched averages(pupils, asked, if_cheaper, failing);
     std::vector<double> errors(pupils.count), peaks(pupils.count);
@@ -110,7 +100,6 @@ double rim_remainders(In<std::int32_t, 2> terms, In<double, 2> edge, double obsc
                       In<double, 2> centers, std::size_t height, std::size_t width, double step, int threads,
                       Out<double, 1> remainders, Out<double, 2> axes) {
     const std::size_t pupils = pupils_of(edge);
-    require(remainders.shape(0) == pupils && axes.shape(0) == pupils && axes.shape(1) == 2, "numbers of each pupil");
     return ask_disks<true>({terms, edge, obscuration, amplitude}, {{height, width}, centers, step}, 0.1, threads,
                            [&](const lommel::DiskStack& stack, const lommel::DiskWindow&) {
                                for (std::size_t p = 0; p < pupils; ++p) {
@@ -129,9 +118,6 @@ bool rim_boxes(In<std::int32_t, 2> terms, In<double, 2> edge, double obscuration
                In<double, 2> centers, std::size_t height, std::size_t width, double step, double tol, double lowest,
                int threads, Out<std::int64_t, 2> sides, Out<std::int64_t, 2> axes, Out<double, 2> numbers) {
     const std::size_t pupils = pupils_of(edge);
-    require(sides.shape(0) == 2 && sides.shape(1) == pupils && axes.shape(0) == pupils && axes.shape(1) == 2 &&
-                numbers.shape(0) == 2 && numbers.shape(1) == pupils,
-            "numbers of each pupil");
     bool pay = false;
     ask_disks<true>({terms, edge, obscuration, amplitude}, {{height, width}, centers, step}, tol, threads,
                     [&](const lommel::DiskStack& stack, const lommel::DiskWindow& window) {
@@ -156,12 +142,6 @@ double rim_averages(In<std::int32_t, 2> terms, In<double, 2> edge, double obscur
                     In<double, 2> centers, double step, double error, int threads, In<double, 1> remainders, In<double, 3> near,
                     In<std::int64_t, 1> places, Out<double, 3> images, Out<double, 2> numbers) {
     const std::size_t pupils = pupils_of(edge), box = near.shape(1);
-    require(places.shape(0) == pupils && numbers.shape(0) == pupils && numbers.shape(1) == 2 && remainders.shape(0) == pupils,
-            "one place and two numbers a pupil");
-    require(std::all_of(places.data(), places.data() + pupils,
-                        [&](std::int64_t place) { return place >= 0 && place < static_cast<std::int64_t>(images.shape(0)); }),
-            "places must be those of images");
-    require(near.shape(0) == pupils && near.shape(2) == box && box % 2 == 1, "boxes of an odd number of pixels");
     return ask_disks<true>({terms, edge, obscuration, amplitude}, {{images.shape(1), images.shape(2)}, centers, step}, 0.1,
                            threads, [&](const lommel::DiskStack& stack, const lommel::DiskWindow& window) {
                                const lommel::RimAnswer answer{remainders.data(), near.data(), places.data(), images.data(),
@@ -173,15 +153,10 @@ double rim_averages(In<std::int32_t, 2> terms, In<double, 2> edge, double obscur
 }  // namespace
 
 void bindings::define_average_tests(nb::module_& m) {
-    m.def("eigenvector", &eigenvector, "diagonal"_a, "beside"_a, "index"_a,
+    m.def("eigenvector", &lommel::eigenvector, "diagonal"_a, "beside"_a, "index"_a,
           "An eigenvector of a symmetric matrix of three diagonals, by the number of smaller eigenvalues.");
-    m.def(
-        "prolate_zeros",
-        [](std::size_t degree, double bandwidth) {
-            require(degree >= 2 && degree % 2 == 0 && bandwidth > 0.0, "degree must be even, and bandwidth positive");
-            return lommel::prolate_zeros(degree, bandwidth);
-        },
-        "degree"_a, "bandwidth"_a, "Positive zeros of a prolate spheroidal function, rising.");
+    m.def("prolate_zeros", &lommel::prolate_zeros, "degree"_a, "bandwidth"_a,
+          "Positive zeros of a prolate spheroidal function, rising.");
     m.def("window_nodes", &window_nodes, "step"_a, "pixels"_a, "error"_a,
           "Nodes of a row of pixels, their weights, and what bounds averages by them; or None.");
     m.def("bounds_at_nodes", &bounds_at_nodes, "step"_a, "side"_a, "tol"_a, "storing"_a, "values"_a, "numbers"_a, "field"_a,

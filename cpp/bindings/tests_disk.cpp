@@ -27,8 +27,6 @@ Named disk_bounds(Terms terms, Doubles1 coefficients, Doubles1 amplitude, std::s
 template <class Real>
 std::pair<Out<Real, 3>, double> row_fft(In<Real, 3> rows) {
     const std::size_t n = rows.shape(0);
-    require(n >= 16 && lommel::RowFft<Real>::length(n) == n && rows.size() == n * lommel::fft_element,
-            "eight rows of 16 2^a 3^b");
     const lommel::RowFft<Real> fft(n);
     lommel::Aligned<Real> given(rows.data(), rows.data() + rows.size()), other(rows.size());
     auto out = new_array<Real, 3>({n, 2, lommel::fft_rows});
@@ -69,7 +67,6 @@ Named zernike_bounds(Terms terms, Doubles1 coefficients, Doubles1 amplitude, dou
 }
 
 Named sampled_growth(Terms terms, Doubles1 coefficients, std::size_t curve) {
-    require(curve < lommel::ChordCurves::count, "no such curve");
     const lommel::TermPairs pairs(terms_of(terms, coefficients.size()));
     const lommel::GrowthTable table(pairs, curve);
     lommel::SampledGrowth found{};
@@ -83,7 +80,6 @@ Named circle_errors(Terms terms, Doubles1 outer, Doubles1 inner, double obscurat
                     double error, double step, double tol) {
     const lommel::Amplitude light = powers_of_amplitude(amplitude);
     const lommel::TermPairs pairs(terms_of(terms, outer.size()));
-    require(inner.shape(0) == outer.shape(0), "both disks must have all terms");
     lommel::ZernikeField field;
     field.expand({pairs, outer.data(), light}, {pairs, inner.data(), light.scaled(obscuration * obscuration)}, obscuration,
                  reach, error);
@@ -116,7 +112,6 @@ Named disk_stack(Terms terms, Doubles1 edge, double obscuration, double row, dou
 
 // Bounds for a window with v from `low` to `high` along x, on the axis along y: exponents on all curves.
 Named chordal_bounds(Terms terms, Doubles1 coefficients, Doubles1 amplitude, double low, double high) {
-    require(low <= high, "low must be below high");
     const lommel::TermPairs pairs(terms_of(terms, coefficients.size()));
     lommel::ChordBound bound(pairs, powers_of_amplitude(amplitude), {low, high, 0.0, 0.0});
     bound.prepare(coefficients.data());
@@ -133,7 +128,6 @@ Named chordal_bounds(Terms terms, Doubles1 coefficients, Doubles1 amplitude, dou
 
 // One ChordLine: its bound for a number of nodes, the number for an error, the best line for that error, and rounding.
 Named chordal_line(bool nodes, std::size_t curve, double exponent, std::size_t size, double error, std::size_t degree) {
-    require(curve < lommel::ChordCurves::count && error > 0.0, "no such curve, or no error");
     const lommel::Sum sum = nodes ? lommel::Sum::nodes : lommel::Sum::chords;
     const lommel::ChordLine line = lommel::ChordLine{curve, exponent}.times(degree);
     return named("bound"_a = line.bound(sum, size), "enough"_a = line.enough(sum, error));
@@ -166,7 +160,6 @@ std::vector<double> turned_waves(In<std::uint32_t, 1> turns) {
 }
 
 Named chordal_mean(Terms terms, Doubles1 coefficients, std::size_t curve, bool nodes, Doubles1 window, bool lone) {
-    require(curve < lommel::ChordCurves::count && window.size() == 4, "no such curve, or window of other than four ends");
     const lommel::VBox box{window.data()[0], window.data()[1], window.data()[2], window.data()[3]};
     const std::vector<lommel::ZernikeTerm> list = terms_of(terms, coefficients.size());
     const lommel::Sum sum = nodes ? lommel::Sum::nodes : lommel::Sum::chords;
@@ -194,7 +187,6 @@ Named chordal_mean(Terms terms, Doubles1 coefficients, std::size_t curve, bool n
 
 // Tilts (along rows, along columns) of one pupil whose axis `center` differs from that of the window.
 Named tilted_stack(Terms terms, Doubles1 edge, In<double, 1> center, double row, double column, double step) {
-    require(center.shape(0) == 2, "center must be a row and a column");
     lommel::DiskStack stack(terms_of(terms, edge.size()), edge.data(), 1, 0.0, {});
     stack.tilt_to(center.data(), {1, 1, row, column, step});
     std::vector<double> tilts(2, 0.0);

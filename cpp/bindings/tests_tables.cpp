@@ -33,26 +33,14 @@ Named rings_of(const lommel::PixelRings& table) {
 
 Named pixel_bounds(std::size_t height, std::size_t width, double center_y, double center_x, double step, bool integrate,
                    int level) {
-    require(height > 0 && height <= 1000 && width > 0 && width <= 1000, "windows must have 1 to 1000 pixels a side");
-    require(step > 0.0 && level >= 1 && level <= 15, "step must be positive, level from 1 to 15");
     return rings_of(*lommel::PixelTable::get({height, width, center_y, center_x, step, integrate}, level, 1));
 }
 
 Named ring_bounds(double pitch, double farthest, int level) {
-    require(pitch > 0.0 && farthest >= 1.0 && pitch * farthest <= lommel::AverageRings::most_reach && level >= 1 && level <= 15,
-            "pitch must be positive, farthest 1 at least and within reach, level from 1 to 15");
     return rings_of(*lommel::AverageRings::get(pitch, farthest, level, 1));
 }
 
-lommel::PixelWindow anywhere_window(double pitch, bool averages, double farthest, int level) {
-    require(
-        pitch > 0.0 && farthest >= 1.0 && pitch * farthest <= lommel::AnywhereTable::most_reach && level >= 1 && level <= 15,
-        "pitch must be positive, farthest 1 at least and within reach, level from 1 to 15");
-    return {1, 1, 0.0, 0.0, pitch, averages};
-}
-
 Named anywhere_bounds(double pitch, bool averages, double farthest, int level) {
-    anywhere_window(pitch, averages, farthest, level);
     const auto table = lommel::AnywhereTable::get(pitch, averages, farthest, level);
     return named("gauss"_a = table->gauss, "harmonics"_a = table->harmonics, "degree"_a = table->degree,
                  "error"_a = table->error, "of_nodes"_a = table->of_nodes, "of_grid"_a = table->of_grid,
@@ -64,10 +52,8 @@ Named anywhere_bounds(double pitch, bool averages, double farthest, int level) {
 // the polynomials.
 double anywhere_values(In<double, 1> profile, double center_y, double center_x, double pitch, bool averages, double farthest,
                        int level, Out<double, 2> out) {
-    lommel::PixelWindow window = anywhere_window(pitch, averages, farthest, level);
-    window = {out.shape(0), out.shape(1), center_y, center_x, pitch, averages};
+    const lommel::PixelWindow window{out.shape(0), out.shape(1), center_y, center_x, pitch, averages};
     const auto table = lommel::AnywhereTable::get(pitch, averages, farthest, level);
-    require(profile.shape(0) == table->count, "the profile must be at the radii");
     lommel::WindowValues made;
     made.make(*table, window, profile.data(), 1);
     std::copy_n(made.values.data(), made.count, out.data());
@@ -78,7 +64,6 @@ double anywhere_values(In<double, 1> profile, double center_y, double center_x, 
 using Shift = std::tuple<std::size_t, std::size_t, double, double, double, double, std::vector<double>>;
 
 std::shared_ptr<const lommel::ShiftTable> shift_table(double pitch, double farthest, int level) {
-    anywhere_window(pitch, true, farthest, level);
     return lommel::ShiftTable::get(lommel::AnywhereTable::get(pitch, true, farthest, level));
 }
 
@@ -96,7 +81,6 @@ Shift shift_bounds(double pitch, double farthest, int level) {
 double shift_values(In<double, 1> profile, double center_y, double center_x, double pitch, double farthest, int level,
                     Out<double, 3> out) {
     const auto table = shift_table(pitch, farthest, level);
-    require(profile.shape(0) == table->pixels->count && out.shape(0) == 2, "the profile at the radii, and two images");
     const lommel::PixelWindow window = window_of(out.shape(1), out.shape(2), center_y, center_x, pitch, true);
     const std::size_t count = window.height * window.width;
     lommel::Doubles scratch, down(count + lommel::widest_step), across(count + lommel::widest_step);

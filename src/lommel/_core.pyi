@@ -266,11 +266,6 @@ def polynomial_fields(pieces: Annotated[NDArray[numpy.complex128], dict(shape=(N
 def product(rows: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], matrix: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], threads: int) -> Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu')]:
     """The product of two matrices."""
 
-def levels(light: Annotated[NDArray[numpy.float32], dict(shape=(None,), order='C', device='cpu', writable=False)], edges: Annotated[NDArray[numpy.float32], dict(shape=(None,), order='C', device='cpu', writable=False)], low: float, high: float, threads: int, out: Annotated[NDArray[numpy.uint8], dict(shape=(None,), order='C', device='cpu')]) -> int:
-    """
-    Writes how many edges each value reaches; returns how many are below `low` or above `high`.
-    """
-
 def depth_layers(defocus: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], low: float, high: float, radii: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], thickness: float, most: int, threads: int, layers: Annotated[NDArray[numpy.uint8], dict(shape=(None, None), order='C', device='cpu')], behind: Annotated[NDArray[numpy.int32], dict(shape=(None, None), order='C', device='cpu')]) -> tuple[int, int]:
     """
     Writes the layer of each point, and the point that stands for what it hides, or -1; returns how many layers there are, and how many points hide something.

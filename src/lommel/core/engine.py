@@ -47,7 +47,6 @@ huygens_sum = _core.huygens_sum
 least_average = _core.least_average
 least_squares = _core.least_squares
 legendre_transforms = _core.legendre_transforms
-levels = _core.levels
 polynomial_fields = _core.polynomial_fields
 product = _core.product
 scatter = _core.scatter

@@ -16,7 +16,6 @@ from lommel.base import validation
 from lommel.base.arrays import Array, Values
 from lommel.base.encoding import clipped_fraction, from_light, scene_light, to_light
 from lommel.base.options import HIDDEN, In, listed
-from lommel.core import engine
 from lommel.deconvolve.linear import tiles_of
 from lommel.field.maps import FieldMap, require_one_aperture
 from lommel.imaging.blur import DepthBlur, require_lens, require_metres
@@ -31,6 +30,7 @@ Pixels = NDArray[np.generic]  # stored values, unsigned integers or floats
 
 TILE = 1024  # default side of the tiles of memory maps, pixels
 
+_INTERVAL_BITS = 14  # number of trailing bits of float32 light that do not select an interval between thresholds
 _STRIP = 2**20  # number of depth values read together, which limits the memory for the depth range
 
 
@@ -77,21 +77,28 @@ class Rendered:
 
 def encode_light(light: Values, encoding: str, dtype: DTypeLike) -> tuple[Pixels, float]:
     """Return finite light (1 is white) as stored values, and the fraction of values clipped to an integer range."""
-    if light.dtype != np.float32 or dtype != np.uint8 or light.size == 0:
-        return from_light(light, encoding, dtype), clipped_fraction(light, dtype)
+    clipped = clipped_fraction(light, dtype)
+    if light.dtype != np.float32 or dtype != np.uint8:
+        return from_light(light, encoding, dtype), clipped
     # Comparison with the thresholds between levels is faster than encoding each value; the results are equal.
-    values = np.empty(light.shape, dtype=np.uint8)
-    level = 1.0 / 255.0
-    flat = np.ascontiguousarray(light).reshape(-1)
-    # Light counts as clipped if it is more than one level below 0 or above 1.
-    clipped = engine.levels(flat, _thresholds(encoding), -level, 1.0 + level, 0, values.reshape(-1))
-    return values, clipped / light.size
+    thresholds, levels = _thresholds(encoding)
+    # Of negative numbers, the bits are those of a negative integer.
+    bits = np.maximum(np.minimum(light, np.float32(1.0)).view(np.int32), 0)
+    values: Pixels = levels[bits >> _INTERVAL_BITS]
+    values += light >= thresholds[values]
+    return values, clipped
 
 
 @lru_cache
-def _thresholds(encoding: str) -> NDArray[np.float32]:
-    """Return the 255 values of light at which the rounded 8-bit value increases by one."""
-    return to_light("thresholds", (np.arange(255) + 0.5) / 255.0, encoding, np.float64).astype(np.float32)
+def _thresholds(encoding: str) -> tuple[NDArray[np.float32], NDArray[np.uint8]]:
+    """Return the values of light at which the rounded 8-bit value increases by one, and infinity; and levels.
+
+    These are those of floats from 0 to 1 whose last `_INTERVAL_BITS` bits are 0. At most one threshold is between two
+    such floats.
+    """
+    rising = to_light("thresholds", (np.arange(255) + 0.5) / 255.0, encoding, np.float64).astype(np.float32)
+    starts = np.arange(0, np.float32(1.0).view(np.int32) + 1, 1 << _INTERVAL_BITS, dtype=np.int32).view(np.float32)
+    return np.append(rising, np.float32(np.inf)), np.searchsorted(rising, starts, side="right").astype(np.uint8)
 
 
 def output_array(out: Pixels | None, shape: tuple[int, ...], dtype: np.dtype[np.generic], *inputs: Pixels) -> Pixels:

@@ -144,53 +144,6 @@ def test_what_is_wrong_has_a_code_and_a_message(library):
     assert plan.ask(TERMS)[0] == OK  # a plan outlives what went wrong
 
 
-@pytest.fixture
-def frames():
-    draw = np.random.default_rng(3)
-    scene = np.kron(draw.random((48, 64)), np.ones((2, 2)))
-    return [(100 + draw.poisson(5000.0 * scene)).astype(np.uint16) for _ in range(2)]
-
-
-def test_live_depth_from_a_file_is_that_of_the_package(library, tmp_path, frames):
-    lens = lm.Lens(focal_length=35e-3, f_number=8.0, focus_distance=1.35, wavelength=540e-9)
-    live = lm.imaging.LiveDepth(
-        [lens, lens.focused(1.8)], 4e-6, between=(1.2, 2.0), noise=lm.Noise(read=3.0, offset=100.0), shape=(96, 128),
-        light=2500.0, sharp=True,
-    )  # fmt: skip
-    live.save(tmp_path / "lens.lml")
-    tables = (tmp_path / "lens.lml").read_bytes()
-    assert len(tables) < 60_000
-    library.lommel_live_new.restype = ctypes.c_void_p
-    library.lommel_live_new.argtypes = [ctypes.c_char_p, ctypes.c_size_t, *[ctypes.c_int32] * 3]
-    made = ctypes.c_void_p(library.lommel_live_new(tables, len(tables), 96, 128, 2))
-    assert made, library.lommel_message()
-    sizes = [ctypes.c_int32() for _ in range(3)]
-    assert library.lommel_live_size(made, *map(ctypes.byref, sizes)) == OK
-    assert [one.value for one in sizes] == [2, 24, 32]
-    pointers = (ctypes.c_void_p * 2)(*(one.ctypes.data for one in frames))
-    maps, image = np.empty((3, 24, 32), np.float32), np.empty((96, 128), np.float32)
-    where = [ctypes.c_void_p(one.ctypes.data) for one in maps]
-    assert library.lommel_live_sharp(made, ctypes.c_void_p(image.ctypes.data)) == INVALID
-    assert library.lommel_message() == b"there are no frames yet"
-    for _ in range(2):
-        assert library.lommel_live_frames(made, pointers, 16, 128, *where) == OK, library.lommel_message()
-        found = live(*frames)
-        for mine, theirs in zip(maps, (found.depth, found.errors, found.misfit), strict=True):
-            np.testing.assert_allclose(mine, theirs, rtol=1e-4)
-    assert library.lommel_live_sharp(made, ctypes.c_void_p(image.ctypes.data)) == OK
-    np.testing.assert_allclose(image, live.sharp(), atol=1e-4 * image.mean())
-    assert library.lommel_live_frames(made, pointers, 12, 128, *where) == INVALID
-    assert library.lommel_message() == b"bits must be 8 or 16"
-    dark = np.full_like(frames[0], 100)
-    pointers[1] = dark.ctypes.data
-    assert library.lommel_live_frames(made, pointers, 16, 128, *where) == INVALID
-    assert b"frames must hold light" in library.lommel_message()
-    library.lommel_live_free(made)
-    for damaged in (tables[:-1], tables + b"0", b"x" + tables[1:], tables[:8] + b"\7" + tables[9:]):
-        assert not library.lommel_live_new(damaged, len(damaged), 96, 128, 1)
-        assert b"tables" in library.lommel_message()
-
-
 def test_only_the_functions_of_the_header_are_exported(prefix, library):
     declared = set(HEADER.read_text().replace("(", " ").replace("*", " ").split())
     (file,) = prefix.glob(f"lib*/liblommel.so.{VERSION}")

@@ -107,6 +107,18 @@ def test_what_is_out_of_reach_is_refused_at_once_in_the_terms_of_the_question(me
     assert time.thread_time() - start < 0.5
 
 
+@pytest.mark.parametrize("v", [1.0001e6, 1e10, 1e25, 1e300, np.inf, np.nan])
+def test_the_core_itself_refuses_what_no_integer_holds(v):
+    one, at = np.array([[1.0]]), np.array([v])
+    for call in (
+        lambda: _core.field((one, 0.0, np.zeros(1)), at, 1e-6),
+        lambda: _core.profile((one, 0.3, np.zeros(1)), at, 1e-6),
+        lambda: _core.bessel_sequence(at, 5),
+    ):
+        with pytest.raises(ValueError, match="v"):
+            call()
+
+
 def test_light_within_a_far_circle_is_that_of_rayleigh():
     answer, far = lm.psf(lm.Pupil(), 5, 1.0), np.array([40.0, 900.0, 30_000.0])
     v = np.pi * far

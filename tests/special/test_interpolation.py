@@ -83,6 +83,12 @@ def test_directions_that_the_matrix_lacks_do_not_make_solutions_large():
     assert np.abs(found).max() <= 1.01 * np.abs(least).max()
 
 
+def test_columns_of_zeros_have_no_share():
+    matrix = np.array([[1.0, 0.0], [2.0, 0.0], [2.0, 0.0]])
+    np.testing.assert_allclose(least_squares(matrix, np.array([[3.0], [6.0], [6.0]])), [[3.0], [0.0]], atol=1e-14)
+    np.testing.assert_array_equal(least_squares(np.zeros((3, 2)), np.ones((3, 1))), 0.0)
+
+
 @pytest.mark.parametrize("half", [20, 26])
 def test_columns_that_nearly_depend_on_others_leave_as_little_as_they_can(half):
     # Cosines along a band of which samples are close together, as of filters of averages.

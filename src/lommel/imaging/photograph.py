@@ -84,9 +84,8 @@ def encode_light(light: Values, encoding: str, dtype: DTypeLike) -> tuple[Pixels
     thresholds, levels = _thresholds(encoding)
     # Of negative numbers, the bits are those of a negative integer.
     bits = np.maximum(np.minimum(light, np.float32(1.0)).view(np.int32), 0)
-    values: Pixels = levels[bits >> _INTERVAL_BITS]
-    values += light >= thresholds[values]
-    return values, clipped
+    values = levels[bits >> _INTERVAL_BITS]
+    return values + (light >= thresholds[values]), clipped
 
 
 @lru_cache

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import copy
 import math
 
 import numpy as np
@@ -253,86 +252,6 @@ def test_what_is_found_is_fitted_where_it_is(table, maps):
         assert (np.abs(values[order] - truth) < 6.0 * errors[order]).all()
 
 
-def test_two_planes_tell_more_than_one(table):
-    # A biplane: the second channel sees the molecule 400 nm away, mirrored, turned and magnified.
-    shift = 0.4e-6
-    pupil = OBJECTIVE.pupil(depth=1e-6, **LIGHT)
-    lower = Table(pupil, shape=13, pixel=6.5e-6, z=RANGE, offset=shift)
-    other = copy.copy(lower)
-    other.z = (RANGE[0], RANGE[1] + shift)
-    with pytest.raises(ValueError, match="must have the same range of z"):
-        fit([table, other], [np.ones((1, 15, 15)), np.ones((1, 13, 13))])
-    angle = 0.4
-    turn = 1.05 * np.array([[math.cos(angle), math.sin(angle)], [math.sin(angle), -math.cos(angle)]])
-    transform = np.column_stack([turn @ [[1.0, 0.4], [0.0, 1.0]], [3.3, 180.1]])
-    rng = np.random.default_rng(16)
-    n = 300
-    row, column, z = (
-        100.0 + rng.uniform(-30.0, 30.0, n),
-        80.0 + rng.uniform(-30.0, 30.0, n),
-        rng.uniform(-5e-7, 5e-7, n),
-    )
-    there = np.stack([row, column, np.ones(n)], axis=1) @ transform.T
-    first = np.round(np.stack([row, column], axis=1)) - 7
-    second = np.round(there) - 6
-    one = lm.psf(
-        OBJECTIVE.pupil(depth=1e-6, z=z, **LIGHT),
-        15,
-        6.5e-6,
-        center=(row - first[:, 0], column - first[:, 1]),
-        tol=1e-4,
-    ).values
-    two = lm.psf(
-        OBJECTIVE.pupil(depth=1e-6, z=z + shift, **LIGHT), 13, 6.5e-6,
-        center=(there[:, 0] - second[:, 0], there[:, 1] - second[:, 1]), tol=1e-4,
-    ).values  # fmt: skip
-    counts = [rng.poisson(1500.0 * one + 5.0), rng.poisson(900.0 * two + 8.0)]
-    found = fit([table, lower], counts, corners=[first, second], transforms=transform[None])
-    alone = fit(table, counts[0], corners=first)
-    assert found.photons.shape == found.background.shape == found.errors.photons.shape == (n, 2)
-    good = found.converged
-    assert good.mean() > 0.98
-    for values, truth, errors in (
-        (found.row, row, found.errors.row),
-        (found.column, column, found.errors.column),
-        (found.z, z, found.errors.z),
-        (found.photons[:, 1], np.full(n, 900.0), found.errors.photons[:, 1]),
-    ):
-        off = ((values - truth) / errors)[good]
-        assert np.abs(off).max() < 6.0
-        assert abs(off.mean()) < 0.35
-        assert 0.85 < np.sqrt((off**2).mean()) < 1.15
-    assert np.median(found.errors.z[good] / alone.errors.z[good]) < 0.9
-
-
-def test_the_likelihood_of_two_channels_is_largest_where_they_find_it(table):
-    turn = np.array([[0.8, 0.9], [0.2, -0.7]])
-    rng = np.random.default_rng(35)
-    row, column, z = places(4, 36, spread=0.5, most=0.3e-6)
-    offset = 7.0 - turn @ [7.0, 7.0]
-    there = turn @ [row, column] + offset[:, None]
-    counts = [
-        rng.poisson(300.0 * table(row, column, z) + 4.0),
-        rng.poisson(3000.0 * table(there[0], there[1], z) + 4.0),
-    ]
-    found = fit([table, table], counts, corners=np.zeros((2, 4, 2)), transforms=np.column_stack([turn, offset])[None])
-
-    def deviance(k: int, by: np.ndarray) -> float:
-        here = np.array([found.row[k], found.column[k]]) + by
-        sum_of = 0.0
-        for c, at in enumerate((here, turn @ here + offset)):
-            mean = found.photons[k, c] * table(*at, found.z[k]) + found.background[k, c]
-            sum_of += 2.0 * float((mean - counts[c][k] * np.log(mean)).sum())
-        return sum_of
-
-    for k in range(4):
-        step = 0.5 * found.errors.row[k]
-        for axis in np.eye(2):
-            up, down = deviance(k, step * axis), deviance(k, -step * axis)
-            # A parabola through three points has its lowest one here, to a hundredth of a standard error.
-            assert abs(up - down) < 0.03 * (up + down - 2.0 * deviance(k, np.zeros(2)))
-
-
 def test_any_number_of_threads_says_the_same(table):
     counts = np.random.default_rng(19).poisson(800.0 * images(*places(300, 20)) + 5.0)
     one = fit(table, counts, threads=1)
@@ -351,13 +270,6 @@ def test_bad_input_is_refused(case, table):
     changes, kind, message = case
     with pytest.raises(kind, match=message):
         fit(**({"table": table, "images": ONE} | changes))
-
-
-def test_channels_that_do_not_match_are_refused(table):
-    with pytest.raises(ValueError, match="noise must be a Noise, or one for each of 2 channels, got 3"):
-        fit([table, table], [ONE, ONE], noise=[None] * 3)
-    with pytest.raises(ValueError, match="transforms must not map the camera to a line"):
-        fit([table, table], [ONE, ONE], transforms=np.zeros((1, 2, 3)))
 
 
 def test_a_tilted_background_does_not_shift_positions():

@@ -457,7 +457,7 @@ def scored(
     # Molecules with neighbours are left out, because a neighbour resembles a slope of the background.
     limit = np.median(molecules.discrepancy[usable]) + DOUBTFUL
     chosen = np.flatnonzero(usable & (molecules.discrepancy < limit))[:_MOLECULES]
-    counts, read = in_electrons(spots.images[chosen], camera, spots.corners[chosen].astype(float))
+    counts, read = in_electrons(spots.images[chosen], camera, spots.corners[chosen])
     places = positions[chosen, 0], positions[chosen, 1], molecules.z[chosen]
     values, derivatives = table(*places, derivatives=True)
     photons, level = (

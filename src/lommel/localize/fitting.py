@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass, fields
 from typing import Any, ClassVar
 
@@ -53,9 +53,9 @@ class Molecules:
         Position in pixels; 0 is the middle of the first pixel of the box or, with `corners`, of the camera.
     z : ndarray, shape (n,)
         Position of the stage, or depth of the molecule (see `Table.along`), metres.
-    photons : ndarray, shape (n,) or (n, channels)
+    photons : ndarray, shape (n,)
         Electrons of the molecule in an infinite window.
-    background : ndarray, shape (n,) or (n, channels)
+    background : ndarray, shape (n,)
         Electrons per pixel, at least 0.01.
     errors : MoleculeErrors
         Standard errors of the above estimates by the Cramer-Rao bound.
@@ -136,12 +136,11 @@ def _map_arrays(function: Callable[..., Any], *items: Any) -> Any:
 
 
 def fit(
-    table: Table | Sequence[Table],
-    images: ArrayLike | Sequence[ArrayLike],
+    table: Table,
+    images: ArrayLike,
     *,
-    noise: Noise | Sequence[Noise] | None = None,
+    noise: Noise | None = None,
     corners: ArrayLike | None = None,
-    transforms: ArrayLike | None = None,
     saturation: float | None = None,
     starts: int = 4,
     background: str = "flat",
@@ -151,24 +150,18 @@ def fit(
 
     Parameters
     ----------
-    table : Table or sequence of Table
-        Table of the images of a molecule, or one table for each channel of a camera that records every molecule in
-        several channels, such as two planes (biplane) or colours.
+    table : Table
+        Table of the images of a molecule.
     images : array_like, shape (n, height, width)
         A box around each molecule, of the shape of the table, in electrons or, with `noise`, in the unit of the
-        camera; NaN for pixels to be ignored. For several channels, a sequence of such arrays, or an array of shape
-        (channels, n, height, width).
-    noise : Noise or sequence of Noise, optional
-        Gain, offset and read noise of the camera, or of the camera of each channel; by default images are in
-        electrons, without read noise. Maps cover the whole camera; `corners` are then the positions of boxes in the
-        maps. Pixels with a read noise of 1000 electrons or more are ignored.
-    corners : array_like, shape (n, 2) or (channels, n, 2), optional
-        Row and column (integers) of the first pixel of each box on the camera. Required for maps, and for transforms
-        of channels other than shifts by whole pixels. Rows and columns of the estimates then count from the first
-        pixel of the camera.
-    transforms : array_like, shape (channels - 1, 2, 3), optional
-        Matrices that map (row, column, 1) of a molecule on the camera of the first channel to row and column on the
-        camera of each other channel, for example from beads recorded in all channels; by default the identity.
+        camera; NaN for pixels to be ignored.
+    noise : Noise, optional
+        Gain, offset and read noise of the camera; by default images are in electrons, without read noise. Maps cover
+        the whole camera; `corners` are then the positions of boxes in the maps. Pixels with a read noise of 1000
+        electrons or more are ignored.
+    corners : array_like, shape (n, 2), optional
+        Row and column (integers) of the first pixel of each box on the camera. Required for maps. Rows and columns of
+        the estimates then count from the first pixel of the camera.
     saturation : float, optional
         Pixels of this value or more, in the unit of `images`, are saturated, and ignored. By default the largest
         value of the integer type or, if many pixels have the largest value of 8 to 16 bits, that value.
@@ -217,40 +210,36 @@ def fit(
     """
     validation.integer("starts", starts, least=1, most=20)
     thread_count = 0 if threads is None else validation.integer("threads", threads, least=1, most=1024)
-    tables = [table] if isinstance(table, Table) else list(table) if isinstance(table, Sequence) else []
-    if not tables or not all(isinstance(item, Table) for item in tables):
-        raise TypeError(f"table must be a Table or a sequence of Tables, got {validation.shown(table)}")
-    has_channels = not isinstance(table, Table)
-    cameras = _cameras(tables, noise, placed=corners is not None)
-    boxes = _boxes(tables, images if has_channels else [images], saturation)
-    total = len(boxes[0])
-    box_corners = _corners(corners, len(boxes), total, has_channels)
-    matrices, shifts = _transforms(transforms, len(boxes))
-    # offset = (position in the box of a channel) - matrix * (position in the box of the first channel)
-    differences = np.einsum("cij,nj->cni", matrices.reshape(-1, 2, 2), box_corners[0])
-    differences = differences + shifts[:, None] - box_corners
-    offsets = np.ascontiguousarray(differences.swapaxes(0, 1))
+    validation.instance("table", table, Table)
+    validation.optional("noise", noise, Noise)
+    camera = noise or Noise(read=0.0)
+    maps = {np.shape(part) for part in (camera.white, camera.read, camera.offset)} - {()}
+    if corners is None and maps - {table.shape}:
+        raise ValueError(f"corners must be given for a camera with maps of shape {max(maps)}, got None")
+    expected = "(n, height, width), of one box images[None]"
+    boxes = counts_of("images", images, sides=(3,), shape=expected, saturation=saturation, empty=True).marked()
+    total, sides = len(boxes), boxes.shape[1:]
+    if sides != table.shape:
+        raise ValueError(f"images must be boxes of {table.shape} pixels, the shape of the table, got {sides}")
+    box_corners = _corners(corners, total)
     tilted = validation.choice("background", background, BACKGROUNDS) == "tilted"
-    per_channel = 4 if tilted else 2
-    parameters = 3 + per_channel * len(boxes)
+    parameters = 7 if tilted else 5
     values, errors, quality = np.empty((total, parameters)), np.empty((total, parameters)), np.empty((total, 2))
     state = np.empty((total, 2), np.int32)
-    fitter = _fitter(tuple(tables), matrices.tobytes())
+    fitter = _fitter(table)
     for first in range(0, total, _BLOCK):
         block = slice(first, first + _BLOCK)
-        channels = zip(boxes, cameras, box_corners, strict=True)
-        pairs = [in_electrons(box[block], camera, corner[block]) for box, camera, corner in channels]
-        electrons, read = map(list, zip(*pairs, strict=True))
-        results = fitter.fit(electrons, read, offsets[block], starts, tilted, thread_count)
+        electrons, read = in_electrons(boxes[block], camera, box_corners[block])
+        offsets = np.zeros((len(electrons), 1, 2))
+        results = fitter.fit([electrons], [read], offsets, starts, tilted, thread_count)
         values[block], errors[block], quality[block], state[block] = results
-    values[:, :2] += box_corners[0]
+    values[:, :2] += box_corners
     # The fit uses electrons divided by the excess noise factor.
-    for c, camera in enumerate(cameras):
-        for columns in (values, errors):
-            columns[:, 3 + per_channel * c : 3 + per_channel * (c + 1)] *= camera.excess
+    values[:, 3:] *= camera.excess
+    errors[:, 3:] *= camera.excess
     return Molecules(
-        **_columns_by_name(values, has_channels, per_channel),
-        errors=MoleculeErrors(**_columns_by_name(errors, has_channels, per_channel)),
+        **_columns_by_name(values),
+        errors=MoleculeErrors(**_columns_by_name(errors)),
         log_likelihood=-0.5 * quality[:, 0],
         discrepancy=quality[:, 1].copy(),
         state=state[:, 0].copy(),
@@ -258,116 +247,48 @@ def fit(
     )
 
 
-def _columns_by_name(estimates: Array, has_channels: bool, per_channel: int) -> dict[str, Any]:
-    """Return columns of estimates, or of errors, (n, parameters) by name, without slopes of the background.
-
-    Photons and background have the shape (n, channels) if `has_channels`.
-    """
-    # Parameters: row, column, z, then for each channel photons, background and, if tilted, two slopes.
-    levels = [estimates[:, k::per_channel] if has_channels else estimates[:, k] for k in (3, 4)]
-    return dict(zip(_NAMES, (np.ascontiguousarray(part) for part in (*estimates[:, :3].T, *levels)), strict=True))
+def _columns_by_name(estimates: Array) -> dict[str, Array]:
+    """Return columns of estimates, or of errors, (n, parameters) by name, without slopes of the background."""
+    return {name: np.ascontiguousarray(column) for name, column in zip(_NAMES, estimates.T, strict=False)}
 
 
-def _fitter(tables: tuple[Table, ...], matrices: bytes) -> engine.MoleculeFitter:
-    """Return the compiled fitter of these tables with its templates, cached in the first table."""
-    if len({(table.z, table.along) for table in tables}) > 1:
-        raise ValueError("table: the tables of all channels must have the same range of z and the same `along`")
-    first = tables[0]
-    key = (tuple(map(id, tables)), matrices)
-    cached = vars(first).get("_fitter")
-    if cached is None or cached[0] != key:
-        spacing = _SPACING * first.pupil.scale / (math.pi * first.pixel)  # pixels
+def _fitter(table: Table) -> engine.MoleculeFitter:
+    """Return the compiled fitter of a table with its templates, cached in the table."""
+    cache: dict[str, engine.MoleculeFitter] = vars(table)
+    if "_fitter" not in cache:
+        (low, high), (height, width) = table.z, table.shape
+        spacing = _SPACING * table.pupil.scale / (math.pi * table.pixel)  # pixels
         # Molecules are near the middle of the box, so templates need not cover the lateral range of the table.
-        max_offset = min(first.reach, max(1.5, spacing))
+        max_offset = min(table.reach, max(1.5, spacing))
         sides = np.arange(-math.floor(max_offset / spacing), math.floor(max_offset / spacing) + 1) * spacing
-        layers = max(2, math.ceil((first.z[1] - first.z[0]) * first.rate / _PHASE_STEP) + 1)
+        layers = max(2, math.ceil((high - low) * table.rate / _PHASE_STEP) + 1)
         if layers * len(sides) ** 2 > _MAX_TEMPLATES:
             raise ValueError(f"table must span less than {layers} templates along z; use several tables")
-        heights = (np.arange(layers) + 0.5) * ((first.z[1] - first.z[0]) / layers) + first.z[0]
-        z, row, column = np.meshgrid(heights, first.shape[0] // 2 + sides, first.shape[1] // 2 + sides, indexing="ij")
+        heights = (np.arange(layers) + 0.5) * ((high - low) / layers) + low
+        z, row, column = np.meshgrid(heights, height // 2 + sides, width // 2 + sides, indexing="ij")
         templates = np.stack([row, column, z], axis=-1).reshape(layers, -1, 3)
-        channels = np.frombuffer(matrices).reshape(len(tables), 4)
-        cores = [table.core for table in tables]
-        fitter = engine.MoleculeFitter(cores, channels, first.limits, 2.5 / first.rate, templates)
-        # The cache also holds the tables, so that Python does not reuse the ids in the key.
-        cached = vars(first)["_fitter"] = (key, fitter, tables)
-    return cached[1]
+        identity = np.array([[1.0, 0.0, 0.0, 1.0]])
+        cache["_fitter"] = engine.MoleculeFitter([table.core], identity, table.limits, 2.5 / table.rate, templates)
+    return cache["_fitter"]
 
 
-def _boxes(tables: list[Table], images: Any, saturation: float | None) -> list[Values]:
-    """Return the boxes of each channel, with NaN in pixels to be ignored."""
-    try:
-        count = len(images)
-    except TypeError:
-        got = validation.shown(images)
-        raise TypeError(f"images must be boxes for each of {len(tables)} channels, got {got}") from None
-    if count != len(tables):
-        raise ValueError(f"images must have {len(tables)} channels, one for each table, got {count}")
-    boxes = []
-    for table, channel_images in zip(tables, images, strict=True):
-        shape = "(n, height, width), of one box images[None]"
-        counts = counts_of("images", channel_images, sides=(3,), shape=shape, saturation=saturation, empty=True)
-        channel_boxes = counts.marked()
-        if channel_boxes.shape[1:] != table.shape:
-            raise ValueError(
-                f"images must be boxes of {table.shape} pixels, the shape of the table, got {channel_boxes.shape[1:]}"
-            )
-        boxes.append(channel_boxes)
-    if len({len(box) for box in boxes}) != 1:
-        raise ValueError(f"images must have equally many boxes in all channels, got {[len(box) for box in boxes]}")
-    return boxes
-
-
-def _cameras(tables: list[Table], noise: Noise | Sequence[Noise | None] | None, *, placed: bool) -> list[Noise]:
-    """Return the camera of each channel; `placed` is True if the positions of boxes on the camera are known."""
-    channels = len(tables)
-    noises = [noise] * channels if noise is None or isinstance(noise, Noise) else noise
-    for channel_noise in noises if isinstance(noises, Sequence) else [noises]:
-        validation.optional("noise", channel_noise, Noise)
-    if len(noises) != channels:
-        raise ValueError(f"noise must be a Noise, or one for each of {channels} channels, got {len(noises)}")
-    cameras = [Noise(read=0.0) if channel_noise is None else channel_noise for channel_noise in noises]
-    for camera, table in zip(cameras, tables, strict=True):
-        shapes = {getattr(part, "shape", ()) for part in (camera.white, camera.read, camera.offset)} - {()}
-        if not placed and shapes - {table.shape}:
-            raise ValueError(f"corners must be given for a camera with maps of shape {max(shapes)}, got None")
-    return cameras
-
-
-def _corners(corners: Any, channels: int, count: int, has_channels: bool) -> Array:
-    """Return the corners of all boxes, shape (channels, count, 2); all are 0 if `corners` is None."""
+def _corners(corners: Any, count: int) -> NDArray[np.int64]:
+    """Return the corners of all boxes, shape (count, 2); all are 0 if `corners` is None."""
     values = validation.real_array("corners", np.zeros((count, 2)) if corners is None else corners)
-    if values.ndim == 2:
-        values = np.broadcast_to(values, (channels, *values.shape))
-    if values.shape != (channels, count, 2):
-        shape = f"({channels}, {count}, 2)" if has_channels else f"({count}, 2)"
-        raise ValueError(f"corners (row, column) must have the shape {shape}, got {np.shape(corners)}")
+    if values.shape != (count, 2):
+        raise ValueError(f"corners (row, column) must have the shape {(count, 2)}, got {values.shape}")
     if (values != np.round(values)).any():
         raise ValueError(f"corners must be whole numbers, got {values[values != np.round(values)].flat[0]:g}")
-    return values
+    return values.astype(np.int64)
 
 
-def _transforms(transforms: ArrayLike | None, channels: int) -> tuple[Array, Array]:
-    """Return the matrix of each channel, (channels, 4), and its shift, (channels, 2)."""
-    # The first channel is the reference: identity.
-    matrices = np.tile(np.eye(2, 3), (channels, 1, 1))
-    if transforms is not None:
-        other_matrices = validation.real_array("transforms", transforms)
-        if other_matrices.shape != (channels - 1, 2, 3):
-            raise ValueError(f"transforms must have the shape {(channels - 1, 2, 3)}, got {other_matrices.shape}")
-        if (np.abs(np.linalg.det(other_matrices[:, :, :2])) < 1e-6).any():
-            raise ValueError("transforms must not map the camera to a line: the determinant of a matrix is 0")
-        matrices[1:] = other_matrices
-    return np.ascontiguousarray(matrices[:, :, :2]).reshape(channels, 4), matrices[:, :, 2]
-
-
-def in_electrons(box: Values, camera: Noise, corners: Array) -> tuple[Any, Any]:
+def in_electrons(box: Values, camera: Noise, corners: NDArray[np.int64]) -> tuple[Any, Any]:
     """Return boxes in electrons, divided by the excess noise factor, and their read variance, as float32.
 
     The variance has the shape of the boxes, or (1, height, width) if it is the same for all boxes.
     """
     parts: dict[str, Any] = {"white": camera.white, "read": camera.read, "offset": camera.offset}
-    pixels = box_pixels(corners.astype(np.int64), box.shape[1:])
+    pixels = box_pixels(corners, box.shape[1:])
     for name, part in parts.items():
         if isinstance(part, np.ndarray):
             index_limits = zip(pixels, part.shape, strict=True)

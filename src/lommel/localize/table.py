@@ -247,9 +247,6 @@ class Table:
         the cover glass.
     along : {"z", "depth"}, default "z"
         Meaning of z: position of the stage, for a fixed depth of the emitter; or depth, for a fixed stage.
-    offset : float, default 0
-        Displacement of the stage, -1e-5 to 1e-5 metres, for example for the second camera of a biplane. The image at
-        z is computed with the stage at ``z + offset`` or, along the depth, with the stage displaced by `offset`.
     reach : float, default 3
         Largest distance of the molecule from the middle of pixel ``(height // 2, width // 2)`` along rows and
         columns, pixels, 0.5 to 16.
@@ -260,7 +257,7 @@ class Table:
     Attributes
     ----------
     pupil, shape, pixel, z, along, reach, tol
-        The arguments; `pupil` with the stage displaced by `offset`.
+        The arguments.
     error_bound : float
         Proven bound on the error of values, relative to the peak (see `tol`); at most `tol`.
     slope_bounds : dict
@@ -300,11 +297,9 @@ class Table:
         *,
         z: tuple[float, float],
         along: str = "z",
-        offset: float = 0.0,
         reach: float = 3.0,
         tol: float = 1e-4,
     ) -> None:
-        displacement = validation.real("offset", offset, least=-1e-5, most=1e-5)
         if not isinstance(pupil, ObjectivePupil):
             raise TypeError(f"pupil must be from Objective.pupil, got {validation.shown(pupil)}")
         if pupil.shape or (pupil.aberrations is not None and pupil.aberrations.shape):
@@ -312,7 +307,7 @@ class Table:
         side = validation.image_shape(shape)
         if min(side) < _MIN_SIDE or max(side) > _MAX_SIDE:
             raise ValueError(f"shape must be {_MIN_SIDE} to {_MAX_SIDE} pixels a side, 15 is usual, got {side}")
-        self.pupil, self.shape = replace(pupil, focus=pupil.focus + displacement), side
+        self.pupil, self.shape = pupil, side
         self.pixel = validation.pixel(pixel, metric=True)
         self.along = validation.choice("along", along, ("z", "depth"))
         self.reach = validation.real("reach", reach, least=0.5, most=_MAX_REACH)

@@ -2,7 +2,7 @@
 
 A table has the PSF as a function of z and position. `along` is the meaning of z: position of the stage ("z"),
 "depth", or "none" if z is not estimated. The discrepancy of a molecule is (chi2 of its fit - expectation) / standard
-deviation. A rival is a table with another sign of astigmatism or another depth.
+deviation. The rival of a table has astigmatism of the opposite sign.
 """
 
 from __future__ import annotations
@@ -28,7 +28,6 @@ from lommel.fit.score_tests import Candidate, ScoreTest, other_explanation, scor
 from lommel.localize.fitting import Molecules, in_electrons
 from lommel.localize.localizations import DOUBTFUL, Localizations, MovieInfo
 from lommel.localize.table import Table, Waves
-from lommel.optics.layers.objective import brightest
 from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.psf import psf
@@ -38,7 +37,7 @@ from lommel.special import zernike
 
 TILTED = 5.0
 """Significance, in standard deviations, above which backgrounds count as tilted."""
-_MOLECULES = 1000  # number of molecules for the tests of noise, background and other tables
+_MOLECULES = 1000  # number of molecules for the tests of noise, background and the rival
 _MIN_FRAMES, _RECURRING = 20, 0.3  # shortest movie for the test of recurring spots; fraction of frames with the spot
 _WIDEST, _PER_UNIT = 50, 100  # histogram of discrepancies: largest value, and number of bins per unit
 # Smallest plausible (pixel in the sample) / (Nyquist pixel): a smaller pixel was divided by the magnification twice.
@@ -49,7 +48,6 @@ _DISCREPANT, _MISFIT = 0.3, 1.0  # median discrepancy above which fits are in do
 _BY_CHANCE, _CROWDED = 0.01, 0.05
 _MAX_AT_ENDS = 0.1  # largest fraction of spots at an end of the range of z
 _MIN_COMPARED = 10  # smallest number of molecules from which the standard deviation of the gain is estimated
-_DEPTH_CHANGE = 0.4e-6  # change of the depth in focus for a rival, metres
 # Changes of the images that are tested: Zernike terms of the expected size _TERM (radians rms), and errors of the
 # expected sizes _CONSTANTS. _TEST_MOLECULES is the number of molecules for these tests.
 _TERMS = (*((n, m) for n in (2, 3, 4) for m in range(-n, n + 1, 2) if (n, m) != (2, 0)), (6, 0))
@@ -61,7 +59,7 @@ _MAX_STATED = 0.5  # largest error of a constant in a message, as a fraction of 
 _BIASES, _MICRON = ("row", "column", "z", "photons"), 1e-6
 _PHASE_STEP = 1.0  # phase difference between neighbouring planes of the changes, radians
 _SUBPIXELS = 3  # samples along each side of a pixel
-_MIN_GAIN_RATIO = 1.5  # (gain of changes) / (gain of rivals) above which rivals are not reported
+_MIN_GAIN_RATIO = 1.5  # (gain of changes) / (gain of the rival) above which the rival is not reported
 _BIASED = 0.5  # rms bias, in standard errors, above which estimates are in doubt
 # Effects that images of single molecules do not reveal.
 _NOT_TESTABLE = (
@@ -69,7 +67,7 @@ _NOT_TESTABLE = (
     "molecules that do not rotate freely, or move during an exposure",
     "drift of the focus",
 )
-_MIN_GAIN = 10.0  # smallest gain of log-likelihood of a rival that is reported
+_MIN_GAIN = 10.0  # smallest gain of log-likelihood of the rival that is reported
 
 
 class Checks:
@@ -84,9 +82,8 @@ class Checks:
         self._discrepancies = np.zeros(2 * _WIDEST * _PER_UNIT + 1, np.int64)
         self._residuals: list[tuple[Array, ...]] = []
         self._excess: list[Finding] = []
-        self._rivals = {} if recording.along == "none" else rivals(table)
-        self._gains: dict[str, list[float]] = {name: [] for name in self._rivals}
-        self._compared = 0
+        self._rival = None if recording.along == "none" else rival_of(table)
+        self._gains, self._compared = list[float](), 0
         self._changes = TableTest(table)
         pupil, pixel = table.pupil, recording.pixel
         if (finest := pupil.wavelength / (4.0 * pupil.layers.NA)) * _MIN_NYQUIST_RATIO > pixel:
@@ -151,18 +148,16 @@ class Checks:
         return sigmas
 
     def compare(self, spots: Spots, background: str) -> None:
-        """Compare fits of the first molecules with fits by rivals; `background` is "flat" or "tilted"."""
+        """Compare fits of the first molecules with fits by the rival; `background` is "flat" or "tilted"."""
         part = slice(_MOLECULES - self._compared)
-        if not self._rivals or self._compared >= _MOLECULES or not len(spots):
+        if self._rival is None or self._compared >= _MOLECULES or not len(spots):
             return
         self._compared += len(spots)
         refit = partial(self._refit, images=spots.images[part], corners=spots.corners[part], background=background)
-        fits = refit(self._table)
-        for name, table in self._rivals.items():
-            rival = refit(table)
-            # Images of crowded molecules, which have large discrepancies, are no test of the PSF.
-            usable = fits.converged & rival.converged & (np.minimum(fits.discrepancy, rival.discrepancy) < DOUBTFUL)
-            self._gains[name] += (rival.log_likelihood - fits.log_likelihood)[usable].tolist()
+        fits, rival = refit(self._table), refit(self._rival)
+        # Images of crowded molecules, which have large discrepancies, are no test of the PSF.
+        usable = fits.converged & rival.converged & (np.minimum(fits.discrepancy, rival.discrepancy) < DOUBTFUL)
+        self._gains += (rival.log_likelihood - fits.log_likelihood)[usable].tolist()
 
     def count(self, part: Localizations) -> None:
         """Add the localisations of a block."""
@@ -200,45 +195,29 @@ class Checks:
     @property
     def findings(self) -> Findings:
         """Findings of the blocks checked so far."""
-        changes, tables = self._changes, self._rival_findings()
-        gains = (math.fsum(values) / max(len(values), 1) for values in self._gains.values())
-        if changes.gain > _MIN_GAIN_RATIO * max(gains, default=0.0):
-            tables = iter(())  # the changes of the table explain the gain of the rivals
         of_fits, of_spots = self._fit_findings(), self._spot_findings()
-        return Findings(chain(self._excess, tables, changes.findings, of_fits, self._once.values(), of_spots))
+        found = self._excess, self._rival_findings(), self._changes.findings, of_fits, self._once.values(), of_spots
+        return Findings(chain(*found))
 
     def _rival_findings(self) -> Iterator[Finding]:
-        """Yield the finding on the rival with the largest gain of log-likelihood, if this gain is significant.
+        """Yield the finding that the rival is likelier, if its gain of log-likelihood is significant.
 
         For molecules of 500 photons on the cover glass, the right sign of an astigmatism increases the log-likelihood
         by only 0.1 per molecule: about a thousand molecules are needed to determine the sign.
         """
-        likelier: dict[str, tuple[float, int, float]] = {}
-        for name, gains in self._gains.items():
-            # The standard deviation of a sum of n independent gains is sqrt(n) times the deviation of one gain.
-            gain, error = math.fsum(gains), float(np.std(gains or 0.0)) * math.sqrt(len(gains))
-            if len(gains) >= _MIN_COMPARED and gain > max(_MIN_GAIN, 4.0 * error):
-                likelier[name] = gain, len(gains), error
-        if not likelier:
+        # The standard deviation of a sum of n independent gains is sqrt(n) times the deviation of one gain.
+        count, gain = len(self._gains), math.fsum(self._gains)
+        error = float(np.std(self._gains or 0.0)) * math.sqrt(count)
+        is_explained = self._changes.gain * count > _MIN_GAIN_RATIO * gain  # by changes of the table
+        if count < _MIN_COMPARED or gain <= max(_MIN_GAIN, 4.0 * error) or is_explained:
             return
-        name, (gain, count, error) = max(likelier.items(), key=lambda item: item[1])
+        text = (
+            f"{count} molecules of the first frames are likelier with astigmatism of the opposite sign "
+            f"(log-likelihood {gain:.3g} +- {error:.2g} larger), and z is then reversed: check the sign of the "
+            "astigmatism and the direction of the movie's rows"
+        )
         numbers: Json = {"molecules": count, "log_likelihood": gain, "error": error}
-        subject = f"{count} molecules of the first frames are likelier"
-        text = f"(log-likelihood {gain:.3g} +- {error:.2g} larger)"
-        if name == "sign":
-            text = (
-                f"{subject} with astigmatism of the opposite sign {text}, and z is then reversed: check the sign of "
-                "the astigmatism and the direction of the movie's rows"
-            )
-            yield Finding("opposite_astigmatism", "error", text, numbers)
-        else:
-            shift = float(name)
-            direction = "deeper" if shift > 0.0 else "nearer to the cover glass"
-            text = (
-                f"{subject} {format_length(abs(shift))} {direction} {text}: check the depth, the indices and the "
-                "spherical aberration"
-            )
-            yield Finding("other_explanation", "doubt", text, numbers | {"parameter": "depth", "shift": shift})
+        yield Finding("opposite_astigmatism", "error", text, numbers)
 
     def _fit_findings(self) -> Iterator[Finding]:
         sums, n = self._sums, self.molecules
@@ -595,31 +574,16 @@ class TableTest:
         return result
 
 
-def rivals(table: Table) -> dict[str, Table]:
-    """Return tables for another sign of astigmatism or depth, by name ("sign" or shift); cached in `table`."""
-    cache: dict[str, Table] = vars(table).setdefault("_rivals", {})
-    if not cache:
-        settings: dict[str, Any] = {name: getattr(table, name) for name in ("along", "reach", "tol")}
-        for name, pupil, shift in _other_pupils(table.pupil, table):
-            low, high = (max(0.0, end + shift) if shift else end for end in table.z)
-            cache[name] = Table(pupil, table.shape, table.pixel, z=(low, high), **settings)
-    return cache
-
-
-def _other_pupils(pupil: ObjectivePupil, table: Table) -> Iterator[tuple[str, ObjectivePupil, float]]:
-    """Yield pupils with opposite astigmatism or another depth in focus: name, pupil, shift of the range of z."""
-    wave = pupil.aberrations
-    if wave is not None and any(abs(m) == 2 for _, m in wave.amplitudes()):
+def rival_of(table: Table) -> Table | None:
+    """Return the table for the opposite sign of astigmatism, cached in `table`; None without astigmatism."""
+    wave, cache = table.pupil.aberrations, vars(table)
+    if wave is None or not any(abs(m) == 2 for _, m in wave.amplitudes()):
+        return None
+    if "_rival" not in cache:
         # Terms with |m| = 2 are astigmatism of all orders.
         edges = {(n, m): -edge if abs(m) == 2 else edge for (n, m), edge in zip(wave.terms, wave.edge.T, strict=True)}
-        yield "sign", replace(pupil, aberrations=Wavefront.from_edge(edges, wave.error)), 0.0
-    moving = table.along == "depth"
-    depth = sum(table.z) / 2.0 if moving else float(pupil.depth)
-    for sign in (-1.0, 1.0):
-        # The depth must not become negative.
-        shift = max(sign * _DEPTH_CHANGE, -depth)
-        if abs(shift) >= 0.5 * _DEPTH_CHANGE:
-            focus = pupil.focus + brightest(pupil.layers, depth + shift).brightest
-            focus = focus - brightest(pupil.layers, depth).brightest
-            moved_pupil = replace(pupil, focus=focus, depth=pupil.depth + (0.0 if moving else shift))
-            yield f"{shift:+.1e}", moved_pupil, shift if moving else 0.0
+        pupil = replace(table.pupil, aberrations=Wavefront.from_edge(edges, wave.error))
+        settings: dict[str, Any] = {name: getattr(table, name) for name in ("z", "along", "reach", "tol")}
+        cache["_rival"] = Table(pupil, table.shape, table.pixel, **settings)
+    rival: Table = cache["_rival"]
+    return rival

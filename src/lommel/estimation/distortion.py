@@ -1,5 +1,7 @@
 """Distortion over the field: fitted positions of targets minus their positions without distortion.
 
+Of several exposures, the positions are those of the first.
+
 A target is a star, pinhole or crossing of a checkerboard. A place is its row and column on the sensor; its ideal
 place is the place without distortion. The pose maps the places of a chart or catalogue to ideal places on the sensor.
 """
@@ -47,8 +49,8 @@ class Distortion(FitReport):
         ``pose[:, :2] @ place + pose[:, 2]``.
     ideal : ndarray, shape (n, 2)
         Row and column on the sensor of each target without distortion; NaN if unknown.
-    residuals : ndarray, shape (n, e, 2)
-        Fitted minus predicted row and column of each image, pixels; NaN for targets that were not used.
+    residuals : ndarray, shape (n, 2)
+        Fitted minus predicted row and column of each target, pixels; NaN for targets that were not used.
     scatter : float
         Standard deviation of places about the polynomials in excess of noise, pixels in row or in column. It is
         caused by errors of the chart or catalogue, or by distortion of higher degrees. Standard errors include it.
@@ -152,11 +154,11 @@ def _pose_basis(m: int, shape: tuple[int, int]) -> Array:
 
 @dataclass(frozen=True)
 class Places:
-    """Fitted places of r targets in e exposures (r, e, 2), pixels, with their covariance.
+    """Fitted places of r targets (r, 2), pixels, with their covariance.
 
-    `noise` (r, 2e, 2e) is the covariance for given common parameters of the field (wavefront and blur); the rows of
-    all exposures precede the columns. `derivatives` (r, 2e, s) are derivatives of the places by the s common
-    parameters, and `common_information` (s, s) is the information matrix of these parameters.
+    `noise` (r, 2, 2) is the covariance for given common parameters of the field (wavefront and blur). `derivatives`
+    (r, 2, s) are derivatives of the places by the s common parameters, and `common_information` (s, s) is the
+    information matrix of these parameters.
     """
 
     fitted: Array
@@ -168,14 +170,14 @@ class Places:
 def places_of(blocks: Blocks, centers: Array, tilt_of_pixel: float) -> Places:
     """Return places from `centers` (r, e, 2) on the sensor, with covariances from the information of a field fit."""
     common, inverse = blocks.eliminate_nuisance(0.0)
-    coordinates = 2 * centers.shape[1]
+    first = [0, centers.shape[1]]  # the rows of all exposures precede the columns
     # By the implicit function theorem, the derivative of the nuisance parameters by the common parameters is
     # -inverse(information of nuisance parameters) (mixed information).
-    derivatives = (inverse @ blocks.mixed.swapaxes(-1, -2))[:, :coordinates] / tilt_of_pixel
+    derivatives = (inverse @ blocks.mixed.swapaxes(-1, -2))[:, first] / tilt_of_pixel
     k = blocks.wave_count
-    by_waves = (derivatives[:, :, :k, None] * blocks.basis[:, None, None]).reshape(len(derivatives), coordinates, -1)
-    noise = inverse[:, :coordinates, :coordinates] / tilt_of_pixel**2
-    return Places(centers, noise, -np.concatenate([by_waves, derivatives[:, :, k:]], axis=-1), common)
+    by_waves = (derivatives[:, :, :k, None] * blocks.basis[:, None, None]).reshape(len(derivatives), 2, -1)
+    noise = inverse[:, first][:, :, first] / tilt_of_pixel**2
+    return Places(centers[:, 0], noise, -np.concatenate([by_waves, derivatives[:, :, k:]], axis=-1), common)
 
 
 def fit_distortion(
@@ -187,21 +189,21 @@ def fit_distortion(
     """
     indices = np.flatnonzero(np.isfinite(ideal[used]).all(axis=1))
     chart_places, fitted_places = ideal[used[indices]], places.fitted[indices]
-    first_places = fitted_places[:, 0]
     degree = highest_degree(degree, len(indices))
-    transform = _similarity(chart_places, first_places)
+    transform = _similarity(chart_places, fitted_places)
     m = (degree + 1) * (degree + 2) // 2
     pose_basis = _pose_basis(m, sensor.shape)
     for iteration in range(_POSE_FITS):
         ideal_places = _transformed(transform, chart_places)
         basis = monomials(*sensor.relative(*sensor.positions(ideal_places)), degree)
-        polynomials, distance = robust(basis, first_places - ideal_places, np.ones(len(indices)), np.eye(2))
+        shifts = fitted_places - ideal_places
+        polynomials, distance = robust(basis, shifts, np.ones(len(indices)), np.eye(2))
         # 1.4826 times the median estimates the standard deviation of a normal distribution.
         inliers = distance <= _OUTLIER * max(1.4826 * float(np.median(distance)), _MIN_DEVIATION)
         # Many outliers: the degree is too low, or ideal places are far less accurate than images.
         if inliers.mean() < 1.0 - _MAX_OUTLIERS:
             inliers[:] = True
-            polynomials = np.asarray(np.linalg.lstsq(basis, first_places - ideal_places, rcond=None)[0].T, np.float64)
+            polynomials = np.asarray(np.linalg.lstsq(basis, shifts, rcond=None)[0].T, np.float64)
         if iteration == _POSE_FITS - 1:
             break
         # The shift, rotation and magnification in the polynomials are moved to the pose.
@@ -210,7 +212,7 @@ def fit_distortion(
     accepted_indices = indices[inliers]
     noise, derivatives = places.noise[accepted_indices], places.derivatives[accepted_indices]
     accepted_places = Places(fitted_places[inliers], noise, derivatives, places.common_information)
-    displacement = accepted_places.fitted - ideal_places[inliers][:, None]
+    displacement = shifts[inliers]
     model = _PlaceModel(basis[inliers], displacement, accepted_places)
     solution, covariance, chi2 = model.fit(0.0)
     low, scatter, high = 0.0, 0.0, max(4.0 * float(np.sqrt((displacement**2).mean())), 1e-6)
@@ -222,7 +224,7 @@ def fit_distortion(
     # Shift, rotation and magnification belong to the pose, not to the distortion.
     projection = np.eye(2 * m) - pose_basis.T @ pose_basis
     coefficients = (projection @ solution[: 2 * m]).reshape(2, m)
-    residuals = np.full((len(ideal), fitted_places.shape[1], 2), np.nan)
+    residuals = np.full((len(ideal), 2), np.nan)
     residuals[used[accepted_indices]] = model.residuals(solution)
     limit, findings = float(goodness_of_fit.largest_plausible_chi2(math.sqrt(2.0 / model.degrees_of_freedom))), []
     if chi2 > limit:
@@ -247,39 +249,27 @@ def fit_distortion(
 
 
 class _PlaceModel:
-    """Linear model of displacements (r, e, 2).
+    """Linear model of displacements (r, 2).
 
-    The parameters are the coefficients of polynomials, an affine change for each exposure but the first, and changes
-    of the common parameters of the field.
+    The parameters are the coefficients of polynomials, and changes of the common parameters of the field.
     """
 
     def __init__(self, basis: Array, displacement: Array, places: Places) -> None:
-        self.basis, self.displacement, self.places = basis, displacement, places
-        r, e, _ = displacement.shape
-        m, affine_count = basis.shape[1], min(3, basis.shape[1])
-        # Coordinates are in the order of `noise`: the rows of all exposures, then the columns.
-        design = np.zeros((r, 2, e, 2 * m + 2 * affine_count * (e - 1)))
-        for j in range(2):
-            design[:, j, :, j * m : (j + 1) * m] = basis[:, None]
-            for i in range(1, e):
-                start = 2 * m + affine_count * (2 * (i - 1) + j)
-                design[:, j, i, start : start + affine_count] = basis[:, :affine_count]
-        self.design = design.reshape(r, 2 * e, -1)
-        self.degrees_of_freedom = max(2 * e * r - self.design.shape[2], 1)
+        self.places, self.data = places, displacement
+        self.design = np.kron(np.eye(2), basis[:, None])  # (r, 2, 2 * m)
+        coefficient_count = self.design.shape[2]
+        self.degrees_of_freedom = max(displacement.size - coefficient_count, 1)
         # The prior of the common parameters is their information in the images.
         self.full_design = np.concatenate([self.design, places.derivatives], axis=-1)
         self.prior = np.zeros((self.full_design.shape[2],) * 2)
-        self.prior[self.design.shape[2] :, self.design.shape[2] :] = places.common_information
-        self.data = displacement.swapaxes(1, 2).reshape(r, -1)
-        # Covariance for a scatter of 1 pixel: a pinhole that is out of place is displaced equally in all exposures.
-        self.scatter_covariance = np.kron(np.eye(2), np.ones((e, e)))
+        self.prior[coefficient_count:, coefficient_count:] = places.common_information
 
     def fit(self, scatter: float) -> tuple[Array, Array, float]:
         """Return parameters, their covariance and chi2 per degree of freedom, for a scatter of places in pixels.
 
         Parameters that the places do not determine are set to 0.
         """
-        weight = np.linalg.inv(self.places.noise + scatter**2 * self.scatter_covariance)
+        weight = np.linalg.inv(self.places.noise + scatter**2 * np.eye(2))
         weighted_design = weight @ self.full_design
         normal_matrix = np.tensordot(self.full_design, weighted_design, ([0, 1], [0, 1])) + self.prior
         # The matrix is scaled to a diagonal of 1 because parameters have different units.
@@ -292,9 +282,8 @@ class _PlaceModel:
         return values, inverse, chi2_sum / self.degrees_of_freedom
 
     def residuals(self, solution: Array) -> Array:
-        """Return displacements minus those of the polynomials and affine changes in a solution, (r, e, 2)."""
-        model = (self.design @ solution[: self.design.shape[2]]).reshape(len(self.displacement), 2, -1)
-        return np.asarray(self.displacement - model.swapaxes(1, 2))
+        """Return displacements minus those of the polynomials in a solution, (r, 2)."""
+        return np.asarray(self.data - self.design @ solution[: self.design.shape[2]])
 
 
 def displacement_at(distortion: Distortion, u: Array, v: Array) -> Array:

@@ -412,7 +412,7 @@ def fit_field(
     estimated places by generalised least squares, because errors of places and of coma are correlated. Tilts of the
     map displace the images accordingly (W311 of :meth:`lommel.Wavefront.from_seidel`). The shift, rotation and
     magnification of `ideal` minimize the displacement over the whole sensor. Standard errors include ``scatter``, the
-    rms deviation of places in excess of noise. Later exposures may be shifted, rotated and magnified.
+    rms deviation of places in excess of noise. Of several exposures, the places are those of the first.
 
     Examples
     --------

@@ -168,7 +168,7 @@ class FieldFitOptions(FitOptions):
     ideal : array_like, shape (n, 2), optional
         Row and column of each target without distortion, in any unit and from any origin, for example the nominal
         positions of pinholes, or catalogue positions of stars in the tangent plane; NaN if unknown. If given,
-        distortion is estimated, with the shift, rotation and magnification of these places.
+        distortion of the first exposure is estimated, with the shift, rotation and magnification of these places.
     distortion : int, optional
         Total degree, 0 to 9, of the polynomials in x and y that describe the displacement: 3, the default, for
         third-order distortion (W311), 5 for fifth order. It is lowered if there are fewer than two known places per

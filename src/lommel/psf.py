@@ -104,10 +104,9 @@ def psf(
         symmetric pupils, all but the obscuration and terms that are not radially symmetric; `NonuniformFFT`, for any
         aperture, all but the obscuration, and the wavelength unless segments have phases. A `Polychromatic` supports
         the same parameters as these methods.
-        For objectives, per metre: "z" of the stage, "depth" (the stage is fixed) and "wavelength" (the stage, all
-        refractive indices, pixels in metres and optical path differences of aberrations are fixed); per pixel: "row",
-        "column"; per radian: Zernike terms. `Stratified`, `ChordalDebye` and, with aberrations, `DebyeRings` support
-        them; Zernike terms, and with aberrations the wavelength, require `ChordalDebye` and a small window.
+        For objectives, per metre: "z" of the stage and "depth" (the stage is fixed); per pixel: "row", "column"; per
+        radian: Zernike terms. `Stratified`, `ChordalDebye` and, with aberrations, `DebyeRings` support them; Zernike
+        terms require `ChordalDebye` and a small window.
         Not supported for ``normalize="peak"``. `tol` applies to the values, which may differ from the values without
         derivatives within their error bound; ``PSF.derivative_bounds`` bounds the errors of the derivatives.
     threads : int, optional

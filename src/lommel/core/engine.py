@@ -345,13 +345,12 @@ class NodeTerms(NamedTuple):
     parities: NDArray[np.int32]
 
 
-def folded_waves(terms: NodeTerms, edge: Array, weights: Array, largest: float) -> NDArray[np.complex128]:
-    """Return for each node and parity the weighted sum of exp(i W) over (+-x, +-y): (kinds, wavefronts, 4, ...).
+def folded_waves(terms: NodeTerms, edge: Array, weights: Array) -> NDArray[np.complex128]:
+    """Return for each node and parity the weighted sum of exp(i W) over (+-x, +-y): (1, wavefronts, 4, ...).
 
-    W is the sum of `terms` times the coefficients `edge` of shape (wavefronts, terms). If `largest`, a bound on
-    abs(W), is positive, sums of ``i W exp(i W) / largest`` are the second kind.
+    W is the sum of `terms` times the coefficients `edge` of shape (wavefronts, terms).
     """
-    return _core.folded_waves(terms, edge, weights, largest)
+    return _core.folded_waves(terms, edge, weights, 0.0)  # 0.0: no second kind, of waves times W
 
 
 class SeriesSizes(NamedTuple):
@@ -477,13 +476,11 @@ class Layered(NamedTuple):
 
 
 class LayeredSlopes(NamedTuple):
-    """Variables with respect to which images of :class:`Layered` are differentiated; k is the wavenumber in ln k."""
+    """Variables with respect to which images of :class:`Layered` are differentiated."""
 
     variables: Array  # (variables, 2), one of BY_DEPTH, ..., and a factor of this derivative of I
     intensity_factors: Array  # (variables, n), factor c of the term c * I that is added to each derivative
-    field_errors: Array  # (4,), errors of derivatives of U with respect to depth, focus, v and ln k
-    centred_rates: NDArray[np.complex128]  # (3, q), `rates` minus one real number per row
-    part_derivatives: NDArray[np.complex128] | None  # (m, q), derivatives of `parts` with respect to ln k
+    field_errors: Array  # (3,), errors of derivatives of U with respect to depth, focus and v
 
 
 class Rings(NamedTuple):
@@ -511,7 +508,7 @@ class Ringed(NamedTuple):
     pixel: Array  # (n,), largest pixel value
 
 
-BY_DEPTH, BY_FOCUS, BY_AXIS, BY_WAVENUMBER = range(4)  # variables of derivatives in :func:`layered_images`
+BY_DEPTH, BY_FOCUS, BY_AXIS = range(3)  # variables of derivatives in :func:`layered_images`
 
 
 def layered_images(
@@ -530,7 +527,11 @@ def layered_images(
     numbers[0] = 0.0 if wanted.scale is None else wanted.scale
     kinds = 0 if slopes is None else len(slopes.variables) + int((slopes.variables[:, 0] == BY_AXIS).sum())
     derivatives, errors = np.empty((kinds, *values.shape), wanted.dtype), np.empty((kinds, count))
-    arguments = None if slopes is None else (*slopes, derivatives, errors)
+    arguments = None
+    if slopes is not None:
+        # The core also has derivatives by the wavenumber: they are not requested, and have no errors and no factors.
+        field_errors = np.append(slopes.field_errors, 0.0)
+        arguments = (*slopes[:2], field_errors, layered.rates, None, derivatives, errors)
     images: Callable[..., bool] = _core.layered_images
     computed = images(layered, window, integrate, allowed, wanted.threads, values, numbers, arguments)
     results = None if slopes is None else Slopes(derivatives, errors / numbers[2])

@@ -64,7 +64,6 @@ def scaling_derivative(
     grid: Grid,
     tilts: Sequence[tuple[Array, Array]],
     threads: int = 0,
-    compute: Sampler = _images,
 ) -> tuple[Array, Array]:
     """Return ``v . grad I``, or its averages, from the derivatives of I by :data:`TILTS`, with absolute bounds."""
     count, step = math.prod(pupil.shape), grid.step(pupil)
@@ -76,15 +75,13 @@ def scaling_derivative(
         largest_v = np.abs(v).max(axis=(1, 2))
         error += largest_v * (bound + 8.0 * 2.0**-53 * np.abs(slope).max(axis=(1, 2)))
     if grid.integrate:
-        values, bound = _average_growth(engine, pupil, grid, threads, compute)
+        values, bound = _average_growth(engine, pupil, grid, threads)
         total += values
         error += bound
     return total, error
 
 
-def _average_growth(
-    engine: Method, pupil: BasePupil, grid: Grid, threads: int, compute: Sampler
-) -> tuple[Array, Array]:
+def _average_growth(engine: Method, pupil: BasePupil, grid: Grid, threads: int) -> tuple[Array, Array]:
     """Return averages of ``u . grad I``, u the position within the pixel, with absolute error bounds."""
     step = grid.step(pupil)
     # The filter may add an error of a thousandth of the tolerance; below 1e-13 rounding errors dominate.
@@ -98,7 +95,7 @@ def _average_growth(
     truncation += math.sqrt(8.0) * step * omitted * (2.0 + omitted) * pupil.amplitude**2
     count = math.prod(pupil.shape)
     total, error = np.empty((count, *grid.shape)), np.empty(count)
-    for part, values, bound in _sample_blocks(engine, pupil, grid, mean, threads, compute):
+    for part, values, bound in _sample_blocks(engine, pupil, grid, mean, threads):
         total[part] = filter_axes(values, mean, scaling, threads)
         total[part] += filter_axes(values, scaling, mean, threads)
         error[part] = 2.0 * mean.gain * scaling.gain * bound + truncation
@@ -128,7 +125,7 @@ def tilted(
 
 
 def _sample_blocks(
-    engine: Method, pupil: BasePupil, grid: Grid, taps: Taps, threads: int, compute: Sampler
+    engine: Method, pupil: BasePupil, grid: Grid, taps: Taps, threads: int, compute: Sampler = _images
 ) -> Iterator[tuple[slice, Array, Array]]:
     """Yield blocks of pupils: slice, samples of I for the filter, absolute bounds (with rounding of filter sums)."""
     finer, rounding = engine.tightened(_SAMPLE_TOL * engine.tol), (4 * taps.weights.size + 16) * 2.0**-53

@@ -49,7 +49,7 @@ class Prepared(NamedTuple):
             objective_pupil = cast("ObjectivePupil", pupil)
             return first_within_tolerance(
                 self.methods if self.is_named else of_derivatives(objective_pupil, self.methods),
-                lambda method: layered_slopes(method, objective_pupil, self.grid, names, request, energy=self.energy),
+                lambda method: layered_slopes(method, objective_pupil, self.grid, names, request),
             )[1]
         if names:
             from lommel.methods.derivatives import differentiated
@@ -140,7 +140,7 @@ def gradient(
 
         objective_pupil = cast("ObjectivePupil", pupil)
         parameters, far = _terms(objective_pupil.aberrations) if names is None else names, normalize == "emitted"
-        result = layered_gradient(method, objective_pupil, grid, parameters, weights, scale, energy=energy, far=far)
+        result = layered_gradient(method, objective_pupil, grid, parameters, weights, scale, far=far)
         return {name: result[name] for name in parameters}
     from lommel.methods import derivatives
     from lommel.optics.pupil import checked

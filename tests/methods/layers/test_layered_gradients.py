@@ -12,7 +12,7 @@ from objectives import EMITTERS, FIVE, OIL
 from plane_waves import PIXEL, intensity
 
 WAVE = 520e-9
-NAMES = ("z", "depth", "row", "column", "wavelength", (2, 2), "noll 7", (4, 0), "fringe 2")
+NAMES = ("z", "depth", "row", "column", (2, 2), "noll 7", (4, 0), "fringe 2")
 OWN = lm.Wavefront.zernike({5: [[0.1], [0.2]], 8: [[0.0], [0.1]]}, order="noll", unit="waves")
 
 
@@ -88,7 +88,6 @@ def test_without_names_it_is_by_the_terms_of_the_aberrations():
     assert tuple(answer.pullback(answer.values)) == FIVE.terms
     plain = lm.psf(stack(aberrations=None), 7, PIXEL)
     assert plain.pullback(plain.values) == {}
-    assert list(plain.pullback(plain.values, ["z", "wavelength"])) == ["z", "wavelength"]
 
 
 def test_without_aberrations_terms_are_by_chords_and_all_else_by_rings():

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -20,8 +19,8 @@ WAVE, PIXEL = 520e-9, 6.5e-6
 Z, DEPTH, CENTER = np.array([1.0, 1.2, 3.0]) * 1e-6, np.array([0.05, 0.3, 2.0]) * 1e-6, (4.2, 3.7)
 
 
-def pupil(dz=0.0, dd=0.0, emitter="isotropic", of=OIL, dw=0.0):
-    return of.pupil(depth=DEPTH + dd, z=Z + dz, wavelength=WAVE + dw, origin="coverslip", emitter=emitter)
+def pupil(dz=0.0, dd=0.0, emitter="isotropic"):
+    return OIL.pupil(depth=DEPTH + dd, z=Z + dz, wavelength=WAVE, origin="coverslip", emitter=emitter)
 
 
 def difference(at, h):
@@ -75,7 +74,9 @@ def test_derivatives_by_the_stage_and_the_depth_are_sums_over_the_same_angles(no
     assert made.values == pytest.approx(scale * value, abs=2 * tol * (scale * value).max())
     assert wrong(made, "z", scale * slope) <= made.derivative_bounds["z"] <= 30.0 * tol * 1e8
     value, slope = samples("depth", of)
-    rate = debye.power(of.pupil.layers, of.pupil.depth, of.pupil.light.model, by="depth")[0] @ of.pupil.light.shares
+    rate = (
+        debye.power(of.pupil.layers, of.pupil.depth, of.pupil.light.model, by_depth=True)[0] @ of.pupil.light.shares
+    )
     if normalize == "strehl":
         slope = slope - value * rate[:, None, None] / power
     assert wrong(made, "depth", scale * slope) <= made.derivative_bounds["depth"] <= 30.0 * tol * 1e8
@@ -84,9 +85,9 @@ def test_derivatives_by_the_stage_and_the_depth_are_sums_over_the_same_angles(no
 @pytest.mark.parametrize("integrate", [False, True])
 def test_derivatives_are_what_differences_come_to(integrate):
     options = {"integrate": integrate, "dtype": np.float64, "tol": 1e-9}
-    names = ("row", "z", "wavelength", "column", "depth", "row")
+    names = ("row", "z", "column", "depth", "row")
     made = lm.psf(pupil(), 9, PIXEL, center=CENTER, derivatives=names, **options)
-    assert list(made.derivatives) == ["row", "z", "wavelength", "column", "depth"]
+    assert list(made.derivatives) == ["row", "z", "column", "depth"]
 
     def moved(dy=0.0, dx=0.0):
         return lm.psf(pupil(), 9, PIXEL, center=(CENTER[0] + dy, CENTER[1] + dx), **options).values
@@ -96,7 +97,6 @@ def test_derivatives_are_what_differences_come_to(integrate):
         "column": difference(lambda h: moved(dx=h), 1e-2),
         "z": difference(lambda h: lm.psf(pupil(dz=h), 9, PIXEL, center=CENTER, **options).values, 2e-9),
         "depth": difference(lambda h: lm.psf(pupil(dd=h), 9, PIXEL, center=CENTER, **options).values, 2e-9),
-        "wavelength": difference(lambda h: lm.psf(pupil(dw=h), 9, PIXEL, center=CENTER, **options).values, 1e-9),
     }
     for name, expected in found.items():
         size = float((np.abs(expected).max(axis=(1, 2)) / made.values.max(axis=(1, 2))).max())
@@ -130,53 +130,6 @@ def test_averages_move_by_the_samples_that_they_are_made_of(method, tol, monkeyp
             assert wrong(made, name, expected) <= made.derivative_bounds[name] <= 20.0 * tol
 
 
-def reference(of, wave, normalize, integrate):
-    """Values of `of` in light of a wavelength, by the quadrature of fields at places in metres, 7 x 7 a pixel."""
-    nodes, weights = np.polynomial.legendre.leggauss(7) if integrate else (np.zeros(1), np.array([2.0]))
-    rows, columns = (PIXEL * (np.arange(3) - c)[:, None] + 0.5 * PIXEL * nodes for c in (1.2, 0.7))
-    r = np.hypot(rows[:, None, :, None], columns[None, :, None, :]) / of.magnification
-    fields = of.fields(r, depth=DEPTH, focus=Z, wavelength=wave, tol=1e-13)
-    mean = np.einsum("nyxab,a,b->nyx", fields.intensity, 0.5 * weights, 0.5 * weights)
-    planes = of.pupil(depth=DEPTH, z=Z, wavelength=wave, origin="coverslip")
-    cell = (2.0 * np.pi * of.NA * PIXEL / (of.magnification * wave)) ** 2 / (4.0 * np.pi)
-    scale = {"energy": cell, "strehl": 1.0, "emitted": cell * planes.collected[:, None, None]}[normalize]
-    return scale * mean / planes.power[:, None, None]
-
-
-FILMS = replace(OIL, films=[lm.Layer(2.0, 50e-9), lm.Layer(1.46, 200e-9)])
-OTHER = replace(OIL, design=Design(1.515, lm.Layer(1.52, 168e-6)))
-
-
-@pytest.mark.parametrize(
-    ("of", "normalize", "integrate"),
-    [
-        (OIL, "energy", False),
-        (OIL, "strehl", True),
-        (OIL, "emitted", False),
-        (FILMS, "energy", True),
-        (FILMS, "strehl", False),
-        (FILMS, "emitted", False),
-        (OTHER, "energy", False),
-    ],
-)
-def test_the_wavelength_changes_what_is_at_a_place_in_metres_as_quadrature_says(of, normalize, integrate):
-    options = {"integrate": integrate, "normalize": normalize, "tol": 1e-6, "dtype": np.float64}
-    made = lm.psf(pupil(of=of), 3, PIXEL, center=(1.2, 0.7), derivatives=("wavelength",), **options)
-    expected = difference(lambda h: reference(of, WAVE + h, normalize, integrate), 5e-10)
-    size = float((np.abs(expected).max(axis=(1, 2)) / made.values.max(axis=(1, 2))).max())
-    assert wrong(made, "wavelength", expected) <= made.derivative_bounds["wavelength"]
-    assert made.derivative_bounds["wavelength"] <= 3e-5 * size
-    assert wrong(made, "wavelength", expected) <= 1e-8 * size
-
-
-@pytest.mark.parametrize("emitter", ["scalar", lm.Beam("radial"), lm.Beam("azimuthal"), lm.Dipole(0.0, 0.0)], ids=str)
-def test_the_wavelength_is_one_of_all_light_that_is_radially_symmetric(emitter):
-    options = {"dtype": np.float64, "tol": 1e-9}
-    made = lm.psf(pupil(emitter=emitter), 7, PIXEL, derivatives=("wavelength",), **options)
-    expected = difference(lambda h: lm.psf(pupil(emitter=emitter, dw=h), 7, PIXEL, **options).values, 1e-9)
-    assert wrong(made, "wavelength", expected) <= made.derivative_bounds["wavelength"] + 1e-2
-
-
 BRIEF = os.environ.get("HYPOTHESIS_PROFILE") != "thorough"
 
 
@@ -198,13 +151,12 @@ def test_random_systems_are_within_their_bounds(seed):
     wave, center, integrate = rng.uniform(450e-9, 700e-9), rng.uniform(2.0, 4.0, 2), bool(seed % 2)
     focus = of.pupil(depth=depth, z=z, wavelength=wave, origin="paraxial").focus
 
-    def at(tol, dz=0.0, dd=0.0, dw=0.0, dy=0.0, dx=0.0, **more):
-        planes = of.pupil(depth=depth + dd, z=focus + dz, wavelength=wave + dw, origin="coverslip")
+    def at(tol, dz=0.0, dd=0.0, dy=0.0, dx=0.0, **more):
+        planes = of.pupil(depth=depth + dd, z=focus + dz, wavelength=wave, origin="coverslip")
         axis = center[0] + dy, center[1] + dx
         return lm.psf(planes, 7, 5e-6, center=axis, integrate=integrate, dtype=np.float64, tol=tol, **more)
 
-    steps = {"dz": ("z", 2e-9), "dd": ("depth", 2e-9), "dw": ("wavelength", 5e-10), "dy": ("row", 1e-2)}
-    steps["dx"] = "column", 1e-2
+    steps = {"dz": ("z", 2e-9), "dd": ("depth", 2e-9), "dy": ("row", 1e-2), "dx": ("column", 1e-2)}
     made = at(10.0 ** -rng.integers(4, 8), derivatives=tuple(name for name, _ in steps.values()))
     for key, (name, h) in steps.items():
         expected = difference(lambda t, key=key: at(1e-8, **{key: t}).values, h)
@@ -214,7 +166,7 @@ def test_random_systems_are_within_their_bounds(seed):
 
 def test_wide_windows_around_their_middle_have_derivatives_of_averages():
     options = {"dtype": np.float64, "tol": 1e-8, "normalize": "strehl"}
-    names = ("row", "z", "wavelength")
+    names = ("row", "z", "depth")
     far, near = (lm.psf(pupil(), side, PIXEL, derivatives=names, **options) for side in (101, 21))
     for name in names:
         off = np.abs(far.derivatives[name][:, 40:61, 40:61] - near.derivatives[name]).max()

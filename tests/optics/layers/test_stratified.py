@@ -149,19 +149,3 @@ def test_films_change_the_amplitudes_of_an_objective():
     assert (t_s == amplitudes(of).s).all()
     assert (t_p == amplitudes(of).p).all()
     assert t_s[0] == pytest.approx(t_p[0])  # no difference on the axis
-
-
-@pytest.mark.parametrize("films", [((1.38, 90e-9),), ((2.1, 60e-9), (1.38, 90e-9), (1.7, 210e-9))])
-def test_films_change_with_the_wavenumber_as_differences_say(films):
-    def logarithms(wave):
-        made = Layers(1.2, 1.5, 1.6, 1.33, films, (), wave)
-        found = amplitudes(made, RHO[1:])
-        return np.log(np.stack([found.s, found.p]))
-
-    # Of interfaces alone nothing changes; films are thin enough that no logarithm jumps.
-    step = 1e-5
-    expected = (logarithms(WAVE / (1.0 + step)) - logarithms(WAVE / (1.0 - step))) / (2.0 * step)
-    of = Layers(1.2, 1.5, 1.6, 1.33, films, (), WAVE)
-    square = ((of.NA * RHO[1:]) ** 2).astype(complex)
-    found = of.log_slopes(lambda index: cosines(of.NA, RHO[1:], index), square)
-    assert np.abs(np.stack(found) - expected).max() < 1e-8

@@ -65,7 +65,7 @@ _QUADRATURE = 0.05  # fraction of the allowed error of a field: for the quadratu
 class By(NamedTuple):
     """Parameters of derivatives."""
 
-    rates: tuple[int, ...] = ()  # 0: depth, 1: focus, divided by the largest phase rate; WAVENUMBER: ln k
+    rates: tuple[int, ...] = ()  # 0: depth, 1: focus, divided by the largest phase rate
     terms: tuple[tuple[int, int], ...] = ()  # n and m of Zernike terms
 
 
@@ -133,7 +133,7 @@ class ChordalDebye(AberratedMethod):
         values = np.empty((n, *grid.shape), wanted.dtype) if wanted.out is None else wanted.out
         scales = None if wanted.scale is None else np.broadcast_to(wanted.scale, n)
         scalars, derivatives, bounds = np.empty((3, n)), None, np.empty(0)
-        for indices, planes, subgrid in axis_groups(pupil, grid, separate=projection.WAVENUMBER in by.rates):
+        for indices, planes, subgrid in axis_groups(pupil, grid):
             part_wanted = wanted._replace(scale=None if scales is None else scales[indices], out=None)
             images, part_derivatives, *part_bounds = self._refine(planes, subgrid, tol, part_wanted, by)
             values[indices] = images.values
@@ -217,7 +217,7 @@ class ChordalDebye(AberratedMethod):
         def gradient_of_samples(pupil: ObjectivePupil, grid: Grid, tol: float, weights: Array) -> Array:
             if grid.stack:
                 result = np.empty((len(weights), 1 + len(by.rates) + len(by.terms)))
-                for indices, planes, subgrid in axis_groups(pupil, grid, separate=projection.WAVENUMBER in by.rates):
+                for indices, planes, subgrid in axis_groups(pupil, grid):
                     result[indices] = gradient_of_samples(planes, subgrid, tol, weights[indices])
                 return result
             return self._prove(pupil, tol, wanted, lambda error: sums(pupil, grid, error, weights, 0, by))[0]
@@ -233,15 +233,12 @@ class ChordalDebye(AberratedMethod):
 _MAX_SPREAD, _CELL = 0.2, 0.15
 
 
-def axis_groups(
-    pupil: ObjectivePupil, grid: Grid, *, separate: bool
-) -> Iterator[tuple[NDArray[np.int64], ObjectivePupil, Grid]]:
+def axis_groups(pupil: ObjectivePupil, grid: Grid) -> Iterator[tuple[NDArray[np.int64], ObjectivePupil, Grid]]:
     """Yield groups of planes with a common axis: indices, planes and grid.
 
     Planes with neighbouring axes share a group, in which tilts of the wavefront replace small shifts of the axis.
-    With `separate` each plane is a group of its own, without tilts.
     """
-    if separate or pupil.depth.size == 1:
+    if pupil.depth.size == 1:
         for i, k in enumerate(np.ndindex(pupil.shape)):
             yield np.array([i]), pupil[k] if pupil.shape else pupil, grid[k]
         return
@@ -300,10 +297,9 @@ class Fields(NamedTuple):
     """Arguments of the core for the fields of some planes, and bounds on the errors of fields."""
 
     arguments: tuple[NodeTables, Complex, NodeWaves, Window]
-    sets: NDArray[np.int32]  # see :func:`all_sets`
+    sets: NDArray[np.int32]  # (series, Zernike term or -1, 0) of each set of fields
     terms: NodeTerms
     field_errors: Array  # bounds on errors of fields, (sets, planes, fields)
-    wavenumber_factors: tuple[float, float]  # of the two terms of derivatives by ln k: phases of layers, and W
 
 
 @dataclass(frozen=True, eq=False)
@@ -318,7 +314,6 @@ class _Case:
     sets: NDArray[np.int32]
     degree: int
     norm: float
-    largest: float  # bound on abs(W) if a set of fields has the factor W, else 0
     wave_index: NDArray[np.int32] | None  # wavefront of each plane; None if all planes share one
     sizes: Growth  # for each set, (sets, b)
     chosen: Array  # bounds that determine the numbers of chords and of nodes, (2, b)
@@ -335,7 +330,7 @@ class _Case:
         if result is None:
             phase_terms = node_terms(rule.chords, rule.nodes, self.wavefront.terms)
             weight = quadrant(rule.chords, rule.nodes).weight
-            waves = folded_waves(phase_terms, self.wavefront.edge, weight, self.largest)
+            waves = folded_waves(phase_terms, self.wavefront.edge, weight)
             tables = node_tables(rule, self.orders, self.emitter)
             rounding = _ROUNDING * (2.0 * (rule.chords + rule.nodes) + self.rounding)
             terms = node_terms(rule.chords, rule.nodes, self.by.terms)
@@ -358,40 +353,27 @@ class _RuleTables(NamedTuple):
 _MOST_RULES, _MOST_BYTES = 8, 2**20  # number of cached rules, and largest size (bytes) of the waves of a cached rule
 
 
-def _all_sets(by: By, *, with_phase: bool) -> list[tuple[int, int, int]]:
-    """Return sets of fields (series, Zernike term or -1, kind); kind 1, with the factor W, only if `with_phase`."""
-    sets = [*_series(by), *((0, k, 0) for k in range(len(by.terms)))]
-    return [*sets, (0, -1, 1)] if with_phase else sets
-
-
 @lru_cache(maxsize=32)
 def _case(
     layers: Layers, emitter: Emitter, aberrations: Wavefront | None, window: Window, by: By, field_error: float
 ) -> _Case:
     wavefront, model = (aberrations or _FLAT_WAVEFRONT).flattened(), emitter.light.model
     axis, shape = np.array(window.center), np.array(window.shape)
-    # Derivatives by ln k multiply waves by i W: section 16, "Their derivatives".
-    by_k, phases = projection.WAVENUMBER in by.rates, wavefront.amplitudes()
-    base_growth = growth(wavefront, -axis * window.step, (shape - 1.0 - axis) * window.step, phases)
-    highest_degree = max((n for n, _ in phases), default=0)
+    base_growth = growth(wavefront, -axis * window.step, (shape - 1.0 - axis) * window.step)
     # The degree allows for the factor of the highest Zernike term of the derivatives.
-    limit = base_growth.times(max((n for n, _ in by.terms), default=highest_degree if by_k else 0))
+    limit = base_growth.times(max((n for n, _ in by.terms), default=0))
     norm = projection.norm(layers, model)
     degree = degree_for(limit.projection, norm, _FRACTIONS[0] * field_error)
-    largest = sum(phases.values()) if by_k else 0.0
-    sets = _all_sets(by, with_phase=largest > 0.0)
-    factors = [highest_degree if kind else 0 if term < 0 else by.terms[term][0] for _, term, kind in sets]
+    sets = [*_series(by), *((0, k, 0) for k in range(len(by.terms)))]
+    factors = [0 if term < 0 else by.terms[term][0] for _, term, _ in sets]
     sizes = Growth(*(np.stack(parts) for parts in zip(*(base_growth.times(n) for n in factors), strict=True)))
-    # Films multiply s and p waves by different factors. An amplitude part is the sum of an s and a p wave: the norm
-    # is at most sqrt(2) times as large.
-    norms = [norm, *(norm * (math.sqrt(2.0) if rate == projection.WAVENUMBER else 1.0) for rate in by.rates)]
-    truncation = np.array([norms[series] for series, _, _ in sets]) * truncation_error(sizes.projection, degree)
+    truncation = norm * truncation_error(sizes.projection, degree)
     reach = window.step * float(np.hypot(*np.maximum(axis, shape - 1.0 - axis)))
     per_term = wavefront.indices[:, 0] ** 2 * 3.0 + 16.0 + len(wavefront.terms)
     # Section 16, "Rounding", without 2 N + 2 K for the N chords and K nodes of the rule.
     rounding = 4.0 * degree + 64.0 + 9.0 * reach + (np.abs(wavefront.edge) @ per_term).max()
     # Further rounding errors, from a factor of degree n: section 8, "Derivatives".
-    extra = [6.0 * n * n + (per_term.max() if kind else 0.0) for n, (_, _, kind) in zip(factors, sets, strict=True)]
+    extra = [6.0 * n * n for n in factors]
     counts = [projection.degrees(q, degree).size for q in model.orders]
     powers = np.concatenate([_powers(q, degree) for q in model.orders])
     chosen = [
@@ -400,7 +382,7 @@ def _case(
     ]
     planes = len(wavefront.edge)
     return _Case(
-        wavefront, window, model.orders, emitter, by, np.array(sets, dtype=np.int32), degree, norm, largest,
+        wavefront, window, model.orders, emitter, by, np.array(sets, dtype=np.int32), degree, norm,
         np.arange(planes, dtype=np.int32) if planes > 1 else None, sizes, np.array(chosen), powers,
         np.cumsum(counts, dtype=np.int32), np.array([k for k, _, _ in sets], dtype=np.int32), truncation,
         rounding + np.array(extra), {},
@@ -421,7 +403,7 @@ def fields(pupil: ObjectivePupil, grid: Grid, field_error: float, by: By) -> Fie
     )
     index = np.zeros(pupil.depth.size, dtype=np.int32) if case.wave_index is None else case.wave_index
     arguments = tables_of_rule.tables, series.coefficients, NodeWaves(tables_of_rule.waves, index), window
-    return Fields(arguments, case.sets, tables_of_rule.terms, field_errors, (series.steepest, case.largest))
+    return Fields(arguments, case.sets, tables_of_rule.terms, field_errors)
 
 
 def intensities(
@@ -433,17 +415,7 @@ def intensities(
     and on the largest moduli of the values.
     """
     data = fields(pupil, grid, field_error, by)
-    layer_factor, wavefront_factor = data.wavenumber_factors
-    results = chordal_series_light(*data.arguments, data.sets, data.terms, data.field_errors, pupil.power, threads)
-    if projection.WAVENUMBER in by.rates:
-        index = 1 + by.rates.index(projection.WAVENUMBER)
-        for array in results:
-            array[index] *= layer_factor
-            if wavefront_factor > 0.0:
-                array[index] += wavefront_factor * array[-1]
-        values, error, largest = (array[: 1 + len(by.rates) + len(by.terms)] for array in results)
-        return values, error, largest
-    return results
+    return chordal_series_light(*data.arguments, data.sets, data.terms, data.field_errors, pupil.power, threads)
 
 
 def sums(
@@ -508,20 +480,15 @@ def _sinh(n: int) -> Array:
     return np.asarray(np.sinh(n * _B))
 
 
-def growth(
-    wavefront: Wavefront, low: Array, high: Array, phases: dict[tuple[int, int], float] | None = None
-) -> Growth:
-    """Return bounds for a stack of wavefronts, in a window from v = `low` to v = `high`, (y, x).
-
-    `phases` are the amplitudes of the Zernike terms, by default computed from the wavefronts.
-    """
+def growth(wavefront: Wavefront, low: Array, high: Array) -> Growth:
+    """Return bounds for a stack of wavefronts, in a window from v = `low` to v = `high`, (y, x)."""
     terms, reach = wavefront.edge_terms(), []
     for edges, term in zip(zip(low.tolist(), high.tolist(), strict=True), ((1, -1), (1, 1)), strict=True):
         # A tilt shifts the image: the integrand depends on v minus the tilt.
         tilt = terms.get(term, 0.0)
         reach.append(max(float(np.abs(edge - tilt).max()) for edge in edges))
     total = np.zeros(_B.shape)
-    for (n, _), w in (wavefront.amplitudes() if phases is None else phases).items():
+    for (n, _), w in wavefront.amplitudes().items():
         if n > 1:
             total += w * _sinh(n)
     return Growth(*(total + kernel_mean for kernel_mean in means_of_kernel(reach[0], reach[1])))
@@ -745,7 +712,7 @@ def light(
     nodes = node_terms(rule.chords, rule.nodes, terms)
     weight = quadrant(rule.chords, rule.nodes).weight
     edge = np.ascontiguousarray(planes.edge, np.float64)
-    waves = folded_waves(nodes, edge, weight, 0.0)
+    waves = folded_waves(nodes, edge, weight)
     count = planes.depth.size
     index = np.zeros(count, np.int32) if len(edge) == 1 else np.arange(count, dtype=np.int32)
     derivative_terms = node_terms(rule.chords, rule.nodes, by)
@@ -772,7 +739,7 @@ def _amplitudes(
     waves = np.exp(1j * (constant + np.outer(planes.depth, by_depth) + np.outer(planes.focus, by_stage)))
     amplitudes = [waves]
     if by_focus:
-        amplitudes.append(waves * (1j * (by_stage - layers.middle_rates()[2])))
+        amplitudes.append(waves * (1j * (by_stage - layers.middle_rates()[1])))
     amplitudes += [waves * (math.sqrt(n + 1.0) * zernike.radial(n, 0, rho)) for n in by_amplitude]
     return np.stack([np.einsum("pq,qt->pt", amplitude, weights) for amplitude in amplitudes])
 

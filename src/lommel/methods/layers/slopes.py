@@ -1,9 +1,9 @@
-r"""Derivatives of microscope stacks by stage, depth, wavelength and position of the axis, with error bounds.
+r"""Derivatives of microscope stacks by stage, depth and position of the axis, with error bounds.
 
 Fields are sums of ``exp(i psi)``, so that derivatives by a parameter in which psi is linear are sums over the same
-angles with a factor ``i dpsi/dx``. Phases are proportional to the wavenumber, and so is v at a position in metres.
-When the axis moves, samples change by ``dI/dv``, and averages by the difference of line averages along two sides of
-each pixel. The light collected from an emitter near the cover glass depends on depth and wavelength.
+angles with a factor ``i dpsi/dx``. When the axis moves, samples change by ``dI/dv``, and averages by the difference
+of line averages along two sides of each pixel. The light collected from an emitter near the cover glass depends on
+depth.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from lommel.core import engine
 from lommel.core.answers import Declined, Samples, Slopes, Wanted
 from lommel.methods.averaging import averaged_images, pixel_averages, to_images
 from lommel.methods.derivative_names import SHIFTS, Term, term_of
-from lommel.methods.derivatives import Slope, scaling_derivative, tilted
+from lommel.methods.derivatives import Slope, tilted
 from lommel.methods.layers import chordal_debye
 from lommel.methods.layers.chordal_debye import ChordalDebye
 from lommel.methods.layers.debye_rings import DebyeRings, Turn, ringed
@@ -28,7 +28,7 @@ from lommel.methods.layers.stratified import By, Stratified, differentiated, is_
 from lommel.methods.method import Method, storing, with_model_error
 from lommel.optics.base_pupil import BasePupil
 from lommel.optics.grid import Grid
-from lommel.optics.layers import debye, projection
+from lommel.optics.layers import debye
 from lommel.optics.layers.objective_pupil import ObjectivePupil
 
 if TYPE_CHECKING:
@@ -58,20 +58,10 @@ def sampled_slopes(
     With `by_axis`, which requires pixel averages, the last two derivatives are by the row and the column of the axis.
     """
     by = rates(pupil)
-    layers, model = pupil.layers, pupil.light.model
-    if isinstance(method, Stratified):
-        largest_rates = debye.steepest(layers, model, pupil.depth.ravel(), pupil.focus.ravel())
-    else:
-        # Derivatives divided by their largest factor have OTFs of at most twice the modulus of the OTF of I:
-        # certificate, section 15, "Light that depends on the azimuth".
-        largest_rates = (*projection.steepest(layers, model), 0.0)
-        if any(d.variable == engine.BY_WAVENUMBER for d in by):
-            by_wavenumber = debye.steepest(layers, model, pupil.depth.ravel(), pupil.focus.ravel())[2]
-            if pupil.aberrations is not None:
-                by_wavenumber += sum(pupil.aberrations.flattened().amplitudes().values())
-            largest_rates = (*largest_rates[:2], by_wavenumber)
-    # Divisors with which OTFs have at most twice the modulus of the OTF of the aperture, as averages assume.
-    divisors = [abs(d.factor) * largest_rates[min(d.variable, 2)] + 0.5 * _largest(d.image_factor) for d in by]
+    largest_rates = debye.steepest(pupil.layers, pupil.light.model)
+    # Divisors with which OTFs have at most twice the modulus of the OTF of the aperture, as averages assume:
+    # certificate, section 15, "Light that depends on the azimuth".
+    divisors = [largest_rates[d.variable] + 0.5 * _largest(d.image_factor) for d in by]
     divisors += [1.0] * len(terms)
 
     def sample(pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Samples:
@@ -79,7 +69,7 @@ def sampled_slopes(
         if isinstance(method, ChordalDebye):
             return _by_chords(method, pupil, grid, pairs, terms, tol, images_only)
         if isinstance(method, DebyeRings):
-            return _by_circles(method, pupil, grid, pairs, largest_rates, tol, images_only)
+            return _by_circles(method, pupil, grid, pairs, tol, images_only)
         return _by_engine(pupil, grid, pairs, tol, images_only)
 
     request = wanted._replace(terms=((0, 0),) * len(divisors))  # placeholders: only their number matters
@@ -122,10 +112,7 @@ def _by_engine(
     pupil: ObjectivePupil, grid: Grid, pairs: Sequence[tuple[By, float]], tol: float, wanted: Wanted
 ) -> Samples:
     """Return samples by Stratified, and derivatives, divided by the divisors in `pairs`."""
-    by = [
-        d._replace(factor=d.factor / divisor, image_factor=np.asarray(d.image_factor) / divisor)
-        for d, divisor in pairs
-    ]
+    by = [d._replace(factor=1.0 / divisor, image_factor=np.asarray(d.image_factor) / divisor) for d, divisor in pairs]
     method = Stratified(max(tol, Stratified.least_tol))
     result = engine_slopes(pupil, grid, by, method.tol, wanted, lambda: method._samples(pupil, grid, tol, wanted))
     if result is None:
@@ -141,7 +128,6 @@ def _by_circles(
     pupil: ObjectivePupil,
     grid: Grid,
     pairs: Sequence[tuple[By, float]],
-    largest_rates: tuple[float, float, float],
     tol: float,
     wanted: Wanted,
 ) -> Samples:
@@ -150,13 +136,14 @@ def _by_circles(
     values = np.empty((len(pairs), *images.values.shape), wanted.dtype)
     error = np.empty((len(pairs), len(images.values)))
     for k, (d, divisor) in enumerate(pairs):
-        rate, middle = largest_rates[d.variable], pupil.layers.middle_rates()[1 + d.variable]
+        rate = debye.steepest(pupil.layers, pupil.light.model)[d.variable]
+        middle = pupil.layers.middle_rates()[d.variable]
         plus, minus = (
             ringed(pupil, grid, accuracy, Wanted(threads=wanted.threads), Turn(d.variable + 1, turn / rate, middle))
             for turn in (1j, -1j)
         )
         # The derivative is twice the difference divided by s = 1 / steep: certificate, section 16, "Derivatives".
-        factor = 2.0 * d.factor * rate / divisor
+        factor = 2.0 * rate / divisor
         offset = np.broadcast_to(np.asarray(d.image_factor) / divisor, images.scale.shape)
         slope = (
             factor * (plus.values - minus.values) * images.scale[:, None, None]
@@ -164,7 +151,7 @@ def _by_circles(
         )
         bound = plus.bound * plus.brightest + minus.bound * minus.brightest
         largest = np.abs(slope).reshape(len(slope), -1).max(axis=1) / images.scale
-        error_bound = abs(factor) * bound + (storing(wanted.dtype) + 2.0**-48) * largest
+        error_bound = factor * bound + (storing(wanted.dtype) + 2.0**-48) * largest
         values[k], error[k] = slope, error_bound / images.brightest + np.abs(offset) * (images.bound + 1e-12)
     return images._replace(slopes=Slopes(values, error))
 
@@ -181,11 +168,11 @@ def _by_chords(
     """Return samples by ChordalDebye, and derivatives, divided by the divisors in `pairs`; Zernike terms are last."""
     by = chordal_debye.By(tuple(d.variable for d, _ in pairs), terms)
     images, values, error_bound, largest = method.differentiated(pupil, grid, tol, wanted, by)
-    largest_rates = (*projection.steepest(pupil.layers, pupil.light.model), 1.0)
+    largest_rates = debye.steepest(pupil.layers, pupil.light.model)
     factors = np.ones(len(values))
-    factors[: len(pairs)] = [d.factor * largest_rates[min(d.variable, 2)] / divisor for d, divisor in pairs]
+    factors[: len(pairs)] = [largest_rates[d.variable] / divisor for d, divisor in pairs]
     values *= (factors[:, None] * images.scale)[:, :, None, None]
-    error, largest = (np.abs(factors)[:, None] * bounds for bounds in (error_bound, largest))
+    error, largest = (factors[:, None] * bounds for bounds in (error_bound, largest))
     for k, (d, divisor) in enumerate(pairs):
         if _largest(d.image_factor) > 0.0:
             offset = np.asarray(d.image_factor) / divisor
@@ -204,11 +191,11 @@ TERMS_BY_CHORDS = (
 )
 LAYERED = (Stratified, DebyeRings, ChordalDebye)  # methods with derivatives
 _AXIS = ("row", "column")  # derivatives by the position of the axis
-_PARAMETERS = ("z", "depth", "wavelength")  # derivatives by parameters of the planes and of the light
+_PARAMETERS = ("z", "depth")  # derivatives by parameters of the planes
 
 
 def layered_slopes(
-    method: Method, pupil: ObjectivePupil, grid: Grid, names: Sequence[Name], wanted: Wanted, *, energy: bool
+    method: Method, pupil: ObjectivePupil, grid: Grid, names: Sequence[Name], wanted: Wanted
 ) -> tuple[Method, Samples, list[Slope]]:
     """Return the method, images and their derivatives by checked names."""
     zernike_names = {name: term for name in names if (term := term_of(name)) is not None}
@@ -219,22 +206,19 @@ def layered_slopes(
     far, by_engine = isinstance(wanted.scale, np.ndarray), pupil.radial and isinstance(method, Stratified)
 
     def rates(planes: ObjectivePupil) -> list[By]:
-        return [by_name(name, planes, far=far, energy=energy) for name in kinds]
+        return [by_name(name, planes, far=far) for name in kinds]
 
     if by_engine:
         images = _radial(method, pupil, grid, kinds, rates(pupil), wanted, axis)
     elif kinds or terms or (axis and grid.integrate and not isinstance(method, Stratified)):
-        # The derivative by the wavelength requires tilts of finer samples, which also yield derivatives by the axis.
-        by_axis = axis and grid.integrate and "wavelength" not in kinds
-        images = sampled_slopes(method, pupil, grid, rates, wanted, terms, by_axis=by_axis)
+        images = sampled_slopes(method, pupil, grid, rates, wanted, terms, by_axis=axis and grid.integrate)
     else:
         images = with_model_error(method.images(pupil, grid, wanted), pupil, method, normalized=False)
     slopes: dict[Name, Slope] = {}
     if images.slopes is not None:  # derivatives by the axis, if present, are last
         slopes |= zip((*kinds, *terms, *_AXIS), map(Slope, *images.slopes), strict=False)
-    by_wavelength = "wavelength" in kinds and not by_engine
-    if by_wavelength or (axis and "row" not in slopes):
-        slopes |= _axis_slopes(method, pupil, grid, images, wanted, slopes["wavelength"] if by_wavelength else None)
+    if axis and "row" not in slopes:
+        slopes |= _axis_slopes(method, pupil, grid, images, wanted)
     return method.reported, images, [slopes[zernike_names.get(name, name)] for name in names]
 
 
@@ -249,8 +233,8 @@ def _require_available(
         )
     if unknown := [name for name in names if name not in (*_PARAMETERS, *_AXIS, *zernike_names)]:
         raise ValueError(
-            "derivatives of the pupils of an Objective are by 'z', 'depth', 'wavelength', 'row', 'column' or "
-            f"Zernike terms, got {unknown[0]!r}"
+            "derivatives of the pupils of an Objective are by 'z', 'depth', 'row', 'column' or Zernike "
+            f"terms, got {unknown[0]!r}"
         )
     if zernike_names and not isinstance(method, ChordalDebye):
         raise Declined(TERMS_BY_CHORDS)
@@ -259,32 +243,20 @@ def _require_available(
             f"derivatives are not available for the light of {pupil.emitter!r} from Stratified; use "
             "method=ChordalDebye(), in small windows"
         )
-    if "wavelength" in names and isinstance(method, DebyeRings):
-        raise Declined(
-            "derivatives by 'wavelength' are not available from DebyeRings; use a window small enough for "
-            "ChordalDebye, or take differences of the PSFs of pupil.in_light(w)"
-        )
 
 
 def _axis_slopes(
-    method: Method, pupil: ObjectivePupil, grid: Grid, images: Samples, wanted: Wanted, at_fixed_v: Slope | None
+    method: Method, pupil: ObjectivePupil, grid: Grid, images: Samples, wanted: Wanted
 ) -> dict[Name, Slope]:
-    """Return derivatives by the axis and, from the derivative `at_fixed_v`, by the wavelength: section 12."""
+    """Return derivatives by the axis: section 12."""
     step = grid.step(pupil)
     # A phase that the Zernike terms omit changes fields and their gradients by at most the same amount.
     omitted = 4.0 * pupil.left_out[0]
-    tilts = [(values, error + omitted) for values, error in tilted(method, pupil, grid, wanted.threads, _samples)]
-    result: dict[Name, Slope] = {
-        name: _stored(step * values, step * error, images, wanted)
+    tilts = tilted(method, pupil, grid, wanted.threads, _samples)
+    return {
+        name: _stored(step * values, step * (error + omitted), images, wanted)
         for name, (values, error) in zip(("column", "row"), tilts, strict=True)
     }
-    if at_fixed_v is not None:
-        values, error = scaling_derivative(method, pupil, grid, tilts, wanted.threads, _samples)
-        # The omitted phase also grows as the wavelength falls.
-        error = error + 2.0 * pupil.left_out[0]
-        of_place = _stored(values / -pupil.wavelength, error / pupil.wavelength, images, wanted)
-        result["wavelength"] = _sum(at_fixed_v, of_place, images, wanted)
-    return result
 
 
 def _radial(
@@ -313,28 +285,18 @@ def _samples(method: Method, pupil: BasePupil, grid: Grid, wanted: Wanted) -> Sa
     return method.images(pupil, grid, wanted)
 
 
-def by_name(name: str, pupil: ObjectivePupil, *, far: bool, energy: bool) -> By:
-    """Return the derivative of values / scale as a sum of derivatives of I at fixed power and fixed pixels in v.
+def by_name(name: str, pupil: ObjectivePupil, *, far: bool) -> By:
+    """Return the derivative of values / scale as a sum of derivatives of I at fixed power.
 
     With `far`, values are relative to the light that an emitter far from the glass sends to the objective.
     """
     if name == "z":
         return By(engine.BY_FOCUS)
-    model, shares = pupil.light.model, pupil.light.shares
-    kind = "depth" if name == "depth" else "wavenumber"
-    # Values are divided by the collected light, which also depends on depth and wavenumber.
-    rates_at_depth, far_rate = debye.power(pupil.layers, pupil.depth.ravel(), model, by=kind)
     if far:
-        _, far_power = debye.power(pupil.layers, np.zeros(0), model)
-        rate = np.full(pupil.power.shape, far_rate @ shares / (far_power @ shares))
-    else:
-        rate = rates_at_depth @ shares / pupil.power
-    if name == "depth":
-        return By(engine.BY_DEPTH, 1.0, -rate)
-    # The area of a pixel in v is proportional to wavelength^-2, hence -2.
-    return By(
-        engine.BY_WAVENUMBER, -1.0 / pupil.wavelength, ((-2.0 if energy or far else 0.0) + rate) / pupil.wavelength
-    )
+        return By(engine.BY_DEPTH)
+    # Values are divided by the collected light, which also depends on depth.
+    rates, _ = debye.power(pupil.layers, pupil.depth.ravel(), pupil.light.model, by_depth=True)
+    return By(engine.BY_DEPTH, -(rates @ pupil.light.shares) / pupil.power)
 
 
 def _stored(values: Array, error_bound: Array, images: Samples, wanted: Wanted) -> Slope:
@@ -347,16 +309,6 @@ def _stored(values: Array, error_bound: Array, images: Samples, wanted: Wanted) 
     return Slope(stored, (error_bound + (storing(wanted.dtype) + 2.0**-48) * largest) / images.brightest)
 
 
-def _sum(a: Slope, b: Slope, images: Samples, wanted: Wanted) -> Slope:
-    """Return the stored sum of two derivatives."""
-    values = a.values.astype(np.float64) + b.values
-    largest = np.abs(values).reshape(len(values), -1).max(axis=1) / images.scale / images.brightest
-    return Slope(values.astype(wanted.dtype), a.error + b.error + storing(wanted.dtype) * largest)
-
-
-_BY_SERIES = ("z", "depth")  # derivatives of ChordalDebye.gradient(), in addition to terms and shifts
-
-
 def layered_gradient(
     method: Method,
     pupil: ObjectivePupil,
@@ -365,21 +317,20 @@ def layered_gradient(
     weights: Array,
     scale: Array,
     *,
-    energy: bool,
     far: bool,
 ) -> dict[Name, Array]:
     """Return derivatives of ``sum(weights * values)`` by checked names, each (n,), with weights (n, height, width).
 
-    Values are `scale`, (n,), times the intensity, relative to all light (`energy`) or to light emitted `far` from the
-    glass. Raises ValueError if a derivative is not available.
+    Values are `scale`, (n,), times the intensity, relative to light emitted at the depth or `far` from the glass.
+    Raises ValueError if a derivative is not available.
     """
     results: dict[Name, Array] = {}
     by_term = any(name not in SHIFTS for name in _terms_of(tuple(names)))
     if isinstance(method, LAYERED) and (by_term or not isinstance(method, Stratified)):
-        results = _gradient_by_chords(method, pupil, grid, names, weights, scale, energy=energy, far=far)
+        results = _gradient_by_chords(method, pupil, grid, names, weights, scale, far=far)
     if others := [name for name in names if name not in results]:
         wanted = Wanted(scale if far else float(scale[0]))
-        slopes = layered_slopes(method, pupil, grid, others, wanted, energy=energy)[2]
+        slopes = layered_slopes(method, pupil, grid, others, wanted)[2]
         results |= {
             name: np.einsum("nij,nij->n", weights, slope.values) for name, slope in zip(others, slopes, strict=True)
         }
@@ -394,14 +345,11 @@ def _gradient_by_chords(
     weights: Array,
     scale: Array,
     *,
-    energy: bool,
     far: bool,
 ) -> dict[Name, Array]:
     """Return derivatives by ChordalDebye.gradient(); {} if it declines and methods over circles have them, too."""
     terms = _terms_of(tuple(names))
-    kinds: dict[Name, By] = {
-        name: by_name(str(name), pupil, far=far, energy=energy) for name in names if name in _BY_SERIES
-    }
+    kinds: dict[Name, By] = {name: by_name(str(name), pupil, far=far) for name in names if name in _PARAMETERS}
     index = {term: k for k, term in enumerate(dict.fromkeys(terms.values()))}
     by = chordal_debye.By(tuple(d.variable for d in kinds.values()), tuple(index))
     if not (terms or kinds):
@@ -412,10 +360,10 @@ def _gradient_by_chords(
         if isinstance(method, ChordalDebye) or any(name not in SHIFTS for name in terms):
             raise ValueError(TERMS_BY_CHORDS) from None
         return {}
-    largest_rates = projection.steepest(pupil.layers, pupil.light.model)
+    largest_rates = debye.steepest(pupil.layers, pupil.light.model)
     results: dict[Name, Array] = {}
     for (name, d), sums_by in zip(kinds.items(), sums[1:], strict=False):
-        results[name] = scale * (d.factor * largest_rates[d.variable] * sums_by + d.image_factor * sums[0])
+        results[name] = scale * (largest_rates[d.variable] * sums_by + d.image_factor * sums[0])
     by_term = scale * sums[1 + len(kinds) :]
     results |= {name: by_term[index[term]] for name, term in terms.items()}
     for name in SHIFTS.keys() & terms.keys():

@@ -20,7 +20,7 @@ from lommel.core.engine import Layered, LayeredSlopes, Window, layered_images, l
 from lommel.methods.layers.debye_wolf import DebyeWolf, likely_peak
 from lommel.optics.grid import Grid
 from lommel.optics.layers import debye
-from lommel.optics.layers.debye import Complex, Model, Rule, Turning
+from lommel.optics.layers.debye import Complex, Model, Rule
 from lommel.optics.layers.emitter import Light
 from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.optics.layers.stratified import Layers
@@ -91,8 +91,8 @@ class By(NamedTuple):
     """Derivative computed by the engine; see :class:`lommel.core.engine.LayeredSlopes`."""
 
     variable: int  # parameter of the derivative: a constant of the engine
-    factor: float = 1.0
     image_factor: Array | float = 0.0  # factor of I itself in the derivative, for each plane
+    factor: float = 1.0
 
 
 class _Accuracy(NamedTuple):
@@ -151,10 +151,10 @@ def differentiated(pupil: ObjectivePupil, grid: Grid, by: Sequence[By], tol: flo
         field = accuracy.field / 2.0 if grid.integrate else accuracy.field
         slopes = None
         if by:
-            errors, wavenumber_factors = _derivative_errors(_angles_key(pupil, largest_v, field))
+            errors = _derivative_errors(_angles_key(pupil, largest_v, field))
             variables = np.array([(derivative.variable, derivative.factor) for derivative in by])
             factors = np.stack([np.broadcast_to(derivative.image_factor, pupil.power.shape) for derivative in by])
-            slopes = LayeredSlopes(variables, factors, errors, *wavenumber_factors)
+            slopes = LayeredSlopes(variables, factors, errors)
         stack = layered(pupil, largest_v, field)
         images = layered_images(
             stack, window, accuracy.interpolation, wanted, integrate=grid.integrate, slopes=slopes
@@ -215,8 +215,7 @@ def _angles(key: _AnglesKey) -> tuple[Rule, Complex, Complex]:
 
 
 @lru_cache(maxsize=32)
-def _derivative_errors(key: _AnglesKey) -> tuple[Array, Turning]:
-    """Return the errors of derivatives of fields computed with these angles, and factors of derivatives by ln k."""
+def _derivative_errors(key: _AnglesKey) -> Array:
+    """Return the errors of derivatives of fields computed with these angles."""
     (layers, model, depths, foci, largest_v, tol), (rule, _, _) = key, _angles(key)
-    errors = debye.slope_errors(rule, layers, model, *_corners(layers, depths, foci), largest_v, tol)
-    return np.array(errors), debye.turning(rule, layers, model)
+    return debye.slope_errors(rule, layers, model, *_corners(layers, depths, foci), largest_v, tol)

@@ -170,15 +170,7 @@ class Piece:
 
     def parts(self, points: Points, model: Model) -> tuple[Complex, ...]:
         """Return the factor of ``exp(i psi) J_m`` in each integrand, with the Jacobian, one for each order m."""
-        return self._factors(points, model, *(points.amplitudes[:2] if model.transmits else (1.0, 1.0)))
-
-    def changes(self, points: Points, model: Model) -> tuple[Complex, ...]:
-        """Return the derivatives of :meth:`parts` by ln k, with the wavenumber k; only films contribute."""
-        of_s, of_p = self.layers.log_slopes(points, points.square)
-        t_s, t_p, _ = points.amplitudes
-        return self._factors(points, model, t_s * of_s, t_p * of_p)
-
-    def _factors(self, points: Points, model: Model, t_s: Values, t_p: Values) -> tuple[Complex, ...]:
+        t_s, t_p = points.amplitudes[:2] if model.transmits else (1.0, 1.0)
         # Radial, azimuthal and vortex beams: docs/certificate.md, section 14, "What is odd in rho".
         c_i, c_s = points(self.layers.immersion), points(self.layers.sample)
         factor = self.jacobian(points.x) * (c_i**-0.5 if model.aplanatic else 1.0 + 0.0j)
@@ -443,28 +435,24 @@ def fields(rule: Rule, model: Model, depth: Array, focus: Array, v: Array) -> tu
     return integrals
 
 
-def power(layers: Layers, depth: Array, model: Model | None = None, *, by: str | None = None) -> tuple[Array, Array]:
+def power(layers: Layers, depth: Array, model: Model | None = None, *, by_depth: bool = False) -> tuple[Array, Array]:
     """Return the power of each part at each `depth` and far from the glass, in units of ``4 pi / (k NA)^2``.
 
-    If `by` is "depth" or "wavenumber", return the derivatives of both powers by depth or by ln k.
+    With `by_depth`, return the derivatives of both powers by depth.
     """
     model = model or Model()
     # Double the number of nodes until two results agree to 1e-13; convergence is geometric.
     previous = np.full((1, 1), -1.0)
     for n in (32 * 2**k for k in range(9)):
-        propagating, decay_rates, evanescent, propagating_change, evanescent_change = _powers(layers, model, n)
+        propagating, decay_rates, evanescent = _powers(layers, model, n)
         decay = np.exp(np.outer(depth, decay_rates))
         total = decay @ evanescent + propagating
         powers, far_powers = total, propagating
-        if by is not None:
+        if by_depth:
             # Propagating light does not depend on depth.
             powers, far_powers = decay @ (evanescent * decay_rates[:, None]), 0.0 * far_powers
-        if by == "wavenumber":
-            # Decay rates are proportional to k, which adds depth times the derivative by depth.
-            powers = depth[:, None] * powers + decay @ evanescent_change + propagating_change
-            far_powers = propagating_change
         # The error of a derivative is relative to the sum of the power and the derivative.
-        size = total if by is None else total + np.abs(powers)
+        size = total + np.abs(powers) if by_depth else total
         if (np.abs(powers - previous) <= 1e-13 * size.sum(axis=1, keepdims=True)).all():
             break
         previous = powers
@@ -472,15 +460,14 @@ def power(layers: Layers, depth: Array, model: Model | None = None, *, by: str |
 
 
 @lru_cache(maxsize=64)
-def _powers(layers: Layers, model: Model, n: int) -> tuple[Array, Array, Array, Array, Array]:
+def _powers(layers: Layers, model: Model, n: int) -> tuple[Array, Array, Array]:
     """Return the powers of each part, by n nodes per section.
 
-    The result is the propagating power, the decay rates and the powers at depth 0 of evanescent waves at each node,
-    and the derivatives of both powers by ln k.
+    The result is the propagating power, and the decay rates and the powers at depth 0 of evanescent waves at each
+    node.
     """
     part_count = len(model.orders)
-    propagating, propagating_change = np.zeros(part_count), np.zeros(part_count)
-    decay_rates, evanescent, evanescent_change = np.zeros(0), np.zeros((0, part_count)), np.zeros((0, part_count))
+    propagating, decay_rates, evanescent = np.zeros(part_count), np.zeros(0), np.zeros((0, part_count))
     for piece in pieces(layers, model):
         x, w = gauss_legendre(n, piece.low, piece.high)
         points = Points(piece, x)
@@ -488,52 +475,22 @@ def _powers(layers: Layers, model: Model, n: int) -> tuple[Array, Array, Array, 
         measure = (w / (2.0 * piece.jacobian(x)))[:, None]
         node_parts = np.stack(piece.parts(points, model), axis=1)
         node_power: Array = measure * np.abs(node_parts) ** 2
-        change: Array = np.zeros(node_parts.shape)
-        if films(layers, model):
-            change = measure * 2.0 * (node_parts.conj() * np.stack(piece.changes(points, model), axis=1)).real
         if piece.above:
-            decay_rates, evanescent, evanescent_change = -2.0 * points.rates[1].imag, node_power, change
+            decay_rates, evanescent = -2.0 * points.rates[1].imag, node_power
         else:
             propagating += node_power.sum(axis=0)
-            propagating_change += change.sum(axis=0)
-    return propagating, decay_rates, evanescent, propagating_change, evanescent_change
-
-
-def films(layers: Layers, model: Model) -> bool:
-    """Return True if the amplitudes depend on the wavelength, due to films."""
-    return bool(layers.films) and model.transmits
+    return propagating, decay_rates, evanescent
 
 
 # Derivatives by depth and focus multiply the integrand by ``i d psi / d(depth)`` or ``i d psi / d(focus)``. The
-# derivative by v replaces J_m(v rho) by ``rho J_m'(v rho)``. The phase psi is proportional to the wavenumber k, so
-# that the derivative by ln k multiplies by ``i psi``; a real constant in psi changes no intensity and is subtracted.
-# With films, the amplitudes of s and p waves also depend on k.
-
-
-class Turning(NamedTuple):
-    """Derivatives by ln k at fixed v: `Rule.rates` minus constants, and derivatives of the weighted parts."""
-
-    rates: Complex
-    changes: Complex | None
-
-
-def turning(quadrature: Rule, layers: Layers, model: Model) -> Turning:
-    """Return the quantities of :class:`Turning` at the nodes of a rule."""
-    rates = np.stack(quadrature.rates) - np.array(layers.middle_rates())[:, None]
-    if not films(layers, model):
-        return Turning(rates, None)
-    changes = []
-    for piece, n in zip(pieces(layers, model), quadrature.counts, strict=True):
-        x, w = gauss_legendre(n, piece.low, piece.high)
-        changes.append(w * np.stack(piece.changes(Points(piece, x), model)))
-    return Turning(rates, np.concatenate(changes, axis=1))
+# derivative by v replaces J_m(v rho) by ``rho J_m'(v rho)``.
 
 
 def slope_errors(
     quadrature: Rule, layers: Layers, model: Model, depth: Array, focus: Array, v: float, tol: float
-) -> tuple[float, float, float, float]:
-    """Return bounds on the errors of a rule for derivatives by depth, by focus, by v, and by ln k at fixed v."""
-    errors = []
+) -> Array:
+    """Return bounds on the errors of a rule for derivatives by depth, by focus and by v."""
+    errors = np.zeros(3)
     for piece, n in zip(pieces(layers, model), quadrature.counts, strict=True):
         growth = piece.growth_on_best(model, depth, focus, v, tol / len(quadrature.counts))
         rows = tuple(int(row) for row in np.flatnonzero(np.isfinite(growth)))
@@ -541,46 +498,21 @@ def slope_errors(
         _, by_depth, by_focus = covered.rates
         # abs(dJ_m(v rho)/dv) <= abs(rho) exp(v abs(Im rho)); the other factors are derivatives of the phase.
         rho = np.sqrt(covered.square.largest) / layers.NA
-        factors = by_depth.largest, by_focus.largest, rho, phases(covered, model, depth, focus)
         log_error = (piece.constant() - 2.0 * n * ETA + growth)[list(rows)]
-        errors.append([float(np.exp((log_error + np.log(factor.max(axis=-1))).min())) for factor in factors])
-    # Largest factor of derivatives by ln k, for rounding errors: docs/certificate.md, section 15, "The wavelength".
-    by_k = turning(quadrature, layers, model)
-    phase = max(float(np.abs(by_k.rates.T @ (1.0, d, f)).max()) for d, f in extremes(depth, focus))
-    if by_k.changes is not None:
-        phase += max(float(np.abs(part).sum()) for part in by_k.changes) / max(
-            float(np.abs(part).sum()) for part in quadrature.parts
-        )
-    largest = *(float(np.abs(rate).max()) for rate in quadrature.rates[1:]), 1.0, 1.0 + phase
-    sums = [
-        sum(part) + quadrature.rounding * size for part, size in zip(zip(*errors, strict=True), largest, strict=True)
-    ]
-    return sums[0], sums[1], sums[2], sums[3]
+        factors = by_depth.largest, by_focus.largest, rho
+        errors += [float(np.exp((log_error + np.log(factor.max(axis=-1))).min())) for factor in factors]
+    largest = np.array([*(np.abs(rate).max() for rate in quadrature.rates[1:]), 1.0])
+    return errors + quadrature.rounding * largest
 
 
-def steepest(layers: Layers, model: Model, depth: Array, focus: Array) -> tuple[float, float, float]:
-    """Return bounds on the factors by which derivatives by depth, by focus and by ln k multiply the integrands."""
-    bounds = np.zeros(3)
-    middle = layers.middle_rates()
+@lru_cache(maxsize=32)
+def steepest(layers: Layers, model: Model) -> tuple[float, float]:
+    """Return bounds on the deviations of the phase derivatives by depth and by focus from their middle values."""
+    bounds = np.zeros(2)
     for piece in pieces(layers, model):
         # By the maximum principle a bound on the narrowest ellipse without singularity holds on the section inside.
         row = next(row for row in range(ETA.size) if enclosed(piece, model, (row,))[0].analytic[0])
         covered, _ = enclosed(piece, model, (row,))
-        rates = [(rate - offset).largest for rate, offset in zip(covered.rates[1:], middle[1:], strict=True)]
-        bounds = np.maximum(bounds, [*(rate.max() for rate in rates), phases(covered, model, depth, focus).max()])
-    return float(bounds[0]), float(bounds[1]), float(bounds[2])
-
-
-def phases(covered: Points, model: Model, depth: Array, focus: Array) -> Array:
-    """Return bounds on ``abs(d(integrand)/d(ln k) / integrand)`` on each disc."""
-    layers, psi = covered.piece.layers, np.zeros(covered.square.radius.shape)
-    for d, f in extremes(depth, focus):
-        centre, radius = np.zeros(psi.shape, np.complex128), np.zeros(psi.shape)
-        for coordinate, rate, middle_rate in zip((1.0, d, f), covered.rates, layers.middle_rates(), strict=True):
-            centre = centre + coordinate * (rate.centre - middle_rate)
-            radius = radius + abs(coordinate) * rate.radius
-        psi = np.maximum(psi, (np.abs(centre) + radius) * (1.0 + 1e-12))
-    if films(layers, model):
-        of_s, of_p = layers.log_slopes(covered, covered.square)
-        psi = psi + np.maximum(of_s.largest, of_p.largest)
-    return psi
+        rates = zip(covered.rates[1:], layers.middle_rates(), strict=True)
+        bounds = np.maximum(bounds, [(rate - middle).largest.max() for rate, middle in rates])
+    return float(bounds[0]), float(bounds[1])

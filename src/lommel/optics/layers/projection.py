@@ -11,7 +11,6 @@ rules of :mod:`lommel.optics.layers.debye` compute the coefficients
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from functools import lru_cache
 from typing import NamedTuple
 
@@ -20,7 +19,6 @@ from numpy.typing import NDArray
 
 from lommel.base import validation
 from lommel.base.arrays import Array
-from lommel.core import engine
 from lommel.optics.layers import debye
 from lommel.optics.layers.debye import Complex, Model, Piece, Rule
 from lommel.optics.layers.objective_pupil import ObjectivePupil
@@ -152,15 +150,11 @@ def _taylor(n: int, m: int, centre: NDArray[np.complex128], radius: Array) -> tu
 _LEAST_DEPTH, _LEAST_FOCUS = 1e-6, 1e-6  # values of `least` in _widened() for depth and focus, metres
 
 
-WAVENUMBER = engine.BY_WAVENUMBER
-
-
 class Amplitudes(NamedTuple):
     """Zernike series of the amplitudes in several planes, and a bound on the error that they cause in a field."""
 
     coefficients: Complex  # shape (1 + derivatives, planes, terms of all parts)
     error: float  # due to quadrature of the coefficients and rounding
-    steepest: float  # the series of the derivative by ln k are divided by this number
 
 
 class _Integrals(NamedTuple):
@@ -168,8 +162,6 @@ class _Integrals(NamedTuple):
 
     rule: debye.Rule
     weights: Complex  # shape (3, nodes, terms): amplitudes, derivatives by depth, derivatives by focus
-    changes: Complex | None  # shape (nodes, terms): derivatives by ln k due to films; None without films
-    steepest: float  # bound on derivatives by ln k; 1 if they were not requested
 
 
 def degrees(order: int, degree: int) -> NDArray[np.int64]:
@@ -181,42 +173,24 @@ def amplitudes(pupil: ObjectivePupil, degree: int, error: float, rates: tuple[in
     """Return Zernike series of the amplitudes of the flattened planes of a `pupil`.
 
     An amplitude is half of a part of the pupil's model times ``exp(i psi)``. The sum of the errors of the
-    coefficients is at most `error`. `rates` requests series of derivatives: 0 by depth, 1 by focus,
-    :data:`WAVENUMBER` by ln k at fixed v, without a phase common to all fields. They are divided by :func:`steepest`
-    (0 and 1) or by the `steepest` of the result.
+    coefficients is at most `error`. `rates` requests series of derivatives, 0 by depth and 1 by focus, without a
+    phase common to all fields and divided by :func:`lommel.optics.layers.debye.steepest`.
     """
     depth, focus = pupil.depth.ravel(), pupil.focus.ravel()
     layers, model = pupil.layers, pupil.light.model
-    by_k = WAVENUMBER in rates
-    integrals = _integrals(layers, model, *_box(layers, depth, focus), degree, error, by_k=by_k)
+    integrals = _integrals(layers, model, *_box(layers, depth, focus), degree, error)
     waves = integrals.rule.waves(depth, focus)
     # For such small matrices einsum is faster than BLAS, which would start threads.
     series = np.empty((1 + len(rates), len(waves), integrals.weights.shape[2]), np.complex128)
     for k, rate in enumerate((-1, *rates)):
-        np.einsum("pq,qt->pt", waves, integrals.weights[1 + rate if rate < 2 else 0], out=series[k])
-    if by_k:
-        phase0, by_depth, by_focus = debye.turning(integrals.rule, layers, model).rates
-        # Multiply by i psi at each node: docs/certificate.md, section 15, "The wavelength".
-        derivatives = 1j * waves * (phase0 + np.outer(depth, by_depth) + np.outer(focus, by_focus))
-        total = np.einsum("pq,qt->pt", derivatives, integrals.weights[0])
-        if integrals.changes is not None:
-            total += np.einsum("pq,qt->pt", waves, integrals.changes)
-        series[1 + rates.index(WAVENUMBER)] = total / integrals.steepest
-    return Amplitudes(
-        series, (degree + 2.0) * _integral_tol(error, degree) + 4.0 * integrals.rule.rounding, integrals.steepest
-    )
+        np.einsum("pq,qt->pt", waves, integrals.weights[1 + rate], out=series[k])
+    return Amplitudes(series, (degree + 2.0) * _integral_tol(error, degree) + 4.0 * integrals.rule.rounding)
 
 
 @lru_cache(maxsize=32)
 def norm(layers: Layers, model: Model) -> float:
     """Return the largest ``sqrt(2 int abs(t)^2 rho drho)`` of the parts t at depth 0, a bound for all depths."""
     return math.sqrt(float(debye.power(layers, np.zeros(1), model)[0].max())) * (1.0 + 1e-12)
-
-
-@lru_cache(maxsize=32)
-def steepest(layers: Layers, model: Model) -> tuple[float, float]:
-    """Return bounds on the deviations of the phase derivatives by depth and by focus from their middle values."""
-    return debye.steepest(layers, model, np.zeros(1), np.zeros(1))[:2]
 
 
 def _integral_tol(error: float, degree: int) -> float:
@@ -232,18 +206,15 @@ def _integrals(
     focus: tuple[float, float],
     degree: int,
     error: float,
-    *,
-    by_k: bool,
 ) -> _Integrals:
     """Return a rule and weights for ranges of depth and of (focus - paraxial focus of the depth).
 
     The weights convert ``exp(i psi)`` at the nodes to the coefficients of all parts and of their derivatives.
     """
-    middle, steep = layers.middle_rates()[1:], steepest(layers, model)
+    middle, steep = layers.middle_rates(), debye.steepest(layers, model)
     # The phase is linear in depth and focus, so that the corners of the range (a parallelogram) bound all planes.
     corners = [(d, f + layers.immersion / layers.sample * d) for d in depth for f in focus]
     d, f = np.array(corners).T
-    scale_k = max(1.0, debye.steepest(layers, model, d, f)[2]) if by_k else 1.0
 
     def growth(piece: Piece) -> Array:
         # R_n^m(rho) is a mean of Chebyshev polynomials U_n(rho cos(alpha)). Their moduli are at most
@@ -254,29 +225,24 @@ def _integrals(
             (rate - least).largest / most
             for rate, least, most in zip(piece.covered.rates[1:], middle, steep, strict=True)
         ]
-        if by_k:
-            with np.errstate(invalid="ignore"):  # some ellipses are not covered by finite discs
-                phases = debye.phases(piece.covered, model, d, f) / scale_k
-            factors_on_discs.append(np.where(np.isnan(phases), np.inf, phases))
         log_bound = math.log(degree + 4.0) + 0.5 * (degree + 3.0) * np.arccosh(np.maximum(size, 1.0))
         return np.asarray(log_bound + np.log(np.maximum(1.0, np.max(factors_on_discs, axis=0))))
 
     rule = debye.rule(layers, model, d, f, 0.0, _integral_tol(error, degree), growth)
     factors = [1j * (rate - least) / most for rate, least, most in zip(rule.rates[1:], middle, steep, strict=True)]
 
-    def weighted(parts: Sequence[Complex]) -> Complex:
-        weights = [
+    amplitude_weights = np.stack(
+        [
             part * ((n + 1.0) * radial)
-            for order, part in zip(model.orders, parts, strict=True)
+            for order, part in zip(model.orders, rule.parts, strict=True)
             for n, radial in zip(
                 degrees(order, degree), zernike.radials(order, max(degree, order), rule.rho), strict=True
             )
-        ]
-        return np.stack(weights, axis=1)
-
-    amplitude_weights, changes = weighted(rule.parts), debye.turning(rule, layers, model).changes if by_k else None
-    weights = np.ascontiguousarray([amplitude_weights, *(factor[:, None] * amplitude_weights for factor in factors)])
-    return _Integrals(rule, weights, None if changes is None else weighted(tuple(changes)), scale_k)
+        ],
+        axis=1,
+    )
+    weights = [amplitude_weights, *(factor[:, None] * amplitude_weights for factor in factors)]
+    return _Integrals(rule, np.ascontiguousarray(weights))
 
 
 def _box(layers: Layers, depth: Array, focus: Array) -> tuple[tuple[float, float], tuple[float, float]]:

@@ -76,13 +76,12 @@ class Layers:
             phase0 = phase0 + cosine(index) * (k * index * thickness)
         return phase0, cosine(self.sample) * (k * self.sample), by_focus
 
-    def middle_rates(self) -> tuple[float, float, float]:
-        """Return the means of the real :meth:`rates` at rho = 0 and rho = 1, constants that change no intensity."""
-        rates = self.rates(self.cosine(np.array([0.0, 1.0])))
-        phase0, by_depth, by_focus = (0.5 * float(rate.real.sum()) for rate in rates)
-        # Subtracting the middle of the range makes bounds smaller (docs/certificate.md, section 15, "The
-        # wavelength").
-        return phase0, by_depth, by_focus
+    def middle_rates(self) -> tuple[float, float]:
+        """Return the means of the real parts of the derivatives in :meth:`rates` at rho = 0 and rho = 1."""
+        # Constants change no intensity; subtracting the middle of the range makes bounds smaller.
+        _, *rates = self.rates(self.cosine(np.array([0.0, 1.0])))
+        by_depth, by_focus = (0.5 * float(rate.real.sum()) for rate in rates)
+        return by_depth, by_focus
 
     def amplitudes(self, cosine: Callable[[float], Values], square: Values) -> Amplitudes:
         """Return the amplitudes at `square` = ``(NA rho)^2``; waves interfere in films, not in the thick glass."""
@@ -110,31 +109,16 @@ class Layers:
             total = total * t + g
         return total
 
-    def log_slopes(self, cosine: Callable[[float], Values], square: Values) -> tuple[Values, Values]:
-        """Return ``d ln(t) / d ln(k)`` of the amplitudes t of s and p waves; it is 0 without films."""
-        n_g, n_s = self.glass, self.sample
-        c_g, c_s = cosine(n_g), cosine(n_s)
-        log_derivatives = []
-        for polarisation, p_1, p_l in (("s", c_g * n_g, c_s * n_s), ("p", c_g / n_g, c_s / n_s)):
-            # Product rule for the product of matrices, from the sample to the glass.
-            fields, slope = (p_l * 0.0 + 1.0, p_l), (p_l * 0.0, p_l * 0.0)
-            for matrix, by_k in self._matrices(square, polarisation):
-                from_matrix, from_slope = _apply(by_k, fields), _apply(matrix, slope)
-                slope = from_matrix[0] + from_slope[0], from_matrix[1] + from_slope[1]
-                fields = _apply(matrix, fields)
-            log_derivatives.append((slope[0] * p_1 + slope[1]) * -1.0 / (fields[0] * p_1 + fields[1]))
-        return log_derivatives[0], log_derivatives[1]
-
     def _denominator(self, square: Values, p_1: Values, p_l: Values, polarisation: str) -> Values:
         """Return ``(m11 + m12 p_l) p_1 + m21 + m22 p_l``: M is the product of the films' matrices, l the sample."""
         # M (1, p_l), multiplied from the sample to the glass (Born and Wolf, section 1.6).
         fields = (p_l * 0.0 + 1.0, p_l)
-        for matrix, _ in self._matrices(square, polarisation):
+        for matrix in self._matrices(square, polarisation):
             fields = _apply(matrix, fields)
         return fields[0] * p_1 + fields[1]
 
-    def _matrices(self, square: Values, polarisation: str) -> Iterator[tuple[_Matrix, _Matrix]]:
-        """Yield the matrix of each film and its derivative by ln k, from the sample to the glass."""
+    def _matrices(self, square: Values, polarisation: str) -> Iterator[_Matrix]:
+        """Yield the matrix of each film, from the sample to the glass."""
         k = self.wavenumber
         for index, thickness in reversed(self.films):
             # c^2 in the film. cos and sinc are even functions, so that films cause no branch points (certificate,
@@ -144,11 +128,7 @@ class Layers:
             cosine, sinc = cosine_and_sinc(square_phase)
             weight = 1.0 if polarisation == "s" else index**2
             along, back = -1j * k * thickness * weight, -1j * k * thickness * (index**2 / weight)
-            # The derivatives of cos(z) and k sinc(z) by ln k are -z^2 sinc(z) and k cos(z).
-            yield (
-                _Matrix(cosine, sinc * along, sinc * square_cosine * back),
-                _Matrix(square_phase * sinc * -1.0, cosine * along, cosine * square_cosine * back),
-            )
+            yield _Matrix(cosine, sinc * along, sinc * square_cosine * back)
 
 
 class _Matrix(NamedTuple):

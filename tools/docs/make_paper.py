@@ -98,9 +98,6 @@ NOTES = {
     "rises.",
     "eq17": "Five pieces of exp(i C_s rho^4), without a constant as Eq. (17) is printed, and with one on optimal "
     "segments, on which errors are equal. MSE is the mean of the squared error over the radius.",
-    "validity": "The error over the peak of each PSF, of the paper's form at TLC = 100 and N = 30 as printed "
-    "and corrected, with the exact error function, and of the form tuned to 1e-4, whose errors stay far below "
-    "its bound. Dashed: the edge of the geometric shadow. Eq. (14) fails beyond the v that its 30 terms carry.",
 }
 
 
@@ -213,13 +210,13 @@ def main() -> None:
     (DOCS / "paper").mkdir(exist_ok=True)
     parts = [INTRODUCTION.format(**measured())]
     with tempfile.TemporaryDirectory() as folder:
-        made = reproduce(Path(folder), started=print, dpi=85)
+        made = reproduce(Path(folder), on_start=print, dpi=85)
         for figure in FIGURES:
             picture = (Path(folder) / f"figure-{figure}.png").read_bytes()
             atomic.write(DOCS / "paper" / f"figure-{figure}.png", small(picture, figure))
     parts.append(paper.markdown(made["table"]))
     for figure, plan in FIGURES.items():
-        name = {"eq17": "Eq. 17", "validity": "Beyond the paper"}.get(figure, f"Fig. {figure}")
+        name = "Eq. 17" if figure == "eq17" else f"Fig. {figure}"
         shown = f"![{plan.caption}](paper/figure-{figure}.png)"
         parts.append(f"\n## {name}. {plan.caption}\n\n{shown}\n\n{textwrap.fill(NOTES[figure], 118)}\n")
     parts.append(

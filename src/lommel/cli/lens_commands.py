@@ -326,9 +326,7 @@ def paper(
     outdir: Path,
     /,
     *,
-    figures: Annotated[
-        tuple[Literal["1", "2", "3", "4", "5", "6", "7", "eq17", "validity"], ...], Shown(("--figure",))
-    ] = (),
+    figures: Annotated[tuple[Literal["1", "2", "3", "4", "5", "6", "7", "eq17"], ...], Shown(("--figure",))] = (),
 ) -> Report:
     """Reproduce the figures and numbers of the paper.
 
@@ -341,8 +339,7 @@ def paper(
     Parameters
     ----------
     figures
-        Compute only this figure, without the table; may be repeated. eq17: piecewise quadratic phase of Eq. (17);
-        validity: where the closed forms hold.
+        Compute only this figure, without the table; may be repeated. eq17: piecewise quadratic phase of Eq. (17).
 
     Examples
     --------

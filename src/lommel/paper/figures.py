@@ -550,52 +550,6 @@ def draw_quartic_phase(data: FigureData) -> Figure:
     return figure
 
 
-_FORMS: dict[str, methods.RadialMethod] = {
-    "printed": paper.ClosedForm(tangent=100.0, erf=paper.AbramowitzErf(30), variant="printed"),
-    "corrected": paper.ClosedForm(tangent=100.0, erf=paper.AbramowitzErf(30)),
-    "corrected, exact erf": paper.ClosedForm(tangent=100.0),
-    "tuned to 1e-4": paper.TunedClosedForm(1e-4),
-}
-
-
-def validity(count: int = 61, radii: int = 301) -> FigureData:
-    """Compute error / peak for each closed form, for C_d up to 60 and v up to 300."""
-    defocus, v = np.linspace(0.0, 60.0, count), np.linspace(0.0, 300.0, radii)
-    pupil = Pupil(Wavefront(defocus))
-    exact = REFERENCE.profile(pupil, v).values
-    peak = exact.max(axis=1, keepdims=True)
-    arrays: Arrays = {"defocus": defocus, "v": v}
-    columns: Arrays = {"C_d": defocus}
-    largest = {}
-    for name, method in _FORMS.items():
-        error = np.abs(method.profile(pupil, v).values - exact) / peak
-        arrays[name] = error
-        columns[f"largest error, {name}"] = error.max(axis=1)
-        largest[name] = float(error.max())
-    facts = {"tangent": 100.0, "terms": 30, "largest": largest}
-    return FigureData("Where the closed forms hold", arrays, columns, facts)
-
-
-def draw_validity(data: FigureData) -> Figure:
-    """Draw the error of each closed form as a function of C_d and v, with the edge of the geometric blur disc."""
-    from matplotlib.colors import LogNorm
-
-    figure = new_figure(2.9 * len(_FORMS) + 1.2, 4.2)
-    grid = figure.subplots(1, len(_FORMS), squeeze=False, sharex=True, sharey=True)[0]
-    defocus, v = data.arrays["defocus"], data.arrays["v"]
-    for axes, name in zip(grid, _FORMS, strict=True):
-        error = np.maximum(data.arrays[name], 1e-9)
-        mesh = axes.pcolormesh(defocus, v, error.T, norm=LogNorm(1e-9, 1.0), cmap="viridis", shading="nearest")
-        axes.plot(defocus, 4.0 * defocus, "w--", linewidth=1.0)
-        axes.set_title(f"{name}\nlargest {data.facts['largest'][name]:.2g}", fontsize=10)
-        axes.set_xlabel("C_d (rad)")
-        axes.set_ylim(0.0, float(v[-1]))
-    grid[0].set_ylabel(_V_AXIS)
-    grid[0].text(33.0, 112.0, "v = 4 C_d", color="white", fontsize=8)
-    figure.colorbar(mesh, ax=grid, label="|I − I exact| / peak of each PSF")
-    return figure
-
-
 Errors = tuple[NDArray[np.float64], NDArray[np.float64]]
 
 FIRST = Setting()
@@ -830,9 +784,8 @@ FIGURES = {
         "Error of the CFIS PSF for varying tangent-line centres (TLC)", partial(vary, "tangent"), _draw_errors
     ),
     "eq17": _FigurePlan("The piecewise quadratic phase of Eq. (17)", quartic_phase, draw_quartic_phase),
-    "validity": _FigurePlan("Where the closed forms hold, over C_d and v", validity, draw_validity),
 }
-"""Figures by their numbers in the paper; "eq17" illustrates Eq. (17), and "validity" is not in the paper."""
+"""Figures by their numbers in the paper; "eq17" illustrates Eq. (17)."""
 
 TABLE = ("table.md", "table.json")
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 import re
 import textwrap
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from types import ModuleType
-from typing import TYPE_CHECKING, Any, Literal, TypeAlias, TypeVar
+from typing import TYPE_CHECKING, Any, Literal, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,8 +27,6 @@ if TYPE_CHECKING:
     from matplotlib.colors import Normalize
     from matplotlib.figure import Figure
     from matplotlib.image import AxesImage
-
-_Item = TypeVar("_Item")
 
 
 def of_pupils(pupil: BasePupil) -> list[str]:
@@ -110,16 +108,10 @@ def _indices(shape: tuple[int, ...]) -> list[str]:
     return [", ".join(map(str, index)) for index in np.ndindex(shape)]
 
 
-def evenly_spaced(items: Sequence[_Item], most: int) -> list[_Item]:
-    """Return at most `most` evenly spaced items, including the first and the last item."""
-    if len(items) <= most:
-        return list(items)
-    return [items[round(k * (len(items) - 1) / (most - 1))] for k in range(most)]
-
-
 def evenly_spaced_members(shape: tuple[int, ...], most: int) -> dict[int, tuple[int, ...]]:
     """Return at most `most` evenly spaced members of a stack: flattened index -> index into the stack."""
-    members = evenly_spaced(range(math.prod(shape)), most)
+    count = math.prod(shape)
+    members = range(count) if count <= most else [round(k * (count - 1) / (most - 1)) for k in range(most)]
     return {member: tuple(int(i) for i in np.unravel_index(member, shape)) for member in members}
 
 

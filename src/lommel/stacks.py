@@ -17,11 +17,11 @@ import shutil
 import warnings
 from collections.abc import Callable, Generator, Iterator, Mapping, Sequence
 from concurrent import futures
-from contextlib import ExitStack, closing, contextmanager, nullcontext, suppress
+from contextlib import closing, nullcontext, suppress
 from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
-from typing import Any, Self, TypeAlias
+from typing import Any, Self
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -31,15 +31,14 @@ from lommel.base.arrays import Array, Json, Values
 from lommel.base.arrays import Index as ArrayIndex
 from lommel.base.atomic import checksum, crc32, plain, sealed
 from lommel.base.cached import cached_property
-from lommel.base.optional import library, version
+from lommel.base.optional import version
 from lommel.blur.blurs import blurs_from_dicts
 from lommel.io import zarr_folders
-from lommel.io.psf_files import NORMALIZE, FileError, as_file_error
+from lommel.io.psf_files import FileError, as_file_error
 from lommel.io.registry import Arrays, Description
 from lommel.io.zarr_folders import Layout, ZarrArray
 from lommel.methods.choice import candidates, first_within_tolerance, fixed_order
 from lommel.methods.method import Method
-from lommel.methods.question import for_axes
 from lommel.methods.registry import method_from_dict
 from lommel.optics.base_pupil import BasePupil, Geometry, imaged
 from lommel.optics.grid import Grid
@@ -55,8 +54,6 @@ IDENTITY = "identity"
 KIND = "a stack of PSFs"
 
 FORMAT = 2
-MAX_CHUNKS = 2**24
-"""Largest number of chunks of a stack."""
 DEFAULT_CHUNK_BYTES = 2**24
 """Default size of the values of a chunk in bytes."""
 CHECKSUMS = "chunks/checksum"
@@ -65,9 +62,6 @@ COMPUTED_ARRAYS = ("values", "error_bound", "scale", "method")
 """Names of the arrays that are computed chunk by chunk."""
 
 Index = tuple[int, ...]
-Center: TypeAlias = tuple[ArrayLike, ArrayLike]
-Coordinates: TypeAlias = ArrayLike | tuple[ArrayLike, str]
-"""Coordinates along an axis of a stack, or a pair of coordinates and unit."""
 
 
 def chunk_shape(shape: tuple[int, ...], max_psfs: int) -> tuple[int, ...]:
@@ -86,36 +80,21 @@ def chunk_shape(shape: tuple[int, ...], max_psfs: int) -> tuple[int, ...]:
 
 
 def layouts(description: Description) -> dict[str, Layout]:
-    """Return the layout of each array of a store; TypeError, ValueError or KeyError if the description is invalid."""
-    stack, window, chunks = (tuple(int(n) for n in description[name]) for name in ("stack", "window", "chunks"))
+    """Return the layout of each array of a store."""
+    stack, window, chunks = (tuple(description[name]) for name in ("stack", "window", "chunks"))
     names = tuple(description["axes"])
-    dtype = {"float32": "<f4", "float64": "<f8"}[description["dtype"]]
-    if not len(names) == len(stack) == len(chunks) >= 1 or min(*stack, *chunks, *window) < 1 or len(window) != 2:
-        raise ValueError(f"its axes {names}, chunks {chunks} and window {window} do not fit the stack {stack}")
-    count = math.prod(-(-n // c) for n, c in zip(stack, chunks, strict=True))
-    if math.prod(stack) > validation.MAX_VALUES or count > MAX_CHUNKS:
-        raise ValueError(
-            f"a stack must have at most {validation.MAX_VALUES} PSFs in {MAX_CHUNKS} chunks, "
-            f"got {math.prod(stack)} in {count}"
-        )
     result = {
-        "values": Layout(stack + window, chunks + window, dtype, (*names, "y", "x")),
+        "values": Layout(stack + window, chunks + window, np.dtype(description["dtype"]).str, (*names, "y", "x")),
         "error_bound": Layout(stack, chunks, "<f8", names),
         "scale": Layout(stack, chunks, "<f8", names),
         "method": Layout(stack, chunks, "|u1", names),
     }
-    if not all(name.isidentifier() for name in (*names, *description["arrays"])) or {*names} & {*result, "y", "x"}:
-        raise ValueError(
-            f"axes {names} and arrays {list(description['arrays'])} must have identifiers as names, all different"
-        )
     for name, (sizes, _) in description["arrays"].items():
-        terms = tuple(int(n) for n in sizes)
+        terms = tuple(sizes)
         result[f"pupil/{name}"] = Layout(stack + terms, chunks + terms, "<f8", (*names, "term")[: len(stack + terms)])
     chunk_grid = result["scale"].grid
     result[CHECKSUMS] = Layout(chunk_grid, (1,) * len(chunk_grid), "<i8", tuple(f"{name}_chunk" for name in names))
-    lengths = dict(zip(names, stack, strict=True))
-    if description["center"] is not None:
-        lengths |= {"y": window[0], "x": window[1]}
+    lengths = dict(zip(names, stack, strict=True)) | {"y": window[0], "x": window[1]}
     return result | {name: Layout((n,), (n,), "<f8", (name,)) for name, n in lengths.items()}
 
 
@@ -133,19 +112,19 @@ class Store:
     layouts: dict[str, Layout] = field(repr=False)
 
     @classmethod
-    def create(cls, path: Path, description: Description, arrays: Arrays, *, must_be_new: bool) -> None:
-        """Write a store without chunks, in place of an existing one unless `must_be_new` (then FileExistsError)."""
+    def create(cls, path: Path, description: Description, arrays: Arrays) -> None:
+        """Write a store without chunks; FileExistsError if the path exists."""
+        units = {"y": description["unit"], "x": description["unit"]} | description["axes"]
 
         def fill(folder: Path) -> None:
             zarr_folders.write_group(folder, {KEY: sealed(description, {})})
             for name, layout in layouts(description).items():
+                attributes = {"units": units[name]} if name in units else {}
                 array = ZarrArray(folder / name, layout)
-                array.create(
-                    fill=fill_value(name, layout), attributes=units(description, name), values=arrays.get(name)
-                )
+                array.create(fill=fill_value(name, layout), attributes=attributes, values=arrays.get(name))
             ZarrArray(_scratch(folder, description), Layout((), (), "|u1")).create()
 
-        atomic.write_folder(path, fill, exclusive=must_be_new)
+        atomic.write_folder(path, fill, exclusive=True)
 
     @classmethod
     def open(cls, path: Path) -> Self:
@@ -153,42 +132,28 @@ class Store:
         if not path.is_dir():
             raise FileNotFoundError(2, os.strerror(2), str(path))
         with as_file_error(path, KIND):
-            description, array_layouts = checked_description(zarr_folders.attributes(path)[KEY])
-            store = cls(path, description, array_layouts)
-            for name in array_layouts:
-                if ZarrArray.open(path / name) != store._array(name):
-                    raise ValueError(f"its array {name} has another layout than its description; read it by zarr")
-            return store
-
-    @property
-    def lock_file(self) -> Path:
-        """The file that every call locks while it computes chunks of this store."""
-        return self.path / zarr_folders.META
+            description = zarr_folders.attributes(path)[KEY]
+            if description.pop("checksum") != checksum(description, {}):
+                raise ValueError("its description was changed after it was written")
+            if description["format"] != FORMAT:
+                raise ValueError(
+                    f"it has format {description['format']}, and this version of lommel reads format {FORMAT}"
+                )
+            return cls(path, description, layouts(description))
 
     def _array(self, name: str) -> ZarrArray:
         return ZarrArray(self.path / name, self.layouts[name])
 
     def computed(self) -> NDArray[np.bool_]:
         """Return an array with True for each chunk that has a checksum and a file in each of COMPUTED_ARRAYS."""
-        complete = np.ones(self.layouts[CHECKSUMS].grid, dtype=bool)
-        for name in (*COMPUTED_ARRAYS, CHECKSUMS):
-            has_file = np.zeros_like(complete)
-            with as_file_error(self.path, KIND), os.scandir(self.path / name) as entries:
-                for entry in entries:
-                    key, *numbers = entry.name.split(".")
-                    if key == "c" and all(number.isdecimal() for number in numbers):
-                        index = tuple(int(number) for number in numbers[: complete.ndim])
-                        has_file[index] = name != CHECKSUMS or (complete[index] and self._checksum(index) >= 0)
-            complete &= has_file
-        return complete
+        arrays, grid = [self._array(name) for name in (*COMPUTED_ARRAYS, CHECKSUMS)], self.layouts[CHECKSUMS].grid
+        complete = (all(array.file(index).exists() for array in arrays) for index in np.ndindex(grid))
+        return np.fromiter(complete, bool, math.prod(grid)).reshape(grid)
 
-    def read(self, name: str, index: Index) -> Values | None:
-        """Return a chunk of an array, or None if its file is missing."""
+    def read(self, name: str, index: Index) -> Values:
+        """Return a chunk of an array; FileError if its file is missing or damaged."""
         with as_file_error(self.path, KIND):
-            try:
-                return self._array(name).get(index)
-            except FileNotFoundError:
-                return None
+            return self._array(name).get(index)
 
     def put(self, parts: Arrays, index: Index) -> None:
         """Write one chunk of several arrays, all or none of them; FileError if the store was removed or replaced."""
@@ -207,46 +172,25 @@ class Store:
 
     def read_chunk(self, index: Index) -> Arrays:
         """Return the arrays of a chunk and its pupils; ValueError if it is not computed yet, FileError if damaged."""
-        stored_sum = self._checksum(index)
-        if stored_sum < 0:
+        file = self._array(CHECKSUMS).file(index)
+        if not file.exists():
             raise ValueError(
                 f"chunk {index} of {validation.line(self.path)} is not computed yet; "
                 "call psf_to again with the same arguments to compute the missing chunks"
             )
-        arrays = {name: self.require(name, index) for name in COMPUTED_ARRAYS}
-        pupils = {name: self.require(name, index) for name in self.pupils}
-        if self._crc32(index, arrays, crc32({}, pupils)) != stored_sum:
+        arrays = {name: self.read(name, index) for name in COMPUTED_ARRAYS}
+        pupils = {name: self.read(name, index) for name in self.pupils}
+        if self._crc32(index, arrays, crc32({}, pupils)) != int(self.read(CHECKSUMS, index).flat[0]):
             raise FileError(
                 f"chunk {index} of {validation.line(self.path)} is damaged (wrong checksum); to compute it again, "
-                f"remove {CHECKSUMS}/{self._array(CHECKSUMS).file(index).name} in this folder and call psf_to again"
+                f"remove {CHECKSUMS}/{file.name} in this folder and call psf_to again"
             )
         return arrays | pupils
-
-    def read_whole(self, name: str) -> Values:
-        """Return a whole array, such as the error bounds, with its fill value in chunks that are not computed yet."""
-        layout = self.layouts[name]
-        values = np.full(layout.shape, fill_value(name, layout), layout.dtype)
-        for index in np.ndindex(*layout.grid):
-            if (part := self.read(name, index)) is not None:
-                values[layout.within(index)] = part
-        return values
 
     @property
     def pupils(self) -> list[str]:
         """Names of the arrays of pupil parameters that vary over the stack."""
         return [name for name in self.layouts if name.startswith("pupil/")]
-
-    def require(self, name: str, index: Index) -> Values:
-        """Return a chunk of an array; FileError if its file is missing."""
-        part = self.read(name, index)
-        if part is None:
-            raise FileError(f"{validation.line(self.path)} lacks chunk {index} of {name}")
-        return part
-
-    def _checksum(self, index: Index) -> int:
-        """Return the stored checksum of a chunk, -1 if it is not computed yet."""
-        stored = self.read(CHECKSUMS, index)
-        return -1 if stored is None else int(stored.flat[0])
 
     def _crc32(self, index: Index, arrays: Arrays, pupil_checksum: int) -> int:
         """Compute the checksum of the arrays and index of a chunk, the store's identity and the pupils' checksum."""
@@ -268,28 +212,6 @@ def fill_value(name: str, layout: Layout) -> float:
     return -1 if name == CHECKSUMS else np.nan if layout.dtype[1] == "f" else 0
 
 
-def units(description: Description, name: str) -> dict[str, str]:
-    """Return the Zarr attributes of an array: its unit if it holds coordinates, else none."""
-    coordinate_units = {"y": description["unit"], "x": description["unit"]} | description["axes"]
-    return {"units": coordinate_units[name]} if name in coordinate_units else {}
-
-
-def checked_description(record: Description) -> tuple[Description, dict[str, Layout]]:
-    """Check the stored description; return it without its checksum, and the layout of each array."""
-    if record["checksum"] != checksum(record, {}):
-        raise ValueError("its description was changed after it was written")
-    description = {name: value for name, value in record.items() if name != "checksum"}
-    if description["format"] != FORMAT:
-        raise ValueError(f"it has format {description['format']}, and this version of lommel reads format {FORMAT}")
-    if (
-        not isinstance(description[IDENTITY], str)
-        or len(description[IDENTITY]) != 32
-        or not description[IDENTITY].isalnum()
-    ):
-        raise ValueError(f"its identity must be 32 letters and digits, got {validation.shown(description[IDENTITY])}")
-    return description, layouts(description)
-
-
 def _scratch(folder: Path, description: Description) -> Path:
     """Return the scratch folder of new chunks, which readers of the Zarr group see as an empty array."""
     return folder / "chunks" / str(description[IDENTITY])
@@ -299,8 +221,7 @@ def path_of(store: str | os.PathLike[str]) -> Path:
     """Return the path of a store with links resolved; ValueError if `store` does not end in .zarr."""
     path = validation.path("store", store)
     if path.suffix.lower() != ".zarr":
-        note = " (stacks are not written to HDF5)" if path.suffix.lower() in (".h5", ".hdf5") else ""
-        raise ValueError(f"store must end in .zarr{note}, got {validation.shown(str(path))}")
+        raise ValueError(f"store must end in .zarr, got {validation.shown(str(path))}")
     return Path(os.path.realpath(path))
 
 
@@ -346,10 +267,6 @@ class PSFStack:
         Type of the values.
     axes : dict of str to ndarray
         Coordinates along each axis of the stack, by the name of the axis.
-    units : dict of str to str
-        Unit of each axis.
-    grid : Grid or None
-        Grid of pixels if all PSFs have the same center, else None.
 
     Raises
     ------
@@ -358,27 +275,13 @@ class PSFStack:
     """
 
     def __init__(self, store: Store) -> None:
-        self._store, description = store, store.description
-        layout = store.layouts["values"]
+        self._store, layout = store, store.layouts["values"]
         self.shape: tuple[int, ...] = layout.shape
         self.dtype = np.dtype(layout.dtype)
-        self.units: dict[str, str] = dict(description["axes"])
-        with as_file_error(store.path, KIND):
-            self.axes: dict[str, Array] = {name: store.require(name, (0,)) for name in self.units}
-            if crc32({}, dict(self.axes)) != description["coordinates"]:
-                raise FileError(f"the coordinates of {validation.line(store.path)} are damaged")
-            validation.choice("normalize", description["normalize"], NORMALIZE)
-            self._methods = [method_from_dict(method) for method in description["methods"]]
-            self.grid: Grid | None = None if description["center"] is None else self._pixels(description["center"])
+        self.axes: dict[str, Array] = {name: store.read(name, (0,)) for name in store.description["axes"]}
+        if crc32({}, dict(self.axes)) != store.description["coordinates"]:
+            raise FileError(f"the coordinates of {validation.line(store.path)} are damaged")
         self._last_chunk: tuple[Index, Arrays] | None = None
-
-    def __getstate__(self) -> dict[str, object]:
-        return vars(self) | {"_last_chunk": None}
-
-    @property
-    def ndim(self) -> int:
-        """Number of axes of the values."""
-        return len(self.shape)
 
     @property
     def done(self) -> tuple[int, int]:
@@ -389,42 +292,11 @@ class PSFStack:
     @property
     def error_bound(self) -> Array:
         """Error bound of each PSF / its peak, the maximum over its chunk; NaN if unknown or not computed yet."""
-        return self._store.read_whole("error_bound")
-
-    @property
-    def scale(self) -> Array:
-        """Factor by which the intensity of each PSF was multiplied; NaN if not computed yet."""
-        return self._store.read_whole("scale")
-
-    @property
-    def dask(self) -> Any:
-        """The values as a dask array with the chunks of the store; requires dask."""
-        da = library("dask.array", "stacks as arrays of dask need", "dask")
-        chunks = self._store.layouts["values"].chunks
-        name = f"psf-stack-{crc32(self._store.description | {'path': str(self._store.path)}, {}):08x}"
-        return da.from_array(_Values(self), chunks=chunks, name=name, asarray=False, meta=np.empty(0, self.dtype))
-
-    def to_xarray(self) -> Any:
-        """Return an ``xarray.Dataset`` of lazy `values`, and `error_bound` and `scale`; requires xarray and dask."""
-        xarray = library("xarray", "stacks in xarray need", "xarray")
-        description, names = self._store.description, tuple(self.axes)
-        coordinates = dict(self.axes)
-        if self.grid is not None:
-            coordinates |= {"y": self.grid.y, "x": self.grid.x}
-        units = self.units | {"y": description["unit"], "x": description["unit"]}
-        return xarray.Dataset(
-            {
-                "values": (
-                    (*names, "y", "x"),
-                    self.dask,
-                    {"sampling": "pixel" if description["integrate"] else "center"},
-                ),
-                "error_bound": (names, self.error_bound),
-                "scale": (names, self.scale),
-            },
-            coords={name: (name, values, {"units": units[name]}) for name, values in coordinates.items()},
-            attrs={name: description[name] for name in ("software", "pixel", "unit", "normalize")},
-        )
+        layout = self._store.layouts["error_bound"]
+        bounds = np.full(layout.shape, np.nan)
+        for index in np.argwhere(self._store.computed()):
+            bounds[layout.within(tuple(index))] = self._store.read("error_bound", tuple(index))
+        return bounds
 
     def __len__(self) -> int:
         """Return the length of the first axis."""
@@ -451,50 +323,30 @@ class PSFStack:
         """
         members, arrays = self._members(index)
         description = self._store.description
-        method_numbers = np.unique(arrays["method"])
-        with as_file_error(self._store.path, KIND):
-            if method_numbers[-1] >= len(self._methods):
-                raise ValueError(f"its method number {method_numbers[-1]} must be below {len(self._methods)}")
-        if method_numbers.size != 1:
-            names = " and ".join(type(self._methods[k]).__name__ for k in method_numbers)
-            raise ValueError(
-                f"these PSFs were computed by {names}; choose an index whose PSFs have one method, or use stack.dask"
-            )
+        methods = [method_from_dict(description["methods"][k]) for k in np.unique(arrays["method"])]
+        if len(methods) != 1:
+            names = " and ".join(type(method).__name__ for method in methods)
+            raise ValueError(f"these PSFs were computed by {names}; choose an index whose PSFs have one method")
         descriptions = description["pupils"]
         first_index = np.unique(members // math.prod(self.shape[1:-2])) if len(descriptions) > 1 else np.zeros(1, int)
         if first_index.size != 1:
-            raise ValueError(
-                "the pupils of the first axis differ in more than phase; choose one by stack[k], or use stack.dask"
-            )
+            raise ValueError("the pupils of the first axis differ in more than phase; choose one by stack[k]")
         pupils = {name.removeprefix("pupil/"): array for name, array in arrays.items() if name.startswith("pupil/")}
-        center = (
-            description["center"] if description["center"] is not None else (pupils.pop("row"), pupils.pop("column"))
-        )
-        bound = float(arrays["error_bound"].max())
-        with as_file_error(self._store.path, KIND):
-            return PSF(
-                values=arrays["values"],
-                grid=self._pixels(center),
-                pupil=join_pupils(descriptions[int(first_index[0])], pupils),
-                method=self._methods[int(method_numbers[0])],
-                normalize=description["normalize"],
-                error_bound=None if math.isnan(bound) else bound,
-                scale=arrays["scale"],
-                blur=blurs_from_dicts(description["blur"]),
-            )
-
-    def _pixels(self, center: Center) -> Grid:
-        description = self._store.description
         pixel = description["pixel"] if isinstance(description["pixel"], float) else tuple(description["pixel"])
-        return Grid(
-            tuple(description["window"]),
-            pixel,
-            center=center,
-            integrate=description["integrate"],
-            fill=tuple(description["fill"]),
+        window, fill = tuple(description["window"]), tuple(description["fill"])
+        bound = float(arrays["error_bound"].max())
+        return PSF(
+            values=arrays["values"],
+            grid=Grid(window, pixel, center=description["center"], integrate=description["integrate"], fill=fill),
+            pupil=join_pupils(descriptions[int(first_index[0])], pupils),
+            method=methods[0],
+            normalize=description["normalize"],
+            error_bound=None if math.isnan(bound) else bound,
+            scale=arrays["scale"],
+            blur=blurs_from_dicts(description["blur"]),
         )
 
-    def _members(self, index: ArrayIndex, names: tuple[str, ...] | None = None) -> tuple[NDArray[np.intp], Arrays]:
+    def _members(self, index: ArrayIndex) -> tuple[NDArray[np.intp], Arrays]:
         """Return the positions of the PSFs stack[index] in the flattened stack, and their arrays by name."""
         stack = self.shape[:-2]
         members = np.asarray(np.arange(math.prod(stack)).reshape(stack)[index])
@@ -503,11 +355,10 @@ class PSFStack:
                 f"the index must select at least one PSF and at most 2^31 values, "
                 f"got {members.size} PSFs of shape {self.shape[-2:]}"
             )
-        names = names or (*COMPUTED_ARRAYS, *self._store.pupils)
-        layouts = {name: self._store.layouts[name] for name in names}
+        layouts = {name: self._store.layouts[name] for name in (*COMPUTED_ARRAYS, *self._store.pupils)}
         shapes = {name: layout.shape[len(stack) :] for name, layout in layouts.items()}
-        arrays = {name: np.empty((members.size, *shapes[name]), layouts[name].dtype) for name in names}
-        layout = self._store.layouts["scale"]
+        arrays = {name: np.empty((members.size, *shapes[name]), layout.dtype) for name, layout in layouts.items()}
+        layout = layouts["scale"]
         positions = np.unravel_index(members.ravel(), stack)
         chunk_indices = tuple(position // size for position, size in zip(positions, layout.chunks, strict=True))
         chunks = np.ravel_multi_index(chunk_indices, layout.grid)
@@ -519,23 +370,9 @@ class PSFStack:
                 self._last_chunk = loaded = chunk_index, self._store.read_chunk(chunk_index)
             # A chunk is a contiguous run of the flattened stack.
             selected, start = np.flatnonzero(chunks == chunk), layout.first(chunk_index)
-            for name in names:
-                arrays[name][selected] = loaded[1][name].reshape(-1, *shapes[name])[members.flat[selected] - start]
+            for name, values in arrays.items():
+                values[selected] = loaded[1][name].reshape(-1, *shapes[name])[members.flat[selected] - start]
         return members, {name: values.reshape(members.shape + shapes[name]) for name, values in arrays.items()}
-
-
-class _Values:
-    """Array-like view of the values of a stack for dask, indexed by the axes of the stack, row and column."""
-
-    def __init__(self, stack: PSFStack) -> None:
-        self._stack, self.shape, self.dtype, self.ndim = stack, stack.shape, stack.dtype, stack.ndim
-
-    def __getitem__(self, index: ArrayIndex) -> Values:
-        parts = index if isinstance(index, tuple) else (index,)
-        stack_ndim = self.ndim - 2
-        values = self._stack._members(parts[:stack_ndim], ("values",))[1]["values"]
-        window = parts[stack_ndim:]
-        return values[(..., *window, *(slice(None),) * (2 - len(window)))]
 
 
 _LENS, _OBJECTIVE = "Pupil", "ObjectivePupil"
@@ -562,12 +399,9 @@ def split_pupils(pupil: BasePupil) -> tuple[Json, dict[str, Array]]:
 
 
 def join_pupils(shared: Json, arrays: Mapping[str, Array]) -> BasePupil:
-    """Rebuild the pupils, bit for bit, from the results of :func:`split_pupils`; the arrays may be sliced.
-
-    TypeError, ValueError or KeyError if the parameters are invalid.
-    """
+    """Rebuild the pupils, bit for bit, from the results of :func:`split_pupils`; the arrays may be sliced."""
     parameters = dict(shared)
-    if validation.choice("kind", parameters.pop("kind"), (_LENS, _OBJECTIVE)) == _OBJECTIVE:
+    if parameters.pop("kind") == _OBJECTIVE:
         planes = {name: arrays[name] for name in PLANES}
         if "edge" not in arrays:
             return ObjectivePupil.from_dict(parameters | planes)
@@ -591,11 +425,9 @@ def _split_wavefront(wavefront: Wavefront, arrays: dict[str, Array]) -> Json:
 def _join_wavefront(description: Json, arrays: Mapping[str, Array]) -> Wavefront:
     """Return the wavefront from the result of :func:`_split_wavefront` and the arrays that it added."""
     terms = tuple(zernike.check_term(n, m) for n, m in description["terms"])
-    edge = validation.real_array("edge", arrays["edge"]).copy()
-    if edge.ndim == 0 or edge.shape[-1] != len(terms):
-        raise ValueError(f"edge must have {len(terms)} coefficients on its last axis, got shape {edge.shape}")
-    powers = validation.real_array("powers", arrays["powers"]).copy() if "powers" in arrays else None
-    return Wavefront.trusted(terms, edge, validation.real("error", description["error"], least=0.0), powers)
+    # Copies, since arrays of a wavefront are frozen.
+    powers = np.array(arrays["powers"]) if "powers" in arrays else None
+    return Wavefront.trusted(terms, np.array(arrays["edge"]), description["error"], powers)
 
 
 _AXES_IN_METRES = ("object_distance", "depth", "z", "wavelength")
@@ -614,7 +446,7 @@ class Request:
     listed : bool
         True if the pupils of the first axis differ in more than the phase.
     prepare : partial of Plan
-        Plan without center and method, which each chunk adds; it is sent to the workers.
+        Plan without method, which each chunk adds; it is sent to the workers.
     method_order : tuple
         For each of `pupils`, the methods in the order in which they are tried; the order is the same for all chunks.
     grid : Grid
@@ -638,16 +470,15 @@ class Request:
     description: Description
     arrays: dict[str, Array] = field(repr=False)
 
-    def part(self, index: Index) -> tuple[BasePupil, Center, tuple[Method, ...]]:
-        """Return the pupils of a chunk, the center of their windows, and the methods to try."""
+    def part(self, index: Index) -> tuple[BasePupil, tuple[Method, ...]]:
+        """Return the pupils of a chunk, and the methods to try."""
         layout = self.layouts["scale"]
         part_slices = layout.within(index)
         if not self.listed:
-            center = self.grid[part_slices].center if self.grid.stack else self.grid.center
-            return self.pupils[0][part_slices], center, self.method_order[0]
+            return self.pupils[0][part_slices], self.method_order[0]
         k = part_slices[0].start
         pupil = self.pupils[k][part_slices[1:]] if self.pupils[k].shape else self.pupils[k]
-        return pupil.broadcast(layout.part(index)), self.grid.center, self.method_order[k]
+        return pupil.broadcast(layout.part(index)), self.method_order[k]
 
     def pupil_checksum(self, index: Index) -> int:
         """Return the checksum of the pupil arrays of a chunk, as a store computes it."""
@@ -662,7 +493,7 @@ class Request:
 
 
 def requested(
-    plan: Plan, pupils: BasePupil | Sequence[BasePupil], axes: Mapping[str, Coordinates] | None, chunk: int | None
+    plan: Plan, pupils: BasePupil | Sequence[BasePupil], axes: Mapping[str, ArrayLike] | None, chunk: int | None
 ) -> Request:
     """Check the arguments of :func:`lommel.psf_to`; return them as a Request."""
     stacks, listed, grid = _check_stacks(pupils, plan)
@@ -680,14 +511,12 @@ def requested(
     dtype = np.dtype(plan.dtype)
     # One thread for each chunk: sums by several threads may differ in their last bits from one computer to another.
     keywords: dict[str, Any] = {"normalize": plan.normalize, "dtype": dtype, "blur": plan.blur, "threads": 1}
-    keywords |= {"integrate": grid.integrate, "fill": grid.fill}
+    keywords |= {"integrate": grid.integrate, "fill": grid.fill, "center": grid.axis}
     prepare = partial(Plan, grid.shape, grid.pixel, **keywords)
     max_psfs = max(1, DEFAULT_CHUNK_BYTES // (dtype.itemsize * math.prod(grid.shape)))
     if chunk is not None:
         max_psfs = validation.integer("chunk", chunk, least=1, most=validation.MAX_VALUES)
     shared_parameters, arrays = _split_stacks(stacks, listed)
-    if grid.stack:
-        arrays |= {"row": np.asarray(grid.center[0]), "column": np.asarray(grid.center[1])}
     coordinates, units = _check_axes(axes, stack, arrays, stacks[0].unit)
     description = {
         "software": f"lommel {version()}",
@@ -701,7 +530,7 @@ def requested(
         "integrate": grid.integrate,
         "fill": list(grid.fill),
         "blur": [part.to_dict() for part in plan.blur],
-        "center": None if grid.stack else list(grid.axis),
+        "center": list(grid.axis),
         "methods": [method.to_dict() for method in methods],
         "normalize": plan.normalize,
         "dtype": dtype.name,
@@ -723,6 +552,8 @@ def _check_stacks(pupils: BasePupil | Sequence[BasePupil], plan: Plan) -> tuple[
     if not stacks:
         raise ValueError("pupils must not be an empty list")
     grid = plan.grid(stacks[0])
+    if grid.stack:
+        raise ValueError("center must be one (row, column) in a store, got arrays")
     for k, pupil in enumerate(stacks[1:], 1):
         for name, value, expected in (("shape", pupil.shape, stacks[0].shape), ("unit", pupil.unit, stacks[0].unit)):
             if value != expected:
@@ -733,13 +564,6 @@ def _check_stacks(pupils: BasePupil | Sequence[BasePupil], plan: Plan) -> tuple[
         shared_parameters, arrays = _split_stacks(stacks, listed)
         if len(shared_parameters) == 1:  # only their phases differ
             stacks, listed = (join_pupils(shared_parameters[0], arrays),), False
-    if grid.stack:
-        if listed:
-            raise ValueError(
-                "center must be one (row, column) if the pupils of a list differ in more than the phase, got arrays"
-            )
-        stacks = (for_axes(stacks[0], grid.stack),)
-        grid = grid.broadcast(stacks[0].shape)
     return stacks, listed, grid
 
 
@@ -760,7 +584,7 @@ def _split_stacks(stacks: tuple[BasePupil, ...], listed: bool) -> tuple[list[Des
 
 
 def _check_axes(
-    axes: Mapping[str, Coordinates] | None, stack: tuple[int, ...], arrays: Mapping[str, Array], unit: str
+    axes: Mapping[str, ArrayLike] | None, stack: tuple[int, ...], arrays: Mapping[str, Array], unit: str
 ) -> tuple[dict[str, Array], dict[str, str]]:
     """Return the coordinates along each axis of the stack, by the name of the axis, and their units."""
     if axes is None:
@@ -774,8 +598,6 @@ def _check_axes(
         if name in _RESERVED_NAMES or name.endswith("_chunk"):
             raise ValueError(f"axes must not be called {', '.join(_RESERVED_NAMES)} or ..._chunk, got {name}")
         axis_unit = "m" if name in _AXES_IN_METRES else unit if name.startswith("field") else "1"
-        if isinstance(value, tuple) and len(value) == 2 and isinstance(value[1], str):
-            value, axis_unit = value
         # Infinite coordinates are allowed, since an object may be at infinity.
         numbers = np.array(validation.number_array(f"axes[{name!r}]", value), dtype=np.float64)
         if numbers.shape != (count,) or np.isnan(numbers).any():
@@ -804,7 +626,7 @@ def psf_to(
     shape: int | tuple[int, int],
     pixel: float | tuple[float, float],
     *,
-    axes: Mapping[str, Coordinates] | None = None,
+    axes: Mapping[str, ArrayLike] | None = None,
     chunk: int | None = None,
     progress: Callable[[int, int], object] | None = None,
     client: object = None,
@@ -826,10 +648,10 @@ def psf_to(
         be a single position.
     shape, pixel
         As for :func:`lommel.psf`.
-    axes : mapping of str to array_like or (array_like, str), optional
-        Coordinates, or coordinates and unit, by the name of the axis, in the order of the axes of the stack. By
-        default an axis is ``object_distance``, ``depth`` or ``z`` if this parameter of the pupils varies along that
-        axis only, else ``axis_0`` and so on. Default units: metres for ``object_distance``, ``depth``, ``z`` and
+    axes : mapping of str to array_like, optional
+        Coordinates by the name of the axis, in the order of the axes of the stack. By default an axis is
+        ``object_distance``, ``depth`` or ``z`` if this parameter of the pupils varies along that axis only, else
+        ``axis_0`` and so on. Units: metres for ``object_distance``, ``depth``, ``z`` and
         ``wavelength``, the unit of the pupils for names that begin with ``field``, else 1.
     chunk : int, optional
         Maximum number of PSFs in a chunk. By default an existing store keeps its chunks, and a new store has as many
@@ -852,8 +674,7 @@ def psf_to(
     Raises
     ------
     TypeError, ValueError
-        If an argument is out of range, if the store holds PSFs for other arguments, or if another call is replacing
-        the store.
+        If an argument is out of range, or if the store holds PSFs for other arguments.
     FileError
         If the path holds something other than a store, or if the store is damaged, removed or replaced.
     ToleranceError
@@ -891,59 +712,31 @@ def psf_to(
     todo = [tuple(int(i) for i in index) for index in np.argwhere(~computed)]
     if pool is None:
         slots = min(plan.threads or os.cpu_count() or 1, max(1, len(todo)))
-    with _locked(target) if todo else nullcontext():
-        _require_space(target, len(todo))
-        compute = partial(_compute_chunk, target, request.methods, request.prepare)
-        tasks = ((index, request.pupil_checksum(index), *request.part(index)) for index in todo)
-        with closing(_run_tasks(pool, slots, compute, tasks, client)) as results:
-            for done, _ in enumerate(results, computed.size - len(todo) + 1):
-                if progress is not None:
-                    progress(done, computed.size)
+    _require_space(target, len(todo))
+    compute = partial(_compute_chunk, target, request.methods, request.prepare)
+    tasks = ((index, request.pupil_checksum(index), *request.part(index)) for index in todo)
+    with closing(_run_tasks(pool, slots, compute, tasks, client)) as results:
+        for done, _ in enumerate(results, computed.size - len(todo) + 1):
+            if progress is not None:
+                progress(done, computed.size)
     _require_not_replaced(target)
     return PSFStack(target)
 
 
 def _existing_or_new(path: Path, existing: Store | None, request: Request) -> Store:
-    """Return the existing store if it matches the request, else a new store in place of one without chunks."""
-    difference = "" if existing is None else _difference(existing.description, request.description)
-    if existing is not None and not difference:
-        return existing
-    description = request.description | {IDENTITY: secrets.token_hex(16)}
-    arrays: Arrays = {f"pupil/{name}": values for name, values in request.arrays.items()}
-    if not request.grid.stack:
+    """Return the existing store, else a new one; ValueError if it does not match the request."""
+    if existing is None:
+        arrays: Arrays = {f"pupil/{name}": values for name, values in request.arrays.items()}
         arrays |= {"y": request.grid.y, "x": request.grid.x}
-    with nullcontext() if existing is None else _locked(existing, exclusive=True):
-        if existing is not None and existing.computed().any():
-            raise _other_request(path, difference)
         with suppress(FileExistsError):  # another call may have created the store at the same time
-            Store.create(path, description, arrays | request.axes, must_be_new=existing is None)
-    created = _open_existing(path)
-    if difference := _difference(created.description, request.description):
-        raise _other_request(path, difference)
-    return created
-
-
-def _other_request(path: Path, difference: str) -> ValueError:
-    """Return the error for a store that was computed with other arguments."""
-    return ValueError(
-        f"{validation.line(path)} holds PSFs computed with other arguments ({difference}); "
-        "repeat those arguments or choose a new store"
-    )
-
-
-@contextmanager
-def _locked(store: Store, *, exclusive: bool = False) -> Iterator[None]:
-    """Lock a store: shared to compute chunks, or `exclusive` to replace it; ValueError if it is in use."""
-    with ExitStack() as locks:
-        try:
-            lockable = locks.enter_context(atomic.locked(store.lock_file, store.path, alone=exclusive))
-        except FileNotFoundError:
-            raise replaced_error(store.path) from None
-        if exclusive and not lockable:
-            raise atomic.perhaps_in_use_error(store.path)
-        # On a file system without locks, every write still checks that the store was not replaced.
-        _require_not_replaced(store)
-        yield
+            Store.create(path, request.description | {IDENTITY: secrets.token_hex(16)}, arrays | request.axes)
+        existing = _open_existing(path)
+    if difference := _difference(existing.description, request.description):
+        raise ValueError(
+            f"{validation.line(path)} holds PSFs computed with other arguments ({difference}); "
+            "repeat those arguments, choose a new store or remove this one"
+        )
+    return existing
 
 
 def _open_existing(path: Path) -> Store:
@@ -1067,11 +860,10 @@ def _compute_chunk(
     index: Index,
     pupil_checksum: int,
     pupil: BasePupil,
-    center: Center,
     method_order: tuple[Method, ...],
 ) -> None:
     """Compute a chunk by the first method that meets the tolerance, and write it to the store."""
-    _, psf = first_within_tolerance(method_order, lambda method: prepare(method=method, center=center)(pupil))
+    _, psf = first_within_tolerance(method_order, lambda method: prepare(method=method)(pupil))
     bound = np.nan if psf.error_bound is None else psf.error_bound
     parts: Arrays = {
         "values": psf.values,

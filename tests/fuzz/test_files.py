@@ -123,7 +123,7 @@ def of_colour(path: Path) -> object:
 
 def of_store(path: Path) -> object:
     stack = lm.open_stack(path)
-    return stack[:].values.tobytes(), repr(stack[:]), repr(stack[0].pupil.to_dict()), stack.done, stack.dask.shape
+    return stack[:].values.tobytes(), repr(stack[:]), repr(stack[0].pupil.to_dict()), stack.done
 
 
 def of_recording(path: Path) -> object:

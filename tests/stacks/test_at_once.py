@@ -2,15 +2,11 @@
 
 from __future__ import annotations
 
-import errno
-import os
 import shutil
-import signal
 import subprocess
 import sys
 import textwrap
 import threading
-import time
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
@@ -18,7 +14,6 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.base import atomic
 from lommel.io.psf_files import FileError
 from lommel.stacks import PSFStack, Store
 
@@ -38,12 +33,6 @@ def verify(stack: PSFStack, defocus, side: int = 9) -> None:
         found = stack[part]
         assert found.pupil == pupil[part]
         np.testing.assert_array_equal(found.values, lm.psf(pupil[part], side, 0.3).values)
-
-
-def begin(path: Path) -> None:
-    """A store in which nothing is done, since nothing can be."""
-    with pytest.raises(ValueError, match="supports the pupils of an objective only"):
-        ask(path, [5.0] * 8, method=lm.methods.Stratified())
 
 
 class Busy(ThreadPoolExecutor):
@@ -84,7 +73,7 @@ def first():
 def test_a_store_that_is_computed_is_not_begun_anew(side, first, tmp_path):
     path = tmp_path / "a.zarr"
     one = first(path)
-    with pytest.raises(ValueError, match=r"a\.zarr is being written by another call; wait until that has ended"):
+    with pytest.raises(ValueError, match=r"a\.zarr holds PSFs computed with other arguments .* or remove this one"):
         ask(path, TWO, side)
     first.go()
     verify(one.result(60), ONE)
@@ -114,15 +103,11 @@ def test_other_programs_read_a_store_that_is_computed(first, tmp_path):
 
 
 @OTHER
-@pytest.mark.parametrize("how", ["begun anew", "removed"])
-def test_what_a_replaced_store_was_computed_for_is_written_nowhere(side, how, first, tmp_path, monkeypatch):
-    """Workers of a call that was killed hold nothing, and whoever removes a store asks nobody."""
+def test_what_a_replaced_store_was_computed_for_is_written_nowhere(side, first, tmp_path):
+    """Whoever removes a store asks nobody."""
     path = tmp_path / "a.zarr"
-    if how == "begun anew":
-        monkeypatch.setattr(atomic.fcntl, "flock", lambda *_: None)
     one = first(path)
-    if how == "removed":
-        shutil.rmtree(path)
+    shutil.rmtree(path)
     two = ask(path, TWO, side)
     first.go()
     with pytest.raises(FileError, match=r"was removed, or replaced by another call of psf_to, while .* call"):
@@ -149,11 +134,8 @@ def test_a_store_that_is_another_at_the_end_is_not_returned(side, tmp_path):
 
 @OTHER
 @pytest.mark.parametrize("when", ["before", "after"])
-@pytest.mark.parametrize("begun", [False, True], ids=["new", "begun"])
-def test_of_two_calls_that_begin_a_store_one_gives_way(side, when, begun, tmp_path, monkeypatch):
+def test_of_two_calls_that_begin_a_store_one_gives_way(side, when, tmp_path, monkeypatch):
     path, create, two = tmp_path / "a.zarr", Store.create, []
-    if begun:
-        begin(path)
 
     def other() -> None:
         try:
@@ -161,11 +143,11 @@ def test_of_two_calls_that_begin_a_store_one_gives_way(side, when, begun, tmp_pa
         except ValueError as error:
             two.append(error)
 
-    def made(path, said, arrays, *, must_be_new):
+    def made(path, said, arrays):
         monkeypatch.undo()
         if when == "before":
             other()
-        create(path, said, arrays, must_be_new=must_be_new)
+        create(path, said, arrays)
         if when == "after":
             other()
 
@@ -180,14 +162,14 @@ def test_of_two_calls_that_begin_a_store_one_gives_way(side, when, begun, tmp_pa
     verify(*good[0])
     verify(lm.open_stack(path), *good[0][1:])
     (bad,) = (each[0] for each in answers if each[0] is not good[0][0])
-    assert any(words in str(bad) for words in ("another call", "other arguments"))
+    assert "other arguments" in str(bad)
     assert [file.name for file in tmp_path.iterdir()] == [path.name]
 
 
 def test_a_chunk_of_another_store_of_the_same_request_is_damaged(tmp_path):
     made = [ask(tmp_path / f"{name}.zarr", ONE) for name in "ab"]
-    parts = {name: made[0]._store.require(name, (1,)) for name in ("values", "error_bound", "scale", "method")}
-    made[1]._store.put(parts | {"chunks/checksum": made[0]._store.require("chunks/checksum", (1,))}, (1,))
+    parts = {name: made[0]._store.read(name, (1,)) for name in ("values", "error_bound", "scale", "method")}
+    made[1]._store.put(parts | {"chunks/checksum": made[0]._store.read("chunks/checksum", (1,))}, (1,))
     with pytest.raises(FileError, match="wrong checksum"):
         lm.open_stack(tmp_path / "b.zarr")[2]
     assert made[1][0].pupil == made[0][0].pupil
@@ -197,26 +179,12 @@ def test_pupils_that_are_others_than_those_computed_are_damage(tmp_path, first):
     path = tmp_path / "a.zarr"
     one = first(path)
     store = lm.open_stack(path)._store
-    store.put({"pupil/edge": store.require("pupil/edge", (0,)) + 1.0}, (0, 0))
+    store.put({"pupil/edge": store.read("pupil/edge", (0,)) + 1.0}, (0, 0))
     first.go()
     stack = one.result(60)
     with pytest.raises(FileError, match="wrong checksum"):
         stack[0]
     assert stack[2].values.max() > 0.0
-
-
-def test_where_nobody_can_tell_who_computes_a_store_is_not_begun_anew(tmp_path, monkeypatch):
-    def no_locks(*_):
-        raise OSError(errno.ENOLCK, os.strerror(errno.ENOLCK))
-
-    path = tmp_path / "a.zarr"
-    monkeypatch.setattr(atomic.fcntl, "flock", no_locks)
-    begin(path)
-    with pytest.raises(ValueError, match="which may still be running"):
-        ask(path, TWO)
-    verify(ask(tmp_path / "b.zarr", ONE), ONE)
-    shutil.rmtree(path)
-    verify(ask(path, TWO), TWO)
 
 
 PROCESS = """
@@ -239,7 +207,7 @@ PROCESS = """
             test.verify(test.ask(path, wanted, side), wanted, side)
             said.append("good")
         except ValueError as error:
-            assert any(words in str(error) for words in ("another call", "other arguments")), error
+            assert "other arguments" in str(error), error
             said.append("gave way")
     print(*said, sep=",")
 """
@@ -265,41 +233,3 @@ def test_of_two_processes_each_has_what_it_asked_for_or_gives_way(side, tmp_path
         if pair_said.count("good") == 1:
             verify(lm.open_stack(path), (ONE, TWO)[k], (9, side)[k])
     assert not list(tmp_path.glob(".lommel-*"))
-
-
-OWNER = """
-    import os, signal, sys, time
-    from pathlib import Path
-    sys.path.insert(0, sys.argv[1])
-    import test_at_once as test
-    from lommel import stacks
-
-    def computing(*_):
-        child = os.fork()  # such as a worker, which outlives who forked it
-        if child == 0:
-            time.sleep(60)
-            os._exit(0)
-        print(child, flush=True)
-        time.sleep(60)
-
-    stacks._require_space = computing
-    test.ask(Path(sys.argv[2]), test.ONE)
-"""
-
-
-@pytest.mark.skipif(not hasattr(os, "fork"), reason="needs fork")
-def test_an_owner_that_is_killed_blocks_nobody(tmp_path):
-    path = tmp_path / "a.zarr"
-    command = [sys.executable, "-c", textwrap.dedent(OWNER), str(Path(__file__).parent), str(path)]
-    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as owner:
-        child = int(owner.stdout.readline())
-        try:
-            with pytest.raises(ValueError, match="is being written by another call"):
-                ask(path, TWO)
-            time.sleep(0.1)  # for the child to have begun
-            owner.send_signal(signal.SIGKILL)
-            owner.wait(30)
-            verify(ask(path, TWO), TWO)
-        finally:
-            os.kill(child, signal.SIGKILL)
-            owner.kill()

@@ -5,12 +5,11 @@ from __future__ import annotations
 import math
 
 import numpy as np
-import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
 from lommel.io.zarr_folders import Layout
-from lommel.stacks import chunk_shape, layouts
+from lommel.stacks import chunk_shape
 
 SHAPES = st.lists(st.integers(1, 9), min_size=1, max_size=4).map(tuple)
 
@@ -44,12 +43,3 @@ def test_what_a_chunk_leaves_out_of_its_index_is_whole():
     assert layout.within((2,)) == (slice(4, 5), slice(0, 33), slice(0, 32))
     assert layout.first((2,)) == 4 * 33 * 32
     assert layout.nbytes == 4 * 5 * 33 * 32
-
-
-def test_a_description_that_does_not_fit_itself_is_refused():
-    said = {"stack": [4], "window": [3, 3], "chunks": [2], "axes": {"z": "m"}, "dtype": "float32", "center": None}
-    said["arrays"] = {"edge": [[2], 0]}
-    assert layouts(said)["pupil/edge"].shape == (4, 2)
-    for wrong in ({"chunks": [2, 1]}, {"stack": [0]}, {"axes": {}}, {"window": [3]}):
-        with pytest.raises(ValueError, match="do not fit the stack"):
-            layouts(said | wrong)

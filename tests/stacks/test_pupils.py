@@ -47,19 +47,3 @@ def test_what_stacks_share_does_not_depend_on_how_many_there_are():
     said, _ = split_pupils(STACKS["distances"])
     more, _ = split_pupils(LENS.pupil(np.linspace(0.7, 5.0, 999)))
     assert said == more
-
-
-@pytest.mark.parametrize(
-    ("change", "fault"),
-    [
-        (lambda said, at: said.update(kind="Lens"), "kind must be one of"),
-        (lambda said, at: at.update(edge=at["edge"][..., :1]), "edge must have 2 coefficients"),
-        (lambda said, at: at.update(edge=np.nan * at["edge"]), "edge must be finite"),
-        (lambda said, at: said["wavefront"].update(terms=[[2, 0], [3, 0]]), "no Zernike term"),
-    ],
-)
-def test_what_is_no_pupil_is_told(change, fault):
-    said, arrays = split_pupils(STACKS["distances"])
-    change(said, arrays)
-    with pytest.raises(ValueError, match=fault):
-        join_pupils(said, arrays)

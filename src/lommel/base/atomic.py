@@ -353,13 +353,13 @@ _UNSUPPORTED_LOCK_ERRORS = {errno.ENOLCK, errno.ENOSYS, errno.ENOTSUP, errno.EOP
 
 
 @contextmanager
-def locked(lock_file: Path, place: Path, *, alone: bool = True) -> Iterator[bool]:
-    """Hold an exclusive (`alone`) or shared lock on `lock_file`; ValueError if the lock of another call excludes it.
+def locked(lock_file: Path, place: Path) -> Iterator[bool]:
+    """Hold an exclusive lock on `lock_file`; ValueError if another call holds it.
 
     Yield True if the file system supports locks. Error messages name `place`, the folder that is written. The lock is
     a lock of the operating system, which ends with the process, so that a killed process leaves no lock.
     """
-    if sys.platform == "win32" and alone:
+    if sys.platform == "win32":
         yield True  # no lock: Windows cannot replace an open file, not even for the process that opened it
         return
     with as_path_error(place):
@@ -369,8 +369,7 @@ def locked(lock_file: Path, place: Path, *, alone: bool = True) -> Iterator[bool
     try:
         try:
             # LOCK_NB: raise an error instead of waiting, since the other call may take hours.
-            if sys.platform != "win32":
-                fcntl.flock(handle, (fcntl.LOCK_EX if alone else fcntl.LOCK_SH) | fcntl.LOCK_NB)
+            fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except BlockingIOError:
             raise ValueError(
                 f"{line(place)} is being written by another call; wait until that has ended, or choose another path"
@@ -384,14 +383,6 @@ def locked(lock_file: Path, place: Path, *, alone: bool = True) -> Iterator[bool
         if handle in _locked_handles:  # False in a forked child, which has closed the handle already
             _locked_handles.discard(handle)
             os.close(handle)
-
-
-def perhaps_in_use_error(place: Path) -> ValueError:
-    """Return the error for a folder that another call may still be writing, on a file system without locks."""
-    return ValueError(
-        f"{line(place)} was begun by another call, which may still be running (its file system has no locks); remove "
-        "it if that call has ended, or choose another path"
-    )
 
 
 def _release_inherited_locks() -> None:
@@ -492,7 +483,10 @@ def unfinished_folder(
                 continue
             if existing.description["request"] != plain_request or not existing.new.is_dir():
                 if not lockable:
-                    raise perhaps_in_use_error(scratch)
+                    raise ValueError(
+                        f"{line(scratch)} was begun by another call, which may still be running (its file system has "
+                        "no locks); remove it if that call has ended, or choose another path"
+                    )
                 existing.remove()
                 continue
             try:

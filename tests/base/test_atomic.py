@@ -5,7 +5,6 @@ Recordings are kept.
 
 from __future__ import annotations
 
-import errno
 import os
 import stat
 import subprocess
@@ -223,7 +222,7 @@ def test_a_recording_gets_its_name_at_the_end_and_never_that_of_an_earlier_recor
         for file in (first, second):
             names.append(file.path.name)
             file.path.write_text("new")
-            file.added()
+            file.started = True
         assert target.read_text() == "old"
     assert names == [f"{'x' * min(length - 4, 255 - len(ending))}{ending}" for ending in UNFINISHED]
     assert [path.name for path in tmp_path.iterdir()] == [target.name]
@@ -238,7 +237,7 @@ def test_an_error_keeps_a_recording_in_which_there_is_something(tmp_path):
         with atomic.recording(tmp_path / "a.csv") as file:
             file.path.write_text(text)
             if added:
-                file.added()
+                file.started = True
             raise RuntimeError("enough")
 
     for ending in UNFINISHED:
@@ -248,29 +247,3 @@ def test_an_error_keeps_a_recording_in_which_there_is_something(tmp_path):
         record("heading", added=False)
     kept = {path.name: path.read_text() for path in tmp_path.iterdir()}
     assert kept == {f"a{ending}": ending for ending in UNFINISHED}
-
-
-@pytest.mark.filterwarnings("ignore:.*keeps what was recorded")
-def test_a_recording_is_synchronised_with_the_disk_once_a_second(tmp_path, monkeypatch):
-    clock, synchronised = [0.0], []
-    monkeypatch.setattr(time, "monotonic", lambda: clock[0])
-
-    def synchronise(path: Path) -> None:
-        synchronised.append(path.read_text())
-        if clock[0] > 5.0:
-            raise OSError(errno.EIO, "Input/output error")
-
-    def record(count: int, step: float) -> None:
-        with atomic.recording(tmp_path / "a.csv") as file, monkeypatch.context() as patch:
-            patch.setattr(atomic, "_synchronise", synchronise)
-            for number in range(count):
-                clock[0] += step
-                file.path.write_text(str(number))
-                file.added()
-                file.wait()
-
-    record(9, 0.3)
-    assert synchronised == ["3", "7"]
-    with pytest.raises(OSError, match="Input/output error"):
-        record(1, 9.0)
-    assert sorted(path.name for path in tmp_path.iterdir()) == ["a.csv", "a.unfinished.csv"]

@@ -24,7 +24,6 @@ import time
 import warnings
 import zlib
 from collections.abc import Callable, Iterator, Mapping
-from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import ExitStack, contextmanager, suppress
 from dataclasses import dataclass
 from functools import lru_cache
@@ -44,7 +43,6 @@ from lommel.base.validation import line
 _PREFIX = ".lommel-"
 _DAY = 86400.0  # seconds
 _MAX_NAME = 255  # maximum length of a file name, bytes
-_RECORDING_INTERVAL = 1.0  # seconds between synchronisations of a recording with the disk
 _FLAGS = os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_BINARY", 0)  # no conversion of line ends
 
 
@@ -146,31 +144,15 @@ def temporary_for(target: Path, *, exclusive: bool = False) -> Iterator[Path]:
         yield create(target)
 
 
+@dataclass
 class Recording:
-    """A file that is being recorded: `path` is its name until it is complete."""
+    """A file that is being recorded: `path` is its name until it is complete, `started` tells if it is worth keeping.
 
-    def __init__(self, path: Path) -> None:
-        self.path, self.started = path, False
-        self._next = time.monotonic() + _RECORDING_INTERVAL
-        self._disk = ThreadPoolExecutor(1)  # a slow disk must not delay the frames of a camera
-        self._synchronised: Future[None] | None = None
+    It is synchronised with the disk at the end: a killed process loses nothing that was flushed.
+    """
 
-    def added(self) -> None:
-        """Note that a frame or row was written and flushed; from time to time synchronise the file with the disk."""
-        self.started = True
-        if time.monotonic() >= self._next and (self._synchronised is None or self._synchronised.done()):
-            self.wait()
-            self._synchronised = self._disk.submit(_synchronise, self.path)
-            self._next = time.monotonic() + _RECORDING_INTERVAL
-
-    def wait(self) -> None:
-        """Wait until synchronisation in progress ends; raise its error."""
-        if self._synchronised is not None:
-            self._synchronised.result()
-
-    def close(self) -> None:
-        """End the thread."""
-        self._disk.shutdown()
+    path: Path
+    started: bool = False
 
 
 @contextmanager
@@ -187,18 +169,14 @@ def recording(target: Path) -> Iterator[Recording]:
     try:
         _synchronise(place.parent)  # a new name survives a power cut only then
         yield file
-        with as_path_error(target):
-            file.wait()
         _move_into_place([(file.path, place, mode)])
     except BaseException:
-        file.close()
         if file.started:
             warnings.warn(f"{line(file.path)} keeps what was recorded", stacklevel=3)
         else:
             with suppress(OSError):
                 file.path.unlink()
         raise
-    file.close()
 
 
 def _create_unfinished_file(place: Path, mode: int) -> Path:

@@ -12,10 +12,8 @@ import threading
 import warnings
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from importlib.util import find_spec
 from pathlib import Path
-from typing import IO, TYPE_CHECKING, Any, cast
-from weakref import WeakKeyDictionary
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -28,8 +26,7 @@ if TYPE_CHECKING:
     from xml.etree.ElementTree import Element
 
     from h5py import Dataset, File, Group
-    from PIL.TiffImagePlugin import TiffImageFile
-    from tifffile import TiffFile, TiffFrame, TiffPage, TiffPageSeries
+    from tifffile import TiffFile, TiffPageSeries
 
 MAX_PIXELS = validation.MAX_SIDE**2
 """Maximum number of pixels in a picture, and of bytes in a description."""
@@ -45,8 +42,6 @@ MAX_LIST = 2**19
 
 MAX_TOML = 2**18
 """Maximum size in bytes of a lens file; the parser may allocate half a kilobyte for two bytes of TOML."""
-
-_LZW = 5  # code of the compression LZW in TIFF files
 
 
 def contents(path: Path, limit: int = 8 * validation.MAX_VALUES + MAX_PIXELS) -> bytes:
@@ -159,7 +154,7 @@ HEIC = tuple(
 
 
 def pillow(kind: str, data: bytes) -> Any:
-    """Return a picture opened by Pillow, not yet decoded; `kind` is Png, Jpeg, Bmp or Heif."""
+    """Return a picture opened by Pillow, not yet decoded; `kind` is Png, Jpeg or Heif."""
     # Image.open is not used: its limit against decompression bombs would refuse large pictures of this package.
     if kind == "Heif":
         module = library("pillow_heif.as_plugin", "HEIC files need", "heic")
@@ -233,39 +228,10 @@ def tiff_values(page: Any, shape: tuple[int, ...], dtype: np.dtype[np.generic]) 
     if closed:
         handle.open()
     try:
-        return tiff_array(page).reshape(shape)
+        return np.asarray(page.asarray()).reshape(shape)
     finally:
         if closed:
             handle.close()
-
-
-def tiff_array(page: TiffPage | TiffFrame) -> Values:
-    """Return the values of a page; ValueError if neither tifffile nor, for LZW, Pillow can decode it."""
-    if page.compression != _LZW or find_spec("imagecodecs"):
-        return np.asarray(page.asarray())
-    from PIL.TiffImagePlugin import TiffImageFile
-
-    values, dtype = np.empty(0), np.dtype(page.dtype).newbyteorder("=")
-    try:
-        if (image := _PILLOW_IMAGES.get(page.parent)) is None:
-            page.parent.filehandle.seek(0)
-            image = _PILLOW_IMAGES[page.parent] = TiffImageFile(cast("IO[bytes]", page.parent.filehandle))
-        image.seek(page.index)
-        values = np.asarray(image)
-    except (OSError, SyntaxError, TypeError) as error:  # Pillow raises TypeError for a page in a SubIFD
-        if str(error) != "unknown pixel mode":
-            raise ValueError(f"its LZW data cannot be unpacked: {reason(error)}") from None
-    if values.shape != page.shape or values.dtype.newbyteorder("=") != dtype:
-        colour = " in colour" if len(page.shape) > 2 else ""
-        raise ValueError(
-            f"LZW of {dtype}{colour} needs the package imagecodecs: pip install imagecodecs, or save the file with "
-            "deflate or uncompressed"
-        )
-    return values.astype(dtype, copy=False)
-
-
-# Images opened by Pillow, by the tifffile object of the same file.
-_PILLOW_IMAGES: WeakKeyDictionary[TiffFile, TiffImageFile] = WeakKeyDictionary()
 
 
 def tiff_mapped(file: TiffFile, series: TiffPageSeries, path: Path, count: int) -> Values | None:

@@ -114,7 +114,7 @@ def blur(
 ) -> Report:
     """Blur a photo by its depth map or over a lens field.
 
-    PHOTO is a PNG, JPEG, TIFF, EXR, BMP or HEIC, grey or RGB. DEPTH is a depth map of the same size, the
+    PHOTO is a PNG, JPEG, TIFF, EXR or HEIC, grey or RGB. DEPTH is a depth map of the same size, the
     distance of each point from the lens along the optical axis, in metres: a grey TIFF, NPY, PFM, PNG or EXR. Without
     a lens file LENS, focal length and f-number come from the photo's EXIF; an option that contradicts the EXIF is
     rejected.
@@ -324,7 +324,7 @@ def restore(
 ) -> Report:
     """Deblur a photo with a known depth map and lens.
 
-    PHOTO is a PNG, JPEG, TIFF, EXR, BMP or HEIC, grey or RGB, neither sharpened nor denoised. DEPTH is a depth
+    PHOTO is a PNG, JPEG, TIFF, EXR or HEIC, grey or RGB, neither sharpened nor denoised. DEPTH is a depth
     map of the same size, the distance of each point from the lens along the optical axis, in metres: a grey TIFF,
     NPY, PFM, PNG or EXR. Without a lens file LENS, focal length and f-number come from the photo's EXIF.
 

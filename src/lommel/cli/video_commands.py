@@ -497,7 +497,7 @@ class Table:
             self._rows.writerow(_COLUMNS)
         with atomic.as_path_error(self._path):
             self._rows.writerow(row)
-            self._recording.added()
+        self._recording.started = True
 
 
 class Window:

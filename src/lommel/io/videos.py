@@ -790,7 +790,7 @@ class VideoWriter:
         frame.time_base = Fraction(1, 1000)
         with atomic.as_path_error(self._path):
             self._container.mux(self._stream.encode(frame))
-            self._recording.added()
+        self._recording.started = True
 
     def _open(self, values: Values) -> None:
         import av

@@ -62,7 +62,7 @@ SECTIONS = [
             "lensfiles.lens",
         ),
         more="telescopes.elt telescopes.hst telescopes.jwst telescopes.keck telescopes.subaru telescopes.vlt"
-        " lensfiles.toml_files.LensFileError report.image_quality.ImageQuality optics.aperture.shapes.Shape"
+        " lensfiles.toml_files.LensFileError report.image_quality.image_quality optics.aperture.shapes.Shape"
         " optics.wavefront.wavefront.path optics.wavefront.wavefront.expansion"
         " optics.aperture.opening.Opening optics.aperture.opening.Rule optics.aperture.opening.degree_needed",
     ),

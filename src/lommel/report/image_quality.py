@@ -6,17 +6,18 @@ import math
 import time
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
-from functools import cached_property, partial
-from typing import TYPE_CHECKING, Any, Literal, TypeVar
+from functools import partial
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 
-from lommel.base.arrays import Array, Json, Numbers, plain
+from lommel.base.arrays import Json, Numbers, plain
 from lommel.core.answers import ToleranceError
 from lommel.measures import aperture_means, errors, spot, transfer
-from lommel.measures.energy import MAX_RADIUS, encircled, optics
+from lommel.measures.energy import MAX_RADIUS, encircled
+from lommel.measures.image_quality import balancing_defocus, dark_ring_radius, rms_without_tilt, strehl_at_peak
 from lommel.methods import Method, Polychromatic
-from lommel.methods.choice import first_within_tolerance, of_profiles, references
+from lommel.methods.choice import first_within_tolerance, references
 from lommel.methods.paper.huygens import HuygensFresnel
 from lommel.optics.aperture.apodization import illumination
 from lommel.optics.aperture.shapes import CatEye, Disc, Ellipse, Polygon, Segments, Shape
@@ -43,432 +44,231 @@ IN_FOCUS = 2.0
 _LENS_ATTRIBUTES = ("focal_length", "aperture_diameter", "f_number", "working_f_number", "obscuration", "wavelength",
             "model", "corrected_for")  # fmt: skip
 _ARCSEC = math.pi / 648000.0
-_DIAMETER_FRACTION = 0.8  # fraction of the light within `diameter_80`
 # Diameter, in pixels, above which pixel integration changes a width by less than the last printed digit.
 _MAX_WIDTH = 60.0
 # Largest number of mirror segments for which MTF50 and focus tolerance are computed; more segments take minutes.
 _MAX_SEGMENTS = 24
 
 
-class PointQuality:
-    """Quality of the image of a point through a pupil, with attributes that are computed at access.
+def setup(instrument: Instrument) -> Json:
+    """Return the parameters of lens, object and sensor as plain data, without measures of image quality.
 
-    An attribute raises ValueError or ArithmeticError if it cannot be computed.
-
-    Parameters
-    ----------
-    pupil : Pupil
+    "in_focus" has the nearest and the farthest object distance with a circle of confusion of at most 2 pixels. The
+    diameter of the circle of confusion of a lens without aberrations is ``D d abs(1/s - 1/s0)`` for an object at the
+    distance s, where D is the aperture diameter, d the sensor distance and s0 the focus distance.
+    "hyperfocal_distance" is the smallest focus distance whose depth of field extends to infinity. Both are None for
+    telescopes and microscopes.
     """
-
-    def __init__(self, pupil: Pupil) -> None:
-        self.pupil = pupil
-
-    @property
-    def strehl(self) -> float:
-        """Strehl ratio on the axis."""
-        return float(aperture_means.strehl(self.pupil))
-
-    @property
-    def strehl_at_peak(self) -> float:
-        """Strehl ratio at the brightest point of the image."""
-        pupil = self.pupil
-        if not pupil.radial:
-            # An additional tilt moves the brightest point to the axis.
-            x, y = spot.brightest_position(optics(pupil))
-            return float(aperture_means.strehl(_with_tilt(pupil, -math.pi * x, -math.pi * y)))
-        method, max_v = of_profiles(), float(pupil.v(pupil.geometric_radius())) + 4.0
-        v = np.linspace(0.0, max_v, 64 + math.ceil(10.0 * max_v))
-        # Find the brightest radius by coarse samples, then by fine samples around the brightest coarse sample.
-        coarse_peak = v[np.argmax(method.profile(pupil, v).values[0])]
-        fine_v = np.abs(coarse_peak + np.linspace(-v[1], v[1], 101))
-        top = method.profile(pupil, np.append(0.0, fine_v)).values.max()
-        return float(top / method.unaberrated_peak(pupil))
-
-    @property
-    def rms_waves(self) -> float:
-        """Rms wavefront error, waves."""
-        return float(aperture_means.rms(self.pupil, unit="waves"))
-
-    @property
-    def rms_waves_without_tilt(self) -> float:
-        """Rms wavefront error after subtraction of the best-fit tilt, which only shifts the image, waves."""
-        tilt = -aperture_means.least_squares(self.pupil, [_tilt_x, _tilt_y])
-        return float(aperture_means.rms(_with_tilt(self.pupil, *tilt), unit="waves"))
+    lens, width, blur = instrument.lens, instrument.pitch[1], IN_FOCUS * max(instrument.pitch)
+    is_telescope = math.isinf(lens.focus_distance) and math.isinf(instrument.object_distance)
+    in_focus = hyperfocal_distance = None
+    if not (lens.focus_distance < 0.0 or magnifies(lens) or lens.obscuration or lens.focal_length > 1.0):
+        # Largest difference of 1/s and 1/s0.
+        middle, difference = 1.0 / lens.focus_distance, blur / (lens.aperture_diameter * lens.sensor_distance)
+        far = 1.0 / (middle - difference) if middle > difference else math.inf
+        in_focus = {"near": 1.0 / (middle + difference), "far": far, "blur": blur}
+        hyperfocal_distance = lens.focal_length * (1.0 + lens.aperture_diameter / blur)
+    result = {
+        "name": instrument.name,
+        "source": instrument.source,
+        **{name: getattr(lens, name) for name in _LENS_ATTRIBUTES},
+        "apodization": lens.apodization,
+        "focus_distance": lens.focus_distance,
+        "sensor_distance": lens.sensor_distance,
+        "object_distance": instrument.object_distance,
+        "pixel": instrument.pixel,
+        "arcsec_per_pixel": width / lens.focal_length / _ARCSEC if is_telescope else None,
+        "pixel_in_object": width * lens.focus_distance / lens.sensor_distance if magnifies(lens) else None,
+        "in_focus": in_focus,
+        "hyperfocal_distance": hyperfocal_distance,
+        "aperture": {
+            "spider": lens.spider,
+            "vignetting": lens.vignetting,
+            "mask": None if lens.mask is None else {"side": lens.mask.side},
+            "stop": None if lens.stop is None else _stop(lens.stop),
+        },
+        "clear_area": instrument.pupil().area,
+    }
+    return dict(plain(result))
 
 
-class ImageQuality(PointQuality):
-    """Quality of the images of a lens at its sensor, as ``lommel info`` prints it.
+class _Attempts:
+    """Calls of measures, and the `reasons` of those that failed, whose results are None."""
 
-    Lengths are in metres, phases in radians, frequencies in cycles per metre. Attributes are computed at access. An
-    attribute raises ValueError or ArithmeticError if it cannot be computed.
+    def __init__(self) -> None:
+        self.reasons: dict[str, None] = {}
+
+    def __call__(self, measure: Callable[..., Value], *arguments: Any, **options: Any) -> Value | None:
+        try:
+            return measure(*arguments, **options)
+        except (ValueError, ArithmeticError) as reason:
+            self.reasons[str(reason)] = None
+            return None
+
+
+def image_quality(instrument: Instrument) -> Json:
+    """Return all measures of a lens at its sensor, as ``lommel info`` prints them, as plain data.
+
+    Lengths are in metres, phases in radians, frequencies in cycles per metre. Names of measures along y end in "_y";
+    names of measures along x have no ending. Infinite values and failed computations are None; "refused" lists the
+    reasons of failed computations.
 
     Parameters
     ----------
     instrument : Instrument
         Lens, object and sensor, for example from :func:`lommel.load_instrument`.
 
+    Returns
+    -------
+    dict
+        Plain data for JSON.
+
     Examples
     --------
     >>> import lommel as lm
-    >>> from lommel.report.image_quality import ImageQuality
+    >>> from lommel.report.image_quality import image_quality
     >>> lens = lm.Lens(focal_length=20e-3, f_number=4.0, focus_distance=2.0, wavelength=550e-9)
-    >>> quality = ImageQuality(lm.Instrument("lens", "", lens, 2.0, 2e-6, None, {}))
-    >>> [round(end, 3) for end in quality.depth_of_field]
-    [1.853, 2.172]
-    >>> round(quality.mtf50() / 1e3)  # cycles per millimetre
+    >>> quality = image_quality(lm.Instrument("lens", "", lens, 2.0, 2e-6, None, {}))
+    >>> round(quality["in_focus"]["near"], 3), round(quality["in_focus"]["far"], 3)
+    (1.853, 2.172)
+    >>> round(quality["mtf50"] / 1e3)  # cycles per millimetre
     182
     """
+    lens, pupil, pitch, attempt = instrument.lens, instrument.pupil(), instrument.pitch, _Attempts()
+    sensor: Any = {"pixel": instrument.pixel, "fill": instrument.fill}
+    light_within_radii = _encircled(instrument, attempt)
 
-    def __init__(self, instrument: Instrument) -> None:
-        super().__init__(instrument.pupil())
-        self.instrument, self.lens = instrument, instrument.lens
+    def measured(pupil: Pupil, *names: str) -> Json:
+        return dict(plain({name: attempt(_MEASURES[name], pupil) for name in names}))
 
-    @property
-    def depth_of_field(self) -> tuple[float, float] | None:
-        """Nearest and farthest object distance with a circle of confusion of at most 2 pixels.
-
-        The diameter of the circle of confusion of a lens without aberrations is ``D d abs(1/s - 1/s0)`` for an object
-        at the distance s, where D is the aperture diameter, d the sensor distance and s0 the focus distance. None for
-        telescopes and microscopes.
-        """
-        if not self._is_camera:
-            return None
-        lens = self.lens
-        # Largest difference of 1/s and 1/s0.
-        difference = IN_FOCUS * max(self.instrument.pitch) / (lens.aperture_diameter * lens.sensor_distance)
-        middle = 1.0 / lens.focus_distance
-        return 1.0 / (middle + difference), 1.0 / (middle - difference) if middle > difference else math.inf
-
-    @property
-    def hyperfocal_distance(self) -> float | None:
-        """Smallest focus distance whose depth of field extends to infinity; None if `depth_of_field` is None."""
-        blur = IN_FOCUS * max(self.instrument.pitch)
-        return self.lens.focal_length * (1.0 + self.lens.aperture_diameter / blur) if self._is_camera else None
-
-    @property
-    def _is_camera(self) -> bool:
-        """False for telescopes and microscopes, whose depth of field is not reported."""
-        lens = self.lens
-        return not (lens.focus_distance < 0.0 or magnifies(lens) or lens.obscuration or lens.focal_length > 1.0)
-
-    @property
-    def marechal(self) -> float:
-        """Marechal estimate of the Strehl ratio, exp(-sigma^2) with the rms phase sigma."""
-        return float(aperture_means.marechal(self.pupil))
-
-    @property
-    def balancing_defocus(self) -> float | None:
-        """W020 (waves) that minimises the rms wavefront error; None without spherical or higher radial terms."""
-        wavefront = self.pupil.wavefront
-        if not (wavefront.spherical or any(wavefront.higher)):
-            return None
-        # Tilt, which only shifts the image, is fitted too.
-        excess = aperture_means.least_squares(self.pupil, [lambda rho, _: rho**2, _tilt_x, _tilt_y])[0]
-        return float(wavefront.waves["W020"] - excess / (2.0 * math.pi))
-
-    @property
-    def dark_ring_radius(self) -> float | None:
-        """Radius of the first dark ring of the unaberrated aperture; None unless it is a uniform disc or annulus."""
-        # The field of an annulus is the field of the disc minus the field of the obscuration, and is 0 at
-        # J1(v) = eps J1(eps v).
-        from scipy.optimize import brentq
-        from scipy.special import j1, jn_zeros
-
-        pupil = self.pupil
-        shapes = (pupil.spider, pupil.vignetting, pupil.stop, pupil.mask)
-        if not pupil.illumination.uniform or any(shape is not None for shape in shapes):
-            return None
-        airy, eps = float(jn_zeros(1, 1)[0]), pupil.obscuration
-        ring = float(brentq(lambda v: j1(v) - eps * j1(eps * v), 0.5, airy)) if eps else airy
-        return pupil.airy_radius * ring / airy
-
-    @property
-    def circle_of_confusion(self) -> float:
-        """Diameter of the geometric blur due to defocus alone."""
-        lens = self.lens
-        unaberrated = lens if lens.aberrations.flat else replace(lens, aberrations=Wavefront())
-        return 2.0 * float(unaberrated.pupil(self.instrument.object_distance).geometric_radius())
-
-    @cached_property
-    def image(self) -> PSF:
-        """Pixel-integrated PSF in a window of one pixel: its measures refer to the continuous image."""
-        instrument = self.instrument
-        return psf(self.pupil, 1, instrument.pixel, integrate=True, fill=instrument.fill)
-
-    def fwhm(self, *, pixel: bool = False) -> float:
-        """Return the full width at half maximum.
-
-        Parameters
-        ----------
-        pixel : bool, default False
-            Include the average over a pixel.
-
-        Returns
-        -------
-        float
-            Full width at half maximum, metres.
-        """
-        return float(spot.fwhm(self.image, of="image" if pixel else "optics"))
-
-    def diameter_80(self, *, pixel: bool = False) -> float:
-        """Return the diameter of the circle about the centroid that contains 80 % of the light.
-
-        Parameters
-        ----------
-        pixel : bool, default False
-            Include the average over a pixel.
-
-        Returns
-        -------
-        float
-            Diameter, metres.
-        """
-        of: Literal["image", "optics"] = "image" if pixel else "optics"
-        return float(spot.energy_diameter(self.image, _DIAMETER_FRACTION, about="centroid", of=of))
-
-    def mtf(self, frequency: float, angle: float = 0.0, *, pixel: bool = False) -> float:
-        """Return the MTF at a frequency in a direction.
-
-        Parameters
-        ----------
-        frequency : float
-            Spatial frequency, cycles per metre.
-        angle : float, default 0.0
-            Direction, radians from x towards y.
-        pixel : bool, default False
-            Include the average over a pixel.
-
-        Returns
-        -------
-        float
-            MTF, 0 to 1.
-        """
-        sensor: Any = {"pixel": self.instrument.pixel, "fill": self.instrument.fill} if pixel else {}
-        x, y = frequency * math.cos(angle), frequency * math.sin(angle)
-        return float(transfer.mtf(self.pupil, x, y, **sensor))
-
-    def focus_tolerance(self, least: float = 0.3) -> tuple[float, float]:
-        """Return the sensor displacements at which the MTF at half the Nyquist frequency falls to `least`.
-
-        Parameters
-        ----------
-        least : float, default 0.3
-            Smallest acceptable MTF.
-
-        Returns
-        -------
-        (float, float)
-            Displacements, metres, towards the lens (negative) and away from it; see :func:`lommel.focus_tolerance`.
-
-        Raises
-        ------
-        ValueError
-            If the MTF without displacement is below `least`, or if the aperture has more than 24 segments, for which
-            the computation takes minutes.
-        """
-        if isinstance(self.pupil.stop, Segments) and len(self.pupil.stop.shapes) > _MAX_SEGMENTS:
-            raise ValueError(
-                f"focus tolerance takes minutes for more than {_MAX_SEGMENTS} segments: use lommel.focus_tolerance"
-            )
-        sensor: Any = {"pixel": self.instrument.pixel, "fill": self.instrument.fill}
-        frequency = 0.25 / max(self.instrument.pitch)
-        mtf = min(self.mtf(frequency, angle, pixel=True) for angle in (0.0, 0.5 * math.pi))
-        if mtf < least:
-            raise ValueError(
-                f"the focus tolerance needs an MTF of {least:g} or more at half the Nyquist frequency, got {mtf:.3g}"
-            )
-        return transfer.displacements(self.pupil, frequency, least, sensor)
-
-    def mtf50(self, angle: float = 0.0) -> float:
-        """Return the frequency at which the MTF of the optics alone falls to 50 %.
-
-        Parameters
-        ----------
-        angle : float, default 0.0
-            Direction, radians from x towards y.
-
-        Returns
-        -------
-        float
-            Frequency, cycles per metre.
-
-        Raises
-        ------
-        ValueError
-            If the aperture has more than 24 segments, for which the computation takes minutes.
-        """
-        segments = len(self.pupil.opening.regions)
-        if segments > _MAX_SEGMENTS:
-            raise ValueError(f"MTF50, which takes minutes for {segments} segments: use lommel.mtf_frequency(pupil)")
-        return float(transfer.mtf_frequency(self.pupil, angle=angle))
-
-    @property
-    def radii(self) -> dict[str, float]:
-        """Radii for the encircled energy by name: from the file, the Airy radius, the geometric blur."""
-        radii, blur = dict(self.instrument.radii), float(self.pupil.geometric_radius())
-        radii.setdefault("Airy radius", self.pupil.airy_radius)
-        if blur > 0:
-            radii.setdefault("edge of the geometric blur", blur)
-        return radii
-
-    def encircled_energy(self, *, unaberrated: bool = False) -> tuple[list[float | None], float | None]:
-        """Return the fractions of the light within the `radii` about the axis.
-
-        Parameters
-        ----------
-        unaberrated : bool, default False
-            Ignore all aberrations.
-
-        Returns
-        -------
-        list of float or None
-            Fraction for each radius; None if the radius is above 250 lambda*N and the pupil not radially symmetric.
-        float or None
-            Bound on the error of the fractions; None if it is not available.
-        """
-        pupil, radii = self.pupil.unaberrated() if unaberrated else self.pupil, self.radii.values()
-        max_radius = math.inf if pupil.radial else MAX_RADIUS * pupil.scale
-        result = encircled(pupil, [r for r in radii if r <= max_radius])
-        fractions = iter(result.fraction.tolist())
-        return [next(fractions) if r <= max_radius else None for r in radii], result.error
-
-    def setup(self) -> Json:
-        """Return the parameters of lens, object and sensor as plain data, without measures of image quality.
-
-        Returns
-        -------
-        dict
-            Plain data for JSON.
-        """
-        lens, instrument, field = self.lens, self.instrument, self.depth_of_field
-        height, width = instrument.pitch
-        is_telescope = math.isinf(lens.focus_distance) and math.isinf(instrument.object_distance)
-        in_focus = field and {"near": field[0], "far": field[1], "blur": IN_FOCUS * max(height, width)}
-        result = {
-            "name": instrument.name,
-            "source": instrument.source,
-            **{name: getattr(lens, name) for name in _LENS_ATTRIBUTES},
-            "apodization": lens.apodization,
-            "focus_distance": lens.focus_distance,
-            "sensor_distance": lens.sensor_distance,
-            "object_distance": instrument.object_distance,
-            "pixel": instrument.pixel,
-            "arcsec_per_pixel": width / lens.focal_length / _ARCSEC if is_telescope else None,
-            "pixel_in_object": width * lens.focus_distance / lens.sensor_distance if magnifies(lens) else None,
-            "in_focus": in_focus,
-            "hyperfocal_distance": self.hyperfocal_distance,
-            "aperture": {
-                "spider": lens.spider,
-                "vignetting": lens.vignetting,
-                "mask": None if lens.mask is None else {"side": lens.mask.side},
-                "stop": None if lens.stop is None else _stop(lens.stop),
-            },
-            "clear_area": self.pupil.area,
+    transfers: Json = {}
+    for end, angle, side in (("", 0.0, pitch[1]), ("_y", 0.5 * math.pi, pitch[0])):
+        nyquist = 0.5 / side
+        at = nyquist * math.cos(angle), nyquist * math.sin(angle)
+        transfers |= {
+            f"mtf50{end}": attempt(mtf50, pupil, angle),
+            f"nyquist{end}": nyquist,
+            f"mtf_at_nyquist{end}": attempt(transfer.mtf, pupil, *at),
+            f"mtf_at_nyquist_with_pixel{end}": attempt(transfer.mtf, pupil, *at, **sensor),
         }
-        return dict(plain(result))
+    focused = lens if lens.aberrations.flat else replace(lens, aberrations=Wavefront())
+    result = setup(instrument) | {
+        "rim_amplitude": float(np.divide(*lens.illumination.value([1.0, 0.0]))),
+        "other_model": other_model(instrument),
+        "defocus": float(pupil.wavefront.defocus),
+        "defocus_of_distances": float(lens.defocus(instrument.object_distance)),
+        "spherical": float(pupil.wavefront.spherical),
+        "higher": [float(c) for c in pupil.wavefront.higher],
+        "waves": {name: float(value) for name, value in pupil.wavefront.waves.items()},
+        "zernike": listed_terms(pupil.wavefront.to_zernike(unit="waves")),
+        "airy_radius": pupil.airy_radius,
+        "dark_ring_radius": dark_ring_radius(pupil),
+        "geometric_radius": float(pupil.geometric_radius()),
+        # Of the geometric blur due to defocus alone.
+        "circle_of_confusion": 2.0 * float(focused.pupil(instrument.object_distance).geometric_radius()),
+        "balancing_W020": attempt(balancing_defocus, pupil),
+        **measured(pupil, "strehl", "strehl_at_peak", "marechal", "rms_waves", "rms_waves_without_tilt"),
+        **_widths(instrument, attempt),
+        "cutoff": pupil.cutoff,
+        **plain(transfers),
+        "focus_tolerance": attempt(_focus_tolerance, instrument),
+        "field": None if instrument.aberrations_of_field is None else _field(instrument, measured),
+        **light_within_radii,
+    }
+    return result | {"refused": list(attempt.reasons)}
 
-    def to_dict(self) -> Json:
-        """Return all measures as plain data; infinite values and failed computations are None.
 
-        Names of measures along y end in "_y"; names of measures along x have no ending. "refused" lists the reasons
-        of failed computations.
+_MEASURES: dict[str, Callable[[Pupil], Any]] = {
+    "strehl": aperture_means.strehl,
+    "strehl_at_peak": strehl_at_peak,
+    "marechal": aperture_means.marechal,
+    "rms_waves": partial(aperture_means.rms, unit="waves"),
+    "rms_waves_without_tilt": rms_without_tilt,
+}
 
-        Returns
-        -------
-        dict
-            Plain data for JSON.
-        """
-        pupil, pitch, radii = self.pupil, self.instrument.pitch, self.radii
-        reasons: dict[str, None] = {}
 
-        def attempt(compute: Callable[[], Value]) -> Value | None:
-            try:
-                return compute()
-            except (ValueError, ArithmeticError) as reason:
-                reasons[str(reason)] = None
-                return None
+def mtf50(pupil: Pupil, angle: float) -> float:
+    """Return the frequency at which the MTF of the optics alone falls to 50 %; ValueError if that takes minutes."""
+    segments = len(pupil.opening.regions)
+    if segments > _MAX_SEGMENTS:
+        raise ValueError(f"MTF50, which takes minutes for {segments} segments: use lommel.mtf_frequency(pupil)")
+    return float(transfer.mtf_frequency(pupil, angle=angle))
 
-        def attributes(quality: PointQuality, *names: str) -> Json:
-            return {name: attempt(partial(getattr, quality, name)) for name in names}
 
-        no_fractions: tuple[list[float | None], None] = [None] * len(radii), None
-        actual, ideal = (
-            attempt(partial(self.encircled_energy, unaberrated=is_ideal)) or no_fractions
-            for is_ideal in (False, True)
+def _focus_tolerance(instrument: Instrument, least: float = 0.3) -> tuple[float, float]:
+    """Return the sensor displacements at which the MTF at half the Nyquist frequency falls to `least`."""
+    pupil, frequency = instrument.pupil(), 0.25 / max(instrument.pitch)
+    if isinstance(pupil.stop, Segments) and len(pupil.stop.shapes) > _MAX_SEGMENTS:
+        raise ValueError(
+            f"focus tolerance takes minutes for more than {_MAX_SEGMENTS} segments: use lommel.focus_tolerance"
         )
-        transfers: Json = {}
-        for end, angle, side in (("", 0.0, pitch[1]), ("_y", 0.5 * math.pi, pitch[0])):
-            nyquist = 0.5 / side
-            transfers |= {
-                f"mtf50{end}": attempt(partial(self.mtf50, angle)),
-                f"nyquist{end}": nyquist,
-                f"mtf_at_nyquist{end}": attempt(partial(self.mtf, nyquist, angle)),
-                f"mtf_at_nyquist_with_pixel{end}": attempt(partial(self.mtf, nyquist, angle, pixel=True)),
-            }
-        result = self.setup() | {
-            "rim_amplitude": float(np.divide(*self.lens.illumination.value([1.0, 0.0]))),
-            "other_model": other_model(self.instrument),
-            "defocus": float(pupil.wavefront.defocus),
-            "defocus_of_distances": float(self.lens.defocus(self.instrument.object_distance)),
-            "spherical": float(pupil.wavefront.spherical),
-            "higher": [float(c) for c in pupil.wavefront.higher],
-            "waves": {name: float(value) for name, value in pupil.wavefront.waves.items()},
-            "zernike": listed_terms(pupil.wavefront.to_zernike(unit="waves")),
-            "airy_radius": pupil.airy_radius,
-            "dark_ring_radius": self.dark_ring_radius,
-            "geometric_radius": float(pupil.geometric_radius()),
-            "circle_of_confusion": self.circle_of_confusion,
-            "balancing_W020": attempt(partial(getattr, self, "balancing_defocus")),
-            **attributes(self, "strehl", "strehl_at_peak", "marechal", "rms_waves", "rms_waves_without_tilt"),
-            **self._widths(attempt),
-            "cutoff": pupil.cutoff,
-            **transfers,
-            "focus_tolerance": attempt(self.focus_tolerance),
-        }
-        places = None if self.instrument.aberrations_of_field is None else self._places()
-        result["field"] = places and {
-            **places,
-            "places": [
-                place | attributes(quality, "strehl", "rms_waves", "strehl_at_peak", "rms_waves_without_tilt")
-                for place, quality in places["places"]
-            ],
-        }
-        result["encircled_energy"] = [
-            {"within": name, "radius": radius, "fraction": a, "unaberrated": b}
-            for (name, radius), a, b in zip(radii.items(), actual[0], ideal[0], strict=True)
-        ]
-        result["encircled_energy_error"] = max((e for e in (actual[1], ideal[1]) if e is not None), default=None)
-        return result | {"refused": list(reasons)}
+    sensor: Any = {"pixel": instrument.pixel, "fill": instrument.fill}
+    mtf = float(np.min(transfer.mtf(pupil, [frequency, 0.0], [0.0, frequency], **sensor)))
+    if mtf < least:
+        raise ValueError(
+            f"the focus tolerance needs an MTF of {least:g} or more at half the Nyquist frequency, got {mtf:.3g}"
+        )
+    return transfer.displacements(pupil, frequency, least, sensor)
 
-    def _widths(self, attempt: Callable[[Callable[[], float]], float | None]) -> dict[str, float | None]:
-        """Return FWHM and diameter of 80 % of the light, without the pixel and with it (None for a wide blur).
 
-        `attempt` returns the result of a function, None if the function raises an error.
-        """
-        measures: dict[str, Callable[..., float]] = {"fwhm": self.fwhm, "diameter_80": self.diameter_80}
-        result = {name: attempt(measure) for name, measure in measures.items()}
-        is_wide = (result["diameter_80"] or math.inf) > _MAX_WIDTH * min(self.instrument.pitch)
-        for name, measure in measures.items():
-            omitted = result[name] is None or is_wide
-            result[f"{name}_with_pixel"] = None if omitted else attempt(partial(measure, pixel=True))
-        return result
+def _widths(instrument: Instrument, attempt: _Attempts) -> Json:
+    """Return FWHM and diameter of 80 % of the light, without the pixel and with it (None for a wide blur)."""
+    # In a window of one pixel: the measures refer to the continuous image.
+    image = attempt(psf, instrument.pupil(), 1, instrument.pixel, integrate=True, fill=instrument.fill)
+    measures: dict[str, Callable[..., Numbers]] = {
+        "fwhm": spot.fwhm,
+        "diameter_80": partial(spot.energy_diameter, fraction=0.8, about="centroid"),
+    }
+    result: Json = {
+        name: None if image is None else attempt(measure, image, of="optics") for name, measure in measures.items()
+    }
+    is_wide = (result["diameter_80"] or math.inf) > _MAX_WIDTH * min(instrument.pitch)
+    for name, measure in measures.items():
+        omitted = result[name] is None or is_wide
+        result[f"{name}_with_pixel"] = None if omitted else attempt(measure, image, of="image")
+    return dict(plain(result))
 
-    def _places(self) -> Json:
-        """Return the field aberrations as plain data, with positions from the axis to a corner of the sensor."""
-        assert self.instrument.sensor is not None  # instruments with field aberrations have a sensor size
-        field, (height, width) = self.instrument.field(), self.instrument.sensor
-        places = []
-        for part in (0.0, 0.5, 0.7, 1.0):
-            x, y = 0.5 * part * width, 0.5 * part * height
-            try:
-                quality = PointQuality(field.pupil(x, y))
-            except ValueError:  # the position is outside the field map
-                continue
-            terms = quality.pupil.wavefront.to_zernike(unit="waves")
-            listed = listed_terms({term: c for term, c in terms.items() if term[0] > 1})
-            places.append(({"part": part, "distance": math.hypot(x, y), "zernike": listed}, quality))
-        seidel = {name: waves for name, waves in field.seidel.items() if waves}
-        return {"sensor": [height, width], "reach": field.reach, "seidel": seidel, "places": places}
+
+def _field(instrument: Instrument, measured: Callable[..., Json]) -> Json:
+    """Return the field aberrations as plain data, with positions from the axis to a corner of the sensor."""
+    assert instrument.sensor is not None  # instruments with field aberrations have a sensor size
+    field, (height, width) = instrument.field(), instrument.sensor
+    places = []
+    for part in (0.0, 0.5, 0.7, 1.0):
+        x, y = 0.5 * part * width, 0.5 * part * height
+        try:
+            pupil = field.pupil(x, y)
+        except ValueError:  # the position is outside the field map
+            continue
+        terms = pupil.wavefront.to_zernike(unit="waves")
+        listed = listed_terms({term: c for term, c in terms.items() if term[0] > 1})
+        quality = measured(pupil, "strehl", "rms_waves", "strehl_at_peak", "rms_waves_without_tilt")
+        places.append({"part": part, "distance": math.hypot(x, y), "zernike": listed} | quality)
+    seidel = {name: waves for name, waves in field.seidel.items() if waves}
+    return {"sensor": [height, width], "reach": field.reach, "seidel": seidel, "places": places}
+
+
+def _encircled(instrument: Instrument, attempt: _Attempts) -> Json:
+    """Return the fractions of the light within radii about the axis, also without aberrations, and their error.
+
+    The radii are those of the file, the Airy radius and the geometric blur. A fraction is None if the radius is above
+    250 lambda*N and the pupil not radially symmetric.
+    """
+    pupil = instrument.pupil()
+    radii, blur = dict(instrument.radii), float(pupil.geometric_radius())
+    radii.setdefault("Airy radius", pupil.airy_radius)
+    if blur > 0:
+        radii.setdefault("edge of the geometric blur", blur)
+    rows: list[Json] = [{"within": name, "radius": radius} for name, radius in radii.items()]
+    bounds = []
+    for key, kind in (("fraction", pupil), ("unaberrated", pupil.unaberrated())):
+        max_radius = math.inf if kind.radial else MAX_RADIUS * kind.scale
+        found = attempt(encircled, kind, [r for r in radii.values() if r <= max_radius])
+        fractions = iter([] if found is None else found.fraction.tolist())
+        for row in rows:
+            row[key] = next(fractions, None) if row["radius"] <= max_radius else None
+        bounds += [] if found is None or found.error is None else [found.error]
+    return {"encircled_energy": rows, "encircled_energy_error": max(bounds, default=None)}
 
 
 def magnifies(lens: Lens) -> bool:
@@ -561,21 +361,6 @@ def _stop(stop: Shape | Segments) -> Json:
         "piston_rms_waves": float(np.std(stop.piston)) / (2.0 * math.pi) if isinstance(stop, Segments) else 0.0,
         "parts": {name: sum(isinstance(part, kind) for part in parts) for name, kind in kinds.items()},
     }
-
-
-def _tilt_x(rho: Array, theta: Array) -> Array:
-    return rho * np.cos(theta)
-
-
-def _tilt_y(rho: Array, theta: Array) -> Array:
-    return rho * np.sin(theta)
-
-
-def _with_tilt(pupil: Pupil, x: float, y: float) -> Pupil:
-    """Return a pupil with additional tilts along x and y, radians at the edge of the pupil."""
-    # A Zernike tilt with an rms of 1 over the disc has the value 2 at the edge.
-    tilt = Wavefront.zernike({(1, 1): 0.5 * x, (1, -1): 0.5 * y})
-    return replace(pupil, wavefront=pupil.wavefront + tilt, geometry=None)
 
 
 DEPTHS = (0.0, 1e-6, 5e-6, 20e-6, 50e-6)

@@ -19,7 +19,7 @@ from lommel.optics.colour.spectrum import Channels
 from lommel.optics.pupil import checked as lens_pupil
 from lommel.psf import PSF
 from lommel.report import Facts, Parts, Report, Wrapped
-from lommel.report.image_quality import ImageQuality, microscope_quality, sensor_mtf
+from lommel.report.image_quality import image_quality, microscope_quality, sensor_mtf, setup
 from lommel.report.table import described, records_of
 from lommel.show.drawing import MEANING, SAMPLING
 
@@ -34,7 +34,7 @@ _FIRST = ("strehl", "fwhm_with_pixel", "diameter_80_with_pixel", "mtf_at_nyquist
 
 def summarize_lens(instrument: Instrument) -> Report:
     """Return a one-line report on a lens, its object and its sensor, without measures of image quality."""
-    facts = ImageQuality(instrument).setup() | {"camera": plain(instrument.camera)}
+    facts = setup(instrument) | {"camera": plain(instrument.camera)}
     lens = instrument.lens
     focus, target = (format_length(d, digits=6) for d in (lens.focus_distance, instrument.object_distance))
     line = (
@@ -45,8 +45,8 @@ def summarize_lens(instrument: Instrument) -> Report:
 
 
 def describe_lens(instrument: Instrument) -> Report:
-    """Return the report of a lens and its object; the facts are `ImageQuality.to_dict()` and the camera."""
-    facts = ImageQuality(instrument).to_dict() | {"camera": plain(instrument.camera)}
+    """Return the report of a lens and its object; the facts are those of `image_quality` and the camera."""
+    facts = image_quality(instrument) | {"camera": plain(instrument.camera)}
     return Report(facts, [Text(instrument.name, "bold"), *described(facts, _MEANINGS, _FIRST)])
 
 

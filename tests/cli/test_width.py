@@ -46,27 +46,3 @@ def test_the_bar_shows_what_is_done_its_share_and_the_time_that_is_left():
 def test_a_step_counts_once_it_is_over():
     assert "50%" in drawn(("one",), ("two",), total=2)
     assert "100%" not in drawn(("one",), ("two",), total=2)
-
-
-def logged(monkeypatch, capsys, *calls, total=None):
-    """Return the lines of a log, of calls at given seconds."""
-    seconds = [0.0]
-    monkeypatch.setattr(bars.time, "monotonic", lambda: seconds[0])
-    with bars.progress("first", total) as started:
-        for at, *call in calls:
-            seconds[0] = at
-            started(*call)
-    return capsys.readouterr().err.splitlines()
-
-
-def test_a_log_gets_a_line_now_and_then_with_the_time_that_is_left(monkeypatch, capsys):
-    calls = [(float(at), f"trial {at // 30}", at / 600.0) for at in range(300)]
-    lines = logged(monkeypatch, capsys, *calls)
-    assert lines[0] == "30 s, 5 %, about 10 min left: trial 1"
-    assert 4 < len(lines) < 9
-    counted = logged(monkeypatch, capsys, (1.0, "one"), (40.0, "two"), (75.0, "three"), total=4)
-    assert counted == ["40 s, 25 %, about 2 min left: two", "75 s, 50 %, about 75 s left: three"]
-
-
-def test_a_short_command_leaves_nothing_in_a_log(monkeypatch, capsys):
-    assert logged(monkeypatch, capsys, (1.0, "one"), (29.0, "two", 0.9)) == []

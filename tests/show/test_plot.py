@@ -117,13 +117,6 @@ def test_the_slices_of_a_comparison_are_the_profiles_over_the_peak_of_the_refere
     assert any(np.allclose(line.get_ydata(), difference, rtol=1e-6) for line in errors.get_lines())
 
 
-def test_a_comparison_names_the_methods_that_it_does_not_draw(answers):
-    figure = plot.compare(answers, "Hankel", {"sampled at pixel centres": ["HuygensFresnel", "Geometric"]})
-    figure.canvas.draw()
-    (said,) = {text.get_text() for part in figure.subfigs for text in part.texts if text.get_text()}
-    assert said == "not drawn: HuygensFresnel, Geometric (sampled at pixel centres)"
-
-
 @pytest.fixture
 def over_the_field() -> lm.PSFGrid:
     field = lm.FieldMap.from_seidel(20e-3, W131=1.0, wavelength=550e-9, f_number=4.0)

@@ -5,7 +5,6 @@ from __future__ import annotations
 import errno
 import math
 import re
-from collections import Counter
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -323,19 +322,8 @@ def _grid(targets: PointSources | Crossings) -> Array:
 
 def _too_few(targets: str, points: PointSources | Crossings) -> str:
     """Return the reason why the images cannot be fitted, with advice."""
-    advice = {
-        "saturated": "expose less, below saturation",
-        "neighbor": "a smaller --window",
-        "edge": "a smaller --window",
-        "masked": "check --mask",
-        "crossing": "squares must be larger than four times --width, and their contrast above --threshold",
-        "star": "lower --threshold, check --offset, or give --width, about the standard deviation of images",
-    }
-    counts = Counter(point.reason for point in points.refused)
-    reason = "saturated" if counts["saturated"] else next((name for name, _ in counts.most_common(1)), targets)
     name = "crossings of a checkerboard" if targets == "crossing" else f"isolated {targets}s"
-    known = advice.get(reason, "look at --spots" if counts else advice["star"])
-    return f"images must show at least 4 {name}; {points.message}: {known}"
+    return f"images must show at least 4 {name}; {points.message}: --spots shows what --threshold and --window leave"
 
 
 def blurs_in_words(result: FieldFit | Retrieval, pitch: float, focal_length: float | None) -> list[Wrapped]:

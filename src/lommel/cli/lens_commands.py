@@ -256,14 +256,10 @@ def compare(
         rows, answers = compare_methods(instrument, methods, status)
         reference = next(iter(answers))
         sampling = answers[reference].sampling
-        left_out: dict[str, list[str]] = {}
         notes = []
         for row in rows:
             method, why = row["method"], _reason(row)
             row["name"] = name = _command_line_name(method)
-            if method not in answers and method != reference:
-                reason = why or f"{SAMPLING[row['sampling']]}, unlike the reference"
-                left_out.setdefault(reason, []).append(name)
             note = why or ("the reference" if method == reference else _NOTES.get(method, ""))
             if method == "HuygensFresnel" and instrument.lens.model == "aplanatic":
                 note = "aplanatic model without expansion in powers of the pupil radius"
@@ -272,7 +268,7 @@ def compare(
             if note:
                 notes.append(Wrapped(f"{name}: {note}", "dim"))
         by_name = {_command_line_name(name): answer for name, answer in answers.items()}
-        save_figure(lambda: plot.compare(by_name, next(iter(by_name)), left_out), figure)
+        save_figure(lambda: plot.compare(by_name, next(iter(by_name))), figure)
     table = records_of("", rows, ("name", "seconds", "mse", "peak_error", "error_bound"))
     height, width = instrument.window
     size = f"{height} x {width} pixels of {pitch_in_words(instrument.pixel)}, {SAMPLING[sampling]}"

@@ -4,15 +4,12 @@ from __future__ import annotations
 
 import errno
 import os
-import sys
-import time
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from lommel.base import atomic, optional
-from lommel.base.units import percent
 from lommel.base.validation import line, shown
 from lommel.report import Report
 
@@ -20,10 +17,6 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
     from rich.progress import Progress
-
-
-_LOG_INTERVAL = 30.0  # seconds until the first line of a log, and least time between lines
-_LOG_FACTOR = 1.25  # least ratio of the times of successive lines of a log
 
 
 class Steps:
@@ -36,8 +29,6 @@ class Steps:
         self._bar, self._total = bar, total
         self._count, self._fraction = 0, 0.0
         self._task = None if bar is None else bar.add_task(description, total=total)
-        self._start = time.monotonic()
-        self._next = _LOG_INTERVAL
 
     def __call__(self, name: str, fraction: float | None = None) -> None:
         """Show the name of the next step or, with the fraction done (0 to 1), of the current step."""
@@ -45,9 +36,7 @@ class Steps:
             self._fraction = min(max(fraction, self._fraction), 1.0)  # estimates of the remaining time may increase
         elif self._total:
             self._fraction = self._count / self._total
-        if self._bar is None or self._task is None:
-            self._log(name)
-        else:
+        if self._bar is not None and self._task is not None:
             known = fraction is not None or self._total
             self._bar.update(self._task, description=name, total=1.0, completed=self._fraction if known else None)
         self._count += fraction is None
@@ -60,28 +49,10 @@ class Steps:
         with suppress(OSError):
             console.print(sentence, soft_wrap=self._bar is None, highlight=False, markup=False, emoji=False)
 
-    def _log(self, name: str) -> None:
-        """Write a line to the log if enough time has passed since the line before."""
-        elapsed = time.monotonic() - self._start
-        if elapsed < self._next:
-            return
-        self._next = max(elapsed + _LOG_INTERVAL, _LOG_FACTOR * elapsed)
-        remaining = ""
-        if self._fraction > 0.0:
-            seconds = elapsed * (1.0 / self._fraction - 1.0)
-            remaining = f", {percent(self._fraction)}, about {_time_in_words(seconds)} left"
-        with suppress(OSError):
-            print(f"{_time_in_words(elapsed)}{remaining}: {name}", file=sys.stderr, flush=True)
-
-
-def _time_in_words(seconds: float) -> str:
-    """Return a time in words."""
-    return f"{seconds:.0f} s" if seconds < 99.5 else f"{seconds / 60.0:.0f} min"
-
 
 @contextmanager
 def progress(description: str, total: int | None = None, *, endless: bool = False) -> Iterator[Steps]:
-    """Yield a function that reports steps: on a bar if standard error is a terminal, else in lines of a log.
+    """Yield a function that reports steps on a bar, if standard error is a terminal.
 
     With `endless`, for video, no fraction is known, and the bar is omitted.
     """

@@ -303,9 +303,7 @@ def colour(psf: ColourPSFLike, ax: Axes | None = None, *, stretch: str = "sqrt")
     return used_axes[0] if not titles[0] else used_axes.reshape(stack or -1)
 
 
-def compare(
-    answers: Mapping[str, PSFLike], reference: str, left_out: Mapping[str, Sequence[str]] | None = None
-) -> Figure:
+def compare(answers: Mapping[str, PSFLike], reference: str) -> Figure:
     """Draw a reference PSF, error maps of other PSFs, and the reference and the errors along the central row.
 
     Parameters
@@ -314,8 +312,6 @@ def compare(
         PSFs on the same grid by the name of their method. The reference is drawn first, the other PSFs in this order.
     reference : str
         Name of the reference PSF.
-    left_out : mapping of str to sequence of str, optional
-        Names of the methods that are not drawn, by the reason; they are written below the maps.
 
     Returns
     -------
@@ -336,9 +332,7 @@ def compare(
     rows = -(-count // _MAX_COLUMNS)
     columns = -(-count // rows)
     width = 2.0 * max(columns, 3) + 1.6
-    note = "; ".join(f"{', '.join(names)} ({reason})" for reason, names in (left_out or {}).items())
-    lines = textwrap.wrap(f"not drawn: {note}" if note else "", int(14.0 * width))
-    above = 2.2 * rows + 0.7 + 0.17 * len(lines)
+    above = 2.2 * rows + 0.7
     figure: Figure = library("matplotlib.figure", *drawing.USER).Figure(
         figsize=(width, above + 4.6), layout="constrained"
     )
@@ -364,8 +358,6 @@ def compare(
         axes.xaxis.label.set_fontsize(8)
         axes.yaxis.label.set_fontsize(8)
         drawing.only_outer(axes, k, columns * rows, columns)
-    if lines:
-        pictures.supxlabel("\n".join(lines), fontsize=8)
     if error_axes:
         bar = pictures.colorbar(error_axes[0].images[0], ax=pictures.axes, extend="min", pad=0.01)
         bar.set_label("error / peak of the reference", fontsize=8)

@@ -18,6 +18,7 @@ from lommel.methods.pixel_rule import local_rule, pixel_rule, quarters, sums_of_
 from lommel.optics.lens import Lens
 from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront.wavefront import Wavefront
+from lommel.special.chebyshev import chebyshev, chebyshev_nodes
 
 _METHOD = of_profiles(1e-7)
 _QUADRATURE = of_large_phases(1e-13)
@@ -241,13 +242,8 @@ class DefocusNodes:
                 f"depth spans C_d from {low:.4g} to {high:.4g} rad, which needs {count:.4g} PSFs, more than "
                 f"{_MAX_NODES}; stop down or reduce the range of depth"
             )
-        # Every angle is a multiple of pi / (2 n): a table of 4 n cosines is enough.
-        odd = 2 * np.arange(math.ceil(count)) + 1
-        cosines = np.cos(np.arange(4 * odd.size) * (0.5 * math.pi / odd.size))
-        transform = cosines[np.outer(np.arange(odd.size), odd) % cosines.size] * (2.0 / odd.size)
-        # The Chebyshev coefficient of order 0 is the mean: its factor is 1 / n, not 2 / n.
-        transform[0] *= 0.5
-        nodes = middle + half_range * cosines[odd]
+        x, transform = chebyshev_nodes(math.ceil(count))
+        nodes = middle + half_range * x
         scaled = parabola(nodes)[:, None] * windows(nodes)
         return cls(low, high, parabola, engine.product(transform, scaled, threads), threads)
 
@@ -258,25 +254,9 @@ class DefocusNodes:
 
     def values(self, defocus: Array) -> Array:
         """Return the windows at values of the defocus."""
-        # Chebyshev polynomials are T_n(x) = cos(n arccos x); rounding may place x beyond 1.
-        angle = np.arccos(np.clip((2.0 * defocus - self.low - self.high) / (self.high - self.low), -1.0, 1.0))
-        basis = _cosines(angle, len(self.coefficients))
-        basis /= self.parabola(defocus)
-        return engine.product(np.ascontiguousarray(basis.T), self.coefficients, self.threads)
-
-
-def _cosines(angle: Array, count: int) -> Array:
-    """Return cos(k angle) for k < count, shape (count, n)."""
-    # Powers of exp(i angle) by doubling: each power is the product of two lower ones, which costs one rounding.
-    powers = np.empty((count, angle.size), dtype=np.complex128)
-    powers[0], computed = 1.0, 1
-    if count > 1:
-        powers[1], computed = np.exp(1j * angle), 2
-    while computed < count:
-        added = min(computed - 1, count - computed)
-        np.multiply(powers[1 : added + 1], powers[computed - 1], out=powers[computed : computed + added])
-        computed += added
-    return np.ascontiguousarray(powers.real)
+        x = (2.0 * defocus - self.low - self.high) / (self.high - self.low)
+        basis = chebyshev(x, len(self.coefficients)) / self.parabola(defocus)[:, None]
+        return engine.product(basis, self.coefficients, self.threads)
 
 
 # Let h be the half width of a window, a real number of pixels. The ring of pixels at the Chebyshev distance k is

@@ -9,6 +9,7 @@ from functools import cache
 from typing import Any, NamedTuple
 
 import numpy as np
+import scipy
 from numpy.typing import ArrayLike
 
 from lommel.base import validation
@@ -22,13 +23,12 @@ from lommel.imaging.traced_windows import (
     AberratedWindows,
     DefocusLayer,
     Term,
-    chebyshev,
-    chebyshev_nodes,
     defocus_layers,
 )
 from lommel.methods.pixel_rule import cells_alike, cells_of_quarter
 from lommel.optics.colour.spectrum import Channels
 from lommel.optics.lens import Lens, require_round
+from lommel.special.chebyshev import chebyshev, chebyshev_nodes
 from lommel.traced.namespaces import ArrayFunctions, Namespace, Operand, Tables, Tensor
 
 _WINDOW_SETS = (4, 6, 8, 12, 16, 24, 32)  # numbers of PSF sizes, in the order tried; each size has a set of windows
@@ -321,7 +321,7 @@ class TracedBlur:
         rows, columns = (self._padding(c, axis) for axis in (-2, -1))
         c = xp.take(xp.take(c, rows, axis=-2), columns, axis=-1)
         image = xp.take(xp.take(image, rows, axis=-2), columns, axis=-1)
-        fft_shape = tuple(_fft_length(side) for side in c.shape[-2:])
+        fft_shape = tuple(scipy.fft.next_fast_len(side, real=True) for side in c.shape[-2:])
         kernels = self._kernels(fft_shape, size_ratio, lens["zernike"])
         blurred = self._cropped(self._spectrum(image, c, fft_shape, kernels), shape, fft_shape)
         return blurred + self._occlusion(image, c, fft_shape, kernels, shape) if occlusion else blurred
@@ -613,18 +613,6 @@ def _polynomials(ns: Namespace, x: Operand, count: int) -> Operand:
     return polynomials[:count, ...]
 
 
-def _fft_length(side: int) -> int:
-    """Return the smallest number >= `side` without prime factors above 5, for fast Fourier transforms."""
-    while True:
-        cofactor = side
-        for prime in (2, 3, 5):
-            while cofactor % prime == 0:
-                cofactor //= prime
-        if cofactor == 1:
-            return side
-        side += 1
-
-
 def _cosines(ns: Namespace, side: int, tables: Tables, every: bool) -> Operand:
     """Return the matrix from half a symmetric row to its spectrum, at `every` frequency or at those of rfft only."""
     xp, at = ns.xp, tables["at"]
@@ -757,12 +745,14 @@ def traced_blur(
     nodes = np.concatenate([layer.nodes for layer in layers])
     given_windows = np.concatenate([layer.windows[:, : len(colours), : exact.cells] for layer in layers])
     windows_by_size, transform = _windows_by_size(exact, nodes, given_windows, log_ratios, _TOL)
+    # Position of the given lens, whose log_ratio is 0, in the range of PSF sizes.
+    at_given_lens = np.array([-sum(log_ratios) / max(log_ratios[1] - log_ratios[0], 1e-300)])
     # Per radian of C_d the marginal ray moves by 4 in the optical coordinate v; a pixel is `step` wide in v.
     screens = np.linspace(high, low, int(np.clip(math.ceil((high - low) * 4.0 / step), 2, _MAX_SCREENS)))
     tables: dict[str, Values] = {
         "windows": windows_by_size,
         "transform": transform,
-        "given lens": _given_lens_weights(log_ratios, transform).reshape(-1, 1, 1, 1),
+        "given lens": (chebyshev(at_given_lens, len(transform)) @ transform).reshape(-1, 1, 1, 1),
         "nodes": nodes,
         "at": np.arange(half + 1, dtype=np.int32),
         "once": np.where(np.arange(half + 1) == 0, 1.0, 2.0),
@@ -930,13 +920,6 @@ def _windows_by_size(
         f"focus_distances and f_numbers change the size of PSFs by a factor of {math.exp(high - low):.4g}, which "
         f"needs more than {_WINDOW_SETS[-1]} sets of windows; choose narrower ranges, or a larger tol"
     )
-
-
-def _given_lens_weights(log_ratios: tuple[float, float], transform: Array) -> Array:
-    """Return the weights of the sets of windows for the given lens, which has the log_ratio 0."""
-    low, high = log_ratios
-    x = 0.0 if high == low else -(low + high) / (high - low)
-    return np.asarray((chebyshev(np.array([x]), len(transform)) @ transform)[0])
 
 
 def _measured_error(blur: TracedBlur, exact: _ExactWindows, draw: np.random.Generator) -> float:

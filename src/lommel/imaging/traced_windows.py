@@ -7,12 +7,13 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
+import scipy
 
 from lommel.base.arrays import Array, Values
 from lommel.methods.pixel_rule import averaging_error
 from lommel.optics.lens import Lens
 from lommel.special import zernike
+from lommel.special.chebyshev import chebyshev, chebyshev_nodes
 from lommel.special.legendre import gauss_legendre
 from lommel.traced.chordal import counts_by_largest
 from lommel.traced.namespaces import Namespace, Operand, Tables, Tensor
@@ -40,21 +41,6 @@ class DefocusLayer(NamedTuple):
     nodes: Array
     weights: Array
     windows: Array
-
-
-def chebyshev(x: Array, count: int) -> Array:
-    """Return the Chebyshev polynomials of degrees below `count` at `x` in -1 to 1, shape (len(x), count)."""
-    # T_n(x) = cos(n arccos x).
-    return np.asarray(np.cos(np.outer(np.arccos(np.clip(x, -1.0, 1.0)), np.arange(count))))
-
-
-def chebyshev_nodes(count: int) -> tuple[Array, Array]:
-    """Return the Chebyshev nodes in -1 to 1, and the matrix from values at the nodes to Chebyshev coefficients."""
-    angle = (np.arange(count) + 0.5) * (math.pi / count)
-    transform = np.cos(np.outer(np.arange(count), angle)) * (2.0 / count)
-    # The coefficient of order 0 is the mean of the values: its factor is 1 / count, not 2 / count.
-    transform[0] *= 0.5
-    return np.cos(angle), transform
 
 
 def defocus_layers(
@@ -121,32 +107,17 @@ def _layer(low: float, high: float, nodes: Array, windows: Array, tol: float) ->
     if scaled.shape[1] > 4 * count:
         # Random linear combinations of the cells: to find pivots, a few times `rank` columns are enough.
         columns = scaled @ np.random.default_rng(0).standard_normal((scaled.shape[1], 4 * count))
-    order, upper = _pivoted_qr(columns)
-    diagonal = np.abs(upper[np.arange(count), order])
+    triangular, order = scipy.linalg.qr(columns.T, mode="r", pivoting=True)
+    diagonal = np.abs(np.diagonal(triangular))
     for rank in range(max(1, int((diagonal > tol * diagonal[0]).sum())), count + 1):
         # Every window is approximated by a linear combination of the selected windows.
-        combination = np.linalg.solve(upper[:rank, order[:rank]], upper[:rank]).T
+        combination = np.empty((count, rank))
+        combination[order] = scipy.linalg.solve_triangular(triangular[:rank, :rank], triangular[:rank]).T
         weights = transform[:degrees] @ combination
         if np.abs(polynomials @ weights @ scaled[order[:rank]] - exact).max() <= 0.5 * tol:
             break
     selected = order[:rank]
     return DefocusLayer(low, high, nodes[selected], np.ascontiguousarray(weights.T), windows[selected])
-
-
-def _pivoted_qr(rows: Array) -> tuple[NDArray[np.int64], Array]:
-    """Return the pivots of the QR decomposition of ``rows.T``, and R with its columns in the order of `rows`."""
-    # Without LAPACK: for so few rows, starting its threads takes longer than the decomposition.
-    residual_rows, order, upper = rows.copy(), np.empty(len(rows), dtype=np.int64), np.empty((len(rows), len(rows)))
-    for k in range(len(rows)):
-        squares = (residual_rows * residual_rows).sum(axis=1)
-        # Rows that were pivots contain rounding errors only: exclude them.
-        squares[order[:k]] = -1.0
-        order[k] = squares.argmax()
-        size = math.sqrt(squares[order[k]])
-        direction = residual_rows[order[k]] / size if size > 0.0 else residual_rows[order[k]]
-        upper[k] = residual_rows @ direction
-        residual_rows -= upper[k][:, None] * direction
-    return order, upper
 
 
 Term = tuple[int, int]

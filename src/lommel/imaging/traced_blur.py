@@ -29,7 +29,7 @@ from lommel.methods.pixel_rule import cells_alike, cells_of_quarter
 from lommel.optics.colour.spectrum import Channels
 from lommel.optics.lens import Lens, require_round
 from lommel.special.chebyshev import chebyshev, chebyshev_nodes
-from lommel.traced.namespaces import ArrayFunctions, Namespace, Operand, Tables, Tensor
+from lommel.traced.namespaces import Namespace, Operand, Tables, Tensor
 
 _WINDOW_SETS = (4, 6, 8, 12, 16, 24, 32)  # numbers of PSF sizes, in the order tried; each size has a set of windows
 _TOL = 1e-4  # tolerance of each pixel of a PSF / the peak of the PSF
@@ -302,7 +302,7 @@ class TracedBlur:
     def _node_weights(self, image: Operand, axis: int, count: int) -> Tensor:
         """Return linear interpolation weights of `count` nodes along an axis of the image, shape (count, points)."""
         xp, side = self._static.namespace.xp, image.shape[axis - 2]
-        placement = {} if self._static.namespace.name in ("jax", "numpy") else {"device": image.device}
+        placement = self._static.namespace.beside(image)
         position = xp.astype(xp.arange(side, **placement), image.dtype) * ((count - 1) / max(1, side - 1))
         node = xp.reshape(xp.astype(xp.arange(count, **placement), image.dtype), (-1, 1))
         hats: Tensor = xp.clip(1.0 - xp.abs(position - node), 0.0, 1.0)
@@ -455,9 +455,8 @@ class TracedBlur:
     def _padding(self, c: Operand, axis: int) -> Tensor:
         """Return source indices of an axis mirrored at the edges, by half a window on both sides."""
         xp, count, half = self._static.namespace.xp, c.shape[axis], self._static.half
-        placement = {} if self._static.namespace.name in ("jax", "numpy") else {"device": c.device}
         # The edge pixel is repeated: the period is 2 count.
-        reflected = xp.arange(-half, count + half, **placement) % (2 * count)
+        reflected = xp.arange(-half, count + half, **self._static.namespace.beside(c)) % (2 * count)
         indices: Tensor = xp.where(reflected < count, reflected, 2 * count - 1 - reflected)
         return indices
 
@@ -495,7 +494,7 @@ class TracedBlur:
             kernels = []
             for part in parts:
                 windows = static.aberrated(ns, tables, tables["nodes"][part], coefficients, ratio)
-                kernels.append(xp.fft.rfftn(_with_centre_first(xp, windows, static.half, fft_shape), axes=(-2, -1)))
+                kernels.append(xp.fft.rfftn(_with_centre_first(ns, windows, static.half, fft_shape), axes=(-2, -1)))
             return kernels
         if size_ratio is None:
             windows = xp.sum(tables["windows"] * tables["given lens"], axis=0)
@@ -616,25 +615,22 @@ def _polynomials(ns: Namespace, x: Operand, count: int) -> Operand:
 def _cosines(ns: Namespace, side: int, tables: Tables, every: bool) -> Operand:
     """Return the matrix from half a symmetric row to its spectrum, at `every` frequency or at those of rfft only."""
     xp, at = ns.xp, tables["at"]
-    placement = {} if ns.name in ("jax", "numpy") else {"device": at.device}  # type: ignore[attr-defined]
-    frequency = xp.arange(side if every else side // 2 + 1, **placement)
+    frequency = xp.arange(side if every else side // 2 + 1, **ns.beside(at))
     # Integer arithmetic reduces the phase by whole turns without the rounding of float32.
     phase = (xp.reshape(frequency, (-1, 1)) * at) % side  # type: ignore[operator]
     return xp.cos(xp.astype(phase, tables["once"].dtype) * (math.tau / side)) * tables["once"]
 
 
-def _with_centre_first(xp: ArrayFunctions, windows: Operand, half: int, fft_shape: tuple[int, ...]) -> Operand:
+def _with_centre_first(ns: Namespace, windows: Operand, half: int, fft_shape: tuple[int, ...]) -> Operand:
     """Return windows (..., side, side) padded to `fft_shape`, with the centre moved to the first element."""
+    xp = ns.xp
     for axis, length in ((-2, fft_shape[0]), (-1, fft_shape[1])):
-        right = (Ellipsis, slice(half, None), slice(None)) if axis == -2 else (Ellipsis, slice(half, None))
-        left = (Ellipsis, slice(0, half), slice(None)) if axis == -2 else (Ellipsis, slice(0, half))
+        rest = (slice(None),) * (-axis - 1)
         shape = list(windows.shape)
         shape[axis] = length - (2 * half + 1)
-        placement = (
-            {} if not hasattr(windows, "device") or "jax" in type(windows).__module__ else {"device": windows.device}
-        )
-        zeros = xp.zeros(tuple(shape), dtype=windows.dtype, **placement)
-        windows = xp.concat([windows[right], zeros, windows[left]], axis=axis)
+        zeros = xp.zeros(tuple(shape), dtype=windows.dtype, **ns.beside(windows))
+        right, left = (windows[(..., part, *rest)] for part in (slice(half, None), slice(0, half)))
+        windows = xp.concat([right, zeros, left], axis=axis)
     return windows
 
 

@@ -289,12 +289,7 @@ def _basis(powers: bool, count: int, t: Values) -> Values:
     """Return powers of t plus constants, or Legendre polynomials, at real or complex t, ``(count,) + t.shape``."""
     if powers:
         return np.stack([2.0 * t - 1.0, *(t ** (k + 1) - 0.5 for k in range(1, count))])
-    terms, x, previous, current = [], 2.0 * t - 1.0, np.zeros_like(t), np.ones_like(t)
-    for j in range(1, count + 1):
-        # Three-term recurrence of the Legendre polynomials.
-        previous, current = current, ((2 * j - 1) * x * current - (j - 1) * previous) / j
-        terms.append(current)
-    return np.stack(terms)
+    return np.moveaxis(np.polynomial.legendre.legvander(2.0 * t - 1.0, count)[..., 1:], -1, 0)
 
 
 def make_radial(

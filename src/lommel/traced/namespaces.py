@@ -106,6 +106,10 @@ class Namespace:
         with jax.ensure_compile_time_eval():
             return self.xp.asarray(values, dtype=dtype, device=device)
 
+    def beside(self, x: Operand) -> dict[str, object]:
+        """Return the options that place a new array on the device of `x`; JAX and NumPy need none."""
+        return {} if self.name in ("jax", "numpy") else {"device": x.device}
+
     def has_double(self, device: object) -> bool:
         """Return whether float64 is available on a device; in JAX, float64 must be enabled by an option."""
         try:

@@ -222,31 +222,6 @@ def test_terms_that_are_none_are_refused(terms, message):
         chordal_gradient(stack, window, 1e-6, np.ones((1, 3, 3)), terms)
 
 
-def test_the_compiled_core_refuses_what_does_not_fit():
-    stack = {
-        "terms": np.array([[2, 0]], np.int32),
-        "edge": np.ones((1, 1)),
-        "obscuration": 0.0,
-        "amplitude": np.zeros(1),
-    }
-    place = {"center_y": 1.0, "center_x": 1.0, "step": 1.0, "tol": 1e-6, "threads": 1}
-    factors = np.array([[2, 0], [3, 1]], np.int32)
-    given = stack | place | {
-        "scale": 1.0, "images": np.zeros((1, 3, 3)), "numbers": np.zeros((3, 1)), "factors": factors,
-        "slopes": np.zeros((2, 1, 3, 3)), "bounds": np.zeros((2, 1)),
-    }  # fmt: skip
-    with pytest.raises(ValueError, match="divided by their largest one"):
-        _core.chordal_derivatives(**grouped(given | {"scale": 0.0}))
-    given = stack | place | {"weights": np.ones((1, 3, 3)), "factors": factors, "values": np.zeros((1, 2))}
-    for change, message in (
-        ({"weights": np.ones((2, 3, 3))}, "one image of weights a pupil"),
-        ({"values": np.zeros((2, 1))}, "one value a pupil and term"),
-        ({"edge": np.ones((0, 1))}, "one pupil at least"),
-    ):
-        with pytest.raises(ValueError, match=message):
-            _core.chordal_gradient(**grouped(given | change))
-
-
 def test_values_that_are_divided_by_their_largest_one_have_no_derivatives():
     with pytest.raises(ValueError, match="derivatives of values divided by their largest one"):
         ChordalGauss().images(lm.Pupil(), Grid(3, 1.0), Wanted(None, terms=((2, 0),)))

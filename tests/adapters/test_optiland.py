@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import itertools
 import math
 import runpy
 from pathlib import Path
@@ -10,7 +9,6 @@ from typing import Any
 
 import numpy as np
 import pytest
-from scipy import special
 
 import lommel as lm
 from lommel.adapters import optiland as adapter
@@ -98,63 +96,6 @@ def test_the_psf_is_the_sum_of_huygens_over_the_rays(sample, field, within, of_c
     assert checked["error"](found, truth) < within
     assert checked["error"](other, truth) >= of_circles
     assert (pupil.vignetting is None) == (field == (0.0, 0.0))
-
-
-def summed(pupils: list[lm.Pupil], side: int, pitch: float) -> np.ndarray:
-    """Return the PSF of incoherent components, each by its share of the light."""
-    light = sum(each.transmission for each in pupils)
-    return sum(each.transmission / light * lm.psf(each, side, pitch, integrate=False).values for each in pupils)
-
-
-def test_a_polarised_pupil_has_the_psf_of_richards_and_wolf():
-    """Proc. R. Soc. A 253, 358 (1959), with the traced phase: the lens is nearly aplanatic."""
-    lens = pytest.importorskip("optiland.samples.infrared").InfraredTriplet()
-    pupils = adapter.polarized_pupils(lens, polarization=(1.0, 0.0), side=128)
-    scalar = adapter.pupil(lens)
-    NA, k = 0.5 / scalar.f_number, 2.0 * math.pi / scalar.wavelength
-    pitch = 0.5 * scalar.scale
-    node, weight = np.polynomial.legendre.leggauss(100)
-    s = 0.5 * NA * (node + 1.0)
-    c = np.sqrt(1.0 - s * s)
-    ring = weight * s / np.sqrt(c) * np.exp(1j * scalar.wavefront.phase(s / NA, 0.0 * s))
-    x, y = np.meshgrid(*2 * ((np.arange(21) - 10) * pitch,))
-    v, angle = k * np.hypot(x, y)[..., None] * s, np.arctan2(y, x)
-    i0, i1, i2 = (special.jv(n, v) @ (ring * part) for n, part in enumerate((1.0 + c, s, 1.0 - c)))
-    across = np.abs(i0 + i2 * np.cos(2.0 * angle)) ** 2 + np.abs(i2 * np.sin(2.0 * angle)) ** 2
-    truth = across + 4.0 * np.abs(i1 * np.cos(angle)) ** 2
-
-    def error(found: np.ndarray) -> float:
-        return np.abs(found * (found * truth).sum() / (found * found).sum() - truth).max() / truth.max()
-
-    found = summed(pupils, 21, pitch)
-    assert error(found) < 5e-5
-    assert error(found.T) > 5e-3
-    assert error(lm.psf(scalar, 21, pitch, integrate=False).values) > 5e-3
-    both = adapter.polarized_pupils(lens, side=128)
-    assert len(both) == 6
-    np.testing.assert_allclose(summed(both, 21, pitch), 0.5 * (found + found.T), atol=1e-6 * found.max())
-    assert lens.polarization == "ignore"
-
-
-def test_bare_glass_transmits_what_fresnel_says():
-    """Of the light of a slow lens, each surface transmits ``4 n / (n + 1)**2``."""
-    lens = pytest.importorskip("optiland.samples.simple").TelescopeDoublet()
-    coated = adapter.polarized_pupils(lens, polarization=(0.6, 0.8j), side=64)
-    indices = [float(np.ravel(n)[0]) for n in lens.surfaces.n(lens.primary_wavelength)]
-    lens.surfaces.set_fresnel_coatings()
-    bare = adapter.polarized_pupils(lens, polarization=(0.6, 0.8j), side=64)
-    wanted = math.prod(4.0 * a * b / (a + b) ** 2 for a, b in itertools.pairwise(indices))
-    found = sum(each.transmission for each in bare) / sum(each.transmission for each in coated)
-    assert wanted < 0.93
-    assert found == pytest.approx(wanted, rel=2e-3)
-
-
-def test_what_is_no_polarisation_is_refused(triplet):
-    for wrong in ("circular", (0.0, 0.0), (1.0, 0.0, 0.0), (math.nan, 1.0)):
-        with pytest.raises(ValueError, match="polarization must be"):
-            adapter.polarized_pupils(triplet, polarization=wrong)
-    with pytest.raises(ValueError, match="side must be"):
-        adapter.polarized_pupils(triplet, side=8)
 
 
 def test_the_map_is_exact_where_it_was_traced_and_close_in_between(triplet):

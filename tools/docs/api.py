@@ -110,7 +110,7 @@ SECTIONS = [
         "See [](../field.md).",
         ("field", "adapters"),
         more="field.maps.Vignetting field.maps.Foreshortening field.maps.Shading io.field_files.save"
-        " show.plot.field adapters.optiland.pupil adapters.optiland.polarized_pupils"
+        " show.plot.field adapters.optiland.pupil"
         " adapters.optiland.field_map adapters.rayoptics.pupil adapters.rayoptics.field_map"
         " adapters.batoid.pupil adapters.batoid.field_map",
     ),

@@ -7,15 +7,13 @@ Conversions:
 - Pupil points are fractions (Px, Py) of the entrance pupil. optiland's y points upwards and is mirrored; see
   :mod:`lommel.adapters.ray_tracing`. Positions are intersections of chief rays with the image surface, in metres.
 - Wavelengths are in micrometres in optiland, in metres here.
-- The amplitude is assumed uniform: optiland's absorption is ignored, and coatings are used by
-  :func:`polarized_pupils` only.
+- The amplitude is assumed uniform: optiland's absorption and coatings are ignored.
 
 optiland is optional; it is imported only when a function of this module is called.
 """
 
 from __future__ import annotations
 
-import copy
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import replace
@@ -85,96 +83,6 @@ def pupil(
     return ray_tracing.single_pupil(
         lambda wave: _tracer(optic, wave)[0], field, metres, degree, tol, circular=circular, band=band
     )
-
-
-def polarized_pupils(
-    optic: object,
-    field: tuple[float, float] = (0.0, 0.0),
-    *,
-    polarization: str | tuple[complex, complex] = "unpolarized",
-    wavelength: float | None = None,
-    side: int = 256,
-    degree: int = 12,
-    tol: float = 0.01,
-) -> list[Pupil]:
-    """Return the Jones pupil of a traced lens: one pupil for each component of the electric field in the image.
-
-    The sum of the PSFs of these pupils, each weighted by the light of its pupil, is the vectorial PSF at this point
-    of the field. optiland traces the polarisation: the rotation of the field at each surface and, for surfaces with a
-    coating (``coating="Fresnel"`` for bare glass), the transmission of both polarisations.
-
-    Parameters
-    ----------
-    optic : optiland.optic.Optic
-        Lens, which is not modified; its own polarisation state is ignored.
-    field : (float, float)
-        Hx and Hy, fractions of the largest field.
-    polarization : "unpolarized" or (complex, complex), default "unpolarized"
-        Polarisation of the light from the object; a Jones vector has components along x and along y (upwards). Its
-        norm does not matter.
-    wavelength : float, optional
-        Wavelength, metres; by default the primary wavelength of the lens.
-    side : int, default 256
-        Number of samples along each side of the masks. The error of the PSF of a circular pupil from sampling is at
-        most 5e-5 of the peak for 128 samples, and 1e-5 for 256.
-    degree : int, default 12
-        Highest degree of the Zernike terms of the phase and of the amplitudes, 2 to 20.
-    tol : float, default 0.01
-        Largest accepted rms residual of the fit to the traced phase, radians, and largest accepted residual of the
-        fits to the electric field, relative to its largest component.
-
-    Returns
-    -------
-    list of Pupil
-        One pupil for each component along x, y and z that has light; if unpolarised, for each of two orthogonal
-        polarisations. They have the wavefront and the ellipse of :func:`pupil`. Their masks are the amplitudes of the
-        field times ``cos(angle)**-0.5``, with the angle between ray and normal of the image plane, as in the integral
-        of Richards and Wolf. All masks have a common scale.
-
-    Raises
-    ------
-    ImportError
-        If optiland is not installed.
-    TypeError, ValueError
-        As for :func:`pupil`.
-
-    Notes
-    -----
-    The transmission is optiland's product of Jones matrices; it ignores that oblique refraction changes the cross
-    section of ray tubes.
-
-    References
-    ----------
-    B. Richards, E. Wolf, "Electromagnetic diffraction in optical systems, II", Proc. R. Soc. A 253, 358 (1959),
-    doi:10.1098/rspa.1959.0200.
-
-    Examples
-    --------
-    ::
-
-        pupils = polarized_pupils(CookeTriplet(), (0.0, 0.7), polarization=(1.0, 0.0))
-        light = sum(pupil.transmission for pupil in pupils)
-        values = sum(pupil.transmission / light * lm.psf(pupil, 65, 1e-6).values for pupil in pupils)
-    """
-    _require_optic(optic)
-    from optiland.rays.polarization_state import PolarizationState
-
-    count = validation.integer("side", side, least=16, most=2048)
-    state = PolarizationState()
-    if not isinstance(polarization, str):
-        jones = validation.array("polarization", polarization)
-        if jones.shape != (2,) or jones.dtype.kind not in "iufc" or not 0.0 < np.abs(jones).max() < math.inf:
-            raise ValueError(
-                f'polarization must be "unpolarized" or a Jones vector (a, b), got {validation.shown(polarization)}'
-            )
-        (ex, ey), (phase_x, phase_y) = np.abs(jones), np.angle(jones)
-        state = PolarizationState(True, float(ex), float(ey), float(phase_x), float(phase_y))
-    else:
-        validation.choice("polarization", polarization, ("unpolarized",))
-    own = copy.deepcopy(optic)
-    own.updater.set_polarization(state)  # type: ignore[attr-defined]
-    trace, metres = _tracer(own, wavelength)
-    return ray_tracing.polarized_pupils(trace, field, metres, degree, tol, count)
 
 
 def field_map(
@@ -254,21 +162,15 @@ def _ideal_height(optic: Any) -> Callable[[float], float]:
     return lambda h: (near - axis) * height(h) / height(_PARAXIAL)
 
 
-def _require_optic(optic: object) -> Any:
-    """Return `optic`; TypeError if it is not an optiland Optic."""
+def _tracer(optic: object, wavelength: float | None) -> tuple[ray_tracing.Trace, float]:
+    """Return the function that traces a field point, and the wavelength in metres."""
     library("optiland.optic", "this needs", "")
     from optiland.optic import Optic
+    from optiland.wavefront import Wavefront
 
     if not isinstance(optic, Optic):
         raise TypeError(f"optic must be an optiland Optic, got {validation.shown(optic)}")
-    return optic
-
-
-def _tracer(optic: object, wavelength: float | None) -> tuple[ray_tracing.Trace, float]:
-    """Return the function that traces a field point, and the wavelength in metres."""
-    lens = _require_optic(optic)
-    from optiland.wavefront import Wavefront
-
+    lens: Any = optic
     micrometres = lens.primary_wavelength if wavelength is None else 1e6 * validation.wavelength(wavelength)
     index = float(np.ravel(lens.surfaces.n(micrometres))[-1])
 
@@ -282,11 +184,6 @@ def _tracer(optic: object, wavelength: float | None) -> tuple[ray_tracing.Trace,
         on_sphere = np.stack([np.asarray(part, np.float64) for part in (data.pupil_x, data.pupil_y, data.pupil_z)])
         to_image = np.reshape(np.array(data.reference_center, dtype=np.float64), (3, 1)) - on_sphere
         to_image /= np.linalg.norm(to_image, axis=0)
-        exits = getattr(data, "E_exits", None)
-        electric = None
-        if exits is not None:
-            components = np.concatenate([np.asarray(part, dtype=np.complex128) for part in exits], axis=1)
-            electric = components / np.sqrt(np.abs(to_image[2]))[:, None]
         rays = lens.trace_generic(hx, hy, x, y, micrometres)
         traced = ray_tracing.TracedField(
             x,
@@ -298,9 +195,7 @@ def _tracer(optic: object, wavelength: float | None) -> tuple[ray_tracing.Trace,
             1e-3 * (np.array(rays.x, dtype=np.float64) - float(chief.x[0])),
             1e-3 * (np.array(rays.y, dtype=np.float64) - float(chief.y[0])),
             (1e-3 * float(chief.x[0]), 1e-3 * float(chief.y[0])),
-            electric,
         )
-
         if not ray_tracing.tilt_off_rays(traced, 1e-6 * micrometres):
             return traced
         # Path lengths begin in a plane perpendicular to the axis. For an oblique wave from infinity, optiland adds

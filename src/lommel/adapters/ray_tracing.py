@@ -23,13 +23,11 @@ from functools import cache
 
 import numpy as np
 import scipy
-from numpy.typing import NDArray
 
 from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.field.maps import FieldMap, Foreshortening, foreshortened
 from lommel.measures.aperture_means import rms
-from lommel.optics.aperture.mask import Mask
 from lommel.optics.aperture.shapes import Ellipse
 from lommel.optics.colour.dispersion import TracedColour
 from lommel.optics.pupil import Pupil
@@ -44,7 +42,6 @@ MAX_DEGREE = 20
 # of the fit residual. For five lenses, up to the edge of the field, the tilt is at most 1e-4 of the steepest slope.
 # If the degree is too low, the fit residual is up to a sixth of the tilt.
 _TILT, _TILT_OF_SLOPES, _TILT_OF_RESIDUAL = 0.1, 0.01, 10.0
-_MIN_AMPLITUDE = 1e-9  # components of the electric field below this amplitude are omitted
 _HEIGHT_COUNTS = (5, 9, 17, 33, 65, 129)  # numbers of heights tried for a map
 _BAND_COUNTS = (3, 5, 9, 17, 33)  # numbers of wavelengths tried for a band
 _MIN_ELLIPTICITY = 1e-5  # a pupil with smaller ellipticity is treated as a circle, which all methods support
@@ -62,7 +59,6 @@ class TracedField:
     missed_x: Array  # intersections with the sensor relative to the chief ray, metres
     missed_y: Array
     position: tuple[float, float]  # intersection of the chief ray with the sensor, metres
-    field: NDArray[np.complex128] | None = None  # (rays, components) amplitudes of the electric field, if polarised
 
 
 Trace = Callable[[float, float, Array, Array], TracedField]
@@ -172,8 +168,8 @@ def _fit_terms(phase: Array, x: Array, y: Array, degree: int, tol: float) -> dic
 
 def _pupil_from_image(
     traced: TracedField, wavelength: float, degree: int, tol: float, obscuration: float = 0.0
-) -> tuple[Pupil, Array]:
-    """Return the pupil seen from the image, an ellipse off the axis, and the matrix from entrance pupil to pupil."""
+) -> Pupil:
+    """Return the pupil seen from the image, an ellipse off the axis."""
     transform = _fit_transform(traced)
     # The semi-axes are n sin(angle) at the ends of the axes of the ellipse.
     axes, (semi_major, semi_minor), _ = np.linalg.svd(transform)
@@ -191,7 +187,7 @@ def _pupil_from_image(
         f_number=0.5 / float(semi_major),
         colour=TracedColour((wavelength,)),
     )
-    return pupil if ellipse is None else foreshortened(pupil, ellipse), transform / semi_major
+    return pupil if ellipse is None else foreshortened(pupil, ellipse)
 
 
 def _fit_transform(traced: TracedField) -> Array:
@@ -229,7 +225,7 @@ def single_pupil(
         wavefront, colour = Wavefront.zernike(terms, normalization="edge"), TracedColour((wavelength,))
         pupil = Pupil(wavefront, obscuration=obscuration, wavelength=wavelength, f_number=f_number, colour=colour)
     else:
-        pupil = _pupil_from_image(traced, wavelength, degree, tol, obscuration)[0]
+        pupil = _pupil_from_image(traced, wavelength, degree, tol, obscuration)
     if band is None:
         return pupil
     limits = validation.rising("band", band, count=2).tolist()
@@ -290,37 +286,6 @@ def _trace_band(
         f"band must be narrower: between {count} traced wavelengths, interpolated wavefronts differ by up to "
         f"{max(differences):.3g} rad rms from traced ones, more than tol={tol:g}"
     )
-
-
-def polarized_pupils(
-    trace: Trace, field: object, wavelength: float, degree: int, tol: float, side: int
-) -> list[Pupil]:
-    """Return one pupil for each component of the electric field that is not 0; its mask is this component."""
-    hx, hy = _check_point("field", field)
-    traced = _check_phases(trace, wavelength)(hx, hy, *sample_points(degree, tol))
-    pupil, transform = _pupil_from_image(traced, wavelength, degree, tol)
-    assert traced.field is not None
-    _, matrix = _zernike_matrix(traced.x, traced.y, degree)
-    coefficients = np.linalg.lstsq(matrix, traced.field, rcond=None)[0]
-    largest = float(np.abs(traced.field).max())
-    residual = float(np.abs(matrix @ coefficients - traced.field).max())
-    if not residual <= tol * largest:
-        raise ValueError(
-            f"degree must be higher: Zernike terms up to {degree} leave {residual / largest:.3g} of the electric "
-            f"field, more than tol={tol:g}"
-        )
-    axis = (2.0 * np.arange(side) + 1.0 - side) / side
-    cells = np.stack([part.ravel() for part in np.meshgrid(axis, axis)])
-    # Cells up to one cell outside the circle are included, since the edge may cross them.
-    is_inside = np.hypot(*cells) <= 1.0 + 2.0 / side
-    x, y = np.linalg.solve(transform, cells[:, is_inside])
-    # Cells outside the entrance pupil get the field at its edge, since Zernike terms are defined for rho <= 1.
-    edge_factor = np.maximum(np.hypot(x, y), 1.0)
-    values = np.zeros((coefficients.shape[1], side * side), dtype=np.complex128)
-    values[:, is_inside] = (_zernike_matrix(x / edge_factor, y / edge_factor, degree)[1] @ coefficients).T
-    values /= max(1.0, np.abs(values).max())
-    masks = [Mask(part.reshape(side, side)) for part in values if np.abs(part).max() > _MIN_AMPLITUDE]
-    return [replace(pupil, mask=mask) for mask in masks]
 
 
 def field_map(

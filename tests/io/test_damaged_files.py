@@ -80,56 +80,6 @@ def test_python_objects_are_never_unpickled(tmp_path):
             lm.PSF.load(tmp_path / name)
 
 
-def pupil(**changes: object) -> dict[str, object]:
-    return PSF.pupil.to_dict() | changes
-
-
-@pytest.mark.parametrize(
-    "changes",
-    [
-        {"pixel": None},
-        {"pixel": "wide"},
-        {"pixel": -1.0},
-        {"normalize": "area"},
-        {"shape": [81]},
-        {"shape": [9, 8]},
-        {"dtype": "int8"},
-        {"dtype": "object"},
-        {"scale": [1.0, 2.0, 3.0]},
-        {"scale": "x"},
-        {"error_bound": "small"},
-        {"method": {"name": "Guess"}},
-        {"method": {"name": "FresnelErf"}},
-        {"method": {"name": "NijboerZernike", "tol": 5}},
-        {"method": None},
-        {"pupil": {}},
-        {"pupil": pupil(wavelength=550)},
-        {"pupil": pupil(obscuration=2)},
-        {"pupil": pupil(wavefront={"defocus": [1.0, 2.0], "spherical": 0.0, "higher": []})},
-        {"pupil": pupil(geometry={"object_distance": ["far"]})},
-    ],
-    ids=str,
-)
-def test_a_description_that_cannot_be_true_is_refused(changes, tmp_path):
-    PSF.save(tmp_path / "a.npz")
-    with np.load(tmp_path / "a.npz") as archive:
-        values, description = archive["values"], json.loads(archive["description"].tobytes())
-    np.savez(tmp_path / "a.npz", values=values, description=np.array(json.dumps(description | changes)))
-    with pytest.raises(FileError, match=r"a\.npz is not a PSF written by lommel: "):
-        lm.PSF.load(tmp_path / "a.npz")
-
-
-@pytest.mark.parametrize("key", ["pupil", "method", "normalize", "pixel", "error_bound", "scale", "shape", "dtype"])
-def test_a_description_that_lacks_something_is_refused_with_its_name(key, tmp_path):
-    PSF.save(tmp_path / "a.npz")
-    with np.load(tmp_path / "a.npz") as archive:
-        values, description = archive["values"], json.loads(archive["description"].tobytes())
-    del description[key]
-    np.savez(tmp_path / "a.npz", values=values, description=np.array(json.dumps(description)))
-    with pytest.raises(FileError, match=key):
-        lm.PSF.load(tmp_path / "a.npz")
-
-
 @pytest.mark.parametrize("suffix", SUFFIXES)
 def test_a_missing_file_is_an_os_error_with_its_name(suffix, tmp_path):
     with pytest.raises(FileNotFoundError, match="nowhere"):
@@ -166,23 +116,19 @@ def rewritten(path, **changes: object) -> None:
 
 
 @pytest.mark.parametrize(
-    ("change", "why"),
+    "change",
     [
-        (lambda v: v * -5, "must be >= 0"),
-        (lambda v: v.astype(np.float64), "must be float32, got float64"),
-        (lambda v: v.astype(np.complex64), "must be float32, got complex64"),
-        (lambda v: v.astype("U"), "must be float32, got <U32"),
-        (lambda v: (v * 1e9).astype(np.int64), "must be float32, got int64"),
-        (lambda v: np.where(v == v.max(), np.nan, v), "must be finite, got nan"),
-        (lambda v: np.where(v == v.max(), np.inf, v), "must be finite, got inf"),
-        (lambda v: np.nextafter(v, np.float32(1)), "its checksum does not match"),
-        (lambda v: v[::-1, ::-1].T.copy() if v[0, 1] != v[1, 0] else v * 0, "its checksum does not match"),
+        lambda v: v * -5,
+        lambda v: v.astype(np.float64),
+        lambda v: np.where(v == v.max(), np.nan, v),
+        lambda v: np.nextafter(v, np.float32(1)),
+        lambda v: v[::-1, ::-1].T.copy() if v[0, 1] != v[1, 0] else v * 0,
     ],
 )
-def test_values_that_were_not_saved_are_refused(change, why, tmp_path):
+def test_values_that_were_not_saved_are_refused(change, tmp_path):
     PSF.save(tmp_path / "a.npz")
     rewritten(tmp_path / "a.npz", values=change(PSF.values))
-    with pytest.raises(FileError, match=why):
+    with pytest.raises(FileError, match="its checksum does not match"):
         lm.PSF.load(tmp_path / "a.npz")
 
 
@@ -218,5 +164,5 @@ def test_any_bit_of_the_values_that_turns_is_noticed(suffix, tmp_path):
         damaged = bytearray(data)
         damaged[start + bit // 8] ^= 1 << bit % 8
         file.write_bytes(damaged)
-        with pytest.raises(FileError, match=r"its checksum does not match|must be finite|must be >= 0"):
+        with pytest.raises(FileError, match="its checksum does not match"):
             lm.PSF.load(file)

@@ -69,15 +69,6 @@ def test_stacks_of_any_shape_load_and_go_on(z, suffix, tmp_path):
     np.testing.assert_array_equal(loaded.profile([0.0, 1e-5])[1], psf.profile([0.0, 1e-5])[1])
 
 
-def test_a_kind_of_pupil_that_is_not_known_is_told(tmp_path):
-    psf = made(0.0)
-    psf.save(tmp_path / "a.npy")
-    data = (tmp_path / "a.npy").read_bytes()
-    (tmp_path / "a.npy").write_bytes(data.replace(b'"kind": "ObjectivePupil"', b'"kind": "Junk"'))
-    with pytest.raises(ValueError, match="kind must be one of 'Pupil', 'ObjectivePupil', 'FieldPupil', got 'Junk'"):
-        lm.PSF.load(tmp_path / "a.npy")
-
-
 def test_sizes_are_those_in_the_sample_and_of_the_stage(tmp_path):
     root, description = xml(made(), tmp_path)
     pixels = root.find(".//{*}Pixels").attrib

@@ -166,15 +166,8 @@ def load(
     psf, description = form.read(source, kind)
     if _KEY not in description:
         raise FileError(f"{validation.line(source)} is not a grid of PSFs: no positions; PSF.load reads it")
-    with psf_files.as_file_error(source, "a grid of PSFs"):
-        field = description[_KEY]
-        x, y = validation.real_array("x", field["x"]), validation.real_array("y", field["y"])
-        height, width = (validation.real("sensor", side, above=0.0) for side in field["sensor"])
-        depths = field.get("depths")
-        if depths is not None:
-            depths = np.array([np.inf if s is None else validation.real("depths", s, above=0.0) for s in depths])
-        one_psf = psf[1][0] if isinstance(psf, tuple) else psf
-        shape = (y.size, x.size) + (() if depths is None else depths.shape)
-        if one_psf.pupil.shape != shape:
-            raise ValueError(f"its positions and distances have the shape {shape}, its PSFs {one_psf.pupil.shape}")
-    return psf, x, y, (height, width), depths
+    field = description[_KEY]
+    depths = field.get("depths")
+    if depths is not None:
+        depths = np.array([np.inf if s is None else s for s in depths], np.float64)
+    return psf, np.array(field["x"]), np.array(field["y"]), tuple(field["sensor"]), depths

@@ -12,9 +12,9 @@ from typing import TypeVar
 
 import numpy as np
 
-from lommel.base import atomic, display, reading, validation
+from lommel.base import atomic, display, reading
 from lommel.base.arrays import Values
-from lommel.base.atomic import checksum, sealed
+from lommel.base.atomic import checksum
 from lommel.base.optional import version
 from lommel.base.options import filled
 from lommel.blur.blurs import blurs_from_dicts
@@ -31,7 +31,6 @@ from lommel.optics.pupil import FieldPupil, Pupil
 
 Made = TypeVar("Made", bound=PSFLike)
 _Result = TypeVar("_Result")
-NORMALIZE = ("energy", "emitted", "strehl", "peak")
 
 _form, _DERIVATIVES = partial(Format, "psf"), ("with derivatives",)
 registry.register(
@@ -154,21 +153,30 @@ def rebuild(arrays: Arrays, description: Description, kind: Callable[..., Made])
     """Return the PSF that `kind` builds from the arrays of a file and the description with its checksum."""
     if "channels" in description:
         raise ValueError("it has channels; ColourPSF.load, or PSFGrid.load, reads it")
+    _require_intact(arrays, description)
+    return _build(arrays, description, kind)
+
+
+def _require_intact(arrays: Arrays, description: Description) -> None:
+    """Raise ValueError unless the checksum of the description is that of arrays and description."""
+    if "checksum" not in description:
+        raise ValueError("it has no checksum, so it may be incomplete; save it again")
+    if description["checksum"] != checksum(description, arrays):
+        raise ValueError(DAMAGED)
+
+
+def _build(arrays: Arrays, description: Description, kind: Callable[..., Made]) -> Made:
+    """Return the PSF that `kind` builds from arrays and a description that are as they were written."""
     entries = dict(description["pupil"])  # files of older versions have no kind: the pupil is a Pupil
     kinds = {pupil_class.__name__: pupil_class for pupil_class in (Pupil, ObjectivePupil, FieldPupil)}
-    pupil: BasePupil = kinds[validation.choice("kind", entries.pop("kind", "Pupil"), kinds)].from_dict(entries)
-    method = method_from_dict(description["method"])
-    method.require(pupil)
-    bound = description["error_bound"]
-    if bound is not None:
-        bound = validation.real("error_bound", bound, least=0.0)
-    dtype = validation.choice("dtype", description["dtype"], ("float32", "float64"))
-    scale = validation.real_array("scale", description["scale"], least=0.0)
+    pupil: BasePupil = kinds[entries.pop("kind", "Pupil")].from_dict(entries)
     shape = tuple(description["shape"])
-    if shape[:-2] != pupil.shape or scale.shape != pupil.shape or len(shape) != len(pupil.shape) + 2:
-        raise ValueError(f"its values have the shape {shape}, its scales {scale.shape}, its pupils {pupil.shape}")
-    result = kind(
-        values=_restore_values(arrays["values"], dtype).reshape(shape),
+
+    def restored(stored: Values) -> Values:
+        return stored.astype(description["dtype"], copy=False).reshape(shape)  # in the byte order of this machine
+
+    return kind(
+        values=restored(arrays["values"]),
         grid=Grid(
             shape[-2:],
             description["pixel"],
@@ -177,36 +185,18 @@ def rebuild(arrays: Arrays, description: Description, kind: Callable[..., Made])
             fill=description.get("fill", 1.0),
         ),
         pupil=pupil,
-        method=method,
-        normalize=validation.choice("normalize", description["normalize"], NORMALIZE),
-        error_bound=bound,
-        scale=scale,
+        method=method_from_dict(description["method"]),
+        normalize=description["normalize"],
+        error_bound=description["error_bound"],
+        scale=np.asarray(description["scale"], np.float64),
         derivatives={
-            derivative_name(name.removeprefix(SLOPE)): _restore_values(slope, dtype).reshape(shape)
+            derivative_name(name.removeprefix(SLOPE)): restored(slope)
             for name, slope in arrays.items()
             if name.startswith(SLOPE)
         },
         blur=blurs_from_dicts(description.get("blur", ())),
         derivative_bounds={derivative_name(k): bound for k, bound in description["derivative_bounds"].items()},
     )
-    # Computed values may be negative, but not below minus their error bound.
-    least = -(bound or 0.0) * float(scale.max())
-    if float(result.values.min()) < least:
-        raise ValueError(f"its values must be >= 0, got {result.values.min():g}")
-    if "checksum" not in description:
-        raise ValueError("it has no checksum, so it may be incomplete; save it again")
-    if description["checksum"] != checksum(description, arrays):
-        raise ValueError(DAMAGED)
-    return result
-
-
-def _restore_values(stored: Values, kind: str) -> Values:
-    """Return stored values; ValueError unless finite and of type `kind`."""
-    if stored.dtype.newbyteorder("=") != np.dtype(kind):
-        raise ValueError(f"its values must be {kind}, got {stored.dtype}")
-    if not np.isfinite(stored).all():
-        raise ValueError(f"its values must be finite, got {stored[~np.isfinite(stored)].flat[0]}")
-    return stored.astype(kind, copy=False)
 
 
 PICTURES = (psf_formats.write_tiff, psf_formats.write_png)  # these formats have other functions for channels
@@ -290,12 +280,10 @@ def rebuild_colours(
     if "channels" not in description:
         raise ValueError("it has no channels; PSF.load reads it")
     values = np.ascontiguousarray(arrays["values"]).reshape(description["shape"])
-    if description.get("checksum") != checksum(description, {"values": values}):
-        raise ValueError(DAMAGED)
+    _require_intact({"values": values}, description)
     channels, channel_entries = Channels.from_dict(description["channels"]), description["each"]
     psfs, common = [], {name: entries for name, entries in description.items() if name not in ("channels", "each")}
     for channel_values, channel in zip(np.moveaxis(values, -3, 0), channel_entries, strict=True):
         entries = common | {name: channel[name] for name in _PER_CHANNEL} | {"shape": list(channel_values.shape)}
-        channel_arrays = {"values": np.ascontiguousarray(channel_values)}
-        psfs.append(rebuild(channel_arrays, sealed(entries, channel_arrays), kind))
+        psfs.append(_build({"values": channel_values}, entries, kind))
     return channels, tuple(psfs)

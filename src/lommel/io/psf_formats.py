@@ -162,16 +162,6 @@ def read_npz(data: bytes) -> tuple[Arrays, str]:
     return arrays, record.tobytes().decode() if record.dtype == np.uint8 else str(record)
 
 
-def enlargement(psf: PSFLike) -> int:
-    """Return the integer factor by which the picture of a PSF is enlarged."""
-    return -(-_MIN_PICTURE_SIDE // max(psf.shape[-2:]))
-
-
-def enlarged(grey: Values, times: int) -> Values:
-    """Return a picture in which each pixel is repeated `times` times along each axis."""
-    return grey.repeat(times, axis=0).repeat(times, axis=1)
-
-
 def write_png(answer: StoredPSF, description: Description) -> bytes:
     """Return a picture of the square root of the values: grey of 16 bits, or red, green and blue of 8 bits."""
     from PIL import Image, PngImagePlugin

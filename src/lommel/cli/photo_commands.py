@@ -3,14 +3,11 @@
 from __future__ import annotations
 
 import math
-import signal
 import sys
 import time
-from collections.abc import Iterable, Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from types import FrameType
 from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
 
 import numpy as np
@@ -30,6 +27,7 @@ from lommel.cli.instruments import (
     noise_of,
     radial_instrument,
 )
+from lommel.cli.interrupts import Stop
 from lommel.cli.messages import given_flags, with_options
 from lommel.cli.output import progress, save_figure, written
 from lommel.estimation.depth_precision import CONTRAST, WINDOW, best_depth_foci, depth_precision
@@ -157,7 +155,7 @@ def blur(
         return _render(output, (photo, depth, lens), camera_options, depth_map, data)
     _refuse(vars(DataSet()).keys() & given_flags(), "is an option for data sets, and needs --batch")
     photo_files.find(output, "--output")
-    with terminated_as_interrupted(), progress("reading") as status:
+    with Stop().signals(), progress("reading") as status:
         job = Job((photo, depth, lens), output, encoding, camera_options, depth_map)
         status("computing PSFs")
         start = time.perf_counter()
@@ -266,7 +264,7 @@ def _through_field(
         raise ValueError(f"DEPTH {reason}")
     _refuse(given_flags().keys() - _FIELD_OPTIONS, reason)
     photo_files.find(output, "--output")
-    with terminated_as_interrupted(), progress("reading") as status:
+    with Stop().signals(), progress("reading") as status:
         photograph = imaging.read_photo(photo, encoding)
         light = photograph.light()
         instrument = instrument_of(path)
@@ -352,7 +350,7 @@ def restore(
       lommel restore photo.tif depth.tif phone.toml --white 5000 --read 3 --method total-variation -o sharp.png
     """
     photo_files.find(output, "--output")
-    with terminated_as_interrupted(), progress("reading") as status:
+    with Stop().signals(), progress("reading") as status:
         job = Job((photo, depth, lens), output, encoding, camera_options, depth_map)
         values = job.photograph.values
         (values,) = apply_mask([values], noise_options.mask)
@@ -390,20 +388,6 @@ def apply_mask(photos: Sequence[Pixels], path: Path | None) -> Sequence[Pixels]:
         np.ma.masked_array(photo, np.broadcast_to(m.reshape(*m.shape, *[1] * (photo.ndim - 2)), photo.shape))
         for photo, m in zip(photos, masks, strict=True)
     ]
-
-
-@contextmanager
-def terminated_as_interrupted() -> Iterator[None]:
-    """Clean up after a SIGTERM as after Ctrl-C."""
-
-    def interrupt(_signal: int, _frame: FrameType | None) -> None:
-        raise KeyboardInterrupt
-
-    old_handler = signal.signal(signal.SIGTERM, interrupt)
-    try:
-        yield
-    finally:
-        signal.signal(signal.SIGTERM, old_handler)
 
 
 class Job:

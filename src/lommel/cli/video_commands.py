@@ -5,17 +5,15 @@ from __future__ import annotations
 import csv
 import math
 import os
-import signal
 import sys
 import time
 from collections import deque
 from collections.abc import Callable, Iterator
-from contextlib import ExitStack, contextmanager
+from contextlib import ExitStack
 from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
-from types import FrameType, TracebackType
-from typing import TYPE_CHECKING, Annotated, ClassVar, NamedTuple, Self, TypeVar
+from typing import TYPE_CHECKING, Annotated, ClassVar, NamedTuple
 
 import numpy as np
 import scipy
@@ -29,6 +27,7 @@ from lommel.base.options import In, Options, Shown, filled
 from lommel.base.units import percent
 from lommel.cli.command import OUTPUT, command
 from lommel.cli.instruments import FrameNoise, PhotoCamera, noise_of, radial_instrument
+from lommel.cli.interrupts import Stop
 from lommel.cli.messages import with_options
 from lommel.cli.output import Steps, progress, require_file, require_folder, written
 from lommel.cli.photo_commands import (
@@ -67,7 +66,6 @@ _COMPRESSION_PAIRS = 25  # number of pairs after which strong compression is rep
 _MAX_LEVEL = 65535  # largest level of lossless depth
 _CURVE_LEVELS = 4096  # number of levels of linear light in the sRGB lookup table
 _COLUMNS = ["time (s)", "known", "unfit", "depth (m)", "error (m)", "misfit", "frame time (s)", "dropped"]
-Frame = TypeVar("Frame")
 
 _DEFAULT_WHITE, _DEFAULT_READ = 5000.0, 3.0  # full well and read noise, electrons, assumed for 8-bit sRGB
 _MIN_BITS_FRACTION = 0.95  # fraction of the entropy of noise: compressed pixels with fewer bits get a warning
@@ -75,7 +73,6 @@ _TOP_MARGIN = 1e-5  # difference of white and saturation, as a fraction of white
 _FIT_ABOVE = 0.02  # fraction of white: darker levels are left out of the fit of noise to stored values
 _ROW_SMOOTHING = 6.0  # standard deviation, rows, of the Gaussian that smooths the brightness of rows
 _DARK_ROW = 0.1  # fraction of the mean brightness of rows: darker rows are not equalized
-_HANGUP: signal.Signals | None = getattr(signal, "SIGHUP", None)  # None on Windows
 _RANGE_MARGIN = 1e-3  # relative margin of the range of the filters beyond the distances
 _MAX_NEAREST = 1e9  # metres: largest nearest distance of filters, practically infinity
 
@@ -208,7 +205,7 @@ def watch(
                 sharp=files.sharp,
             )
             estimator = Estimator(live, coding, misfit, sharp=files.sharp)
-            outputs = stack.enter_context(Outputs(files, between, pairs, coding))
+            outputs = Outputs(files, between, pairs, coding, stack)
             end_reason = _estimate_all(pairs, estimator, outputs, tally, status, stop, alternating=alternating)
             status("finishing")
             bits, compression = coding.check_compression(pairs.bits, tally.electrons)
@@ -407,40 +404,33 @@ def _counts(tally: Tally, pairs: videos.FramePairs, ended: str) -> Facts:
 class Outputs:
     """Outputs for each pair: a video in colours, lossless depth, a table and a window."""
 
-    def __init__(self, files: Files, between: tuple[float, float], pairs: videos.FramePairs, coding: Coding) -> None:
+    def __init__(
+        self, files: Files, between: tuple[float, float], pairs: videos.FramePairs, coding: Coding, stack: ExitStack
+    ) -> None:
         height, width = pairs.shape
-        self._files, self._between, self._pairs = files, between, pairs
+        self._files, self._pairs = files, pairs
         self._blocks = height // BLOCK, width // BLOCK
         # Metres per level: the smallest power of ten whose levels reach the farthest distance; 1 mm for infinity.
         far = between[1]
         self._scale = 1e-3 if math.isinf(far) else float(10.0 ** math.ceil(math.log10(far / _MAX_LEVEL)))
-        self._shows = files.output is None and has_windows()
-        coloured = files.output is not None or self._shows
+        self._clipped = 0  # number of values above the largest level
+        shows = files.output is None and has_windows()
+        coloured = files.output is not None or shows
         self._colours = DepthColours(between, (height, width), BLOCK, files.sharp) if coloured else None
         self._curve = from_light(np.linspace(0.0, 1.0, _CURVE_LEVELS, dtype=np.float32), "srgb", np.uint8)
         # Linear video may be far darker than its white: `_grey` then sets the white from the first image.
         self._white = coding.white if coding.encoding == "srgb" else math.nan
-        self._stack, self._clipped = ExitStack(), 0  # _clipped: number of values above the largest level
-
-    def __enter__(self) -> Self:
-        files, interval = self._files, self._pairs.interval
 
         def open_writer(path: Path, title: str) -> videos.VideoWriter:
-            writer: videos.VideoWriter = self._stack.enter_context(videos.find(path).write(path, interval, title))
+            writer: videos.VideoWriter = stack.enter_context(videos.find(path).write(path, pairs.interval, title))
             return writer
 
         level = f"metres per level {self._scale:g}, 0 where not known"
         self._colour_video = None if files.output is None else open_writer(files.output, "depth")
         titles = (f"depth: {level}", f"standard error of depth: {level}")
         self._lossless = [open_writer(*arguments) for arguments in zip(files.depths, titles, strict=False)]
-        self._table = None if files.table is None else Table(files.table, self._stack)
-        self._window = Window("lommel watch", self._stack) if self._shows else None
-        return self
-
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
-        self._stack.__exit__(kind, error, trace)
+        self._table = None if files.table is None else Table(files.table, stack)
+        self._window = Window("lommel watch", stack) if shows else None
 
     def __call__(self, result: PairResult) -> bool:
         """Write and show the result of a pair; return True if the window has been closed."""
@@ -816,56 +806,3 @@ def stored_noise(white: float, read: float, levels: int, encoding: str) -> tuple
     terms = np.stack([light, np.ones_like(light)], axis=1)[fitted] / variance[fitted, None]
     slope, constant = np.linalg.lstsq(terms, np.ones(len(terms)), rcond=None)[0].tolist()
     return 1.0 / slope, math.sqrt(max(constant, 0.0)) / slope
-
-
-class Stop:
-    """A request by a signal to end a loop over frames, once the frame in progress is written.
-
-    The signals are SIGINT (Ctrl-C), SIGTERM and SIGHUP (the terminal was closed), unless SIGHUP is ignored (nohup).
-    """
-
-    def __init__(self) -> None:
-        self.requested = False
-        self._waiting = True  # no frame is being written, and no file is open before the first one
-
-    @contextmanager
-    def signals(self) -> Iterator[Self]:
-        """Handle the signals within a ``with`` block; a second Ctrl-C interrupts without waiting for the frame."""
-
-        def handle(number: int, _frame: FrameType | None) -> None:
-            if number == _HANGUP:
-                _leave_terminal()
-            repeated, self.requested = self.requested, True
-            # Systems repeat the other signals: a shell and the kernel both send SIGHUP.
-            if self._waiting or (repeated and number == signal.SIGINT):
-                self._waiting = False
-                raise KeyboardInterrupt
-
-        numbers = [signal.SIGINT, signal.SIGTERM]
-        if _HANGUP is not None and signal.getsignal(_HANGUP) != signal.SIG_IGN:
-            numbers.append(_HANGUP)
-        handlers = {number: signal.signal(number, handle) for number in numbers}
-        try:
-            yield self
-        finally:
-            for number, handler in handlers.items():
-                signal.signal(number, handler)
-
-    def next(self, frames: Iterator[Frame]) -> Frame | None:
-        """Return the next frame, or None at the end of the video or at a signal."""
-        try:
-            self._waiting = True
-            return None if self.requested else next(frames, None)
-        except KeyboardInterrupt:
-            return None
-        finally:
-            self._waiting = False
-
-
-def _leave_terminal() -> None:
-    """Redirect output to the null device where the terminal is gone: writing the summary would fail."""
-    for stream in (1, 2):
-        try:
-            os.write(stream, b"")
-        except OSError:
-            os.dup2(os.open(os.devnull, os.O_WRONLY), stream)

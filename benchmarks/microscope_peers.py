@@ -64,6 +64,13 @@ def radii(side: int, pitch: float) -> Array:
     return np.hypot(x, x[:, None])
 
 
+def scalar(objective: lm.Objective, side: int, pitch: float, *, emitter: Any = "scalar", **at: Any) -> Array:
+    """Return the light of the scalar model at points about the axis, `pitch` metres apart in the sample."""
+    pupil = objective.pupil(**at, wavelength=WAVE, origin="coverslip", emitter=emitter)
+    pixel = objective.magnification * pitch
+    return np.asarray(lm.psf(pupil, side, pixel, tol=1e-10, integrate=False, dtype=np.float64).values)
+
+
 def psfmodels() -> Iterator[Row]:
     """psfmodels: Gibson and Lanni, scalar and vectorial, Simpson's rule, profiles interpolated linearly."""
     import psfmodels as peer
@@ -74,12 +81,15 @@ def psfmodels() -> Iterator[Row]:
         layers = {"NA": NA, "ni": OIL, "ni0": OIL, "ng": 1.5255, "ng0": 1.5255, "ns": WATER, "tg": 170, "tg0": 170}
         asked = {"params": {**layers, "ti0": 150, "sf": 1}, "pz": 1e6 * DEPTH, "wvl": 1e6 * WAVE, "normalize": False}
         objective, r = oil(NA), radii(21, 50e-9)
-        for name, model, kind in (
-            ("scalar", peer.scalar_psf, objective.scalar),
-            ("vectorial", peer.vectorial_psf, objective.fields),
+        for name, model, ours in (
+            ("scalar", peer.scalar_psf, scalar(objective, 21, 50e-9, depth=DEPTH, z=focus)),
+            (
+                "vectorial",
+                peer.vectorial_psf,
+                objective.fields(r, depth=DEPTH, focus=focus, wavelength=WAVE).intensity,
+            ),
         ):
             theirs = model(z, nx=21, dxy=0.05, **asked)
-            ours = kind(r, depth=DEPTH, focus=focus, wavelength=WAVE).intensity
             yield Row(f"{name}, NA {NA}, radii of whole pixels", apart(theirs[:, 10, 10:], ours[:, 10, 10:]))
             if NA == 1.3:
                 yield Row(f"{name}, NA {NA}, all pixels", apart(theirs, ours))
@@ -101,8 +111,10 @@ def microscpsf() -> Iterator[Row]:
         at = depth * OIL / WATER
         moved = z - at  # its zv is minus the focus
         theirs = microscPSF.gLZRFocalScan(scope, r, moved, normalize=False, pz=depth, wvl=1e6 * WAVE)
-        ours = oil(NA).scalar(1e-6 * r, depth=1e-6 * depth, focus=-1e-6 * moved, wavelength=WAVE, supercritical=False)
-        yield Row(f"profiles, NA {NA}, {depth:g} um deep, without supercritical light", apart(theirs, ours.intensity))
+        published = lm.Scalar(supercritical=False)
+        line = scalar(oil(NA), 61, 50e-9, emitter=published, depth=1e-6 * depth, z=-1e-6 * moved)
+        ours = line[:, 30, 30:]
+        yield Row(f"profiles, NA {NA}, {depth:g} um deep, without supercritical light", apart(theirs, ours))
 
 
 def psf_generator() -> Iterator[Row]:
@@ -113,7 +125,6 @@ def psf_generator() -> Iterator[Row]:
     # The field of view of n pixels is spread over n samples, its ends included, and the planes likewise.
     grid = {"n_pix_psf": side, "pix_size": pitch * (side - 1) / side, "wavelength": 1e9 * WAVE, "n_defocus": planes}
     grid |= {"defocus_step": step * (planes - 1) / planes, "na": 1.3, "n_i": OIL, "n_i0": OIL}
-    r = radii(side, 1e-9 * pitch)
 
     def light(kind: Any, **given: Any) -> Array:
         made = kind(**grid, **given)
@@ -125,7 +136,7 @@ def psf_generator() -> Iterator[Row]:
     medium = one_medium(1.3, OIL)
     for nodes in (128, 129):
         theirs = light(ScalarSphericalPropagator, n_pix_pupil=nodes, cos_factor=True)
-        ours = medium.scalar(r, depth=0.0, focus=-z[-1], wavelength=WAVE).intensity
+        ours = scalar(medium, side, 1e-9 * pitch, depth=0.0, z=-z[-1])
         yield Row(f"scalar, one medium, {nodes} angles", apart(theirs, ours))
     theirs = light(VectorialSphericalPropagator, n_pix_pupil=129, apod_factor=True)
     pupil = medium.pupil(depth=0.0, z=-z[-1], wavelength=WAVE, origin="coverslip", emitter=lm.Beam("x"))
@@ -138,7 +149,7 @@ def psf_generator() -> Iterator[Row]:
         # Its radii and defocus have the index of the sample where angles are those in the immersion.
         for scale, told in ((1.0, ""), (WATER / OIL, ", against radii and z times n_s / n_i")):
             focus = start - scale * z[-1]
-            ours = oil(1.3).scalar(scale * r, depth=1e-6 * depth, focus=focus, wavelength=WAVE).intensity
+            ours = scalar(oil(1.3), side, scale * 1e-9 * pitch, depth=1e-6 * depth, z=focus)
             yield Row(f"gibson_lanni=True, {depth:g} um deep{told}", apart(theirs, ours))
 
 
@@ -153,12 +164,11 @@ def pyotf() -> Iterator[Row]:
         )
         part = slice(side // 2 - 16, side // 2 + 17)
         theirs = made.PSFi[:, part, part]
-        objective, r = one_medium(NA, index), radii(33, 80e-9)
-        focus = {"depth": 0.0, "focus": 1e-9 * made.zrange, "wavelength": WAVE}
+        objective, focus = one_medium(NA, index), 1e-9 * made.zrange
         if kind == "total":
-            ours = objective.fields(r, **focus).intensity
+            ours = objective.fields(radii(33, 80e-9), depth=0.0, focus=focus, wavelength=WAVE).intensity
         else:
-            ours = objective.scalar(r, **focus, apodization="aplanatic").intensity
+            ours = scalar(objective, 33, 80e-9, emitter=lm.Scalar("aplanatic"), depth=0.0, z=focus)
         yield Row(f'vec_corr="{kind}", {side}^2 samples, the middle 33^2', apart(theirs, ours))
     made = HanserPSF(wl=1e9 * WAVE, na=NA, ni=index, res=80.0, size=32, zres=200.0, zsize=5)
     yield Row("zsize=5: plane in focus, from 0; the middle is 2", float(made.PSFi.max(axis=(1, 2)).argmax()), "")

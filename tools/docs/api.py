@@ -86,7 +86,7 @@ SECTIONS = [
         "See [](../microscopes.md).",
         ("optics.layers", "lensfiles.microscope"),
         more="optics.layers.stratified.Design optics.layers.objective_pupil.ObjectivePupil"
-        " optics.layers.objective.Focus optics.layers.objective.FocalField optics.layers.objective.ScalarField"
+        " optics.layers.objective.Focus optics.layers.objective.FocalField"
         " optics.layers.objective.Nyquist"
         " measures.spot.axial_fwhm measures.spot.stage",
     ),

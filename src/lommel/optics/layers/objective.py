@@ -70,32 +70,6 @@ class FocalField:
 
 
 @dataclass(frozen=True, eq=False)
-class ScalarField:
-    """Field of the scalar model of Gibson and Lanni.
-
-    Parameters
-    ----------
-    U : ndarray of complex, shape planes + radii
-        Integral with the Bessel function of order 0.
-    error : float
-        Bound on the error of each value: proven for the quadrature, with an allowance for rounding.
-    """
-
-    U: NDArray[np.complex128]
-    error: float
-
-    @property
-    def intensity(self) -> Array:
-        """Intensity abs(U)^2."""
-        return np.asarray(np.abs(self.U) ** 2)
-
-    @property
-    def intensity_error(self) -> Array:
-        """Bound on the error of each `intensity`, ``2 error sqrt(intensity) + error^2``."""
-        return np.asarray(self.error * (2.0 * np.abs(self.U) + self.error))
-
-
-@dataclass(frozen=True, eq=False)
 class Focus:
     """Focus of an emitter at one or several depths.
 
@@ -482,44 +456,8 @@ class Objective:
         ----------
         P. Torok et al., J. Opt. Soc. Am. A 12, 325 (1995), doi:10.1364/JOSAA.12.000325.
         """
-        (K0, K1, K2), error = self._integrals(Model(), radius, depth, focus, wavelength, tol)
+        (K0, K1, K2), error = self._integrals(radius, depth, focus, wavelength, tol)
         return FocalField(K0, K1, K2, error)
-
-    def scalar(
-        self,
-        radius: ArrayLike,
-        *,
-        depth: ArrayLike,
-        focus: ArrayLike,
-        wavelength: float,
-        apodization: str = "uniform",
-        supercritical: bool = True,
-        tol: float = 1e-10,
-    ) -> ScalarField:
-        """Return the scalar field of Gibson and Lanni, ``U = 2 int A exp(i psi) J0(k NA r rho) rho d rho``.
-
-        Parameters
-        ----------
-        radius, depth, focus, wavelength, tol
-            As in :meth:`fields`.
-        apodization : {"uniform", "aplanatic"}, default "uniform"
-            Amplitude A: 1, as published, or ``c_i^(-1/2)``, by the sine condition.
-        supercritical : bool, default True
-            Include light beyond the critical angle of the sample, which the published model omits.
-
-        Returns
-        -------
-        ScalarField
-            Integrals, with the shape of the planes followed by the shape of `radius`.
-
-        Raises
-        ------
-        TypeError, ValueError
-            If an argument is out of range, or if no number of quadrature nodes is proven to suffice.
-        """
-        model = Scalar(apodization, supercritical).light.model
-        (U,), error = self._integrals(model, radius, depth, focus, wavelength, tol)
-        return ScalarField(U, error)
 
     def focus(self, depth: ArrayLike, *, wavelength: float) -> Focus:
         """Return the paraxial and the brightest focus at a depth, for a freely rotating dipole or unpolarized light.
@@ -577,7 +515,7 @@ class Objective:
         return Nyquist(lateral, 0.5 * _depth_of_focus(layers), lateral * self.magnification)
 
     def _integrals(
-        self, model: Model, radius: ArrayLike, depth: ArrayLike, focus: ArrayLike, wavelength: float, tol: float
+        self, radius: ArrayLike, depth: ArrayLike, focus: ArrayLike, wavelength: float, tol: float
     ) -> tuple[list[NDArray[np.complex128]], float]:
         layers = self._layers(wavelength)
         r = validation.real_array("radius", radius, least=0.0)
@@ -591,9 +529,9 @@ class Objective:
             )
         v = layers.wavenumber * self.NA * r.ravel()
         validation.reach("radius", float(v.max()), math.pi / (layers.wavenumber * self.NA), "metres")
-        rule = debye.rule(layers, model, d, f, float(v.max()), error)
+        rule = debye.rule(layers, Model(), d, f, float(v.max()), error)
         distinct, place = np.unique(v, return_inverse=True)  # an image has about an eighth as many radii as pixels
-        parts = debye.fields(rule, model, d, f, distinct)
+        parts = debye.fields(rule, Model(), d, f, distinct)
         return [part[:, place.ravel()].reshape(shape + r.shape) for part in parts], rule.error
 
 

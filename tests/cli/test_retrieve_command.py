@@ -92,6 +92,12 @@ def test_doubtful_standard_errors_are_said_in_the_verdict(folder, call_lommel):
     assert "too dim: " in shown
 
 
+def test_what_images_do_not_tell_is_null(folder, call_lommel):
+    options = [*NOISE, "--terms", "spherical", "--also", "f_number, wavelength", "--json"]
+    found = json.loads(call_lommel("retrieve", "star-2.tif", "lens.toml", *options, folder=folder).stdout)
+    assert found["errors"]["wavelength"] is None
+
+
 def test_terms_are_taken_by_the_names_that_are_printed(folder, call_lommel):
     options = ["pages.tif", "lens.toml", "--defocus", -4, 0, 4, *NOISE, "--json", "--terms"]
     by_index = json.loads(call_lommel("retrieve", *options, "noll 4, noll 8, noll 11", folder=folder).stdout)

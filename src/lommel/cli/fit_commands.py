@@ -86,7 +86,7 @@ def retrieve(
         Positive where the sensor was moved towards the lens. The phase is 2 C_d rho^2, rho = 1 at the edge of the
         pupil, so that one wave of defocus is C_d = pi.
     also
-        Nuisance parameters to estimate jointly: "center, f_number", or none.
+        Nuisance parameters to estimate jointly: "center, f_number, wavelength, obscuration", or none.
     blur
         Estimate blur by seeing and a Gaussian (jitter, charge diffusion) in each image, for telescopes on the ground.
     output

@@ -59,7 +59,8 @@ _CAUSES = (
     "pupil (vanes, f-number), pixel, noise or the defocus of an image (unit, order) are wrong, terms are missing, "
     "the images are blurred (blur=True), or all starts converged to local minima"
 )
-_UNITS = {"f_number": "", "row": "pixels", "column": "pixels", "flux": "electrons", "background": "electrons/pixel"}
+_UNITS = {"f_number": "", "obscuration": "", "wavelength": "m"}
+_UNITS_PER_IMAGE = {"row": "pixels", "column": "pixels", "flux": "electrons", "background": "electrons/pixel"}
 
 
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
@@ -73,10 +74,10 @@ class Retrieval(FitReport):
     twin : Wavefront or None
         The wavefront with the even part of the phase negated, if its images are the same (see "sign_open").
     pupil : Pupil
-        The pupil with the estimated wavefront and f-number.
+        The pupil with the estimated wavefront, f-number, wavelength and obscuration.
     coefficients : dict of name to float
         Parameters common to all images: Zernike terms in radians rms, "defocus" and powers of rho in radians (at the
-        given wavelength), "f_number".
+        given wavelength), "f_number", "obscuration", "wavelength" in metres.
     errors : dict of name to float or ndarray
         Standard errors of `coefficients`; inf if the images do not determine a parameter. Also the standard
         errors, shape (n,), of "flux", "background" and, if estimated, "row" and "column".
@@ -341,16 +342,14 @@ def fit_stars(
     counts = checked_images(images, noise)
     noise = counts.known_noise()
     values, valid = counts.filled(), counts.known
-    single(pupil, "shared by all images")
-    if pupil.wavelength is None and unknowns.pupil:
-        raise ValueError("also must be without f_number where pupil has no wavelength and f_number")
+    start = _checked_pupil(pupil, unknowns)
     poisson = noise.poisson
     electrons, read = poisson.electrons(values), poisson.variance(np.zeros_like(values))
     defoci = known_defocus(options.defocus, len(values), "images")
     draw = random_numbers(options.seed)
     plan = Plan(values.shape[1:], pixel, tol=effort.tol, integrate=effort.integrate, threads=effort.threads)
     if options.blur is not False:
-        if not unknowns.places or unknowns.pupil:
+        if {*unknowns.places} != {*SHIFTS} or unknowns.pupil:
             raise ValueError(
                 f"blur must be False with also={validation.shown(options.also)}: it is fitted with center alone"
             )
@@ -359,9 +358,9 @@ def fit_stars(
         window = np.where(valid, values, np.nan)[None]
         star = Targets(windows=window, places=[[height // 2, width // 2]], shape=(height, width), noise=noise)
         field_options = FieldFitOptions(degree=0, **given)
-        field_fit = fit_targets(star, pupil, pixel=pixel, options=field_options, effort=effort, draw=draw)
-        return _build_blurred_retrieval(field_fit, counts, noise, plan, pixel, pupil, defoci)
-    model = StarImages(electrons, read, valid, pupil, defoci, unknowns, plan, pixel)
+        field_fit = fit_targets(star, start, pixel=pixel, options=field_options, effort=effort, draw=draw)
+        return _build_blurred_retrieval(field_fit, counts, noise, plan, pixel, start, defoci)
+    model = StarImages(electrons, read, valid, start, defoci, unknowns, plan, pixel)
     if model.degrees_of_freedom < 1:
         raise ValueError(
             f"images must have more pixels than there are unknowns, {model.size}, got {int(valid.sum())} valid pixels"
@@ -415,6 +414,23 @@ def _search(
     return best_x, best_scores, best_settled and bool(settled[0]), (step_count + last_steps, tried_starts)
 
 
+def _checked_pupil(pupil: Pupil, unknowns: Unknowns) -> Pupil:
+    """Return the pupil if its wavefront can be retrieved; TypeError or ValueError otherwise."""
+    if not single(pupil, "shared by all images").circular and "obscuration" in unknowns.pupil:
+        raise ValueError(
+            'also must be without "obscuration" where the aperture is not circular or annular: derivatives are not '
+            "available; measure the obscuration from an image out of focus"
+        )
+    if (pupil.segmented or pupil.phase_mask) and "wavelength" in unknowns.pupil:
+        raise ValueError(
+            'also must be without "wavelength" for a pupil with phases of segments or of a mask: derivatives are not '
+            "available"
+        )
+    if pupil.wavelength is None and {"f_number", "wavelength"} & {*unknowns.pupil}:
+        raise ValueError(f"also must be without {unknowns.pupil[0]} where pupil has no wavelength and f_number")
+    return pupil
+
+
 def checked_images(images: Any, noise: Noise | None) -> Counts:
     """Return the validated images of a star, with shape (n, height, width)."""
     counts = counts_of("images", images, noise, sides=(2, 3), shape="(height, width) or (n, height, width)")
@@ -427,8 +443,9 @@ def _centroid_starts(model: StarImages) -> Array:
     """Return two starts, (2, p): with the star of each image at its centroid, and in the middle of the window."""
     x = np.zeros((2, model.size))
     x[:, model.wave_columns] = model.start
-    if model.unknowns.pupil:
-        x[:, model.pupil_columns] = model.pupil.f_number
+    for column, name in enumerate(model.unknowns.pupil, model.pupil_columns.start):
+        # The derivative by the obscuration vanishes at obscuration 0: the initial value is at least 0.1.
+        x[:, column] = max(getattr(model.pupil, name), 0.1 if name == "obscuration" else 0.0)
     tilts = dict(zip(SHIFTS, model.tilt_of_pixel * centroids(model.pixel_data, model.shape).T, strict=True))
     for j, place in enumerate(model.unknowns.places):
         model.per_image(x)[0, j] = tilts[place]
@@ -473,11 +490,10 @@ def _build_retrieval(
     # The shift is linear in the parameters: it means nothing in a direction that the images do not determine.
     is_linear = bool(model.rms(shift)[0] <= MAX_LINEAR_ERROR)
     corrected_x = model.within(x + shift, x) if is_linear else x
-    per_pixel, fitted_pupil = model.tilt_of_pixel, model.pupil
-    if unknowns.pupil:  # the shift due to a tilt is proportional to the f-number
-        f_number = model.f_number(corrected_x)
-        fitted_pupil = replace(fitted_pupil, f_number=f_number)
-        per_pixel /= f_number / cast("float", model.pupil.f_number)
+    pupil_parameters: dict[str, Any] = model.pupil_parameters(corrected_x)
+    per_pixel = model.tilt_of_pixel
+    if "f_number" in pupil_parameters:  # the shift due to a tilt is proportional to the f-number
+        per_pixel /= pupil_parameters["f_number"] / cast("float", model.pupil.f_number)
     image_names, standard_errors = (*unknowns.places, "flux", "background"), errors[model.image_columns]
     image_errors: dict[Name, Numbers] = dict(zip(image_names, standard_errors.reshape(-1, model.count), strict=True))
     center = np.tile([float(side // 2) for side in counts.values.shape[1:]], (model.count, 1))
@@ -518,11 +534,11 @@ def _build_retrieval(
     return Retrieval(
         wavefront=wavefront,
         twin=model.wavefront(model.even_part_negated(corrected_x)[0]) if model.sign_ambiguous else None,
-        pupil=fitted_pupil.carrying(wavefront, None),
+        pupil=replace(model.pupil.carrying(wavefront, None), **pupil_parameters),
         coefficients=dict(zip(names, corrected_x[0, :common_count].tolist(), strict=True)),
         errors=dict(zip(names, np.sqrt(np.diag(marginal.covariance)).tolist(), strict=True)) | image_errors,
         covariance=marginal.covariance,
-        units={name: _UNITS.get(str(name), "rad") for name in (*names, *image_errors)},
+        units={name: (_UNITS | _UNITS_PER_IMAGE).get(str(name), "rad") for name in (*names, *image_errors)},
         chi2=chi2,
         findings=Findings(findings),
         summary=summary,
@@ -562,7 +578,7 @@ def _build_blurred_retrieval(
         coefficients=dict(zip(field_fit.names, field_fit.coefficients[:, 0].tolist(), strict=True)),
         errors=dict(zip(field_fit.names, errors.tolist(), strict=True)) | image_errors,
         covariance=field_fit.covariance,
-        units={name: _UNITS.get(str(name), "rad") for name in (*field_fit.names, *image_errors)},
+        units={name: _UNITS_PER_IMAGE.get(str(name), "rad") for name in (*field_fit.names, *image_errors)},
         chi2=field_fit.chi2,
         findings=field_fit.findings,
         summary=f"chi2 {field_fit.chi2:.3g} per degree of freedom",

@@ -125,7 +125,7 @@ class MissingEffect(NamedTuple):
 def constants_to_test(pupil: Pupil, known_defoci: Array, estimated: Sequence[Name]) -> tuple[Name, ...]:
     """Return the constants to test: "f_number", and the scale of the known defoci (named (2, 0)) if these differ."""
     scaled = pupil.circular and pupil.mask is None and pupil.wavelength is not None
-    f_number = ("f_number",) if scaled and "f_number" not in estimated else ()
+    f_number = ("f_number",) if scaled and not {"f_number", "wavelength"} & {*estimated} else ()
     return (*f_number, *([(2, 0)] if np.ptp(known_defoci) > 0.0 else []))
 
 
@@ -183,14 +183,18 @@ def missing_apodization(image: Array, apodized_image: Array) -> MissingEffect:
     return MissingEffect("apodization", APODIZED, ((apodized_image - image) / APODIZED,))
 
 
-def missing_illumination(changes: Mapping[str, int], images: Iterable[Array]) -> Iterator[MissingEffect]:
-    """Yield the effects of uneven illumination and changed edges of the pupil.
+def missing_illumination(
+    changes: Mapping[str, int], images: Iterable[Array], estimated: Sequence[Name] = ()
+) -> Iterator[MissingEffect]:
+    """Yield the effects of uneven illumination and changed edges of the pupil, without the `estimated` ones.
 
     `changes` is the result of `changes_of`; `images` are derivatives of electrons with respect to all its parameters.
     """
     remaining, scales = iter(images), {**_UNEVEN_LIGHT, **_CONSTANTS}
     for name, count in changes.items():
-        yield MissingEffect(name, scales[name], tuple(itertools.islice(remaining, count)))
+        derivatives = tuple(itertools.islice(remaining, count))
+        if name not in estimated:
+            yield MissingEffect(name, scales[name], derivatives)
 
 
 def missing_charge_transfer(image: Array) -> Iterator[MissingEffect]:
@@ -349,7 +353,7 @@ def star_tests(model: StarImages, x: Array) -> tuple[tuple[ScoreTest, ...], Marg
     if changes:
         phases = np.stack([np.broadcast_to(edge[term], model.count) for term in model.terms], axis=-1)
         illumination = PupilChanges(pupil[0], plan.grid(pupil), model.terms, phases).images()
-        effects += missing_illumination(changes, [flux * image for image in illumination])
+        effects += missing_illumination(changes, [flux * image for image in illumination], unknowns.pupil)
     effects += missing_charge_transfer(flux * values)
     if (apodized_pupil := apodized(pupil)) is not None and plan.method is None:
         effects.append(missing_apodization(flux * values, flux * np.asarray(plan(apodized_pupil).values)))
@@ -377,7 +381,8 @@ def star_tests(model: StarImages, x: Array) -> tuple[tuple[ScoreTest, ...], Marg
     marginal = marginalized(*scores, to_marginalize(candidates, tests), model.common_count)
     fit = matrix[:-1, :-1], range(model.size)
     # A filter that is not narrow biases the f-number: images are sums over the spectrum of the star.
-    spectrum = ("spectrum of the star within the filter",) if unknowns.pupil else ()
+    is_spectral = model.pupil.wavelength is not None and {"f_number", "wavelength"} & set(unknowns.pupil)
+    spectrum = ("spectrum of the star within the filter",) if is_spectral else ()
     columns, never = range(len(unknowns.terms)), (*untestable(model), *spectrum)
     notes += untested_constants(pupil[0], defoci, candidates, tests, fit, unknowns, columns, never)
     return tests, marginal, notes

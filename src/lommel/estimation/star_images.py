@@ -35,6 +35,7 @@ from lommel.optics.wavefront.wavefront import Wavefront, symmetric_terms
 from lommel.psf import Plan
 from lommel.special import zernike
 
+OF_PUPIL = ("f_number", "wavelength", "obscuration")
 MAX_LINEAR_ERROR = 0.22
 """Largest standard error of a wavefront, radians rms, for which images are nearly linear in its terms."""
 _SYMMETRY_DEGREE = 256  # degree of the quadrature rule at whose nodes the symmetry of an aperture is tested
@@ -59,7 +60,7 @@ class Unknowns:
     directions : ndarray, shape (terms, edge)
         Row for each term: its Zernike coefficients, radians at the pupil edge, if the coefficient of the term is 1.
     pupil : tuple of str
-        "f_number" if estimated, common to all images.
+        Nuisance parameters of the pupil, common to all images.
     places : tuple of str
         "row" and "column" if estimated, separately for each image.
     """
@@ -69,9 +70,9 @@ class Unknowns:
         if not isinstance(nuisance, Sequence):
             raise TypeError(f"also must be a sequence of names, got {validation.shown(also)}")
         for name in nuisance:
-            validation.choice("also", name, ("center", "f_number"))
-        self.pupil = ("f_number",) if "f_number" in nuisance else ()
-        self.places = tuple(SHIFTS) if "center" in nuisance else ()
+            validation.choice("also", name, ("center", *SHIFTS, *OF_PUPIL))
+        self.pupil = tuple(name for name in OF_PUPIL if name in nuisance)
+        self.places = tuple(place for place in SHIFTS if place in nuisance or "center" in nuisance)
         self.terms = _names(terms)
         shares = [_zernike_terms(name) for name in self.terms]
         self.edge = tuple(dict.fromkeys(term for share in shares for term in share))
@@ -85,7 +86,7 @@ class Unknowns:
             if SHIFTS[place] in self.edge:
                 raise ValueError(
                     f"terms must be without {SHIFTS[place]} if the {place} of each image is estimated: remove it, or "
-                    "leave 'center' out of `also`"
+                    f"leave {place!r} and 'center' out of `also`"
                 )
 
 
@@ -93,12 +94,16 @@ def _names(terms: int | Sequence[Term | str]) -> tuple[Name, ...]:
     if isinstance(terms, int | np.integer) and not isinstance(terms, bool):
         count = validation.integer("terms", terms, least=1, most=500)
         return tuple(zernike.term(_FIRST_NOLL + k, "noll") for k in range(count))
+    nuisance = ("center", *SHIFTS, *OF_PUPIL)
     names = terms if isinstance(terms, Sequence) and not isinstance(terms, str) else ()
     if any(isinstance(name, int) for name in names):
         raise ValueError(
             f"terms must be the number of terms from Noll's index 4 on, or a sequence of pairs (n, m) and names that "
             f"state the order of their index, such as 'noll 5', got {validation.shown(terms)}"
         )
+    for name in names:
+        if isinstance(name, str) and name in nuisance:
+            raise ValueError(f"terms must be terms of a wavefront, got {name!r}: pass nuisance parameters in `also`")
     return checked_names(cast("Sequence[Name]", terms), "terms", tuple(POWERS))
 
 
@@ -137,7 +142,7 @@ def ripple_terms(estimated: Sequence[Term]) -> tuple[Term, ...]:
 def label(name: Name) -> str:
     """Return the label of a term in a table: Noll's index and the usual name of the aberration."""
     if isinstance(name, str):
-        if name in POWERS or name == "f_number":
+        if name in POWERS or name in OF_PUPIL:
             return name
         order, index = name.split()
         return f"{name} {zernike.name(*zernike.term(int(index), order))}"
@@ -260,11 +265,11 @@ class StarImages(RowModel):
         self.image_columns = slice(self.common_count, self.size)
         self._chain = np.zeros((count, self.size + 1, len(self.derivatives) + 3))
         term_count = len(unknowns.edge)
-        phases = term_count + len(self.tilts)
+        self._phases = term_count + len(self.tilts)
         self._chain[:, self.wave_columns, :term_count] = unknowns.directions
-        self._chain[:, self.pupil_columns, phases:-3] = 1.0
+        self._chain[:, self.pupil_columns, self._phases : -3] = np.eye(len(unknowns.pupil))
         self._chain[:, -1, -1] = 1.0
-        for j, row in enumerate([*range(term_count, phases), -3, -2]):
+        for j, row in enumerate([*range(term_count, self._phases), -3, -2]):
             self._chain[np.arange(count), self.common_count + j * count + np.arange(count), row] = 1.0
         self.degrees_of_freedom = int(valid.sum()) - self.size
         self.even = np.array([n % 2 == 0 for n, _ in self.terms])
@@ -330,7 +335,8 @@ class StarImages(RowModel):
     def wavefront(self, x: Array) -> Wavefront:
         """Return the wavefront of parameters `x`, shape (p,), without tilts and known defoci."""
         edge = self.fixed + x[self.wave_columns] @ self.directions
-        return Wavefront.trusted(self.terms, edge, self.pupil.wavefront.error)
+        ratio = self.wavelength_ratio(self.pupil_parameters(x[None]))
+        return Wavefront.trusted(self.terms, ratio * edge, self.pupil.wavefront.error)
 
     def pupils(self, x: Array) -> Pupil:
         """Return the pupils of all images for parameters `x`, shape (s, p) or (p,)."""
@@ -338,12 +344,21 @@ class StarImages(RowModel):
         image_parameters = x[..., self.image_columns].reshape(*x.shape[:-1], -1, self.count)
         for j, column in enumerate(self.tilts):
             edge[..., column] += image_parameters[..., j, :]
+        parameters: dict[str, Any] = self.pupil_parameters(x) if self.unknowns.pupil else {}
+        if "wavelength" in parameters:
+            # Parameters are path differences, in radians at the initial wavelength: convert to the estimated one.
+            edge *= self.wavelength_ratio(parameters)
         pupils = self.pupil.carrying(Wavefront.trusted(self.terms, edge), None)
-        return replace(pupils, f_number=self.f_number(x)) if self.unknowns.pupil else pupils
+        return replace(pupils, **parameters) if parameters else pupils
 
-    def f_number(self, x: Array) -> float:
-        """Return the estimated f-number, from the first row of `x`."""
-        return float(x.reshape(-1, self.size)[0, self.pupil_columns.start])
+    def pupil_parameters(self, x: Array) -> dict[str, float]:
+        """Return the estimated pupil parameters, from the first row of `x`."""
+        return dict(zip(self.unknowns.pupil, x.reshape(-1, self.size)[0, self.pupil_columns].tolist(), strict=True))
+
+    def wavelength_ratio(self, parameters: dict[str, float]) -> float:
+        """Return the initial wavelength divided by the estimated one."""
+        wavelength = self.pupil.wavelength
+        return 1.0 if wavelength is None else wavelength / parameters.get("wavelength", wavelength)
 
     def per_image(self, x: Array) -> Array:
         """Return a view of the parameters of single images, shape (s, parameters, n): tilts, flux, background."""
@@ -403,6 +418,8 @@ class StarImages(RowModel):
         # Chain rule from derivatives of PSFs, flux and background to parameters; the residual is not changed.
         factors = np.ones((len(x), self.count, 1, self._chain.shape[-1]))
         factors[..., :-3] = flux_and_background[:, 0, :, None, None]
+        if self.unknowns.pupil:
+            factors[..., : self._phases] *= self.wavelength_ratio(self.pupil_parameters(x))
         chain = self._chain * factors
         if q:
             chain = np.insert(chain, [chain.shape[-1] - 3] * q, 0.0, axis=-1)
@@ -420,15 +437,18 @@ class StarImages(RowModel):
         return updated
 
     def within(self, x: Array, before: Array) -> Array:
-        """In place, limit tilts to the window, flux to a tenth or more of that in `before`, and the f-number."""
+        """In place, limit tilts to the window, flux to a tenth or more of that in `before`, and pupil parameters."""
         image_parameters, previous = self.per_image(x), self.per_image(before)
         # At flux 0 the images would not determine the other parameters.
         np.maximum(image_parameters[:, -2], 0.1 * previous[:, -2], out=image_parameters[:, -2])
         for j, largest_tilt in enumerate(self.largest_tilts):
             tilt = image_parameters[:, j]
             np.minimum(np.maximum(tilt, -largest_tilt, out=tilt), largest_tilt, out=tilt)
-        f_number, before = x[:, self.pupil_columns], before[:, self.pupil_columns]
-        np.clip(f_number, 0.8 * before, 1.25 * before, out=f_number)
+        for column, name in enumerate(self.unknowns.pupil, self.pupil_columns.start):
+            if name == "obscuration":
+                np.clip(x[:, column], 0.0, 0.98, out=x[:, column])
+            else:
+                np.clip(x[:, column], 0.8 * before[:, column], 1.25 * before[:, column], out=x[:, column])
         return x
 
     def rms(self, steps: Array) -> Array:
@@ -464,7 +484,7 @@ def error_factors(model: StarImages, x: Array, covariance_matrix: Array, axes: A
     is_finite = np.isfinite(np.diag(covariance_matrix)[: model.common_count])
     if is_finite.any():
         points = [model.within(x + step, x) for step in (axes.sum(axis=0), -axes.sum(axis=0))]
-        # A stack of pupils has one f-number.
+        # A stack of pupils has one f-number, wavelength and obscuration.
         stacks = points if model.unknowns.pupil else [np.concatenate(points)]
         matrices = [matrix for stack in stacks for matrix in model.scores(stack, fast=True).information]
         variances = np.array([np.diag(covariance(matrix))[: model.common_count][is_finite] for matrix in matrices])

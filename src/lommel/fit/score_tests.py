@@ -104,8 +104,7 @@ def score_tests(
     squares, gradients = _eliminated(information, slope, unknowns, eliminated_columns)
     start = 0
     for candidate in candidates:
-        index = list(candidate.columns)
-        sizes = np.sqrt(np.maximum(np.diag(information)[index], 1e-300))
+        index, diagonal = list(candidate.columns), np.maximum(np.diag(information)[list(candidate.columns)], 1e-300)
         if candidate in not_estimated:
             part = slice(start, start + len(index))
             square, gradient = squares[part, part], gradients[part]
@@ -116,7 +115,7 @@ def score_tests(
             square = square - np.eye(len(index)) / candidate.known**2
             gradient = gradient + candidate.offset / candidate.known**2
         # S is rounding error if the data do not determine c, such as blur that varies over the field, for one star.
-        if np.linalg.eigvalsh(square / np.outer(sizes, sizes))[0] <= _MIN_INFORMATION:
+        if np.linalg.eigvalsh(square / np.sqrt(np.outer(diagonal, diagonal)))[0] <= _MIN_INFORMATION:
             continue
         variance = np.asarray(np.linalg.inv(square))
         size = variance @ gradient + candidate.offset

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from lommel.fit.scoring import Policy, Scores, covariance, damped_steps, fisher_scoring, flux_background, search_rows
+from lommel.fit.scoring import Scores, covariance, damped_steps, fisher_scoring, flux_background, search_rows
 
 
 class Bounded:
@@ -79,10 +79,7 @@ class Plain(Curve):
 
 
 def test_steps_do_not_stretch_unless_they_may():
-    steps = [
-        fisher_scoring(curve, 1e3, curve.worth(1e3), 100, lambda *_: None, Policy()).steps
-        for curve in (Plain(), Curve())
-    ]
+    steps = [fisher_scoring(curve, 1e3, curve.worth(1e3), 100, lambda *_: None).steps for curve in (Plain(), Curve())]
     assert steps[0] < 60 < steps[1]  # those that stretch are limited to radians, for all but wavefronts far too long
 
 

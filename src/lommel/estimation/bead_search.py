@@ -20,7 +20,7 @@ from lommel.core.engine import star_likelihood
 from lommel.estimation import bead_images
 from lommel.estimation.bead_images import AMPLITUDES, CONSTANTS, GRADIENT, BeadImages, Part, Place, Setup, Stack
 from lommel.fit.goodness_of_fit import BY_CHANCE, SURE, largest_plausible_chi2
-from lommel.fit.scoring import Policy, Report, Rows, Scores, damped_steps, fisher_scoring, reduced_chi2
+from lommel.fit.scoring import Report, Rows, Scores, damped_steps, fisher_scoring, reduced_chi2
 
 POSITION = ("row", "column", "focus")
 DRIFT = ("drift_row", "drift_column")
@@ -319,10 +319,6 @@ def _with_fixed_step(scores: Scores, index: int, step: float) -> Scores:
     return scores._replace(slope=gradient, information=information)
 
 
-# At this rate a good fit would take 500 steps.
-_POLICY = Policy(max_damping=1e7, stalled=1e-3)
-
-
 def _camera_derivative(name: str, mean: Array) -> Array:
     """Return the derivative of electrons (planes, height, width) by the camera's nonlinearity or a gradient.
 
@@ -339,7 +335,10 @@ def _camera_derivative(name: str, mean: Array) -> Array:
 def climb(model: BeadModel, start: State, max_steps: int, report: Report = lambda *_: None) -> Evaluation:
     """Return the end of at most `max_steps` damped steps, from a start until convergence."""
     first_evaluation = model.evaluate(start)
-    ascent = fisher_scoring(model, first_evaluation, first_evaluation.scores, max_steps, report, _POLICY)
+    # At the rate `stalled` a good fit would take 500 steps.
+    ascent = fisher_scoring(
+        model, first_evaluation, first_evaluation.scores, max_steps, report, max_damping=1e7, stalled=1e-3
+    )
     last_evaluation: Evaluation = ascent.x
     # A misfit whose steps gain no more is at its maximum.
     is_stalled = ascent.steps < max_steps and not last_evaluation.fits(BY_CHANCE)

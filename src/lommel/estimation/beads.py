@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING, Any, Protocol, cast, runtime_checkable
+from typing import TYPE_CHECKING, Any, Protocol, runtime_checkable
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -38,13 +38,13 @@ from lommel.estimation.bead_search import (
     start_of,
 )
 from lommel.estimation.options import BeadOptions
-from lommel.estimation.star_images import MAX_LINEAR_ERROR, label
+from lommel.estimation.star_images import MAX_LINEAR_ERROR, checked_terms, label
 from lommel.fit import goodness_of_fit
 from lommel.fit.findings import Finding, Findings, FitReport
 from lommel.fit.score_tests import ScoreTest, causes_of_misfit
 from lommel.fit.scoring import Progress
 from lommel.measures.spot import profile_width
-from lommel.methods.derivative_names import SHIFTS, Term, checked, term_of
+from lommel.methods.derivative_names import SHIFTS, Term, term_of
 from lommel.optics.layers.emitter import Beam, Dipole, Emitter, Scalar, emitter_of
 from lommel.optics.layers.objective import Objective
 from lommel.optics.layers.objective_pupil import ObjectivePupil
@@ -52,7 +52,6 @@ from lommel.optics.layers.stratified import DEPTH_MOST, length
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.recorded.counts import Counts, counts_of, recording_findings
 from lommel.recorded.noise import Noise
-from lommel.special import zernike
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -484,7 +483,7 @@ def fit_stacks(
     """Return aberrations and constants of a microscope from stacks of beads, see :func:`lommel.fit_beads`."""
     validation.instance("microscope", microscope, Microscope)
     objective, aberrations = microscope.objective, microscope.aberrations
-    checked_terms = _terms(options.terms)
+    terms = _terms(options.terms)
     shape = "(planes, height, width) or (beads, planes, height, width)"
     counts = counts_of("stacks", stacks, noise, sides=(3, 4), shape=shape)
     noise = counts.known_noise()
@@ -514,8 +513,8 @@ def fit_stacks(
     start = {term: float(c) for term, c in (aberrations or Wavefront()).edge_terms().items()}
     if start.get((2, 0)):
         notes.append(Finding("stated", "note", "defocus (Noll 4) of aberrations is fixed: z of the beads adds to it"))
-    images = BeadImages(checked_terms, start, effort.threads or 0)
-    waves = np.array([start.get(term, 0.0) for term in checked_terms]) / images.factors
+    images = BeadImages(terms, start, effort.threads or 0)
+    waves = np.array([start.get(term, 0.0) for term in terms]) / images.factors
     bead_stacks = tuple(Stack.of(counts_of_bead, noise, stage_positions) for counts_of_bead in recorded)
     depths = tuple(Prior(d, depth_error) for d in depth_values)
     model = BeadModel(images, bead_stacks, priors, depths, options.drift)
@@ -526,10 +525,7 @@ def fit_stacks(
 
 
 def _terms(terms: int | Sequence[tuple[int, int] | str]) -> tuple[Term, ...]:
-    if isinstance(terms, int | np.integer) and not isinstance(terms, bool):
-        count = validation.integer("terms", terms, least=1, most=200)
-        return tuple(zernike.term(_FIRST_NOLL + k, "noll") for k in range(count))
-    term_list = tuple(filter(None, map(term_of, checked(cast("Sequence[Any]", terms), "terms", ()))))
+    term_list = tuple(filter(None, map(term_of, checked_terms(terms, _FIRST_NOLL))))
     if len({*term_list}) < len(term_list):
         raise ValueError(f"terms must not contain a term twice, got {validation.shown(terms)}")
     if position_terms := [term for term in ((2, 0), *SHIFTS.values()) if term in term_list]:

@@ -73,7 +73,7 @@ class Unknowns:
             validation.choice("also", name, ("center", *SHIFTS, *OF_PUPIL))
         self.pupil = tuple(name for name in OF_PUPIL if name in nuisance)
         self.places = tuple(place for place in SHIFTS if place in nuisance or "center" in nuisance)
-        self.terms = _names(terms)
+        self.terms = checked_terms(terms, _FIRST_NOLL, tuple(POWERS))
         shares = [_zernike_terms(name) for name in self.terms]
         self.edge = tuple(dict.fromkeys(term for share in shares for term in share))
         directions = np.array([share.get(term, 0.0) for share in shares for term in self.edge])
@@ -90,21 +90,21 @@ class Unknowns:
                 )
 
 
-def _names(terms: int | Sequence[Term | str]) -> tuple[Name, ...]:
+def checked_terms(terms: object, first: int, texts: Sequence[str] = ()) -> tuple[Name, ...]:
+    """Return the terms of the argument `terms`: their number from Noll's index `first` on, or a sequence of names.
+
+    Names may be pairs (n, m), indices such as "noll 5", and `texts`.
+    """
     if isinstance(terms, int | np.integer) and not isinstance(terms, bool):
         count = validation.integer("terms", terms, least=1, most=500)
-        return tuple(zernike.term(_FIRST_NOLL + k, "noll") for k in range(count))
-    nuisance = ("center", *SHIFTS, *OF_PUPIL)
+        return tuple(zernike.term(first + k, "noll") for k in range(count))
     names = terms if isinstance(terms, Sequence) and not isinstance(terms, str) else ()
     if any(isinstance(name, int) for name in names):
         raise ValueError(
-            f"terms must be the number of terms from Noll's index 4 on, or a sequence of pairs (n, m) and names that "
-            f"state the order of their index, such as 'noll 5', got {validation.shown(terms)}"
+            f"terms must be the number of terms from Noll's index {first} on, or a sequence of pairs (n, m) and "
+            f"names that state the order of their index, such as 'noll 5', got {validation.shown(terms)}"
         )
-    for name in names:
-        if isinstance(name, str) and name in nuisance:
-            raise ValueError(f"terms must be terms of a wavefront, got {name!r}: pass nuisance parameters in `also`")
-    return checked_names(cast("Sequence[Name]", terms), "terms", tuple(POWERS))
+    return checked_names(cast("Sequence[Name]", terms), "terms", texts)
 
 
 @lru_cache(maxsize=1024)

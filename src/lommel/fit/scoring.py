@@ -10,7 +10,6 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from contextlib import suppress
-from dataclasses import dataclass
 from typing import Any, NamedTuple, Protocol
 
 import numpy as np
@@ -128,21 +127,6 @@ class Problem(Protocol):
         """Return parameters after steps multiplied by `factor`, and their scores (None if not computable)."""
 
 
-@dataclass(frozen=True)
-class Policy:
-    """Criteria that end a search.
-
-    A search has converged if the predicted gain is below `settled`. It fails if the damping exceeds `max_damping`, or
-    after `patience` slow steps in a row without a good fit; if `patience` is infinite, slow steps do not end a
-    search. A slow step gains less than the fraction `stalled` of what is missing for a good fit.
-    """
-
-    settled: float = _CONVERGED
-    max_damping: float = _MAX_DAMPING
-    patience: float = _PATIENCE
-    stalled: float = _STALLED
-
-
 class Ascent(NamedTuple):
     """Result of a search: parameters, their scores, a mask of the converged sets, and the number of steps tried."""
 
@@ -158,11 +142,17 @@ def fisher_scoring(
     scores: Scores,
     max_steps: int,
     report: Report,
-    policy: Policy,
+    *,
+    settled_gain: float = _CONVERGED,
+    max_damping: float = _MAX_DAMPING,
+    stalled: float = _STALLED,
     last: Callable[[Any, Array, Rows, NDArray[np.bool_]], object] | None = None,
 ) -> Ascent:
     """Take at most `max_steps` damped steps from parameters `x` until all sets have converged or one of them fits.
 
+    A set has converged if the predicted gain is below `settled_gain`. Its search fails if the damping exceeds
+    `max_damping`, or after several slow steps in a row without a good fit. A slow step gains less than the fraction
+    `stalled` of what is missing for a good fit.
     At the end, ``last(x, step, rows, converged)`` is called with the next steps of the sets `rows`; this function
     does not take them.
     """
@@ -175,9 +165,9 @@ def fisher_scoring(
         rows = np.flatnonzero(moving)
         step, predicted = problem.step(x, scores, rows, damping[rows])
         # A strongly damped step is short at any point: a small predicted gain is then no sign of convergence.
-        converged = (predicted < policy.settled) & (damping[rows] <= 1.0)
+        converged = (predicted < settled_gain) & (damping[rows] <= 1.0)
         settled[rows] = converged
-        moving[rows] = ~converged & (damping[rows] <= policy.max_damping) & (slow_steps[rows] < policy.patience)
+        moving[rows] = ~converged & (damping[rows] <= max_damping) & (slow_steps[rows] < _PATIENCE)
         fits = converged & (
             scores.chi2[rows] < goodness_of_fit.largest_plausible_chi2(scores.spread[rows], goodness_of_fit.SURE)
         )
@@ -209,7 +199,7 @@ def fisher_scoring(
             damping[rows[overshoots]] = np.maximum(damping[rows[overshoots]], _OSCILLATION_DAMPING)
         np.maximum(damping, _MIN_DAMPING, out=damping)
         excess = scores.chi2[rows] - goodness_of_fit.largest_plausible_chi2(scores.spread[rows])
-        slow = gained & (gain < policy.stalled * problem.degrees_of_freedom * excess)
+        slow = gained & (gain < stalled * problem.degrees_of_freedom * excess)
         slow_steps[rows] = np.where(slow, slow_steps[rows] + 1, np.where(gained, 0, slow_steps[rows]))
         if new_scores is None or not gained.any():
             continue
@@ -261,9 +251,9 @@ def search_rows(
     values, derivatives = model.images(x, fast=fast)
     if fast:
         x = model.with_flux_background(x, values)
-    policy = Policy(settled=_CONVERGED_FAST if fast else _CONVERGED)
     scores = model.scores_of(x, values, derivatives)
-    return fisher_scoring(problem, x, scores, max_steps, report, policy, problem.take if fast else None)
+    end: dict[str, Any] = {"settled_gain": _CONVERGED_FAST, "last": problem.take} if fast else {}
+    return fisher_scoring(problem, x, scores, max_steps, report, **end)
 
 
 def reduced_chi2(square: Any, total: Any, variance: Any, fraction: Any) -> tuple[Any, Any]:

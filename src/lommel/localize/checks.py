@@ -471,7 +471,9 @@ class TableTest:
 
     def __init__(self, table: Table) -> None:
         self._table = table
-        self._square, self._pull, self._bias = np.zeros((0, 0)), np.zeros(0), np.zeros((0, len(_BIASES), 0))
+        self._square: Array = np.zeros(())
+        self._pull: Array = np.zeros(())
+        self._bias = np.zeros((0, len(_BIASES), 0))
         self._sizes: Array = np.zeros(0)
         self._sum: ChangeImages | None = None
 
@@ -498,13 +500,8 @@ class TableTest:
         if self.done:
             return np.ones(score.bias.shape[-1])
         reduced, slope, _ = _eliminate(score.information, score.slope, 2)  # the two slopes of backgrounds
-        square, pull = reduced.sum(axis=0), slope.sum(axis=0)
-        if len(self._bias):
-            square, pull = square + self._square, pull + self._pull
-            self._bias = np.concatenate([self._bias, score.bias])
-        else:
-            self._bias = score.bias
-        self._square, self._pull = square, pull
+        self._square, self._pull = self._square + reduced.sum(axis=0), self._pull + slope.sum(axis=0)
+        self._bias = np.concatenate([self._bias, score.bias]) if len(self._bias) else score.bias
         self._sizes = self._significant_sizes()
         # Later blocks use the sum of significant changes.
         if len(self._bias) >= _TEST_MOLECULES and self._sizes.any():
@@ -533,7 +530,7 @@ class TableTest:
     @property
     def gain(self) -> float:
         """Mean gain of log-likelihood per molecule due to the significant changes, to second order in their sizes."""
-        return 0.5 * float(self._sizes @ self._pull) / max(len(self._bias), 1)
+        return 0.5 * float((self._sizes * self._pull).sum()) / max(len(self._bias), 1)
 
     @property
     def findings(self) -> list[Finding]:

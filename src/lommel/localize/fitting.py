@@ -213,7 +213,7 @@ def fit(
     validation.instance("table", table, Table)
     validation.optional("noise", noise, Noise)
     camera = noise or Noise(read=0.0)
-    maps = {np.shape(part) for part in (camera.white, camera.read, camera.offset)} - {()}
+    maps = {getattr(part, "shape", ()) for part in (camera.white, camera.read, camera.offset)} - {()}
     if corners is None and maps - {table.shape}:
         raise ValueError(f"corners must be given for a camera with maps of shape {max(maps)}, got None")
     expected = "(n, height, width), of one box images[None]"

@@ -236,8 +236,6 @@ def _open_blocks(
     movie: Frames | str | PathLike[str] | ArrayLike | Counts, block: int | None
 ) -> Iterator[tuple[tuple[int, int, int], Iterator[Values], str]]:
     """Yield the shape of a movie, an iterator over its blocks of frames, and its file name ("" for an array)."""
-    if block is not None:
-        validation.integer("block", block, least=1, most=validation.MAX_VALUES)
     if isinstance(movie, str | PathLike | Frames):
         with nullcontext(movie) if isinstance(movie, Frames) else frames_of("movie", movie) as frames:
             stack = frames.as_stack()

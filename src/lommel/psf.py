@@ -106,7 +106,7 @@ def psf(
         the same parameters as these methods.
         For objectives, per metre: "z" of the stage and "depth" (the stage is fixed); per pixel: "row", "column"; per
         radian: Zernike terms. `Stratified`, `ChordalDebye` and, with aberrations, `DebyeRings` support them; Zernike
-        terms require `ChordalDebye` and a small window.
+        terms and, with aberrations, "z" and "depth" require `ChordalDebye` and a small window.
         Not supported for ``normalize="peak"``. `tol` applies to the values, which may differ from the values without
         derivatives within their error bound; ``PSF.derivative_bounds`` bounds the errors of the derivatives.
     threads : int, optional

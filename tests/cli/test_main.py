@@ -133,8 +133,7 @@ def test_compare_has_a_row_for_every_method(compared):
     [
         (["-m", "hankel", "--tol", "1e-10"], Hankel(tol=1e-10)),
         (["--tol", "1e-3"], NijboerZernike(tol=1e-3)),
-        (["-m", "huygens-fresnel", "--set", "nodes=24,48", "--set", "symmetry=false"],
-         HuygensFresnel(symmetry=False, nodes=(24, 48))),
+        (["-m", "huygens-fresnel", "--set", "symmetry=false"], HuygensFresnel(symmetry=False)),
         (["-m", "closed-form", "--set", "tangent=200", "--set", "erf=abramowitz:30"],
          ClosedForm(tangent=200.0, erf=AbramowitzErf(30))),
         (["-m", "closed-form", "--set", "variant=printed", "--set", "erf=table"],

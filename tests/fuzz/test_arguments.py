@@ -287,7 +287,6 @@ def entries(folder: Path) -> list[tuple[str, object, dict[str, object]]]:
         tagged("Polychromatic", Polychromatic, wavelengths=[5e-7, 6e-7], weights=[1.0, 2.0], method=Hankel(),
                tol=1e-6),
         tagged("ClosedForm.best", ClosedForm.best, pupil=PUPIL, shape=5, pixel=0.5),
-        tagged("AbramowitzErf()", AbramowitzErf(), z=[0.1, 0.5]),
     ]  # fmt: skip
     for name, kind in {**METHODS, "table": TableErf, "abramowitz": AbramowitzErf}.items():
         valid = {f.name: getattr(kind(), f.name) for f in dataclasses.fields(kind) if f.init}
@@ -334,9 +333,7 @@ def complaint(error: Exception, entry: str, argument: str, value: object) -> str
     message = str(error)
     kind = type(error).__name__
     if isinstance(error, Warning) or not isinstance(error, (ValueError, TypeError, OSError)):
-        # Documented: Eq. (14) overflows; indices are NumPy's.
-        if isinstance(error, OverflowError) and ("erf" in entry.lower() or "abramowitz" in entry):
-            return None
+        # Documented: indices are NumPy's.
         if isinstance(error, IndexError | OverflowError) and entry.endswith("[]"):
             return None
         return f"{kind}: {message[:300]}"
@@ -459,7 +456,7 @@ UNCHECKED = {
     ("PSF", name) for name in ("normalize", "error_bound", "scale", "derivatives", "derivative_bounds", "blur")
 }
 UNCHECKED |= {("Noise.record", "seed"), ("retrieve", "seed")}
-UNCHECKED |= {("AbramowitzErf()", "z")} | {(name, "index") for name in ("PSF[]", "Wavefront[]", "Pupil[]")}
+UNCHECKED |= {(name, "index") for name in ("PSF[]", "Wavefront[]", "Pupil[]")}
 INFINITE = {("Lens", "focus_distance"), ("Seeing", "outer_scale"), ("depth_precision", "distance")}
 INFINITE |= {("restore", "saturation")}  # none
 INFINITE |= {(f"Lens.{name}", "object_distance") for name in ("defocus", "pupil")}

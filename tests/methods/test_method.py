@@ -33,7 +33,7 @@ OPTIONED = [
     NijboerZernike(tol=1e-9),
     Hankel(tol=1e-3),
     LommelSeries(),
-    HuygensFresnel(symmetry=False, nodes=(12, 34)),
+    HuygensFresnel(symmetry=False),
     Fraunhofer(samples=64, padding=2.5, edge="grey"),
     MatrixFourier(samples=99, edge="binary"),
     NonuniformFFT(tol=1e-9),

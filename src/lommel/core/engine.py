@@ -31,7 +31,6 @@ MoleculeTable = _core.MoleculeTable
 average_samples = _core.average_samples
 band_points = _core.band_points
 bessel_sequence = _core.bessel_sequence
-chirp_moments = _core.chirp_moments
 clear_tables = _core.clear_caches
 closed_form_fields = _core.closed_form_fields
 collect = _core.collect

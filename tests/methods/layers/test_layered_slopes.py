@@ -116,11 +116,11 @@ def test_averages_move_by_the_samples_that_they_are_made_of(method, tol, monkeyp
         return lm.psf(planes, 7, PIXEL, method=ChordalDebye(1e-9), **more).values
 
     rounds = []
-    name = "differentiated" if method is ChordalDebye else "refined"
+    name = "differentiated" if method is ChordalDebye else "_samples"
     asked = getattr(method, name)
     monkeypatch.setattr(method, name, lambda *given: (rounds.append(1), asked(*given))[1])
     found = {}
-    for names in (("z", "row", "column"), ("row", "column")):
+    for names in (("z", "row", "column"), ("row", "column")) if method is ChordalDebye else (("row", "column"),):
         rounds.clear()
         found[names] = lm.psf(planes, 7, PIXEL, method=method(tol), derivatives=names, **options)
         assert len(rounds) == 1

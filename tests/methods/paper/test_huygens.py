@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 import lommel as lm
 from lommel import Lens, Pupil, Wavefront
 from lommel.methods import Hankel
-from lommel.methods.paper.huygens import _nodes
+from lommel.methods.paper import huygens
 from lommel.paper import HuygensFresnel
 
 WAVELENGTH = 550e-9
@@ -101,16 +101,15 @@ def test_in_focus_a_slow_lens_shows_the_airy_pattern_to_its_fresnel_error(obscur
     assert 1e-6 < _difference(lens.pupil()) <= 2 * (1 / 32) ** 2
 
 
-@pytest.mark.parametrize("nodes", [None, (40, 66), (40, 67)])
 @pytest.mark.parametrize("defocus", [0.0, 5.0, -4.0])
-def test_one_sum_for_each_radius_is_one_sum_for_every_pixel(defocus: float, nodes: tuple[int, int] | None) -> None:
+def test_one_sum_for_each_radius_is_one_sum_for_every_pixel(defocus: float) -> None:
     pupil = _pupil(_lens(8.0, obscuration=0.2, aberrations=Wavefront(0.0, 1.5)), defocus)
     images = [
         lm.psf(
             pupil,
             (6, 9),
             0.4 * pupil.scale,
-            method=HuygensFresnel(symmetry=symmetry, nodes=nodes),
+            method=HuygensFresnel(symmetry=symmetry),
             normalize="strehl",
             dtype=np.float64,
             integrate=integrate,
@@ -134,12 +133,15 @@ def test_more_nodes_change_nothing(
 ) -> None:
     pupil = _pupil(_lens(f_number, obscuration=obscuration, aberrations=Wavefront(0.0, spherical)), defocus)
     assert pupil.geometry is not None
-    radial, azimuthal = _nodes(pupil, pupil.geometry, max(v))
-    more = HuygensFresnel(nodes=(2 * radial + 5, 2 * azimuthal + 6))
-    assert np.abs(HuygensFresnel().field(pupil, v) - more.field(pupil, v)).max() <= 1e-10
+    radial, azimuthal = huygens._nodes(pupil, pupil.geometry, max(v))
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(huygens, "_nodes", lambda *_: (2 * radial + 5, 2 * azimuthal + 6))
+        more = HuygensFresnel().field(pupil, v)
+    assert np.abs(HuygensFresnel().field(pupil, v) - more).max() <= 1e-10
 
 
-def test_too_few_nodes_are_visible() -> None:
-    pupil = _pupil(_lens(8.0), 5.0)
-    few = HuygensFresnel(nodes=(4, 8)).field(pupil, np.array([0.0, 20.0]))
-    assert np.abs(few - HuygensFresnel().field(pupil, np.array([0.0, 20.0]))).max() > 1e-3
+def test_too_few_nodes_are_visible(monkeypatch: pytest.MonkeyPatch) -> None:
+    pupil, v = _pupil(_lens(8.0), 5.0), np.array([0.0, 20.0])
+    exact = HuygensFresnel().field(pupil, v)
+    monkeypatch.setattr(huygens, "_nodes", lambda *_: (4, 8))
+    assert np.abs(HuygensFresnel().field(pupil, v) - exact).max() > 1e-3

@@ -18,10 +18,9 @@ from lommel.methods.layers.debye_wolf import LEAST, AberratedMethod, likely_peak
 from lommel.methods.method import normalized_error, stored, storing
 from lommel.optics.grid import Grid
 from lommel.optics.layers import debye, projection
-from lommel.optics.layers.debye import Complex, Piece
+from lommel.optics.layers.debye import Complex
 from lommel.optics.layers.emitter import Waves
 from lommel.optics.layers.objective_pupil import ObjectivePupil
-from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.special import interpolation
 from lommel.special.bessel import bessel_sequence
 
@@ -86,13 +85,6 @@ class DebyeRings(AberratedMethod):
     tol: float = 1e-6
 
     def _samples(self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Samples:
-        return self.refined(pupil, grid, tol, wanted)[0]
-
-    def refined(self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> tuple[Samples, Accuracy]:
-        """Return I of a `pupil` at the pixel centres of `grid`, and the accuracy that `tol` required.
-
-        Raises ToleranceError if rounding errors exceed `tol`.
-        """
         peak = likely_peak(pupil) / 4.0
         # Division of values by the largest value doubles the error, and adds a second rounding error.
         factor = 2.0 if wanted.scale is None else 1.0
@@ -104,42 +96,26 @@ class DebyeRings(AberratedMethod):
             images = ringed(pupil, grid, accuracy, wanted)
             assert images.error is not None
             if (worst_error := float(images.error.max())) <= tol:
-                return images, accuracy
+                return images
             if accuracy.field <= LEAST:
                 raise not_met(self.tol, worst_error, "the peak")
             # The peak is lower than estimated, or the bound is less tight: reduce the errors.
             peak, allowed = peak * 0.25, allowed * max(1e-6, min(0.5, 0.5 * tol / worst_error))
 
 
-class Turn(NamedTuple):
-    """Factor of waves, ``(1 + amount (rate - middle)) / 2``, with a modulus of at most 1 for real rho."""
-
-    rate_index: int  # index of the phase rate: 1 by depth, 2 by focus
-    amount: complex
-    middle: float
-
-    def of(self, rates: tuple[NDArray[np.complex128], ...]) -> NDArray[np.complex128]:
-        """Return the factor at each angle."""
-        return np.asarray(0.5 * (1.0 + self.amount * (rates[self.rate_index] - self.middle)))
-
-    def growth(self, piece: Piece) -> Array:
-        """Return the logarithm of a bound on the factor, for each disc of complex angles around a piece."""
-        largest_rate = (piece.covered.rates[self.rate_index] - self.middle).largest
-        return np.asarray(np.log(0.5 * (1.0 + abs(self.amount) * largest_rate)))
-
-
-def ringed(
-    pupil: ObjectivePupil, grid: Grid, accuracy: Accuracy, wanted: Wanted, turn: Turn | None = None
-) -> Samples:
-    """Return images computed with these allowed errors, and error bounds: certificate, section 16.
-
-    A `turn` multiplies the waves by a further factor, for derivatives.
-    """
+def ringed(pupil: ObjectivePupil, grid: Grid, accuracy: Accuracy, wanted: Wanted) -> Samples:
+    """Return images computed with these allowed errors, and error bounds: certificate, section 16."""
     step, light, n = grid.step(pupil), pupil.light, pupil.depth.size
     band, radial = _radial_taps(accuracy.radial)
     # Circles up to the farthest pixel, and a margin for the interpolation weights (taps) and the filter.
     circles = math.ceil(grid._farthest * step / (0.5 * band)) + radial.taps.size // 2 + radial.filter.size + 2
-    wavefront, terms, rule = _nodes(pupil, (0.5 * band * (circles - 1), accuracy.field), turn)
+    assert pupil.aberrations is not None
+    wavefront = pupil.aberrations.flattened()
+    terms = tuple(wavefront.amplitudes().items())
+    depth, focus, reach = pupil.depth.ravel(), pupil.focus.ravel(), 0.5 * band * (circles - 1)
+    rule = debye.rule(
+        pupil.layers, light.model, depth, focus, reach, accuracy.field, lambda piece: projection.growth(piece, terms)
+    )
     rows = squares(light.waves.form)
     values = np.empty((n, *grid.shape), wanted.dtype) if wanted.out is None else wanted.out
     scales = np.ones(n) if wanted.scale is None else np.broadcast_to(wanted.scale, n)
@@ -158,11 +134,11 @@ def ringed(
         # The orders of the intensity are up to twice those of a field; this number of angles separates the orders.
         angles = fft_length(4 * max_order + 1)
         angular = interpolation.circular_taps(2 * max_order, 2 * angles, max(accuracy.angular, _MIN_ERROR))
-        waves = rule.waves(pupil.depth.ravel()[part], pupil.focus.ravel()[part])
+        waves = rule.waves(depth[part], focus[part])
         sums = Rings(
             bessel=_bessel(rule.rho.tobytes(), 0.5 * band, circles, max_order + 1),
             parts=_fields(light.waves, rows, rule.parts, orders, shift),
-            waves=np.ascontiguousarray(waves * (1.0 if turn is None else turn.of(rule.rates))),
+            waves=np.ascontiguousarray(waves),
             power=pupil.power[part],
             angles=angles,
             filter=radial.filter,
@@ -189,22 +165,6 @@ def ringed(
         np.multiply(values, scales[:, None, None], out=values, casting="same_kind")
         relative = stored(normalized_error(relative), wanted.dtype)
     return Samples(values, scales, stored(relative, wanted.dtype), None, peaks)
-
-
-def _nodes(
-    pupil: ObjectivePupil, reach_and_error: tuple[float, float], turn: Turn | None
-) -> tuple[Wavefront, projection.Sizes, debye.Rule]:
-    """Return the flattened wavefronts, the amplitudes of Zernike terms, and the quadrature rule over angles."""
-    assert pupil.aberrations is not None
-    wavefront = pupil.aberrations.flattened()
-    terms = tuple(wavefront.amplitudes().items())
-
-    def growth(piece: Piece) -> Array:
-        wavefront_growth = projection.growth(piece, terms)
-        return wavefront_growth if turn is None else wavefront_growth + turn.growth(piece)
-
-    depth, focus = pupil.depth.ravel(), pupil.focus.ravel()
-    return wavefront, terms, debye.rule(pupil.layers, pupil.light.model, depth, focus, *reach_and_error, growth)
 
 
 def _circle_error(sampled: Ringed, field_errors: Array, max_order: int, angles: int) -> Array:

@@ -23,7 +23,7 @@ from lommel.methods.derivative_names import SHIFTS, Term, term_of
 from lommel.methods.derivatives import Slope, tilted
 from lommel.methods.layers import chordal_debye
 from lommel.methods.layers.chordal_debye import ChordalDebye
-from lommel.methods.layers.debye_rings import DebyeRings, Turn, ringed
+from lommel.methods.layers.debye_rings import DebyeRings
 from lommel.methods.layers.stratified import By, Stratified, differentiated, is_supported
 from lommel.methods.method import Method, storing, with_model_error
 from lommel.optics.base_pupil import BasePupil
@@ -34,11 +34,6 @@ from lommel.optics.layers.objective_pupil import ObjectivePupil
 if TYPE_CHECKING:
     from lommel.methods.derivative_names import Name
 
-
-# Fixed dipoles and beams use the engine of :mod:`lommel.methods.layers.stratified`. With a measured wavefront the
-# fields E are sums over circles (:mod:`lommel.methods.layers.debye_rings`). Waves times ``(1 +- i s dpsi/dx) / 2``
-# have the fields ``(E +- s G) / 2``, G being the derivative of E. The difference of the two intensities is
-# ``s Re(E conj G)``, exactly s / 2 times the derivative of ``abs(E)^2``, for every s.
 
 Rates = Callable[[ObjectivePupil], Sequence[By]]  # signature: planes -> derivatives of their images
 
@@ -69,7 +64,7 @@ def sampled_slopes(
         if isinstance(method, ChordalDebye):
             return _by_chords(method, pupil, grid, pairs, terms, tol, images_only)
         if isinstance(method, DebyeRings):
-            return _by_circles(method, pupil, grid, pairs, tol, images_only)
+            return method._samples(pupil, grid, tol, images_only)
         return _by_engine(pupil, grid, pairs, tol, images_only)
 
     request = wanted._replace(terms=((0, 0),) * len(divisors))  # placeholders: only their number matters
@@ -123,39 +118,6 @@ def _by_engine(
     return result
 
 
-def _by_circles(
-    method: DebyeRings,
-    pupil: ObjectivePupil,
-    grid: Grid,
-    pairs: Sequence[tuple[By, float]],
-    tol: float,
-    wanted: Wanted,
-) -> Samples:
-    """Return samples by DebyeRings, and derivatives, divided by the divisors in `pairs`."""
-    images, accuracy = method.refined(pupil, grid, tol, wanted)
-    values = np.empty((len(pairs), *images.values.shape), wanted.dtype)
-    error = np.empty((len(pairs), len(images.values)))
-    for k, (d, divisor) in enumerate(pairs):
-        rate = debye.steepest(pupil.layers, pupil.light.model)[d.variable]
-        middle = pupil.layers.middle_rates()[d.variable]
-        plus, minus = (
-            ringed(pupil, grid, accuracy, Wanted(threads=wanted.threads), Turn(d.variable + 1, turn / rate, middle))
-            for turn in (1j, -1j)
-        )
-        # The derivative is twice the difference divided by s = 1 / steep: certificate, section 16, "Derivatives".
-        factor = 2.0 * rate / divisor
-        offset = np.broadcast_to(np.asarray(d.image_factor) / divisor, images.scale.shape)
-        slope = (
-            factor * (plus.values - minus.values) * images.scale[:, None, None]
-            + offset[:, None, None] * images.values
-        )
-        bound = plus.bound * plus.brightest + minus.bound * minus.brightest
-        largest = np.abs(slope).reshape(len(slope), -1).max(axis=1) / images.scale
-        error_bound = factor * bound + (storing(wanted.dtype) + 2.0**-48) * largest
-        values[k], error[k] = slope, error_bound / images.brightest + np.abs(offset) * (images.bound + 1e-12)
-    return images._replace(slopes=Slopes(values, error))
-
-
 def _by_chords(
     method: ChordalDebye,
     pupil: ObjectivePupil,
@@ -185,11 +147,11 @@ def _by_chords(
     return images._replace(slopes=Slopes(values.astype(wanted.dtype, copy=False), error))
 
 
-TERMS_BY_CHORDS = (
-    "derivatives by Zernike terms are available from ChordalDebye only, for small windows and aberrations; use a "
-    "smaller shape"
+_BY_CHORDS_ONLY = (
+    "derivatives by Zernike terms and, with aberrations, by 'z' and 'depth' are available from ChordalDebye only, "
+    "for small windows and aberrations; use a smaller shape"
 )
-LAYERED = (Stratified, DebyeRings, ChordalDebye)  # methods with derivatives
+LAYERED = (Stratified, DebyeRings, ChordalDebye)  # methods with derivatives: DebyeRings by the axis alone
 _AXIS = ("row", "column")  # derivatives by the position of the axis
 _PARAMETERS = ("z", "depth")  # derivatives by parameters of the planes
 
@@ -199,9 +161,9 @@ def layered_slopes(
 ) -> tuple[Method, Samples, list[Slope]]:
     """Return the method, images and their derivatives by checked names."""
     zernike_names = {name: term for name in names if (term := term_of(name)) is not None}
-    _require_available(method, pupil, names, zernike_names)
     terms = tuple(dict.fromkeys(zernike_names.values()))
     kinds = [str(name) for name in dict.fromkeys(names) if name in _PARAMETERS]
+    _require_available(method, pupil, names, zernike_names)
     axis = any(name in _AXIS for name in names)
     far, by_engine = isinstance(wanted.scale, np.ndarray), pupil.radial and isinstance(method, Stratified)
 
@@ -236,8 +198,9 @@ def _require_available(
             "derivatives of the pupils of an Objective are by 'z', 'depth', 'row', 'column' or Zernike "
             f"terms, got {unknown[0]!r}"
         )
-    if zernike_names and not isinstance(method, ChordalDebye):
-        raise Declined(TERMS_BY_CHORDS)
+    inner = names if isinstance(method, DebyeRings) else zernike_names
+    if not isinstance(method, ChordalDebye) and any(name not in _AXIS for name in inner):
+        raise Declined(_BY_CHORDS_ONLY)
     if isinstance(method, Stratified) and not is_supported(pupil.light):
         raise ValueError(
             f"derivatives are not available for the light of {pupil.emitter!r} from Stratified; use "
@@ -347,7 +310,7 @@ def _gradient_by_chords(
     *,
     far: bool,
 ) -> dict[Name, Array]:
-    """Return derivatives by ChordalDebye.gradient(); {} if it declines and methods over circles have them, too."""
+    """Return derivatives by ChordalDebye.gradient(); {} if it declines, and all are by the axis."""
     terms = _terms_of(tuple(names))
     kinds: dict[Name, By] = {name: by_name(str(name), pupil, far=far) for name in names if name in _PARAMETERS}
     index = {term: k for k, term in enumerate(dict.fromkeys(terms.values()))}
@@ -357,8 +320,8 @@ def _gradient_by_chords(
     try:
         sums = ChordalDebye(method.tol).gradient(pupil, grid, weights, by).T
     except Declined:
-        if isinstance(method, ChordalDebye) or any(name not in SHIFTS for name in terms):
-            raise ValueError(TERMS_BY_CHORDS) from None
+        if kinds or isinstance(method, ChordalDebye) or any(name not in SHIFTS for name in terms):
+            raise ValueError(_BY_CHORDS_ONLY) from None
         return {}
     largest_rates = debye.steepest(pupil.layers, pupil.light.model)
     results: dict[Name, Array] = {}

@@ -25,7 +25,7 @@ from lommel.methods.nijboer_zernike import NijboerZernike
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil, checked
 from lommel.special.bessel import tangent_line
-from lommel.special.erf import AbramowitzErf, Erf, FresnelErf, chirp_moments, unit_moments
+from lommel.special.erf import AbramowitzErf, Erf, FresnelErf
 from lommel.special.interpolation import chebyshev_powers
 from lommel.special.piecewise import fit_quadratics, fit_stack
 
@@ -80,8 +80,8 @@ class ClosedForm(FieldMethod[Pupil]):
     Eq. 23         exp(-pi/4), exp(+pi/4)                       exp(-i pi/4), exp(+i pi/4)
     =============  ===========================================  ====================================
 
-    All of (21)-(23) reduce to the chirp moments of :func:`lommel.special.erf.chirp_moments`. The arguments of the
-    error function then always lie on the rays at +-45 degrees.
+    All of (21)-(23) reduce to moments of the chirp ``exp(i (a R^2 + b R))``. The arguments of the error function then
+    always lie on the rays at +-45 degrees.
     """
 
     tangent: float = 100.0
@@ -163,33 +163,6 @@ class ClosedForm(FieldMethod[Pupil]):
             return FieldValues(self._disk(coefficients, points, threads), None)
 
         return annulus(disk, pupil, v)
-
-    def sub_integrals(self, defocus: float, v: Array) -> NDArray[np.complex128]:
-        r"""Return the integrals of the paper's appendix for a `defocus` C_d at `v` above 0; U is twice their sum.
-
-        The result has the shape ``(terms + 3, len(v))``. With rho = R / R_max, ``alpha = 2 C_d``, ``beta = v`` and
-        ``T = transition / v``, at most 1. The first `terms` rows are the integrals 1, 2, 3 ... of the appendix (Eq.
-        18-20), with the coefficients of Eq. (6). The last three rows are the integrals 4, 5 and 6 (Eq. 21-23), times
-        ``sqrt(2/pi)`` in the corrected variant.
-        """
-        alpha = 2.0 * defocus
-        with np.errstate(divide="ignore", over="ignore"):
-            limit = np.minimum(self.transition / v, 1.0)
-        k = np.arange(self.terms)[:, None]
-        factorials = np.array([math.factorial(k) for k in range(self.terms)], dtype=np.float64)[:, None]
-        # In the variable rho / T the powers of v T cannot overflow: v T is at most `transition`.
-        moments = limit**2 * unit_moments(alpha * limit**2, self.terms)
-        inner = (-0.25 * (v * limit) ** 2) ** k / factorials**2 * moments
-        outer = np.zeros((3, v.size), dtype=np.complex128)
-        is_outer = limit < 1.0
-        outer_v = v[is_outer]
-        a, b = tangent_line(self.tangent)
-        for sign in (1.0, -1.0):
-            m = chirp_moments(alpha, sign * outer_v, limit[is_outer], 1.0, erf=self.erf)
-            outer[:, is_outer] += (
-                0.5 * np.exp(-0.25j * sign * math.pi) * np.stack([a * outer_v * m[2], b * m[1], m[0] / outer_v])
-            )
-        return np.concatenate([inner, self._factor * outer])
 
     def _disk(self, coefficients: Array, v: Array, threads: int) -> NDArray[np.complex128]:
         """Return U of full disks: with one quadratic phase for defocus alone, else with `segments` (Eq. 17)."""

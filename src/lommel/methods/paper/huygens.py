@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -51,9 +50,6 @@ class HuygensFresnel(FieldMethod[Pupil]):
     symmetry : bool, default True
         True: one sum over half of the aperture for each distinct radius. False: one sum over the whole aperture for
         every pixel, O(n^4) for an n x n image.
-    nodes : (int, int), optional
-        Number of radial Gauss-Legendre nodes in the squared pupil coordinate, and of azimuthal points over the full
-        circle. By default chosen for an error of about 1e-10 of the unaberrated field.
 
     Raises
     ------
@@ -62,6 +58,9 @@ class HuygensFresnel(FieldMethod[Pupil]):
 
     Notes
     -----
+    The nodes, Gauss-Legendre in the squared pupil coordinate and equally spaced in azimuth, are chosen for an error
+    of about 1e-10 of the unaberrated field.
+
     Paraxial: ``U(r) = 1/(pi R_max^2) int exp(i Phi) (d/l)^2 exp(i k (l - l_0)) dA``, Rayleigh-Sommerfeld diffraction
     of the first kind. Here l, ``abs((x, y, 0) - (r, 0, d))``, is the distance from a point of the aperture to a point
     of the sensor, and l_0 the distance to the sensor on the axis (r = 0). The phase Phi at the distance R from the
@@ -74,15 +73,9 @@ class HuygensFresnel(FieldMethod[Pupil]):
 
     apodized = True
     symmetry: bool = True
-    nodes: tuple[int, int] | None = None
 
     def __post_init__(self) -> None:
         validation.truth("symmetry", self.symmetry)
-        if self.nodes is not None:
-            if not isinstance(self.nodes, Sequence) or isinstance(self.nodes, str) or len(self.nodes) != 2:
-                raise ValueError(f"nodes must be (radial, azimuthal), got {validation.shown(self.nodes)}")
-            pair = tuple(validation.integer("nodes", n, least=2, most=10**6) for n in self.nodes)
-            object.__setattr__(self, "nodes", pair)
 
     def unsupported(self, pupil: Pupil) -> str | None:
         """Return the reason if the physical distances are unknown, else None."""
@@ -123,7 +116,7 @@ class HuygensFresnel(FieldMethod[Pupil]):
         assert pupil.wavelength is not None
         wavenumber = 2.0 * math.pi / pupil.wavelength
         largest_v = float(pupil.v(np.hypot(x, y).max())) if x.size else 0.0
-        radial, azimuthal = self.nodes or _nodes(pupil, geometry, largest_v)
+        radial, azimuthal = _nodes(pupil, geometry, largest_v)
         if radial > _MAX_RADIAL or radial * azimuthal > _MAX_SOURCES:
             raise ValueError(
                 f"HuygensFresnel would need {radial:.3g} x {azimuthal:.3g} sources in the aperture, more than the "
@@ -133,12 +126,12 @@ class HuygensFresnel(FieldMethod[Pupil]):
         if wavelets > _MAX_WAVELETS:
             raise ValueError(
                 f"HuygensFresnel would sum {wavelets:.2g} wavelets, more than the limit of {_MAX_WAVELETS:.0g}; "
-                "use a smaller shape or fewer nodes"
+                "use a smaller shape"
             )
         t, weights = gauss_legendre(radial, pupil.obscuration**2, 1.0)
         weights = weights * pupil.illumination.at(t)
         phase = exact_phase(pupil, geometry, t)
-        points = (azimuthal + 1) // 2 if half else azimuthal
+        points = azimuthal // 2 if half else azimuthal
         angle = (np.arange(points) + 0.5) * ((math.pi if half else 2.0 * math.pi) / points)
         ring = geometry.aperture_radius * np.sqrt(t)[:, None]
         source_x = np.ascontiguousarray((ring * np.cos(angle)).ravel())

@@ -261,7 +261,8 @@ def _places(side: int) -> Array:
 
 def _cases() -> list[_Case]:
     rng = np.random.default_rng(18)
-    hexagon, whole = lm.Polygon.regular(6, 0.9), lm.telescopes.jwst(vanes=False)
+    hexagon = lm.Polygon.regular(6, 0.9)
+    whole = lm.Segments(tuple(part.parts[0] for part in lm.telescopes.jwst().shapes))  # without the struts
     phases = [rng.normal(0.0, 0.5, (3, len(whole.shapes))) for _ in range(8)]
     inner = np.hypot(_X, _X[:, None]) < 1.0 - 2.0 / _SAMPLES  # cells that the edge does not cut
     plate = np.where(inner, np.exp(1j * rng.normal(0.0, 1.0, inner.shape)), 0.0)

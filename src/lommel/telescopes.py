@@ -10,33 +10,24 @@ import math
 from functools import reduce
 from operator import or_
 
-from lommel.base import validation
 from lommel.optics.aperture.shapes import Disc, Polygon, Segments, Shape
 
 DIAMETERS = {"elt": 40.1758, "hst": 2.4, "jwst": 6.603464, "keck": 10.9668, "subaru": 7.92, "vlt": 8.0}
 """Diameter of each aperture in metres; for segmented mirrors, of the circle through the farthest corners."""
 
 
-def elt(*, vanes: bool = True) -> Segments:
+def elt() -> Segments:
     """Return the aperture of the Extremely Large Telescope: 798 hexagonal segments behind six vanes.
 
     The segments fill a hexagon whose six corners are cut off.
 
-    Parameters
-    ----------
-    vanes : bool, default True
-        Include the vanes, which are 0.4 m wide and point towards the cut corners.
+    The vanes are 0.4 m wide and point towards the cut corners.
 
     Returns
     -------
     Segments
         In units of 20.09 m, the distance of the farthest corners. The aperture is 39.05 m wide across opposite cuts.
         Segments have sides of 0.725 m, two of them parallel to x, and gaps of 4 mm.
-
-    Raises
-    ------
-    TypeError
-        If `vanes` is not a truth value.
 
     References
     ----------
@@ -54,28 +45,18 @@ def elt(*, vanes: bool = True) -> Segments:
     centers = [(pitch * x, pitch * y) for x, y, ring in hexagons
                if 5 <= ring <= 17 and all(abs(x * c + y * s) < 15.25 for c, s in corners)]  # fmt: skip
     segments = Segments(tuple(Polygon.regular(6, side, center) for center in centers))
-    return segments - _spokes(6, 0.4 / radius, math.pi / 6.0) if validation.truth("vanes", vanes) else segments
+    return segments - _spokes(6, 0.4 / radius, math.pi / 6.0)
 
 
-def hst(*, vanes: bool = True, pads: bool = True) -> Shape:
+def hst() -> Shape:
     """Return the aperture of the Hubble Space Telescope: obscuration 0.33, four vanes, three pads of the mirror.
 
-    Parameters
-    ----------
-    vanes : bool, default True
-        Include the vanes, which lie along x and y.
-    pads : bool, default True
-        Include the three pads that hold the primary mirror, discs near its edge.
+    The vanes lie along x and y; the pads, discs near the edge, hold the primary mirror.
 
     Returns
     -------
     Shape
         In units of the radius, 1.2 m.
-
-    Raises
-    ------
-    TypeError
-        If an argument is not a truth value.
 
     References
     ----------
@@ -84,12 +65,9 @@ def hst(*, vanes: bool = True, pads: bool = True) -> Shape:
     Tiny Tim, July 2000. x and y are the telescope's axes V3 and V2. Obscurations inside the cameras are not included.
     """
     # Numbers from the file wfpcwf4.pup, in units of the radius of the mirror.
-    blocked: list[Shape] = [Disc(0.33)]
-    if validation.truth("vanes", vanes):
-        blocked += [Polygon.strip((-2.0, 0.0), (2.0, 0.0), 0.022), Polygon.strip((0.0, -2.0), (0.0, 2.0), 0.022)]
-    if validation.truth("pads", pads):
-        blocked += [Disc(0.065, center) for center in ((0.8921, 0.0), (-0.4615, 0.7555), (-0.4564, -0.7606))]
-    return Disc() - reduce(or_, blocked)
+    vanes = Polygon.strip((-2.0, 0.0), (2.0, 0.0), 0.022), Polygon.strip((0.0, -2.0), (0.0, 2.0), 0.022)
+    pads = [Disc(0.065, center) for center in ((0.8921, 0.0), (-0.4615, 0.7555), (-0.4564, -0.7606))]
+    return Disc() - reduce(or_, [Disc(0.33), *vanes, *pads])
 
 
 # Corners (V2, V3) of the segments A1, B1 and C1 in metres. Rotation by multiples of 60 degrees gives the other
@@ -104,24 +82,16 @@ _JWST = (
 )  # fmt: skip
 
 
-def jwst(*, vanes: bool = True) -> Segments:
+def jwst() -> Segments:
     """Return the aperture of the James Webb Space Telescope: 18 segments behind three struts.
 
-    Parameters
-    ----------
-    vanes : bool, default True
-        Include the struts, which hold the secondary mirror.
+    The struts hold the secondary mirror.
 
     Returns
     -------
     Segments
         In units of 3.301732 m, in the order A1 to A6, B1 to B6, C1 to C6; :meth:`lommel.Segments.phased` sets the
         phase of each segment.
-
-    Raises
-    ------
-    TypeError
-        If `vanes` is not a truth value.
 
     References
     ----------
@@ -135,33 +105,22 @@ def jwst(*, vanes: bool = True) -> Segments:
         for corners in _JWST
         for k in range(6)
     ]
-    segments = Segments(tuple(shapes))
-    if not validation.truth("vanes", vanes):
-        return segments
     lower = (Polygon.strip((0.0, 0.0), (3.3 * c, -3.3 * math.sqrt(0.75)), 0.12243) for c in (0.5, -0.5))
     upper = ((0.0, 3.3, 0.11887), (2.14627, 2.3645, 0.16519), (2.48335, 2.54445, 0.13959))
     struts = [*lower, *(Polygon.strip((0.0, start), (0.0, end), width) for start, end, width in upper)]
-    return segments - reduce(or_, [_scaled(strut, radius) for strut in struts])
+    return Segments(tuple(shapes)) - reduce(or_, [_scaled(strut, radius) for strut in struts])
 
 
-def keck(*, vanes: bool = True) -> Segments:
+def keck() -> Segments:
     """Return the aperture of the Keck telescopes: 36 hexagonal segments behind a central obscuration and six vanes.
 
-    Parameters
-    ----------
-    vanes : bool, default True
-        Include the vanes, which are 25.4 mm wide.
+    The vanes are 25.4 mm wide.
 
     Returns
     -------
     Segments
         In units of 5.4834 m, the distance of the farthest corners. Segments have sides of 0.9 m, two of them parallel
         to x, and gaps of 3 mm. The obscuration is a disc 2.65 m in diameter.
-
-    Raises
-    ------
-    TypeError
-        If `vanes` is not a truth value.
 
     References
     ----------
@@ -172,27 +131,19 @@ def keck(*, vanes: bool = True) -> Segments:
     """
     radius = 0.5 * DIAMETERS["keck"]
     segments = Segments.hexagonal(rings=3, gap=0.003 / radius) - Disc(0.5 * 2.65 / radius)
-    return segments - _spokes(6, 0.0254 / radius) if validation.truth("vanes", vanes) else segments
+    return segments - _spokes(6, 0.0254 / radius)
 
 
-def subaru(*, vanes: bool = True) -> Shape:
+def subaru() -> Shape:
     """Return the aperture of the Subaru telescope: an obscuration of 2.3 m and four vanes.
 
-    Parameters
-    ----------
-    vanes : bool, default True
-        Include the vanes: 0.1735 m wide in projection, at 51.75 degrees to the x axis, two vanes from each of two
-        points on the x axis 0.639 m from the centre.
+    The vanes are 0.1735 m wide in projection, at 51.75 degrees to the x axis, two vanes from each of two points on
+    the x axis 0.639 m from the centre.
 
     Returns
     -------
     Shape
         In units of the radius, 3.96 m.
-
-    Raises
-    ------
-    TypeError
-        If `vanes` is not a truth value.
 
     References
     ----------
@@ -200,26 +151,18 @@ def subaru(*, vanes: bool = True) -> Shape:
     solar-system scales", Publ. Astron. Soc. Pac. 127, 890 (2015), doi:10.1086/682989; dimensions of this instrument's
     pupil from the programs of F. Martinache (diameters, angle, offset) and M. Lucas (width of the vanes).
     """
-    return _vaned(3.96, 1.15, ((0.639, 0.0), (-0.639, 0.0)), math.radians(51.75), 0.1735, vanes)
+    return _vaned(3.96, 1.15, ((0.639, 0.0), (-0.639, 0.0)), math.radians(51.75), 0.1735)
 
 
-def vlt(*, vanes: bool = True) -> Shape:
+def vlt() -> Shape:
     """Return the aperture of the Very Large Telescope (UT1 to UT3): a central obscuration and four tangential vanes.
 
-    Parameters
-    ----------
-    vanes : bool, default True
-        Include the vanes, which are 40 mm wide: two vanes, 101 degrees apart, from each of two points on the x axis.
+    The vanes are 40 mm wide: two vanes, 101 degrees apart, from each of two points on the x axis.
 
     Returns
     -------
     Shape
         In units of the radius, 4 m, which the secondary mirror determines. The obscuration is 1.116 m in diameter.
-
-    Raises
-    ------
-    TypeError
-        If `vanes` is not a truth value.
 
     References
     ----------
@@ -229,7 +172,7 @@ def vlt(*, vanes: bool = True) -> Shape:
     two points lie on the x axis.
     """
     offset = 0.4045 / math.cos(math.radians(45.0 - 5.5))
-    return _vaned(4.0, 0.558, ((offset, 0.0), (-offset, 0.0)), math.radians(50.5), 0.040, vanes)
+    return _vaned(4.0, 0.558, ((offset, 0.0), (-offset, 0.0)), math.radians(50.5), 0.040)
 
 
 def _vaned(
@@ -238,7 +181,6 @@ def _vaned(
     points: tuple[tuple[float, float], ...],
     angle: float,
     width: float,
-    vanes: bool,
 ) -> Shape:
     """Return a disc without a central obscuration and without two vanes from each point.
 
@@ -246,14 +188,11 @@ def _vaned(
     is a radius.
     """
     blocked: list[Shape] = [Disc(obscuration / radius)]
-    if validation.truth("vanes", vanes):
-        for x, y in points:
-            # Vanes end outside the disc, whose rim cuts them off.
-            outwards = math.copysign(2.0 * radius, x)
-            ends = (
-                (x + outwards * math.cos(angle), y + side * 2.0 * radius * math.sin(angle)) for side in (1.0, -1.0)
-            )
-            blocked += [_scaled(Polygon.strip((x, y), end, width), radius) for end in ends]
+    for x, y in points:
+        # Vanes end outside the disc, whose rim cuts them off.
+        outwards = math.copysign(2.0 * radius, x)
+        ends = ((x + outwards * math.cos(angle), y + side * 2.0 * radius * math.sin(angle)) for side in (1.0, -1.0))
+        blocked += [_scaled(Polygon.strip((x, y), end, width), radius) for end in ends]
     return Disc() - reduce(or_, blocked)
 
 

@@ -610,7 +610,6 @@ def test_an_aperture_without_point_symmetry_determines_the_sign_of_even_terms(si
         ({"stop": lm.telescopes.vlt()}, True),
         ({"stop": lm.telescopes.jwst()}, False),  # three struts
         ({"stop": lm.telescopes.keck()}, True),
-        ({"stop": lm.telescopes.hst(pads=False)}, True),
         ({"stop": lm.telescopes.hst()}, False),
         ({"spider": lm.Spider.equal(3, 0.02)}, False),
         ({"vignetting": lm.CatEye((0.2, 0.0))}, False),

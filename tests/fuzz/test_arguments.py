@@ -244,8 +244,6 @@ def entries(folder: Path) -> list[tuple[str, object, dict[str, object]]]:
         tagged("Objective.fields", OBJECTIVE.fields, radius=1e-7, depth=1e-6, focus=1e-6, wavelength=5e-7, tol=1e-6),
         tagged("Objective.scalar", OBJECTIVE.scalar, radius=1e-7, depth=1e-6, focus=1e-6, wavelength=5e-7, tol=1e-6,
                apodization="uniform", supercritical=True),
-        tagged("Objective.phase", OBJECTIVE.phase, rho=0.5, depth=1e-6, focus=1e-6, wavelength=5e-7),
-        tagged("Objective.transmission", OBJECTIVE.transmission, rho=0.5, wavelength=5e-7),
         tagged("Objective.focus", OBJECTIVE.focus, depth=1e-6, wavelength=5e-7),
         tagged("Objective.collected", OBJECTIVE.collected, depth=1e-6, wavelength=5e-7),
         tagged("Objective.nyquist", OBJECTIVE.nyquist, wavelength=5e-7),

@@ -14,7 +14,7 @@ import lommel as lm
 from lommel import microscopy as room
 from lommel.methods.layers.scanning import crest
 from lommel.optics.layers.emitter import Absorbed
-from objectives import WATER_60X
+from objectives import WATER_60X, phase, transmission
 
 WATER = WATER_60X
 DEPTH, PIXEL = 20e-6, 6e-6
@@ -263,7 +263,7 @@ def angles(objective: lm.Objective) -> tuple[NDArray[np.float64], NDArray[np.flo
     below, above = critical * (1.0 - (1.0 - s) ** 2), critical + (1.0 - critical) * s**2
     rho = np.append(below, above)
     weight = rho * np.append(2.0 * critical * (1.0 - s) * w, 2.0 * (1.0 - critical) * s * w)
-    t_s, t_p = objective.transmission(rho, wavelength=WAVELENGTH)
+    t_s, t_p = transmission(objective, rho, WAVELENGTH)
     sample = np.sqrt((1.0 - (objective.NA * rho / objective.sample) ** 2).astype(complex))
     a = (1.0 - (objective.NA * rho / objective.immersion) ** 2) ** -0.25
     return (
@@ -286,7 +286,7 @@ def test_two_photons_are_excited_by_light_over_that_in_the_plane_of_the_emitter(
     field = OIL.fields(np.abs(found.grid.x) / 60, depth=depth, focus=float(pupil.focus), wavelength=WAVELENGTH)
     light = np.abs(field.K0) ** 2 + 2.0 * np.abs(field.K1) ** 2 + np.abs(field.K2) ** 2
     rho, weight, parts = angles(OIL)
-    psi = OIL.phase(rho, depth=depth, focus=float(pupil.focus), wavelength=WAVELENGTH)
+    psi = phase(OIL, rho, depth=depth, focus=float(pupil.focus), wavelength=WAVELENGTH)
     held = total(parts, weight, np.exp(-psi.imag))
     assert found.values[0] == pytest.approx((light / held) ** 2, abs=2e-6 * float(found.values.max()))
     # Far from the glass less light is in the plane, by what is collected of such light: one power of the laser.
@@ -299,7 +299,7 @@ def test_two_photons_are_excited_by_light_over_that_in_the_plane_of_the_emitter(
 def test_the_crest_is_that_of_a_doughnut_whose_waves_have_lost_their_phase():
     pupil = OIL.pupil(depth=2e-6, wavelength=WAVELENGTH, emitter=lm.Beam("vortex"))
     rho, weight, parts = angles(OIL)
-    psi = OIL.phase(rho, depth=2e-6, focus=float(pupil.focus), wavelength=WAVELENGTH)
+    psi = phase(OIL, rho, depth=2e-6, focus=float(pupil.focus), wavelength=WAVELENGTH)
     fading = np.exp(-psi.imag)
     v = np.linspace(1.0, 3.0, 401)
     K = [(weight * part * fading) @ jv(n + 1, np.outer(rho, v)) for n, part in enumerate(parts)]

@@ -5,6 +5,9 @@ from __future__ import annotations
 import dataclasses
 from typing import Any
 
+import numpy as np
+from numpy.typing import NDArray
+
 import lommel as lm
 
 
@@ -12,6 +15,24 @@ def oil(**more: Any) -> lm.Objective:
     """Return one in oil before a sample in water, with what else it has or has in place of that."""
     usual = {"NA": 1.4, "magnification": 63, "immersion": 1.518, "working_distance": 0.19e-3, "sample": 1.33}
     return lm.Objective(**usual | {"coverslip": lm.Layer(1.5255, 170e-6)} | more)
+
+
+def phase(
+    objective: lm.Objective, rho: NDArray[np.float64], *, depth: float, focus: float, wavelength: float
+) -> NDArray[np.complex128]:
+    """Return the phase of plane waves from an emitter, without that of films."""
+    layers = objective._layers(wavelength)
+    constant, by_depth, by_focus = layers.rates(layers.cosine(rho))
+    return np.asarray(constant + depth * by_depth + focus * by_focus)
+
+
+def transmission(
+    objective: lm.Objective, rho: NDArray[np.float64], wavelength: float
+) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:
+    """Return the amplitudes of s and p waves in the sample."""
+    layers = objective._layers(wavelength)
+    found = layers.amplitudes(layers.cosine(rho), ((objective.NA * rho) ** 2).astype(np.complex128))
+    return found.s, found.p
 
 
 OIL = oil()

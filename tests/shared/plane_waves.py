@@ -8,6 +8,7 @@ import numpy as np
 
 import lommel as lm
 from lommel.optics.layers.emitter import Absorbed
+from objectives import phase, transmission
 
 PIXEL = 6.5e-6
 _TOGETHER = 512  # points at once, for the memory that they take
@@ -41,7 +42,7 @@ def intensity(
     rho, weight = nodes(objective, rings)
     theta = 2.0 * np.pi * (np.arange(angles) + 0.3) / angles
     wave = pupil.wavelength
-    t_s, t_p = objective.transmission(rho, wavelength=wave)
+    t_s, t_p = transmission(objective, rho, wave)
     sine = objective.NA * rho / objective.sample
     cosine = np.sqrt(1.0 - sine**2 + 0j)
     inside = np.sqrt(1.0 - (objective.NA * rho / objective.immersion) ** 2)
@@ -61,7 +62,7 @@ def intensity(
 
     found = []
     for k in np.ndindex(pupil.shape):
-        psi = objective.phase(rho, depth=float(pupil.depth[k]), focus=float(pupil.focus[k]), wavelength=wave)
+        psi = phase(objective, rho, depth=float(pupil.depth[k]), focus=float(pupil.focus[k]), wavelength=wave)
         plane = np.exp(1j * psi)[:, None] * around
         if pupil.aberrations is not None:
             measured = pupil.aberrations[k] if pupil.aberrations.shape else pupil.aberrations

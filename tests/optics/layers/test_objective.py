@@ -12,6 +12,7 @@ from scipy.special import j1, jv
 import lommel as lm
 from lommel.methods import ChordalDebye, DebyeRings, DebyeWolf, Stratified
 from lommel.optics.layers.stratified import Design
+from objectives import phase, transmission
 
 GLASS = lm.Layer(1.5255, 170e-6)
 GIVEN = {
@@ -169,9 +170,9 @@ def test_fields_with_an_apodization_are_those_of_a_plain_quadrature():
     # Smooth on both sides of the critical angle.
     rho = np.concatenate([critical * (1.0 - (1.0 - u) ** 2), critical + (1.0 - critical) * u**2])
     weight = np.concatenate([critical * 2.0 * (1.0 - u) * w, (1.0 - critical) * 2.0 * u * w])
-    t_s, t_p = OBJECTIVE.transmission(rho, wavelength=WAVE)
+    t_s, t_p = transmission(OBJECTIVE, rho, WAVE)
     sine = GIVEN["NA"] * rho
-    psi = OBJECTIVE.phase(rho, depth=depth, focus=focus, wavelength=WAVE)
+    psi = phase(OBJECTIVE, rho, depth=depth, focus=focus, wavelength=WAVE)
     t = rho**2
     amplitude = np.exp(-(light.exponent[0] + POWERS[0] * t + POWERS[1] * t**2 + POWERS[2] * t**3))
     one = amplitude * (1.0 - (sine / GIVEN["immersion"]) ** 2) ** -0.25 * np.exp(1j * psi) * rho * weight

@@ -9,6 +9,7 @@ import pytest
 
 import lommel as lm
 from lommel.optics.layers.stratified import Design, Layers, cosines
+from objectives import phase, transmission
 
 RHO = np.linspace(0.0, 1.0, 41)
 WAVE = 520e-9
@@ -107,13 +108,13 @@ OBJECTIVE = lm.Objective(
 
 def test_the_phase_is_that_of_gibson_and_lanni():
     depth, focus = 3e-6, 4e-6
-    phase = OBJECTIVE.phase(RHO, depth=depth, focus=focus, wavelength=WAVE)
+    psi = phase(OBJECTIVE, RHO, depth=depth, focus=focus, wavelength=WAVE)
     t_i = 1.515 * (170e-6 / 1.5255 + 0.19e-3 / 1.518 - 175e-6 / 1.52) - focus
     length = np.zeros(41, complex)
     for index, thickness in ((1.33, depth), (1.52, 175e-6), (1.5255, -170e-6), (1.515, t_i), (1.518, -0.19e-3)):
         length += thickness * np.emath.sqrt(index**2 - (1.4 * RHO) ** 2)
-    assert np.abs(phase - K * length).max() < 1e-9
-    assert (phase.imag[RHO > 0.951] > 0).all()
+    assert np.abs(psi - K * length).max() < 1e-9
+    assert (psi.imag[RHO > 0.951] > 0).all()
 
 
 def test_an_objective_used_as_designed_has_the_phase_of_depth_and_focus_alone():
@@ -122,13 +123,14 @@ def test_an_objective_used_as_designed_has_the_phase_of_depth_and_focus_alone():
     )
     sine = (0.8 * RHO) ** 2
     expected = K * (2e-6 * np.sqrt(1.33**2 - sine) - 1e-6 * np.sqrt(1.0 - sine))
-    assert plain.phase(RHO, depth=2e-6, focus=1e-6, wavelength=WAVE) == pytest.approx(expected, abs=1e-12)
+    assert phase(plain, RHO, depth=2e-6, focus=1e-6, wavelength=WAVE) == pytest.approx(expected, abs=1e-12)
 
 
 def test_the_phase_is_linear_in_depth_and_focus_with_the_derivatives_told():
-    by_depth, by_focus = OBJECTIVE._rates(RHO, WAVE)[1:]
-    base = OBJECTIVE.phase(RHO, depth=0.0, focus=0.0, wavelength=WAVE)
-    there = OBJECTIVE.phase(RHO, depth=5e-6, focus=-2e-6, wavelength=WAVE)
+    layers = OBJECTIVE._layers(WAVE)
+    _, by_depth, by_focus = layers.rates(layers.cosine(RHO))
+    base = phase(OBJECTIVE, RHO, depth=0.0, focus=0.0, wavelength=WAVE)
+    there = phase(OBJECTIVE, RHO, depth=5e-6, focus=-2e-6, wavelength=WAVE)
     assert np.abs(there - base - 5e-6 * by_depth + 2e-6 * by_focus).max() < 1e-9
     assert by_focus == pytest.approx(-K * np.sqrt(1.515**2 - (1.4 * RHO) ** 2))
     assert by_depth.real.min() == 0.0 < by_depth.imag.max()
@@ -144,7 +146,7 @@ def test_films_change_the_amplitudes_of_an_objective():
         sample=1.36,
         films=[lm.Layer(2.0, 30e-9), lm.Layer(1.46, 40e-9)],
     )
-    t_s, t_p = coated.transmission(RHO, wavelength=WAVE)
+    t_s, t_p = transmission(coated, RHO, WAVE)
     of = Layers(1.2, 1.333, 1.5255, 1.36, ((2.0, 30e-9), (1.46, 40e-9)), (), WAVE)
     assert (t_s == amplitudes(of).s).all()
     assert (t_p == amplitudes(of).p).all()

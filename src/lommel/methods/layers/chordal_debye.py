@@ -307,13 +307,11 @@ class _Case:
     """Quantities of a stack of wavefronts in a window that do not depend on depth and focus."""
 
     wavefront: Wavefront
-    window: Window
     orders: tuple[int, ...]
     emitter: Emitter
     by: By
     sets: NDArray[np.int32]
     degree: int
-    norm: float
     wave_index: NDArray[np.int32] | None  # wavefront of each plane; None if all planes share one
     sizes: Growth  # for each set, (sets, b)
     chosen: Array  # bounds that determine the numbers of chords and of nodes, (2, b)
@@ -382,7 +380,7 @@ def _case(
     ]
     planes = len(wavefront.edge)
     return _Case(
-        wavefront, window, model.orders, emitter, by, np.array(sets, dtype=np.int32), degree, norm,
+        wavefront, model.orders, emitter, by, np.array(sets, dtype=np.int32), degree,
         np.arange(planes, dtype=np.int32) if planes > 1 else None, sizes, np.array(chosen), powers,
         np.cumsum(counts, dtype=np.int32), np.array([k for k, _, _ in sets], dtype=np.int32), truncation,
         rounding + np.array(extra), {},

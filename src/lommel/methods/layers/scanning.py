@@ -716,7 +716,7 @@ def crest(pupil: ObjectivePupil) -> float:
     The unit is the unit of E in :class:`lommel.methods.Confocal`; the relative error is about 1e-6.
     """
     # The waves keep their transmission by interfaces and films and their decay with depth; the phase psi of
-    # :meth:`lommel.Objective.phase` is omitted.
+    # :meth:`lommel.optics.layers.stratified.Layers.rates` is omitted.
 
     model, depth, focus = pupil.light.model, pupil.depth.ravel(), pupil.focus.ravel()
     rule = debye.rule(pupil.layers, model, depth, focus, float(_RADII[-1] + _OFFSETS[-1]), 1e-10)

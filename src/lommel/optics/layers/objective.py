@@ -22,11 +22,9 @@ from lommel.optics.layers.emitter import Beam, Dipole, Scalar, emitter_of
 from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.optics.layers.stratified import (
     DEPTH_MOST,
-    Amplitudes,
     Design,
     Layer,
     Layers,
-    Values,
     cosines,
     depths,
     film_stack,
@@ -292,10 +290,6 @@ class Objective:
             )
         return d.ravel(), f.ravel(), d.shape
 
-    def _rates(self, rho: ArrayLike, wavelength: float) -> tuple[Values, Values, Values]:
-        layers = self._layers(wavelength)
-        return layers.rates(layers.cosine(validation.real_array("rho", rho, least=0.0, most=1.0)))
-
     def pupil(
         self,
         *,
@@ -361,66 +355,6 @@ class Objective:
     def critical_angle(self) -> float | None:
         """Critical angle of the sample in the immersion, radians; None if all light propagates in the sample."""
         return math.asin(self.sample / self.immersion) if self.sample < self.NA else None
-
-    def phase(self, rho: ArrayLike, *, depth: float, focus: float, wavelength: float) -> NDArray[np.complex128]:
-        """Return the phase psi of each plane wave from the emitter, ``exp(i psi - i omega t)``.
-
-        ``psi = k (d n_s c_s + t_g n_g c_g - t_g0 n_g0 c_g0 + t_i n_i c_i - t_i0 n_i0 c_i0)``, with
-        ``t_i = n_i (t_g0 / n_g0 + t_i0 / n_i0 - t_g / n_g) - f``, where d is the depth, f the focus, t a thickness
-        and 0 marks the design. The phase due to films is part of :meth:`transmission`.
-
-        Parameters
-        ----------
-        rho : array_like
-            Pupil radius, 0 to 1.
-        depth, focus : float
-            Depth of the emitter and stage position, metres.
-        wavelength : float
-            Wavelength in vacuum, metres.
-
-        Returns
-        -------
-        ndarray of complex
-            Phase, radians; the imaginary part is positive beyond the critical angle of the sample.
-
-        Raises
-        ------
-        TypeError, ValueError
-            If an argument is out of range.
-        """
-        d, f, _ = self._planes(depth, focus)
-        if d.size != 1:
-            raise ValueError(f"depth and focus must be one number each, got {d.size} planes")
-        constant, by_depth, by_focus = self._rates(rho, wavelength)
-        return np.asarray(constant + d[0] * by_depth + f[0] * by_focus)
-
-    def transmission(self, rho: ArrayLike, *, wavelength: float) -> tuple[NDArray[np.complex128], ...]:
-        """Return the transmitted amplitudes ``(t_s, t_p)`` of plane waves from immersion to sample.
-
-        They follow from Fresnel's equations and the characteristic matrices of the films, without `apodization`.
-        Emitted light, from sample to immersion, has the amplitudes ``t_s n_i c_i / (n_s c_s)`` and ``t_p n_i c_i /
-        (n_s c_s)``.
-
-        Parameters
-        ----------
-        rho : array_like
-            Pupil radius, 0 to 1.
-        wavelength : float
-            Wavelength in vacuum, metres.
-
-        Returns
-        -------
-        t_s, t_p : ndarray of complex
-            Amplitudes of s and p waves.
-
-        Raises
-        ------
-        TypeError, ValueError
-            If an argument is out of range.
-        """
-        radii, layers = validation.real_array("rho", rho, least=0.0, most=1.0), self._layers(wavelength)
-        result: Amplitudes = layers.amplitudes(layers.cosine(radii), ((self.NA * radii) ** 2).astype(np.complex128))
-        return np.asarray(result.s), np.asarray(result.p)
 
     def fields(
         self, radius: ArrayLike, *, depth: ArrayLike, focus: ArrayLike, wavelength: float, tol: float = 1e-10

@@ -68,7 +68,13 @@ class Layers:
         return lambda index: cosines(self.NA, rho, index)
 
     def rates(self, cosine: Callable[[float], Values]) -> tuple[Values, Values, Values]:
-        """Return the phase at depth 0 and focus 0, and its derivatives by depth and focus, 1/metres."""
+        """Return the phase at depth 0 and focus 0, and its derivatives by depth and focus, 1/metres.
+
+        The phase of a plane wave from the emitter, ``exp(i psi - i omega t)``, without the phase due to films, is
+        ``psi = k (d n_s c_s + t_g n_g c_g - t_g0 n_g0 c_g0 + t_i n_i c_i - t_i0 n_i0 c_i0)``, with ``t_i = n_i (t_g0
+        / n_g0 + t_i0 / n_i0 - t_g / n_g) - f``, where d is the depth, f the focus, t a thickness and 0 marks the
+        design.
+        """
         k = self.wavenumber
         by_focus = cosine(self.immersion) * (-k * self.immersion)
         phase0 = by_focus * 0.0

@@ -19,6 +19,7 @@ from lommel.methods.layers.debye_wolf import refine_until
 from lommel.methods.layers.samples import SampledLight
 from lommel.methods.layers.scanning import Orders, Table
 from lommel.optics.grid import Grid
+from lommel.optics.layers import projection
 from lommel.optics.layers.emitter import Harmonic
 from objectives import FIVE, OIL
 
@@ -328,14 +329,15 @@ def test_a_case_counts_rounding_truncation_and_nodes_for_its_share_of_the_error(
     axis = np.array([2.0, 3.5])
     base = chordal_debye.growth(waves, -axis * 0.8, (np.array([4.0, 6.0]) - axis) * 0.8)
     limit = base.times(3)
-    assert case.degree == chordal_debye.degree_for(limit.projection, case.norm, 0.25 * error)
+    norm = projection.norm(PUPIL.layers, PUPIL.emitter.light.model)
+    assert case.degree == chordal_debye.degree_for(limit.projection, norm, 0.25 * error)
     reach = 0.8 * math.hypot(2.0, 3.5)
     per_term = [3.0 * n * n + 16.0 + len(waves.terms) for n, _ in waves.terms]
     phase = max(sum(abs(c) * p for c, p in zip(edge, per_term, strict=True)) for edge in np.atleast_2d(waves.edge))
     rounding = 4.0 * case.degree + 64.0 + 9.0 * reach + phase
     factors = [0 if term < 0 else by.terms[term][0] for _, term, _ in case.sets.tolist()]
     assert case.rounding == pytest.approx([rounding + 6.0 * n * n for n in factors], rel=1e-12)
-    cut = [case.norm * float(chordal_debye.truncation_error(base.times(n).projection, case.degree)) for n in factors]
+    cut = [norm * float(chordal_debye.truncation_error(base.times(n).projection, case.degree)) for n in factors]
     assert case.truncation == pytest.approx(cut, rel=1e-9)
     for row, (mean, factor, share) in zip(
         case.chosen,

@@ -45,7 +45,6 @@ gauss_legendre = _core.gauss_legendre
 huygens_sum = _core.huygens_sum
 least_average = _core.least_average
 least_squares = _core.least_squares
-legendre_transforms = _core.legendre_transforms
 polynomial_fields = _core.polynomial_fields
 product = _core.product
 scatter = _core.scatter

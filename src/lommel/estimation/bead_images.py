@@ -29,7 +29,7 @@ from lommel.methods.layers.chordal_debye import SampleLattice as Samples
 from lommel.optics.aperture.apodization import Apodization, illumination
 from lommel.optics.layers.emitter import Emitter
 from lommel.optics.layers.objective import Objective, layers_of
-from lommel.optics.layers.objective_pupil import ObjectivePupil
+from lommel.optics.layers.objective_pupil import ObjectivePupil, power_at
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.recorded.counts import Counts
 from lommel.recorded.noise import Noise
@@ -312,7 +312,7 @@ class BeadImages:
         else:
             terms, degrees = (*self.estimated_terms, *SHIFTS.values()), tuple(AMPLITUDES[name] for name in amplitudes)
             sampled = light_of(by=terms, by_focus=True, by_amplitude=degrees, threads=self.threads)
-        power = light_by_rule.collected(layers, setup.emitter, depths)
+        power = power_at(layers, setup.emitter, depths)
         scale = pixel_v**2 / (4.0 * math.pi * float(fractions @ power))
         sum_of_discs: Array | float = 0.0
         for k, (height, fraction) in enumerate(zip(u, fractions.tolist(), strict=True)):
@@ -375,7 +375,7 @@ def _light_derivative(setup: Setup, name: str, depth: Array) -> float:
         layers = layers_of(setup.with_constant(name, value).objective, setup.wavelength)
         # Derivatives of images neglect that the largest amplitude is normalized to 1: compensate for this here.
         factor = (layers.exponent[0] if layers.exponent else 0.0) + value * math.sqrt(n + 1.0) * (-1.0) ** (n // 2)
-        logarithms.append(math.log(float(light_by_rule.collected(layers, setup.emitter, depth)[0])) + 2.0 * factor)
+        logarithms.append(math.log(float(power_at(layers, setup.emitter, depth)[0])) + 2.0 * factor)
     return (logarithms[0] - logarithms[1]) / (2.0 * h)
 
 

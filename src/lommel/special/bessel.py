@@ -29,21 +29,6 @@ def bessel_sequence(v: ArrayLike, count: int) -> Array:
     return engine.bessel_sequence(_radii(v), count)
 
 
-def legendre_transforms(v: ArrayLike, terms: int) -> Array:
-    """Return ``2 (-1)^n J_{2n+1}(v) / v``, the Hankel transforms of ``P_n(2t - 1)``, t = rho^2.
-
-    Parameters
-    ----------
-    v : array_like, shape (n,)
-    terms : int
-
-    Returns
-    -------
-    ndarray, shape (n, terms)
-    """
-    return engine.legendre_transforms(_radii(v), terms)
-
-
 def j0_series(a: ArrayLike, terms: int = 3) -> Array:
     """Return a polynomial approximation of J0: the first terms of its power series (paper, Eq. 6; DLMF 10.2.2).
 

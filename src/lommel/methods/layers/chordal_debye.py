@@ -721,13 +721,6 @@ def light(
     return chordal_series_light(*arguments, derivative_terms, no_error, np.ones(count), threads)[0]
 
 
-def collected(layers: Layers, emitter: Emitter, depth: Array) -> Array:
-    """Return the collected light at each depth; see :attr:`ObjectivePupil.power`."""
-    depths, index = np.unique(depth, return_inverse=True)
-    power, _ = debye.power(layers, depths, emitter.light.model)
-    return np.asarray((power @ emitter.light.shares)[index.ravel()])
-
-
 def _amplitudes(
     layers: Layers, model: Model, planes: Planes, degree: int, by_amplitude: tuple[int, ...], *, by_focus: bool
 ) -> Complex:
@@ -758,12 +751,7 @@ def _integrals(
     """Return phase rates at the quadrature angles, weights of the angles in each radial term, and rho."""
     sections = debye.pieces(layers, model)
     rho, parts, rates = debye.tabulated(sections, model, (nodes,) * len(sections))
-    columns: list[Complex] = []
-    for order, part in zip(model.orders, parts, strict=True):
-        radial = zernike.radials(order, max(degree, order), rho)
-        n = projection.degrees(order, degree)
-        columns += [part * ((k + 1.0) * polynomial) for k, polynomial in zip(n, radial, strict=True)]
-    return rates, np.stack(columns, axis=1), rho
+    return rates, projection.series_weights(model, degree, rho, parts), rho
 
 
 class Filter(NamedTuple):

@@ -101,10 +101,8 @@ class ObjectivePupil(BasePupil):
         """Power collected in each plane of the flattened stack, unit ``4 pi / (k NA)^2``, k = 2 pi / wavelength."""
         # Parameter searches evaluate the same single plane repeatedly: cache its power.
         if self.depth.size == 1:
-            return _power_at(self.layers, self.emitter, self.depth.item()).copy()
-        depth, index = np.unique(self.depth.ravel(), return_inverse=True)
-        powers, _ = debye.power(self.layers, depth, self.light.model)
-        return np.asarray((powers @ self.light.shares)[index.ravel()])
+            return _power_at_one(self.layers, self.emitter, self.depth.item()).copy()
+        return power_at(self.layers, self.emitter, self.depth)
 
     @property
     def collected(self) -> Array:
@@ -178,10 +176,16 @@ class ObjectivePupil(BasePupil):
         return f"<ObjectivePupil {objective}, {planes}, {self.emitter!r}{aberrations}>"
 
 
+def power_at(layers: Layers, emitter: Emitter, depth: Array) -> Array:
+    """Return the power collected at each depth, flattened; see :attr:`ObjectivePupil.power`."""
+    light, (depths, index) = light_of(emitter), np.unique(depth.ravel(), return_inverse=True)
+    powers, _ = debye.power(layers, depths, light.model)
+    return np.asarray((powers @ light.shares)[index.ravel()])
+
+
 @lru_cache(maxsize=256)
-def _power_at(layers: Layers, emitter: Emitter, depth: float) -> Array:
-    model_light = light_of(emitter)
-    return np.asarray(debye.power(layers, np.array([depth]), model_light.model)[0] @ model_light.shares)
+def _power_at_one(layers: Layers, emitter: Emitter, depth: float) -> Array:
+    return power_at(layers, emitter, np.array([depth]))
 
 
 PLANES = ("depth", "focus", "z")

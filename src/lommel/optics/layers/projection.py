@@ -11,6 +11,7 @@ rules of :mod:`lommel.optics.layers.debye` compute the coefficients
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from functools import lru_cache
 from typing import NamedTuple
 
@@ -169,6 +170,16 @@ def degrees(order: int, degree: int) -> NDArray[np.int64]:
     return np.arange(order, max(degree, order) + 1, 2, dtype=np.int64)
 
 
+def series_weights(model: Model, degree: int, rho: Array, parts: Sequence[Complex]) -> Complex:
+    """Return the weights of nodes in the coefficients of all terms, from weighted `parts`, shape (nodes, terms)."""
+    columns = [
+        part * ((n + 1.0) * radial)
+        for order, part in zip(model.orders, parts, strict=True)
+        for n, radial in zip(degrees(order, degree), zernike.radials(order, max(degree, order), rho), strict=True)
+    ]
+    return np.stack(columns, axis=1)
+
+
 def amplitudes(pupil: ObjectivePupil, degree: int, error: float, rates: tuple[int, ...] = ()) -> Amplitudes:
     """Return Zernike series of the amplitudes of the flattened planes of a `pupil`.
 
@@ -231,16 +242,7 @@ def _integrals(
     rule = debye.rule(layers, model, d, f, 0.0, _integral_tol(error, degree), growth)
     factors = [1j * (rate - least) / most for rate, least, most in zip(rule.rates[1:], middle, steep, strict=True)]
 
-    amplitude_weights = np.stack(
-        [
-            part * ((n + 1.0) * radial)
-            for order, part in zip(model.orders, rule.parts, strict=True)
-            for n, radial in zip(
-                degrees(order, degree), zernike.radials(order, max(degree, order), rule.rho), strict=True
-            )
-        ],
-        axis=1,
-    )
+    amplitude_weights = series_weights(model, degree, rule.rho, rule.parts)
     weights = [amplitude_weights, *(factor[:, None] * amplitude_weights for factor in factors)]
     return _Integrals(rule, np.ascontiguousarray(weights))
 

@@ -223,9 +223,9 @@ SECTIONS = [
         "Each documents its published source.",
         "",
         ("special",),
-        more="special.bessel.bessel_sequence special.bessel.legendre_transforms special.bessel.j0_series"
-        " special.bessel.j0_asymptotic special.bessel.tangent_line special.erf.chirp_moments"
-        " special.erf.unit_moments optics.aperture.shapes.disk_overlap special.erf.Erf"
+        more="special.bessel.bessel_sequence special.bessel.j0_series"
+        " special.bessel.j0_asymptotic special.bessel.tangent_line"
+        " optics.aperture.shapes.disk_overlap special.erf.Erf"
         " special.erf.fresnel_auxiliary special.legendre.gauss_legendre special.piecewise.PiecewiseQuadratic"
         " special.piecewise.split_edges special.piecewise.fit_quadratics special.zernike.name"
         " special.zernike.polynomial special.zernike.rms_factor",

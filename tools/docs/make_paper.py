@@ -114,10 +114,10 @@ IMPLEMENTATION = """\
 | 6, 7 | the two approximations of J0 | `special/bessel.py` |
 | 8, 12 | their piecewise combination, the six integrals | `methods/paper/closed_form.py` |
 | 9-11 | tangent line to 1/sqrt(a) | `special/bessel.py` (`tangent_line`) |
-| 13, 21-23 | integrals 4 to 6, by the moments of a chirp | `special/erf.py` (`chirp_moments`) |
-| 14 | error function of a complex argument, lookup table, Fresnel integrals | `special/erf.py` |
+| 13, 21-23 | integrals 4 to 6, by the moments of a chirp | `special/chirp.hpp` of the compiled core |
+| 14 | error function by series, table, Fresnel integrals | `special/erf.py`, `special/fresnel.hpp` of the compiled core |
 | 17 | piecewise quadratic phases | `special/piecewise.py` |
-| 18-20 | integrals 1 to 3 | `special/erf.py` (`unit_moments`) |
+| 18-20 | integrals 1 to 3 | `paper/closed_form.hpp` of the compiled core |
 | section 5 | "further optimizing parameters" | `methods/paper/closed_form.py` |
 """
 

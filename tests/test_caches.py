@@ -13,7 +13,7 @@ import pytest
 
 import lommel as lm
 from core_tests import _core_tests
-from lommel.core import engine
+from lommel import _core
 from lommel.methods import ChordalGauss, Hankel, NijboerZernike
 from lommel.optics.grid import Grid
 from lommel.special.legendre import gauss_legendre
@@ -173,16 +173,16 @@ def asked() -> list[np.ndarray]:
 def test_clearing_frees_what_is_kept_and_changes_no_bit():
     lm.clear_caches()  # of what other tests left
     before = asked()
-    held, limit = engine.table_bytes()
+    held, limit = _core.cached_bytes()
     assert 2**20 < held < limit < 2**31
     assert {"lommel.psf._cached_plan", "lommel.optics.layers.debye._powers"} <= {
         name for name, count in kept().items() if count
     }
     lm.clear_caches()
-    assert engine.table_bytes() == (0, limit)
+    assert _core.cached_bytes() == (0, limit)
     assert {name for name, count in kept().items() if count} == set()
     again = asked()
-    assert engine.table_bytes()[0] > 2**20
+    assert _core.cached_bytes()[0] > 2**20
     assert all(np.array_equal(one, other) for one, other in zip(before, again, strict=True))
 
 
@@ -190,11 +190,11 @@ def test_the_last_two_tables_of_a_kind_are_kept_whatever_their_size():
     limit = 16 * 2**20  # of distances between which samples are interpolated
     lm.clear_caches()
     lm.psf(lm.Pupil(), 2950, 80.0)
-    kept = engine.table_bytes()[0]
+    kept = _core.cached_bytes()[0]
     lm.psf(lm.Pupil(), 33, 0.5, center=(16.2, 15.9))
-    assert engine.table_bytes()[0] >= kept
+    assert _core.cached_bytes()[0] >= kept
     lm.psf(lm.Pupil(), 93, 0.5, center=(16.2, 15.9))
-    assert engine.table_bytes()[0] < kept - limit
+    assert _core.cached_bytes()[0] < kept - limit
 
 
 def test_pupils_beyond_a_whole_vector_take_the_tables_of_the_others_where_no_more_are_kept():

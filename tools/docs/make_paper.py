@@ -115,7 +115,7 @@ IMPLEMENTATION = """\
 | 8, 12 | their piecewise combination, the six integrals | `methods/paper/closed_form.py` |
 | 9-11 | tangent line to 1/sqrt(a) | `special/bessel.py` (`tangent_line`) |
 | 13, 21-23 | integrals 4 to 6, by the moments of a chirp | `special/chirp.hpp` of the compiled core |
-| 14 | error function by series, table, Fresnel integrals | `special/erf.py`, `special/fresnel.hpp` of the compiled core |
+| 14 | error function, three ways | `special/erf.py`, `special/fresnel.hpp` of the compiled core |
 | 17 | piecewise quadratic phases | `special/piecewise.py` |
 | 18-20 | integrals 1 to 3 | `paper/closed_form.hpp` of the compiled core |
 | section 5 | "further optimizing parameters" | `methods/paper/closed_form.py` |

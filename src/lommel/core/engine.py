@@ -49,7 +49,6 @@ polynomial_fields = _core.polynomial_fields
 product = _core.product
 scatter = _core.scatter
 spread = _core.spread
-table_bytes = _core.cached_bytes
 transfer_rule = _core.transfer_rule
 
 

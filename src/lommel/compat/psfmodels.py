@@ -1,9 +1,8 @@
-"""The functions of psfmodels: scalar and vectorial PSFs of Gibson and Lanni, with lengths in micrometres."""
+"""`make_psf` of psfmodels: scalar and vectorial PSFs of Gibson and Lanni, with lengths in micrometres."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -100,45 +99,29 @@ def make_psf(
     S. F. Gibson and F. Lanni, J. Opt. Soc. Am. A 9, 154 (1992), doi:10.1364/JOSAA.9.000154.
     F. Aguet et al., Opt. Express 17, 6829 (2009), doi:10.1364/OE.17.006829.
     """
-    planes = _centered_planes(z, dz, pz) if isinstance(z, int) else z
     params = {"NA": NA, "ng0": ng0, "ng": ng, "ni0": ni0, "ni": ni, "ns": ns, "ti0": ti0, "tg": tg, "tg0": tg0}
-    return _compute_stack(planes, nx, dxy, pz, wvl, params | {"sf": oversample_factor}, normalize, model)
-
-
-def vectorial_psf(
-    zv: ArrayLike = 0.0,
-    nx: int = 31,
-    dxy: float = 0.05,
-    pz: float = 0.0,
-    wvl: float = 0.6,
-    params: Mapping[str, float] | None = None,
-    normalize: bool = True,
-) -> Array:
-    """Return the vectorial PSF at planes `zv`; `params` has keys of :data:`PARAMS`, and "sf" (oversampling)."""
-    return _compute_stack(zv, nx, dxy, pz, wvl, params, normalize, "vectorial")
-
-
-def scalar_psf(
-    zv: ArrayLike = 0.0,
-    nx: int = 31,
-    dxy: float = 0.05,
-    pz: float = 0.0,
-    wvl: float = 0.6,
-    params: Mapping[str, float] | None = None,
-    normalize: bool = True,
-) -> Array:
-    """Return the scalar PSF at planes `zv`; `params` has keys of :data:`PARAMS`, and "sf" (oversampling)."""
-    return _compute_stack(zv, nx, dxy, pz, wvl, params, normalize, "scalar")
-
-
-def vectorial_psf_centered(nz: int, dz: float = 0.05, pz: float = 0.0, **options: Any) -> Array:
-    """Return the vectorial PSF at `nz` planes with step `dz` (micrometres) around `pz`; see :func:`vectorial_psf`."""
-    return vectorial_psf(_centered_planes(nz, dz, pz), pz=pz, **options)
-
-
-def scalar_psf_centered(nz: int, dz: float = 0.05, pz: float = 0.0, **options: Any) -> Array:
-    """Return the scalar PSF at `nz` planes with step `dz` (micrometres) around `pz`; see :func:`scalar_psf`."""
-    return scalar_psf(_centered_planes(nz, dz, pz), pz=pz, **options)
+    samples = validation.integer("oversample_factor", oversample_factor, least=1, most=1000)
+    side = validation.integer("nx", nx, least=1, most=10_000)
+    depth = validation.real("pz", pz, least=0.0)
+    if isinstance(z, int):
+        count, step = validation.integer("z", z, least=1, most=100_000), validation.real("dz", dz, above=0.0)
+        half_range = 0.5 * (count - 1) * step
+        planes = np.linspace(depth - half_range, depth + half_range, count)
+    else:
+        planes = np.atleast_1d(validation.real_array("z", z))
+    is_scalar = validation.choice("model", model, _MODELS) == "scalar"
+    # psfmodels: z = 0 is paraxial focus on the cover glass; Objective.pupil: z = 0 is paraxial focus on the point.
+    pupil = objective(params).pupil(
+        depth=1e-6 * depth,
+        z=1e-6 * (planes - depth),
+        wavelength=1e-6 * validation.real("wvl", wvl, above=0.0),
+        origin="paraxial",
+        emitter=Scalar() if is_scalar else "isotropic",
+    )
+    pitch = 1e-6 * validation.real("dxy", dxy, above=0.0)
+    middle = (side - 1) // 2
+    values = psf(pupil, side, pitch, integrate=samples > 1, center=(middle, middle), dtype=np.float64).values
+    return np.asarray(values / values.max() if validation.truth("normalize", normalize) else values)
 
 
 def objective(params: Mapping[str, float]) -> Objective:
@@ -175,44 +158,3 @@ def objective(params: Mapping[str, float]) -> Objective:
         coverslip=coverslip,
         design=Design(p["ni0"], design_coverslip),
     )
-
-
-def _centered_planes(count: int, step: float, middle: float) -> Array:
-    half_range = (
-        0.5 * (validation.integer("z", count, least=1, most=100_000) - 1) * validation.real("dz", step, above=0.0)
-    )
-    return np.linspace(middle - half_range, middle + half_range, count)
-
-
-def _compute_stack(
-    zv: ArrayLike,
-    nx: int,
-    dxy: float,
-    pz: float,
-    wvl: float,
-    params: Mapping[str, float] | None,
-    normalize: bool,
-    model: str,
-) -> Array:
-    options = dict(params or {})
-    samples = validation.integer("oversample_factor", options.pop("sf", 3), least=1, most=1000)
-    if (mode := options.pop("mode", 1)) != 1:
-        raise ValueError(
-            f"mode must be 1, got {validation.shown(mode)}; for oversampled PSFs use a smaller dxy and sf=1"
-        )
-    side = validation.integer("nx", nx, least=1, most=10_000)
-    depth = validation.real("pz", pz, least=0.0)
-    planes = np.atleast_1d(validation.real_array("zv", zv))
-    is_scalar = validation.choice("model", model, _MODELS) == "scalar"
-    # psfmodels: z = 0 is paraxial focus on the cover glass; Objective.pupil: z = 0 is paraxial focus on the point.
-    pupil = objective(options).pupil(
-        depth=1e-6 * depth,
-        z=1e-6 * (planes - depth),
-        wavelength=1e-6 * validation.real("wvl", wvl, above=0.0),
-        origin="paraxial",
-        emitter=Scalar() if is_scalar else "isotropic",
-    )
-    pitch = 1e-6 * validation.real("dxy", dxy, above=0.0)
-    middle = (side - 1) // 2
-    values = psf(pupil, side, pitch, integrate=samples > 1, center=(middle, middle), dtype=np.float64).values
-    return np.asarray(values / values.max() if validation.truth("normalize", normalize) else values)

@@ -113,7 +113,7 @@ def through_focus(pupil: Pupil, ax: Axes | None = None) -> Axes:
     factor, unit = drawing.lengths(pupil.unit)
     shift, label = _shift(pupil, shifts)
     step = x[1] - x[0], shift[1] - shift[0]
-    axes = drawing.new_axes(ax, figsize=(7.2, 4.2))
+    axes = drawing.new_axes(ax, (7.2, 4.2))
     top = (half_x + 0.5 * step[0]) * factor
     axes.imshow(
         values.T,
@@ -158,7 +158,7 @@ def focus_curves(pupil: Pupil, ax: Axes | None = None) -> Axes:
     validation.axes("ax", ax)
     shifts, stack = moved(pupil)
     f = np.array(_CUTOFF_FRACTIONS) * pupil.cutoff
-    axes = drawing.new_axes(ax, figsize=(6.4, 4.2))
+    axes = drawing.new_axes(ax, (6.4, 4.2))
     shift, label = _shift(pupil, shifts)
     axes.plot(shift, strehl(stack), color=axes.xaxis.label.get_color(), label="Strehl ratio")  # white in dark styles
     if pupil.mask is None:

@@ -26,7 +26,6 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.colors import Normalize
     from matplotlib.figure import Figure
-    from matplotlib.image import AxesImage
 
 
 def of_pupils(pupil: BasePupil) -> list[str]:
@@ -187,17 +186,16 @@ def pyplot() -> ModuleType:
     return library("matplotlib.pyplot", *USER)
 
 
-def with_margins(figure: Figure) -> None:
-    """Set margins around the labels of a figure and between its axes."""
+def new_figure(size: tuple[float, float] | None = None, layout: str = "constrained") -> Figure:
+    """Return a new figure of this width and height, inches, with margins around labels and between axes."""
+    figure: Figure = pyplot().figure(figsize=size, layout=layout)
     figure.get_layout_engine().set(w_pad=0.08, h_pad=0.08)  # type: ignore[union-attr, call-arg]
+    return figure
 
 
-def new_axes(ax: Axes | None, **options: object) -> Axes:
-    """Return `ax`, or if it is None the axes of a new figure with these options."""
-    if ax is None:
-        figure, ax = pyplot().subplots(layout="constrained", **options)
-        with_margins(figure)
-    return ax
+def new_axes(ax: Axes | None, size: tuple[float, float] | None = None) -> Axes:
+    """Return `ax`, or if it is None the axes of a new figure of this width and height, inches."""
+    return new_figure(size).subplots() if ax is None else ax
 
 
 _PICTURE_SIDE = 3.9  # longer side of a picture, inches
@@ -206,13 +204,9 @@ _EXTRA_WIDTH, _EXTRA_HEIGHT = 2.5, 0.9  # space for the colour bar with labels, 
 
 def picture_axes(ax: Axes | None, height: float, width: float) -> Axes:
     """Return `ax`, or the axes of a new figure for a picture of the aspect ratio height : width with a colour bar."""
-    if ax is not None:
-        return ax
     inch = _PICTURE_SIDE / max(height, width)
     size = max(inch * width, 0.5) + _EXTRA_WIDTH, max(inch * height + _EXTRA_HEIGHT, 2.6)
-    figure = pyplot().figure(figsize=size, layout="compressed")
-    with_margins(figure)
-    return figure.subplots()  # type: ignore[no-any-return]
+    return new_figure(size, "compressed").subplots() if ax is None else ax
 
 
 def lengths(unit: str) -> tuple[float, str]:
@@ -317,30 +311,30 @@ def complete_curves(
 
 def tiles(
     shape: tuple[int, ...],
-    draw: Callable[[tuple[int, ...], Axes], AxesImage],
+    draw: Callable[[tuple[int, ...], Axes], object],
     titles: list[str],
     title: str,
-    label: str,
+    label: str | None = None,
 ) -> NDArray[np.object_]:
-    """Draw the members of a stack in a new figure with one colour bar; ``draw(index, axes)`` draws one member."""
+    """Draw the members of a stack in a new figure, with a `label` with one colour bar.
+
+    ``draw(index, axes)`` draws one member.
+    """
     at_most(shape)
     count = int(np.prod(shape))
     columns = shape[1] if len(shape) == 2 else columns_of(count)
     rows = -(-count // columns)
-    figure = pyplot().figure(
-        figsize=(max(min(2.0 * columns, 14.0) + 1.2, 4.4), 2.0 * rows + 0.8), layout="constrained"
-    )
-    with_margins(figure)
+    figure = new_figure((max(min(2.0 * columns, 14.0) + 1.2, 4.4), 2.0 * rows + 0.8))
     all_axes = np.empty(shape, dtype=object)
-    image: AxesImage | None = None
     for k, index in enumerate(np.ndindex(shape)):
         axes = all_axes[index] = figure.add_subplot(rows, columns, k + 1)
-        image = draw(index, axes)
+        draw(index, axes)
         axes.set_title(titles[k], fontsize=8)
         axes.tick_params(labelsize=7)
         only_outer(axes, k, count, columns)
     entitle(figure, title)
-    bar = figure.colorbar(image, ax=all_axes.ravel().tolist())
-    bar.set_label(label, fontsize=8)
-    bar.ax.tick_params(labelsize=7)
+    if label is not None:
+        bar = figure.colorbar(axes.images[0], ax=all_axes.ravel().tolist())
+        bar.set_label(label, fontsize=8)
+        bar.ax.tick_params(labelsize=7)
     return all_axes

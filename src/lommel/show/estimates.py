@@ -121,10 +121,7 @@ def field(
     factor, name = (1e3, "mm") if length == "m" else (1.0, "λN")
     rows = math.ceil((len(maps) + 1) / _MAX_COLUMNS)
     columns = math.ceil((len(maps) + 1) / rows)
-    figure: Figure = drawing.pyplot().figure(
-        figsize=(2.6 * _MAX_COLUMNS + 1.0, 2.7 * rows + 4.6), layout="constrained"
-    )
-    drawing.with_margins(figure)
+    figure = drawing.new_figure((2.6 * _MAX_COLUMNS + 1.0, 2.7 * rows + 4.6))
     upper, lower = figure.subfigures(2, 1, height_ratios=(2.7 * rows, 4.2))  # type: ignore[misc]
     panels = upper.subplots(rows, columns, squeeze=False)
     extent = [factor * x[0], factor * x[-1], factor * y[-1], factor * y[0]]
@@ -217,7 +214,7 @@ def picture(
 
     `along` is the quantity that colours represent: "z", "depth" or "none".
     """
-    axes = drawing.new_axes(ax, figsize=(6.4, 5.6))
+    axes = drawing.new_axes(ax, (6.4, 5.6))
     side = max(_MIN_PIXEL, max(size) / _DEFAULT_PIXELS) if pixel is None else max(pixel, max(size) / _MAX_PIXELS)
     one_colour = along == "none"
     colour_values = np.zeros(rows.size) if one_colour else 1e6 * rows["z"]
@@ -278,8 +275,7 @@ def projections(
     inch = _SIDE / max(width_m, height_m)
     xz_height = max(depth, _MIN_XZ_HEIGHT * height_m)
     size = 3 * (inch * width_m + 0.25) + 1.1, len(channels) * (inch * (height_m + xz_height) + 0.75) + 0.5
-    figure: Figure = drawing.pyplot().figure(figsize=size, layout="compressed")
-    drawing.with_margins(figure)
+    figure = drawing.new_figure(size, "compressed")
     axes = figure.subplots(2 * len(channels), 3, height_ratios=[height_m, xz_height] * len(channels), squeeze=False)
     for rows, (name, pictures) in zip(axes.reshape(len(channels), 2, 3), channels, strict=True):
         for column, (label, pair) in enumerate(zip(("recorded", "restored", "residual"), pictures, strict=True)):
@@ -324,8 +320,7 @@ def maps(depth: Array, errors: Array, light: Values | None) -> Figure:
     tall = _MAP * min(max(height / width, 0.4), 2.0)
     wide = min(_MAP, tall * width / height)
     size = count * wide + 2 * _BAR_WIDTH + 0.8, tall + 1.0
-    figure: Figure = drawing.pyplot().figure(figsize=size, layout="compressed")
-    drawing.with_margins(figure)
+    figure = drawing.new_figure(size, "compressed")
     axes = figure.subplots(1, count, squeeze=False)[0]
     is_known = np.isfinite(errors)
     low, high = np.percentile(depth[is_known], [0.5, 99.5]) if is_known.any() else (0.0, 1.0)
@@ -384,7 +379,7 @@ def precision(distance: Array, curves: Mapping[str, Array], title: str, foci: Se
 
     Dotted lines mark the focus distances `foci` within the range.
     """
-    axes = drawing.new_axes(None, figsize=(7.0, 4.4))
+    axes = drawing.new_axes(None, (7.0, 4.4))
     finite = np.concatenate([curve[np.isfinite(curve)] for curve in curves.values()])
     for name, curve in curves.items():
         axes.semilogy(distance, np.where(np.isfinite(curve), 1e3 * curve, np.nan), label=name)
@@ -425,8 +420,7 @@ def fit(
     names, values, errors, unit = terms
     count = min(len(images), _MAX_IMAGES)
     height = max(6.2, 0.2 * len(names) + 1.4)
-    figure: Figure = drawing.pyplot().figure(figsize=(1.9 * count + 1.2 + _TERMS, height), layout="constrained")
-    drawing.with_margins(figure)
+    figure = drawing.new_figure((1.9 * count + 1.2 + _TERMS, height))
     pictures, graph = figure.subfigures(1, 2, squeeze=False, width_ratios=(1.9 * count + 1.2, _TERMS))[0]
     short_titles = [title if len(title) < 22 else f"…{title[-20:]}" for title in titles[:count]]
     columns = list(zip(short_titles, images[:count], model[:count], residual[:count], strict=True))
@@ -479,7 +473,7 @@ def spots(
     ax: Axes | None,
 ) -> Axes:
     """Draw an image with windows of size `box` at accepted spots, and markers at rejected (row, column, reason)."""
-    axes = drawing.new_axes(ax, figsize=(7.0, 7.0 * min(max(image.shape[0] / image.shape[1], 0.4), 1.4) + 0.8))
+    axes = drawing.new_axes(ax, (7.0, 7.0 * min(max(image.shape[0] / image.shape[1], 0.4), 1.4) + 0.8))
     low, high = np.nanpercentile(image, [1.0, 99.8])
     norm = library("matplotlib.colors", *drawing.USER).PowerNorm(0.5, low, max(high, low + 1e-9), clip=True)
     axes.imshow(image, cmap="gray_r", norm=norm, interpolation="nearest")

@@ -26,7 +26,6 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.colors import Normalize
     from matplotlib.figure import Figure
-    from matplotlib.image import AxesImage
 
 __all__ = ["difference", "focus_curves", "mtf", "through_focus"]
 
@@ -92,10 +91,7 @@ def sections(psf: PSFLike, *, stretch: str = "sqrt") -> NDArray[np.object_]:
     longest = max(lengths)
     width, height, depth = (max(length, longest / _MAX_RATIO) for length in lengths)
     inch = _SIDE / longest
-    figure = drawing.pyplot().figure(
-        figsize=(inch * (width + depth) + 1.9, inch * (height + depth) + 1.3), layout="compressed"
-    )
-    drawing.with_margins(figure)
+    figure = drawing.new_figure((inch * (width + depth) + 1.9, inch * (height + depth) + 1.3), "compressed")
     grid = figure.subplots(2, 2, width_ratios=(width, depth), height_ratios=(height, depth))
     xy, yz, xz, empty = grid.flat
     empty.set_axis_off()
@@ -203,8 +199,8 @@ def plot(psf: PSFLike, ax: Axes | None = None, *, stretch: str = "sqrt") -> draw
     label = drawing.bar_label(drawing.MEANING[psf.normalize], stretch)
     if psf.pupil.shape != ():
 
-        def draw_member(index: tuple[int, ...], axes: Axes) -> AxesImage:
-            return _draw(psf[index], axes, norm).images[0]
+        def draw_member(index: tuple[int, ...], axes: Axes) -> Axes:
+            return _draw(psf[index], axes, norm)
 
         return drawing.tiles(psf.pupil.shape, draw_member, drawing.of_pupils(psf.pupil), _title(psf), label)
     sides = (count * pitch for count, pitch in zip(psf.shape, psf.grid.pitch, strict=True))
@@ -270,37 +266,29 @@ def colour(psf: ColourPSFLike, ax: Axes | None = None, *, stretch: str = "sqrt")
     validation.choice("stretch", stretch, ("sqrt", "linear", "log"))
     stack = psf.shape[:-3]
     if len(psf.psfs) == 3:
-        pictures = drawing.stretched(colours(psf), stretch).reshape(-1, *psf.shape[-2:], 3)
-        titles = [", ".join(map(str, index)) for index in np.ndindex(stack)]
+        shape, pictures = stack, drawing.stretched(colours(psf), stretch)
+        titles, scale = drawing.of_pupils(psf.psfs[0].pupil), "each channel / its largest value"
     elif not stack:
-        top = float(psf.values.max()) or 1.0
-        pictures, titles = drawing.stretched(np.maximum(psf.values, 0.0) / top, stretch), list(psf.channels.names)
+        light = np.maximum(psf.values, 0.0) / (float(psf.values.max()) or 1.0)
+        shape, pictures = (len(psf.psfs),), drawing.stretched(light, stretch)
+        titles, scale = list(psf.channels.names), "all channels / the largest value"
     else:
         raise ValueError(f"a stack must have three channels, got {len(psf.psfs)}; plot a channel: psf[0].plot()")
-    if len(pictures) > drawing.MAX_PICTURES or (ax is not None and len(pictures) > 1):
-        limit = 1 if ax is not None else drawing.MAX_PICTURES
-        raise ValueError(f"at most {limit} PSFs can be drawn here, got {len(pictures)}; use part(index) of a stack")
-    single = psf.psfs[0] if not stack else psf.psfs[0][(0,) * len(stack)]
-    columns = drawing.columns_of(len(pictures))
-    rows = -(-len(pictures) // columns)
-    all_axes = np.array([ax], dtype=object)
+    drawing.only_single(ax, shape)
+    single = psf.psfs[0][(0,) * len(stack)] if stack else psf.psfs[0]
+    style = {} if len(psf.psfs) == 3 else {"cmap": "gray", "vmin": 0.0, "vmax": 1.0}
+    title = f"brightness: {' '.join(drawing.STRETCHES[stretch].split())}, {scale}"
+
+    def draw_one(index: tuple[int, ...], axes: Axes) -> Axes:
+        return _show(pictures[index], single, axes, interpolation="nearest", **style)
+
+    if shape:
+        return drawing.tiles(shape, draw_one, titles, title)
+    axes = drawing.new_axes(ax, (4.4, 4.2))
+    draw_one((), axes)
     if ax is None:
-        size = (max(2.4 * columns + 1.0, 4.4), 2.3 * max(rows, 1.5 - 0.5 * (columns > 1)) + 0.7)
-        figure, grid = drawing.pyplot().subplots(rows, columns, squeeze=False, layout="constrained", figsize=size)
-        drawing.with_margins(figure)
-        all_axes = grid.ravel()
-        scale = "each channel / its largest value" if len(psf.psfs) == 3 else "all channels / the largest value"
-        drawing.entitle(figure, f"brightness: {' '.join(drawing.STRETCHES[stretch].split())}, {scale}")
-    style = {} if pictures.ndim == 4 else {"cmap": "gray", "vmin": 0.0, "vmax": 1.0}
-    for k, (picture, title) in enumerate(zip(pictures, titles, strict=True)):
-        _show(picture, single, all_axes[k], interpolation="nearest", **style)
-        drawing.only_outer(all_axes[k], k, len(pictures), columns)
-        if title:
-            all_axes[k].set_title(title, fontsize=9)
-    for empty in all_axes[len(pictures) :]:
-        empty.set_axis_off()
-    used_axes = all_axes[: len(pictures)]
-    return used_axes[0] if not titles[0] else used_axes.reshape(stack or -1)
+        axes.set_title(drawing.fit_to_width(title, axes), fontsize=9)
+    return axes
 
 
 def compare(answers: Mapping[str, PSFLike], reference: str) -> Figure:
@@ -333,10 +321,7 @@ def compare(answers: Mapping[str, PSFLike], reference: str) -> Figure:
     columns = -(-count // rows)
     width = 2.0 * max(columns, 3) + 1.6
     above = 2.2 * rows + 0.7
-    figure: Figure = library("matplotlib.figure", *drawing.USER).Figure(
-        figsize=(width, above + 4.6), layout="constrained"
-    )
-    drawing.with_margins(figure)
+    figure = drawing.new_figure((width, above + 4.6))
     pictures, graphs = figure.subfigures(2, 1, squeeze=False, height_ratios=(above, 4.6))[:, 0]
     peak = float(exact.values.max())
     scale = library("matplotlib.colors", *drawing.USER).LogNorm(*_ERRORS, clip=True)
@@ -471,7 +456,7 @@ def _field_axes(grid: PSFGridLike) -> Axes:
     """Return axes of a new figure with the sensor's aspect ratio."""
     ratio = min(max(grid.sensor[0] / grid.sensor[1], 0.25), 2.5)
     width = 8.0 if ratio <= 1.2 else 9.6 / ratio
-    return drawing.new_axes(None, figsize=(width + 1.1, width * ratio + 0.7))
+    return drawing.new_axes(None, (width + 1.1, width * ratio + 0.7))
 
 
 def difference(a: PSFLike | ArrayLike, b: PSFLike, ax: Axes | None = None) -> Axes:

@@ -18,7 +18,6 @@ from lommel.show import drawing
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-    from matplotlib.image import AxesImage
 
 UNITS = ("waves", "radians", "nm")
 _SIDE = 256  # pixels along a side of an image
@@ -189,13 +188,12 @@ def _draw(
     Other options are passed to `Axes.imshow`.
     """
 
-    def draw_one(index: tuple[int, ...], axes: Axes) -> AxesImage:
-        image = axes.imshow(values.reshape(*pupil.shape, *values.shape[1:])[index], extent=(-1, 1, 1, -1), **imshow)
+    def draw_one(index: tuple[int, ...], axes: Axes) -> None:
+        axes.imshow(values.reshape(*pupil.shape, *values.shape[1:])[index], extent=(-1, 1, 1, -1), **imshow)
         ticks = [-1, 0, 1]
         axes.set(facecolor=_BLOCKED, xticks=ticks, yticks=ticks, xlabel="x (pupil radii)", ylabel="y (pupil radii)")
         if isinstance(pupil, ObjectivePupil) and pupil.layers.sample < pupil.layers.NA:
             drawing.circle(axes, pupil.layers.sample / pupil.layers.NA, color="0.3", linewidth=0.8)
-        return image
 
     if pupil.shape:
         return drawing.tiles(pupil.shape, draw_one, titles, *labels)

@@ -33,6 +33,20 @@ def test_a_stack_and_seeing_are_taken():
     assert np.abs(both[0] - one).max() > 0.1 * one.max()
 
 
+def test_a_stdpsf_file_holds_the_psfs_of_its_pixels(tmp_path):
+    fits = pytest.importorskip("astropy.io.fits")
+    photutils.save_stdpsf(tmp_path / "grid.fits", FIELD, 2, 3, **SENSOR)
+    with fits.open(tmp_path / "grid.fits") as file:
+        header, data = file[0].header, np.array(file[0].data)
+    assert [header[name] for name in ("NAXIS3", "NYPSFS", "NXPSFS")] == [6, 2, 3]
+    assert [header[f"IPSFX0{k}"] for k in (1, 2, 3)] == [1, 301, 600]
+    assert [header[f"JPSFY0{k}"] for k in (1, 2)] == [1, 400]
+    # The last of the first row: column 599 and row 0 from the middle of the first pixel.
+    pupil = FIELD.pupil((599 - 299.5) * 5e-6, (0 - 199.5) * 5e-6)
+    right = photutils.effective_psf(pupil, 11, 5e-6)
+    np.testing.assert_allclose(data[2], right, rtol=0.0, atol=2e-6 * right.max())
+
+
 def test_photutils_places_stars_where_lommel_does():
     pytest.importorskip("photutils")
     model = photutils.image_psf(LENS, 31, 5e-6, oversampling=8)
@@ -44,6 +58,15 @@ def test_photutils_places_stars_where_lommel_does():
     found = grid.evaluate(x + 285, y + 384, 1.0, 300.0, 399.0 - 0.0)
     still = lm.psf(FIELD.pupil((300 - 299.5) * 5e-6, (399 - 199.5) * 5e-6), 31, 5e-6).values
     np.testing.assert_allclose(found, still, rtol=0.0, atol=1e-3 * star.max())
+
+
+def test_photutils_reads_the_files(tmp_path):
+    peer = pytest.importorskip("photutils.psf")
+    photutils.save_stdpsf(tmp_path / "grid.fits", FIELD, 2, 3, **SENSOR)
+    read = peer.GriddedPSFModel.read(tmp_path / "grid.fits", format="stdpsf")
+    made = photutils.gridded_psf_model(FIELD, 2, 3, **SENSOR)
+    np.testing.assert_array_equal(read.grid_xypos, made.grid_xypos)
+    np.testing.assert_allclose(read.data, made.data, rtol=1e-6)
 
 
 def test_galsim_draws_the_pixels_of_lommel():
@@ -62,6 +85,8 @@ def test_galsim_draws_the_pixels_of_lommel():
         (lambda: photutils.effective_psf(LENS, 10, 5e-6), "shape must be odd"),
         (lambda: photutils.effective_psf(LENS, 11, 5e-6, center=(5, 5)), "center must be left out"),
         (lambda: photutils.effective_psf(LENS, 11, 5e-6, oversampling=0), "oversampling must be"),
+        (lambda: photutils.save_stdpsf("x.fits", FIELD, 1, 3, **SENSOR), "rows must be"),
+        (lambda: photutils.save_stdpsf("x.fits", FIELD, 2, 3, **SENSOR | {"sensor": (9e-3, 9e-3)}), "outside of"),
     ],
 )
 def test_bad_arguments_are_named(call, said):

@@ -215,7 +215,8 @@ SECTIONS = [
         "See [](../coming-from.md).",
         ("compat",),
         more="compat.psfmodels.make_psf compat.psfmodels.objective compat.photutils.effective_psf"
-        " compat.photutils.image_psf compat.photutils.gridded_psf_model compat.galsim.interpolated_image",
+        " compat.photutils.image_psf compat.photutils.gridded_psf_model compat.photutils.save_stdpsf"
+        " compat.galsim.interpolated_image",
     ),
     Section(
         "Special functions",

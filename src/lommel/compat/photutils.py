@@ -2,15 +2,21 @@
 
 from __future__ import annotations
 
+from os import PathLike
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from lommel.base import optional, validation
-from lommel.base.arrays import Values
+from lommel.base import atomic, optional, validation
+from lommel.base.arrays import Array, Values
 from lommel.field.maps import FieldMap
+from lommel.io import fits_images
 from lommel.optics.pupil import Pupil
 from lommel.psf import psf
+
+_STDPSF_OVERSAMPLING = 4  # readers of STDPSF files assume this oversampling
+_Grid = tuple[Values, Array, Array]
 
 
 def effective_psf(pupil: Pupil, shape: int, pixel: float, *, oversampling: int = 4, **options: Any) -> Values:
@@ -130,17 +136,71 @@ def gridded_psf_model(
     """
     model = optional.library("photutils.psf", "gridded_psf_model needs", "").GriddedPSFModel
     table = optional.library("astropy.nddata", "gridded_psf_model needs", "fits").NDData
-    validation.instance("field", field, FieldMap)
-    pitch = validation.real("pixel", pixel, above=0.0)
-    places, metres = [], []
-    for name, count, length in (("columns", columns, sensor[1]), ("rows", rows, sensor[0])):
-        validation.integer(name, count, least=2, most=1000)
-        last = round(validation.real("sensor", length, above=0.0) / pitch) - 1
-        # Positions are rounded to whole pixels, from the first pixel of the sensor to its last.
-        places.append(np.round(np.linspace(0.0, last, count)))
-        metres.append((places[-1] - 0.5 * last) * pitch)
-    (x, y), pupils = places, field.pupil(metres[0], metres[1][:, None])
-    values = effective_psf(pupils, shape, pixel, oversampling=oversampling, **options)
+    values, x, y = _grid(field, rows, columns, sensor, shape, pixel, oversampling, options)
     positions = [(column, row) for row in y for column in x]
     meta = {"grid_xypos": positions, "oversampling": oversampling}
     return model(table(values.reshape(len(positions), *values.shape[2:]), meta=meta))
+
+
+def save_stdpsf(
+    path: str | PathLike[str],
+    field: FieldMap,
+    rows: int,
+    columns: int,
+    *,
+    sensor: tuple[float, float],
+    shape: int,
+    pixel: float,
+    **options: Any,
+) -> None:
+    """Write effective PSFs on a grid as a FITS file in the STDPSF format, which photutils reads.
+
+    Parameters
+    ----------
+    path : path
+        FITS file, with an oversampling of 4. Positions in it are rounded to whole pixels, which are numbered from 1.
+    field, rows, columns, sensor, shape, pixel, options
+        As for :func:`gridded_psf_model`.
+
+    Raises
+    ------
+    TypeError, ValueError
+        As for :func:`gridded_psf_model`, and if the grid has more than 99 rows or columns.
+    ImportError
+        If astropy is not installed.
+    OSError
+        If the file cannot be written.
+    """
+    for name, count in (("rows", rows), ("columns", columns)):
+        validation.integer(name, count, least=2, most=99)
+    values, x, y = _grid(field, rows, columns, sensor, shape, pixel, _STDPSF_OVERSAMPLING, options)
+    header: dict[str, int] = {"NXPSFS": columns, "NYPSFS": rows}
+    header |= {f"IPSFX{k:02d}": round(column) + 1 for k, column in enumerate(x, 1)}
+    header |= {f"JPSFY{k:02d}": round(row) + 1 for k, row in enumerate(y, 1)}
+    data = values.reshape(-1, *values.shape[2:])
+    atomic.write(Path(path), fits_images.write([(data, header)]))
+
+
+def _grid(
+    field: FieldMap,
+    rows: int,
+    columns: int,
+    sensor: tuple[float, float],
+    shape: int,
+    pixel: float,
+    oversampling: int,
+    options: dict[str, Any],
+) -> _Grid:
+    """Return effective PSFs, shape (rows, columns, n, n), and their x and y in pixels from the first pixel."""
+    validation.instance("field", field, FieldMap)
+    pitch = validation.real("pixel", pixel, above=0.0)
+    positions = []
+    for name, count, length in (("columns", columns, sensor[1]), ("rows", rows, sensor[0])):
+        validation.integer(name, count, least=2, most=1000)
+        side = round(validation.real("sensor", length, above=0.0) / pitch)
+        # Positions are rounded to whole pixels, from the first pixel of the sensor to its last.
+        positions.append(np.round(np.linspace(0.0, side - 1.0, count)))
+    x, y = positions
+    middle = [0.5 * (round(length / pitch) - 1) for length in (sensor[1], sensor[0])]
+    pupils = field.pupil((x - middle[0]) * pitch, ((y - middle[1]) * pitch)[:, None])
+    return effective_psf(pupils, shape, pixel, oversampling=oversampling, **options), x, y

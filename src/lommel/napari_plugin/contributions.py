@@ -1,4 +1,4 @@
-"""Contributions to napari, as its manifest lists them: sample data, a reader, two widgets with progress."""
+"""Contributions to napari, as its manifest lists them: sample data, a reader, a widget with progress."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import textwrap
 from collections.abc import Callable, Generator, Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Generic, TypeAlias, TypeVar
+from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
 
@@ -26,10 +26,6 @@ from lommel.recorded.noise import Noise
 if TYPE_CHECKING:
     from magicgui.widgets import Container, Widget
     from napari.layers import Layer
-
-_Result = TypeVar("_Result")
-Work = Callable[[Callable[[float], None]], _Result]
-"""Function that does the work; its argument is a callback for the fraction done, 0 to 1."""
 
 LayerData: TypeAlias = tuple[Values, Json, str]
 """Data, options and type of a layer."""
@@ -125,14 +121,10 @@ _BEADS, _BACKGROUND = 30, 10.0
 _PHOTONS = 4e5  # electrons of the brightest bead in all planes together
 
 
-def psf() -> list[LayerData]:
-    """Return the PSF of an objective, 33 planes of 65 x 65 pixels."""
-    return [layer_of(_psf(33, 65), _OBJECTIVE)]
-
-
 def beads() -> list[LayerData]:
     """Return a stack of beads with the noise of a camera, in counts, and its PSF."""
-    beads_psf, camera = _psf(33, 65), load_camera(_CAMERA)
+    microscope, camera = load_microscope(example_files()[_OBJECTIVE]), load_camera(_CAMERA)
+    beads_psf = compute(replace(microscope, planes=33, step=200e-9).pupil(), 65, camera.side)
     draw = np.random.default_rng(1)
     emitters = np.zeros(_SHAPE, np.float32)
     positions = tuple(draw.integers(0, side, _BEADS) for side in _SHAPE)
@@ -145,197 +137,87 @@ def beads() -> list[LayerData]:
     return [(counts, options, "image"), layer_of(beads_psf, "PSF of the beads")]
 
 
-def _psf(planes: int, side: int) -> PSF:
-    """Return the PSF of the example objective with the camera of the samples."""
-    microscope = load_microscope(example_files()[_OBJECTIVE])
-    example = replace(microscope, planes=planes, step=200e-9, pixel=load_camera(_CAMERA).side)
-    return compute(example.pupil(), side, example.pixel)
+Restored: TypeAlias = "tuple[Layer, Values, str, tuple[str, ...]]"  # layer of the stack, values, summary, notes
+Work = Callable[[Callable[[float], None]], Restored]
+"""Function that does the work; its argument is a callback for the fraction done, 0 to 1."""
 
 
 class Cancelled(Exception):  # noqa: N818 (no error)
-    """Raised in the function `work` of :func:`start` after the user has cancelled it."""
+    """Raised by the callback for the fraction done after the user has cancelled the work."""
 
 
-def start(
-    work: Work[_Result],
-    *,
-    done: Callable[[_Result | None], object],
-    failed: Callable[[Exception], object],
-    progress: Callable[[float], object],
-) -> Callable[[], None]:
-    """Start work in a thread, and return a function that cancels it.
-
-    `work` is called with a callback for the fraction done, which raises :class:`Cancelled` after cancellation. The
-    other functions are called in the thread of the windows: `done` with the result, or None if the work was
-    cancelled.
-    """
-    from napari.qt.threading import create_worker
-
-    is_cancelled = False
-
-    def run() -> Generator[float, None, _Result | None]:
-        yield 0.0
-
-        def report(fraction: float) -> None:
-            if is_cancelled:
-                raise Cancelled
-            worker.yielded.emit(fraction)
-
-        try:
-            return work(report)
-        except Cancelled:
-            return None
-
-    # Errors are shown in the widget; raised in the thread of the windows they would end napari.
-    worker = create_worker(run, _start_thread=False, _ignore_errors=True)
-    worker.yielded.connect(progress)
-    worker.returned.connect(done)
-    worker.errored.connect(failed)
-    worker.start()
-
-    def cancel() -> None:
-        nonlocal is_cancelled
-        is_cancelled = True
-
-    return cancel
-
-
-class ObjectiveFields:
-    """Two fields: the name of an example objective, and the file of an objective."""
-
-    def __init__(self) -> None:
-        from magicgui.widgets import ComboBox, FileEdit
-
-        self.name = ComboBox(label="objective", choices=list(of_kind("objective")), value="zeiss-63x-1.4-oil")
-        self.file = FileEdit(label="or file", filter="*.toml", nullable=True, value=None)
-
-    def load(self) -> Microscope:
-        """Return the microscope of the file, or of the example if no file is selected."""
-        has_file = self.file.value is not None and Path(self.file.value).is_file()
-        return load_microscope(self.file.value if has_file else of_kind("objective")[self.name.value])
-
-    def connect(self, fill: Callable[[], object]) -> None:
-        """Call `fill` whenever another objective is selected."""
-        self.name.changed.connect(fill)
-        self.file.changed.connect(fill)
-
-
-class Panel(Generic[_Result]):
+class Panel:
     """Fields of a widget, a button that starts work on them in a thread, and a button that cancels the work."""
 
-    def __init__(self, fields: list[Widget], label: str,
-                 begin: Callable[[], Work[_Result]], done: Callable[[_Result], str]) -> None:  # fmt: skip
+    def __init__(self, fields: list[Widget], begin: Callable[[], Work], done: Callable[[Restored], str]) -> None:
         from magicgui.widgets import Container, Label, ProgressBar, PushButton
 
-        self.run, self.cancel = PushButton(text=label), PushButton(text="Cancel", enabled=False)
+        self.run, self.cancel = PushButton(text="Deconvolve"), PushButton(text="Cancel", enabled=False)
         self.bar, self.status = ProgressBar(min=0, max=100, value=0), Label(value="")
         buttons = Container(widgets=[self.run, self.cancel], layout="horizontal", labels=False)
         self.widget: Container[Widget] = Container(widgets=[*fields, buttons, self.bar, self.status])
-        self._begin, self._done = begin, done
-        self._stop: Callable[[], None] = lambda: None
+        self._begin, self._done, self._is_cancelled = begin, done, False
         self.run.clicked.connect(self.start)
         self.cancel.clicked.connect(self.stop)
         self.widget.panel = self  # keeps the panel alive as long as the widget, and accessible from it
 
     def start(self) -> None:
         """Start the work of the fields."""
+        from napari.qt.threading import create_worker
+
         try:
-            job = self._begin()
+            work = self._begin()
         except Exception as error:
             self._show_error(error)
             return
-        self._set_running(True)
-        self.status.value = "working"
-        self._stop = start(job, done=self._show_result, failed=self._show_error, progress=self._show_progress)
+
+        def report(fraction: float) -> None:
+            if self._is_cancelled:
+                raise Cancelled
+            worker.yielded.emit(fraction)
+
+        def run() -> Generator[float, None, Restored | None]:
+            yield 0.0
+            try:
+                return work(report)
+            except Cancelled:
+                return None
+
+        self._is_cancelled = False
+        self._set_running(True, "working")
+        # Errors are shown in the widget; raised in the thread of the windows they would end napari.
+        worker = create_worker(run, _start_thread=False, _ignore_errors=True)
+        worker.yielded.connect(self._show_progress)
+        worker.returned.connect(self._show_result)
+        worker.errored.connect(self._show_error)
+        worker.start()
 
     def stop(self) -> None:
         """Cancel the work."""
-        self._stop()
+        self._is_cancelled = True
 
     def _show_progress(self, fraction: float) -> None:
         self.bar.value = round(100 * min(max(fraction, 0.0), 1.0))
 
-    def _show_result(self, result: _Result | None) -> None:
-        self._set_running(False)
-        self.status.value = "cancelled" if result is None else self._done(result)
+    def _show_result(self, result: Restored | None) -> None:
+        self._set_running(False, "cancelled" if result is None else self._done(result))
 
     def _show_error(self, error: Exception) -> None:
-        self._set_running(False)
-        self.status.value = str(error) or type(error).__name__
+        self._set_running(False, str(error) or type(error).__name__)
 
-    def _set_running(self, is_running: bool) -> None:
+    def _set_running(self, is_running: bool, status: str) -> None:
         self.run.enabled, self.cancel.enabled = not is_running, is_running
-        self.bar.value = 0
-
-
-_FROM_FILE = "of the file"
-
-
-def psf_widget() -> Container[Widget]:
-    """Return the PSF widget, with fields for objective, camera, depth, wavelength, planes, step and pixels."""
-    import napari
-    from magicgui.widgets import ComboBox, FloatSpinBox, SpinBox
-
-    viewer = napari.current_viewer()
-
-    objective = ObjectiveFields()
-    camera = ComboBox(label="camera", choices=[_FROM_FILE, *of_kind("camera")])
-    depth = FloatSpinBox(label="depth (um)", min=0.0, max=1000.0, step=0.5)
-    wavelength = FloatSpinBox(label="wavelength (nm)", min=200.0, max=2000.0, step=5.0)
-    planes = SpinBox(label="planes", min=1, max=1024)
-    step = FloatSpinBox(label="step (nm)", min=1.0, max=100_000.0, step=10.0)
-    side = SpinBox(label="pixels", min=3, max=1025, value=65)
-
-    def fill() -> None:
-        microscope = objective.load()
-        depth.value, wavelength.value = 1e6 * microscope.depth, 1e9 * microscope.wavelength
-        planes.value, step.value = microscope.planes, 1e9 * abs(microscope.step) or 100.0
-
-    def begin() -> Work[PSF]:
-        microscope = objective.load()
-        selected_camera = microscope.camera if camera.value == _FROM_FILE else load_camera(camera.value)
-        requested = replace(
-            microscope,
-            depth=1e-6 * depth.value,
-            wavelength=1e-9 * wavelength.value,
-            planes=planes.value,
-            step=1e-9 * step.value if planes.value > 1 else 0.0,
-            pixel=microscope.pixel if selected_camera is None or camera.value == _FROM_FILE else selected_camera.side,
-            camera=selected_camera,
-        )
-
-        def work(report: Callable[[float], None]) -> PSF:
-            result = compute(requested.pupil(), side.value, requested.pixel, integrate=requested.integrate)
-            report(1.0)
-            return result
-
-        return work
-
-    def done(result: PSF) -> str:
-        data, options, _ = layer_of(
-            result, f"PSF {objective.name.value if objective.file.value is None else Path(objective.file.value).stem}"
-        )
-        viewer.add_image(data, **options)
-        return "" if result.error_bound is None else f"error at most {result.error_bound:.1e} of the peak"
-
-    objective.connect(fill)
-    fill()
-    return Panel(
-        [objective.name, objective.file, camera, depth, wavelength, planes, step, side], "Compute", begin, done
-    ).widget
+        self.bar.value, self.status.value = 0, status
 
 
 _BY_DEPTH, _ESTIMATED, _STATED_BELOW = "by depth, of the objective", "estimated from the stack", "as stated below"
 _WIDTH = 60  # largest number of characters in a line of notes
 
 
-Restored: TypeAlias = "tuple[Layer, Values, str, tuple[str, ...]]"  # layer of the stack, values, summary, notes
-
-
 def deconvolution_widget() -> Container[Widget]:
     """Return the deconvolution widget, with fields for stack, voxels, objective or PSF, camera noise, and steps."""
     import napari
-    from magicgui.widgets import ComboBox, FloatSpinBox, SpinBox
+    from magicgui.widgets import ComboBox, FileEdit, FloatSpinBox, SpinBox
 
     viewer = napari.current_viewer()
     layers = viewer.layers
@@ -346,11 +228,9 @@ def deconvolution_widget() -> Container[Widget]:
     def psfs(_: object) -> list[str]:
         return [_BY_DEPTH, *(layer.name for layer in layers if psf_of(layer.metadata) is not None)]
 
-    stack, objective, psf = (
-        ComboBox(label="stack", choices=stacks),
-        ObjectiveFields(),
-        ComboBox(label="PSF", choices=psfs),
-    )
+    stack, psf = ComboBox(label="stack", choices=stacks), ComboBox(label="PSF", choices=psfs)
+    objective = ComboBox(label="objective", choices=list(of_kind("objective")), value=_OBJECTIVE)
+    file = FileEdit(label="or file", filter="*.toml", nullable=True, value=None)
     depth = FloatSpinBox(label="depth (um)", min=0.0, max=1000.0, step=0.5)
     emission = FloatSpinBox(label="wavelength (nm)", min=200.0, max=2000.0, step=5.0)
     pixel = FloatSpinBox(label="pixel in sample (nm)", min=1.0, max=100_000.0, step=1.0)
@@ -362,13 +242,18 @@ def deconvolution_widget() -> Container[Widget]:
     offset = FloatSpinBox(label="offset (counts)", min=0.0, max=65535.0, step=1.0, value=0.0)
     steps = SpinBox(label="steps at most", min=1, max=1000, value=RichardsonLucy().steps)
 
+    def load() -> Microscope:
+        """Return the microscope of the file, or of the example if no file is selected."""
+        has_file = file.value is not None and Path(file.value).is_file()
+        return load_microscope(file.value if has_file else of_kind("objective")[objective.value])
+
     def noise() -> None:
         if camera.value not in (_ESTIMATED, _STATED_BELOW):
             camera_noise = load_camera(camera.value).noise
             gain.value, read.value, offset.value = camera_noise.white or 1.0, camera_noise.read, camera_noise.offset
 
     def voxels() -> None:
-        microscope = objective.load()
+        microscope = load()
         size = None if stack.value is None else voxel_of(layers[stack.value])
         default = microscope.pixel / microscope.objective.magnification, abs(microscope.step) or 200e-9
         pixel.value, step.value = (1e9 * length for length in size or default)
@@ -377,8 +262,7 @@ def deconvolution_widget() -> Container[Widget]:
         emission.value = 1e9 * (wavelength or microscope.wavelength)
 
     def load_objective() -> None:
-        example = objective.load()
-        depth.value = 1e6 * example.depth
+        depth.value = 1e6 * load().depth
         voxels()
 
     def refresh(_: object = None) -> None:
@@ -386,7 +270,7 @@ def deconvolution_widget() -> Container[Widget]:
         psf.reset_choices()
         voxels()
 
-    def begin() -> Work[Restored]:
+    def begin() -> Work:
         if stack.value is None:
             raise ValueError("open a stack of planes, rows and columns first")
         source, max_steps = layers[stack.value], steps.value
@@ -394,20 +278,16 @@ def deconvolution_widget() -> Container[Widget]:
         camera_noise = None
         if camera.value != _ESTIMATED:
             camera_noise = Noise(white=gain.value, read=read.value, offset=offset.value)
-        microscope = objective.load()
+        microscope = load()
         method = RichardsonLucy(steps=max_steps, target=1.0)
-
-        # A PSF has the sampling of its stack.
-        sampling = (
-            {}
-            if kernel is not None
-            else {
+        sampling = {}
+        if kernel is None:  # a PSF has the sampling of its stack
+            sampling = {
                 "depth": 1e-6 * depth.value,
                 "wavelength": 1e-9 * emission.value,
                 "step": 1e-9 * step.value,
                 "pixel": 1e-9 * pixel.value * microscope.objective.magnification,
             }
-        )
 
         def restore(report: Callable[[float], None]) -> Restored:
             result = deconvolve(
@@ -431,24 +311,11 @@ def deconvolution_widget() -> Container[Widget]:
         return "\n".join([summary, *(textwrap.fill(note, _WIDTH) for note in notes)])
 
     camera.changed.connect(noise)
-    objective.connect(load_objective)
+    for field in (objective, file):
+        field.changed.connect(load_objective)
     stack.changed.connect(voxels)
     layers.events.inserted.connect(refresh)
     layers.events.removed.connect(refresh)
     load_objective()
-    fields = [
-        stack,
-        objective.name,
-        objective.file,
-        depth,
-        emission,
-        pixel,
-        step,
-        psf,
-        camera,
-        gain,
-        read,
-        offset,
-        steps,
-    ]
-    return Panel(fields, "Deconvolve", begin, done).widget
+    optics, recording = [objective, file, depth, emission, pixel, step, psf], [camera, gain, read, offset]
+    return Panel([stack, *optics, *recording, steps], begin, done).widget

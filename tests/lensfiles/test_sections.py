@@ -346,7 +346,7 @@ def test_clear_parts_are_joined(load_of_aperture_section):
     assert load_of_aperture_section(text).pupil().area == pytest.approx(area / math.pi, rel=1e-12)
 
 
-def test_segments_have_phases_in_waves(load_of_aperture_section, tmp_path):
+def test_segments_have_phases_in_waves(load_of_aperture_section):
     text = '[aperture.segments]\nrings = 1\ngap = "1 mm"\n'
     bare = lm.Segments.hexagonal(1, 0.001 / 0.1)
     assert load_of_aperture_section(text).lens.stop == bare
@@ -354,10 +354,6 @@ def test_segments_have_phases_in_waves(load_of_aperture_section, tmp_path):
         text + "piston = [0.5, 0, 0, 0, 0, 0]\ntilt = [0, 0.25, 0, 0, 0, 0]\n"
     ).lens.stop
     assert listed == bare.phased([math.pi, 0, 0, 0, 0, 0], 0.0, [0, math.pi / 2, 0, 0, 0, 0])
-    (tmp_path / "phases.txt").write_text("# piston, tip, tilt\n0.5, 0, 0\n0 0 0.25\n" + "0 0 0  # flat\n" * 4)
-    assert load_of_aperture_section(text + 'file = "phases.txt"\n').lens.stop == listed
-    np.savetxt(tmp_path / "pistons.txt", [0.5, 0, 0, 0, 0, 0])
-    assert load_of_aperture_section(text + 'file = "pistons.txt"\n').lens.stop.piston == listed.piston
 
 
 @pytest.mark.parametrize("name", sorted(lm.telescopes.DIAMETERS))
@@ -381,14 +377,9 @@ def test_a_telescope_is_named(load_of_aperture_section, name):
         ('[aperture]\ntelescope = "keck"\n[aperture.segments]\nrings = 2\n', "exactly one of them"),
         ('[aperture]\ntelescope = "vlt"\n[aperture.segments]\nrings = 2\n', "takes one of segments and telescope"),
         ("[aperture.segments]\nrings = 1\npiston = [0.1]\n", "aperture.segments.piston (line 11): must have one"),
-        ('[aperture.segments]\nrings = 1\nfile = "few.txt"\n', "aperture.segments.file (line 11): must have one row"),
-        ('[aperture.segments]\nrings = 1\nfile = "two.txt"\n', "the same count in every line, got '0.1 0.2'"),
-        ('[aperture.segments]\nrings = 1\nfile = "few.txt"\ntip = [0]\n', "takes file or the lists"),
     ],
 )  # fmt: skip
-def test_a_fault_of_a_shape_names_its_entry(load_of_aperture_section, tmp_path, section, what):
-    (tmp_path / "few.txt").write_text("1\n2\n")
-    (tmp_path / "two.txt").write_text("0.1 0.2\n" * 6)
+def test_a_fault_of_a_shape_names_its_entry(load_of_aperture_section, section, what):
     with pytest.raises(LensFileError) as caught:
         load_of_aperture_section(section)
     assert what in str(caught.value)

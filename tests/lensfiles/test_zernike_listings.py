@@ -207,7 +207,6 @@ def test_what_a_listing_does_not_state_is_refused(suffix, text, told, tmp_path):
         "# normalization: edge\nnoll,coeff (waves)\n4,0.25\n8,-0.5\n",
         "# normalization: edge\n# order: noll\nj, coeff (waves)\nZ4,0.25\nz 8,-0.5\n",
         "# normalization: edge\n# order: noll\n# unit: wave\nTerm,Name,Coefficient\n4,defocus,0.25\n8,coma,-0.5\n",
-        "# normalization: edge\n# order: noll\n# unit: waves\nZ4,Z8\n0.25,-0.5\n",
         "# normalization: edge\nnoll;value [waves]\n4;0.25\n8;-0.5\n",
         "# normalization: edge\n\nNoll\tC (wave)\n4\t0.25\n8\t-0.5\n",
         "# normalization: edge\nn,m,value (waves)\n2,0,0.25\n3,1,-0.5\n",
@@ -223,13 +222,10 @@ def test_columns_may_be_called_what_people_call_them(text, tmp_path):
 @pytest.mark.parametrize(
     ("text", "told"),
     [
-        ("# normalization: edge\nZ4,Z8\n0.25,-0.5\n", ["order: is missing", "unit: is missing"]),
         (
             "# normalization: edge\n# order: noll\n# unit: nm\nj,coeff (waves)\n4,1\n",
             ["state the unit waves, line 3 states nm"],
         ),
-        ("# order: noll\n# unit: nm\n# normalization: edge\nZ4,Z8\n1,2\n3,4\n", ["only one row may be below Z1, Z2"]),
-        ("# order: noll\n# unit: nm\n# normalization: edge\nZ4,Z8\n1\n", ["must have 2 cells, got 1"]),
         ("# order: noll\n# normalization: edge\nj,coeff (furlong)\n1,2\n", ["the columns must be index,value"]),
     ],
 )

@@ -180,8 +180,8 @@ def _line_numbers(text: str) -> dict[tuple[str, ...], int]:
 
 def nearest_line(text: str, keys: Sequence[str]) -> int | None:
     """Return the number of the line that sets the key `keys`; if unknown, the line of the surrounding table."""
-    lines = (line_of(text, keys[:count]) for count in range(len(keys), 0, -1))
-    return next((number for number in lines if number), None)
+    lines = _line_numbers(text)
+    return next((lines[part] for k in range(len(keys), 0, -1) if (part := tuple(keys[:k])) in lines), None)
 
 
 def place(text: str, keys: Sequence[str]) -> str:

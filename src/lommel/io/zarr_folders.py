@@ -15,17 +15,13 @@ import struct
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Self
+from typing import Any, Self
 
 import numpy as np
 
 from lommel.base import reading, validation
 from lommel.base.arrays import Json, Values
 from lommel.io.registry import Description
-
-if TYPE_CHECKING:
-    pass
-
 
 _CHUNK = re.compile(r"c|c?[./]?\d+([./]\d+)*")  # last component of the path of a chunk file
 

@@ -322,8 +322,6 @@ _NAME_COLUMNS = ("name", "aberration", "description")  # names of ignored column
 _COLUMN = re.compile(r"([a-z]+)\s*(?:[(\[]\s*(\S+?)\s*[)\]])?")
 _NUMBERED_NAME = re.compile(r"z\s*_?(\d+)", re.IGNORECASE | re.ASCII)
 
-_Row: TypeAlias = tuple[int, list[str]]
-
 
 class _CsvSettings:
     """The settings in the comment lines of a CSV text, with their line numbers and errors."""
@@ -361,9 +359,6 @@ def read_csv(text: str) -> tuple[ZernikeTable | None, list[str]]:
     errors, order = settings.errors, settings.values.get("order")
     (head, columns), *rows = [*text_files.rows(text, _find_separator(text))] or [(0, [])]
     names = [cell.lower() for cell in columns]
-    if names and all(map(_NUMBERED_NAME.fullmatch, names)):
-        rows = _transpose_row(rows, names, errors)
-        names = ["index", "value"]
     columns_used = [k for k, name in enumerate(names) if name not in _NAME_COLUMNS]
     index, _, unit = _find_columns([names[k] for k in columns_used], order)
     if columns and not index:
@@ -408,16 +403,6 @@ def _find_separator(text: str) -> str:
     """Return the separator of cells: a semicolon or tab if the first row contains it and no comma, else a comma."""
     first_row = next((line for line in io.StringIO(text) if line.strip() and not line.lstrip().startswith("#")), "")
     return next((mark for mark in ";\t" if mark in first_row and "," not in first_row), ",")
-
-
-def _transpose_row(rows: Sequence[_Row], names: Sequence[str], errors: list[str]) -> list[_Row]:
-    """Transpose one row of values below Z1, Z2, ... to rows of index and value; append errors to `errors`."""
-    for place, row in rows[1:]:
-        errors.append(f"line {place}: only one row may be below Z1, Z2, ..., got {validation.shown(', '.join(row))}")
-    for place, row in rows[:1]:
-        if len(row) != len(names):
-            errors.append(f"line {place}: must have {len(names)} cells, got {len(row)}: {_shorten_row(row)}")
-    return [(place, [name, cell]) for place, row in rows[:1] for name, cell in zip(names, row, strict=False)]
 
 
 _KIND_LINE = re.compile(r"^\s*(?:Listing of|Using)\b.*?\b(Standard|Fringe|Annular)\b", re.MULTILINE | re.IGNORECASE)
@@ -560,7 +545,7 @@ def load_zernike(path: str | PathLike[str]) -> ZernikeTable:
 
     For the other orders, the columns are ``index,value``. The index column may also be called term, j, or noll, ansi
     or fringe, which states the order; its cells may be written Z4. The value column may be called coefficient, coeff
-    or c, and may state the unit: ``coeff (waves)``. A column of names is ignored. Columns Z1, Z2, ... need one row.
+    or c, and may state the unit: ``coeff (waves)``. A column of names is ignored.
 
     ``.txt``: a listing of Zernike Standard, Fringe or Annular coefficients as OpticStudio writes it.
     ``.int``, ``.zfr``: a wavefront of Code V (ZRN or ZFR), converted to waves by the SSZ and WVL of the file. These

@@ -238,60 +238,24 @@ class _Segments(Section):
     piston: list[Number] | None = None
     tip: list[Number] | None = None
     tilt: list[Number] | None = None
-    file: Any = None  # validation replaces the file name by the rows of the file
-
-    @field_validator("file")
-    @classmethod
-    def _file(cls, value: object, info: ValidationInfo) -> Any:
-        return None if value is None else read_beside(info.context, value, "the name of a text file", _read_phases)
 
     @classmethod
     def fault(cls, entries: Toml) -> str | None:
-        """Return the error message for keys that exclude each other."""
-        if "file" in entries and set(_PHASES) & set(entries):
-            return "takes file or the lists piston, tip and tilt, got both"
+        """Return the error message for keys that have no meaning."""
         extra = sorted({"gap", "middle", "angle"} & set(entries))
         return f"{', '.join(extra)} has no meaning without rings" if extra and "rings" not in entries else None
 
     def phased(self, segments: Segments) -> Segments:
         """Return segments with the phases that the section states in waves."""
-        rows = self.file
-        phases = (
-            dict(zip(_PHASES, rows.T, strict=False))
-            if rows is not None
-            else {name: part for name in _PHASES if (part := getattr(self, name)) is not None}
-        )
+        phases = {name: part for name in _PHASES if (part := getattr(self, name)) is not None}
         for name, part in phases.items():
             if len(part) != len(segments.shapes):
-                key = "file" if rows is not None else name
-                message = f"must have one row for each of {len(segments.shapes)} segments, got {len(part)}"
-                raise PartsError([(("aperture", "segments", key), f"aperture.segments.{key}", message)])
+                message = f"must have one number for each of {len(segments.shapes)} segments, got {len(part)}"
+                raise PartsError([(("aperture", "segments", name), f"aperture.segments.{name}", message)])
         return segments.phased(*(phases.get(name, 0.0) for name in _PHASES), unit="waves")
 
 
 _PHASES = ("piston", "tip", "tilt")
-
-
-def _read_phases(path: Path) -> Values:
-    """Read rows of one number (piston) or three (piston, tip, tilt), waves; # starts a comment."""
-    rows: list[list[float]] = []
-    for number, line in enumerate(reading.decoded(reading.contents(path, reading.MAX_TOML)).splitlines(), 1):
-        words = line.partition("#")[0].replace(",", " ").split()
-        if not words:
-            continue
-        try:
-            row = [float(word) for word in words]
-        except ValueError:
-            row = [math.nan]
-        if len(row) not in (1, 3) or not all(map(math.isfinite, row)) or (rows and len(row) != len(rows[0])):
-            raise ValueError(
-                f"{path.name!r}, line {number}: must hold one number (piston) or three (piston, tip, tilt), in "
-                f"waves, the same count in every line, got {validation.shown(line.strip())}"
-            )
-        rows.append(row)
-    if not rows:
-        raise ValueError(f"{path.name!r} holds no numbers")
-    return np.array(rows)
 
 
 class ApertureSection(Section):
@@ -743,13 +707,12 @@ def load_instrument(path: str | PathLike[str], *, folder_only: bool = False) -> 
     the aperture's radius. ``[aperture.mask]`` has file, the name of a square array (.npy, .fits) or grey picture
     (.png, .tif), and holds, "amplitude" or "intensity". ``telescope`` is a name in ``lommel.telescopes``.
     ``[aperture.segments]`` has rings, gap, middle and angle of :meth:`lommel.Segments.hexagonal`, and the phases of
-    the segments in waves at the wavelength of the lens: either lists piston, tip and tilt (a tilt is the phase at one
-    aperture radius from the segment's centre), or file, a text file with one line of one number (piston) or three
-    numbers for each segment. Light passes through the union of the shapes in ``[[aperture.clear]]`` (by default the
-    whole aperture), except through the shapes in ``[[aperture.blocked]]``. A shape has the type "disc" (radius,
-    center), "ellipse" (a, b, angle, center), "polygon" (corners; convex), "hexagon" (radius of its corners, center,
-    angle) or "strip" (start, end, width); its lengths are texts with a unit, or numbers in units of the aperture's
-    radius.
+    the segments in waves at the wavelength of the lens: lists piston, tip and tilt (a tilt is the phase at one
+    aperture radius from the segment's centre). Light passes through the union of the shapes in ``[[aperture.clear]]``
+    (by default the whole aperture), except through the shapes in ``[[aperture.blocked]]``. A shape has the type
+    "disc" (radius, center), "ellipse" (a, b, angle, center), "polygon" (corners; convex), "hexagon" (radius of its
+    corners, center, angle) or "strip" (start, end, width); its lengths are texts with a unit, or numbers in units of
+    the aperture's radius.
 
     ``[field]``: sensor, the height and width of the whole sensor, and one of three descriptions of field-dependent
     aberrations, which are added to the lens aberrations: Seidel coefficients W131, W222, W220, W311 in waves at the

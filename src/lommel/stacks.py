@@ -13,7 +13,6 @@ from __future__ import annotations
 import math
 import os
 import secrets
-import shutil
 import warnings
 from collections.abc import Callable, Generator, Iterator, Mapping, Sequence
 from concurrent import futures
@@ -676,11 +675,11 @@ def psf_to(
     TypeError, ValueError
         If an argument is out of range, or if the store holds PSFs for other arguments.
     FileError
-        If the path holds something other than a store, or if the store is damaged, removed or replaced.
+        If the path holds something other than a store, or if the store is damaged, or removed while it is computed.
     ToleranceError
         If the tolerance cannot be met; chunks that were already computed remain in the store.
     OSError
-        If the store cannot be written, or does not fit on the disk.
+        If the store cannot be written.
     RuntimeError
         If the client cancels chunks, as when the scheduler of its cluster ends. The same call, with a new client,
         completes the store.
@@ -702,55 +701,31 @@ def psf_to(
     plan, (pool, slots) = Plan(shape, pixel, **options), _executor(client)
     if pool is not None and plan.threads:
         raise ValueError(f"threads must be left out with a client, whose workers are used, got {plan.threads}")
-    existing = Store.open(path) if path.exists() else None
     request = requested(plan, pupils, axes, chunk)
-    if existing is not None and chunk is None:
-        with_chunks = replace(request, description=request.description | {"chunks": existing.description["chunks"]})
-        request = request if _difference(existing.description, with_chunks.description) else with_chunks
-    target = _existing_or_new(path, existing, request)
+    if not path.exists():
+        arrays: Arrays = {f"pupil/{name}": values for name, values in request.arrays.items()}
+        arrays |= request.axes | {"y": request.grid.y, "x": request.grid.x}
+        with suppress(FileExistsError):  # another call may have created the store at the same time
+            Store.create(path, request.description | {IDENTITY: secrets.token_hex(16)}, arrays)
+    target = Store.open(path)
+    if chunk is None:  # an existing store keeps its chunks
+        request = replace(request, description=request.description | {"chunks": target.description["chunks"]})
+    if difference := _difference(target.description, request.description):
+        raise ValueError(
+            f"{validation.line(path)} holds PSFs computed with other arguments ({difference}); "
+            "repeat those arguments, choose a new store or remove this one"
+        )
     computed = target.computed()
     todo = [tuple(int(i) for i in index) for index in np.argwhere(~computed)]
     if pool is None:
         slots = min(plan.threads or os.cpu_count() or 1, max(1, len(todo)))
-    _require_space(target, len(todo))
     compute = partial(_compute_chunk, target, request.methods, request.prepare)
     tasks = ((index, request.pupil_checksum(index), *request.part(index)) for index in todo)
     with closing(_run_tasks(pool, slots, compute, tasks, client)) as results:
         for done, _ in enumerate(results, computed.size - len(todo) + 1):
             if progress is not None:
                 progress(done, computed.size)
-    _require_not_replaced(target)
     return PSFStack(target)
-
-
-def _existing_or_new(path: Path, existing: Store | None, request: Request) -> Store:
-    """Return the existing store, else a new one; ValueError if it does not match the request."""
-    if existing is None:
-        arrays: Arrays = {f"pupil/{name}": values for name, values in request.arrays.items()}
-        arrays |= {"y": request.grid.y, "x": request.grid.x}
-        with suppress(FileExistsError):  # another call may have created the store at the same time
-            Store.create(path, request.description | {IDENTITY: secrets.token_hex(16)}, arrays | request.axes)
-        existing = _open_existing(path)
-    if difference := _difference(existing.description, request.description):
-        raise ValueError(
-            f"{validation.line(path)} holds PSFs computed with other arguments ({difference}); "
-            "repeat those arguments, choose a new store or remove this one"
-        )
-    return existing
-
-
-def _open_existing(path: Path) -> Store:
-    """Open the store that is now at the path; FileError if it was removed."""
-    try:
-        return Store.open(path)
-    except FileNotFoundError:
-        raise replaced_error(path) from None
-
-
-def _require_not_replaced(store: Store) -> None:
-    """Raise FileError if the store was removed or replaced since it was opened."""
-    if _open_existing(store.path).description != store.description:
-        raise replaced_error(store.path)
 
 
 def _difference(stored: Description, requested: Description) -> str:
@@ -763,17 +738,6 @@ def _difference(stored: Description, requested: Description) -> str:
                 f"{name}: {validation.shown(stored.get(name))} in the store, now {validation.shown(requested[name])}"
             )
     return ""
-
-
-def _require_space(store: Store, chunks: int) -> None:
-    """Raise OSError if the disk has too little free space for the values of `chunks` chunks."""
-    values = store.layouts["values"]
-    needed = chunks * values.nbytes // max(1, int(np.prod(values.grid)))
-    free = shutil.disk_usage(store.path.parent).free
-    if needed > free:
-        raise OSError(
-            28, f"the store needs {needed / 1e9:.3g} GB more, and {free / 1e9:.3g} GB are free", str(store.path)
-        )
 
 
 def _executor(client: Any) -> tuple[futures.Executor | None, int]:

@@ -119,20 +119,6 @@ def test_what_a_replaced_store_was_computed_for_is_written_nowhere(side, first, 
 
 
 @OTHER
-def test_a_store_that_is_another_at_the_end_is_not_returned(side, tmp_path):
-    path = tmp_path / "a.zarr"
-
-    def replace(done: int, chunks: int) -> None:
-        if done == chunks:
-            shutil.rmtree(path)
-            ask(path, TWO, side)
-
-    with pytest.raises(FileError, match="replaced by another call"):
-        ask(path, ONE, progress=replace, threads=1)
-    verify(lm.open_stack(path), TWO, side)
-
-
-@OTHER
 @pytest.mark.parametrize("when", ["before", "after"])
 def test_of_two_calls_that_begin_a_store_one_gives_way(side, when, tmp_path, monkeypatch):
     path, create, two = tmp_path / "a.zarr", Store.create, []

@@ -75,11 +75,6 @@ class Format:
     readers : str, default ""
         Other programs that read the format, for the table of formats.
 
-    Raises
-    ------
-    ValueError
-        If the kind is unknown.
-
     Notes
     -----
     Signatures of ``write`` and ``read`` for each kind:
@@ -117,9 +112,6 @@ class Format:
     what: str = ""
     readers: str = ""
 
-    def __post_init__(self) -> None:
-        validation.choice("kind", self.kind, KINDS)
-
     @property
     def name(self) -> str:
         """Name in messages: the longest suffix in capitals without its dot, such as JPEG."""
@@ -143,17 +135,8 @@ def register(*new_formats: Format) -> None:
     ----------
     *new_formats : Format
 
-    Raises
-    ------
-    TypeError, ValueError
-        If an argument is not a Format, or if another format of the same kind has one of its suffixes.
     """
-    for candidate in new_formats:
-        validation.instance("format", candidate, Format)
-        old_suffixes = {suffix for form in formats(candidate.kind) for suffix in form.suffixes}
-        if duplicates := old_suffixes.intersection(candidate.suffixes):
-            raise ValueError(f"suffixes must be new for {KINDS[candidate.kind]}, got {', '.join(sorted(duplicates))}")
-        _FORMATS.append(candidate)
+    _FORMATS.extend(new_formats)
 
 
 def find(

@@ -175,6 +175,12 @@ def test_an_interrupt_just_after_a_file_was_made_leaves_nothing(tmp_path, monkey
     assert not list(tmp_path.iterdir())
 
 
+def filled(target: Path, fill) -> None:
+    """Write a file by what fills a place for it."""
+    with atomic.temporary_for(target) as place, atomic.as_path_error(target):
+        fill(place)
+
+
 def test_a_file_that_is_filled_appears_whole_or_not_at_all(tmp_path):
     target = tmp_path / "a"
     target.write_bytes(b"old")
@@ -185,14 +191,14 @@ def test_a_file_that_is_filled_appears_whole_or_not_at_all(tmp_path):
         raise RuntimeError("enough")
 
     with pytest.raises(RuntimeError, match="enough"):
-        atomic.write_by(target, fail)
+        filled(target, fail)
     assert [path.name for path in tmp_path.iterdir()] == ["a"]
     assert target.read_bytes() == b"old"
-    atomic.write_by(target, lambda place: place.write_bytes(b"new"))
+    filled(target, lambda place: place.write_bytes(b"new"))
     assert (target.read_bytes(), mode(target)) == (b"new", 0o640)
     assert [path.name for path in tmp_path.iterdir()] == ["a"]
     with pytest.raises(OSError, match="none"):
-        atomic.write_by(tmp_path / "none" / "a", lambda place: place.write_bytes(b"new"))
+        filled(tmp_path / "none" / "a", lambda place: place.write_bytes(b"new"))
 
 
 def test_what_cannot_be_written_is_told_by_its_own_name(tmp_path):
@@ -200,10 +206,10 @@ def test_what_cannot_be_written_is_told_by_its_own_name(tmp_path):
         np.zeros(1000).tofile(place)  # which says how much was written, but not why no more
 
     with small_disk(100), pytest.raises(OSError, match=r"\(1000 requested and 12 written\): '[^']*/a'$"):
-        atomic.write_by(tmp_path / "a", fill)
+        filled(tmp_path / "a", fill)
     ways = (
         lambda: atomic.write(tmp_path / "a", b"new"),
-        lambda: atomic.write_by(tmp_path / "a", fill),
+        lambda: filled(tmp_path / "a", fill),
         lambda: atomic.write_folder(tmp_path / "a", fill),
     )
     for write in ways:

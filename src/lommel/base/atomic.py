@@ -128,12 +128,6 @@ def _move_into_place(renames: list[tuple[Path, Path, int | None]], *, exclusive:
         _synchronise(folder)
 
 
-def write_by(target: Path, fill: Callable[[Path], None]) -> None:
-    """Write a file by calling `fill` with a temporary path."""
-    with temporary_for(target) as temporary, as_path_error(target):
-        fill(temporary)
-
-
 @contextmanager
 def temporary_for(target: Path, *, exclusive: bool = False) -> Iterator[Path]:
     """Yield the path of an empty temporary file; at the end rename it to `target`, or remove it after an error.

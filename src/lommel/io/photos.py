@@ -258,7 +258,6 @@ class PhotoError(ValueError):
 
 
 _SIGNATURE_BYTES = 16  # number of bytes at the start of a file that identify its format
-_SAMPLE_BYTES = 2**17  # bytes of the sample from which the compression strategy is chosen
 
 
 @dataclass(frozen=True, eq=False)
@@ -596,22 +595,9 @@ def png_of_16_bits(
         chunks.append((b"iCCP", b"ICC Profile\0\0" + zlib.compress(profile)))
     if block is not None:
         chunks.append((b"eXIf", block))
-    packed = _compress(lines.tobytes(), level)
-    chunks += [(b"IDAT", packed), (b"IEND", b"")]
+    chunks += [(b"IDAT", zlib.compress(lines, level)), (b"IEND", b"")]
     parts = [struct.pack(">I", len(d)) + name + d + struct.pack(">I", zlib.crc32(name + d)) for name, d in chunks]
     return b"\x89PNG\r\n\x1a\n" + b"".join(parts)
-
-
-def _compress(data: bytes, level: int) -> bytes:
-    """Return compressed data, by run lengths if `level` is 1 and these compress a sample as well as the default."""
-    sample = data[len(data) // 2 :][:_SAMPLE_BYTES]
-
-    def compress(part: bytes, strategy: int) -> bytes:
-        compressor = zlib.compressobj(level, strategy=strategy)
-        return compressor.compress(part) + compressor.flush()
-
-    use_default = level != 1 or len(compress(sample, zlib.Z_DEFAULT_STRATEGY)) < len(compress(sample, zlib.Z_RLE))
-    return compress(data, zlib.Z_DEFAULT_STRATEGY if use_default else zlib.Z_RLE)
 
 
 def _read_pfm(data: bytes, scale: float | None) -> Values:

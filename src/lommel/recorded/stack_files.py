@@ -24,7 +24,8 @@ def save_stack(path: Path, values: Values, recording: Frames, description: str =
     if kind_of(path) == "zarr":
         atomic.write_folder(path, lambda folder: _fill_zarr(folder, values, recording, path.stem, description))
     else:
-        atomic.write_by(path, lambda target: _fill_tiff(target, values, recording, description))
+        with atomic.temporary_for(path) as temporary, atomic.as_path_error(path):
+            _fill_tiff(temporary, values, recording, description)
 
 
 def kind_of(path: Path, recording: str | Path | None = None) -> str:

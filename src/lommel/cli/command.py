@@ -108,11 +108,8 @@ class Command:
             words.append(word if field.default is inspect.Parameter.empty else f"[{word}]")
         return " ".join(["lommel", name, "[OPTIONS]", *words])
 
-    def run(self, given: dict[str, Any], *, as_json: bool = False) -> int:
-        """Do the job with the `given` values, print the report, and return the exit code."""
-        return run_job(partial(self._do, given), self.flags, given.keys(), as_json=as_json)
-
     def _do(self, given: dict[str, Any]) -> Report | None:
+        """Do the job with the `given` values."""
         fields = [*self.arguments, *(field for _, field in self.options)]
         for field in fields:
             if field.shown.figure and given.get(field.name) is not None:  # before anything is computed
@@ -145,8 +142,8 @@ class Command:
             parameters.append(_option(_JSON, "Options", "Print the results as JSON."))
 
         def run(*words: Any, as_json: bool = False, **options: Any) -> int:
-            named = dict(zip([field.name for field in self.arguments], words, strict=False))
-            return self.run(named | options, as_json=as_json)
+            given = dict(zip([field.name for field in self.arguments], words, strict=False)) | options
+            return run_job(partial(self._do, given), self.flags, given.keys(), as_json=as_json)
 
         run.__signature__ = inspect.Signature(parameters)  # type: ignore[attr-defined]
         run.__annotations__ = {p.name: p.annotation for p in parameters}

@@ -24,16 +24,6 @@ if TYPE_CHECKING:
 _running: list[tuple[Mapping[str, str], set[str]]] = [({}, set())]  # flags by arguments, and the arguments given
 
 
-@contextmanager
-def running(flags: Mapping[str, str], given: Iterable[str]) -> Iterator[None]:
-    """Have messages name the options of a command, by their arguments, and know which are `given` by the user."""
-    _running.append((flags, set(given)))
-    try:
-        yield
-    finally:
-        _running.pop()
-
-
 def print_report(report: Report | None, notes: list[str], *, as_json: bool) -> int:
     """Print a report with the notes of the library, and return its exit code."""
     if report is not None:
@@ -197,16 +187,18 @@ def run_job(
     notes: list[str] = []
     if sys.stdout is None:  # the caller has closed it
         sys.stdout = Path(os.devnull).open("w")  # noqa: SIM115
-    with running(flags, given):
-        try:
-            with collected_notes(notes):
-                report = job()
-            return print_report(report, notes, as_json=as_json)
-        except KeyboardInterrupt:
-            for row in (*note_lines("Note", notes), "Aborted!"):
-                print(row, file=sys.stderr)
-            return 1
-        except Exception as error:
-            if os.environ.get("LOMMEL_TRACEBACK") and not isinstance(error, BrokenPipeError):
-                raise
-            return report_error(error, notes)
+    _running.append((flags, set(given)))
+    try:
+        with collected_notes(notes):
+            report = job()
+        return print_report(report, notes, as_json=as_json)
+    except KeyboardInterrupt:
+        for row in (*note_lines("Note", notes), "Aborted!"):
+            print(row, file=sys.stderr)
+        return 1
+    except Exception as error:
+        if os.environ.get("LOMMEL_TRACEBACK") and not isinstance(error, BrokenPipeError):
+            raise
+        return report_error(error, notes)
+    finally:
+        _running.pop()

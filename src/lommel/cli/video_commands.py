@@ -62,7 +62,6 @@ Map = NDArray[np.float32]
 _WHITE_PERCENTILE = 99.5  # percentile of the first all-in-focus image that is shown as white, for linear video
 _MAX_PAIRS = 2**16  # number of the most recent pairs over which statistics are computed
 _JUMP = 6.0  # change of the median depth from pair to pair that is reported, in standard errors of a block
-_COMPRESSION_PAIRS = 25  # number of pairs after which strong compression is reported; for fewer pairs, at the end
 _MAX_LEVEL = 65535  # largest level of lossless depth
 _CURVE_LEVELS = 4096  # number of levels of linear light in the sRGB lookup table
 _COLUMNS = ["time (s)", "known", "unfit", "depth (m)", "error (m)", "misfit", "frame time (s)", "dropped"]
@@ -209,7 +208,7 @@ def watch(
             end_reason = _estimate_all(pairs, estimator, outputs, tally, status, stop, alternating=alternating)
             status("finishing")
             bits, compression = coding.check_compression(pairs.bits, tally.electrons)
-            if compression and tally.pairs < _COMPRESSION_PAIRS:
+            if compression:
                 status.tell(compression)
             if not tally.pairs:
                 if stop.requested:
@@ -224,8 +223,7 @@ def watch(
             "between": [finite(distance) for distance in between],
             "magnification": registration.magnification,
             "design_error": live.design_error,
-            **_counts(tally, pairs, end_reason),
-            **tally.summary(),
+            **tally.summary(pairs, end_reason),
             **outputs.facts,
         }
         notes = [text for text in (coding.guess, compression, tally.unknown(misfit, facts)) if text]
@@ -271,10 +269,6 @@ def _estimate_all(
         if alternating and not tally.jump_note and (jump := tally.jump(result)):
             status.tell(jump)
         tally.add(result)
-        if tally.pairs == _COMPRESSION_PAIRS:
-            _, compression = estimator.coding.check_compression(pairs.bits, tally.electrons)
-            if compression:
-                status.tell(compression)
         closed = outputs(result)
         if not closed:
             status(tally.progress(pairs.dropped))
@@ -362,13 +356,31 @@ class Tally:
             text += f"; {percent(known)} {depth:.4g} m +- {1e3 * error:.2g} mm, misfit {misfit:.2f}"
         return text
 
-    def summary(self) -> Facts:
-        """Return mean fractions, and the medians of depth, standard error and misfit."""
+    def summary(self, pairs: videos.FramePairs, ended: str) -> Facts:
+        """Return times, numbers of frames and pairs that were not used, mean fractions and medians of the blocks."""
+        seconds = self.stop - self.start
+        times = np.percentile(self.durations, [50.0, 95.0]).tolist()
         columns = np.array(self.rows).T
         known, unfit = columns[:2].mean(axis=1).tolist()
-        medians = plain([_median(column[np.isfinite(column)]) for column in columns[2:]])
-        named = dict(zip(("depth", "error", "misfit"), medians, strict=True))
-        return {"known": known, "unfit": unfit, "jump": self.jump_note or None} | named
+        depth, error, misfit = plain([_median(column[np.isfinite(column)]) for column in columns[2:]])
+        return {
+            "pairs": self.pairs,
+            "seconds": seconds,
+            "pairs_per_second": self.pairs / seconds,
+            "frame_time": dict(zip(("median", "95 %"), times, strict=True)),
+            "interval": pairs.interval,
+            "ended": ended,
+            "frames_dropped": pairs.dropped,
+            "frames_without_a_partner": pairs.alone,
+            "frames_of_another_size": pairs.refused,
+            "pairs_without_depth": self.failed,
+            "known": known,
+            "unfit": unfit,
+            "jump": self.jump_note or None,
+            "depth": depth,
+            "error": error,
+            "misfit": misfit,
+        }
 
     def unknown(self, limit: float, facts: Facts) -> str:
         """Return a sentence on blocks that are not known, or on the lack of depth; "" if there is nothing to say."""
@@ -380,25 +392,6 @@ class Tally:
         if self.failed == self.pairs:
             return "no depth found: no pair could be used, for the reason given at the first pair"
         return "" if facts["known"] else "no depth found: the frames have no texture, or all of it is out of range"
-
-
-def _counts(tally: Tally, pairs: videos.FramePairs, ended: str) -> Facts:
-    """Return computation times, and the numbers of frames and pairs that were not used."""
-    seconds = tally.stop - tally.start
-    return {
-        "pairs": tally.pairs,
-        "seconds": seconds,
-        "pairs_per_second": tally.pairs / seconds,
-        "frame_time": dict(
-            zip(("median", "95 %"), np.percentile(tally.durations, [50.0, 95.0]).tolist(), strict=True)
-        ),
-        "interval": pairs.interval,
-        "ended": ended,
-        "frames_dropped": pairs.dropped,
-        "frames_without_a_partner": pairs.alone,
-        "frames_of_another_size": pairs.refused,
-        "pairs_without_depth": tally.failed,
-    }
 
 
 class Outputs:

@@ -100,15 +100,10 @@ def table_of(
     return table
 
 
-def list_of(rows: Iterable[tuple[str, str | None]], title: str = "") -> Table:
-    """Return a table of names and values, without the rows whose value is None."""
-    from rich.table import Column, Table
-
-    columns = Column(style="cyan"), Column()
-    table = Table(*columns, box=None, pad_edge=False, title=title, title_justify="left", show_header=False)
-    for name, value in rows:
-        if value is not None:
-            table.add_row(name, value)
+def list_of(rows: Iterable[tuple[str, str]]) -> Table:
+    """Return a table of names and values."""
+    table = table_of(("", ""), rows, (0, 1))
+    table.show_header, table.columns[0].style = False, "cyan"
     return table
 
 

@@ -330,13 +330,8 @@ def sensor_mtf(instrument: Instrument, places: Sequence[Place], channels: Channe
                 ]
                 for key, f in directions.items()
             }
-            row = {
-                "x": x,
-                "y": y,
-                "channel": name,
-                "nyquist": result["nyquist"][0],
-                "half_nyquist": result["nyquist"][1],
-            }
+            row: Json = {"x": x, "y": y, "channel": name}
+            row |= dict(zip(("nyquist", "half_nyquist"), result["nyquist"], strict=True))
             if "radial" in result:
                 row["sagittal"], row["tangential"] = map(list, zip(*result["radial"], strict=True))
             rows.append(row)

@@ -13,12 +13,15 @@ _POWERS = {"m": 0, "km": 3, "cm": -2, "mm": -3, "um": -6, "µm": -6, "μm": -6, 
 LENGTHS = {unit: float(f"1e{power}") for unit, power in _POWERS.items()} | {"in": 25.4e-3, "inch": 25.4e-3}
 """Metres of each unit of length."""
 
+ARCSEC = math.pi / 648000.0
+"""Radians of an arcsecond."""
+
 _ANGLES = {
     "rad": 1.0,
     "mrad": 1e-3,
     "deg": math.pi / 180,
     "arcmin": math.pi / 10800,
-    "arcsec": math.pi / 648000,
+    "arcsec": ARCSEC,
     "mas": math.pi / 648000000,
 }
 _QUANTITY = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?|[+-]?inf(?:inity)?)\s*(\S*)\s*", re.ASCII)

@@ -163,7 +163,7 @@ class Command:
                 return [*options, word, *files, *rest]
             numbers = []
             if word in fields and _is_series(fields[word].kind):
-                numbers = list(itertools.takewhile(lambda word: _is_number(word.partition(",")[0]), rest))
+                numbers = list(itertools.takewhile(lambda word: is_number(word.partition(",")[0]), rest))
                 del rest[: len(numbers)]
             if numbers:
                 options += [f"{word}={number}" for number in numbers]
@@ -172,7 +172,7 @@ class Command:
                 options += [word, *rest[:count]]
                 del rest[:count]
             else:
-                (options if word.startswith("-") and not _is_number(word) else files).append(word)
+                (options if word.startswith("-") and not is_number(word) else files).append(word)
         return [*files, *options]
 
 
@@ -263,7 +263,8 @@ def _flags(field: Field) -> tuple[str, ...]:
     return field.shown.flags or (f"--{field.name.replace('_', '-')}",)
 
 
-def _is_number(word: str) -> bool:
+def is_number(word: str) -> bool:
+    """Return True if a word of the command line is a number."""
     try:
         float(word)
     except ValueError:

@@ -14,7 +14,7 @@ import numpy as np
 
 from lommel.base.arrays import Array, Values, plain
 from lommel.base.options import In, Options, Shown
-from lommel.base.units import format_length, with_error
+from lommel.base.units import ARCSEC, format_length, with_error
 from lommel.base.validation import line
 from lommel.blur.blurs import FWHM, Blur, Jitter, Seeing
 from lommel.cli.command import OUTPUT, PLOT, command
@@ -42,7 +42,6 @@ from lommel.report import Facts, Report, Wrapped
 from lommel.report.table import described, tables
 
 _MOST_CROSSINGS = 100
-_ARCSEC = math.pi / 648000.0
 _WAVE = 2.0 * math.pi  # radians
 _FIELD_FACTOR = 1.6  # images whose side exceeds this multiple of the window show a field with several beads
 _MAX_BEADS = 20  # largest number of beads that are fitted
@@ -261,7 +260,7 @@ def fit_field(
     focal_length = instrument.lens.focal_length
     blur: Any = True if known_blur is None else known_blur
     if seeing is not None:
-        blur = Seeing.from_fwhm(seeing * _ARCSEC, focal_length)
+        blur = Seeing.from_fwhm(seeing * ARCSEC, focal_length)
     with progress("reading") as status:
         read = read_images(images)
         noise, saturation, header = camera.resolve(read.metadata, instrument.camera)
@@ -338,7 +337,7 @@ def blurs_in_words(result: FieldFit | Retrieval, pitch: float, focal_length: flo
         focal = getattr(blur, "focal_length", None) if focal_length is None else focal_length
         if not isinstance(blur, Seeing) or focal is None:
             return repr(blur)
-        width = FWHM / blur.coherence(500e-9) / focal / _ARCSEC  # of long exposures
+        width = FWHM / blur.coherence(500e-9) / focal / ARCSEC  # of long exposures
         outer = "" if blur.outer_scale is None else f" for an outer scale of {format_length(blur.outer_scale)}"
         return f"seeing of {' +- '.join(with_error(width, width * error / blur.r0))} arcsec at 500 nm{outer}"
 

@@ -14,7 +14,7 @@ import numpy as np
 from lommel.base import validation
 from lommel.base.options import In, Options, Shown
 from lommel.base.units import format_length
-from lommel.cli.command import length
+from lommel.cli.command import is_number, length
 from lommel.cli.messages import flag_of
 from lommel.lensfiles.instrument import Camera, Instrument
 from lommel.optics.lens import Lens
@@ -212,17 +212,7 @@ def _changes(options: Facts) -> Facts:
     return changes | ({"shape": validation.image_shape(changes["shape"])} if "shape" in changes else {})
 
 
-_LENS_ONLY_OPTIONS = {
-    "object_distance": "--depth sets the position of the emitter",
-    "focus_distance": "--depth sets the position of the emitter",
-    "f_number": "its aperture is the NA of the file",
-    "field": "its PSF is the on-axis PSF",
-    "mtf": "use PSF.mtf in Python for the MTF of a stack",
-    "colour": "its emitter has one wavelength; use lommel.colour_psf with its pupil",
-    "seeing": "there is no atmosphere before it",
-    "jitter": "blur its images by lommel.Jitter in Python",
-    "at": "its PSF is the on-axis PSF",
-}
+_LENS_ONLY = "object_distance", "focus_distance", "f_number", "field", "mtf", "colour", "seeing", "jitter", "at"
 
 
 def microscope_of(lens: Path, **options: object) -> Microscope | None:
@@ -235,9 +225,9 @@ def microscope_of(lens: Path, **options: object) -> Microscope | None:
             if name in changes:
                 raise ValueError(f"--{name} is for microscopes, files with a section [objective]; {lens} has none")
         return None
-    for name, advice in _LENS_ONLY_OPTIONS.items():
+    for name in _LENS_ONLY:
         if name in changes:
-            raise ValueError(f"{flag_of(name)} is for lenses, and {lens} describes a microscope: {advice}")
+            raise ValueError(f"{flag_of(name)} is for lenses, and {lens} describes a microscope")
     microscope = load_microscope(lens)
     if isinstance(changes.get("pixel"), tuple):
         changes["pixel"] = changes["camera"].side  # raises ValueError: the pixels of the camera are not square
@@ -498,14 +488,7 @@ class FrameNoise(PhotoNoise):
     saturation: float | None = None
 
 
-def _number_or_path(text: str) -> float | str:
-    try:
-        return float(text)
-    except ValueError:
-        return text
-
-
-_MAP = Shown(metavar="NUMBER|FILE", parse=_number_or_path)
+_MAP = Shown(metavar="NUMBER|FILE", parse=lambda text: float(text) if is_number(text) else text)
 
 
 @dataclass(frozen=True, kw_only=True)

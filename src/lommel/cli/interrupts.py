@@ -63,4 +63,9 @@ def _leave_terminal() -> None:
         try:
             os.write(stream, b"")
         except OSError:
-            os.dup2(os.open(os.devnull, os.O_WRONLY), stream)
+            discard(stream)
+
+
+def discard(stream: int) -> None:
+    """Redirect a stream to the null device."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), stream)

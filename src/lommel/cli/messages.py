@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any
 
 from lommel.base.units import with_units
 from lommel.base.validation import brief, line
+from lommel.cli.interrupts import discard
 from lommel.lensfiles import example_files
 from lommel.report import Facts, Report, Wrapped
 
@@ -37,7 +38,7 @@ def print_report(report: Report | None, notes: list[str], *, as_json: bool) -> i
 def report_error(error: Exception, notes: list[str]) -> int:
     """Print an error and the notes before it, and return the exit code."""
     if isinstance(error, BrokenPipeError):
-        _discard_output()  # the reader has closed the pipe
+        discard(sys.stdout.fileno())  # the reader has closed the pipe; Python's writing at exit would fail
         return 1
     if any(text in str(error) for text in _SHORTAGES):
         error = MemoryError(f"memory, or the number of threads, is short: {brief(line(error), 240)}")
@@ -46,7 +47,7 @@ def report_error(error: Exception, notes: list[str]) -> int:
     try:
         sys.stdout.flush()
     except OSError:
-        _discard_output()  # the error occurred in writing
+        discard(sys.stdout.fileno())  # the error occurred in writing
     return 2 if isinstance(error, _USER_ERRORS) else 1
 
 
@@ -74,11 +75,6 @@ def collected_notes(notes: list[str]) -> Iterator[None]:
 
         warnings.showwarning = show
         yield
-
-
-def _discard_output() -> None:
-    """Redirect standard output to the null device, since Python's writing of the buffer at exit would fail."""
-    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 _SHORTAGES = ("can't start new thread", "failed to map segment")  # messages if memory or threads are short

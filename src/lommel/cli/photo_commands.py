@@ -43,7 +43,6 @@ from lommel.report.table import described, records_of, told
 from lommel.show import estimates
 
 if TYPE_CHECKING:
-    from lommel.imaging.defocus_depth import DefocusDepth
     from lommel.imaging.defocus_verdict import DefocusVerdict
     from lommel.imaging.photograph import Pixels
 
@@ -518,8 +517,6 @@ def each_lens(
     for name, numbers in (("--focus", foci), ("--f-number", f_numbers)):
         if len(numbers) not in (0, 1, count):
             raise ValueError(f"{name} must be given once, or for each of {count} {images}, got {len(numbers)}")
-    if count < 2:
-        raise ValueError("PHOTOS must be two or more: in a single photo blur looks like smooth texture; got 1")
     lenses = [lens.stopped(stop) for stop in f_numbers] or [lens]
     lenses *= count // len(lenses)
     if foci:
@@ -620,20 +617,15 @@ def depth(
         for path, values in zip(outputs, (estimate.depth, estimate.errors), strict=False):
             imaging.write_depth(path, values)
         if sharp is not None:
-            _write_sharp(sharp, estimate, pictures[0])
+            image = to_light("sharp", estimate.sharp, estimate.encoding, np.float32)
+            dtype, stored_as = output_type(pictures[0], sharp)
+            imaging.write_photo(sharp, image, encoding=stored_as, dtype=dtype)
         save_figure(estimate.plot, figure)
     facts = estimate.to_dict() | lens_facts(lenses) | {"seconds": seconds, "pixel": instrument.side}
     facts["read"] = _read_as(pictures[0], encoding)
     none = "no depth found: the photos have no texture, or all of it is out of range"
     text = [none] if facts["depth"] is None else []
     return told(facts) + Report({}, text) + verdict_report(estimate.verdict) + written([*outputs, sharp, figure])
-
-
-def _write_sharp(path: Path, estimate: DefocusDepth, photo: imaging.Photograph) -> None:
-    """Write the all-in-focus image in the type and encoding of `photo` if the format can store them."""
-    image = to_light("sharp", estimate.sharp, estimate.encoding, np.float32)
-    dtype, encoding = output_type(photo, path)
-    imaging.write_photo(path, image, encoding=encoding, dtype=dtype)
 
 
 @command

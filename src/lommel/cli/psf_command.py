@@ -16,7 +16,7 @@ import numpy as np
 
 from lommel.base import validation
 from lommel.base.options import In, Options, Shown, filled
-from lommel.base.units import format_length
+from lommel.base.units import ARCSEC, format_length
 from lommel.base.validation import shown
 from lommel.blur.blurs import Blur, Jitter, Seeing
 from lommel.channel_psf import colour_psf
@@ -121,8 +121,8 @@ class Air(Options):
         """Return the blur on the sensor."""
         blurs: tuple[Blur, ...] = ()
         if self.seeing is not None:
-            blurs = (Seeing.from_fwhm(self.seeing * _ARCSEC, focal_length),)
-        return blurs if self.jitter is None else (*blurs, Jitter(self.jitter * _ARCSEC * focal_length))
+            blurs = (Seeing.from_fwhm(self.seeing * ARCSEC, focal_length),)
+        return blurs if self.jitter is None else (*blurs, Jitter(self.jitter * ARCSEC * focal_length))
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -236,7 +236,7 @@ def psf(
             raise ValueError("--seeing and --jitter are for one PSF: leave out --field, --colour and --mtf")
         options["blur"] = blur
         # Most of the light that seeing spreads is within three times its width.
-        half_width = 3.0 * _ARCSEC * ((air.seeing or 0.0) + 2.4 * (air.jitter or 0.0)) * instrument.lens.focal_length
+        half_width = 3.0 * ARCSEC * ((air.seeing or 0.0) + 2.4 * (air.jitter or 0.0)) * instrument.lens.focal_length
         side = min(2 * math.ceil(half_width / min(instrument.pitch)) + 1, 1025)
         instrument = replace(instrument, shape=instrument.shape or (max(side, instrument.window[0]),) * 2)
     if place is not None and field is not None:
@@ -280,9 +280,6 @@ def psf(
         find = partial(field_files.find, holding=field_files.DEPTHS_OR_CHANNELS if colour else "")
     focus, target = (format_length(d, digits=6) for d in (instrument.lens.focus_distance, instrument.object_distance))
     return write(make, describe, find, f"{instrument.name}\nfocus at {focus}, object at {target}")
-
-
-_ARCSEC = math.pi / 648000.0
 
 
 def _write(
@@ -363,10 +360,7 @@ def _erf(text: str) -> object:
 
 def _value(text: str) -> Any:
     """Return the number, pair, truth value or word in a text."""
-    constants = {"none": None, "true": True, "false": False}
-    if text.lower() in constants:
-        return constants[text.lower()]
     try:
-        return ast.literal_eval(text)
+        return ast.literal_eval(text.title() if text.lower() in ("none", "true", "false") else text)
     except (ValueError, SyntaxError):
         return text

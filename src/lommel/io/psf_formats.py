@@ -18,6 +18,7 @@ import numpy as np
 from lommel.base import atomic, reading, validation
 from lommel.base.arrays import Array, Values
 from lommel.base.atomic import sealed
+from lommel.base.units import ARCSEC
 from lommel.io import fits_images
 from lommel.io.registry import DAMAGED, Arrays, Description
 from lommel.measures.psf_like import ColourPSFLike, PSFLike, colours
@@ -36,7 +37,6 @@ _TERM = re.compile(r"\(([0-9]+), (-?[0-9]+)\)")
 _NOT_ASCII = re.compile(r"[^ -~]")
 _MARK = b"\n#lommel "  # separates the array from the description in a .npy file
 _MIN_PICTURE_SIDE = 512  # minimum side of a picture, pixels; smaller PSFs are enlarged by an integer factor
-_ARCSEC = math.pi / 648000.0
 _UNEVEN_NOTE = "planes are not evenly spaced along z: pupil.z has the position of each, metres"
 _STEP_TOLERANCE = 1e-6  # relative difference up to which steps are considered equal
 _EXTNAME = "LOMMEL"  # name of the FITS extension with the description as bytes
@@ -291,7 +291,7 @@ def write_fits(psf: StoredPSF, description: Description) -> bytes:
     }
     geometry = psf.pupil.geometry if isinstance(psf.pupil, Pupil) else None
     if geometry is not None and isinstance(psf.pixel, float):
-        angle = math.atan(psf.pixel / geometry.sensor_distance) / _ARCSEC
+        angle = math.atan(psf.pixel / geometry.sensor_distance) / ARCSEC
         cards["PIXELSCL"] = (angle, "[arcsec/pixel] seen from the lens, on the axis")
     if psf.unit == "m":
         for side, pitch in zip("YX", psf.grid.pitch, strict=True):

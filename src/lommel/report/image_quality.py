@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 import numpy as np
 
 from lommel.base.arrays import Json, Numbers, plain
+from lommel.base.units import ARCSEC
 from lommel.core.answers import ToleranceError
 from lommel.measures import aperture_means, errors, spot, transfer
 from lommel.measures.energy import MAX_RADIUS, encircled
@@ -43,7 +44,6 @@ IN_FOCUS = 2.0
 
 _LENS_ATTRIBUTES = ("focal_length", "aperture_diameter", "f_number", "working_f_number", "obscuration", "wavelength",
             "model", "corrected_for")  # fmt: skip
-_ARCSEC = math.pi / 648000.0
 # Diameter, in pixels, above which pixel integration changes a width by less than the last printed digit.
 _MAX_WIDTH = 60.0
 # Largest number of mirror segments for which MTF50 and focus tolerance are computed; more segments take minutes.
@@ -77,7 +77,7 @@ def setup(instrument: Instrument) -> Json:
         "sensor_distance": lens.sensor_distance,
         "object_distance": instrument.object_distance,
         "pixel": instrument.pixel,
-        "arcsec_per_pixel": width / lens.focal_length / _ARCSEC if is_telescope else None,
+        "arcsec_per_pixel": width / lens.focal_length / ARCSEC if is_telescope else None,
         "pixel_in_object": width * lens.focus_distance / lens.sensor_distance if magnifies(lens) else None,
         "in_focus": in_focus,
         "hyperfocal_distance": hyperfocal_distance,

@@ -12,7 +12,6 @@ import numpy as np
 from rich.text import Text
 
 from lommel.base.options import HIDDEN, In, Shown
-from lommel.base.validation import line
 from lommel.cli.command import OUTPUT, PLOT, command
 from lommel.cli.instruments import CameraMaps, require_microscope, require_order
 from lommel.cli.messages import report_findings
@@ -122,8 +121,6 @@ def deconvolve(
       lommel deconvolve stack.ome.tif zeiss-63x-1.4-oil.toml --gain 0.46 --read 1.6 --offset 100 -o restored.ome.zarr
     """
     for path in outputs:
-        if path.suffix.lower() in (".png", ".pdf", ".svg"):
-            raise ValueError(f"a stack must end in .ome.tif or .ome.zarr, got {line(path)}; --plot writes a picture")
         stack_files.kind_of(path, stack)
         require_folder(path)
     require_order("STACK LENS, the stack first", stack, lens)

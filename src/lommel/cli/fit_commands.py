@@ -18,7 +18,7 @@ from lommel.base.units import ARCSEC, format_length, with_error
 from lommel.base.validation import line
 from lommel.blur.blurs import FWHM, Blur, Jitter, Seeing
 from lommel.cli.command import OUTPUT, PLOT, command
-from lommel.cli.instruments import CameraNoise, header_differences, require_microscope
+from lommel.cli.instruments import CameraNoise, header_differences, instrument_of, require_microscope
 from lommel.cli.messages import report_findings
 from lommel.cli.output import progress, require_file, save_figure, written
 from lommel.detection.targets import Crossings, PointSources, find_crossings, find_spots, grid_indices
@@ -100,7 +100,7 @@ def retrieve(
     """
     if output is not None:
         zernike_tables.find(output, "--output")
-    instrument = camera.instrument(lens)
+    instrument = instrument_of(lens, camera=camera.camera, pixel=camera.pixel)
     with progress("reading") as status:
         read = read_images(_files(images))
         noise, saturation, header = camera.resolve(read.metadata, instrument.camera)
@@ -256,7 +256,7 @@ def fit_field(
         )
     if seeing is not None and known_blur is not None:
         raise ValueError("--seeing and --known-blur must not both be given: either is the whole blur")
-    instrument = camera.instrument(lens)
+    instrument = instrument_of(lens, camera=camera.camera, pixel=camera.pixel)
     focal_length = instrument.lens.focal_length
     blur: Any = True if known_blur is None else known_blur
     if seeing is not None:

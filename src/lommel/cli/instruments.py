@@ -196,11 +196,11 @@ def instrument_of(path: Path, **options: object) -> Instrument:
     return dataclasses.replace(instrument, lens=lens, **changes)
 
 
-def radial_instrument(lens: Path, user: str = "this command", **options: object) -> Instrument:
+def radial_instrument(lens: Path, **options: object) -> Instrument:
     """Return the instrument of a lens file; ValueError if its aberrations vary over the field."""
     instrument = instrument_of(lens, **options)
     if instrument.aberrations_of_field is not None:
-        raise ValueError(f"{lens} has aberrations that vary over the field, which {user} does not support")
+        raise ValueError(f"{lens} has aberrations that vary over the field, which this command does not support")
     return instrument
 
 
@@ -217,7 +217,7 @@ _LENS_ONLY = "object_distance", "focus_distance", "f_number", "field", "mtf", "c
 
 def microscope_of(lens: Path, **options: object) -> Microscope | None:
     """Return the microscope of a file, changed by the options of a command, or None for a lens file."""
-    from lommel.lensfiles.microscope_files import describes_microscope, load_microscope, stage_step
+    from lommel.lensfiles.microscope_files import describes_microscope, load_microscope
 
     changes = _changes(options)
     if not describes_microscope(lens):
@@ -235,8 +235,6 @@ def microscope_of(lens: Path, **options: object) -> Microscope | None:
         validation.pixel(changes["pixel"], metric=True)
     if "stack" in changes:
         changes["planes"] = changes.pop("stack")
-    if "step" in changes:
-        stage_step(changes["step"])
     planes = changes.get("planes", microscope.planes)
     if planes > 1 and not changes.get("step", microscope.step):
         limit = format_length(microscope.objective.nyquist(wavelength=microscope.wavelength).axial, digits=3)
@@ -393,10 +391,6 @@ class CameraNoise(Sensor):
     def values(self) -> Facts:
         """Return gain, read noise and offset, None without an option."""
         return {name: getattr(self, name) for name in ("white", "read", "offset")} | {"excess": None}
-
-    def instrument(self, lens: Path, **changes: object) -> Instrument:
-        """Return the instrument of a lens file with this camera and pixel pitch."""
-        return instrument_of(lens, camera=self.camera, pixel=self.pixel, **changes)
 
     def resolve(self, header: Metadata, camera: Camera | None) -> tuple[Noise, float | None, list[str]]:
         """Return (1) noise, (2) saturation, (3) notes; options override the camera, and the camera the header."""

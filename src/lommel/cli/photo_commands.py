@@ -35,7 +35,6 @@ from lommel.imaging.field_blur import FieldPhotographOptions
 from lommel.io import photos as photo_files
 from lommel.io.depth_maps import fill_missing
 from lommel.io.registry import suffixes
-from lommel.lensfiles.instrument import Instrument
 from lommel.optics.lens import Lens
 from lommel.recorded.noise import Noise
 from lommel.report import Facts, Report, Wrapped, finite
@@ -198,10 +197,9 @@ def _render(
         "is an option for a single photo; it cannot be combined with --batch",
     )
     lenses = _lenses(lens, camera)
-    start, rendered = time.perf_counter(), 0
-    finished = total = 0
+    start, finished, total = time.perf_counter(), 0, 0
     failed: list[Facts] = []
-    rendered_facts: list[Facts] = []
+    rendered: list[Facts] = []
     try:
         with progress("reading") as status:
             pictures = imaging.render_dataset(
@@ -210,8 +208,7 @@ def _render(
             for picture in pictures:
                 finished, total = picture.done, picture.total
                 if picture.failure is None:
-                    rendered += 1
-                    rendered_facts.append(picture.facts)
+                    rendered.append(picture.facts)
                     status(f"picture {finished} of {total}", finished / total)
                     continue
                 reason = with_options(picture.failure)
@@ -225,12 +222,11 @@ def _render(
     seconds = time.perf_counter() - start
     if failed and not finished:
         raise ValueError(f"no picture could be rendered: {failed[0]['reason']}")
-    facts = {"output": str(folder), "rendered": rendered, "seconds": seconds, "failed": failed}
-    if rendered_facts:
-        ends = [float(end) for picture_facts in rendered_facts for end in picture_facts["depth_range"]] or [math.nan]
-        unknown_fractions = [picture_facts["depth_unknown"] for picture_facts in rendered_facts]
-        facts |= {"depth": [finite(min(ends)), finite(max(ends))]}
-        facts |= {"depth_unknown": sum(unknown_fractions) / len(unknown_fractions)}
+    facts = {"output": str(folder), "rendered": len(rendered), "seconds": seconds, "failed": failed}
+    if rendered:
+        ends = [float(end) for picture in rendered for end in picture["depth_range"]] or [math.nan]
+        unknown = sum(picture["depth_unknown"] for picture in rendered) / len(rendered)
+        facts |= {"depth": [finite(min(ends)), finite(max(ends))], "depth_unknown": unknown}
     return told(facts, succeeded=not failed)
 
 
@@ -505,10 +501,6 @@ class PairCamera(Sensor):
     foci: Annotated[tuple[float, ...], Shown(("--focus",), length="m")] = ()
     f_numbers: Annotated[tuple[float, ...], Shown(("--f-number",))] = ()
 
-    def instrument(self, lens: Path) -> Instrument:
-        """Return the instrument of a lens file with this camera and pixel pitch."""
-        return radial_instrument(lens, "depth from defocus", camera=self.camera, pixel=self.pixel)
-
 
 def each_lens(
     lens: Lens, count: int, foci: tuple[float, ...], f_numbers: tuple[float, ...], images: str = "photos"
@@ -591,7 +583,7 @@ def depth(
         photo_files.find_depth(path, "--output")
     if sharp is not None:
         photo_files.find(sharp, "--sharp")
-    instrument = cameras.instrument(lens)
+    instrument = radial_instrument(lens, camera=cameras.camera, pixel=cameras.pixel)
     noise = noise_of(vars(photo_noise), instrument.camera, photographs=True)
     lenses = each_lens(instrument.lens, len(photos), cameras.foci, cameras.f_numbers)
     with progress("reading") as status:

@@ -126,13 +126,8 @@ class Files(Options):
         for path in self.depths:
             videos.find(path, "--depth", holding="of uint16")
         require_file(self.table, ".csv", "--table")
-        for path in self.all:
+        for path in filter(None, (self.output, *self.depths)):
             require_folder(path)
-
-    @property
-    def all(self) -> list[Path]:
-        """Paths of all output files."""
-        return [path for path in (self.output, *self.depths, self.table) if path is not None]
 
 
 @command
@@ -178,7 +173,7 @@ def watch(
     """
     with Stop().signals() as stop:
         _require_two(sources, alternating=alternating)
-        instrument = cameras.instrument(lens)
+        instrument = radial_instrument(lens, camera=cameras.camera, pixel=cameras.pixel)
         lenses = each_lens(instrument.lens, 2, cameras.foci, cameras.f_numbers, "frames")
         if lenses[0] == lenses[1]:
             raise ValueError(
@@ -234,7 +229,7 @@ def watch(
             told(facts, succeeded=pairs.lost is None)
             + Report({}, [Wrapped(note) for note in notes])
             + verdict_report(verdict)
-            + written(files.all)
+            + written([files.output, *files.depths, files.table])
         )
 
 

@@ -8,7 +8,7 @@ from scipy.signal import convolve
 
 import lommel as lm
 from lommel.microscopy import stack_blur
-from lommel.microscopy.stack_blur import TiledBlur
+from lommel.microscopy.stack_blur import TiledBlur, kernel_of
 from objectives import OIL_60X
 
 # Neither as many planes above the point as below it, nor alike in rows and columns.
@@ -37,7 +37,7 @@ def _gathered(operator, values, shape):
 )
 def test_tiles_are_the_plain_sum_over_a_specimen_that_goes_on_along_z(monkeypatch, psf, small, shape, margin):
     monkeypatch.setattr(stack_blur, "_MIN_VALUES", small)
-    blur = TiledBlur(psf, shape, margin)
+    blur = TiledBlur([kernel_of(psf)], shape, margin)
     rng = np.random.default_rng(0)
     specimen, recording = (rng.random(size).astype(np.float32) for size in (blur.whole, shape))
     made = _gathered(blur.forward, specimen, shape)
@@ -53,7 +53,7 @@ def test_tiles_are_the_plain_sum_over_a_specimen_that_goes_on_along_z(monkeypatc
 @pytest.mark.parametrize("margin", [(0, 0), (1, 2), (4, 7)])
 def test_what_is_seen_of_a_point_is_the_transpose_of_ones(margin):
     shape = (4, 14, 18)
-    blur = TiledBlur(PSF, shape, margin)
+    blur = TiledBlur([kernel_of(PSF)], shape, margin)
     known = _gathered(blur.adjoint, np.ones(shape, np.float32), blur.whole)
     found = [blur.seen(plane, slice(0, blur.whole[1]), slice(0, blur.whole[2])) for plane in range(blur.whole[0])]
     np.testing.assert_allclose(found, known, atol=2e-6)
@@ -69,11 +69,11 @@ def test_several_psfs_are_the_sum_of_weighted_specimens_and_its_transpose():
     shape, margin = (5, 20, 17), (2, 3)
     rng = np.random.default_rng(4)
     weights = rng.dirichlet(np.ones(3), shape[0] + 2 * margin[0]).T.astype(np.float32)
-    blur = TiledBlur(others, shape, margin, weights=weights)
+    blur = TiledBlur(map(kernel_of, others), shape, margin, weights=weights)
     specimen, recording = (rng.random(size).astype(np.float32) for size in (blur.whole, shape))
     made = _gathered(blur.forward, specimen, shape)
     known = sum(
-        _gathered(TiledBlur(psf, shape, margin).forward, specimen * w[:, None, None], shape)
+        _gathered(TiledBlur([kernel_of(psf)], shape, margin).forward, specimen * w[:, None, None], shape)
         for psf, w in zip(others, weights, strict=True)
     )
     np.testing.assert_allclose(made, known, atol=2e-6)
@@ -87,6 +87,6 @@ def test_several_psfs_are_the_sum_of_weighted_specimens_and_its_transpose():
 @pytest.mark.parametrize("psf", [PSF, EVEN], ids=["uneven", "even"])
 def test_threads_change_no_bit(psf):
     shape, rng = (5, 33, 30), np.random.default_rng(1)
-    one, four = (TiledBlur(psf, shape, (2, 4), threads=n) for n in (1, 4))
+    one, four = (TiledBlur([kernel_of(psf)], shape, (2, 4), threads=n) for n in (1, 4))
     specimen = rng.random(one.whole).astype(np.float32)
     np.testing.assert_array_equal(*(_gathered(blur.forward, specimen, shape) for blur in (one, four)))

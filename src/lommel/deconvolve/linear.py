@@ -100,7 +100,21 @@ class LinearBlur(ABC):
         True
         """
         dims = self.shape if self.channels == 1 else (*self.shape, self.channels)
-        return linear_operator(self.forward, self.adjoint, dims, dims, self.dtype)
+
+        def of_vectors(function: Callable[[Values], Values]) -> Callable[[Values], Values]:
+            def act(vector: Values) -> Values:
+                return function(np.asarray(vector, dtype=np.result_type(vector, np.float32)).reshape(dims)).reshape(
+                    -1
+                )
+
+            return act
+
+        side = math.prod(dims)
+        operator = scipy.sparse.linalg.LinearOperator(
+            (side, side), of_vectors(self.forward), of_vectors(self.adjoint), dtype=self.dtype
+        )
+        operator.dims = dims
+        return operator
 
     def require(self, image: ArrayLike, name: str = "image", *, missing: bool = False) -> Values:
         """Return `image` as an array; TypeError or ValueError unless it has the right shape and finite floats.
@@ -249,33 +263,13 @@ def overlap(start: int, stop: int, side: int) -> tuple[slice, slice]:
     return inside, slice(inside.start - start, inside.stop - start)
 
 
-def linear_operator(
-    forward: Callable[[Values], Values],
-    adjoint: Callable[[Values], Values],
-    result_shape: tuple[int, ...],
-    dims: tuple[int, ...],
-    dtype: np.dtype[np.floating],
-) -> LinearOperator:
-    """Return a SciPy LinearOperator that maps images of shape `dims` to images of shape `result_shape`."""
-
-    def of_vectors(function: Callable[[Values], Values], shape: tuple[int, ...]) -> Callable[[Values], Values]:
-        def act(vector: Values) -> Values:
-            return function(np.asarray(vector, dtype=np.result_type(vector, np.float32)).reshape(shape)).reshape(-1)
-
-        return act
-
-    operator = scipy.sparse.linalg.LinearOperator(
-        (math.prod(result_shape), math.prod(dims)),
-        of_vectors(forward, dims),
-        of_vectors(adjoint, result_shape),
-        dtype=dtype,
-    )
-    operator.dims = dims
-    return operator
+def folded(padded: Values, margins: Sequence[int], shape: Sequence[int]) -> Values:
+    """Return the image of this `shape` within `padded`; what is outside is mirrored at the edges and added."""
+    rows = _folded_rows(padded, margins[0], shape[0])
+    return _folded_rows(rows.T, margins[1], shape[1]).T
 
 
-def folded(padded: Values, margin: int, count: int) -> Values:
-    """Return `count` rows of `padded` from row `margin` on; the rows outside are mirrored at the edges and added."""
+def _folded_rows(padded: Values, margin: int, count: int) -> Values:
     image = padded[margin : margin + count]
     for start in range(margin % count - count, len(padded), count):  # periods of mirror images
         if start != margin:
@@ -284,26 +278,6 @@ def folded(padded: Values, margin: int, count: int) -> Values:
             target = image[::-1] if (start - margin) // count % 2 else image
             target[max(0, -start) :][: len(part)] += part
     return image
-
-
-def without_copies(
-    image: Values, rows: NDArray[np.int64], columns: NDArray[np.int64], shape: tuple[int, int]
-) -> Values:
-    """Return an image without its border copies, whose values are added to the original pixels.
-
-    `rows` and `columns` are the indices of the original pixels, as returned by :func:`copies`.
-    """
-    return _summed_rows(_summed_rows(image, rows, shape[0]).T, columns, shape[1]).T
-
-
-def _summed_rows(rows: Values, indices: NDArray[np.int64], count: int) -> Values:
-    """Return the sums of rows with equal index, shape (count, columns)."""
-    if len(indices) == count:
-        return rows
-    total = np.zeros((count, rows.shape[1]), dtype=rows.dtype)
-    for index, row in zip(indices, np.ascontiguousarray(rows), strict=True):
-        total[index] += row
-    return total
 
 
 def copies(count: int, margin: int) -> NDArray[np.int64]:

@@ -160,7 +160,7 @@ class DepthBlur(LinearBlur):
                 if self.watch is not None:
                     self.watch(int(np.count_nonzero(positions >= 0.0)))
         # Light that leaves the image is reflected into it.
-        return folded(folded(padded, margins[0][0], self.shape[0]).T, margins[1][0], self.shape[1]).T
+        return folded(padded, [before for before, _ in margins], self.shape)
 
     def collect(
         self, channel: int, plane: Values, sources: Sequence[Points], seen: Values | None = None

@@ -20,7 +20,7 @@ from lommel.base.arrays import Array, Values
 from lommel.base.cached import cached_property
 from lommel.base.options import In, listed
 from lommel.base.threads import side_by_side
-from lommel.deconvolve.linear import LinearBlur, copies, without_copies
+from lommel.deconvolve.linear import LinearBlur, copies, folded
 from lommel.field.maps import FieldMap, require_light, require_one_aperture
 from lommel.field.psf_grid import sides
 from lommel.imaging.blur import require_depth, require_lens, warn_of_depths
@@ -428,7 +428,7 @@ class MixedBlur:
 
         for block, part in self._results(correlated):
             result[block.rows, block.columns] = part
-        return without_copies(result, self.rows, self.columns, (plane.shape[0], plane.shape[1]))
+        return folded(result, (self.excess // 2,) * 2, plane.shape)
 
     def _results(self, function: Callable[[Block], Values]) -> Iterator[tuple[Block, Values]]:
         """Yield pairs (block, function(block)); the blocks of one row of blocks are computed in parallel."""

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from lommel.base.arrays import Array, Values
 from lommel.core import engine
 from lommel.core.answers import DType
-from lommel.deconvolve.linear import copies, without_copies
+from lommel.deconvolve.linear import copies, folded
 
 if TYPE_CHECKING:
     from lommel.imaging.field_blur import Nodes
@@ -115,7 +115,7 @@ class WindowBlur:
         padded, padded_light = self._empty_padded(plane.dtype), np.empty((len(rows), len(columns)), dtype=plane.dtype)
         padded[self._inside] = plane
         engine.field_spread(self._splines, self._defocus, padded, self._threads, padded_light, transposed=True)
-        return without_copies(padded_light, rows, columns, self._shape)
+        return folded(padded_light, (self._margin,) * 2, self._shape)
 
 
 def _nonzero_columns(weights: Array) -> tuple[Array, slice]:

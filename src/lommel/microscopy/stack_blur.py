@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from itertools import chain
 from typing import NamedTuple
@@ -118,8 +118,8 @@ class TiledBlur(PlaneOperator):
 
     Parameters
     ----------
-    psf : PSF, or iterable of PSF, ndarray or Kernel
-        PSFs h_s, all of one shape. Arrays are used without normalisation, and the point lies in their middle voxel.
+    kernels : iterable of ndarray or Kernel
+        PSFs h_s, all of one shape, used without normalisation. In arrays the point lies in the middle voxel.
     shape : (int, int, int)
         Planes, height and width of the recording.
     margin : (int, int)
@@ -132,15 +132,15 @@ class TiledBlur(PlaneOperator):
 
     def __init__(
         self,
-        psf: PSF | Iterable[PSF | Array | Kernel],
+        kernels: Iterable[Array | Kernel],
         shape: tuple[int, int, int],
         margin: tuple[int, int],
         *,
         weights: Array | None = None,
         threads: int = 0,
     ) -> None:
-        kernels = iter([psf] if isinstance(psf, PSF) else psf)
-        first_kernel, middle = _kernel(next(kernels))
+        others = iter(kernels)
+        first_kernel, middle = _kernel(next(others))
         self.shape, self._margin, self._threads = shape, (margin[0], margin[1], margin[1]), threads
         self.whole = shape[0] + 2 * margin[0], shape[1] + 2 * margin[1], shape[2] + 2 * margin[1]
         sides = self._sides = first_kernel.shape
@@ -174,7 +174,7 @@ class TiledBlur(PlaneOperator):
         self._seen = np.zeros((self.whole[0], *(limits.shape[1] for limits in self._limits)), np.float32)
         self._transfers: list[object] = []
         # Only one kernel is in memory at a time, as there may be many.
-        for number, values in enumerate(chain([first_kernel], (_kernel(entry)[0] for entry in kernels))):
+        for number, values in enumerate(chain([first_kernel], (_kernel(entry)[0] for entry in others))):
             self._add_transfer(number, values)
             self._add_recorded_share(number, values)
         self.weigh(1.0)
@@ -278,8 +278,7 @@ class TiledBlur(PlaneOperator):
 
     def weigh(self, weight: float) -> None:
         """Set the weight by which :meth:`per_seen` divides."""
-        with np.errstate(divide="ignore"):
-            self._per = np.where(self._seen * weight > UNSEEN, 1.0 / (self._seen * weight), 0.0).astype(np.float32)
+        self._per = reciprocal(self._seen * np.float32(weight))
 
     def per_seen(self, plane: int, rows: slice, columns: slice, /) -> Values:
         """Return ``1 / (seen * weight)``, or 0 where hardly any light is recorded (`UNSEEN`)."""
@@ -363,13 +362,11 @@ class TiledBlur(PlaneOperator):
         )
 
 
-def _kernel(psf: PSF | Array | Kernel) -> Kernel:
-    """Return the kernel of a PSF and the index of its point; an array is the kernel itself, with a central point."""
-    if isinstance(psf, PSF):
-        return kernel_of(psf)
-    if isinstance(psf, tuple):
-        return psf
-    return psf, (psf.shape[0] // 2, psf.shape[1] // 2, psf.shape[2] // 2)
+def _kernel(kernel: Array | Kernel) -> Kernel:
+    """Return a kernel and the index of its point, in the middle of an array."""
+    if isinstance(kernel, tuple):
+        return kernel
+    return kernel, (kernel.shape[0] // 2, kernel.shape[1] // 2, kernel.shape[2] // 2)
 
 
 class _SpareTiles:
@@ -607,7 +604,7 @@ class WideBlur(PlaneOperator):
     ) -> None:
         self._windows, self._threads = windows, threads
         self.shape, self.whole = windows.shape, windows.whole
-        kernels: Sequence[Array] = list(tails)
+        kernels = list(tails)
         margin = (windows.whole[0] - windows.shape[0]) // 2, (windows.whole[1] - windows.shape[1]) // 2
         half = kernels[0].shape[1] // 2
         if half * pitch < margin[1]:
@@ -629,7 +626,7 @@ class WideBlur(PlaneOperator):
         self.outside = np.ones(windows.whole[0], np.float32)
         recorded = np.outer(*(axis.weights.sum(axis=0) for axis in self._recording_weights)).astype(np.float32)
         # Recorded fraction of the light of tails, by node.
-        self._seen = self._coarse_adjoint(np.broadcast_to(recorded, (windows.shape[0], *recorded.shape)))
+        self._seen = _stored(self._tails.adjoint, np.broadcast_to(recorded, self._tails.shape), self._tails.whole)
         self.outside_seen = np.einsum("pyx,yx->p", self._seen, self._pixels_outside)
         self._seen_lines = self._specimen_weights[0].interpolate(self._seen)
         self.outside_back = np.zeros(windows.whole[0], np.float32)
@@ -639,17 +636,12 @@ class WideBlur(PlaneOperator):
         """Call `consume` with the recording of a specimen, as :meth:`TiledBlur.forward` does."""
         coarse = self._bin(specimen, self._specimen_weights)
         coarse += self.outside[:, np.newaxis, np.newaxis] * self._pixels_outside
-        light = np.empty((self.shape[0], *(axis.nodes for axis in self._recording_weights)), np.float32)
-
-        def store(plane: int, rows: slice, columns: slice, values: Values) -> None:
-            light[plane, rows, columns] = values
-
-        self._tails.forward(coarse, store)
+        light = _stored(self._tails.forward, coarse, self._tails.shape)
         return self._windows.forward(specimen, self._with_coarse(light, self._recording_weights, consume))
 
     def adjoint(self, recording: Values, consume: PartConsumer[Result]) -> list[Result]:
         """Call `consume` with the transpose of :meth:`forward`; set `outside_back`, the transpose for `outside`."""
-        light = self._coarse_adjoint(self._bin(recording, self._recording_weights))
+        light = _stored(self._tails.adjoint, self._bin(recording, self._recording_weights), self._tails.whole)
         self.outside_back = np.einsum("pyx,yx->p", light, self._pixels_outside)
         return self._windows.adjoint(recording, self._with_coarse(light, self._specimen_weights, consume))
 
@@ -677,16 +669,6 @@ class WideBlur(PlaneOperator):
         """``1 / (weight * outside_seen)`` for each plane; `outside_seen` is the recorded light if `outside` is 1."""
         return reciprocal(self.outside_seen * np.float32(self._weight))
 
-    def _coarse_adjoint(self, light: Values) -> Values:
-        """Return the transpose of the coarse blur by the tails, applied to light at the nodes of the recording."""
-        result = np.empty((self.whole[0], *(axis.nodes for axis in self._specimen_weights)), np.float32)
-
-        def store(plane: int, rows: slice, columns: slice, values: Values) -> None:
-            result[plane, rows, columns] = values
-
-        self._tails.adjoint(light, store)
-        return result
-
     def _bin(self, values: Values, axes: list[_LinearWeights]) -> Values:
         """Return planes binned to the nodes of the coarse grid with linear weights."""
         by_row, by_column = axes
@@ -712,6 +694,17 @@ class WideBlur(PlaneOperator):
             return consume(plane, rows, columns, values)
 
         return add
+
+
+def _stored(operator: Callable[..., object], light: Values, shape: tuple[int, ...]) -> Values:
+    """Return the whole result of an operator that passes its result in parts."""
+    result = np.empty(shape, np.float32)
+
+    def store(plane: int, rows: slice, columns: slice, values: Values) -> None:
+        result[plane, rows, columns] = values
+
+    operator(light, store)
+    return result
 
 
 class _LinearWeights:

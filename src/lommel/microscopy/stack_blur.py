@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Iterator
-from contextlib import contextmanager
 from itertools import chain
 from typing import NamedTuple
 
@@ -86,10 +85,6 @@ def kernel_of(psf: PSF) -> Kernel:
         raise ValueError(f"psf must have its axis in the middle pixel, got center={psf.grid.center}")
     values = psf.values / psf.values.sum(dtype=np.float64)
     return values.astype(np.float64), (origin, values.shape[1] // 2, values.shape[2] // 2)
-
-
-# Table index of each row (or column) of a plane, and the start and stop of the longest run of rows with equal index.
-_TableIndices = tuple[NDArray[np.intp], int, int]
 
 
 class _TileJob(NamedTuple):
@@ -213,24 +208,20 @@ class TiledBlur(PlaneOperator):
             ordered[row, :, :, 0], ordered[row, :, :, 1] = parts.real, parts.imag
         return ordered.reshape(rows, groups, planes, -1)
 
-    def _recorded_ranges(self) -> tuple[list[NDArray[np.intp]], list[_TableIndices]]:
+    def _recorded_ranges(self) -> tuple[list[NDArray[np.intp]], list[NDArray[np.intp]]]:
         """Return the distinct ranges of recorded kernel pixels along y and x, and the range number of each row.
 
         Ranges of kernel pixels, shape (first and stop, ranges), depend on the position of the point: they differ near
         the edges and are equal in the middle. For either axis the second result has the range number of each row (or
-        column) of the specimen, and the run of rows that all have the most frequent range.
+        column) of the specimen.
         """
         limits, indices = [], []
         for axis in (1, 2):
             first_pixel = self._margin[axis] + self._lower[axis] - np.arange(self.whole[axis])
             ranges = np.clip(np.stack([first_pixel, first_pixel + self.shape[axis]]), 0, self._sides[axis])
             distinct_ranges, index = np.unique(ranges, axis=1, return_inverse=True)
-            index = index.ravel()
-            counts = np.bincount(index)
-            start = int(np.argmax(index == counts.argmax()))
-            stop = start + int(np.argmin(np.append(index[start:], -1) == index[start]))
             limits.append(distinct_ranges)
-            indices.append((index, start, stop))
+            indices.append(index.ravel())
         return limits, indices
 
     def _add_recorded_share(self, number: int, kernel: Array) -> None:
@@ -286,10 +277,8 @@ class TiledBlur(PlaneOperator):
 
     def _look_up(self, table: Values, rows: slice, columns: slice) -> Values:
         """Return the values of a table (ranges along y, ranges along x) at the pixels of a part of a plane."""
-        row_indices, column_indices = (
-            _indices_of_part(part, *indices) for part, indices in zip((rows, columns), self._indices, strict=True)
-        )
-        return _expand(table, row_indices, column_indices)
+        by_row, by_column = self._indices
+        return table[by_row[rows]].take(by_column[columns], axis=1)
 
     def _tile_jobs(
         self, shape: tuple[int, ...], source_shape: tuple[int, ...], lower: tuple[int, ...], shift: int
@@ -321,13 +310,12 @@ class TiledBlur(PlaneOperator):
         """Transform the tile laterally in each of the first `planes` planes, into `_spectra`."""
         if self._spectra is None:
             self._spectra = np.empty((self.whole[0], self._tile[0], self._tile[1] // 2 + 1), np.complex64)
-        spectra, spare_tiles = self._spectra, _SpareTiles(self._tile)
+        spectra = self._spectra
 
         def transform(plane: int) -> None:
-            with spare_tiles.borrow() as tile:
-                # Other pixels of the tile stay 0, because all planes of a job are written to the same part of it.
-                tile[job.source_in_tile] = values[plane, *job.source]
-                spectra[plane] = scipy.fft.rfft2(tile)
+            tile = np.zeros(self._tile, np.float32)
+            tile[job.source_in_tile] = values[plane, *job.source]
+            spectra[plane] = scipy.fft.rfft2(tile)
 
         side_by_side(transform, range(planes), self._threads)
 
@@ -369,47 +357,12 @@ def _kernel(kernel: Array | Kernel) -> Kernel:
     return kernel, (kernel.shape[0] // 2, kernel.shape[1] // 2, kernel.shape[2] // 2)
 
 
-class _SpareTiles:
-    """Tiles, initially 0, each used by one thread at a time."""
-
-    def __init__(self, shape: tuple[int, int]) -> None:
-        self._shape, self._tiles = shape, list[Values]()
-
-    @contextmanager
-    def borrow(self) -> Iterator[Values]:
-        """Yield a tile, and keep it for the next thread afterwards."""
-        try:
-            tile = self._tiles.pop()
-        except IndexError:
-            tile = np.zeros(self._shape, np.float32)
-        yield tile
-        self._tiles.append(tile)
-
-
 def _mirror_symmetric(kernel: Array) -> bool:
     """Check that a kernel equals its mirror images along x and along y, about its middle pixel."""
     if kernel.shape[1] % 2 == 0 or kernel.shape[2] % 2 == 0:
         return False
     limit = _MIRROR_TOLERANCE * float(np.abs(kernel).max())
     return all(np.allclose(kernel, np.flip(kernel, axis), rtol=0.0, atol=limit) for axis in (1, 2))
-
-
-def _indices_of_part(part: slice, index: NDArray[np.intp], start: int, stop: int) -> _TableIndices:
-    """Return the table indices of part of an axis."""
-    low, high = (min(max(limit, part.start), part.stop) - part.start for limit in (start, stop))
-    return index[part], low, max(low, high)
-
-
-def _expand(table: Values, row_indices: _TableIndices, column_indices: _TableIndices) -> Values:
-    """Return the plane ``table[row_indices, column_indices]``; a run of equal columns is copied from its first."""
-    rows = table[row_indices[0]]
-    index, start, stop = column_indices
-    plane = np.empty((len(rows), len(index)), np.float32)
-    plane[:, :start] = rows[:, index[:start]]
-    if stop > start:
-        plane[:, start:stop] = rows[:, index[start], np.newaxis]
-    plane[:, stop:] = rows[:, index[stop:]]
-    return plane
 
 
 def _tile_side(side: int, kernel: int, target: int) -> int:

@@ -5,15 +5,13 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from functools import lru_cache
 from typing import Self
 
 import numpy as np
 
 from lommel.base.arrays import Array, Values
 from lommel.core import engine
-from lommel.methods.choice import of_large_phases, of_profiles
-from lommel.methods.hankel import growth, quadrature_nodes
+from lommel.methods.choice import of_profiles
 from lommel.methods.pixel_rule import local_rule, pixel_rule, quarters, sums_of_windows
 from lommel.optics.lens import Lens
 from lommel.optics.pupil import Pupil
@@ -21,7 +19,6 @@ from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.special.chebyshev import chebyshev, chebyshev_nodes
 
 _METHOD = of_profiles(1e-7)
-_QUADRATURE = of_large_phases(1e-13)
 _LOCAL = 600.0  # half width of a window, in v, above which a sparse quadrature rule is faster than a dense one
 
 
@@ -64,7 +61,7 @@ class SensorLight:
             share = weight * step**2 / (4.0 * math.pi * coloured.transmission)
             if half * step > _LOCAL:
                 local = local_rule(half, step)
-                total += share * (local.matrix @ _profiles(coloured, local.v).T).T
+                total += share * (local.matrix @ _METHOD.profile(coloured, local.v).values.T).T
                 continue
             rule = pixel_rule(half, step)
             total += share * _METHOD.means(coloured, step * rule.radii, rule.matrix, self.threads)
@@ -100,60 +97,6 @@ class SensorLight:
         side = np.array((half + 0.5) * self.pixel)
         pupils = ((weight, pupil.in_light(wavelength)) for wavelength, weight in self.spectrum)
         return float(np.min(sum(weight * radial_square_energy(_METHOD, light, side) for weight, light in pupils)))
-
-
-_BLOCKS = 18  # number of blocks of `_TAPS` values of U that are computed together
-_STRIDE = 4  # number of steps of v between two computed values of U
-_TAPS = 28  # number of values of U in each interpolation
-_BESSEL_COST = 8.0  # time for one value of J0 / time for one term of the series at one radius
-
-
-def _profiles(pupil: Pupil, v: Array) -> Array:
-    """Return the intensity I = abs(U)^2 for a stack of pupils at radii `v`, from 0 with a constant step <= 0.4."""
-    terms = pupil.radial_terms()
-    low, reach = pupil.obscuration**2, float(v[-1])
-    nodes = quadrature_nodes(growth(terms, low, reach, pupil.illumination), _QUADRATURE.tol, low)
-    if np.abs(terms).sum() < _BESSEL_COST * nodes:
-        return _METHOD.profile(pupil, v).values
-    # For many pupils with large phases, a quadrature with J0 (a matrix product) at every fourth radius, followed by
-    # interpolation of U, takes much less time than the series.
-    before, after = _interpolation_weights(_STRIDE * float(v[1]))
-    values = np.empty((len(terms), v.size))
-    width = _TAPS * _STRIDE  # number of values of I from each block
-    for start in range(0, v.size, _BLOCKS * width):
-        blocks = min(_BLOCKS, -(-(v.size - start) // width))
-        samples = start // _STRIDE + np.arange(_TAPS * (blocks + 1)) - (_TAPS // 2 - 1)
-        distinct, place = np.unique(np.abs(samples), return_inverse=True)  # U is even
-        field = _QUADRATURE.evaluate(pupil, _STRIDE * v[1] * distinct).values[:, place]
-        squares = np.zeros(())
-        for part in (field.real, field.imag):
-            columns = np.ascontiguousarray(part).reshape(-1, _TAPS)
-            left, right = (
-                engine.product(columns, taps, 1).reshape(len(terms), blocks + 1, width) for taps in (before, after)
-            )
-            part_of_u = left[:, :-1]
-            part_of_u += right[:, 1:]
-            part_of_u *= part_of_u
-            squares = squares + part_of_u
-        values[:, start : start + blocks * width] = squares.reshape(len(terms), -1)[:, : v.size - start]
-    return values
-
-
-# The field U is of exponential type 1 in v. It is interpolated from m samples on each side, at the spacing h, by the
-# cardinal series times sinh(b sqrt(1 - (x / m)^2)) / sinh(b), where x is the distance from the sample / h and
-# b = m (pi - h). The error is about exp(-b) times the largest U.
-# M. Kircheis, D. Potts, M. Tasche, "On regularized Shannon sampling formulas with localized sampling", Sampl. Theory
-# Signal Process. Data Anal. 20, 20 (2022), doi:10.1007/s43670-022-00039-1.
-@lru_cache(maxsize=4)
-def _interpolation_weights(spacing: float) -> tuple[Array, Array]:
-    """Return two matrices (taps, values) of weights: for the samples of U in a block, and in the next block."""
-    half = _TAPS // 2
-    positions = half - 1 + np.arange(_TAPS * _STRIDE) / _STRIDE
-    x = positions - np.arange(2 * _TAPS)[:, None]
-    b = half * (math.pi - spacing)
-    root = np.sqrt(np.maximum(0.0, 1.0 - (x / half) ** 2))
-    weights = np.sinc(x) * np.sinh(b * root) / math.sinh(b)
-    return np.ascontiguousarray(weights[:_TAPS]), np.ascontiguousarray(weights[_TAPS:])
 
 
 def too_large(largest: int, energy: float, enclosed: float | None = None) -> ValueError:

@@ -16,7 +16,6 @@ from lommel.optics.base_pupil import BasePupil, imaged
 from lommel.optics.grid import Grid
 
 if TYPE_CHECKING:
-    from lommel.methods.hankel import Hankel
     from lommel.optics.layers.objective_pupil import ObjectivePupil
 
 _COST_PUPILS = 8  # the cost of a stack is estimated from at most this number of its pupils
@@ -203,13 +202,6 @@ def fixed_order(methods: tuple[Method, ...], pupil: BasePupil, grid: Grid) -> tu
 def of_profiles(tol: float = Method.tol) -> NijboerZernike:
     """Return the method for radial profiles of radially symmetric pupils, and for integrals over profiles."""
     return NijboerZernike(tol)
-
-
-def of_large_phases(tol: float) -> "Hankel":
-    """Return the method for profiles, at the same radii, of many radially symmetric pupils with large phases."""
-    from lommel.methods.hankel import Hankel
-
-    return Hankel(tol)
 
 
 def references(pupil: BasePupil) -> tuple[Method, ...]:

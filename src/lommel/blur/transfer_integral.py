@@ -281,7 +281,7 @@ class Part(NamedTuple):
         for start in range(0, f.size, block):
             block_f = f[start : start + block, None]
             s, t, node_weights = self._places(block_f, linear, angular, weight)
-            values[:, start : start + block] = np.einsum("nfk,fk->nf", _product(pupil, s, t), node_weights)
+            values[:, start : start + block] = np.einsum("nfk,fk->nf", radial_product(pupil, s, t), node_weights)
         return values
 
     def _nodes(self, counts: tuple[int, int]) -> tuple[Array, Array, Array]:
@@ -316,7 +316,7 @@ class Part(NamedTuple):
         return a * a * ((x - ratio) ** 2 + y2), a * a * ((x + ratio) ** 2 + y2), weights
 
 
-def _product(pupil: Pupil, s: Array, t: Array) -> Array:
+def radial_product(pupil: Pupil, s: Array, t: Array) -> Array:
     """Return Re ``P(s) conj(P(t))``, s and t being rho^2; the imaginary part is odd, and its integral is 0."""
     terms, illumination = pupil.radial_terms(), pupil.illumination
     if not terms.any():

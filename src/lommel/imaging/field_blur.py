@@ -169,17 +169,14 @@ class FieldBlur(LinearBlur):
 
         # Channels with equal spectra share a bank: computing windows takes most of the time.
         @cache
-        def bank_and_operator(
-            spectrum: tuple[tuple[float, float], ...] | None,
-        ) -> tuple[FieldBank, WindowBlur | MixedBlur]:
+        def bank(spectrum: tuple[tuple[float, float], ...] | None) -> FieldBank:
             # The tolerance of PSFs is 1e-3 of the tolerance of the blur, but no less than double precision allows.
             phase, psf_tol = None if lens is None else lens.phase, min(1e-6, max(1e-10, 1e-3 * o.tol))
             source = self._point_light(field_map, phase, spectrum, self.pixel, psf_tol)
-            bank = build_field_bank(source, spans, self.shape, o)
-            return bank, self._operator(bank)
+            return build_field_bank(source, spans, self.shape, o)
 
-        self.banks: tuple[FieldBank, ...] = tuple(bank_and_operator(spectrum)[0] for spectrum in self.spectra)
-        self._operators = tuple(bank_and_operator(spectrum)[1] for spectrum in self.spectra)
+        self.banks = tuple(map(bank, self.spectra))
+        self._operators = tuple(map(cache(self._operator), self.banks))
 
     @property
     def error(self) -> float:
@@ -250,9 +247,7 @@ class FieldBlur(LinearBlur):
                     f"crop must be within the blur that it is a part of: its {name} span {positions.min():.6g} to "
                     f"{positions.max():.6g} {unit}, the {name} of the blur {first:.6g} to {last:.6g} {unit}"
                 )
-        # Channels with equal spectra share a bank.
-        operators = {id(bank): crop._operator(bank) for bank in {id(bank): bank for bank in self.banks}.values()}
-        crop._operators = tuple(operators[id(bank)] for bank in self.banks)
+        crop._operators = tuple(map(cache(crop._operator), self.banks))
         return crop
 
     @property
@@ -541,7 +536,7 @@ _SPLINE_SHARES = (0.9, 1.2, 1.4)
 _PARABOLA_SHARE = 0.03
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class FieldBank:
     """PSF windows of one channel over field position and defocus.
 
@@ -840,14 +835,9 @@ class Nodes:
         if self.count == 1:
             return [(0, np.ones(()))]
         # Only columns of the sparse matrix with entries are returned: few nodes have nonzero weights.
-        matrix, weights = self._matrix(places.ravel()).tocsc(), []
-        for node in range(self.count):
-            part = slice(matrix.indptr[node], matrix.indptr[node + 1])
-            if part.stop > part.start:
-                column = np.zeros(places.size)
-                column[matrix.indices[part]] = matrix.data[part]
-                weights.append((node, column.reshape(places.shape)))
-        return weights
+        matrix = self._matrix(places.ravel()).tocsc()
+        nodes = np.flatnonzero(np.diff(matrix.indptr)).tolist()
+        return [(node, matrix[:, [node]].toarray().reshape(places.shape)) for node in nodes]
 
     def _matrix(self, places: Array) -> csr_array:
         """Return the sparse matrix of weights, shape (places, nodes)."""

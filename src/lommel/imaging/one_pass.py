@@ -58,10 +58,6 @@ class Texture(NamedTuple):
     slope: float  # exponent s
     noise: float  # nu: 1 if the noise is as stated
 
-    def over_noise(self, f: Array) -> Array:
-        """Return (power of the texture) / (power of the noise) at frequencies in cycles per pixel."""
-        return np.asarray(self.power / self.noise * _power_law(f, self.slope))
-
 
 @dataclass(frozen=True)
 class _Light(FocalLight):
@@ -75,7 +71,7 @@ class _Light(FocalLight):
 
     def power(self, f: Array) -> Array:
         """Return the power of the texture, in units of the noise variance."""
-        return self.texture.over_noise(f)
+        return np.asarray(self.texture.power / self.texture.noise * _power_law(f, self.texture.slope))
 
 
 _MAX_LOSS = 1.0  # largest loss (dB), over all distances, of the polynomials relative to the exact Wiener filter

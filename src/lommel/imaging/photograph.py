@@ -69,7 +69,7 @@ class Rendered:
         return np.array(self.values, dtype=dtype, copy=copy)
 
     @classmethod
-    def by(cls, blur: DepthBlur, values: Pixels, encoding: str, clipped: float) -> Self:
+    def by(cls, blur: DepthBlur | FieldBlur, values: Pixels, encoding: str, clipped: float) -> Self:
         """Return a photograph from stored values, the blur that made them, and the fraction clipped."""
         side = 2 * max(bank.half for bank in blur.banks) + 1
         return cls(Photograph(values, encoding), blur.lost, blur.error, side, clipped)
@@ -500,8 +500,7 @@ def field_photograph(
         # Shading multiplies the blurred light, at its position on the sensor.
         blurred = blurred * shading.reshape(*shape, *(1,) * (blurred.ndim - 2))
     values, clipped = encode_light(blurred, encoding, scene.dtype)
-    side = max(2 * bank.half + 1 for bank in blur.banks)
-    return Rendered(Photograph(values, encoding), blur.lost, blur.error, side, clipped)
+    return Rendered.by(blur, values, encoding, clipped)
 
 
 class UntiltedLight(PointLight):

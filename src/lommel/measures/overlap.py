@@ -34,6 +34,7 @@ from numpy.typing import NDArray
 
 from lommel.base.arrays import Array, Values
 from lommel.base.cached import cached_property
+from lommel.blur.transfer_integral import radial_product
 from lommel.core.answers import ToleranceError
 from lommel.methods.matrix_fourier import pupil_functions
 from lommel.optics.aperture.mask import cell_centers
@@ -214,7 +215,7 @@ def _overlap_integral(pupil: Pupil, f: Array, shift: Array, nodes: int) -> NDArr
         py = u * sin + y[part, None] * cos
         fx, fy = f[index].T[:, :, None]
         if pupil.radial:
-            product = _radial_product(pupil, (px - fx) ** 2 + (py - fy) ** 2, (px + fx) ** 2 + (py + fy) ** 2)
+            product = radial_product(pupil, (px - fx) ** 2 + (py - fy) ** 2, (px + fx) ** 2 + (py + fy) ** 2)
         else:
             product = pupil.values(px - fx, py - fy) * pupil.values(px + fx, py + fy).conj()
         np.add.at(otf.T, index, ((product @ w) * (width[part] * weight[part])).T)
@@ -255,15 +256,6 @@ def _defocused_lines(slope: Array, low: Array, width: Array) -> Array:
 def _sum_lines(lines: Array, frequency: NDArray[np.intp], count: int) -> NDArray[np.complex128]:
     """Sum the integrals of lines for each frequency; `frequency` is the index (below `count`) for each line."""
     return np.array([np.bincount(frequency, values, count) for values in lines], dtype=np.complex128)
-
-
-def _radial_product(pupil: Pupil, s: Array, t: Array) -> Values:
-    """Return the real part of ``P(s) conj(P(t))``, s and t = rho^2; the imaginary part, odd in u, integrates to 0."""
-    terms = pupil.radial_terms()
-    product = np.cos(zernike.legendre_sum(terms, 2.0 * s - 1.0) - zernike.legendre_sum(terms, 2.0 * t - 1.0))
-    if not pupil.illumination.uniform:
-        product *= pupil.illumination.at(s) * pupil.illumination.at(t)
-    return np.asarray(product)
 
 
 def _lines(shift: Array, eps: float, x: Array, w: Array) -> tuple[Values, ...]:

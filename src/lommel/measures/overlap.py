@@ -215,7 +215,7 @@ def _overlap_integral(pupil: Pupil, f: Array, shift: Array, nodes: int) -> NDArr
         py = u * sin + y[part, None] * cos
         fx, fy = f[index].T[:, :, None]
         if pupil.radial:
-            product = radial_product(pupil, (px - fx) ** 2 + (py - fy) ** 2, (px + fx) ** 2 + (py + fy) ** 2)
+            product: Values = radial_product(pupil, (px - fx) ** 2 + (py - fy) ** 2, (px + fx) ** 2 + (py + fy) ** 2)
         else:
             product = pupil.values(px - fx, py - fy) * pupil.values(px + fx, py + fy).conj()
         np.add.at(otf.T, index, ((product @ w) * (width[part] * weight[part])).T)

@@ -70,19 +70,11 @@ class Table {
     lommel::MoleculeTable table_;
 };
 
-// Tables of one or more channels; matrices (channels, 4) from positions in the first channel to those in each; limits (2, 3)
-// of row, column and z; largest step in z; positions of templates (z, places, 3).
+// Table; limits (2, 3) of row, column and z; largest step in z; positions of templates (z, places, 3).
 class Fitter {
    public:
-    Fitter(const nb::typed<nb::list, Table>& tables, const In<double, 2>& matrices, const In<double, 2>& limits, double stride,
-           const In<double, 3>& places)
-        : tables_(nb::borrow<nb::list>(tables)) {
-        const std::size_t count = tables_.size();
-        std::vector<lommel::Channel> channels;
-        for (std::size_t c = 0; c < count; ++c) {
-            const double* const m = matrices.data() + 4 * c;
-            channels.push_back({nb::cast<const Table&>(tables_[c]).table(), {m[0], m[1], m[2], m[3]}});
-        }
+    Fitter(const nb::typed<nb::object, Table>& table, const In<double, 2>& limits, double stride, const In<double, 3>& places)
+        : owner_(table), table_(nb::cast<const Table&>(table).table()) {
         lommel::Limits all{};
         std::copy_n(limits.data(), 3, all.low);
         std::copy_n(limits.data() + 3, 3, all.high);
@@ -90,29 +82,21 @@ class Fitter {
         std::vector<lommel::Place> starts;
         for (std::size_t i = 0; i < places.shape(0) * places.shape(1); ++i) {
             const double* const p = places.data() + 3 * i;
-            starts.push_back(channels[0].table.within({p[0], p[1], p[2]}));
+            starts.push_back(table_.within({p[0], p[1], p[2]}));
         }
-        localizer_.emplace(std::move(channels), all, starts, places.shape(1));
+        localizer_.emplace(table_, all, starts, places.shape(1));
     }
 
-    // images: electrons per channel, (n, height, width), NaN for invalid pixels; reads: read variance, (n or 1, height,
-    // width); offsets (n, channels, 2). Returns unknowns and their standard errors, (n, k) each; deviance and discrepancy,
-    // (n, 2); state and number of steps, (n, 2). See lommel::Fitted.
-    std::tuple<Out<double, 2>, Out<double, 2>, Out<double, 2>, Out<std::int32_t, 2>> fit(
-        const nb::typed<nb::list, nb::object>& images, const nb::typed<nb::list, nb::object>& reads,
-        const In<double, 3>& offsets, int starts, bool tilted, int threads) const {
-        const std::size_t channels = tables_.size(), n = offsets.shape(0), unknown = 3 + (tilted ? 4 : 2) * channels;
-        std::vector<In<float, 3>> held;
-        std::vector<lommel::BoxStack> stacks;
-        for (std::size_t c = 0; c < channels; ++c) {
-            const lommel::MoleculeTable& table = nb::cast<const Table&>(tables_[c]).table();
-            const auto electrons = nb::cast<In<float, 3>>(images[c]), read = nb::cast<In<float, 3>>(reads[c]);
-            stacks.push_back({electrons.data(), read.data(), read.shape(0) == 1 ? 0 : table.height * table.width});
-            held.push_back(electrons);
-            held.push_back(read);
-        }
+    // images: electrons, (n, height, width), NaN for invalid pixels; reads: read variance, (n or 1, height, width). Returns unknowns
+    // and their standard errors, (n, k) each; deviance and discrepancy, (n, 2); state and number of steps, (n, 2). See
+    // lommel::Fitted.
+    std::tuple<Out<double, 2>, Out<double, 2>, Out<double, 2>, Out<std::int32_t, 2>> fit(const In<float, 3>& images,
+                                                                                         const In<float, 3>& reads, int starts,
+                                                                                         bool tilted, int threads) const {
+        const std::size_t n = images.shape(0), unknown = tilted ? 7 : 5;
+        const lommel::BoxStack stack{images.data(), reads.data(), reads.shape(0) == 1 ? 0 : table_.height * table_.width};
         std::vector<lommel::Fitted> fitted(n);
-        released([&] { localizer_->fit(stacks, offsets.data(), n, starts, tilted, threads, fitted.data()); });
+        released([&] { localizer_->fit(stack, n, starts, tilted, threads, fitted.data()); });
         auto value = new_array<double, 2>({n, unknown}), errors = new_array<double, 2>({n, unknown});
         auto likely = new_array<double, 2>({n, 2});
         auto state = new_array<std::int32_t, 2>({n, 2});
@@ -128,7 +112,8 @@ class Fitter {
     }
 
    private:
-    nb::list tables_;  // keep the tables alive
+    nb::object owner_;  // keeps the table alive
+    lommel::MoleculeTable table_;
     std::optional<lommel::Localizer> localizer_;
 };
 
@@ -143,9 +128,8 @@ void bindings::define_localize(nb::module_& m) {
             "terms", [](nb::handle) { return lommel::MoleculeTable::terms; }, "Coefficients of each piece.")
         .def_prop_ro_static("beyond", [](nb::handle) { return lommel::MoleculeTable::beyond; }, "Floats after the last.");
     nb::class_<Fitter>(m, "MoleculeFitter", "Fits of molecules by maximum likelihood.")
-        .def(nb::init<const nb::typed<nb::list, Table>&, const In<double, 2>&, const In<double, 2>&, double,
-                      const In<double, 3>&>(),
-             "tables"_a, "matrices"_a, "limits"_a, "stride"_a, "places"_a)
-        .def("fit", &Fitter::fit, "images"_a, "reads"_a, "offsets"_a, "starts"_a, "tilted"_a, "threads"_a,
+        .def(nb::init<const nb::typed<nb::object, Table>&, const In<double, 2>&, double, const In<double, 3>&>(), "table"_a,
+             "limits"_a, "stride"_a, "places"_a)
+        .def("fit", &Fitter::fit, "images"_a, "reads"_a, "starts"_a, "tilted"_a, "threads"_a,
              "Unknowns, their errors, deviance and discrepancy, state and steps.");
 }

@@ -230,8 +230,7 @@ def fit(
     for first in range(0, total, _BLOCK):
         block = slice(first, first + _BLOCK)
         electrons, read = in_electrons(boxes[block], camera, box_corners[block])
-        offsets = np.zeros((len(electrons), 1, 2))
-        results = fitter.fit([electrons], [read], offsets, starts, tilted, thread_count)
+        results = fitter.fit(electrons, read, starts, tilted, thread_count)
         values[block], errors[block], quality[block], state[block] = results
     values[:, :2] += box_corners
     # The fit uses electrons divided by the excess noise factor.
@@ -267,8 +266,7 @@ def _fitter(table: Table) -> engine.MoleculeFitter:
         heights = (np.arange(layers) + 0.5) * ((high - low) / layers) + low
         z, row, column = np.meshgrid(heights, height // 2 + sides, width // 2 + sides, indexing="ij")
         templates = np.stack([row, column, z], axis=-1).reshape(layers, -1, 3)
-        identity = np.array([[1.0, 0.0, 0.0, 1.0]])
-        cache["_fitter"] = engine.MoleculeFitter([table.core], identity, table.limits, 2.5 / table.rate, templates)
+        cache["_fitter"] = engine.MoleculeFitter(table.core, table.limits, 2.5 / table.rate, templates)
     return cache["_fitter"]
 
 

@@ -14,54 +14,42 @@ namespace lommel {
 // Bank of templates: (image of a molecule - its mean) / (norm of this difference).
 class Bank {
    public:
-    // `places`: positions of the templates in the first channel, sorted by z, `layer` of them for each z.
-    Bank(const std::vector<Channel>& channels, const std::vector<Place>& places, std::size_t layer)
-        : places_(places), layer_(layer) {
-        for (const Channel& channel : channels) {
-            const MoleculeTable& table = channel.table;
-            const double* const m = channel.matrix;
-            MoleculeImages images(table);
-            Floats four(molecule_images * table.pixels());
-            Templates made{table.pixels(), Floats(padded() * table.pixels()), {}, {}};
-            for (std::size_t k = 0; k < places.size(); ++k) {
-                const double down = places[k].row - middle(table.least_row, table.largest_row);
-                const double right = places[k].column - middle(table.least_column, table.largest_column);
-                images.write(
-                    table.within({middle(table.least_row, table.largest_row) + m[0] * down + m[1] * right,
-                                  middle(table.least_column, table.largest_column) + m[2] * down + m[3] * right, places[k].z}),
-                    four.data());
-                double mean = 0.0, square = 0.0;
-                const auto each = [&](const auto& pixel) {
-                    for (std::size_t y = 0; y < table.height; ++y) {
-                        for (std::size_t x = 0; x < table.width; ++x) {
-                            pixel(y * table.stride() + x);
-                        }
+    // `places`: positions of the templates, sorted by z, `layer` of them for each z.
+    Bank(const MoleculeTable& table, const std::vector<Place>& places, std::size_t layer)
+        : places_(places), layer_(layer), pixels_(table.pixels()), values_(padded() * table.pixels()) {
+        MoleculeImages images(table);
+        Floats four(molecule_images * table.pixels());
+        for (std::size_t k = 0; k < places.size(); ++k) {
+            images.write(places[k], four.data());
+            double mean = 0.0, square = 0.0;
+            const auto each = [&](const auto& pixel) {
+                for (std::size_t y = 0; y < table.height; ++y) {
+                    for (std::size_t x = 0; x < table.width; ++x) {
+                        pixel(y * table.stride() + x);
                     }
-                };
-                const double count = static_cast<double>(table.height * table.width);
-                each([&](std::size_t i) { mean += static_cast<double>(four[i]) / count; });
-                each([&](std::size_t i) { square += std::pow(static_cast<double>(four[i]) - mean, 2); });
-                const double norm = std::sqrt(std::max(square, 1e-300));
-                float* const to = &made.values[k * table.pixels()];
-                each([&](std::size_t i) { to[i] = static_cast<float>((static_cast<double>(four[i]) - mean) / norm); });
-                made.mean.push_back(mean);
-                made.norm.push_back(norm);
-            }
-            channels_.push_back(std::move(made));
+                }
+            };
+            const double count = static_cast<double>(table.height * table.width);
+            each([&](std::size_t i) { mean += static_cast<double>(four[i]) / count; });
+            each([&](std::size_t i) { square += std::pow(static_cast<double>(four[i]) - mean, 2); });
+            const double norm = std::sqrt(std::max(square, 1e-300));
+            float* const to = &values_[k * table.pixels()];
+            each([&](std::size_t i) { to[i] = static_cast<float>((static_cast<double>(four[i]) - mean) / norm); });
+            mean_.push_back(mean);
+            norm_.push_back(norm);
         }
     }
 
     static constexpr std::size_t together = 4;
 
     // Write to[image][template]: inner products of `together` images (rows padded to whole vectors) with all templates.
-    void products(std::size_t channel, const float* images, float* to) const {
-        const Templates& all = channels_[channel];
-        const std::size_t length = all.pixels, count = padded();
+    void products(const float* images, float* to) const {
+        const std::size_t length = pixels_, count = padded();
         dispatch_widest([&](auto isa) LOMMEL_INLINE_LAMBDA {
             using V = typename decltype(isa)::floats;
             constexpr std::size_t lanes = 2 * decltype(isa)::lanes;
             for (std::size_t t = 0; t < count; t += 2) {
-                const float* const one = &all.values[t * length];
+                const float* const one = &values_[t * length];
                 V sum[together][2] = {};
                 for (std::size_t i = 0; i < length; i += lanes) {
                     const V a = load<V>(one + i), b = load<V>(one + length + i);
@@ -85,21 +73,14 @@ class Bank {
     const Place& place(std::size_t k) const { return places_[k]; }
     // photons(): least-squares photon count, from the inner product `product` of the mean-free image with template k. share(): mean
     // pixel value, per photon, of the image of template k.
-    double photons(std::size_t channel, std::size_t k, double product) const { return product / channels_[channel].norm[k]; }
-    double share(std::size_t channel, std::size_t k) const { return channels_[channel].mean[k]; }
+    double photons(std::size_t k, double product) const { return product / norm_[k]; }
+    double share(std::size_t k) const { return mean_[k]; }
 
    private:
-    // Templates of one channel, values[template][pixel]. mean: mean of each image; norm: norm of (image - its mean).
-    struct Templates {
-        std::size_t pixels;
-        Floats values;
-        std::vector<double> mean, norm;
-    };
-    static double middle(double a, double b) { return 0.5 * (a + b); }
-
     std::vector<Place> places_;
-    std::size_t layer_;
-    std::vector<Templates> channels_;
+    std::size_t layer_, pixels_;
+    Floats values_;                    // [template][pixel]
+    std::vector<double> mean_, norm_;  // mean of each image; norm of (image - its mean)
 };
 
 // Images of many molecules in electrons, [molecule][height][width], contiguous; NaN marks invalid pixels. `read`: variance of
@@ -113,52 +94,36 @@ struct BoxStack {
 // Fits of molecules, each started from the positions of the most similar templates.
 class Localizer {
    public:
-    Localizer(std::vector<Channel> channels, const Limits& limits, const std::vector<Place>& places, std::size_t layer)
-        : channels_(std::move(channels)), limits_(limits), bank_(channels_, places, layer) {}
+    Localizer(const MoleculeTable& table, const Limits& limits, const std::vector<Place>& places, std::size_t layer)
+        : table_(table), limits_(limits), bank_(table, places, layer) {}
 
-    // Fit `count` molecules from one stack per channel. A fit starts from the most similar template. If its result is in_doubt(),
-    // fits from further templates are tried, up to `starts` in all. offsets[molecule][channel][row, column]: offset of the
-    // channel's positions (see Channel); tilted: fit a linear background.
-    void fit(const std::vector<BoxStack>& stacks, const double* offsets, std::size_t count, int starts, bool tilted,
-             int threads, Fitted* fitted) const {
+    // Fit `count` molecules. A fit starts from the most similar template. If its result is in_doubt(), fits from further templates
+    // are tried, up to `starts` in all. tilted: fit a linear background.
+    void fit(const BoxStack& stack, std::size_t count, int starts, bool tilted, int threads, Fitted* fitted) const {
         constexpr double microseconds = 20.0;
-        for_blocks(count, threads, microseconds * static_cast<double>(channels_.size()),
-                   [&](std::size_t first, std::size_t last) {
-                       MoleculeFit fit(channels_, limits_, tilted);
-                       std::vector<std::vector<Counts>> counts;
-                       std::vector<Floats> centred, products;
-                       for (std::size_t k = 0; k < Bank::together; ++k) {
-                           counts.emplace_back();
-                           for (const Channel& channel : channels_) {
-                               counts.back().emplace_back(channel.table.pixels());
-                           }
-                       }
-                       for (const Channel& channel : channels_) {
-                           centred.emplace_back(Bank::together * channel.table.pixels());
-                           products.emplace_back(Bank::together * bank_.padded());
-                       }
-                       std::vector<double> mean(Bank::together * channels_.size());
-                       for (std::size_t i = first; i < last; i += Bank::together) {
-                           const std::size_t now = std::min(Bank::together, last - i);
-                           for (std::size_t c = 0; c < channels_.size(); ++c) {
-                               for (std::size_t k = 0; k < now; ++k) {
-                                   mean[k * channels_.size() + c] = take(channels_[c].table, stacks[c], i + k, counts[k][c],
-                                                                         &centred[c][k * channels_[c].table.pixels()]);
-                               }
-                               bank_.products(c, centred[c].data(), products[c].data());
-                           }
-                           for (std::size_t k = 0; k < now; ++k) {
-                               fitted[i + k] = best(fit, counts[k].data(), offsets + 2 * (i + k) * channels_.size(), products,
-                                                    k, &mean[k * channels_.size()], starts);
-                           }
-                       }
-                   });
+        for_blocks(count, threads, microseconds, [&](std::size_t first, std::size_t last) {
+            MoleculeFit fit(table_, limits_, tilted);
+            const std::size_t pixels = table_.pixels();
+            std::vector<Counts> counts(Bank::together, Counts(pixels));
+            Floats centred(Bank::together * pixels), products(Bank::together * bank_.padded());
+            double mean[Bank::together];
+            for (std::size_t i = first; i < last; i += Bank::together) {
+                const std::size_t now = std::min(Bank::together, last - i);
+                for (std::size_t k = 0; k < now; ++k) {
+                    mean[k] = take(stack, i + k, counts[k], &centred[k * pixels]);
+                }
+                bank_.products(centred.data(), products.data());
+                for (std::size_t k = 0; k < now; ++k) {
+                    fitted[i + k] = best(fit, counts[k], &products[k * bank_.padded()], mean[k], starts);
+                }
+            }
+        });
     }
 
    private:
     // Copy an image in padded rows: to `counts` with the read variance added, to `centred` without its mean. Returns the mean.
-    static double take(const MoleculeTable& table, const BoxStack& stack, std::size_t index, Counts& counts, float* centred) {
-        const std::size_t size = table.height * table.width;
+    double take(const BoxStack& stack, std::size_t index, Counts& counts, float* centred) const {
+        const std::size_t size = table_.height * table_.width;
         const float* const electrons = stack.electrons + index * size;
         const float* const read = stack.read + index * stack.read_step;
         double sum = 0.0, valid = 0.0;
@@ -169,9 +134,9 @@ class Localizer {
             }
         }
         const float mean = static_cast<float>(sum / std::max(valid, 1.0));
-        for (std::size_t y = 0; y < table.height; ++y) {
-            for (std::size_t x = 0; x < table.width; ++x) {
-                const std::size_t from = y * table.width + x, to = y * table.stride() + x;
+        for (std::size_t y = 0; y < table_.height; ++y) {
+            for (std::size_t x = 0; x < table_.width; ++x) {
+                const std::size_t from = y * table_.width + x, to = y * table_.stride() + x;
                 const bool counted = std::isfinite(electrons[from]);
                 counts.valid[to] = counted ? 1.0F : 0.0F;
                 counts.read[to] = read[from];
@@ -182,27 +147,17 @@ class Localizer {
         return static_cast<double>(mean);
     }
 
-    Fitted best(MoleculeFit& fit, const Counts* counts, const double* offsets, const std::vector<Floats>& products,
-                std::size_t image, const double* mean, int starts) const {
-        const auto likeness = [&](std::size_t t) {
-            if (channels_.size() == 1) {
-                return static_cast<double>(products[0][image * bank_.padded() + t]);
-            }
-            double sum = 0.0;
-            for (const Floats& each : products) {
-                sum += std::pow(std::max(0.0, static_cast<double>(each[image * bank_.padded() + t])), 2);
-            }
-            return sum;
-        };
+    // products: inner products of the image with all templates; mean: mean of the image.
+    Fitted best(MoleculeFit& fit, const Counts& counts, const float* products, double mean, int starts) const {
         // Find the most similar template for each z.
         const std::size_t layers = bank_.size() / bank_.layer();
         std::vector<std::size_t> found(layers);
         std::vector<double> alike(layers);
         for (std::size_t z = 0; z < layers; ++z) {
             found[z] = z * bank_.layer();
-            alike[z] = likeness(found[z]);
+            alike[z] = static_cast<double>(products[found[z]]);
             for (std::size_t t = found[z] + 1; t < (z + 1) * bank_.layer(); ++t) {
-                if (const double here = likeness(t); here > alike[z]) {
+                if (const double here = static_cast<double>(products[t]); here > alike[z]) {
                     alike[z] = here;
                     found[z] = t;
                 }
@@ -214,22 +169,15 @@ class Localizer {
             if (alike[z] == tried) {
                 break;
             }
-            double start[most_unknown] = {};
             const Place& place = bank_.place(found[z]);
-            start[0] = place.row;
-            start[1] = place.column;
-            start[2] = place.z;
-            for (std::size_t c = 0; c < channels_.size(); ++c) {
-                const double product = static_cast<double>(products[c][image * bank_.padded() + found[z]]);
-                const double photons = std::max(bank_.photons(c, found[z], product), 1.0);
-                start[3 + fit.own() * c] = photons;
-                start[4 + fit.own() * c] = std::max(mean[c] - photons * bank_.share(c, found[z]), 0.1);
-            }
+            const double photons = std::max(bank_.photons(found[z], static_cast<double>(products[found[z]])), 1.0);
+            const double background = std::max(mean - photons * bank_.share(found[z]), 0.1);
+            const Unknowns start{place.row, place.column, place.z, photons, background};
             // Exclude this z and its neighbours, from which the fit would converge to the same position.
             for (std::size_t near = z > 0 ? z - 1 : z; near < std::min(z + 2, layers); ++near) {
                 alike[near] = tried;
             }
-            const Fitted other = fit.from(start, counts, offsets);
+            const Fitted other = fit.from(start, counts);
             const std::int32_t steps = best.steps + other.steps;
             if (attempt == 0 || better(other, best)) {
                 best = other;
@@ -251,7 +199,7 @@ class Localizer {
         return cost(a) < cost(b);
     }
 
-    std::vector<Channel> channels_;
+    MoleculeTable table_;
     Limits limits_;
     Bank bank_;
 };

@@ -45,23 +45,17 @@ lommel::Planes planes_of(const PlaneFields& given) {
     return made;
 }
 
-// Derivatives as arrays: by (k, 2) with the LayeredSlope and its factor; own (k, n), factor of I itself; of_fields (4,), error
-// bounds of the fields differentiated with respect to depth, focus, v and wavenumber; turning (3, q) and change (m, q), see
-// lommel::Angles.
+// Derivatives as arrays: by (k, 2) with the LayeredSlope and its factor; own (k, n), factor of I itself; of_fields (3,), error
+// bounds of the fields differentiated with respect to depth, focus and v.
 template <class T>
-using SlopeFields = std::tuple<In<double, 2>, In<double, 2>, In<double, 1>, In<complex, 2>, std::optional<In<complex, 2>>,
-                               Out<T, 4>, Out<double, 2>>;
+using SlopeFields = std::tuple<In<double, 2>, In<double, 2>, In<double, 1>, Out<T, 4>, Out<double, 2>>;
 
 template <class T>
 lommel::LayeredSlopes<T> slopes_of(const SlopeFields<T>& given, lommel::Planes& requested, bool integrate) {
     using What = lommel::LayeredSlope::What;
-    const auto& [by, own, fields, turning, change, slopes, errors] = given;
+    const auto& [by, own, fields, slopes, errors] = given;
     const In<double, 1>& of_fields = fields;
     const std::size_t count = by.shape(0), n = requested.count;
-    requested.angles.turning = turning.data();
-    if (change) {
-        requested.angles.change = change->data();
-    }
     const auto need = [&](lommel::By which) {
         const auto same = [&](const lommel::Derivative& each) { return each.by == which; };
         if (std::none_of(requested.derivatives.begin(), requested.derivatives.end(), same)) {
@@ -73,13 +67,9 @@ lommel::LayeredSlopes<T> slopes_of(const SlopeFields<T>& given, lommel::Planes& 
         const double which = by.data()[2 * k];
         const What what = static_cast<What>(static_cast<int>(which));
         require(what != What::axis || requested.radial(), "only light that is radially symmetric is moved here");
-        if (what == What::depth || what == What::focus) {
+        if (what != What::axis) {
             need(what == What::depth ? lommel::By::depth : lommel::By::focus);
-        }
-        if (what == What::wavenumber) {
-            need(lommel::By::wavenumber);
-        }
-        if (requested.radial() && (what == What::wavenumber || (what == What::axis && !integrate))) {
+        } else if (!integrate) {
             need(lommel::By::radius);
         }
         made.requested.push_back({what, by.data()[2 * k + 1], own.data() + k * n});

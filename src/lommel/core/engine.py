@@ -524,11 +524,7 @@ def layered_images(
     numbers[0] = 0.0 if wanted.scale is None else wanted.scale
     kinds = 0 if slopes is None else len(slopes.variables) + int((slopes.variables[:, 0] == BY_AXIS).sum())
     derivatives, errors = np.empty((kinds, *values.shape), wanted.dtype), np.empty((kinds, count))
-    arguments = None
-    if slopes is not None:
-        # The core also has derivatives by the wavenumber: they are not requested, and have no errors and no factors.
-        field_errors = np.append(slopes.field_errors, 0.0)
-        arguments = (*slopes[:2], field_errors, layered.rates, None, derivatives, errors)
+    arguments = None if slopes is None else (*slopes, derivatives, errors)
     images: Callable[..., bool] = _core.layered_images
     computed = images(layered, window, integrate, allowed, wanted.threads, values, numbers, arguments)
     results = None if slopes is None else Slopes(derivatives, errors / numbers[2])

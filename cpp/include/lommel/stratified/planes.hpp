@@ -22,9 +22,6 @@ struct Angles {
     std::size_t count, parts;
     const std::complex<double>*part, *fixed, *by_depth, *by_focus;  // part: amplitudes [part][angle]; others: phases [angle]
     double error;                                                   // error bound of each part of the field
-    // Derivatives by ln(wavenumber). turning[3][angle]: those of fixed, by_depth, by_focus, each less a real constant; change: that
-    // of part.
-    const std::complex<double>*turning = nullptr, *change = nullptr;
 
     // (Rounding error of a sum over angles) / (sum of its terms' moduli). of_bessel: error of Bessel functions, in roundoffs.
     double rounding(double of_bessel) const { return (static_cast<double>(count) + of_bessel + 16.0) * unit_roundoff; }
@@ -39,8 +36,8 @@ struct Harmonic {
     double size() const { return std::hypot(cosine, sine); }
 };
 
-// Variables of derivatives: depth of the emitter, stage focus, radius v in lambda / (2 pi NA), and ln(wavenumber) at fixed v.
-enum class By { depth, focus, radius, wavenumber };
+// Variables of derivatives: depth of the emitter, stage focus, and radius v in lambda / (2 pi NA).
+enum class By { depth, focus, radius };
 struct Derivative {
     By by;
     double error;  // error bound of each part of the differentiated field
@@ -103,19 +100,10 @@ struct Planes {
         }
     }
 
-    // Add i d psi / dx times (re, im) to (to_re, to_im), psi being the phase and x the depth, the focus or ln(wavenumber).
-    void turn(By by, std::size_t plane, std::size_t stride, const double* re, const double* im, double* to_re, double* to_im,
+    // Add i d psi / dx times (re, im) to (to_re, to_im), psi being the phase and x the depth or the focus.
+    void turn(By by, std::size_t stride, const double* re, const double* im, double* to_re, double* to_im,
               double* sizes) const {
         const std::complex<double>* rate = by == By::depth ? angles.by_depth : angles.by_focus;
-        thread_local std::vector<std::complex<double>> phase;
-        if (by == By::wavenumber) {
-            phase.resize(angles.count);
-            const std::complex<double>* fixed = angles.turning;
-            for (std::size_t q = 0; q < angles.count; ++q) {
-                phase[q] = fixed[q] + depth[plane] * fixed[angles.count + q] + focus[plane] * fixed[2 * angles.count + q];
-            }
-            rate = phase.data();
-        }
         for (std::size_t m = 0; m < angles.parts; ++m) {
             double size = 0.0;
             for (std::size_t q = 0; q < angles.count; ++q) {

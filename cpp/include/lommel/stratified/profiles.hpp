@@ -94,10 +94,7 @@ class Profiles {
                 std::copy_n(sizes->most, most_parts, sizes[d].most);
                 continue;
             }
-            if (by == By::wavenumber && angles.change != nullptr) {
-                planes_.waves(isa, plane, angles.change, padded(), re + d * block, im + d * block, sizes[d].most);
-            }
-            planes_.turn(by, plane, padded(), re, im, re + d * block, im + d * block, sizes[d].most);
+            planes_.turn(by, padded(), re, im, re + d * block, im + d * block, sizes[d].most);
         }
     }
 

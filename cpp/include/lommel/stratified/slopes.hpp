@@ -19,11 +19,10 @@
 
 namespace lommel {
 
-// Requested derivative of the intensity I: factor * dI/dx + own[plane] * I, where x is the depth, the focus or ln(wavenumber). For
-// `axis`: two images, where x is the row and the column of the axis. In derivatives by ln(wavenumber), positions are constant in
-// metres for radially symmetric intensities, in units of lambda / (2 pi NA) for others.
+// Requested derivative of the intensity I: factor * dI/dx + own[plane] * I, where x is the depth or the focus. For `axis`: two
+// images, where x is the row and the column of the axis.
 struct LayeredSlope {
-    enum class What { depth, focus, axis, wavenumber } what;
+    enum class What { depth, focus, axis } what;
     double factor;
     const double* own;  // [plane]: coefficient of I
 };
@@ -120,32 +119,19 @@ class WindowSlopes {
         return {planes_, plane, *of.sizes, of.sizes[kind], planes_.derivatives[kind - 1].error, order, order + 1};
     }
 
-    // Requested derivative of I at radii v. l = ln(wavenumber): dI/dl at fixed position in metres = dI/dl at fixed v + v dI/dv.
+    // Requested derivative of I by depth or focus, at the radii of a table.
     template <class Table>
     Order mix(const Table& table, const LayeredSlope& slope, std::size_t plane, const PlaneProfiles& of,
               std::size_t order) const {
-        using What = LayeredSlope::What;
         thread_local Doubles mixed;
         mixed.resize(table.count + widest_step);
-        const std::size_t by = kind(slope.what == What::depth   ? By::depth
-                                    : slope.what == What::focus ? By::focus
-                                                                : By::wavenumber);
-        const double own = slope.own[plane], size = std::abs(slope.factor);
+        const std::size_t by = kind(slope.what == LayeredSlope::What::depth ? By::depth : By::focus);
+        const double own = slope.own[plane];
         const double *value = profile(of, 0, order), *rate = profile(of, by, order);
         const Judged self = planes_.radial() ? of.judged : Judged(planes_, plane, *of.sizes, order, order + 1);
         Judged all = judged(plane, of, by, order).sum(slope.factor, self, own);
         for (std::size_t i = 0; i < table.count; ++i) {
             mixed[i] = slope.factor * rate[i] + own * value[i];
-        }
-        if (slope.what == What::wavenumber && planes_.radial()) {
-            const std::size_t by_radius = kind(By::radius);
-            const double *radial = profile(of, by_radius, 0), far = table.outermost();
-            for (std::size_t i = 0; i < table.count; ++i) {
-                mixed[i] += slope.factor * table.radii[i] * radial[i];
-            }
-            all.given += size * far * judged(plane, of, by_radius, 0).given;
-            all.most += size * far * 2.0 * self.swing;
-            all.swing += size * table.growth() * self.swing;
         }
         // 1e-12: `own` contains the quotient (derivative of the collected power) / (collected power), and the relative errors of
         // numerator and denominator are 1e-13.

@@ -35,7 +35,7 @@ from lommel.estimation.field_signs import highest_degree, monomials, with_errors
 from lommel.estimation.field_stars import FieldStars
 from lommel.estimation.options import FieldFitOptions
 from lommel.estimation.star_checks import missing_findings
-from lommel.estimation.star_images import MAX_LINEAR_ERROR, StarImages, Unknowns, known_defocus, label, single
+from lommel.estimation.star_images import MAX_LINEAR_ERROR, Unknowns, known_defocus, label, single
 from lommel.estimation.target_readout import Target, relative_light
 from lommel.field.maps import FieldMap, save_table
 from lommel.fit.findings import Finding, Findings, FitReport, Severity
@@ -656,7 +656,7 @@ def _build_field_fit(
     if not fit.settled and Findings(findings).converged:
         findings.append(Finding("not_settled", "error", "the steps have not settled"))
     if Findings(findings).converged:
-        findings += _too_dim_findings(first_star, fit, fit_covariance[: k * m, : k * m], one_focus=search.one_focus)
+        findings += _too_dim_findings(search, fit, fit_covariance[: k * m, : k * m])
     findings += recording_findings([counts[:, e] for e in range(counts.values.shape[1])], noise, "exposure")
     used_pixels = (stars.pixel_data[3] > 0.0).reshape(counts.known.shape)
     findings += _left_out_finding(counts.known & ~used_pixels)
@@ -799,15 +799,14 @@ def _blur_findings(stars: FieldStars, blur_costs: dict[str, float]) -> list[Find
     return [Finding("blur_shape", "note", text, numbers)]
 
 
-def _too_dim_findings(first_star: StarImages, fit: Solution, covariance: Array, *, one_focus: bool) -> list[Finding]:
+def _too_dim_findings(search: Search, fit: Solution, covariance: Array) -> list[Finding]:
     """Return the finding that images are not linear functions of the wavefront within its standard error."""
-    basis = fit.model.basis
-    k, m = first_star.directions.shape[0], basis.shape[1]
+    basis, metric = fit.model.basis, search.metric
+    k, m = len(metric), basis.shape[1]
     blocks = covariance.reshape(k, m, k, m)
-    metric = (first_star.directions * first_star.mean_squares) @ first_star.directions.T
     rms = math.sqrt(float(np.einsum("ni,kilj,nj,kl->n", basis, blocks, basis, metric, optimize=True).mean()))
     # With one focus, minima with other signs are near, for each of the m ways in which a term varies over the field.
-    limit = MAX_LINEAR_ERROR / math.sqrt(m) if one_focus else MAX_LINEAR_ERROR
+    limit = MAX_LINEAR_ERROR / math.sqrt(m) if search.stars.first_star.one_focus else MAX_LINEAR_ERROR
     if rms <= limit:
         return []
     text = (

@@ -283,9 +283,7 @@ class Search:
         chosen = self.brightest()
         x, chi2, is_sure = self.fit_single_stars(chosen)
         if not np.isfinite(chi2).any():
-            raise ToleranceError(
-                "no star could be fitted: aberrations are too strong for the tolerance; pass a design as pupil"
-            )
+            raise ToleranceError(f"no star could be fitted: {_TOO_STRONG}")
         is_usable = np.isfinite(chi2)
         # Polynomials cannot fit better than individual wavefronts: a fit with nearly the same chi2 ends the search.
         excess = _EXCESS_RATIO * (float(np.median(chi2[is_usable])) - 1.0) if is_sure.mean() >= _MIN_SURE else 0.0
@@ -302,7 +300,7 @@ class Search:
         squared_width = np.median(squared_widths[good_fits], axis=0)
         degree = highest_degree(self.degree, len(chosen))
         bases = [self.basis(chosen, d) for d in sorted({min(2, degree), degree})]
-        if self.one_focus and (stars.first_star.even * stars.first_star.directions).any():
+        if stars.first_star.one_focus and (stars.first_star.even * stars.first_star.directions).any():
             wavefronts = stars.fixed_of_images[chosen, 0] + waves @ stars.first_star.directions
             even = (wavefronts * stars.first_star.even) * np.sqrt(stars.first_star.mean_squares)
             negate = partial(self.negated, chosen)
@@ -321,9 +319,7 @@ class Search:
             if median < accepted_chi2:
                 break
         if best_fit is None:
-            raise ToleranceError(
-                "no field could be fitted: aberrations are too strong for the tolerance; pass a design as pupil"
-            )
+            raise ToleranceError(f"no field could be fitted: {_TOO_STRONG}")
         return best_fit
 
     def negated(self, chosen: NDArray[np.intp], waves: Array) -> Array:
@@ -410,19 +406,13 @@ class Search:
         exact_fit = self.refine(chosen, fit.polynomials(), squared_widths, 20, nuisance, fast=False)
         return exact_fit or fit, np.setdiff1d(all_stars, chosen)
 
-    @property
-    def one_focus(self) -> bool:
-        """Whether all exposures have the same defocus, such that signs of even terms are ambiguous."""
-        first_star = self.stars.first_star
-        return bool(np.ptp(first_star.fixed_of_images * first_star.even, axis=0).max() == 0.0)
-
     def lowest_minimum(self, fit: Solution) -> Solution:
         """Repeat a fit from starts with other signs of even terms; return the most likely fit.
 
         With a single focus there are several minima, which differ in the signs of even terms.
         """
         self.rival = None
-        if not self.one_focus or self.stars.has_corners:
+        if not self.stars.first_star.one_focus or self.stars.has_corners:
             return fit
         for _ in range(2):
             refits = self._fit_other_signs(fit)

@@ -121,10 +121,6 @@ def candidates(
         opposite_waves = negated(signed_waves)
         # Skip a candidate if, for more than 97 % of the stars, its signs equal or oppose those of an earlier one.
         pairs = product((signed_waves, opposite_waves), earlier_waves)
-        if all(_equal_fraction(*pair) <= 0.97 for pair in pairs):
+        if all((a == b).all(axis=1).mean() <= 0.97 for a, b in pairs):
             earlier_waves.append(signed_waves)
             yield polynomials, signed_waves
-
-
-def _equal_fraction(waves: Array, other_waves: Array) -> float:
-    return float((waves == other_waves).all(axis=1).mean())

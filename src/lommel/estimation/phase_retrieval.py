@@ -498,7 +498,7 @@ def _build_retrieval(
     image_errors: dict[Name, Numbers] = dict(zip(image_names, standard_errors.reshape(-1, model.count), strict=True))
     center = np.tile([float(side // 2) for side in counts.values.shape[1:]], (model.count, 1))
     for j, place in enumerate(unknowns.places):
-        center[:, ("row", "column").index(place)] += image_parameters[j] / per_pixel
+        center[:, j] += image_parameters[j] / per_pixel
         image_errors[place] = image_errors[place] / per_pixel
     light_findings = _light_findings(image_parameters[-2], image_errors["flux"])
     image_errors |= {name: noise.excess * image_errors[name] for name in ("flux", "background")}

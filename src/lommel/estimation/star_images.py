@@ -255,8 +255,7 @@ class StarImages(RowModel):
         self.fixed = edge - self.start @ self.directions
         self.fixed_of_images = np.tile(self.fixed, (count, 1))
         self.fixed_of_images[:, 0] += defocus
-        half_sides = {"row": 0.5 * valid.shape[1], "column": 0.5 * valid.shape[2]}
-        self.largest_tilts = [half_sides[place] * self.tilt_of_pixel for place in unknowns.places]
+        self.largest_tilts = [0.5 * side * self.tilt_of_pixel for side in self.shape][: len(unknowns.places)]
         self.tilts = [self.terms.index(term) for term in tilts]
         # The n values of each parameter of single images are in adjacent columns.
         k, self.common_count = len(unknowns.terms), len(self.names)
@@ -288,11 +287,15 @@ class StarImages(RowModel):
         coefficients = full_edge @ self.inverse
         return coefficients, np.asarray(full_edge - coefficients @ self.directions)
 
+    @property
+    def one_focus(self) -> bool:
+        """Whether all images have the same defocus, such that signs of even terms are ambiguous."""
+        return bool(np.ptp(self.fixed_of_images * self.even, axis=0).max() == 0.0)
+
     @cached_property
     def sign_ambiguous(self) -> bool:
         """Whether images do not change if the even part of the phase is negated."""
-        one_focus = np.ptp(self.fixed_of_images * self.even, axis=0).max() == 0.0
-        return bool(one_focus and self._can_negate(self.fixed_of_images))
+        return self.one_focus and self._can_negate(self.fixed_of_images)
 
     @cached_property
     def foci_exchangeable(self) -> bool:

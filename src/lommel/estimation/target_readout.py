@@ -81,8 +81,6 @@ class TargetReadout:
         Whether images are pixel-integrated; if False, they are point-sampled.
     """
 
-    widest = math.inf  # largest blur width, pixels: there is no limit
-
     def __init__(
         self, window: tuple[int, int], pixel: float, target: Target, blur: BlurProfile, *, integrate: bool
     ) -> None:

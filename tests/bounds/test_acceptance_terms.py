@@ -16,8 +16,8 @@ from lommel.estimation import bead_checks, bead_search, fisher
 from lommel.fit.goodness_of_fit import largest_plausible_chi2
 from lommel.imaging import defocus_verdict, field_blur
 from lommel.imaging.defocus_verdict import _Minimum
-from lommel.imaging.field_blur import Nodes
 from lommel.imaging.live import LiveDepth
+from lommel.imaging.spline_nodes import Nodes
 from lommel.localize.checks import Checks
 from lommel.methods import averaging
 from lommel.methods.averaging import Averages
@@ -26,6 +26,7 @@ from lommel.methods.layers.stratified import By
 from lommel.methods.method import with_model_error
 from lommel.microscopy import preparation
 from lommel.optics.grid import Grid
+from lommel.optics.layers import debye
 from lommel.recorded.noise import Noise
 from objectives import OIL
 
@@ -104,9 +105,10 @@ def test_derivatives_by_chords_are_those_of_the_rule_times_their_factors():
     images = Samples(RNG.uniform(0.1, 1.0, (2, 3, 3)), scale, error, None, peaks)
     rule = SimpleNamespace(differentiated=lambda *_: (images, values.copy(), bounds, largest))
     image_factor = np.array([0.3, -0.8])
-    pairs = [(By(2, 3.0, image_factor), 2.0)]
+    pairs = [(By(0, image_factor), 2.0)]
+    steepest = debye.steepest(pupil.layers, pupil.light.model)[0]
     found = slopes._by_chords(rule, pupil, Grid(3, 0.5), pairs, ((2, 2),), 1e-3, Wanted(0.5, np.float64))
-    for k, (factor, offset) in enumerate(((1.5, image_factor / 2.0), (1.0, np.zeros(2)))):
+    for k, (factor, offset) in enumerate(((steepest / 2.0, image_factor / 2.0), (1.0, np.zeros(2)))):
         for n in range(2):
             exact = factor * images.scale[n] * values[k, n] + offset[n] * images.values[n]
             assert found.slopes.values[k, n] == pytest.approx(exact, rel=1e-12)
@@ -242,7 +244,9 @@ def test_scales_are_refined_where_the_misfit_has_a_valley_nearly_as_deep(depth, 
 ])  # fmt: skip
 def test_another_table_is_told_by_ten_of_likelihood_and_four_standard_errors(count, mean, spread, expected):
     gains = mean + spread * np.where(np.arange(count) % 2, 1.0, -1.0)
-    other = SimpleNamespace(_gains={"sign": gains.tolist(), "1e-6": (0.5 * gains).tolist()})
+    other = SimpleNamespace(_gains=gains.tolist(), _changes=SimpleNamespace(gain=1.4 * mean))
+    explained = SimpleNamespace(_gains=gains.tolist(), _changes=SimpleNamespace(gain=1.6 * mean))
+    assert not list(Checks._rival_findings(explained))
     (found,) = Checks._rival_findings(other) if expected else (None,)
     assert expected or not list(Checks._rival_findings(other))
     if found:

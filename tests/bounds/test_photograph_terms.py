@@ -9,9 +9,17 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.imaging import bank, defocus_depth, defocus_verdict, field_blur, focal_tables, traced_windows
+from lommel.imaging import (
+    bank,
+    defocus_depth,
+    defocus_verdict,
+    field_blur,
+    focal_tables,
+    spline_nodes,
+    traced_windows,
+)
 from lommel.imaging.defocus_verdict import DefocusVerdict, _Minimum
-from lommel.imaging.field_blur import Nodes
+from lommel.imaging.spline_nodes import Nodes
 from lommel.imaging.traced_blur import _WINDOW_SETS, _windows_by_size
 
 RNG = np.random.default_rng(0)
@@ -51,7 +59,7 @@ def test_errors_between_nodes_count_the_light_that_a_window_lacks_twice():
     found = field_blur._error_between(source, axes, coefficients)
     made = np.tensordot(axes[0].weights(axes[0].between), coefficients[:, 0, 0], axes=1)
     off = [np.abs(a - b).sum() + abs((a - b).sum()) for a, b in zip(made, exact, strict=True)]
-    assert found == pytest.approx((field_blur.ERROR_RATIO * max(off), least), rel=1e-9)
+    assert found == pytest.approx((spline_nodes.ERROR_RATIO * max(off), least), rel=1e-9)
 
 
 @pytest.mark.parametrize(("degree", "tol"), [(3, 1e-3), (3, 1e-6), (5, 1e-7)])
@@ -59,19 +67,19 @@ def test_nodes_of_a_spline_are_few_and_enough(degree, tol):
     def sample(places):
         return np.cos(2.0 * np.asarray(places))[None, :, None, None] * np.ones((1, 1, 2, 2))
 
-    nodes = field_blur.sufficient_nodes(sample, 0.0, 2.0, tol, degree)
+    nodes = spline_nodes.sufficient_nodes(sample, 0.0, 2.0, tol, degree)
 
     def off(made):
-        wide = field_blur.interpolated(made, sample(made.places), made.between)
-        return field_blur.ERROR_RATIO * np.abs(wide - sample(made.between)).sum(axis=(2, 3)).max()
+        wide = spline_nodes.interpolated(made, sample(made.places), made.between)
+        return spline_nodes.ERROR_RATIO * np.abs(wide - sample(made.between)).sum(axis=(2, 3)).max()
 
     assert off(nodes) <= tol
     fewer = Nodes(0.0, 2.0, math.ceil(0.8 * nodes.count), degree)
     assert off(fewer) > tol
-    flat = field_blur.sufficient_nodes(lambda at: np.ones((1, len(at), 2, 2)), 0.0, 2.0, tol, degree)
+    flat = spline_nodes.sufficient_nodes(lambda at: np.ones((1, len(at), 2, 2)), 0.0, 2.0, tol, degree)
     assert flat.count == 1
-    assert field_blur.sufficient_nodes(sample, 1.0, 1.0, tol, degree).count == 1
-    assert field_blur.window_difference(np.full((2, 3, 3), 2.0), np.full((2, 3, 3), 1.5)) == pytest.approx(4.5)
+    assert spline_nodes.sufficient_nodes(sample, 1.0, 1.0, tol, degree).count == 1
+    assert spline_nodes.window_difference(np.full((2, 3, 3), 2.0), np.full((2, 3, 3), 1.5)) == pytest.approx(4.5)
 
 
 @pytest.mark.parametrize("tol", [1e-2, 1e-5])

@@ -242,8 +242,6 @@ def entries(folder: Path) -> list[tuple[str, object, dict[str, object]]]:
         tagged("Objective.pupil", OBJECTIVE.pupil, depth=1e-6, z=1e-7, wavelength=5e-7, origin="brightest",
                emitter="isotropic", aberrations=lm.Wavefront(0.1)),
         tagged("Objective.fields", OBJECTIVE.fields, radius=1e-7, depth=1e-6, focus=1e-6, wavelength=5e-7, tol=1e-6),
-        tagged("Objective.scalar", OBJECTIVE.scalar, radius=1e-7, depth=1e-6, focus=1e-6, wavelength=5e-7, tol=1e-6,
-               apodization="uniform", supercritical=True),
         tagged("Objective.focus", OBJECTIVE.focus, depth=1e-6, wavelength=5e-7),
         tagged("Objective.collected", OBJECTIVE.collected, depth=1e-6, wavelength=5e-7),
         tagged("Objective.nyquist", OBJECTIVE.nyquist, wavelength=5e-7),

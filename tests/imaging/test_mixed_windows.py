@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from lommel.imaging.field_blur import Nodes
+from lommel.imaging.spline_nodes import Nodes
 from lommel.imaging.window_blur import WindowBlur
 from point_sums import sum_over_points
 

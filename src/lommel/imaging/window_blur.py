@@ -17,7 +17,7 @@ from lommel.core.answers import DType
 from lommel.deconvolve.linear import copies, folded
 
 if TYPE_CHECKING:
-    from lommel.imaging.field_blur import Nodes
+    from lommel.imaging.spline_nodes import Nodes
 
 LARGEST = {1: 19, 2: 31}  # largest side of windows for direct sums, for constant or varying defocus
 _STEP = 16  # windows are padded to a multiple of this size; the core reads up to _STEP pixels beyond a row

@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 from lommel.imaging import field_blur
-from lommel.imaging.field_blur import MAX_NODES, MixedBlur, Nodes, interpolated, sufficient_nodes
+from lommel.imaging.field_blur import MixedBlur
+from lommel.imaging.spline_nodes import MAX_NODES, Nodes, interpolated, sufficient_nodes
 from point_sums import sum_over_points
 
 

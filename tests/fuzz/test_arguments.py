@@ -216,7 +216,6 @@ def entries(folder: Path) -> list[tuple[str, object, dict[str, object]]]:
                out=folder / "set", lenses=RANGES, seed=1, copies=1, on_error="raise", workers=1),
         tagged("localize.fit", lm.localize.fit, table=SPOTS, images=np.ones((2, 9, 9)), noise=lm.Noise(read=1.0),
                starts=1, threads=1),
-        tagged("localize.fit", lm.localize.fit, table=[SPOTS, SPOTS], images=[np.ones((2, 9, 9))] * 2, starts=1),
         tagged("deconvolve", lm.microscopy.deconvolve, stack=VOXELS, microscope=MICROSCOPE, **of_voxels),
         tagged("deconvolve", lm.microscopy.deconvolve, stack=VOXELS, microscope=PLANES, noise=lm.Noise(read=1.0),
                method=ONCE, background=0.0),

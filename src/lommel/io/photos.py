@@ -595,7 +595,7 @@ def png_of_16_bits(
         chunks.append((b"iCCP", b"ICC Profile\0\0" + zlib.compress(profile)))
     if block is not None:
         chunks.append((b"eXIf", block))
-    chunks += [(b"IDAT", zlib.compress(lines, level)), (b"IEND", b"")]
+    chunks += [(b"IDAT", zlib.compress(lines.data, level)), (b"IEND", b"")]
     parts = [struct.pack(">I", len(d)) + name + d + struct.pack(">I", zlib.crc32(name + d)) for name, d in chunks]
     return b"\x89PNG\r\n\x1a\n" + b"".join(parts)
 

@@ -159,7 +159,7 @@ KINDS: dict[str, Callable[[Path], object]] = {
     "channels.csv": lm.load_channels,
     **dict.fromkeys([*named("depth", ".npy", ".tif", ".pfm"), "depth-deflated.tif"], imaging.read_depth),
     "levels.png": lambda path: imaging.read_depth(path, scale=1e-3),
-    **dict.fromkeys(named("photo", ".tif", ".png", ".jpg"), imaging.read_photo),
+    **dict.fromkeys(named("photo", ".tif", ".png", ".jpg", ".bmp"), imaging.read_photo),
     **dict.fromkeys(["deep.png", "exif.jpg", "exif.png"], imaging.read_photo),
     **dict.fromkeys([*named("table", ".json", ".toml", ".csv"), "listing.txt", "code.int"], lm.load_zernike),
     **dict.fromkeys(named("opd", ".fits", ".fits.gz", ".csv", ".datx"), lm.load_opd),
@@ -222,6 +222,7 @@ def write_pictures(folder: Path) -> None:
     tifffile.imwrite(folder / "photo.tif", np.stack([GREY] * 3, axis=2), photometric="rgb", byteorder=">")
     Image.fromarray(GREY).save(folder / "photo.png")
     Image.fromarray(np.stack([GREY] * 3, axis=2)).save(folder / "photo.jpg")
+    Image.fromarray(np.stack([GREY] * 3, axis=2)).save(folder / "photo.bmp")
     imaging.write_photo(folder / "deep.png", np.stack([GREY / 255.0] * 3, axis=2), dtype=np.uint16)
     tags = Image.Exif()
     tags[0x0112] = 6
@@ -257,7 +258,7 @@ def write_recordings(folder: Path) -> None:
     containers.imagej(stack, folder / "imagej.tif")
     containers.ome_zarr(stack, folder / "chunks.zarr")
     containers.ome_zarr(stack, folder / "shards.zarr", version=3, shards=(4, 32, 32))
-    containers.pillow(stack, folder / "images.tif", compression="packbits")
+    containers.pillow(stack, folder / "images.tif", compression="tiff_lzw")
     Image.fromarray(stack[0]).save(folder / "images.png")
     np.save(folder / "images.npy", stack)
     packed = fits_images.write([(stack.astype(np.float32), {})])

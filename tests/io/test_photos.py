@@ -15,6 +15,7 @@ from PIL import Image, ImageOps
 
 import lommel as lm
 from lommel import imaging
+from lommel.base import reading
 from lommel.base.encoding import from_light, to_light
 from lommel.imaging import Exif, PhotoError, Photograph, read_depth, read_photo, write_photo
 from lommel.io import photos
@@ -102,6 +103,16 @@ def test_exif_tells_the_lens(tmp_path, name):
     assert read_photo(tmp_path / name).exif == Exif()
 
 
+def test_lzw_that_pillow_cannot_unpack_names_the_package(tmp_path, monkeypatch):
+    path = tmp_path / "a.tif"
+    tifffile.imwrite(path, np.zeros((6, 4, 3), np.float32), photometric="rgb")
+    with tifffile.TiffFile(path, mode="r+") as file:
+        file.pages[0].tags["Compression"].overwrite(5)
+    monkeypatch.setattr(reading, "find_spec", lambda name: None)
+    with pytest.raises(PhotoError, match=r"LZW of float32 in colour needs .* pip install imagecodecs, or save the"):
+        read_photo(path)
+
+
 def test_integers_are_srgb_and_floats_linear_unless_one_says_otherwise(tmp_path):
     tifffile.imwrite(tmp_path / "a.tif", np.full(GREY, 128, np.uint8), photometric="minisblack")
     tifffile.imwrite(tmp_path / "b.tif", np.full(GREY, 0.5, np.float32), photometric="minisblack")
@@ -159,7 +170,7 @@ def tiff(values: np.ndarray, **options: object) -> bytes:
     ("data", "message"),
     [
         (b"", "is empty"),
-        (b"GIF89a", "is not a PNG, JPEG, TIFF, EXR or HEIC file"),
+        (b"GIF89a", "is not a PNG, JPEG, TIFF, EXR, BMP or HEIC file"),
         (png()[:43], "cannot be read as a PNG photograph"),
         (png(mode="RGBA"), "it has alpha that is not opaque everywhere; put it on a"),
         (png(mode="LA"), "it has alpha"),
@@ -246,6 +257,20 @@ def test_a_transparent_colour_that_no_pixel_has_is_no_alpha(tmp_path, mode):
     picture.save(tmp_path / "a.png", transparency=present)
     with pytest.raises(PhotoError, match="is not opaque everywhere"):
         read_photo(tmp_path / "a.png")
+
+
+def test_a_bmp_is_read(tmp_path):
+    values = RNG.integers(0, 256, (40, 30, 3)).astype(np.uint8)
+    for one in (values, values[..., 0], values[..., 0] > 128):
+        Image.fromarray(one).save(tmp_path / "a.bmp")
+        np.testing.assert_array_equal(read_photo(tmp_path / "a.bmp").values, one * (255 if one.dtype == bool else 1))
+
+
+def test_a_bmp_that_is_cut_off_is_refused(tmp_path):
+    Image.new("RGB", (9, 8), "red").save(tmp_path / "c.bmp")
+    (tmp_path / "c.bmp").write_bytes((tmp_path / "c.bmp").read_bytes()[:-9])
+    with pytest.raises(PhotoError, match="truncated"):
+        read_photo(tmp_path / "c.bmp")
 
 
 def test_heic_is_read_by_the_package_that_can(tmp_path, monkeypatch):

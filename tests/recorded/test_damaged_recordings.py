@@ -8,6 +8,7 @@ import zlib
 import numpy as np
 import pytest
 import tifffile
+from PIL import Image
 
 from lommel.recorded.frames import RecordingError, open_frames
 
@@ -108,4 +109,18 @@ def test_a_page_that_states_fewer_bytes_than_its_values_take_is_refused(tmp_path
         file.seek(entry + 8)
         file.write(struct.pack("<I", 31))
     with open_frames(path) as images, pytest.raises(RecordingError, match="take 32 bytes, got 31"):
+        images[...]
+
+
+def test_lzw_data_that_are_damaged_are_told(tmp_path):
+    frames = [Image.fromarray(np.random.default_rng(k).integers(0, 9, (16, 16)).astype(np.uint8)) for k in range(3)]
+    path = tmp_path / "a.tif"
+    frames[0].save(path, save_all=True, append_images=frames[1:], compression="tiff_lzw")
+    with tifffile.TiffFile(path) as file:
+        place, held = file.pages[1].dataoffsets[0], file.pages[1].databytecounts[0]
+    data = bytearray(path.read_bytes())
+    data[place : place + held] = b"\xff" * held
+    path.write_bytes(data)
+    message = r"a\.tif: page 1: its LZW data cannot be unpacked"
+    with open_frames(path) as images, pytest.raises(RecordingError, match=message):
         images[...]

@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 import tifffile
 import zarr
+from PIL import Image
 
 from lommel.base import reading
 from lommel.io import fits_images
@@ -59,6 +60,12 @@ def chunked(path, **options):
     group.create_array("0", data=STACK, **{"chunks": (4, 32, 32)} | options)
 
 
+def pillow(path):
+    """LZW, which tifffile alone cannot unpack."""
+    first, *others = map(Image.fromarray, STACK)
+    first.save(path, save_all=True, append_images=others, compression="tiff_lzw")
+
+
 RECORDINGS = {
     "plain.ome.tif": tiff,
     "deflated.ome.tif": lambda path: tiff(path, compression="zlib"),
@@ -71,6 +78,7 @@ MOVIES = {
     "deflated.tif": lambda path: frames(path, compression="zlib"),
     "mapped.tif": lambda path: tifffile.imwrite(path, STACK, photometric="minisblack"),
     "imagej.tif": lambda path: tifffile.imwrite(path, STACK, imagej=True, metadata={"axes": "TYX"}),
+    "lzw.tif": pillow,
     "zstd.zarr": chunked,
     "blosc.zarr": lambda path: chunked(path, compressors=zarr.codecs.BloscCodec()),
     "plain.zarr": lambda path: chunked(path, compressors=None),
@@ -78,7 +86,7 @@ MOVIES = {
     "a.npy": lambda path: np.save(path, STACK),
     "a.fits": lambda path: path.write_bytes(fits_images.write([(STACK.astype(np.float32), {})])),
 }
-COSTLY = {name for name in MOVIES if name.endswith("zarr")}
+COSTLY = {name for name in MOVIES if name.endswith("zarr") or name == "lzw.tif"}
 
 
 @pytest.fixture

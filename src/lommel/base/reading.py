@@ -12,8 +12,10 @@ import threading
 import warnings
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from importlib.util import find_spec
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import IO, TYPE_CHECKING, Any, cast
+from weakref import WeakKeyDictionary
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,7 +28,8 @@ if TYPE_CHECKING:
     from xml.etree.ElementTree import Element
 
     from h5py import Dataset, File, Group
-    from tifffile import TiffFile, TiffPageSeries
+    from PIL.TiffImagePlugin import TiffImageFile
+    from tifffile import TiffFile, TiffFrame, TiffPage, TiffPageSeries
 
 MAX_PIXELS = validation.MAX_SIDE**2
 """Maximum number of pixels in a picture, and of bytes in a description."""
@@ -42,6 +45,8 @@ MAX_LIST = 2**19
 
 MAX_TOML = 2**18
 """Maximum size in bytes of a lens file; the parser may allocate half a kilobyte for two bytes of TOML."""
+
+_LZW = 5  # code of the compression LZW in TIFF files
 
 
 def contents(path: Path, limit: int = 8 * validation.MAX_VALUES + MAX_PIXELS) -> bytes:
@@ -154,7 +159,7 @@ HEIC = tuple(
 
 
 def pillow(kind: str, data: bytes) -> Any:
-    """Return a picture opened by Pillow, not yet decoded; `kind` is Png, Jpeg or Heif."""
+    """Return a picture opened by Pillow, not yet decoded; `kind` is Png, Jpeg, Bmp or Heif."""
     # Image.open is not used: its limit against decompression bombs would refuse large pictures of this package.
     if kind == "Heif":
         module = library("pillow_heif.as_plugin", "HEIC files need", "heic")
@@ -228,10 +233,39 @@ def tiff_values(page: Any, shape: tuple[int, ...], dtype: np.dtype[np.generic]) 
     if closed:
         handle.open()
     try:
-        return np.asarray(page.asarray()).reshape(shape)
+        return tiff_array(page).reshape(shape)
     finally:
         if closed:
             handle.close()
+
+
+def tiff_array(page: TiffPage | TiffFrame) -> Values:
+    """Return the values of a page; ValueError if neither tifffile nor, for LZW, Pillow can decode it."""
+    if page.compression != _LZW or find_spec("imagecodecs"):
+        return np.asarray(page.asarray())
+    from PIL.TiffImagePlugin import TiffImageFile
+
+    values, dtype = np.empty(0), np.dtype(page.dtype).newbyteorder("=")
+    try:
+        if (image := _PILLOW_IMAGES.get(page.parent)) is None:
+            page.parent.filehandle.seek(0)
+            image = _PILLOW_IMAGES[page.parent] = TiffImageFile(cast("IO[bytes]", page.parent.filehandle))
+        image.seek(page.index)
+        values = np.asarray(image)
+    except (OSError, SyntaxError, TypeError) as error:  # Pillow raises TypeError for a page in a SubIFD
+        if str(error) != "unknown pixel mode":
+            raise ValueError(f"its LZW data cannot be unpacked: {reason(error)}") from None
+    if values.shape != page.shape or values.dtype.newbyteorder("=") != dtype:
+        colour = " in colour" if len(page.shape) > 2 else ""
+        raise ValueError(
+            f"LZW of {dtype}{colour} needs the package imagecodecs: pip install imagecodecs, or save the file with "
+            "deflate or uncompressed"
+        )
+    return values.astype(dtype, copy=False)
+
+
+# Images opened by Pillow, by the tifffile object of the same file.
+_PILLOW_IMAGES: WeakKeyDictionary[TiffFile, TiffImageFile] = WeakKeyDictionary()
 
 
 def tiff_mapped(file: TiffFile, series: TiffPageSeries, path: Path, count: int) -> Values | None:

@@ -296,7 +296,7 @@ class Photograph:
 
 
 def read_photo(path: str | PathLike[str], encoding: str | None = None) -> Photograph:
-    """Read a photograph (PNG, JPEG, TIFF, EXR, HEIC) and rotate it upright as its EXIF states.
+    """Read a photograph (PNG, JPEG, TIFF, EXR, BMP, HEIC) and rotate it upright as its EXIF states.
 
     Parameters
     ----------
@@ -531,7 +531,7 @@ def read_tiff(data: bytes, *, levels: bool = False) -> tuple[Values, Tags, bytes
             raise ValueError("it has additional channels that are not alpha; remove them")
         if page.photometric not in (tifffile.PHOTOMETRIC.MINISBLACK, tifffile.PHOTOMETRIC.RGB):
             raise ValueError(f"its colours are {page.photometric.name}, neither grey nor RGB")
-        values, axes, profile = np.asarray(page.asarray()), page.axes, page.iccprofile
+        values, axes, profile = reading.tiff_array(page), page.axes, page.iccprofile
     if values.shape != page.shape:
         raise ValueError(
             f"its values are of an unknown kind, {page.bitspersample} bits of the format {page.sampleformat}"
@@ -644,6 +644,7 @@ registry.register(
     _photo((".jpg", ".jpeg"), _write_jpeg, partial(_decode, "Jpeg"), JPEG, (_8, _EXIF), library="PIL.Image"),
     _photo((".tif", ".tiff"), write_tiff, read_tiff, TIFF, (_8, _16, "of float32", _EXIF), library="tifffile"),
     _photo((".exr",), write_exr, read_exr, START, ("of float32",), library="OpenEXR"),
+    _photo((".bmp",), read=partial(_decode, "Bmp"), starts=(b"BM",), library="PIL.Image"),
     _photo((".heic", ".heif"), read=partial(_decode, "Heif"), starts=reading.HEIC, library="pillow_heif"),
     _depth((".npy",), partial(atomic.contents, np.save), _read_npy, (b"\x93NUMPY",)),
     _depth((".pfm",), _write_pfm, _read_pfm, (b"Pf", b"PF")),

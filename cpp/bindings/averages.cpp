@@ -38,7 +38,7 @@ lommel::AverageRequest request_of(const WindowFields& window, const Request& req
 template <class T>
 bool disk_averages(DiskFields stack, WindowFields window, Request request, bool if_cheaper, Out<T, 3> images,
                    Out<double, 2> numbers, In<std::int32_t, 2> factors, Out<T, 4> slopes, Out<double, 2> bounds) {
-    const lommel::DiskAnswer<T> into = disk_answer_of(std::get<1>(stack), window, std::get<2>(request), images, numbers);
+    const lommel::Answer<T> into = answer_of(pupils_of(std::get<1>(stack)), window, std::get<2>(request), images, numbers);
     const lommel::AverageRequest averages = request_of(window, request, images, factors);
     const lommel::DiskPupils pupils = disks_of(stack, window);
     return released([&] {
@@ -58,7 +58,7 @@ bool aperture_averages(In<std::int32_t, 2> terms, In<double, 2> edge, WindowFiel
                        double transmission, nb::object rule, Out<T, 3> images, Out<double, 2> numbers,
                        In<std::int32_t, 2> factors, Out<T, 4> slopes, Out<double, 2> bounds) {
     require(strehl > 0.0 && strehl <= 1.0 && transmission > 0.0, "strehl and transmission must be positive");
-    const lommel::DiskAnswer<T> into = disk_answer_of(edge, place, std::get<2>(asked), images, numbers);
+    const lommel::Answer<T> into = answer_of(pupils_of(edge), place, std::get<2>(asked), images, numbers);
     const lommel::AverageRequest request = request_of(place, asked, images, factors);
     const int threads = std::get<1>(asked);
     std::vector<lommel::ZernikeTerm> list = terms_of(terms, edge.shape(1));
@@ -105,17 +105,7 @@ bool aperture_averages(In<std::int32_t, 2> terms, In<double, 2> edge, WindowFiel
 
 std::pair<Out<double, 1>, Out<double, 1>> transfer_rule(std::size_t degree) {
     const lommel::TransferRule rule(degree);
-    auto at = new_array<double, 1>({rule.at.size()}), weights = new_array<double, 1>({rule.at.size()});
-    std::copy(rule.at.begin(), rule.at.end(), at.data());
-    std::copy(rule.weights.begin(), rule.weights.end(), weights.data());
-    return {at, weights};
-}
-
-Out<double, 1> band_points(double reach) {
-    const std::vector<double> points = lommel::band_points(reach);
-    auto w = new_array<double, 1>({points.size()});
-    std::copy(points.begin(), points.end(), w.data());
-    return w;
+    return {array_of(rule.at), array_of(rule.weights)};
 }
 
 }  // namespace
@@ -141,6 +131,7 @@ void bindings::define_averages(nb::module_& m) {
     m.def("transfer_rule", &transfer_rule, "degree"_a,
           "Frequencies and weights, by which the root of the sum of squares bounds the mean modulus of polynomials, even or "
           "odd.");
-    m.def("band_points", &band_points, "reach"_a,
-          "Chebyshev points of the band, at which the error of the response of samples up to a distance is found.");
+    m.def(
+        "band_points", [](double reach) { return array_of(lommel::band_points(reach)); }, "reach"_a,
+        "Chebyshev points of the band, at which the error of the response of samples up to a distance is found.");
 }

@@ -25,8 +25,7 @@ double derivatives(DiskFields stack, WindowFields window, Request request, Out<T
                    In<std::int32_t, 2> factors, Out<T, 4> slopes, Out<double, 2> bounds) {
     using Slopes = lommel::ChordalDerivatives<T>;
     const auto [tol, threads, scale] = request;
-    const In<double, 2>& edge = std::get<1>(stack);
-    const lommel::DiskAnswer<T> answer = disk_answer_of(edge, window, scale, images, numbers);
+    const lommel::Answer<T> answer = answer_of(pupils_of(std::get<1>(stack)), window, scale, images, numbers);
     const Slopes wanted{factors_of(factors), slopes.data(), bounds.data()};
     require(scale > 0.0, "derivatives of values that are divided by their largest one are not available");
     return ask_disks<false>(stack, window, tol, threads, [&](const lommel::DiskStack& of, const lommel::DiskWindow& at) {
@@ -50,7 +49,7 @@ double gradient(DiskFields stack, WindowFields window, double tol, int threads, 
     const lommel::ChordalGradient wanted = gradient_of(stack, window, factors, weights, values);
     const std::size_t pupils = weights.shape(0);
     std::vector<double> scales(pupils, 1.0), bounds(pupils), peaks(pupils);
-    const lommel::DiskAnswer<double> answer{nullptr, scales.data(), bounds.data(), peaks.data()};
+    const lommel::Answer<double> answer{nullptr, scales.data(), bounds.data(), peaks.data()};
     return ask_disks<false>(stack, window, tol, threads, [&](const lommel::DiskStack& of, const lommel::DiskWindow& at) {
         lommel::ChordalRenderer<double, lommel::ChordalGradient>(of, at, tol, threads, answer, wanted).run();
     });
@@ -221,7 +220,7 @@ std::pair<double, double> costs(DiskFields stack, WindowFields window, double to
         ask_disks<false>(stack, window, tol, 1, [&](const lommel::DiskStack& of, const lommel::DiskWindow& at) {
             const auto ask = [&](auto pixel) {
                 using T = decltype(pixel);
-                const lommel::DiskAnswer<T> nowhere{nullptr, scales.data(), bounds.data(), peaks.data()};
+                const lommel::Answer<T> nowhere{nullptr, scales.data(), bounds.data(), peaks.data()};
                 found = Images<T>(of, at, tol, 1, nowhere).costs();
             };
             single ? ask(float()) : ask(double());

@@ -42,17 +42,15 @@ lommel::FocalFrame frame_of(const Frame& one, float full, const std::optional<Kn
 
 class Scale {
    public:
-    Scale(std::size_t height, std::size_t width, double scale, std::size_t threads) {
-        scale_.emplace(height, width, scale, threads);
-    }
+    Scale(std::size_t height, std::size_t width, double scale, std::size_t threads) : scale_(height, width, scale, threads) {}
 
     void operator()(const nb::object& frame, float full, const std::optional<Known>& known, Out<float, 2> out) {
-        const lommel::FocalFrame one = frame_of(nb::cast<Frame>(frame), full, known, scale_->height(), scale_->width());
-        released([&] { (*scale_)(one, out.data()); });
+        const lommel::FocalFrame one = frame_of(nb::cast<Frame>(frame), full, known, scale_.height(), scale_.width());
+        released([&] { scale_(one, out.data()); });
     }
 
    private:
-    std::optional<lommel::FocalScale> scale_;
+    lommel::FocalScale scale_;
 };
 
 class Stream {
@@ -87,7 +85,6 @@ class Stream {
         const lommel::FocalCandidates given{forms.shape(0), forms.data(), statistics.data(), numbers[0], numbers[1],
                                             numbers[2],     numbers[3],   numbers[4],        numbers[5], numbers[6]};
         stream_.emplace(plan, &given);
-        first_ = numbers[2], step_ = numbers[3];
         frames_.resize(channels * frames);
     }
 
@@ -114,16 +111,7 @@ class Stream {
     void depths(Out<float, 2> depth, Out<float, 2> errors, Out<float, 2> misfit) {
         released([&] {
             stream_->search();
-            const lommel::FocalPlace* const places = stream_->places();
-            for (std::size_t i = 0; i < depth.size(); ++i) {
-                const float vergence = first_ + step_ * places[i].position;
-                depth.data()[i] = 1.0f / vergence;
-                errors.data()[i] = places[i].error * step_ / (vergence * vergence);
-                if (!(vergence > 0.0f)) {
-                    errors.data()[i] = std::numeric_limits<float>::infinity();
-                }
-                misfit.data()[i] = places[i].misfit;
-            }
+            stream_->depths(depth.data(), errors.data(), misfit.data());
         });
     }
 
@@ -163,7 +151,6 @@ class Stream {
 
     std::optional<lommel::FocalStream> stream_;
     std::vector<lommel::FocalFrame> frames_;
-    float first_ = 0.0f, step_ = 0.0f;
 };
 
 }  // namespace

@@ -48,32 +48,23 @@ lommel::Scene scene_of(const In<double, 2>& positions) {
 }
 
 // Data for occlusion: `layers` has the shape of `positions`, `seen` that of the image with margins.
-template <class T>
-lommel::Screen<T> screen_of(const std::optional<In<T, 2>>& layers, const std::optional<In<T, 2>>& seen) {
-    return layers ? lommel::Screen<T>{layers->data(), seen->data()} : lommel::Screen<T>{};
-}
-
+//
 // out += each pixel spread over its window; `out` is larger than the scene by half a window above and below, and by the next
-// multiple of 16 on either side.
-template <class T>
-void spread(BankFields<T> windows, In<double, 2> positions, Strided<T> image, int threads, Out<T, 2> out,
-            std::optional<In<T, 2>> layers, std::optional<In<T, 2>> seen) {
+// multiple of 16 on either side. Or the transpose, in which light beyond the edges is not folded back.
+template <class T, bool Transposed>
+void spread(BankFields<T> windows, In<double, 2> positions, std::conditional_t<Transposed, In<T, 2>, Strided<T>> image,
+            int threads, Out<T, 2> out, std::optional<In<T, 2>> layers, std::optional<In<T, 2>> seen) {
     const lommel::WindowBank<T> bank = bank_of<T>(windows);
     const lommel::Scene scene = scene_of(positions);
-    const lommel::Screen<T> screen = screen_of<T>(layers, seen);
+    const lommel::Screen<T> screen = layers ? lommel::Screen<T>{layers->data(), seen->data()} : lommel::Screen<T>{};
     released([&] {
-        lommel::Spreader<T>(bank, scene, threads, screen).forward(image.data(), image.stride(0), image.stride(1), out.data());
+        const lommel::Spreader<T> spreader(bank, scene, threads, screen);
+        if constexpr (Transposed) {
+            spreader.adjoint(image.data(), out.data());
+        } else {
+            spreader.forward(image.data(), image.stride(0), image.stride(1), out.data());
+        }
     });
-}
-
-// Transpose of spread(). Light beyond the edges is not folded back.
-template <class T>
-void collect(BankFields<T> windows, In<double, 2> positions, In<T, 2> image, int threads, Out<T, 2> out,
-             std::optional<In<T, 2>> layers, std::optional<In<T, 2>> seen) {
-    const lommel::WindowBank<T> bank = bank_of<T>(windows);
-    const lommel::Scene scene = scene_of(positions);
-    const lommel::Screen<T> screen = screen_of<T>(layers, seen);
-    released([&] { lommel::Spreader<T>(bank, scene, threads, screen).adjoint(image.data(), out.data()); });
 }
 
 // Write the layer of each point (0: nearest) and the representative point for the light behind it (-1: none). Returns the
@@ -187,12 +178,13 @@ void bindings::define_imaging(nb::module_& m) {
               "out"_a.noconvert() = nb::none(),
               "Adds a range of layers of points, from the nearest on, to what pixels see of them, of a white scene and of "
               "light.");
-        m.def("spread", &spread<T>, "bank"_a.noconvert(), "positions"_a, "image"_a.noconvert(), "threads"_a,
-              "out"_a.noconvert(), "layers"_a.noconvert() = nb::none(), "seen"_a.noconvert() = nb::none(),
-              "Adds each pixel times the window at its position in the bank to an image larger by a window.");
-        m.def("collect", &collect<T>, "bank"_a.noconvert(), "positions"_a, "image"_a.noconvert(), "threads"_a,
-              "out"_a.noconvert(), "layers"_a.noconvert() = nb::none(), "seen"_a.noconvert() = nb::none(),
-              "The transpose of spread().");
+        const auto define_spread = [&](const char* name, auto function, const char* says) {
+            m.def(name, function, "bank"_a.noconvert(), "positions"_a, "image"_a.noconvert(), "threads"_a, "out"_a.noconvert(),
+                  "layers"_a.noconvert() = nb::none(), "seen"_a.noconvert() = nb::none(), says);
+        };
+        define_spread("spread", &spread<T, false>,
+                      "Adds each pixel times the window at its position in the bank to an image larger by a window.");
+        define_spread("collect", &spread<T, true>, "The transpose of spread().");
         m.def("field_spread", &field_spread<T>, "splines"_a.noconvert(), "defocus"_a.noconvert(), "image"_a.noconvert(),
               "threads"_a, "out"_a.noconvert(), "transposed"_a = false,
               "Adds each pixel times the window of splines at its place and defocus to an image larger by a window, or writes "

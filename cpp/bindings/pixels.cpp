@@ -21,9 +21,7 @@ std::pair<Out<std::int64_t, 1>, Out<std::int32_t, 2>> distinct_radii(std::size_t
     require(rows <= 20000 && cols <= 20000, "rows and cols must be at most 20000");
     auto index = new_array<std::int32_t, 2>({rows + 1, cols + 1});
     const std::vector<std::int64_t> squares = released([&] { return lommel::distinct_radii(rows, cols, index.data()); });
-    auto radii = new_array<std::int64_t, 1>({squares.size()});
-    std::copy(squares.begin(), squares.end(), radii.data());
-    return {radii, index};
+    return {array_of(squares), index};
 }
 
 template <class T>

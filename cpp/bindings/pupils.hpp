@@ -89,16 +89,7 @@ lommel::Answer<T> answer_of(std::size_t pupils, const WindowFields& window, doub
     require_shape(window, images);
     double* const scales = numbers.data();
     std::fill_n(scales, pupils, scale);
-    return {images.data(), scales, scales + pupils, scales + 2 * pupils, nullptr, 0, nullptr, nullptr};
-}
-
-// Powers k for images of derivatives with respect to the coefficients of t^k; may be empty.
-inline std::vector<std::size_t> powers_of(const In<std::int64_t, 1>& powers) {
-    std::vector<std::size_t> which;
-    for (std::size_t i = 0; powers.is_valid() && i < powers.shape(0); ++i) {
-        which.push_back(static_cast<std::size_t>(powers.data()[i]));
-    }
-    return which;
+    return {images.data(), scales, scales + pupils, scales + 2 * pupils};
 }
 
 inline void require_request(double step, double tol, int threads) {
@@ -154,8 +145,11 @@ inline AxisWindow axis_window(const WindowFields& window, std::size_t pupils) {
     require_image(shape.first, shape.second);
     if (const auto* centers = std::get_if<In<double, 2>>(&center)) {
         const bool shared = centers->shape(0) == 1;
-        require_centers(*centers, shared ? 1 : pupils);
         const double* const each = centers->data();
+        require((shared || centers->shape(0) == pupils) && centers->shape(1) == 2, "one centre a pupil, of a row and a column");
+        for (std::size_t i = 0; i < centers->shape(0); ++i) {
+            require_center(each[2 * i], each[2 * i + 1]);
+        }
         return {{shape.first, shape.second, each[0], each[1], step}, shared ? nullptr : each};
     }
     const auto [row, column] = std::get<0>(center);
@@ -194,17 +188,10 @@ double ask_disks(const DiskFields& given, const WindowFields& window, double tol
     });
 }
 
-template <class T>
-lommel::DiskAnswer<T> disk_answer_of(const In<double, 2>& edge, const WindowFields& window, double scale,
-                                     const Out<T, 3>& images, const Out<double, 2>& numbers) {
-    const lommel::Answer<T> answer = answer_of(pupils_of(edge), window, scale, images, numbers);
-    return {answer.images, answer.scales, answer.bounds, answer.peaks};
-}
-
 template <template <class> class Engine, bool Moves, class T>
 double disk_images(DiskFields stack, WindowFields window, Request request, Out<T, 3> images, Out<double, 2> numbers) {
     const auto [tol, threads, scale] = request;
-    const lommel::DiskAnswer<T> answer = disk_answer_of(std::get<1>(stack), window, scale, images, numbers);
+    const lommel::Answer<T> answer = answer_of(pupils_of(std::get<1>(stack)), window, scale, images, numbers);
     return ask_disks<Moves>(stack, window, tol, threads, [&](const lommel::DiskStack& of, const lommel::DiskWindow& at) {
         Engine<T>(of, at, tol, threads, answer).run();
     });

@@ -7,6 +7,7 @@
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/tuple.h>
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <cstddef>
@@ -15,6 +16,7 @@
 #include <stdexcept>
 #include <string_view>
 #include <type_traits>
+#include <vector>
 
 #include "lommel/base/watch.hpp"
 #include "lommel/bounds/ellipse.hpp"
@@ -67,22 +69,23 @@ inline void require(bool condition, const char* message) {
     }
 }
 
-// Product of sizes, checked for overflow: sizes may come from files or callers.
-template <std::size_t N>
-std::size_t checked_product(const std::size_t (&sizes)[N]) {
-    std::size_t product = 1;
-    for (const std::size_t size : sizes) {
-        require(size == 0 || product <= std::numeric_limits<std::size_t>::max() / size, "sizes must have a product below 2^64");
-        product *= size;
-    }
-    return product;
-}
-
 template <class T, std::size_t N>
 Out<T, N> new_array(const std::size_t (&shape)[N]) {
-    T* data = new T[checked_product(shape)];
+    std::size_t size = 1;
+    for (const std::size_t side : shape) {  // sizes may come from files or callers
+        require(side == 0 || size <= std::numeric_limits<std::size_t>::max() / side, "sizes must have a product below 2^64");
+        size *= side;
+    }
+    T* data = new T[size];
     nb::capsule owner(data, [](void* p) noexcept { delete[] static_cast<T*>(p); });
     return Out<T, N>(data, N, shape, owner);
+}
+
+template <class T>
+Out<T, 1> array_of(const std::vector<T>& values) {
+    auto made = new_array<T, 1>({values.size()});
+    std::copy(values.begin(), values.end(), made.data());
+    return made;
 }
 
 // Contents of an array through the buffer protocol, for calls of a microsecond: this takes a quarter of the time that the
@@ -133,13 +136,6 @@ inline lommel::PixelWindow window_of(std::size_t height, std::size_t width, doub
     require_center(center_y, center_x);
     require(step > 0.0 && step <= 1e7, "step must be above 0, and 1e7 at most");
     return {height, width, center_y, center_x, step, integrate};
-}
-
-inline void require_centers(const In<double, 2>& centers, std::size_t pupils) {
-    require(centers.shape(0) == pupils && centers.shape(1) == 2, "one centre a pupil, of a row and a column");
-    for (std::size_t i = 0; i < pupils; ++i) {
-        require_center(centers.data()[2 * i], centers.data()[2 * i + 1]);
-    }
 }
 
 inline void require_radii(const In<double, 1>& v) {

@@ -16,12 +16,6 @@ using namespace bindings;
 
 namespace {
 
-lommel::PixelWindows windows_of(const WindowFields& window, bool integrate, std::size_t pupils) {
-    const AxisWindow at = axis_window(window, pupils);
-    const lommel::PixelWindow first = at.pixels(integrate);
-    return at.centers == nullptr ? lommel::PixelWindows(first) : lommel::PixelWindows{first, at.centers, pupils};
-}
-
 template <class T>
 double images_of(const lommel::Stack& stack, const lommel::PixelWindows& windows, double tol, int threads,
                  const lommel::Answer<T>& answer) {
@@ -34,11 +28,15 @@ double render(RadialFields pupils, WindowFields window, bool integrate, Request 
               Out<double, 2> derivative_bounds) {
     const auto [tol, threads, scale] = request;
     const lommel::Stack stack = stack_of(pupils);
+    std::vector<std::size_t> which;
     lommel::Answer<T> answer = answer_of(stack.count, window, scale, images, numbers);
-    const lommel::PixelWindows windows = windows_of(window, integrate, stack.count);
+    const AxisWindow at = axis_window(window, stack.count);
+    const lommel::PixelWindow first = at.pixels(integrate);
+    const auto windows =
+        at.centers == nullptr ? lommel::PixelWindows(first) : lommel::PixelWindows{first, at.centers, stack.count};
     require_request(std::get<2>(window), tol, threads);
-    const std::vector<std::size_t> which = powers_of(powers);
-    if (!which.empty()) {
+    if (powers.is_valid() && powers.shape(0) > 0) {
+        which.assign(powers.data(), powers.data() + powers.shape(0));
         answer.powers = which.data();
         answer.derivatives = which.size();
         answer.derivative_images = derivative_images.data();
@@ -100,7 +98,7 @@ class RadialPlan {
         double *const bounds = numbers.data(), *const peaks = bounds + pupils, *const own = peaks + pupils;
         const auto answered = [&](double* factors) -> std::optional<double> {
             std::fill_n(factors, pupils, scale_);
-            const lommel::Answer<T> answer{values.data(), factors, bounds, peaks, nullptr, 0, nullptr, nullptr};
+            const lommel::Answer<T> answer{values.data(), factors, bounds, peaks};
             const double unmet = images_of(pupil_stack, window_, tol_, threads_, answer);
             return unmet > 0.0 ? -unmet : *std::max_element(bounds, peaks);
         };

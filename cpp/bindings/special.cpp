@@ -36,8 +36,7 @@ Out<double, 2> legendre_transforms(In<double, 1> v, std::size_t terms) {
 }
 
 std::pair<Out<double, 1>, Out<double, 1>> gauss_legendre(std::size_t n) {
-    require(n > 0, "n must be at least 1");
-    require(n <= 20000, "n must be at most 20000");  // the time grows with the square, to one second at this size
+    require(n > 0 && n <= 20000, "n must be from 1 to 20000");  // the time grows with the square, to one second at this size
     auto nodes = new_array<double, 1>({n});
     auto weights = new_array<double, 1>({n});
     released([&] { lommel::gauss_legendre(n, nodes.data(), weights.data()); });

@@ -52,27 +52,19 @@ using SlopeFields = std::tuple<In<double, 2>, In<double, 2>, In<double, 1>, Out<
 
 template <class T>
 lommel::LayeredSlopes<T> slopes_of(const SlopeFields<T>& given, lommel::Planes& requested, bool integrate) {
-    using What = lommel::LayeredSlope::What;
     const auto& [by, own, fields, slopes, errors] = given;
     const In<double, 1>& of_fields = fields;
     const std::size_t count = by.shape(0), n = requested.count;
-    const auto need = [&](lommel::By which) {
-        const auto same = [&](const lommel::Derivative& each) { return each.by == which; };
-        if (std::none_of(requested.derivatives.begin(), requested.derivatives.end(), same)) {
-            requested.derivatives.push_back({which, of_fields.data()[static_cast<std::size_t>(which)]});
-        }
-    };
     lommel::LayeredSlopes<T> made;
     for (std::size_t k = 0; k < count; ++k) {
-        const double which = by.data()[2 * k];
-        const What what = static_cast<What>(static_cast<int>(which));
-        require(what != What::axis || requested.radial(), "only light that is radially symmetric is moved here");
-        if (what != What::axis) {
-            need(what == What::depth ? lommel::By::depth : lommel::By::focus);
-        } else if (!integrate) {
-            need(lommel::By::radius);
+        const lommel::By which = static_cast<lommel::By>(static_cast<int>(by.data()[2 * k]));
+        require(which != lommel::By::radius || requested.radial(), "only light that is radially symmetric is moved here");
+        const auto same = [&](const lommel::Derivative& each) { return each.by == which; };
+        const bool known = std::any_of(requested.derivatives.begin(), requested.derivatives.end(), same);
+        if (!known && !(which == lommel::By::radius && integrate)) {
+            requested.derivatives.push_back({which, of_fields.data()[static_cast<std::size_t>(which)]});
         }
-        made.requested.push_back({what, by.data()[2 * k + 1], own.data() + k * n});
+        made.requested.push_back({which, by.data()[2 * k + 1], own.data() + k * n});
     }
     made.images = slopes.data();
     made.errors = errors.data();
@@ -94,9 +86,8 @@ bool layered_images(PlaneFields planes, WindowFields window, bool integrate, dou
     const lommel::PixelWindow first = place.pixels(integrate);
     // A single axis off the middle is treated as one axis per plane, as one table serves windows around any axis. Derivatives
     // of samples, and shifts of averages, are only available around such axes.
-    const bool moved =
-        std::any_of(derivatives.requested.begin(), derivatives.requested.end(),
-                    [](const lommel::LayeredSlope& slope) { return slope.what == lommel::LayeredSlope::What::axis; });
+    const bool moved = std::any_of(derivatives.requested.begin(), derivatives.requested.end(),
+                                   [](const lommel::LayeredSlope& slope) { return slope.by == lommel::By::radius; });
     std::vector<double> own_axes;
     lommel::PixelWindows windows(first);
     if (place.centers != nullptr) {
@@ -111,7 +102,7 @@ bool layered_images(PlaneFields planes, WindowFields window, bool integrate, dou
         return false;
     }
     double* const scales = numbers.data();
-    const lommel::Answer<T> answer{images.data(), scales, scales + n, scales + 2 * n, nullptr, 0, nullptr, nullptr};
+    const lommel::Answer<T> answer{images.data(), scales, scales + n, scales + 2 * n};
     released([&] { lommel::LayeredImages<T>(requested, windows, allowed, threads, answer, derivatives).run(); });
     return true;
 }

@@ -114,30 +114,6 @@ double rim_remainders(In<std::int32_t, 2> terms, In<double, 2> edge, double obsc
                            });
 }
 
-bool rim_boxes(In<std::int32_t, 2> terms, In<double, 2> edge, double obscuration, In<double, 1> amplitude,
-               In<double, 2> centers, std::size_t height, std::size_t width, double step, double tol, double lowest,
-               int threads, Out<std::int64_t, 2> sides, Out<std::int64_t, 2> axes, Out<double, 2> numbers) {
-    const std::size_t pupils = pupils_of(edge);
-    bool pay = false;
-    ask_disks<true>({terms, edge, obscuration, amplitude}, {{height, width}, centers, step}, tol, threads,
-                    [&](const lommel::DiskStack& stack, const lommel::DiskWindow& window) {
-                        lommel::RimBoxes boxes(stack, window, tol, lowest);
-                        pay = boxes.choose(threads);
-                        if (!pay) {
-                            return;
-                        }
-                        std::copy_n(boxes.sides.data(), pupils, sides.data());
-                        std::copy_n(boxes.most.data(), pupils, sides.data() + pupils);
-                        std::copy_n(boxes.remainders.data(), pupils, numbers.data());
-                        std::copy_n(boxes.tolerances.data(), pupils, numbers.data() + pupils);
-                        for (std::size_t p = 0; p < pupils; ++p) {
-                            axes.data()[2 * p] = stack.rows[p];
-                            axes.data()[2 * p + 1] = stack.columns[p];
-                        }
-                    });
-    return pay;
-}
-
 double rim_averages(In<std::int32_t, 2> terms, In<double, 2> edge, double obscuration, In<double, 1> amplitude,
                     In<double, 2> centers, double step, double error, int threads, In<double, 1> remainders, In<double, 3> near,
                     In<std::int64_t, 1> places, Out<double, 3> images, Out<double, 2> numbers) {
@@ -153,10 +129,6 @@ double rim_averages(In<std::int32_t, 2> terms, In<double, 2> edge, double obscur
 }  // namespace
 
 void bindings::define_average_tests(nb::module_& m) {
-    m.def("eigenvector", &lommel::eigenvector, "diagonal"_a, "beside"_a, "index"_a,
-          "An eigenvector of a symmetric matrix of three diagonals, by the number of smaller eigenvalues.");
-    m.def("prolate_zeros", &lommel::prolate_zeros, "degree"_a, "bandwidth"_a,
-          "Positive zeros of a prolate spheroidal function, rising.");
     m.def("window_nodes", &window_nodes, "step"_a, "pixels"_a, "error"_a,
           "Nodes of a row of pixels, their weights, and what bounds averages by them; or None.");
     m.def("bounds_at_nodes", &bounds_at_nodes, "step"_a, "side"_a, "tol"_a, "storing"_a, "values"_a, "numbers"_a, "field"_a,
@@ -168,10 +140,6 @@ void bindings::define_average_tests(nb::module_& m) {
     m.def("rim_remainders", &rim_remainders, "terms"_a, "edge"_a, "obscuration"_a, "amplitude"_a, "centers"_a, "height"_a,
           "width"_a, "step"_a, "threads"_a, "remainders"_a.noconvert(), "axes"_a.noconvert(),
           "Of each pupil what the rim leaves of the field at v = 1, its mean over the disk, and the pixel of the axis.");
-    m.def("rim_boxes", &rim_boxes, "terms"_a, "edge"_a, "obscuration"_a, "amplitude"_a, "centers"_a, "height"_a, "width"_a,
-          "step"_a, "tol"_a, "lowest"_a, "threads"_a, "sides"_a.noconvert(), "axes"_a.noconvert(), "numbers"_a.noconvert(),
-          "Of each pupil the side of the box around the pixel of its axis outside which rims serve, or 0, and the largest one "
-          "that it may have; that pixel; what the rim leaves, and what averages may be off by. Whether rims pay.");
     m.def("rim_averages", &rim_averages, "terms"_a, "edge"_a, "obscuration"_a, "amplitude"_a, "centers"_a, "step"_a, "error"_a,
           "threads"_a, "remainders"_a, "near"_a, "places"_a, "images"_a.noconvert(), "numbers"_a.noconvert(),
           "Averages over pixels outside boxes around the axes from the rims of pupils, and the given ones within; of each what "

@@ -89,8 +89,7 @@ struct Asked {
         thread_local Numbers numbers;
         numbers.resize(pupils, plan.scale());
         const lommel::Stack stack{coefficients, pupils, terms, plan.obscuration};
-        const lommel::Answer<T> answer{
-            images, numbers.scales.data(), numbers.bounds.data(), numbers.peaks.data(), nullptr, 0, nullptr, nullptr};
+        const lommel::Answer<T> answer{images, numbers.scales.data(), numbers.bounds.data(), numbers.peaks.data()};
         lommel::render_radial<T>(stack, plan.window, plan.tol, plan.threads, answer);
         deliver(numbers.bounds.data());
     }
@@ -136,8 +135,8 @@ class Disks {
                                            plan.threads, {}};
         const lommel::DiskPupils pupils{terms_, asked_.coefficients + begin * asked_.terms,          count,  plan.obscuration,
                                         {},     {w.height, w.width, w.center_y, w.center_x, w.step}, nullptr};
-        const lommel::DiskAnswer<T> images{asked_.images + begin * plan.pixels(), numbers_.scales.data() + begin,
-                                           numbers_.bounds.data() + begin, numbers_.peaks.data() + begin};
+        const lommel::Answer<T> images{asked_.images + begin * plan.pixels(), numbers_.scales.data() + begin,
+                                       numbers_.bounds.data() + begin, numbers_.peaks.data() + begin};
         try {
             return lommel::averaged_images<T>(asked, count, images, nullptr, nullptr, [&](const lommel::AverageAnswer& answer) {
                 return lommel::DiskAverages(pupils, asked, false).run(answer);
@@ -151,7 +150,7 @@ class Disks {
     template <class S>
     void samples(const double* edge, std::size_t pupils, const double* centers, double tol, S* images, Numbers& numbers) const {
         const lommel_plan& plan = asked_.plan;
-        const lommel::DiskAnswer<S> answer{images, numbers.scales.data(), numbers.bounds.data(), numbers.peaks.data()};
+        const lommel::Answer<S> answer{images, numbers.scales.data(), numbers.bounds.data(), numbers.peaks.data()};
         const lommel::DiskWindow window{plan.window.height, plan.window.width, plan.window.center_y, plan.window.center_x,
                                         plan.window.step};
         const auto stack_of = [&] {

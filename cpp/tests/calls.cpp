@@ -43,10 +43,8 @@ void far_windows(double obscuration) {
         double value, bound, peak, image[25], scale = 1.0;
         int refused = refuses([&] { lommel::fields(stack, &reach, 1, 1e-6, &u, &bound); });
         refused += refuses([&] { lommel::profiles(stack, &reach, 1, 1e-6, &value, &bound, &peak); });
-        refused += refuses([&] {
-            lommel::Renderer<double>(stack, 5, 5, reach, 1e-6, 1, {image, &scale, &bound, &peak, nullptr, 0, nullptr, nullptr})
-                .run();
-        });
+        refused +=
+            refuses([&] { lommel::Renderer<double>(stack, 5, 5, reach, 1e-6, 1, {image, &scale, &bound, &peak}).run(); });
         const lommel::DiskWindow window{5, 5, 2.0, 2.0, reach};
         lommel::DiskStack general({{2, 0}, {3, 1}}, coefficients, 1, obscuration, {});
         refused += refuses([&] {
@@ -146,9 +144,7 @@ void tiles_keep_their_order(std::size_t rows, std::size_t columns, int threads) 
 double image_of(std::size_t side, double defocus) {
     std::vector<double> image(side * side);
     double scale = 1.0, bound = 0.0, peak = 0.0;
-    lommel::Renderer<double>({&defocus, 1, 1, 0.0}, side, side, 0.7, 1e-6, 2,
-                             {image.data(), &scale, &bound, &peak, nullptr, 0, nullptr, nullptr})
-        .run();
+    lommel::Renderer<double>({&defocus, 1, 1, 0.0}, side, side, 0.7, 1e-6, 2, {image.data(), &scale, &bound, &peak}).run();
     return *std::max_element(image.begin(), image.end());
 }
 

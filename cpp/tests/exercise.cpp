@@ -300,7 +300,7 @@ void samples_around_any_axis(std::mt19937& random) {
         std::vector<T> image(c.height * c.width);
         double scale = 1.0, bound = 0.0, peak = 0.0;
         lommel::PixelRenderer<T>(stack, lommel::PixelWindow{c.height, c.width, c.row, c.column, c.step, false}, 1e-6, 2,
-                                 {image.data(), &scale, &bound, &peak, nullptr, 0, nullptr, nullptr})
+                                 {image.data(), &scale, &bound, &peak})
             .run();
         check(bound > 0.0 && bound <= 1e-6, "bound of samples", bound);
         for (std::size_t i = 0; i < 60; ++i) {

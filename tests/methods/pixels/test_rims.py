@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections import Counter
 
 import numpy as np
 import pytest
@@ -12,7 +11,6 @@ import lommel as lm
 from core_tests import _core_tests
 from disk_quadrature import exact_lattice
 from lommel import _core
-from lommel.core.engine import Window, least_average
 from lommel.methods.nijboer_zernike import disk_stack, window_of
 from lommel.optics.grid import Grid
 
@@ -62,15 +60,6 @@ def from_rims(pupil, grid, box, error):
     given = (*stack, axes_of(window, count), window.step, error, 1, left, near, np.arange(count))
     _core_tests.rim_averages(*given, values, numbers)
     return values, numbers[:, 0], numbers[:, 1], axes
-
-
-def boxes_of(stack, window, tol):
-    """Return sides of boxes, pixels of axes, and tolerances; of pupils of which rims pay."""
-    count = len(stack.edge)
-    sides, axes, numbers = np.empty((2, count), np.int64), np.empty((count, 2), np.int64), np.empty((2, count))
-    given = (*stack, axes_of(window, count), *window.shape, window.step, tol, least_average(window.step), 1)
-    assert _core_tests.rim_boxes(*given, sides, axes, numbers)
-    return sides[0], axes, numbers[1]
 
 
 def averages(pupil, shape, pixel, *, center=None, tol=1e-4, scale=1.0, failing=0):
@@ -268,43 +257,6 @@ def test_pupils_that_fail_have_larger_boxes_and_then_nodes():
     assert (np.abs(values - exact).max(axis=(1, 2)) <= 1.01e-4 * exact.max(axis=(1, 2))).all()
     whole, _ = averages(pupil[::5], 33, 2.65, tol=1e-9)
     assert np.abs(values[::5] - whole).max() <= 1e-6  # nodes, which are far more exact than is asked of them
-
-
-def test_few_of_a_box_go_with_a_larger_one():
-    rng = np.random.default_rng(3)
-    waves = np.array([0.02] * 20 + [0.05] * 3 + [0.1] * 12 + [1.0] * 2)
-    made = np.stack([pupils(rng, 1, each).wavefront.edge[0] for each in waves])
-    stack = disk_stack(pupils(rng, 37, 0.1))._replace(edge=made)
-    sides, _, _ = boxes_of(stack, Window((33, 33), (16.0, 16.0), 8.0), 1e-4)
-    assert len(set(sides[:20])) == 1
-    counts = Counter(sides[:35].tolist())
-    assert all(many >= 8 for side, many in counts.items() if side < max(counts))
-    assert sides[0] < sides[25]
-    assert (sides[35:] == 0).all()
-
-
-def test_boxes_are_within_the_window_also_of_pupils_that_go_with_others():
-    rng = np.random.default_rng(3)
-    edge = [pupils(rng, 17, 0.15).wavefront.edge, pupils(rng, 3, 0.02).wavefront.edge]
-    stack = disk_stack(pupils(rng, 20, 0.1))._replace(edge=np.concatenate(edge))
-    centers = np.full((20, 2), 16.0)
-    centers[17:, 0] = 3.0
-    sides, axes, _ = boxes_of(stack, Window((33, 33), centers, 8.0), 1e-4)
-    assert sides[:17].min() > 7
-    assert (sides[17:] > 0).all()
-    assert (sides[17:] // 2 <= 3).all()
-    np.testing.assert_array_equal(axes, centers)
-
-
-def test_the_largest_average_is_about_as_guessed():
-    rng = np.random.default_rng(6)
-    for waves, pixel in ((0.02, 1.0), (0.1, 2.65), (0.1, 6.0), (0.2, 2.65)):
-        pupil = pupils(rng, 20, waves)
-        exact = lm.psf(pupil, 21, pixel, integrate=True, normalize="strehl").values.max(axis=(1, 2))
-        window = window_of(pupil, Grid(121, pixel, integrate=True))
-        _, _, tolerances = boxes_of(disk_stack(pupil), window, 1e-3)
-        assert (tolerances / (1e-3 * exact) > 0.6).all()
-        assert (tolerances / (1e-3 * exact) < 1.7).all()
 
 
 def test_pupils_left_over_do_not_make_others_start_again():

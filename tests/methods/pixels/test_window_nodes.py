@@ -7,8 +7,6 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from scipy.linalg import eigh_tridiagonal
-from scipy.special import pro_ang1
 
 import lommel as lm
 from core_tests import _core_tests
@@ -35,23 +33,6 @@ def chords(w):
     s = 0.5 * (high - low)[:, None] * t + 0.5 * (high + low)[:, None]
     product = np.sqrt(np.maximum(1 - s * s, 0.0) * np.maximum(1 - (s - w[:, None]) ** 2, 0.0))
     return 4 / np.pi**2 * 0.5 * (high - low) * (product @ weight)
-
-
-@pytest.mark.parametrize(("degree", "bandwidth"), [(4, 2.0), (8, 5.0), (12, 8.0), (16, 12.0)])
-def test_nodes_are_zeros_of_a_prolate_function(degree, bandwidth):
-    zeros = np.array(_core_tests.prolate_zeros(degree, bandwidth))
-    assert zeros.size == degree // 2
-    beside = np.array([pro_ang1(0, degree, bandwidth, x)[0] for x in np.concatenate([zeros - 1e-4, zeros + 1e-4])])
-    assert (beside[: zeros.size] * beside[zeros.size :] < 0).all()
-
-
-@pytest.mark.parametrize(("size", "index"), [(2, 0), (2, 1), (9, 4), (60, 0), (60, 59), (150, 40)])
-def test_eigenvectors_are_those_of_a_library(size, index):
-    rng = np.random.default_rng(size)
-    diagonal, beside = np.sort(rng.uniform(0, 100, size)), rng.uniform(1, 5, size - 1)
-    found = np.array(_core_tests.eigenvector(diagonal.tolist(), beside.tolist(), index))
-    _, wanted = eigh_tridiagonal(diagonal, beside, select="i", select_range=(index, index))
-    assert abs(abs(found @ wanted[:, 0]) - 1.0) <= 1e-11
 
 
 def test_windows_whose_weights_are_of_either_sign_have_nodes_yet():

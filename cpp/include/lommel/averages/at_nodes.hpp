@@ -73,8 +73,8 @@ using NodeSample = Reference<void(const NodeQuestion&, const AverageAnswer&, Nod
 // Call compute(answer), which writes averages and derivatives in double precision. Store these in `images` and
 // slopes[term][pupil][pixel], with error bounds. If compute() returns false, nothing is stored and false is returned.
 template <class T, class Compute>
-bool averaged_images(const AverageRequest& asked, std::size_t pupils, const DiskAnswer<T>& images, T* slopes,
-                     double* slope_bounds, const Compute& compute) {
+bool averaged_images(const AverageRequest& asked, std::size_t pupils, const Answer<T>& images, T* slopes, double* slope_bounds,
+                     const Compute& compute) {
     const std::size_t pixels = asked.pixels(), derivatives = asked.factors.size() * pupils;
     const std::unique_ptr<double[]> values(new double[pupils * pixels]), slope_values(new double[derivatives * pixels]);
     std::vector<double> slope_errors(derivatives);

@@ -144,7 +144,7 @@ class DiskAverages {
             const auto ask = [&](auto real) {
                 using Real = decltype(real);
                 std::fill(scales.begin(), scales.end(), 1.0);
-                const DiskAnswer<Real> into{nullptr, scales.data(), numbers.error.data(), numbers.brightest.data()};
+                const Answer<Real> into{nullptr, scales.data(), numbers.error.data(), numbers.brightest.data()};
                 if (!asked.factors.empty()) {
                     const ChordalDerivatives<Real> more{asked.factors, nullptr, numbers.slope_error.data(), to.slopes,
                                                         numbers.steepest.data()};

@@ -63,14 +63,14 @@ struct ChordalBudget {
 template <class T, class More = NoDerivatives>
 class ChordalRenderer {
    public:
-    ChordalRenderer(const DiskStack& stack, const DiskWindow& window, double tol, int threads, const DiskAnswer<T>& answer,
+    ChordalRenderer(const DiskStack& stack, const DiskWindow& window, double tol, int threads, const Answer<T>& answer,
                     const More& more = {})
         : stack_(stack), rows_(window.height, window.row), columns_(window.width, window.column), step_(window.step), tol_(tol),
           threads_(threads), answer_(answer), more_(more), degree_(highest_degree(more.terms)),
           area_(stack.obscuration * stack.obscuration), lines_(stack, rows_, columns_, step_, threads), states_(stack.count) {}
 
     // Render pixel averages; the samples at `nodes` are not stored. tol: tolerance of the complex amplitude at the nodes, absolute.
-    ChordalRenderer(const DiskStack& stack, const PixelNodes& nodes, double tol, int threads, const DiskAnswer<T>& answer,
+    ChordalRenderer(const DiskStack& stack, const PixelNodes& nodes, double tol, int threads, const Answer<T>& answer,
                     const More& more = {})
         : stack_(stack), rows_(nodes.rows), columns_(nodes.columns), step_(1.0), tol_(tol), threads_(threads), answer_(answer),
           more_(more), degree_(highest_degree(more.terms)), area_(stack.obscuration * stack.obscuration),
@@ -445,7 +445,7 @@ class ChordalRenderer {
     WindowAxis rows_, columns_;
     double step_, tol_;
     int threads_;
-    DiskAnswer<T> answer_;
+    Answer<T> answer_;
     More more_;
     std::size_t degree_;  // highest degree of the Zernike terms to differentiate with respect to
     double area_;

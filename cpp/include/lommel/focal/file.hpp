@@ -205,15 +205,7 @@ class FocalCamera {
         }
         stream_->take(frames_.data());
         stream_->search();
-        const FocalPlace* const places = stream_->places();
-        const float start = file_.number[FocalFile::First], step = file_.number[FocalFile::Step];
-        for (std::size_t i = 0; i < down() * across(); ++i) {
-            const float vergence = start + step * places[i].position;
-            depth[i] = 1.0f / vergence;
-            errors[i] =
-                vergence > 0.0f ? places[i].error * step / (vergence * vergence) : std::numeric_limits<float>::infinity();
-            misfit[i] = places[i].misfit;
-        }
+        stream_->depths(depth, errors, misfit);
         taken_ = true;
     }
 

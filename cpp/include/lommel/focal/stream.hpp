@@ -68,7 +68,6 @@ class FocalStream {
     // down(), across(): number of rows and columns of the depth map.
     std::size_t down() const { return down_ * plan_.fine; }
     std::size_t across() const { return across_ * plan_.fine; }
-    bool has_depth() const { return search_ != nullptr; }
     const FocalPlan& plan() const { return plan_; }
     const FocalPlace* places() const { return places_.data(); }
     const float* filled() const { return filled_.data(); }
@@ -95,6 +94,18 @@ class FocalStream {
     void search() {
         doubt();
         fill();
+    }
+
+    // Write the depth of each block after search(), its standard error in metres, and its misfit.
+    void depths(float* depth, float* errors, float* misfit) const {
+        const FocalCandidates& given = search_->candidates();
+        for (std::size_t i = 0; i < places_.size(); ++i) {
+            const float vergence = given.first + given.step * places_[i].position;
+            depth[i] = 1.0f / vergence;
+            errors[i] = vergence > 0.0f ? places_[i].error * given.step / (vergence * vergence)
+                                        : std::numeric_limits<float>::infinity();
+            misfit[i] = places_[i].misfit;
+        }
     }
 
     // Compute a sharp image, sum over kept images of factor * image. factors[candidate][image] are interpolated linearly at the
@@ -514,7 +525,6 @@ class FocalStream {
     template <class I>
     LOMMEL_INLINE void blend(I, Strip& strip, const float* positions, std::size_t down, std::size_t across, std::size_t side,
                              const float* factors, std::size_t candidates, float* out, std::size_t top, std::size_t bottom) {
-        using V = typename I::floats;
         const std::size_t count = plan_.image_count, pitch = line();
         // before, after: factors of each image at two rows of blocks; here: factors interpolated to one row of pixels.
         float* const before = strip.coefficients.data();
@@ -559,7 +569,6 @@ class FocalStream {
                 }
             }
         }
-        static_cast<void>(sizeof(V));
     }
     // to[x], x < width: linear interpolation of (1 - part) a + part b, given at the centres of `across` blocks, each `side` wide.
     static LOMMEL_INLINE void expand(const float* a, const float* b, float part, std::size_t across, std::size_t side,

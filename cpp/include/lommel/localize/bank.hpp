@@ -14,9 +14,9 @@ namespace lommel {
 // Bank of templates: (image of a molecule - its mean) / (norm of this difference).
 class Bank {
    public:
-    // `places`: positions of the templates, sorted by z, `layer` of them for each z.
-    Bank(const MoleculeTable& table, const std::vector<Place>& places, std::size_t layer)
-        : places_(places), layer_(layer), pixels_(table.pixels()), values_(padded() * table.pixels()) {
+    // Positions of the templates are sorted by z, `each_layer` of them for each z.
+    Bank(const MoleculeTable& table, const std::vector<Place>& positions, std::size_t each_layer)
+        : places(positions), layer(each_layer), pixels_(table.pixels()), values_(padded() * table.pixels()) {
         MoleculeImages images(table);
         Floats four(molecule_images * table.pixels());
         for (std::size_t k = 0; k < places.size(); ++k) {
@@ -35,8 +35,8 @@ class Bank {
             const double norm = std::sqrt(std::max(square, 1e-300));
             float* const to = &values_[k * table.pixels()];
             each([&](std::size_t i) { to[i] = static_cast<float>((static_cast<double>(four[i]) - mean) / norm); });
-            mean_.push_back(mean);
-            norm_.push_back(norm);
+            means.push_back(mean);
+            norms.push_back(norm);
         }
     }
 
@@ -67,20 +67,15 @@ class Bank {
         });
     }
 
-    std::size_t size() const { return places_.size(); }
-    std::size_t padded() const { return (places_.size() + 1) / 2 * 2; }
-    std::size_t layer() const { return layer_; }
-    const Place& place(std::size_t k) const { return places_[k]; }
-    // photons(): least-squares photon count, from the inner product `product` of the mean-free image with template k. share(): mean
-    // pixel value, per photon, of the image of template k.
-    double photons(std::size_t k, double product) const { return product / norm_[k]; }
-    double share(std::size_t k) const { return mean_[k]; }
+    std::size_t padded() const { return (places.size() + 1) / 2 * 2; }
+
+    std::vector<Place> places;
+    std::size_t layer;
+    std::vector<double> means, norms;  // mean of each image; norm of (image - its mean)
 
    private:
-    std::vector<Place> places_;
-    std::size_t layer_, pixels_;
-    Floats values_;                    // [template][pixel]
-    std::vector<double> mean_, norm_;  // mean of each image; norm of (image - its mean)
+    std::size_t pixels_;
+    Floats values_;  // [template][pixel]
 };
 
 // Images of many molecules in electrons, [molecule][height][width], contiguous; NaN marks invalid pixels. `read`: variance of
@@ -150,13 +145,13 @@ class Localizer {
     // products: inner products of the image with all templates; mean: mean of the image.
     Fitted best(MoleculeFit& fit, const Counts& counts, const float* products, double mean, int starts) const {
         // Find the most similar template for each z.
-        const std::size_t layers = bank_.size() / bank_.layer();
+        const std::size_t layers = bank_.places.size() / bank_.layer;
         std::vector<std::size_t> found(layers);
         std::vector<double> alike(layers);
         for (std::size_t z = 0; z < layers; ++z) {
-            found[z] = z * bank_.layer();
+            found[z] = z * bank_.layer;
             alike[z] = static_cast<double>(products[found[z]]);
-            for (std::size_t t = found[z] + 1; t < (z + 1) * bank_.layer(); ++t) {
+            for (std::size_t t = found[z] + 1; t < (z + 1) * bank_.layer; ++t) {
                 if (const double here = static_cast<double>(products[t]); here > alike[z]) {
                     alike[z] = here;
                     found[z] = t;
@@ -169,9 +164,10 @@ class Localizer {
             if (alike[z] == tried) {
                 break;
             }
-            const Place& place = bank_.place(found[z]);
-            const double photons = std::max(bank_.photons(found[z], static_cast<double>(products[found[z]])), 1.0);
-            const double background = std::max(mean - photons * bank_.share(found[z]), 0.1);
+            const Place& place = bank_.places[found[z]];
+            const double photons = std::max(static_cast<double>(products[found[z]]) / bank_.norms[found[z]], 1.0);
+            // The least-squares number of photons, and the mean that is left over.
+            const double background = std::max(mean - photons * bank_.means[found[z]], 0.1);
             const Unknowns start{place.row, place.column, place.z, photons, background};
             // Exclude this z and its neighbours, from which the fit would converge to the same position.
             for (std::size_t near = z > 0 ? z - 1 : z; near < std::min(z + 2, layers); ++near) {

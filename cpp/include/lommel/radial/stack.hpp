@@ -78,10 +78,11 @@ template <class T>
 struct Answer {
     T* images;
     double *scales, *bounds, *peaks;
-    const std::size_t* powers;  // [derivative]: exponent k of t^k, t the squared pupil radius, whose coefficient varies
-    std::size_t derivatives;
-    T* derivative_images;  // [derivative][pupil][height][width]
-    double* derivative_bounds;  // [derivative][pupil]: error bound relative to the peak of the intensity
+    const std::size_t* powers =
+        nullptr;  // [derivative]: exponent k of t^k, t the squared pupil radius, whose coefficient varies
+    std::size_t derivatives = 0;
+    T* derivative_images = nullptr;  // [derivative][pupil][height][width]
+    double* derivative_bounds = nullptr;  // [derivative][pupil]: error bound relative to the peak of the intensity
 
     // Store peak and error bound of a pupil, and return the scale of its image, whose largest intensity is `top`.
     double finish(std::size_t pupil, double top, double peak, double bound) const {

@@ -104,10 +104,9 @@ class LayeredImages {
             for (std::size_t p = 0; p < here;
                  ++p, values += profiles.outputs() * profiles.stride(), sizes += profiles.kinds()) {
                 const Judged judged(planes_, first + p, *sizes);
-                double size = 0.0, top = 0.0;
-                size = largest_value(values, table->count);
+                const double size = largest_value(values, table->count);
                 const double off = window_of(*table, windows_[first + p], values, judged, size, made);
-                top = largest_value(made.values.data(), made.count);
+                const double top = largest_value(made.values.data(), made.count);
                 // Lower bound on the peak: the largest value less its error bound. For samples, but not for averages, the intensity
                 // at any radius of the table, less its error bound, is a lower bound as well.
                 const double peak = std::max(top - off, window_.integrate ? 0.0 : size - judged.given);
@@ -134,8 +133,7 @@ class LayeredImages {
                         return Order{values + k * profiles.stride(), Judged(planes_, first + p, *sizes, k, k + 1)};
                     },
                     made, total.data());
-                double top = 0.0;
-                top = largest_value(total.data(), pixels());
+                const double top = largest_value(total.data(), pixels());
                 const double scale = note(first + p, top, top - off, off);
                 T* const image = answer_.images + (first + p) * pixels();
                 store_least(total.data(), scale, pixels(), T{0}, image);
@@ -149,15 +147,14 @@ class LayeredImages {
                double off) const {
         thread_local Doubles all;
         thread_local std::vector<T> profile;
-        double top = 0.0;
         if (!planes_.radial()) {
             all.resize(pixels());
             turned.sum(layout, values, stride, all.data());
-            top = largest_value(all.data(), pixels());
+            const double top = largest_value(all.data(), pixels());
             const double scale = note(plane, top, top - off, off);
             return store_least(all.data(), scale, pixels(), T{0}, answer_.images + plane * pixels());
         }
-        top = largest_value(values, layout.count);
+        const double top = largest_value(values, layout.count);
         profile.resize(layout.count);
         const double scale = note(plane, top, top - off, off);
         store_least(values, scale, layout.count, T{0}, profile.data());

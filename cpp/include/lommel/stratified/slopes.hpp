@@ -7,6 +7,7 @@
 #include <limits>
 #include <memory>
 #include <type_traits>
+#include <variant>
 #include <vector>
 
 #include "lommel/base/simd.hpp"
@@ -19,10 +20,10 @@
 
 namespace lommel {
 
-// Requested derivative of the intensity I: factor * dI/dx + own[plane] * I, where x is the depth or the focus. For `axis`: two
+// Requested derivative of the intensity I: factor * dI/dx + own[plane] * I, where x is the depth or the focus. For By::radius: two
 // images, where x is the row and the column of the axis.
 struct LayeredSlope {
-    enum class What { depth, focus, axis } what;
+    By by;
     double factor;
     const double* own;  // [plane]: coefficient of I
 };
@@ -52,20 +53,21 @@ class WindowSlopes {
     template <class Table>
     WindowSlopes(const Planes& planes, const PixelWindows& windows, const LayeredSlopes<T>& slopes,
                  const std::shared_ptr<const Table>& table)
-        : planes_(planes), windows_(windows), slopes_(slopes), table_(*table) {
+        : planes_(planes), windows_(windows), slopes_(slopes), table_(table.get()) {
         if constexpr (std::is_same_v<Table, AnywhereTable>) {
             const bool moved = std::any_of(slopes.requested.begin(), slopes.requested.end(),
-                                           [](const LayeredSlope& slope) { return slope.what == LayeredSlope::What::axis; });
+                                           [](const LayeredSlope& slope) { return slope.by == By::radius; });
             shift_ = moved && table->integrate ? ShiftTable::get(table) : nullptr;
         }
     }
 
     // Write the derivatives of one plane, for radially symmetric intensities.
     void radial(std::size_t plane, const PlaneProfiles& of, double scale, WindowValues& made) const {
-        table_.visit([&](const auto& table) {
+        const auto write = [&](const auto* own) {
+            const auto& table = *own;
             std::size_t image = 0;
             for (const LayeredSlope& slope : slopes_.requested) {
-                if (slope.what == LayeredSlope::What::axis) {
+                if (slope.by == By::radius) {
                     axis(image, plane, of, scale, made);
                     image += 2;
                 } else {
@@ -75,33 +77,23 @@ class WindowSlopes {
                     note(image++, plane, error, made.values.data(), made.count);
                 }
             }
-        });
+        };
+        std::visit(write, table_);
     }
 
     // Write the derivatives of one plane, for samples of intensities that depend on the azimuth.
     void turned(std::size_t plane, const PlaneProfiles& of, double scale, WindowValues& made, double* total) const {
+        const AnywhereTable& table = *std::get<const AnywhereTable*>(table_);
         for (std::size_t image = 0; image < slopes_.requested.size(); ++image) {
             const double error = turned_window(
-                *table_.anywhere, planes_, windows_[plane],
-                [&](std::size_t k) { return mix(*table_.anywhere, slopes_.requested[image], plane, of, k); }, made, total);
+                table, planes_, windows_[plane],
+                [&](std::size_t k) { return mix(table, slopes_.requested[image], plane, of, k); }, made, total);
             store_scaled(total, scale, pixels(), at(image, plane));
             note(image, plane, error, total, pixels());
         }
     }
 
    private:
-    // Pointer to the table of either kind: for windows around arbitrary axes, or for centred windows.
-    struct AnyTable {
-        const AnywhereTable* anywhere = nullptr;
-        const PixelTable* centered = nullptr;
-        AnyTable(const AnywhereTable& table) : anywhere(&table) {}
-        AnyTable(const PixelTable& table) : centered(&table) {}
-        template <class Take>
-        void visit(const Take& take) const {
-            anywhere != nullptr ? take(*anywhere) : take(*centered);
-        }
-    };
-
     std::size_t pixels() const { return windows_.first.height * windows_.first.width; }
     T* at(std::size_t image, std::size_t plane) const { return slopes_.images + (image * planes_.count + plane) * pixels(); }
 
@@ -125,7 +117,7 @@ class WindowSlopes {
               std::size_t order) const {
         thread_local Doubles mixed;
         mixed.resize(table.count + widest_step);
-        const std::size_t by = kind(slope.what == LayeredSlope::What::depth ? By::depth : By::focus);
+        const std::size_t by = kind(slope.by);
         const double own = slope.own[plane];
         const double *value = profile(of, 0, order), *rate = profile(of, by, order);
         const Judged self = planes_.radial() ? of.judged : Judged(planes_, plane, *of.sizes, order, order + 1);
@@ -153,7 +145,7 @@ class WindowSlopes {
             const double penalty = shift_->values(here, of.values, scratch, down.data(), across.data());
             error = window_error(*shift_, penalty, of.judged.most, of.judged.given, 4.0 * of.judged.swing, of.judged.swing);
         } else {
-            const AnywhereTable& table = *table_.anywhere;
+            const AnywhereTable& table = *std::get<const AnywhereTable*>(table_);
             const std::size_t by = kind(By::radius);
             const double *rate = profile(of, by, 0), pitch = here.step * here.step;
             scratch.resize(table.count + widest_step);
@@ -200,7 +192,7 @@ class WindowSlopes {
     const Planes& planes_;
     PixelWindows windows_;
     const LayeredSlopes<T>& slopes_;
-    AnyTable table_;
+    std::variant<const AnywhereTable*, const PixelTable*> table_;  // around arbitrary axes, or for centred windows
     std::shared_ptr<const ShiftTable> shift_;
 };
 

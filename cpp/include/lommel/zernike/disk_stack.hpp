@@ -10,6 +10,7 @@
 
 #include "lommel/bounds/amplitude.hpp"
 #include "lommel/limits.hpp"
+#include "lommel/radial/stack.hpp"
 #include "lommel/special/radial_polynomials.hpp"
 
 namespace lommel {
@@ -18,14 +19,6 @@ namespace lommel {
 struct DiskWindow {
     std::size_t height, width;
     double row, column, step;
-};
-
-// Output for each pupil. images: pixel values; scales: factor on the intensity (0 on entry: divide by the maximum); bounds: error
-// bound / intensity of the peak; peaks: intensity of the peak.
-template <class T>
-struct DiskAnswer {
-    T* images;
-    double *scales, *bounds, *peaks;
 };
 
 // Variance of a phase over the full disk (rad^2), without piston and tilt. edge: coefficients of the terms in radians.

@@ -22,7 +22,7 @@ class ZernikeRenderer {
    public:
     // Render a stack after move_axes() and shrink(). answer.peaks receives the largest I, to which error bounds are relative: the
     // maximum of the image or, unless images are divided by their maximum, a larger value outside of it.
-    ZernikeRenderer(const DiskStack& stack, const DiskWindow& window, double tol, int threads, const DiskAnswer<T>& answer)
+    ZernikeRenderer(const DiskStack& stack, const DiskWindow& window, double tol, int threads, const Answer<T>& answer)
         : stack_(stack), height_(window.height), width_(window.width), step_(window.step), tol_(tol), threads_(threads),
           answer_(answer), within_(stack.amplitude.scaled(stack.obscuration * stack.obscuration)), terms_(stack.terms) {}
 
@@ -158,7 +158,7 @@ class ZernikeRenderer {
     std::size_t height_, width_;
     double step_, tol_;
     int threads_;
-    DiskAnswer<T> answer_;
+    Answer<T> answer_;
     Amplitude within_;  // amplitude within the obscuration
     TermPairs terms_;
 };

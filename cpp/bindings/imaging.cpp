@@ -47,10 +47,9 @@ lommel::Scene scene_of(const In<double, 2>& positions) {
     return {positions.data(), positions.shape(0), positions.shape(1)};
 }
 
-// Data for occlusion: `layers` has the shape of `positions`, `seen` that of the image with margins.
-//
 // out += each pixel spread over its window; `out` is larger than the scene by half a window above and below, and by the next
 // multiple of 16 on either side. Or the transpose, in which light beyond the edges is not folded back.
+// For occlusion, `layers` has the shape of `positions`, `seen` that of the image with margins.
 template <class T, bool Transposed>
 void spread(BankFields<T> windows, In<double, 2> positions, std::conditional_t<Transposed, In<T, 2>, Strided<T>> image,
             int threads, Out<T, 2> out, std::optional<In<T, 2>> layers, std::optional<In<T, 2>> seen) {

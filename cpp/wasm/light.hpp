@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "lommel/measures/encircled.hpp"
+#include "encircled.hpp"
 #include "lommel/pixels/filter.hpp"
 #include "lommel/pixels/taps.hpp"
 #include "lommel/radial/average_images.hpp"

@@ -13,10 +13,9 @@
 #include <string>
 #include <vector>
 
-#include "lommel/imaging/convolution.hpp"
-#include "lommel/measures/overlap.hpp"
-
+#include "convolution.hpp"
 #include "light.hpp"
+#include "overlap.hpp"
 #include "vanes.hpp"
 
 // Replacement for the function of libc++ that prints a message before it aborts.

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "lommel/base/pi.hpp"
-#include "lommel/measures/overlap.hpp"
+#include "overlap.hpp"
 #include "lommel/pixels/filter.hpp"
 #include "lommel/pixels/taps.hpp"
 

@@ -205,9 +205,10 @@ def test_fields_are_too_dim_by_the_mean_square_over_stars(one_focus, side):
             total += weight * vector @ covariance @ vector
     rms = math.sqrt(total / len(basis))
     limit = 0.22 / (math.sqrt(2.0) if one_focus else 1.0)
-    star_images = SimpleNamespace(directions=directions, mean_squares=squares)
+    stars = SimpleNamespace(first_star=SimpleNamespace(one_focus=one_focus))
+    search = SimpleNamespace(metric=directions * squares @ directions.T, stars=stars)
     fit = SimpleNamespace(model=SimpleNamespace(basis=basis))
-    found = field_fit._too_dim_findings(star_images, fit, covariance * (side * limit / rms) ** 2, one_focus=one_focus)
+    found = field_fit._too_dim_findings(search, fit, covariance * (side * limit / rms) ** 2)
     assert told(found) == ([("too_dim", "doubt")] if side > 1.0 else [])
     assert all(one.numbers["rms"] == pytest.approx(side * limit, rel=1e-9) for one in found)
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from lommel import _core
 from lommel.base.encoding import clipped_fraction, from_light, to_light
 from lommel.core import engine
 from lommel.imaging.photograph import encode_light
@@ -49,17 +48,6 @@ def test_other_types_are_those_of_the_formula(dtype, kind):
     assert np.array_equal(values, from_light(light, "srgb", kind))
     assert clipped == clipped_fraction(light, kind)
 
-
-@pytest.mark.parametrize("edges", [[0.5], [1e-30, 1.0], [1.0, 1.0001, 3.0]])
-def test_any_edges_that_rise_will_do(edges):
-    edges = np.array(edges, np.float32)
-    light = np.concatenate([around(edges, -1), edges, around(edges, 1), [-1.0, 0.0, 1e9, np.inf, np.nan]]).astype(
-        np.float32
-    )
-    values = np.empty(light.shape, np.uint8)
-    assert _core.levels(light, edges, 0.0, 5.0, 1, values) == 3
-    assert np.array_equal(values[:-1], np.searchsorted(edges, light[:-1], side="right"))
-    assert values[-1] == 0  # of what is no number
 
 
 @pytest.mark.parametrize("shape", [(1, 1, 1), (3, 30, 100), (8, 7, 48), (17, 5, 33), (130, 40, 70)])

@@ -50,7 +50,7 @@ def test_waves_up_to_the_rate_are_within_the_error(error):
 def test_rates_are_those_of_the_phase_across_the_pupil():
     rho = np.linspace(0.0, 1.0, 2001)
     pupil = TIRF.pupil(depth=0.2e-6, wavelength=600e-9)
-    by_depth, by_focus = TIRF._rates(rho, 600e-9)[1:]
+    by_depth, by_focus = pupil.layers.rates(pupil.layers.cosine(rho))[1:]
     assert Waves(pupil, "z").rate == pytest.approx(np.ptp(by_focus))
     depth = Waves(pupil, "depth")
     assert depth.rate == pytest.approx(np.ptp(by_depth.real))

@@ -49,7 +49,6 @@ def test_other_types_are_those_of_the_formula(dtype, kind):
     assert clipped == clipped_fraction(light, kind)
 
 
-
 @pytest.mark.parametrize("shape", [(1, 1, 1), (3, 30, 100), (8, 7, 48), (17, 5, 33), (130, 40, 70)])
 def test_matrix_products_are_those_of_numpy_with_any_number_of_threads(shape):
     rows, count, sums = shape

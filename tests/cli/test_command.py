@@ -142,10 +142,10 @@ def test_values_with_a_unit_of_their_own_syntax_and_three_states(run):
     ("line", "error"),
     [
         ("a d --grit 39", "--grit must be from 40 to 3000, got 39"),
-        ("a d --grit x", 'Invalid value for --grit: unable to convert "x" into int.'),
+        ("a d --grit x", "--grit must be an integer, got 'x'"),
         ("a d --grit", "--grit needs a value"),
-        ("a d --strokes -4,0", 'Invalid value for --strokes: unable to convert "-4,0" into float. '
-         "Several numbers follow with blanks: --strokes -4 0"),
+        ("a d --strokes -4,0", "--strokes must be a number, got '-4,0'; several numbers follow with blanks: "
+         "--strokes -4 0"),
         ("a d --grt 80", "Unknown option: --grt. Did you mean --grit?"),
         ("a d --seed 3", 'Unknown option: --seed.'),
         ("a d --sagitta 2", "--sagitta: '2' is a length without a unit; write for example '2 mm'"),

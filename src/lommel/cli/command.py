@@ -233,8 +233,12 @@ def _message(error: CycloptsError) -> str:
     name = "" if error.argument is None else error.argument.name
     if isinstance(error, CoercionError) and error.msg and name:
         return f"{name}: {error.msg}"
-    if isinstance(error, CoercionError) and error.token and "," in error.token.value:
-        return f"{line(error)} Several numbers follow with blanks: {name} {error.token.value.replace(',', ' ')}"
+    if isinstance(error, CoercionError) and error.token and name and error.target_type in (int, float):
+        kind = "an integer" if error.target_type is int else "a number"
+        given, advice = error.token.value, ""
+        if "," in given:
+            advice = f"; several numbers follow with blanks: {name} {given.replace(',', ' ')}"
+        return f"{name} must be {kind}, got {shown(given)}{advice}"
     if isinstance(error, MissingArgumentError) and name:
         return f"{name} needs a value" if name.startswith("-") else f"{name} is missing"
     if isinstance(error, UnusedCliTokensError):

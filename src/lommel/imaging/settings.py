@@ -47,7 +47,7 @@ class TableOptions(WindowOptions):
     ----------
     tol : float, default 1e-4
         Tolerance of the interpolation between tabulated PSFs, relative to their peak, 1e-7 to 1e-1; checked half-way
-        between table entries. The attribute `error` of the result is the actual error.
+        between table entries; the error found there is stated with the result. Light beyond windows comes on top.
     """
 
     tol: Annotated[float, In(least=1e-7, most=0.1)] = 1e-4

@@ -21,7 +21,8 @@ import containers
 import lommel as lm
 from lommel.base.encoding import to_light
 from lommel.base.options import Options
-from lommel.cli import deconvolve_command, fit_commands, localize_command
+from lommel.cli import deconvolve_command, localize_command
+from lommel.estimation import beads, field_fit, phase_retrieval
 from objectives import OIL_FILE
 from small_recordings import DEPTH, bead, coloured, grey, movie, sky, stack, stars
 
@@ -225,9 +226,9 @@ def handed(monkeypatch: pytest.MonkeyPatch) -> list[list[Any]]:
         estimate(recording.only_channel("stack")[...], noise, given)
 
     for module, name, stub in (
-        (fit_commands, "fit_stars", estimate),
-        (fit_commands, "fit_beads", estimate),
-        (fit_commands, "fit_targets", lambda targets, *more, **given: estimate(vars(targets), *more, given)),
+        (phase_retrieval, "fit_stars", estimate),
+        (beads, "fit_beads", estimate),
+        (field_fit, "fit_targets", lambda targets, *more, **given: estimate(vars(targets), *more, given)),
         (localize_command, "Table", lambda *arguments, **options: None),
         (localize_command, "movie_blocks", lambda movie, *more, **given: estimate(movie[...], *more, given)),
         (deconvolve_command, "run", restore),

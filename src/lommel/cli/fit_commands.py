@@ -8,10 +8,11 @@ import re
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Annotated, Any, ClassVar, Literal, NamedTuple
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, NamedTuple
 
 import numpy as np
 
+from lommel import detection
 from lommel.base.arrays import Array, Values, plain
 from lommel.base.options import In, Options, Shown
 from lommel.base.units import ARCSEC, format_length, with_error
@@ -21,25 +22,24 @@ from lommel.cli.command import OUTPUT, PLOT, command
 from lommel.cli.instruments import CameraNoise, header_differences, instrument_of, require_microscope
 from lommel.cli.messages import report_findings
 from lommel.cli.output import progress, require_file, save_figure, written
-from lommel.detection.targets import Crossings, PointSources, find_crossings, find_spots, grid_indices
 from lommel.estimation import EFFORT
-from lommel.estimation.bead_images import CONSTANTS
-from lommel.estimation.beads import BeadFit, fit_beads
-from lommel.estimation.field_fit import FieldFit, fit_targets
 from lommel.estimation.options import BeadOptions, FieldFitOptions, RetrieveOptions
-from lommel.estimation.phase_retrieval import Retrieval, fit_stars
-from lommel.estimation.star_images import label
 from lommel.fit.findings import Finding, Findings
 from lommel.io import zernike_tables
-from lommel.lensfiles.microscope_files import Microscope, stage_step
 from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.psf import psf
 from lommel.recorded.camera_noise import StackView, hot_pixel_findings, hot_pixels, sharpness
 from lommel.recorded.counts import Counts, counts_of
-from lommel.recorded.frames import Unusable, combined_metadata, part_of, read_each, read_images
 from lommel.report import Facts, Report, Wrapped
 from lommel.report.table import described, tables
+
+if TYPE_CHECKING:
+    from lommel.estimation.beads import BeadFit
+    from lommel.estimation.field_fit import FieldFit
+    from lommel.estimation.phase_retrieval import Retrieval
+    from lommel.lensfiles.microscope_files import Microscope
+    from lommel.recorded.frames import Unusable
 
 _MOST_CROSSINGS = 100
 _WAVE = 2.0 * math.pi  # radians
@@ -98,6 +98,11 @@ def retrieve(
       lommel retrieve star-*.tif phone.toml --defocus -4 0 4 --read 2 -o wave.json --plot fit.png
       lommel retrieve star-1.tif star-2.tif phone.toml --defocus 0 4 --terms "defocus, spherical" --read 2
     """
+    # Engines are imported where they run: the help and a misspelt option of one command need none.
+    from lommel.estimation.phase_retrieval import fit_stars
+    from lommel.estimation.star_images import label
+    from lommel.recorded.frames import read_images
+
     if output is not None:
         zernike_tables.find(output, "--output")
     instrument = instrument_of(lens, camera=camera.camera, pixel=camera.pixel)
@@ -137,6 +142,8 @@ def retrieve(
 
 def _files(paths: list[Path]) -> list[Path]:
     """Return the files; patterns that the shell has not expanded are expanded in the order of names."""
+    from lommel.recorded.frames import part_of
+
     files: list[Path] = []
     for path in paths:
         if path.exists() or part_of(path)[1] is not None or not set("*?[") & set(path.name):
@@ -172,13 +179,13 @@ class Search(Options):
     width: float | None = None
     most: Annotated[int | None, In(least=1)] = None
 
-    def find(self, exposures: Counts, targets: str, radius: float) -> PointSources | Crossings:
+    def find(self, exposures: Counts, targets: str, radius: float) -> detection.PointSources | detection.Crossings:
         """Return the targets found in the exposures; `radius` is the geometric radius of stars and holes, pixels."""
         given: Any = {"threshold": self.threshold, "width": self.width or max(2.0, 0.5 * radius)}
         if targets == "crossing":
-            return find_crossings(exposures, window=self.window, most=self.most or _MOST_CROSSINGS, **given)
+            return detection.find_crossings(exposures, window=self.window, most=self.most or _MOST_CROSSINGS, **given)
         side = max(33, 2 * math.ceil(1.4 * radius + 8.0) + 1)
-        return find_spots(exposures, window=self.window or side, most=self.most, **given)
+        return detection.find_spots(exposures, window=self.window or side, most=self.most, **given)
 
 
 @command
@@ -245,6 +252,9 @@ def fit_field(
       lommel fit-field inside.fits outside.fits nifty-fifty.toml --defocus -3 3 --read 2 -o field.csv
       lommel fit-field chart.tif nifty-fifty.toml --targets crossing --terms 5 --read 2 --saturation 60000
     """
+    from lommel.estimation.field_fit import fit_targets
+    from lommel.recorded.frames import read_images
+
     require_file(output, ".csv")
     require_file(twin, ".csv", "--twin")
     if kind != "crossing" and (options.size is None) == (kind == "pinhole"):
@@ -306,10 +316,12 @@ def fit_field(
     return report_findings(facts, *shown, *tables(facts), "") + files
 
 
-def _grid(targets: PointSources | Crossings) -> Array:
+def _grid(targets: detection.PointSources | detection.Crossings) -> Array:
     """Return the positions of pinholes or crossings on their grid, NaN where they are unknown."""
     try:
-        ideal = targets.indices if isinstance(targets, Crossings) else grid_indices(targets.centers)
+        ideal = (
+            targets.indices if isinstance(targets, detection.Crossings) else detection.grid_indices(targets.centers)
+        )
     except ValueError:
         ideal = np.full((len(targets), 2), np.nan)
     if (count := int(np.isfinite(ideal[:, 0]).sum())) < 4:
@@ -319,7 +331,7 @@ def _grid(targets: PointSources | Crossings) -> Array:
     return ideal
 
 
-def _too_few(targets: str, points: PointSources | Crossings) -> str:
+def _too_few(targets: str, points: detection.PointSources | detection.Crossings) -> str:
     """Return the reason why the images cannot be fitted, with advice."""
     name = "crossings of a checkerboard" if targets == "crossing" else f"isolated {targets}s"
     return f"images must show at least 4 {name}; {points.message}: --spots shows what --threshold and --window leave"
@@ -351,8 +363,10 @@ def _values(values: tuple[Array, Array], name: str, unit: float) -> Facts:
     return {key: (part / unit).tolist() for key, part in zip((name, "errors"), values, strict=True)}
 
 
-def _facts(result: FieldFit, targets: PointSources | Crossings) -> Facts:
+def _facts(result: FieldFit, targets: detection.PointSources | detection.Crossings) -> Facts:
     """Return the results as data that can be written as JSON."""
+    from lommel.estimation.star_images import label
+
     x, y = result.extent
     positions = {"middle": result.middle, "corner": (x[1], y[1])}
     distortion: Facts | None = None
@@ -436,6 +450,12 @@ def beads(
       lommel beads beads.tif zeiss-63x-1.4-oil.toml --step 100nm --bead 0.1um --read 1.6 --offset 100 -o mine.toml
       lommel beads field-1.tif field-2.tif zeiss-63x-1.4-oil.toml --step 100nm --read 1.6 --offset 100 --plot fit.png
     """
+    from lommel.estimation.bead_images import CONSTANTS
+    from lommel.estimation.beads import fit_beads
+    from lommel.estimation.star_images import label
+    from lommel.lensfiles.microscope_files import stage_step
+    from lommel.recorded.frames import combined_metadata, read_each
+
     require_file(output, ".toml")
     microscope = require_microscope("beads", lens, pixel=camera.pixel, camera=camera.camera)
     notes = [f"Emission at {format_length(microscope.wavelength, digits=4)}."]
@@ -555,7 +575,7 @@ def _beads(file: str, planes: Values, counts: Counts, window: int, notes: list[s
     if max(planes.shape[1:]) <= _FIELD_FACTOR * window:
         return [_Bead(f"{file} [0]", planes, (0, 0))]
 
-    spots = find_spots(counts, window=window)
+    spots = detection.find_spots(counts, window=window)
     if not len(spots):
         advice = "a smaller --window may do" if spots.refused else "check --offset and --gain"
         raise ValueError(f"{line(file)}: no isolated bead; {spots.message}: {advice}")

@@ -9,11 +9,11 @@ from contextlib import suppress
 from dataclasses import dataclass
 from functools import cache, reduce
 from itertools import pairwise
-from typing import TYPE_CHECKING, Annotated, Any, NamedTuple, cast
+from typing import Annotated, Any, NamedTuple, cast
 
 import numpy as np
 import scipy
-from numpy.typing import ArrayLike, DTypeLike
+from numpy.typing import ArrayLike
 
 from lommel.base import validation
 from lommel.base.arrays import Array, Values
@@ -24,16 +24,13 @@ from lommel.field.maps import FieldMap, require_light, require_one_aperture
 from lommel.field.psf_grid import sides
 from lommel.imaging.blur import require_depth, require_lens, warn_of_depths
 from lommel.imaging.sensor_light import too_large
-from lommel.imaging.settings import Spectrum, WindowOptions, floating, spectra
+from lommel.imaging.settings import SizeOptions, Spectrum, WindowOptions, spectra
 from lommel.imaging.spline_nodes import ERROR_RATIO, MAX_NODES, Nodes, sufficient_nodes, window_difference
 from lommel.imaging.window_blur import LARGEST, WindowBlur
 from lommel.optics.lens import Lens
 from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.psf import psf
-
-if TYPE_CHECKING:
-    pass
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -51,19 +48,8 @@ class FieldPhotographOptions(WindowOptions):
 
 
 @dataclass(frozen=True, kw_only=True)
-class FieldOptions(FieldPhotographOptions):
-    """Options of a blur that varies over the field.
-
-    Parameters
-    ----------
-    largest : int, optional
-        Maximum half width of a PSF window, pixels, 1 to 2048; by default half of the shorter side of the image.
-    dtype : float32 or float64, default float32
-        Type of the blurred image and of the sums over source points.
-    """
-
-    largest: Annotated[int | None, In(least=1, most=2048)] = None
-    dtype: Annotated[DTypeLike, floating] = "float32"
+class FieldOptions(SizeOptions, FieldPhotographOptions):
+    """Options of a blur that varies over the field."""
 
 
 @listed(FieldOptions)

@@ -54,8 +54,8 @@ class TableOptions(WindowOptions):
 
 
 @dataclass(frozen=True, kw_only=True)
-class OperatorOptions(TableOptions):
-    """Options of blur operators.
+class SizeOptions(WindowOptions):
+    """Options of blur operators of any kind.
 
     Parameters
     ----------
@@ -63,12 +63,22 @@ class OperatorOptions(TableOptions):
         Maximum half width of a PSF window, pixels, 1 to 2048; by default half of the shorter side of the image.
     dtype : float32 or float64, default float32
         Type of the blurred image and of the sums over source points.
-    threads : int, optional
-        Maximum number of threads; by default the number of processors. It does not change the result.
     """
 
     largest: Annotated[int | None, In(least=1, most=2048)] = None
     dtype: Annotated[DTypeLike, floating] = "float32"
+
+
+@dataclass(frozen=True, kw_only=True)
+class OperatorOptions(SizeOptions, TableOptions):
+    """Options of operators of blur by tables.
+
+    Parameters
+    ----------
+    threads : int, optional
+        Maximum number of threads; by default the number of processors. It does not change the result.
+    """
+
     threads: Annotated[int | None, In(least=1, most=1024)] = None
 
 

@@ -54,10 +54,11 @@ try:
         peak.write("5")
 except OSError:
     pass
+plan = lm.Plan(int(n), 0.5, method=method, threads=int(threads))
 before = status("VmRSS")
 peaks = []
 for repeat in range(3):
-    lm.psf(pupil, int(n), 0.5, method=method, out=out, threads=int(threads))
+    plan(pupil, out=out)
     peaks.append((status("VmHWM") - before) / 1024)
 print(json.dumps({"peak": peaks[-1], "kept": (status("VmRSS") - before) / 1024}))
 """
@@ -144,7 +145,8 @@ def empty():
 
 copied = taken(lambda: np.copyto(np.empty_like(image), image))
 first = taken(lambda: lm.psf(pupils[0], 512, 0.5, threads=1))
-psfs = [taken(lambda: lm.psf(pupil, 512, 0.5, threads=1, out=frame), empty) for pupil in pupils]
+plan = lm.Plan(512, 0.5, threads=1)
+psfs = [taken(lambda: plan(pupil, out=frame), empty) for pupil in pupils]
 copies = [taken(lambda: np.copyto(frame, image), empty) for _ in pupils]
 print(json.dumps([first / copied, np.median(psfs) / np.median(copies)]))
 """

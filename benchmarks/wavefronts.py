@@ -88,8 +88,8 @@ def stacks_against_fft(settings: Settings, *, each: bool, threads: int) -> Measu
     return Measured(result.ratio(ffts().name, mine.name), error, note)
 
 
-def _images(tol: float, dtype: Any, terms: tuple[tuple[int, int], ...]) -> Contender:
-    grid, wanted = Grid(SIDE, PIXEL), Wanted(dtype=dtype, threads=1, terms=terms)
+def _images(tol: float, dtype: Any, terms: tuple[tuple[int, int], ...], threads: int = 1) -> Contender:
+    grid, wanted = Grid(SIDE, PIXEL), Wanted(dtype=dtype, threads=threads, terms=terms)
 
     def call(pupils: lm.Pupil) -> Samples:
         return lm.methods.ChordalGauss(tol).images(pupils, grid, wanted)
@@ -98,7 +98,7 @@ def _images(tol: float, dtype: Any, terms: tuple[tuple[int, int], ...]) -> Conte
         return np.asarray(made.values if made.slopes is None else made.slopes.values[-1], dtype=np.float64)
 
     name = "derivatives" if terms else "images"
-    config = f"ChordalGauss({tol:g}).images with {len(terms)} derivatives, {np.dtype(dtype)}, threads=1"
+    config = f"ChordalGauss({tol:g}).images with {len(terms)} derivatives, {np.dtype(dtype)}, threads={threads}"
     return Contender(name, call, config, random_zernikes(True), first)
 
 
@@ -121,10 +121,10 @@ def gradient_over_images(settings: Settings, *, terms: int) -> Measured:
     weights, grid = np.random.default_rng(7).normal(size=(COUNT, SIDE, SIDE)), Grid(SIDE, PIXEL)
 
     def call(pupils: lm.Pupil) -> NDArray[np.float64]:
-        return lm.methods.ChordalGauss(1e-6).gradient(pupils, grid, weights, wanted, 1)
+        return lm.methods.ChordalGauss(1e-6).gradient(pupils, grid, weights, wanted)
 
-    config = f"ChordalGauss(1e-06).gradient by {terms} terms, threads=1"
-    mine, images = Contender("gradient", call, config, random_zernikes(True)), _images(1e-6, np.float64, ())
+    config = f"ChordalGauss(1e-06).gradient by {terms} terms, all threads"
+    mine, images = Contender("gradient", call, config, random_zernikes(True)), _images(1e-6, np.float64, (), 0)
     result = race([mine, images], settings.rounds)
     return Measured(result.ratio(mine.name, images.name), None, f"{config}; {images.config}")
 

@@ -304,7 +304,7 @@ class RadialMethod(Method[P]):
                 level = max(level, min(_LEVELS[-1], level + math.ceil(math.log10(sum_error[k] / part_limit))))
             if profile_error[k] > part_limit:
                 candidate = method.tightened().tightened().tightened()  # an eighth of the tolerance
-                method = candidate if candidate.tol >= 1e-5 * self.tol else self
+                method = candidate if candidate.tol >= 1e-5 * self.tol else method
             unchanged = (level, method) == settings
             if relative[k] <= allowed or (unchanged and not self.keeps_tol):
                 return Intensities(values, relative, peak)
